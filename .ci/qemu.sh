@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Cargo's runner for bare-metal Arm: qemu.sh TARGET ELF runs the program on the emulated board of that target.
+# The exit status is the program's own; 3 where there is no emulator, 124 where the program did not end in time.
+set -euo pipefail
+
+target=$1 elf=$2
+case $target in
+thumbv6m-*) board=microbit ;;
+thumbv7m-*) board=mps2-an385 ;;
+thumbv7em-*) board=mps2-an386 ;;
+*)
+    echo "qemu.sh: no board is known for $target" >&2
+    exit 2
+    ;;
+esac
+
+qemu=$("$(dirname "${BASH_SOURCE[0]}")/get-emulators.sh") || exit 3
+
+# One instruction is 2^10 ns of virtual time: runs repeat exactly and the counting firmware reads instructions off a timer.
+# Without "-monitor none -serial none" the emulator would take the terminal's input.
+exec timeout "${QEMU_SECONDS:-120}" "$qemu" -machine "$board" -icount shift=10 \
+    -nographic -monitor none -serial none -semihosting-config enable=on,target=native -kernel "$elf" </dev/null

@@ -1,0 +1,6 @@
+//! AABB against AABB.
+#![no_std]
+#![no_main]
+use tilesat::Aabb;
+use tilesat::prelude::*;
+tilesat_flash::program!(|a: Aabb, b: Aabb| a.overlaps(b));

@@ -1,0 +1,6 @@
+//! A whole ray through a tile map: walk, hit, toi and point.
+#![no_std]
+#![no_main]
+use tilesat::Vec2;
+use tilesat::world::{Inside, TileMap};
+tilesat_flash::program!(|map: TileMap<'static>, ray: (Vec2, Vec2)| map.cast_ray(ray.0, ray.1, Inside::Ignore));

@@ -1,0 +1,6 @@
+//! Circle against segment.
+#![no_std]
+#![no_main]
+use tilesat::prelude::*;
+use tilesat::{Circle, Segment};
+tilesat_flash::program!(|a: Circle, b: Segment| a.overlaps(b));

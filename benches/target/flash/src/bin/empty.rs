@@ -1,0 +1,4 @@
+//! The frame alone.
+#![no_std]
+#![no_main]
+tilesat_flash::program!(|a: u32, b: u32| (a, b));

@@ -1,0 +1,33 @@
+# The reviewed table as Markdown, both cores side by side: awk -f readme.awk counts.txt
+# Rows that only show where a class comes from stay in counts.txt.
+BEGIN { FS = "|" }
+
+function trim(s) { gsub(/^ +| +$/, "", s); return s }
+function mean(s) { return sprintf("%.0f", trim(s) + 0) }
+
+NF < 5 || /^core/ || /(second|third|last) reject|, uniform/ { next }
+{
+    core = trim($1)
+    name = trim($2)
+    sub(/ \(A right\)/, "", name)
+    kind = core ~ /flash/ ? "flash" : "count"
+    sub(/ flash/, "", core)
+    if (!((kind, name) in listed)) { listed[kind, name] = 1; order[kind, ++rows[kind]] = name }
+    first[kind, name, core] = mean($3)
+    second[kind, name, core] = mean($4)
+}
+END {
+    print "| instructions | M0 | *by reference* | M3 | *by reference* |"
+    print "|---|--:|--:|--:|--:|"
+    for (i = 1; i <= rows["count"]; i++) {
+        name = order["count", i]
+        printf "| %s | %d | *%d* | %d | *%d* |\n", name, first["count", name, "M0"], second["count", name, "M0"], first["count", name, "M3"], second["count", name, "M3"]
+    }
+    print ""
+    print "| bytes of flash, 46 for an empty program included | M0 | M3 |"
+    print "|---|--:|--:|"
+    for (i = 1; i <= rows["flash"]; i++) {
+        name = order["flash", i]
+        printf "| %s | %d | %d |\n", name, first["flash", name, "M0"], first["flash", name, "M3"]
+    }
+}

@@ -1,0 +1,164 @@
+//! The platformer's player, boxes and balls on a chip: 600 frames on the level in flash, and the hash of all of them.
+//!
+//! ```text
+//! cargo run --release --example firmware                               this computer
+//! cargo run --release --example firmware --target thumbv6m-none-eabi   a Cortex-M0 (micro:bit, emulated)
+//! cargo run --release --example firmware --target thumbv7m-none-eabi   a Cortex-M3 (mps2-an385, emulated)
+//! cargo firmware-defmt 2> frames.bin                                   with defmt: frames on standard error
+//! ```
+//!
+//! All of them print the same line; `.ci/targets` compares them.
+
+#![cfg_attr(target_os = "none", no_std, no_main)]
+#![cfg_attr(
+    target_os = "none",
+    allow(unsafe_code, reason = "entry points and the logger of a bare-metal program are unsafe by nature")
+)]
+
+#[allow(unused_imports, reason = "pictures and reports of the desktop example have no place on a chip")]
+#[path = "platformer/sim/mod.rs"]
+mod sim;
+
+#[path = "platformer/levels/meadow.rs"]
+mod meadow;
+
+use core::fmt;
+use tilesat::{Fx, Grid, Outside, TileMap, TileMapError, Vec2};
+
+/// What a run comes to.
+struct Outcome {
+    contacts: u32,
+    refused: u32,
+    hash: u32,
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { contacts, refused, hash } = self;
+        write!(
+            f,
+            "frames={} bodies={} contacts={contacts} refused={refused} hash={hash:08x}",
+            sim::FIRMWARE_FRAMES,
+            sim::BODIES
+        )
+    }
+}
+
+/// Why there was no run.
+#[derive(Debug)]
+enum Failure {
+    #[expect(dead_code, reason = "told by Debug")]
+    Level(TileMapError),
+    NoRoom,
+}
+
+const RULES: sim::Rules =
+    sim::Rules { coin: meadow::COIN, kill: meadow::KILL, win: meadow::WIN, ladder: meadow::LADDER };
+
+/// The level as it lies in flash, a closed room.
+fn level() -> Result<TileMap<'static>, TileMapError> {
+    let grid = Grid::new(meadow::WIDTH, meadow::HEIGHT, Fx::from_num(meadow::TILE), Vec2::ZERO)?;
+    Ok(TileMap::on_grid(meadow::TILES, grid, &meadow::KINDS)?.with_outside(Outside::Solid))
+}
+
+/// Runs all frames; `each` is told every frame's number and its report.
+fn run(mut each: impl FnMut(u32, &sim::FrameReport)) -> Result<Outcome, Failure> {
+    let map = level().map_err(Failure::Level)?;
+    let mut sim = sim::Sim::new(&map, RULES, sim::FIRMWARE_SEED).map_err(|sim::NoRoom| Failure::NoRoom)?;
+    let (mut contacts, mut refused) = (0, 0);
+    for frame in 0..sim::FIRMWARE_FRAMES {
+        let report = sim.step(&map);
+        contacts += report.contacts;
+        refused += report.refused;
+        each(frame, &report);
+    }
+    Ok(Outcome { contacts, refused, hash: sim.hash() })
+}
+
+#[cfg(not(target_os = "none"))]
+fn main() -> std::process::ExitCode {
+    match run(|_, _| {}) {
+        Ok(outcome) => {
+            println!("{outcome}");
+            std::process::ExitCode::SUCCESS
+        }
+        Err(failure) => {
+            eprintln!("no run: {failure:?}");
+            std::process::ExitCode::FAILURE
+        }
+    }
+}
+
+#[cfg(target_os = "none")]
+mod chip {
+    use cortex_m_rt::{ExceptionFrame, entry, exception};
+    use semihosting::{eprintln, println, process};
+
+    #[entry]
+    fn main() -> ! {
+        match super::run(log) {
+            Ok(outcome) => {
+                println!("{outcome}");
+                process::exit(0)
+            }
+            Err(failure) => {
+                eprintln!("no run: {failure:?}");
+                process::exit(1)
+            }
+        }
+    }
+
+    /// The default handler loops for ever; a fault must end the run.
+    #[exception]
+    unsafe fn HardFault(frame: &ExceptionFrame) -> ! {
+        eprintln!("hard fault at {:#010x}", frame.pc());
+        process::exit(70)
+    }
+
+    #[cfg(not(feature = "defmt"))]
+    fn log(_: u32, _: &super::sim::FrameReport) {}
+
+    #[cfg(feature = "defmt")]
+    fn log(frame: u32, report: &super::sim::FrameReport) {
+        if frame.is_multiple_of(60) {
+            defmt::info!("frame {=u32}: {=u32} contacts", frame, report.contacts);
+        }
+    }
+}
+
+/// defmt's frames go to standard error, so that they and the plain line do not mix.
+#[cfg(all(target_os = "none", feature = "defmt"))]
+mod frames {
+    use semihosting::io::{Write, stderr};
+
+    static mut ENCODER: defmt::Encoder = defmt::Encoder::new();
+
+    #[defmt::global_logger]
+    struct Logger;
+
+    fn put(bytes: &[u8]) {
+        if let Ok(mut out) = stderr() {
+            let _ = out.write_all(bytes);
+        }
+    }
+
+    fn encoder() -> &'static mut defmt::Encoder {
+        let encoder = &raw mut ENCODER;
+        // SAFETY: one thread and no interrupt handler that logs; defmt never nests these calls.
+        unsafe { &mut *encoder }
+    }
+
+    // SAFETY: acquire and release need no lock where nothing can come between them.
+    unsafe impl defmt::Logger for Logger {
+        fn acquire() {
+            encoder().start_frame(put);
+        }
+        unsafe fn flush() {}
+        unsafe fn release() {
+            encoder().end_frame(put);
+        }
+        unsafe fn write(bytes: &[u8]) {
+            encoder().write(bytes, put);
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! A Tiled map, reduced to what a baker needs: for each tile layer, the traits of each cell.
+
+use std::cell::Cell;
+use std::collections::HashMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+use std::sync::Once;
+
+use tiled::{FiniteTileLayer, LayerType, Loader, Map, Orientation, PropertyValue, TileLayer};
+
+use super::fail::{Fail, Result};
+use super::guard;
+use super::traits::Traits;
+
+#[derive(Debug, Clone)]
+pub struct Tmx {
+    /// Side of a tile in pixels.
+    pub tile: u16,
+    /// In drawing order, the lowest first; groups are flattened.
+    pub layers: Vec<TmxLayer>,
+    /// What the numbers in the layers mean; 0 is no tile.
+    pub palette: Vec<Traits>,
+}
+
+#[derive(Debug, Clone)]
+pub struct TmxLayer {
+    pub name: String,
+    pub width: u16,
+    pub height: u16,
+    /// Row by row; flip bits are dropped, a full tile looks the same from every side.
+    pub cells: Vec<u32>,
+}
+
+impl Tmx {
+    pub fn traits(&self, cell: u32) -> &Traits {
+        &self.palette[cell as usize]
+    }
+}
+
+pub fn load(path: &Path) -> Result<Tmx> {
+    let fail = |why: String| Fail::new(format!("{}: {why}", path.display()));
+    quietly(|| {
+        let map = Loader::with_reader(guard::read).load_tmx_map(path);
+        reduce(&map.map_err(|e| why(&e))?)
+    })
+    .unwrap_or_else(|| Err("a tile layer holds less than its width and height say".to_owned()))
+    .map_err(fail)
+}
+
+fn why(error: &tiled::Error) -> String {
+    match error {
+        tiled::Error::ResourceLoadingError { path, err } => {
+            format!("cannot read {}: {err}", path.display())
+        }
+        other => format!("not a Tiled map: {other}"),
+    }
+}
+
+fn reduce(map: &Map) -> std::result::Result<Tmx, String> {
+    if map.infinite() {
+        return Err("the map is infinite; turn that off in Tiled's map properties".to_owned());
+    }
+    if map.orientation != Orientation::Orthogonal {
+        return Err(format!("the map is {:?}, not orthogonal", map.orientation).to_lowercase());
+    }
+    let (tile, tile_height) = (map.tile_width, map.tile_height);
+    if tile != tile_height {
+        return Err(format!("tiles of {tile}x{tile_height} pixels are not square"));
+    }
+    if !(1..=256).contains(&tile) {
+        return Err(format!("tiles of {tile} pixels; the library takes 1 to 256"));
+    }
+    let mut tmx = Tmx { tile: tile as u16, layers: Vec::new(), palette: vec![Traits::default()] };
+    let mut seen = HashMap::new();
+    let mut pending: Vec<_> = map.layers().collect();
+    pending.reverse();
+    while let Some(layer) = pending.pop() {
+        match layer.layer_type() {
+            LayerType::Tiles(TileLayer::Finite(tiles)) => {
+                let layer = read_layer(&layer.name, &tiles, &mut tmx, &mut seen)?;
+                tmx.layers.push(layer);
+            }
+            LayerType::Group(group) => {
+                let mut inner: Vec<_> = group.layers().collect();
+                inner.reverse();
+                pending.extend(inner);
+            }
+            _ => {}
+        }
+    }
+    Ok(tmx)
+}
+
+fn read_layer(
+    name: &str,
+    tiles: &FiniteTileLayer<'_>,
+    tmx: &mut Tmx,
+    seen: &mut HashMap<(usize, u32), u32>,
+) -> std::result::Result<TmxLayer, String> {
+    let (width, height) = (tiles.width(), tiles.height());
+    if u64::from(width.max(height)) * u64::from(tmx.tile) >= DOMAIN {
+        return Err(format!(
+            "layer '{name}' of {width}x{height} tiles of {} pixels is beyond the domain: \
+             a side must be shorter than {DOMAIN} pixels",
+            tmx.tile
+        ));
+    }
+    let mut cells = Vec::new();
+    for y in 0..height as i32 {
+        for x in 0..width as i32 {
+            cells.push(match tiles.get_tile(x, y) {
+                None => 0,
+                Some(tile) => *seen.entry((tile.tileset_index(), tile.id())).or_insert_with(|| {
+                    tmx.palette.push(tile.get_tile().map(|t| traits(&t)).unwrap_or_default());
+                    tmx.palette.len() as u32 - 1
+                }),
+            });
+        }
+    }
+    Ok(TmxLayer { name: name.to_owned(), width: width as u16, height: height as u16, cells })
+}
+
+fn traits(tile: &tiled::Tile<'_>) -> Traits {
+    let mut names: Vec<&str> = tile
+        .properties
+        .iter()
+        .filter(|(_, value)| matches!(value, PropertyValue::BoolValue(true)))
+        .map(|(name, _)| name.as_str())
+        .collect();
+    // The crate keeps properties in a hash map, whose order differs from run to run.
+    names.sort_unstable();
+    names.insert(0, tile.user_type.as_str());
+    Traits::from_names(&names)
+}
+
+/// Contract C1: every coordinate stays below 2^29 raw, which is 8192 pixels.
+const DOMAIN: u64 = 8192;
+
+thread_local! {
+    static QUIET: Cell<bool> = const { Cell::new(false) };
+}
+
+/// `None` when `work` panics, without a message.
+///
+/// `tiled` 0.16 indexes a layer's tiles by width and height without looking how many there are,
+/// and shows that number to nobody, so a short layer can only be noticed like this.
+fn quietly<T>(work: impl FnOnce() -> T) -> Option<T> {
+    static HOOK: Once = Once::new();
+    HOOK.call_once(|| {
+        let default = std::panic::take_hook();
+        std::panic::set_hook(Box::new(move |info| {
+            if !QUIET.get() {
+                default(info);
+            }
+        }));
+    });
+    QUIET.set(true);
+    let result = catch_unwind(AssertUnwindSafe(work));
+    QUIET.set(false);
+    result.ok()
+}

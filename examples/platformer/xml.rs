@@ -1,0 +1,84 @@
+//! Just enough XML to walk over a file tag by tag.
+
+/// A part of a file; all parts together are the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part<'a> {
+    /// Text, comments and declarations.
+    Plain(&'a [u8]),
+    Tag(Tag<'a>),
+}
+
+/// What stands between `<` and `>`, both included.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Tag<'a>(pub &'a [u8]);
+
+pub fn parts(mut rest: &[u8]) -> impl Iterator<Item = Part<'_>> {
+    std::iter::from_fn(move || {
+        let length = match rest {
+            [] => return None,
+            [b'<', b'!', b'-', b'-', ..] => through(rest, b"-->"),
+            [b'<', b'!', b'[', ..] => through(rest, b"]]>"),
+            [b'<', ..] => tag_length(rest),
+            _ => rest.iter().position(|&b| b == b'<').unwrap_or(rest.len()),
+        };
+        let (part, after) = rest.split_at(length);
+        rest = after;
+        Some(match part {
+            [b'<', b'!' | b'?', ..] => Part::Plain(part),
+            [b'<', ..] => Part::Tag(Tag(part)),
+            _ => Part::Plain(part),
+        })
+    })
+}
+
+fn through(text: &[u8], end: &[u8]) -> usize {
+    text.windows(end.len()).position(|w| w == end).map_or(text.len(), |at| at + end.len())
+}
+
+/// To the closing `>`, which may also stand inside a quoted value.
+fn tag_length(text: &[u8]) -> usize {
+    let mut quote = None;
+    for (i, &b) in text.iter().enumerate() {
+        match (quote, b) {
+            (None, b'>') => return i + 1,
+            (None, b'"' | b'\'') => quote = Some(b),
+            (Some(q), _) if q == b => quote = None,
+            _ => {}
+        }
+    }
+    text.len()
+}
+
+impl<'a> Tag<'a> {
+    /// `</...>`
+    pub fn closes(self) -> bool {
+        self.0.starts_with(b"</")
+    }
+
+    /// `<.../>`
+    pub fn is_empty(self) -> bool {
+        self.0.ends_with(b"/>")
+    }
+
+    pub fn name(self) -> &'a [u8] {
+        let name = self.0.trim_ascii_start().strip_prefix(b"<").unwrap_or_default();
+        let name = name.strip_prefix(b"/").unwrap_or(name);
+        let end = name.iter().position(|b| !b.is_ascii_alphanumeric()).unwrap_or(name.len());
+        &name[..end]
+    }
+
+    pub fn attribute(self, name: &str) -> Option<&'a [u8]> {
+        let mut rest = self.0.get(1 + self.name().len()..).unwrap_or_default();
+        loop {
+            let equals = rest.iter().position(|&b| b == b'=')?;
+            let (key, after) = rest.split_at(equals);
+            let open = after.iter().position(|b| b"\"'".contains(b))?;
+            let value = &after[open + 1..];
+            let close = value.iter().position(|&b| b == after[open])?;
+            if key.trim_ascii() == name.as_bytes() {
+                return Some(&value[..close]);
+            }
+            rest = &value[close + 1..];
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! Compact `defmt::Format` for the types that hold fixed-point numbers; the others derive it.
+//!
+//! Lengths print as decimals with four places, rounded toward zero: `-0.7500`. The number goes out as two integers, the sign as an
+//! interned string, and nothing of `core::fmt` is linked.
+
+use crate::motion::{Hit, Hits, Moved};
+use crate::num::{Fx, Toi, UnitVec2, Vec2};
+use crate::query::Contact;
+use crate::shape::{Aabb, Circle, Segment};
+use crate::world::RayHit;
+use defmt::{Format, Formatter, write};
+
+struct Decimal(Fx);
+
+impl Format for Decimal {
+    fn format(&self, f: Formatter<'_>) {
+        let raw = self.0.to_bits();
+        let size = raw.unsigned_abs();
+        if raw < 0 {
+            write!(f, "-");
+        }
+        write!(f, "{=u16}.{=u16:04}", (size >> 16) as u16, (((size & 0xffff) * 10_000) >> 16) as u16);
+    }
+}
+
+impl Format for Vec2 {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "({}, {})", Decimal(self.x), Decimal(self.y));
+    }
+}
+
+impl Format for UnitVec2 {
+    fn format(&self, f: Formatter<'_>) {
+        let (x, y) = self.raw();
+        write!(f, "({}, {})", Decimal(Fx::from_bits(x >> 14)), Decimal(Fx::from_bits(y >> 14)));
+    }
+}
+
+impl Format for Toi {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "{}", Decimal(self.to_fx()));
+    }
+}
+
+impl Format for Aabb {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Aabb {}..{}", self.min(), self.max());
+    }
+}
+
+impl Format for Circle {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Circle {} r {}", self.centre(), Decimal(self.radius()));
+    }
+}
+
+impl Format for Segment {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Segment {}-{}", self.a(), self.b());
+    }
+}
+
+impl Format for Contact {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Contact axis {} depth {}", self.axis(), Decimal(self.depth()));
+    }
+}
+
+impl Format for RayHit {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "RayHit {} at {} axis {} cell {}", self.toi, self.point, self.axis, self.cell);
+    }
+}
+
+impl Format for Hit {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Hit {} axis {} cell {} flags {=u8:#x}", self.toi, self.axis, self.cell, self.flags);
+    }
+}
+
+impl Format for Hits {
+    fn format(&self, f: Formatter<'_>) {
+        for hit in self.iter() {
+            write!(f, "[{}]", hit);
+        }
+    }
+}
+
+impl<B: Format> Format for Moved<B> {
+    fn format(&self, f: Formatter<'_>) {
+        let (floor, wall, ceiling) = (self.floor, self.wall, self.ceiling);
+        write!(f, "Moved {} v {} floor {} wall {} ceiling {} {}", self.body, self.velocity, floor, wall, ceiling, self.hits);
+    }
+}

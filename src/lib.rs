@@ -1,0 +1,87 @@
+//! Exact, heap-free, fixed-point 2D collision for tile levels on microcontrollers and handheld consoles.
+//!
+//! A level is bytes in flash, one byte (or bit) a tile. Bodies are boxes and circles. The crate answers: do they overlap, how deep and
+//! which way out, what does this ray see, and where does this body end up when it slides along the level. Every yes/no is exact,
+//! every rounding has a declared direction, every loop has a bound, and nothing panics. It needs no FPU, no heap, no 64-bit multiply.
+//!
+//! It is not a physics engine: there are no stacks, joints, rotating bodies or forces.
+//!
+//! ```
+//! use tilesat::prelude::*;
+//! use tilesat::{Aabb, Axis, Circle, Fx, Inside, Mover, TileKind, TileKinds, TileMap, Vec2};
+//!
+//! // The characters of the text are the tile ids; the table says what they are.
+//! static KINDS: TileKinds = TileKinds::EMPTY
+//!     .with(b'#', TileKind::FULL)
+//!     .with(b'=', TileKind::ONE_WAY_UP)
+//!     .with(b'o', TileKind::EMPTY.with_flags(1));
+//! let rows = "..o.....\n...===..\n........\n########\n"; // cells of 16 x 16 units, rows downward
+//! let level = TileMap::from_ascii(rows, &KINDS)?;
+//!
+//! let player = Aabb::new(Vec2::from_ints(20, 20), Vec2::from_ints(30, 34))?;
+//! let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&level, &[], &player, Vec2::from_ints(2, 30))?;
+//! assert!(moved.floor); // landed on row 3, whose top is at y = 48
+//! assert_eq!(moved.body.max().y, 48);
+//!
+//! let ray = level.cast_ray(Vec2::from_ints(4, 4), Vec2::from_ints(0, 90), Inside::Hit)?;
+//! assert_eq!(ray.map(|hit| hit.point), Some(Vec2::from_ints(4, 48)));
+//!
+//! let ball = Circle::new(Vec2::from_ints(30, 40), Fx::from_num(8))?;
+//! assert!(ball.touches(&moved.body) && level.flags_touched(&ball) == 0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Conventions
+//!
+//! - **Numbers**: lengths are [`Fx`], 16.16; *raw* is one unit of its last place. Coordinates stay below 8192 units
+//!   ([`num::DOMAIN`]); constructors refuse the rest, so kernels cannot wrap.
+//! - **Touching is not overlapping.** `overlaps` is strict, `touches` is closed, both exact ([`query`]).
+//! - **Normals** point from A to B and are exact integers ([`Axis`]); the unit vector is computed when asked for.
+//! - **Rounding** is safe: depths up, push-outs away, distances and times of impact down; what is moved never ends inside.
+//! - **Directions**: y grows as the caller likes. Rows of a [`TileMap`] follow y, and "up" in a tile's name is toward row 0.
+//! - **Units are per frame**: a velocity is the motion of one call.
+//!
+//! # Map
+//!
+//! | module | what |
+//! |---|---|
+//! | [`num`] | scalars, vectors, wide products, roots |
+//! | [`shape`] | [`Aabb`], [`Circle`], [`Segment`] |
+//! | [`query`] | one trait a verb, for each pair of shapes |
+//! | [`world`] | [`TileMap`], its features, regions and rays |
+//! | [`motion`] | [`Mover::move_and_slide`] |
+//! | [`error`] | what can be refused |
+//!
+//! # Features
+//!
+//! None is on by default and none changes a result. `defmt`: compact `Format` for every public type. `libm`: constructors from `f32`.
+
+#![no_std]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+// What could panic, or would be floating point, is refused in the library; tests and examples are free.
+#![warn(clippy::expect_used, clippy::float_arithmetic, clippy::indexing_slicing, clippy::panic, clippy::std_instead_of_core)]
+#![warn(clippy::unreachable, clippy::unwrap_used)]
+
+pub mod error;
+#[cfg(feature = "defmt")]
+mod format;
+pub mod motion;
+pub mod num;
+pub mod query;
+pub mod shape;
+pub mod world;
+
+pub use error::{Quantity, RangeError, Truncated};
+pub use motion::{Body, Hit, Hits, MoveError, Moved, Mover, Placed, Response, Stuck, Work};
+pub use num::{Axis, Fx, Toi, UnitVec2, Vec2};
+pub use query::Contact;
+pub use shape::{Aabb, Circle, Segment};
+/// The verbs: `use tilesat::prelude::*;` brings the pair queries into scope.
+pub mod prelude {
+    pub use crate::query::{ClosestPoint, Contacts, Contains, Distance, Overlaps, Touches};
+}
+pub use world::{
+    Bits, Blocks, Bytes, Cell, Feature, Features, Geometry, Grid, Inside, Outside, RayHit, TileAt, TileKind, TileKinds, TileMap,
+    TileMapError, TileShape, Tiles, World,
+};

@@ -1,0 +1,82 @@
+//! What a motion ran into.
+
+use crate::error::Truncated;
+use crate::num::{Axis, Toi};
+use crate::world::Cell;
+
+/// One thing that a moving body ran into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hit {
+    /// The part of the motion that was used up when it was hit. Exact floor for the first hit on a face; early by less than a raw unit
+    /// of way at a corner; later hits of one call add the roundings of the earlier ones.
+    pub toi: Toi,
+    /// The exact normal of what was hit: out of the solid, toward the body.
+    pub axis: Axis,
+    /// The cell of the level.
+    pub cell: Cell,
+    /// Which feature of the cell, as [`Feature::index`](crate::world::Feature::index).
+    pub index: u8,
+    /// The user flags of the tile.
+    pub flags: u8,
+    /// Whether it is a one-way face.
+    pub one_way: bool,
+}
+
+/// The hits of one motion in the order in which they happened, at most [`Hits::CAPACITY`].
+///
+/// Plain data: a copy is a snapshot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hits {
+    items: [Option<Hit>; Hits::CAPACITY],
+    seen: u8,
+}
+
+impl Hits {
+    /// How many hits are kept: one for each iteration.
+    pub const CAPACITY: usize = 4;
+
+    pub(super) const NONE: Self = Self { items: [None; Self::CAPACITY], seen: 0 };
+
+    pub(super) fn push(&mut self, hit: Hit) {
+        if let Some(slot) = self.items.get_mut(self.seen as usize) {
+            *slot = Some(hit);
+        }
+        self.seen = self.seen.saturating_add(1);
+    }
+
+    /// The hits, first to last.
+    pub fn iter(&self) -> impl Iterator<Item = &Hit> {
+        self.items.iter().flatten()
+    }
+
+    /// How many are kept.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        (self.seen as usize).min(Self::CAPACITY)
+    }
+
+    /// Whether the motion was free.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.seen == 0
+    }
+
+    /// The first hit.
+    #[must_use]
+    pub const fn first(&self) -> Option<Hit> {
+        self.items[0]
+    }
+
+    /// Copies the hits into a vector of any capacity, first to last.
+    ///
+    /// # Errors
+    /// [`Truncated`] where they do not fit: `out` then holds the earliest.
+    pub fn copy_to(&self, out: &mut heapless::VecView<Hit>) -> Result<(), Truncated> {
+        for (kept, hit) in self.iter().enumerate() {
+            if out.push(*hit).is_err() {
+                return Err(Truncated { seen: self.seen.into(), kept: kept as u32 });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,125 @@
+//! Quotients without division instructions: a table-and-Newton reciprocal gives a candidate, an exact remainder corrects it.
+
+use super::root::leading_zeros32;
+use super::wide::{less128, mul64, umul};
+
+/// `round(2^15 / (i + 64.5)) - 256` for i in 0..64, at most 255.
+const RECIP_TABLE: [u8; 64] = recip_table();
+
+#[expect(clippy::indexing_slicing, reason = "bounded by the loop; runs in the compiler")]
+const fn recip_table() -> [u8; 64] {
+    let mut table = [0u8; 64];
+    let mut i = 0;
+    while i < 64 {
+        // round(2^15 / (i + 64.5)) = floor((2^16 / (2i + 129)) + 1/2)
+        let d = 2 * i as u32 + 129;
+        let t = (2 * 65536 + d) / (2 * d);
+        table[i] = if t > 511 { 255 } else { (t - 256) as u8 };
+        i += 1;
+    }
+    table
+}
+
+/// The reciprocal `2^63 / d` of a normalised word.
+///
+/// `d` must be at least 2^31. The error is in `(-26.5, 0]`, checked for every `d`.
+#[inline]
+#[must_use]
+#[expect(clippy::indexing_slicing, reason = "the index is masked to the table's length")]
+pub const fn recip(d: u32) -> u32 {
+    let t = RECIP_TABLE[((d >> 25).wrapping_sub(64) & 63) as usize] as u32 + 256;
+    let e = (1i32 << 24).wrapping_sub((d >> 16).wrapping_mul(t) as i32);
+    let y = ((t << 8) as i32).wrapping_add((t as i32).wrapping_mul(e >> 4) >> 12) as u32;
+    let y = if y > 131_071 { 131_071 } else { y };
+    let e2 = ((1u64 << 48).wrapping_sub(umul(d, y)) as i64 >> 17) as i32;
+    let y = ((y as i64) << 15).wrapping_add(super::wide::imul(y as i32, e2) >> 16);
+    if y > u32::MAX as i64 { u32::MAX } else { y as u32 }
+}
+
+/// The exact floor of `a * b / d`; `u32::MAX` where that does not fit, or `d` is zero.
+///
+/// No division: about 150 instructions on a Cortex-M0 where the compiler's 64-bit division takes 450.
+#[inline(never)]
+#[must_use]
+pub const fn mul_div(a: u32, b: u32, d: u32) -> u32 {
+    let n = umul(a, b);
+    if (n >> 32) as u32 >= d {
+        return u32::MAX;
+    }
+    if n == 0 {
+        return 0;
+    }
+    let shift = leading_zeros32(d);
+    // With D = d * 2^shift >= 2^31: n / d = (n * 2^shift / 2^32) * (2^32 / D), and recip(D) / 2^31 <= 2^32 / D.
+    // The quotient fits a word, so n < d * 2^32 and n * 2^shift < 2^64.
+    let scaled = n << shift;
+    let y = recip(d << shift);
+    let hi = umul((scaled >> 32) as u32, y);
+    let lo = umul(scaled as u32, y) >> 32;
+    let mut q = (hi.wrapping_add(lo) >> 31) as u32;
+    // Never above the exact quotient; below it by at most 26.5 parts in 2^31 (53 units) and a truncation: at most 7 rounds by 8.
+    let mut rem = n.wrapping_sub(umul(q, d));
+    let mut step = d as u64 * 8;
+    let mut weight = 8;
+    while weight > 0 {
+        if rem >= step {
+            rem = rem.wrapping_sub(step);
+            q = q.wrapping_add(weight);
+        } else {
+            step >>= 1;
+            weight >>= 1;
+        }
+    }
+    q
+}
+
+/// The exact floor of `a * k / n`, for `n <= 2^63`, by bitwise long division; `u32::MAX` where it does not fit, or `n` is zero.
+///
+/// Cold path: some 40 instructions a quotient bit. Used where a result must be exact and is asked for rarely (points on segments).
+#[inline(never)]
+#[must_use]
+pub const fn mul_div_wide(a: u64, k: u32, n: u64) -> u32 {
+    // Restoring division of the 96-bit product by n: rem < n is kept below 2^63, so the shift cannot lose a bit.
+    let (hi, lo) = mul64(a, k as u64);
+    let mut rem = (hi << 32) | (lo >> 32);
+    if hi >> 32 != 0 || rem >= n {
+        return u32::MAX;
+    }
+    let mut bits = lo as u32;
+    let mut i = 0;
+    while i < 32 {
+        rem = (rem << 1) | (bits >> 31) as u64;
+        bits <<= 1;
+        if rem >= n {
+            rem = rem.wrapping_sub(n);
+            bits |= 1;
+        }
+        i += 1;
+    }
+    bits
+}
+
+/// The exact floor of `s / sqrt(n)`, for quotients below 2^31; `u32::MAX` for others, or where `n` is zero.
+///
+/// Starts from the reciprocal square root and settles by comparing `q^2 n` with `s^2` in 128 bits: one comparison more than
+/// the candidate is short, at most 9, and at most 1 for quotients below 2^27.
+#[inline(never)]
+#[must_use]
+pub const fn div_sqrt(s: u64, n: u64) -> u32 {
+    let square = super::wide::sqr64(s);
+    // s / sqrt(n) >= 2^31, that is s^2 >= 2^62 n.
+    if !less128(square, (n >> 2, n << 62)) {
+        return u32::MAX;
+    }
+    let half_shift = super::root::leading_zeros64(n) >> 1;
+    let h = ((n << (2 * half_shift)) >> 32) as u32;
+    // 1/sqrt(n) = 2^half_shift y / 2^63 with y = 2^47/sqrt(h'), h <= h' < h + 1. rsqrt is at most 1.99 above its value at h, and
+    // that is at most 2 above the one at h': y - 4 never exceeds the exact factor, and is at most 8 below it.
+    let y = super::root::rsqrt(h).saturating_sub(4);
+    let product = umul((s >> 32) as u32, y).wrapping_add(umul(s as u32, y) >> 32);
+    let mut q = (product >> (31 - half_shift)) as u32;
+    while !less128(square, mul64(super::wide::usqr(q.wrapping_add(1)), n)) {
+        q = q.wrapping_add(1);
+    }
+    q
+}

@@ -1,0 +1,61 @@
+//! Times of impact.
+
+use super::{Fx, Raw, Vec2};
+
+/// A fraction of a motion: 0 at its start, 1 at its end, in steps of 2^-30.
+///
+/// Rounded down, so that acting on it is never late (C4).
+///
+/// ```
+/// use tilesat::Toi;
+/// assert_eq!(Toi::ONE.to_fx(), 1);
+/// assert!(Toi::from_raw(1 << 29).unwrap() < Toi::ONE);
+/// assert_eq!(Toi::from_raw((1 << 30) + 1), None);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Toi(u32);
+
+impl Toi {
+    /// The start of the motion.
+    pub const ZERO: Self = Self(0);
+    /// The end of the motion.
+    pub const ONE: Self = Self(1 << 30);
+
+    /// From parts in 2^30; `None` above one.
+    #[must_use]
+    pub const fn from_raw(raw: u32) -> Option<Self> {
+        if raw <= Self::ONE.0 { Some(Self(raw)) } else { None }
+    }
+
+    /// For values that the caller has bounded.
+    pub(crate) const fn clamped(raw: u32) -> Self {
+        Self(if raw < Self::ONE.0 { raw } else { Self::ONE.0 })
+    }
+
+    /// In parts of 2^30.
+    #[must_use]
+    pub const fn raw(self) -> u32 {
+        self.0
+    }
+
+    /// As 16.16, rounded down.
+    #[must_use]
+    pub const fn to_fx(self) -> Fx {
+        Fx::from_bits((self.0 >> 14) as i32)
+    }
+
+    /// This fraction of a motion, each component rounded toward zero.
+    #[must_use]
+    pub const fn of(self, motion: Vec2) -> Vec2 {
+        let d = Raw::of(motion);
+        Raw { x: self.of_raw(d.x), y: self.of_raw(d.y) }.vec2()
+    }
+
+    pub(crate) const fn of_raw(self, d: i32) -> i32 {
+        if self.0 == Self::ONE.0 {
+            return d;
+        }
+        let part = (super::umul(d.unsigned_abs(), self.0) >> 30) as i32;
+        if d < 0 { part.wrapping_neg() } else { part }
+    }
+}

@@ -1,0 +1,198 @@
+//! Positions and displacements.
+
+use super::{Fx, imul};
+use core::ops::{Add, Neg, Sub};
+
+/// A position or displacement in units.
+///
+/// Names are glam's. `+`, `-` and negation saturate at the ends of 16.16, far outside of the [domain](super::DOMAIN).
+///
+/// ```
+/// use tilesat::Vec2;
+/// let v = Vec2::from_ints(3, 4);
+/// assert_eq!(v.dot(v), 25 << 32);
+/// assert_eq!(v.length(), 5);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Vec2 {
+    /// Horizontal component; grows to the right.
+    pub x: Fx,
+    /// Vertical component; grows as the caller likes (rows of a tile map follow it).
+    pub y: Fx,
+}
+
+impl Vec2 {
+    /// The origin.
+    pub const ZERO: Self = Self::from_raw(0, 0);
+
+    /// A vector from its components.
+    #[must_use]
+    pub const fn new(x: Fx, y: Fx) -> Self {
+        Self { x, y }
+    }
+
+    /// A vector from the bits of its components: any fixed-point format may be fed this way, with results in the same format.
+    #[must_use]
+    pub const fn from_raw(x: i32, y: i32) -> Self {
+        Self { x: Fx::from_bits(x), y: Fx::from_bits(y) }
+    }
+
+    /// A vector of whole units. Exact.
+    #[must_use]
+    pub const fn from_ints(x: i16, y: i16) -> Self {
+        Self::from_raw((x as i32) << 16, (y as i32) << 16)
+    }
+
+    /// A vector from floating point, each component rounded to nearest; `None` where a component is not finite or does not fit 16.16.
+    ///
+    /// Never used by a query. Needs the feature `libm`.
+    #[cfg(feature = "libm")]
+    #[must_use]
+    #[expect(clippy::float_arithmetic, reason = "this is the conversion from floating point")]
+    pub fn from_f32(x: f32, y: f32) -> Option<Self> {
+        // f32 has 24 bits and the scale is a power of two: the product is exact, only `rintf` rounds.
+        let raw = |v: f32| {
+            let scaled = libm::rintf(v * 65536.0);
+            (-2_147_483_648.0..2_147_483_648.0).contains(&scaled).then_some(scaled as i32)
+        };
+        Some(Self::from_raw(raw(x)?, raw(y)?))
+    }
+
+    /// The bits of both components.
+    #[must_use]
+    pub const fn raw(self) -> (i32, i32) {
+        (self.x.to_bits(), self.y.to_bits())
+    }
+
+    /// The dot product in square raw units, exact in 64 bits where both vectors are differences inside the domain.
+    #[must_use]
+    pub const fn dot(self, rhs: Self) -> i64 {
+        imul(self.x.to_bits(), rhs.x.to_bits()).wrapping_add(imul(self.y.to_bits(), rhs.y.to_bits()))
+    }
+
+    /// The perpendicular dot product `x1 y2 - y1 x2` in square raw units; positive where `rhs` is counter-clockwise of `self` (y up).
+    #[must_use]
+    pub const fn perp_dot(self, rhs: Self) -> i64 {
+        imul(self.x.to_bits(), rhs.y.to_bits()).wrapping_sub(imul(self.y.to_bits(), rhs.x.to_bits()))
+    }
+
+    /// The square of the length in square raw units, exact.
+    #[must_use]
+    pub const fn length_squared(self) -> u64 {
+        let (x, y) = self.raw();
+        super::usqr(x.unsigned_abs()).wrapping_add(super::usqr(y.unsigned_abs()))
+    }
+
+    /// The length, rounded down to a raw unit; saturates above 32767 units.
+    ///
+    /// Cost: one square root, about 300 instructions on a Cortex-M0.
+    #[must_use]
+    pub const fn length(self) -> Fx {
+        let root = super::isqrt64(self.length_squared());
+        Fx::from_bits(if root > i32::MAX as u32 { i32::MAX } else { root as i32 })
+    }
+
+    /// The smaller of each component.
+    #[must_use]
+    pub const fn min(self, rhs: Self) -> Self {
+        let ((ax, ay), (bx, by)) = (self.raw(), rhs.raw());
+        Self::from_raw(if ax < bx { ax } else { bx }, if ay < by { ay } else { by })
+    }
+
+    /// The larger of each component.
+    #[must_use]
+    pub const fn max(self, rhs: Self) -> Self {
+        let ((ax, ay), (bx, by)) = (self.raw(), rhs.raw());
+        Self::from_raw(if ax > bx { ax } else { bx }, if ay > by { ay } else { by })
+    }
+
+    /// `self + rhs`, each component saturating; as `+`, usable in constants.
+    #[must_use]
+    pub const fn saturating_add(self, rhs: Self) -> Self {
+        Self { x: self.x.saturating_add(rhs.x), y: self.y.saturating_add(rhs.y) }
+    }
+}
+
+impl Add for Vec2 {
+    type Output = Self;
+    fn add(self, rhs: Self) -> Self {
+        self.saturating_add(rhs)
+    }
+}
+
+impl Sub for Vec2 {
+    type Output = Self;
+    fn sub(self, rhs: Self) -> Self {
+        Self { x: self.x.saturating_sub(rhs.x), y: self.y.saturating_sub(rhs.y) }
+    }
+}
+
+impl Neg for Vec2 {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { x: self.x.saturating_neg(), y: self.y.saturating_neg() }
+    }
+}
+
+impl From<(Fx, Fx)> for Vec2 {
+    fn from((x, y): (Fx, Fx)) -> Self {
+        Self { x, y }
+    }
+}
+
+impl From<[Fx; 2]> for Vec2 {
+    fn from([x, y]: [Fx; 2]) -> Self {
+        Self { x, y }
+    }
+}
+
+impl From<Vec2> for [Fx; 2] {
+    fn from(v: Vec2) -> Self {
+        [v.x, v.y]
+    }
+}
+
+/// Raw coordinates, or a difference of two inside the domain: the kernels' operand.
+///
+/// Public in a private module, because methods of sealed traits take it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Raw {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+}
+
+impl Raw {
+    pub(crate) const fn of(v: Vec2) -> Self {
+        Self { x: v.x.to_bits(), y: v.y.to_bits() }
+    }
+
+    pub(crate) const fn vec2(self) -> Vec2 {
+        Vec2::from_raw(self.x, self.y)
+    }
+
+    pub(crate) const fn add(self, o: Self) -> Self {
+        Self { x: self.x.wrapping_add(o.x), y: self.y.wrapping_add(o.y) }
+    }
+
+    /// Both operands inside the domain: the difference is below 2^30.
+    pub(crate) const fn sub(self, o: Self) -> Self {
+        Self { x: self.x.wrapping_sub(o.x), y: self.y.wrapping_sub(o.y) }
+    }
+
+    /// Operands below 2^30: each product is below 2^60, the sum below 2^61.
+    pub(crate) const fn dot(self, o: Self) -> i64 {
+        imul(self.x, o.x).wrapping_add(imul(self.y, o.y))
+    }
+
+    pub(crate) const fn cross(self, o: Self) -> i64 {
+        imul(self.x, o.y).wrapping_sub(imul(self.y, o.x))
+    }
+
+    pub(crate) const fn len2(self) -> u64 {
+        super::usqr(self.x.unsigned_abs()).wrapping_add(super::usqr(self.y.unsigned_abs()))
+    }
+
+    pub(crate) const fn is_zero(self) -> bool {
+        self.x == 0 && self.y == 0
+    }
+}

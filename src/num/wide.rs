@@ -1,0 +1,125 @@
+//! Products wider than a register, from 32-bit multiplications alone where the core has no long multiply.
+
+/// True where the core has no 32x32 -> 64 multiply: `ARMv6-M`, `ARMv4T` and `ARMv5TE` in Thumb state.
+///
+/// Stable Rust sets no `target_feature` that tells `ARMv6-M` from `ARMv7-M`, but every 32-bit Arm target with `UMULL` in
+/// all its instruction states has atomic compare-and-swap, and those without do not (`ARMv8-M` baseline is the one
+/// exception: it takes the compiler's call, slower, same bits). So no build script is needed.
+pub const SPLIT: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+
+/// The 64-bit product of two unsigned words.
+///
+/// Exact for all inputs. 18 instructions on a Cortex-M0 (the compiler's call takes 36), one on cores with a long multiply.
+#[inline]
+#[must_use]
+pub const fn umul(a: u32, b: u32) -> u64 {
+    if SPLIT { umul_split(a, b) } else { (a as u64) * (b as u64) }
+}
+
+/// The 64-bit square of an unsigned word.
+///
+/// Exact for all inputs. 9 instructions on a Cortex-M0.
+#[inline]
+#[must_use]
+pub const fn usqr(a: u32) -> u64 {
+    if SPLIT { usqr_split(a) } else { (a as u64) * (a as u64) }
+}
+
+/// The 64-bit product of two signed words.
+///
+/// Exact for all inputs.
+#[inline]
+#[must_use]
+pub const fn imul(a: i32, b: i32) -> i64 {
+    if SPLIT { imul_split(a, b) } else { (a as i64) * (b as i64) }
+}
+
+/// [`umul`] from four 16-bit products; what `ARMv6-M` runs, callable everywhere so that tests reach it.
+#[inline(never)]
+#[must_use]
+pub const fn umul_split(a: u32, b: u32) -> u64 {
+    let (ah, al, bh, bl) = (a >> 16, a & 0xffff, b >> 16, b & 0xffff);
+    // ah*bl + al*bh < 2^33: the carry is worth 2^16 of the high word.
+    let (mid, carry) = (ah * bl).overflowing_add(al * bh);
+    let (lo, carry_lo) = (al * bl).overflowing_add(mid << 16);
+    let hi = (ah * bh)
+        .wrapping_add(mid >> 16)
+        .wrapping_add((carry as u32) << 16)
+        .wrapping_add(carry_lo as u32);
+    ((hi as u64) << 32) | lo as u64
+}
+
+/// [`imul`] from [`umul_split`]: a is its bits less 2^32 where it is negative, so the high word is less by b then, and likewise by a.
+#[inline]
+#[must_use]
+pub const fn imul_split(a: i32, b: i32) -> i64 {
+    let p = umul_split(a as u32, b as u32);
+    let hi = ((p >> 32) as i32).wrapping_sub((a >> 31) & b).wrapping_sub((b >> 31) & a);
+    ((hi as i64) << 32) | (p as u32 as i64)
+}
+
+/// [`usqr`] from three 16-bit products.
+#[inline]
+#[must_use]
+pub const fn usqr_split(a: u32) -> u64 {
+    let (ah, al) = (a >> 16, a & 0xffff);
+    // 2*ah*al*2^16: the doubling is folded into the shifts by 17 and 15.
+    let mid = ah * al;
+    let (lo, carry) = (al * al).overflowing_add(mid << 17);
+    let hi = (ah * ah).wrapping_add(mid >> 15).wrapping_add(carry as u32);
+    ((hi as u64) << 32) | lo as u64
+}
+
+/// The 128-bit product of two unsigned double words, as `(high, low)`; such pairs compare as numbers.
+///
+/// Exact for all inputs. Delivered as a pair so that no 128-bit routine of the compiler is linked. 128 instructions on a Cortex-M0,
+/// out of line there; 15 on a Cortex-M3.
+#[inline]
+#[must_use]
+pub const fn mul64(a: u64, b: u64) -> (u64, u64) {
+    if SPLIT { mul64_call(a, b) } else { mul64_words(a, b) }
+}
+
+/// The 128-bit square of an unsigned double word, as `(high, low)`.
+///
+/// Exact for all inputs. 73 instructions on a Cortex-M0, out of line there; 7 on a Cortex-M3.
+#[inline]
+#[must_use]
+pub const fn sqr64(a: u64) -> (u64, u64) {
+    if SPLIT { sqr64_call(a) } else { sqr64_words(a) }
+}
+
+#[inline(never)]
+const fn mul64_call(a: u64, b: u64) -> (u64, u64) {
+    mul64_words(a, b)
+}
+
+#[inline(never)]
+const fn sqr64_call(a: u64) -> (u64, u64) {
+    sqr64_words(a)
+}
+
+#[inline(always)]
+const fn mul64_words(a: u64, b: u64) -> (u64, u64) {
+    let (ah, al, bh, bl) = ((a >> 32) as u32, a as u32, (b >> 32) as u32, b as u32);
+    let (ll, hh, m1, m2) = (umul(al, bl), umul(ah, bh), umul(ah, bl), umul(al, bh));
+    // Three words below 2^32: no carry is lost.
+    let mid = (ll >> 32) + (m1 as u32 as u64) + (m2 as u32 as u64);
+    (hh + (m1 >> 32) + (m2 >> 32) + (mid >> 32), (mid << 32) | (ll as u32 as u64))
+}
+
+#[inline(always)]
+const fn sqr64_words(a: u64) -> (u64, u64) {
+    let (ah, al) = ((a >> 32) as u32, a as u32);
+    let m = umul(ah, al);
+    let (lo, carry) = usqr(al).overflowing_add(m << 33);
+    (usqr(ah) + (m >> 31) + carry as u64, lo)
+}
+
+/// Whether the 128-bit number `a` is less than `b`, both as `(high, low)`.
+#[inline]
+#[must_use]
+pub const fn less128(a: (u64, u64), b: (u64, u64)) -> bool {
+    // One chain of subtractions; joining words is free, and no 128-bit routine of the compiler is called.
+    ((a.0 as u128) << 64 | a.1 as u128) < ((b.0 as u128) << 64 | b.1 as u128)
+}

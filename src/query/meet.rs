@@ -1,0 +1,217 @@
+//! The boolean kernels, on raw values: strict where `CLOSED` is false, closed where it is true.
+//!
+//! Strict means that the origin is interior to A + (-B), closed that the closed sets have a point in common. Coordinates are inside
+//! the domain: differences are below 2^30, products below 2^60, sums of two products below 2^61.
+
+use super::region::{Region, region};
+use crate::num::{Raw, SPLIT, less128, mul64, sqr64, usqr};
+
+/// `a < b`, or `a <= b` for closed sets.
+#[inline]
+const fn below<const CLOSED: bool>(a: i32, b: i32) -> bool {
+    if CLOSED { a <= b } else { a < b }
+}
+
+/// Whether two intervals meet. Strict comparison is right for intervals of no length too: they meet what has the point inside.
+#[inline]
+const fn intervals<const CLOSED: bool>(alo: i32, ahi: i32, blo: i32, bhi: i32) -> bool {
+    if CLOSED { alo <= bhi && blo <= ahi } else { alo < bhi && blo < ahi }
+}
+
+/// Box against box, each by its corners.
+#[inline]
+pub(crate) const fn aabb_aabb<const CLOSED: bool>(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw) -> bool {
+    intervals::<CLOSED>(alo.x, ahi.x, blo.x, bhi.x) && intervals::<CLOSED>(alo.y, ahi.y, blo.y, bhi.y)
+}
+
+/// Whether `(x, y)` lies in the disc of radius `r` (below 2^30) around the origin; the coordinates are magnitudes of any size.
+#[inline]
+pub(crate) const fn in_disc<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
+    let beyond = if CLOSED { x > r || y > r } else { x >= r || y >= r };
+    !beyond && in_square::<CLOSED>(x, y, r)
+}
+
+/// [`in_disc`] for a point that is known to lie in the square around the disc.
+#[inline]
+const fn in_square<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
+    if SPLIT { by_octagons::<CLOSED>(x, y, r) } else { by_squares::<CLOSED>(x, y, r) }
+}
+
+/// An octagon around the circle and one inside it settle 85 % of the square by shifts; for cores whose long product is a call.
+#[inline]
+const fn by_octagons<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
+    // With c = 7/16 > sqrt(2) - 1 and x >= y, |v| <= x + c y; the shifts drop fractions that are subtracted, so `above` is not below that.
+    let (sum, min) = (x.wrapping_add(y), if x < y { x } else { y });
+    let above = sum.wrapping_sub(min >> 1).wrapping_sub(min >> 4);
+    if above < r || (CLOSED && above == r) {
+        return true;
+    }
+    // |v| >= (x + y)/sqrt(2), and this is at least 23/16 r > sqrt(2) r for r > 0: from there on a point is outside of the closed disc as
+    // well. r = 0 does not get here: strict, no square has a point; closed, it was accepted.
+    let outer = r.wrapping_add(r.wrapping_add(1) >> 1).wrapping_sub(r >> 4);
+    sum < outer && squares_out_of_line::<CLOSED>(x, y, r)
+}
+
+#[inline]
+const fn by_squares<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
+    let (square, limit) = (usqr(x).wrapping_add(usqr(y)), usqr(r));
+    square < limit || (CLOSED && square == limit)
+}
+
+/// A call, so that the frequent cases need no registers saved.
+#[inline(never)]
+const fn squares_out_of_line<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
+    by_squares::<CLOSED>(x, y, r)
+}
+
+/// Circle against circle: the point `b - a` against a disc of both radii.
+#[inline]
+pub(crate) const fn circle_circle<const CLOSED: bool>(a: Raw, b: Raw, r: i32) -> bool {
+    in_disc::<CLOSED>(a.x.abs_diff(b.x), a.y.abs_diff(b.y), r as u32)
+}
+
+/// The signed gap of a coordinate to an interval: negative strictly inside, 0 on an end.
+#[inline]
+pub(crate) const fn gap(c: i32, lo: i32, hi: i32) -> i32 {
+    let (left, right) = (lo.wrapping_sub(c), c.wrapping_sub(hi));
+    if left > right { left } else { right }
+}
+
+/// Circle against box. A radius of zero is a point: strict it needs both gaps negative.
+#[inline]
+pub(crate) const fn circle_aabb<const CLOSED: bool>(c: Raw, r: i32, lo: Raw, hi: Raw) -> bool {
+    circle_gaps::<CLOSED>(gap(c.x, lo.x, hi.x), gap(c.y, lo.y, hi.y), r)
+}
+
+/// [`circle_aabb`] after the gaps.
+#[inline]
+const fn circle_gaps<const CLOSED: bool>(gx: i32, gy: i32, r: i32) -> bool {
+    if !below::<CLOSED>(gx, r) || !below::<CLOSED>(gy, r) {
+        return false;
+    }
+    gx <= 0 || gy <= 0 || in_square::<CLOSED>(gx as u32, gy as u32, r as u32)
+}
+
+/// Circle against segment.
+#[inline]
+pub(crate) const fn circle_segment<const CLOSED: bool>(c: Raw, r: i32, a: Raw, b: Raw) -> bool {
+    let (lo, hi) = corners(a, b);
+    let (gx, gy) = (gap(c.x, lo.x, hi.x), gap(c.y, lo.y, hi.y));
+    if !below::<CLOSED>(gx, r) || !below::<CLOSED>(gy, r) {
+        return false;
+    }
+    if lo.x == hi.x || lo.y == hi.y {
+        return circle_gaps::<CLOSED>(gx, gy, r);
+    }
+    // Where a product is cheap the test that saves two of them is not worth its registers.
+    match region::<false>(c, a, b, SPLIT && gx <= 0 && gy <= 0) {
+        Region::End(p) => circle_circle::<CLOSED>(c, p, r),
+        // |cross| is below 2^61: its square and r^2 L are below 2^122.
+        Region::Line { cross, len2 } => {
+            let (square, limit) = (sqr64(cross.unsigned_abs()), mul64(usqr(r as u32), len2));
+            if CLOSED { !less128(limit, square) } else { less128(square, limit) }
+        }
+    }
+}
+
+/// The corners of a segment's bounding box.
+#[inline]
+pub(crate) const fn corners(a: Raw, b: Raw) -> (Raw, Raw) {
+    let (lx, hx) = if a.x < b.x { (a.x, b.x) } else { (b.x, a.x) };
+    let (ly, hy) = if a.y < b.y { (a.y, b.y) } else { (b.y, a.y) };
+    (Raw { x: lx, y: ly }, Raw { x: hx, y: hy })
+}
+
+/// The middle of what two intervals have in common. The half raw unit that an odd sum leaves is dropped downwards: this is the one
+/// value that a mirrored scene does not mirror.
+#[inline]
+pub(crate) const fn middle(alo: i32, ahi: i32, blo: i32, bhi: i32) -> i32 {
+    let (lo, hi) = (if alo > blo { alo } else { blo }, if ahi < bhi { ahi } else { bhi });
+    lo.wrapping_add(hi) >> 1
+}
+
+/// The point of a box that is nearest to `p`.
+#[inline]
+pub(crate) const fn clamp(p: Raw, lo: Raw, hi: Raw) -> Raw {
+    let x = if p.x < lo.x { lo.x } else { p.x };
+    let y = if p.y < lo.y { lo.y } else { p.y };
+    Raw { x: if x > hi.x { hi.x } else { x }, y: if y > hi.y { hi.y } else { y } }
+}
+
+/// The least and the largest cross product of `e` (not axis-parallel) with the corners of a box, seen from `a`.
+#[inline]
+pub(crate) const fn cross_range(a: Raw, e: Raw, lo: Raw, hi: Raw) -> (i64, i64) {
+    // e.x y - e.y x grows with y where e.x > 0 and falls with x where e.y > 0.
+    let (y0, y1) = if e.x > 0 { (lo.y, hi.y) } else { (hi.y, lo.y) };
+    let (x0, x1) = if e.y > 0 { (hi.x, lo.x) } else { (lo.x, hi.x) };
+    (e.cross(Raw { x: x0, y: y0 }.sub(a)), e.cross(Raw { x: x1, y: y1 }.sub(a)))
+}
+
+/// Segment against box: separating axes x, y and the segment's normal.
+#[inline]
+pub(crate) const fn segment_aabb<const CLOSED: bool>(a: Raw, b: Raw, lo: Raw, hi: Raw) -> bool {
+    let (slo, shi) = corners(a, b);
+    if !aabb_aabb::<CLOSED>(slo, shi, lo, hi) {
+        return false;
+    }
+    let e = b.sub(a);
+    if e.x == 0 || e.y == 0 {
+        return true;
+    }
+    // A box of no size gives min = max, and a strict test that no value passes: its sum with a segment has no inside.
+    let (min, max) = cross_range(a, e, lo, hi);
+    if CLOSED { min <= 0 && max >= 0 } else { min < 0 && max > 0 }
+}
+
+/// Segment against segment. Strict: a proper crossing. Closed: the axes x and y are needed for collinear segments only.
+#[inline]
+pub(crate) const fn segment_segment<const CLOSED: bool>(a0: Raw, a1: Raw, b0: Raw, b1: Raw) -> bool {
+    let ((alo, ahi), (blo, bhi)) = (corners(a0, a1), corners(b0, b1));
+    aabb_aabb::<true>(alo, ahi, blo, bhi) && straddles::<CLOSED>(a0, a1, b0, b1) && straddles::<CLOSED>(b0, b1, a0, a1)
+}
+
+/// Whether `p` and `q` are on different sides of the line through `a` and `b`.
+#[inline(never)]
+const fn straddles<const CLOSED: bool>(a: Raw, b: Raw, p: Raw, q: Raw) -> bool {
+    let e = b.sub(a);
+    let (s, t) = (e.cross(p.sub(a)), e.cross(q.sub(a)));
+    if CLOSED { (s <= 0 && t >= 0) || (s >= 0 && t <= 0) } else { (s < 0 && t > 0) || (s > 0 && t < 0) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{by_octagons, by_squares};
+
+    fn both_ways<const CLOSED: bool>(x: u32, y: u32, r: u32) {
+        if x > r || y > r || (!CLOSED && (x == r || y == r)) {
+            return;
+        }
+        let (square, limit) = (u64::from(x).pow(2) + u64::from(y).pow(2), u64::from(r).pow(2));
+        let expected = if CLOSED { square <= limit } else { square < limit };
+        assert_eq!(by_octagons::<CLOSED>(x, y, r), expected, "octagons {x} {y} {r}");
+        assert_eq!(by_squares::<CLOSED>(x, y, r), expected, "squares {x} {y} {r}");
+    }
+
+    #[test]
+    fn octagons_change_no_answer() {
+        for r in 0..40 {
+            for x in 0..42 {
+                for y in 0..42 {
+                    both_ways::<false>(x, y, r);
+                    both_ways::<true>(x, y, r);
+                }
+            }
+        }
+        // Around the border of large discs, in all directions: y is the root that x leaves, give or take a unit.
+        for r in [1 << 16, (1 << 24) + 12_345, (1 << 30) - 1] {
+            for step in 0..1000 {
+                let x = r / 1000 * step;
+                let y = (u64::from(r).pow(2) - u64::from(x).pow(2)).isqrt() as u32;
+                for y in y.saturating_sub(2)..=y + 2 {
+                    both_ways::<false>(x, y, r);
+                    both_ways::<true>(x, y, r);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! Pair queries: one trait a verb, one implementation a pair, so that a scene links the pairs that it uses and no others.
+//!
+//! | verb | asks | answer | rounding |
+//! |---|---|---|---|
+//! | [`Overlaps`] | do the interiors meet? | `bool` | exact, strict |
+//! | [`Touches`] | have they a point in common? | `bool` | exact, closed |
+//! | [`Contacts`] | how deep, which way out, where? | `Option<`[`Contact`]`>` | axis exact, depth up, push-out away |
+//! | [`Contains`] | is all of B in A? | `bool` | exact, closed |
+//! | [`Distance`] | how far apart? | [`Fx`](crate::Fx) | down, 0 where they touch |
+//! | [`ClosestPoint`] | which points are nearest? | `Option<(Vec2, Vec2)>` | nearest, `None` where they touch |
+//!
+//! All are implemented for every ordered pair of [`Aabb`](crate::Aabb), [`Circle`](crate::Circle) and [`Segment`](crate::Segment);
+//! `Contains` and `Distance` for a point ([`Vec2`](crate::Vec2)) as B, too. `closest_point(p)` is a method of each shape. None of them can fail,
+//! loop without a bound, or divide. Results depend on differences only: a translated scene gives the same bits, a mirrored one mirrored bits.
+//!
+//! # Degenerate cases
+//!
+//! What is decided by convention or is easily guessed wrong; "point" means a shape of no size.
+//!
+//! | case | `overlaps` | `touches` | `contact` |
+//! |---|---|---|---|
+//! | shapes that share border points only | no | yes | none |
+//! | point or segment reaching inside a box that has area | yes | yes | least exit |
+//! | point or segment within a side or corner of a box | no | yes | none |
+//! | two boxes of which one or both have no area | as segments or points | yes where they meet | as segments |
+//! | flat boxes that cross (one wide, one high) | yes | yes | least exit |
+//! | two points, or a point on a segment | no | yes, where equal | none |
+//! | segments: proper crossing | yes | yes | least exit over both lines |
+//! | segments: T, common end, collinear | no | yes | none |
+//! | circle of radius 0 against a circle or box with area | yes inside | yes | radial, or least exit |
+//! | circle of radius 0 against a segment or point | no | yes, where on it | none |
+//! | equal centres of circles | yes, if a radius is not 0 | yes | +x, degenerate |
+//! | circle with its centre on a side of a box | yes | yes | normal of the side |
+//! | circle with its centre on a corner of a box | yes | yes | x axis, outward, degenerate |
+//! | circle with its centre on a segment, ends included | yes | yes | `(-e.y, e.x)`, degenerate |
+//! | circle with its centre on a point | yes | yes | +x, degenerate |
+//! | box: left and right exit equally deep, and least | yes | yes | +x (top and bottom: +y), degenerate |
+//! | box: x and y exit equally deep, and least | yes | yes | x axis, its own sign, degenerate |
+//! | box and sloped segment: axis and normal exit equal | yes | yes | the axis, degenerate |
+//! | box and sloped segment: both sides equal | yes | yes | `(-e.y, e.x)`, degenerate |
+//! | crossing segments: both halves equal | yes | yes | `(-e.y, e.x)`, degenerate |
+//! | crossing segments: exits over both lines equal | yes | yes | x before y before the smaller normal, degenerate |
+//!
+//! `e` is the edge of the segment from its lexicographically smaller end (smaller x, then smaller y) to the other; parallels to x and
+//! y have axes of length one. Moving A against the axis of a degenerate contact ends the overlap as any other does. In the order (B, A)
+//! that axis is the same where its sign is a convention, and reversed where only the choice between two axes is one.
+//! Distances of shapes less than one raw unit apart are 0, and `touches` is then false.
+
+pub(crate) mod closest;
+pub(crate) mod meet;
+pub(crate) mod region;
+
+mod contact;
+mod contain;
+mod distance;
+mod fraction;
+mod overlap;
+mod round;
+
+pub use closest::ClosestPoint;
+pub use contact::{Contact, Contacts};
+pub use contain::Contains;
+pub use distance::Distance;
+pub use overlap::{Overlaps, Touches};
