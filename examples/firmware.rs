@@ -64,7 +64,7 @@ fn level() -> Result<TileMap<'static>, TileMapError> {
 /// Runs all frames; `each` is told every frame's number and its report.
 fn run(mut each: impl FnMut(u32, &sim::FrameReport)) -> Result<Outcome, Failure> {
     let map = level().map_err(Failure::Level)?;
-    let mut sim = sim::Sim::new(&map, RULES, sim::FIRMWARE_SEED).map_err(|sim::NoRoom| Failure::NoRoom)?;
+    let mut sim = sim::Sim::new(&map, RULES, sim::SEED).map_err(|sim::NoRoom| Failure::NoRoom)?;
     let (mut contacts, mut refused) = (0, 0);
     for frame in 0..sim::FIRMWARE_FRAMES {
         let report = sim.step(&map);

@@ -15,7 +15,7 @@
 
 mod motion_support;
 
-use motion_support::body::Body;
+use motion_support::body::{Body, RESPONSES};
 use motion_support::judge::check;
 use motion_support::level::Level;
 use motion_support::random::Random;
@@ -67,7 +67,9 @@ fn try_motion(level: &Level, body: Body, d: P) -> Option<bool> {
     if too_far || too_long || level.overlaps(&body) {
         return None;
     }
-    let out = check(level, UP, Response::Touch, &body, d);
+    // The judge looks at the first contact in any case; what follows it takes turns.
+    let response = RESPONSES[(d.0 ^ d.1 ^ lo.0) as usize & 3];
+    let out = check(level, UP, response, &body, d);
     Some(!out.hits.is_empty())
 }
 
@@ -320,6 +322,36 @@ fn points_pass_free_ends() {
             assert!(out.hits.is_empty());
         }
     }
+}
+
+/// A circle wedged between two corners, where rounding away from one grazes the other: lattice places beside the first choice are taken, and
+/// only if there are none it stays.
+#[test]
+fn circles_between_two_corners() {
+    let mut r = Random::new(8);
+    let (mut beside, mut stays) = (0, 0);
+    for _ in 0..CASES {
+        let cell = any_cell(&mut r);
+        let level = Level::new(&["#.#"], cell).with_origin((r.around(1 << 20), r.around(1 << 20)));
+        let radius = cell / 2 + 1 + r.magnitude(cell / 4);
+        // Resting on both, give or take.
+        let half = (cell / 2) as f64;
+        let height = ((radius as f64).powi(2) - half * half).sqrt().ceil() as i64;
+        let middle = add(level.origin, (cell * 3 / 2, -height));
+        let body = Body::disc(add(middle, (r.around(4), r.within(-6, 0))), radius);
+        let d = motion(&mut r, cell / 4);
+        if level.overlaps(&body) || try_motion(&level, body, d).is_none() {
+            continue;
+        }
+        let out = body.step(&UP.with_response(Response::Touch), &level.map(), d).unwrap();
+        // The start, the first choice, and six others.
+        let second_choice = !out.hits.is_empty() && out.work.checks > 2;
+        beside += u64::from(second_choice && out.body != body);
+        stays += u64::from(second_choice && out.body == body);
+        assert!(out.work.checks <= 8);
+    }
+    println!("{beside} beside the first choice, {stays} stayed");
+    assert!(beside > CASES / 1000 && stays < beside, "{beside} beside the first choice, {stays} stayed");
 }
 
 /// The largest bodies and motions of the contract: components and radii just below 2^28.

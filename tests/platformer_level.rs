@@ -38,11 +38,11 @@ fn firmware_and_desktop_agree() {
     let grid = Grid::new(meadow::WIDTH, meadow::HEIGHT, Fx::from_num(meadow::TILE), Vec2::ZERO).unwrap();
     let map = TileMap::on_grid(meadow::TILES, grid, &meadow::KINDS).unwrap().with_outside(Outside::Solid);
     let rules = sim::Rules { coin: meadow::COIN, kill: meadow::KILL, win: meadow::WIN, ladder: meadow::LADDER };
-    let mut state = sim::Sim::new(&map, rules, sim::FIRMWARE_SEED).unwrap();
+    let mut state = sim::Sim::new(&map, rules, sim::SEED).unwrap();
     for _ in 0..sim::FIRMWARE_FRAMES {
         assert_eq!(state.step(&map).refused, 0);
     }
-    let run = play::play(&own(), sim::FIRMWARE_FRAMES, sim::FIRMWARE_SEED, &mut std::io::sink()).unwrap();
+    let run = play::play(&own(), sim::FIRMWARE_FRAMES, sim::SEED, &mut std::io::sink()).unwrap();
     assert_eq!((run.overlaps, run.escaped, run.refused), (0, 0, 0));
     assert_eq!(run.hash, state.hash());
     println!("{} of {} bytes", run.line(), size_of::<sim::Sim>());
@@ -52,7 +52,7 @@ fn firmware_and_desktop_agree() {
 /// The level shows every trick within the default run.
 #[test]
 fn the_player_plays() {
-    let run = play::play(&own(), 3600, 1, &mut std::io::sink()).unwrap();
+    let run = play::play(&own(), 3600, sim::SEED, &mut std::io::sink()).unwrap();
     let s = run.score;
     assert!(s.coins > 0 && s.deaths > 0 && s.wins > 0 && s.bumps > 0 && s.landings > 0, "{s:?}");
 }

@@ -4,6 +4,7 @@ use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
 use super::fail::{Fail, Result};
+use super::sim::SEED;
 
 pub const USAGE: &str = "\
 usage: platformer [LEVEL.tmx] [options]
@@ -14,7 +15,7 @@ body in every frame against an independent exact overlap test.
   LEVEL.tmx      a finite orthogonal Tiled map (default: the meadow)
   --layer NAME   the tile layer that is solid (default: the one with most solid tiles)
   --frames N     how long to play (default: 3600)
-  --seed N       where the bodies start and how they move (default: 1)
+  --seed N       where the bodies start and how they move (default: 11)
   --png FILE     write the picture there (default: platformer.png in the target folder)
   --svg FILE     write the picture as SVG
   --bake STEM    write STEM.bin and STEM.rs, the level as a firmware includes it, and stop
@@ -67,7 +68,7 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command> {
             _ => once(&mut level, "LEVEL.tmx", PathBuf::from(arg))?,
         }
     }
-    Ok(Command::Run(Options { level, layer, frames: frames.unwrap_or(3600), seed: seed.unwrap_or(1), png, svg, bake }))
+    Ok(Command::Run(Options { level, layer, frames: frames.unwrap_or(3600), seed: seed.unwrap_or(SEED), png, svg, bake }))
 }
 
 fn once<T>(slot: &mut Option<T>, name: &str, value: T) -> Result<()> {

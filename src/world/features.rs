@@ -39,11 +39,21 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// ]);
     /// # Ok::<(), tilesat::TileMapError>(())
     /// ```
-    #[must_use]
     pub const fn features(&self, region: &Aabb) -> Features<'_, S, T> {
         let (lo, hi) = (region.lo(), region.hi());
         let range = self.solid_range(self.closed_range(lo, hi));
-        Features { map: self, lo, hi, range, x: range.x0, y: range.y0, cell: Cell::new(0, 0), left: 0, all: 0, flags: 0 }
+        Features {
+            map: self,
+            region: (lo, hi),
+            range,
+            x: range.x0,
+            y: range.y0,
+            cell: Cell::new(0, 0),
+            solid: (lo, lo),
+            left: 0,
+            all: 0,
+            flags: 0,
+        }
     }
 }
 
@@ -52,14 +62,15 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 #[must_use = "cursors do nothing unless advanced"]
 pub struct Features<'w, S: Set, T: Store> {
     map: &'w TileMap<'w, S, T>,
-    lo: Raw,
-    hi: Raw,
+    region: (Raw, Raw),
     range: Range,
     /// The next cell.
     x: i32,
     y: i32,
-    /// The cell whose features are handed out, its tile's flags, all its features as a mask of indices, and those left to give.
+    /// The cell whose features are handed out, the corners of its solid, its tile's flags, all its features as a mask of indices, and
+    /// those left to give.
     cell: Cell,
+    solid: (Raw, Raw),
     flags: u8,
     all: Surface,
     left: Surface,
@@ -109,42 +120,41 @@ impl<S: Set, T: Store> Features<'_, S, T> {
             TileShape::Full => self.map.surface(x, y),
             TileShape::OneWayUp => self.map.one_way_surface(x, y),
         };
-        self.left = self.all & self.reached(x, y);
-        self.flags = kind.flags;
-        self.cell = Cell::of(x, y);
+        if self.all != 0 {
+            self.solid = self.map.extent(x, y);
+            if self.all & ONE_WAY != 0 {
+                // Above and below the map a one-way edge is not repeated: the band's corners are not its own.
+                self.solid.0.y = self.map.grid.line_y(y);
+            }
+            self.left = self.all & self.reached();
+            self.flags = kind.flags;
+            self.cell = Cell::of(x, y);
+        }
         true
     }
 
-    /// The indices whose place is in the region; that the cell is is known.
-    fn reached(&self, x: i32, y: i32) -> Surface {
-        if self.all & ONE_WAY != 0 {
-            // Its face alone: the marks of its ends are not features.
-            return if self.map.grid.line_y(y) >= self.lo.y && self.map.grid.line_y(y) <= self.hi.y { 1 } else { 0 };
-        }
-        let (lo, hi) = self.map.extent(x, y);
-        let mut out = 0;
-        if lo.y < self.lo.y {
+    /// The indices whose place is in the region; that the cell is is known. Of a one-way cell, its face alone: the marks of its ends are
+    /// not features.
+    fn reached(&self) -> Surface {
+        let ((lo, hi), region) = (self.solid, self.region);
+        let mut out = if self.all & ONE_WAY != 0 { !1 } else { 0 };
+        if lo.y < region.0.y || lo.y > region.1.y {
             out |= 0b1001_0001;
         }
-        if hi.x > self.hi.x {
+        if hi.x > region.1.x {
             out |= 0b0011_0010;
         }
-        if hi.y > self.hi.y {
+        if hi.y > region.1.y {
             out |= 0b0110_0100;
         }
-        if lo.x < self.lo.x {
+        if lo.x < region.0.x {
             out |= 0b1100_1000;
         }
         !out & 0xff
     }
 
     fn feature(&self, index: u8) -> Feature {
-        let (x, y) = (self.cell.x as i32, self.cell.y as i32);
-        let (mut lo, hi) = self.map.extent(x, y);
-        let one_way = self.all & ONE_WAY != 0;
-        if one_way {
-            lo.y = self.map.grid.line_y(y);
-        }
+        let (lo, hi) = self.solid;
         let k = index & 3;
         let dir = direction(k);
         let geometry = if index < 4 {
@@ -154,9 +164,10 @@ impl<S: Set, T: Store> Features<'_, S, T> {
             let joined = [self.all >> start & 1 == 0, self.all >> end & 1 == 0];
             Geometry::Face { a: a.vec2(), dir, len, joined }
         } else {
-            Geometry::Vertex { p: corner(lo, hi, k.wrapping_add(1) & 3).vec2(), e_in: dir, e_out: direction(k.wrapping_add(1) & 3) }
+            let next = k.wrapping_add(1) & 3;
+            Geometry::Vertex { p: corner(lo, hi, next).vec2(), e_in: dir, e_out: direction(next) }
         };
-        Feature { geometry, cell: self.cell, index, flags: self.flags, one_way }
+        Feature { geometry, cell: self.cell, index, flags: self.flags, one_way: self.all & ONE_WAY != 0 }
     }
 }
 

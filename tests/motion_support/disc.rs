@@ -41,6 +41,37 @@ fn enters_disc(m: P, r: i64, d: P, until: Time) -> bool {
     cross * cross < rr * a
 }
 
+/// The first moment at which the foremost point of a circle on some axis meets a face, its ends included, and moves in.
+pub(crate) fn first_face(level: &Level, body: &Body, d: P) -> Option<Time> {
+    let Body::Disc { c, r } = *body else { panic!("a circle is needed") };
+    let mut first: Option<Time> = None;
+    for (x, y) in level.cells_along(body, d).filter(|&(x, y)| level.full(x, y)) {
+        let (a, b) = level.square(x, y);
+        // The gap along the motion, the speed, and the place beside it: low end, speed, length of the face.
+        let x_face = (if d.0 > 0 { a.0 - c.0 } else { c.0 - b.0 } - r, d.0.abs(), c.1 - a.1, d.1, (x - d.0.signum(), y));
+        let y_face = (if d.1 > 0 { a.1 - c.1 } else { c.1 - b.1 } - r, d.1.abs(), c.0 - a.0, d.0, (x, y - d.1.signum()));
+        for (gap, speed, beside, along, across) in [x_face, y_face] {
+            if gap < 0 || gap >= speed || level.full(across.0, across.1) {
+                continue;
+            }
+            let at = i128::from(beside) * i128::from(speed) + i128::from(along) * i128::from(gap);
+            if at >= 0 && at <= i128::from(level.cell) * i128::from(speed) {
+                first = first.into_iter().chain([Time::new(gap, speed)]).min();
+            }
+        }
+    }
+    first
+}
+
+/// Whether a circle enters the disc around some corner of a full cell before `until`.
+pub(crate) fn enters_corner(level: &Level, body: &Body, d: P, until: Time) -> bool {
+    let Body::Disc { c, r } = *body else { panic!("a circle is needed") };
+    level.cells_along(body, d).filter(|&(x, y)| level.full(x, y)).any(|(x, y)| {
+        let (a, b) = level.square(x, y);
+        [a, b, (a.0, b.1), (b.0, a.1)].iter().any(|&p| enters_disc((c.0 - p.0, c.1 - p.1), r, d, until))
+    })
+}
+
 /// Whether a circle enters the solid up to `until`.
 pub(crate) fn enters_solid(level: &Level, body: &Body, d: P, until: Time) -> bool {
     let Body::Disc { c, r } = *body else { panic!("a circle is needed") };

@@ -136,6 +136,10 @@ pub(crate) fn first_hit(level: &Level, body: &Body, d: P, hit: Option<Hit>) -> R
                     Err(format!("a one-way face at another time: {hit:?}, exact {one_way:?}"))
                 };
             }
+            let corner = disc::enters_corner(level, body, d, disc::first_face(level, body, d).unwrap_or(Time::END));
+            if corner != (hit.index >= 4) {
+                return Err(format!("a corner instead of a face, or the other way round: {hit:?}"));
+            }
             let until = Time { num: (i64::from(raw) + early).min(1 << 30), den: 1 << 30 };
             if disc::enters_solid(level, body, d, until) {
                 Ok(())

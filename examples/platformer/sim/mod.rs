@@ -22,8 +22,8 @@ use rng::Rng;
 pub const BODIES: usize = 33;
 /// Frames of the run whose hash desktop and firmware compare.
 pub const FIRMWARE_FRAMES: u32 = 600;
-/// The seed of that run.
-pub const FIRMWARE_SEED: u32 = 1;
+/// The seed where none is given, and of that run: one whose player shows every trick on our level.
+pub const SEED: u32 = 11;
 
 /// Which flag bits mean what in this game; 0 where a level has no such tile.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
