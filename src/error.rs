@@ -1,5 +1,6 @@
 //! What can be wrong with an input: small values that say what and where.
 
+use crate::num::Fx;
 use core::fmt;
 
 /// The input that a [`RangeError`] names.
@@ -33,13 +34,13 @@ pub enum Quantity {
 pub struct RangeError {
     /// Which input.
     pub what: Quantity,
-    /// Its raw value.
+    /// The raw value that is out of range: of a circle or a motion, where it would reach.
     pub value: i32,
 }
 
 impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:?} is out of range: {} raw", self.what, self.value)
+        write!(f, "{:?} is out of range: {} ({} raw)", self.what, Fx::from_bits(self.value), self.value)
     }
 }
 

@@ -89,6 +89,10 @@ impl Format for Hits {
 impl<B: Format> Format for Moved<B> {
     fn format(&self, f: Formatter<'_>) {
         let (floor, wall, ceiling) = (self.floor, self.wall, self.ceiling);
-        write!(f, "Moved {} v {} floor {} wall {} ceiling {} {}", self.body, self.velocity, floor, wall, ceiling, self.hits);
+        write!(
+            f,
+            "Moved {} v {} floor {} wall {} ceiling {} {}",
+            self.body, self.velocity, floor, wall, ceiling, self.hits
+        );
     }
 }

@@ -60,7 +60,13 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 // What could panic, or would be floating point, is refused in the library; tests and examples are free.
-#![warn(clippy::expect_used, clippy::float_arithmetic, clippy::indexing_slicing, clippy::panic, clippy::std_instead_of_core)]
+#![warn(
+    clippy::expect_used,
+    clippy::float_arithmetic,
+    clippy::indexing_slicing,
+    clippy::panic,
+    clippy::std_instead_of_core
+)]
 #![warn(clippy::unreachable, clippy::unwrap_used)]
 
 pub mod error;
@@ -77,11 +83,16 @@ pub use motion::{Body, Hit, Hits, MoveError, Moved, Mover, Placed, Response, Stu
 pub use num::{Axis, Fx, Toi, UnitVec2, Vec2};
 pub use query::Contact;
 pub use shape::{Aabb, Circle, Segment};
-/// The verbs: `use tilesat::prelude::*;` brings the pair queries into scope.
+/// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types come from the crate's root.
 pub mod prelude {
     pub use crate::query::{ClosestPoint, Contacts, Contains, Distance, Overlaps, Touches};
 }
 pub use world::{
-    Bits, Blocks, Bytes, Cell, Feature, Features, Geometry, Grid, Inside, Outside, RayHit, TileAt, TileKind, TileKinds, TileMap,
-    TileMapError, TileShape, Tiles, World,
+    Bits, Blocks, Bytes, Cell, Feature, Features, Geometry, Grid, Inside, Outside, RayHit, TileAt, TileKind, TileKinds,
+    TileMap, TileMapError, TileShape, Tiles, World,
 };
+
+/// The README's example is a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -152,7 +152,11 @@ fn moved(row: &Row, by: Point) -> Row {
 fn check(row: &Row) {
     let Row { case, a, b, touches, contact } = row;
     let pair = Pair::new(a, b);
-    assert_eq!((pair.exact.overlaps(), pair.exact.touches()), (contact.is_some(), *touches), "{case}: the judge disagrees with the table");
+    assert_eq!(
+        (pair.exact.overlaps(), pair.exact.touches()),
+        (contact.is_some(), *touches),
+        "{case}: the judge disagrees with the table"
+    );
     pair.booleans();
     pair.contact();
     pair.distances();

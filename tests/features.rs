@@ -1,6 +1,12 @@
 //! The surface of a level: every neighbourhood, regions, joints, and that it is the border of what `overlaps` calls solid.
 
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, missing_docs, reason = "tests stop at the first surprise")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    missing_docs,
+    reason = "tests stop at the first surprise"
+)]
 
 mod support;
 
@@ -55,7 +61,12 @@ fn construct(level: &Level) -> BTreeSet<Piece> {
     for row in -2..=level.height + 1 {
         for column in -2..=level.width + 1 {
             if level.full(column, row) {
-                let at = [corner(column, row), corner(column + 1, row), corner(column + 1, row + 1), corner(column, row + 1)];
+                let at = [
+                    corner(column, row),
+                    corner(column + 1, row),
+                    corner(column + 1, row + 1),
+                    corner(column, row + 1),
+                ];
                 for k in 0..4 {
                     edges.push((at[k], at[(k + 1) % 4], (column, row)));
                 }
@@ -126,8 +137,23 @@ fn every_neighbourhood_with_its_border_repeated() {
         let wide = Level { tiles: (0..25).map(|i| level.id(i % 5 - 1, i / 5 - 1)).collect(), ..wide };
         // Pieces of the wide level that are not on its own border, moved into the cells of the small one.
         let cut = |p: Point| {
-            let x = if p.0 == -512 { -FAR } else if p.0 == 768 { FAR } else { p.0 };
-            (x, if p.1 == 256 { -FAR } else if p.1 == 1536 { FAR } else { p.1 })
+            let x = if p.0 == -512 {
+                -FAR
+            } else if p.0 == 768 {
+                FAR
+            } else {
+                p.0
+            };
+            (
+                x,
+                if p.1 == 256 {
+                    -FAR
+                } else if p.1 == 1536 {
+                    FAR
+                } else {
+                    p.1
+                },
+            )
         };
         let owner = |c: Point| ((c.0 - 1).clamp(0, 2), (c.1 - 1).clamp(0, 2));
         let on_border = |p: Point| p.0 == -512 || p.0 == 768 || p.1 == 256 || p.1 == 1536;
@@ -137,7 +163,8 @@ fn every_neighbourhood_with_its_border_repeated() {
                 Piece::Vertex { cell, p, e_in, e_out } if !on_border(p) => {
                     expected.insert(Piece::Vertex { cell: owner(cell), p, e_in, e_out });
                 }
-                Piece::Face { a, b, .. } if (on_border(a) && on_border(b)) && (a.0 == b.0 || a.1 == 256 || a.1 == 1536) => {}
+                Piece::Face { a, b, .. }
+                    if (on_border(a) && on_border(b)) && (a.0 == b.0 || a.1 == 256 || a.1 == 1536) => {}
                 Piece::Face { cell, a, b, one_way, joined } => {
                     let joined = [joined[0] || on_border(a), joined[1] || on_border(b)];
                     expected.insert(Piece::Face { cell: owner(cell), a: cut(a), b: cut(b), one_way, joined });
@@ -151,8 +178,11 @@ fn every_neighbourhood_with_its_border_repeated() {
     }
 }
 
+/// One-way, direction, start and end.
+type Run = (bool, Point, Point, Point);
+
 /// What pieces cover, with faces on one line that continue each other put together.
-fn points(pieces: &BTreeSet<Piece>) -> (Vec<(bool, Point, Point, Point)>, Vec<Piece>) {
+fn points(pieces: &BTreeSet<Piece>) -> (Vec<Run>, Vec<Piece>) {
     let mut faces: Vec<_> = pieces
         .iter()
         .filter_map(|p| match *p {
@@ -161,9 +191,9 @@ fn points(pieces: &BTreeSet<Piece>) -> (Vec<(bool, Point, Point, Point)>, Vec<Pi
         })
         .collect();
     loop {
-        let pair = (0..faces.len()).flat_map(|i| (0..faces.len()).map(move |j| (i, j))).find(|&(i, j)| {
-            i != j && faces[i].0 == faces[j].0 && faces[i].1 == faces[j].1 && faces[i].3 == faces[j].2
-        });
+        let pair = (0..faces.len())
+            .flat_map(|i| (0..faces.len()).map(move |j| (i, j)))
+            .find(|&(i, j)| i != j && faces[i].0 == faces[j].0 && faces[i].1 == faces[j].1 && faces[i].3 == faces[j].2);
         let Some((i, j)) = pair else { break };
         faces[i].3 = faces[j].3;
         faces.remove(j);
@@ -223,7 +253,8 @@ fn overlap_is_a_feature_overlapped_or_the_centre_in_the_solid() {
             }
             // The centre doubled, so that it is an integer.
             let (overlaps, bounds, centre, circle) = if random.one_in(2) {
-                let b = Aabb::new(Vec2::from_raw(x as i32, y as i32), Vec2::from_raw((x + w) as i32, (y + h) as i32)).unwrap();
+                let b = Aabb::new(Vec2::from_raw(x as i32, y as i32), Vec2::from_raw((x + w) as i32, (y + h) as i32))
+                    .unwrap();
                 (map.overlaps(&b), b, (2 * x + w, 2 * y + h), None)
             } else {
                 let c = Circle::new(Vec2::from_raw(x as i32, y as i32), Fx::from_bits(w as i32)).unwrap();
@@ -242,7 +273,8 @@ fn overlap_is_a_feature_overlapped_or_the_centre_in_the_solid() {
                     None => open(lo.0, hi.0, x0, x1) && open(lo.1, hi.1, y0, y1),
                     Some(r) => {
                         let (gx, gy) = ((x0 - x).max(x - x1).max(0), (y0 - y).max(y - y1).max(0));
-                        i128::from(gx) * i128::from(gx) + i128::from(gy) * i128::from(gy) < i128::from(r) * i128::from(r)
+                        i128::from(gx) * i128::from(gx) + i128::from(gy) * i128::from(gy)
+                            < i128::from(r) * i128::from(r)
                     }
                 };
                 meets && !one_way
@@ -281,7 +313,8 @@ fn a_seam_has_no_corner_and_a_door_is_one_byte() {
 /// Torture scene 43: deep inside a block of 10 x 10 there is nothing to see, and everything overlaps.
 #[test]
 fn nothing_is_seen_deep_inside() {
-    let level = Level { width: 10, height: 10, cell: 16 << 16, x: 0, y: 0, outside: Outside::Empty, tiles: vec![1; 100] };
+    let level =
+        Level { width: 10, height: 10, cell: 16 << 16, x: 0, y: 0, outside: Outside::Empty, tiles: vec![1; 100] };
     let body = Aabb::from_centre(Vec2::from_ints(80, 80), Vec2::from_ints(40, 40)).unwrap();
     assert_eq!(level.map().features(&body).count(), 0);
     assert!(level.map().overlaps(&body));

@@ -68,9 +68,17 @@ fn try_motion(level: &Level, body: Body, d: P) -> Option<bool> {
         return None;
     }
     // The judge looks at the first contact in any case; what follows it takes turns.
-    let response = RESPONSES[(d.0 ^ d.1 ^ lo.0) as usize & 3];
+    let mut response = RESPONSES[(d.0 ^ d.1 ^ lo.0) as usize & 3];
+    if response != Response::Touch && near_the_end(hi.0 - lo.0, d.0) | near_the_end(hi.1 - lo.1, d.1) {
+        // What is turned might leave the domain.
+        response = Response::Touch;
+    }
     let out = check(level, UP, response, &body, d);
     Some(!out.hits.is_empty())
+}
+
+fn near_the_end(size: i64, d: i64) -> bool {
+    size + 2 * d.abs() > 1 << 28
 }
 
 #[derive(Default)]
@@ -332,14 +340,20 @@ fn circles_between_two_corners() {
     let (mut beside, mut stays) = (0, 0);
     for _ in 0..CASES {
         let cell = any_cell(&mut r);
-        let level = Level::new(&["#.#"], cell).with_origin((r.around(1 << 20), r.around(1 << 20)));
-        let radius = cell / 2 + 1 + r.magnitude(cell / 4);
-        // Resting on both, give or take.
-        let half = (cell / 2) as f64;
-        let height = ((radius as f64).powi(2) - half * half).sqrt().ceil() as i64;
-        let middle = add(level.origin, (cell * 3 / 2, -height));
-        let body = Body::disc(add(middle, (r.around(4), r.within(-6, 0))), radius);
-        let d = motion(&mut r, cell / 4);
+        let rows: [&[&str]; 3] = [&["#..", "...", "..#"], &["#.", "..", ".#"], &["#.#"]];
+        let k = r.below(3) as usize;
+        let level = Level::new(rows[k], cell);
+        // The corner that it runs along, as seen from the one that it runs into; and from the middle of both, how far aside it rests.
+        let gap = [(cell, cell), (0, cell), (cell, 0)][k];
+        let first = [(cell, cell), (cell, cell), (cell, 0)][k];
+        let half = (gap.0 as f64).hypot(gap.1 as f64) / 2.0;
+        let radius = half as i64 + 1 + r.magnitude(cell / 4);
+        let depth = ((radius as f64).powi(2) - half * half).sqrt().ceil() as i64;
+        let rest = add(add(first, (gap.0 / 2, gap.1 / 2)), across(gap, -depth));
+        let from_second = (rest.0 - first.0 - gap.0, rest.1 - first.1 - gap.1);
+        let aside = across(from_second, r.within(0, 2 * (radius as f64).sqrt() as i64));
+        let body = Body::disc(add(rest, (aside.0 + r.around(1), aside.1 + r.around(1))), radius);
+        let d = across(from_second, -r.within(1, cell));
         if level.overlaps(&body) || try_motion(&level, body, d).is_none() {
             continue;
         }

@@ -267,3 +267,17 @@ fn cross_drops_through_a_one_way() {
     assert!(out.floor && out.hits.len() == 2);
     assert_eq!(out.v, at(1, 0));
 }
+
+/// On a flat floor with gravity and without friction; a million frames and other places are in `motion_scenes`.
+#[test]
+fn scene_49_resting_ten_thousand_ticks() {
+    let level = Level::new(&["......", "######"], px(16));
+    for start in [Body::rect(at(5, 4), at(12, 12)), Body::disc(at(40, 8), px(8))] {
+        let (mut body, mut v) = (start, (0, 0));
+        for _ in 0..10_000 {
+            let out = slide(&level, body, (v.0, v.1 + (1 << 14)));
+            (body, v) = (out.body, out.v);
+            assert_eq!((body, v), (start, (0, 0)));
+        }
+    }
+}

@@ -80,7 +80,10 @@ fn fine(ran: &Ran, frames: u32) {
     assert_eq!((ran.status, ran.err.as_str()), (0, ""), "{ran:?}");
     let words: Vec<&str> = ran.last().split(' ').collect();
     let [first, bodies, contacts, overlaps, escaped, hash] = words[..] else { panic!("{ran:?}") };
-    assert_eq!([first, bodies, overlaps, escaped], [&format!("frames={frames}"), "bodies=33", "overlaps=0", "escaped=0"]);
+    assert_eq!(
+        [first, bodies, overlaps, escaped],
+        [&format!("frames={frames}"), "bodies=33", "overlaps=0", "escaped=0"]
+    );
     assert!(contacts.strip_prefix("contacts=").unwrap().parse::<u64>().is_ok());
     let hash = hash.strip_prefix("hash=").unwrap();
     assert!(hash.len() == 8 && u32::from_str_radix(hash, 16).is_ok());
@@ -182,7 +185,9 @@ fn bad_files() {
         ("ninth", map(12, 1, 8, "1,3,4,5,6,7,8,9,10,11,0,0"), "'H' would be the ninth flag"),
         (
             "no_tileset",
-            small.replace("name=\"t\"", "source=\"nowhere.tsx\"").replace("tilewidth=\"8\" tileheight=\"8\" tilecount", "x"),
+            small
+                .replace("name=\"t\"", "source=\"nowhere.tsx\"")
+                .replace("tilewidth=\"8\" tileheight=\"8\" tilecount", "x"),
             "nowhere.tsx",
         ),
         ("tiles", small.replace("tilecount=\"12\"", "tilecount=\"4000000000\""), "1048576"),
@@ -207,7 +212,13 @@ fn odd_but_good_files() {
     let group = small.replace("<layer", "<group id=\"9\" name=\"g\"><layer").replace("</layer>", "</layer></group>");
     let expected = play(&level("plain", &small), &["--frames", "300"]);
     fine(&expected, 300);
-    let cases = [("tags", as_tags), ("flipped", flipped), ("old", old), ("objects", small.replace("</layer>", extras)), ("group", group)];
+    let cases = [
+        ("tags", as_tags),
+        ("flipped", flipped),
+        ("old", old),
+        ("objects", small.replace("</layer>", extras)),
+        ("group", group),
+    ];
     for (name, text) in cases {
         assert_eq!(play(&level(name, &text), &["--frames", "300"]).last(), expected.last(), "{name}");
     }

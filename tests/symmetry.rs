@@ -24,7 +24,8 @@ const MAPS: [(&str, Map); 4] = [
 
 /// Pairs from the generators of the judge; a seed does not shrink, so small scenes come from [`small`] as well.
 fn generated() -> impl Strategy<Value = (Figure, Figure)> {
-    (0..PAIRS.len(), 0..CLASSES.len(), any::<u64>()).prop_map(|(pair, class, seed)| Pairs::new(PAIRS[pair], CLASSES[class], seed).next())
+    (0..PAIRS.len(), 0..CLASSES.len(), any::<u64>())
+        .prop_map(|(pair, class, seed)| Pairs::new(PAIRS[pair], CLASSES[class], seed).next())
 }
 
 fn figure(kind: Kind, size: i64, unit: i64) -> impl Strategy<Value = Figure> {
@@ -61,7 +62,12 @@ fn directions(contact: &Contact) -> Directions {
 }
 
 /// Both scenes give the same booleans, distances and depths, and directions that `map` maps onto each other.
-fn same(name: &str, (a, b): (&Figure, &Figure), (c, d): (&Figure, &Figure), map: impl Fn(Point) -> Point) -> Result<(), TestCaseError> {
+fn same(
+    name: &str,
+    (a, b): (&Figure, &Figure),
+    (c, d): (&Figure, &Figure),
+    map: impl Fn(Point) -> Point,
+) -> Result<(), TestCaseError> {
     prop_assert_eq!(kernel::overlaps(a, b), kernel::overlaps(c, d), "{}", name);
     prop_assert_eq!(kernel::touches(a, b), kernel::touches(c, d), "{}", name);
     prop_assert_eq!(kernel::distance(a, b), kernel::distance(c, d), "{}", name);

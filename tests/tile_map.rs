@@ -8,7 +8,8 @@ use heapless::Vec;
 use support::build::CELLS;
 use support::random::Random;
 use tilesat::{
-    Aabb, Cell, Circle, Fx, Grid, Outside, Quantity, TileKind, TileKinds, TileMap, TileMapError, TileShape, Truncated, Vec2,
+    Aabb, Cell, Circle, Fx, Grid, Outside, Quantity, TileKind, TileKinds, TileMap, TileMapError, TileShape, Truncated,
+    Vec2,
 };
 
 static KINDS: TileKinds = TileKinds::EMPTY
@@ -53,7 +54,7 @@ fn text_that_is_no_level() {
     assert_eq!(refuse("##\n##\n###\n"), TileMapError::RowLength { row: 2, expected: 2, found: 3 });
     assert_eq!(refuse("##\n\n"), TileMapError::RowLength { row: 1, expected: 2, found: 0 });
     assert_eq!(refuse("\n##"), TileMapError::RowLength { row: 1, expected: 0, found: 2 });
-    assert_eq!(refuse("##\r\n##"), TileMapError::RowLength { row: 1, expected: 3, found: 2 });
+    assert_eq!(refuse("##\r\n##"), TileMapError::CarriageReturn { row: 0 });
     assert_eq!(refuse("..\n.é"), TileMapError::NotAscii { row: 1, column: 1 });
     assert_eq!(TileMap::from_ascii("#", &KINDS).unwrap().height(), 1);
     let wide = "#".repeat(40_000);
@@ -126,7 +127,8 @@ fn cells_of_coordinates() {
     for cell in CELLS.into_iter().chain([510, 512, 514, 65_538, 11_184_812, (1 << 23) + 2]) {
         let count = (((1i64 << 30) - 2) / cell).min(32_767);
         for origin in [-(count * cell / 2), 1 - (1 << 29), (1 << 29) - 1 - count * cell] {
-            let grid = Grid::new(count as u16, 1, Fx::from_bits(cell as i32), Vec2::from_raw(origin as i32, 0)).unwrap();
+            let grid =
+                Grid::new(count as u16, 1, Fx::from_bits(cell as i32), Vec2::from_raw(origin as i32, 0)).unwrap();
             let check = |v: i64| {
                 if let Ok(raw) = i32::try_from(v) {
                     let expected = (v - origin).div_euclid(cell).clamp(-1, count);

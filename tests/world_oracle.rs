@@ -1,6 +1,12 @@
 //! Tile maps against a judge written from the definitions: rays, overlap, touch, regions, flags.
 
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, missing_docs, reason = "tests stop at the first surprise")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    missing_docs,
+    reason = "tests stop at the first surprise"
+)]
 
 mod support;
 
@@ -38,8 +44,9 @@ fn check_ray(level: &Level, scene: &Scene, map: &TileMap, o: (i64, i64), d: (i64
                 };
                 assert!(expected.owners.iter().any(|owner| at(owner) == hit.cell), "cell: {}", case());
                 assert_eq!(hit.kind, map.kind(hit.cell), "kind: {}", case());
+                // At a corner, what is met in a cell beside it may be told before the other line is counted.
                 let entered = cells_entered(level, o, d, expected.num, expected.den);
-                assert_eq!(hit.cells, entered, "cells: {}", case());
+                assert!(entered.contains(&hit.cells), "cells: {entered:?} {}", case());
                 assert!(i64::from(hit.cells) <= level.width + level.height + 4);
             }
             _ => panic!("{}", case()),
@@ -60,7 +67,10 @@ fn ray(random: &mut Random, level: &Level) -> ((i64, i64), (i64, i64)) {
         4 => (build::point(random, level).0, o.1 + random.around(1)),
         5 => {
             // Through a corner or one raw beside it, with a small direction, so that it meets more corners.
-            let corner = (level.x + level.cell * random.within(0, level.width), level.y + level.cell * random.within(0, level.height));
+            let corner = (
+                level.x + level.cell * random.within(0, level.width),
+                level.y + level.cell * random.within(0, level.height),
+            );
             let (p, q, k) = (random.around(3), random.around(3), level.cell * random.within(1, 8) / 2);
             let from = (corner.0 - p * k + random.around(1), corner.1 - q * k);
             let to = (from.0 + 2 * p * k, from.1 + 2 * q * k);
@@ -129,12 +139,14 @@ fn body(random: &mut Random, level: &Level) -> Body {
         Body::Box { x0: x.min(u), y0: y.min(v), x1: x.max(u), y1: y.max(v) }
     } else {
         // Often exactly as far as a corner, by a Pythagorean triple, or one raw more or less.
-        let room = limit - x.abs().max(y.abs());
         let (x, y, r) = match random.below(4) {
             0 => (x, y, random.magnitude(level.cell * 3)),
             1 => (x, y, 0),
             _ => {
-                let corner = (level.x + level.cell * random.within(0, level.width), level.y + level.cell * random.within(0, level.height));
+                let corner = (
+                    level.x + level.cell * random.within(0, level.width),
+                    level.y + level.cell * random.within(0, level.height),
+                );
                 let (a, b, c) = [(3, 4, 5), (8, 15, 17), (20, 21, 29), (0, 1, 1), (1, 0, 1)][random.below(5) as usize];
                 let k = random.magnitude(level.cell / 10) + 1;
                 let x = corner.0 + random.sign() * a * k;
@@ -145,7 +157,6 @@ fn body(random: &mut Random, level: &Level) -> Body {
         if x.abs().max(y.abs()) + r > limit {
             return Body::Circle { x: x.clamp(-limit, limit), y: y.clamp(-limit, limit), r: 0 };
         }
-        let _ = room;
         Body::Circle { x, y, r }
     }
 }
@@ -224,7 +235,8 @@ fn bits_and_bytes_answer_the_same() {
             packed[i / 8] |= id << (i % 8);
         }
         let small = Fx::from_bits(256);
-        let bits = TileMap::<Blocks, Bits>::from_bits(&packed, level.width as u16, level.height as u16, &KINDS).unwrap();
+        let bits =
+            TileMap::<Blocks, Bits>::from_bits(&packed, level.width as u16, level.height as u16, &KINDS).unwrap();
         let bits = bits.with_cell(small).unwrap().with_origin(bytes.origin()).unwrap();
         let bits = bits.with_cell(bytes.cell()).unwrap().with_outside(level.outside);
         assert_eq!(bits.grid(), bytes.grid());
@@ -238,7 +250,9 @@ fn bits_and_bytes_answer_the_same() {
                     assert!(bits.tiles_in(&b).eq(bytes.tiles_in(&b)));
                     assert!(bits.features(&b).eq(bytes.features(&b)));
                 }
-                Shape::Circle(b) => assert_eq!((bits.overlaps(&b), bits.touches(&b)), (bytes.overlaps(&b), bytes.touches(&b))),
+                Shape::Circle(b) => {
+                    assert_eq!((bits.overlaps(&b), bits.touches(&b)), (bytes.overlaps(&b), bytes.touches(&b)));
+                }
             }
         }
     }

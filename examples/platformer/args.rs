@@ -68,7 +68,15 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command> {
             _ => once(&mut level, "LEVEL.tmx", PathBuf::from(arg))?,
         }
     }
-    Ok(Command::Run(Options { level, layer, frames: frames.unwrap_or(3600), seed: seed.unwrap_or(SEED), png, svg, bake }))
+    Ok(Command::Run(Options {
+        level,
+        layer,
+        frames: frames.unwrap_or(3600),
+        seed: seed.unwrap_or(SEED),
+        png,
+        svg,
+        bake,
+    }))
 }
 
 fn once<T>(slot: &mut Option<T>, name: &str, value: T) -> Result<()> {

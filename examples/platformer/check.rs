@@ -34,7 +34,13 @@ impl Checker {
     pub fn new(level: &Level) -> Self {
         let solid: Vec<bool> = level.tiles.iter().map(|&id| level.ids[usize::from(id)].0 == Block::All).collect();
         let area = areas(&solid, usize::from(level.width));
-        Self { solid, area, width: i64::from(level.width), height: i64::from(level.height), cell: i64::from(level.tile) << 16 }
+        Self {
+            solid,
+            area,
+            width: i64::from(level.width),
+            height: i64::from(level.height),
+            cell: i64::from(level.tile) << 16,
+        }
     }
 
     /// Checks a body that moved from `before` to `now` with at most `velocity` in this frame.
@@ -50,9 +56,12 @@ impl Checker {
     /// Whether the interiors of the body and of any solid tile meet.
     pub fn overlaps(&self, figure: &Figure) -> bool {
         let (min, max) = extent(figure);
-        let span = |lo: i64, hi: i64, count: i64| lo.div_euclid(self.cell).max(0)..=hi.div_euclid(self.cell).min(count - 1);
-        span(min.1, max.1, self.height)
-            .any(|y| span(min.0, max.0, self.width).any(|x| self.solid[(y * self.width + x) as usize] && self.meets(figure, x, y)))
+        let span =
+            |lo: i64, hi: i64, count: i64| lo.div_euclid(self.cell).max(0)..=hi.div_euclid(self.cell).min(count - 1);
+        span(min.1, max.1, self.height).any(|y| {
+            span(min.0, max.0, self.width)
+                .any(|x| self.solid[(y * self.width + x) as usize] && self.meets(figure, x, y))
+        })
     }
 
     fn meets(&self, figure: &Figure, x: i64, y: i64) -> bool {

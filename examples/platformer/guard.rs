@@ -68,7 +68,8 @@ fn normalise(bytes: &[u8]) -> Result<Vec<u8>> {
 fn is_needless(tag: Tag<'_>) -> bool {
     let name = tag.name();
     let property = name == b"property" && tag.attribute("type") != Some(b"bool");
-    property || [&b"objectgroup"[..], b"imagelayer", b"image", b"wangsets", b"animation", b"editorsettings"].contains(&name)
+    property
+        || [&b"objectgroup"[..], b"imagelayer", b"image", b"wangsets", b"animation", b"editorsettings"].contains(&name)
 }
 
 /// Writes a tag that is kept; tells whether layer data follows that is elements.

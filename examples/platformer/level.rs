@@ -153,7 +153,9 @@ fn choose<'a>(tmx: &'a Tmx, name: Option<&str>) -> Result<&'a TmxLayer> {
             .find(|l| l.name == name)
             .ok_or_else(|| Fail::new(format!("no tile layer '{name}'; there are: {}", names.join(", "))))?,
         // `max_by_key` keeps the last of equals, so the search runs from the top layer down.
-        None => tmx.layers.iter().rev().max_by_key(|l| solid(l)).ok_or_else(|| Fail::new("the map has no tile layer"))?,
+        None => {
+            tmx.layers.iter().rev().max_by_key(|l| solid(l)).ok_or_else(|| Fail::new("the map has no tile layer"))?
+        }
     };
     if solid(chosen) == 0 {
         return Err(Fail::new(format!("layer '{}' has no solid tile", chosen.name)));

@@ -50,7 +50,8 @@ pub fn play(level: &Level, frames: u32, seed: u32, err: &mut dyn Write) -> Resul
         .and_then(|grid| TileMap::on_grid(&level.tiles, grid, &kinds))
         .map_err(|e| Fail::new(format!("the map does not fit: {e}")))?
         .with_outside(Outside::Solid);
-    let mut sim = Sim::new(&map, level.rules(), seed).map_err(|NoRoom| Fail::new("no room for the bodies: the level has no free cell"))?;
+    let mut sim = Sim::new(&map, level.rules(), seed)
+        .map_err(|NoRoom| Fail::new("no room for the bodies: the level has no free cell"))?;
     let checker = Checker::new(level);
     let mut figures = sim.bodies().map(|a| figure(&a));
     let mut run = Run {

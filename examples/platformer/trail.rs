@@ -1,5 +1,9 @@
 //! The way of a body, for the picture.
-#![allow(clippy::float_arithmetic, clippy::cast_precision_loss, reason = "drawing only; nothing here flows back into the simulation")]
+#![allow(
+    clippy::float_arithmetic,
+    clippy::cast_precision_loss,
+    reason = "drawing only; nothing here flows back into the simulation"
+)]
 
 use tilesat::{Hit, Toi, Vec2};
 

@@ -1,8 +1,8 @@
 //! What a mover can move.
 
 use crate::num::{Axis, Raw, Vec2, mul_div, umul};
-use core::cmp::Ordering;
 use crate::shape::{Aabb, Circle};
+use core::cmp::Ordering;
 
 /// A shape that [`Mover::move_and_slide`](super::Mover::move_and_slide) can move: [`Aabb`] or [`Circle`].
 ///
@@ -40,7 +40,7 @@ pub struct Entry {
 
 impl Entry {
     /// Whether this hit comes before `other`: earlier, else face before its end before vertex, else more opposed to the motion, else by the
-    /// normal, x first. Only geometry decides, never the order of visits (C6).
+    /// normal, x first. Only geometry decides, never the order of visits.
     pub(super) fn before(&self, other: &Self, d: Raw) -> bool {
         match self.time(other) {
             Ordering::Equal => {}

@@ -80,3 +80,11 @@ impl Hits {
         Ok(())
     }
 }
+
+impl<'a> IntoIterator for &'a Hits {
+    type Item = &'a Hit;
+    type IntoIter = core::iter::Flatten<core::slice::Iter<'a, Option<Hit>>>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.items.iter().flatten()
+    }
+}

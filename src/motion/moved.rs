@@ -19,13 +19,15 @@ pub struct Moved<B> {
     pub remaining: Vec2,
     /// What was hit.
     pub hits: Hits,
-    /// Whether a hit faced up to 45 degrees around "up". Always false for a mover without an up.
+    /// Whether a hit faced up to 45 degrees around "up". Always false for a mover without an up. Only what the motion ran into counts: a
+    /// body at rest reports no floor, so add gravity in every frame, on the ground too.
     pub floor: bool,
     /// Whether a hit was neither floor nor ceiling.
     pub wall: bool,
     /// Whether a hit faced up to 45 degrees around "down".
     pub ceiling: bool,
-    /// The flags of all tiles that were hit, or-ed.
+    /// The flags of all tiles that were hit, or-ed. Tiles that are not solid are never hit: ask
+    /// [`TileMap::tiles_in`](crate::TileMap::tiles_in).
     pub flags: u8,
     /// What the call did.
     pub work: Work,

@@ -15,11 +15,13 @@ pub enum Response {
     /// Goes on along the surface.
     #[default]
     Slide,
-    /// Stops at the first contact; its velocity is then zero.
+    /// Stops at the first contact; its velocity is then zero, and [`Moved::remaining`] is the motion not made.
     Touch,
-    /// Passes one-way faces, which are reported and not obeyed; slides along the solid.
+    /// Passes one-way faces, to drop through a platform; slides along the solid. The first one-way face that it passes in a call is reported
+    /// among the hits, and is neither floor, wall nor ceiling.
     Cross,
-    /// Is mirrored at the surface, without loss and without gain.
+    /// Is mirrored at the surface: exactly at a face; at a corner rounding may take up to 3 raw units of speed. It never gains any. For less
+    /// bounce, scale the velocity that comes back.
     Bounce,
 }
 
@@ -69,16 +71,18 @@ impl Mover {
 
     /// Moves a body by its velocity (units per call) through a level.
     ///
-    /// The body is swept, so no speed tunnels. It ends exactly on the faces that it hits; at a circle's corner contact it ends at most
-    /// 2 raw early and never inside. What faces do to the motion is exact: a box that lands still goes on by its whole sideways motion. (Where a circle is wedged between two corners and no lattice point near the contact is free, it stays
-    /// where that piece of its motion began.) Sliding never lengthens the velocity and bouncing never raises its square. Mirrored scenes give
-    /// mirrored bits (save where a circle meets two corners at the same moment and as squarely: +x goes first), translated scenes the
-    /// same bits.
+    /// The body is swept, so no speed tunnels. It ends exactly on the faces that it hits, and what faces do to the motion is exact: a box
+    /// that lands still goes on by its whole sideways motion. At a circle's corner contact it ends at most 2 raw early and never inside;
+    /// wedged between two corners where no lattice point near the contact is free, it stays where that piece of its motion began.
+    /// Sliding never lengthens the velocity and bouncing never raises its square.
+    ///
+    /// Mirrored scenes give mirrored bits, save where a circle meets two corners at the same moment and as squarely (+x goes first);
+    /// translated scenes give the same bits; exchanging x and y does too, save for ties (x goes first) and a raw unit at corners.
     ///
     /// `placed` is for moving solids; there are none yet, pass `&[]`.
     ///
-    /// Cost: at most [`Mover::ITERATIONS`] sweeps over the cells under the motion, enumerated in pieces no longer than a cell, and one
-    /// or two exact overlap tests a sweep; [`Moved::work`] counts them. No division instruction; one square root per corner that is hit.
+    /// Cost: at most [`Mover::ITERATIONS`] sweeps over the cells under the motion, enumerated in pieces as long as a cell or the body (that
+    /// many look-ups also where a fast body is far from the map), and one or two exact overlap tests a sweep; [`Moved::work`] counts them. No division instruction; one square root per corner that is hit.
     ///
     /// # Errors
     /// [`MoveError::Range`] where a velocity component or a half extent is not below 2^28 raw (4096 units; a velocity whose length is below
@@ -91,8 +95,8 @@ impl Mover {
         body: &B,
         velocity: Vec2,
     ) -> Result<Moved<B>, MoveError> {
-        // No value of `Placed` exists.
-        debug_assert!(placed.is_empty());
+        // No value of `Placed` exists, so there is nothing to sweep against.
+        let _ = placed;
         check_motion(velocity, MOTION)?;
         body.check_size()?;
         let mut run = Run::new(*body, Raw::of(velocity));
@@ -185,8 +189,10 @@ impl<B: Body> Run<B> {
     fn first_hit<W: World>(&mut self, world: &W, d: Raw) -> Option<(Entry, Feature)> {
         let bounds = self.moved.body.bounds();
         let longest = d.x.unsigned_abs().max(d.y.unsigned_abs());
-        let cell = world.cell_size();
-        let pieces = if longest <= cell { 1 } else { mul_div(longest, 1, cell) + 1 };
+        // No shorter than the body either, or each piece would visit the body's own cells again.
+        let side = Raw::of(bounds.size());
+        let length = world.cell_size().max(side.x.max(side.y) as u32);
+        let pieces = if longest <= length { 1 } else { mul_div(longest, 1, length) + 1 };
         let mut best: Option<(Entry, Feature)> = None;
         for piece in 0..pieces {
             let region = hull(&bounds, part(d, piece, pieces), part(d, piece + 1, pieces));
@@ -203,9 +209,7 @@ impl<B: Body> Run<B> {
                 }
             }
             // Later pieces hold only later hits.
-            if best.is_some_and(|(e, _)| {
-                crate::num::umul(e.num, pieces) <= crate::num::umul(e.den, piece + 1)
-            }) {
+            if best.is_some_and(|(e, _)| crate::num::umul(e.num, pieces) <= crate::num::umul(e.den, piece + 1)) {
                 break;
             }
         }
@@ -253,8 +257,7 @@ impl<B: Body> Run<B> {
                 rest.of_raw(now)
             }
         };
-        self.motion =
-            Raw { x: component(self.motion.x, self.v.x, to.x), y: component(self.motion.y, self.v.y, to.y) };
+        self.motion = Raw { x: component(self.motion.x, self.v.x, to.x), y: component(self.motion.y, self.v.y, to.y) };
         self.v = to;
     }
 

@@ -53,8 +53,13 @@ fn sweep_disc_face(c: Raw, r: i32, d: Raw, face: &Face) -> Option<Entry> {
     }
     let over_lo = over(c_t.wrapping_sub(face.lo), along, gap, into);
     let over_hi = over(face.hi.wrapping_sub(c_t), along.wrapping_neg(), gap, into);
-    (over_lo >= 0 && over_hi >= 0)
-        .then_some(Entry { num: gap as u32, den: into as u32, normal: face.normal, at_end: false, step: None })
+    (over_lo >= 0 && over_hi >= 0).then_some(Entry {
+        num: gap as u32,
+        den: into as u32,
+        normal: face.normal,
+        at_end: false,
+        step: None,
+    })
 }
 
 /// Entry of the point `m` (centre relative to the corner) moving by `d` into the disc of radius `r`, inside the corner's open cone.

@@ -113,7 +113,7 @@ pub const fn div_sqrt(s: u64, n: u64) -> u32 {
     }
     let half_shift = super::root::leading_zeros64(n) >> 1;
     let h = ((n << (2 * half_shift)) >> 32) as u32;
-    // 1/sqrt(n) = 2^half_shift y / 2^63 with y = 2^47/sqrt(h'), h <= h' < h + 1. rsqrt is at most 1.99 above its value at h, and
+    // 1/sqrt(n) = 2^half_shift y / 2^63 with y = 2^47/sqrt(h'), h <= h' < h + 1. rsqrt is less than 2 above its value at h, and
     // that is at most 2 above the one at h': y - 4 never exceeds the exact factor, and is at most 8 below it.
     let y = super::root::rsqrt(h).saturating_sub(4);
     let product = umul((s >> 32) as u32, y).wrapping_add(umul(s as u32, y) >> 32);

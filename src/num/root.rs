@@ -40,7 +40,7 @@ const fn rsqrt_seed(h: u32) -> u32 {
 
 /// The reciprocal square root `2^31 / sqrt(h / 2^32)` of a normalised word.
 ///
-/// `h` must be in `[2^30, 2^32)`. The error is within -1.53 and +1.99, checked for every `h`.
+/// `h` must be in `[2^30, 2^32)`. The error is within -1.53 and +2.00, checked for every `h`.
 #[inline]
 #[must_use]
 pub const fn rsqrt(h: u32) -> u32 {
@@ -103,15 +103,10 @@ const fn isqrt_norm(h: u32, lo: u32) -> u32 {
     // s is the root of the high word and r its remainder; the low half of the root is about r * 2^16 / (2 s).
     let e = 0x8000_0000u32.wrapping_sub(s.wrapping_mul(y)) as i32;
     let y = min32((y as i32).wrapping_add((y as i32 >> 3).wrapping_mul(e >> 5) >> 23) as u32, 65536);
-    let q = if r as u32 >= 0x1_ffff {
-        65535
-    } else {
-        min32((r as u32 >> 1).wrapping_mul(y) >> 15, 65535)
-    };
+    let q = if r as u32 >= 0x1_ffff { 65535 } else { min32((r as u32 >> 1).wrapping_mul(y) >> 15, 65535) };
     let mut root = ((s << 16) | q) as u64;
-    let mut rem = (((r as u64) << 32) | lo as u64)
-        .wrapping_sub(umul(q, s) << 17)
-        .wrapping_sub(q.wrapping_mul(q) as u64) as i64;
+    let mut rem =
+        (((r as u64) << 32) | lo as u64).wrapping_sub(umul(q, s) << 17).wrapping_sub(q.wrapping_mul(q) as u64) as i64;
     while rem < 0 {
         root -= 1;
         rem += (2 * root + 1) as i64;

@@ -4,7 +4,7 @@ use super::{Fx, Raw, Vec2};
 
 /// A fraction of a motion: 0 at its start, 1 at its end, in steps of 2^-30.
 ///
-/// Rounded down, so that acting on it is never late (C4).
+/// Rounded down, so that acting on it is never late.
 ///
 /// ```
 /// use tilesat::Toi;
@@ -25,6 +25,11 @@ impl Toi {
     #[must_use]
     pub const fn from_raw(raw: u32) -> Option<Self> {
         if raw <= Self::ONE.0 { Some(Self(raw)) } else { None }
+    }
+
+    /// For values that are at most one by construction.
+    pub(crate) const fn exact(raw: u32) -> Self {
+        Self(raw)
     }
 
     /// For values that the caller has bounded.

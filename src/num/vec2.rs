@@ -1,11 +1,11 @@
 //! Positions and displacements.
 
 use super::{Fx, imul};
-use core::ops::{Add, Neg, Sub};
+use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// A position or displacement in units.
 ///
-/// Names are glam's. `+`, `-` and negation saturate at the ends of 16.16, far outside of the [domain](super::DOMAIN).
+/// Names are glam's where glam has them. `+`, `-` and negation saturate at the ends of 16.16, far outside of the [domain](super::DOMAIN).
 ///
 /// ```
 /// use tilesat::Vec2;
@@ -124,6 +124,18 @@ impl Sub for Vec2 {
     type Output = Self;
     fn sub(self, rhs: Self) -> Self {
         Self { x: self.x.saturating_sub(rhs.x), y: self.y.saturating_sub(rhs.y) }
+    }
+}
+
+impl AddAssign for Vec2 {
+    fn add_assign(&mut self, rhs: Self) {
+        *self = *self + rhs;
+    }
+}
+
+impl SubAssign for Vec2 {
+    fn sub_assign(&mut self, rhs: Self) {
+        *self = *self - rhs;
     }
 }
 

@@ -4,8 +4,9 @@
 ///
 /// Stable Rust sets no `target_feature` that tells `ARMv6-M` from `ARMv7-M`, but every 32-bit Arm target with `UMULL` in
 /// all its instruction states has atomic compare-and-swap, and those without do not (`ARMv8-M` baseline is the one
-/// exception: it takes the compiler's call, slower, same bits). So no build script is needed.
-pub const SPLIT: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+/// exception: it takes the compiler's call, slower, same bits). So no build script is needed. `--cfg tilesat_split` sets it anywhere, so
+/// that the host's tests can run what those cores run.
+pub const SPLIT: bool = cfg!(any(tilesat_split, all(target_arch = "arm", not(target_has_atomic = "32"))));
 
 /// The 64-bit product of two unsigned words.
 ///
@@ -42,10 +43,7 @@ pub const fn umul_split(a: u32, b: u32) -> u64 {
     // ah*bl + al*bh < 2^33: the carry is worth 2^16 of the high word.
     let (mid, carry) = (ah * bl).overflowing_add(al * bh);
     let (lo, carry_lo) = (al * bl).overflowing_add(mid << 16);
-    let hi = (ah * bh)
-        .wrapping_add(mid >> 16)
-        .wrapping_add((carry as u32) << 16)
-        .wrapping_add(carry_lo as u32);
+    let hi = (ah * bh).wrapping_add(mid >> 16).wrapping_add((carry as u32) << 16).wrapping_add(carry_lo as u32);
     ((hi as u64) << 32) | lo as u64
 }
 

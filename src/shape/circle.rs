@@ -1,7 +1,7 @@
 //! Circles.
 
 use super::Aabb;
-use crate::error::{Quantity, RangeError};
+use crate::error::RangeError;
 use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
 
 /// A circle, given by its centre and radius.
@@ -34,14 +34,12 @@ impl Circle {
             return Err(e);
         }
         let (c, r) = (Raw::of(centre), radius.to_bits());
-        let limit = crate::num::DOMAIN - r;
-        if c.x >= limit || c.x <= -limit {
-            return Err(RangeError { what: Quantity::X, value: c.x });
+        // The farther end in each direction: below 2^30.
+        let (x, y) = (if c.x < 0 { c.x - r } else { c.x + r }, if c.y < 0 { c.y - r } else { c.y + r });
+        match check_coordinate(Vec2::from_raw(x, y)) {
+            Ok(()) => Ok(Self { centre, radius }),
+            Err(e) => Err(e),
         }
-        if c.y >= limit || c.y <= -limit {
-            return Err(RangeError { what: Quantity::Y, value: c.y });
-        }
-        Ok(Self { centre, radius })
     }
 
     /// The centre.

@@ -22,7 +22,8 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
     /// ```
     ///
     /// # Errors
-    /// [`TileMapError`]: no cells, too many, rows of different lengths, or a character that is not ASCII.
+    /// [`TileMapError`]: no cells, too many, rows of different lengths, a character that is not ASCII, or a carriage return (as an editor or a
+    /// checkout on Windows may add).
     pub const fn from_ascii(text: &'a str, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
         let text = text.as_bytes();
         let (width, height) = match measure(text) {
@@ -50,6 +51,9 @@ const fn measure(text: &[u8]) -> Result<(u32, u32), TileMapError> {
         i += 1;
         if character >= 0x80 {
             return Err(TileMapError::NotAscii { row, column });
+        }
+        if character == b'\r' {
+            return Err(TileMapError::CarriageReturn { row });
         }
         if character != b'\n' {
             column += 1;

@@ -46,6 +46,11 @@ pub enum TileMapError {
         /// The column, from 0.
         column: u32,
     },
+    /// A row of text ends with a carriage return and a line feed: line feeds alone are wanted.
+    CarriageReturn {
+        /// The row, from 0.
+        row: u32,
+    },
     /// The table names a shape that the map's [`Set`](super::Set) does not have, for this id.
     ShapeNotInSet {
         /// The first such id.
@@ -58,7 +63,7 @@ impl fmt::Display for TileMapError {
         match *self {
             Self::EmptyMap => write!(f, "the map has no cells"),
             Self::TooManyCells(n) => write!(f, "{n} cells on a side are more than 32767"),
-            Self::Cell(raw) => write!(f, "a cell of {raw} raw is odd or not in 256..=16777216"),
+            Self::Cell(raw) => write!(f, "a cell of {raw} raw is odd or not in 256..=16777216 (256 units)"),
             Self::OutOfDomain { what, value } => write!(f, "the map ends at {what:?} = {value} raw, out of range"),
             Self::Stride(stride) => write!(f, "a stride of {stride} is less than the width"),
             Self::TooShort { needed, found } => write!(f, "{found} bytes of tiles where {needed} are needed"),
@@ -66,6 +71,9 @@ impl fmt::Display for TileMapError {
                 write!(f, "row {row} has {found} characters where the first has {expected}")
             }
             Self::NotAscii { row, column } => write!(f, "the character at row {row}, column {column} is not ASCII"),
+            Self::CarriageReturn { row } => {
+                write!(f, "row {row} has a carriage return; rows end with line feeds alone")
+            }
             Self::ShapeNotInSet { id } => write!(f, "the shape of tile {id} is not in the map's set"),
         }
     }

@@ -23,16 +23,24 @@ use crate::num::{DOMAIN, Fx, Raw, Vec2, umul};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Grid {
-    pub(super) origin: Raw,
-    /// Width and height of the whole map, below 2^30.
-    pub(super) size: Raw,
+    pub(super) x: Span,
+    pub(super) y: Span,
     pub(super) cell: i32,
     /// 0 where the cell is a power of two, else `ceil(2^(31 + log) / cell)`.
     pub(super) magic: u32,
     /// `floor(log2 cell)`, 8 to 24.
     pub(super) log: u8,
-    pub(super) width: u16,
-    pub(super) height: u16,
+}
+
+/// One axis of a grid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Span {
+    /// Where the first cell starts.
+    pub(super) origin: i32,
+    /// The length of all cells, below 2^30.
+    pub(super) size: i32,
+    /// The number of cells, 1 to 32767.
+    pub(super) count: u16,
 }
 
 impl Grid {
@@ -55,7 +63,7 @@ impl Grid {
         match (span(origin.x, width, cell, Quantity::X), span(origin.y, height, cell, Quantity::Y)) {
             (Ok(x), Ok(y)) => {
                 let (magic, log) = magic(cell as u32);
-                Ok(Self { origin, size: Raw { x, y }, cell, magic, log, width, height })
+                Ok(Self { x, y, cell, magic, log })
             }
             (Err(e), _) | (_, Err(e)) => Err(e),
         }
@@ -64,13 +72,13 @@ impl Grid {
     /// Columns.
     #[must_use]
     pub const fn width(&self) -> u16 {
-        self.width
+        self.x.count
     }
 
     /// Rows.
     #[must_use]
     pub const fn height(&self) -> u16 {
-        self.height
+        self.y.count
     }
 
     /// The side of a cell.
@@ -82,13 +90,13 @@ impl Grid {
     /// The corner of the first cell with the smallest coordinates.
     #[must_use]
     pub const fn origin(&self) -> Vec2 {
-        self.origin.vec2()
+        Vec2::from_raw(self.x.origin, self.y.origin)
     }
 
     /// The corner of the last cell with the largest coordinates.
     #[must_use]
     pub const fn end(&self) -> Vec2 {
-        self.origin.add(self.size).vec2()
+        Vec2::from_raw(self.x.origin.wrapping_add(self.x.size), self.y.origin.wrapping_add(self.y.size))
     }
 
     /// The cell that holds a point: left and upper borders belong to it, right and lower ones to the next.
@@ -103,21 +111,21 @@ impl Grid {
 
     /// The column that holds `x` as [`cell_at`](Self::cell_at) has it; of `x - 1`, the column that `x` is entered from on the right.
     pub(super) const fn column(&self, x: i32) -> i32 {
-        self.index(x, self.origin.x, self.size.x, self.width)
+        self.index(x, &self.x)
     }
 
     pub(super) const fn row(&self, y: i32) -> i32 {
-        self.index(y, self.origin.y, self.size.y, self.height)
+        self.index(y, &self.y)
     }
 
     /// Any `v`: the difference of two words, the first not less, fits an unsigned word.
     #[inline(never)]
-    const fn index(&self, v: i32, origin: i32, size: i32, count: u16) -> i32 {
-        if v < origin {
+    const fn index(&self, v: i32, span: &Span) -> i32 {
+        if v < span.origin {
             return -1;
         }
-        let d = v.wrapping_sub(origin) as u32;
-        if d >= size as u32 { count as i32 } else { self.quotient(d) as i32 }
+        let d = v.wrapping_sub(span.origin) as u32;
+        if d >= span.size as u32 { span.count as i32 } else { self.quotient(d) as i32 }
     }
 
     /// `d / cell` for `d < 2^30`.
@@ -127,7 +135,11 @@ impl Grid {
     #[inline]
     pub(super) const fn quotient(&self, d: u32) -> u32 {
         // Of the shift by 31 + log, 32 is the high word of the product.
-        if self.magic == 0 { d >> (self.log & 31) } else { (umul(d, self.magic) >> 32) as u32 >> (self.log.wrapping_sub(1) & 31) }
+        if self.magic == 0 {
+            d >> (self.log & 31)
+        } else {
+            (umul(d, self.magic) >> 32) as u32 >> (self.log.wrapping_sub(1) & 31)
+        }
     }
 
     /// The smaller coordinate of a column's side, as a distance from the origin. For columns 0..=width.
@@ -139,25 +151,29 @@ impl Grid {
     /// The side of a row toward row 0. For rows of the map.
     #[inline]
     pub(super) const fn line_y(&self, row: i32) -> i32 {
-        self.origin.y.wrapping_add(self.line(row))
+        self.y.origin.wrapping_add(self.line(row))
     }
 
     /// The corners of a cell; a cell at -1 or width (height) reaches to the end of the domain.
     pub(super) const fn corners(&self, x: i32, y: i32) -> (Raw, Raw) {
-        let (x0, x1) = self.side(x, self.origin.x, self.width);
-        let (y0, y1) = self.side(y, self.origin.y, self.height);
+        let (x0, x1) = self.side(x, &self.x);
+        let (y0, y1) = self.side(y, &self.y);
         (Raw { x: x0, y: y0 }, Raw { x: x1, y: y1 })
     }
 
-    const fn side(&self, index: i32, origin: i32, count: u16) -> (i32, i32) {
-        let lo = if index < 0 { 1 - DOMAIN } else { origin.wrapping_add(self.line(index)) };
-        let hi = if index >= count as i32 { DOMAIN - 1 } else { origin.wrapping_add(self.line(index.wrapping_add(1))) };
+    const fn side(&self, index: i32, span: &Span) -> (i32, i32) {
+        let lo = if index < 0 { 1 - DOMAIN } else { span.origin.wrapping_add(self.line(index)) };
+        let hi = if index >= span.count as i32 {
+            DOMAIN - 1
+        } else {
+            span.origin.wrapping_add(self.line(index.wrapping_add(1)))
+        };
         (lo, hi)
     }
 }
 
-/// `count * cell`, if both ends are inside the domain: the product is below 2^39.
-const fn span(origin: i32, count: u16, cell: i32, what: Quantity) -> Result<i32, TileMapError> {
+/// One axis, if both ends are inside the domain: the product is below 2^39.
+const fn span(origin: i32, count: u16, cell: i32, what: Quantity) -> Result<Span, TileMapError> {
     let size = count as i64 * cell as i64;
     let end = origin as i64 + size;
     if origin <= -DOMAIN || origin >= DOMAIN {
@@ -166,7 +182,7 @@ const fn span(origin: i32, count: u16, cell: i32, what: Quantity) -> Result<i32,
         let value = if end > i32::MAX as i64 { i32::MAX } else { end as i32 };
         Err(TileMapError::OutOfDomain { what, value })
     } else {
-        Ok(size as i32)
+        Ok(Span { origin, size: size as i32, count })
     }
 }
 

@@ -81,17 +81,22 @@ impl TileKind {
 /// assert_eq!(KINDS.get(b'?'), TileKind::EMPTY);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct TileKinds([TileKind; 256]);
+pub struct TileKinds {
+    /// Apart, so that a walk over the shapes is one index away from each.
+    shapes: [TileShape; 256],
+    flags: [u8; 256],
+}
 
 impl TileKinds {
     /// Every id is empty.
-    pub const EMPTY: Self = Self([TileKind::EMPTY; 256]);
+    pub const EMPTY: Self = Self { shapes: [TileShape::Empty; 256], flags: [0; 256] };
 
     /// The same table with another kind for one id.
     #[must_use]
     #[expect(clippy::indexing_slicing, reason = "a byte indexes 256 entries")]
     pub const fn with(mut self, id: u8, kind: TileKind) -> Self {
-        self.0[id as usize] = kind;
+        self.shapes[id as usize] = kind.shape;
+        self.flags[id as usize] = kind.flags;
         self
     }
 
@@ -100,7 +105,7 @@ impl TileKinds {
     #[must_use]
     #[expect(clippy::indexing_slicing, reason = "a byte indexes 256 entries")]
     pub const fn get(&self, id: u8) -> TileKind {
-        self.0[id as usize]
+        TileKind { shape: self.shapes[id as usize], flags: self.flags[id as usize] }
     }
 }
 

@@ -6,8 +6,8 @@
 //! |---|---|---|
 //! | does this box or circle overlap the solid? | [`overlaps`](TileMap::overlaps) | strict, exact |
 //! | ... or touch it? | [`touches`](TileMap::touches) | closed, exact |
-//! | which tiles are here? | [`tiles_in`](TileMap::tiles_in) | every tile of the map, solid or not |
-//! | which flags does this shape touch? | [`flags_touched`](TileMap::flags_touched) | every tile of the map, solid or not |
+//! | which tiles are here? | [`tiles_in`](TileMap::tiles_in) | strict; every tile of the map, solid or not |
+//! | which flags does this shape touch? | [`flags_touched`](TileMap::flags_touched) | closed; every tile of the map, solid or not |
 //! | what does this ray see? | [`cast_ray`](TileMap::cast_ray) | solids are closed; rays pass one-way edges |
 //! | which faces and vertices are near? | [`features`](TileMap::features) | the surface of the solid, and one-way edges |
 //!
@@ -16,9 +16,11 @@
 mod ascii;
 mod cell;
 mod dda;
+mod detour;
 mod error;
 mod feature;
 mod features;
+mod fraction;
 mod grid;
 mod kind;
 mod overlap;

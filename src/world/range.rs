@@ -35,7 +35,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// The part of a range inside the map.
     pub(super) const fn inside(&self, r: Range) -> Range {
-        let (last_x, last_y) = (self.grid.width as i32 - 1, self.grid.height as i32 - 1);
+        let (last_x, last_y) = (self.grid.x.count as i32 - 1, self.grid.y.count as i32 - 1);
         Range {
             x0: if r.x0 < 0 { 0 } else { r.x0 },
             y0: if r.y0 < 0 { 0 } else { r.y0 },
@@ -51,7 +51,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             Outside::Solid => r,
             Outside::Empty => self.inside(r),
             Outside::Edge => {
-                let (last_x, last_y) = (self.grid.width as i32 - 1, self.grid.height as i32 - 1);
+                let (last_x, last_y) = (self.grid.x.count as i32 - 1, self.grid.y.count as i32 - 1);
                 let r = self.inside(r);
                 Range {
                     x0: if r.x0 > last_x { last_x } else { r.x0 },

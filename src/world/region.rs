@@ -97,7 +97,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// The flags, joined by or, of all tiles that a box, circle or point has a point in common with: solid or not, borders included.
     ///
-    /// What is outside of the map has no flags. Exact. Cost: as [`touches`](Self::touches), but it always looks at every cell.
+    /// Borders count: a body that stands exactly beside a deadly tile touches it. For tiles that must be entered use
+    /// [`tiles_in`](Self::tiles_in). What is outside of the map has no flags. Exact. Cost: as [`touches`](Self::touches), but it always looks at every cell.
     ///
     /// ```
     /// use tilesat::{Circle, Fx, TileKind, TileKinds, TileMap, Vec2};

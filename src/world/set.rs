@@ -46,3 +46,37 @@ impl Sealed for Bits {}
 impl Store for Bits {
     const BITS: u32 = 1;
 }
+
+#[cfg(test)]
+#[allow(clippy::unreachable, reason = "a test")]
+mod tests {
+    use super::super::{Grid, TileKind, TileKinds, TileMap, TileMapError};
+    use super::{Bits, Blocks, Bytes, Set, TileShape};
+    use crate::num::{Fx, Vec2};
+
+    /// A set without one-way tiles, so that a table can name a shape that is not in it.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    struct FullOnly;
+
+    impl super::Sealed for FullOnly {}
+    impl Set for FullOnly {
+        const SHAPES: u32 = 1 << TileShape::Empty as u32 | 1 << TileShape::Full as u32;
+    }
+
+    #[test]
+    fn a_shape_that_is_not_in_the_set_is_refused() {
+        static FINE: TileKinds = TileKinds::EMPTY.with(255, TileKind::FULL.with_flags(255));
+        static ONE: TileKinds = FINE.with(255, TileKind::ONE_WAY_UP);
+        static TWO: TileKinds = ONE.with(7, TileKind::ONE_WAY_UP);
+        static FIRST: TileKinds = TWO.with(0, TileKind::ONE_WAY_UP);
+        let Ok(grid) = Grid::new(2, 1, Fx::lit("16"), Vec2::ZERO) else { unreachable!() };
+        let build = |kinds: &'static TileKinds| TileMap::<FullOnly, Bytes>::build(&[0; 2], grid, 2, kinds).map(|_| ());
+        assert_eq!(build(&FINE), Ok(()));
+        assert_eq!(build(&ONE), Err(TileMapError::ShapeNotInSet { id: 255 }));
+        assert_eq!(build(&TWO), Err(TileMapError::ShapeNotInSet { id: 7 }));
+        assert_eq!(build(&FIRST), Err(TileMapError::ShapeNotInSet { id: 0 }));
+        // Blocks has them all, whatever the store.
+        assert!(TileMap::<Blocks, Bytes>::build(&[0; 2], grid, 2, &FIRST).is_ok());
+        assert!(TileMap::<Blocks, Bits>::build(&[0; 1], grid, 2, &FIRST).is_ok());
+    }
+}

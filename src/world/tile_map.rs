@@ -21,7 +21,8 @@ pub enum Outside {
 /// A level of square tiles, read from where it lies: it owns nothing and needs no memory but itself (56 bytes on a 32-bit core).
 ///
 /// The solid is the union of its full cells, borders included, and of what is [`Outside`]. Its surface is derived from the tiles when
-/// asked: interior faces do not exist, so nothing can snag on a seam, and a door is one byte written.
+/// asked: interior faces do not exist, so nothing can snag on a seam, and a door is one byte written (in memory; then make the map, a
+/// view, anew).
 ///
 /// `S` says which shapes it can hold ([`Blocks`]), `T` how ids are stored: [`Bytes`] or [`Bits`]. Cells are squares of 16 units from the
 /// origin, rows are consecutive and outside is empty, unless said otherwise:
@@ -82,7 +83,7 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
     /// # Errors
     /// As [`new`](Self::new).
     pub const fn on_grid(tiles: &'a [u8], grid: Grid, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
-        Self::build(tiles, grid, grid.width, kinds)
+        Self::build(tiles, grid, grid.x.count, kinds)
     }
 }
 
@@ -102,7 +103,12 @@ impl<'a> TileMap<'a, Blocks, Bits> {
     ///
     /// # Errors
     /// As [`new`](TileMap::new).
-    pub const fn from_bits(bits: &'a [u8], width: u16, height: u16, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
+    pub const fn from_bits(
+        bits: &'a [u8],
+        width: u16,
+        height: u16,
+        kinds: &'a TileKinds,
+    ) -> Result<Self, TileMapError> {
         match Grid::new(width, height, CELL, Vec2::ZERO) {
             Ok(grid) => Self::build(bits, grid, width, kinds),
             Err(e) => Err(e),
@@ -112,7 +118,12 @@ impl<'a> TileMap<'a, Blocks, Bits> {
 
 impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// Every constructor ends here, whatever the set and the store.
-    pub(super) const fn build(data: &'a [u8], grid: Grid, stride: u16, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
+    pub(super) const fn build(
+        data: &'a [u8],
+        grid: Grid,
+        stride: u16,
+        kinds: &'a TileKinds,
+    ) -> Result<Self, TileMapError> {
         let map = Self { data, kinds, grid, stride, outside: Outside::Empty, marker: PhantomData };
         if let Err(e) = map.check_length() {
             return Err(e);
@@ -131,8 +142,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
 
     /// Below 2^31 tiles: both factors are below 2^15 and 2^16.
     const fn check_length(&self) -> Result<(), TileMapError> {
-        let rows_before = self.grid.height.wrapping_sub(1) as u64;
-        let tiles = rows_before * self.stride as u64 + self.grid.width as u64;
+        let rows_before = self.grid.y.count.wrapping_sub(1) as u64;
+        let tiles = rows_before * self.stride as u64 + self.grid.x.count as u64;
         let needed = (tiles * T::BITS as u64).div_ceil(8);
         let found = self.data.len() as u64;
         if found < needed {
@@ -146,7 +157,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// # Errors
     /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] where the data ends before the last tile.
     pub const fn with_stride(mut self, stride: u16) -> Result<Self, TileMapError> {
-        if stride < self.grid.width {
+        if stride < self.grid.x.count {
             return Err(TileMapError::Stride(stride));
         }
         self.stride = stride;
@@ -161,7 +172,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// # Errors
     /// [`TileMapError::OutOfDomain`].
     pub const fn with_origin(self, origin: Vec2) -> Result<Self, TileMapError> {
-        self.with_grid(Grid::new(self.grid.width, self.grid.height, self.grid.cell(), origin))
+        self.with_grid(Grid::new(self.grid.x.count, self.grid.y.count, self.grid.cell(), origin))
     }
 
     /// The same map with cells of another size.
@@ -169,7 +180,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// # Errors
     /// [`TileMapError::Cell`] where it is odd or not in 2^8..=2^24 raw, [`TileMapError::OutOfDomain`].
     pub const fn with_cell(self, cell: Fx) -> Result<Self, TileMapError> {
-        self.with_grid(Grid::new(self.grid.width, self.grid.height, cell, self.grid.origin()))
+        self.with_grid(Grid::new(self.grid.x.count, self.grid.y.count, cell, self.grid.origin()))
     }
 
     const fn with_grid(mut self, grid: Result<Grid, TileMapError>) -> Result<Self, TileMapError> {
@@ -192,13 +203,13 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// Columns.
     #[must_use]
     pub const fn width(&self) -> u16 {
-        self.grid.width
+        self.grid.x.count
     }
 
     /// Rows.
     #[must_use]
     pub const fn height(&self) -> u16 {
-        self.grid.height
+        self.grid.y.count
     }
 
     /// The side of a cell.
@@ -245,7 +256,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
 
     #[inline]
     pub(super) const fn holds(&self, x: i32, y: i32) -> bool {
-        (x as u32) < self.grid.width as u32 && (y as u32) < self.grid.height as u32
+        (x as u32) < self.grid.x.count as u32 && (y as u32) < self.grid.y.count as u32
     }
 
     /// The id of a tile of the map.
@@ -267,7 +278,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// The kind of any cell.
     pub(super) const fn kind_at(&self, x: i32, y: i32) -> TileKind {
         if let Outside::Edge = self.outside {
-            let (in_x, in_y) = (merged(x, self.grid.width), merged(y, self.grid.height));
+            let (in_x, in_y) = (merged(x, self.grid.x.count), merged(y, self.grid.y.count));
             let kind = self.kind_unless_edge(in_x, in_y);
             return if in_y != y && kind.is_one_way() { TileKind::EMPTY.with_flags(kind.flags) } else { kind };
         }
@@ -295,7 +306,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     pub(super) const fn extent(&self, x: i32, y: i32) -> (Raw, Raw) {
         if matches!(self.outside, Outside::Edge) {
             // A border cell as a part of the band beyond it: each side by its own index.
-            let (width, height) = (self.grid.width as i32 - 1, self.grid.height as i32 - 1);
+            let (width, height) = (self.grid.x.count as i32 - 1, self.grid.y.count as i32 - 1);
             let (lo, _) = self.grid.corners(if x == 0 { -1 } else { x }, if y == 0 { -1 } else { y });
             let (_, hi) = self.grid.corners(if x == width { x + 1 } else { x }, if y == height { y + 1 } else { y });
             (lo, hi)

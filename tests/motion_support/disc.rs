@@ -48,8 +48,10 @@ pub(crate) fn first_face(level: &Level, body: &Body, d: P) -> Option<Time> {
     for (x, y) in level.cells_along(body, d).filter(|&(x, y)| level.full(x, y)) {
         let (a, b) = level.square(x, y);
         // The gap along the motion, the speed, and the place beside it: low end, speed, length of the face.
-        let x_face = (if d.0 > 0 { a.0 - c.0 } else { c.0 - b.0 } - r, d.0.abs(), c.1 - a.1, d.1, (x - d.0.signum(), y));
-        let y_face = (if d.1 > 0 { a.1 - c.1 } else { c.1 - b.1 } - r, d.1.abs(), c.0 - a.0, d.0, (x, y - d.1.signum()));
+        let x_face =
+            (if d.0 > 0 { a.0 - c.0 } else { c.0 - b.0 } - r, d.0.abs(), c.1 - a.1, d.1, (x - d.0.signum(), y));
+        let y_face =
+            (if d.1 > 0 { a.1 - c.1 } else { c.1 - b.1 } - r, d.1.abs(), c.0 - a.0, d.0, (x, y - d.1.signum()));
         for (gap, speed, beside, along, across) in [x_face, y_face] {
             if gap < 0 || gap >= speed || level.full(across.0, across.1) {
                 continue;

@@ -97,7 +97,8 @@ pub(crate) fn are_closest_points(a: &Figure, b: &Figure, p: Point, q: Point) -> 
     let square = dot(u, u);
     let mut round = |figure: &Figure, at: Point, core: Exact2, u: Point| {
         if let Figure::Circle { centre, radius } = *figure {
-            is_nearest_on_arm(at.0 - centre.0, u.0, radius, square) && is_nearest_on_arm(at.1 - centre.1, u.1, radius, square)
+            is_nearest_on_arm(at.0 - centre.0, u.0, radius, square)
+                && is_nearest_on_arm(at.1 - centre.1, u.1, radius, square)
         } else {
             window.point(at, core, e);
             true

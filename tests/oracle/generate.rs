@@ -37,7 +37,11 @@ pub(crate) struct Pairs {
 
 impl Pairs {
     pub(crate) fn new(pair: (Kind, Kind), class: Class, seed: u64) -> Self {
-        Self { random: Random::new(seed ^ (pair.0 as u64) << 40 ^ (pair.1 as u64) << 44 ^ (class as u64) << 48), pair, class }
+        Self {
+            random: Random::new(seed ^ (pair.0 as u64) << 40 ^ (pair.1 as u64) << 44 ^ (class as u64) << 48),
+            pair,
+            class,
+        }
     }
 
     /// The next pair, inside the domain, in the order of kinds asked for.

@@ -149,9 +149,9 @@ fn to_line(p: Point, q: Point) -> Fraction {
 pub(crate) fn contains(a: &Figure, b: &Figure) -> bool {
     let (vertices, r) = (b.vertices(), b.radius());
     match *a {
-        Figure::Aabb { min, max } => vertices
-            .iter()
-            .all(|p| p.0 - r >= min.0 && p.1 - r >= min.1 && p.0 + r <= max.0 && p.1 + r <= max.1),
+        Figure::Aabb { min, max } => {
+            vertices.iter().all(|p| p.0 - r >= min.0 && p.1 - r >= min.1 && p.0 + r <= max.0 && p.1 + r <= max.1)
+        }
         Figure::Circle { centre, radius } => vertices.iter().all(|p| {
             let d = (p.0 - centre.0, p.1 - centre.1);
             radius >= r && dot(d, d) <= Int256::product(radius - r, radius - r)

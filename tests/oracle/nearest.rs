@@ -33,10 +33,8 @@ pub(crate) struct Nearest {
 
 /// The point of the polygon that is nearest to the origin, for an origin outside. There is only one.
 pub(crate) fn nearest_point(sum: &Sum) -> Nearest {
-    let (p, q) = sum
-        .edges()
-        .min_by(|x, y| to_edge(x.0, x.1).cmp(to_edge(y.0, y.1)))
-        .expect("a sum has at least one edge");
+    let (p, q) =
+        sum.edges().min_by(|x, y| to_edge(x.0, x.1).cmp(to_edge(y.0, y.1))).expect("a sum has at least one edge");
     let e = (q.0 - p.0, q.1 - p.1);
     let (along, square) = (-dot(p, e), dot(e, e));
     let vertex = |p: Point| Nearest { at: Exact2::lattice(p), toward: p };

@@ -79,6 +79,8 @@ pub(crate) fn flags(level: &Level, body: Body) -> u8 {
 pub(crate) fn tiles_in(level: &Level, x0: i64, y0: i64, x1: i64, y1: i64) -> Vec<(i64, i64)> {
     let meets = |lo: i64, hi: i64, c0: i64, c1: i64| if lo == hi { c0 <= lo && lo <= c1 } else { lo < c1 && c0 < hi };
     let cells = level.cells();
-    let met = cells.iter().filter(|c| level.in_map(c.column, c.row) && meets(x0, x1, c.x0, c.x1) && meets(y0, y1, c.y0, c.y1));
+    let met = cells
+        .iter()
+        .filter(|c| level.in_map(c.column, c.row) && meets(x0, x1, c.x0, c.x1) && meets(y0, y1, c.y0, c.y1));
     met.map(|c| (c.column, c.row)).collect()
 }

@@ -33,7 +33,14 @@ pub(crate) fn level(random: &mut Random) -> Level {
     let tiles = (0..width * height)
         .map(|_| {
             let flags = if random.one_in(3) { 3 } else { 0 };
-            flags + if random.below(10) < density { 1 } else if random.below(10) < one_way { 2 } else { 0 }
+            flags
+                + if random.below(10) < density {
+                    1
+                } else if random.below(10) < one_way {
+                    2
+                } else {
+                    0
+                }
         })
         .collect();
     Level { width, height, cell, x, y, outside, tiles }

@@ -1,6 +1,8 @@
 //! What a ray meets, from the rules: all faces of the solid, each tested on its own.
 
 use super::level::{Cell, Level};
+use std::ops::RangeInclusive;
+use tilesat::Outside;
 
 /// A boundary face: between a full cell (its owner) and one that is not.
 #[derive(Clone, Copy, Debug)]
@@ -62,7 +64,8 @@ impl Scene {
 
     /// Whether the points just after the start are inside the solid: whether all cells that hold them are full.
     fn enters(&self, o: (i64, i64), d: (i64, i64)) -> bool {
-        let holds = |v: i64, d: i64, lo: i64, hi: i64| (v > lo || (v == lo && d >= 0)) && (v < hi || (v == hi && d <= 0));
+        let holds =
+            |v: i64, d: i64, lo: i64, hi: i64| (v > lo || (v == lo && d >= 0)) && (v < hi || (v == hi && d <= 0));
         d != (0, 0)
             && self.cells.iter().filter(|c| holds(o.0, d.0, c.x0, c.x1) && holds(o.1, d.1, c.y0, c.y1)).all(|c| c.full)
     }
@@ -133,16 +136,27 @@ impl Expected {
     }
 }
 
-/// The cells that a ray has entered up to a hit: the first one, and one for each line crossed after the start, the last included.
-pub(crate) fn cells_entered(level: &Level, o: (i64, i64), d: (i64, i64), num: i64, den: i64) -> u32 {
+/// The cells that a ray has entered up to a hit: the first one, and one for each line crossed after the start, the last included; where two are
+/// crossed at the hit, one of them may be missing.
+pub(crate) fn cells_entered(level: &Level, o: (i64, i64), d: (i64, i64), num: i64, den: i64) -> RangeInclusive<u32> {
     let crossed = |line: i64, o: i64, d: i64| {
         let distance = (line - o) * d.signum();
         distance > 0 && i128::from(distance) * i128::from(den) <= i128::from(num) * i128::from(d.abs())
     };
-    // Where the border is repeated, there is no line between it and what is beyond.
-    let inner = |count: usize| if level.outside == tilesat::Outside::Edge { 1..count - 1 } else { 0..count };
-    let (xs, ys): (Vec<_>, Vec<_>) = (level.lines_x().collect(), level.lines_y().collect());
-    let x = xs[inner(xs.len())].iter().filter(|&&l| crossed(l, o.0, d.0)).count();
-    let y = ys[inner(ys.len())].iter().filter(|&&l| crossed(l, o.1, d.1)).count();
-    (1 + x + y) as u32
+    let count = |lines: Vec<i64>, o: i64, d: i64| {
+        // Where the border is repeated, there is no line between it and what is beyond; where nothing is beyond, none that leads there.
+        let last = lines.len() - 1;
+        let (first, last) = match level.outside {
+            Outside::Solid => (0, last),
+            Outside::Edge => (1, last - 1),
+            Outside::Empty => (usize::from(d < 0), last - usize::from(d > 0)),
+        };
+        let at_end = |l: i64| i128::from((l - o).abs()) * i128::from(den) == i128::from(num) * i128::from(d.abs());
+        let all: Vec<_> =
+            lines.into_iter().enumerate().filter(|&(i, l)| first <= i && i <= last && crossed(l, o, d)).collect();
+        (all.len() as u32, all.iter().any(|&(_, l)| at_end(l)))
+    };
+    let (x, y) = (count(level.lines_x().collect(), o.0, d.0), count(level.lines_y().collect(), o.1, d.1));
+    let all = 1 + x.0 + y.0;
+    all - u32::from(x.1 && y.1)..=all
 }

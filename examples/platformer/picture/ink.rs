@@ -38,4 +38,5 @@ pub const CROSS: Ink = Ink::hex(0x00b8_92ff);
 pub const BOUNCE: Ink = Ink::hex(0x0090_ee90);
 pub const CONTACT: Ink = Ink::hex(0x00ff_ffff);
 /// For flags that the game gives no meaning.
-pub const OTHER: [Ink; 4] = [Ink::hex(0x0057_75ab), Ink::hex(0x0090_5f9e), Ink::hex(0x0043_aa8b), Ink::hex(0x00a8_7b43)];
+pub const OTHER: [Ink; 4] =
+    [Ink::hex(0x0057_75ab), Ink::hex(0x0090_5f9e), Ink::hex(0x0043_aa8b), Ink::hex(0x00a8_7b43)];

@@ -1,5 +1,9 @@
 //! The picture of a run: a list of marks, drawn to a PNG or written as SVG.
-#![allow(clippy::float_arithmetic, clippy::cast_precision_loss, reason = "drawing only; nothing here flows back into the simulation")]
+#![allow(
+    clippy::float_arithmetic,
+    clippy::cast_precision_loss,
+    reason = "drawing only; nothing here flows back into the simulation"
+)]
 
 mod bodies;
 mod canvas;

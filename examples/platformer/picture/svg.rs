@@ -44,8 +44,10 @@ fn element(out: &mut String, scene: &Scene, mark: &Mark) {
         }
         Mark::Ring { centre: (x, y), radius, width, ink } => {
             let ink = paint("stroke", *ink);
-            let _ =
-                writeln!(out, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\" fill=\"none\" stroke-width=\"{width:.2}\" {ink}/>");
+            let _ = writeln!(
+                out,
+                "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\" fill=\"none\" stroke-width=\"{width:.2}\" {ink}/>"
+            );
         }
         Mark::Poly { points, fill } => {
             let _ = writeln!(out, "<polygon points=\"{}\" {}/>", list(points), paint("fill", *fill));

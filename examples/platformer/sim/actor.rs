@@ -82,7 +82,12 @@ impl Actor {
         Vec2::from_raw(x.clamp(-room / 2, room / 2), y.clamp(-room / 2, room / 2))
     }
 
-    fn commit<B>(&mut self, moved: Result<Moved<B>, MoveError>, shape: fn(B) -> Shape, report: &mut FrameReport) -> Outcome {
+    fn commit<B>(
+        &mut self,
+        moved: Result<Moved<B>, MoveError>,
+        shape: fn(B) -> Shape,
+        report: &mut FrameReport,
+    ) -> Outcome {
         let Ok(moved) = moved else {
             report.refused += 1;
             self.velocity = Vec2::ZERO;
@@ -93,6 +98,11 @@ impl Actor {
         self.velocity = moved.velocity;
         report.contacts += moved.hits.len() as u32;
         self.hit = moved.hits.first();
-        Outcome { floor: moved.floor, ceiling: moved.ceiling, one_way: moved.hits.iter().any(|hit| hit.one_way), flags: moved.flags }
+        Outcome {
+            floor: moved.floor,
+            ceiling: moved.ceiling,
+            one_way: moved.hits.iter().any(|hit| hit.one_way),
+            flags: moved.flags,
+        }
     }
 }

@@ -57,7 +57,11 @@ fn scan(map: &TileMap<'_>, half: (i32, i32), ball: bool, avoid: u8, rng: &mut Rn
 fn shape(centre: (i32, i32), half: (i32, i32), ball: bool) -> Option<Shape> {
     let centre = Vec2::from_raw(centre.0, centre.1);
     let half = Vec2::from_raw(half.0, half.1);
-    if ball { Circle::new(centre, half.x).ok().map(Shape::Ball) } else { Aabb::from_centre(centre, half).ok().map(Shape::Box) }
+    if ball {
+        Circle::new(centre, half.x).ok().map(Shape::Ball)
+    } else {
+        Aabb::from_centre(centre, half).ok().map(Shape::Box)
+    }
 }
 
 fn free(map: &TileMap<'_>, shape: &Shape, avoid: u8) -> bool {

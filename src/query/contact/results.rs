@@ -39,7 +39,8 @@ impl Contact {
         // depth: afterwards a line across n has A on one side and B on the other, and convex shapes that a line separates do not overlap.
         let (ux, uy) = unit_ceil(self.axis);
         // Radial: the cores are `axis` apart and have to be radii / |axis| times as far. The difference of both has the right sign.
-        let (length, from) = if self.radial { (self.radii(), Raw { x, y }) } else { (self.depth_raw(), Raw { x: 0, y: 0 }) };
+        let (length, from) =
+            if self.radial { (self.radii(), Raw { x, y }) } else { (self.depth_raw(), Raw { x: 0, y: 0 }) };
         let (px, py) = (times_unit_up(ux, length), times_unit_up(uy, length));
         Vec2::from_raw(
             from.x.wrapping_add(if x > 0 { px.wrapping_neg() } else { px }),
