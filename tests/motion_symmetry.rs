@@ -15,6 +15,7 @@ use motion_support::random::Random;
 use motion_support::scene::{any_body, any_velocity, blocks, placed};
 use motion_support::{P, add};
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use tilesat::{Axis, Mover, Response};
 
@@ -112,7 +113,7 @@ fn is_tie(a: &Bits, b: &Bits, view: View) -> bool {
         View::MirrorX | View::MirrorY => [(-a.1.0, a.1.1), (a.1.0, -a.1.1)],
         View::Moved(_) | View::Cut(_) => return false,
     };
-    a.0 == b.0 && images.contains(&b.1)
+    a.0 == b.0 && a.1 != b.1 && images.contains(&b.1)
 }
 
 /// One frame in each view against the frame itself.
@@ -199,7 +200,7 @@ fn long_runs() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2_000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 2_000, failure_persistence: None, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
 
     /// Small scenes with small numbers, where ties are common; proptest shrinks what it finds.
     #[test]

@@ -107,7 +107,7 @@ fn errors_say_what_and_where() {
     let text = |e: TileMapError| e.to_string();
     assert_eq!(text(TileMapError::EmptyMap), "the map has no cells");
     assert_eq!(text(TileMapError::TooManyCells(40_000)), "40000 cells on a side are more than 32767");
-    assert_eq!(text(TileMapError::Cell(3)), "a cell of 3 raw is odd or not in 256..=16777216");
+    assert_eq!(text(TileMapError::Cell(3)), "a cell of 3 raw is odd or not in 256..=16777216 (256 units)");
     assert_eq!(text(TileMapError::Stride(2)), "a stride of 2 is less than the width");
     assert_eq!(text(TileMapError::TooShort { needed: 9, found: 8 }), "8 bytes of tiles where 9 are needed");
     assert_eq!(
@@ -115,6 +115,10 @@ fn errors_say_what_and_where() {
         "row 1 has 3 characters where the first has 2"
     );
     assert_eq!(text(TileMapError::NotAscii { row: 1, column: 2 }), "the character at row 1, column 2 is not ASCII");
+    assert_eq!(
+        text(TileMapError::CarriageReturn { row: 1 }),
+        "row 1 has a carriage return; rows end with line feeds alone"
+    );
     assert_eq!(text(TileMapError::ShapeNotInSet { id: 7 }), "the shape of tile 7 is not in the map's set");
     let out = TileMapError::OutOfDomain { what: Quantity::X, value: 5 };
     assert_eq!(text(out), "the map ends at X = 5 raw, out of range");

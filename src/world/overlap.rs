@@ -51,14 +51,18 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 
     const fn box_overlaps(&self, lo: Raw, hi: Raw) -> bool {
-        let open = self.open_range(lo, hi);
-        let closed = self.closed_range(lo, hi);
-        // A side of no length on a cell's border is inside the solid only where the cells on both sides are full: then `open` is
-        // reversed, and the range starts at the first of the two.
-        let (pair_x, pair_y) = ((open.x0 > open.x1) as i32, (open.y0 > open.y1) as i32);
-        let x0 = if lo.x == hi.x { closed.x0 } else { open.x0 };
-        let y0 = if lo.y == hi.y { closed.y0 } else { open.y0 };
-        let range = Range { x0, y0, x1: open.x1, y1: open.y1 };
+        let mut range = self.open_range(lo, hi);
+        // A side of no length on a cell's border is inside the solid only where the cells on both sides are full: then the open range is
+        // reversed, and starts at the first of the two.
+        let (mut pair_x, mut pair_y) = (0, 0);
+        if lo.x == hi.x {
+            pair_x = range.x0.wrapping_sub(range.x1);
+            range.x0 = range.x1;
+        }
+        if lo.y == hi.y {
+            pair_y = range.y0.wrapping_sub(range.y1);
+            range.y0 = range.y1;
+        }
         if pair_x == 0 && pair_y == 0 {
             return self.any_full(self.solid_range(range));
         }
@@ -67,15 +71,15 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             let mut x = range.x0;
             while x <= range.x1 {
                 if self.full(x, y)
-                    && self.full(x + pair_x, y)
-                    && self.full(x, y + pair_y)
-                    && self.full(x + pair_x, y + pair_y)
+                    && self.full(x.wrapping_add(pair_x), y)
+                    && self.full(x, y.wrapping_add(pair_y))
+                    && self.full(x.wrapping_add(pair_x), y.wrapping_add(pair_y))
                 {
                     return true;
                 }
-                x += 1;
+                x = x.wrapping_add(1);
             }
-            y += 1;
+            y = y.wrapping_add(1);
         }
         false
     }
