@@ -18,7 +18,7 @@ pub enum Outside {
     Edge,
 }
 
-/// A level of square tiles, read from where it lies: it owns nothing and needs no memory but itself (56 bytes on a 32-bit core).
+/// A level of square tiles, read from where it lies: it owns nothing and needs no memory but itself (52 bytes on a 32-bit core).
 ///
 /// The solid is the union of its full cells, borders included, and of what is [`Outside`]. Its surface is derived from the tiles when
 /// asked: interior faces do not exist, so nothing can snag on a seam, and a door is one byte written (in memory; then make the map, a
