@@ -7,7 +7,7 @@ use crate::motion::{Hit, Hits, Moved};
 use crate::num::{Fx, Toi, UnitVec2, Vec2};
 use crate::query::Contact;
 use crate::shape::{Aabb, Circle, Segment};
-use crate::world::RayHit;
+use crate::world::{Near, RayHit, WorldContact};
 use defmt::{Format, Formatter, write};
 
 struct Decimal(Fx);
@@ -69,6 +69,18 @@ impl Format for Contact {
 impl Format for RayHit {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "RayHit {} at {} axis {} cell {}", self.toi, self.point, self.axis, self.cell);
+    }
+}
+
+impl Format for Near {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Near {} at {} axis {} inside {}", Decimal(self.distance), self.point, self.axis, self.inside);
+    }
+}
+
+impl Format for WorldContact {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "WorldContact axis {} depth {} cell {}", self.axis(), Decimal(self.depth()), self.feature().cell);
     }
 }
 

@@ -4,6 +4,9 @@
 //! which way out, what does this ray see, and where does this body end up when it slides along the level. Every yes/no is exact,
 //! every rounding has a declared direction, every loop has a bound, and nothing panics. It needs no FPU, no heap, no 64-bit multiply.
 //!
+//! Tiles can be blocks, halves, slopes and quarter arcs ([`TileShape`]); polygons, walls and one-way chains that no grid holds are a [`SegmentMap`]
+//! (built by the compiler with [`segment_map!`]), and [`Joined`] makes one level of two.
+//!
 //! It is not a physics engine: there are no stacks, joints, rotating bodies or forces.
 //!
 //! ```
@@ -48,7 +51,7 @@
 //! | [`num`] | scalars, vectors, wide products, roots |
 //! | [`shape`] | [`Aabb`], [`Circle`], [`Segment`] |
 //! | [`query`] | one trait a verb, for each pair of shapes |
-//! | [`world`] | [`TileMap`], its features, regions and rays |
+//! | [`world`] | [`TileMap`], [`SegmentMap`], [`Joined`]: surfaces, overlaps, contacts, rays |
 //! | [`motion`] | [`Mover::move_and_slide`] |
 //! | [`error`] | what can be refused |
 //!
@@ -69,6 +72,8 @@
 )]
 #![warn(clippy::unreachable, clippy::unwrap_used)]
 
+pub use {fixed, heapless};
+
 pub mod error;
 #[cfg(feature = "defmt")]
 mod format;
@@ -88,8 +93,10 @@ pub mod prelude {
     pub use crate::query::{ClosestPoint, Contacts, Contains, Distance, Overlaps, Touches};
 }
 pub use world::{
-    Bits, Blocks, Bytes, Cell, Feature, Features, Geometry, Grid, Inside, Outside, RayHit, TileAt, TileKind, TileKinds,
-    TileMap, TileMapError, TileShape, Tiles, World,
+    AllShapes, Bits, Blocks, Bytes, Cell, Feature, Features, Geometry, Grid, Inside, Joined, JoinedFeatures,
+    JoinedRayHits, Near, OneWay, Outside, Path, PathKind, RayHit, RayHits, RayRules, SegmentFault, SegmentFeatures,
+    SegmentMap, SegmentMapError, SegmentRayHits, Size, Slopes, TileAt, TileKind, TileKinds, TileMap, TileMapError,
+    TileShape, Tiles, World, WorldContact,
 };
 
 /// The README's example is a test.

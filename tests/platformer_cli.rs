@@ -109,6 +109,22 @@ fn plays_its_own_level() {
 }
 
 #[test]
+fn plays_the_level_of_all_shapes() {
+    let (png, svg) = (scratch("ninja.png"), scratch("ninja.svg"));
+    let files = ["--png", png.to_str().unwrap(), "--svg", svg.to_str().unwrap()];
+    let ran = run(["--level", "ninja", "--frames", "600"].into_iter().chain(files));
+    fine(&ran, 600);
+    for word in ["ninja.tmx: 48x27 tiles of 24 px", "Water = bit "] {
+        assert!(ran.out.contains(word), "{word:?} is not in {}", ran.out);
+    }
+    // By its path it is the same level.
+    let path = platformer::own("ninja");
+    let again = run([path.as_os_str(), "--frames".as_ref(), "600".as_ref(), "--png".as_ref(), png.as_os_str()]);
+    assert_eq!(again.last(), ran.last());
+    assert!(fs::read_to_string(svg).unwrap().contains("<polygon "));
+}
+
+#[test]
 fn the_seed_alone_decides() {
     let level = level("seeds", &small());
     let line = |seed: &str| play(&level, &["--frames", "200", "--seed", seed]).last().to_owned();
@@ -140,6 +156,10 @@ fn bad_arguments() {
         (&["a.tmx", "b.tmx"], "twice"),
         (&[""], "empty"),
         (&["--layer", ""], "--layer needs a value"),
+        (&["--level"], "--level needs a value"),
+        (&["--level", "desert"], "no level of the example is called desert; there are: meadow, ninja"),
+        (&["--level", "ninja", "--level", "meadow"], "twice"),
+        (&["--level", "ninja", "a.tmx"], "twice"),
         (&["--png", "/no/such/folder/a.png"], "cannot write"),
         (&["--svg", "/no/such/folder/a.svg"], "cannot write"),
         (&["--bake", "/no/such/folder/a"], "cannot write"),
@@ -176,7 +196,7 @@ fn bad_files() {
         ("oblong", small.replacen("tileheight=\"8\"", "tileheight=\"16\"", 1), "not square"),
         ("zero", small.replace("=\"8\"", "=\"0\""), "pixels"),
         ("wide", map(1024, 1, 8, "1"), "beyond the domain"),
-        ("huge", map(4_000_000_000, 4_000_000_000, 8, "1"), "beyond the domain"),
+        ("huge", map(4_000_000_000, 4_000_000_000, 8, "1"), "more than 4194304 tiles"),
         ("short", map(12, 20, 8, "1,1,1,0"), "less than its width and height"),
         ("letters", map(3, 1, 8, "1,x,1"), "not a Tiled map"),
         ("no_layer", small.replace("<layer", "<strata").replace("</layer", "</strata"), "no tile layer"),

@@ -9,12 +9,12 @@ mod platformer;
 mod meadow;
 
 use platformer::check::{Checker, Fault, Figure};
-use platformer::level::{Block, Level};
+use platformer::level::Level;
 use platformer::tmx::{Tmx, TmxLayer};
 use platformer::traits::Traits;
 use platformer::{bake, play, sim, tmx};
 use std::path::Path;
-use tilesat::{Fx, Grid, Outside, TileMap, Vec2};
+use tilesat::{Fx, Grid, Outside, TileMap, TileShape, Vec2};
 
 fn own() -> Level {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/platformer/levels/meadow.tmx");
@@ -78,9 +78,10 @@ fn tmx_of(palette: &[&[&str]], layers: Vec<TmxLayer>) -> Tmx {
 #[test]
 fn names_of_tiles() {
     for name in ["Collision", "Solid", "COLLISION", "solid"] {
-        assert_eq!(Traits::from_names(&["", name]), Traits { solid: true, ..Traits::default() });
+        assert_eq!(Traits::from_names(&["", name]), Traits { shape: TileShape::Full, ..Traits::default() });
     }
-    assert!(Traits::from_names(&["OneWay"]).one_way);
+    assert_eq!(Traits::from_names(&["OneWay"]).shape, TileShape::OneWayUp);
+    assert_eq!(Traits::from_names(&["OneWay", "Solid", "oneway"]).shape, TileShape::Full);
     assert_eq!(Traits::from_names(&["Kill", "kill", "Ice"]).flags, ["Kill", "Ice"]);
 }
 
@@ -100,8 +101,8 @@ fn flags_come_from_all_layers_and_solids_from_one() {
     let other = vec![layer("high", &[2, 4, 3, 0]), layer("world", &[1, 0, 3, 1]), layer("short", &[2])];
     let level = Level::bake(&tmx_of(palette, other), None).unwrap();
     assert_eq!(level.flags, ["Kill", "Ice"]);
-    let cells: Vec<(Block, u8)> = (0..4).map(|x| (level.block(x, 0), level.flags_at(x, 0))).collect();
-    assert_eq!(cells, [(Block::All, 1), (Block::Nothing, 1), (Block::FromAbove, 2), (Block::All, 0)]);
+    let cells: Vec<(TileShape, u8)> = (0..4).map(|x| (level.kind(x, 0).shape, level.kind(x, 0).flags)).collect();
+    assert_eq!(cells, [(TileShape::Full, 1), (TileShape::Empty, 1), (TileShape::OneWayUp, 2), (TileShape::Full, 0)]);
     assert_eq!(level.rules(), sim::Rules { coin: 0, kill: 1, win: 0, ladder: 0 });
 }
 

@@ -228,7 +228,7 @@ fn from_inside_to_the_next_wall() {
     let map = map("##.!");
     let cast = |inside| map.cast_ray(ints(4, 8), ints(60, 0), inside).unwrap();
     let hit = cast(Inside::Ignore).unwrap();
-    assert_eq!((hit.point, hit.kind, hit.inside, hit.cells), (ints(48, 8), TileKind::FULL.with_flags(8), false, 4));
+    assert_eq!((hit.point, hit.flags, hit.inside, hit.cells), (ints(48, 8), 8, false, 4));
     assert!(cast(Inside::Hit).unwrap().inside);
     // The line between two full tiles is inside, the end of that line is not.
     assert!(map.cast_ray(ints(16, 8), ints(4, 0), Inside::Hit).unwrap().unwrap().inside);

@@ -12,7 +12,9 @@ usage: platformer [LEVEL.tmx] [options]
 Plays a level with one scripted player and 32 boxes and balls, and checks every
 body in every frame against an independent exact overlap test.
 
-  LEVEL.tmx      a finite orthogonal Tiled map (default: the meadow)
+  LEVEL.tmx      a finite orthogonal Tiled map
+  --level NAME   a level of the example: meadow (the default), of blocks, or
+                 ninja, of all shapes
   --layer NAME   the tile layer that is solid (default: the one with most solid tiles)
   --frames N     how long to play (default: 3600)
   --seed N       where the bodies start and how they move (default: 11)
@@ -21,11 +23,24 @@ body in every frame against an independent exact overlap test.
   --bake STEM    write STEM.bin and STEM.rs, the level as a firmware includes it, and stop
   --help         print this
 
-A tile is solid when its class is Collision or Solid, one-way when it is OneWay;
-every other class is a flag. A true boolean property counts as a class.
+What a tile is, in Tiled:
+  class          Collision or Solid: full; OneWay: one-way-up; every other class
+                 is a flag. A true boolean property counts as a class.
+  shape          a string property: empty, full,
+                 half-top, half-right, half-bottom, half-left,
+                 slope-*, convex-*, concave-*, mild-low-*, mild-high-*,
+                 steep-low-*, steep-high-*  where * is the solid corner, one of
+                 top-left, top-right, bottom-right, bottom-left;
+                 one-way-up, one-way-right, one-way-down, one-way-left
+  npp            an integer property: the shape's number in N++, 0 to 33
+shape and npp win over the class. Flipped and turned tiles have flipped and
+turned shapes.
 The last line is  frames=N bodies=N contacts=N overlaps=N escaped=N hash=XXXXXXXX
 Exit status: 0 all is well, 1 an overlap or an escape, 2 bad arguments or a bad file.
 ";
+
+/// The levels of the example.
+const OWN: [&str; 2] = ["meadow", "ninja"];
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Options {
@@ -55,6 +70,10 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command> {
         };
         match arg.to_str() {
             Some("--help" | "-h") => return Ok(Command::Help),
+            Some(name @ "--level") => {
+                let path = own(&text(&value(name)?, name)?)?;
+                once(&mut level, "LEVEL.tmx or --level", path)?;
+            }
             Some(name @ "--layer") => once(&mut layer, name, text(&value(name)?, name)?)?,
             Some(name @ "--frames") => once(&mut frames, name, number(&value(name)?, name)?)?,
             Some(name @ "--seed") => once(&mut seed, name, number(&value(name)?, name)?)?,
@@ -65,7 +84,7 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command> {
                 return Err(Fail::new(format!("unknown argument {name} (see --help)")));
             }
             Some("") => return Err(Fail::new("an empty argument where a level was expected")),
-            _ => once(&mut level, "LEVEL.tmx", PathBuf::from(arg))?,
+            _ => once(&mut level, "LEVEL.tmx or --level", PathBuf::from(arg))?,
         }
     }
     Ok(Command::Run(Options {
@@ -77,6 +96,13 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command> {
         svg,
         bake,
     }))
+}
+
+fn own(name: &str) -> Result<PathBuf> {
+    match OWN.iter().find(|own| **own == name) {
+        Some(own) => Ok(super::own(own)),
+        None => Err(Fail::new(format!("no level of the example is called {name}; there are: {}", OWN.join(", ")))),
+    }
 }
 
 fn once<T>(slot: &mut Option<T>, name: &str, value: T) -> Result<()> {

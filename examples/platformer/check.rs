@@ -1,9 +1,11 @@
 //! An independent exact check of what the library did.
 //!
-//! It shares no code with the library: it reads the baked bytes itself, and computes with `i64`
-//! raw units (65536 to the pixel). With coordinates below 2^29 every square here is below 2^62.
+//! It shares no code with the library: it reads the baked bytes itself, and computes with whole raw
+//! units (65536 to the pixel), wide enough for any product.
 
-use super::level::{Block, Level};
+use super::level::Level;
+use super::meets::meets;
+use super::outline::Outline;
 
 /// A body as plain numbers, in raw units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,8 +24,10 @@ pub struct Fault {
 }
 
 pub struct Checker {
-    solid: Vec<bool>,
-    /// Which of the areas that walls separate a cell belongs to; 0 for solid cells.
+    tiles: Vec<u8>,
+    /// What each id fills of its cell.
+    solid: Vec<Outline>,
+    /// Which of the areas that walls separate a cell's free part belongs to; 0 for cells without one.
     area: Vec<u32>,
     width: i64,
     height: i64,
@@ -32,9 +36,10 @@ pub struct Checker {
 
 impl Checker {
     pub fn new(level: &Level) -> Self {
-        let solid: Vec<bool> = level.tiles.iter().map(|&id| level.ids[usize::from(id)].0 == Block::All).collect();
-        let area = areas(&solid, usize::from(level.width));
+        let solid: Vec<Outline> = level.ids.iter().map(|kind| Outline::of(kind.shape)).collect();
+        let area = areas(&level.tiles, &solid, usize::from(level.width));
         Self {
+            tiles: level.tiles.clone(),
             solid,
             area,
             width: i64::from(level.width),
@@ -48,7 +53,7 @@ impl Checker {
         let (from, to) = (middle(before), middle(now));
         let moved = (to.0 - from.0, to.1 - from.1);
         // A cell of either side of a free body's middle belongs to the same area: the body
-        // covers a bit of both, so both are free and they share a side.
+        // covers a bit of both and of the side between them, so all of that is free.
         let through = self.area_at(from) != self.area_at(to);
         Fault { overlap: self.overlaps(now), escape: !self.inside(now) || through || further(moved, velocity) }
     }
@@ -59,26 +64,11 @@ impl Checker {
         let span =
             |lo: i64, hi: i64, count: i64| lo.div_euclid(self.cell).max(0)..=hi.div_euclid(self.cell).min(count - 1);
         span(min.1, max.1, self.height).any(|y| {
-            span(min.0, max.0, self.width)
-                .any(|x| self.solid[(y * self.width + x) as usize] && self.meets(figure, x, y))
+            span(min.0, max.0, self.width).any(|x| {
+                let id = self.tiles[(y * self.width + x) as usize];
+                meets(figure, &self.solid[usize::from(id)], (x * self.cell, y * self.cell), self.cell)
+            })
         })
-    }
-
-    fn meets(&self, figure: &Figure, x: i64, y: i64) -> bool {
-        let (left, top) = (x * self.cell, y * self.cell);
-        let (right, bottom) = (left + self.cell, top + self.cell);
-        match *figure {
-            Figure::Box { min, max } => {
-                let wide = right.min(max.0) - left.max(min.0);
-                let high = bottom.min(max.1) - top.max(min.1);
-                wide > 0 && high > 0
-            }
-            Figure::Disc { centre, radius } => {
-                let dx = (left - centre.0).max(centre.0 - right).max(0);
-                let dy = (top - centre.1).max(centre.1 - bottom).max(0);
-                dx * dx + dy * dy < radius * radius
-            }
-        }
     }
 
     pub fn inside(&self, figure: &Figure) -> bool {
@@ -115,12 +105,22 @@ fn further(moved: (i64, i64), velocity: (i64, i64)) -> bool {
     square(moved) > length * length
 }
 
-/// Numbers the connected groups of free cells; cells are neighbours when they share a side.
-fn areas(solid: &[bool], width: usize) -> Vec<u32> {
-    let mut area = vec![0; solid.len()];
+/// Numbers the connected groups of cells; cells are neighbours when a half of the side between them is free. The free part of every
+/// shape is in one piece.
+fn areas(tiles: &[u8], solid: &[Outline], width: usize) -> Vec<u32> {
+    // Of each id, the halves of its sides that are free, two bits a side; none of a full cell.
+    let halves = |o: &Outline| (0..8).filter(|&bit| !o.covers(bit / 2, bit % 2)).fold(0u8, |all, bit| all | 1 << bit);
+    let free: Vec<u8> = solid.iter().map(halves).collect();
+    let side = |cell: usize, side: usize| free[usize::from(tiles[cell])] >> (2 * side) & 3;
+    // The halves of a side turn right in both cells, so from the other cell their order is reversed.
+    let open = |from: usize, at: usize, to: usize| {
+        let there = side(to, (at + 2) % 4);
+        side(from, at) & (there >> 1 | there << 1) != 0
+    };
+    let mut area = vec![0; tiles.len()];
     let mut count = 0;
-    for start in 0..solid.len() {
-        if solid[start] || area[start] != 0 {
+    for start in 0..tiles.len() {
+        if free[usize::from(tiles[start])] == 0 || area[start] != 0 {
             continue;
         }
         count += 1;
@@ -129,8 +129,9 @@ fn areas(solid: &[bool], width: usize) -> Vec<u32> {
         while let Some(i) = pending.pop() {
             let left = (i % width != 0).then(|| i - 1);
             let right = (i % width != width - 1).then_some(i + 1);
-            for n in [left, right, i.checked_sub(width), Some(i + width)].into_iter().flatten() {
-                if solid.get(n) == Some(&false) && area[n] == 0 {
+            for (at, n) in [i.checked_sub(width), right, Some(i + width), left].into_iter().enumerate() {
+                let Some(n) = n.filter(|&n| n < tiles.len()) else { continue };
+                if area[n] == 0 && open(i, at, n) {
                     area[n] = count;
                     pending.push(n);
                 }

@@ -1,18 +1,11 @@
 //! The baker: a Tiled map in, one byte a tile out.
 
-use tilesat::{TileKind, TileKinds};
+use tilesat::world::Set;
+use tilesat::{Aabb, AllShapes, Blocks, Feature, Fx, Grid, Outside, TileKind, TileKinds, TileMap, TileShape, Vec2};
 
 use super::fail::{Fail, Result};
 use super::sim::Rules;
 use super::tmx::{Tmx, TmxLayer};
-
-/// What a tile blocks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Block {
-    Nothing,
-    All,
-    FromAbove,
-}
 
 /// A level as the library takes it, together with the names the user gave.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,14 +19,23 @@ pub struct Level {
     /// One id a tile, row by row.
     pub tiles: Vec<u8>,
     /// What each id stands for; id 0 is nothing at all.
-    pub ids: Vec<(Block, u8)>,
+    pub ids: Vec<TileKind>,
     /// The name of each flag bit, bit 0 first.
     pub flags: Vec<String>,
 }
 
 impl Level {
+    /// Of the named layer, or that with most solid tiles; one without any is refused.
     pub fn bake(tmx: &Tmx, layer: Option<&str>) -> Result<Self> {
         let chosen = choose(tmx, layer)?;
+        if !chosen.cells.iter().any(|&cell| is_solid(tmx.traits(cell).shape)) {
+            return Err(Fail::new(format!("layer '{}' has no solid tile", chosen.name)));
+        }
+        Self::of(tmx, chosen)
+    }
+
+    /// Of one layer, with the flags of all.
+    pub fn of(tmx: &Tmx, chosen: &TmxLayer) -> Result<Self> {
         let same = |l: &&TmxLayer| l.width == chosen.width && l.height == chosen.height;
         let layers: Vec<&TmxLayer> = tmx.layers.iter().filter(same).collect();
         let mut level = Self {
@@ -42,19 +44,13 @@ impl Level {
             height: chosen.height,
             tile: tmx.tile,
             tiles: Vec::with_capacity(chosen.cells.len()),
-            ids: vec![(Block::Nothing, 0)],
+            ids: vec![TileKind::EMPTY],
             flags: Vec::new(),
         };
         let masks = level.name_flags(tmx, &layers)?;
         for (i, &cell) in chosen.cells.iter().enumerate() {
-            let traits = tmx.traits(cell);
-            let block = match (traits.solid, traits.one_way) {
-                (true, _) => Block::All,
-                (false, true) => Block::FromAbove,
-                (false, false) => Block::Nothing,
-            };
             let flags = layers.iter().fold(0, |all, l| all | masks[l.cells[i] as usize]);
-            let id = level.id((block, flags))?;
+            let id = level.id(TileKind::of(tmx.traits(cell).shape).with_flags(flags))?;
             level.tiles.push(id);
         }
         Ok(level)
@@ -68,7 +64,7 @@ impl Level {
             if slot.is_none() {
                 let mut mask = 0;
                 for name in &tmx.traits(cell).flags {
-                    mask |= self.bit(name)?;
+                    mask |= bit(&mut self.flags, name)?;
                 }
                 *slot = Some(mask);
             }
@@ -76,20 +72,7 @@ impl Level {
         Ok(masks.into_iter().map(Option::unwrap_or_default).collect())
     }
 
-    fn bit(&mut self, name: &str) -> Result<u8> {
-        let known = self.flags.iter().position(|f| f.eq_ignore_ascii_case(name));
-        let index = known.unwrap_or(self.flags.len());
-        if index == 8 {
-            let list = self.flags.join(", ");
-            return Err(Fail::new(format!("'{name}' would be the ninth flag, after {list}")));
-        }
-        if known.is_none() {
-            self.flags.push(name.to_owned());
-        }
-        Ok(1 << index)
-    }
-
-    fn id(&mut self, kind: (Block, u8)) -> Result<u8> {
+    fn id(&mut self, kind: TileKind) -> Result<u8> {
         let known = self.ids.iter().position(|&k| k == kind);
         let index = known.unwrap_or(self.ids.len());
         if known.is_none() {
@@ -102,15 +85,26 @@ impl Level {
     /// The table that tells the library what each id is.
     pub fn kinds(&self) -> TileKinds {
         let mut kinds = TileKinds::EMPTY;
-        for (id, &(block, flags)) in self.ids.iter().enumerate() {
-            let kind = match block {
-                Block::Nothing => TileKind::EMPTY,
-                Block::All => TileKind::FULL,
-                Block::FromAbove => TileKind::ONE_WAY_UP,
-            };
-            kinds = kinds.with(id as u8, kind.with_flags(flags));
+        for (id, &kind) in self.ids.iter().enumerate() {
+            kinds = kinds.with(id as u8, kind);
         }
         kinds
+    }
+
+    /// Whether the library needs nothing but blocks for it: such a level plays with less code.
+    pub fn is_blocks(&self) -> bool {
+        self.ids.iter().all(|kind| Blocks::SHAPES >> kind.shape as u8 & 1 != 0)
+    }
+
+    /// The surface as the library derives it: the pieces of the level's own cells, in a closed room.
+    pub fn features(&self) -> Vec<Feature> {
+        let kinds = self.kinds();
+        let grid = Grid::new(self.width, self.height, Fx::from_num(self.tile), Vec2::ZERO);
+        let map = grid.and_then(|grid| TileMap::<AllShapes>::of(&self.tiles, grid, &kinds));
+        let region = grid.ok().and_then(|grid| Aabb::new(grid.origin(), grid.end()).ok());
+        let (Ok(map), Some(region)) = (map, region) else { return Vec::new() };
+        let map = map.with_outside(Outside::Solid);
+        map.features(&region).filter(|feature| map.tile(feature.cell).is_some()).collect()
     }
 
     /// Which flags the game knows.
@@ -118,47 +112,54 @@ impl Level {
         Rules { coin: self.mask("Coin"), kill: self.mask("Kill"), win: self.mask("Win"), ladder: self.mask("Ladder") }
     }
 
-    fn mask(&self, name: &str) -> u8 {
+    /// The bit of a flag; 0 where no tile has it.
+    pub fn mask(&self, name: &str) -> u8 {
         self.flags.iter().position(|f| f.eq_ignore_ascii_case(name)).map_or(0, |bit| 1 << bit)
     }
 
     /// The cells with coins, counted row by row.
     pub fn coins(&self) -> impl Iterator<Item = usize> {
         let coin = self.rules().coin;
-        let has_coin = move |&(_, &id): &(usize, &u8)| self.ids[usize::from(id)].1 & coin != 0;
+        let has_coin = move |&(_, &id): &(usize, &u8)| self.ids[usize::from(id)].flag(coin);
         self.tiles.iter().enumerate().filter(has_coin).map(|(cell, _)| cell)
     }
 
-    pub fn block(&self, x: u16, y: u16) -> Block {
-        self.kind(x, y).0
-    }
-
-    pub fn flags_at(&self, x: u16, y: u16) -> u8 {
-        self.kind(x, y).1
-    }
-
-    fn kind(&self, x: u16, y: u16) -> (Block, u8) {
+    pub fn kind(&self, x: u16, y: u16) -> TileKind {
         let id = self.tiles[usize::from(y) * usize::from(self.width) + usize::from(x)];
         self.ids[usize::from(id)]
     }
 }
 
-fn choose<'a>(tmx: &'a Tmx, name: Option<&str>) -> Result<&'a TmxLayer> {
-    let solid = |l: &TmxLayer| l.cells.iter().filter(|&&c| tmx.traits(c).solid).count();
-    let names: Vec<&str> = tmx.layers.iter().map(|l| l.name.as_str()).collect();
-    let chosen = match name {
-        Some(name) => tmx
-            .layers
-            .iter()
-            .find(|l| l.name == name)
-            .ok_or_else(|| Fail::new(format!("no tile layer '{name}'; there are: {}", names.join(", "))))?,
-        // `max_by_key` keeps the last of equals, so the search runs from the top layer down.
-        None => {
-            tmx.layers.iter().rev().max_by_key(|l| solid(l)).ok_or_else(|| Fail::new("the map has no tile layer"))?
-        }
-    };
-    if solid(chosen) == 0 {
-        return Err(Fail::new(format!("layer '{}' has no solid tile", chosen.name)));
+/// The bit of a flag, which is named if it is new.
+pub fn bit(flags: &mut Vec<String>, name: &str) -> Result<u8> {
+    let known = flags.iter().position(|f| f.eq_ignore_ascii_case(name));
+    let index = known.unwrap_or(flags.len());
+    if index == 8 {
+        let list = flags.join(", ");
+        return Err(Fail::new(format!("'{name}' would be the ninth flag, after {list}")));
     }
-    Ok(chosen)
+    if known.is_none() {
+        flags.push(name.to_owned());
+    }
+    Ok(1 << index)
+}
+
+/// Whether it has an inside; one-way edges have none.
+pub fn is_solid(shape: TileShape) -> bool {
+    (1..TileShape::OneWayUp as u8).contains(&(shape as u8))
+}
+
+/// The named layer, or that with most solid tiles.
+pub fn choose<'a>(tmx: &'a Tmx, name: Option<&str>) -> Result<&'a TmxLayer> {
+    let count = |l: &TmxLayer, what: fn(TileShape) -> bool| {
+        l.cells.iter().filter(|&&cell| what(tmx.traits(cell).shape)).count()
+    };
+    let Some(name) = name else {
+        // `max_by_key` keeps the last of equals, so the search runs from the top layer down.
+        let most = |l: &&TmxLayer| (count(l, is_solid), count(l, |shape| shape != TileShape::Empty));
+        return tmx.layers.iter().rev().max_by_key(most).ok_or_else(|| Fail::new("the map has no tile layer"));
+    };
+    let names: Vec<&str> = tmx.layers.iter().map(|l| l.name.as_str()).collect();
+    let unknown = || Fail::new(format!("no tile layer '{name}'; there are: {}", names.join(", ")));
+    tmx.layers.iter().find(|l| l.name == name).ok_or_else(unknown)
 }

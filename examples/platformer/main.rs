@@ -13,12 +13,16 @@ pub(crate) mod check;
 pub(crate) mod fail;
 pub(crate) mod guard;
 pub(crate) mod level;
+pub(crate) mod meets;
+pub(crate) mod names;
+pub(crate) mod outline;
 pub(crate) mod picture;
 pub(crate) mod play;
 pub(crate) mod sim;
 pub(crate) mod tmx;
 pub(crate) mod trail;
 pub(crate) mod traits;
+pub(crate) mod unpack;
 pub(crate) mod xml;
 
 use std::env;
@@ -30,7 +34,8 @@ use std::process::ExitCode;
 
 use args::{Command, Options};
 use fail::{Fail, Result};
-use level::{Block, Level};
+use level::Level;
+use tilesat::TileShape;
 
 fn main() -> ExitCode {
     let args = env::args_os().skip(1);
@@ -41,7 +46,7 @@ fn main() -> ExitCode {
 pub fn run(args: impl IntoIterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
     let result = args::parse(args).and_then(|command| match command {
         Command::Help => {
-            tell(out, args::USAGE.trim_end());
+            let _ = out.write_all(args::USAGE.as_bytes());
             Ok(0)
         }
         Command::Run(options) => job(&options, out, err),
@@ -53,7 +58,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>, out: &mut dyn Write, err: &
 }
 
 fn job(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<u8> {
-    let path = options.level.clone().unwrap_or_else(meadow);
+    let path = options.level.clone().unwrap_or_else(|| own("meadow"));
     let of_file = |fail: Fail| Fail::new(format!("{}: {fail}", path.display()));
     let level = Level::bake(&tmx::load(&path)?, options.layer.as_deref()).map_err(of_file)?;
     describe(&path, &level, out);
@@ -95,10 +100,11 @@ fn job(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<u8
 }
 
 fn describe(path: &Path, level: &Level, out: &mut dyn Write) {
-    let count = |block| level.tiles.iter().filter(|&&t| level.ids[usize::from(t)].0 == block).count();
+    let count =
+        |is: fn(TileShape) -> bool| level.tiles.iter().filter(|&&t| is(level.ids[usize::from(t)].shape)).count();
     let (width, height, tile) = (level.width, level.height, level.tile);
     tell(out, &format!("level   {}: {width}x{height} tiles of {tile} px", path.display()));
-    let (solid, one_way) = (count(Block::All), count(Block::FromAbove));
+    let (solid, one_way) = (count(level::is_solid), count(|shape| shape as u8 >= TileShape::OneWayUp as u8));
     tell(out, &format!("layer   {}: {solid} solid and {one_way} one-way tiles", level.layer));
     let flags: Vec<String> = level.flags.iter().enumerate().map(|(bit, name)| format!("{name} = bit {bit}")).collect();
     let flags = if flags.is_empty() { "none".to_owned() } else { flags.join(", ") };
@@ -108,8 +114,10 @@ fn describe(path: &Path, level: &Level, out: &mut dyn Write) {
     }
 }
 
-fn meadow() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/platformer/levels/meadow.tmx")
+/// Where a level of this example lies.
+#[must_use]
+pub fn own(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/platformer/levels").join(name).with_extension("tmx")
 }
 
 /// The pictures asked for; without any, one in the target folder, three levels above the program.
@@ -130,5 +138,5 @@ fn writable(path: &Path) -> Result<()> {
 
 /// One line; a closed pipe is no reason to stop.
 fn tell(to: &mut dyn Write, line: &str) {
-    let _ = writeln!(to, "{line}");
+    let _ = writeln!(to, "{}", fail::one_line(line));
 }

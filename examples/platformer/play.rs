@@ -4,8 +4,8 @@ use std::collections::{HashSet, VecDeque};
 use std::io::Write;
 use std::time::{Duration, Instant};
 
-use tilesat::world::{Grid, Outside, TileMap};
-use tilesat::{Fx, Vec2};
+use tilesat::world::{Grid, Outside, Set, TileMap};
+use tilesat::{AllShapes, Blocks, Fx, Vec2};
 
 use super::check::{Checker, Figure};
 use super::fail::{Fail, Result};
@@ -45,9 +45,14 @@ impl Run {
 
 /// Plays `frames` frames; says on `err` how far it is when that takes more than a second.
 pub fn play(level: &Level, frames: u32, seed: u32, err: &mut dyn Write) -> Result<Run> {
+    // A level of blocks is played with code for blocks alone, as on a chip.
+    if level.is_blocks() { run::<Blocks>(level, frames, seed, err) } else { run::<AllShapes>(level, frames, seed, err) }
+}
+
+fn run<S: Set>(level: &Level, frames: u32, seed: u32, err: &mut dyn Write) -> Result<Run> {
     let kinds = level.kinds();
     let map = Grid::new(level.width, level.height, Fx::from_num(level.tile), Vec2::ZERO)
-        .and_then(|grid| TileMap::on_grid(&level.tiles, grid, &kinds))
+        .and_then(|grid| TileMap::<S>::of(&level.tiles, grid, &kinds))
         .map_err(|e| Fail::new(format!("the map does not fit: {e}")))?
         .with_outside(Outside::Solid);
     let mut sim = Sim::new(&map, level.rules(), seed)

@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Once;
@@ -10,6 +11,7 @@ use tiled::{FiniteTileLayer, LayerType, Loader, Map, Orientation, PropertyValue,
 
 use super::fail::{Fail, Result};
 use super::guard;
+use super::names::Flip;
 use super::traits::Traits;
 
 #[derive(Debug, Clone)]
@@ -27,7 +29,7 @@ pub struct TmxLayer {
     pub name: String,
     pub width: u16,
     pub height: u16,
-    /// Row by row; flip bits are dropped, a full tile looks the same from every side.
+    /// Row by row, as places in the palette: each tile and each way it is flipped has its own.
     pub cells: Vec<u32>,
 }
 
@@ -95,7 +97,7 @@ fn read_layer(
     name: &str,
     tiles: &FiniteTileLayer<'_>,
     tmx: &mut Tmx,
-    seen: &mut HashMap<(usize, u32), u32>,
+    seen: &mut HashMap<(usize, u32, Flip), u32>,
 ) -> std::result::Result<TmxLayer, String> {
     let (width, height) = (tiles.width(), tiles.height());
     if u64::from(width.max(height)) * u64::from(tmx.tile) >= DOMAIN {
@@ -108,19 +110,27 @@ fn read_layer(
     let mut cells = Vec::new();
     for y in 0..height as i32 {
         for x in 0..width as i32 {
-            cells.push(match tiles.get_tile(x, y) {
-                None => 0,
-                Some(tile) => *seen.entry((tile.tileset_index(), tile.id())).or_insert_with(|| {
-                    tmx.palette.push(tile.get_tile().map(|t| traits(&t)).unwrap_or_default());
-                    tmx.palette.len() as u32 - 1
-                }),
+            let Some(tile) = tiles.get_tile(x, y) else {
+                cells.push(0);
+                continue;
+            };
+            let flip = Flip { diagonal: tile.flip_d, horizontal: tile.flip_h, vertical: tile.flip_v };
+            cells.push(match seen.entry((tile.tileset_index(), tile.id(), flip)) {
+                Entry::Occupied(known) => *known.get(),
+                Entry::Vacant(new) => {
+                    let named = |why| format!("tile {} of tileset '{}': {why}", tile.id(), tile.get_tileset().name);
+                    let mut traits = tile.get_tile().map_or(Ok(Traits::default()), |t| traits(&t)).map_err(named)?;
+                    traits.shape = flip.of(traits.shape);
+                    tmx.palette.push(traits);
+                    *new.insert(tmx.palette.len() as u32 - 1)
+                }
             });
         }
     }
     Ok(TmxLayer { name: name.to_owned(), width: width as u16, height: height as u16, cells })
 }
 
-fn traits(tile: &tiled::Tile<'_>) -> Traits {
+fn traits(tile: &tiled::Tile<'_>) -> std::result::Result<Traits, String> {
     let mut names: Vec<&str> = tile
         .properties
         .iter()
@@ -130,7 +140,12 @@ fn traits(tile: &tiled::Tile<'_>) -> Traits {
     // The crate keeps properties in a hash map, whose order differs from run to run.
     names.sort_unstable();
     names.insert(0, tile.user_type.as_str());
-    Traits::from_names(&names)
+    // The guard has made them text, whatever their type is in the file.
+    let text = |name: &str| match tile.properties.get(name) {
+        Some(PropertyValue::StringValue(text)) => Some(text.as_str()),
+        _ => None,
+    };
+    Traits::from_names(&names).with_properties(text(guard::SHAPE), text(guard::NPP))
 }
 
 /// Contract C1: every coordinate stays below 2^29 raw, which is 8192 pixels.

@@ -60,25 +60,31 @@ impl<'a> Tag<'a> {
         self.0.ends_with(b"/>")
     }
 
+    /// With its prefix, where it has one.
     pub fn name(self) -> &'a [u8] {
-        let name = self.0.trim_ascii_start().strip_prefix(b"<").unwrap_or_default();
+        let name = self.0.strip_prefix(b"<").unwrap_or_default();
         let name = name.strip_prefix(b"/").unwrap_or(name);
-        let end = name.iter().position(|b| !b.is_ascii_alphanumeric()).unwrap_or(name.len());
+        let name = name.strip_suffix(b">").unwrap_or(name);
+        let name = name.strip_suffix(b"/").unwrap_or(name);
+        let end = name.iter().position(u8::is_ascii_whitespace).unwrap_or(name.len());
         &name[..end]
     }
 
     pub fn attribute(self, name: &str) -> Option<&'a [u8]> {
+        self.attributes().find(|(key, _)| *key == name.as_bytes()).map(|(_, value)| value)
+    }
+
+    /// Keys and values, up to the first that is not `key="value"`.
+    pub fn attributes(self) -> impl Iterator<Item = (&'a [u8], &'a [u8])> {
         let mut rest = self.0.get(1 + self.name().len()..).unwrap_or_default();
-        loop {
+        std::iter::from_fn(move || {
             let equals = rest.iter().position(|&b| b == b'=')?;
             let (key, after) = rest.split_at(equals);
             let open = after.iter().position(|b| b"\"'".contains(b))?;
             let value = &after[open + 1..];
             let close = value.iter().position(|&b| b == after[open])?;
-            if key.trim_ascii() == name.as_bytes() {
-                return Some(&value[..close]);
-            }
             rest = &value[close + 1..];
-        }
+            Some((key.trim_ascii(), &value[..close]))
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! What a mover can move.
 
-use crate::num::{Axis, Raw, Vec2, mul_div, umul};
+use crate::num::{Axis, Raw, Vec2, mul_div, mul128, sqr64, umul};
 use crate::shape::{Aabb, Circle};
 use core::cmp::Ordering;
 
@@ -31,26 +31,51 @@ pub struct Entry {
     pub(super) den: u32,
     /// Out of the solid, toward the body.
     pub(super) normal: Axis,
-    /// Whether a box meets a face at its free end only, corner to corner: another face that it meets over a length goes first, and then
-    /// the motion along that one passes this end.
+    /// Whether others of the same moment go first: where a box meets a face at its free end only, corner to corner, another face that it
+    /// meets over a length, because then the motion along that one passes this end; where a body meets the end of a quarter pipe, what is beyond it.
     pub(super) at_end: bool,
-    /// The displacement up to a vertex, rounded away from it; faces have `None`, their part of the motion is rounded toward the start.
+    /// The displacement up to a vertex or an arc, rounded out of the solid; faces have `None`, see [`displacement`](Self::displacement).
     pub(super) step: Option<Raw>,
 }
 
 impl Entry {
     /// Whether this hit comes before `other`: earlier, else face before its end before vertex, else more opposed to the motion, else by the
-    /// normal, x first. Only geometry decides, never the order of visits.
+    /// normal, x first. Only geometry decides, never the order of visits. For normals of one length.
     pub(super) fn before(&self, other: &Self, d: Raw) -> bool {
+        let key = |e: &Self| (e.against(d), e.normal.x.unsigned_abs(), e.normal.x, e.normal.y);
+        self.precedes(other).unwrap_or_else(|| key(self) > key(other))
+    }
+
+    /// The same for normals of any length: their parts along the motion compare as exact squares.
+    pub(super) fn before_askew(&self, other: &Self, d: Raw) -> bool {
+        self.precedes(other).unwrap_or_else(|| self.is_more_opposed(other, d))
+    }
+
+    #[inline(never)]
+    fn is_more_opposed(&self, other: &Self, d: Raw) -> bool {
+        let (a, b) = (self.against(d), other.against(d));
+        let part = |of: i64, to: &Self| mul128(sqr64(of.unsigned_abs()), to.normal.length_squared());
+        let opposition = match a.signum().cmp(&b.signum()) {
+            Ordering::Equal if a < 0 => part(b, self).cmp(&part(a, other)),
+            Ordering::Equal => part(a, other).cmp(&part(b, self)),
+            unequal => unequal,
+        };
+        // Of two lengths of one direction the longer one, mirrored or not.
+        let key = |e: &Self| (e.normal.x.unsigned_abs(), e.normal.y.unsigned_abs(), e.normal.x, e.normal.y);
+        opposition.then_with(|| key(self).cmp(&key(other))).is_gt()
+    }
+
+    /// How far the motion goes against the normal, in its length.
+    fn against(&self, d: Raw) -> i64 {
+        self.normal.dot(Axis::new(d.x, d.y)).wrapping_neg()
+    }
+
+    fn precedes(&self, other: &Self) -> Option<bool> {
         match self.time(other) {
-            Ordering::Equal => {}
-            earlier => return earlier == Ordering::Less,
+            Ordering::Equal if self.kind() == other.kind() => None,
+            Ordering::Equal => Some(self.kind() < other.kind()),
+            earlier => Some(earlier == Ordering::Less),
         }
-        if self.kind() != other.kind() {
-            return self.kind() < other.kind();
-        }
-        let key = |e: &Self| (-e.normal.dot(Axis::new(d.x, d.y)), e.normal.x.unsigned_abs(), e.normal.x, e.normal.y);
-        key(self) > key(other)
     }
 
     /// (vertex, end of a face).
@@ -71,14 +96,23 @@ impl Entry {
         umul(self.num, other.den).cmp(&umul(other.num, self.den))
     }
 
-    /// The displacement up to the hit. On the face's axis it is exact, on the other one the exact part rounded toward the start; an
-    /// integer half-plane that the exact point keeps, the rounded point keeps too.
+    /// The displacement up to the hit. On the axis of a face along x or y it is exact, on the other one the exact part rounded toward the
+    /// start; an integer half-plane that the exact point keeps, the rounded point keeps too. At a slope each component is rounded
+    /// to the side that the normal points to, so that the sum only gains height.
     pub(super) fn displacement(&self, d: Raw) -> Raw {
-        self.step.unwrap_or_else(|| Raw { x: self.part(d.x), y: self.part(d.y) })
+        self.step.unwrap_or_else(|| {
+            let slope = self.normal.x != 0 && self.normal.y != 0;
+            let out = if slope { self.normal } else { Axis::new(0, 0) };
+            Raw { x: self.part(d.x, out.x), y: self.part(d.y, out.y) }
+        })
     }
 
-    fn part(&self, d: i32) -> i32 {
-        let part = mul_div(d.unsigned_abs(), self.num, self.den) as i32;
+    /// The component `d` up to the hit, rounded up where that leads to the side of `out`, else toward the start.
+    fn part(&self, d: i32, out: i32) -> i32 {
+        let size = d.unsigned_abs();
+        let part = mul_div(size, self.num, self.den);
+        let up = out != 0 && (out < 0) == (d < 0) && umul(part, self.den) != umul(size, self.num);
+        let part = part.wrapping_add(u32::from(up)) as i32;
         if d < 0 { part.wrapping_neg() } else { part }
     }
 }
@@ -88,7 +122,7 @@ pub(super) mod kernel {
 
     use super::Entry;
     use crate::error::RangeError;
-    use crate::num::Raw;
+    use crate::num::{Axis, Raw};
     use crate::shape::Aabb;
     use crate::world::{Feature, World};
 
@@ -103,6 +137,10 @@ pub(super) mod kernel {
         fn shifted(&self, d: Raw) -> Self;
         /// The first moment of the motion at which the body would start to overlap the feature, if any.
         fn sweep(&self, d: Raw, feature: &Feature) -> Option<Entry>;
+        /// The same for worlds of [`BLOCKS`](World::BLOCKS).
+        fn sweep_block(&self, d: Raw, feature: &Feature) -> Option<Entry>;
+        /// What meets an arc: a point, and the radius of the disc around it.
+        fn toward(&self, quadrant: Axis) -> (Raw, i32);
         /// Whether the body overlaps the level: strict and exact.
         fn overlaps_world<W: World>(&self, world: &W) -> bool;
     }

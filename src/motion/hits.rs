@@ -7,19 +7,21 @@ use crate::world::Cell;
 /// One thing that a moving body ran into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hit {
-    /// The part of the motion that was used up when it was hit. Exact floor for the first hit on a face; early by less than a raw unit
-    /// of way at a corner; later hits of one call add the roundings of the earlier ones.
+    /// The part of the motion that was used up when it was hit. Exact floor for the first hit on a face along x or y, and for a
+    /// box on the slope of a tile; early by less than a raw unit of way elsewhere; later hits of one call add the roundings of the earlier ones.
     pub toi: Toi,
     /// The exact normal of what was hit: out of the solid, toward the body.
     pub axis: Axis,
     /// The cell of the level.
     pub cell: Cell,
     /// Which feature of the cell, as [`Feature::index`](crate::world::Feature::index).
-    pub index: u8,
-    /// The user flags of the tile.
+    pub index: u16,
+    /// The user flags of the tile or segment.
     pub flags: u8,
     /// Whether it is a one-way face.
     pub one_way: bool,
+    /// Which level, as [`Feature::source`](crate::world::Feature::source).
+    pub source: u8,
 }
 
 /// The hits of one motion in the order in which they happened, at most [`Hits::CAPACITY`].

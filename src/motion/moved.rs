@@ -2,7 +2,7 @@
 
 use super::{Body, Hits};
 use crate::error::RangeError;
-use crate::num::Vec2;
+use crate::num::{Fx, Vec2};
 use core::convert::Infallible;
 use core::fmt;
 use core::marker::PhantomData;
@@ -54,6 +54,10 @@ pub struct Work {
 }
 
 /// The body overlaps the level before it moves; nothing was moved.
+///
+/// It comes from a level that changed (a door that closed), or from a body put into the solid. A way out, for games that want one: move it by
+/// the [`push_out`](crate::world::WorldContact::push_out) of the nearest of its [`contacts`](crate::TileMap::contacts) and ask `overlaps` again, a few
+/// times at most; deep in the solid, and in gaps narrower than the body, there is none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stuck {
@@ -81,7 +85,10 @@ impl fmt::Display for MoveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Range(e) => e.fmt(f),
-            Self::Stuck(s) => write!(f, "the body at {:?} raw overlaps the level", s.at),
+            Self::Stuck(Stuck { at: (x, y) }) => {
+                let at = (Fx::from_bits(*x), Fx::from_bits(*y));
+                write!(f, "the body at ({}, {}) = ({x}, {y}) raw overlaps the level", at.0, at.1)
+            }
         }
     }
 }

@@ -1,6 +1,8 @@
-//! A moving box against the faces of blocks.
+//! A moving box against faces along x and y, and what tells its other cases apart.
 
 use super::body::{Entry, kernel::Kernel};
+use super::sweep_arc::{enter_quarter, leave_quarter};
+use super::sweep_corner::{sweep_peak, sweep_round, sweep_slope};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw, imul};
 use crate::shape::Aabb;
@@ -24,13 +26,38 @@ impl Kernel for Aabb {
     }
 
     fn sweep(&self, d: Raw, feature: &Feature) -> Option<Entry> {
+        let (lo, hi) = (self.lo(), self.hi());
+        match feature.geometry {
+            Geometry::Face { dir, .. } if dir.x == 0 || dir.y == 0 => self.sweep_block(d, feature),
+            Geometry::Face { a, dir, len, joined } => sweep_slope(lo, hi, d, Raw::of(a), dir, len, joined),
+            Geometry::Vertex { p, e_in, e_out } => sweep_peak(lo, hi, d, Raw::of(p), e_in, e_out),
+            Geometry::Arc { centre, radius, quadrant, convex } => {
+                let (corner, _) = self.toward(if convex { quadrant.reversed() } else { quadrant });
+                let centre = Raw::of(centre);
+                let m = corner.sub(centre);
+                if convex {
+                    sweep_round(lo, hi, d, centre, radius, quadrant, enter_quarter(m, radius, d, quadrant))
+                } else {
+                    leave_quarter(m, radius, d, quadrant)
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn sweep_block(&self, d: Raw, feature: &Feature) -> Option<Entry> {
         // A block's corners need no test: its faces, closed where the motion enters them, cover what a box can hit.
         match feature.geometry {
             Geometry::Face { a, dir, len, joined } => {
                 sweep_face(self.lo(), self.hi(), d, &Face::new(Raw::of(a), dir, len, joined))
             }
-            Geometry::Vertex { .. } => None,
+            Geometry::Vertex { .. } | Geometry::Arc { .. } => None,
         }
+    }
+
+    fn toward(&self, quadrant: Axis) -> (Raw, i32) {
+        let (lo, hi) = (self.lo(), self.hi());
+        (Raw { x: if quadrant.x > 0 { hi.x } else { lo.x }, y: if quadrant.y > 0 { hi.y } else { lo.y } }, 0)
     }
 
     fn overlaps_world<W: World>(&self, world: &W) -> bool {

@@ -114,6 +114,13 @@ const fn sqr64_words(a: u64) -> (u64, u64) {
     (usqr(ah) + (m >> 31) + carry as u64, lo)
 }
 
+/// The product of a 128-bit and a 64-bit number, high word first; such triples compare as numbers. For products below 2^192.
+pub(crate) const fn mul128(a: (u64, u64), b: u64) -> (u64, u64, u64) {
+    let (low, high) = (mul64(a.1, b), mul64(a.0, b));
+    let (mid, carry) = high.1.overflowing_add(low.0);
+    (high.0.wrapping_add(carry as u64), mid, low.1)
+}
+
 /// Whether the 128-bit number `a` is less than `b`, both as `(high, low)`.
 #[inline]
 #[must_use]

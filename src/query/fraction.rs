@@ -1,6 +1,6 @@
 //! Comparison of squared lengths that are fractions: too wide for 128 bits, so cold and out of line.
 
-use crate::num::mul64;
+use crate::num::mul128;
 
 /// The square of a length as an exact fraction: `num / den`, num as `(high, low)`, den not zero.
 #[derive(Clone, Copy)]
@@ -13,17 +13,10 @@ impl Square {
     /// Whether this is less than `rhs`: cross-multiplied, exact in 192 bits.
     #[inline(never)]
     pub(super) const fn less(self, rhs: Self) -> bool {
-        let (a, b) = (times(self.num, rhs.den), times(rhs.num, self.den));
+        let (a, b) = (mul128(self.num, rhs.den), mul128(rhs.num, self.den));
         if a.0 != b.0 {
             return a.0 < b.0;
         }
         if a.1 == b.1 { a.2 < b.2 } else { a.1 < b.1 }
     }
-}
-
-/// The product of a 128-bit and a 64-bit number, high word first.
-const fn times(a: (u64, u64), b: u64) -> (u64, u64, u64) {
-    let (low, high) = (mul64(a.1, b), mul64(a.0, b));
-    let (mid, carry) = high.1.overflowing_add(low.0);
-    (high.0.wrapping_add(carry as u64), mid, low.1)
 }

@@ -85,7 +85,7 @@ pub(crate) const fn circle_aabb<const CLOSED: bool>(c: Raw, r: i32, lo: Raw, hi:
 
 /// [`circle_aabb`] after the gaps.
 #[inline]
-const fn circle_gaps<const CLOSED: bool>(gx: i32, gy: i32, r: i32) -> bool {
+pub(crate) const fn circle_gaps<const CLOSED: bool>(gx: i32, gy: i32, r: i32) -> bool {
     if !below::<CLOSED>(gx, r) || !below::<CLOSED>(gy, r) {
         return false;
     }

@@ -49,13 +49,13 @@
 pub(crate) mod closest;
 pub(crate) mod meet;
 pub(crate) mod region;
+pub(crate) mod round;
 
 mod contact;
 mod contain;
 mod distance;
 mod fraction;
 mod overlap;
-mod round;
 
 pub use closest::ClosestPoint;
 pub use contact::{Contact, Contacts};

@@ -23,7 +23,7 @@ pub(super) const fn on_circle(v: u32, r: u32, d: u64) -> u32 {
 }
 
 /// [`on_circle`] for both components of a difference inside the domain, not zero.
-pub(super) const fn toward(v: Raw, r: i32) -> Raw {
+pub(crate) const fn toward(v: Raw, r: i32) -> Raw {
     let d = v.len2();
     let (x, y) = (on_circle(v.x.unsigned_abs(), r as u32, d) as i32, on_circle(v.y.unsigned_abs(), r as u32, d) as i32);
     Raw { x: if v.x < 0 { x.wrapping_neg() } else { x }, y: if v.y < 0 { y.wrapping_neg() } else { y } }

@@ -8,38 +8,45 @@
 //! | ... or touch it? | [`touches`](TileMap::touches) | closed, exact |
 //! | which tiles are here? | [`tiles_in`](TileMap::tiles_in) | strict; every tile of the map, solid or not |
 //! | which flags does this shape touch? | [`flags_touched`](TileMap::flags_touched) | closed; every tile of the map, solid or not |
-//! | what does this ray see? | [`cast_ray`](TileMap::cast_ray) | solids are closed; rays pass one-way edges |
-//! | which faces and vertices are near? | [`features`](TileMap::features) | the surface of the solid, and one-way edges |
+//! | what does this ray see? | [`cast_ray`](TileMap::cast_ray), [`cast_ray_all`](TileMap::cast_ray_all) | solids are closed; one-way edges by an option |
+//! | does this point see that one? | [`line_of_sight`](TileMap::line_of_sight) | solids are closed |
+//! | what of the surface does this body overlap, how deep, which way out? | [`contacts`](TileMap::contacts) | nearest first, each once |
+//! | what is the nearest point of the surface? | [`closest_point`](TileMap::closest_point) | exact order; inside or outside |
+//! | which faces, arcs and vertices are near? | [`features`](TileMap::features) | the surface of the solid, and one-way edges |
+//!
+//! A [`SegmentMap`] reads a level of free line segments, polygons and chains, from bytes too, and answers the same questions, but for the
+//! tiles. A [`Joined`] pair of levels, of either kind, is one level without a seam.
 //!
 //! Movers see a level through [`World`] and nothing else.
 
-mod ascii;
 mod cell;
-mod dda;
-mod detour;
-mod error;
 mod feature;
-mod features;
-mod fraction;
 mod grid;
-mod kind;
-mod overlap;
-mod range;
+mod joined;
+mod near;
 mod ray;
-mod region;
-mod set;
+mod segment_map;
 mod tile_map;
 
 pub use cell::Cell;
-pub use error::TileMapError;
 pub use feature::{Feature, Geometry};
-pub use features::Features;
 pub use grid::Grid;
-pub use kind::{TileKind, TileKinds, TileShape};
-pub use ray::{Inside, RayHit};
-pub use region::{Probe, TileAt, Tiles};
-pub use set::{Bits, Blocks, Bytes, Set, Store};
-pub use tile_map::{Outside, TileMap};
+pub use joined::pair::{Joined, JoinedFeatures};
+pub use joined::ray::JoinedRayHits;
+pub use near::closest::{Near, OneWay};
+pub use near::contacts::{Pushable, WorldContact};
+pub use ray::hit::{Inside, RayHit, RayRules};
+pub use ray::sight::RayHits;
+pub use segment_map::{
+    Path, PathKind, SegmentFault, SegmentFeatures, SegmentMap, SegmentMapError, SegmentRayHits, Size,
+};
+pub use tile_map::error::TileMapError;
+pub use tile_map::features::Features;
+pub use tile_map::kind::{TileKind, TileKinds};
+pub use tile_map::map::{Outside, TileMap};
+pub use tile_map::region::{Probe, TileAt, Tiles};
+pub use tile_map::set::{AllShapes, Bits, Blocks, Bytes, Set, Slopes, Store};
+pub use tile_map::shape::TileShape;
 
 use crate::shape::{Aabb, Circle};
 
@@ -54,6 +61,14 @@ pub(crate) mod sealed {
 ///
 /// Sealed: that a mover never ends in the solid rests on `features` and the tests being two views of one set of points.
 pub trait World: sealed::Sealed {
+    /// Whether all faces are along x or y and all corners a block's: then a mover links no code for others.
+    #[doc(hidden)]
+    const BLOCKS: bool;
+
+    /// Whether there may be arcs.
+    #[doc(hidden)]
+    const ROUND: bool;
+
     /// The cursor of [`features`](Self::features).
     type Features<'w>: Iterator<Item = Feature>
     where
@@ -72,11 +87,20 @@ pub trait World: sealed::Sealed {
 
     /// Whether a circle overlaps the solid; strict and exact.
     fn overlaps_circle(&self, c: &Circle) -> bool;
+
+    /// Whether a box has a point in common with the solid, borders included; exact.
+    fn touches_aabb(&self, b: &Aabb) -> bool;
+
+    /// Whether a circle has a point in common with the solid, borders included; exact.
+    fn touches_circle(&self, c: &Circle) -> bool;
 }
 
 impl<S: Set, T: Store> sealed::Sealed for TileMap<'_, S, T> {}
 
 impl<S: Set, T: Store> World for TileMap<'_, S, T> {
+    const BLOCKS: bool = !S::SHAPED;
+    const ROUND: bool = S::ARCS;
+
     type Features<'w>
         = Features<'w, S, T>
     where
@@ -100,5 +124,15 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     #[inline]
     fn overlaps_circle(&self, c: &Circle) -> bool {
         TileMap::overlaps(self, c)
+    }
+
+    #[inline]
+    fn touches_aabb(&self, b: &Aabb) -> bool {
+        TileMap::touches(self, b)
+    }
+
+    #[inline]
+    fn touches_circle(&self, c: &Circle) -> bool {
+        TileMap::touches(self, c)
     }
 }

@@ -76,7 +76,7 @@ fn judge_hits(level: &Level, response: Response, out: &Outcome) -> Result<(), St
         let (x, y) = (i64::from(hit.cell.x), i64::from(hit.cell.y));
         // Indices turn from the side toward row 0.
         let sides = [(0, -1), (1, 0), (0, 1), (-1, 0)];
-        let side = |k: u8| sides[usize::from(k & 3)];
+        let side = |k: u16| sides[usize::from(k & 3)];
         let open = |s: P| !level.full(x + s.0, y + s.1);
         let there = if hit.one_way {
             hit.index == 0 && level.one_way(x, y) && n == (0, -1)
@@ -136,8 +136,15 @@ pub(crate) fn first_hit(level: &Level, body: &Body, d: P, hit: Option<Hit>) -> R
                     Err(format!("a one-way face at another time: {hit:?}, exact {one_way:?}"))
                 };
             }
-            let corner = disc::enters_corner(level, body, d, disc::first_face(level, body, d).unwrap_or(Time::END));
-            if corner != (hit.index >= 4) {
+            // The time of a corner is a lower bound: it may come before a face that is met as much earlier.
+            let face = disc::first_face(level, body, d).unwrap_or(Time::END);
+            let wrong = if hit.index < 4 {
+                disc::enters_corner(level, body, d, face)
+            } else {
+                let then = Time { num: (face.floor() + 1 + early).min(1 << 30), den: 1 << 30 };
+                !disc::enters_corner(level, body, d, then)
+            };
+            if wrong {
                 return Err(format!("a corner instead of a face, or the other way round: {hit:?}"));
             }
             let until = Time { num: (i64::from(raw) + early).min(1 << 30), den: 1 << 30 };

@@ -31,17 +31,15 @@ impl Canvas {
         self.cover(bounds, ink, |p| width / 2.0 - (distance(p, c) - radius).abs() + 0.5);
     }
 
-    /// A convex polygon, either way round.
+    /// A polygon that does not cross itself, either way round.
     pub fn poly(&mut self, points: &[Spot], fill: Ink) {
-        let next = |i: usize| points[(i + 1) % points.len()];
-        let area: f32 = (0..points.len()).map(|i| cross(points[i], next(i))).sum();
+        let sides: Vec<(Spot, Spot)> = points.iter().copied().zip(points.iter().copied().cycle().skip(1)).collect();
         self.cover(bounds(points, 0.0), fill, |p| {
-            let depth = |i: usize| {
-                let (a, b) = (points[i], next(i));
-                let side = cross((b.0 - a.0, b.1 - a.1), (p.0 - a.0, p.1 - a.1));
-                side * area.signum() / distance(a, b).max(0.001) + 0.5
-            };
-            (0..points.len()).map(depth).fold(1.0, f32::min)
+            let off = sides.iter().map(|&(a, b)| to_segment(p, a, b)).fold(f32::MAX, f32::min);
+            // Inside, a ray to the right crosses the sides an odd number of times.
+            let crossed =
+                sides.iter().filter(|(a, b)| (a.1 > p.1) != (b.1 > p.1) && crossing(p.1, *a, *b) > p.0).count();
+            0.5 + if crossed % 2 == 1 { off } else { -off }
         });
     }
 
@@ -106,8 +104,9 @@ fn bounds(points: &[Spot], margin: f32) -> (Spot, Spot) {
     (lo, hi)
 }
 
-fn cross(a: Spot, b: Spot) -> f32 {
-    a.0 * b.1 - a.1 * b.0
+/// Where the line through `a` and `b`, which is not level, has this height.
+fn crossing(y: f32, a: Spot, b: Spot) -> f32 {
+    a.0 + (y - a.1) * (b.0 - a.0) / (b.1 - a.1)
 }
 
 fn distance(a: Spot, b: Spot) -> f32 {

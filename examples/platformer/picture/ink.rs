@@ -30,6 +30,7 @@ pub const PLANK: Ink = Ink::hex(0x00d4_a373);
 pub const COIN: Ink = Ink::hex(0x00ff_d23f);
 pub const KILL: Ink = Ink::hex(0x00ef_476f);
 pub const WIN: Ink = Ink::hex(0x0006_d6a0);
+pub const WATER: Ink = Ink::hex(0x003a_86ff);
 pub const LADDER: Ink = Ink::hex(0x00b0_8968);
 pub const PLAYER: Ink = Ink::hex(0x00ff_e8a3);
 pub const SLIDE: Ink = Ink::hex(0x004c_c9f0);

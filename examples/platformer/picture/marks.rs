@@ -22,7 +22,7 @@ pub enum Mark {
         width: f32,
         ink: Ink,
     },
-    /// A convex polygon.
+    /// A polygon that does not cross itself.
     Poly {
         points: Vec<Spot>,
         fill: Ink,

@@ -8,9 +8,10 @@
 mod bodies;
 mod canvas;
 mod footer;
-mod ink;
-mod marks;
+pub mod ink;
+pub mod marks;
 mod png;
+pub mod surface;
 mod svg;
 mod tiles;
 
@@ -28,7 +29,7 @@ pub fn scene(level: &Level, run: &Run, name: &str, seed: u32) -> Scene {
     let tile = f32::from(level.tile);
     let (width, height) = (f32::from(level.width) * tile, f32::from(level.height) * tile);
     let fits = |scale: &&f32| width.max(height) * **scale <= AIM;
-    let scale = [3.0, 2.0, 1.0, 0.5].iter().find(fits).copied().unwrap_or(0.25);
+    let scale = [3.0, 2.0, 1.5, 1.0, 0.5].iter().find(fits).copied().unwrap_or(0.25);
     let mut scene = Scene::new(width, height, scale, tile / 16.0);
     tiles::draw(&mut scene, level, run);
     bodies::trails(&mut scene, run);

@@ -1,33 +1,94 @@
 //! The level: ground, planks and what the flags mean.
 
-use super::super::level::{Block, Level};
+use tilesat::TileShape;
+
+use super::super::level::{self, Level};
+use super::super::outline::Outline;
 use super::super::play::Run;
-use super::super::sim::Rules;
-use super::ink::{COIN, EARTH, EARTH_DARK, EDGE, Ink, KILL, LADDER, NIGHT, NIGHT_LOW, OTHER, PLANK, TEXT, TOP, WIN};
+use super::ink::{COIN, EARTH, EARTH_DARK, Ink, KILL, LADDER, NIGHT, NIGHT_LOW, OTHER, PLANK, TEXT, WATER, WIN};
 use super::marks::{Scene, Spot};
+use super::surface;
+
+/// Cells that are drawn one by one; larger levels are drawn by blocks of cells, so that no picture has more marks than this.
+const MOST: u32 = 1 << 16;
 
 pub fn draw(scene: &mut Scene, level: &Level, run: &Run) {
     sky(scene);
+    let block = (1..u16::MAX)
+        .find(|&k| u32::from(level.width.div_ceil(k)) * u32::from(level.height.div_ceil(k)) <= MOST)
+        .unwrap_or(1);
+    if block > 1 {
+        return blocks(scene, level, block);
+    }
     let tile = f32::from(level.tile);
-    let rules = level.rules();
     for y in 0..level.height {
         for x in 0..level.width {
             let at = (f32::from(x) * tile, f32::from(y) * tile);
-            if level.block(x, y) == Block::All {
-                // Two shades in a checkerboard show the cells without lines between them.
-                let fill = if (x + y) % 2 == 0 { EARTH } else { EARTH_DARK };
-                scene.rect(at, (tile, tile), fill);
-            }
+            let kind = level.kind(x, y);
+            // Two shades in a checkerboard show the cells without lines between them.
+            solid(scene, at, tile, kind.shape, if (x + y) % 2 == 0 { EARTH } else { EARTH_DARK });
             let cell = usize::from(y) * usize::from(level.width) + usize::from(x);
-            let taken = run.taken.contains(&cell);
-            flags(scene, at, tile, level.flags_at(x, y), rules, taken);
-            if level.block(x, y) == Block::FromAbove {
-                scene.rect(at, (tile, tile / 5.0), PLANK);
-                scene.rect((at.0, at.1 + tile / 5.0), (tile, tile / 10.0), PLANK.alpha(0.35));
+            flags(scene, at, tile, kind.flags, level, run.taken.contains(&cell));
+            plank(scene, at, tile, kind.shape);
+        }
+    }
+    surface::draw(scene, &level.features(), tile);
+}
+
+/// Each square of `k` by `k` cells as dark as the share of it that is solid.
+fn blocks(scene: &mut Scene, level: &Level, k: u16) {
+    let side = f32::from(level.tile) * f32::from(k);
+    for y in (0..level.height).step_by(usize::from(k)) {
+        for x in (0..level.width).step_by(usize::from(k)) {
+            let cells = (y..level.height.min(y + k)).flat_map(|y| (x..level.width.min(x + k)).map(move |x| (x, y)));
+            let solid = cells.filter(|&(x, y)| level::is_solid(level.kind(x, y).shape)).count();
+            if solid > 0 {
+                let at = (f32::from(x) * f32::from(level.tile), f32::from(y) * f32::from(level.tile));
+                scene.rect(at, (side, side), EARTH.alpha(solid as f32 / (f32::from(k) * f32::from(k))));
             }
         }
     }
-    edges(scene, level, tile);
+}
+
+pub fn solid(scene: &mut Scene, at: Spot, tile: f32, shape: TileShape, fill: Ink) {
+    let place = |(x, y): Spot| (at.0 + x * tile, at.1 + y * tile);
+    match Outline::of(shape) {
+        Outline::Nothing => {}
+        Outline::Polygon(_) if shape == TileShape::Full => scene.rect(at, (tile, tile), fill),
+        Outline::Polygon(points) => {
+            let points: Vec<Spot> = points.iter().map(|&(x, y)| place((x as f32 / 2.0, y as f32 / 2.0))).collect();
+            scene.poly(&points, fill);
+        }
+        Outline::Quarter(centre) | Outline::Bite(centre) => {
+            let corner = (centre.0 as f32 / 2.0, centre.1 as f32 / 2.0);
+            let side = |v: f32| 1.0 - 2.0 * v;
+            let arc = (0..=ARC).map(|i| {
+                let (sin, cos) = (f32::from(i) / f32::from(ARC) * std::f32::consts::FRAC_PI_2).sin_cos();
+                place((corner.0 + side(corner.0) * cos, corner.1 + side(corner.1) * sin))
+            });
+            let hollow = matches!(Outline::of(shape), Outline::Bite(_));
+            let rest = if hollow { (1.0 - corner.0, 1.0 - corner.1) } else { corner };
+            scene.poly(&arc.chain([place(rest)]).collect::<Vec<_>>(), fill);
+        }
+    }
+}
+
+/// Straight pieces that a quarter circle is drawn with.
+const ARC: u8 = 16;
+
+/// The edge that a one-way tile has, and a fainter line behind it.
+fn plank(scene: &mut Scene, at: Spot, tile: f32, shape: TileShape) {
+    for (from, to, alpha) in [(0.0, 0.2, 1.0), (0.2, 0.3, 0.35)] {
+        let (lo, hi) = match shape {
+            TileShape::OneWayUp => ((0.0, from), (1.0, to)),
+            TileShape::OneWayDown => ((0.0, 1.0 - to), (1.0, 1.0 - from)),
+            TileShape::OneWayLeft => ((from, 0.0), (to, 1.0)),
+            TileShape::OneWayRight => ((1.0 - to, 0.0), (1.0 - from, 1.0)),
+            _ => return,
+        };
+        let corner = (at.0 + lo.0 * tile, at.1 + lo.1 * tile);
+        scene.rect(corner, ((hi.0 - lo.0) * tile, (hi.1 - lo.1) * tile), PLANK.alpha(alpha));
+    }
 }
 
 fn sky(scene: &mut Scene) {
@@ -41,38 +102,13 @@ fn sky(scene: &mut Scene) {
     }
 }
 
-/// The outline of the solid: exactly the sides that a body can meet.
-fn edges(scene: &mut Scene, level: &Level, tile: f32) {
-    let solid = |x: i32, y: i32| {
-        let inside = x >= 0 && y >= 0 && x < i32::from(level.width) && y < i32::from(level.height);
-        !inside || level.block(x as u16, y as u16) == Block::All
-    };
-    let (thin, thick) = (tile / 14.0, tile / 8.0);
-    for y in 0..i32::from(level.height) {
-        for x in 0..i32::from(level.width) {
-            if !solid(x, y) || level.block(x as u16, y as u16) != Block::All {
-                continue;
-            }
-            let (left, top) = (x as f32 * tile, y as f32 * tile);
-            if !solid(x, y + 1) {
-                scene.rect((left, top + tile - thin), (tile, thin), EDGE.alpha(0.7));
-            }
-            if !solid(x - 1, y) {
-                scene.rect((left, top), (thin, tile), EDGE.alpha(0.7));
-            }
-            if !solid(x + 1, y) {
-                scene.rect((left + tile - thin, top), (thin, tile), EDGE.alpha(0.7));
-            }
-            if !solid(x, y - 1) {
-                scene.rect((left, top), (tile, thick), TOP);
-            }
-        }
-    }
-}
-
-fn flags(scene: &mut Scene, at: Spot, t: f32, flags: u8, rules: Rules, taken: bool) {
+fn flags(scene: &mut Scene, at: Spot, t: f32, flags: u8, level: &Level, taken: bool) {
+    let (rules, water) = (level.rules(), level.mask("Water"));
     let middle = (at.0 + t / 2.0, at.1 + t / 2.0);
     let bottom = at.1 + t;
+    if flags & water != 0 {
+        scene.rect(at, (t, t), WATER.alpha(0.35));
+    }
     if flags & rules.ladder != 0 {
         for x in [0.22, 0.68] {
             scene.rect((at.0 + t * x, at.1), (t * 0.1, t), LADDER);
@@ -101,7 +137,7 @@ fn flags(scene: &mut Scene, at: Spot, t: f32, flags: u8, rules: Rules, taken: bo
             scene.ring(middle, t * 0.18, t * 0.05, NIGHT.alpha(0.35));
         }
     }
-    let other = flags & !(rules.ladder | rules.kill | rules.win | rules.coin);
+    let other = flags & !(rules.ladder | rules.kill | rules.win | rules.coin | water);
     if other != 0 {
         let ink = OTHER[other.trailing_zeros() as usize % OTHER.len()];
         scene.rect((at.0 + t * 0.2, at.1 + t * 0.2), (t * 0.6, t * 0.6), ink.alpha(0.6));

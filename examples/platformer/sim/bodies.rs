@@ -2,7 +2,7 @@
 
 use tilesat::Vec2;
 use tilesat::motion::Response;
-use tilesat::world::TileMap;
+use tilesat::world::{Set, TileMap};
 
 use super::FrameReport;
 use super::actor::Actor;
@@ -15,7 +15,7 @@ const SIZES: [(i32, i32); 8] = [(4, 4), (6, 5), (5, 7), (9, 6), (3, 8), (7, 7), 
 const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::Cross, Response::Bounce];
 
 /// Body `i`: boxes and balls take turns; each response goes to four of either, half of them heavy.
-pub fn start(map: &TileMap<'_>, i: usize, rng: &mut Rng) -> Option<Actor> {
+pub fn start<S: Set>(map: &TileMap<'_, S>, i: usize, rng: &mut Rng) -> Option<Actor> {
     let cell = map.cell().to_bits();
     let pick = |n: usize| i.wrapping_sub(1) / n;
     let size = SIZES.get(pick(2) % 8).copied().unwrap_or((4, 4));
@@ -28,7 +28,14 @@ pub fn start(map: &TileMap<'_>, i: usize, rng: &mut Rng) -> Option<Actor> {
 }
 
 /// Falls, gets a new push every 128 frames, and moves.
-pub fn step(map: &TileMap<'_>, actor: &mut Actor, i: usize, frame: u32, rng: &mut Rng, report: &mut FrameReport) {
+pub fn step<S: Set>(
+    map: &TileMap<'_, S>,
+    actor: &mut Actor,
+    i: usize,
+    frame: u32,
+    rng: &mut Rng,
+    report: &mut FrameReport,
+) {
     let cell = map.cell().to_bits();
     if frame.wrapping_add(i as u32 * 37).is_multiple_of(128) {
         actor.velocity = kick(cell, actor.heavy, rng);

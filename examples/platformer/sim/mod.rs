@@ -10,7 +10,7 @@ mod player;
 mod rng;
 mod start;
 
-use tilesat::world::TileMap;
+use tilesat::world::{Set, TileMap};
 
 pub use actor::{Actor, Shape};
 pub use player::{MAX_COINS, Score};
@@ -61,7 +61,7 @@ pub struct Sim {
 
 impl Sim {
     /// Puts all bodies into free space that the seed picks.
-    pub fn new(map: &TileMap<'_>, rules: Rules, seed: u32) -> Result<Self, NoRoom> {
+    pub fn new<S: Set>(map: &TileMap<'_, S>, rules: Rules, seed: u32) -> Result<Self, NoRoom> {
         let mut rng = Rng::new(seed);
         let (player, first) = Player::new(map, rules, &mut rng).ok_or(NoRoom)?;
         let mut actors = [first; BODIES];
@@ -73,7 +73,7 @@ impl Sim {
     }
 
     /// Moves every body by one frame.
-    pub fn step(&mut self, map: &TileMap<'_>) -> FrameReport {
+    pub fn step<S: Set>(&mut self, map: &TileMap<'_, S>) -> FrameReport {
         let mut report = FrameReport::default();
         for (i, actor) in self.actors.iter_mut().enumerate() {
             if i == 0 {

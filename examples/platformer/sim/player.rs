@@ -1,7 +1,7 @@
 //! The scripted player: a small state machine that sees the level through tile lookups.
 
 use tilesat::motion::Response;
-use tilesat::world::{Cell, TileKind, TileMap, TileShape};
+use tilesat::world::{Cell, Set, TileKind, TileMap, TileShape};
 use tilesat::{Aabb, Vec2};
 
 use super::actor::{Actor, Outcome, Shape};
@@ -48,7 +48,7 @@ pub struct Player {
 }
 
 impl Player {
-    pub fn new(map: &TileMap<'_>, rules: Rules, rng: &mut Rng) -> Option<(Self, Actor)> {
+    pub fn new<S: Set>(map: &TileMap<'_, S>, rules: Rules, rng: &mut Rng) -> Option<(Self, Actor)> {
         let cell = map.cell().to_bits();
         let half = (cell * 3 / 8, cell * 7 / 16);
         let mut shape = place(map, half, false, rules.kill, rng)?;
@@ -86,7 +86,7 @@ impl Player {
         self.coins.get((coin / 32) as usize).is_some_and(|word| word >> (coin % 32) & 1 != 0)
     }
 
-    pub fn step(&mut self, map: &TileMap<'_>, actor: &mut Actor, rng: &mut Rng, report: &mut FrameReport) {
+    pub fn step<S: Set>(&mut self, map: &TileMap<'_, S>, actor: &mut Actor, rng: &mut Rng, report: &mut FrameReport) {
         let Shape::Box(body) = actor.shape else { return };
         self.decide(&body, rng);
         actor.velocity = self.steer(map, &body, actor.velocity, rng);
@@ -114,7 +114,7 @@ impl Player {
     }
 
     /// The velocity it wants: runs, jumps at walls, gaps and spikes, climbs ladders.
-    fn steer(&mut self, map: &TileMap<'_>, body: &Aabb, velocity: Vec2, rng: &mut Rng) -> Vec2 {
+    fn steer<S: Set>(&mut self, map: &TileMap<'_, S>, body: &Aabb, velocity: Vec2, rng: &mut Rng) -> Vec2 {
         let cell = map.cell().to_bits();
         let (run, jump, gravity) = (cell * 7 / 64, cell * 21 / 64, cell / 64);
         let (x, y) = velocity.raw();
@@ -145,7 +145,7 @@ impl Player {
     }
 
     /// Whether the way ahead needs a jump.
-    fn obstacle(&self, map: &TileMap<'_>, body: &Aabb) -> bool {
+    fn obstacle<S: Set>(&self, map: &TileMap<'_, S>, body: &Aabb) -> bool {
         let cell = map.cell().to_bits();
         let ((left, _), (right, bottom)) = (body.min().raw(), body.max().raw());
         let front = if self.direction > 0 { right } else { left } + self.direction * cell / 4;
@@ -157,7 +157,7 @@ impl Player {
     }
 
     /// Reacts to the flags of the tiles it is in now, and of those it ran into.
-    fn feel(&mut self, map: &TileMap<'_>, actor: &mut Actor, report: &mut FrameReport) {
+    fn feel<S: Set>(&mut self, map: &TileMap<'_, S>, actor: &mut Actor, report: &mut FrameReport) {
         let Shape::Box(body) = actor.shape else { return };
         let cell = map.cell().to_bits();
         let margin = cell / 16;
@@ -195,7 +195,7 @@ impl Player {
     }
 
     /// A bit a coin is less memory than a bit a cell, and counting is needed only while it is in one.
-    fn take(&mut self, map: &TileMap<'_>, at: Cell) {
+    fn take<S: Set>(&mut self, map: &TileMap<'_, S>, at: Cell) {
         let width = map.width() as i16;
         let before = (0..=at.y).flat_map(|y| (0..width).map(move |x| Cell::new(x, y)));
         let before = before.take_while(|&cell| cell != at);
@@ -210,7 +210,7 @@ impl Player {
 }
 
 /// Whether nothing deadly lies between a place and the ground straight below it.
-fn lands_safely(map: &TileMap<'_>, place: &Shape, kill: u8) -> bool {
+fn lands_safely<S: Set>(map: &TileMap<'_, S>, place: &Shape, kill: u8) -> bool {
     let Shape::Box(body) = place else { return true };
     [body.min().x, body.max().x].iter().all(|&x| {
         let top = map.cell_at(Vec2::new(x, body.min().y));

@@ -1,6 +1,6 @@
 //! Finds free space in a level without a heap.
 
-use tilesat::world::{TileMap, TileShape};
+use tilesat::world::{Set, TileMap, TileShape};
 use tilesat::{Aabb, Circle, Vec2};
 
 use super::actor::Shape;
@@ -13,7 +13,7 @@ const TRIES: u32 = 48;
 ///
 /// Where random tries find no place the body shrinks to fit a cell, and every cell is looked at:
 /// `None` means that the map has no free cell.
-pub fn place(map: &TileMap<'_>, half: (i32, i32), ball: bool, avoid: u8, rng: &mut Rng) -> Option<Shape> {
+pub fn place<S: Set>(map: &TileMap<'_, S>, half: (i32, i32), ball: bool, avoid: u8, rng: &mut Rng) -> Option<Shape> {
     let cell = map.cell().to_bits();
     let (width, height) = (i32::from(map.width()) * cell, i32::from(map.height()) * cell);
     let (hx, hy) = if ball { (half.0, half.0) } else { half };
@@ -33,7 +33,7 @@ pub fn place(map: &TileMap<'_>, half: (i32, i32), ball: bool, avoid: u8, rng: &m
 }
 
 /// The first cell from a random one on whose middle is free.
-fn scan(map: &TileMap<'_>, half: (i32, i32), ball: bool, avoid: u8, rng: &mut Rng) -> Option<Shape> {
+fn scan<S: Set>(map: &TileMap<'_, S>, half: (i32, i32), ball: bool, avoid: u8, rng: &mut Rng) -> Option<Shape> {
     let cell = map.cell().to_bits();
     let (columns, rows) = (u32::from(map.width()), u32::from(map.height()));
     let (mut x, mut y) = (rng.below(columns), rng.below(rows));
@@ -64,7 +64,7 @@ fn shape(centre: (i32, i32), half: (i32, i32), ball: bool) -> Option<Shape> {
     }
 }
 
-fn free(map: &TileMap<'_>, shape: &Shape, avoid: u8) -> bool {
+fn free<S: Set>(map: &TileMap<'_, S>, shape: &Shape, avoid: u8) -> bool {
     match shape {
         Shape::Box(aabb) => !map.overlaps(aabb) && map.flags_touched(aabb) & avoid == 0,
         Shape::Ball(circle) => !map.overlaps(circle) && map.flags_touched(circle) & avoid == 0,

@@ -40,18 +40,18 @@ use crate::num::{Axis, Raw, UnitVec2};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Contact {
     /// From A to B, not zero; of length one where it is parallel to x or y.
-    axis: Axis,
+    pub(crate) axis: Axis,
     /// How far the cores overlap along the axis, times the axis' length: negative where they are apart and only the radii overlap.
     /// Not used where `radial` is set.
-    overlap: i64,
+    pub(crate) overlap: i64,
     /// The deepest point of one core; the deepest of the other is `axis * overlap / axis^2` away.
-    core: Raw,
+    pub(crate) core: Raw,
     /// Whether `core` belongs to B.
     core_on_b: bool,
-    radius_a: i32,
-    radius_b: i32,
+    pub(crate) radius_a: i32,
+    pub(crate) radius_b: i32,
     /// Whether the axis is the vector from A's core to B's, not parallel to x or y: `overlap` would be `-axis^2`.
-    radial: bool,
+    pub(crate) radial: bool,
     degenerate: bool,
 }
 
@@ -82,13 +82,13 @@ impl Contact {
     }
 
     /// A contact with its core on A and without radii.
-    const fn new(axis: Axis, overlap: i64, core: Raw) -> Self {
+    pub(crate) const fn new(axis: Axis, overlap: i64, core: Raw) -> Self {
         Self { axis, overlap, core, core_on_b: false, radius_a: 0, radius_b: 0, radial: false, degenerate: false }
     }
 
     /// The contact of two points `v` apart, seen from the core of A. Zero gives +x.
     #[inline]
-    const fn radial(core: Raw, v: Raw) -> Self {
+    pub(crate) const fn radial(core: Raw, v: Raw) -> Self {
         let axis = parallel_to_unit(v);
         if v.x == 0 || v.y == 0 {
             // Of a parallel only one component is not zero.
@@ -99,7 +99,7 @@ impl Contact {
         }
     }
 
-    const fn with_radii(self, a: i32, b: i32) -> Self {
+    pub(crate) const fn with_radii(self, a: i32, b: i32) -> Self {
         Self { radius_a: a, radius_b: b, ..self }
     }
 
@@ -107,7 +107,7 @@ impl Contact {
         Self { core_on_b: true, ..self }
     }
 
-    const fn with_degenerate(self, degenerate: bool) -> Self {
+    pub(crate) const fn with_degenerate(self, degenerate: bool) -> Self {
         Self { degenerate, ..self }
     }
 

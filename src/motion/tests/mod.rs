@@ -1,0 +1,91 @@
+//! The circle's kernels against exact algebra that shares nothing with them.
+
+#![allow(
+    clippy::expect_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    clippy::unwrap_used,
+    clippy::float_arithmetic,
+    clippy::cast_precision_loss,
+    reason = "tests stop at the first surprise"
+)]
+
+extern crate std;
+
+mod arcs;
+mod polygons;
+mod symmetry;
+
+use self::std::vec::Vec;
+use super::body::{Entry, kernel::Kernel};
+use crate::num::{Axis, Raw, Vec2};
+use crate::shape::Circle;
+use crate::world::{Cell, Feature, Geometry};
+
+#[path = "../../../tests/oracle/random.rs"]
+mod random;
+use random::Random;
+
+type P = (i64, i64);
+
+const fn raw(p: P) -> Raw {
+    Raw { x: p.0 as i32, y: p.1 as i32 }
+}
+
+const fn vec2(p: P) -> Vec2 {
+    Vec2::from_raw(p.0 as i32, p.1 as i32)
+}
+
+fn axis(p: P) -> Axis {
+    let gcd = gcd(p.0.unsigned_abs(), p.1.unsigned_abs()) as i64;
+    Axis::new((p.0 / gcd) as i32, (p.1 / gcd) as i32)
+}
+
+fn gcd(a: u64, b: u64) -> u64 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+const fn feature(geometry: Geometry) -> Feature {
+    Feature { geometry, cell: Cell { x: 0, y: 0 }, index: 0, flags: 0, one_way: false, source: 0 }
+}
+
+fn circle(c: P, r: i64) -> Circle {
+    Circle::from_raw_unchecked(raw(c), r as i32)
+}
+
+/// The first hit of all, as the mover takes it.
+fn first(body: &Circle, d: P, features: &[Feature]) -> Option<Entry> {
+    let d = raw(d);
+    features.iter().filter_map(|f| body.sweep(d, f)).reduce(|a, b| if b.before_askew(&a, d) { b } else { a })
+}
+
+/// How many random cases a test takes.
+fn cases(few: u64) -> u64 {
+    std::env::var("TILESAT_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(few)
+}
+
+/// The boundary of a polygon that turns from x toward y (its solid is on the left): a face an edge, a vertex where it is convex.
+fn outline(points: &[P]) -> Vec<Feature> {
+    let n = points.len();
+    let edge = |i: usize| {
+        let (a, b) = (points[i % n], points[(i + 1) % n]);
+        let d = (b.0 - a.0, b.1 - a.1);
+        (d, axis(d), gcd(d.0.unsigned_abs(), d.1.unsigned_abs()) as i32)
+    };
+    let convex = |i: usize| {
+        let ((p, ..), (q, ..)) = (edge(i + n - 1), edge(i));
+        let cross = i128::from(p.0) * i128::from(q.1) - i128::from(p.1) * i128::from(q.0);
+        cross > 0 || (cross == 0 && i128::from(p.0) * i128::from(q.0) + i128::from(p.1) * i128::from(q.1) < 0)
+    };
+    let mut out = Vec::new();
+    for i in 0..n {
+        let (_, dir, len) = edge(i);
+        let joined = [!convex(i), !convex(i + 1)];
+        out.push(feature(Geometry::Face { a: vec2(points[i]), dir, len, joined }));
+        if convex(i + 1) {
+            let p = vec2(points[(i + 1) % n]);
+            out.push(feature(Geometry::Vertex { p, e_in: dir, e_out: edge(i + 1).1 }));
+        }
+    }
+    out
+}

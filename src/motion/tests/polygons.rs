@@ -1,0 +1,226 @@
+//! Against polygons, exactly: a motion overlaps before a moment iff its swept segment comes nearer than the radius to an edge.
+
+use super::std::vec::Vec;
+use super::std::{format, println, vec};
+use super::{P, Random, cases, circle, first, outline, raw};
+use num_bigint::BigInt;
+
+type Big = BigInt;
+type Wide = (Big, Big);
+
+fn sub(a: &Wide, b: &Wide) -> Wide {
+    (&a.0 - &b.0, &a.1 - &b.1)
+}
+
+fn dot(a: &Wide, b: &Wide) -> Big {
+    &a.0 * &b.0 + &a.1 * &b.1
+}
+
+fn cross(a: &Wide, b: &Wide) -> Big {
+    &a.0 * &b.1 - &a.1 * &b.0
+}
+
+fn zero() -> Big {
+    Big::from(0)
+}
+
+/// Whether a point is nearer to a segment than the root of `rr`.
+fn point_near(p: &Wide, a: &Wide, b: &Wide, rr: &Big) -> bool {
+    let (e, m) = (sub(b, a), sub(p, a));
+    let along = dot(&m, &e);
+    if along <= zero() {
+        return dot(&m, &m) < *rr;
+    }
+    let square = dot(&e, &e);
+    if along >= square {
+        let m = sub(p, b);
+        return dot(&m, &m) < *rr;
+    }
+    let across = cross(&m, &e);
+    &across * &across < rr * &square
+}
+
+/// Whether the motion `num / den` of the way comes nearer to the polygon's border than `r`.
+fn enters(solid: &[P], c: P, r: i64, d: P, num: i64, den: i64) -> bool {
+    let big = |p: P| (Big::from(p.0) * den, Big::from(p.1) * den);
+    let start = big(c);
+    let end = (&start.0 + Big::from(d.0) * num, &start.1 + Big::from(d.1) * num);
+    let rr = Big::from(r) * Big::from(r) * den * den;
+    (0..solid.len()).any(|i| {
+        let (a, b) = (big(solid[i]), big(solid[(i + 1) % solid.len()]));
+        let side = |p: &Wide, a: &Wide, b: &Wide| cross(&sub(b, a), &sub(p, a));
+        let apart = |p: &Big, q: &Big| (p < &zero()) != (q < &zero()) && *p != zero() && *q != zero();
+        point_near(&start, &a, &b, &rr)
+            || point_near(&end, &a, &b, &rr)
+            || point_near(&a, &start, &end, &rr)
+            || (apart(&side(&a, &start, &end), &side(&b, &start, &end))
+                && apart(&side(&start, &a, &b), &side(&end, &a, &b)))
+    })
+}
+
+/// Whether a point is inside, by its winding.
+fn contains(solid: &[P], p: P) -> bool {
+    let n = solid.len();
+    let mut winding = 0;
+    for i in 0..n {
+        let (a, b) = (solid[i], solid[(i + 1) % n]);
+        let side = i128::from(b.0 - a.0) * i128::from(p.1 - a.1) - i128::from(b.1 - a.1) * i128::from(p.0 - a.0);
+        if a.1 <= p.1 && b.1 > p.1 && side > 0 {
+            winding += 1;
+        } else if a.1 > p.1 && b.1 <= p.1 && side < 0 {
+            winding -= 1;
+        }
+    }
+    winding != 0
+}
+
+#[derive(Debug, Default)]
+struct Tally {
+    hits: u64,
+    misses: u64,
+    /// Hits whose rounded place overlaps something: another feature than the one that was hit.
+    aside: u64,
+    stays: u64,
+}
+
+/// One motion: hit or not, never late, early by less than a raw unit of way, and a free place at the end.
+fn check(solid: &[P], c: P, r: i64, d: P, tally: &mut Tally) {
+    if r == 0 || d == (0, 0) || enters(solid, c, r, (0, 0), 0, 1) || contains(solid, c) {
+        return;
+    }
+    let body = circle(c, r);
+    let case = || format!("{solid:?} circle {c:?} {r} by {d:?}");
+    let Some(entry) = first(&body, d, &outline(solid)) else {
+        tally.misses += 1;
+        assert!(!enters(solid, c, r, d, 1, 1), "missed: {}", case());
+        return;
+    };
+    tally.hits += 1;
+    let (num, den) = (i64::from(entry.num), i64::from(entry.den));
+    assert!(!enters(solid, c, r, d, num, den), "late {entry:?}: {}", case());
+    let length = ((d.0 * d.0 + d.1 * d.1) as f64).sqrt();
+    let raw_of_way = (f64::from(1 << 30) / length) as i64;
+    let until = ((num << 30) / den + 8 + raw_of_way).min(1 << 30);
+    assert!(enters(solid, c, r, d, until, 1 << 30), "early {entry:?}: {}", case());
+    let q = entry.displacement(raw(d));
+    let place = |x: i32, y: i32| {
+        let within = |q: i32, d: i64| i64::from(q).clamp(d.min(0), d.max(0));
+        (c.0 + within(q.x + x, d.0), c.1 + within(q.y + y, d.1))
+    };
+    let free = |at: P| !enters(solid, at, r, (0, 0), 0, 1);
+    let (sx, sy) = (d.0.signum() as i32, d.1.signum() as i32);
+    if !free(place(0, 0)) {
+        tally.aside += 1;
+        let near = [(-sx, -sy), (sx, 0), (0, sy), (-sx, 0), (0, -sy), (-2 * sx, -2 * sy)];
+        tally.stays += u64::from(!near.iter().any(|&(x, y)| free(place(x, y))));
+    }
+}
+
+/// The slopes of tiles, and shapes that are not convex, on a lattice of 4.
+pub(super) const SOLIDS: [&[P]; 12] = [
+    &[(0, 4), (4, 0), (4, 4)],
+    &[(0, 0), (4, 4), (0, 4)],
+    &[(0, 4), (4, 2), (4, 4)],
+    &[(0, 2), (4, 0), (4, 4), (0, 4)],
+    &[(2, 0), (4, 4), (0, 4)],
+    &[(0, 2), (2, 0), (4, 2), (2, 4)],
+    &[(1, 0), (3, 1), (2, 3)],
+    // A V of 45 degrees, one of 45 and of half of that slope, a slope that ends at a wall, a wedge under a ceiling, a peak.
+    &[(0, 0), (2, 2), (4, 0), (4, 4), (0, 4)],
+    &[(0, 0), (2, 2), (4, 1), (4, 4), (0, 4)],
+    &[(0, 3), (3, 2), (3, 0), (4, 0), (4, 4), (0, 4)],
+    &[(0, 4), (4, 2), (0, 3), (0, 0), (5, 0), (5, 5), (0, 5)],
+    &[(0, 4), (2, 0), (3, 4)],
+];
+
+/// A convex polygon, or a triangle, of any size and direction.
+fn any_polygon(r: &mut Random, size: i64) -> Vec<P> {
+    if r.one_in(2) {
+        let scale = r.within(1, (size / 5).max(1));
+        return SOLIDS[r.below(12) as usize].iter().map(|p| (p.0 * scale, p.1 * scale)).collect();
+    }
+    let mut p = vec![(0, 0); 3];
+    for p in &mut p {
+        *p = (r.sign() * r.magnitude(size), r.sign() * r.magnitude(size));
+    }
+    let area = i128::from(p[1].0 - p[0].0) * i128::from(p[2].1 - p[0].1)
+        - i128::from(p[1].1 - p[0].1) * i128::from(p[2].0 - p[0].0);
+    match area {
+        0 => vec![(0, 0), (size, 0), (0, size)],
+        1.. => p,
+        _ => vec![p[0], p[2], p[1]],
+    }
+}
+
+/// A point of an edge: an end, near one, or between.
+fn target(r: &mut Random, solid: &[P]) -> (P, P) {
+    let i = r.below(solid.len() as i64) as usize;
+    let (a, b) = (solid[i], solid[(i + 1) % solid.len()]);
+    let e = (b.0 - a.0, b.1 - a.1);
+    let k = if r.one_in(3) { 0 } else { r.within(0, 1 << 20) };
+    let part = |c: i64| ((i128::from(c) * i128::from(k)) >> 20) as i64;
+    ((a.0 + part(e.0), a.1 + part(e.1)), e)
+}
+
+/// `v` turned by a right angle away from the solid, with a length.
+fn across(e: P, length: i64) -> P {
+    let scale = length as f64 / (e.0 as f64).hypot(e.1 as f64).max(1.0);
+    ((e.1 as f64 * scale).round() as i64, (-e.0 as f64 * scale).round() as i64)
+}
+
+fn random(seed: u64, n: u64, size: i64, longest: i64) -> Tally {
+    let (mut r, mut tally) = (Random::new(seed), Tally::default());
+    for _ in 0..n {
+        let solid = any_polygon(&mut r, size);
+        let radius = 1 + r.magnitude(longest.min(4 * size));
+        let motion = if r.one_in(3) { 64 } else { longest };
+        let d = (r.sign() * r.magnitude(motion), r.sign() * r.magnitude(motion));
+        let (at, e) = target(&mut r, &solid);
+        // The centre comes to the radius from an edge, or passes a point at that distance, or anything near; within two raw.
+        let offset = match r.below(4) {
+            0 => across(d, radius * r.sign()),
+            1 => (r.around(radius), r.around(radius)),
+            _ => across(e, radius),
+        };
+        let back = r.within(0, 1 << 20);
+        let part = |c: i64| (c * back) >> 20;
+        let c = (at.0 + offset.0 - part(d.0) + r.around(2), at.1 + offset.1 - part(d.1) + r.around(2));
+        if c.0.abs().max(c.1.abs()) < (1 << 29) {
+            check(&solid, c, radius, d, &mut tally);
+        }
+    }
+    println!("{tally:?}");
+    tally
+}
+
+#[test]
+fn slopes_on_all_scales() {
+    for (seed, bits) in [(1, 6), (2, 12), (3, 20), (4, 24)] {
+        let tally = random(seed, cases(4000), 1 << bits, 1 << (bits + 2));
+        assert!(tally.hits > cases(4000) / 8 && tally.misses > cases(4000) / 16);
+        assert!(tally.aside <= tally.hits / 20 && tally.stays <= tally.aside);
+    }
+}
+
+/// Edges and motions as long as the domain allows: directions of 2^29, motions and radii of 2^28.
+#[test]
+fn at_the_limits() {
+    let tally = random(9, cases(4000), (1 << 28) - 1, (1 << 28) - 1);
+    assert!(tally.hits > cases(4000) / 16 && tally.misses > cases(4000) / 16);
+}
+
+/// Tiny numbers, where every tie happens.
+#[test]
+fn exhaustively() {
+    let mut tally = Tally::default();
+    for solid in SOLIDS {
+        let solid: Vec<P> = solid.iter().map(|p| (2 * p.0, 2 * p.1)).collect();
+        for k in 0..14 * 14 * 7 * 7 * 2 {
+            let at = (k % 14 - 4, k / 14 % 14 - 4);
+            let d = (3 * (k / 196 % 7 - 3), 2 * (k / 1372 % 7 - 3));
+            check(&solid, at, if k / 9604 == 0 { 2 } else { 5 }, d, &mut tally);
+        }
+    }
+    println!("{tally:?}");
+    assert!(tally.hits > 10_000 && tally.misses > 5_000);
+}

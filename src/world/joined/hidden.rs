@@ -1,0 +1,289 @@
+//! What a level still shows where another level covers it: the rules of [`Joined`](crate::world::Joined).
+//!
+//! A body with area that is outside of both solids and touches both at a point `p` has a tangent there: the half-plane `n . x > 0` in front of
+//! it holds neither solid. So `n` is in the cone of normals of each level at `p`: of a convex corner the closed cone between its two
+//! edges' normals, of a flat point one ray, of anything more solid nothing. All rules follow:
+//!
+//! - A vertex in the other solid is touched within both cones only. Where the other level has no corner there, that is one ray at most,
+//!   along a face of it. Where it has, the first level shows the common part of both cones, the second nothing; a common part that is a ray
+//!   is the normal of a face that one of them shows.
+//! - A face is touched from its front. Where the points just in front of it are in the other solid, nothing gets there but to its ends, and
+//!   what is touched at an end belongs to a face with a free front, or to a corner. So it goes only where its front is covered from end to end.
+//!
+//! Differences are below 2^30 and reduced directions too: sums of two products are below 2^61.
+
+use crate::num::{Axis, Raw};
+use crate::query::meet;
+use crate::shape::Aabb;
+use crate::world::{Feature, Geometry, World};
+
+/// What is left of a feature beside the other level; `first` says whose corner stands for both where both have one.
+pub(in crate::world) fn shown<W: World>(mut feature: Feature, other: &W, first: bool) -> Option<Feature> {
+    match &mut feature.geometry {
+        Geometry::Vertex { p, e_in, e_out } => {
+            let p = Raw::of(*p);
+            if touched(other, p) {
+                let cone = if first { common_cone((*e_in, *e_out), p, other) } else { None };
+                (*e_in, *e_out) = cone?;
+            }
+        }
+        Geometry::Face { a, dir, len, joined } => {
+            let edge = Edge::new(Raw::of(*a), *dir, *len);
+            if covered(&edge, other) {
+                return None;
+            }
+            *joined = [joined[0] || goes_on(edge.a, *dir, 1, other), joined[1] || goes_on(edge.b, *dir, -1, other)];
+        }
+        // Its corners are vertices of their own; the arc itself stays, covered or not.
+        Geometry::Arc { .. } => {}
+    }
+    Some(feature)
+}
+
+fn point(p: Raw) -> Aabb {
+    Aabb::from_raw_unchecked(p, p)
+}
+
+fn touched<W: World>(other: &W, p: Raw) -> bool {
+    other.touches_aabb(&point(p))
+}
+
+const fn normal(dir: Axis) -> Axis {
+    Axis::new(dir.y, dir.x.wrapping_neg())
+}
+
+/// The part of a corner's cone that is in the cones of the other level's corners at the same point; `None` where it has no inside, or where
+/// there is none: the other level is flat or concave there.
+fn common_cone<W: World>(cone: (Axis, Axis), p: Raw, other: &W) -> Option<(Axis, Axis)> {
+    let (mut cone, mut corners) = (cone, false);
+    for f in other.features(&point(p)) {
+        if let Geometry::Vertex { p: at, e_in, e_out } = f.geometry
+            && Raw::of(at) == p
+        {
+            corners = true;
+            // The cone is where n . e_in >= 0 and n . e_out <= 0.
+            cone = clipped(clipped(cone, e_in)?, e_out.reversed())?;
+        }
+    }
+    corners.then_some(cone)
+}
+
+/// The part of a cone (of up to a half turn) with `n . h >= 0`, as the edges whose normals bound it; `None` where that has no inside.
+fn clipped((e_in, e_out): (Axis, Axis), h: Axis) -> Option<(Axis, Axis)> {
+    let (start, end) = (normal(e_in).dot(h), normal(e_out).dot(h));
+    if start >= 0 && end >= 0 {
+        // A half turn that is bounded by the same line is in the half-plane as a whole, or not at all.
+        return (start > 0 || end > 0 || e_in.dot(h) > 0).then_some((e_in, e_out));
+    }
+    // The half-plane's own bounds are the normals of `h`, where it starts, and of `-h`, where it ends.
+    if start < 0 && end > 0 {
+        Some((h, e_out))
+    } else if start > 0 {
+        Some((e_in, h.reversed()))
+    } else {
+        None
+    }
+}
+
+/// A face's segment.
+struct Edge {
+    a: Raw,
+    b: Raw,
+    dir: Axis,
+    /// A lattice point near its middle.
+    middle: Raw,
+}
+
+impl Edge {
+    fn new(a: Raw, dir: Axis, len: i32) -> Self {
+        // Both ends are inside the domain, so the products are.
+        let at =
+            |k: i32| Raw { x: a.x.wrapping_add(dir.x.wrapping_mul(k)), y: a.y.wrapping_add(dir.y.wrapping_mul(k)) };
+        Self { a, b: at(len), dir, middle: at(len >> 1) }
+    }
+
+    fn bounds(&self) -> Aabb {
+        let (lo, hi) = meet::corners(self.a, self.b);
+        Aabb::from_raw_unchecked(lo, hi)
+    }
+
+    /// The distance in front of the face's line, scaled.
+    fn in_front(&self, p: Raw) -> i64 {
+        let d = p.sub(self.a);
+        normal(self.dir).dot(Axis::new(d.x, d.y))
+    }
+
+    /// Whether a point of the face's line lies strictly between its ends.
+    fn spans(&self, p: Raw) -> bool {
+        let along = |from: Raw| {
+            let d = p.sub(from);
+            self.dir.dot(Axis::new(d.x, d.y))
+        };
+        along(self.a) > 0 && along(self.b) < 0
+    }
+
+    /// What another level's face says about the points just in front of this one.
+    fn beside(&self, o: &Self) -> Front {
+        let (from, to) = (self.in_front(o.a), self.in_front(o.b));
+        let bared = match (from.signum(), to.signum()) {
+            (0, 0) => {
+                // On one line, in either direction: a common part is where the later start is before the earlier end.
+                let along = self.dir.dot(o.dir) > 0;
+                let (lo, hi) = if along { (o.a, o.b) } else { (o.b, o.a) };
+                let before = |p: Raw, q: Raw| self.dir.dot(Axis::new(q.x.wrapping_sub(p.x), q.y.wrapping_sub(p.y))) > 0;
+                if before(lo, self.b) && before(self.a, hi) {
+                    return if along { Front::Bare } else { Front::Covered };
+                }
+                false
+            }
+            (0, 1) => self.spans(o.a),
+            (1, 0) => self.spans(o.b),
+            // It crosses the line: between the ends where they are on different sides of it.
+            (1, -1) | (-1, 1) => o.in_front(self.a).signum() * o.in_front(self.b).signum() < 0,
+            _ => false,
+        };
+        if bared { Front::Bare } else { Front::Unknown }
+    }
+
+    /// Whether an arc may have a point in front of the face's inside. It lies in the inside of the square that it is a quarter in, save its ends.
+    fn meets_arc(&self, centre: Raw, radius: i32, quadrant: Axis) -> bool {
+        let (x, y) = (radius.wrapping_mul(quadrant.x), radius.wrapping_mul(quadrant.y));
+        let at = |x: i32, y: i32| centre.add(Raw { x, y });
+        let (lo, hi) = meet::corners(centre, at(x, y));
+        let ends_on = |p: Raw| self.in_front(p) == 0 && self.spans(p);
+        meet::segment_aabb::<false>(self.a, self.b, lo, hi) || ends_on(at(x, 0)) || ends_on(at(0, y))
+    }
+}
+
+/// What is just in front of a face.
+enum Front {
+    /// Somewhere nothing.
+    Bare,
+    /// Somewhere the other solid.
+    Covered,
+    Unknown,
+}
+
+/// Whether the points just in front of a face are in the other solid, from end to end.
+///
+/// If nothing of the other surface meets the face's inside from the front, they are all in the other solid or all outside: one place
+/// tells. That is a point of the face inside the solid, or a face of the other that runs against this one.
+fn covered<W: World>(edge: &Edge, other: &W) -> bool {
+    let points = [edge.a, edge.b, edge.middle];
+    // Most faces are told from far by their first end.
+    if !points.iter().all(|&p| touched(other, p)) {
+        return false;
+    }
+    let mut known = points.iter().any(|&p| other.overlaps_aabb(&point(p)));
+    for f in other.features(&edge.bounds()) {
+        let front = match f.geometry {
+            _ if f.one_way => Front::Unknown,
+            Geometry::Face { a, dir, len, .. } => edge.beside(&Edge::new(Raw::of(a), dir, len)),
+            Geometry::Arc { centre, radius, quadrant, .. } if edge.meets_arc(Raw::of(centre), radius, quadrant) => {
+                Front::Bare
+            }
+            _ => Front::Unknown,
+        };
+        match front {
+            Front::Bare => return false,
+            Front::Covered => known = true,
+            Front::Unknown => {}
+        }
+    }
+    known
+}
+
+/// Whether the points just in front of a face's end `p` are in the other solid; `along` leads from there along the face, `n` is its normal.
+/// `None` where an arc ends there too.
+///
+/// From the direction `along`, tilted to the front by an infinitesimal, the next part of the surface to the left has the place on its right.
+fn front_of_end<W: World>(p: Raw, along: Axis, n: Axis, other: &W) -> Option<bool> {
+    if !touched(other, p) {
+        return Some(false);
+    }
+    let mut next: Option<(u8, Axis, bool)> = None;
+    for f in other.features(&point(p)) {
+        let edge = match f.geometry {
+            Geometry::Face { a, dir, len, .. } if !f.one_way => Edge::new(Raw::of(a), dir, len),
+            Geometry::Arc { centre, radius, quadrant, .. } if ends_at(p, Raw::of(centre), radius, quadrant) => {
+                return None;
+            }
+            _ => continue,
+        };
+        if edge.in_front(p) != 0 {
+            continue;
+        }
+        // What leaves `p` has its solid on the left, what comes there on the right of the way back.
+        for (there, dir, solid) in
+            [(edge.a == p || edge.spans(p), edge.dir, false), (edge.b == p || edge.spans(p), edge.dir.reversed(), true)]
+        {
+            let turn = turn(along, dir, along.perp_dot(n) < 0);
+            let nearer = next.is_none_or(|(t, d, _)| turn < t || (turn == t && dir.perp_dot(d) > 0));
+            if there && nearer {
+                next = Some((turn, dir, solid));
+            }
+        }
+    }
+    // With no surface at all it is inside.
+    Some(next.is_none_or(|(_, _, solid)| solid))
+}
+
+/// How far to the left a direction is from `from`, in half turns: 0 to 4. The same direction comes first or last.
+fn turn(from: Axis, to: Axis, first: bool) -> u8 {
+    match (from.perp_dot(to).signum(), from.dot(to) > 0) {
+        (1, _) => 1,
+        (0, false) => 2,
+        (0, true) if first => 0,
+        (0, true) => 4,
+        _ => 3,
+    }
+}
+
+fn ends_at(p: Raw, centre: Raw, radius: i32, quadrant: Axis) -> bool {
+    let (x, y) = (radius.wrapping_mul(quadrant.x), radius.wrapping_mul(quadrant.y));
+    p == centre.add(Raw { x, y: 0 }) || p == centre.add(Raw { x: 0, y })
+}
+
+/// Whether the solid goes on beyond the end `p` of a face that runs along `dir`; `inward` is 1 for its start, -1 for its end.
+///
+/// It does where the points in front of the face's end are free, the cones of the other level's corners there leave out the normals next to
+/// the face's own, which are those of the corner at its end, and nothing gets to `p` from beyond it but along a face on the same line. (Above a
+/// thin wall or a spike that ends in the face, a body comes as far as `p`, and would be stopped by what is below.)
+fn goes_on<W: World>(p: Raw, dir: Axis, inward: i32, other: &W) -> bool {
+    let n = normal(dir);
+    let along = Axis::new(dir.x.wrapping_mul(inward), dir.y.wrapping_mul(inward));
+    if !touched(other, p) || front_of_end(p, along, n, other) != Some(false) {
+        return false;
+    }
+    // The sign of `x`, or of `then` where it is zero.
+    let sign = |x: i64, then: i64| if x == 0 { then.signum() } else { x.signum() };
+    let (mut corners, mut cornered, mut straight) = (false, true, false);
+    for f in other.features(&point(p)) {
+        match f.geometry {
+            Geometry::Vertex { p: at, e_in, e_out } if Raw::of(at) == p => {
+                corners = true;
+                // Next to the normal, away from the face: n - along.
+                cornered &= sign(n.dot(e_in), -along.dot(e_in)) > 0 && sign(n.dot(e_out), -along.dot(e_out)) < 0;
+            }
+            Geometry::Face { a, dir: d, len, .. } if d == dir && !f.one_way => {
+                let next = Edge::new(Raw::of(a), d, len);
+                straight |= next.spans(p) || p == if inward > 0 { next.b } else { next.a };
+            }
+            _ => {}
+        }
+    }
+    !(corners && cornered) && (straight || front_of_end(p, along.reversed(), n, other) == Some(true))
+}
+
+/// Whether a ray from `o` by `d` that meets a piece meets a part of it that the other level hides: a face that is not there beside it, or
+/// an end of a face that is covered just there.
+pub(in crate::world) fn hides<W: World>(geometry: &Geometry, o: Raw, d: Raw, other: &W) -> bool {
+    let Geometry::Face { a, dir, len, .. } = *geometry else { return false };
+    let edge = Edge::new(Raw::of(a), dir, len);
+    if covered(&edge, other) {
+        return true;
+    }
+    let hidden =
+        |p: Raw, along: Axis| o.sub(p).cross(d) == 0 && front_of_end(p, along, normal(dir), other) == Some(true);
+    hidden(edge.a, dir) || hidden(edge.b, dir.reversed())
+}

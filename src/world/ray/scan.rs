@@ -1,0 +1,231 @@
+//! The hits of a ray in order: one engine for every kind of level.
+
+use super::arc;
+use super::cast::checked;
+use super::cusp::cusp;
+use super::dda::Axes;
+use super::level::RayLevel;
+use super::piece::{Met, Time, meet};
+use super::walk::Walk;
+use crate::error::RangeError;
+use crate::num::{Axis, Raw, Toi, Vec2, mul_div, mul_div_wide, umul};
+use crate::world::{Cell, Geometry, Inside, RayHit, RayRules};
+
+/// A ray that has been asked for its hits up to a moment.
+#[derive(Debug)]
+pub(in crate::world) struct Scan<'w, L> {
+    level: &'w L,
+    o: Raw,
+    d: Raw,
+    rules: RayRules,
+    walk: Walk,
+    /// The best hit so far, later than `after`.
+    best: Option<Met>,
+    /// The moment of the last hit.
+    after: Option<Time>,
+    stage: Stage,
+}
+
+/// A hit, and the piece that was met; none for a start inside.
+#[derive(Clone, Copy, Debug)]
+pub struct Found {
+    pub(in crate::world) hit: RayHit,
+    pub(in crate::world) met: Option<Met>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    /// Nothing was looked at.
+    Start,
+    /// The cells of the step are to be looked at.
+    Look,
+    /// They have been.
+    Go,
+}
+
+/// Derived, it would ask for a level that can be cloned.
+impl<L> Clone for Scan<'_, L> {
+    fn clone(&self) -> Self {
+        Self { ..*self }
+    }
+}
+
+impl<'w, L: RayLevel> Scan<'w, L> {
+    /// # Errors
+    /// [`RangeError`] where the start or the end is outside of the domain.
+    pub(in crate::world) fn new(level: &'w L, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self, RangeError> {
+        let (o, d) = checked(origin, motion)?;
+        Ok(Self { level, o, d, rules, walk: level.walk(o, d), best: None, after: None, stage: Stage::Start })
+    }
+
+    /// The next hit.
+    ///
+    /// A piece is met in a cell that the ray has entered by then, so what is met before the next line is final. What is met on that line is not: the
+    /// cells behind it may have something better.
+    pub(in crate::world) fn advance(&mut self) -> Option<RayHit> {
+        self.find().map(|found| found.hit)
+    }
+
+    /// The next hit, with what was met.
+    pub(in crate::world) fn find(&mut self) -> Option<Found> {
+        if self.stage == Stage::Start {
+            self.stage = Stage::Look;
+            if matches!(self.rules.inside, Inside::Hit) && self.level.holds_start(self.o, &self.walk) {
+                return Some(Found { hit: self.at_start(), met: None });
+            }
+        }
+        loop {
+            if self.stage == Stage::Look {
+                self.stage = Stage::Go;
+                self.look();
+                if L::ROUND && self.best.is_none() {
+                    if let Some(met) = cusp(self.level, self.o, self.d, &self.walk) {
+                        self.consider(met);
+                    }
+                }
+                if self.best.is_none() {
+                    self.level.skip(&mut self.walk);
+                }
+            }
+            let over = self.level.grid().next_lines(&self.walk.x, &self.walk.y, self.level.beyond());
+            if let Some(best) = self.best {
+                if over == 0 || self.is_before(&best, over) {
+                    self.best = None;
+                    self.after = best.time;
+                    // After a point within an arc there is nothing more in the step.
+                    if best.time.is_some() {
+                        self.stage = Stage::Look;
+                    }
+                    return Some(Found { hit: self.hit(&best), met: Some(best) });
+                }
+            }
+            if over == 0 {
+                return None;
+            }
+            self.walk.cross(over, self.level.grid().cell as u32);
+            self.stage = Stage::Look;
+        }
+    }
+
+    fn is_before(&self, met: &Met, over: Axes) -> bool {
+        let (num, den) = self.walk.time(over);
+        let line = Time { num: u64::from(num), den: u64::from(den) };
+        met.time.is_none_or(|time| time.before::<L>(line))
+    }
+
+    /// Tests the pieces of the step's cells.
+    fn look(&mut self) {
+        let mut number = 4u32;
+        while number != 0 {
+            number = number.wrapping_sub(1);
+            let Some((x, y)) = self.walk.cell(number) else { continue };
+            let Some(pieces) = self.level.pieces(x, y, self.d) else { continue };
+            for piece in pieces {
+                if piece.one_way && !self.rules.one_way {
+                    continue;
+                }
+                if let Some(met) = meet::<L>(self.o, self.d, piece) {
+                    self.consider(met);
+                }
+            }
+        }
+    }
+
+    /// Keeps what is later than the last hit and better than the best.
+    ///
+    /// At the start, solid pieces are met only where the ray goes into the solid: it may also leave, pass or slide along their ends.
+    fn consider(&mut self, met: Met) {
+        if let (Some(time), Some(after)) = (met.time, self.after) {
+            if !after.before::<L>(time) {
+                return;
+            }
+        }
+        if self.best.is_some_and(|best| !met.precedes::<L>(&best)) {
+            return;
+        }
+        let at_start = met.time.is_some_and(|time| time.num == 0);
+        if at_start && !met.feature.one_way && !self.level.enters(self.o, self.d, &self.walk) {
+            return;
+        }
+        self.best = Some(met);
+    }
+
+    fn hit(&self, met: &Met) -> RayHit {
+        let (toi, by, axis) = match (met.time, met.feature.geometry) {
+            (Some(time), _) => self.straight(time, met.normal),
+            (None, Geometry::Arc { centre, radius, convex, .. }) => {
+                let m = self.o.sub(Raw::of(centre));
+                let (toi, by) = arc::contact(m, self.d, radius, convex);
+                let at = m.add(by);
+                let axis = Axis::new(at.x, at.y);
+                (toi, by, if convex { axis } else { axis.reversed() })
+            }
+            // Only arcs have no time.
+            (None, _) => (Toi::ZERO, Raw { x: 0, y: 0 }, met.normal),
+        };
+        let feature = met.feature;
+        RayHit {
+            toi,
+            point: self.o.add(by).vec2(),
+            axis,
+            cell: feature.cell,
+            index: feature.index,
+            flags: feature.flags,
+            one_way: feature.one_way,
+            source: feature.source,
+            inside: false,
+            cells: self.walk.cells,
+        }
+    }
+
+    /// The time and the way of a hit at a fraction of the motion, exactly rounded: a coordinate toward the start, or toward the end where that is the
+    /// normal's side.
+    fn straight(&self, time: Time, normal: Axis) -> (Toi, Raw, Axis) {
+        let toi = Toi::clamped(part::<L>(Toi::ONE.raw(), time).0);
+        let by = Raw { x: signed::<L>(self.d.x, normal.x, time), y: signed::<L>(self.d.y, normal.y, time) };
+        (toi, by, normal)
+    }
+
+    /// The hit of a start inside.
+    fn at_start(&self) -> RayHit {
+        let (x, y) = (self.walk.x, self.walk.y);
+        let axis =
+            if y.size > x.size { Axis::new(0, y.step.wrapping_neg()) } else { Axis::new(x.step.wrapping_neg(), 0) };
+        RayHit {
+            toi: Toi::ZERO,
+            point: self.o.vec2(),
+            axis,
+            cell: Cell::of(x.cell, y.cell),
+            index: 0,
+            flags: self.level.flags(x.cell, y.cell),
+            one_way: false,
+            source: 0,
+            inside: true,
+            cells: self.walk.cells,
+        }
+    }
+}
+
+/// The floor of `size num / den`, and whether something is left over.
+fn part<L: RayLevel>(size: u32, time: Time) -> (u32, bool) {
+    if L::WIDE {
+        // Below 2^62 the remainder is told by its low bits alone.
+        let part = mul_div_wide(time.num, size, time.den);
+        let rest = time.num.wrapping_mul(u64::from(size)).wrapping_sub(time.den.wrapping_mul(u64::from(part)));
+        (part, rest != 0)
+    } else {
+        let (num, den) = (time.num as u32, time.den as u32);
+        let part = mul_div(num, size, den);
+        (part, umul(part, den) != umul(num, size))
+    }
+}
+
+/// The part of a component of the motion.
+fn signed<L: RayLevel>(d: i32, normal: i32, time: Time) -> i32 {
+    let (mut part, rest) = part::<L>(d.unsigned_abs(), time);
+    if rest && (d > 0) == (normal > 0) && normal != 0 {
+        part = part.wrapping_add(1);
+    }
+    let part = part as i32;
+    if d < 0 { part.wrapping_neg() } else { part }
+}

@@ -1,0 +1,152 @@
+//! Rays against a segment map.
+
+use super::solid::Ray;
+use super::{Kind, Refs, Seg, SegmentMap};
+use crate::error::RangeError;
+use crate::num::{Raw, Vec2};
+use crate::world::grid::Grid;
+use crate::world::ray::level::RayLevel;
+use crate::world::ray::scan::{Found, Scan};
+use crate::world::ray::walk::{Beyond, Walk};
+use crate::world::{Cell, Feature, Inside, RayHit, RayRules};
+
+impl<'a> SegmentMap<'a> {
+    /// The first point of a boundary or wall that a ray from `origin` along `motion` meets, or `None` where it ends before.
+    ///
+    /// Every decision is exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray). A start on a wall has no side: it hits the wall
+    /// at 0 in whatever direction it leaves the line. A start inside has no flags and no index.
+    ///
+    /// Cost: the segments of the cells that the ray comes through, each tested in each of its cells. It needs no division for what it rejects.
+    ///
+    /// ```
+    /// use tilesat::{Axis, Fx, Inside, Path, PathKind, Vec2, segment_map};
+    /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 0), Vec2::from_ints(128, 64)];
+    /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], Fx::lit("32"));
+    /// let hit = LEVEL.cast_ray(Vec2::from_ints(0, 16), Vec2::from_ints(64, 0), Inside::Ignore)?.unwrap();
+    /// assert_eq!((hit.point, hit.axis), (Vec2::from_ints(48, 16), Axis::new(-1, -1)));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+    pub fn cast_ray(
+        &self,
+        origin: Vec2,
+        motion: Vec2,
+        rules: impl Into<RayRules>,
+    ) -> Result<Option<RayHit>, RangeError> {
+        Ok(self.cast_ray_all(origin, motion, rules)?.next())
+    }
+
+    /// All hits of a ray, in order: as if it went on through what it hits. Of hits at one moment there is one.
+    ///
+    /// Cost: as [`cast_ray`](Self::cast_ray), and the step's segments once more for each hit.
+    ///
+    /// # Errors
+    /// As [`cast_ray`](Self::cast_ray).
+    pub fn cast_ray_all(
+        &self,
+        origin: Vec2,
+        motion: Vec2,
+        rules: impl Into<RayRules>,
+    ) -> Result<SegmentRayHits<'_, 'a>, RangeError> {
+        Ok(SegmentRayHits { scan: Scan::new(self, origin, motion, rules.into())?, map: self })
+    }
+
+    /// Whether the straight line from `a` to `b` meets no boundary and no wall, as a ray from `a` sees it, and does not start inside.
+    ///
+    /// # Errors
+    /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
+    pub fn line_of_sight(&self, a: Vec2, b: Vec2) -> Result<bool, RangeError> {
+        let motion = Raw::of(b).sub(Raw::of(a)).vec2();
+        Ok(self.cast_ray(a, motion, Inside::Hit)?.is_none())
+    }
+
+    /// Whether a ray is strictly inside the solid just after its start: on both of its sides.
+    fn goes_in(&self, o: Raw, d: Raw) -> bool {
+        let (start, ahead) = (self.winding_beside(o), Ray { dir: d, change: 0 });
+        let sum = |test: &dyn Fn(&Ray) -> bool| self.rays(o).filter(test).fold(start, |w, r| w.wrapping_add(r.change));
+        sum(&|r| r.up_to(&ahead)) > 0 && sum(&|r| !ahead.up_to(r)) > 0
+    }
+}
+
+/// The hits of a ray in order; see [`SegmentMap::cast_ray_all`].
+#[derive(Clone, Debug)]
+#[must_use = "cursors do nothing unless advanced"]
+pub struct SegmentRayHits<'w, 'a> {
+    scan: Scan<'w, SegmentMap<'a>>,
+    map: &'w SegmentMap<'a>,
+}
+
+impl Iterator for SegmentRayHits<'_, '_> {
+    type Item = RayHit;
+
+    fn next(&mut self) -> Option<RayHit> {
+        self.find().map(|found| found.hit)
+    }
+}
+
+impl SegmentRayHits<'_, '_> {
+    pub(in crate::world) fn find(&mut self) -> Option<Found> {
+        let mut found = self.scan.find()?;
+        if found.met.is_some() {
+            found.hit.cell = self.map.home(found.hit.index);
+        }
+        Some(found)
+    }
+}
+
+impl RayLevel for SegmentMap<'_> {
+    const WIDE: bool = true;
+    const ROUND: bool = false;
+
+    type Pieces<'w>
+        = CellFaces<'w>
+    where
+        Self: 'w;
+
+    fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    fn beyond(&self) -> Beyond {
+        Beyond::Nothing
+    }
+
+    fn pieces(&self, x: i32, y: i32, _: Raw) -> Option<CellFaces<'_>> {
+        Some(CellFaces { map: self, refs: self.refs(x, y), cell: Cell::of(x, y) })
+    }
+
+    fn holds_start(&self, o: Raw, _: &Walk) -> bool {
+        self.point_inside(o)
+    }
+
+    /// Walls have no inside, but what crosses one is stopped.
+    fn enters(&self, o: Raw, d: Raw, _: &Walk) -> bool {
+        let crosses =
+            |seg: &Seg| seg.kind == Kind::Wall && seg.holds(o) && Raw { x: seg.dir.x, y: seg.dir.y }.cross(d) != 0;
+        self.around(o).any(|seg| crosses(&seg)) || self.goes_in(o, d)
+    }
+
+    fn flags(&self, _: i32, _: i32) -> u8 {
+        0
+    }
+}
+
+/// The faces of the segments of a cell, as far as rays need them: they belong to that cell, and no end is joined.
+#[derive(Clone, Debug)]
+pub(in crate::world) struct CellFaces<'w> {
+    map: &'w SegmentMap<'w>,
+    refs: Refs<'w>,
+    cell: Cell,
+}
+
+impl Iterator for CellFaces<'_> {
+    type Item = Feature;
+
+    fn next(&mut self) -> Option<Feature> {
+        let index = self.refs.next()?;
+        let seg = self.map.segment(index);
+        Some(seg.feature(seg.face([false; 2]), self.cell, index.wrapping_mul(2)))
+    }
+}

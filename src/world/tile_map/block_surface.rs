@@ -1,0 +1,172 @@
+//! The surface of blocks: whole sides of cells and their corners.
+
+use super::features::Surface;
+use crate::num::{Axis, Raw};
+use crate::world::{Cell, Feature, Geometry, Set, Store, TileKind, TileMap, TileShape};
+
+/// The cell whose features are handed out, the corners of its solid, its tile's flags, all its features as a mask of indices, and those
+/// left to give.
+#[derive(Clone, Copy, Debug)]
+pub struct BlockSurface {
+    cell: Cell,
+    solid: (Raw, Raw),
+    flags: u8,
+    all: Pieces,
+    left: Pieces,
+}
+
+/// Bits 0..=3: faces by index; 4..=7: vertices; 8: a one-way tile, of whose face the bits of the vertices at its ends mean that it is not
+/// joined there.
+type Pieces = u16;
+
+const ONE_WAY: Pieces = 1 << 8;
+
+/// Face k runs from corner k to corner k + 1: corners are counted from the one nearest the origin, turning with the faces.
+const DIRECTIONS: [Axis; 4] = [Axis::X, Axis::Y, Axis::NEG_X, Axis::NEG_Y];
+
+impl Surface for BlockSurface {
+    const NONE: Self =
+        Self { cell: Cell::new(0, 0), solid: (Raw { x: 0, y: 0 }, Raw { x: 0, y: 0 }), flags: 0, all: 0, left: 0 };
+
+    #[inline]
+    fn is_over(&self) -> bool {
+        self.left == 0
+    }
+
+    #[inline]
+    fn load<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, x: i32, y: i32, region: (Raw, Raw)) {
+        let kind = map.kind_at(x, y);
+        if let TileShape::Empty = kind.shape {
+            return;
+        }
+        if kind.is_full() {
+            self.all = map.surface(x, y);
+            if self.all == 0 {
+                return;
+            }
+            self.solid = map.extent(x, y);
+            self.left = self.all & self.reached(region);
+        } else {
+            self.load_one_way(map, kind, (x, y), region);
+        }
+        self.flags = kind.flags;
+        self.cell = Cell::of(x, y);
+    }
+
+    #[inline]
+    fn take(&mut self, _: (Raw, Raw)) -> Option<Feature> {
+        let mut index = 0u16;
+        while index < 7 && self.left >> index & 1 == 0 {
+            index += 1;
+        }
+        self.left &= !(1 << index);
+        Some(self.feature(index))
+    }
+}
+
+impl BlockSurface {
+    /// A cell with one face; not there before a full one. Out of line: a level has few.
+    #[inline(never)]
+    fn load_one_way<S: Set, T: Store>(
+        &mut self,
+        map: &TileMap<'_, S, T>,
+        kind: TileKind,
+        (x, y): (i32, i32),
+        region: (Raw, Raw),
+    ) {
+        let Some(side) = kind.one_way_side() else { return };
+        let (dx, dy) = across(side);
+        if map.full(x.wrapping_add(dx), y.wrapping_add(dy)) {
+            return;
+        }
+        // The next side is turned by a right angle.
+        let end = !map.goes_on(x.wrapping_sub(dy), y.wrapping_add(dx), side) as Pieces;
+        let start = !map.goes_on(x.wrapping_add(dy), y.wrapping_sub(dx), side) as Pieces;
+        self.all = ONE_WAY | 1 << side | end << (4 + side) | start << (4 + (side.wrapping_sub(1) & 3));
+        // Across its line a one-way edge is not repeated: the band's corners are not its own.
+        let (band, (lo, hi)) = (map.extent(x, y), map.grid.corners(x, y));
+        let a = corner(lo, hi, side);
+        self.solid = if dx == 0 {
+            (Raw { x: band.0.x, y: a.y }, Raw { x: band.1.x, y: a.y })
+        } else {
+            (Raw { x: a.x, y: band.0.y }, Raw { x: a.x, y: band.1.y })
+        };
+        // Where the region is beyond a repeated border, the line may be on either side of it.
+        let (lo, hi) = self.solid;
+        let met = lo.x <= region.1.x && hi.x >= region.0.x && lo.y <= region.1.y && hi.y >= region.0.y;
+        self.left = (met as Pieces) << side;
+    }
+
+    /// The indices whose place is in the region; that the cell is is known.
+    fn reached(&self, region: (Raw, Raw)) -> Pieces {
+        let (lo, hi) = self.solid;
+        let mut out = 0;
+        if lo.y < region.0.y {
+            out |= 0b1001_0001;
+        }
+        if hi.x > region.1.x {
+            out |= 0b0011_0010;
+        }
+        if hi.y > region.1.y {
+            out |= 0b0110_0100;
+        }
+        if lo.x < region.0.x {
+            out |= 0b1100_1000;
+        }
+        !out & 0xff
+    }
+
+    fn feature(&self, index: u16) -> Feature {
+        let (lo, hi) = self.solid;
+        let k = index as u8 & 3;
+        let dir = direction(k);
+        let geometry = if index < 4 {
+            let a = corner(lo, hi, k);
+            let len = if k & 1 == 0 { hi.x.wrapping_sub(lo.x) } else { hi.y.wrapping_sub(lo.y) };
+            let (start, end) = (4 + (k.wrapping_sub(1) & 3), 4 + k);
+            let joined = [self.all >> start & 1 == 0, self.all >> end & 1 == 0];
+            Geometry::Face { a: a.vec2(), dir, len, joined }
+        } else {
+            let next = k.wrapping_add(1) & 3;
+            Geometry::Vertex { p: corner(lo, hi, next).vec2(), e_in: dir, e_out: direction(next) }
+        };
+        Feature { geometry, cell: self.cell, index, flags: self.flags, one_way: self.all & ONE_WAY != 0, source: 0 }
+    }
+}
+
+#[expect(clippy::indexing_slicing, reason = "masked to the table's length")]
+const fn direction(k: u8) -> Axis {
+    DIRECTIONS[(k & 3) as usize]
+}
+
+/// Where face k starts.
+const fn corner(lo: Raw, hi: Raw, k: u8) -> Raw {
+    Raw { x: if k == 1 || k == 2 { hi.x } else { lo.x }, y: if k >= 2 { hi.y } else { lo.y } }
+}
+
+impl<S: Set, T: Store> TileMap<'_, S, T> {
+    /// The faces and vertices of a full cell.
+    const fn surface(&self, x: i32, y: i32) -> Pieces {
+        let up = !self.full(x, y.wrapping_sub(1)) as Pieces;
+        let right = !self.full(x.wrapping_add(1), y) as Pieces;
+        let down = !self.full(x, y.wrapping_add(1)) as Pieces;
+        let left = !self.full(x.wrapping_sub(1), y) as Pieces;
+        let faces = up | right << 1 | down << 2 | left << 3;
+        // Vertex k is where face k ends and the next one starts.
+        faces | (faces & (faces >> 1 | faces << 3) & 0xf) << 4
+    }
+
+    /// Whether something that blocks from the same side lies beside a one-way face: a full cell, or such a one-way one that has its face.
+    const fn goes_on(&self, x: i32, y: i32, side: u8) -> bool {
+        let kind = self.kind_at(x, y);
+        let (dx, dy) = across(side);
+        let same = matches!(kind.one_way_side(), Some(other) if other == side);
+        kind.is_full() || (same && !self.full(x.wrapping_add(dx), y.wrapping_add(dy)))
+    }
+}
+
+/// The step to the cell across a side.
+const fn across(side: u8) -> (i32, i32) {
+    let normal = direction(side.wrapping_sub(1));
+    (normal.x, normal.y)
+}

@@ -1,0 +1,194 @@
+//! Which tiles lie in a region, and which flags a shape touches: for coins, ladders and spikes, solid or not.
+
+use super::range::Range;
+use crate::error::Truncated;
+use crate::num::{Raw, Vec2};
+use crate::query::meet;
+use crate::shape::{Aabb, Circle};
+use crate::world::{Cell, Set, Store, TileKind, TileMap};
+use heapless::VecView;
+
+/// A tile of a map and its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TileAt {
+    /// Its place.
+    pub cell: Cell,
+    /// Its id.
+    pub id: u8,
+    /// What the map's table says of the id.
+    pub kind: TileKind,
+}
+
+/// The tiles of a region, row after row; see [`TileMap::tiles_in`].
+#[derive(Clone, Debug)]
+#[must_use = "cursors do nothing unless advanced"]
+pub struct Tiles<'w, S: Set, T: Store> {
+    map: &'w TileMap<'w, S, T>,
+    range: Range,
+    x: i32,
+    y: i32,
+}
+
+impl<S: Set, T: Store> Iterator for Tiles<'_, S, T> {
+    type Item = TileAt;
+
+    fn next(&mut self) -> Option<TileAt> {
+        let (x, y) = (self.x, self.y);
+        if y > self.range.y1 || self.range.x0 > self.range.x1 {
+            return None;
+        }
+        if x < self.range.x1 {
+            self.x = x.wrapping_add(1);
+        } else {
+            (self.x, self.y) = (self.range.x0, y.wrapping_add(1));
+        }
+        let id = self.map.id(x, y);
+        Some(TileAt { cell: Cell::of(x, y), id, kind: self.map.kinds.get(id) })
+    }
+}
+
+impl<S: Set, T: Store> TileMap<'_, S, T> {
+    /// The tiles whose inside meets the region: a region that is exactly one tile gives that tile.
+    ///
+    /// Every tile of the map counts, solid or not; what is outside of the map is not reported. Where the region has no width and lies
+    /// on a line between two columns it gives both (and likewise for rows): nothing that a point touches is missed.
+    ///
+    /// Cost: one look-up a tile. It cannot fail.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Cell, TileKind, TileKinds, TileMap, Vec2};
+    /// const COIN: u8 = 1;
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'$', TileKind::EMPTY.with_flags(COIN));
+    /// let map = TileMap::from_ascii("..$\n$..", &KINDS)?;
+    /// let player = Aabb::new(Vec2::from_ints(20, 0), Vec2::from_ints(36, 16)).unwrap();
+    /// let coins: Vec<_> = map.tiles_in(&player).filter(|t| t.kind.flag(COIN)).map(|t| t.cell).collect();
+    /// assert_eq!(coins, [Cell::new(2, 0)]);
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
+    pub const fn tiles_in(&self, region: &Aabb) -> Tiles<'_, S, T> {
+        let (lo, hi) = (region.lo(), region.hi());
+        let (mut range, closed) = (self.open_range(lo, hi), self.closed_range(lo, hi));
+        if lo.x == hi.x {
+            (range.x0, range.x1) = (closed.x0, closed.x1);
+        }
+        if lo.y == hi.y {
+            (range.y0, range.y1) = (closed.y0, closed.y1);
+        }
+        let range = self.inside(range);
+        Tiles { map: self, range, x: range.x0, y: range.y0 }
+    }
+
+    /// Writes the tiles of [`tiles_in`](Self::tiles_in) to `out`, which is cleared first.
+    ///
+    /// # Errors
+    /// [`Truncated`] where they do not fit: `out` then holds the first ones, and the error says how many there are.
+    pub fn collect_tiles(&self, region: &Aabb, out: &mut VecView<TileAt>) -> Result<(), Truncated> {
+        out.clear();
+        let (mut seen, mut kept) = (0u32, 0);
+        for tile in self.tiles_in(region) {
+            seen = seen.wrapping_add(1);
+            if out.push(tile).is_ok() {
+                kept = seen;
+            }
+        }
+        if kept == seen { Ok(()) } else { Err(Truncated { seen, kept }) }
+    }
+
+    /// The flags, joined by or, of all tiles that a box, circle or point has a point in common with: solid or not, borders included.
+    ///
+    /// Borders count: a body that stands exactly beside a deadly tile touches it. For tiles that must be entered use
+    /// [`tiles_in`](Self::tiles_in). What is outside of the map has no flags. Exact. Cost: as [`touches`](Self::touches), but it always looks at every cell.
+    ///
+    /// ```
+    /// use tilesat::{Circle, Fx, TileKind, TileKinds, TileMap, Vec2};
+    /// const DEADLY: u8 = 1;
+    /// const LADDER: u8 = 2;
+    /// static KINDS: TileKinds = TileKinds::EMPTY
+    ///     .with(b'^', TileKind::FULL.with_flags(DEADLY))
+    ///     .with(b'H', TileKind::EMPTY.with_flags(LADDER));
+    /// let map = TileMap::from_ascii(".H.\n..^", &KINDS)?;
+    /// let ball = Circle::new(Vec2::from_ints(16, 16), Fx::from_num(8)).unwrap();
+    /// assert_eq!(map.flags_touched(&ball), LADDER);
+    /// assert_eq!(map.flags_touched(&Vec2::from_ints(32, 16)), DEADLY | LADDER);
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
+    #[must_use]
+    pub fn flags_touched<B: Probe>(&self, shape: &B) -> u8 {
+        let (lo, hi) = shape.bounds();
+        let range = self.inside(self.closed_range(lo, hi));
+        let (mut flags, mut y) = (0, range.y0);
+        while y <= range.y1 {
+            let mut x = range.x0;
+            while x <= range.x1 {
+                let kind = self.kinds.get(self.id(x, y));
+                // Asked in this order, most tiles cost no geometry.
+                if kind.flags & !flags != 0 && shape.reaches(self.grid.corners(x, y)) {
+                    flags |= kind.flags;
+                }
+                x = x.wrapping_add(1);
+            }
+            y = y.wrapping_add(1);
+        }
+        flags
+    }
+}
+
+/// What [`TileMap::flags_touched`] takes: a box, a circle or a point. Sealed.
+pub trait Probe: probe::Probe {}
+
+impl Probe for Aabb {}
+impl Probe for Circle {}
+impl Probe for Vec2 {}
+
+mod probe {
+    //! The part of [`Probe`](crate::world::Probe) that only this crate calls.
+
+    use super::{Aabb, Circle, Raw, Vec2, meet};
+
+    pub trait Probe {
+        /// The corners of the bounding box.
+        fn bounds(&self) -> (Raw, Raw);
+        /// Whether the shape touches a cell that its bounding box touches.
+        fn reaches(&self, cell: (Raw, Raw)) -> bool;
+        /// Whether the shape touches a segment.
+        fn meets(&self, a: Raw, b: Raw) -> bool;
+    }
+
+    impl Probe for Aabb {
+        fn bounds(&self) -> (Raw, Raw) {
+            (self.lo(), self.hi())
+        }
+        fn reaches(&self, _: (Raw, Raw)) -> bool {
+            true
+        }
+        fn meets(&self, a: Raw, b: Raw) -> bool {
+            meet::segment_aabb::<true>(a, b, self.lo(), self.hi())
+        }
+    }
+
+    impl Probe for Circle {
+        fn bounds(&self) -> (Raw, Raw) {
+            self.aabb().bounds()
+        }
+        fn reaches(&self, cell: (Raw, Raw)) -> bool {
+            meet::circle_aabb::<true>(self.c(), self.r(), cell.0, cell.1)
+        }
+        fn meets(&self, a: Raw, b: Raw) -> bool {
+            meet::circle_segment::<true>(self.c(), self.r(), a, b)
+        }
+    }
+
+    impl Probe for Vec2 {
+        fn bounds(&self) -> (Raw, Raw) {
+            (Raw::of(*self), Raw::of(*self))
+        }
+        fn reaches(&self, _: (Raw, Raw)) -> bool {
+            true
+        }
+        fn meets(&self, a: Raw, b: Raw) -> bool {
+            let p = Raw::of(*self);
+            meet::segment_aabb::<true>(a, b, p, p)
+        }
+    }
+}
