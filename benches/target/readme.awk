@@ -10,8 +10,9 @@ NF < 5 || /^core/ || /(second|third|last) reject|, uniform/ { next }
     core = trim($1)
     name = trim($2)
     sub(/ \(A right\)/, "", name)
-    kind = core ~ /flash/ ? "flash" : "count"
-    sub(/ flash/, "", core)
+    kind = core ~ /flash|RAM/ ? "flash" : "count"
+    if (core ~ /RAM/) name = "RAM of " name
+    sub(/ (flash|RAM)/, "", core)
     if (!((kind, name) in listed)) { listed[kind, name] = 1; order[kind, ++rows[kind]] = name }
     first[kind, name, core] = mean($3)
     second[kind, name, core] = mean($4)

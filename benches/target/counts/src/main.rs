@@ -8,6 +8,7 @@ mod inputs;
 mod level;
 mod measure;
 mod pairs;
+mod shapes;
 
 use cortex_m_rt::{ExceptionFrame, entry, exception};
 use semihosting::{eprintln, process};
@@ -23,6 +24,7 @@ fn main() -> ! {
     let mut table = measure::Table::new(counter);
     pairs::rows(&mut table);
     level::rows(&mut table);
+    shapes::rows(&mut table);
     process::exit(i32::from(table.wrong != 0))
 }
 

@@ -1,0 +1,9 @@
+//! One body of this shape that moves and slides through a tile map of this set.
+#![no_std]
+#![no_main]
+use tilesat::motion::Mover;
+use tilesat::world::{AllShapes, TileMap};
+use tilesat::{Aabb, Axis, Vec2};
+tilesat_flash::program!(|map: TileMap<'static, AllShapes>, input: (Aabb, Vec2)| {
+    Mover::platformer(Axis::NEG_Y).move_and_slide(map, &[], &input.0, input.1)
+});
