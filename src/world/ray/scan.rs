@@ -78,7 +78,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
             if self.stage == Stage::Look {
                 self.stage = Stage::Go;
                 self.look();
-                if L::ROUND && self.best.is_none() {
+                if L::ROUND && (self.d.x == 0 || self.d.y == 0) && self.best.is_none() {
                     if let Some(met) = cusp(self.level, self.o, self.d, &self.walk) {
                         self.consider(met);
                     }

@@ -1,8 +1,8 @@
 //! A ray through a tile map of this set.
 #![no_std]
 #![no_main]
-use tilesat::world::{Inside, AllShapes, TileMap};
 use tilesat::Vec2;
+use tilesat::world::{AllShapes, Inside, TileMap};
 tilesat_flash::program!(|map: TileMap<'static, AllShapes>, ray: (Vec2, Vec2)| {
     map.cast_ray(ray.0, ray.1, Inside::Ignore)
 });
