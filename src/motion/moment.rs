@@ -1,6 +1,6 @@
 //! Moments of contact that are no fractions of integers: lower bounds in parts of 2^30, never late.
 
-use crate::num::{Toi, isqrt64, isqrt64_ceil, leading_zeros64, mul_div, sqr64, umul};
+use crate::num::{Toi, leading_zeros64, mul_div, root128_down, root128_up, sqr64, sub128, umul};
 
 /// When a point enters a disc: a lower bound of `c / (b + sqrt(rra - cross^2))`, with c = |m|^2 - r^2 and b = -m.d.
 ///
@@ -8,7 +8,7 @@ use crate::num::{Toi, isqrt64, isqrt64_ceil, leading_zeros64, mul_div, sqr64, um
 /// late. Each step keeps 31 bits or whole raw units: it is early by less than a raw unit of way.
 #[inline(never)]
 pub(super) fn entry_time(c: u64, b: u64, rra: (u64, u64), cross: i64) -> Toi {
-    let (word, shift) = word(b.wrapping_add(root_up(less(rra, sqr64(cross.unsigned_abs())))));
+    let (word, shift) = word(b.wrapping_add(root128_up(sub128(rra, sqr64(cross.unsigned_abs())))));
     quotient(c >> shift, word.wrapping_add(1))
 }
 
@@ -17,11 +17,11 @@ pub(super) fn entry_time(c: u64, b: u64, rra: (u64, u64), cross: i64) -> Toi {
 /// Where b is not positive (then the point starts inside) the same without cancellation, as above: `inner / (|b| + sqrt(..))`.
 #[inline(never)]
 pub(super) fn exit_time(inner: u64, b: i64, a: u64, rra: (u64, u64), cross: i64) -> Toi {
-    let square = less(rra, sqr64(cross.unsigned_abs()));
+    let square = sub128(rra, sqr64(cross.unsigned_abs()));
     if b > 0 {
-        ratio((b as u64).wrapping_add(root_down(square)), a)
+        ratio((b as u64).wrapping_add(root128_down(square)), a)
     } else {
-        ratio(inner, b.unsigned_abs().wrapping_add(root_up(square)))
+        ratio(inner, b.unsigned_abs().wrapping_add(root128_up(square)))
     }
 }
 
@@ -35,11 +35,11 @@ pub(super) fn gap_time(gap: u64, into: u64, reach: (u64, u64)) -> Toi {
     // Below 2^61; the square of the gap, and the reach with it, below 2^122.
     let scale = leading_zeros64(gap | into).saturating_sub(3);
     let (gap, into, reach) = (gap << scale, into << scale, shift_left(reach, 2 * scale));
-    let num = less(sqr64(gap), reach);
+    let num = sub128(sqr64(gap), reach);
     if num == (0, 0) {
         return Toi::ZERO;
     }
-    let ((sum, a), (into, b)) = (word_up(gap.wrapping_add(root_up(reach))), word_up(into));
+    let ((sum, a), (into, b)) = (word_up(gap.wrapping_add(root128_up(reach))), word_up(into));
     // The quotient is below one, so what is left of the numerator fits the 62 bits of the product.
     let shift = a + b;
     let num = if shift == 0 { num.1 } else { (num.0 << (64 - shift)) | (num.1 >> shift) };
@@ -72,12 +72,6 @@ pub(super) fn ratio(num: u64, den: u64) -> Toi {
     quotient(num >> shift, den)
 }
 
-/// `a - b` for a >= b.
-const fn less(a: (u64, u64), b: (u64, u64)) -> (u64, u64) {
-    let (lo, borrow) = a.1.overflowing_sub(b.1);
-    (a.0.wrapping_sub(b.0).wrapping_sub(borrow as u64), lo)
-}
-
 /// `a << by`, for results that fit.
 const fn shift_left(a: (u64, u64), by: u32) -> (u64, u64) {
     if by == 0 {
@@ -87,27 +81,4 @@ const fn shift_left(a: (u64, u64), by: u32) -> (u64, u64) {
     } else {
         (a.1 << (by & 63), 0)
     }
-}
-
-/// An upper bound of the square root of a number below 2^124, within one part in 2^31 (exact ceiling below 2^64).
-fn root_up(n: (u64, u64)) -> u64 {
-    let (top, shift) = top_word(n);
-    let top = if shift == 0 { top } else { top.saturating_add(1) };
-    u64::from(isqrt64_ceil(top)) << (shift / 2)
-}
-
-/// The same as a lower bound.
-fn root_down(n: (u64, u64)) -> u64 {
-    let (top, shift) = top_word(n);
-    u64::from(isqrt64(top)) << (shift / 2)
-}
-
-/// What the least even shift leaves in 64 bits.
-const fn top_word((hi, lo): (u64, u64)) -> (u64, u32) {
-    if hi == 0 {
-        return (lo, 0);
-    }
-    // At most 60.
-    let shift = (65 - leading_zeros64(hi)) & !1;
-    ((hi << (64 - shift)) | (lo >> shift), shift)
 }

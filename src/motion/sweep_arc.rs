@@ -5,7 +5,7 @@
 
 use super::body::Entry;
 use super::moment::{exit_time, ratio};
-use super::sweep_vertex::{Crossing, direction, enters_where, inward_part};
+use super::sweep_vertex::{Crossing, direction, enters_where};
 use crate::num::{Axis, Raw, Toi, less128, mul64, sqr64, usqr};
 
 /// Entry of the point `m` (as seen from the arc's centre) moving by `d` into the disc of radius `r`, in the closed quadrant.
@@ -41,7 +41,7 @@ pub(super) fn leave_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<En
         return None;
     }
     let t = exit_time(inner.unwrap_or(0), b, a, rra, cross);
-    let step = Raw { x: inward_part(m.x, d.x, t), y: inward_part(m.y, d.y, t) };
+    let step = Raw { x: t.of_raw_beside(m.x, d.x, false), y: t.of_raw_beside(m.y, d.y, false) };
     let at = m.add(step);
     // In a pipe as wide as the body the centre itself may be the nearest place of the lattice.
     let normal = if at.is_zero() { back } else { Raw { x: at.x.wrapping_neg(), y: at.y.wrapping_neg() } };

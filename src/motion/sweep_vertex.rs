@@ -3,7 +3,7 @@
 use super::body::Entry;
 use super::moment::entry_time;
 use super::sweep_slope::offset_to_radius;
-use crate::num::{Axis, Raw, Toi, imul, less128, mul64, sqr64, umul, usqr};
+use crate::num::{Axis, Raw, Toi, imul, less128, mul64, sqr64, usqr};
 use core::cmp::Ordering;
 
 /// A motion that enters a disc around the origin: what its moment is computed from.
@@ -38,7 +38,7 @@ impl Crossing {
     /// The entry, its displacement rounded away from the centre.
     pub(super) fn entry(&self, m: Raw, d: Raw) -> Entry {
         let t = entry_time(m.len2().saturating_sub(self.rr), self.b, mul64(self.rr, self.a), self.cross);
-        let step = Raw { x: outward_part(m.x, d.x, t), y: outward_part(m.y, d.y, t) };
+        let step = Raw { x: t.of_raw_beside(m.x, d.x, true), y: t.of_raw_beside(m.y, d.y, true) };
         let normal = direction(m.add(step));
         Entry { num: t.raw(), den: Toi::ONE.raw(), normal, at_end: false, step: Some(step) }
     }
@@ -124,25 +124,4 @@ fn in_time<const CLOSED: bool>(offset: Ordering, approaching: bool, rising: bool
     } else {
         !approaching || if CLOSED { offset.is_le() } else { offset.is_lt() }
     }
-}
-
-/// The part `t` of a component `d`, rounded so that `m` plus it is no nearer to zero than the exact sum.
-///
-/// While the sum is still on the side that `d` comes from, rounding toward zero keeps it back; beyond zero rounding up carries it on.
-fn outward_part(m: i32, d: i32, t: Toi) -> i32 {
-    let part = t.of_raw(d);
-    let at = m.wrapping_add(part);
-    if is_short(d, t) && (at == 0 || (at > 0) == (d > 0)) { part.wrapping_add(d.signum()) } else { part }
-}
-
-/// The same, no farther from zero than the exact sum.
-pub(super) fn inward_part(m: i32, d: i32, t: Toi) -> i32 {
-    let part = t.of_raw(d);
-    let at = m.wrapping_add(part);
-    if is_short(d, t) && at != 0 && (at > 0) != (d > 0) { part.wrapping_add(d.signum()) } else { part }
-}
-
-/// Whether the part `t` of `d` is no integer.
-fn is_short(d: i32, t: Toi) -> bool {
-    umul(d.unsigned_abs(), t.raw()) & u64::from(Toi::ONE.raw() - 1) != 0
 }

@@ -25,15 +25,15 @@ pub use axis::Axis;
 pub use domain::{DOMAIN, MOTION};
 pub(crate) use domain::{check_coordinate, check_motion, check_radius};
 pub use ratio::{div_sqrt, mul_div, mul_div_wide, recip};
-pub(crate) use root::leading_zeros64;
 pub use root::{isqrt64, isqrt64_ceil, rsqrt};
+pub(crate) use root::{leading_zeros64, root128_down, root128_up};
 pub use toi::Toi;
 pub use unit::UnitVec2;
 pub(crate) use unit::unit_ceil;
 pub(crate) use vec2::Raw;
 pub use vec2::Vec2;
-pub(crate) use wide::mul128;
 pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split, usqr, usqr_split};
+pub(crate) use wide::{mul128, sub128};
 
 /// The world's scalar: signed 16.16 fixed point. A unit is whatever the game says it is, usually a pixel.
 pub type Fx = fixed::types::I16F16;

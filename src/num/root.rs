@@ -85,6 +85,29 @@ pub const fn isqrt64_ceil(n: u64) -> u32 {
     if super::wide::usqr(s) == n { s } else { s.saturating_add(1) }
 }
 
+/// An upper bound of the square root of a number below 2^124, within one part in 2^31 (exact ceiling below 2^64).
+pub(crate) const fn root128_up(n: (u64, u64)) -> u64 {
+    let (top, shift) = top_word(n);
+    let top = if shift == 0 { top } else { top.saturating_add(1) };
+    (isqrt64_ceil(top) as u64) << (shift / 2)
+}
+
+/// The same as a lower bound (exact floor below 2^64).
+pub(crate) const fn root128_down(n: (u64, u64)) -> u64 {
+    let (top, shift) = top_word(n);
+    (isqrt64(top) as u64) << (shift / 2)
+}
+
+/// What the least even shift leaves in 64 bits.
+const fn top_word((hi, lo): (u64, u64)) -> (u64, u32) {
+    if hi == 0 {
+        return (lo, 0);
+    }
+    // At most 60.
+    let shift = (65 - leading_zeros64(hi)) & !1;
+    ((hi << (64 - shift)) | (lo >> shift), shift)
+}
+
 /// Exact floor square root of `h * 2^32 + lo`, h in `[2^30, 2^32)`.
 const fn isqrt_norm(h: u32, lo: u32) -> u32 {
     let y = min32(rsqrt_seed(h), 65535);

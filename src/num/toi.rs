@@ -63,4 +63,15 @@ impl Toi {
         let part = (super::umul(d.unsigned_abs(), self.0) >> 30) as i32;
         if d < 0 { part.wrapping_neg() } else { part }
     }
+
+    /// This part of a component `d`, rounded so that `m` plus it is no nearer to zero than the exact sum where `away`, else no farther.
+    ///
+    /// While the sum is still on the side that `d` comes from, rounding toward zero keeps it away; on zero and beyond it is one more that does.
+    pub(crate) const fn of_raw_beside(self, m: i32, d: i32, away: bool) -> i32 {
+        let part = self.of_raw(d);
+        let at = m.wrapping_add(part);
+        let short = super::umul(d.unsigned_abs(), self.0) & (Self::ONE.0 - 1) as u64 != 0;
+        let outward = at == 0 || (at > 0) == (d > 0);
+        if short && outward == away { part.wrapping_add(d.signum()) } else { part }
+    }
 }

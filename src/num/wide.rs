@@ -121,6 +121,13 @@ pub(crate) const fn mul128(a: (u64, u64), b: u64) -> (u64, u64, u64) {
     (high.0.wrapping_add(carry as u64), mid, low.1)
 }
 
+/// The difference of 128-bit numbers, `a` not less than `b`, both as `(high, low)`.
+#[inline]
+pub(crate) const fn sub128(a: (u64, u64), b: (u64, u64)) -> (u64, u64) {
+    let (lo, borrow) = a.1.overflowing_sub(b.1);
+    (a.0.wrapping_sub(b.0).wrapping_sub(borrow as u64), lo)
+}
+
 /// Whether the 128-bit number `a` is less than `b`, both as `(high, low)`.
 #[inline]
 #[must_use]

@@ -1,6 +1,6 @@
 //! Exact distances to features, for comparison: roots of fractions, and what is between a point and a circle.
 
-use crate::num::{less128, mul64, usqr};
+use crate::num::{less128, mul64, sub128, usqr};
 use crate::world::World;
 use core::cmp::Ordering;
 
@@ -75,8 +75,7 @@ fn ring_and_root(a: u64, r: u32, n: (u64, u64), d: u64) -> Ordering {
     if less128(wd, n) {
         return Ordering::Less;
     }
-    let (low, borrow) = wd.1.overflowing_sub(n.1);
-    let x = (wd.0.wrapping_sub(n.0).wrapping_sub(borrow as u64), low);
+    let x = sub128(wd, n);
     let (by_high, by_low) = (times(wide(x), x.0), times(wide(x), x.1));
     let square = plus((by_high.1, by_high.2, by_high.3, 0), by_low);
     square.cmp(&times(times(wide(n), d), k << 2))

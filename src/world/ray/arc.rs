@@ -1,6 +1,6 @@
 //! A ray against a quarter of a circle: exactly whether it meets it, without root or division; then when, from below.
 
-use crate::num::{Axis, Raw, Toi, imul, isqrt64, isqrt64_ceil, less128, mul_div, mul64, sqr64, umul, usqr};
+use crate::num::{Axis, Raw, Toi, imul, less128, mul_div, mul64, root128_down, root128_up, sqr64, sub128, usqr};
 
 /// Where a ray meets an arc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -119,7 +119,7 @@ fn sign_at(u0: i32, p: i32, q: i32, cross: i64, r: i32, entry: bool) -> i32 {
 #[inline(never)]
 pub(in crate::world) fn contact(m: Raw, d: Raw, radius: i32, convex: bool) -> (Toi, Raw) {
     let toi = time(m, d, radius as u32, convex);
-    (toi, Raw { x: part(m.x, d.x, toi, convex), y: part(m.y, d.y, toi, convex) })
+    (toi, Raw { x: toi.of_raw_beside(m.x, d.x, convex), y: toi.of_raw_beside(m.y, d.y, convex) })
 }
 
 /// T = (b -+ root) / a with root = sqrt(r^2 a - cross^2), b = -m.d: of the entry, c / (b + root) with c = |m|^2 - r^2, which has no cancellation; of
@@ -129,40 +129,17 @@ pub(in crate::world) fn contact(m: Raw, d: Raw, radius: i32, convex: bool) -> (T
 /// smaller, the root is off by less than one: of the entry that is c / (b + root)^2, and c <= b^2 / |d|^2, so 1 / |d| of way; of the exit as
 /// much. Together less than a raw unit of way for motions up to 4096 units.
 fn time(m: Raw, d: Raw, r: u32, convex: bool) -> Toi {
-    let (rr, a, square) = (usqr(r), d.len2(), sqr64(m.cross(d).unsigned_abs()));
-    let whole = mul64(rr, a);
-    let (lo, borrow) = whole.1.overflowing_sub(square.1);
-    let hi = whole.0.wrapping_sub(square.0).wrapping_sub(u64::from(borrow));
+    let (rr, a) = (usqr(r), d.len2());
+    let square = sub128(mul64(rr, a), sqr64(m.cross(d).unsigned_abs()));
     let b = m.dot(d).wrapping_neg();
     let (num, den) = if convex || b < 0 {
-        (m.len2().abs_diff(rr), b.unsigned_abs().wrapping_add(root(hi, lo, true)))
+        (m.len2().abs_diff(rr), b.unsigned_abs().wrapping_add(root128_up(square)))
     } else {
-        ((b as u64).wrapping_add(root(hi, lo, false)), a)
+        ((b as u64).wrapping_add(root128_down(square)), a)
     };
     let shift = (64 - den.leading_zeros()).saturating_sub(31);
     // Only a shift drops bits that have to be made up for.
     let den = ((den >> shift) as u32).wrapping_add(u32::from(shift != 0));
     let num = ((num >> shift) as u32).min(den);
     Toi::clamped(mul_div(num, Toi::ONE.raw(), den))
-}
-
-/// A bound of the square root of a number below 2^116 within one part in 2^31, from above where `up`; below 2^64 the exact ceiling or floor.
-fn root(hi: u64, lo: u64, up: bool) -> u64 {
-    // The least even shift that leaves 64 bits.
-    let shift = if hi == 0 { 0 } else { (65 - hi.leading_zeros()) & !1 };
-    let top = if shift == 0 { lo } else { (hi << (64 - shift)) | (lo >> shift) };
-    let root = if up { isqrt64_ceil(top.saturating_add(u64::from(shift != 0))) } else { isqrt64(top) };
-    u64::from(root) << (shift / 2)
-}
-
-/// The part `t` of a component `d`, rounded so that `m` plus it is no nearer to zero than the exact sum where `away`, else no farther.
-///
-/// The part is rounded toward zero first. Where that leaves the sum short of the exact one on the way outward (on the side of zero that `d` leads to,
-/// or on zero), or beyond it on the way inward, one more makes up for it.
-fn part(m: i32, d: i32, t: Toi, away: bool) -> i32 {
-    let part = t.of_raw(d);
-    let at = m.wrapping_add(part);
-    let short = umul(d.unsigned_abs(), t.raw()) & u64::from(Toi::ONE.raw() - 1) != 0;
-    let outward = at == 0 || (at > 0) == (d > 0);
-    if short && outward == away { part.wrapping_add(d.signum()) } else { part }
 }

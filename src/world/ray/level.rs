@@ -5,7 +5,7 @@ use super::walk::{Beyond, Walk};
 use crate::num::Raw;
 use crate::world::grid::Grid;
 use crate::world::tile_map::tile_pieces::TilePieces;
-use crate::world::{Feature, Set, Slopes, Store, TileKind, TileMap, TileShape};
+use crate::world::{Feature, Set, Store, TileKind, TileMap, TileShape};
 
 /// A level whose surface is found cell by cell, bands included as [`beyond`](Self::beyond) says.
 pub(in crate::world) trait RayLevel {
@@ -48,7 +48,7 @@ pub(in crate::world) trait RayLevel {
 
 impl<S: Set, T: Store> RayLevel for TileMap<'_, S, T> {
     const WIDE: bool = false;
-    const ROUND: bool = S::SHAPES & !Slopes::SHAPES != 0;
+    const ROUND: bool = S::ARCS;
 
     type Pieces<'w>
         = TilePieces<'w, S, T>
