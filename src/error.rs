@@ -26,6 +26,14 @@ pub enum Quantity {
     MotionY,
     /// The width, height or radius of a body that is to be moved.
     BodySize,
+    /// How far a walker keeps to the ground.
+    Snap,
+    /// How far a body goes down with a floor that sinks.
+    Follow,
+    /// The length of a stick or a rope.
+    Length,
+    /// How high a walker steps.
+    StepHeight,
 }
 
 /// An input outside of the range that keeps arithmetic exact; nothing was changed.

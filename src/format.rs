@@ -3,9 +3,10 @@
 //! Lengths print as decimals with four places, rounded toward zero: `-0.7500`. The number goes out as two integers, the sign as an
 //! interned string, and nothing of `core::fmt` is linked.
 
-use crate::motion::{Hit, Hits, Moved};
-use crate::num::{Fx, Toi, UnitVec2, Vec2};
-use crate::query::Contact;
+use crate::motion::response::{Particle, Split, Stick, Surface};
+use crate::motion::{BodyHit, Hit, Hits, Moved, Walked};
+use crate::num::{Fx, Ratio, Toi, UnitVec2, Vec2};
+use crate::query::{CastHit, Contact, MovingHit};
 use crate::shape::{Aabb, Circle, Segment};
 use crate::world::{Near, RayHit, WorldContact};
 use defmt::{Format, Formatter, write};
@@ -42,6 +43,12 @@ impl Format for Toi {
     }
 }
 
+impl Format for Ratio {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "{}", Decimal(Fx::from_bits((self.raw() >> 14) as i32)));
+    }
+}
+
 impl Format for Aabb {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Aabb {}..{}", self.min(), self.max());
@@ -63,6 +70,19 @@ impl Format for Segment {
 impl Format for Contact {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Contact axis {} depth {}", self.axis(), Decimal(self.depth()));
+    }
+}
+
+impl Format for CastHit {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "CastHit {} axis {} after {} inside {}", self.toi, self.axis, self.displacement, self.inside);
+    }
+}
+
+impl Format for MovingHit {
+    fn format(&self, f: Formatter<'_>) {
+        let (a, b) = (self.displacement, self.displacement_b);
+        write!(f, "MovingHit {} axis {} after {} and {} inside {}", self.toi, self.axis, a, b, self.inside);
     }
 }
 
@@ -90,6 +110,12 @@ impl Format for Hit {
     }
 }
 
+impl<B: Format> Format for BodyHit<B> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "BodyHit {} at {} inside {}", self.hit, self.body, self.inside);
+    }
+}
+
 impl Format for Hits {
     fn format(&self, f: Formatter<'_>) {
         for hit in self.iter() {
@@ -106,5 +132,36 @@ impl<B: Format> Format for Moved<B> {
             "Moved {} v {} floor {} wall {} ceiling {} {}",
             self.body, self.velocity, floor, wall, ceiling, self.hits
         );
+    }
+}
+
+impl<B: Format> Format for Walked<B> {
+    fn format(&self, f: Formatter<'_>) {
+        let (up, down) = (Decimal(self.stepped), Decimal(self.snapped));
+        write!(f, "Walked {} on {} stepped {} snapped {}", self.moved, self.floor, up, down);
+    }
+}
+
+impl Format for Split {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Split normal {} tangent {}", self.normal, self.tangent);
+    }
+}
+
+impl Format for Surface {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Surface restitution {} friction {}", self.restitution(), self.friction());
+    }
+}
+
+impl Format for Particle {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Particle {} from {}", self.position, self.previous);
+    }
+}
+
+impl Format for Stick {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Stick {}", Decimal(self.length()));
     }
 }

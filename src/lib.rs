@@ -5,7 +5,7 @@
 //! every rounding has a declared direction, every loop has a bound, and nothing panics. It needs no FPU, no heap, no 64-bit multiply.
 //!
 //! Tiles can be blocks, halves, slopes and quarter arcs ([`TileShape`]); polygons, walls and one-way chains that no grid holds are a [`SegmentMap`]
-//! (built by the compiler with [`segment_map!`]), and [`Joined`] makes one level of two.
+//! (built by the compiler with [`segment_map!`]), and [`Joined`] makes one level of two. Platforms, doors and crushers are [`Solids`].
 //!
 //! It is not a physics engine: there are no stacks, joints, rotating bodies or forces.
 //!
@@ -22,7 +22,7 @@
 //! let level = TileMap::from_ascii(rows, &KINDS)?;
 //!
 //! let player = Aabb::new(Vec2::from_ints(20, 20), Vec2::from_ints(30, 34))?;
-//! let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&level, &[], &player, Vec2::from_ints(2, 30))?;
+//! let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&level, &player, Vec2::from_ints(2, 30))?;
 //! assert!(moved.floor); // landed on row 3, whose top is at y = 48
 //! assert_eq!(moved.body.max().y, 48);
 //!
@@ -39,7 +39,7 @@
 //! - **Numbers**: lengths are [`Fx`], 16.16; *raw* is one unit of its last place. Coordinates stay below 8192 units
 //!   ([`num::DOMAIN`]); constructors refuse the rest, so kernels cannot wrap.
 //! - **Touching is not overlapping.** `overlaps` is strict, `touches` is closed, both exact ([`query`]).
-//! - **Normals** point from A to B and are exact integers ([`Axis`]); the unit vector is computed when asked for.
+//! - **Normals** of contacts point from A to B, those of casts and rays out of what was hit; they are exact integers ([`Axis`]); the unit vector is computed when asked for.
 //! - **Rounding** is safe: depths up, push-outs away, distances and times of impact down; what is moved never ends inside.
 //! - **Directions**: y grows as the caller likes. Rows of a [`TileMap`] follow y, and "up" in a tile's name is toward row 0.
 //! - **Units are per frame**: a velocity is the motion of one call.
@@ -50,9 +50,9 @@
 //! |---|---|
 //! | [`num`] | scalars, vectors, wide products, roots |
 //! | [`shape`] | [`Aabb`], [`Circle`], [`Segment`] |
-//! | [`query`] | one trait a verb, for each pair of shapes |
-//! | [`world`] | [`TileMap`], [`SegmentMap`], [`Joined`]: surfaces, overlaps, contacts, rays |
-//! | [`motion`] | [`Mover::move_and_slide`] |
+//! | [`query`] | one trait a verb, for each pair of shapes: overlaps, contacts, distances, casts |
+//! | [`world`] | [`TileMap`], [`SegmentMap`], [`Solids`], [`Joined`]: surfaces, overlaps, contacts, rays |
+//! | [`motion`] | [`Mover::move_and_slide`], [`Walker`], [`Mover::ride`] on moving [`Solid`]s, responses, casts through levels |
 //! | [`error`] | what can be refused |
 //!
 //! # Features
@@ -84,19 +84,23 @@ pub mod shape;
 pub mod world;
 
 pub use error::{Quantity, RangeError, Truncated};
-pub use motion::{Body, Hit, Hits, MoveError, Moved, Mover, Placed, Response, Stuck, Work};
-pub use num::{Axis, Fx, Toi, UnitVec2, Vec2};
-pub use query::Contact;
+pub use motion::{
+    Acceleration, Body, BodyHit, Carry, Energy, Hit, Hits, Masses, MoveError, Moved, Mover, Response, Ridden, Ride,
+    SlopeSpeed, Smooth, Speed, StartInside, Stuck, Support, Surface, Walked, Walker, Work,
+};
+pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
+pub use query::{CastHit, Contact, Inside, MovingHit};
 pub use shape::{Aabb, Circle, Segment};
 /// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types come from the crate's root.
 pub mod prelude {
-    pub use crate::query::{ClosestPoint, Contacts, Contains, Distance, Overlaps, Touches};
+    pub use crate::query::{CastShape, ClosestPoint, Contacts, Contains, Distance, Overlaps, Touches};
 }
 pub use world::{
-    AllShapes, Bits, Blocks, Bytes, Cell, Feature, Features, Geometry, Grid, Inside, Joined, JoinedFeatures,
-    JoinedRayHits, Near, OneWay, Outside, Path, PathKind, RayHit, RayHits, RayRules, SegmentFault, SegmentFeatures,
-    SegmentMap, SegmentMapError, SegmentRayHits, Size, Slopes, TileAt, TileKind, TileKinds, TileMap, TileMapError,
-    TileShape, Tiles, World, WorldContact,
+    AllShapes, Bits, Blocks, Bytes, Cell, Feature, Features, Geometry, Grid, Joined, JoinedFeatures, JoinedRayHits,
+    Near, OneWay, Outside, Path, PathKind, Placed, PlacedFeatures, PlacedRayHits, RayHit, RayHits, RayRules,
+    SegmentFault, SegmentFeatures, SegmentMap, SegmentMapError, SegmentRayHits, Side, Size, Slopes, Solid,
+    SolidFeatures, SolidRayHits, Solids, TileAt, TileKind, TileKinds, TileMap, TileMapError, TileShape, Tiles, World,
+    WorldContact,
 };
 
 /// The README's example is a test.

@@ -234,7 +234,7 @@ fn same<B: tilesat::Body + std::fmt::Debug + PartialEq>(
     v: Vec2,
     scene: &Scene,
 ) -> bool {
-    let (got, expected) = (mover.move_and_slide(pair, &[], body, v), mover.move_and_slide(whole, &[], body, v));
+    let (got, expected) = (mover.move_and_slide(pair, body, v), mover.move_and_slide(whole, body, v));
     match (got, expected) {
         (Ok(got), Ok(expected)) => {
             let all = |m: &tilesat::Moved<B>| {

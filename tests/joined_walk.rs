@@ -133,7 +133,7 @@ impl<W: World> Walk<'_, W> {
         let mut body = B::at(from, size, self.turn);
         for step in 0..40 {
             let v = vec2(self.turn.of((speed, gravity)));
-            let moved = self.mover.move_and_slide(self.world, &[], &body, v).unwrap();
+            let moved = self.mover.move_and_slide(self.world, &body, v).unwrap();
             let (place, velocity) = (moved.body.place(self.turn), self.turn.back(point(moved.velocity)));
             let case = || format!("{} {body:?} step {step} by {speed}, {gravity}: {moved:?}", self.case);
             assert_eq!(place, (from.0 + speed * (step + 1), 0), "{}", case());
@@ -150,7 +150,7 @@ impl<W: World> Walk<'_, W> {
     /// Lands near the joint from above: on the floor, and on nothing else.
     fn land<B: Place>(&self, from: P, size: P, v: P) {
         let body = B::at(from, size, self.turn);
-        let moved = self.mover.move_and_slide(self.world, &[], &body, vec2(self.turn.of(v))).unwrap();
+        let moved = self.mover.move_and_slide(self.world, &body, vec2(self.turn.of(v))).unwrap();
         let case = || format!("{} {body:?} by {v:?}: {moved:?}", self.case);
         assert_eq!(moved.body.place(self.turn), (from.0 + v.0, 0), "{}", case());
         assert_eq!(self.turn.back(point(moved.velocity)), (v.0, 0), "{}", case());

@@ -31,14 +31,14 @@ fn a_kink_is_no_hole() {
         let mover = Mover::platformer(Axis::NEG_Y);
         for x in [-500, -2, -1, 0, 1, 2, 500] {
             let fall = raw(0, 8000);
-            let moved = mover.move_and_slide(map, &[], &square(x, -5000, 1000), fall).unwrap();
+            let moved = mover.move_and_slide(map, &square(x, -5000, 1000), fall).unwrap();
             assert!(moved.floor && moved.body.max().raw().1 <= 100, "box at {x}: {moved:?}");
-            let moved = mover.move_and_slide(map, &[], &disc(x, -5000, 1000), fall).unwrap();
+            let moved = mover.move_and_slide(map, &disc(x, -5000, 1000), fall).unwrap();
             assert!(moved.floor && moved.position().raw().1 <= -900, "circle at {x}: {moved:?}");
             // From below it is passed, and from the side below it.
             for d in [raw(0, -8000), raw(3000, -9000)] {
-                assert!(mover.move_and_slide(map, &[], &square(x, 3000, 1000), d).unwrap().hits.is_empty());
-                assert!(mover.move_and_slide(map, &[], &disc(x, 3000, 1000), d).unwrap().hits.is_empty());
+                assert!(mover.move_and_slide(map, &square(x, 3000, 1000), d).unwrap().hits.is_empty());
+                assert!(mover.move_and_slide(map, &disc(x, 3000, 1000), d).unwrap().hits.is_empty());
             }
         }
     });
@@ -48,7 +48,7 @@ fn walk<B: Body>(map: &SegmentMap<'_>, mut body: B, speed: i64, gravity: i64, he
     let mut fall = 0;
     for frame in 0..40_000 {
         let Moved { body: next, floor, velocity, .. } =
-            Mover::platformer(Axis::NEG_Y).move_and_slide(map, &[], &body, raw(speed, fall + gravity)).unwrap();
+            Mover::platformer(Axis::NEG_Y).move_and_slide(map, &body, raw(speed, fall + gravity)).unwrap();
         body = next;
         fall = if floor { 0 } else { i64::from(velocity.raw().1) };
         let x = i64::from(body.position().raw().0);

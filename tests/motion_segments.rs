@@ -49,11 +49,11 @@ fn step(scene: &Scene, map: &SegmentMap, mover: &Mover, body: Body, v: P) -> Res
     match body {
         Body::Box { lo, hi } => {
             let b = Aabb::new(scene.vec2(lo), scene.vec2(hi)).unwrap();
-            mover.move_and_slide(map, &[], &b, velocity).map(|m| made(scene, body, &m))
+            mover.move_and_slide(map, &b, velocity).map(|m| made(scene, body, &m))
         }
         Body::Circle { c, r } => {
             let b = Circle::new(scene.vec2(c), Fx::from_bits(r as i32)).unwrap();
-            mover.move_and_slide(map, &[], &b, velocity).map(|m| made(scene, body, &m))
+            mover.move_and_slide(map, &b, velocity).map(|m| made(scene, body, &m))
         }
     }
 }

@@ -272,9 +272,59 @@ fn lands_in_an_obtuse_corner_and_rolls_on() {
         let mut ball = Circle::new(at, Fx::from_num(8)).unwrap();
         let mut v = Vec2::from_ints(-3, 6);
         for _ in 0..3 {
-            let moved = mover.move_and_slide(&map, &[], &ball, v).unwrap();
+            let moved = mover.move_and_slide(&map, &ball, v).unwrap();
             (ball, v) = (moved.body, moved.velocity);
         }
         assert!((v.x - Fx::lit("1.5")).abs() < Fx::lit("0.001") && v.y == 0, "{phase}: {v:?}");
+    }
+}
+
+/// A box comes to the end of a quarter pipe and to the wall below it at one moment: the wall is what it hits (a face before an arc).
+#[test]
+fn a_wall_goes_before_the_end_of_a_pipe() {
+    let l = Level { cell: 65536, ..drawn(&["##", ".\"", ".#"], 65536, &SHAPES) };
+    let box_ = Body::Rect((0, 65536), (20454, 131_072));
+    for view in [View::MirrorX, View::MirrorY, View::Transpose, View::Moved((77, -1_000_003)), View::Moved((0, 0))] {
+        let level = view.level(&l);
+        for speed in [81_521, 45_083, 50_000, 65_536, 90_001, 3_000_017] {
+            let out = view.body(box_).step(&UP, &level.all(), view.direction((speed, 0))).unwrap();
+            let n = view.direction((-1, 0));
+            let first = out.hits.first().unwrap();
+            assert_eq!((first.axis, out.v), (Axis::new(n.0 as i32, n.1 as i32), (0, 0)), "{view:?} {speed}");
+            assert_eq!(out.body, view.body(box_.moved((45_082, 0))));
+        }
+    }
+}
+
+/// A point that runs into the cusp between an arc and the floor that it touches stops at its end, and says so.
+#[test]
+fn a_point_in_a_cusp() {
+    let shapes = [('q', 10), ('p', 11)];
+    let l = drawn(&["#q..p#", "######"], 65536, &shapes);
+    for body in [Body::Disc((3 * 65536, 65536), 0), Body::Rect((3 * 65536, 65536), (0, 0))] {
+        for view in [View::MirrorX, View::MirrorY, View::Transpose, View::Moved((77, -1_000_003)), View::Moved((0, 0))]
+        {
+            let level = view.level(&l);
+            for (speed, toi) in [(3 * 65536, 2), (131_073, 0), (200_000, 0), (90_000_000, 0)] {
+                let v = view.direction((-speed, 0));
+                let out = view.body(body).step(&UP, &level.all(), v).unwrap();
+                let first = out.hits.first().unwrap();
+                let n = view.direction((1, 0));
+                assert_eq!((first.axis, out.v), (Axis::new(n.0 as i32, n.1 as i32), (0, 0)), "{view:?} {speed}");
+                assert_eq!(out.body, view.body(body.at((65536, 65536))));
+                assert!(toi == 0 || first.toi.raw() == (1 << 30) * 2 / 3);
+                let touch = UP.with_response(Response::Touch);
+                let touched = view.body(body).step(&touch, &level.all(), v).unwrap();
+                assert_eq!((touched.body, touched.hits.len()), (out.body, 1));
+                // Once there it stays there.
+                let again = out.body.step(&UP, &level.all(), v).unwrap();
+                assert_eq!((again.body, again.v, again.hits.len()), (out.body, (0, 0), 1));
+                // Out of it, and exactly up to it, the way is free.
+                let back = out.body.step(&UP, &level.all(), view.direction((65536, 0))).unwrap();
+                assert!(back.hits.is_empty() && back.body == view.body(body.at((131_072, 65536))));
+                let to = view.body(body).step(&UP, &level.all(), view.direction((-131_072, 0))).unwrap();
+                assert!(to.hits.is_empty() && to.body == out.body);
+            }
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! Random worlds of all 34 shapes: every frame judged by sets of points of the plane that share nothing with the library.
 //!
-//! Each frame: no overlap, no overlap on the way to the first contact, never faster, mirrored, transposed and moved worlds give mirrored,
-//! transposed and the same bits (full ties apart). `TILESAT_FRAMES` sets the number of frames (default 100 000).
+//! Each frame: no overlap, no overlap on the way to the first contact (P20), never faster (P14), mirrored, transposed and moved worlds give
+//! mirrored, transposed and the same bits (P5, P6, P7; full ties apart), and hardly ever is a motion refused that nothing is in the way of. `TILESAT_FRAMES` sets the number of frames (default 100 000).
 
 #![cfg(not(target_os = "none"))]
 #![allow(clippy::indexing_slicing, clippy::unwrap_used, clippy::panic, reason = "tests stop at the first surprise")]
@@ -29,8 +29,10 @@ struct Tally {
     hits: u64,
     askew: u64,
     free: u64,
-    /// Motions that met nothing and were not made.
-    refused: u64,
+    /// Frames of circles, the rest is of boxes.
+    round: u64,
+    /// Motions of circles and of boxes that met nothing and were not made: roundings, no obstacles.
+    refused: [u64; 2],
     full_iterations: u64,
     at_rest: u64,
     ties: u64,
@@ -95,11 +97,15 @@ fn judge_views(s: &Scene, out: &Outcome, views: &[View], tally: &mut Tally) {
             view.body(s.body).step(&mover(view.direction((0, -1)), s.response), &level.all(), view.direction(s.v));
         let (seen, expected) = (bits(&seen.unwrap(), None), bits(out, Some(view)));
         if seen != expected {
-            // A full tie: other surfaces at the same moment.
+            // A full tie: other surfaces at the same moment. What is reported first may differ; the end only where x goes before y.
             let parts = seen.4.iter().zip(&expected.4).find(|(a, b)| a != b);
-            let tie = parts.is_some_and(|(a, b)| a.0 == b.0 && len2(a.1) == len2(b.1));
+            let tie = parts.is_some_and(|(a, b)| a.0 == b.0 && len2(a.1) == len2(b.1))
+                && (view == View::Transpose || (seen.0, seen.1, seen.2) == (expected.0, expected.1, expected.2));
+            // Of two lattice vectors equally near to a bounce one goes first, by coordinate.
+            let near = |p: P, q: P| (p.0 - q.0).abs().max((p.1 - q.1).abs()) <= 1;
+            let bounce = view == View::Transpose && s.response == Response::Bounce && near(seen.1, expected.1);
             assert!(
-                tie && !matches!(view, View::Moved(_)),
+                (tie || bounce) && !matches!(view, View::Moved(_)),
                 "{}\n{seen:?}\n{expected:?}",
                 describe(s, &format!("{view:?}"))
             );
@@ -113,10 +119,12 @@ fn frame(r: &mut Random, s: &Scene, views: &[View], tally: &mut Tally) -> Outcom
     let out = out.unwrap_or_else(|e| panic!("{}", describe(s, &format!("{e:?}"))));
     assert!(!s.room.overlaps(out.body, (0, 0), 0), "{}", describe(s, "ends inside"));
     assert!(len2(out.v) <= len2(s.v), "{}", describe(s, "is faster"));
+    let round = matches!(s.body, Body::Disc(..));
+    tally.round += u64::from(round);
     assert!(out.hits.len() as u32 <= out.work.iterations && out.work.iterations <= Mover::ITERATIONS);
     if out.hits.is_empty() {
         assert_eq!((out.v, out.remaining), (s.v, (0, 0)), "{}", describe(s, "lost something"));
-        tally.refused += u64::from(out.body != s.body.moved(s.v));
+        tally.refused[usize::from(!round)] += u64::from(out.body != s.body.moved(s.v));
     }
     judge_way(r, s, tally);
     judge_views(s, &out, views, tally);
@@ -204,12 +212,18 @@ fn worlds(seed: u64, frames: u64, fastest: i64) -> Tally {
 fn random_worlds() {
     let tally = worlds(1, frames() / 2, 60);
     assert!(tally.hits > tally.frames / 4 && tally.askew > tally.hits / 8);
-    assert!(tally.refused <= tally.frames / 1000);
+    few_refused(&tally);
+}
+
+/// At most 20 in a million frames.
+fn few_refused(tally: &Tally) {
+    assert!(tally.refused[0] + tally.refused[1] <= tally.frames / 50_000, "{tally:?}");
+    assert!(tally.round > tally.frames / 4 && tally.round < tally.frames * 9 / 10, "{tally:?}");
 }
 
 #[test]
 fn walking_speed() {
     let tally = worlds(100, frames() / 2, 4);
     assert!(tally.hits > tally.frames / 8 && tally.askew > tally.hits / 8);
-    assert!(tally.refused <= tally.frames / 1000);
+    few_refused(&tally);
 }

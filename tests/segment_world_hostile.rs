@@ -75,13 +75,13 @@ fn ask(scene: &Scene, map: &SegmentMap<'_>, random: &mut Random) {
                 assert!(map.features(&b).count() <= 2 * usize::from(map.count()));
                 let _ = pair.features(&b).count();
                 let _ = map.contacts(&b, OneWay::Include, &mut out);
-                let _ = Mover::platformer(Axis::NEG_Y).move_and_slide(&pair, &[], &b, v);
+                let _ = Mover::platformer(Axis::NEG_Y).move_and_slide(&pair, &b, v);
             }
             Body::Circle { c, r } => {
                 let b = Circle::new(scene.vec2(c), Fx::from_bits(r as i32)).unwrap();
                 let _ = (map.overlaps(&b), map.touches(&b), map.flags_touched(&b), pair.overlaps(&b));
                 let _ = pair.contacts(&b, OneWay::Include, &mut out);
-                let _ = Mover::new().move_and_slide(map, &[], &b, v);
+                let _ = Mover::new().move_and_slide(map, &b, v);
             }
         }
         let rules = RayRules { inside: Inside::Hit, one_way: true };

@@ -119,7 +119,9 @@ fn errors_say_what_and_where() {
         text(TileMapError::CarriageReturn { row: 1 }),
         "row 1 has a carriage return; rows end with line feeds alone"
     );
-    assert_eq!(text(TileMapError::ShapeNotInSet { id: 7 }), "the shape of tile 7 is not in the map's set");
+    let of_another = "a shape that is not in the map's set: a map of another set is made by `of` or `of_ascii`";
+    assert_eq!(text(TileMapError::ShapeNotInSet { id: 7 }), format!("the table gives tile 7 {of_another}"));
+    assert_eq!(text(TileMapError::ShapeNotInSet { id: b'/' }), format!("the table gives tile 47 '/' {of_another}"));
     let out = TileMapError::OutOfDomain { what: Quantity::X, value: 5 };
     assert_eq!(text(out), "the map ends at X = 5 raw, out of range");
 }

@@ -1,5 +1,5 @@
 # The reviewed table as Markdown, both cores side by side: awk -f readme.awk counts.txt
-# Rows that only show where a class comes from stay in counts.txt.
+# Rows that only show where a class comes from stay in counts.txt, and so do stacks below 256 bytes.
 BEGIN { FS = "|" }
 
 function trim(s) { gsub(/^ +| +$/, "", s); return s }
@@ -9,6 +9,13 @@ NF < 5 || /^core/ || /(second|third|last) reject|, uniform/ { next }
 {
     core = trim($1)
     name = trim($2)
+    if (core ~ /stack/) {
+        sub(/ stack/, "", core)
+        if (!(name in stack_listed) && $3 + 0 < 256) next
+        if (!(name in stack_listed)) { stack_listed[name] = 1; stack_order[++stacks] = name }
+        stack[name, core] = trim($3)
+        next
+    }
     sub(/ \(A right\)/, "", name)
     kind = core ~ /flash|RAM/ ? "flash" : "count"
     if (core ~ /RAM/) name = "RAM of " name
@@ -30,5 +37,13 @@ END {
     for (i = 1; i <= rows["flash"]; i++) {
         name = order["flash", i]
         printf "| %s | %d | %d |\n", name, first["flash", name, "M0"], first["flash", name, "M3"]
+    }
+    if (!stacks) exit
+    print ""
+    print "| bytes of stack, the most of 64 inputs, where above 256 | M0 | M3 |"
+    print "|---|--:|--:|"
+    for (i = 1; i <= stacks; i++) {
+        name = stack_order[i]
+        printf "| %s | %s | %s |\n", name, stack[name, "M0"], stack[name, "M3"]
     }
 }

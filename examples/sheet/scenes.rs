@@ -137,7 +137,7 @@ fn path(
             scene.ring(frame.place(spot(ball.centre())), radius as f32 * frame.scale, 1.0, ink.alpha(0.3));
         }
         velocity += Vec2::from_raw(0, 12_000);
-        let moved = mover.move_and_slide(map, &[], &ball, velocity).map_err(|e| fail(&e))?;
+        let moved = mover.move_and_slide(map, &ball, velocity).map_err(|e| fail(&e))?;
         if let Some(hit) = moved.hits.first() {
             // Where the ball was then, and its point against the normal.
             let part = hit.toi.raw() as f32 / Toi::ONE.raw() as f32;

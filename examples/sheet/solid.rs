@@ -1,7 +1,6 @@
-//! The solid of a map, pixel by pixel, as the library's strict overlap test has it.
+//! The solid of a level, pixel by pixel, as the library's strict overlap test has it.
 
-use tilesat::world::Set;
-use tilesat::{Aabb, TileMap, Vec2};
+use tilesat::{Aabb, Vec2, World};
 
 use crate::platformer::picture::Scene;
 use crate::platformer::picture::ink::Ink;
@@ -10,8 +9,8 @@ use crate::platformer::picture::marks::Spot;
 /// Points a pixel on each axis.
 const FINE: i32 = 4;
 
-/// Fills what is solid of the `size` pixels from the map's `from` on, drawn at `at`; `scale` pixels to a unit.
-pub fn fill<S: Set>(scene: &mut Scene, map: &TileMap<'_, S>, at: Spot, size: (i32, i32), scale: i32, ink: Ink) {
+/// Fills what is solid of the first `size` pixels of a level, drawn at `at`; `scale` pixels to a unit.
+pub fn fill(scene: &mut Scene, map: &impl World, at: Spot, size: (i32, i32), scale: i32, ink: Ink) {
     for y in 0..size.1 {
         let mut x = 0;
         while x < size.0 {
@@ -29,11 +28,11 @@ pub fn fill<S: Set>(scene: &mut Scene, map: &TileMap<'_, S>, at: Spot, size: (i3
 }
 
 /// How many points of a pixel are inside. They are odd fractions of a unit, so none is on a tile's border.
-fn share<S: Set>(map: &TileMap<'_, S>, x: i32, y: i32, scale: i32) -> i32 {
+fn share(map: &impl World, x: i32, y: i32, scale: i32) -> i32 {
     let place = |pixel: i32, part: i32| ((pixel * FINE + part) * 2 + 1) * (65536 / (2 * FINE * scale));
     let inside = |i: i32| {
         let p = Vec2::from_raw(place(x, i % FINE), place(y, i / FINE));
-        Aabb::new(p, p).is_ok_and(|point| map.overlaps(&point))
+        Aabb::new(p, p).is_ok_and(|point| map.overlaps_aabb(&point))
     };
     (0..FINE * FINE).filter(|&i| inside(i)).count() as i32
 }

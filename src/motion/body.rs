@@ -1,6 +1,6 @@
 //! What a mover can move.
 
-use crate::num::{Axis, Raw, Vec2, mul_div, mul128, sqr64, umul};
+use crate::num::{Axis, Raw, Vec2, cmp_squares, mul_div, umul};
 use crate::shape::{Aabb, Circle};
 use core::cmp::Ordering;
 
@@ -39,8 +39,8 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// Whether this hit comes before `other`: earlier, else face before its end before vertex, else more opposed to the motion, else by the
-    /// normal, x first. Only geometry decides, never the order of visits. For normals of one length.
+    /// Whether this hit comes before `other`: earlier, else face before its end, else more opposed to the motion, else by the normal, x first.
+    /// Only geometry decides, never the order of visits. Of faces, or of vertices and arcs; for normals of one length.
     pub(super) fn before(&self, other: &Self, d: Raw) -> bool {
         let key = |e: &Self| (e.against(d), e.normal.x.unsigned_abs(), e.normal.x, e.normal.y);
         self.precedes(other).unwrap_or_else(|| key(self) > key(other))
@@ -54,10 +54,12 @@ impl Entry {
     #[inline(never)]
     fn is_more_opposed(&self, other: &Self, d: Raw) -> bool {
         let (a, b) = (self.against(d), other.against(d));
-        let part = |of: i64, to: &Self| mul128(sqr64(of.unsigned_abs()), to.normal.length_squared());
         let opposition = match a.signum().cmp(&b.signum()) {
-            Ordering::Equal if a < 0 => part(b, self).cmp(&part(a, other)),
-            Ordering::Equal => part(a, other).cmp(&part(b, self)),
+            Ordering::Equal => {
+                let (to, from) = (other.normal.length_squared(), self.normal.length_squared());
+                let sizes = cmp_squares((a.unsigned_abs(), to), (b.unsigned_abs(), from));
+                if a < 0 { sizes.reverse() } else { sizes }
+            }
             unequal => unequal,
         };
         // Of two lengths of one direction the longer one, mirrored or not.
@@ -72,20 +74,15 @@ impl Entry {
 
     fn precedes(&self, other: &Self) -> Option<bool> {
         match self.time(other) {
-            Ordering::Equal if self.kind() == other.kind() => None,
-            Ordering::Equal => Some(self.kind() < other.kind()),
+            Ordering::Equal if self.at_end == other.at_end => None,
+            Ordering::Equal => Some(other.at_end),
             earlier => Some(earlier == Ordering::Less),
         }
     }
 
-    /// (vertex, end of a face).
-    fn kind(&self) -> (bool, bool) {
-        (self.step.is_some(), self.at_end)
-    }
-
     /// Whether both are the same moment and the same surface.
     pub(super) fn same_as(&self, other: &Self) -> bool {
-        self.normal == other.normal && self.kind() == other.kind() && self.time(other) == Ordering::Equal
+        self.normal == other.normal && self.at_end == other.at_end && self.time(other) == Ordering::Equal
     }
 
     /// Exact comparison of the times. Faces in one plane have equal fractions, which needs no product.
@@ -129,6 +126,8 @@ pub(super) mod kernel {
     pub trait Kernel: Copy {
         /// Whether normals may be askew: where not, the code for them is not linked.
         const MEETS_CORNERS: bool;
+        /// Whether it matters how faces are joined.
+        fn meets_joints(&self) -> bool;
         /// The bounding box.
         fn bounds(&self) -> Aabb;
         /// Refuses bodies with a half extent or radius of 2^28 or more.

@@ -3,6 +3,8 @@
 use crate::error::Truncated;
 use crate::num::{Axis, Toi};
 use crate::world::Cell;
+use core::iter::{Chain, Flatten};
+use core::slice::Iter;
 
 /// One thing that a moving body ran into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,7 +31,9 @@ pub struct Hit {
 /// Plain data: a copy is a snapshot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hits {
-    items: [Option<Hit>; Hits::CAPACITY],
+    /// In halves: 48 bytes are made and copied in line, 96 by a library's routine for memory of any size.
+    early: [Option<Hit>; 2],
+    late: [Option<Hit>; 2],
     seen: u8,
 }
 
@@ -37,10 +41,14 @@ impl Hits {
     /// How many hits are kept: one for each iteration.
     pub const CAPACITY: usize = 4;
 
-    pub(super) const NONE: Self = Self { items: [None; Self::CAPACITY], seen: 0 };
+    #[inline]
+    pub(super) const fn none() -> Self {
+        Self { early: [None; 2], late: [None; 2], seen: 0 }
+    }
 
     pub(super) fn push(&mut self, hit: Hit) {
-        if let Some(slot) = self.items.get_mut(self.seen as usize) {
+        let half = if self.seen < 2 { &mut self.early } else { &mut self.late };
+        if let Some(slot) = half.get_mut(usize::from(self.seen & 1)).filter(|_| self.seen < Self::CAPACITY as u8) {
             *slot = Some(hit);
         }
         self.seen = self.seen.saturating_add(1);
@@ -48,7 +56,7 @@ impl Hits {
 
     /// The hits, first to last.
     pub fn iter(&self) -> impl Iterator<Item = &Hit> {
-        self.items.iter().flatten()
+        self.into_iter()
     }
 
     /// How many are kept.
@@ -66,7 +74,7 @@ impl Hits {
     /// The first hit.
     #[must_use]
     pub const fn first(&self) -> Option<Hit> {
-        self.items[0]
+        self.early[0]
     }
 
     /// Copies the hits into a vector of any capacity, first to last.
@@ -85,8 +93,8 @@ impl Hits {
 
 impl<'a> IntoIterator for &'a Hits {
     type Item = &'a Hit;
-    type IntoIter = core::iter::Flatten<core::slice::Iter<'a, Option<Hit>>>;
+    type IntoIter = Flatten<Chain<Iter<'a, Option<Hit>>, Iter<'a, Option<Hit>>>>;
     fn into_iter(self) -> Self::IntoIter {
-        self.items.iter().flatten()
+        self.early.iter().chain(&self.late).flatten()
     }
 }

@@ -3,9 +3,7 @@
 use super::{Body, Hits};
 use crate::error::RangeError;
 use crate::num::{Fx, Vec2};
-use core::convert::Infallible;
 use core::fmt;
-use core::marker::PhantomData;
 
 /// Where a body ended up, and what happened on the way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,21 +17,37 @@ pub struct Moved<B> {
     pub remaining: Vec2,
     /// What was hit.
     pub hits: Hits,
-    /// Whether a hit faced up to 45 degrees around "up". Always false for a mover without an up. Only what the motion ran into counts: a
-    /// body at rest reports no floor, so add gravity in every frame, on the ground too.
+    /// Whether a hit faced "up" within the mover's [slope limit](super::Mover::with_slope_limit), 45 degrees at first. Always false for a mover
+    /// without an up. Only what the motion ran into counts: a body at rest reports no floor, so add gravity in every frame, on the ground too.
     pub floor: bool,
     /// Whether a hit was neither floor nor ceiling.
     pub wall: bool,
-    /// Whether a hit faced up to 45 degrees around "down".
+    /// Whether a hit faced "down" within the same limit.
     pub ceiling: bool,
     /// The flags of all tiles that were hit, or-ed. Tiles that are not solid are never hit: ask
-    /// [`TileMap::tiles_in`](crate::TileMap::tiles_in).
+    /// [`TileMap::flags_touched`](crate::TileMap::flags_touched), or [`TileMap::flags_swept`](crate::TileMap::flags_swept) at high speed.
     pub flags: u8,
     /// What the call did.
     pub work: Work,
 }
 
 impl<B: Body> Moved<B> {
+    /// A body that has hit nothing yet, in as many sweeps.
+    #[inline]
+    pub(super) fn freely(body: B, velocity: Vec2, iterations: u32) -> Self {
+        Self {
+            body,
+            velocity,
+            remaining: Vec2::ZERO,
+            hits: Hits::none(),
+            floor: false,
+            wall: false,
+            ceiling: false,
+            flags: 0,
+            work: Work { iterations, features: 0, checks: 0 },
+        }
+    }
+
     /// The new position: the centre of a circle, the minimum corner of a box.
     #[must_use]
     pub fn position(&self) -> Vec2 {
@@ -53,11 +67,10 @@ pub struct Work {
     pub checks: u32,
 }
 
-/// The body overlaps the level before it moves; nothing was moved.
+/// The body overlaps the level before it moves; nothing was moved. A call without velocity moves nothing and does not look.
 ///
-/// It comes from a level that changed (a door that closed), or from a body put into the solid. A way out, for games that want one: move it by
-/// the [`push_out`](crate::world::WorldContact::push_out) of the nearest of its [`contacts`](crate::TileMap::contacts) and ask `overlaps` again, a few
-/// times at most; deep in the solid, and in gaps narrower than the body, there is none.
+/// It comes from a level that changed (a [door](crate::motion#doors) that closed), or from a body put into the solid. A way out, for games that want
+/// one: [`escape`](super::escape) pushes it out by the nearest surface that it reaches. It is `Stuck` too where it reaches none, or none is free.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stuck {
@@ -73,6 +86,12 @@ pub enum MoveError {
     Range(RangeError),
     /// The body overlaps the level already.
     Stuck(Stuck),
+}
+
+impl From<Stuck> for MoveError {
+    fn from(e: Stuck) -> Self {
+        Self::Stuck(e)
+    }
 }
 
 impl From<RangeError> for MoveError {
@@ -94,13 +113,3 @@ impl fmt::Display for MoveError {
 }
 
 impl core::error::Error for MoveError {}
-
-/// A solid that is placed into the level for one call: a platform, a door.
-///
-/// This version has none: no value of this type can be built, the slice that [`Mover::move_and_slide`](super::Mover::move_and_slide)
-/// takes is `&[]`, and calls that are written today keep compiling when there are some.
-#[derive(Clone, Copy, Debug)]
-pub struct Placed<'a> {
-    _none: Infallible,
-    _level: PhantomData<&'a ()>,
-}

@@ -1,6 +1,7 @@
 //! How a body goes on along a quarter pipe.
 
-use super::plane::{across, tangent, tangential};
+use super::plane::{across, into, tangent, tangential};
+use super::response::Law;
 use crate::num::{Axis, Raw, Toi, div_sqrt, isqrt64_ceil, mul_div, umul};
 
 /// A point that has met a concave arc from inside.
@@ -25,10 +26,11 @@ impl Pipe {
     /// The way of a body of velocity `v` in the time `rest`; none where it is pressed straight into the pipe.
     ///
     /// Its end is the end of the way along the tangent, drawn to the disc, which brings nothing farther apart; not beyond the
-    /// end of the arc, where the time that the chord takes decides what is left. The speed along the pipe stays what it is, less a few raw.
-    pub(super) fn chord(&self, v: Raw, rest: Toi) -> Option<Chord> {
+    /// end of the arc, where the time that the chord takes decides what is left. The speed along the pipe stays what it is, less a few raw and what friction takes.
+    pub(super) fn chord<S: Law>(&self, v: Raw, rest: Toi, surface: &S) -> Option<Chord> {
         let n = inward(self.m);
         let along = across(v, n);
+        let along = if S::SMOOTH { along } else { surface.surface().rub(along, into(v, n)) };
         if along == 0 {
             return None;
         }
@@ -50,6 +52,7 @@ impl Pipe {
         } else {
             Toi::ZERO
         };
+        let speed = if S::SMOOTH { speed } else { surface.surface().turned(speed, way, self.r) };
         let velocity = tangent(speed, inward(end), against);
         (velocity.len2() <= v.len2()).then_some(Chord { way, velocity, after })
     }

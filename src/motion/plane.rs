@@ -1,7 +1,8 @@
 //! What becomes of a velocity at the planes that a body touches.
 
 use super::body::kernel::Kernel;
-use crate::num::{Axis, Raw, div_sqrt, mul_div, mul_div_wide, umul};
+use super::response::{Law, Smooth, reply};
+use crate::num::{Axis, Raw, div_sqrt, mul_div, umul};
 use crate::world::World;
 
 /// The planes that a body touches, at most one for each iteration.
@@ -16,8 +17,20 @@ pub(super) struct Planes {
 #[derive(Clone, Copy, Debug)]
 struct Plane {
     normal: Axis,
-    /// Whether it is a face, not one place of a corner or an arc.
-    flat: bool,
+    bend: Bend,
+}
+
+/// What a plane is the tangent of: how its normal turns where the body goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Bend {
+    /// A face.
+    Flat,
+    /// A corner of a block.
+    Corner,
+    /// Another corner, or an arc from outside: the normal is the body as seen from the centre.
+    Convex,
+    /// A quarter pipe: the normal is the centre as seen from the body.
+    Concave,
 }
 
 /// A body that is pushed off by the rounding at one of two slopes still touches the other: within this many raw units of way, on each axis.
@@ -27,7 +40,7 @@ impl Planes {
     pub(super) const MAX: usize = 4;
 
     pub(super) const NONE: Self =
-        Self { list: [Plane { normal: Axis::X, flat: true }; Self::MAX], len: 0, landed: false };
+        Self { list: [Plane { normal: Axis::X, bend: Bend::Flat }; Self::MAX], len: 0, landed: false };
 
     /// None yet, of a body that comes flying (`landed`) or that has hardly moved.
     pub(super) fn ahead(landed: bool) -> Self {
@@ -35,14 +48,27 @@ impl Planes {
     }
 
     /// Keeps the first [`Planes::MAX`]; the mover makes no more hits than that.
-    pub(super) fn push(&mut self, normal: Axis, flat: bool) {
+    pub(super) fn push(&mut self, normal: Axis, bend: Bend) {
         if let Some(slot) = self.list.get_mut(self.len) {
-            *slot = Plane { normal, flat };
+            *slot = Plane { normal, bend };
             self.len += 1;
         }
     }
 
-    /// Whether some are left after the body has moved: faces that it has not risen from, and what is within [`NEAR`].
+    /// Whether there are several.
+    pub(super) fn are_wedge(&self) -> bool {
+        self.len > 1
+    }
+
+    /// Whether a displacement leads neither to nor from any of them, and one is of what rounding does not find exactly. The faces and corners of
+    /// blocks are what they are in a level of blocks.
+    pub(super) fn are_near(&self, made: Raw) -> bool {
+        let planes = || self.list.iter().take(self.len);
+        planes().any(Plane::is_askew) && planes().all(|p| is_near(made, p.normal, NEAR))
+    }
+
+    /// Whether some are left after the body has moved: faces that it has not risen from, and what is within [`NEAR`]; of a body that lay on
+    /// them also what it has slid along otherwise, with the normal that it has there now.
     ///
     /// A face counts as long as it could be, so that it does not matter what it is made of.
     pub(super) fn keep_touching(&mut self, made: Raw) -> bool {
@@ -51,9 +77,13 @@ impl Planes {
         *self = Self { landed: self.landed, ..Self::NONE };
         for plane in old.list.iter().take(old.len) {
             let n = plane.normal;
-            let size = u64::from(n.x.unsigned_abs()) + u64::from(n.y.unsigned_abs());
-            if near || (plane.flat && into(made, n) <= (size * u64::from(NEAR)) as i64) {
-                self.push(n, plane.flat);
+            if near || (plane.bend == Bend::Flat && into(made, n) <= margin(n, NEAR)) {
+                self.push(n, plane.bend);
+            } else if !self.landed && matches!(plane.bend, Bend::Convex | Bend::Concave) {
+                let n = plane.turned(made);
+                if into(made, n).unsigned_abs() * 4 <= umul(way(made), n.x.unsigned_abs().max(n.y.unsigned_abs())) {
+                    self.push(n, plane.bend);
+                }
             }
         }
         self.len > 0
@@ -72,25 +102,65 @@ impl Planes {
     /// Projecting the velocity from before the first plane on the cone of all of them, instead of clipping it at one plane after the
     /// other, leaves no cycle between two slopes.
     pub(super) fn slide<B: Kernel, W: World>(&self, v: Raw) -> Raw {
+        self.slide_on::<B, W, _>(v, &Smooth)
+    }
+
+    /// The same on a surface that may have friction; that acts last, so that it has no say in which plane it is.
+    pub(super) fn slide_on<B: Kernel, W: World, S: Law>(&self, v: Raw, surface: &S) -> Raw {
         if self.allow(v) {
             return v;
         }
-        let mut best = Raw { x: 0, y: 0 };
+        let (mut best, mut on) = (Raw { x: 0, y: 0 }, None);
         for n in self.iter() {
-            let along = project::<B, W>(v, n);
+            let along = project::<B, W, _>(v, n, &Smooth);
             if along.len2() > best.len2() && self.allow(along) {
-                best = along;
+                (best, on) = (along, Some(n));
             }
         }
-        best
+        match on {
+            Some(n) if !S::SMOOTH => {
+                let rubbed = project::<B, W, _>(v, n, surface);
+                if self.allow(rubbed) { rubbed } else { Raw { x: 0, y: 0 } }
+            }
+            _ => best,
+        }
     }
 
     /// The rest of a motion whose velocity `v` is allowed: along a slope where that is, to the last bit, and into no plane.
     pub(super) fn keep<B: Kernel, W: World>(&self, v: Raw, rest: Raw) -> Raw {
         let slope = self.iter().find(|&n| into(v, n) == 0 && into(rest, n) != 0);
-        let rest = slope.map_or(rest, |n| project::<B, W>(rest, n));
+        let rest = slope.map_or(rest, |n| project::<B, W, _>(rest, n, &Smooth));
         self.slide::<B, W>(rest)
     }
+}
+
+impl Plane {
+    fn is_askew(&self) -> bool {
+        self.bend != Bend::Corner && self.normal.x != 0 && self.normal.y != 0
+    }
+
+    /// The normal after a displacement. One along x or y has length one: it stays.
+    fn turned(&self, made: Raw) -> Axis {
+        let Axis { x, y } = self.normal;
+        if x == 0 || y == 0 {
+            return self.normal;
+        }
+        match self.bend {
+            Bend::Flat | Bend::Corner => self.normal,
+            Bend::Convex => Axis::new(x.wrapping_add(made.x), y.wrapping_add(made.y)),
+            Bend::Concave => Axis::new(x.wrapping_sub(made.x), y.wrapping_sub(made.y)),
+        }
+    }
+}
+
+/// Whether a displacement leads neither to nor from a plane, by less than `limit` or up to half more.
+pub(super) fn is_near(made: Raw, n: Axis, limit: u32) -> bool {
+    into(made, n).abs() <= margin(n, limit)
+}
+
+/// A length, or up to half more, in the length of a normal.
+fn margin(n: Axis, length: u32) -> i64 {
+    umul(n.x.unsigned_abs(), length).wrapping_add(umul(n.y.unsigned_abs(), length)) as i64
 }
 
 /// The longer component of a displacement.
@@ -99,35 +169,50 @@ pub(super) fn way(made: Raw) -> u32 {
 }
 
 /// The component of `v` along the normal, scaled: negative means into the plane. |v| < 2^29, |n| < 2^30: below 2^60.
-fn into(v: Raw, n: Axis) -> i64 {
+pub(super) fn into(v: Raw, n: Axis) -> i64 {
     n.dot(Axis::new(v.x, v.y))
 }
 
 /// Whether normals may be askew: where not, the code for them is not linked.
-const fn may_be_askew<B: Kernel, W: World>() -> bool {
+pub(super) const fn may_be_askew<B: Kernel, W: World>() -> bool {
     B::MEETS_CORNERS || !W::BLOCKS
 }
 
-/// `v` without its part along the normal: never into the plane, never longer than `v` (both exactly), zero where `v` has no part along it.
-fn project<B: Kernel, W: World>(v: Raw, n: Axis) -> Raw {
+/// `v` without its part along the normal, less what friction takes: never into the plane, never longer than `v` (both exactly), zero where `v` has
+/// no part along it.
+pub(super) fn project<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S) -> Raw {
+    let rub = |along: i64, into: i64| if S::SMOOTH { along } else { surface.surface().rub(along, into) };
     if n.x == 0 || n.y == 0 || !may_be_askew::<B, W>() {
-        return Raw { x: if n.x == 0 { v.x } else { 0 }, y: if n.x == 0 { 0 } else { v.y } };
+        let x = if n.x == 0 { rub(v.x.into(), into(v, Axis::new(0, n.y.signum()))) as i32 } else { 0 };
+        let y = if n.x == 0 { 0 } else { rub(v.y.into(), into(v, Axis::new(n.x.signum(), 0))) as i32 };
+        return Raw { x, y };
     }
+    let along = rub(across(v, n), into(v, n));
     if !W::BLOCKS && n.x.unsigned_abs() <= 2 && n.y.unsigned_abs() <= 2 {
-        return project_slope(v, n);
+        return project_slope(along, n);
     }
-    let along = across(v, n);
     let out = tangent(tangential(along, n), n, along < 0);
     if into(out, n) >= 0 && out.len2() <= v.len2() { out } else { Raw { x: 0, y: 0 } }
 }
 
 /// Exactly along a slope of tiles: the largest multiple of its direction that is not longer than the exact projection.
 #[inline(never)]
-fn project_slope(v: Raw, n: Axis) -> Raw {
+fn project_slope(along: i64, n: Axis) -> Raw {
     // |v| < 2^29 and |n|^2 <= 8: the dot product is below 2^31.
-    let along = across(v, n);
     let k = mul_div(along.unsigned_abs() as u32, 1, n.length_squared() as u32) as i32;
     let k = if along < 0 { k.wrapping_neg() } else { k };
+    Raw { x: n.y.wrapping_neg().wrapping_mul(k), y: n.x.wrapping_mul(k) }
+}
+
+/// A velocity of at most `speed` along the tangent (-n.y, n.x), or against it: the largest multiple of the direction of a slope of tiles, elsewhere
+/// as [`tangent`].
+pub(super) fn lies_along<B: Kernel, W: World>(speed: u32, n: Axis, against: bool) -> Raw {
+    let small = n.x.unsigned_abs() <= 2 && n.y.unsigned_abs() <= 2;
+    if W::BLOCKS || !small || n.x == 0 || n.y == 0 {
+        return tangent(speed, n, against);
+    }
+    let k = div_sqrt(speed.into(), n.length_squared()) as i32;
+    let k = if against { k.wrapping_neg() } else { k };
     Raw { x: n.y.wrapping_neg().wrapping_mul(k), y: n.x.wrapping_mul(k) }
 }
 
@@ -171,42 +256,17 @@ fn toward(speed: u32, unit: i32, side: i32) -> i32 {
     }
 }
 
-/// `v` mirrored at the plane, rounded to nearest, never longer than `v`; unchanged where it does not move in.
-pub(super) fn reflect<B: Kernel, W: World>(v: Raw, n: Axis) -> Raw {
-    let speed = into(v, n);
-    if speed >= 0 {
-        return v;
-    }
-    if n.x == 0 || n.y == 0 || !may_be_askew::<B, W>() {
+/// `v` after a bounce: never longer than it (or its reference speed), never into the plane; unchanged where it does not move in.
+pub(super) fn reflect<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S) -> Raw {
+    if S::SMOOTH && !may_be_askew::<B, W>() {
+        if into(v, n) >= 0 {
+            return v;
+        }
         let along_x = n.x == 0;
         return Raw {
             x: if along_x { v.x } else { v.x.wrapping_neg() },
             y: if along_x { v.y.wrapping_neg() } else { v.y },
         };
     }
-    let out = reflect_askew(v, n, speed);
-    if into(out, n) >= 0 { out } else { project::<B, W>(v, n) }
-}
-
-#[inline(never)]
-fn reflect_askew(v: Raw, n: Axis, speed: i64) -> Raw {
-    // v - 2 (v.n) n / n.n. With k = 2 |v.n| < 2^61 the component k |n_i| / n.n is below 2^31.
-    let (k, nn) = (2 * speed.unsigned_abs(), n.length_squared());
-    let part = |component: i32| {
-        let part = mul_div_wide(k.wrapping_mul(2), component.unsigned_abs(), nn).wrapping_add(1) >> 1;
-        if component < 0 { (part as i32).wrapping_neg() } else { part as i32 }
-    };
-    let mut out = Raw { x: v.x.wrapping_add(part(n.x)), y: v.y.wrapping_add(part(n.y)) };
-    // Rounding may lengthen it by a raw unit or two; take them from the larger component, from both where they are equal. A reflection that
-    // gains nothing keeps it.
-    while out.len2() > v.len2() {
-        let (x, y) = (out.x.unsigned_abs(), out.y.unsigned_abs());
-        if x >= y {
-            out.x = out.x.wrapping_sub(out.x.signum());
-        }
-        if y >= x {
-            out.y = out.y.wrapping_sub(out.y.signum());
-        }
-    }
-    out
+    reply(v, n, &surface.surface().rule(v))
 }

@@ -1,17 +1,24 @@
 //! What one call of the mover does to its body: the first hit of a motion, the place at the hit, the rest of the motion.
 
+use super::around::{Around, hull};
 use super::body::{Body, Entry};
+use super::facing::Side;
+use super::order::First;
 use super::pipe::Pipe;
-use super::plane::Planes;
-use super::{Hit, Hits, Moved, Work};
+use super::plane::{Planes, into, way};
+use super::response::Law;
+use super::{Hit, Moved};
 use crate::error::{Quantity, RangeError};
-use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, mul_div, umul};
+use crate::num::{Axis, DOMAIN, Raw, Toi, leading_zeros32, umul};
 use crate::shape::Aabb;
-use crate::world::{Feature, Geometry, World};
+use crate::world::{Feature, Geometry, Way, World};
 
 /// The state of one call.
-pub(super) struct Run<B> {
-    pub(super) moved: Moved<B>,
+#[expect(clippy::struct_excessive_bools, reason = "facts that are independent of each other")]
+pub(super) struct Run<'m, B> {
+    /// The result so far, where the caller wants it.
+    pub(super) moved: &'m mut Moved<B>,
+    around: Around,
     pub(super) v: Raw,
     /// The motion that is left to make.
     pub(super) motion: Raw,
@@ -22,6 +29,12 @@ pub(super) struct Run<B> {
     /// comes there with what the first has left; one that lay on the first already is pressed against both by the same push, and rests between them.
     pub(super) before_planes: Raw,
     pub(super) pass_one_way: bool,
+    /// Where it was before the call, if not in the solid.
+    pub(super) start: Option<B>,
+    /// Whether the body only creeps along what it has hit, and what else it is pushed against is to be found before it goes on.
+    pub(super) creeps: bool,
+    /// Whether the body has been in the solid all the time.
+    pub(super) inside: bool,
     /// Whether one-way faces are near that may be askew.
     guarded: bool,
     /// Whether the motion is a chord of a quarter pipe, not the velocity times the time.
@@ -30,27 +43,35 @@ pub(super) struct Run<B> {
     pub(super) after: Toi,
 }
 
-impl<B: Body> Run<B> {
-    pub(super) fn new(body: B, v: Raw) -> Self {
-        let moved = Moved {
-            body,
-            velocity: Vec2::ZERO,
-            remaining: Vec2::ZERO,
-            hits: Hits::NONE,
-            floor: false,
-            wall: false,
-            ceiling: false,
-            flags: 0,
-            work: Work::default(),
-        };
+/// Where a body was, to be put back to: a place in the solid is one only for what has been there all the time.
+#[derive(Clone, Copy)]
+pub(super) struct Place<B> {
+    body: B,
+    inside: bool,
+}
+
+impl<'m, B: Body> Run<'m, B> {
+    /// Of a body that has hit nothing yet.
+    pub(super) fn new(moved: &'m mut Moved<B>) -> Self {
+        Self::knowing(moved, Around::NOTHING)
+    }
+
+    /// Where something is known of the level already.
+    #[inline]
+    pub(super) fn knowing(moved: &'m mut Moved<B>, around: Around) -> Self {
+        let v = Raw::of(moved.velocity);
         Self {
             moved,
+            around,
             v,
             motion: v,
             rest: Toi::ONE,
             planes: Planes::NONE,
             before_planes: v,
             pass_one_way: false,
+            start: None,
+            creeps: false,
+            inside: false,
             guarded: false,
             on_chord: false,
             after: Toi::ZERO,
@@ -62,50 +83,86 @@ impl<B: Body> Run<B> {
         body.overlaps_world(world)
     }
 
-    /// The first hit of the motion. Cells are visited piece by piece so that the work is linear in the motion's length; the sweeps
-    /// themselves always see the whole motion.
+    /// Whether the body overlaps the level.
+    pub(super) fn is_stuck<W: World>(&mut self, world: &W) -> bool {
+        let body = self.moved.body;
+        !self.is_free(&body.bounds()) && self.overlaps(world, &body)
+    }
+
+    pub(super) fn here(&self) -> Place<B> {
+        Place { body: self.moved.body, inside: self.inside }
+    }
+
+    pub(super) fn put_back(&mut self, place: Place<B>) {
+        (self.moved.body, self.inside) = (place.body, place.inside);
+    }
+
+    /// Whether the level is known to leave these bounds free.
+    fn is_free(&self, bounds: &Aabb) -> bool {
+        self.around.is_free(&hull(bounds, Raw::ZERO, Raw::ZERO, margin(bounds)))
+    }
+
+    /// The first hit of the motion.
     pub(super) fn first_hit<W: World>(&mut self, world: &W, d: Raw) -> Option<(Entry, Feature)> {
+        let mut first = First::NONE;
+        self.find_first(world, d, &mut first);
+        first.hit::<B, W>(&self.moved.body, d).copied()
+    }
+
+    /// Looks for the first hit of the motion. Cells are visited piece by piece so that the work is linear in the motion's length; the sweeps
+    /// themselves always see the whole motion.
+    #[inline(never)]
+    pub(super) fn find_first<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
         let bounds = self.moved.body.bounds();
-        let longest = d.x.unsigned_abs().max(d.y.unsigned_abs());
-        // No shorter than the body either, or each piece would visit the body's own cells again.
-        let side = Raw::of(bounds.size());
-        let length = world.cell_size().max(side.x.max(side.y) as u32);
-        let pieces = if longest <= length { 1 } else { mul_div(longest, 1, length) + 1 };
-        let mut best: Option<(Entry, Feature)> = None;
+        let pieces = pieces(world, &bounds, d);
+        let (whole, joints) = (hull(&bounds, Raw::ZERO, d, 1), self.moved.body.meets_joints());
+        let (mut from, mut seen) = (Raw::ZERO, None);
         for piece in 0..pieces {
-            let region = hull(&bounds, part(d, piece, pieces), part(d, piece + 1, pieces));
-            for feature in world.features(&region) {
-                self.moved.work.features += 1;
-                if feature.one_way && self.pass_one_way {
-                    continue;
-                }
-                self.guarded |= !W::BLOCKS && feature.one_way;
-                let body = &self.moved.body;
-                let entry = if W::BLOCKS {
-                    body.sweep_block(d, &feature)
-                } else if W::ROUND || !matches!(feature.geometry, Geometry::Arc { .. }) {
-                    body.sweep(d, &feature)
-                } else {
-                    None
-                };
-                let Some(entry) = entry else { continue };
-                let before =
-                    |first: &Entry| if W::BLOCKS { entry.before(first, d) } else { entry.before_askew(first, d) };
-                match &mut best {
-                    Some((first, of)) if entry.same_as(first) => merge(of, &feature),
-                    Some((first, _)) if !before(first) => {}
-                    _ => best = Some((entry, feature)),
-                }
+            let to = part(d, piece + 1, pieces);
+            let region = piece_of(&bounds, from, to, pieces);
+            let before = seen.replace(region);
+            from = to;
+            self.around.look(world, &region);
+            let Some(piece_held) = self.around.held_in(&region) else { continue };
+            if W::GRID {
+                self.meet_blocks(world, &piece_held, d, first);
+            } else {
+                self.meet_features(world, &Way { piece: piece_held, before, whole, d, joints }, first);
             }
             // Later pieces hold only later hits.
-            if best.is_some_and(|(e, _)| umul(e.num, pieces) <= umul(e.den, piece + 1)) {
+            if first.is_within(piece + 1, pieces) {
                 break;
             }
         }
-        best
+    }
+
+    fn meet_features<W: World>(&mut self, world: &W, way: &Way, first: &mut First) {
+        let (body, d) = (self.moved.body, way.d);
+        for feature in world.features_ahead(way) {
+            self.moved.work.features += 1;
+            if feature.one_way && self.pass_one_way {
+                continue;
+            }
+            self.guarded |= !W::BLOCKS && feature.one_way;
+            let entry = if W::BLOCKS {
+                body.sweep_block(d, &feature)
+            } else if W::ROUND || !matches!(feature.geometry, Geometry::Arc { .. }) {
+                body.sweep(d, &feature)
+            } else {
+                None
+            };
+            let Some(entry) = entry else { continue };
+            if !W::BLOCKS && self.creeps && into(self.v, entry.normal) >= 0 {
+                continue;
+            }
+            first.add::<B, W>(entry, &feature, d);
+        }
     }
 
     /// Moves up to the hit; returns the displacement made.
+    ///
+    /// Where a box meets blocks the first displacement is certain: at the exact place of the hit it is on the outer side of one face's line of
+    /// each rectangle of solid, those lines are integers, and rounding toward the integer start passes none.
     pub(super) fn advance<W: World>(&mut self, world: &W, d: Raw, entry: &Entry) -> Raw {
         let q = entry.displacement(d);
         if q.is_zero() {
@@ -114,21 +171,30 @@ impl<B: Body> Run<B> {
         // Corners: rounding away from one corner may graze another. Lattice neighbours toward the start, then aside, then two back.
         let (sx, sy) = (d.x.signum(), d.y.signum());
         let at = |x: i32, y: i32| Raw { x: q.x.wrapping_add(x), y: q.y.wrapping_add(y) };
-        self.commit(world, d, &[q, at(-sx, -sy), at(sx, 0), at(0, sy), at(-sx, 0), at(0, -sy), at(-2 * sx, -2 * sy)])
+        let choices = [q, at(-sx, -sy), at(sx, 0), at(0, sy), at(-sx, 0), at(0, -sy), at(-2 * sx, -2 * sy)];
+        self.place(world, d, W::CERTAIN && !B::MEETS_CORNERS, &choices)
     }
 
     /// Takes the first displacement that the exact overlap test accepts, else stays; returns the displacement made. None leads beyond either
     /// end of the motion `d`, and so none out of the domain.
     pub(super) fn commit<W: World>(&mut self, world: &W, d: Raw, displacements: &[Raw]) -> Raw {
+        self.place(world, d, false, displacements)
+    }
+
+    /// The same, of displacements of which the first may be `certain`: what is certain or known needs no test.
+    pub(super) fn place<W: World>(&mut self, world: &W, d: Raw, certain: bool, displacements: &[Raw]) -> Raw {
         for q in displacements {
             let q = Raw { x: q.x.clamp(d.x.min(0), d.x.max(0)), y: q.y.clamp(d.y.min(0), d.y.max(0)) };
             let candidate = self.moved.body.shifted(q);
-            if !self.overlaps(world, &candidate) && (W::BLOCKS || !self.guarded || !self.passes_one_way(world, q)) {
-                self.moved.body = candidate;
+            let free =
+                (certain && !self.inside) || self.is_free(&candidate.bounds()) || !self.overlaps(world, &candidate);
+            debug_assert!(!free || !candidate.overlaps_world(world), "a place was taken for free");
+            if (free || self.inside) && (W::BLOCKS || !self.guarded || !self.passes_one_way(world, q)) {
+                (self.moved.body, self.inside) = (candidate, !free);
                 return q;
             }
         }
-        Raw { x: 0, y: 0 }
+        Raw::ZERO
     }
 
     /// Whether a rounded displacement leads through a one-way face: no overlap test would object, and the body would fall through. Faces
@@ -136,7 +202,7 @@ impl<B: Body> Run<B> {
     #[inline(never)]
     fn passes_one_way<W: World>(&mut self, world: &W, q: Raw) -> bool {
         let body = self.moved.body;
-        let region = hull(&body.bounds(), Raw { x: 0, y: 0 }, q);
+        let region = hull(&body.bounds(), Raw::ZERO, q, 1);
         for feature in world.features(&region) {
             self.moved.work.features += 1;
             if feature.one_way && !self.pass_one_way && body.sweep(q, &feature).is_some() {
@@ -185,33 +251,37 @@ impl<B: Body> Run<B> {
     /// Goes on along a quarter pipe that was hit, if that is one, by a chord; the velocity is then along the pipe at the chord's end, and
     /// as fast as it was along the pipe at its start.
     #[inline(never)]
-    pub(super) fn roll(&mut self, geometry: &Geometry) -> bool {
+    pub(super) fn roll<S: Law>(&mut self, geometry: &Geometry, surface: &S) -> bool {
         let Geometry::Arc { centre, radius, quadrant, convex: false } = *geometry else { return false };
         let (at, r) = self.moved.body.toward(quadrant);
         let pipe = Pipe { m: at.sub(Raw::of(centre)), r: radius.wrapping_sub(r), quadrant };
-        let Some(chord) = pipe.chord(self.before_planes, self.rest) else { return false };
+        let Some(chord) = pipe.chord(self.before_planes, self.rest, surface) else { return false };
         if !self.planes.allow(chord.velocity) || !self.planes.allow(chord.way) {
             return false;
         }
         (self.v, self.motion, self.after) = (chord.velocity, chord.way, chord.after);
-        self.on_chord = true;
-        if self.motion.is_zero() {
+        self.on_chord = !self.motion.is_zero();
+        if !self.on_chord && self.after != Toi::ZERO {
             // At the end of the pipe already.
             self.follow();
         }
         true
     }
 
-    /// Up to 45 degrees from up is floor: n.up >= |n x up|, exact.
-    pub(super) fn classify(&mut self, up: Option<Axis>, normal: Axis) {
-        let (along, across) = up.map_or((0, 1), |up| (normal.dot(up), normal.perp_dot(up).abs()));
-        if along >= across {
-            self.moved.floor = true;
-        } else if -along >= across {
-            self.moved.ceiling = true;
-        } else {
-            self.moved.wall = true;
+    pub(super) fn meet(&mut self, side: Side) {
+        match side {
+            Side::Floor => self.moved.floor = true,
+            Side::Wall => self.moved.wall = true,
+            Side::Ceiling => self.moved.ceiling = true,
         }
+    }
+
+    /// Completes the result, once the motion is made.
+    pub(super) fn end<W: World>(self) -> &'m mut Moved<B> {
+        let remaining = if W::ROUND { self.motion.add(self.made_in(self.after)) } else { self.motion };
+        self.moved.remaining = remaining.vec2();
+        self.moved.velocity = self.v.vec2();
+        self.moved
     }
 
     pub(super) fn record(&mut self, normal: Axis, feature: &Feature, toi: Toi) {
@@ -228,15 +298,6 @@ impl<B: Body> Run<B> {
     }
 }
 
-/// Two features that are one surface at the moment of the hit: the solid one stands for both, with the flags of both.
-fn merge(into: &mut Feature, other: &Feature) {
-    let flags = into.flags | other.flags;
-    if into.one_way && !other.one_way {
-        *into = *other;
-    }
-    into.flags = flags;
-}
-
 /// Refuses a motion that would leave the domain.
 pub(super) fn check_inside(bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
     let (lo, hi) = (bounds.lo().add(d), bounds.hi().add(d));
@@ -249,22 +310,41 @@ pub(super) fn check_inside(bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
     Ok(())
 }
 
-/// `d * k / n`, rounded toward zero; all of `d` for k = n.
+/// `d * k / n`, rounded toward zero, for a power of two n and k up to n.
 fn part(d: Raw, k: u32, n: u32) -> Raw {
     if k == n {
         return d;
     }
     let of = |c: i32| {
-        let size = mul_div(c.unsigned_abs(), k, n) as i32;
-        if c < 0 { size.wrapping_neg() } else { size }
+        // As words: n is more than one, and the result fits one.
+        let (log, size) = ((31 - leading_zeros32(n)) & 31, umul(c.unsigned_abs(), k));
+        let size = ((size >> 32) as u32) << ((32 - log) & 31) | size as u32 >> log;
+        if c < 0 { (size as i32).wrapping_neg() } else { size as i32 }
     };
     Raw { x: of(d.x), y: of(d.y) }
 }
 
-/// What the bounds cover between two displacements, one raw unit larger on every side because the displacements are rounded.
-fn hull(bounds: &Aabb, from: Raw, to: Raw) -> Aabb {
-    let (a, b) = (bounds.lo(), bounds.hi());
-    let lo = Raw { x: a.x + from.x.min(to.x) - 1, y: a.y + from.y.min(to.y) - 1 };
-    let hi = Raw { x: b.x + from.x.max(to.x) + 1, y: b.y + from.y.max(to.y) + 1 };
-    Aabb::from_raw_unchecked(lo, hi)
+/// In how many pieces, a power of two, the cells under a motion are visited: no shorter than the body either, or each would visit the body's own
+/// cells again. Up to half as long again is one piece: a look-up more costs less than another start. At most 2^21, for a motion below 2^29 in cells of
+/// 2^8.
+pub(super) fn pieces<W: World>(world: &W, bounds: &Aabb, d: Raw) -> u32 {
+    let longest = way(d);
+    let side = Raw::of(bounds.size());
+    let length = world.cell_size().max(side.x.max(side.y) as u32);
+    let mut log = 0;
+    while longest >> log > length + (length >> 1) {
+        log += 1;
+    }
+    1 << log
+}
+
+/// What the inside of the bounds covers in one of the pieces of a motion. Where there are more, displacements are rounded: a raw unit larger then.
+pub(super) fn piece_of(bounds: &Aabb, from: Raw, to: Raw, pieces: u32) -> Aabb {
+    hull(bounds, from, to, if pieces == 1 { margin(bounds) } else { 1 })
+}
+
+/// By how much bounds without area are grown, so that they have an inside.
+fn margin(bounds: &Aabb) -> i32 {
+    let size = Raw::of(bounds.size());
+    i32::from(size.x == 0 || size.y == 0)
 }

@@ -4,17 +4,18 @@
 //! by it inside of a concave one. Only what happens in the closed quadrant counts; beyond its borders the neighbours of the arc are in charge.
 
 use super::body::Entry;
-use super::moment::{exit_time, ratio};
-use super::sweep_vertex::{Crossing, direction, enters_where};
+use super::sweep_vertex::{enters_quadrant, entry};
 use crate::num::{Axis, Raw, Toi, less128, mul64, sqr64, usqr};
+use crate::query::cast::crossing::{Crossing, direction};
+use crate::query::cast::moment::{exit_time, ratio};
 
-/// Entry of the point `m` (as seen from the arc's centre) moving by `d` into the disc of radius `r`, in the closed quadrant.
+/// Entry of the point `m` (as seen from the arc's centre) moving by `d` into the disc of radius `r`, in the quadrant, which is `closed` or not.
 ///
 /// Who starts inside of the disc is on another side of the solid, and passes the quadrant's border inside or after leaving: no entry.
 #[inline(never)]
-pub(super) fn enter_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<Entry> {
+pub(super) fn enter_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis, closed: bool) -> Option<Entry> {
     let hit = Crossing::of(m, r, d)?;
-    crosses_rim(m, r, d, quadrant, hit.cross).then(|| hit.entry(m, d))
+    if enters_quadrant(m, r, d, quadrant, hit.cross, closed) { entry(&hit, m, d) } else { None }
 }
 
 /// The point `m` leaving the disc of radius `r` by `d`, in the closed quadrant.
@@ -37,7 +38,7 @@ pub(super) fn leave_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<En
     let back = Raw { x: d.x.wrapping_neg(), y: d.y.wrapping_neg() };
     // Reversed, the same line has the opposite moment: (m + d) x -d = -(m x d). A tangent does not approach, so it is taken where it goes on
     // into the quadrant and not where it comes out.
-    if !crosses_rim(end, r, back, quadrant, cross.wrapping_neg()) {
+    if !enters_quadrant(end, r, back, quadrant, cross.wrapping_neg(), true) {
         return None;
     }
     let t = exit_time(inner.unwrap_or(0), b, a, rra, cross);
@@ -47,6 +48,18 @@ pub(super) fn leave_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<En
     let normal = if at.is_zero() { back } else { Raw { x: at.x.wrapping_neg(), y: at.y.wrapping_neg() } };
     let normal = direction(normal);
     Some(Entry { num: t.raw(), den: Toi::ONE.raw(), normal, at_end: true, step: Some(step) })
+}
+
+/// The same for the corner of a box. Exactly through an end of the arc and out of its quarter it passes: what the arc bounds ends there as well.
+/// A circle does not, it reaches farther to the side.
+pub(super) fn leave_by_corner(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<Entry> {
+    let passes = |x: i32, y: i32, along: i32| {
+        let end = Raw { x: x.wrapping_mul(r), y: y.wrapping_mul(r) };
+        along <= 0 && end.sub(m).cross(d) == 0 && end.dot(d) > 0
+    };
+    let (x, y) = (quadrant.x, quadrant.y);
+    let passes = passes(0, y, d.x.wrapping_mul(x)) || passes(x, 0, d.y.wrapping_mul(y));
+    if passes { None } else { leave_quarter(m, r, d, quadrant) }
 }
 
 /// The same where the disc is a point: a body as wide as the pipe comes to its centre, touches all of it, and goes on against an end.
@@ -64,11 +77,4 @@ pub(super) fn leave_centre(m: Raw, d: Raw, quadrant: Axis) -> Option<Entry> {
     let t = ratio(b as u64, a);
     let step = Raw { x: m.x.wrapping_neg(), y: m.y.wrapping_neg() };
     Some(Entry { num: t.raw(), den: Toi::ONE.raw(), normal, at_end: true, step: Some(step) })
-}
-
-/// Whether the point enters the disc of radius `r` in the closed quadrant.
-fn crosses_rim(m: Raw, r: i32, d: Raw, quadrant: Axis, cross: i64) -> bool {
-    let (sx, sy) = (quadrant.x, quadrant.y);
-    enters_where::<true>(m.x.wrapping_mul(sx), d.x.wrapping_mul(sx), d.x, d.y, cross, r)
-        && enters_where::<true>(m.y.wrapping_mul(sy), d.y.wrapping_mul(sy), d.y, d.x, cross.wrapping_neg(), r)
 }

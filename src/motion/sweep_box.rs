@@ -1,8 +1,9 @@
 //! A moving box against faces along x and y, and what tells its other cases apart.
 
 use super::body::{Entry, kernel::Kernel};
-use super::sweep_arc::{enter_quarter, leave_quarter};
-use super::sweep_corner::{sweep_peak, sweep_round, sweep_slope};
+use super::sweep_arc::{enter_quarter, leave_by_corner};
+use super::sweep_corner::{sweep_peak, sweep_round};
+use super::sweep_slope::sweep_slope;
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw, imul};
 use crate::shape::Aabb;
@@ -10,6 +11,10 @@ use crate::world::{Feature, Geometry, World};
 
 impl Kernel for Aabb {
     const MEETS_CORNERS: bool = false;
+
+    fn meets_joints(&self) -> bool {
+        true
+    }
 
     fn bounds(&self) -> Aabb {
         *self
@@ -29,16 +34,20 @@ impl Kernel for Aabb {
         let (lo, hi) = (self.lo(), self.hi());
         match feature.geometry {
             Geometry::Face { dir, .. } if dir.x == 0 || dir.y == 0 => self.sweep_block(d, feature),
-            Geometry::Face { a, dir, len, joined } => sweep_slope(lo, hi, d, Raw::of(a), dir, len, joined),
+            Geometry::Face { a, dir, len, joined } => {
+                // A box reaches beyond the slope's line exactly where the corner does that is nearest to it; the normal is (dir.y, -dir.x).
+                let (corner, _) = self.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
+                sweep_slope(corner, 0, d, &Face { a: Raw::of(a), dir, len, joined })
+            }
             Geometry::Vertex { p, e_in, e_out } => sweep_peak(lo, hi, d, Raw::of(p), e_in, e_out),
             Geometry::Arc { centre, radius, quadrant, convex } => {
                 let (corner, _) = self.toward(if convex { quadrant.reversed() } else { quadrant });
                 let centre = Raw::of(centre);
                 let m = corner.sub(centre);
                 if convex {
-                    sweep_round(lo, hi, d, centre, radius, quadrant, enter_quarter(m, radius, d, quadrant))
+                    sweep_round(lo, hi, d, centre, radius, quadrant, enter_quarter(m, radius, d, quadrant, true))
                 } else {
-                    leave_quarter(m, radius, d, quadrant)
+                    leave_by_corner(m, radius, d, quadrant)
                 }
             }
         }
@@ -49,7 +58,7 @@ impl Kernel for Aabb {
         // A block's corners need no test: its faces, closed where the motion enters them, cover what a box can hit.
         match feature.geometry {
             Geometry::Face { a, dir, len, joined } => {
-                sweep_face(self.lo(), self.hi(), d, &Face::new(Raw::of(a), dir, len, joined))
+                sweep_face((self.lo(), self.hi()), 0, d, &Face { a: Raw::of(a), dir, len, joined })
             }
             Geometry::Vertex { .. } | Geometry::Arc { .. } => None,
         }
@@ -65,68 +74,51 @@ impl Kernel for Aabb {
     }
 }
 
-/// An axis-parallel face in its own frame: `normal` is a unit axis, `lo..hi` its extent along the other axis.
-pub(super) struct Face {
-    pub(super) normal: Axis,
-    /// The face's coordinate on the axis of its normal.
-    pub(super) at: i32,
-    pub(super) lo: i32,
-    pub(super) hi: i32,
-    /// Whether the solid goes on beyond `lo`, `hi`.
-    joined: [bool; 2],
-}
-
-impl Face {
-    pub(super) fn new(a: Raw, dir: Axis, len: i32, joined: [bool; 2]) -> Self {
-        let normal = Axis::new(dir.y, dir.x.wrapping_neg());
-        let (at, start, step) = if dir.x == 0 { (a.x, a.y, dir.y) } else { (a.y, a.x, dir.x) };
-        if step > 0 {
-            Self { normal, at, lo: start, hi: start.wrapping_add(len), joined }
-        } else {
-            Self { normal, at, lo: start.wrapping_sub(len), hi: start, joined: [joined[1], joined[0]] }
-        }
-    }
-
-    /// `(along the normal's axis, along the face)`.
-    pub(super) fn split(&self, v: Raw) -> (i32, i32) {
-        if self.normal.x == 0 { (v.y, v.x) } else { (v.x, v.y) }
-    }
-
-    /// Distance in front of the face, of a coordinate on the axis of the normal.
-    pub(super) fn in_front(&self, coordinate: i32) -> i32 {
-        let d = coordinate.wrapping_sub(self.at);
-        if self.normal.x + self.normal.y > 0 { d } else { d.wrapping_neg() }
-    }
-
-    /// The speed away from the face.
-    pub(super) fn away(&self, speed: i32) -> i32 {
-        if self.normal.x + self.normal.y > 0 { speed } else { speed.wrapping_neg() }
-    }
-}
-
-/// Entry of the box `lo..hi` moving by `d` through a face, if the motion would start to overlap beyond it.
+/// Entry of the box `lo..hi`, grown by `r` all around, moving by `d` through a face along x or y, if the motion would start to overlap beyond it.
 ///
 /// With gap g >= 0 and speed s > 0 into the face, the entry time is g/s; the motion overlaps beyond the face only if it goes on
 /// after touching (g < s). At that moment the box must span a part of the face: strictly, or touch the face's end while moving
-/// over it, or touch an end beyond which the solid goes on (this last only matters for boxes without width).
-pub(super) fn sweep_face(lo: Raw, hi: Raw, d: Raw, face: &Face) -> Option<Entry> {
-    let (speed, along) = face.split(d);
-    let into = face.away(speed).wrapping_neg();
+/// over it, or, without width, touch an end beyond which the solid goes on. (One with width then spans a part of what goes on there.) Of a disc the
+/// point that is nearest to the line must meet the closed face: it is a box without size to which all ends are joined.
+#[inline(never)]
+pub(super) fn sweep_face((lo, hi): (Raw, Raw), r: i32, d: Raw, face: &Face) -> Option<Entry> {
+    let Face { a, dir, len, joined } = *face;
+    // (across the face, along it)
+    let split = |v: Raw| if dir.x == 0 { (v.x, v.y) } else { (v.y, v.x) };
+    let outward = dir.y.wrapping_sub(dir.x);
+    let (speed, along) = split(d);
+    let into = if outward < 0 { speed } else { speed.wrapping_neg() };
     if into <= 0 {
         return None;
     }
-    let ((lo_n, lo_t), (hi_n, hi_t)) = (face.split(lo), face.split(hi));
-    let leading = if speed > 0 { hi_n } else { lo_n };
-    let gap = face.in_front(leading);
+    let ((lo_n, lo_t), (hi_n, hi_t), (at, start)) = (split(lo), split(hi), split(a));
+    let gap = if outward < 0 { at.wrapping_sub(hi_n) } else { lo_n.wrapping_sub(at) }.wrapping_sub(r);
     if gap < 0 || gap >= into {
         return None;
     }
-    let over_lo = over(hi_t.wrapping_sub(face.lo), along, gap, into);
-    let over_hi = over(face.hi.wrapping_sub(lo_t), along.wrapping_neg(), gap, into);
-    let meets = |over: i32, moving_over: bool, joined: bool| over > 0 || (over == 0 && (moving_over || joined));
-    let spans = meets(over_lo, along > 0, face.joined[0]) && meets(over_hi, along < 0, face.joined[1]);
-    let at_end = (over_lo == 0 && !face.joined[0]) || (over_hi == 0 && !face.joined[1]);
-    spans.then_some(Entry { num: gap as u32, den: into as u32, normal: face.normal, at_end, step: None })
+    let (first, last) = (lo_t.wrapping_sub(start), hi_t.wrapping_sub(start));
+    let (first, last, along) = if dir.x.wrapping_add(dir.y) > 0 {
+        (first, last, along)
+    } else {
+        (last.wrapping_neg(), first.wrapping_neg(), along.wrapping_neg())
+    };
+    let over_start = over(last, along, gap, into);
+    let over_end = over(len.wrapping_sub(first), along.wrapping_neg(), gap, into);
+    let thin = lo_t == hi_t;
+    let meets =
+        |over: i32, moving_over: bool, joined: bool| over > 0 || (over == 0 && (moving_over || (thin && joined)));
+    let spans = meets(over_start, along > 0, joined[0]) && meets(over_end, along < 0, joined[1]);
+    let at_end = (over_start == 0 && !joined[0]) || (over_end == 0 && !joined[1]);
+    let normal = Axis::new(dir.y, dir.x.wrapping_neg());
+    spans.then_some(Entry { num: gap as u32, den: into as u32, normal, at_end, step: None })
+}
+
+/// A [`Geometry::Face`].
+pub(super) struct Face {
+    pub(super) a: Raw,
+    pub(super) dir: Axis,
+    pub(super) len: i32,
+    pub(super) joined: [bool; 2],
 }
 
 /// The sign of `reach + along * gap / into`, for `0 <= gap < into`: how far a body is over a face's end when it meets the face's line.

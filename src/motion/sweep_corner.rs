@@ -1,55 +1,8 @@
-//! A moving box against what is not a block: slopes, which it meets with a corner, and corners, which it meets with a side.
+//! A moving box against what is not a block: corners and arcs, which it meets with a side.
 
 use super::body::Entry;
 use super::sweep_box::{Face, sweep_face};
 use crate::num::{Axis, Raw};
-
-/// Entry of the corner of the box `lo..hi` that is nearest to a slope from `a` along `dir`, `len` times.
-///
-/// A box reaches beyond the slope's line exactly where that corner does. The corner passes over the part of the slope on whose side of an end
-/// the line of its motion runs: with m from the end to the corner, `sign(m x d)`, for any direction of the slope (the time of crossing cancels out).
-/// What an end means is as [`sweep_face`] has it: the corner enters there where it moves over the face. With the motion into the face, that is
-/// into the direction, along x or y, of the next part of the surface on which the box could be too. A box without width or height has none: it
-/// may be stopped by an acute corner that it only grazes.
-///
-/// ```text
-///      +----+          |m|, |d| below 2^30 and 2^28, |dir| below 2^30: products below 2^59 and 2^61
-///      |box |
-///      +----x  corner
-///         \  `.
-///   a +---..\__>d      dir
-///       solid `---..
-/// ```
-#[inline(never)]
-pub(super) fn sweep_slope(lo: Raw, hi: Raw, d: Raw, a: Raw, dir: Axis, len: i32, joined: [bool; 2]) -> Option<Entry> {
-    let normal = Axis::new(dir.y, dir.x.wrapping_neg());
-    let into = normal.dot(Axis::new(d.x, d.y)).wrapping_neg();
-    if into <= 0 {
-        return None;
-    }
-    let corner = Raw { x: if normal.x > 0 { lo.x } else { hi.x }, y: if normal.y > 0 { lo.y } else { hi.y } };
-    let m = corner.sub(a);
-    let gap = normal.dot(Axis::new(m.x, m.y));
-    if gap < 0 || gap >= into {
-        return None;
-    }
-    let end = Raw { x: m.x.wrapping_sub(dir.x.wrapping_mul(len)), y: m.y.wrapping_sub(dir.y.wrapping_mul(len)) };
-    let (over_start, over_end) = (m.cross(d), end.cross(d).wrapping_neg());
-    let along = dir.dot(Axis::new(d.x, d.y));
-    let meets = |over: i64, moving_over: bool, joined: bool| over > 0 || (over == 0 && (moving_over || joined));
-    if !meets(over_start, along > 0, joined[0]) || !meets(over_end, along < 0, joined[1]) {
-        return None;
-    }
-    let at_end = (over_start == 0 && !joined[0]) || (over_end == 0 && !joined[1]);
-    let (num, den) = fraction(gap as u64, into as u64);
-    Some(Entry { num, den, normal, at_end, step: None })
-}
-
-/// `num / den` with a divisor that fits an [`Entry`]: exact where it does already, as for all slopes of tiles, else less by one part in 2^29.
-fn fraction(num: u64, den: u64) -> (u32, u32) {
-    let shift = (64 - den.leading_zeros()).saturating_sub(30);
-    if shift == 0 { (num as u32, den as u32) } else { ((num >> shift) as u32, ((den >> shift) as u32).wrapping_add(1)) }
-}
 
 /// Entry of a side of the box that lands on a convex corner: along x or y, wherever that direction points out of both edges.
 ///
@@ -72,7 +25,7 @@ pub(super) fn sweep_end(lo: Raw, hi: Raw, d: Raw, p: Raw, normal: Axis) -> Optio
         return None;
     }
     let dir = Axis::new(normal.y.wrapping_neg(), normal.x);
-    sweep_face(lo, hi, d, &Face::new(p, dir, 0, [false; 2]))
+    sweep_face((lo, hi), 0, d, &Face { a: p, dir, len: 0, joined: [false; 2] })
 }
 
 /// Entry through a convex arc: of the box's corner through the arc itself (`by_corner`), or of a side that lands on an end, where the normal is

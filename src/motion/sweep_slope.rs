@@ -1,17 +1,33 @@
 //! A moving circle against a straight face of any direction.
 
 use super::body::Entry;
-use super::moment::gap_time;
-use crate::num::{Axis, Raw, Toi, imul, less128, mul64, mul128, sqr64, usqr};
-use core::cmp::Ordering;
+use super::sweep_box::Face;
+use crate::num::{Axis, Raw, Toi, leading_zeros64};
+use crate::query::cast::moment::gap_time;
+use crate::query::cast::side::{along, is_below, meets_beyond, reach};
 
-/// Entry of the disc of radius `r` around `c` through the face from `a` along `dir`, `len` times.
+/// Entry of the disc of radius `r` around `c` through the face; of a point, such as the corner of a box, where that is 0.
 ///
 /// In units of |dir|: the centre's height over the face's line, `gap`, is an integer, and it is compared with r |dir| by squares. The
 /// disc must start entirely in front, end nearer than its radius, and meet the closed face with the point that is nearest to the line.
 /// Heights are below 2^61, their squares below 2^122.
+///
+/// A point passes over the part of the slope on whose side of an end the line of its motion runs: with m from the end to the point, `sign(m x d)`,
+/// for any direction of the slope (the time of crossing cancels out). What an end means is as [`sweep_face`](super::sweep_box::sweep_face) has it: the
+/// corner of a box enters there where it moves over the face. With the motion into the face, that is into the direction, along x or y, of the next
+/// part of the surface on which the box could be too. A box without width or height has none: it may be stopped by an acute corner that it only grazes.
+///
+/// ```text
+///      +----+          |m|, |d| below 2^30 and 2^28, |dir| below 2^30: products below 2^59 and 2^61
+///      |box |
+///      +----x  corner
+///         \  `.
+///   a +---..\__>d      dir
+///       solid `---..
+/// ```
 #[inline(never)]
-pub(super) fn sweep_disc_slope(c: Raw, r: i32, d: Raw, a: Raw, dir: Axis, len: i32) -> Option<Entry> {
+pub(super) fn sweep_slope(c: Raw, r: i32, d: Raw, face: &Face) -> Option<Entry> {
+    let Face { a, dir, len, joined } = *face;
     let normal = Axis::new(dir.y, dir.x.wrapping_neg());
     let into = along(normal, d).wrapping_neg();
     if into <= 0 {
@@ -28,73 +44,26 @@ pub(super) fn sweep_disc_slope(c: Raw, r: i32, d: Raw, a: Raw, dir: Axis, len: i
         return None;
     }
     let end = Raw { x: m.x.wrapping_sub(dir.x.wrapping_mul(len)), y: m.y.wrapping_sub(dir.y.wrapping_mul(len)) };
-    if !meets_beyond(m, d, dir, false, r) || !meets_beyond(end, d, dir, true, r) {
+    if r != 0 {
+        if !meets_beyond(m, d, dir, false, r) || !meets_beyond(end, d, dir, true, r) {
+            return None;
+        }
+        let time = gap_time(gap as u64, into as u64, reach);
+        return Some(Entry { num: time.raw(), den: Toi::ONE.raw(), normal, at_end: false, step: None });
+    }
+    let (over_start, over_end) = (m.cross(d), end.cross(d).wrapping_neg());
+    let forth = along(dir, d);
+    let meets = |over: i64, moving_over: bool, joined: bool| over > 0 || (over == 0 && (moving_over || joined));
+    if !meets(over_start, forth > 0, joined[0]) || !meets(over_end, forth < 0, joined[1]) {
         return None;
     }
-    let time = gap_time(gap as u64, into as u64, reach);
-    Some(Entry { num: time.raw(), den: Toi::ONE.raw(), normal, at_end: false, step: None })
+    let at_end = (over_start == 0 && !joined[0]) || (over_end == 0 && !joined[1]);
+    let (num, den) = fraction(gap as u64, into as u64);
+    Some(Entry { num, den, normal, at_end, step: None })
 }
 
-/// `dir . v`; for the slopes of tiles, whose components are at most 2, with two products of words: |v| is below 2^30.
-fn along(dir: Axis, v: Raw) -> i64 {
-    if is_small(dir) {
-        i64::from(dir.x.wrapping_mul(v.x)).wrapping_add(i64::from(dir.y.wrapping_mul(v.y)))
-    } else {
-        imul(dir.x, v.x).wrapping_add(imul(dir.y, v.y))
-    }
-}
-
-const fn is_small(dir: Axis) -> bool {
-    dir.x.wrapping_add(2) as u32 <= 4 && dir.y.wrapping_add(2) as u32 <= 4
-}
-
-/// The square of r |dir|.
-fn reach(r: i32, dir: Axis) -> (u64, u64) {
-    let rr = usqr(r.unsigned_abs());
-    match dir.length_squared() {
-        2 => (0, rr << 1),
-        5 => (0, (rr << 2).wrapping_add(rr)),
-        nn => mul64(rr, nn),
-    }
-}
-
-/// Whether the square of a height is less than `reach`.
-fn is_below(height: u64, reach: (u64, u64)) -> bool {
-    if height >> 32 == 0 {
-        return reach.0 != 0 || usqr(height as u32) < reach.1;
-    }
-    less128(sqr64(height), reach)
-}
-
-/// Whether, at the moment T when the disc meets the face's line, the centre is not before an end: `u = dir . m(T) >= 0` for the start
-/// with `m` the centre as seen from it, the same with -dir for the face's end (`at_end`).
-///
-/// At the moment s with u = 0 the height is |dir|^2 (m x d) / du, and it falls: T is later than s where that is more than r |dir|.
-fn meets_beyond(m: Raw, d: Raw, dir: Axis, at_end: bool, r: i32) -> bool {
-    let dir = if at_end { dir.reversed() } else { dir };
-    let (u, du) = (along(dir, m), along(dir, d));
-    let beyond = u.wrapping_add(du);
-    if u >= 0 && beyond >= 0 {
-        return true;
-    }
-    if u < 0 && beyond < 0 {
-        return false;
-    }
-    let cross = if at_end { m.cross(d).wrapping_neg() } else { m.cross(d) };
-    if du > 0 {
-        // s <= T
-        cross >= 0 && offset_to_radius(cross, dir, r, du).is_ge()
-    } else {
-        // T <= s
-        cross >= 0 || offset_to_radius(cross, dir, r, du).is_le()
-    }
-}
-
-/// Compares the distance from a point at the moment when a motion passes it squarely, `|cross| |dir| / |du|`, with the radius.
-///
-/// |cross| is below 2^60, the square of |dir| below 2^61: exact in 192 bits.
-#[inline(never)]
-pub(super) fn offset_to_radius(cross: i64, dir: Axis, r: i32, du: i64) -> Ordering {
-    let offset = mul128(sqr64(cross.unsigned_abs()), dir.length_squared());
-    offset.cmp(&mul128(sqr64(du.unsigned_abs()), usqr(r.unsigned_abs())))
+/// `num / den` with a divisor that fits an [`Entry`]: exact where it does already, as for all slopes of tiles, else less by one part in 2^29.
+fn fraction(num: u64, den: u64) -> (u32, u32) {
+    let shift = (64 - leading_zeros64(den)).saturating_sub(30);
+    if shift == 0 { (num as u32, den as u32) } else { ((num >> shift) as u32, ((den >> shift) as u32).wrapping_add(1)) }
 }

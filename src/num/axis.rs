@@ -42,12 +42,25 @@ impl Axis {
     /// The dot product; exact where the components are below 2^31 in size and their products' sum fits 63 bits, as all axes of this crate do.
     #[must_use]
     pub const fn dot(self, rhs: Self) -> i64 {
-        imul(self.x, rhs.x).wrapping_add(imul(self.y, rhs.y))
+        // Across a face along an axis: one product, or none.
+        if self.x == 0 {
+            return times(self.y, rhs.y);
+        }
+        if self.y == 0 {
+            return times(self.x, rhs.x);
+        }
+        super::dot(self.x, rhs.x, self.y, rhs.y)
     }
 
     /// The perpendicular dot product `x1 y2 - y1 x2`.
     #[must_use]
     pub const fn perp_dot(self, rhs: Self) -> i64 {
+        if self.x == 0 {
+            return times(self.y, rhs.x).wrapping_neg();
+        }
+        if self.y == 0 {
+            return times(self.x, rhs.y);
+        }
         imul(self.x, rhs.y).wrapping_sub(imul(self.y, rhs.x))
     }
 
@@ -88,7 +101,17 @@ impl Axis {
     /// The square of the length, exact for components below 2^31.
     #[must_use]
     pub const fn length_squared(self) -> u64 {
-        super::usqr(self.x.unsigned_abs()).wrapping_add(super::usqr(self.y.unsigned_abs()))
+        super::norm(self.x, self.y)
+    }
+}
+
+/// The product, of which the first factor often is a unit.
+#[inline]
+const fn times(a: i32, b: i32) -> i64 {
+    match a {
+        1 => b as i64,
+        -1 => (b as i64).wrapping_neg(),
+        _ => imul(a, b),
     }
 }
 

@@ -23,6 +23,10 @@ pub(crate) const fn check_radius(r: Fx) -> Result<(), RangeError> {
     check(r, -1, DOMAIN, Quantity::Radius)
 }
 
+pub(crate) const fn check_length(length: Fx) -> Result<(), RangeError> {
+    check(length, -1, DOMAIN, Quantity::Length)
+}
+
 pub(crate) const fn check_motion(v: Vec2, limit: i32) -> Result<(), RangeError> {
     match check(v.x, -limit, limit, Quantity::MotionX) {
         Ok(()) => check(v.y, -limit, limit, Quantity::MotionY),

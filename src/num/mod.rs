@@ -6,6 +6,7 @@
 //! | [`Axis`] | a direction as two integers, of any length | always exact |
 //! | [`UnitVec2`] | a direction of length one, 2.30 | within 1.5 raw |
 //! | [`Toi`] | a fraction of a motion, 2^30 = the whole | rounded down |
+//! | [`Ratio`] | friction, restitution, shares, 2^30 = one | nearest |
 //! | [`umul`] [`usqr`] [`imul`] [`mul64`] [`sqr64`] | wide products | exact |
 //! | [`isqrt64`] [`mul_div`] [`div_sqrt`] | roots and quotients without division | exact floor |
 //!
@@ -14,6 +15,8 @@
 
 mod axis;
 mod domain;
+mod fraction;
+mod q30;
 mod ratio;
 mod root;
 mod toi;
@@ -23,17 +26,19 @@ mod wide;
 
 pub use axis::Axis;
 pub use domain::{DOMAIN, MOTION};
-pub(crate) use domain::{check_coordinate, check_motion, check_radius};
+pub(crate) use domain::{check_coordinate, check_length, check_motion, check_radius};
+pub(crate) use fraction::fraction;
+pub use q30::Ratio;
 pub use ratio::{div_sqrt, mul_div, mul_div_wide, recip};
 pub use root::{isqrt64, isqrt64_ceil, rsqrt};
-pub(crate) use root::{leading_zeros64, root128_down, root128_up};
+pub(crate) use root::{leading_zeros32, leading_zeros64, root128_down, root128_up};
 pub use toi::Toi;
 pub use unit::UnitVec2;
 pub(crate) use unit::unit_ceil;
 pub(crate) use vec2::Raw;
 pub use vec2::Vec2;
 pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split, usqr, usqr_split};
-pub(crate) use wide::{mul128, sub128};
+pub(crate) use wide::{add128, cmp_squares, dot, mul128, norm, sub128};
 
 /// The world's scalar: signed 16.16 fixed point. A unit is whatever the game says it is, usually a pixel.
 pub type Fx = fixed::types::I16F16;

@@ -1,6 +1,6 @@
 //! Quotients without division instructions: a table-and-Newton reciprocal gives a candidate, an exact remainder corrects it.
 
-use super::root::leading_zeros32;
+use super::root::{leading_zeros32, leading_zeros64};
 use super::wide::{less128, mul64, umul};
 
 /// `round(2^15 / (i + 64.5)) - 256` for i in 0..64, at most 255.
@@ -42,14 +42,24 @@ pub const fn recip(d: u32) -> u32 {
 #[inline(never)]
 #[must_use]
 pub const fn mul_div(a: u32, b: u32, d: u32) -> u32 {
+    if d != 0 {
+        if a == 0 || b == 0 {
+            return 0;
+        }
+        if b == d {
+            return a;
+        }
+    }
     let n = umul(a, b);
     if (n >> 32) as u32 >= d {
         return u32::MAX;
     }
-    if n == 0 {
-        return 0;
-    }
     let shift = leading_zeros32(d);
+    if d & d.wrapping_sub(1) == 0 {
+        // A power of two, as where a time is in parts of 2^30: a shift, in words. The high one is below d.
+        let log = 31 - shift;
+        return ((n >> 32) as u32) << ((32 - log) & 31) | n as u32 >> log;
+    }
     // With D = d * 2^shift >= 2^31: n / d = (n * 2^shift / 2^32) * (2^32 / D), and recip(D) / 2^31 <= 2^32 / D.
     // The quotient fits a word, so n < d * 2^32 and n * 2^shift < 2^64.
     let scaled = n << shift;
@@ -73,30 +83,45 @@ pub const fn mul_div(a: u32, b: u32, d: u32) -> u32 {
     q
 }
 
-/// The exact floor of `a * k / n`, for `n <= 2^63`, by bitwise long division; `u32::MAX` where it does not fit, or `n` is zero.
+/// The exact floor of `a * k / n`, for `n <= 2^63`; `u32::MAX` where it does not fit, or `n` is zero.
 ///
-/// Cold path: some 40 instructions a quotient bit. Used where a result must be exact and is asked for rarely (points on segments).
+/// As fast as [`mul_div`] where `a` and `n` are words, else some 700 instructions on a Cortex-M0. Used where a result must be exact and is asked for
+/// rarely: points on segments, replies of velocities.
 #[inline(never)]
 #[must_use]
 pub const fn mul_div_wide(a: u64, k: u32, n: u64) -> u32 {
-    // Restoring division of the 96-bit product by n: rem < n is kept below 2^63, so the shift cannot lose a bit.
+    if (a | n) >> 32 == 0 {
+        return mul_div(a as u32, k, n as u32);
+    }
     let (hi, lo) = mul64(a, k as u64);
-    let mut rem = (hi << 32) | (lo >> 32);
-    if hi >> 32 != 0 || rem >= n {
+    let top = (hi << 32) | (lo >> 32);
+    if hi >> 32 != 0 || top >= n {
         return u32::MAX;
     }
-    let mut bits = lo as u32;
-    let mut i = 0;
-    while i < 32 {
-        rem = (rem << 1) | (bits >> 31) as u64;
-        bits <<= 1;
-        if rem >= n {
-            rem = rem.wrapping_sub(n);
-            bits |= 1;
+    // With N = n 2^shift >= 2^63 and P = a k 2^shift < 2^32 N: P / N from the top 64 bits of the 96 of P and the top 32 of N.
+    let shift = leading_zeros64(n);
+    let top = if shift < 32 { (top << shift) | ((lo as u32 as u64) << shift >> 32) } else { lo << (shift - 32) };
+    let (nh, nl) = ((n << shift >> 32) as u32, (n << shift) as u32);
+    let y = recip(nh);
+    let sum = umul((top >> 32) as u32, y).wrapping_add(umul(top as u32, y) >> 32);
+    // The low half of N makes that too large by at most 2 and a fraction; the reciprocal's 26.5 parts in 2^32 of 2 and two truncations make it
+    // too small by at most 55. So what is short, from 3 less, is below 64.
+    let mut q = (sum >> 31).saturating_sub(3) as u32;
+    // The remainder and N in units of 2^32, a little too small and too large: q stays no more than exact, and ends at most 1 short.
+    let mut rem = top.wrapping_sub(umul(q, nh)).wrapping_sub(umul(q, nl) >> 32).saturating_sub(1);
+    let unit = nh as u64 + 1;
+    let mut step = unit << 5;
+    let mut weight = 32;
+    while weight > 0 {
+        if rem >= step {
+            rem = rem.wrapping_sub(step);
+            q = q.wrapping_add(weight);
         }
-        i += 1;
+        step >>= 1;
+        weight >>= 1;
     }
-    bits
+    // Below 2 n <= 2^64.
+    q.wrapping_add((lo.wrapping_sub(n.wrapping_mul(q as u64)) >= n) as u32)
 }
 
 /// The exact floor of `s / sqrt(n)`, for quotients below 2^31; `u32::MAX` for others, or where `n` is zero.

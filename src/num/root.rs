@@ -40,8 +40,9 @@ const fn rsqrt_seed(h: u32) -> u32 {
 
 /// The reciprocal square root `2^31 / sqrt(h / 2^32)` of a normalised word.
 ///
-/// `h` must be in `[2^30, 2^32)`. The error is within -1.53 and +2.00, checked for every `h`.
-#[inline]
+/// `h` must be in `[2^30, 2^32)`. The error is within -1.53 and +2.00, checked for every `h`. A call where the multiplications are calls as well.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 #[must_use]
 pub const fn rsqrt(h: u32) -> u32 {
     let y0 = min32(rsqrt_seed(h), 65535);
@@ -88,17 +89,23 @@ pub const fn isqrt64_ceil(n: u64) -> u32 {
 /// An upper bound of the square root of a number below 2^124, within one part in 2^31 (exact ceiling below 2^64).
 pub(crate) const fn root128_up(n: (u64, u64)) -> u64 {
     let (top, shift) = top_word(n);
-    let top = if shift == 0 { top } else { top.saturating_add(1) };
-    (isqrt64_ceil(top) as u64) << (shift / 2)
+    if shift == 0 {
+        return isqrt64_ceil(top) as u64;
+    }
+    let top = top.saturating_add(1);
+    let root = isqrt_norm((top >> 32) as u32, top as u32);
+    let short = super::wide::usqr(root) != top;
+    (root.saturating_add(short as u32) as u64) << (shift / 2)
 }
 
 /// The same as a lower bound (exact floor below 2^64).
 pub(crate) const fn root128_down(n: (u64, u64)) -> u64 {
     let (top, shift) = top_word(n);
-    (isqrt64(top) as u64) << (shift / 2)
+    let root = if shift == 0 { isqrt64(top) } else { isqrt_norm((top >> 32) as u32, top as u32) };
+    (root as u64) << (shift / 2)
 }
 
-/// What the least even shift leaves in 64 bits.
+/// What the least even shift leaves in 64 bits; where it is not zero, at least 2^62.
 const fn top_word((hi, lo): (u64, u64)) -> (u64, u32) {
     if hi == 0 {
         return (lo, 0);
@@ -153,13 +160,14 @@ pub(crate) const fn leading_zeros64(n: u64) -> u32 {
 #[inline]
 #[must_use]
 pub(crate) const fn leading_zeros32(n: u32) -> u32 {
-    if !super::wide::SPLIT {
-        return n.leading_zeros();
-    }
+    if super::wide::SPLIT { ladder(n) } else { n.leading_zeros() }
+}
+
+#[inline(never)]
+const fn ladder(mut n: u32) -> u32 {
     if n == 0 {
         return 32;
     }
-    let mut n = n;
     let mut zeros = 0;
     if n >> 16 == 0 {
         zeros += 16;

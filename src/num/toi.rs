@@ -68,9 +68,11 @@ impl Toi {
     ///
     /// While the sum is still on the side that `d` comes from, rounding toward zero keeps it away; on zero and beyond it is one more that does.
     pub(crate) const fn of_raw_beside(self, m: i32, d: i32, away: bool) -> i32 {
-        let part = self.of_raw(d);
+        let product = super::umul(d.unsigned_abs(), self.0);
+        let part = (product >> 30) as i32;
+        let part = if d < 0 { part.wrapping_neg() } else { part };
         let at = m.wrapping_add(part);
-        let short = super::umul(d.unsigned_abs(), self.0) & (Self::ONE.0 - 1) as u64 != 0;
+        let short = product as u32 & (Self::ONE.0 - 1) != 0;
         let outward = at == 0 || (at > 0) == (d > 0);
         if short && outward == away { part.wrapping_add(d.signum()) } else { part }
     }

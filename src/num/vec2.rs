@@ -174,6 +174,8 @@ pub struct Raw {
 }
 
 impl Raw {
+    pub(crate) const ZERO: Self = Self { x: 0, y: 0 };
+
     pub(crate) const fn of(v: Vec2) -> Self {
         Self { x: v.x.to_bits(), y: v.y.to_bits() }
     }
@@ -191,17 +193,32 @@ impl Raw {
         Self { x: self.x.wrapping_sub(o.x), y: self.y.wrapping_sub(o.y) }
     }
 
+    pub(crate) const fn reversed(self) -> Self {
+        Self { x: self.x.wrapping_neg(), y: self.y.wrapping_neg() }
+    }
+
     /// Operands below 2^30: each product is below 2^60, the sum below 2^61.
     pub(crate) const fn dot(self, o: Self) -> i64 {
-        imul(self.x, o.x).wrapping_add(imul(self.y, o.y))
+        super::dot(self.x, o.x, self.y, o.y)
+    }
+
+    /// [`dot`](Self::dot) and [`cross`](Self::cross): where a product is a call, three of them do (Gauss). Operands and their sums below 2^31.
+    #[inline]
+    pub(crate) const fn dot_cross(self, o: Self) -> (i64, i64) {
+        if !super::SPLIT {
+            return (self.dot(o), self.cross(o));
+        }
+        let both = imul(o.x, self.x.wrapping_sub(self.y));
+        let (dot, cross) = (imul(self.y, o.x.wrapping_add(o.y)), imul(self.x, o.y.wrapping_sub(o.x)));
+        (both.wrapping_add(dot), both.wrapping_add(cross))
     }
 
     pub(crate) const fn cross(self, o: Self) -> i64 {
-        imul(self.x, o.y).wrapping_sub(imul(self.y, o.x))
+        super::dot(self.x, o.y, self.y.wrapping_neg(), o.x)
     }
 
     pub(crate) const fn len2(self) -> u64 {
-        super::usqr(self.x.unsigned_abs()).wrapping_add(super::usqr(self.y.unsigned_abs()))
+        super::norm(self.x, self.y)
     }
 
     pub(crate) const fn is_zero(self) -> bool {

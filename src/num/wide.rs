@@ -1,5 +1,7 @@
 //! Products wider than a register, from 32-bit multiplications alone where the core has no long multiply.
 
+use core::cmp::Ordering;
+
 /// True where the core has no 32x32 -> 64 multiply: `ARMv6-M`, `ARMv4T` and `ARMv5TE` in Thumb state.
 ///
 /// Stable Rust sets no `target_feature` that tells `ARMv6-M` from `ARMv7-M`, but every 32-bit Arm target with `UMULL` in
@@ -33,6 +35,38 @@ pub const fn usqr(a: u32) -> u64 {
 #[must_use]
 pub const fn imul(a: i32, b: i32) -> i64 {
     if SPLIT { imul_split(a, b) } else { (a as i64) * (b as i64) }
+}
+
+/// `a b + c d`, exact for results below 2^63: one call where a product is one already.
+#[inline]
+pub(crate) const fn dot(a: i32, b: i32, c: i32, d: i32) -> i64 {
+    if SPLIT { dot_call(a, b, c, d) } else { dot_words(a, b, c, d) }
+}
+
+#[inline(never)]
+const fn dot_call(a: i32, b: i32, c: i32, d: i32) -> i64 {
+    dot_words(a, b, c, d)
+}
+
+#[inline(always)]
+const fn dot_words(a: i32, b: i32, c: i32, d: i32) -> i64 {
+    imul(a, b).wrapping_add(imul(c, d))
+}
+
+/// `a^2 + b^2`, for sums below 2^64.
+#[inline]
+pub(crate) const fn norm(a: i32, b: i32) -> u64 {
+    if SPLIT { norm_call(a, b) } else { norm_words(a, b) }
+}
+
+#[inline(never)]
+const fn norm_call(a: i32, b: i32) -> u64 {
+    norm_words(a, b)
+}
+
+#[inline(always)]
+const fn norm_words(a: i32, b: i32) -> u64 {
+    usqr(a.unsigned_abs()).wrapping_add(usqr(b.unsigned_abs()))
 }
 
 /// [`umul`] from four 16-bit products; what `ARMv6-M` runs, callable everywhere so that tests reach it.
@@ -114,11 +148,32 @@ const fn sqr64_words(a: u64) -> (u64, u64) {
     (usqr(ah) + (m >> 31) + carry as u64, lo)
 }
 
+/// Compares `a^2 p` with `b^2 q`, for products below 2^192.
+#[inline(never)]
+pub(crate) const fn cmp_squares((a, p): (u64, u64), (b, q): (u64, u64)) -> Ordering {
+    let (a, b) = (mul128(sqr64(a), p), mul128(sqr64(b), q));
+    if a.0 == b.0 && a.1 == b.1 && a.2 == b.2 {
+        Ordering::Equal
+    } else if a.0 < b.0 || (a.0 == b.0 && less128((a.1, a.2), (b.1, b.2))) {
+        Ordering::Less
+    } else {
+        Ordering::Greater
+    }
+}
+
 /// The product of a 128-bit and a 64-bit number, high word first; such triples compare as numbers. For products below 2^192.
+#[inline(never)]
 pub(crate) const fn mul128(a: (u64, u64), b: u64) -> (u64, u64, u64) {
     let (low, high) = (mul64(a.1, b), mul64(a.0, b));
     let (mid, carry) = high.1.overflowing_add(low.0);
     (high.0.wrapping_add(carry as u64), mid, low.1)
+}
+
+/// The sum of 128-bit numbers below 2^127, both as `(high, low)`.
+#[inline]
+pub(crate) const fn add128(a: (u64, u64), b: (u64, u64)) -> (u64, u64) {
+    let (lo, carry) = a.1.overflowing_add(b.1);
+    (a.0.wrapping_add(b.0).wrapping_add(carry as u64), lo)
 }
 
 /// The difference of 128-bit numbers, `a` not less than `b`, both as `(high, low)`.

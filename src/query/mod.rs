@@ -8,10 +8,11 @@
 //! | [`Contains`] | is all of B in A? | `bool` | exact, closed |
 //! | [`Distance`] | how far apart? | [`Fx`](crate::Fx) | down, 0 where they touch |
 //! | [`ClosestPoint`] | which points are nearest? | `Option<(Vec2, Vec2)>` | nearest, `None` where they touch |
+//! | [`CastShape`] | when does this motion first hit? | `Option<`[`CastHit`]`>` | yes or no exact, time down |
 //!
 //! All are implemented for every ordered pair of [`Aabb`](crate::Aabb), [`Circle`](crate::Circle) and [`Segment`](crate::Segment);
-//! `Contains` and `Distance` for a point ([`Vec2`](crate::Vec2)) as B, too. `closest_point(p)` is a method of each shape. None of them can fail,
-//! loop without a bound, or divide. Results depend on differences only: a translated scene gives the same bits, a mirrored one mirrored bits.
+//! `Contains` and `Distance` for a point ([`Vec2`](crate::Vec2)) as B, too, `CastShape` for a point as A against boxes and circles. `closest_point` and
+//! `cast_ray` are methods of each shape. None of them can loop without a bound or divide, and none can fail but casts, which refuse what is out of range. Results depend on differences only: a translated scene gives the same bits, a mirrored one mirrored bits.
 //!
 //! # Degenerate cases
 //!
@@ -46,6 +47,7 @@
 //! that axis is the same where its sign is a convention, and reversed where only the choice between two axes is one.
 //! Distances of shapes less than one raw unit apart are 0, and `touches` is then false.
 
+pub(crate) mod cast;
 pub(crate) mod closest;
 pub(crate) mod meet;
 pub(crate) mod region;
@@ -57,6 +59,7 @@ mod distance;
 mod fraction;
 mod overlap;
 
+pub use cast::{CastHit, CastShape, Inside, MovingHit};
 pub use closest::ClosestPoint;
 pub use contact::{Contact, Contacts};
 pub use contain::Contains;

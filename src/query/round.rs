@@ -5,7 +5,7 @@ use crate::num::{Raw, div_sqrt, mul_div_wide, umul};
 /// `n * s / d` to nearest, halves toward zero; for `|s| < 2^63`, `d > 0` below 2^63 and a result below 2^32 in size.
 ///
 /// The result is taken modulo 2^32: it may be added to a coordinate that is farther away than an `i32` says.
-pub(super) const fn scaled(n: i32, s: i64, d: u64) -> i32 {
+pub(crate) const fn scaled(n: i32, s: i64, d: u64) -> i32 {
     let (k, a) = (n.unsigned_abs(), s.unsigned_abs());
     let floor = mul_div_wide(a, k, d);
     // The remainder is below d, so its low 64 bits are all of it.

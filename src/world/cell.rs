@@ -11,7 +11,8 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cell {
-    /// Column; -1 and the map's width stand for everything left and right of it.
+    /// Column; -1 and the map's width stand for everything left and right of it. Of a [solid](super::Solids) its key, in a row that no map has:
+    /// see [`Solids::key_of`](super::Solids::key_of).
     pub x: i16,
     /// Row; -1 and the map's height stand for everything beyond the first and the last row.
     pub y: i16,
@@ -25,7 +26,7 @@ impl Cell {
     }
 
     /// For indices clamped to -1..=32767.
-    pub(super) const fn of(x: i32, y: i32) -> Self {
+    pub(crate) const fn of(x: i32, y: i32) -> Self {
         Self { x: x as i16, y: y as i16 }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Cell, TileMapError};
 use crate::error::Quantity;
-use crate::num::{DOMAIN, Fx, Raw, Vec2, umul};
+use crate::num::{DOMAIN, Fx, Raw, SPLIT, Vec2, umul};
 
 /// The cells of a map: how many, how large, and where.
 ///
@@ -118,6 +118,32 @@ impl Grid {
         self.index(y, &self.y)
     }
 
+    /// The columns of two coordinates, `hi` not less than `lo - 1`, near each other as a rule.
+    #[inline]
+    pub(super) const fn columns(&self, lo: i32, hi: i32) -> (i32, i32) {
+        self.indices(lo, hi, &self.x)
+    }
+
+    #[inline]
+    pub(super) const fn rows(&self, lo: i32, hi: i32) -> (i32, i32) {
+        self.indices(lo, hi, &self.y)
+    }
+
+    #[inline(never)]
+    const fn indices(&self, lo: i32, hi: i32, span: &Span) -> (i32, i32) {
+        let first = self.index(lo, span);
+        let mut last = first;
+        // A few steps are cheaper than a quotient.
+        let (mut steps, mut next) = (4, span.origin.wrapping_add(self.line(first.wrapping_add(1))));
+        while hi >= next && last < span.count as i32 {
+            if steps == 0 {
+                return (first, self.index(hi, span));
+            }
+            (last, next, steps) = (last.wrapping_add(1), next.wrapping_add(self.cell), steps - 1);
+        }
+        if hi < lo { (first, self.index(hi, span)) } else { (first, last) }
+    }
+
     /// Any `v`: the difference of two words, the first not less, fits an unsigned word.
     #[inline(never)]
     const fn index(&self, v: i32, span: &Span) -> i32 {
@@ -137,9 +163,25 @@ impl Grid {
         // Of the shift by 31 + log, 32 is the high word of the product.
         if self.magic == 0 {
             d >> (self.log & 31)
+        } else if SPLIT {
+            self.quotient_by_words(d)
         } else {
             (umul(d, self.magic) >> 32) as u32 >> (self.log.wrapping_sub(1) & 31)
         }
+    }
+
+    /// The same for indices below 2^15 without a long product.
+    ///
+    /// d / 2^(log - 1) is below 2^17 and the magic's upper half at most 2^15: the product is below 2^32, the first loses less than 1 of it, which is
+    /// half a cell, and the second less than 2^17 / 2^16 cells.
+    const fn quotient_by_words(&self, d: u32) -> u32 {
+        let mut index = (d >> (self.log.wrapping_sub(1) & 31)).wrapping_mul(self.magic >> 16) >> 16;
+        let mut rest = d.wrapping_sub(index.wrapping_mul(self.cell as u32));
+        while rest >= self.cell as u32 {
+            rest = rest.wrapping_sub(self.cell as u32);
+            index = index.wrapping_add(1);
+        }
+        index
     }
 
     /// The smaller coordinate of a column's side, as a distance from the origin. For columns 0..=width.
@@ -154,21 +196,33 @@ impl Grid {
         self.y.origin.wrapping_add(self.line(row))
     }
 
-    /// The corners of a cell; a cell at -1 or width (height) reaches to the end of the domain.
-    pub(super) const fn corners(&self, x: i32, y: i32) -> (Raw, Raw) {
-        let (x0, x1) = self.side(x, &self.x);
-        let (y0, y1) = self.side(y, &self.y);
-        (Raw { x: x0, y: y0 }, Raw { x: x1, y: y1 })
+    /// The corners of a cell of the map.
+    #[inline]
+    pub(super) const fn square(&self, x: i32, y: i32) -> (Raw, Raw) {
+        let lo = Raw { x: self.x.origin.wrapping_add(self.line(x)), y: self.line_y(y) };
+        (lo, Raw { x: lo.x.wrapping_add(self.cell), y: lo.y.wrapping_add(self.cell) })
     }
 
-    const fn side(&self, index: i32, span: &Span) -> (i32, i32) {
-        let lo = if index < 0 { 1 - DOMAIN } else { span.origin.wrapping_add(self.line(index)) };
-        let hi = if index >= span.count as i32 {
-            DOMAIN - 1
-        } else {
-            span.origin.wrapping_add(self.line(index.wrapping_add(1)))
-        };
+    /// The corners of a cell; a cell at -1 or width (height) reaches to the end of the domain.
+    #[inline]
+    pub(super) const fn corners(&self, x: i32, y: i32) -> (Raw, Raw) {
+        self.bounds((x, y), (x, y))
+    }
+
+    /// The first corner of one cell and the last one of another.
+    #[inline(never)]
+    pub(super) const fn bounds(&self, first: (i32, i32), last: (i32, i32)) -> (Raw, Raw) {
+        let lo = Raw { x: self.start(first.0, &self.x), y: self.start(first.1, &self.y) };
+        let hi = Raw { x: self.end_of(last.0, &self.x), y: self.end_of(last.1, &self.y) };
         (lo, hi)
+    }
+
+    const fn start(&self, index: i32, span: &Span) -> i32 {
+        if index < 0 { 1 - DOMAIN } else { span.origin.wrapping_add(self.line(index)) }
+    }
+
+    const fn end_of(&self, index: i32, span: &Span) -> i32 {
+        if index >= span.count as i32 { DOMAIN - 1 } else { span.origin.wrapping_add(self.line(index.wrapping_add(1))) }
     }
 }
 
@@ -193,5 +247,26 @@ const fn magic(cell: u32) -> (u32, u8) {
         // No power of two divides evenly: the ceiling is one more than the floor.
         Some(floor) if cell & cell.wrapping_sub(1) != 0 => (floor as u32 + 1, log),
         _ => (0, log),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::expect_used, reason = "a test")]
+mod tests {
+    use super::Grid;
+    use crate::num::{Fx, Vec2};
+
+    /// What cores without a long product run, at both sides of every line that a domain has room for.
+    #[test]
+    fn quotients_by_words() {
+        for cell in [258, 1000, 70_002, (1 << 17) - 2, 1_572_864, (1 << 24) - 2] {
+            let grid = Grid::new(1, 1, Fx::from_bits(cell), Vec2::ZERO).expect("a grid");
+            for index in 0..32_767.min((1 << 30) / cell as u32) {
+                let d = index * cell as u32;
+                for (d, expected) in [(d, index), (d + cell as u32 - 1, index), (d + cell as u32 / 2, index)] {
+                    assert_eq!(grid.quotient_by_words(d), expected, "{d} / {cell}");
+                }
+            }
+        }
     }
 }

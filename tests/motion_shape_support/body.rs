@@ -2,7 +2,7 @@
 
 use super::P;
 use tilesat::world::World;
-use tilesat::{Aabb, Circle, Fx, Hits, MoveError, Moved, Mover, Vec2, Work};
+use tilesat::{Aabb, Circle, Fx, Hits, MoveError, Moved, Mover, Surface, Vec2, Work};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Body {
@@ -66,23 +66,33 @@ impl Body {
             Self::Disc(p, r) => ((p.0 - r, p.1 - r), (p.0 + r, p.1 + r)),
         }
     }
+}
 
-    pub(crate) fn step<W: World>(self, mover: &Mover, world: &W, v: P) -> Result<Outcome, MoveError> {
-        match self {
-            Self::Rect(..) => {
-                let (lo, hi) = self.bounds();
-                let body = Aabb::new(vec2(lo), vec2(hi)).unwrap();
-                let moved = mover.move_and_slide(world, &[], &body, vec2(v))?;
-                Ok(outcome(self.at(point(moved.position())), &moved))
-            }
-            Self::Disc(c, r) => {
-                let body = Circle::new(vec2(c), Fx::from_bits(r as i32)).unwrap();
-                let moved = mover.move_and_slide(world, &[], &body, vec2(v))?;
-                Ok(outcome(self.at(point(moved.position())), &moved))
+/// The call under test, of each kind of mover.
+macro_rules! steps {
+    ($name:ident, $mover:ty) => {
+        impl Body {
+            pub(crate) fn $name<W: World>(self, mover: &$mover, world: &W, v: P) -> Result<Outcome, MoveError> {
+                match self {
+                    Self::Rect(..) => {
+                        let (lo, hi) = self.bounds();
+                        let body = Aabb::new(vec2(lo), vec2(hi)).unwrap();
+                        let moved = mover.move_and_slide(world, &body, vec2(v))?;
+                        Ok(outcome(self.at(point(moved.position())), &moved))
+                    }
+                    Self::Disc(c, r) => {
+                        let body = Circle::new(vec2(c), Fx::from_bits(r as i32)).unwrap();
+                        let moved = mover.move_and_slide(world, &body, vec2(v))?;
+                        Ok(outcome(self.at(point(moved.position())), &moved))
+                    }
+                }
             }
         }
-    }
+    };
 }
+
+steps!(step, Mover);
+steps!(step_on, Mover<Surface>);
 
 fn outcome<B>(body: Body, m: &Moved<B>) -> Outcome {
     let (v, remaining) = (point(m.velocity), point(m.remaining));

@@ -101,14 +101,14 @@ impl Body {
         match *self {
             Self::Rect { lo, hi } => {
                 let body = Aabb::new(vec2(lo), vec2(hi)).unwrap();
-                let moved = mover.move_and_slide(map, &[], &body, vec2(v))?;
+                let moved = mover.move_and_slide(map, &body, vec2(v))?;
                 assert_eq!(moved.position(), moved.body.min());
                 let body = Self::Rect { lo: point(moved.body.min()), hi: point(moved.body.max()) };
                 Ok(outcome(body, &moved))
             }
             Self::Disc { c, r } => {
                 let body = Circle::new(vec2(c), Fx::from_bits(i32::try_from(r).unwrap())).unwrap();
-                let moved = mover.move_and_slide(map, &[], &body, vec2(v))?;
+                let moved = mover.move_and_slide(map, &body, vec2(v))?;
                 assert_eq!(moved.position(), moved.body.centre());
                 let body = Self::Disc { c: point(moved.body.centre()), r: i64::from(moved.body.radius().to_bits()) };
                 Ok(outcome(body, &moved))

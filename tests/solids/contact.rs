@@ -81,10 +81,17 @@ impl Expected {
                 let b = (a.0 + d.0 * i128::from(len), a.1 + d.1 * i128::from(len));
                 let n = (d.1, -d.0);
                 let front = dot(n, sub(c, a));
-                if dot(d, sub(c, a)) < 0 || dot(d, sub(c, b)) > 0 || front * front >= r * r * dot(d, d) {
+                let out = expected(r as f64 - front as f64 / length(n), n);
+                // Behind its line, beyond an end that the disc covers: where no other feature counts.
+                if dot(d, sub(c, a)) < 0 || dot(d, sub(c, b)) > 0 {
+                    let covers = [a, b].iter().any(|&p| dot(sub(c, p), sub(c, p)) < r * r);
+                    let counts = behind && front <= 0 && covers;
+                    return counts.then_some(Self { in_region: false, ..out });
+                }
+                if front * front >= r * r * dot(d, d) {
                     return None;
                 }
-                if front < 0 && !behind { None } else { Some(expected(r as f64 - front as f64 / length(n), n)) }
+                if front < 0 && !behind { None } else { Some(out) }
             }
             Geometry::Vertex { p, e_in, e_out } => {
                 let m = sub(c, wide(p));

@@ -57,11 +57,11 @@ impl Actor {
         self.asked = self.within_domain();
         match self.shape {
             Shape::Box(aabb) => {
-                let moved = mover.move_and_slide(map, &[], &aabb, self.asked);
+                let moved = mover.move_and_slide(map, &aabb, self.asked);
                 self.commit(moved, Shape::Box, report)
             }
             Shape::Ball(circle) => {
-                let moved = mover.move_and_slide(map, &[], &circle, self.asked);
+                let moved = mover.move_and_slide(map, &circle, self.asked);
                 self.commit(moved, Shape::Ball, report)
             }
         }

@@ -12,15 +12,18 @@
 
 extern crate std;
 
+mod ahead;
 mod arcs;
+mod order;
 mod polygons;
 mod symmetry;
 
 use self::std::vec::Vec;
 use super::body::{Entry, kernel::Kernel};
+use super::order::First;
 use crate::num::{Axis, Raw, Vec2};
 use crate::shape::Circle;
-use crate::world::{Cell, Feature, Geometry};
+use crate::world::{Cell, Feature, Geometry, SegmentMap};
 
 #[path = "../../../tests/oracle/random.rs"]
 mod random;
@@ -55,8 +58,13 @@ fn circle(c: P, r: i64) -> Circle {
 
 /// The first hit of all, as the mover takes it.
 fn first(body: &Circle, d: P, features: &[Feature]) -> Option<Entry> {
-    let d = raw(d);
-    features.iter().filter_map(|f| body.sweep(d, f)).reduce(|a, b| if b.before_askew(&a, d) { b } else { a })
+    let (d, mut first) = (raw(d), First::NONE);
+    for feature in features {
+        if let Some(entry) = body.sweep(d, feature) {
+            first.add::<Circle, SegmentMap<'_>>(entry, feature, d);
+        }
+    }
+    first.hit::<Circle, SegmentMap<'_>>(body, d).map(|hit| hit.0)
 }
 
 /// How many random cases a test takes.

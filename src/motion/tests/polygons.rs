@@ -1,5 +1,6 @@
 //! Against polygons, exactly: a motion overlaps before a moment iff its swept segment comes nearer than the radius to an edge.
 
+use super::super::body::{Entry, kernel::Kernel};
 use super::std::vec::Vec;
 use super::std::{format, println, vec};
 use super::{P, Random, cases, circle, first, outline, raw};
@@ -81,6 +82,8 @@ struct Tally {
     /// Hits whose rounded place overlaps something: another feature than the one that was hit.
     aside: u64,
     stays: u64,
+    /// Corners before faces.
+    ties: u64,
 }
 
 /// One motion: hit or not, never late, early by less than a raw unit of way, and a free place at the end.
@@ -90,7 +93,8 @@ fn check(solid: &[P], c: P, r: i64, d: P, tally: &mut Tally) {
     }
     let body = circle(c, r);
     let case = || format!("{solid:?} circle {c:?} {r} by {d:?}");
-    let Some(entry) = first(&body, d, &outline(solid)) else {
+    let features = outline(solid);
+    let Some(entry) = first(&body, d, &features) else {
         tally.misses += 1;
         assert!(!enters(solid, c, r, d, 1, 1), "missed: {}", case());
         return;
@@ -98,6 +102,13 @@ fn check(solid: &[P], c: P, r: i64, d: P, tally: &mut Tally) {
     tally.hits += 1;
     let (num, den) = (i64::from(entry.num), i64::from(entry.den));
     assert!(!enters(solid, c, r, d, num, den), "late {entry:?}: {}", case());
+    // A corner goes before a face along x or y only if it is met before the exact moment of that.
+    let exact = |e: &Entry| e.step.is_none() && (e.normal.x == 0 || e.normal.y == 0);
+    for face in features.iter().filter_map(|f| body.sweep(raw(d), f)).filter(exact) {
+        let before = entry.step.is_none() || enters(solid, c, r, d, face.num.into(), face.den.into());
+        assert!(before, "{entry:?} before {face:?}: {}", case());
+        tally.ties += u64::from(entry.step.is_some());
+    }
     let length = ((d.0 * d.0 + d.1 * d.1) as f64).sqrt();
     let raw_of_way = (f64::from(1 << 30) / length) as i64;
     let until = ((num << 30) / den + 8 + raw_of_way).min(1 << 30);

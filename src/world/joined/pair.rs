@@ -3,7 +3,7 @@
 use super::hidden::shown;
 use crate::query::{Overlaps, Touches};
 use crate::shape::{Aabb, Circle};
-use crate::world::{Feature, World, sealed};
+use crate::world::{Feature, Way, World, sealed};
 
 /// Two levels used as one: tiles and segments, or a level and its neighbour. Copies nothing.
 ///
@@ -30,7 +30,7 @@ use crate::world::{Feature, World, sealed};
 ///
 /// let player = Aabb::new(Vec2::from_ints(30, 22), Vec2::from_ints(40, 32)).unwrap();
 /// assert!(level.touches(&player) && !level.overlaps(&player));
-/// let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&level, &[], &player, Vec2::from_ints(40, 1)).unwrap();
+/// let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&level, &player, Vec2::from_ints(40, 1)).unwrap();
 /// assert_eq!(moved.position(), Vec2::from_ints(70, 22)); // over the joint as if there were none
 /// # Ok::<(), tilesat::TileMapError>(())
 /// ```
@@ -132,6 +132,7 @@ impl<A: World, B: World> sealed::Sealed for Joined<'_, A, B> {}
 impl<A: World, B: World> World for Joined<'_, A, B> {
     const BLOCKS: bool = A::BLOCKS && B::BLOCKS;
     const ROUND: bool = A::ROUND || B::ROUND;
+    const CERTAIN: bool = A::CERTAIN && B::CERTAIN;
 
     type Features<'w>
         = JoinedFeatures<'w, A, B>
@@ -140,6 +141,17 @@ impl<A: World, B: World> World for Joined<'_, A, B> {
 
     fn features(&self, region: &Aabb) -> JoinedFeatures<'_, A, B> {
         Joined::features(self, region)
+    }
+
+    fn features_ahead(&self, way: &Way) -> JoinedFeatures<'_, A, B> {
+        JoinedFeatures { pair: *self, a: self.a.features_ahead(way), b: self.b.features_ahead(way) }
+    }
+
+    fn occupied(&self, region: &Aabb) -> Option<Aabb> {
+        match (self.a.occupied(region), self.b.occupied(region)) {
+            (Some(a), Some(b)) => Some(a.union(&b)),
+            (a, b) => a.or(b),
+        }
     }
 
     /// The shorter of both: a piece of a motion then reaches few cells of either level.

@@ -6,7 +6,10 @@ use crate::num::{Raw, Vec2, less128, mul64};
 use crate::world::ray::cast::checked;
 use crate::world::ray::piece::{Met, Time};
 use crate::world::ray::scan::Found;
-use crate::world::{Inside, Joined, RayHit, RayHits, RayRules, SegmentMap, SegmentRayHits, Set, Store, TileMap, World};
+use crate::world::{
+    Inside, Joined, RayHit, RayHits, RayRules, SegmentMap, SegmentRayHits, Set, SolidRayHits, Solids, Store, TileMap,
+    World,
+};
 use core::cmp::Ordering;
 
 /// A level that can be asked for the hits of a ray with their exact moments. Public in a private module, because [`Joined`] needs it of both.
@@ -58,6 +61,23 @@ impl<'a> RayWorld for SegmentMap<'a> {
 impl RayScan for SegmentRayHits<'_, '_> {
     fn next_found(&mut self) -> Option<Found> {
         SegmentRayHits::find(self)
+    }
+}
+
+impl RayWorld for Solids<'_> {
+    type Scan<'w>
+        = SolidRayHits<'w>
+    where
+        Self: 'w;
+
+    fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError> {
+        self.cast_ray_all(origin, motion, rules)
+    }
+}
+
+impl RayScan for SolidRayHits<'_> {
+    fn next_found(&mut self) -> Option<Found> {
+        self.find()
     }
 }
 

@@ -6,22 +6,33 @@ use crate::query::Contact;
 use crate::query::meet::in_disc;
 use crate::world::{Feature, Geometry, World};
 
-/// The contact of a circle with a feature that it overlaps, where the feature's normal passes its centre.
+/// The contact of a circle with a feature that it overlaps, and whether the feature's normal passes its centre.
 ///
-/// `behind` says whether the back of the feature counts: where the centre is in the solid.
-pub(in crate::world) fn circle<W: World>(c: Raw, r: i32, feature: &Feature, behind: bool) -> Option<Contact> {
-    match feature.geometry {
-        Geometry::Face { a, dir, len, .. } => {
-            let (a, b) = ends(Raw::of(a), dir, len);
-            let (m, n) = (c.sub(a), normal(dir));
-            let (front, along) = (raw(n).dot(m), raw(dir).dot(m));
-            let beside = along < 0 || along > raw(dir).dot(b.sub(a));
-            let reach = mul64(usqr(r as u32), dir.length_squared());
-            if beside || (front < 0 && !behind) || !less128(sqr64(front.unsigned_abs()), reach) {
-                return None;
-            }
-            Some(Contact::new(n.reversed(), front.wrapping_neg(), c).with_radii(r, 0))
+/// `behind` says whether the back of the feature counts: where the centre is in the solid. Only there does a face count whose normal does not pass
+/// the centre: right behind a concave corner there is none whose does.
+pub(in crate::world) fn circle<W: World>(c: Raw, r: i32, feature: &Feature, behind: bool) -> Option<(Contact, bool)> {
+    if let Geometry::Face { a, dir, len, .. } = feature.geometry {
+        let (a, b) = ends(Raw::of(a), dir, len);
+        let (m, n) = (c.sub(a), normal(dir));
+        let (front, before) = (raw(n).dot(m), raw(dir).dot(m) < 0);
+        let beside = before || raw(dir).dot(c.sub(b)) > 0;
+        let reaches = if beside {
+            let end = if before { m } else { c.sub(b) };
+            front <= 0 && in_disc::<false>(end.x.unsigned_abs(), end.y.unsigned_abs(), r as u32)
+        } else {
+            less128(sqr64(front.unsigned_abs()), mul64(usqr(r as u32), dir.length_squared()))
+        };
+        if !reaches || ((front < 0 || beside) && !behind) {
+            return None;
         }
+        return Some((Contact::new(n.reversed(), front.wrapping_neg(), c).with_radii(r, 0), !beside));
+    }
+    round::<W>(c, r, feature, behind).map(|contact| (contact, true))
+}
+
+/// The same for a corner or an arc.
+fn round<W: World>(c: Raw, r: i32, feature: &Feature, behind: bool) -> Option<Contact> {
+    match feature.geometry {
         Geometry::Vertex { p, e_in, e_out } => {
             let m = c.sub(Raw::of(p));
             // On the border of the cone the faces are in charge.
@@ -43,7 +54,7 @@ pub(in crate::world) fn circle<W: World>(c: Raw, r: i32, feature: &Feature, behi
             let contact = if convex { out_of_disc(c, m, quadrant) } else { into_disc(c, m, quadrant) };
             Some(contact.with_radii(r, if convex { radius } else { radius.wrapping_neg() }))
         }
-        Geometry::Arc { .. } => None,
+        Geometry::Arc { .. } | Geometry::Face { .. } => None,
     }
 }
 

@@ -41,7 +41,8 @@ impl WorldContact {
         self.contact.depth()
     }
 
-    /// Whether another way out is as short (or the body's middle is an arc's centre), so that the normal is a convention: x before y, + before -.
+    /// Whether another way out of this feature is as short (or the body's middle is an arc's centre), so that the normal is a convention: x before
+    /// y, + before -. Features that are equally deep are contacts of their own, in the order that `contacts` documents.
     #[must_use]
     pub const fn is_degenerate(&self) -> bool {
         self.contact.is_degenerate()
@@ -131,7 +132,8 @@ const fn outward(n: i32, s: u64, d: u64) -> i32 {
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Writes the features that a box or circle overlaps to `out`, which is cleared first: each once, the nearest first.
     ///
-    /// A feature counts where the body is in its region: a circle's centre before or behind a face or an arc, or in the cone of a corner; a
+    /// A feature counts where the body is in its region: a circle's centre before or behind a face or an arc, or in the cone of a corner (where it
+    /// has none of these, right behind a concave corner, the faces whose ends it covers and is behind of); a
     /// box's deepest corner before or behind a slope or arc, its side against a face along x or y or the corner that it faces (where a box has
     /// none of these, the nearest slope that it meets at all).
     /// What is seen from behind counts only while the body's middle is in the solid: the far side of a thin wall is not a way out.
@@ -202,7 +204,7 @@ impl<A: World, B: World> Joined<'_, A, B> {
 }
 
 /// [`TileMap::contacts`] for any level.
-fn contacts<W: World, B: Pushable>(
+pub(crate) fn contacts<W: World, B: Pushable>(
     world: &W,
     body: &B,
     one_way: OneWay,
@@ -214,7 +216,7 @@ fn contacts<W: World, B: Pushable>(
     let (lo, hi) = (bounds.lo(), bounds.hi());
     let last = Raw { x: (lo.x + hi.x + 1) >> 1, y: (lo.y + hi.y + 1) >> 1 };
     let behind = world.overlaps_aabb(&Aabb::from_raw_unchecked(Raw::of(bounds.centre()), last));
-    let (mut features, mut seen) = (0u32, 0u32);
+    let (mut features, mut seen, mut any_in_region) = (0u32, 0u32, false);
     let mut spare: Option<WorldContact> = None;
     for feature in world.features(&bounds) {
         features = features.wrapping_add(1);
@@ -223,7 +225,15 @@ fn contacts<W: World, B: Pushable>(
         }
         let Some((contact, in_region)) = body.meet::<W>(&feature, behind && !feature.one_way) else { continue };
         let new = WorldContact { contact, feature };
-        if !in_region {
+        if B::ROUND && in_region != any_in_region {
+            if any_in_region {
+                continue;
+            }
+            // The first in its region: those before it do not count.
+            out.clear();
+            (seen, any_in_region) = (0, true);
+        }
+        if !B::ROUND && !in_region {
             if spare.is_none_or(|spare| new.before::<W>(&spare)) {
                 spare = Some(new);
             }
@@ -276,6 +286,8 @@ mod kernel {
     use super::{Aabb, Circle, Contact, Feature, Raw, World};
 
     pub trait Kernel {
+        /// Whether all contacts count where none is in its region, not the least alone: they are ties often, and then none goes before the other.
+        const ROUND: bool;
         /// The bounding box, with the same middle.
         fn bounds(&self) -> Aabb;
         /// The contact with a feature, from behind as well where that is allowed, and whether it is in the feature's region.
@@ -283,6 +295,7 @@ mod kernel {
     }
 
     impl Kernel for Aabb {
+        const ROUND: bool = false;
         fn bounds(&self) -> Aabb {
             *self
         }
@@ -292,11 +305,12 @@ mod kernel {
     }
 
     impl Kernel for Circle {
+        const ROUND: bool = true;
         fn bounds(&self) -> Aabb {
             self.aabb()
         }
         fn meet<W: World>(&self, feature: &Feature, behind: bool) -> Option<(Contact, bool)> {
-            circle::<W>(self.c(), self.r(), feature, behind).map(|contact| (contact, true))
+            circle::<W>(self.c(), self.r(), feature, behind)
         }
     }
 }

@@ -2,10 +2,9 @@
 
 use super::dda::{END, X, Y};
 use super::detour::{Detour, INSIDE};
-use super::fraction::fraction;
 use super::scan::Scan;
 use crate::error::{Quantity, RangeError};
-use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, umul};
+use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, fraction, umul};
 use crate::world::{Cell, Inside, Outside, RayHit, RayRules, Set, Store, TileKind, TileMap};
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {

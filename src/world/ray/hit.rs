@@ -1,18 +1,8 @@
 //! What a ray is asked, and what it answers.
 
 use crate::num::{Axis, Toi, Vec2};
+pub use crate::query::Inside;
 use crate::world::Cell;
-
-/// What a ray does that starts inside the solid (not on its border).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Inside {
-    /// It passes through to the first free place, and may hit after that.
-    #[default]
-    Ignore,
-    /// It hits at once.
-    Hit,
-}
 
 /// What a ray meets. Made from an [`Inside`] alone, it passes one-way edges.
 ///
@@ -51,7 +41,7 @@ pub struct RayHit {
     /// the other way where it is concave. See [`TileMap::cast_ray`](crate::world::TileMap::cast_ray) for corners and starts inside.
     pub axis: Axis,
     /// The cell that the piece belongs to; where the border is repeated ([`Outside::Edge`](crate::world::Outside::Edge)) and only blocks are, the border
-    /// cell.
+    /// cell. Of a [solid](crate::world::Solids) it holds the key.
     pub cell: Cell,
     /// Which piece of that cell, as [`Feature::index`](crate::world::Feature::index); 0 for a start inside.
     pub index: u16,
@@ -63,6 +53,6 @@ pub struct RayHit {
     pub source: u8,
     /// Whether the ray started inside the solid; only with [`Inside::Hit`].
     pub inside: bool,
-    /// The work done: cells entered, the first and the last one included.
+    /// The work done: cells entered, the first and the last one included; of [`Solids`](crate::world::Solids) the boxes looked at.
     pub cells: u32,
 }

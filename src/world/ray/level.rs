@@ -7,13 +7,16 @@ use crate::world::grid::Grid;
 use crate::world::tile_map::tile_pieces::TilePieces;
 use crate::world::{Feature, Set, Store, TileKind, TileMap, TileShape};
 
-/// A level whose surface is found cell by cell, bands included as [`beyond`](Self::beyond) says.
-pub(in crate::world) trait RayLevel {
-    /// Whether times of faces can be fractions of more than words; see [`Time`](crate::world::piece_ray::Time).
+/// What the pieces of a level can be.
+pub(in crate::world) trait RayPieces {
+    /// Whether times of faces can be fractions of more than words; see [`Time`](super::piece::Time).
     const WIDE: bool;
     /// Whether there can be arcs. Every other piece of a cell with an arc is on the cell's border.
     const ROUND: bool;
+}
 
+/// A level whose surface is found cell by cell, bands included as [`beyond`](Self::beyond) says.
+pub(in crate::world) trait RayLevel: RayPieces {
     /// The pieces of a cell.
     type Pieces<'w>: Iterator<Item = Feature>
     where
@@ -46,10 +49,12 @@ pub(in crate::world) trait RayLevel {
     fn flags(&self, x: i32, y: i32) -> u8;
 }
 
-impl<S: Set, T: Store> RayLevel for TileMap<'_, S, T> {
+impl<S: Set, T: Store> RayPieces for TileMap<'_, S, T> {
     const WIDE: bool = false;
     const ROUND: bool = S::ARCS;
+}
 
+impl<S: Set, T: Store> RayLevel for TileMap<'_, S, T> {
     type Pieces<'w>
         = TilePieces<'w, S, T>
     where

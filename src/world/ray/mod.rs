@@ -5,7 +5,6 @@ pub(in crate::world) mod cast;
 pub(in crate::world) mod cusp;
 pub(in crate::world) mod dda;
 pub(in crate::world) mod detour;
-pub(in crate::world) mod fraction;
 pub(in crate::world) mod germ;
 pub(in crate::world) mod hit;
 pub(in crate::world) mod level;

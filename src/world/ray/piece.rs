@@ -1,7 +1,7 @@
 //! A ray against one piece of a surface: whether it is met, when as an exact fraction, and which of two pieces comes first.
 
 use super::arc::{self, Contact};
-use super::level::RayLevel;
+use super::level::RayPieces;
 use crate::num::{Axis, Raw, less128, mul64, umul};
 use crate::world::{Feature, Geometry};
 
@@ -17,7 +17,7 @@ pub(in crate::world) struct Time {
 impl Time {
     /// Whether this is less than `rhs`, exactly.
     #[inline]
-    pub(in crate::world) fn before<L: RayLevel>(self, rhs: Self) -> bool {
+    pub(in crate::world) fn before<L: RayPieces>(self, rhs: Self) -> bool {
         if L::WIDE {
             less128(mul64(self.num, rhs.den), mul64(rhs.num, self.den))
         } else {
@@ -44,7 +44,7 @@ impl Met {
     /// A point within an arc is later than any fraction that a ray meets in the same step: the tile's other pieces are on the border of
     /// its cell, and what is met on the border is met where the ray comes in. (A face on the border opposes rays that come in
     /// across it, so one that is met where the ray leaves is met by a ray that has a single point in the cell.)
-    pub(in crate::world) fn precedes<L: RayLevel>(&self, other: &Self) -> bool {
+    pub(in crate::world) fn precedes<L: RayPieces>(&self, other: &Self) -> bool {
         let (Some(a), Some(b)) = (self.time, other.time) else { return self.time.is_some() };
         if a.before::<L>(b) {
             return true;
@@ -79,7 +79,7 @@ fn cross_size(a: i32, b: i32) -> u64 {
 ///
 /// Vertices are ends of other pieces, which are closed.
 #[inline]
-pub(in crate::world) fn meet<L: RayLevel>(o: Raw, d: Raw, feature: Feature) -> Option<Met> {
+pub(in crate::world) fn meet<L: RayPieces>(o: Raw, d: Raw, feature: Feature) -> Option<Met> {
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } => {
             let (time, into) = meet_face(o.sub(Raw::of(a)), d, dir, len)?;

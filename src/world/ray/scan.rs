@@ -4,12 +4,12 @@ use super::arc;
 use super::cast::checked;
 use super::cusp::cusp;
 use super::dda::Axes;
-use super::level::RayLevel;
+use super::level::{RayLevel, RayPieces};
 use super::piece::{Met, Time, meet};
 use super::walk::Walk;
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, mul_div, mul_div_wide, umul};
-use crate::world::{Cell, Geometry, Inside, RayHit, RayRules};
+use crate::world::{Cell, Feature, Geometry, Inside, RayHit, RayRules};
 
 /// A ray that has been asked for its hits up to a moment.
 #[derive(Debug)]
@@ -152,7 +152,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
 
     fn hit(&self, met: &Met) -> RayHit {
         let (toi, by, axis) = match (met.time, met.feature.geometry) {
-            (Some(time), _) => self.straight(time, met.normal),
+            (Some(time), _) => straight::<L>(self.d, time, met.normal),
             (None, Geometry::Arc { centre, radius, convex, .. }) => {
                 let m = self.o.sub(Raw::of(centre));
                 let (toi, by) = arc::contact(m, self.d, radius, convex);
@@ -163,27 +163,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
             // Only arcs have no time.
             (None, _) => (Toi::ZERO, Raw { x: 0, y: 0 }, met.normal),
         };
-        let feature = met.feature;
-        RayHit {
-            toi,
-            point: self.o.add(by).vec2(),
-            axis,
-            cell: feature.cell,
-            index: feature.index,
-            flags: feature.flags,
-            one_way: feature.one_way,
-            source: feature.source,
-            inside: false,
-            cells: self.walk.cells,
-        }
-    }
-
-    /// The time and the way of a hit at a fraction of the motion, exactly rounded: a coordinate toward the start, or toward the end where that is the
-    /// normal's side.
-    fn straight(&self, time: Time, normal: Axis) -> (Toi, Raw, Axis) {
-        let toi = Toi::clamped(part::<L>(Toi::ONE.raw(), time).0);
-        let by = Raw { x: signed::<L>(self.d.x, normal.x, time), y: signed::<L>(self.d.y, normal.y, time) };
-        (toi, by, normal)
+        hit_of(&met.feature, (toi, self.o.add(by), axis), self.walk.cells)
     }
 
     /// The hit of a start inside.
@@ -206,8 +186,32 @@ impl<'w, L: RayLevel> Scan<'w, L> {
     }
 }
 
+/// The hit of a piece.
+pub(in crate::world) fn hit_of(feature: &Feature, (toi, at, axis): (Toi, Raw, Axis), cells: u32) -> RayHit {
+    RayHit {
+        toi,
+        point: at.vec2(),
+        axis,
+        cell: feature.cell,
+        index: feature.index,
+        flags: feature.flags,
+        one_way: feature.one_way,
+        source: feature.source,
+        inside: false,
+        cells,
+    }
+}
+
+/// The time and the way of a hit at a fraction of the motion, exactly rounded: a coordinate toward the start, or toward the end where that is the
+/// normal's side.
+pub(in crate::world) fn straight<L: RayPieces>(d: Raw, time: Time, normal: Axis) -> (Toi, Raw, Axis) {
+    let toi = Toi::clamped(part::<L>(Toi::ONE.raw(), time).0);
+    let by = Raw { x: signed::<L>(d.x, normal.x, time), y: signed::<L>(d.y, normal.y, time) };
+    (toi, by, normal)
+}
+
 /// The floor of `size num / den`, and whether something is left over.
-fn part<L: RayLevel>(size: u32, time: Time) -> (u32, bool) {
+fn part<L: RayPieces>(size: u32, time: Time) -> (u32, bool) {
     if L::WIDE {
         // Below 2^62 the remainder is told by its low bits alone.
         let part = mul_div_wide(time.num, size, time.den);
@@ -221,7 +225,7 @@ fn part<L: RayLevel>(size: u32, time: Time) -> (u32, bool) {
 }
 
 /// The part of a component of the motion.
-fn signed<L: RayLevel>(d: i32, normal: i32, time: Time) -> i32 {
+fn signed<L: RayPieces>(d: i32, normal: i32, time: Time) -> i32 {
     let (mut part, rest) = part::<L>(d.unsigned_abs(), time);
     if rest && (d > 0) == (normal > 0) && normal != 0 {
         part = part.wrapping_add(1);

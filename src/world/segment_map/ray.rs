@@ -5,7 +5,7 @@ use super::{Kind, Refs, Seg, SegmentMap};
 use crate::error::RangeError;
 use crate::num::{Raw, Vec2};
 use crate::world::grid::Grid;
-use crate::world::ray::level::RayLevel;
+use crate::world::ray::level::{RayLevel, RayPieces};
 use crate::world::ray::scan::{Found, Scan};
 use crate::world::ray::walk::{Beyond, Walk};
 use crate::world::{Cell, Feature, Inside, RayHit, RayRules};
@@ -96,10 +96,12 @@ impl SegmentRayHits<'_, '_> {
     }
 }
 
-impl RayLevel for SegmentMap<'_> {
+impl RayPieces for SegmentMap<'_> {
     const WIDE: bool = true;
     const ROUND: bool = false;
+}
 
+impl RayLevel for SegmentMap<'_> {
     type Pieces<'w>
         = CellFaces<'w>
     where

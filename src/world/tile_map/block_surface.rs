@@ -1,8 +1,9 @@
 //! The surface of blocks: whole sides of cells and their corners.
 
-use super::features::Surface;
-use crate::num::{Axis, Raw};
-use crate::world::{Cell, Feature, Geometry, Set, Store, TileKind, TileMap, TileShape};
+use super::features::{Look, Surface};
+use crate::num::{Axis, DOMAIN, Raw};
+use crate::shape::Aabb;
+use crate::world::{Cell, Feature, Geometry, Set, Store, TileKind, TileMap};
 
 /// The cell whose features are handed out, the corners of its solid, its tile's flags, all its features as a mask of indices, and those
 /// left to give.
@@ -34,27 +35,25 @@ impl Surface for BlockSurface {
     }
 
     #[inline]
-    fn load<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, x: i32, y: i32, region: (Raw, Raw)) {
+    fn load<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, x: i32, y: i32, look: &Look) {
         let kind = map.kind_at(x, y);
-        if let TileShape::Empty = kind.shape {
-            return;
-        }
         if kind.is_full() {
-            self.all = map.surface(x, y);
-            if self.all == 0 {
+            self.solid = map.extent(x, y);
+            let asked = self.asked(look);
+            if asked == 0 {
                 return;
             }
-            self.solid = map.extent(x, y);
-            self.left = self.all & self.reached(region);
+            self.all = map.surface(x, y);
+            self.left = self.all & asked;
         } else {
-            self.load_one_way(map, kind, (x, y), region);
+            self.load_one_way(map, kind, (x, y), look);
         }
         self.flags = kind.flags;
         self.cell = Cell::of(x, y);
     }
 
     #[inline]
-    fn take(&mut self, _: (Raw, Raw)) -> Option<Feature> {
+    fn take<S: Set, T: Store>(&mut self, _: &TileMap<'_, S, T>, _: &Look) -> Option<Feature> {
         let mut index = 0u16;
         while index < 7 && self.left >> index & 1 == 0 {
             index += 1;
@@ -65,6 +64,15 @@ impl Surface for BlockSurface {
 }
 
 impl BlockSurface {
+    /// The face of a cell that is not full, if it has one that nothing covers.
+    pub(super) fn one_way<S: Set, T: Store>(map: &TileMap<'_, S, T>, x: i32, y: i32) -> Option<Feature> {
+        let (mut surface, kind) = (Self { cell: Cell::of(x, y), ..Self::NONE }, map.kind_at(x, y));
+        let (lo, hi) = (Raw { x: 1 - DOMAIN, y: 1 - DOMAIN }, Raw { x: DOMAIN - 1, y: DOMAIN - 1 });
+        surface.load_one_way(map, kind, (x, y), &Look::all(&Aabb::from_raw_unchecked(lo, hi)));
+        surface.flags = kind.flags;
+        (surface.left != 0).then(|| surface.feature(kind.one_way_side().unwrap_or(0).into()))
+    }
+
     /// A cell with one face; not there before a full one. Out of line: a level has few.
     #[inline(never)]
     fn load_one_way<S: Set, T: Store>(
@@ -72,7 +80,7 @@ impl BlockSurface {
         map: &TileMap<'_, S, T>,
         kind: TileKind,
         (x, y): (i32, i32),
-        region: (Raw, Raw),
+        look: &Look,
     ) {
         let Some(side) = kind.one_way_side() else { return };
         let (dx, dy) = across(side);
@@ -92,9 +100,32 @@ impl BlockSurface {
             (Raw { x: a.x, y: band.0.y }, Raw { x: a.x, y: band.1.y })
         };
         // Where the region is beyond a repeated border, the line may be on either side of it.
-        let (lo, hi) = self.solid;
+        let ((lo, hi), region) = (self.solid, look.region);
         let met = lo.x <= region.1.x && hi.x >= region.0.x && lo.y <= region.1.y && hi.y >= region.0.y;
-        self.left = (met as Pieces) << side;
+        self.left = ((met && look.opposes(direction(side))) as Pieces) << side;
+    }
+
+    /// The indices that are asked for, if they are there.
+    fn asked(&self, look: &Look) -> Pieces {
+        let (d, reached) = (look.d, self.reached(look.region));
+        if d.is_zero() {
+            return reached;
+        }
+        // The faces that the motion comes to: not those that its front, up to the raw unit by which the region is larger, is beyond at the start.
+        let ((lo, hi), (from, to)) = (self.solid, look.region);
+        let up = d.y > 0 && lo.y >= to.y.wrapping_sub(d.y).wrapping_sub(1);
+        let right = d.x < 0 && hi.x <= from.x.wrapping_sub(d.x).wrapping_add(1);
+        let down = d.y < 0 && hi.y <= from.y.wrapping_sub(d.y).wrapping_add(1);
+        let left = d.x > 0 && lo.x >= to.x.wrapping_sub(d.x).wrapping_sub(1);
+        let faces = up as Pieces | (right as Pieces) << 1 | (down as Pieces) << 2 | (left as Pieces) << 3;
+        if look.joints {
+            // What meets the joints of faces meets no corners.
+            return faces & reached;
+        }
+        // A corner is met only by what moves toward one of its faces.
+        let toward =
+            (d.y > 0) as Pieces | ((d.x < 0) as Pieces) << 1 | ((d.y < 0) as Pieces) << 2 | ((d.x > 0) as Pieces) << 3;
+        (faces | (toward | toward >> 1 | toward << 3) << 4) & reached
     }
 
     /// The indices whose place is in the region; that the cell is is known.

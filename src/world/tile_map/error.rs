@@ -80,7 +80,13 @@ impl fmt::Display for TileMapError {
                 write!(f, "row {row} has a carriage return; rows end with line feeds alone")
             }
             Self::Occupancy { row } => write!(f, "the occupancy of row {row} is missing or not that of its tiles"),
-            Self::ShapeNotInSet { id } => write!(f, "the shape of tile {id} is not in the map's set"),
+            Self::ShapeNotInSet { id } => {
+                write!(f, "the table gives tile {id}")?;
+                if id.is_ascii_graphic() {
+                    write!(f, " '{}'", char::from(id))?;
+                }
+                f.write_str(" a shape that is not in the map's set: a map of another set is made by `of` or `of_ascii`")
+            }
         }
     }
 }

@@ -1,9 +1,9 @@
 //! The surface of a level, derived from its tiles when asked.
 
-use super::range::Range;
-use crate::num::Raw;
+use super::range::{Range, Walk};
+use crate::num::{Axis, Raw};
 use crate::shape::Aabb;
-use crate::world::{Feature, Set, Store, TileMap};
+use crate::world::{Feature, Geometry, Set, Store, TileMap, Way};
 use core::fmt::Debug;
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
@@ -67,9 +67,20 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// # Ok::<(), tilesat::TileMapError>(())
     /// ```
     pub const fn features(&self, region: &Aabb) -> Features<'_, S, T> {
-        let (lo, hi) = (region.lo(), region.hi());
-        let range = self.solid_range(self.closed_range(lo, hi));
-        Features { map: self, region: (lo, hi), range, x: range.x0, y: range.y0, surface: S::Surface::NONE }
+        let range = self.solid_range(self.closed_range(region.lo(), region.hi()));
+        Features { map: self, look: Look::all(region), walk: Walk::new(range, Range::NONE), surface: S::Surface::NONE }
+    }
+
+    /// Those of the features that a motion could run into, of the cells that a piece of it reaches and the piece before did not.
+    ///
+    /// What a body enters with its inside it meets at the border of a solid in a cell that its inside enters.
+    pub(in crate::world) const fn features_ahead(&self, way: &Way) -> Features<'_, S, T> {
+        let range = self.solid_range(self.open_range(way.piece.lo(), way.piece.hi()));
+        let seen = match &way.before {
+            Some(before) => self.solid_range(self.open_range(before.lo(), before.hi())),
+            None => Range::NONE,
+        };
+        Features { map: self, look: Look::ahead(way), walk: Walk::new(range, seen), surface: S::Surface::NONE }
     }
 }
 
@@ -78,13 +89,54 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 #[must_use = "cursors do nothing unless advanced"]
 pub struct Features<'w, S: Set, T: Store> {
     map: &'w TileMap<'w, S, T>,
-    region: (Raw, Raw),
-    range: Range,
-    /// The next cell.
-    x: i32,
-    y: i32,
-    /// The features of the one before.
+    look: Look,
+    walk: Walk,
+    /// The features of the cell that the walk has come to.
     surface: S::Surface,
+}
+
+/// What of a cell's surface is asked for.
+///
+/// Public in a private module, because a sealed trait names it.
+#[derive(Clone, Copy, Debug)]
+pub struct Look {
+    /// Closed.
+    pub(super) region: (Raw, Raw),
+    /// Only what opposes this motion; all where it is zero.
+    pub(super) d: Raw,
+    /// Whether the joints of faces matter.
+    pub(super) joints: bool,
+}
+
+impl Look {
+    pub(super) const fn all(region: &Aabb) -> Self {
+        Self { region: (region.lo(), region.hi()), d: Raw { x: 0, y: 0 }, joints: true }
+    }
+
+    const fn ahead(way: &Way) -> Self {
+        Self { region: (way.whole.lo(), way.whole.hi()), d: way.d, joints: way.joints }
+    }
+
+    /// Whether a face along `dir` is opposed to the motion, or all are asked for.
+    ///
+    /// |d| is below 2^29, components of directions are at most 2.
+    #[inline]
+    pub(super) const fn opposes(&self, dir: Axis) -> bool {
+        dir.y.wrapping_mul(self.d.x).wrapping_sub(dir.x.wrapping_mul(self.d.y)) < 0 || self.d.is_zero()
+    }
+
+    /// The same of an arc, if that is one: of the normals at its ends, since all others are between these.
+    pub(super) const fn opposes_arc(&self, arc: &Geometry) -> bool {
+        let Geometry::Arc { quadrant, convex, .. } = *arc else { return true };
+        let out = if convex { quadrant } else { quadrant.reversed() };
+        out.x.wrapping_mul(self.d.x) < 0 || out.y.wrapping_mul(self.d.y) < 0 || self.d.is_zero()
+    }
+
+    /// The same of the corner between two edges: some normal of a corner is opposed to the motion only where that of an edge is, but for a
+    /// wedge of no angle, which has all normals of half a turn.
+    pub(super) const fn opposes_corner(&self, e_in: Axis, e_out: Axis) -> bool {
+        self.opposes(e_in) || self.opposes(e_out) || (e_in.x == -e_out.x && e_in.y == -e_out.y)
+    }
 }
 
 /// The features of one cell, found when asked.
@@ -98,10 +150,10 @@ pub trait Surface: Clone + Debug {
     fn is_over(&self) -> bool;
 
     /// Goes on to a cell of the closed range of the region; the cell before is over.
-    fn load<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, x: i32, y: i32, region: (Raw, Raw));
+    fn load<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, x: i32, y: i32, look: &Look);
 
-    /// The next of what is left, if it is in the region.
-    fn take(&mut self, region: (Raw, Raw)) -> Option<Feature>;
+    /// The next of what is left, if it is asked for.
+    fn take<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, look: &Look) -> Option<Feature>;
 }
 
 impl<S: Set, T: Store> Iterator for Features<'_, S, T> {
@@ -110,22 +162,12 @@ impl<S: Set, T: Store> Iterator for Features<'_, S, T> {
     fn next(&mut self) -> Option<Feature> {
         loop {
             while self.surface.is_over() {
-                let (x, y) = (self.x, self.y);
-                if y > self.range.y1 || self.range.x0 > self.range.x1 {
+                if !self.map.walk(&mut self.walk) {
                     return None;
                 }
-                if x == self.range.x0 && self.map.known_empty(x, self.range.x1, y) {
-                    self.y = y.wrapping_add(1);
-                    continue;
-                }
-                if x < self.range.x1 {
-                    self.x = x.wrapping_add(1);
-                } else {
-                    (self.x, self.y) = (self.range.x0, y.wrapping_add(1));
-                }
-                self.surface.load(self.map, x, y, self.region);
+                self.surface.load(self.map, self.walk.x, self.walk.y, &self.look);
             }
-            if let Some(feature) = self.surface.take(self.region) {
+            if let Some(feature) = self.surface.take(self.map, &self.look) {
                 return Some(feature);
             }
         }

@@ -37,24 +37,31 @@ pub(in crate::world) enum FormKind {
     Concave,
 }
 
+/// That of each group of four shapes; of the halves it is every other one's.
+static GROUPS: [FormKind; 8] = [
+    FormKind::Line { p: 0, q: 1, k: 1 },
+    FormKind::Line { p: 1, q: 1, k: 2 },
+    FormKind::Convex,
+    FormKind::Concave,
+    FormKind::Line { p: 1, q: 2, k: 2 },
+    FormKind::Line { p: 1, q: 2, k: 4 },
+    FormKind::Line { p: 2, q: 1, k: 2 },
+    FormKind::Line { p: 2, q: 1, k: 4 },
+];
+
 impl TileShape {
     /// Where the shape is solid.
+    #[expect(clippy::indexing_slicing, reason = "masked to the table's length")]
     pub(in crate::world) const fn form(self) -> Form {
         // After empty and full, groups of four: halves by their side, the others by their corner, both turning right from the top (left).
         let id = (self as u8).wrapping_sub(2);
         let (group, turn) = (id >> 2, id & 3);
-        let kind = match group {
-            0 if turn & 1 == 0 => FormKind::Line { p: 0, q: 1, k: 1 },
-            0 => FormKind::Line { p: 1, q: 0, k: 1 },
-            1 => FormKind::Line { p: 1, q: 1, k: 2 },
-            2 => FormKind::Convex,
-            3 => FormKind::Concave,
-            4 => FormKind::Line { p: 1, q: 2, k: 2 },
-            5 => FormKind::Line { p: 1, q: 2, k: 4 },
-            6 => FormKind::Line { p: 2, q: 1, k: 2 },
-            7 => FormKind::Line { p: 2, q: 1, k: 4 },
-            _ if matches!(self, Self::Full) => FormKind::Full,
-            _ => FormKind::Empty,
+        let kind = if group >= 8 {
+            if matches!(self, Self::Full) { FormKind::Full } else { FormKind::Empty }
+        } else if group == 0 && turn & 1 != 0 {
+            FormKind::Line { p: 1, q: 0, k: 1 }
+        } else {
+            GROUPS[(group & 7) as usize]
         };
         Form { right: turn == 1 || turn == 2, bottom: turn >= 2, kind }
     }

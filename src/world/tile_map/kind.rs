@@ -51,6 +51,10 @@ impl TileKind {
         matches!(self.shape, TileShape::Full)
     }
 
+    pub(in crate::world) const fn is_empty(self) -> bool {
+        matches!(self.shape, TileShape::Empty)
+    }
+
     /// The side whose edge blocks, of a one-way tile: 0 toward row 0, turning right.
     pub(in crate::world) const fn one_way_side(self) -> Option<u8> {
         match (self.shape as u8).checked_sub(TileShape::OneWayUp as u8) {

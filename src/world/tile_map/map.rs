@@ -312,7 +312,13 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// The id of a tile of the map.
     #[inline]
     pub(in crate::world) const fn id(&self, x: i32, y: i32) -> u8 {
-        self.id_at((y as u32).wrapping_mul(self.stride as u32).wrapping_add(x as u32))
+        self.id_at(self.place(x, y))
+    }
+
+    /// The place of a tile of the map in the data.
+    #[inline]
+    pub(in crate::world) const fn place(&self, x: i32, y: i32) -> u32 {
+        (y as u32).wrapping_mul(self.stride as u32).wrapping_add(x as u32)
     }
 
     /// The id of a tile by its place in the data.
@@ -362,15 +368,22 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     }
 
     /// The corners of a cell: where the border is repeated and only blocks are, border cells reach to the end of the domain.
+    #[inline]
     pub(in crate::world) const fn extent(&self, x: i32, y: i32) -> (Raw, Raw) {
+        self.extent_between((x, y), (x, y))
+    }
+
+    /// The first corner of one cell and the last one of another.
+    pub(in crate::world) const fn extent_between(&self, first: (i32, i32), last: (i32, i32)) -> (Raw, Raw) {
         if !S::SHAPED && matches!(self.outside, Outside::Edge) {
             // A border cell as a part of the band beyond it: each side by its own index.
             let (width, height) = (self.grid.x.count as i32 - 1, self.grid.y.count as i32 - 1);
-            let (lo, _) = self.grid.corners(if x == 0 { -1 } else { x }, if y == 0 { -1 } else { y });
-            let (_, hi) = self.grid.corners(if x == width { x + 1 } else { x }, if y == height { y + 1 } else { y });
-            (lo, hi)
+            let (x0, y0) = (if first.0 == 0 { -1 } else { first.0 }, if first.1 == 0 { -1 } else { first.1 });
+            let (x1, y1) =
+                (if last.0 == width { last.0 + 1 } else { last.0 }, if last.1 == height { last.1 + 1 } else { last.1 });
+            self.grid.bounds((x0, y0), (x1, y1))
         } else {
-            self.grid.corners(x, y)
+            self.grid.bounds(first, last)
         }
     }
 }

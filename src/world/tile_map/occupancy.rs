@@ -1,5 +1,6 @@
 //! One bit a tile in the caller's storage, so that queries pass over empty rows of cells with one test.
 
+use super::range::Walk;
 use crate::world::{Set, Store, TileMap, TileMapError, TileShape};
 
 impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
@@ -103,7 +104,45 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         word
     }
 
-    /// Whether all tiles of a row from column `x0` to `x1` are known to be empty. Columns and rows may be beyond the map: unknown.
+    /// Goes on to the next cell of a walk that has a shape; false where none is left.
+    #[inline(never)]
+    pub(in crate::world) const fn walk(&self, walk: &mut Walk) -> bool {
+        let (mut x, mut y, mut last, range) = (walk.x.wrapping_add(1), walk.y, walk.last, walk.range);
+        loop {
+            x = self.next_shape(x, last, y);
+            if x <= last {
+                (walk.x, walk.y, walk.last) = (x, y, last);
+                return true;
+            }
+            if y >= range.y1 {
+                return false;
+            }
+            y = y.wrapping_add(1);
+            (x, last) = if walk.seen.has_row(y) { range.row_without(&walk.seen) } else { (range.x0, range.x1) };
+        }
+    }
+
+    /// The first column of `x..=last` in a row whose cell has a shape; beyond `last` where none has. Columns and rows may be beyond the map.
+    #[inline]
+    pub(in crate::world) const fn next_shape(&self, mut x: i32, last: i32, y: i32) -> i32 {
+        if x > last {
+        } else if self.holds(x, y) && self.holds(last, y) {
+            if self.known_empty(x, last, y) {
+                return last.wrapping_add(1);
+            }
+            let mut tile = self.place(x, y);
+            while x <= last && self.kinds.get(self.id_at(tile)).is_empty() {
+                (x, tile) = (x.wrapping_add(1), tile.wrapping_add(1));
+            }
+        } else {
+            while x <= last && self.kind_at(x, y).is_empty() {
+                x = x.wrapping_add(1);
+            }
+        }
+        x
+    }
+
+    /// Whether all tiles of a row of the map from column `x0` to `x1` are known to be empty.
     #[inline]
     pub(in crate::world) const fn known_empty(&self, x0: i32, x1: i32, y: i32) -> bool {
         !self.occupied.is_empty() && self.row_is_empty(x0, x1, y)
@@ -111,10 +150,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
 
     #[inline(never)]
     #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
-    const fn row_is_empty(&self, x0: i32, x1: i32, y: i32) -> bool {
-        if !self.holds(x0, y) || !self.holds(x1, y) {
-            return false;
-        }
+    pub(in crate::world) const fn row_is_empty(&self, x0: i32, x1: i32, y: i32) -> bool {
         let row = self.words_a_row().wrapping_mul(y as u32);
         let (mut word, last) = (row.wrapping_add(x0 as u32 >> 5), row.wrapping_add(x1 as u32 >> 5));
         let mut mask = u32::MAX << (x0 & 31);

@@ -1,6 +1,6 @@
 //! Overlap with the solid of a map (strict) and touch (closed), straight from the cells.
 
-use super::range::Range;
+use super::range::{Range, Walk};
 use super::solid::Solid;
 use crate::num::Raw;
 use crate::query::{Overlaps, Touches, meet};
@@ -140,18 +140,11 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Whether the solid of any cell of a range passes a test.
     #[inline]
     fn any_solid(&self, range: Range, test: impl Fn(&Solid) -> bool) -> bool {
-        let range = self.solid_range(range);
-        let mut y = range.y0;
-        while y <= range.y1 {
-            let mut x = if self.known_empty(range.x0, range.x1, y) { range.x1.wrapping_add(1) } else { range.x0 };
-            while x <= range.x1 {
-                let shape = self.kind_at(x, y).shape;
-                if !matches!(shape, TileShape::Empty) && test(&self.solid(shape, x, y)) {
-                    return true;
-                }
-                x = x.wrapping_add(1);
+        let mut walk = Walk::new(self.solid_range(range), Range::NONE);
+        while self.walk(&mut walk) {
+            if test(&self.solid(self.kind_at(walk.x, walk.y).shape, walk.x, walk.y)) {
+                return true;
             }
-            y = y.wrapping_add(1);
         }
         false
     }
@@ -223,7 +216,11 @@ impl<S: Set, T: Store> Overlaps<Circle> for TileMap<'_, S, T> {
     fn overlaps(&self, b: &Circle) -> bool {
         let (c, r) = (b.c(), b.r());
         if r == 0 {
-            return self.box_overlaps(c, c);
+            return if S::SHAPED {
+                self.all_hold(self.closed_range(c, c), c, c)
+            } else {
+                self.box_overlaps_blocks(c, c)
+            };
         }
         let bounds = b.aabb();
         self.circle_meets::<false>(c, r, self.open_range(bounds.lo(), bounds.hi()))

@@ -12,25 +12,72 @@ pub(in crate::world) struct Range {
     pub(in crate::world) y1: i32,
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The cells whose closed square meets the closed box: `ceil(lo / cell) - 1` is the column of `lo - 1`.
-    pub(in crate::world) const fn closed_range(&self, lo: Raw, hi: Raw) -> Range {
-        Range {
-            x0: self.grid.column(lo.x.wrapping_sub(1)),
-            y0: self.grid.row(lo.y.wrapping_sub(1)),
-            x1: self.grid.column(hi.x),
-            y1: self.grid.row(hi.y),
+impl Range {
+    pub(in crate::world) const NONE: Self = Self { x0: 0, y0: 0, x1: -1, y1: -1 };
+
+    /// Without a cell, to be [widened](Self::with).
+    pub(in crate::world) const NOWHERE: Self = Self { x0: i32::MAX, y0: i32::MAX, x1: i32::MIN, y1: i32::MIN };
+
+    /// Widened to a cell.
+    #[inline]
+    pub(in crate::world) const fn with(self, x: i32, y: i32) -> Self {
+        Self {
+            x0: if x < self.x0 { x } else { self.x0 },
+            y0: if y < self.y0 { y } else { self.y0 },
+            x1: if x > self.x1 { x } else { self.x1 },
+            y1: if y > self.y1 { y } else { self.y1 },
         }
     }
 
-    /// The cells whose open square meets the open box, for a box with area.
-    pub(in crate::world) const fn open_range(&self, lo: Raw, hi: Raw) -> Range {
-        Range {
-            x0: self.grid.column(lo.x),
-            y0: self.grid.row(lo.y),
-            x1: self.grid.column(hi.x.wrapping_sub(1)),
-            y1: self.grid.row(hi.y.wrapping_sub(1)),
+    #[inline]
+    pub(in crate::world) const fn has_row(&self, y: i32) -> bool {
+        self.y0 <= y && y <= self.y1
+    }
+
+    /// The columns, less those of a range that a box has left, both ways without going back.
+    #[inline(never)]
+    pub(in crate::world) const fn row_without(&self, seen: &Self) -> (i32, i32) {
+        if seen.x0 <= self.x0 {
+            (if seen.x1 < self.x0 { self.x0 } else { seen.x1.wrapping_add(1) }, self.x1)
+        } else {
+            (self.x0, if seen.x0 > self.x1 { self.x1 } else { seen.x0.wrapping_sub(1) })
         }
+    }
+}
+
+/// A walk over the cells of a range, row after row.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::world) struct Walk {
+    /// The cell that it has come to.
+    pub(in crate::world) x: i32,
+    pub(in crate::world) y: i32,
+    /// The last column of its row.
+    pub(in crate::world) last: i32,
+    pub(in crate::world) range: Range,
+    /// Cells that are passed over: those of a box that `range` has left.
+    pub(in crate::world) seen: Range,
+}
+
+impl Walk {
+    /// Before the first row, whose columns are over.
+    pub(in crate::world) const fn new(range: Range, seen: Range) -> Self {
+        Self { x: 0, y: range.y0.wrapping_sub(1), last: -1, range, seen }
+    }
+}
+
+impl<S: Set, T: Store> TileMap<'_, S, T> {
+    /// The cells whose closed square meets the closed box: `ceil(lo / cell) - 1` is the column of `lo - 1`.
+    pub(in crate::world) const fn closed_range(&self, lo: Raw, hi: Raw) -> Range {
+        let one = Raw { x: 1, y: 1 };
+        self.open_range(lo.sub(one), hi.add(one))
+    }
+
+    /// The cells whose open square meets the open box, for a box with area.
+    #[inline(never)]
+    pub(in crate::world) const fn open_range(&self, lo: Raw, hi: Raw) -> Range {
+        let (x0, x1) = self.grid.columns(lo.x, hi.x.wrapping_sub(1));
+        let (y0, y1) = self.grid.rows(lo.y, hi.y.wrapping_sub(1));
+        Range { x0, y0, x1, y1 }
     }
 
     /// The part of a range inside the map.

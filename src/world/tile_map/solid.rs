@@ -2,7 +2,7 @@
 
 use super::form::{Form, FormKind};
 use crate::num::{Raw, usqr};
-use crate::query::meet::{circle_aabb, circle_gaps, gap, in_disc};
+use crate::query::meet::{gap, in_disc};
 use crate::world::Set;
 
 /// The solid of a cell that is not empty, where it lies.
@@ -51,10 +51,10 @@ impl Solid {
                 let (value, limit) = (plus(p as i32 * u, q as i32 * v), k as i32 * self.half);
                 value < limit || (CLOSED && value == limit)
             }
-            FormKind::Convex if S::ARCS => in_disc::<CLOSED>(u as u32, v as u32, self.side() as u32),
+            FormKind::Convex if S::ARCS => reaches(u as u32, v as u32, self.side(), CLOSED),
             FormKind::Concave if S::ARCS => {
                 let side = self.side();
-                beyond::<CLOSED>(Raw { x: side.wrapping_sub(u), y: side.wrapping_sub(v) }, side)
+                !reaches(side.wrapping_sub(u).unsigned_abs(), side.wrapping_sub(v).unsigned_abs(), side, !CLOSED)
             }
             _ => true,
         }
@@ -66,40 +66,58 @@ impl Solid {
     /// the solid is, where the centre is nearer than the radius.
     pub(in crate::world) const fn meets_circle<S: Set, const CLOSED: bool>(&self, c: Raw, r: i32) -> bool {
         let (m, side) = (self.near(c, c), self.side());
+        // The box around the solid, which is all of it where nothing else is said.
+        let mut size = self.hi.sub(self.lo);
         match self.form.kind {
-            FormKind::Empty => false,
-            FormKind::Line { p: 0, .. } => {
-                circle_aabb::<CLOSED>(m, r, ZERO, Raw { x: self.hi.x.wrapping_sub(self.lo.x), y: self.half })
+            FormKind::Empty => return false,
+            FormKind::Line { p: 0, .. } => size.y = self.half,
+            FormKind::Line { q: 0, .. } => size.x = self.half,
+            FormKind::Line { p, q, k } => {
+                let mut at = ZERO;
+                if k == 4 {
+                    // The half of the cell on the side where it is whole, and the smaller slope on top of it.
+                    if p < q {
+                        (size.y, at.y) = (self.half, self.half);
+                    } else {
+                        (size.x, at.x) = (self.half, self.half);
+                    }
+                }
+                if triangle(m.sub(at), r, p, q, side, CLOSED) {
+                    return true;
+                } else if k != 4 {
+                    return false;
+                }
             }
-            FormKind::Line { q: 0, .. } => {
-                circle_aabb::<CLOSED>(m, r, ZERO, Raw { x: self.half, y: self.hi.y.wrapping_sub(self.lo.y) })
+            // Beside the quadrant the nearest point of the cell is on its two straight sides, which are the solid's.
+            FormKind::Convex if S::ARCS && m.x >= 0 && m.y >= 0 => {
+                return reaches(m.x as u32, m.y as u32, side.wrapping_add(r), CLOSED);
             }
-            FormKind::Line { p, q, k: 4 } => {
-                // The half of the cell on the side where it is whole, and the smaller slope on top of it.
-                let (size, at) = if p < q {
-                    (Raw { x: side, y: self.half }, Raw { x: 0, y: self.half })
-                } else {
-                    (Raw { x: self.half, y: side }, Raw { x: self.half, y: 0 })
-                };
-                circle_aabb::<CLOSED>(m, r, ZERO, size) || triangle::<CLOSED>(m.sub(at), r, p, q, side)
+            FormKind::Concave if S::ARCS => {
+                if let Some(answer) = concave(m, r, side, CLOSED) {
+                    return answer;
+                }
             }
-            FormKind::Line { p, q, .. } => triangle::<CLOSED>(m, r, p, q, side),
-            FormKind::Convex if S::ARCS => convex::<CLOSED>(m, r, side),
-            FormKind::Concave if S::ARCS => concave::<CLOSED>(m, r, side),
-            _ => circle_aabb::<CLOSED>(c, r, self.lo, self.hi),
+            _ => {}
         }
+        reaches(beyond(m.x, size.x), beyond(m.y, size.y), r, CLOSED)
     }
+}
+
+/// Whether a point is in a disc around the origin, its rim included where `closed`.
+#[inline(never)]
+const fn reaches(x: u32, y: u32, r: i32, closed: bool) -> bool {
+    if closed { in_disc::<true>(x, y, r as u32) } else { in_disc::<false>(x, y, r as u32) }
+}
+
+/// How far a coordinate is beyond the interval from 0 on.
+const fn beyond(c: i32, size: i32) -> u32 {
+    let gap = gap(c, 0, size);
+    if gap < 0 { 0 } else { gap as u32 }
 }
 
 /// For operands of which one is 0 or both are below 2^30.
 const fn plus(a: i32, b: i32) -> i32 {
     a.wrapping_add(b)
-}
-
-/// Whether a point lies outside of the open disc, or of the closed one for a strict test.
-const fn beyond<const CLOSED: bool>(m: Raw, r: i32) -> bool {
-    let (x, y, r) = (m.x.unsigned_abs(), m.y.unsigned_abs(), r as u32);
-    if CLOSED { !in_disc::<false>(x, y, r) } else { !in_disc::<true>(x, y, r) }
 }
 
 /// A circle against the triangle `p u + q v <= side`, for p and q of 1 and 2.
@@ -112,54 +130,45 @@ const fn beyond<const CLOSED: bool>(m: Raw, r: i32) -> bool {
 /// ```
 ///
 /// Beside the box only centres within `r` are left: |u|, |v| < 2^29 + 2^24, so the sums are below 3 (2^29 + 2^24) < 2^31.
-const fn triangle<const CLOSED: bool>(m: Raw, r: i32, p: u8, q: u8, side: i32) -> bool {
+#[inline(never)]
+const fn triangle(m: Raw, r: i32, p: u8, q: u8, side: i32, closed: bool) -> bool {
     let (a, b) = (side >> (p >> 1), side >> (q >> 1));
-    let (gu, gv) = (gap(m.x, 0, a), gap(m.y, 0, b));
-    if gu > r || gv > r {
+    let (gu, gv) = (beyond(m.x, a), beyond(m.y, b));
+    if gu > r as u32 || gv > r as u32 {
         return false;
     }
     let (p, q) = (p as i32, q as i32);
     let front = plus(p * m.x, q * m.y).wrapping_sub(side);
-    if front <= 0 {
-        return circle_gaps::<CLOSED>(gu, gv, r);
-    }
     // The foot's place along the direction (q, -p), from the end (0, b) to the end (a, 0).
     let along = (q * m.x).wrapping_sub(p * m.y.wrapping_sub(b));
-    if along <= 0 {
-        in_disc::<CLOSED>(m.x.unsigned_abs(), m.y.abs_diff(b), r as u32)
+    let (x, y) = if front <= 0 {
+        (gu, gv)
+    } else if along <= 0 {
+        (m.x.unsigned_abs(), m.y.abs_diff(b))
     } else if along >= plus(q * a, p * b) {
-        in_disc::<CLOSED>(m.x.abs_diff(a), m.y.unsigned_abs(), r as u32)
+        (m.x.abs_diff(a), m.y.unsigned_abs())
     } else {
         // p^2 + q^2 is 2 or 5.
-        let (square, rr) = (usqr(front as u32), usqr(r as u32));
-        let limit = if p == q { rr << 1 } else { (rr << 2).wrapping_add(rr) };
-        square < limit || (CLOSED && square == limit)
-    }
+        let (square, r) = (usqr(front as u32), r as u32);
+        let limit = usqr(r << (p != q) as u32).wrapping_add(usqr(r));
+        return square < limit || (closed && square == limit);
+    };
+    reaches(x, y, r, closed)
 }
 
-/// A circle against the quarter disc around the origin, toward +, +. Beside the quadrant the nearest point of the cell is on its two straight
-/// sides, which are the solid's.
-const fn convex<const CLOSED: bool>(m: Raw, r: i32, side: i32) -> bool {
-    if m.x >= 0 && m.y >= 0 {
-        in_disc::<CLOSED>(m.x as u32, m.y as u32, side.wrapping_add(r) as u32)
-    } else {
-        circle_aabb::<CLOSED>(m, r, ZERO, Raw { x: side, y: side })
-    }
-}
-
-/// A circle against the cell without the open quarter disc around its far corner.
+/// A circle against the cell without the open quarter disc around its far corner; none where it is as one against the whole cell.
 ///
 /// With `n` the centre seen from that corner, toward the solid: beyond the cell the nearest point of it is on one of the two whole sides; in
 /// the cell the arc is nearest, `side - |n|` away; before a side of the quarter disc an end of the arc is, the cusp on the side that `n`
 /// leans to.
-const fn concave<const CLOSED: bool>(m: Raw, r: i32, side: i32) -> bool {
+const fn concave(m: Raw, r: i32, side: i32, closed: bool) -> Option<bool> {
     let n = Raw { x: side, y: side }.sub(m);
     if n.x > 0 && n.y > 0 {
         if m.x < 0 || m.y < 0 {
-            return circle_aabb::<CLOSED>(m, r, ZERO, Raw { x: side, y: side });
+            return None;
         }
-        return r >= side || beyond::<CLOSED>(n, side.wrapping_sub(r));
+        return Some(r >= side || !reaches(n.x as u32, n.y as u32, side.wrapping_sub(r), !closed));
     }
     let (x, y) = if n.x > n.y { (m.x, n.y) } else { (n.x, m.y) };
-    in_disc::<CLOSED>(x.unsigned_abs(), y.unsigned_abs(), r as u32)
+    Some(reaches(x.unsigned_abs(), y.unsigned_abs(), r, closed))
 }

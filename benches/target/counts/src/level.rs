@@ -83,7 +83,7 @@ fn on_the_floor(r: &mut Random) -> (i32, i32) {
 
 fn boxes(table: &mut Table, map: TileMap<'static>) {
     let step: Query<(Aabb, Vec2), TileMap<'static>, Step<Aabb>> =
-        |body, map| MaybeUninit::new(Mover::platformer(Axis::NEG_Y).move_and_slide(map, &[], &body.0, body.1));
+        |body, map| MaybeUninit::new(Mover::platformer(Axis::NEG_Y).move_and_slide(map, &body.0, body.1));
     let loads = |_: &(Aabb, Vec2), _: &TileMap<'static>| -> Query<_, _, _> { load::<_, _, _, 6, 0> };
     let floor = move |r: &mut Random| {
         let (x, y) = on_the_floor(r);
@@ -94,7 +94,7 @@ fn boxes(table: &mut Table, map: TileMap<'static>) {
     let air = move |r: &mut Random| {
         let (x, y) = (r.raw(CELL, 30 * CELL), r.raw(CELL, 30 * CELL));
         let body = Aabb::new(vec((x, y)), vec((x + 10 * UNIT, y + 14 * UNIT))).ok()?;
-        let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&map, &[], &body, run()).ok()?;
+        let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&map, &body, run()).ok()?;
         moved.hits.is_empty().then_some(((body, run()), map))
     };
     table.row("move_and_slide, box in the air", None, step, loads, air, |m| m.as_ref().is_ok_and(|m| !m.floor));
@@ -102,7 +102,7 @@ fn boxes(table: &mut Table, map: TileMap<'static>) {
 
 fn circles(table: &mut Table, map: TileMap<'static>) {
     let step: Query<(Circle, Vec2), TileMap<'static>, Step<Circle>> =
-        |body, map| MaybeUninit::new(Mover::platformer(Axis::NEG_Y).move_and_slide(map, &[], &body.0, body.1));
+        |body, map| MaybeUninit::new(Mover::platformer(Axis::NEG_Y).move_and_slide(map, &body.0, body.1));
     let loads = |_: &(Circle, Vec2), _: &TileMap<'static>| -> Query<_, _, _> { load::<_, _, _, 5, 0> };
     let floor = move |r: &mut Random| {
         let (x, y) = on_the_floor(r);
@@ -112,7 +112,7 @@ fn circles(table: &mut Table, map: TileMap<'static>) {
         .row("move_and_slide, circle runs on a floor", None, step, loads, floor, |m| m.as_ref().is_ok_and(|m| m.floor));
     let air = move |r: &mut Random| {
         let body = circle((r.raw(CELL, 30 * CELL), r.raw(CELL, 30 * CELL)), 6 * UNIT)?;
-        let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&map, &[], &body, run()).ok()?;
+        let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&map, &body, run()).ok()?;
         moved.hits.is_empty().then_some(((body, run()), map))
     };
     table.row("move_and_slide, circle in the air", None, step, loads, air, |m| m.as_ref().is_ok_and(|m| !m.floor));

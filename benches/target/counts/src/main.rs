@@ -1,14 +1,19 @@
-//! Prints what every query costs on this core, in instructions.
+//! Prints what every query costs on this core, in instructions and bytes of stack.
 
 #![no_std]
 #![no_main]
 
+mod blocks;
+mod cast;
 mod counter;
+mod frames;
 mod inputs;
 mod level;
 mod measure;
 mod pairs;
+mod response;
 mod shapes;
+mod stack;
 
 use cortex_m_rt::{ExceptionFrame, entry, exception};
 use semihosting::{eprintln, process};
@@ -23,8 +28,12 @@ fn main() -> ! {
     }
     let mut table = measure::Table::new(counter);
     pairs::rows(&mut table);
+    cast::rows(&mut table);
     level::rows(&mut table);
+    blocks::rows(&mut table);
     shapes::rows(&mut table);
+    frames::rows(&mut table);
+    response::rows(&mut table);
     process::exit(i32::from(table.wrong != 0))
 }
 

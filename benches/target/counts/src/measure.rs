@@ -6,6 +6,7 @@
 
 use crate::counter::{Counter, elapsed, now};
 use crate::inputs::Random;
+use crate::stack::depth;
 use core::arch::asm;
 use core::fmt;
 use core::hint::black_box;
@@ -16,7 +17,7 @@ use semihosting::{eprintln, println};
 pub type Query<A, B, R> = fn(&A, &B) -> MaybeUninit<R>;
 
 /// The core that this firmware is built for.
-const CORE: &str = env!("CORE");
+pub const CORE: &str = env!("CORE");
 
 /// How many inputs a row is measured on.
 const INPUTS: u32 = 64;
@@ -26,7 +27,7 @@ pub type Budget = Option<(u32, u32)>;
 
 /// Measures and prints rows.
 pub struct Table {
-    counter: Counter,
+    pub counter: Counter,
     random: Random,
     /// Rows whose inputs were not of the class that they claim.
     pub wrong: u32,
@@ -48,7 +49,7 @@ impl Table {
         expect: impl Fn(&R) -> bool,
     ) {
         let (mut kernel, mut api) = (Span::new(), Span::new());
-        let mut wrong = false;
+        let (mut wrong, mut stack) = (false, 0);
         // Rows do not depend on each other: adding one leaves the others' inputs as they were.
         self.random = Random::new(1);
         while api.n < INPUTS {
@@ -58,10 +59,17 @@ impl Table {
             let load = self.counter.instructions(ticks(loads(&a, &b), &a, &b));
             api.add(call - empty);
             kernel.add(call.saturating_sub(load));
+            stack = stack.max(depth(query, &a, &b));
             // SAFETY: a query always writes its answer; only the baselines do not.
             let answer = unsafe { query(&a, &b).assume_init() };
             wrong |= !expect(&answer);
         }
+        self.tell(name, wrong, budget, &[kernel, api], stack);
+    }
+
+    /// Apart from the measurement, which is compiled once a row.
+    #[inline(never)]
+    fn tell(&mut self, name: &str, wrong: bool, budget: Budget, [kernel, api]: &[Span; 2], stack: u32) {
         if wrong {
             self.wrong += 1;
             eprintln!("{name}: some inputs are not of this class");
@@ -69,6 +77,7 @@ impl Table {
         let (m0, m3) = budget.unwrap_or_default();
         let limit = if CORE == "M0" { m0 } else { m3 };
         println!("{CORE}|{name}|{kernel}|{api}|{limit}");
+        println!("{CORE} stack|{name}|{stack}|{stack}|0");
     }
 }
 

@@ -7,7 +7,7 @@ use tilesat::motion::{MoveError, Moved, Mover};
 use tilesat::{Aabb, AllShapes, Axis, Circle, Fx, Grid, Inside, Near, OneWay, Outside, Vec2, WorldContact};
 use tilesat::{RangeError, RayHit, TileKind, TileKinds, TileMap, TileShape};
 
-const SIDE: usize = 32;
+pub const SIDE: usize = 32;
 const CELL: i32 = 24;
 
 /// Ids are N++'s.
@@ -20,11 +20,14 @@ static KINDS: TileKinds = {
     kinds
 };
 
-static TILES: [u8; SIDE * SIDE] = {
+static TILES: [u8; SIDE * SIDE] = tiles(64);
+
+/// Random tiles: so many of 256 hold a shape.
+pub const fn tiles(dense: u32) -> [u8; SIDE * SIDE] {
     let (mut tiles, mut i, mut state) = ([0; SIDE * SIDE], 0, 1u32);
     while i < SIDE * SIDE {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        let solid = state >> 30 == 0;
+        let solid = state >> 24 < dense;
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         if solid {
             tiles[i] = 1 + ((state >> 16) % 33) as u8;
@@ -32,25 +35,34 @@ static TILES: [u8; SIDE * SIDE] = {
         i += 1;
     }
     tiles
-};
+}
 
-type Map = TileMap<'static, AllShapes>;
+pub type Map = TileMap<'static, AllShapes>;
 type Step<B> = Result<Moved<B>, MoveError>;
 type Cast = Result<Option<RayHit>, RangeError>;
 type Touched = (bool, Option<WorldContact>);
 type Nearest = Result<Option<Near>, RangeError>;
 
 pub fn rows(table: &mut Table) {
-    let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_bits(CELL * UNIT), Vec2::ZERO);
-    let Some(map) = grid.ok().and_then(|grid| Map::of(&TILES, grid, &KINDS).ok()) else {
+    let Some(map) = level() else {
         table.wrong += 1;
         return;
     };
-    let map = map.with_outside(Outside::Solid);
     overlaps(table, map);
     surface(table, map);
     rays(table, map);
     motion(table, map);
+}
+
+/// The level of these rows.
+pub fn level() -> Option<Map> {
+    on(&TILES, SIDE as u16, SIDE as u16)
+}
+
+/// A closed room.
+pub fn on(tiles: &'static [u8], width: u16, height: u16) -> Option<Map> {
+    let grid = Grid::new(width, height, Fx::from_bits(CELL * UNIT), Vec2::ZERO).ok()?;
+    Some(Map::of(tiles, grid, &KINDS).ok()?.with_outside(Outside::Solid))
 }
 
 /// A point of the map, a cell away from its border.
@@ -59,11 +71,11 @@ fn place(r: &mut Random) -> (i32, i32) {
     (r.raw(CELL, last), r.raw(CELL, last))
 }
 
-fn ball(r: &mut Random) -> Option<Circle> {
+pub fn ball(r: &mut Random) -> Option<Circle> {
     circle(place(r), 10 * UNIT)
 }
 
-fn crate_(r: &mut Random) -> Option<Aabb> {
+pub fn crate_(r: &mut Random) -> Option<Aabb> {
     let (x, y) = place(r);
     Aabb::new(vec((x, y)), vec((x + 14 * UNIT, y + 20 * UNIT))).ok()
 }
@@ -113,7 +125,7 @@ fn rays(table: &mut Table, map: Map) {
 
 fn motion(table: &mut Table, map: Map) {
     let step: Query<(Circle, Vec2), Map, Step<Circle>> =
-        |body, map| MaybeUninit::new(Mover::platformer(Axis::NEG_Y).move_and_slide(map, &[], &body.0, body.1));
+        |body, map| MaybeUninit::new(Mover::platformer(Axis::NEG_Y).move_and_slide(map, &body.0, body.1));
     let loads = |_: &(Circle, Vec2), _: &Map| -> Query<_, _, _> { load::<_, _, _, 5, 0> };
     for (name, speed) in [("shapes: circle moves, <= 4 a frame", 4), ("shapes: circle moves, <= 30 a frame", 30)] {
         let next = move |r: &mut Random| {
@@ -123,7 +135,7 @@ fn motion(table: &mut Table, map: Map) {
         table.row(name, None, step, loads, next, Result::is_ok);
     }
     let step: Query<(Aabb, Vec2), Map, Step<Aabb>> =
-        |body, map| MaybeUninit::new(Mover::platformer(Axis::NEG_Y).move_and_slide(map, &[], &body.0, body.1));
+        |body, map| MaybeUninit::new(Mover::platformer(Axis::NEG_Y).move_and_slide(map, &body.0, body.1));
     let loads = |_: &(Aabb, Vec2), _: &Map| -> Query<_, _, _> { load::<_, _, _, 6, 0> };
     let next = move |r: &mut Random| {
         let body = crate_(r).filter(|b| !map.overlaps(b))?;

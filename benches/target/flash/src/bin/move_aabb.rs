@@ -5,5 +5,5 @@ use tilesat::motion::Mover;
 use tilesat::world::TileMap;
 use tilesat::{Aabb, Axis, Vec2};
 tilesat_flash::program!(|map: TileMap<'static>, input: (Aabb, Vec2)| {
-    Mover::platformer(Axis::NEG_Y).move_and_slide(map, &[], &input.0, input.1)
+    Mover::platformer(Axis::NEG_Y).move_and_slide(map, &input.0, input.1)
 });

@@ -5,5 +5,5 @@ use tilesat::motion::Mover;
 use tilesat::world::{AllShapes, TileMap};
 use tilesat::{Axis, Circle, Vec2};
 tilesat_flash::program!(|map: TileMap<'static, AllShapes>, input: (Circle, Vec2)| {
-    Mover::platformer(Axis::NEG_Y).move_and_slide(map, &[], &input.0, input.1)
+    Mover::platformer(Axis::NEG_Y).move_and_slide(map, &input.0, input.1)
 });

@@ -1,28 +1,28 @@
 //! The time of a hit: a fraction of a motion, rounded down.
 
-use crate::num::SPLIT;
+use super::SPLIT;
 
-/// The floor of `num / den` in parts of 2^30, for `0 < num <= den < 2^30`.
+/// The floor of `num / den` in parts of 2^30, for `0 < num <= den < 2^31`.
 ///
 /// Long division in three digits of ten bits, each from a 16-bit reciprocal that is never too large. A digit is short by less than
-/// 0.11 before it is floored, as each of its three factors adds: the remainder without its low 14 bits 2^-5, the divisor so 2^-5, the reciprocal
+/// 0.11 before it is floored, as each of its three factors adds: the remainder without its low 15 bits 2^-5, the divisor so 2^-5, the reciprocal
 /// 2^10 times 2^-14.4. So it is right or one too small, and the remainder, below `2 den`, tells.
 #[inline]
-pub(in crate::world) fn fraction(num: u32, den: u32) -> u32 {
+pub(crate) fn fraction(num: u32, den: u32) -> u32 {
     let (mut rest, mut den) = (num, den);
     if SPLIT {
         // No instruction counts leading zeros there.
-        while den < 1 << 29 {
+        while den < 1 << 30 {
             den <<= 1;
             rest <<= 1;
         }
     } else {
-        let shift = den.leading_zeros().wrapping_sub(2) & 31;
+        let shift = den.leading_zeros().wrapping_sub(1) & 31;
         den <<= shift;
         rest <<= shift;
     }
     // 2^31 / d for d in 2^15..=2^16: the line 48/17 - 32/17 d is off by 1/17 at most, and each step of Newton squares that.
-    let d = (den >> 14).wrapping_add(1);
+    let d = (den >> 15).wrapping_add(1);
     let r = 92_521u32.wrapping_sub(d.wrapping_mul(61_681) >> 16);
     let e = (1u32 << 31).wrapping_sub(d.wrapping_mul(r)) as i32;
     let r = r.wrapping_add(((r as i32).wrapping_mul(e >> 12) >> 19) as u32);
@@ -30,7 +30,7 @@ pub(in crate::world) fn fraction(num: u32, den: u32) -> u32 {
     let r = r.wrapping_add(((r as i32).wrapping_mul(e >> 8) >> 23) as u32);
     let (mut q, mut digits) = (0u32, 3);
     while digits != 0 {
-        let digit = (rest >> 14).wrapping_mul(r) >> 21;
+        let digit = (rest >> 15).wrapping_mul(r) >> 21;
         rest = (rest << 10).wrapping_sub(digit.wrapping_mul(den));
         q = (q << 10).wrapping_add(digit);
         if rest >= den {
@@ -60,8 +60,8 @@ mod tests {
             }
         }
         for top in 1u32 << 15..1 << 16 {
-            for low in [0, 1, 0x1fff, 0x2000, 0x3ffe, 0x3fff] {
-                let den = top << 14 | low;
+            for low in [0, 1, 0x3fff, 0x4000, 0x7ffe, 0x7fff] {
+                let den = top << 15 | low;
                 for num in [1, 2, 3, den / 3, den / 2, den - 2, den - 1, den, 0x2aaa_aaaa % den, 0x1234_5678 % den + 1]
                 {
                     check(num, den);

@@ -1,13 +1,13 @@
 //! Moments of contact that are no fractions of integers: lower bounds in parts of 2^30, never late.
 
-use crate::num::{Toi, leading_zeros64, mul_div, root128_down, root128_up, sqr64, sub128, umul};
+use crate::num::{Toi, fraction, leading_zeros64, root128_down, root128_up, sqr64, sub128, umul};
 
 /// When a point enters a disc: a lower bound of `c / (b + sqrt(rra - cross^2))`, with c = |m|^2 - r^2 and b = -m.d.
 ///
 /// This form has no cancellation. The root and the denominator are rounded up, the numerator and the quotient down, so it is never
 /// late. Each step keeps 31 bits or whole raw units: it is early by less than a raw unit of way.
 #[inline(never)]
-pub(super) fn entry_time(c: u64, b: u64, rra: (u64, u64), cross: i64) -> Toi {
+pub(crate) fn entry_time(c: u64, b: u64, rra: (u64, u64), cross: i64) -> Toi {
     let (word, shift) = word(b.wrapping_add(root128_up(sub128(rra, sqr64(cross.unsigned_abs())))));
     quotient(c >> shift, word.wrapping_add(1))
 }
@@ -16,7 +16,7 @@ pub(super) fn entry_time(c: u64, b: u64, rra: (u64, u64), cross: i64) -> Toi {
 ///
 /// Where b is not positive (then the point starts inside) the same without cancellation, as above: `inner / (|b| + sqrt(..))`.
 #[inline(never)]
-pub(super) fn exit_time(inner: u64, b: i64, a: u64, rra: (u64, u64), cross: i64) -> Toi {
+pub(crate) fn exit_time(inner: u64, b: i64, a: u64, rra: (u64, u64), cross: i64) -> Toi {
     let square = sub128(rra, sqr64(cross.unsigned_abs()));
     if b > 0 {
         ratio((b as u64).wrapping_add(root128_down(square)), a)
@@ -31,7 +31,7 @@ pub(super) fn exit_time(inner: u64, b: i64, a: u64, rra: (u64, u64), cross: i64)
 /// As `(gap^2 - reach) / ((gap + sqrt(reach)) into)`, which has no cancellation either. Everything is scaled to the full width first,
 /// so that each rounding is one of 31 bits: below a raw unit of way for motions up to 2^27 raw.
 #[inline(never)]
-pub(super) fn gap_time(gap: u64, into: u64, reach: (u64, u64)) -> Toi {
+pub(crate) fn gap_time(gap: u64, into: u64, reach: (u64, u64)) -> Toi {
     // Below 2^61; the square of the gap, and the reach with it, below 2^122.
     let scale = leading_zeros64(gap | into).saturating_sub(3);
     let (gap, into, reach) = (gap << scale, into << scale, shift_left(reach, 2 * scale));
@@ -46,12 +46,19 @@ pub(super) fn gap_time(gap: u64, into: u64, reach: (u64, u64)) -> Toi {
     ratio(num, umul(sum, into))
 }
 
-/// `num / den` rounded down, at most one; nothing of nothing is nothing.
+/// `num / den` rounded down, at most one, for a divisor up to 2^31; nothing of nothing is nothing.
 fn quotient(num: u64, den: u32) -> Toi {
     if num != 0 && num >= u64::from(den) {
         return Toi::ONE;
     }
-    Toi::clamped(if num == 0 { 0 } else { mul_div(num as u32, Toi::ONE.raw(), den) })
+    // A power of two is the one divisor that has 32 bits.
+    Toi::exact(if num == 0 {
+        0
+    } else if den >> 31 != 0 {
+        (num >> 1) as u32
+    } else {
+        fraction(num as u32, den)
+    })
 }
 
 /// The top 31 bits of a number, and how far it was shifted: at most 33.
@@ -67,7 +74,7 @@ fn word_up(n: u64) -> (u32, u32) {
 }
 
 /// `num / den` rounded down, at most one: the divisor is rounded up to 31 bits.
-pub(super) fn ratio(num: u64, den: u64) -> Toi {
+pub(crate) fn ratio(num: u64, den: u64) -> Toi {
     let (den, shift) = word_up(den);
     quotient(num >> shift, den)
 }
@@ -81,4 +88,26 @@ const fn shift_left(a: (u64, u64), by: u32) -> (u64, u64) {
     } else {
         (a.1 << (by & 63), 0)
     }
+}
+
+/// The last moment, in parts of 2^30, at which something has not happened yet: not at `from`, at the motion's end it has, and it
+/// stays so. Doubled steps, then halved ones: twice the bits of what `from` is short by, at most 60 questions.
+pub(super) fn last_before(from: Toi, happened: impl Fn(u32) -> bool) -> Toi {
+    let (mut last, mut step) = (from.raw(), 1u32);
+    let mut before = |step: u32| {
+        let next = last.wrapping_add(step);
+        let free = next < Toi::ONE.raw() && !happened(next);
+        if free {
+            last = next;
+        }
+        free
+    };
+    while before(step) {
+        step <<= 1;
+    }
+    while step > 1 {
+        step >>= 1;
+        before(step);
+    }
+    Toi::exact(last)
 }

@@ -1,0 +1,54 @@
+//! How much stack a call takes, exactly for what ran: the memory below is painted before it, and read after it.
+
+use crate::measure::Query;
+use core::arch::asm;
+use core::hint::black_box;
+
+/// Words that are painted below the caller: more than any query takes.
+const WORDS: usize = 1024;
+const PAINT: u32 = 0x5a5a_a5a5;
+
+/// Bytes of stack that a query takes, its return address included, its operands and its answer not: they are the caller's.
+///
+/// A deepest word that happens to be written with the paint's value is missed; with several inputs it is not.
+#[inline(never)]
+pub fn depth<A, B, R>(query: Query<A, B, R>, a: &A, b: &B) -> u32 {
+    let (query, a, b) = black_box((query, a, b));
+    let bottom = paint();
+    let answer = query(a, b);
+    let bytes = used(bottom);
+    black_box(&answer);
+    bytes
+}
+
+/// Bytes from the lowest word that is no longer painted up to where the paint began.
+#[inline(always)]
+fn used(bottom: *const u32) -> u32 {
+    let mut i = 0;
+    // SAFETY: still below the caller's frame, which has not moved, and inside of RAM; nothing else runs.
+    while i < WORDS && unsafe { bottom.add(i).read_volatile() } == PAINT {
+        i += 1;
+    }
+    4 * (WORDS - i) as u32
+}
+
+/// Paints what is below the stack pointer; returns the lowest word of it.
+#[inline(always)]
+fn paint() -> *const u32 {
+    let mut at: *const u32;
+    // SAFETY: no interrupt is enabled, so memory below the stack pointer belongs to nobody; it is inside of RAM, whose 16 KB are mostly stack.
+    unsafe {
+        asm!(
+            "mov {at}, sp",
+            "2:",
+            "subs {at}, #4",
+            "str {paint}, [{at}]",
+            "subs {left}, #1",
+            "bne 2b",
+            at = out(reg) at,
+            paint = in(reg) PAINT,
+            left = inout(reg) WORDS => _,
+        );
+    }
+    at
+}

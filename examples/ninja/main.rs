@@ -1,0 +1,98 @@
+//! A round ninja runs up slopes and quarter pipes, slides down walls and jumps from them: `cargo run --release --example ninja [-- FILE.png]`.
+//!
+//! `ninja.rs` is the game: one circle, a few numbers, and `Mover::move_and_slide`. `level.rs` is the level, `script.rs` what the player
+//! presses. The rest draws the way to `target/ninja.png`.
+#![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
+#![allow(
+    clippy::std_instead_of_core,
+    clippy::float_arithmetic,
+    clippy::cast_precision_loss,
+    reason = "drawing, on a desktop"
+)]
+
+#[allow(dead_code, reason = "its canvas is used here")]
+#[path = "../platformer/main.rs"]
+mod platformer;
+#[path = "../sketch/mod.rs"]
+#[allow(dead_code, reason = "shared by the small games")]
+mod sketch;
+#[path = "../sheet/solid.rs"]
+mod solid;
+
+mod level;
+mod ninja;
+mod script;
+
+use std::process::ExitCode;
+
+use ninja::{Ninja, State};
+use platformer::fail::{Fail, Result};
+use platformer::picture::ink::{BOUNCE, COIN, CROSS, Ink, PLAYER, SLIDE, TOUCH};
+use script::Script;
+use sketch::Sketch;
+use tilesat::World;
+
+/// A minute is enough for every script.
+const FRAMES: u32 = 3600;
+
+fn main() -> ExitCode {
+    match play() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(fail) => {
+            eprintln!("ninja: {fail}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn play() -> Result<()> {
+    let level = level::map().map_err(|e| Fail::new(e.to_string()))?;
+    let mut ninja = Ninja::new(level::START).map_err(|e| Fail::new(e.to_string()))?;
+    let mut script = Script::new();
+    let mut sketch = Sketch::new(&level, level::SIZE, 2);
+    let (mut way, mut fastest, mut frame) = (vec![ninja.body.centre()], 0, 0);
+    while let Some(keys) = script.keys(&ninja)
+        && frame < FRAMES
+    {
+        let was = (ninja.state, ninja.jumps);
+        ninja.step(&level, keys).map_err(|e| Fail::new(format!("frame {frame}: {e}")))?;
+        if level.overlaps_circle(&ninja.body) {
+            return Err(Fail::new(format!("frame {frame}: inside the level")));
+        }
+        fastest = fastest.max(ninja.velocity.length().to_bits());
+        frame += 1;
+        way.push(ninja.body.centre());
+        if ninja.state != was.0 {
+            sketch.way(&way, 2.5, ink(was.0));
+            way.drain(..way.len() - 1);
+        }
+        if ninja.jumps != was.1 {
+            sketch.dot(ninja.body.centre(), COIN);
+        }
+        if frame % 8 == 0 {
+            sketch.ring(ninja.body.centre(), 6.0, 1.0, ink(ninja.state).alpha(0.45));
+        }
+    }
+    sketch.way(&way, 2.5, ink(ninja.state));
+    sketch.ring(ninja.body.centre(), 6.0, 3.0, PLAYER);
+    let summary = format!(
+        "frames={frame} jumps={} wall_jumps={} fastest={:.2} done={}",
+        ninja.jumps,
+        ninja.wall_jumps,
+        f64::from(fastest) / 65536.0,
+        script.is_done()
+    );
+    println!("{summary}");
+    let legend = "green: on a floor; blue: along a wall; violet: in the air; yellow dots: jumps; a ring every 8 frames";
+    sketch.save("ninja.png", &[summary, legend.to_owned()])?;
+    if script.is_done() { Ok(()) } else { Err(Fail::new("the script did not come to its end")) }
+}
+
+fn ink(state: State) -> Ink {
+    match state {
+        State::Floor => BOUNCE,
+        State::Wall => SLIDE,
+        State::Ceiling => TOUCH,
+        State::Air => CROSS,
+    }
+}

@@ -1,0 +1,89 @@
+//! Balls on a pinball table: bumpers, slingshots, a kicker: `cargo run --release --example pinball [-- FILE.png]`.
+//!
+//! `table.rs` is the level: tiles, and polygons joined to them. `ball.rs` is the game: gravity, a bounce on a surface that loses a little, and
+//! what the bumpers add. The picture shows the ways of five balls in twenty seconds: `target/pinball.png`.
+#![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
+#![allow(
+    clippy::std_instead_of_core,
+    clippy::float_arithmetic,
+    clippy::cast_precision_loss,
+    reason = "drawing, on a desktop"
+)]
+
+#[allow(dead_code, reason = "its canvas is used here")]
+#[path = "../platformer/main.rs"]
+mod platformer;
+#[allow(dead_code, reason = "shared by the small games")]
+#[path = "../sketch/mod.rs"]
+mod sketch;
+#[path = "../sheet/solid.rs"]
+mod solid;
+
+mod ball;
+mod table;
+
+use std::process::ExitCode;
+
+use ball::{Ball, RADIUS};
+use platformer::fail::{Fail, Result};
+use platformer::picture::ink::{BOUNCE, COIN, CROSS, Ink, SLIDE, TOUCH};
+use sketch::Sketch;
+use tilesat::{Joined, MoveError, Vec2, World};
+
+const FRAMES: u32 = 1200;
+/// Of as many balls.
+const INKS: [Ink; 5] = [BOUNCE, COIN, CROSS, SLIDE, TOUCH];
+
+fn main() -> ExitCode {
+    match play() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(fail) => {
+            eprintln!("pinball: {fail}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn play() -> Result<()> {
+    let tiles = table::tiles().map_err(|e| Fail::new(e.to_string()))?;
+    let table = Joined::new(&tiles, &table::SLINGSHOTS);
+    let mut sketch = Sketch::new(&table, table::SIZE, 2);
+    let mut fastest = 0;
+    let mut meetings = 0;
+    let start = |i: usize| {
+        let (place, velocity) =
+            (Vec2::from_ints(60 + 50 * i as i16, 30), Vec2::from_raw(70_000 * i as i32 - 150_000, 0));
+        Ball::new(place, velocity).map_err(|e| Fail::new(e.to_string()))
+    };
+    let mut balls = (0..INKS.len()).map(start).collect::<Result<Vec<Ball>>>()?;
+    let mut ways: Vec<Vec<Vec2>> = balls.iter().map(|ball| vec![ball.body.centre()]).collect();
+    for frame in 0..FRAMES {
+        let fail = |e: MoveError| Fail::new(format!("frame {frame}: {e}"));
+        for i in 0..balls.len() {
+            balls[i].step(&table).map_err(fail)?;
+            let (before, rest) = balls.split_at_mut(i);
+            for other in before {
+                meetings += u32::from(rest[0].meet(other, &table).map_err(fail)?);
+            }
+        }
+        for (ball, way) in balls.iter().zip(&mut ways) {
+            if table.overlaps_circle(&ball.body) {
+                return Err(Fail::new(format!("frame {frame}: inside the table")));
+            }
+            fastest = fastest.max(ball.velocity.length().to_bits());
+            way.push(ball.body.centre());
+        }
+    }
+    for ((ball, way), ink) in balls.iter().zip(&ways).zip(INKS) {
+        sketch.way(way, 1.2, ink.alpha(0.6));
+        sketch.ring(ball.body.centre(), RADIUS.to_num(), 3.0, ink);
+    }
+    let (bumps, kicks) = balls.iter().fold((0, 0), |(bumps, kicks), ball| (bumps + ball.bumps, kicks + ball.kicks));
+    let summary = format!(
+        "balls={} frames={FRAMES} meetings={meetings} bumps={bumps} kicks={kicks} fastest={:.2}",
+        balls.len(),
+        f64::from(fastest) / 65536.0
+    );
+    println!("{summary}");
+    sketch.save("pinball.png", &[summary])
+}

@@ -1,0 +1,137 @@
+//! The first hit in a level that is a grid of blocks: straight from its cells, of which only those features are made that a motion comes to.
+
+use super::body::{Body, Entry};
+use super::order::First;
+use super::run::Run;
+use crate::num::{Axis, Raw};
+use crate::shape::Aabb;
+use crate::world::{Block, Cell, Feature, Geometry, World};
+
+/// A motion among blocks.
+struct Sweep<'a, W, B> {
+    world: &'a W,
+    body: B,
+    d: Raw,
+    /// The corner of the bounds that goes first: the motion comes to no face behind it.
+    front: Raw,
+    /// What of the body meets a face: all of a box, the nearest point of a disc.
+    span: (Raw, Raw),
+    /// Whether the body has no extent along one of the axes: then it matters what lies beside a face.
+    thin: bool,
+    first: &'a mut First,
+}
+
+impl<B: Body> Run<'_, B> {
+    /// Takes the hits of the cells whose inside meets a region; each cell counts as a feature.
+    pub(super) fn meet_blocks<W: World>(&mut self, world: &W, region: &Aabb, d: Raw, first: &mut First) {
+        let body = self.moved.body;
+        let bounds = body.bounds();
+        let (a, b) = (bounds.lo(), bounds.hi());
+        let front = Raw { x: if d.x > 0 { b.x } else { a.x }, y: if d.y > 0 { b.y } else { a.y } };
+        let c = Raw { x: (a.x + b.x) >> 1, y: (a.y + b.y) >> 1 };
+        let span = if B::MEETS_CORNERS { (c, c) } else { (a, b) };
+        let mut sweep = Sweep { world, body, d, front, span, thin: a.x == b.x || a.y == b.y, first };
+        let mut cells = world.cells(region);
+        while let Some(block) = world.next_cell(&mut cells) {
+            self.moved.work.features += 1;
+            if !block.one_way {
+                sweep.meet_full(&block);
+            } else if !self.pass_one_way {
+                sweep.meet_one_way(&block);
+            }
+        }
+    }
+}
+
+impl<W: World, B: Body> Sweep<'_, W, B> {
+    /// The faces that the motion comes to, one across each axis, and for what is round the corners that have a face that opposes it.
+    fn meet_full(&mut self, block: &Block) {
+        let (lo, hi, d, front) = (block.lo, block.hi, self.d, self.front);
+        let (width, height) = (hi.x.wrapping_sub(lo.x), hi.y.wrapping_sub(lo.y));
+        if d.y > 0 && lo.y >= front.y {
+            self.meet_face(block, 0, lo, Axis::X, width);
+        } else if d.y < 0 && hi.y <= front.y {
+            self.meet_face(block, 2, hi, Axis::NEG_X, width);
+        }
+        if d.x > 0 && lo.x >= front.x {
+            self.meet_face(block, 3, Raw { x: lo.x, y: hi.y }, Axis::NEG_Y, height);
+        } else if d.x < 0 && hi.x <= front.x {
+            self.meet_face(block, 1, Raw { x: hi.x, y: lo.y }, Axis::Y, height);
+        }
+        if B::MEETS_CORNERS && !self.thin {
+            for (index, x, y) in [(4, 1, -1), (5, 1, 1), (6, -1, 1), (7, -1, -1)] {
+                if (d.x != 0 && (x < 0) == (d.x > 0)) || (d.y != 0 && (y < 0) == (d.y > 0)) {
+                    self.meet_corner(block, index, x, y);
+                }
+            }
+        }
+    }
+
+    #[inline(never)]
+    fn meet_face(&mut self, block: &Block, index: u16, a: Raw, dir: Axis, len: i32) {
+        let shape = |joined: [bool; 2]| Geometry::Face { a: a.vec2(), dir, len, joined };
+        let mut found = feature(block, index, shape([false; 2]));
+        if self.is_full(block, dir.y, dir.x.wrapping_neg()) {
+            return;
+        }
+        let mut entry =
+            if self.stays_over(block, dir) { self.enter(a, dir) } else { self.body.sweep_block(self.d, &found) };
+        if self.thin || entry.is_some_and(|entry| entry.at_end) {
+            // Corner to corner it matters what lies beside the face.
+            let before = self.is_full(block, dir.x.wrapping_neg(), dir.y.wrapping_neg());
+            found.geometry = shape([before, self.is_full(block, dir.x, dir.y)]);
+            entry = self.body.sweep_block(self.d, &found);
+        }
+        if let Some(entry) = entry {
+            self.first.add::<B, W>(entry, &found, self.d);
+        }
+    }
+
+    /// Whether the body is over the inside of a side all the time, from the start of the motion to its end.
+    fn stays_over(&self, block: &Block, dir: Axis) -> bool {
+        let ((lo, hi), (a, b), d) = (self.span, (block.lo, block.hi), self.d);
+        let (before, after, d) = if dir.x == 0 { (hi.y - a.y, b.y - lo.y, d.y) } else { (hi.x - a.x, b.x - lo.x, d.x) };
+        !self.thin && before > 0 && before + d > 0 && after > 0 && after - d > 0
+    }
+
+    /// The entry of what stays over a face into it.
+    fn enter(&self, a: Raw, dir: Axis) -> Option<Entry> {
+        let (gap, into) = if dir.x == 0 { (a.x - self.front.x, self.d.x) } else { (a.y - self.front.y, self.d.y) };
+        let (gap, into) = (gap.unsigned_abs(), into.unsigned_abs());
+        let normal = Axis::new(dir.y, dir.x.wrapping_neg());
+        (gap < into).then_some(Entry { num: gap, den: into, normal, at_end: false, step: None })
+    }
+
+    /// The corner of the sides toward `x` and `y`.
+    #[inline(never)]
+    fn meet_corner(&mut self, block: &Block, index: u16, x: i32, y: i32) {
+        if self.is_full(block, x, 0) || self.is_full(block, 0, y) {
+            return;
+        }
+        let p = Raw { x: if x > 0 { block.hi.x } else { block.lo.x }, y: if y > 0 { block.hi.y } else { block.lo.y } };
+        // The edges as a block has them, solid on the left: of the two orders the one that turns.
+        let (along, down) = (Axis::new(x, 0), Axis::new(0, y.wrapping_neg()));
+        let (e_in, e_out) = if x == y { (down.reversed(), along.reversed()) } else { (along, down) };
+        let found = feature(block, index, Geometry::Vertex { p: p.vec2(), e_in, e_out });
+        if let Some(entry) = self.body.sweep_block(self.d, &found) {
+            self.first.add::<B, W>(entry, &found, self.d);
+        }
+    }
+
+    #[inline(never)]
+    fn meet_one_way(&mut self, block: &Block) {
+        let Some(face) = self.world.one_way_face(block) else { return };
+        if let Some(entry) = self.body.sweep_block(self.d, &face) {
+            self.first.add::<B, W>(entry, &face, self.d);
+        }
+    }
+
+    fn is_full(&self, block: &Block, x: i32, y: i32) -> bool {
+        self.world.is_full(block.x.wrapping_add(x), block.y.wrapping_add(y))
+    }
+}
+
+fn feature(block: &Block, index: u16, geometry: Geometry) -> Feature {
+    let cell = Cell::of(block.x, block.y);
+    Feature { geometry, cell, index, flags: block.flags, one_way: false, source: 0 }
+}

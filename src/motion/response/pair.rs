@@ -1,0 +1,107 @@
+//! Two bodies that meet: pushed apart, and what becomes of their velocities.
+
+use super::reply::{Rule, reply, settle};
+use super::{Masses, Surface};
+use crate::error::RangeError;
+use crate::num::{Axis, MOTION, Ratio, Raw, Vec2, check_motion, mul_div};
+use crate::query::Contact;
+
+/// The displacements of A and B that end their overlap: A takes `share_of_a` of the push, B the rest.
+///
+/// ```text
+///     before          share 1/2          share 1           share 0
+///   +------+        +------+         +------+              +------+
+///   | A  +-|--+     | A    +----+    | A    +----+         | A    +----+
+///   +----|-+  |     +------+  B |    +------+  B |         +------+  B |
+///        +----+            +----+           +----+                +----+
+///                   both by half     A alone               B alone
+/// ```
+///
+/// Each component is rounded away from zero, so that the two together are the [`push_out`](Contact::push_out) or a raw unit a component more:
+/// after both moves `overlaps` is false. It does not matter which of the two is A, and mirrored input gives mirrored bits ([degenerate](Contact::is_degenerate)
+/// contacts excepted). [`Masses::share_of_a`] is the share that keeps the centre of mass where it is. The moves may lead out of the domain or into
+/// a level: `translated` says the first, a [`Mover`](crate::Mover) minds the second.
+///
+/// Cost: that of `push_out`, and four products.
+///
+/// ```
+/// use tilesat::prelude::*;
+/// use tilesat::{Aabb, Ratio, Vec2, motion::response::separate};
+/// let a = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(10, 10))?;
+/// let b = Aabb::new(Vec2::from_ints(6, -9), Vec2::from_ints(20, 20))?;
+/// let (by_a, by_b) = separate(&a.contact(&b).unwrap(), Ratio::percent(25).unwrap());
+/// assert_eq!((by_a, by_b), (Vec2::from_ints(-1, 0), Vec2::from_ints(3, 0)));
+/// assert!(!a.translated(by_a)?.overlaps(&b.translated(by_b)?));
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+#[must_use]
+pub const fn separate(contact: &Contact, share_of_a: Ratio) -> (Vec2, Vec2) {
+    let push = Raw::of(contact.push_out());
+    let (a, b) = (share_of_a, share_of_a.complement());
+    let by_b = Raw { x: b.of_raw_up(push.x).wrapping_neg(), y: b.of_raw_up(push.y).wrapping_neg() };
+    (Raw { x: a.of_raw_up(push.x), y: a.of_raw_up(push.y) }.vec2(), by_b.vec2())
+}
+
+/// The velocities of A and B after they have met with the `normal` from A to B ([`Contact::axis`]); unchanged where they do not approach.
+///
+/// The velocity of A as seen from B is answered as by [`Surface::respond`]; what that changes is shared out by the masses in whole steps: one step
+/// changes A by the mass of B and B by the mass of A, in raw units and lowest terms. So, exactly:
+///
+/// - **momentum** along x and along y is what it was (of what is not fixed);
+/// - **energy**, mass times speed squared, is never more than it was (seen from the one that is fixed, if one is);
+/// - they do not approach any more.
+///
+/// The price is a rounding of up to two sums of the masses (in lowest terms; 2 for equal ones) in raw units on the relative velocity. A contact slower
+/// than that may have no such answer; it is then left as it is. It does not matter which of the two is A, and mirrored input gives mirrored bits.
+///
+/// Cost: some 1140 instructions on a Cortex-M0 along x and y, 4500 elsewhere.
+///
+/// ```
+/// use tilesat::{Axis, Ratio, Surface, Vec2, motion::response::{Masses, exchange}};
+/// let (a, b) = (Vec2::from_ints(6, 1), Vec2::from_ints(-2, 0));
+/// // Equal masses without loss exchange what they have along the normal.
+/// assert_eq!(exchange(a, b, Axis::X, Masses::EQUAL, &Surface::ELASTIC)?, (Vec2::from_ints(-2, 1), Vec2::from_ints(6, 0)));
+/// // A weighs three times as much, and both go on as one.
+/// let clay = Masses::new(3, 1).unwrap();
+/// assert_eq!(exchange(a, b, Axis::X, clay, &Surface::SLICK)?, (Vec2::from_ints(4, 1), Vec2::from_ints(4, 0)));
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+///
+/// # Errors
+/// [`RangeError`] where a component of a velocity is not below [2^28 raw](crate::num::MOTION).
+pub fn exchange(a: Vec2, b: Vec2, normal: Axis, masses: Masses, surface: &Surface) -> Result<(Vec2, Vec2), RangeError> {
+    check_motion(a, MOTION)?;
+    check_motion(b, MOTION)?;
+    let (a, b, out) = (Raw::of(a), Raw::of(b), normal.reversed());
+    let (step_a, step_b) = masses.steps();
+    let step = step_a.wrapping_add(step_b);
+    // Each below 2^29.
+    let before = a.sub(b);
+    let restitution = if surface.stops(before, out) { Ratio::ZERO } else { surface.restitution() };
+    let ideal = reply(before, out, &Rule { restitution, friction: surface.friction(), reference: before.len2() });
+    let change = before.sub(ideal);
+    if change.is_zero() {
+        return Ok((a.vec2(), b.vec2()));
+    }
+    let rounded = Raw { x: steps(change.x, step), y: steps(change.y, step) };
+    let after = before.sub(rounded.times(step));
+    let change = settle(after, out, before.len2(), step).map_or(Raw { x: 0, y: 0 }, |after| before.sub(after));
+    let k = Raw { x: steps(change.x, step), y: steps(change.y, step) };
+    Ok((a.sub(k.times(step_a)).vec2(), b.add(k.times(step_b)).vec2()))
+}
+
+impl Raw {
+    const fn times(self, k: i32) -> Self {
+        Self { x: self.x.wrapping_mul(k), y: self.y.wrapping_mul(k) }
+    }
+}
+
+/// How many steps are nearest to `d`, halves toward zero; for |d| < 2^31 - 2^9.
+const fn steps(d: i32, step: i32) -> i32 {
+    if d == 0 {
+        return 0;
+    }
+    let size = d.unsigned_abs().wrapping_mul(2).wrapping_add(step as u32).wrapping_sub(1);
+    let k = mul_div(size, 1, step.wrapping_mul(2) as u32) as i32;
+    if d < 0 { k.wrapping_neg() } else { k }
+}

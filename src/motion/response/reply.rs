@@ -1,0 +1,151 @@
+//! The velocity after a contact: the exact reply, and the lattice vector that stands for it.
+
+use crate::num::{Axis, Ratio, Raw, imul, isqrt64, umul};
+use crate::query::round::{scaled, toward};
+
+/// What a surface does to a velocity that moves into it.
+#[derive(Clone, Copy)]
+pub(in crate::motion) struct Rule {
+    pub(in crate::motion) restitution: Ratio,
+    pub(in crate::motion) friction: Ratio,
+    /// What the square of the speed is to be after a bounce that loses nothing.
+    pub(in crate::motion) reference: u64,
+}
+
+/// The velocity after a contact with a plane of normal `n`; `v` itself where it does not move in, or `n` is zero.
+///
+/// With s = v.n < 0 and c = v.t along the tangent t = (-n.y, n.x), all in the length of n, the contact gives `j = (1 + restitution) |s|`
+/// along the normal and takes `min(|c|, friction j)` along the tangent. j is rounded down, what friction takes is rounded up. For |v| < 2^29.5 and any
+/// normal: |s| and |c| are below 2^61.
+pub(in crate::motion) fn reply(v: Raw, n: Axis, rule: &Rule) -> Raw {
+    let s = n.dot(Axis::new(v.x, v.y));
+    if s >= 0 {
+        v
+    } else if n.x == 0 {
+        let (y, x) = straight(v.y, v.x, rule);
+        rule.drawn(Raw { x, y }, v, n)
+    } else if n.y == 0 {
+        let (x, y) = straight(v.x, v.y, rule);
+        rule.drawn(Raw { x, y }, v, n)
+    } else {
+        askew(v, n, s.unsigned_abs(), rule)
+    }
+}
+
+/// At a face along x or y nothing is rounded but the products with the ratios: toward zero both.
+fn straight(into: i32, along: i32, rule: &Rule) -> (i32, i32) {
+    let back = rule.restitution.of_raw(into);
+    if rule.friction == Ratio::ZERO {
+        return (back.wrapping_neg(), along);
+    }
+    // Rounded up once: ceil(ceil(a / b) / b) = ceil(a / b^2). Below 2^60; what is taken, below 2^30.
+    let change = umul(into.unsigned_abs(), Ratio::ONE.raw() + rule.restitution.raw());
+    let taken = rule.friction.of_wide_up(change).wrapping_add(u64::from(Ratio::ONE.raw()) - 1) >> 30;
+    let left = along.unsigned_abs().saturating_sub(taken as u32) as i32;
+    (back.wrapping_neg(), if along < 0 { left.wrapping_neg() } else { left })
+}
+
+#[inline(never)]
+fn askew(v: Raw, n: Axis, s: u64, rule: &Rule) -> Raw {
+    let nn = n.length_squared();
+    let back = rule.restitution.of_wide(s);
+    let j = s.wrapping_add(back);
+    let c = n.perp_dot(Axis::new(v.x, v.y));
+    let taken = rule.friction.of_wide_up(j);
+    let mut out = if taken >= c.unsigned_abs() {
+        // Nothing is left along the surface.
+        along(n, back as i64, nn)
+    } else {
+        v.add(along(n, j as i64, nn))
+    };
+    if taken != 0 && taken < c.unsigned_abs() {
+        let taken = if c < 0 { taken as i64 } else { (taken as i64).wrapping_neg() };
+        out = out.add(along(n.perp(), taken, nn));
+    }
+    if rule.loses_nothing() {
+        return rule.at_speed(out, v, n);
+    }
+    // There is always one; see there.
+    settle(out, n, v.len2(), 1).unwrap_or(Raw { x: 0, y: 0 })
+}
+
+impl Rule {
+    fn loses_nothing(&self) -> bool {
+        self.restitution == Ratio::ONE && self.friction == Ratio::ZERO
+    }
+
+    /// A mirror image, drawn to the reference; not drawn where that magnifies its rounding into the surface.
+    #[inline(never)]
+    fn at_speed(&self, out: Raw, v: Raw, n: Axis) -> Raw {
+        let square = v.len2();
+        if square != self.reference && !out.is_zero() {
+            let drawn = toward(out, isqrt64(self.reference) as i32);
+            if let Some(drawn) = settle(drawn, n, self.reference, 1) {
+                return drawn;
+            }
+        }
+        settle(out, n, square.min(self.reference), 1).unwrap_or(Raw { x: 0, y: 0 })
+    }
+
+    /// An exact mirror image, drawn to a reference that is more than 2 raw away: what roundings at other surfaces have left does not
+    /// count.
+    fn drawn(&self, out: Raw, v: Raw, n: Axis) -> Raw {
+        let square = v.len2();
+        if square == self.reference || !self.loses_nothing() {
+            return out;
+        }
+        if isqrt64(square).abs_diff(isqrt64(self.reference)) <= 2 { out } else { self.at_speed(out, v, n) }
+    }
+}
+
+/// `n k / nn`, each component to nearest.
+fn along(n: Axis, k: i64, nn: u64) -> Raw {
+    Raw { x: scaled(n.x, k, nn), y: scaled(n.y, k, nn) }
+}
+
+/// The vector nearest to `q`, in steps of `step` from it, that is not into the plane and whose square is at most `bound`; none where there is
+/// none within two steps. At a normal along x or y steps of more than one leave the other component alone.
+///
+/// Around a velocity that is rounded to nearest there is one in steps of 1: what is allowed looks like a quarter plane there at the worst (a grazing
+/// reply), and that holds a disc of half a diagonal within a diagonal and a half. Of the equally near the longest, then the one with the longer x, then
+/// the one more out of the plane; what is left of ties are the two ways along the plane, of which neither is taken: mirrored input gives mirrored bits.
+pub(super) fn settle(q: Raw, n: Axis, bound: u64, step: i32) -> Option<Raw> {
+    let (square, out) = (q.len2() as i64, n.dot(Axis::new(q.x, q.y)));
+    if square as u64 <= bound && out >= 0 {
+        return Some(q);
+    }
+    // What one step in x or y adds to the dot product and, but for the square of the step, to the square: no product for each candidate.
+    let (nx, ny) = (imul(n.x, step), imul(n.y, step));
+    let (sx, sy) = (imul(q.x, step.wrapping_mul(2)), imul(q.y, step.wrapping_mul(2)));
+    let (unit, pinned) = (step.wrapping_mul(step), step != 1);
+    for reach in 1..=2_i32 {
+        let (wide, high) = (if pinned && n.x == 0 { 0 } else { reach }, if pinned && n.y == 0 { 0 } else { reach });
+        let corner = |at: i64, x: i64, y: i64| {
+            at.wrapping_sub(x.wrapping_mul(wide.into())).wrapping_sub(y.wrapping_mul(high.into()))
+        };
+        let mut best = None;
+        let mut first = (i32::MAX, 0, 0, 0);
+        let (mut square_x, mut out_x) = (corner(square, sx, sy), corner(out, nx, ny));
+        for dx in -wide..=wide {
+            let (mut square, mut out) = (square_x, out_x);
+            for dy in -high..=high {
+                let ring = dx * dx + dy * dy;
+                let long = square.wrapping_add(ring.wrapping_mul(unit).into()) as u64;
+                if long <= bound && out >= 0 && ring <= first.0 {
+                    let at = q.add(Raw { x: dx.wrapping_mul(step), y: dy.wrapping_mul(step) });
+                    let key = (ring, !long, !at.x.unsigned_abs(), out.wrapping_neg());
+                    let either_way = out == 0 && long != 0 && at.dot(q) == 0;
+                    if !either_way && key < first {
+                        (best, first) = (Some(at), key);
+                    }
+                }
+                (square, out) = (square.wrapping_add(sy), out.wrapping_add(ny));
+            }
+            (square_x, out_x) = (square_x.wrapping_add(sx), out_x.wrapping_add(nx));
+        }
+        if best.is_some() {
+            return best;
+        }
+    }
+    None
+}

@@ -1,0 +1,193 @@
+//! What the solids say about one displacement of a body.
+
+use super::room::Room;
+use super::shove::out_of;
+use crate::motion::body::{Body, Entry};
+use crate::num::{Axis, Raw, div_sqrt, mul_div_wide};
+use crate::query::meet;
+use crate::world::{Solid, Solids};
+use core::slice;
+
+/// Who presses a body: the solid that comes against it fastest.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Press {
+    /// How far it comes in this tick, along the normal, rounded toward zero.
+    speed: i32,
+    /// Whether it comes at all.
+    pub(super) comes: bool,
+    pub(super) key: u16,
+    pub(super) normal: Axis,
+}
+
+impl Press {
+    fn of<B: Body>(solid: &Solid, normal: Axis) -> Self {
+        let (m, n) = (Raw::of(solid.motion()), normal);
+        let along = n.dot(Axis::new(m.x, m.y));
+        let speed = if !B::MEETS_CORNERS || n.x == 0 || n.y == 0 {
+            m.x.wrapping_mul(n.x).wrapping_add(m.y.wrapping_mul(n.y))
+        } else {
+            let size = div_sqrt(along.unsigned_abs(), n.length_squared()) as i32;
+            if along < 0 { size.wrapping_neg() } else { size }
+        };
+        Self { speed, comes: along > 0, key: solid.key(), normal }
+    }
+
+    /// Faster, then the smaller key, then geometry: the same for mirrored normals as long as it can be. What comes by less than a raw unit is
+    /// faster than what stands.
+    fn goes_before(&self, other: &Self) -> bool {
+        let key = |p: &Self| {
+            let n = p.normal;
+            (p.speed, p.comes, u16::MAX - p.key, n.x.unsigned_abs(), n.y.unsigned_abs(), n.x, n.y)
+        };
+        key(self) > key(other)
+    }
+}
+
+/// The pushes of one tick on one body.
+pub(super) struct Pushes<'a, B> {
+    pub(super) solids: &'a [Solid],
+    pub(super) body: &'a B,
+    pub(super) passes_one_way: bool,
+    pub(super) room: Room,
+    pub(super) press: Option<Press>,
+}
+
+impl<B: Body> Pushes<'_, B> {
+    /// `None` if the body comes clear of all solids by `made`; else what it has to make instead of `d`, of which that is what the level allowed.
+    ///
+    /// A solid goes its motion straight while the body goes `made` straight: seen from the solid, the body goes by the difference, and a hit
+    /// of that motion is a push, at any speed. Faces leave a room, and all of them together decide; only where no face is hit a corner pushes a
+    /// circle off, along its normal.
+    #[inline(never)]
+    pub(super) fn ask(&mut self, d: Raw, made: Raw) -> Option<Raw> {
+        let (mut clear, mut corners) = (true, Shift::default());
+        let mut faces = false;
+        for solid in self.solids {
+            if self.passes_one_way && solid.one_way().is_some() {
+                continue;
+            }
+            let relative = made.sub(Raw::of(solid.motion()));
+            let Some((normal, entry)) = self.hit(solid, made, relative) else { continue };
+            clear = false;
+            let press = Press::of::<B>(solid, normal);
+            if self.press.is_none_or(|p| press.goes_before(&p)) {
+                self.press = Some(press);
+            }
+            match entry {
+                Some(entry) if entry.step.is_none() => {
+                    faces = true;
+                    self.room.behind(self.body, solid, normal);
+                }
+                Some(entry) => {
+                    let rest = relative.sub(entry.displacement(relative));
+                    corners.add(off(rest, made, normal, &self.room.in_level(d, made)));
+                }
+                // Nothing moves what is inside already.
+                None => {}
+            }
+        }
+        if clear {
+            return None;
+        }
+        Some(self.room.nearest(if faces { d } else { corners.from(made) }))
+    }
+
+    /// The normal of what the body runs into on its way past a solid, and the entry; no entry where it is in the solid from the start to the end.
+    fn hit(&self, solid: &Solid, made: Raw, relative: Raw) -> Option<(Axis, Option<Entry>)> {
+        let (body, bounds) = (self.body, self.body.bounds());
+        let (lo, hi) = (bounds.lo(), bounds.hi());
+        let zero = |v: i32| (v.min(0), v.max(0));
+        let ((x0, x1), (y0, y1)) = (zero(relative.x), zero(relative.y));
+        let (from, to) = (lo.add(Raw { x: x0, y: y0 }), hi.add(Raw { x: x1, y: y1 }));
+        if !meet::aabb_aabb::<false>(from, to, solid.lo(), solid.hi()) {
+            return None;
+        }
+        let overlaps = |solid: &Solid, body: &B| body.overlaps_world(&Solids::new(slice::from_ref(solid)));
+        let ends_inside = || overlaps(&solid.moved(), &body.shifted(made));
+        if overlaps(solid, body) {
+            return ends_inside().then(|| (way_out(solid, lo, hi), None));
+        }
+        match first(solid, body, relative) {
+            Some(entry) => Some((entry.normal, Some(entry))),
+            None => ends_inside().then(|| (way_out(solid, lo, hi), None)),
+        }
+    }
+}
+
+/// The first piece of a solid that a motion runs into.
+fn first<B: Body>(solid: &Solid, body: &B, d: Raw) -> Option<Entry> {
+    let last = if B::MEETS_CORNERS { 8 } else { 4 };
+    let mut best: Option<Entry> = None;
+    for index in (0..last).filter(|i| solid.pieces() >> i & 1 != 0) {
+        if let Some(entry) = body.sweep_block(d, &solid.piece(index, [false; 2]))
+            && best.is_none_or(|b| entry.before(&b, d))
+        {
+            best = Some(entry);
+        }
+    }
+    best
+}
+
+/// The side of a solid that is nearest for a box that overlaps it; of two the one that the solid goes to, then the one along x, then +.
+fn way_out(solid: &Solid, lo: Raw, hi: Raw) -> Axis {
+    let (a, b, motion) = (solid.lo(), solid.hi(), Raw::of(solid.motion()));
+    let sides = [
+        (b.x.wrapping_sub(lo.x), motion.x, Axis::X),
+        (hi.x.wrapping_sub(a.x), motion.x.wrapping_neg(), Axis::NEG_X),
+        (b.y.wrapping_sub(lo.y), motion.y, Axis::Y),
+        (hi.y.wrapping_sub(a.y), motion.y.wrapping_neg(), Axis::NEG_Y),
+    ];
+    let mut best = (i32::MAX, 0, Axis::X);
+    for side in sides {
+        if side.0 < best.0 || (side.0 == best.0 && side.1 > best.1) {
+            best = side;
+        }
+    }
+    best.2
+}
+
+/// What takes a body off a corner after the rest of its motion: along the normal, or along one axis where the room ends on the other.
+fn off(rest: Raw, made: Raw, n: Axis, room: &Room) -> Raw {
+    let into = n.dot(Axis::new(rest.x, rest.y));
+    if into >= 0 {
+        return Raw { x: 0, y: 0 };
+    }
+    // The part of `rest` against the normal: |n_i| v / n.n, below |rest|, and one more for the rounding.
+    let part = |component: i32| {
+        let size = mul_div_wide(into.unsigned_abs(), component.unsigned_abs(), n.length_squared()) as i32;
+        size.wrapping_add(1).wrapping_mul(component.signum())
+    };
+    let shift = Raw { x: part(n.x), y: part(n.y) };
+    let to = made.add(shift);
+    let fits = room.nearest(to);
+    let (nx, ny) = (n.x.unsigned_abs(), n.y.unsigned_abs());
+    if fits.x != to.x && fits.y == to.y && nx >> 1 <= ny {
+        Raw { x: 0, y: out_of(rest, n, n.y) }
+    } else if fits.y != to.y && fits.x == to.x && ny >> 1 <= nx {
+        Raw { x: out_of(rest, n, n.x), y: 0 }
+    } else {
+        shift
+    }
+}
+
+/// The largest shift each way of several, axis by axis.
+#[derive(Default)]
+struct Shift {
+    x: (i32, i32),
+    y: (i32, i32),
+}
+
+impl Shift {
+    fn add(&mut self, by: Raw) {
+        self.x = (self.x.0.min(by.x), self.x.1.max(by.x));
+        self.y = (self.y.0.min(by.y), self.y.1.max(by.y));
+    }
+
+    /// Opposite shifts meet in the middle.
+    fn from(&self, d: Raw) -> Raw {
+        Raw {
+            x: d.x.wrapping_add(self.x.0).wrapping_add(self.x.1),
+            y: d.y.wrapping_add(self.y.0).wrapping_add(self.y.1),
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! Where moving solids take a body: the call and its results.
+
+use super::push::Pushes;
+use super::room::Room;
+use super::shove::Shove;
+use crate::error::{Quantity, RangeError};
+use crate::motion::body::Body;
+use crate::motion::response::Law;
+use crate::motion::{MoveError, Mover, Work};
+use crate::num::{Axis, Fx, MOTION, Raw, Vec2};
+use crate::world::{Solid, World};
+
+/// What the solids' motions of one tick do to a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Ride {
+    /// Nothing: it stands on none of them and is in no one's way.
+    Free,
+    /// It stands on one of them and went with it, as far as the level and the other solids let it.
+    Carried,
+    /// It was in the way of one that moves, and yielded.
+    Pushed {
+        /// The key of the solid that comes against it fastest; of two the smaller one.
+        by: u16,
+        /// Out of that solid, toward the body; at a corner not reduced.
+        normal: Axis,
+    },
+    /// It was in the way and cannot yield, for the level or another solid is behind it. It stays where it is, so it will overlap a solid that goes on.
+    Squashed {
+        /// The key of the solid that comes against it fastest; of two the smaller one.
+        by: u16,
+        /// Out of that solid, toward the body.
+        normal: Axis,
+    },
+}
+
+/// Where the solids' motions of one tick take a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Ridden<B> {
+    /// The body at its new place. It does not overlap the level; and no solid at its new place, save where it is squashed.
+    pub body: B,
+    /// What became of it.
+    pub ride: Ride,
+    /// How far it was taken.
+    pub motion: Vec2,
+    /// The key of the solid that it stood on.
+    pub floor: Option<u16>,
+    /// What that solid and its conveyor gave it in this tick: to be added to the velocity of what jumps off.
+    pub carry: Vec2,
+    /// What the call did.
+    pub work: Work,
+}
+
+impl<S: Law> Mover<S> {
+    /// The most displacements of a body that are tried in one [`ride`](Self::ride).
+    pub const ROUNDS: u32 = 8;
+
+    /// Takes a body along with what it stands on, and out of the way of what moves against it, in one tick.
+    ///
+    /// The solids are still at their old places; all go by their [motions](Solid::with_motion) at once, and straight. Ask for each body, then
+    /// call [`Solid::move_all`], then move the bodies in the level [joined](crate::Joined) with the solids.
+    ///
+    /// ```text
+    ///         ceiling                 floor, wall: the mover's "up" and slope limit
+    ///   _____________________         carried: it touches a floor of the solid
+    ///        [squashed]               pushed: the solid's motion would enter it, seen from
+    ///        =====^=====   wall       the solid, so no speed passes through a body
+    ///                       ||        squashed: there is no place behind it
+    ///   [carried]  |->[pushed]||
+    ///   ====->===  |           ||
+    /// ```
+    ///
+    /// - **Carried** is what touches a face that is floor, or a circle on its corner. It goes by exactly the solid's motion and its conveyor, so
+    ///   it never drifts; what the level stops, stops. `follow` is how far it goes down with a floor that sinks in this tick: for a body
+    ///   in the air what it falls in a tick, so that a lift that sinks faster leaves it there; for a [`Walker`](crate::Walker) that stands at least its
+    ///   [snap](crate::Walker::with_snap), see below. On two solids at once it goes with the one that rises most, then
+    ///   with the smaller key.
+    /// - **Pushed** is what a solid runs into, from any side, or with a [one-way](Solid::with_one_way) solid from in front of it. All pushes of a
+    ///   tick are combined axis by axis: the body goes no farther than to where it touches the solid. At slopes of the level up to 2 : 1 it
+    ///   yields along the other axis. A corner pushes a circle off along its normal. Of all that
+    ///   push, the one that comes fastest is named; a body that stands on one and is pushed by another is `Pushed`, and its `floor` says the first.
+    /// - **Squashed** is what two solids push against each other beyond the room, or one against the level. The body stays where it is.
+    ///   So is what overlaps a solid before the tick (a door that was put there) and still does after it.
+    ///
+    /// **A walker's snap.** Where a floor sinks by more than `follow`, the body is `Free` and stays behind, and so it does across: with `follow` 1 and a
+    /// lift that goes by (2, 2), a walker with a snap of 3 is drawn down to the lift in each tick after it, stands all the time, and slides off its
+    /// side. With `follow` 3 it is carried.
+    ///
+    /// **After `Squashed`** the body overlaps the solid, and each move in the level joined with the solids is
+    /// [`MoveError::Stuck`](crate::MoveError::Stuck) until the solid has passed it; nothing moves it from within. What that means is the game's: let it
+    /// wait (a move that is stuck leaves it where it is), end it, or put it out by [`escape`](crate::motion::escape). No overlap is too small: a
+    /// body that is half a unit under a crusher's edge is squashed as well; a game that forgives such edges escapes first, and asks who is still stuck.
+    ///
+    /// No result depends on the order of the list, and bodies do not push each other, so their order does not matter either. Solids do not
+    /// push solids. A mover that drops through one-way faces is neither carried nor pushed by one-way solids. Mirrored scenes give
+    /// mirrored results where keys are unique, save for the `normal` of what is exactly in the middle of a solid; translated ones the same bits.
+    ///
+    /// Each type of level that a program moves through takes flash of its own. A game that moves its bodies in a joined level saves some 3 KB where it
+    /// hands that type here too: `Joined::new(&level, &Solids::new(&[]))`.
+    ///
+    /// Cost: a few comparisons for each solid that is far (130 instructions on a Cortex-M0). Else at most [`Mover::ROUNDS`] displacements, each of up to 6 sweeps over the
+    /// cells under it, and for each solid near up to 8 sweeps against its pieces. What no solid touches costs no look at the level.
+    ///
+    /// # Errors
+    /// [`MoveError::Range`] where a half extent or radius is not below 2^28 raw, `follow` is negative or not below that, or the body would
+    /// be taken out of the domain; [`MoveError::Stuck`] where it is to be moved and overlaps the level already.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, Fx, Mover, Ride, Solid, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("####\n    \n    \n    ", &KINDS)?; // a ceiling, down to y = 16
+    /// let boxed = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
+    /// let mover = Mover::platformer(Axis::NEG_Y);
+    ///
+    /// let mut solids = [Solid::new(boxed(0, 40, 30, 8)?, 7)?];
+    /// let mut player = boxed(10, 20, 8, 20)?; // stands on the platform
+    /// solids[0] = solids[0].with_motion(Vec2::from_ints(2, -3))?;
+    /// let ridden = mover.ride(&level, &solids, &player, Fx::ONE)?;
+    /// assert_eq!((ridden.ride, ridden.motion), (Ride::Carried, Vec2::from_ints(2, -3)));
+    /// player = ridden.body;
+    /// Solid::move_all(&mut solids);
+    ///
+    /// solids[0] = solids[0].with_motion(Vec2::from_ints(0, -2))?; // the player's head is 1 below the ceiling
+    /// let ridden = mover.ride(&level, &solids, &player, Fx::ONE)?;
+    /// assert_eq!(ridden.ride, Ride::Squashed { by: 7, normal: Axis::NEG_Y });
+    /// assert_eq!(ridden.body, player);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn ride<W: World, B: Body>(
+        &self,
+        level: &W,
+        solids: &[Solid],
+        body: &B,
+        follow: Fx,
+    ) -> Result<Ridden<B>, MoveError> {
+        let value = follow.to_bits();
+        if !(0..MOTION).contains(&value) {
+            return Err(RangeError { what: Quantity::Follow, value }.into());
+        }
+        body.check_size()?;
+        let carrier = self.carrier(solids, body, value);
+        let carry = carrier.map_or(Raw { x: 0, y: 0 }, |c| c.carry);
+        let mut ridden = Ridden {
+            body: *body,
+            ride: if carrier.is_some() { Ride::Carried } else { Ride::Free },
+            motion: Vec2::ZERO,
+            floor: carrier.map(|c| c.key),
+            carry: carry.vec2(),
+            work: Work::default(),
+        };
+        let mut pushes = Pushes { solids, body, passes_one_way: self.passes_one_way(), room: Room::ALL, press: None };
+        let mut d = carry;
+        for _ in 0..Self::ROUNDS {
+            let held = pushes.room.held();
+            let shove = Shove { d, held, passes_one_way: self.passes_one_way() };
+            let to = if d.is_zero() { *body } else { shove.of(body, level, &mut ridden.work)? };
+            let made = Raw::of(to.position()).sub(Raw::of(body.position()));
+            let Some(next) = pushes.ask(d, made) else {
+                if let Some(press) = pushes.press.filter(|p| p.comes) {
+                    ridden.ride = Ride::Pushed { by: press.key, normal: press.normal };
+                }
+                (ridden.body, ridden.motion) = (to, made.vec2());
+                return Ok(ridden);
+            };
+            if pushes.room.is_empty() || (next, pushes.room.held()) == (d, held) {
+                break;
+            }
+            d = next;
+        }
+        if let Some(press) = pushes.press {
+            ridden.ride = Ride::Squashed { by: press.key, normal: press.normal };
+        }
+        Ok(ridden)
+    }
+}

@@ -1,0 +1,120 @@
+//! A displacement that something forces on a body, through the level.
+
+use crate::motion::body::Body;
+use crate::motion::plane::{Bend, NEAR, Planes, way};
+use crate::motion::run::{Run, check_inside};
+use crate::motion::{MoveError, Moved, Stuck, Work};
+use crate::num::{Axis, Raw, mul_div_wide, usqr};
+use crate::world::World;
+
+/// The most pieces of one shove.
+const PIECES: u32 = 6;
+
+/// A displacement, and how it yields.
+pub(super) struct Shove {
+    pub(super) d: Raw,
+    /// The axes along which the body has to be somewhere.
+    pub(super) held: (bool, bool),
+    pub(super) passes_one_way: bool,
+}
+
+impl Shove {
+    /// Moves a body by what is not zero, never into the level.
+    ///
+    /// At a slope, a corner or an arc it keeps what it makes along the axis that is `held`, and yields along the other one, if that is not more
+    /// than twice as far; at a wall across the axis it stops. So what a lift pushes up along a slanted ceiling rises as far as the lift does.
+    ///
+    /// ```text
+    ///         \ ceiling                held: y. The slope makes the body yield to the left,
+    ///      <-o \                       and it rises by all of d.
+    ///      lift^
+    /// ```
+    ///
+    /// A call of its own: what the run keeps takes some hundred bytes of stack.
+    #[inline(never)]
+    pub(super) fn of<W: World, B: Body>(&self, body: &B, level: &W, work: &mut Work) -> Result<B, MoveError> {
+        let mut d = self.d;
+        let mut moved = Moved::freely(*body, d.vec2(), 0);
+        let mut run = Run::new(&mut moved);
+        run.pass_one_way = self.passes_one_way;
+        run.moved.work = *work;
+        if run.is_stuck(level) {
+            return Err(MoveError::Stuck(Stuck { at: body.position().raw() }));
+        }
+        let mut planes = Planes::NONE;
+        let mut pressed = 0;
+        for _ in 0..PIECES {
+            check_inside(&run.moved.body.bounds(), d)?;
+            run.moved.work.iterations += 1;
+            let Some((entry, _)) = run.first_hit(level, d) else {
+                run.arrive(level, d);
+                break;
+            };
+            let made = run.advance(level, d, &entry);
+            let rest = d.sub(made);
+            if way(made) <= NEAR.max(way(d) >> 3) {
+                pressed += 1;
+            } else {
+                (planes, pressed) = (Planes::NONE, 0);
+            }
+            planes.push(entry.normal, Bend::Flat);
+            d = yielding(rest, entry.normal, self.held);
+            // A tangent of a quarter pipe leads into it again: the body takes a steeper way, through the inside of the pipe.
+            if W::ROUND && pressed > 0 && entry.step.is_some() {
+                d = steeper(d, rest, entry.normal, pressed);
+            }
+            if d.is_zero() || !planes.allow(d) {
+                break;
+            }
+        }
+        *work = run.moved.work;
+        Ok(run.moved.body)
+    }
+}
+
+/// `rest` with as little more along one axis as takes it out of the plane with the normal `n`.
+///
+/// With v = -rest . n > 0 that is v / |n|, on the axis of that component: below 2^31 as the other component is at most twice as large.
+fn yielding(rest: Raw, n: Axis, held: (bool, bool)) -> Raw {
+    if n.x == 0 || n.y == 0 {
+        return Raw { x: if n.x == 0 { rest.x } else { 0 }, y: if n.y == 0 { rest.y } else { 0 } };
+    }
+    let holds_x = match held {
+        (true, false) => true,
+        (false, true) => false,
+        _ => rest.x.unsigned_abs() >= rest.y.unsigned_abs(),
+    };
+    // `steep` where the axis that is held runs into a wall.
+    let (nx, ny) = (n.x.unsigned_abs(), n.y.unsigned_abs());
+    let steep = if holds_x { nx >> 1 > ny } else { ny >> 1 > nx };
+    if steep {
+        let kept = if holds_x { Raw { x: 0, ..rest } } else { Raw { y: 0, ..rest } };
+        let leaves = i64::from(kept.x) * i64::from(n.x) + i64::from(kept.y) * i64::from(n.y) >= 0;
+        return if leaves { kept } else { Raw { x: 0, y: 0 } };
+    }
+    let out = out_of(rest, n, if holds_x { n.y } else { n.x });
+    if holds_x { Raw { y: rest.y.wrapping_add(out), ..rest } } else { Raw { x: rest.x.wrapping_add(out), ..rest } }
+}
+
+/// What `rest` lacks along the axis of the component `along` of the normal to be out of the plane.
+pub(super) fn out_of(rest: Raw, n: Axis, along: i32) -> i32 {
+    let into = n.dot(Axis::new(rest.x, rest.y));
+    if into >= 0 {
+        return 0;
+    }
+    let (v, a) = (into.unsigned_abs(), along.unsigned_abs());
+    let part = mul_div_wide(v, a, usqr(a));
+    // Rounded up: part * a = v where it is exact.
+    let part = part.wrapping_add(u32::from(crate::num::umul(part, a) != v)) as i32;
+    if along < 0 { part.wrapping_neg() } else { part }
+}
+
+/// A way that rises half as far again for each time that the body was pressed.
+fn steeper(d: Raw, rest: Raw, n: Axis, pressed: i32) -> Raw {
+    let more = |rest: i32, n: i32| ((rest.abs() >> 2) + 1).wrapping_mul(pressed).wrapping_mul(n.signum());
+    if d.x == rest.x {
+        Raw { y: d.y.wrapping_add(more(rest.x, n.y)), ..d }
+    } else {
+        Raw { x: d.x.wrapping_add(more(rest.y, n.x)), ..d }
+    }
+}

@@ -1,0 +1,121 @@
+//! The ground below a body.
+
+use super::Support;
+use super::support::CONTACT;
+use crate::motion::body::{Body, Entry};
+use crate::motion::facing::Side;
+use crate::motion::order::First;
+use crate::motion::run::{Run, check_inside};
+use crate::motion::{Mover, plane::NEAR};
+use crate::num::{Axis, DOMAIN, Raw, mul_div, umul};
+use crate::shape::Aabb;
+use crate::world::{Feature, Geometry, World};
+
+/// What a look down met.
+#[derive(Clone, Copy)]
+pub(super) struct Ground {
+    /// The look.
+    pub(super) d: Raw,
+    pub(super) entry: Entry,
+    pub(super) feature: Feature,
+}
+
+impl Ground {
+    /// The way down to it.
+    pub(super) fn drop(&self) -> Raw {
+        self.entry.displacement(self.d)
+    }
+}
+
+pub(super) trait Look {
+    /// What a body meets on a way that it does not make, on what of it is [`within`] the domain.
+    fn look<W: World>(&mut self, world: &W, d: Raw) -> Option<Ground>;
+
+    /// The floor within [`CONTACT`] below, also beside a wall that leans on the body from below: between the two it stands.
+    fn floor_near<W: World>(&mut self, world: &W, mover: &Mover, up: Axis) -> Option<Support>;
+}
+
+impl<B: Body> Look for Run<'_, B> {
+    #[inline(never)]
+    fn look<W: World>(&mut self, world: &W, d: Raw) -> Option<Ground> {
+        let d = within(&self.moved.body.bounds(), d);
+        if d.is_zero() {
+            return None;
+        }
+        self.moved.work.iterations += 1;
+        let (entry, feature) = self.first_hit(world, d)?;
+        Some(Ground { d, entry, feature })
+    }
+
+    #[inline(never)]
+    fn floor_near<W: World>(&mut self, world: &W, mover: &Mover, up: Axis) -> Option<Support> {
+        let (body, d) = (self.moved.body, along(up, -CONTACT));
+        let (lo, hi) = (body.bounds().lo(), body.bounds().hi());
+        let far = Raw { x: CONTACT + 1, y: CONTACT + 1 };
+        let mut first = First::NONE;
+        for feature in world.features(&Aabb::from_raw_unchecked(lo.sub(far), hi.add(far))) {
+            self.moved.work.features += 1;
+            let skipped = feature.one_way && self.pass_one_way;
+            if skipped || (!W::ROUND && matches!(feature.geometry, Geometry::Arc { .. })) {
+                continue;
+            }
+            let entry = if W::BLOCKS { body.sweep_block(d, &feature) } else { body.sweep(d, &feature) };
+            match entry {
+                Some(entry) if mover.side(entry.normal) == Side::Floor => first.add::<B, W>(entry, &feature, d),
+                _ => {}
+            }
+        }
+        first.hit::<B, W>(&body, d).map(|(entry, feature)| Support::of(entry.normal, feature))
+    }
+}
+
+impl Mover {
+    /// The ground as a support, where it is floor.
+    pub(super) fn support(&self, ground: &Ground) -> Option<Support> {
+        let normal = ground.entry.normal;
+        (self.side(normal) == Side::Floor).then(|| Support::of(normal, &ground.feature))
+    }
+}
+
+/// The part of a way that does not leave the domain, to the last raw unit along x and y; none where the bounds do already.
+#[inline(never)]
+pub(super) fn within(bounds: &Aabb, d: Raw) -> Raw {
+    if check_inside(bounds, d).is_ok() {
+        return d;
+    }
+    if check_inside(bounds, Raw::ZERO).is_err() {
+        return Raw::ZERO;
+    }
+    let (lo, hi) = (bounds.lo(), bounds.hi());
+    let room = |c: i32, lo: i32, hi: i32| (if c < 0 { DOMAIN - 1 + lo } else { DOMAIN - 1 - hi }) as u32;
+    let cut = |d: Raw, c: i32, room: u32| {
+        let long = c.unsigned_abs();
+        if long <= room {
+            return d;
+        }
+        // Rounded toward zero, so what fits goes on fitting; the component that is cut comes out as the room itself.
+        let part = |c: i32| (mul_div(c.unsigned_abs(), room, long) as i32).wrapping_mul(c.signum());
+        Raw { x: part(d.x), y: part(d.y) }
+    };
+    let d = cut(d, d.x, room(d.x, lo.x, hi.x));
+    cut(d, d.y, room(d.y, lo.y, hi.y))
+}
+
+/// A length along an axis, or against it where it is negative; exact along x and y, elsewhere each component is rounded toward zero.
+pub(super) fn along(axis: Axis, length: i32) -> Raw {
+    if axis.x == 0 || axis.y == 0 {
+        return Raw { x: axis.x.signum().wrapping_mul(length), y: axis.y.signum().wrapping_mul(length) };
+    }
+    let part = |unit: i32| {
+        let size = (umul(unit.unsigned_abs(), length.unsigned_abs()) >> 30) as i32;
+        if (unit < 0) == (length < 0) { size } else { size.wrapping_neg() }
+    };
+    let (x, y) = axis.unit().raw();
+    Raw { x: part(x), y: part(y) }
+}
+
+/// Whether a velocity leads away along an axis, by more than roundings.
+pub(super) fn leads(v: Raw, axis: Axis) -> bool {
+    let size = u64::from(axis.x.unsigned_abs()) + u64::from(axis.y.unsigned_abs());
+    axis.dot(Axis::new(v.x, v.y)) > (size * u64::from(NEAR)) as i64
+}

@@ -1,0 +1,240 @@
+//! One frame on the ground: legs along the floor, turned where it bends.
+
+use super::Support;
+use super::ground::{Ground, Look, along};
+use super::support::CONTACT;
+use super::walker::{SlopeSpeed, Walked, Walker, length};
+use crate::motion::body::Body;
+use crate::motion::facing::Side;
+use crate::motion::pipe::Pipe;
+use crate::motion::plane::{NEAR, across, lies_along, project, tangent, tangential, way};
+use crate::motion::response::Smooth;
+use crate::motion::run::{Place, Run, check_inside};
+use crate::motion::{MoveError, Mover};
+use crate::num::{Axis, Fx, Raw, Toi, mul_div, umul};
+use crate::query::cast::moment::ratio;
+use crate::world::{Feature, Geometry, World};
+
+pub(super) struct Stride<'a, W, B> {
+    pub(super) walker: &'a Walker,
+    pub(super) world: &'a W,
+    pub(super) run: Run<'a, B>,
+    pub(super) up: Axis,
+    /// The normal of the floor.
+    pub(super) floor: Axis,
+    /// The speed across "up", and whether it is against `up.perp()`.
+    pub(super) speed: u32,
+    against: bool,
+    pub(super) stepped: Fx,
+    /// What the step leads to that was climbed last.
+    pub(super) climbed: Option<Support>,
+    /// Where the leg ended that was taken back to where the ground bends.
+    ahead: Option<Place<B>>,
+    /// Where the last leg began, of a chord the leg that led to it.
+    before: Place<B>,
+    /// Whether it just comes down on level ground.
+    lands: bool,
+}
+
+impl<'a, W: World, B: Body> Stride<'a, W, B> {
+    pub(super) fn new(walker: &'a Walker, world: &'a W, run: Run<'a, B>, up: Axis, floor: Axis) -> Self {
+        let speed = across(run.v, up);
+        let lands = run.moved.floor && floor.perp_dot(up) == 0;
+        Self {
+            walker,
+            world,
+            up,
+            floor,
+            speed: tangential(speed, up),
+            against: speed < 0,
+            stepped: Fx::ZERO,
+            climbed: None,
+            ahead: None,
+            before: run.here(),
+            lands,
+            run,
+        }
+    }
+
+    /// Walks for the time that is left.
+    pub(super) fn walk(mut self) -> Result<Walked<B>, MoveError> {
+        let mut legs = 0;
+        let ground = loop {
+            let d = self.leg();
+            if d.is_zero() || legs == Mover::ITERATIONS {
+                break if self.climbed.is_none() { self.look_down() } else { None };
+            }
+            self.climbed = None;
+            check_inside(&self.run.moved.body.bounds(), d)?;
+            legs += 1;
+            if !(W::ROUND && self.run.on_chord) {
+                self.before = self.run.here();
+            }
+            let mut hit = self.run.look(self.world, d);
+            if hit.is_none() {
+                hit = self.run.arrive(self.world, d).map(|(entry, feature)| Ground { d, entry, feature });
+            }
+            if let Some(hit) = hit {
+                if self.turn(&hit) {
+                    continue;
+                }
+                break self.look_down();
+            }
+            let ground = self.look_down();
+            let bends = if W::ROUND && self.run.on_chord {
+                self.leave_chord(ground.as_ref())
+            } else {
+                legs < Mover::ITERATIONS && self.follow(d, ground.as_ref())
+            };
+            if !bends {
+                break ground;
+            }
+        };
+        Ok(self.settle(ground))
+    }
+
+    /// The velocity along the floor in a part of the call's time.
+    pub(super) fn velocity(&self, time: Toi) -> Raw {
+        let speed = time.of_raw(self.speed as i32);
+        match self.walker.speed {
+            SlopeSpeed::Constant => lies_along::<B, W>(speed as u32, self.floor, self.against),
+            SlopeSpeed::Projected => {
+                project::<B, W, _>(tangent(speed as u32, self.up, self.against), self.floor, &Smooth)
+            }
+        }
+    }
+
+    /// A length level ahead; none for a body that does not walk.
+    pub(super) fn forward(&self, length: u32) -> Raw {
+        tangent(if self.speed == 0 { 0 } else { length }, self.up, self.against)
+    }
+
+    /// The next way to make: of a landing on level ground what is left of the motion, to the last bit.
+    fn leg(&mut self) -> Raw {
+        if core::mem::take(&mut self.lands) {
+            return project::<B, W, _>(self.run.motion, self.floor, &Smooth);
+        }
+        if W::ROUND && self.run.on_chord { self.run.motion } else { self.velocity(self.run.rest) }
+    }
+
+    /// What is at most the walker's snap below: one raw unit farther, because what is only touched is not met.
+    fn look_down(&mut self) -> Option<Ground> {
+        let d = along(self.up, -(self.walker.snap + 1).max(CONTACT));
+        self.run.look(self.world, d)
+    }
+
+    /// Where the leg ran into something: whether it goes on along it.
+    fn turn(&mut self, hit: &Ground) -> bool {
+        let Ground { d, entry, feature } = hit;
+        let time = self.run.rest.raw() - self.run.after.raw();
+        let toi = Toi::ONE.raw() - self.run.rest.raw() + mul_div(time, entry.num, entry.den);
+        self.run.record(entry.normal, feature, Toi::clamped(toi));
+        let side = self.walker.mover.side(entry.normal);
+        self.run.meet(side);
+        let made = self.run.advance(self.world, *d, entry);
+        self.run.rest = Toi::clamped(self.run.after.raw() + mul_div(time, entry.den - entry.num, entry.den));
+        let on_chord = W::ROUND && self.run.on_chord;
+        (self.run.after, self.run.on_chord) = (Toi::ZERO, false);
+        match side {
+            Side::Floor => {
+                if let Some(ahead) = self.ahead.take().filter(|_| way(made) <= NEAR) {
+                    // It was no bend but a ledge.
+                    self.run.put_back(ahead);
+                    self.run.rest = Toi::ZERO;
+                    return true;
+                }
+                self.floor = entry.normal;
+                if W::ROUND {
+                    self.enter(feature);
+                }
+                true
+            }
+            Side::Wall if self.climb() => true,
+            _ => {
+                // What is blocked at once does not creep along by roundings.
+                if on_chord || way(made) <= NEAR {
+                    self.run.put_back(self.before);
+                }
+                self.speed = 0;
+                false
+            }
+        }
+    }
+
+    /// Into a quarter pipe by a chord: along its tangent it would meet it again at once.
+    fn enter(&mut self, feature: &Feature) {
+        let Geometry::Arc { centre, radius, quadrant, convex: false } = feature.geometry else { return };
+        let (at, r) = self.run.moved.body.toward(quadrant);
+        let pipe = Pipe { m: at.sub(Raw::of(centre)), r: radius.wrapping_sub(r), quadrant };
+        if let Some(chord) = pipe.chord(self.velocity(Toi::ONE), self.run.rest, &Smooth) {
+            (self.run.motion, self.run.after, self.run.on_chord) = (chord.way, chord.after, true);
+        }
+    }
+
+    /// After a whole chord: whether time is left for the ground beyond it. One that ends where the pipe is too steep is not made, nor is the leg that
+    /// led to it: so it does not creep to the limit, and over it by a rounding.
+    fn leave_chord(&mut self, ground: Option<&Ground>) -> bool {
+        (self.run.rest, self.run.after, self.run.on_chord) = (self.run.after, Toi::ZERO, false);
+        let Some(ground) = ground else { return false };
+        if self.walker.mover.side(ground.entry.normal) == Side::Floor {
+            self.floor = ground.entry.normal;
+            return self.run.rest != Toi::ZERO;
+        }
+        self.run.put_back(self.before);
+        self.run.moved.wall = true;
+        (self.speed, self.run.rest) = (0, Toi::ZERO);
+        true
+    }
+
+    /// After a whole leg: whether the ground under it bent down, so that a part of the leg is to be made along the new floor.
+    ///
+    /// ```text
+    ///   o--->X----> d       X is where the line of the leg and the line of the ground at its end, `drop` below, meet:
+    ///  ______  `.  |drop    the part of the leg beyond it is  -(drop . n) / (d . n)  with the ground's normal n.
+    ///        `.  `.v
+    ///          `.  o
+    /// ```
+    fn follow(&mut self, d: Raw, ground: Option<&Ground>) -> bool {
+        let Some(ground) = ground else { return false };
+        let (drop, n) = (ground.drop(), ground.entry.normal);
+        let (depth, away) = (n.dot(Axis::new(drop.x, drop.y)).wrapping_neg(), n.dot(Axis::new(d.x, d.y)));
+        if way(drop) <= NEAR || depth <= 0 || away <= 0 || self.walker.mover.side(n) != Side::Floor {
+            return false;
+        }
+        // Two raw units beyond it: before it the new floor's direction would lead into the old one.
+        let beyond = mul_div(2, Toi::ONE.raw(), way(d));
+        let part = Toi::clamped(ratio(depth as u64, away as u64).raw().saturating_sub(beyond));
+        let end = self.run.here();
+        let back = Raw { x: part.of_raw(d.x).wrapping_neg(), y: part.of_raw(d.y).wrapping_neg() };
+        let whole = Raw { x: d.x.wrapping_neg(), y: d.y.wrapping_neg() };
+        // A raw unit higher where rounding led into the floor that it comes back to.
+        let higher = back.add(Raw { x: self.up.x.signum(), y: self.up.y.signum() });
+        if self.run.commit(self.world, whole, &[back, higher]).is_zero() {
+            return false;
+        }
+        self.run.rest = Toi::clamped((umul(self.run.rest.raw(), part.raw()) >> 30) as u32);
+        (self.floor, self.ahead) = (n, Some(end));
+        true
+    }
+
+    /// Comes down to the ground, or leaves it.
+    fn settle(mut self, ground: Option<Ground>) -> Walked<B> {
+        let mut support = self.climbed.or_else(|| ground.as_ref().and_then(|ground| self.footing(ground)));
+        if support.is_none() && ground.is_some_and(|ground| way(ground.drop()) <= NEAR) {
+            support = self.run.floor_near(self.world, &self.walker.mover, self.up);
+        }
+        let mut snapped = Fx::ZERO;
+        self.run.v =
+            if support.is_some() { tangent(self.speed, self.up, self.against) } else { self.velocity(Toi::ONE) };
+        self.run.motion = self.velocity(self.run.rest);
+        self.run.moved.floor |= support.is_some();
+        if let (Some(ground), Some(_)) = (ground, support) {
+            // What does not walk is not drawn down by roundings either.
+            if way(ground.drop()) > NEAR || self.speed != 0 {
+                let made = self.run.advance(self.world, ground.d, &ground.entry);
+                snapped = if way(made) > NEAR { length(made) } else { Fx::ZERO };
+            }
+        }
+        Walked { moved: *self.run.end::<W>(), floor: support, stepped: self.stepped, snapped }
+    }
+}

@@ -1,0 +1,132 @@
+//! A moving box against a box.
+
+use super::kernel::{Course, Moment};
+use crate::num::{Axis, Raw, Toi, fraction, umul};
+
+/// A straight side along x or y, met after `gap / speed` of the motion: `gap <= speed`, below 2^30.
+#[derive(Clone, Copy, Debug)]
+pub struct Side {
+    pub(super) gap: u32,
+    pub(super) speed: u32,
+    /// A unit axis, against the motion.
+    pub(super) axis: Axis,
+}
+
+/// One component of a motion toward an interval.
+#[derive(Clone, Copy)]
+struct Span {
+    /// How far it is to the interval's near end, negative within; and to its far end.
+    gap: i32,
+    leave: i32,
+    /// Not negative.
+    speed: i32,
+}
+
+impl Span {
+    const fn new(alo: i32, ahi: i32, blo: i32, bhi: i32, d: i32) -> Self {
+        if d < 0 {
+            Self { gap: alo.wrapping_sub(bhi), leave: ahi.wrapping_sub(blo), speed: d.wrapping_neg() }
+        } else {
+            Self { gap: blo.wrapping_sub(ahi), leave: bhi.wrapping_sub(alo), speed: d }
+        }
+    }
+
+    /// Whether a part of the motion is strictly between the ends. Intervals of no length, both of them, have no between.
+    const fn passes(self) -> bool {
+        self.gap < self.speed && self.leave > 0 && self.gap < self.leave
+    }
+
+    /// Whether this span is left after the other one is entered: `leave / speed > other.gap / other.speed`.
+    ///
+    /// Gaps and speeds below 2^30 give products below 2^60. No product where the motion ends first.
+    const fn outlasts(self, other: Self) -> bool {
+        self.leave >= self.speed
+            || umul(self.leave as u32, other.speed as u32) > umul(other.gap as u32, self.speed as u32)
+    }
+}
+
+/// What the box `alo..ahi` that moves by `d` meets of the box `blo..bhi`.
+///
+/// Before a motion boxes overlap where they are within both spans; then no motion leaves one without a part of it inside.
+#[inline]
+pub(super) fn enter_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Course<Side> {
+    let (x, y) = (Span::new(alo.x, ahi.x, blo.x, bhi.x, d.x), Span::new(alo.y, ahi.y, blo.y, bhi.y, d.y));
+    if !x.passes() || !y.passes() {
+        Course::Free
+    } else if x.gap < 0 && y.gap < 0 {
+        Course::Inside
+    } else {
+        Course::of(later(x, y, d))
+    }
+}
+
+/// The side through which the box `alo..ahi` that moves by `d` starts to overlap the box `blo..bhi`, where it does not overlap already.
+#[inline]
+pub(super) fn meet_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Option<Side> {
+    let (x, y) = (Span::new(alo.x, ahi.x, blo.x, bhi.x, d.x), Span::new(alo.y, ahi.y, blo.y, bhi.y, d.y));
+    if x.passes() && y.passes() { later(x, y, d) } else { None }
+}
+
+/// The side of the span that is entered later, one of the two not being entered yet.
+///
+/// The motion is strictly within both spans at one time where the later entry comes before the earlier exit. Of two entries at one
+/// moment, corner to corner, the one that opposes the motion more, x on a tie.
+#[inline]
+fn later(x: Span, y: Span, d: Raw) -> Option<Side> {
+    let x_later = if x.gap < 0 {
+        false
+    } else if y.gap < 0 {
+        true
+    } else {
+        let (by_x, by_y) = (umul(x.gap as u32, y.speed as u32), umul(y.gap as u32, x.speed as u32));
+        by_x > by_y || (by_x == by_y && x.speed >= y.speed)
+    };
+    let (first, other, axis) = if x_later {
+        (x, y, Axis::new(if d.x < 0 { 1 } else { -1 }, 0))
+    } else {
+        (y, x, Axis::new(0, if d.y < 0 { 1 } else { -1 }))
+    };
+    other.outlasts(first).then_some(Side { gap: first.gap as u32, speed: first.speed as u32, axis })
+}
+
+impl Moment for Side {
+    #[inline]
+    fn toi(&self) -> Toi {
+        Toi::exact(if self.gap == 0 { 0 } else { fraction(self.gap, self.speed) })
+    }
+
+    #[inline]
+    fn exact_toi(&self, _: Raw) -> Toi {
+        self.toi()
+    }
+
+    /// On the side's axis exact, on the other one rounded toward the start: the box ends on the side's line, so it does not overlap.
+    #[inline]
+    fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
+        let toi = self.toi();
+        let gap = self.gap as i32;
+        let step = if self.axis.x != 0 {
+            Raw { x: with_sign(gap, d.x), y: self.part(d.y, toi) }
+        } else {
+            Raw { x: self.part(d.x, toi), y: with_sign(gap, d.y) }
+        };
+        (toi, step, self.axis)
+    }
+}
+
+impl Side {
+    /// `d * gap / speed`, rounded toward zero.
+    ///
+    /// The product with the floored time is that or one less, since |d| is below 2^30: the remainder, below twice the speed, tells.
+    const fn part(&self, d: i32, toi: Toi) -> i32 {
+        let size = d.unsigned_abs();
+        let part = (umul(size, toi.raw()) >> 30) as u32;
+        let rest = size.wrapping_mul(self.gap).wrapping_sub(part.wrapping_mul(self.speed));
+        with_sign(part.wrapping_add((rest >= self.speed) as u32) as i32, d)
+    }
+}
+
+/// A magnitude with the sign of `of`.
+const fn with_sign(size: i32, of: i32) -> i32 {
+    if of < 0 { size.wrapping_neg() } else { size }
+}

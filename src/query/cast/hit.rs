@@ -1,0 +1,62 @@
+//! What a cast is asked, and what it answers.
+
+use crate::num::{Axis, Toi, Vec2};
+
+/// What a cast does that starts inside: a ray in the solid, a shape that overlaps the other one. On the border is not inside.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Inside {
+    /// It passes through to the first free place, and may hit after that.
+    #[default]
+    Ignore,
+    /// It hits at once.
+    Hit,
+}
+
+/// What the cast of a shape or a ray against a shape met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CastHit {
+    /// When: a fraction of the motion. The exact floor in 2^-30 where straight sides meet, and of a circle that meets a side along x or y;
+    /// of other circles a lower bound, early by less than a raw unit of way. [`exact_toi`](super::CastShape::exact_toi) is exact for all.
+    pub toi: Toi,
+    /// The normal of what was hit: out of B, toward A, against the motion; never zero, of length one where it is parallel to x or y. Of straight sides
+    /// it is exact. Of two circles, or of a corner that a circle hits, it is the way from the one centre, or the corner, to the other centre where that is placed
+    /// now: as fine as the radius is large, and in the closest graze across the motion, give or take that rounding.
+    pub axis: Axis,
+    /// How far A goes until the hit: `position + displacement` touches B, or is less than 2 raw units short of it, and does not overlap it.
+    ///
+    /// Along an axis parallel to x or y it is exact. Each component is between zero and that of the motion: where the motion stays in the domain, so does the moved shape.
+    pub displacement: Vec2,
+    /// Whether they overlapped before the motion: only with [`Inside::Hit`]. The displacement is zero then, and the axis is along the larger component of the motion (x
+    /// on a tie), against it; +x for no motion.
+    pub inside: bool,
+}
+
+/// What the cast of two shapes met that both move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MovingHit {
+    /// When, as [`CastHit::toi`], in parts of both motions.
+    pub toi: Toi,
+    /// The exact normal, out of B toward A.
+    pub axis: Axis,
+    /// How far A goes until the hit.
+    pub displacement: Vec2,
+    /// How far B goes until the hit. Moved by these the two do not overlap: they are [`displacement`](CastHit::displacement) apart in motion, and
+    /// B's is rounded toward its start.
+    pub displacement_b: Vec2,
+    /// Whether they overlapped before the motion, as [`CastHit::inside`].
+    pub inside: bool,
+}
+
+impl CastHit {
+    /// A start inside, by a motion.
+    pub(crate) const fn at_start(motion: Vec2) -> Self {
+        let (x, y) = motion.raw();
+        let axis = if y.unsigned_abs() > x.unsigned_abs() {
+            Axis::new(0, if y > 0 { -1 } else { 1 })
+        } else {
+            Axis::new(if x > 0 { -1 } else { 1 }, 0)
+        };
+        Self { toi: Toi::ZERO, axis, displacement: Vec2::ZERO, inside: true }
+    }
+}

@@ -1,0 +1,184 @@
+//! When a moving shape first hits another one.
+
+mod boxes;
+mod capsule;
+mod circles;
+pub(crate) mod crossing;
+mod hit;
+mod kernel;
+pub(crate) mod moment;
+mod pairs;
+mod ray;
+mod rounded;
+pub(crate) mod side;
+mod slabs;
+
+pub use hit::{CastHit, Inside, MovingHit};
+
+use crate::error::RangeError;
+use crate::num::{MOTION, Raw, Toi, Vec2, check_motion, mul_div};
+use kernel::{Course, Enter, Moment, Placed};
+
+/// Moving a shape until it hits another one.
+///
+/// A hit is where the motion starts an overlap, in the strict sense of [`Overlaps`](super::Overlaps); whether there is one is exact. So a shape that touches and
+/// moves in hits at 0, and one that slides along, moves away, only grazes, or comes to touch at the very end does not hit. No motion hits nothing.
+///
+/// Shapes that overlap before the motion are the caller's choice: [`Inside::Ignore`] lets A leave B without a hit, [`Inside::Hit`] is a hit at 0.
+/// The normal is that of [`motion::Hit`](crate::motion::Hit) and of rays: out of B, toward what moves.
+///
+/// ```text
+///    +----+  motion  +----+
+///    | A -|----------|->  | +-----+      toi          the part of the motion until A touches B
+///    +----+          +----+ |  B  |      displacement A's way there
+///         <----------->     +-----+      axis         <-, out of B
+/// ```
+///
+/// A hit at one moment on two sides, corner to corner, is on the one that opposes the motion more, x on a tie. Exchanging A and B and reversing the motion
+/// gives the same time and displacement reversed; mirrored scenes give mirrored bits, translated ones the same.
+///
+/// Cost on a Cortex-M0, in instructions, of a yes and of a whole hit: boxes 160 and 335, circles 300 and 1290, a circle and a box 480 and 1100, a circle and
+/// a segment 1600 and 2830, a box and a segment 1210 and 2190. One root where a circle meets a circle, a corner or a slanted side, else none; no division
+/// instruction.
+///
+/// ```
+/// use tilesat::prelude::*;
+/// use tilesat::{Aabb, Axis, Fx, Inside, Vec2};
+/// let player = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(10, 10))?;
+/// let crate_ = Aabb::new(Vec2::from_ints(30, 5), Vec2::from_ints(40, 15))?;
+/// let hit = player.cast_shape(&crate_, Vec2::from_ints(40, 4), Inside::Hit)?.unwrap();
+/// assert_eq!((hit.toi.to_fx(), hit.axis), (Fx::lit("0.5"), Axis::NEG_X));
+/// assert_eq!(hit.displacement, Vec2::from_ints(20, 2));
+/// assert!(!player.translated(hit.displacement)?.overlaps(&crate_));
+///
+/// // Exactly up to it is no hit, one raw unit more is.
+/// assert!(!player.would_hit(&crate_, Vec2::from_ints(20, 0), Inside::Hit)?);
+/// assert!(player.would_hit(&crate_, Vec2::from_raw((20 << 16) + 1, 0), Inside::Hit)?);
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+///
+/// # Errors
+/// All methods: [`RangeError`] where a component of a motion is not below 2^28 raw (4096 units), or a point is outside of the
+/// [domain](crate::num::DOMAIN). A motion may lead out of the domain, and so may the displacement; `translated` says so.
+pub trait CastShape<B: ?Sized>: Enter<B> {
+    /// The hit of this shape (A), moved by `motion`, on `b` (B); `None` where it does not start to overlap.
+    ///
+    /// # Errors
+    /// See the trait.
+    #[inline]
+    fn cast_shape(&self, b: &B, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
+        check(self, motion)?;
+        Ok(first(self, b, Raw::of(motion), inside))
+    }
+
+    /// Whether [`cast_shape`](Self::cast_shape) hits: the same answer without time, place and normal.
+    ///
+    /// # Errors
+    /// See the trait.
+    #[inline]
+    fn would_hit(&self, b: &B, motion: Vec2, inside: Inside) -> Result<bool, RangeError> {
+        check(self, motion)?;
+        Ok(match self.hits(b, Raw::of(motion)) {
+            Course::Free => false,
+            Course::Inside => matches!(inside, Inside::Hit),
+            Course::Meets(()) => true,
+        })
+    }
+
+    /// The exact floor of the time of the hit, in 2^-30 of the motion.
+    ///
+    /// Another [`CastHit::toi`] is this already, save for circles that meet circles, corners and slanted segments: those settle it by exact comparisons,
+    /// some 400 instructions on a Cortex-M0 for each bit that the bound is short.
+    ///
+    /// ```
+    /// use tilesat::prelude::*;
+    /// use tilesat::{Circle, Fx, Inside, Vec2};
+    /// let a = Circle::new(Vec2::from_ints(0, 0), Fx::from_num(3))?;
+    /// let b = Circle::new(Vec2::from_ints(16, 3), Fx::from_num(2))?; // they touch where A is at (12, 0)
+    /// assert_eq!(a.exact_toi(&b, Vec2::from_ints(32, 0), Inside::Hit)?.unwrap().raw(), 3 << 27);
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// See the trait.
+    #[inline]
+    fn exact_toi(&self, b: &B, motion: Vec2, inside: Inside) -> Result<Option<Toi>, RangeError> {
+        check(self, motion)?;
+        let d = Raw::of(motion);
+        Ok(match self.enter(b, d) {
+            Course::Free => None,
+            Course::Inside => matches!(inside, Inside::Hit).then_some(Toi::ZERO),
+            Course::Meets(moment) => Some(moment.exact_toi(d)),
+        })
+    }
+
+    /// The hit of two shapes that both move: this one by `motion`, `b` by `motion_b`.
+    ///
+    /// Exact as [`cast_shape`](Self::cast_shape) by the difference of the motions is.
+    ///
+    /// ```
+    /// use tilesat::prelude::*;
+    /// use tilesat::{Aabb, Inside, Vec2};
+    /// let a = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(6, 6))?;
+    /// let b = Aabb::new(Vec2::from_ints(20, 2), Vec2::from_ints(26, 8))?;
+    /// let hit = a.cast_moving(Vec2::from_ints(20, 0), &b, Vec2::from_ints(-8, 0), Inside::Hit)?.unwrap();
+    /// assert_eq!((hit.displacement, hit.displacement_b), (Vec2::from_ints(10, 0), Vec2::from_ints(-4, 0)));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// See the trait.
+    fn cast_moving(&self, motion: Vec2, b: &B, motion_b: Vec2, inside: Inside) -> Result<Option<MovingHit>, RangeError>
+    where
+        B: Enter<Self>,
+    {
+        check(self, motion)?;
+        check(b, motion_b)?;
+        let (by_a, by_b) = (Raw::of(motion), Raw::of(motion_b));
+        // Below 2^29.
+        let d = by_a.sub(by_b);
+        Ok(first(self, b, d, inside).map(|hit| {
+            let apart = Raw::of(hit.displacement);
+            let of_b = Raw { x: share(by_b.x, apart.x, d.x), y: share(by_b.y, apart.y, d.y) };
+            MovingHit {
+                toi: hit.toi,
+                axis: hit.axis,
+                displacement: apart.add(of_b).vec2(),
+                displacement_b: of_b.vec2(),
+                inside: hit.inside,
+            }
+        }))
+    }
+}
+
+/// The component `d` times `made / whole`, toward zero, which is a part of the motion between 0 and 1.
+///
+/// With it A makes `made` more, that is its own component times the same fraction, rounded to an integer: neither leaves its motion.
+const fn share(d: i32, made: i32, whole: i32) -> i32 {
+    if made == 0 {
+        return 0;
+    }
+    let part = mul_div(d.unsigned_abs(), made.unsigned_abs(), whole.unsigned_abs()) as i32;
+    if d < 0 { part.wrapping_neg() } else { part }
+}
+
+#[inline]
+fn first<A: Enter<B> + ?Sized, B: ?Sized>(a: &A, b: &B, d: Raw, inside: Inside) -> Option<CastHit> {
+    match a.enter(b, d) {
+        Course::Free => None,
+        Course::Inside => matches!(inside, Inside::Hit).then(|| CastHit::at_start(d.vec2())),
+        Course::Meets(moment) => {
+            let (toi, step, axis) = moment.contact(d);
+            Some(CastHit { toi, axis, displacement: step.vec2(), inside: false })
+        }
+    }
+}
+
+/// Refuses motions that are too large, and points that are outside of the domain.
+#[inline]
+fn check<S: Placed + ?Sized>(shape: &S, motion: Vec2) -> Result<(), RangeError> {
+    shape.check()?;
+    let (x, y) = motion.raw();
+    let fits = |d: i32| (d.wrapping_add(MOTION - 1) as u32) < (2 * MOTION - 1) as u32;
+    if fits(x) && fits(y) { Ok(()) } else { check_motion(motion, MOTION) }
+}

@@ -1,0 +1,66 @@
+//! The flat side of a grown segment, or of a slope: when a disc comes to its line, and whether it meets it between its ends.
+
+use crate::num::{Axis, Raw, cmp_squares, imul, less128, mul64, sqr64, usqr};
+use core::cmp::Ordering;
+
+/// `dir . v`; for the slopes of tiles, whose components are at most 2, with two products of words: |v| is below 2^30.
+pub(crate) fn along(dir: Axis, v: Raw) -> i64 {
+    if is_small(dir) {
+        i64::from(dir.x.wrapping_mul(v.x)).wrapping_add(i64::from(dir.y.wrapping_mul(v.y)))
+    } else {
+        imul(dir.x, v.x).wrapping_add(imul(dir.y, v.y))
+    }
+}
+
+const fn is_small(dir: Axis) -> bool {
+    dir.x.wrapping_add(2) as u32 <= 4 && dir.y.wrapping_add(2) as u32 <= 4
+}
+
+/// The square of r |dir|.
+pub(crate) fn reach(r: i32, dir: Axis) -> (u64, u64) {
+    let rr = usqr(r.unsigned_abs());
+    match dir.length_squared() {
+        2 => (0, rr << 1),
+        5 => (0, usqr(r.unsigned_abs() << 1).wrapping_add(rr)),
+        nn => mul64(rr, nn),
+    }
+}
+
+/// Whether the square of a height is less than `reach`.
+pub(crate) fn is_below(height: u64, reach: (u64, u64)) -> bool {
+    if height >> 32 == 0 {
+        return reach.0 != 0 || usqr(height as u32) < reach.1;
+    }
+    less128(sqr64(height), reach)
+}
+
+/// Whether, at the moment T when the disc meets the face's line, the centre is not before an end: `u = dir . m(T) >= 0` for the start
+/// with `m` the centre as seen from it, the same with -dir for the face's end (`at_end`).
+///
+/// At the moment s with u = 0 the height is |dir|^2 (m x d) / du, and it falls: T is later than s where that is more than r |dir|.
+pub(crate) fn meets_beyond(m: Raw, d: Raw, dir: Axis, at_end: bool, r: i32) -> bool {
+    let dir = if at_end { dir.reversed() } else { dir };
+    let (u, du) = (along(dir, m), along(dir, d));
+    let beyond = u.wrapping_add(du);
+    if u >= 0 && beyond >= 0 {
+        return true;
+    }
+    if u < 0 && beyond < 0 {
+        return false;
+    }
+    let cross = if at_end { m.cross(d).wrapping_neg() } else { m.cross(d) };
+    if du > 0 {
+        // s <= T
+        cross >= 0 && offset_to_radius(cross, dir, r, du).is_ge()
+    } else {
+        // T <= s
+        cross >= 0 || offset_to_radius(cross, dir, r, du).is_le()
+    }
+}
+
+/// Compares the distance from a point at the moment when a motion passes it squarely, `|cross| |dir| / |du|`, with the radius.
+///
+/// |cross| is below 2^60, the square of |dir| below 2^61: exact in 192 bits.
+pub(crate) fn offset_to_radius(cross: i64, dir: Axis, r: i32, du: i64) -> Ordering {
+    cmp_squares((cross.unsigned_abs(), dir.length_squared()), (du.unsigned_abs(), usqr(r.unsigned_abs())))
+}

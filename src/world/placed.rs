@@ -1,0 +1,218 @@
+//! A level at another place.
+
+use super::{Feature, Geometry, Way, World, sealed};
+use crate::error::RangeError;
+use crate::num::{DOMAIN, MOTION, Raw, Vec2, check_motion};
+use crate::query::{Overlaps, Touches};
+use crate::shape::{Aabb, Circle};
+
+/// A level shifted by an offset, a level itself: a polygon that moves, a room that slides in. Copies nothing.
+///
+/// ```text
+///    the level's own origin      here
+///      +------> x                :  offset
+///      |  /\                     :......./\
+///      v /__\                           /__\
+/// ```
+///
+/// Give it another offset in each frame and [join](crate::Joined) it with the rest. It blocks, and stops rays; to carry and to push is what boxes do, see
+/// [`Mover::ride`](crate::Mover::ride). A body that overlaps it at the new place is stuck until the game has moved it out.
+///
+/// Results are those of a level that is built there, bit for bit, as all kernels work on differences. Where a tile map goes on beyond its cells
+/// ([`Outside`](crate::Outside)), its surface does so up to the end of its own domain; a body that is farther off is stopped by what is solid there, but
+/// not led along it.
+///
+/// Cost: that of the level, and a few additions for each call and each feature.
+///
+/// ```
+/// use tilesat::{Aabb, Fx, Path, PathKind, Placed, Vec2, segment_map};
+/// const WEDGE: [Vec2; 3] = [Vec2::from_ints(0, 32), Vec2::from_ints(64, 0), Vec2::from_ints(64, 32)];
+/// segment_map!(static WEDGES: [Path::new(PathKind::Solid, &WEDGE)], Fx::lit("32"));
+///
+/// let body = Aabb::new(Vec2::from_ints(30, 0), Vec2::from_ints(40, 10))?;
+/// for frame in 0..4 {
+///     let wedge = Placed::new(&WEDGES, Vec2::from_ints(0, -frame))?; // rises by 1 in each frame
+///     assert_eq!(wedge.overlaps(&body), frame == 3); // it is at 12 under the box's right side at first, whose bottom is at 10
+/// }
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+#[derive(Debug)]
+pub struct Placed<'a, W> {
+    world: &'a W,
+    offset: Raw,
+}
+
+impl<W> Clone for Placed<'_, W> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<W> Copy for Placed<'_, W> {}
+
+impl<'a, W: World> Placed<'a, W> {
+    /// The level, shifted: what is at `p` in it is at `p + offset` here.
+    ///
+    /// # Errors
+    /// [`RangeError`] where a component of the offset is not below [`MOTION`] (4096 units): coordinates seen from the level stay below 2^29 + 2^28,
+    /// and differences below 2^31 with products below 2^62, which all kernels take.
+    pub const fn new(world: &'a W, offset: Vec2) -> Result<Self, RangeError> {
+        match check_motion(offset, MOTION) {
+            Ok(()) => Ok(Self { world, offset: Raw::of(offset) }),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The level.
+    #[must_use]
+    pub const fn world(&self) -> &'a W {
+        self.world
+    }
+
+    /// How far it is shifted.
+    #[must_use]
+    pub const fn offset(&self) -> Vec2 {
+        self.offset.vec2()
+    }
+
+    /// Whether a box or circle overlaps the solid; strict and exact.
+    #[inline]
+    #[must_use]
+    pub fn overlaps<S>(&self, body: &S) -> bool
+    where
+        Self: Overlaps<S>,
+    {
+        Overlaps::overlaps(self, body)
+    }
+
+    /// Whether a box or circle has a point in common with the solid, borders included; exact.
+    #[inline]
+    #[must_use]
+    pub fn touches<S>(&self, body: &S) -> bool
+    where
+        Self: Touches<S>,
+    {
+        Touches::touches(self, body)
+    }
+
+    /// The level's features near a region, at the places where they are here.
+    pub fn features(&self, region: &Aabb) -> PlacedFeatures<'_, W> {
+        PlacedFeatures { features: self.world.features(&self.seen(region)), offset: self.offset }
+    }
+
+    /// A box as the level sees it.
+    const fn seen(&self, b: &Aabb) -> Aabb {
+        Aabb::from_raw_unchecked(b.lo().sub(self.offset), b.hi().sub(self.offset))
+    }
+
+    const fn seen_circle(&self, c: &Circle) -> Circle {
+        Circle::from_raw_unchecked(c.c().sub(self.offset), c.r())
+    }
+}
+
+/// The cursor of [`Placed::features`].
+#[derive(Debug)]
+#[must_use = "cursors do nothing unless advanced"]
+pub struct PlacedFeatures<'w, W: World + 'w> {
+    features: W::Features<'w>,
+    offset: Raw,
+}
+
+impl<W: World> Iterator for PlacedFeatures<'_, W> {
+    type Item = Feature;
+
+    fn next(&mut self) -> Option<Feature> {
+        let mut feature = self.features.next()?;
+        feature.shift(self.offset);
+        Some(feature)
+    }
+}
+
+impl Feature {
+    pub(super) fn shift(&mut self, offset: Raw) {
+        let (Geometry::Face { a: p, .. } | Geometry::Vertex { p, .. } | Geometry::Arc { centre: p, .. }) =
+            &mut self.geometry;
+        *p = Raw::of(*p).add(offset).vec2();
+    }
+}
+
+impl<W: World> sealed::Sealed for Placed<'_, W> {}
+
+impl<W: World> World for Placed<'_, W> {
+    const BLOCKS: bool = W::BLOCKS;
+    const ROUND: bool = W::ROUND;
+    // Beyond its own domain a level has no surface, and a map may be solid there all the same.
+    const CERTAIN: bool = false;
+
+    type Features<'w>
+        = PlacedFeatures<'w, W>
+    where
+        Self: 'w;
+
+    fn features(&self, region: &Aabb) -> PlacedFeatures<'_, W> {
+        Placed::features(self, region)
+    }
+
+    fn features_ahead(&self, way: &Way) -> PlacedFeatures<'_, W> {
+        let (piece, whole) = (self.seen(&way.piece), self.seen(&way.whole));
+        let way = Way { piece, whole, before: way.before.map(|b| self.seen(&b)), ..*way };
+        PlacedFeatures { features: self.world.features_ahead(&way), offset: self.offset }
+    }
+
+    fn occupied(&self, region: &Aabb) -> Option<Aabb> {
+        let seen = self.seen(region);
+        if !is_inside(seen.lo()) || !is_inside(seen.hi()) {
+            return Some(*region);
+        }
+        let there = self.world.occupied(&seen)?;
+        Some(Aabb::from_raw_unchecked(there.lo().add(self.offset), there.hi().add(self.offset)))
+    }
+
+    fn cell_size(&self) -> u32 {
+        self.world.cell_size()
+    }
+
+    fn overlaps_aabb(&self, b: &Aabb) -> bool {
+        self.world.overlaps_aabb(&self.seen(b))
+    }
+
+    fn overlaps_circle(&self, c: &Circle) -> bool {
+        self.world.overlaps_circle(&self.seen_circle(c))
+    }
+
+    fn touches_aabb(&self, b: &Aabb) -> bool {
+        self.world.touches_aabb(&self.seen(b))
+    }
+
+    fn touches_circle(&self, c: &Circle) -> bool {
+        self.world.touches_circle(&self.seen_circle(c))
+    }
+}
+
+const fn is_inside(p: Raw) -> bool {
+    p.x > -DOMAIN && p.x < DOMAIN && p.y > -DOMAIN && p.y < DOMAIN
+}
+
+impl<W: World> Overlaps<Aabb> for Placed<'_, W> {
+    fn overlaps(&self, b: &Aabb) -> bool {
+        self.overlaps_aabb(b)
+    }
+}
+
+impl<W: World> Overlaps<Circle> for Placed<'_, W> {
+    fn overlaps(&self, c: &Circle) -> bool {
+        self.overlaps_circle(c)
+    }
+}
+
+impl<W: World> Touches<Aabb> for Placed<'_, W> {
+    fn touches(&self, b: &Aabb) -> bool {
+        self.touches_aabb(b)
+    }
+}
+
+impl<W: World> Touches<Circle> for Placed<'_, W> {
+    fn touches(&self, c: &Circle) -> bool {
+        self.touches_circle(c)
+    }
+}

@@ -1,0 +1,202 @@
+//! Rays against a list of boxes.
+//!
+//! Each hit is a look at all boxes for the earliest face after the last hit. A face shows where the points just in front of it are in no other
+//! box, ends included, so that a ray meets the surface of the union; the crossing is a fraction, compared by products.
+
+use super::features::{Bits, faces_against, in_front, quadrants_of};
+use super::list::Solids;
+use super::solid::Solid;
+use crate::error::RangeError;
+use crate::num::{Axis, Raw, Toi, Vec2, imul};
+use crate::world::ray::cast::checked;
+use crate::world::ray::level::RayPieces;
+use crate::world::ray::piece::{Met, Time, meet};
+use crate::world::ray::scan::{Found, hit_of, straight};
+use crate::world::{Inside, RayHit, RayRules};
+
+impl RayPieces for Solids<'_> {
+    const WIDE: bool = false;
+    const ROUND: bool = false;
+}
+
+impl<'a> Solids<'a> {
+    /// The first point of the closed solids, at the places where they are now, that a ray from `origin` along `motion` meets, or `None`
+    /// where it ends before.
+    ///
+    /// Every decision is exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray), of the union of the boxes: a ray along a seam of
+    /// two flush boxes is inside them. The hit's [`cell`](RayHit::cell) names the solid, see [`Solids::key_of`]; of several with the same
+    /// face there the one with the smallest key, solid ones before [one-way](Solid::with_one_way) ones.
+    ///
+    /// Cost: two comparisons of fractions for each box, and for each face that may be the first a look at all boxes.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("   #", &KINDS)?;
+    /// let door = [Solid::new(Aabb::new(Vec2::from_ints(20, 0), Vec2::from_ints(24, 16))?, 3)?];
+    /// let (solids, ray) = (Solids::new(&door), (Vec2::from_ints(4, 8), Vec2::from_ints(90, 0)));
+    /// let hit = Joined::new(&level, &solids).cast_ray(ray.0, ray.1, Inside::Hit)?.unwrap(); // a shot at the door
+    /// assert_eq!((hit.point, hit.axis, hit.source), (Vec2::from_ints(20, 8), Axis::NEG_X, 1));
+    /// assert_eq!(Solids::key_of(hit.cell), Some(3));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+    pub fn cast_ray(
+        &self,
+        origin: Vec2,
+        motion: Vec2,
+        rules: impl Into<RayRules>,
+    ) -> Result<Option<RayHit>, RangeError> {
+        Ok(self.cast_ray_all(origin, motion, rules)?.next())
+    }
+
+    /// All hits of a ray, in order: as if it went on through what it hits. Of hits at one moment there is one.
+    ///
+    /// Cost: as [`cast_ray`](Self::cast_ray) for each hit.
+    ///
+    /// # Errors
+    /// As [`cast_ray`](Self::cast_ray).
+    pub fn cast_ray_all(
+        &self,
+        origin: Vec2,
+        motion: Vec2,
+        rules: impl Into<RayRules>,
+    ) -> Result<SolidRayHits<'a>, RangeError> {
+        let (o, d) = checked(origin, motion)?;
+        Ok(SolidRayHits { all: *self, o, d, rules: rules.into(), after: None, started: false, cells: 0 })
+    }
+
+    /// Whether the straight line from `a` to `b` is free of the solids, as a ray from `a` sees it, and does not start inside. One-way ones do not block it.
+    ///
+    /// # Errors
+    /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
+    pub fn line_of_sight(&self, a: Vec2, b: Vec2) -> Result<bool, RangeError> {
+        let motion = Raw::of(b).sub(Raw::of(a)).vec2();
+        Ok(self.cast_ray(a, motion, Inside::Hit)?.is_none())
+    }
+}
+
+/// The hits of a ray in order; see [`Solids::cast_ray_all`].
+#[derive(Clone, Debug)]
+#[must_use = "cursors do nothing unless advanced"]
+pub struct SolidRayHits<'w> {
+    all: Solids<'w>,
+    o: Raw,
+    d: Raw,
+    rules: RayRules,
+    /// The moment of the last hit.
+    after: Option<Time>,
+    started: bool,
+    cells: u32,
+}
+
+impl Iterator for SolidRayHits<'_> {
+    type Item = RayHit;
+
+    fn next(&mut self) -> Option<RayHit> {
+        self.find().map(|found| found.hit)
+    }
+}
+
+impl SolidRayHits<'_> {
+    pub(in crate::world) fn find(&mut self) -> Option<Found> {
+        self.cells = self.cells.saturating_add(self.all.list().len() as u32);
+        if !self.started {
+            self.started = true;
+            if matches!(self.rules.inside, Inside::Hit)
+                && let Some(hit) = self.at_start()
+            {
+                return Some(Found { hit, met: None });
+            }
+        }
+        let goes_in = self.goes_in();
+        let mut best: Option<(Met, Time)> = None;
+        for solid in self.all.list() {
+            if solid.one_way().is_some() && !self.rules.one_way {
+                continue;
+            }
+            let faces = solid.pieces() & faces_against(self.d);
+            for k in (0..4).filter(|k| faces >> k & 1 != 0) {
+                let Some(met) = meet::<Solids<'_>>(self.o, self.d, solid.piece(k, [false; 2])) else { continue };
+                let Some(time) = met.time else { continue };
+                // At the start, solid pieces are met only where the ray goes into the solid.
+                let passed = self.after.is_some_and(|after| !after.before::<Solids<'_>>(time));
+                let leaves = time.num == 0 && !met.feature.one_way && !goes_in;
+                if !passed && !leaves && best.is_none_or(|(b, _)| precedes(&met, &b)) && self.shows(solid, k, time) {
+                    best = Some((met, time));
+                }
+            }
+        }
+        let (met, time) = best?;
+        self.after = Some(time);
+        let (toi, by, axis) = straight::<Solids<'_>>(self.d, time, met.normal);
+        Some(Found { hit: hit_of(&met.feature, (toi, self.o.add(by), axis), self.cells), met: Some(met) })
+    }
+
+    /// Whether the ray is strictly inside just after its start: in all the quadrants that it is next to.
+    fn goes_in(&self) -> bool {
+        let next_to = |v: i32, more: Bits, less: Bits| match v.signum() {
+            1 => more,
+            -1 => less,
+            _ => 0xf,
+        };
+        let (x, y) = (next_to(self.d.x, 0b0110, 0b1001), next_to(self.d.y, 0b1100, 0b0011));
+        x & y & !self.all.quadrants(self.o) == 0
+    }
+
+    /// Whether a face is part of the union's surface where the ray crosses it: beside that point, on either side, its front is free.
+    ///
+    /// Differences and motions are below 2^30, and so are times: products are below 2^60.
+    fn shows(&self, solid: &Solid, k: u8, time: Time) -> bool {
+        let (o, d, lo, hi) = if k & 1 == 0 {
+            (self.o.x, self.d.x, solid.lo().x, solid.hi().x)
+        } else {
+            (self.o.y, self.d.y, solid.lo().y, solid.hi().y)
+        };
+        let way = imul(d, time.num as i32);
+        // Where a place along the face is, seen from the crossing.
+        let side = |place: i32| imul(place.wrapping_sub(o), time.den as i32).wrapping_sub(way);
+        let (mut before, mut behind) = (side(lo) < 0, side(hi) > 0);
+        for (from, to) in self.all.full().filter_map(|other| in_front(solid, k, other)) {
+            let (from, to) = (side(from), side(to));
+            before &= !(from < 0 && to >= 0);
+            behind &= !(from <= 0 && to > 0);
+        }
+        before || behind
+    }
+
+    /// The hit of a start inside, of the box that holds it, or of those that meet there if none does alone.
+    fn at_start(&self) -> Option<RayHit> {
+        if self.all.quadrants(self.o) != 0xf {
+            return None;
+        }
+        let beside = self.all.full().filter(|solid| quadrants_of(solid, self.o) != 0);
+        let solid = beside.min_by_key(|solid| (quadrants_of(solid, self.o) != 0xf, solid.key()))?;
+        let d = self.d;
+        let axis = if d.y.unsigned_abs() > d.x.unsigned_abs() {
+            Axis::new(0, d.y.signum().wrapping_neg())
+        } else {
+            Axis::new(if d.x > 0 { -1 } else { 1 }, 0)
+        };
+        Some(RayHit {
+            toi: Toi::ZERO,
+            point: self.o.vec2(),
+            axis,
+            cell: solid.cell(),
+            index: 0,
+            flags: solid.flags(),
+            one_way: false,
+            source: 0,
+            inside: true,
+            cells: self.cells,
+        })
+    }
+}
+
+/// Earlier, then by the order of all rays, then solid before one-way, then the smaller key: so no result depends on the list's order.
+fn precedes(a: &Met, b: &Met) -> bool {
+    let name = |met: &Met| (met.feature.one_way, Solids::key_of(met.feature.cell));
+    a.precedes::<Solids<'_>>(b) || (!b.precedes::<Solids<'_>>(a) && name(a) < name(b))
+}

@@ -1,0 +1,205 @@
+//! One box that moves: what it is, and where it goes in this tick.
+
+use crate::error::{Quantity, RangeError};
+use crate::num::{Axis, MOTION, Raw, Vec2, check_motion};
+use crate::shape::Aabb;
+
+/// The side of a one-way [`Solid`] that blocks. "Up" is the side of the smaller y, as in [`TileShape`](crate::TileShape)'s names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Side {
+    /// Blocks what comes from the smaller y.
+    Up,
+    /// Blocks what comes from the larger x.
+    Right,
+    /// Blocks what comes from the larger y.
+    Down,
+    /// Blocks what comes from the smaller x.
+    Left,
+}
+
+impl Side {
+    /// The outward normal of that side.
+    #[must_use]
+    pub const fn normal(self) -> Axis {
+        match self {
+            Self::Up => Axis::NEG_Y,
+            Self::Right => Axis::X,
+            Self::Down => Axis::Y,
+            Self::Left => Axis::NEG_X,
+        }
+    }
+}
+
+/// A box that may move: a platform, a door, a crusher. Plain data, 36 bytes.
+///
+/// ```text
+///            one-way Up: blocks from this side only
+///        min +----------+
+///            | key  ->->|-> conveyor: added to what stands on it
+///            +----------+ max
+///                  motion: from where it is to where it will be after this tick
+/// ```
+///
+/// A list of them is a level, [`Solids`](crate::world::Solids), and [`Mover::ride`](crate::Mover::ride) carries and pushes bodies with them.
+/// Solids do not push each other, and nothing stops them: a platform on a platform is given the same motion by the game.
+///
+/// ```
+/// use tilesat::{Aabb, Fx, Solid, Vec2};
+/// let lift = Solid::new(Aabb::new(Vec2::from_ints(0, 40), Vec2::from_ints(32, 48))?, 7)?.with_motion(Vec2::from_ints(0, -2))?;
+/// assert_eq!(lift.moved().shape().min().y, 38);
+/// assert_eq!(lift.moved().motion(), Vec2::ZERO); // each tick gives the next motion
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Solid {
+    shape: Aabb,
+    motion: Vec2,
+    conveyor: Vec2,
+    key: u16,
+    flags: u8,
+    side: Option<Side>,
+}
+
+impl Solid {
+    /// A box at rest, solid from all sides. The `key` is the game's name for it: results carry it, and ties go to the smaller one.
+    ///
+    /// # Errors
+    /// [`RangeError`] where the box has no width or no height: nothing could overlap it.
+    pub const fn new(shape: Aabb, key: u16) -> Result<Self, RangeError> {
+        let size = shape.lo().sub(shape.hi());
+        if size.x == 0 {
+            return Err(RangeError { what: Quantity::Width, value: 0 });
+        }
+        if size.y == 0 {
+            return Err(RangeError { what: Quantity::Height, value: 0 });
+        }
+        Ok(Self { shape, motion: Vec2::ZERO, conveyor: Vec2::ZERO, key, flags: 0, side: None })
+    }
+
+    /// The same with user flags, which are reported with what hits it as those of a tile are.
+    #[must_use]
+    pub const fn with_flags(self, flags: u8) -> Self {
+        Self { flags, ..self }
+    }
+
+    /// The same as a one-way platform: it blocks, carries and pushes only what is entirely in front of that side.
+    #[must_use]
+    pub const fn with_one_way(self, side: Side) -> Self {
+        Self { side: Some(side), ..self }
+    }
+
+    /// The same with a conveyor: the motion that it adds in each tick to what stands on it.
+    ///
+    /// # Errors
+    /// [`RangeError`] where the conveyor, or its sum with the motion of this tick, has a component of [`MOTION`] or more.
+    pub const fn with_conveyor(self, conveyor: Vec2) -> Result<Self, RangeError> {
+        Self { conveyor, ..self }.checked()
+    }
+
+    /// The same with the motion of this tick, from where it is now.
+    ///
+    /// # Errors
+    /// [`RangeError`] where the motion, or its sum with the conveyor, has a component of [`MOTION`] or more, or would take the box out of
+    /// the [domain](crate::num::DOMAIN).
+    pub const fn with_motion(self, motion: Vec2) -> Result<Self, RangeError> {
+        Self { motion, ..self }.checked()
+    }
+
+    const fn checked(self) -> Result<Self, RangeError> {
+        // Each below 2^28: neither sum saturates.
+        let sums = [self.motion, self.conveyor, self.motion.saturating_add(self.conveyor)];
+        let mut left: &[Vec2] = &sums;
+        while let [v, rest @ ..] = left {
+            if let Err(e) = check_motion(*v, MOTION) {
+                return Err(e);
+            }
+            left = rest;
+        }
+        match self.shape.translated(self.motion) {
+            Ok(_) => Ok(self),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The same after this tick: at its new place, without a motion.
+    #[must_use]
+    pub const fn moved(self) -> Self {
+        let d = Raw::of(self.motion);
+        let shape = Aabb::from_raw_unchecked(self.shape.lo().add(d), self.shape.hi().add(d));
+        Self { shape, motion: Vec2::ZERO, ..self }
+    }
+
+    /// Takes all solids of a list to their new places at once; call it after all bodies were asked where they
+    /// [ride](crate::Mover::ride), before they move by themselves.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, Fx, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("        \n        ", &KINDS)?;
+    /// let boxed = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
+    /// let mover = Mover::platformer(Axis::NEG_Y);
+    /// let mut solids = [Solid::new(boxed(0, 20, 30, 4)?, 1)?, Solid::new(boxed(60, 0, 8, 30)?, 2)?];
+    /// let mut player = boxed(10, 6, 8, 14)?;
+    ///
+    /// for tick in 0..30 {
+    ///     solids[0] = solids[0].with_motion(Vec2::from_ints(1, 0))?; // 1: where all go, and what they take along
+    ///     player = mover.ride(&level, &solids, &player, Fx::ONE)?.body;
+    ///     Solid::move_all(&mut solids); // 2
+    ///     let here = Solids::new(&solids); // 3: the player falls, and lands on the platform
+    ///     player = mover.move_and_slide(&Joined::new(&level, &here), &player, Vec2::from_ints(0, 1))?.body;
+    ///     assert_eq!(player.min(), Vec2::from_ints(11 + tick, 6));
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn move_all(list: &mut [Self]) {
+        for solid in list {
+            *solid = solid.moved();
+        }
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub const fn shape(&self) -> Aabb {
+        self.shape
+    }
+
+    /// The game's name for it.
+    #[must_use]
+    pub const fn key(&self) -> u16 {
+        self.key
+    }
+
+    /// The user flags.
+    #[must_use]
+    pub const fn flags(&self) -> u8 {
+        self.flags
+    }
+
+    /// The side that blocks; all do where `None`.
+    #[must_use]
+    pub const fn one_way(&self) -> Option<Side> {
+        self.side
+    }
+
+    /// What it adds to the motion of what stands on it.
+    #[must_use]
+    pub const fn conveyor(&self) -> Vec2 {
+        self.conveyor
+    }
+
+    /// Its motion in this tick.
+    #[must_use]
+    pub const fn motion(&self) -> Vec2 {
+        self.motion
+    }
+
+    pub(crate) const fn lo(&self) -> Raw {
+        self.shape.lo()
+    }
+
+    pub(crate) const fn hi(&self) -> Raw {
+        self.shape.hi()
+    }
+}
