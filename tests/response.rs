@@ -12,32 +12,17 @@
 
 #[path = "oracle/random.rs"]
 mod random;
+#[allow(dead_code, reason = "each test file uses its own part of it")]
+mod response_support;
 
 use num_bigint::BigInt;
 use random::Random;
+use response_support::{P, cases, dot, raw, vec2};
 use tilesat::motion::response::{bounce, respond, slide, split};
 use tilesat::{Axis, Fx, Ratio, Speed, Surface, Vec2};
 
-type P = (i64, i64);
-
-fn cases(few: u64) -> u64 {
-    std::env::var("TILESAT_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(few)
-}
-
-fn vec2(p: P) -> Vec2 {
-    Vec2::from_raw(p.0 as i32, p.1 as i32)
-}
-
-fn raw(v: Vec2) -> P {
-    (v.raw().0.into(), v.raw().1.into())
-}
-
 fn axis(p: P) -> Axis {
     Axis::new(p.0 as i32, p.1 as i32)
-}
-
-fn dot(a: P, b: P) -> i128 {
-    i128::from(a.0) * i128::from(b.0) + i128::from(a.1) * i128::from(b.1)
 }
 
 fn perp(n: P) -> P {

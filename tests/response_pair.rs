@@ -6,29 +6,14 @@
 #[allow(dead_code, reason = "each test file uses its own part of it")]
 #[path = "oracle/random.rs"]
 mod random;
+#[allow(dead_code, reason = "each test file uses its own part of it")]
+mod response_support;
 
 use random::Random;
+use response_support::{P, cases, dot, raw, vec2};
 use tilesat::motion::response::{exchange, separate};
 use tilesat::prelude::*;
 use tilesat::{Aabb, Axis, Circle, Contact, Fx, Masses, Ratio, Surface, Vec2};
-
-type P = (i64, i64);
-
-fn cases(few: u64) -> u64 {
-    std::env::var("TILESAT_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(few)
-}
-
-fn vec2(p: P) -> Vec2 {
-    Vec2::from_raw(p.0 as i32, p.1 as i32)
-}
-
-fn raw(v: Vec2) -> P {
-    (v.raw().0.into(), v.raw().1.into())
-}
-
-fn dot(a: P, b: P) -> i128 {
-    i128::from(a.0) * i128::from(b.0) + i128::from(a.1) * i128::from(b.1)
-}
 
 fn sub(a: P, b: P) -> P {
     (a.0 - b.0, a.1 - b.1)

@@ -13,12 +13,13 @@
 #[allow(dead_code, reason = "each test file uses its own part of it")]
 #[path = "oracle/random.rs"]
 mod random;
+#[allow(dead_code, reason = "each test file uses its own part of it")]
+mod response_support;
 
 use random::Random;
+use response_support::{P, cases, raw, vec2};
 use tilesat::motion::response::{Link, Particle, Quiet, RelaxError, Stick, relax};
 use tilesat::{Fx, Mover, Quantity, RangeError, Ratio, Surface, TileKind, TileKinds, TileMap, Vec2};
-
-type P = (i64, i64);
 
 const PX: i64 = 1 << 16;
 const RADIUS: i64 = PX;
@@ -41,20 +42,8 @@ const STAIRS: &str = "\
 ################
 ";
 
-fn cases(few: u64) -> u64 {
-    std::env::var("TILESAT_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(few)
-}
-
 fn frames(many: u32) -> u32 {
     std::env::var("TILESAT_FRAMES").ok().and_then(|n| n.parse().ok()).unwrap_or(many)
-}
-
-fn vec2(p: P) -> Vec2 {
-    Vec2::from_raw(p.0 as i32, p.1 as i32)
-}
-
-fn raw(v: Vec2) -> P {
-    (v.raw().0.into(), v.raw().1.into())
 }
 
 fn len2(a: P, b: P) -> i128 {

@@ -36,13 +36,7 @@ use tilesat::World;
 const FRAMES: u32 = 3600;
 
 fn main() -> ExitCode {
-    match play() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(fail) => {
-            eprintln!("ninja: {fail}");
-            ExitCode::from(2)
-        }
-    }
+    sketch::exit("ninja", play())
 }
 
 fn play() -> Result<()> {

@@ -35,13 +35,7 @@ const FRAMES: u32 = 1200;
 const INKS: [Ink; 5] = [BOUNCE, COIN, CROSS, SLIDE, TOUCH];
 
 fn main() -> ExitCode {
-    match play() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(fail) => {
-            eprintln!("pinball: {fail}");
-            ExitCode::from(2)
-        }
-    }
+    sketch::exit("pinball", play())
 }
 
 fn play() -> Result<()> {

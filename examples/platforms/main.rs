@@ -87,13 +87,7 @@ const SCRIPT: [Stretch; 16] = [
 const FRAMES: u32 = 3600;
 
 fn main() -> ExitCode {
-    match play() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(fail) => {
-            eprintln!("platforms: {fail}");
-            ExitCode::from(2)
-        }
-    }
+    sketch::exit("platforms", play())
 }
 
 fn play() -> Result<()> {

@@ -2,6 +2,7 @@
 
 use std::env;
 use std::path::PathBuf;
+use std::process::ExitCode;
 
 use tilesat::{Aabb, Geometry, Vec2, World};
 
@@ -10,6 +11,17 @@ use crate::platformer::picture::ink::{EARTH, Ink, PLANK, TEXT};
 use crate::platformer::picture::marks::Spot;
 use crate::platformer::picture::{Scene, write_png};
 use crate::solid;
+
+/// How a game ends: 2, and why, where it could not be played to its end.
+pub fn exit(game: &str, played: Result<()>) -> ExitCode {
+    match played {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(fail) => {
+            eprintln!("{game}: {fail}");
+            ExitCode::from(2)
+        }
+    }
+}
 
 /// A picture of a level of `width` x `height` units, `scale` pixels to a unit.
 pub struct Sketch {

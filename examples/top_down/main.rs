@@ -68,13 +68,7 @@ const KEYS: [((i32, i32), u32); 13] = [
 ];
 
 fn main() -> ExitCode {
-    match play() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(fail) => {
-            eprintln!("top_down: {fail}");
-            ExitCode::from(2)
-        }
-    }
+    sketch::exit("top_down", play())
 }
 
 fn play() -> Result<()> {

@@ -119,9 +119,8 @@ fn first<B: Body>(solid: &Solid, body: &B, d: Raw) -> Option<Entry> {
     let last = if B::MEETS_CORNERS { 8 } else { 4 };
     let mut best: Option<Entry> = None;
     for index in (0..last).filter(|i| solid.pieces() >> i & 1 != 0) {
-        if let Some(entry) = body.sweep_block(d, &solid.piece(index, [false; 2]))
-            && best.is_none_or(|b| entry.before(&b, d))
-        {
+        let Some(entry) = body.sweep_block(d, &solid.piece(index, [false; 2])) else { continue };
+        if best.is_none_or(|b| entry.before(&b, d)) {
             best = Some(entry);
         }
     }

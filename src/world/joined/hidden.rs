@@ -57,9 +57,8 @@ const fn normal(dir: Axis) -> Axis {
 fn common_cone<W: World>(cone: (Axis, Axis), p: Raw, other: &W) -> Option<(Axis, Axis)> {
     let (mut cone, mut corners) = (cone, false);
     for f in other.features(&point(p)) {
-        if let Geometry::Vertex { p: at, e_in, e_out } = f.geometry
-            && Raw::of(at) == p
-        {
+        let Geometry::Vertex { p: at, e_in, e_out } = f.geometry else { continue };
+        if Raw::of(at) == p {
             corners = true;
             // The cone is where n . e_in >= 0 and n . e_out <= 0.
             cone = clipped(clipped(cone, e_in)?, e_out.reversed())?;

@@ -43,9 +43,8 @@ impl SegmentMap<'_> {
             for seg in segments() {
                 let seg = frame.edge(&seg);
                 below = below.wrapping_sub(frame.runs_through_start(&seg));
-                if let (Some(cut), Some(after)) = (frame.cut(&seg), after)
-                    && !after.before(&cut)
-                {
+                let (Some(cut), Some(after)) = (frame.cut(&seg), after) else { continue };
+                if !after.before(&cut) {
                     above = above.wrapping_add(cut.above);
                     below = below.wrapping_add(cut.below);
                 }
