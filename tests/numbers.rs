@@ -256,6 +256,11 @@ fn quotient_by_a_root_is_the_exact_floor() {
 fn check_unit(x: i32, y: i32) {
     let n = Axis::new(x, y).unit().raw();
     assert!(is_unit((x.into(), y.into()), (n.0.into(), n.1.into())), "unit of ({x}, {y}): {n:?}");
+    for length in [0, 1, -1, 3 << 14, -(1 << 16) - 1, (1 << 29) - 1, i32::MAX, i32::MIN] {
+        let part = |unit: i32| (i64::from(unit) * i64::from(length) / (1 << 30)).min(i32::MAX.into()) as i32;
+        let scaled = Axis::new(x, y).unit().scaled(Fx::from_bits(length)).raw();
+        assert_eq!(scaled, (part(n.0), part(n.1)), "unit of ({x}, {y}) scaled to {length}");
+    }
     if x > i32::MIN && y > i32::MIN {
         assert_eq!(Axis::new(-x, y).unit().raw(), (-n.0, n.1), "mirrored ({x}, {y})");
         assert_eq!(Axis::new(x, -y).unit().raw(), (n.0, -n.1), "mirrored ({x}, {y})");

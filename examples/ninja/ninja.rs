@@ -109,11 +109,10 @@ impl Ninja {
 
     /// Off a floor along its normal, off a wall to the side and up.
     fn jump(&mut self, x: &mut i32, y: &mut i32) {
-        let (nx, ny) = self.normal.unit().raw();
-        let part = |n: i32, speed: i32| ((i64::from(n) * i64::from(speed)) >> 30) as i32;
         if self.state == State::Floor {
-            *x += part(nx, JUMP);
-            *y = (*y).min(0) + part(ny, JUMP);
+            let (dx, dy) = self.normal.unit().scaled(Fx::from_bits(JUMP)).raw();
+            *x += dx;
+            *y = (*y).min(0) + dy;
         } else {
             *x = self.normal.x.signum() * SIDE;
             *y = -JUMP;

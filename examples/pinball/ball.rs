@@ -57,8 +57,6 @@ impl Ball {
 
     /// Faster by `speed` along a normal.
     fn push(&mut self, along: Axis, speed: i32) {
-        let (x, y) = along.unit().raw();
-        let part = |unit: i32| ((i64::from(unit) * i64::from(speed)) >> 30) as i32;
-        self.velocity += Vec2::from_raw(part(x), part(y));
+        self.velocity += along.unit().scaled(Fx::from_bits(speed));
     }
 }

@@ -1,6 +1,6 @@
 //! The hero of a game seen from above.
 
-use tilesat::{Aabb, Axis, MoveError, Mover, RangeError, Vec2, World};
+use tilesat::{Aabb, Axis, Fx, MoveError, Mover, RangeError, Vec2, World};
 
 /// Raw units a frame.
 const SPEED: i32 = 98_304;
@@ -24,9 +24,7 @@ impl Hero {
 
     /// Walks one frame; as fast along a diagonal as along the axes.
     pub fn step(&mut self, world: &impl World, (x, y): (i32, i32)) -> Result<(), MoveError> {
-        let (ux, uy) = Axis::new(x, y).unit().raw();
-        let part = |unit: i32| ((i64::from(unit) * i64::from(SPEED)) >> 30) as i32;
-        let velocity = Vec2::from_raw(part(ux), part(uy));
+        let velocity = Axis::new(x, y).unit().scaled(Fx::from_bits(SPEED));
         let moved = Mover::new().move_and_slide(world, &self.body, velocity)?;
         let stopped = moved.body == self.body;
         self.body = moved.body;

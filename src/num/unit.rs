@@ -1,7 +1,7 @@
 //! Directions of length one.
 
 use super::root::{leading_zeros32, rsqrt};
-use super::{Axis, umul, usqr};
+use super::{Axis, Fx, Vec2, umul, usqr};
 use fixed::types::I2F30;
 
 /// A direction of length one, rounded: signed 2.30 components.
@@ -38,6 +38,33 @@ impl UnitVec2 {
     #[must_use]
     pub const fn raw(self) -> (i32, i32) {
         (self.x.to_bits(), self.y.to_bits())
+    }
+
+    /// A vector of this direction and a length, each component rounded toward zero; a negative length reverses it.
+    ///
+    /// Never longer than asked by a raw unit or more, and mirrored directions give mirrored bits. Cost: two products, no division.
+    ///
+    /// ```
+    /// use tilesat::{Axis, Fx, Vec2};
+    /// assert_eq!(Axis::new(3, -4).unit().scaled(Fx::lit("10")), Vec2::from_raw((6 << 16) - 1, -(8 << 16) + 1));
+    /// assert_eq!(Axis::NEG_X.unit().scaled(Fx::lit("2.5")), Vec2::new(Fx::lit("-2.5"), Fx::ZERO));
+    /// ```
+    #[must_use]
+    pub const fn scaled(self, length: Fx) -> Vec2 {
+        let (x, y) = self.raw();
+        Vec2::from_raw(part(x, length.to_bits()), part(y, length.to_bits()))
+    }
+}
+
+/// `unit * length / 2^30`, toward zero: |unit| is at most 2^30, so it is as large as the length at most, 2^31; that saturates where it is positive.
+const fn part(unit: i32, length: i32) -> i32 {
+    let size = (umul(unit.unsigned_abs(), length.unsigned_abs()) >> 30) as u32;
+    if (unit < 0) != (length < 0) {
+        (size as i32).wrapping_neg()
+    } else if size > i32::MAX as u32 {
+        i32::MAX
+    } else {
+        size as i32
     }
 }
 
