@@ -1,27 +1,40 @@
 #!/usr/bin/env bash
-# Puts qemu-system-arm under target/emulators without installing a package, and prints its path.
-# A qemu-system-arm on PATH that knows the two boards is preferred and nothing is fetched.
+# get-emulators.sh [arm|riscv32]: puts qemu-system-arm (or -riscv32) under target/emulators without installing a package, and prints its path.
+# One on PATH that knows the boards is preferred and nothing is fetched.
 # Exit 0: the path is on standard output. Exit 3: no emulator can be had here; the reason is on standard error.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-dir=$root/target/emulators
-wrapper=$dir/bin/qemu-system-arm
+arch=${1:-arm}
+# Where QEMU is packaged in one for all rarer machines, that one has RISC-V.
+case $arch in
+arm) boards=(microbit mps2-an385 mps2-an386 lm3s6965evb) packages=(qemu-system-arm) ;;
+riscv32) boards=(virt) packages=(qemu-system-riscv qemu-system-misc) ;;
+*)
+    echo "get-emulators.sh: there is none for $arch" >&2
+    exit 2
+    ;;
+esac
+program=qemu-system-$arch
+dir=$root/target/emulators/$arch
+wrapper=$dir/bin/$program
 
 missing() {
     printf 'no emulator: %s\n' "$*" >&2
-    printf 'install QEMU 7.2 or later so that qemu-system-arm is on PATH, and run this again\n' >&2
+    printf 'install QEMU 7.2 or later so that %s is on PATH, and run this again\n' "$program" >&2
     exit 3
 }
 
-# An emulator counts only when it starts and has both boards.
+# An emulator counts only when it starts and has all boards.
 usable() {
-    local boards
-    boards=$("$1" -machine help 2>/dev/null) || return 1
-    grep -q '^microbit ' <<<"$boards" && grep -q '^mps2-an385 ' <<<"$boards"
+    local has board
+    has=$("$1" -machine help 2>/dev/null) || return 1
+    for board in "${boards[@]}"; do
+        grep -q "^$board " <<<"$has" || return 1
+    done
 }
 
-if found=$(command -v qemu-system-arm) && usable "$found"; then
+if found=$(command -v "$program") && usable "$found"; then
     echo "$found"
     exit 0
 fi
@@ -31,32 +44,36 @@ if [[ -x $wrapper ]] && usable "$wrapper"; then
 fi
 
 for tool in apt-get dpkg; do
-    command -v "$tool" >/dev/null || missing "there is no qemu-system-arm and no $tool to fetch it with"
+    command -v "$tool" >/dev/null || missing "there is no $program and no $tool to fetch it with"
 done
 rm -rf "$dir"
 mkdir -p "$dir/debs"
 
-# The packages apt would add for QEMU on this very system: it knows which libraries are here already.
+# The packages apt would add for one of QEMU's on this very system: it knows which libraries are here already.
 # The trailing minus keeps qemu-utils out, which collides with a newer one on some images.
-# qemu-system-data holds boot ROMs and firmware that the two boards do not use.
+# qemu-system-data holds boot ROMs and firmware that the boards do not use.
 wanted() {
-    apt-get "$@" install --simulate --no-install-recommends -y qemu-system-arm qemu-utils- 2>>"$dir/log" |
+    local package=$1
+    apt-get "${@:2}" install --simulate --no-install-recommends -y "$package" qemu-utils- 2>>"$dir/log" |
         awk '$1 == "Inst" && $2 != "qemu-system-data" { print $2 }'
 }
 download() {
-    local list
-    list=$(wanted "$@") || return 1
-    [[ $list == *qemu-system-arm* ]] || return 1
-    # shellcheck disable=SC2086 # one word a package
-    (cd "$dir/debs" && apt-get "$@" download $list) >>"$dir/log" 2>&1
+    local list package
+    for package in "${packages[@]}"; do
+        list=$(wanted "$package" "$@") || continue
+        [[ $list == *"$package"* ]] || continue
+        # shellcheck disable=SC2086 # one word a package
+        (cd "$dir/debs" && apt-get "$@" download $list) >>"$dir/log" 2>&1 && return
+    done
+    return 1
 }
 
 # Package lists that are missing or stale are renewed in a private folder: that needs no rights and changes nothing here.
 private=(-o "Dir::State::Lists=$dir/lists" -o "Dir::Cache=$dir/cache" -o Debug::NoLocking=1)
 if ! download; then
     mkdir -p "$dir/lists/partial" "$dir/cache/archives/partial"
-    apt-get "${private[@]}" update >>"$dir/log" 2>&1 || missing "the package lists cannot be fetched (see target/emulators/log)"
-    download "${private[@]}" || missing "the packages of qemu-system-arm cannot be fetched (see target/emulators/log)"
+    apt-get "${private[@]}" update >>"$dir/log" 2>&1 || missing "the package lists cannot be fetched (see target/emulators/$arch/log)"
+    download "${private[@]}" || missing "the packages of $program cannot be fetched (see target/emulators/$arch/log)"
 fi
 for deb in "$dir"/debs/*.deb; do
     dpkg -x "$deb" "$dir"
@@ -66,14 +83,14 @@ rm -rf "$dir/debs" "$dir/lists" "$dir/cache"
 mkdir -p "$dir/bin"
 cat >"$wrapper" <<'T'
 #!/usr/bin/env bash
-# Starts the unpacked emulator with the libraries unpacked beside it.
+# Starts the unpacked emulator of this name with the libraries unpacked beside it.
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 libs=$(printf '%s:' "$root"/usr/lib/*-linux-gnu* "$root"/lib/*-linux-gnu*)
-LD_LIBRARY_PATH=${libs%:} exec "$root/usr/bin/qemu-system-arm" -L "$root/usr/share/qemu" "$@"
+LD_LIBRARY_PATH=${libs%:} exec "$root/usr/bin/$(basename "$0")" -L "$root/usr/share/qemu" "$@"
 T
 chmod +x "$wrapper"
 if ! usable "$wrapper"; then
     "$wrapper" --version >&2 || true
-    missing "the unpacked qemu-system-arm does not start"
+    missing "the unpacked $program does not start"
 fi
 echo "$wrapper"

@@ -1,22 +1,26 @@
 #!/usr/bin/env bash
-# Cargo's runner for bare-metal Arm: qemu.sh TARGET ELF runs the program on the emulated board of that target.
+# Cargo's runner for bare metal: qemu.sh TARGET ELF runs the program on the emulated board of that target.
 # The exit status is the program's own; 3 where there is no emulator, 124 where the program did not end in time.
 set -euo pipefail
 
 target=$1 elf=$2
+# One instruction is 2^10 ns of virtual time (on RISC-V 1 ns): runs repeat exactly and the counting firmware reads instructions off a timer.
+arch=arm shift=10
 case $target in
-thumbv6m-*) board=microbit ;;
-thumbv7m-*) board=mps2-an385 ;;
-thumbv7em-*) board=mps2-an386 ;;
+thumbv6m-*) board=(microbit) ;;
+thumbv7m-*) board=(mps2-an385) ;;
+thumbv7em-*) board=(mps2-an386) ;;
+# The boards with a Cortex-M33 have their flash elsewhere; this one takes any core.
+thumbv8m.main-*) board=(lm3s6965evb -cpu cortex-m33) ;;
+riscv32*) board=(virt -bios none) arch=riscv32 shift=0 ;;
 *)
     echo "qemu.sh: no board is known for $target" >&2
     exit 2
     ;;
 esac
 
-qemu=$("$(dirname "${BASH_SOURCE[0]}")/get-emulators.sh") || exit 3
+qemu=$("$(dirname "${BASH_SOURCE[0]}")/get-emulators.sh" "$arch") || exit 3
 
-# One instruction is 2^10 ns of virtual time: runs repeat exactly and the counting firmware reads instructions off a timer.
 # Without "-monitor none -serial none" the emulator would take the terminal's input.
-exec timeout "${QEMU_SECONDS:-120}" "$qemu" -machine "$board" -icount shift=10 \
+exec timeout "${QEMU_SECONDS:-120}" "$qemu" -machine "${board[@]}" -icount "shift=$shift" \
     -nographic -monitor none -serial none -semihosting-config enable=on,target=native -kernel "$elf" </dev/null

@@ -4,6 +4,8 @@
 //! cargo run --release --example firmware                               this computer
 //! cargo run --release --example firmware --target thumbv6m-none-eabi   a Cortex-M0 (micro:bit, emulated)
 //! cargo run --release --example firmware --target thumbv7m-none-eabi   a Cortex-M3 (mps2-an385, emulated)
+//!   ... thumbv7em-none-eabihf, thumbv8m.main-none-eabihf               a Cortex-M4F, a Cortex-M33 (emulated)
+//!   ... riscv32imc-unknown-none-elf, riscv32imac-unknown-none-elf      RISC-V (virt, emulated)
 //! cargo firmware-defmt 2> frames.bin                                   with defmt: frames on standard error
 //! ```
 //!
@@ -89,9 +91,20 @@ fn main() -> std::process::ExitCode {
     }
 }
 
+/// For a page or a script: the hash of all frames, 0 where there is no run.
+#[cfg(target_arch = "wasm32")]
+#[allow(unsafe_code, reason = "a name that the host finds is promised to be the only one")]
+#[unsafe(no_mangle)]
+pub extern "C" fn firmware_hash() -> u32 {
+    run(|_, _| {}).map_or(0, |outcome| outcome.hash)
+}
+
 #[cfg(target_os = "none")]
 mod chip {
-    use cortex_m_rt::{ExceptionFrame, entry, exception};
+    #[cfg(target_arch = "arm")]
+    use cortex_m_rt::entry;
+    #[cfg(target_arch = "riscv32")]
+    use riscv_rt::entry;
     use semihosting::{eprintln, println, process};
 
     #[entry]
@@ -108,10 +121,18 @@ mod chip {
         }
     }
 
-    /// The default handler loops for ever; a fault must end the run.
-    #[exception]
-    unsafe fn HardFault(frame: &ExceptionFrame) -> ! {
+    /// The default handlers loop for ever; a fault must end the run.
+    #[cfg(target_arch = "arm")]
+    #[cortex_m_rt::exception]
+    unsafe fn HardFault(frame: &cortex_m_rt::ExceptionFrame) -> ! {
         eprintln!("hard fault at {:#010x}", frame.pc());
+        process::exit(70)
+    }
+
+    #[cfg(target_arch = "riscv32")]
+    #[unsafe(export_name = "ExceptionHandler")]
+    fn fault(_: &riscv_rt::TrapFrame) -> ! {
+        eprintln!("a trap");
         process::exit(70)
     }
 
