@@ -23,6 +23,7 @@ struct Sweep<'a, W, B> {
 
 impl<B: Body> Run<'_, B> {
     /// Takes the hits of the cells whose inside meets a region; each cell counts as a feature.
+    #[inline(never)]
     pub(super) fn meet_blocks<W: World>(&mut self, world: &W, region: &Aabb, d: Raw, first: &mut First) {
         let body = self.moved.body;
         let bounds = body.bounds();
@@ -76,13 +77,13 @@ impl<W: World, B: Body> Sweep<'_, W, B> {
         }
         let mut entry =
             if self.stays_over(block, dir) { self.enter(a, dir) } else { self.body.sweep_block(self.d, &found) };
-        if self.thin || entry.is_some_and(|entry| entry.at_end) {
+        if self.thin || entry.as_ref().is_some_and(|entry| entry.at_end) {
             // Corner to corner it matters what lies beside the face.
             let before = self.is_full(block, dir.x.wrapping_neg(), dir.y.wrapping_neg());
             found.geometry = shape([before, self.is_full(block, dir.x, dir.y)]);
             entry = self.body.sweep_block(self.d, &found);
         }
-        if let Some(entry) = entry {
+        if let Some(entry) = &entry {
             self.first.add::<B, W>(entry, &found, self.d);
         }
     }
@@ -113,16 +114,16 @@ impl<W: World, B: Body> Sweep<'_, W, B> {
         let (along, down) = (Axis::new(x, 0), Axis::new(0, y.wrapping_neg()));
         let (e_in, e_out) = if x == y { (down.reversed(), along.reversed()) } else { (along, down) };
         let found = feature(block, index, Geometry::Vertex { p: p.vec2(), e_in, e_out });
-        if let Some(entry) = self.body.sweep_block(self.d, &found) {
+        if let Some(entry) = &self.body.sweep_block(self.d, &found) {
             self.first.add::<B, W>(entry, &found, self.d);
         }
     }
 
     #[inline(never)]
     fn meet_one_way(&mut self, block: &Block) {
-        let Some(face) = self.world.one_way_face(block) else { return };
-        if let Some(entry) = self.body.sweep_block(self.d, &face) {
-            self.first.add::<B, W>(entry, &face, self.d);
+        let Some(face) = &self.world.one_way_face(block) else { return };
+        if let Some(entry) = &self.body.sweep_block(self.d, face) {
+            self.first.add::<B, W>(entry, face, self.d);
         }
     }
 

@@ -142,5 +142,7 @@ pub(super) mod kernel {
         fn toward(&self, quadrant: Axis) -> (Raw, i32);
         /// Whether the body overlaps the level: strict and exact.
         fn overlaps_world<W: World>(&self, world: &W) -> bool;
+        /// Whether a point is in the inside of the level's solid, by the tests that such bodies link.
+        fn is_inside<W: World>(world: &W, p: Raw) -> bool;
     }
 }

@@ -1,5 +1,6 @@
 //! Bodies cast through a level: the first hit of a motion, without a response.
 
+use super::around::Around;
 use super::body::Body;
 use super::run::{Run, check_inside};
 use super::{Hit, Moved, Work};
@@ -124,7 +125,8 @@ fn cast<W: World, B: Body>(
     let d = Raw::of(motion);
     check_inside(&body.bounds(), d)?;
     let mut moved = Moved::freely(*body, motion, 0);
-    let mut run = Run::new(&mut moved);
+    let mut around = Around::NOTHING;
+    let mut run = Run::new(&mut moved, &mut around);
     run.pass_one_way = !rules.one_way;
     run.inside = run.overlaps(world, body);
     if run.inside && matches!(rules.inside, Inside::Hit) {

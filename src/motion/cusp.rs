@@ -1,22 +1,20 @@
-//! Where a point stops that no feature opposes.
+//! Where a body without area stops that no feature opposes.
 
 use super::around::hull;
 use super::body::{Body, Entry};
+use super::order::First;
 use super::plane::way;
 use super::run::Run;
 use crate::num::{Axis, Raw};
-use crate::world::{Feature, Geometry, World};
+use crate::world::{Geometry, World};
 
 impl<B: Body> Run<'_, B> {
-    /// Makes a motion that meets nothing; where the solid refuses it all the same, what it did meet.
+    /// Takes the first end of a convex arc at which a body that has no extent across its motion runs into the solid, where that is before all else that
+    /// it meets.
     ///
-    /// Among blocks its end is certain: the sweeps are exact, so what starts outside of the solid and hits nothing ends outside of it.
-    pub(super) fn arrive<W: World>(&mut self, world: &W, d: Raw) -> Option<(Entry, Feature)> {
-        if self.place(world, d, W::CERTAIN, &[d]).is_zero() && W::ROUND { self.cusp(world, d) } else { None }
-    }
-
-    /// Where a point runs into the cusp between a convex arc and the surface that it touches. Both are tangent to the motion, and behind the end
-    /// of the arc there is no face.
+    /// The gap between an arc and the surface that it touches closes to nothing: both are tangent to the motion, and what is solid behind the end of
+    /// the arc has no face there. Only a motion along x or y that comes along the tangent gets there. From the end on it is in the inside of the
+    /// solid, or in none for at least half a cell: a raw unit farther tells which. What has a face there is met by that, at the same moment.
     ///
     /// ```text
     ///       ....          the arc ends at P with the motion's direction; the floor goes on behind P, and so does the solid above it
@@ -25,26 +23,32 @@ impl<B: Body> Run<'_, B> {
     ///   .......solid.....
     /// ```
     #[inline(never)]
-    fn cusp<W: World>(&self, world: &W, d: Raw) -> Option<(Entry, Feature)> {
-        if d.x != 0 && d.y != 0 {
-            return None;
-        }
-        let normal = Axis::new(d.x.signum().wrapping_neg(), d.y.signum().wrapping_neg());
-        let mut first: Option<(Entry, Feature)> = None;
-        for feature in world.features(&hull(&self.moved.body.bounds(), Raw::ZERO, d, 1)) {
+    pub(super) fn meet_cusp<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
+        let bounds = self.moved.body.bounds();
+        let (lo, hi) = (bounds.lo(), bounds.hi());
+        let front = Raw { x: if d.x > 0 { hi.x } else { lo.x }, y: if d.y > 0 { hi.y } else { lo.y } };
+        let step = Raw { x: d.x.signum(), y: d.y.signum() };
+        let mut features = world.features(&hull(&bounds, Raw::ZERO, d, 1));
+        while let Some(feature) = &features.next() {
+            self.moved.work.features += 1;
             let Geometry::Arc { centre, radius, quadrant, convex: true } = feature.geometry else { continue };
-            let (at, r) = self.moved.body.toward(quadrant.reversed());
             let (x, y) = if d.x == 0 { (quadrant.x, 0) } else { (0, quadrant.y) };
-            let end = Raw { x: x.wrapping_mul(radius), y: y.wrapping_mul(radius) };
-            let q = Raw::of(centre).add(end).sub(at);
-            if r != 0 || q.cross(d) != 0 || q.dot(d) < 0 || way(q) > way(d) {
+            let end = Raw::of(centre).add(Raw { x: x.wrapping_mul(radius), y: y.wrapping_mul(radius) });
+            let q = end.sub(front);
+            if q.cross(d) != 0 || q.dot(d) < 0 || way(q) >= way(d) || first.is_within(way(q), way(d)) {
                 continue;
             }
-            if first.is_none_or(|(entry, _)| way(q) < entry.num) {
+            if B::is_inside(world, end.add(step)) {
+                let normal = Axis::new(step.x.wrapping_neg(), step.y.wrapping_neg());
                 let entry = Entry { num: way(q), den: way(d), normal, at_end: true, step: Some(q) };
-                first = Some((entry, feature));
+                first.only(&entry, feature);
             }
         }
-        first
+    }
+
+    /// Whether the motion is along x or y and the body has no extent across it.
+    pub(super) fn may_meet_cusp(&self, d: Raw) -> bool {
+        let bounds = self.moved.body.bounds();
+        (d.x == 0 && bounds.lo().x == bounds.hi().x) || (d.y == 0 && bounds.lo().y == bounds.hi().y)
     }
 }

@@ -11,6 +11,7 @@ use super::run::{Run, check_inside, piece_of, pieces};
 use super::sweep_vertex::is_square;
 use super::{MoveError, Moved, StartInside, Stuck};
 use crate::num::{Axis, MOTION, Raw, Toi, Vec2, check_motion, mul_div};
+use crate::shape::Aabb;
 use crate::world::{Feature, Geometry, World};
 
 /// What a body does when it runs into something. The words are bump.lua's.
@@ -173,45 +174,27 @@ impl<S: Law> Mover<S> {
     ) -> Result<Moved<B>, MoveError> {
         check_motion(velocity, MOTION)?;
         body.check_size()?;
-        if velocity == Vec2::ZERO {
-            return Ok(Moved::freely(*body, velocity, 0));
+        let (d, mut around) = (Raw::of(velocity), Around::NOTHING);
+        if d.is_zero() || flies(world, &body.bounds(), d, &mut around) {
+            return Ok(Moved::freely(body.shifted(d), velocity, u32::from(!d.is_zero())));
         }
-        // Most bodies fly: what is seen to be empty needs no more.
-        let (bounds, d, mut around) = (body.bounds(), Raw::of(velocity), Around::NOTHING);
-        let pieces = pieces(world, &bounds, d);
-        let first = if pieces == 1 { d } else { Raw::ZERO };
-        around.look(world, &piece_of(&bounds, Raw::ZERO, first, pieces));
-        if pieces == 1 && around.is_empty() && check_inside(&bounds, d).is_ok() {
-            return Ok(Moved::freely(body.shifted(d), velocity, 1));
-        }
-        self.among(world, body, velocity, &around)
-    }
-
-    /// The same where there may be something on the way, of which some is known.
-    #[inline(never)]
-    fn among<W: World, B: Body>(&self, world: &W, body: &B, v: Vec2, around: &Around) -> Result<Moved<B>, MoveError> {
-        let mut moved = Moved::freely(*body, v, 0);
-        self.make(world, &mut moved, around)?;
-        Ok(moved)
-    }
-
-    #[inline(never)]
-    fn make<W: World, B: Body>(&self, world: &W, moved: &mut Moved<B>, around: &Around) -> Result<(), MoveError> {
-        let mut run = Run::knowing(moved, *around);
+        let mut moved = Moved::freely(*body, velocity, 0);
+        let mut run = Run::new(&mut moved, &mut around);
         self.begin(world, &mut run)?;
         self.slide::<W, B, false>(world, &mut run)?;
         run.end::<W>();
-        Ok(())
+        Ok(moved)
     }
 
     pub(super) fn start<'m, W: World, B: Body>(
         &self,
         world: &W,
         moved: &'m mut Moved<B>,
+        around: &'m mut Around,
     ) -> Result<Run<'m, B>, MoveError> {
         check_motion(moved.velocity, MOTION)?;
         moved.body.check_size()?;
-        let mut run = Run::new(moved);
+        let mut run = Run::new(moved, around);
         self.begin(world, &mut run)?;
         Ok(run)
     }
@@ -235,7 +218,7 @@ impl<S: Law> Mover<S> {
             let d = if !W::BLOCKS && run.creeps { run.ahead() } else { run.motion };
             check_inside(&run.moved.body.bounds(), d)?;
             run.moved.work.iterations += 1;
-            let mut first = First::NONE;
+            let mut first = First::none();
             run.find_first(world, d, &mut first);
             let hit = first.hit::<B, W>(&run.moved.body, d);
             if !W::BLOCKS && run.creeps {
@@ -244,10 +227,12 @@ impl<S: Law> Mover<S> {
                     self.wedge::<W, B>(run, d, entry, feature);
                 }
             } else if let Some((entry, feature)) = hit {
-                self.respond::<W, B, WALKS>(world, run, d, entry, feature);
-            } else if let Some((entry, feature)) = run.arrive(world, d) {
-                self.respond::<W, B, WALKS>(world, run, d, &entry, &feature);
+                if let Some(side) = self.meet(run, entry, feature) {
+                    let made = run.advance(world, d, entry);
+                    self.respond::<W, B, WALKS>(run, (d, made), side, entry, feature);
+                }
             } else {
+                run.arrive(world, d);
                 run.motion = Raw::ZERO;
                 if W::ROUND {
                     run.follow();
@@ -277,15 +262,9 @@ impl<S: Law> Mover<S> {
         if into < 0 && may_be_askew::<B, W>() { project::<B, W, _>(v, up.perp(), &Smooth) } else { v }
     }
 
+    /// Records a hit; what it is to a body that does not pass it.
     #[inline(never)]
-    fn respond<W: World, B: Body, const WALKS: bool>(
-        &self,
-        world: &W,
-        run: &mut Run<'_, B>,
-        d: Raw,
-        entry: &Entry,
-        feature: &Feature,
-    ) {
+    fn meet<B: Body>(&self, run: &mut Run<'_, B>, entry: &Entry, feature: &Feature) -> Option<Side> {
         let time = run.rest.raw() - run.after.raw();
         let toi = Toi::ONE.raw() - run.rest.raw() + mul_div(time, entry.num, entry.den);
         // A corner's time is a lower bound: behind a face that the body has passed exactly, it is not before that.
@@ -294,11 +273,24 @@ impl<S: Law> Mover<S> {
         run.record(entry.normal, feature, Toi::clamped(toi));
         if feature.one_way && self.passes_one_way() {
             run.pass_one_way = true;
-            return;
+            return None;
         }
         let side = self.side(entry.normal);
         run.meet(side);
-        let made = run.advance(world, d, entry);
+        Some(side)
+    }
+
+    /// Gives the velocity its direction after a hit: of a motion `d`, of which the displacement `made` led up to it.
+    #[inline(never)]
+    fn respond<W: World, B: Body, const WALKS: bool>(
+        &self,
+        run: &mut Run<'_, B>,
+        (d, made): (Raw, Raw),
+        side: Side,
+        entry: &Entry,
+        feature: &Feature,
+    ) {
+        let time = run.rest.raw() - run.after.raw();
         let bend = bend(entry, feature);
         if !made.is_zero() {
             let came = way(made) > NEAR && (W::BLOCKS || !is_hop(entry, bend));
@@ -356,6 +348,15 @@ impl<S: Law> Mover<S> {
         run.settle();
         run.creeps = false;
     }
+}
+
+/// Whether a body flies, as most do: where all that its motion comes to is seen to be empty, no more is asked.
+#[inline]
+fn flies<W: World>(world: &W, bounds: &Aabb, d: Raw, around: &mut Around) -> bool {
+    let pieces = pieces(world, bounds, d);
+    let first = if pieces == 1 { d } else { Raw::ZERO };
+    around.look(world, &piece_of(bounds, Raw::ZERO, first, pieces));
+    pieces == 1 && around.is_empty() && check_inside(bounds, d).is_ok()
 }
 
 /// Whether a hit is that of a body which has left a rounded surface along its tangent, and falls back on it.

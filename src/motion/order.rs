@@ -9,38 +9,74 @@ use crate::world::{Feature, Geometry, World};
 /// Each is the first by an order of its own, and the two are compared by what is exact of both once all are known. So the order of visits does
 /// not matter, as it might if bounds and exact times were in one order: of three, each could be before the next.
 pub(super) struct First {
-    flat: Option<(Entry, Feature)>,
-    round: Option<(Entry, Feature)>,
+    flat: Slot,
+    round: Slot,
+}
+
+/// The first of an order: both or none. Apart, so that each is written in its place.
+struct Slot {
+    entry: Option<Entry>,
+    feature: Option<Feature>,
+}
+
+impl Slot {
+    #[inline]
+    fn empty() -> Self {
+        Self { entry: None, feature: None }
+    }
+
+    fn put(&mut self, entry: &Entry, feature: &Feature) {
+        (self.entry, self.feature) = (Some(*entry), Some(*feature));
+    }
+
+    fn hit(&self) -> Option<(&Entry, &Feature)> {
+        self.entry.as_ref().zip(self.feature.as_ref())
+    }
 }
 
 impl First {
-    pub(super) const NONE: Self = Self { flat: None, round: None };
+    #[inline]
+    pub(super) fn none() -> Self {
+        Self { flat: Slot::empty(), round: Slot::empty() }
+    }
 
-    pub(super) fn add<B: Body, W: World>(&mut self, entry: Entry, feature: &Feature, d: Raw) {
+    /// Takes a hit that is before all others.
+    pub(super) fn only(&mut self, entry: &Entry, feature: &Feature) {
+        self.flat = Slot::empty();
+        self.round.put(entry, feature);
+    }
+
+    #[inline(never)]
+    pub(super) fn add<B: Body, W: World>(&mut self, entry: &Entry, feature: &Feature, d: Raw) {
         let all_flat = W::BLOCKS && !B::MEETS_CORNERS;
         let slot = if all_flat || entry.step.is_none() { &mut self.flat } else { &mut self.round };
         let before = |first: &Entry| if W::BLOCKS { entry.before(first, d) } else { entry.before_askew(first, d) };
-        match slot {
-            Some((first, of)) if entry.same_as(first) => merge(of, feature),
-            Some((first, _)) if !before(first) => {}
-            _ => *slot = Some((entry, *feature)),
+        match (&slot.entry, &mut slot.feature) {
+            (Some(first), Some(of)) if entry.same_as(first) => merge(of, feature),
+            (Some(first), _) if !before(first) => {}
+            _ => slot.put(entry, feature),
         }
     }
 
     /// Whether there is one in the first `piece` of so many pieces of the motion.
     pub(super) fn is_within(&self, piece: u32, pieces: u32) -> bool {
-        let within = |hit: &Option<(Entry, Feature)>| {
-            hit.as_ref().is_some_and(|(e, _)| umul(e.num, pieces) <= umul(e.den, piece))
-        };
+        let within = |slot: &Slot| slot.entry.as_ref().is_some_and(|e| umul(e.num, pieces) <= umul(e.den, piece));
         within(&self.flat) || within(&self.round)
     }
 
     /// The first of all; of one moment the face.
-    pub(super) fn hit<B: Body, W: World>(&self, body: &B, d: Raw) -> Option<&(Entry, Feature)> {
-        match (&self.flat, &self.round) {
-            (flat, _) if W::BLOCKS && !B::MEETS_CORNERS => flat.as_ref(),
-            (Some(flat), Some(round)) => Some(if is_earlier(body, d, round, &flat.0) { round } else { flat }),
-            (flat, round) => flat.as_ref().or(round.as_ref()),
+    pub(super) fn hit<B: Body, W: World>(&self, body: &B, d: Raw) -> Option<(&Entry, &Feature)> {
+        let (flat, round) = (self.flat.hit(), self.round.hit());
+        match (flat, round) {
+            _ if W::BLOCKS && !B::MEETS_CORNERS => flat,
+            (Some((before, _)), Some(after)) => {
+                if is_earlier(body, d, after, before) {
+                    round
+                } else {
+                    flat
+                }
+            }
+            _ => flat.or(round),
         }
     }
 }
@@ -49,7 +85,7 @@ impl First {
 ///
 /// Where it does so by a bound that is early by less than a raw unit of way, the place at the moment of the face decides: inside of the disc that
 /// it enters, or already leaving it; outside of the disc that it leaves.
-fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): &(Entry, Feature), flat: &Entry) -> bool {
+fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), flat: &Entry) -> bool {
     if umul(round.num, flat.den) >= umul(flat.num, round.den) {
         return false;
     }

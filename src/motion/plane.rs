@@ -8,16 +8,11 @@ use crate::world::World;
 /// The planes that a body touches, at most one for each iteration.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Planes {
-    list: [Plane; Self::MAX],
-    len: usize,
+    normals: [Axis; Self::MAX],
+    bends: [Bend; Self::MAX],
+    len: u8,
     /// Whether the body came flying to the first of them.
     pub(super) landed: bool,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Plane {
-    normal: Axis,
-    bend: Bend,
 }
 
 /// What a plane is the tangent of: how its normal turns where the body goes on.
@@ -40,7 +35,7 @@ impl Planes {
     pub(super) const MAX: usize = 4;
 
     pub(super) const NONE: Self =
-        Self { list: [Plane { normal: Axis::X, bend: Bend::Flat }; Self::MAX], len: 0, landed: false };
+        Self { normals: [Axis::X; Self::MAX], bends: [Bend::Flat; Self::MAX], len: 0, landed: false };
 
     /// None yet, of a body that comes flying (`landed`) or that has hardly moved.
     pub(super) fn ahead(landed: bool) -> Self {
@@ -49,8 +44,9 @@ impl Planes {
 
     /// Keeps the first [`Planes::MAX`]; the mover makes no more hits than that.
     pub(super) fn push(&mut self, normal: Axis, bend: Bend) {
-        if let Some(slot) = self.list.get_mut(self.len) {
-            *slot = Plane { normal, bend };
+        let place = usize::from(self.len);
+        if let (Some(n), Some(b)) = (self.normals.get_mut(place), self.bends.get_mut(place)) {
+            (*n, *b) = (normal, bend);
             self.len += 1;
         }
     }
@@ -63,8 +59,8 @@ impl Planes {
     /// Whether a displacement leads neither to nor from any of them, and one is of what rounding does not find exactly. The faces and corners of
     /// blocks are what they are in a level of blocks.
     pub(super) fn are_near(&self, made: Raw) -> bool {
-        let planes = || self.list.iter().take(self.len);
-        planes().any(Plane::is_askew) && planes().all(|p| is_near(made, p.normal, NEAR))
+        self.all().any(|(n, bend)| bend != Bend::Corner && n.x != 0 && n.y != 0)
+            && self.iter().all(|n| is_near(made, n, NEAR))
     }
 
     /// Whether some are left after the body has moved: faces that it has not risen from, and what is within [`NEAR`]; of a body that lay on
@@ -75,14 +71,13 @@ impl Planes {
         let near = way(made) <= NEAR;
         let old = *self;
         *self = Self { landed: self.landed, ..Self::NONE };
-        for plane in old.list.iter().take(old.len) {
-            let n = plane.normal;
-            if near || (plane.bend == Bend::Flat && into(made, n) <= margin(n, NEAR)) {
-                self.push(n, plane.bend);
-            } else if !self.landed && matches!(plane.bend, Bend::Convex | Bend::Concave) {
-                let n = plane.turned(made);
+        for (n, bend) in old.all() {
+            if near || (bend == Bend::Flat && into(made, n) <= margin(n, NEAR)) {
+                self.push(n, bend);
+            } else if !self.landed && matches!(bend, Bend::Convex | Bend::Concave) {
+                let n = bend.turned(n, made);
                 if into(made, n).unsigned_abs() * 4 <= umul(way(made), n.x.unsigned_abs().max(n.y.unsigned_abs())) {
-                    self.push(n, plane.bend);
+                    self.push(n, bend);
                 }
             }
         }
@@ -90,7 +85,11 @@ impl Planes {
     }
 
     fn iter(&self) -> impl Iterator<Item = Axis> {
-        self.list.iter().take(self.len).map(|plane| plane.normal)
+        self.normals.iter().copied().take(self.len.into())
+    }
+
+    fn all(&self) -> impl Iterator<Item = (Axis, Bend)> {
+        self.iter().zip(self.bends)
     }
 
     pub(super) fn allow(&self, v: Raw) -> bool {
@@ -134,21 +133,16 @@ impl Planes {
     }
 }
 
-impl Plane {
-    fn is_askew(&self) -> bool {
-        self.bend != Bend::Corner && self.normal.x != 0 && self.normal.y != 0
-    }
-
+impl Bend {
     /// The normal after a displacement. One along x or y has length one: it stays.
-    fn turned(&self, made: Raw) -> Axis {
-        let Axis { x, y } = self.normal;
-        if x == 0 || y == 0 {
-            return self.normal;
+    fn turned(self, n: Axis, made: Raw) -> Axis {
+        if n.x == 0 || n.y == 0 {
+            return n;
         }
-        match self.bend {
-            Bend::Flat | Bend::Corner => self.normal,
-            Bend::Convex => Axis::new(x.wrapping_add(made.x), y.wrapping_add(made.y)),
-            Bend::Concave => Axis::new(x.wrapping_sub(made.x), y.wrapping_sub(made.y)),
+        match self {
+            Self::Flat | Self::Corner => n,
+            Self::Convex => Axis::new(n.x.wrapping_add(made.x), n.y.wrapping_add(made.y)),
+            Self::Concave => Axis::new(n.x.wrapping_sub(made.x), n.y.wrapping_sub(made.y)),
         }
     }
 }

@@ -18,7 +18,7 @@ use crate::world::{Feature, Geometry, Way, World};
 pub(super) struct Run<'m, B> {
     /// The result so far, where the caller wants it.
     pub(super) moved: &'m mut Moved<B>,
-    around: Around,
+    around: &'m mut Around,
     pub(super) v: Raw,
     /// The motion that is left to make.
     pub(super) motion: Raw,
@@ -51,14 +51,9 @@ pub(super) struct Place<B> {
 }
 
 impl<'m, B: Body> Run<'m, B> {
-    /// Of a body that has hit nothing yet.
-    pub(super) fn new(moved: &'m mut Moved<B>) -> Self {
-        Self::knowing(moved, Around::NOTHING)
-    }
-
-    /// Where something is known of the level already.
+    /// Of a body that has hit nothing yet; something may be known of the level already.
     #[inline]
-    pub(super) fn knowing(moved: &'m mut Moved<B>, around: Around) -> Self {
+    pub(super) fn new(moved: &'m mut Moved<B>, around: &'m mut Around) -> Self {
         let v = Raw::of(moved.velocity);
         Self {
             moved,
@@ -104,9 +99,9 @@ impl<'m, B: Body> Run<'m, B> {
 
     /// The first hit of the motion.
     pub(super) fn first_hit<W: World>(&mut self, world: &W, d: Raw) -> Option<(Entry, Feature)> {
-        let mut first = First::NONE;
+        let mut first = First::none();
         self.find_first(world, d, &mut first);
-        first.hit::<B, W>(&self.moved.body, d).copied()
+        first.hit::<B, W>(&self.moved.body, d).map(|(entry, feature)| (*entry, *feature))
     }
 
     /// Looks for the first hit of the motion. Cells are visited piece by piece so that the work is linear in the motion's length; the sweeps
@@ -114,40 +109,48 @@ impl<'m, B: Body> Run<'m, B> {
     #[inline(never)]
     pub(super) fn find_first<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
         let bounds = self.moved.body.bounds();
-        let pieces = pieces(world, &bounds, d);
-        let (whole, joints) = (hull(&bounds, Raw::ZERO, d, 1), self.moved.body.meets_joints());
-        let (mut from, mut seen) = (Raw::ZERO, None);
+        let (pieces, mut from, mut before) = (pieces(world, &bounds, d), Raw::ZERO, None);
         for piece in 0..pieces {
             let to = part(d, piece + 1, pieces);
             let region = piece_of(&bounds, from, to, pieces);
-            let before = seen.replace(region);
             from = to;
             self.around.look(world, &region);
-            let Some(piece_held) = self.around.held_in(&region) else { continue };
-            if W::GRID {
-                self.meet_blocks(world, &piece_held, d, first);
-            } else {
-                self.meet_features(world, &Way { piece: piece_held, before, whole, d, joints }, first);
+            if let Some(held) = self.around.held_in(&region) {
+                if W::GRID {
+                    self.meet_blocks(world, &held, d, first);
+                } else {
+                    self.meet_features(world, &held, before.as_ref(), d, first);
+                }
+                // Later pieces hold only later hits.
+                if first.is_within(piece + 1, pieces) {
+                    break;
+                }
             }
-            // Later pieces hold only later hits.
-            if first.is_within(piece + 1, pieces) {
-                break;
-            }
+            before = Some(region);
+        }
+        if W::ROUND && self.may_meet_cusp(d) {
+            self.meet_cusp(world, d, first);
         }
     }
 
-    fn meet_features<W: World>(&mut self, world: &W, way: &Way, first: &mut First) {
-        let (body, d) = (self.moved.body, way.d);
-        for feature in world.features_ahead(way) {
+    /// Takes the hits of the features of a piece of the motion.
+    #[inline(never)]
+    fn meet_features<W: World>(&mut self, world: &W, piece: &Aabb, before: Option<&Aabb>, d: Raw, first: &mut First) {
+        let body = &self.moved.body;
+        let (whole, joints) = (hull(&body.bounds(), Raw::ZERO, d, 1), body.meets_joints());
+        let mut features = world.features_ahead(&Way { piece, before, whole, d, joints });
+        // By reference, as all that is larger than a few words: copies of features and entries would be most of the stack.
+        while let Some(feature) = &features.next() {
             self.moved.work.features += 1;
             if feature.one_way && self.pass_one_way {
                 continue;
             }
             self.guarded |= !W::BLOCKS && feature.one_way;
-            let entry = if W::BLOCKS {
-                body.sweep_block(d, &feature)
+            let body = &self.moved.body;
+            let entry = &if W::BLOCKS {
+                body.sweep_block(d, feature)
             } else if W::ROUND || !matches!(feature.geometry, Geometry::Arc { .. }) {
-                body.sweep(d, &feature)
+                body.sweep(d, feature)
             } else {
                 None
             };
@@ -155,7 +158,7 @@ impl<'m, B: Body> Run<'m, B> {
             if !W::BLOCKS && self.creeps && into(self.v, entry.normal) >= 0 {
                 continue;
             }
-            first.add::<B, W>(entry, &feature, d);
+            first.add::<B, W>(entry, feature, d);
         }
     }
 
@@ -163,49 +166,59 @@ impl<'m, B: Body> Run<'m, B> {
     ///
     /// Where a box meets blocks the first displacement is certain: at the exact place of the hit it is on the outer side of one face's line of
     /// each rectangle of solid, those lines are integers, and rounding toward the integer start passes none.
+    #[inline(never)]
     pub(super) fn advance<W: World>(&mut self, world: &W, d: Raw, entry: &Entry) -> Raw {
+        // Corners: rounding away from one corner may graze another. Lattice neighbours toward the start, then aside, then two back.
+        const STEPS: [(i32, i32); 7] = [(0, 0), (-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
         let q = entry.displacement(d);
         if q.is_zero() {
             return q;
         }
-        // Corners: rounding away from one corner may graze another. Lattice neighbours toward the start, then aside, then two back.
-        let (sx, sy) = (d.x.signum(), d.y.signum());
-        let at = |x: i32, y: i32| Raw { x: q.x.wrapping_add(x), y: q.y.wrapping_add(y) };
-        let choices = [q, at(-sx, -sy), at(sx, 0), at(0, sy), at(-sx, 0), at(0, -sy), at(-2 * sx, -2 * sy)];
-        self.place(world, d, W::CERTAIN && !B::MEETS_CORNERS, &choices)
-    }
-
-    /// Takes the first displacement that the exact overlap test accepts, else stays; returns the displacement made. None leads beyond either
-    /// end of the motion `d`, and so none out of the domain.
-    pub(super) fn commit<W: World>(&mut self, world: &W, d: Raw, displacements: &[Raw]) -> Raw {
-        self.place(world, d, false, displacements)
-    }
-
-    /// The same, of displacements of which the first may be `certain`: what is certain or known needs no test.
-    pub(super) fn place<W: World>(&mut self, world: &W, d: Raw, certain: bool, displacements: &[Raw]) -> Raw {
-        for q in displacements {
-            let q = Raw { x: q.x.clamp(d.x.min(0), d.x.max(0)), y: q.y.clamp(d.y.min(0), d.y.max(0)) };
-            let candidate = self.moved.body.shifted(q);
-            let free =
-                (certain && !self.inside) || self.is_free(&candidate.bounds()) || !self.overlaps(world, &candidate);
-            debug_assert!(!free || !candidate.overlaps_world(world), "a place was taken for free");
-            if (free || self.inside) && (W::BLOCKS || !self.guarded || !self.passes_one_way(world, q)) {
-                (self.moved.body, self.inside) = (candidate, !free);
+        for (x, y) in STEPS {
+            let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
+            let q = on_the_way(q.add(step), d);
+            if self.take(world, q, W::CERTAIN && !B::MEETS_CORNERS) {
                 return q;
             }
         }
         Raw::ZERO
     }
 
+    /// Takes the first displacement that the exact overlap test accepts, else stays; returns the displacement made. None leads beyond either
+    /// end of the motion `d`, and so none out of the domain.
+    pub(super) fn commit<W: World>(&mut self, world: &W, d: Raw, displacements: &[Raw]) -> Raw {
+        let mut choices = displacements.iter().map(|&q| on_the_way(q, d));
+        choices.find(|&q| self.take(world, q, false)).unwrap_or(Raw::ZERO)
+    }
+
+    /// Makes a motion that meets nothing.
+    ///
+    /// Among blocks its end is certain: the sweeps are exact, so what starts outside of the solid and hits nothing ends outside of it.
+    pub(super) fn arrive<W: World>(&mut self, world: &W, d: Raw) {
+        self.take(world, d, W::CERTAIN);
+    }
+
+    /// Moves by a displacement if the exact overlap test accepts its end; what is `certain` or known needs no test.
+    #[inline(never)]
+    fn take<W: World>(&mut self, world: &W, q: Raw, certain: bool) -> bool {
+        let candidate = self.moved.body.shifted(q);
+        let free = (certain && !self.inside) || self.is_free(&candidate.bounds()) || !self.overlaps(world, &candidate);
+        debug_assert!(!free || !candidate.overlaps_world(world), "a place was taken for free");
+        let takes = (free || self.inside) && (W::BLOCKS || !self.guarded || !self.passes_one_way(world, q));
+        if takes {
+            (self.moved.body, self.inside) = (candidate, !free);
+        }
+        takes
+    }
+
     /// Whether a rounded displacement leads through a one-way face: no overlap test would object, and the body would fall through. Faces
     /// along x and y need no such care, rounding keeps a body on its side of them.
     #[inline(never)]
     fn passes_one_way<W: World>(&mut self, world: &W, q: Raw) -> bool {
-        let body = self.moved.body;
-        let region = hull(&body.bounds(), Raw::ZERO, q, 1);
-        for feature in world.features(&region) {
+        let mut features = world.features(&hull(&self.moved.body.bounds(), Raw::ZERO, q, 1));
+        while let Some(feature) = &features.next() {
             self.moved.work.features += 1;
-            if feature.one_way && !self.pass_one_way && body.sweep(q, &feature).is_some() {
+            if feature.one_way && !self.pass_one_way && self.moved.body.sweep(q, feature).is_some() {
                 return true;
             }
         }
@@ -308,6 +321,11 @@ pub(super) fn check_inside(bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
         }
     }
     Ok(())
+}
+
+/// The displacement nearest to another that leads beyond neither end of a motion.
+fn on_the_way(q: Raw, d: Raw) -> Raw {
+    Raw { x: q.x.clamp(d.x.min(0), d.x.max(0)), y: q.y.clamp(d.y.min(0), d.y.max(0)) }
 }
 
 /// `d * k / n`, rounded toward zero, for a power of two n and k up to n.

@@ -14,8 +14,8 @@ use crate::query::cast::moment::{exit_time, ratio};
 /// Who starts inside of the disc is on another side of the solid, and passes the quadrant's border inside or after leaving: no entry.
 #[inline(never)]
 pub(super) fn enter_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis, closed: bool) -> Option<Entry> {
-    let hit = Crossing::of(m, r, d)?;
-    if enters_quadrant(m, r, d, quadrant, hit.cross, closed) { entry(&hit, m, d) } else { None }
+    let Some(hit) = &Crossing::of(m, r, d) else { return None };
+    if enters_quadrant(m, r, d, quadrant, hit.cross, closed) { entry(hit, m, d) } else { None }
 }
 
 /// The point `m` leaving the disc of radius `r` by `d`, in the closed quadrant.

@@ -1,7 +1,7 @@
 //! A moving box against faces along x and y, and what tells its other cases apart.
 
 use super::body::{Entry, kernel::Kernel};
-use super::sweep_arc::{enter_quarter, leave_by_corner};
+use super::sweep_arc::leave_by_corner;
 use super::sweep_corner::{sweep_peak, sweep_round};
 use super::sweep_slope::sweep_slope;
 use crate::error::{Quantity, RangeError};
@@ -43,11 +43,10 @@ impl Kernel for Aabb {
             Geometry::Arc { centre, radius, quadrant, convex } => {
                 let (corner, _) = self.toward(if convex { quadrant.reversed() } else { quadrant });
                 let centre = Raw::of(centre);
-                let m = corner.sub(centre);
                 if convex {
-                    sweep_round(lo, hi, d, centre, radius, quadrant, enter_quarter(m, radius, d, quadrant, true))
+                    sweep_round((lo, hi), corner, d, (centre, radius, quadrant))
                 } else {
-                    leave_by_corner(m, radius, d, quadrant)
+                    leave_by_corner(corner.sub(centre), radius, d, quadrant)
                 }
             }
         }
@@ -71,6 +70,10 @@ impl Kernel for Aabb {
 
     fn overlaps_world<W: World>(&self, world: &W) -> bool {
         world.overlaps_aabb(self)
+    }
+
+    fn is_inside<W: World>(world: &W, p: Raw) -> bool {
+        world.overlaps_aabb(&Self::from_raw_unchecked(p, p))
     }
 }
 

@@ -81,4 +81,8 @@ impl Kernel for Circle {
     fn overlaps_world<W: World>(&self, world: &W) -> bool {
         world.overlaps_circle(self)
     }
+
+    fn is_inside<W: World>(world: &W, p: Raw) -> bool {
+        world.overlaps_circle(&Self::from_raw_unchecked(p, 0))
+    }
 }

@@ -1,6 +1,7 @@
 //! A moving box against what is not a block: corners and arcs, which it meets with a side.
 
 use super::body::Entry;
+use super::sweep_arc::enter_quarter;
 use super::sweep_box::{Face, sweep_face};
 use crate::num::{Axis, Raw};
 
@@ -10,16 +11,13 @@ use crate::num::{Axis, Raw};
 #[inline(never)]
 pub(super) fn sweep_peak(lo: Raw, hi: Raw, d: Raw, p: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
     let side = |out: i32, back: i32| if (out < 0) != (back < 0) && out != 0 && back != 0 { out.signum() } else { 0 };
-    let by_x = sweep_end(lo, hi, d, p, Axis::new(side(e_in.x, e_out.x), 0));
-    let by_y = sweep_end(lo, hi, d, p, Axis::new(0, side(e_in.y, e_out.y)));
-    match (by_x, by_y) {
-        (Some(x), Some(y)) if x.before(&y, d) => Some(x),
-        (Some(x), None) => Some(x),
-        (_, y) => y,
-    }
+    let mut first = sweep_end(lo, hi, d, p, Axis::new(0, side(e_in.y, e_out.y)));
+    keep_first(&mut first, sweep_end(lo, hi, d, p, Axis::new(side(e_in.x, e_out.x), 0)).as_ref(), d);
+    first
 }
 
 /// Entry of a side of the box that lands on a point of the surface whose normal there is parallel to x or y; none where it is zero.
+#[inline(never)]
 pub(super) fn sweep_end(lo: Raw, hi: Raw, d: Raw, p: Raw, normal: Axis) -> Option<Entry> {
     if normal.is_zero() {
         return None;
@@ -28,27 +26,29 @@ pub(super) fn sweep_end(lo: Raw, hi: Raw, d: Raw, p: Raw, normal: Axis) -> Optio
     sweep_face((lo, hi), 0, d, &Face { a: p, dir, len: 0, joined: [false; 2] })
 }
 
-/// Entry through a convex arc: of the box's corner through the arc itself (`by_corner`), or of a side that lands on an end, where the normal is
-/// along x or y. A flat face that goes on from there is met by the same side.
+/// Entry through a convex arc: of the corner of the box that is nearest to its centre through the arc itself, or of a side that lands on an end, where
+/// the normal is along x or y. A flat face that goes on from there is met by the same side.
 #[inline(never)]
-pub(super) fn sweep_round(
-    lo: Raw,
-    hi: Raw,
-    d: Raw,
-    centre: Raw,
-    radius: i32,
-    quadrant: Axis,
-    by_corner: Option<Entry>,
-) -> Option<Entry> {
+pub(super) fn sweep_round((lo, hi): (Raw, Raw), corner: Raw, d: Raw, arc: (Raw, i32, Axis)) -> Option<Entry> {
+    let (centre, radius, quadrant) = arc;
     let end = |normal: Axis| {
         let p = centre.add(Raw { x: normal.x.wrapping_mul(radius), y: normal.y.wrapping_mul(radius) });
         sweep_end(lo, hi, d, p, normal)
     };
-    let first = |a: Option<Entry>, b: Option<Entry>| match (a, b) {
-        (Some(a), Some(b)) if b.before_askew(&a, d) => Some(b),
-        (a, b) => a.or(b),
-    };
-    first(first(end(Axis::new(quadrant.x, 0)), end(Axis::new(0, quadrant.y))), by_corner)
+    let mut first = end(Axis::new(quadrant.x, 0));
+    keep_first(&mut first, end(Axis::new(0, quadrant.y)).as_ref(), d);
+    keep_first(&mut first, enter_quarter(corner.sub(centre), radius, d, quadrant, true).as_ref(), d);
+    first
+}
+
+/// Takes the other of two entries where it is the first.
+#[inline(never)]
+fn keep_first(first: &mut Option<Entry>, other: Option<&Entry>, d: Raw) {
+    if let Some(other) = other {
+        if first.as_ref().is_none_or(|first| other.before_askew(first, d)) {
+            *first = Some(*other);
+        }
+    }
 }
 
 #[cfg(test)]

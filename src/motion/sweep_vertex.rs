@@ -29,9 +29,9 @@ const fn is_unit(e: Axis) -> bool {
 /// below 180 degrees, cusps included. On the cone's borders, and outside of it, the faces are in charge.
 #[inline(never)]
 pub(super) fn sweep_cone(m: Raw, r: i32, d: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
-    let hit = Crossing::of(m, r, d)?;
+    let Some(hit) = &Crossing::of(m, r, d) else { return None };
     let inside = enters_along(m, d, e_in, hit.cross, r) && enters_along(m, d, e_out.reversed(), hit.cross, r);
-    if inside { entry(&hit, m, d) } else { None }
+    if inside { entry(hit, m, d) } else { None }
 }
 
 /// Whether a point enters the disc around the origin in a quadrant, its borders included where `closed`; `cross` is m x d.

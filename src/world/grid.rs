@@ -243,11 +243,22 @@ const fn span(origin: i32, count: u16, cell: i32, what: Quantity) -> Result<Span
 /// The multiplier of [`Grid::quotient`] and the log2, for `2^8 <= cell <= 2^24`. Runs once a map; mostly in the compiler.
 const fn magic(cell: u32) -> (u32, u8) {
     let log = 31 - cell.leading_zeros() as u8;
-    match (1u64 << (31 + log)).checked_div(cell as u64) {
-        // No power of two divides evenly: the ceiling is one more than the floor.
-        Some(floor) if cell & cell.wrapping_sub(1) != 0 => (floor as u32 + 1, log),
-        _ => (0, log),
+    if cell.is_power_of_two() {
+        return (0, log);
     }
+    // The floor of 2^(31 + log) / cell, a bit a step, without a 64-bit division: the remainder stays below the cell.
+    let (mut floor, mut rem, mut step) = (0u32, 1 << log, 0);
+    while step < 31 {
+        rem <<= 1;
+        floor <<= 1;
+        if rem >= cell {
+            rem = rem.wrapping_sub(cell);
+            floor |= 1;
+        }
+        step += 1;
+    }
+    // No power of two divides evenly: the ceiling is one more than the floor.
+    (floor.wrapping_add(1), log)
 }
 
 #[cfg(test)]

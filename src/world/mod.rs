@@ -97,7 +97,7 @@ pub trait World: sealed::Sealed {
     /// Those of the features that a piece of a motion could run into and the piece before could not: not less, but more may come.
     #[doc(hidden)]
     fn features_ahead(&self, way: &Way) -> Self::Features<'_> {
-        self.features(&way.piece)
+        self.features(way.piece)
     }
 
     /// Whether the surface and the overlap tests are two views of one solid wherever a body can be, so that a place among blocks that no face

@@ -154,8 +154,8 @@ impl<W: World> World for Placed<'_, W> {
     }
 
     fn features_ahead(&self, way: &Way) -> PlacedFeatures<'_, W> {
-        let (piece, whole) = (self.seen(&way.piece), self.seen(&way.whole));
-        let way = Way { piece, whole, before: way.before.map(|b| self.seen(&b)), ..*way };
+        let (piece, before) = (self.seen(way.piece), way.before.map(|before| self.seen(before)));
+        let way = Way { piece: &piece, whole: self.seen(&way.whole), before: before.as_ref(), ..*way };
         PlacedFeatures { features: self.world.features_ahead(&way), offset: self.offset }
     }
 

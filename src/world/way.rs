@@ -7,11 +7,11 @@ use crate::shape::Aabb;
 ///
 /// Public in a private module, because a sealed trait's method takes it.
 #[derive(Clone, Copy, Debug)]
-pub struct Way {
+pub struct Way<'a> {
     /// Holds whatever of the level the inside of the body's bounds meets in this piece.
-    pub(crate) piece: Aabb,
+    pub(crate) piece: &'a Aabb,
     /// What they cover in the piece before.
-    pub(crate) before: Option<Aabb>,
+    pub(crate) before: Option<&'a Aabb>,
     /// What they cover in the whole motion, a raw unit larger on every side.
     pub(crate) whole: Aabb,
     /// The whole motion, not zero.

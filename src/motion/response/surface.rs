@@ -62,6 +62,18 @@ impl Surface {
         Self { rest: if raw < 0 { 0 } else { raw as u32 }, ..self }
     }
 
+    /// The same surface, resting below twice a gravity at least where it bounces. A ball that bounces in every call meets the floor with
+    /// `g / (1 + restitution)` and ends each call above it, though it does not move any more; up to a half, none goes on for ever in another way.
+    pub(crate) fn resting_under(self, gravity: Vec2) -> Self {
+        let (x, y) = gravity.raw();
+        let most = if self.restitution == Ratio::ZERO {
+            0
+        } else {
+            x.unsigned_abs().saturating_add(y.unsigned_abs()).saturating_mul(2)
+        };
+        Self { rest: self.rest.max(most), ..self }
+    }
+
     /// The same surface for a body whose speed should be this: bounces at restitution 1 without friction bring it to that, up or down.
     #[must_use]
     pub const fn with_speed(self, speed: Speed) -> Self {

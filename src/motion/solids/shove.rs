@@ -1,5 +1,6 @@
 //! A displacement that something forces on a body, through the level.
 
+use crate::motion::around::Around;
 use crate::motion::body::Body;
 use crate::motion::plane::{Bend, NEAR, Planes, way};
 use crate::motion::run::{Run, check_inside};
@@ -35,7 +36,8 @@ impl Shove {
     pub(super) fn of<W: World, B: Body>(&self, body: &B, level: &W, work: &mut Work) -> Result<B, MoveError> {
         let mut d = self.d;
         let mut moved = Moved::freely(*body, d.vec2(), 0);
-        let mut run = Run::new(&mut moved);
+        let mut around = Around::NOTHING;
+        let mut run = Run::new(&mut moved, &mut around);
         run.pass_one_way = self.passes_one_way;
         run.moved.work = *work;
         if run.is_stuck(level) {

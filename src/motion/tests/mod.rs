@@ -58,13 +58,13 @@ fn circle(c: P, r: i64) -> Circle {
 
 /// The first hit of all, as the mover takes it.
 fn first(body: &Circle, d: P, features: &[Feature]) -> Option<Entry> {
-    let (d, mut first) = (raw(d), First::NONE);
+    let (d, mut first) = (raw(d), First::none());
     for feature in features {
         if let Some(entry) = body.sweep(d, feature) {
-            first.add::<Circle, SegmentMap<'_>>(entry, feature, d);
+            first.add::<Circle, SegmentMap<'_>>(&entry, feature, d);
         }
     }
-    first.hit::<Circle, SegmentMap<'_>>(body, d).map(|hit| hit.0)
+    first.hit::<Circle, SegmentMap<'_>>(body, d).map(|hit| *hit.0)
 }
 
 /// How many random cases a test takes.

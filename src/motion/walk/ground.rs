@@ -52,7 +52,7 @@ impl<B: Body> Look for Run<'_, B> {
         let (body, d) = (self.moved.body, along(up, -CONTACT));
         let (lo, hi) = (body.bounds().lo(), body.bounds().hi());
         let far = Raw { x: CONTACT + 1, y: CONTACT + 1 };
-        let mut first = First::NONE;
+        let mut first = First::none();
         for feature in world.features(&Aabb::from_raw_unchecked(lo.sub(far), hi.add(far))) {
             self.moved.work.features += 1;
             let skipped = feature.one_way && self.pass_one_way;
@@ -61,7 +61,7 @@ impl<B: Body> Look for Run<'_, B> {
             }
             let entry = if W::BLOCKS { body.sweep_block(d, &feature) } else { body.sweep(d, &feature) };
             match entry {
-                Some(entry) if mover.side(entry.normal) == Side::Floor => first.add::<B, W>(entry, &feature, d),
+                Some(entry) if mover.side(entry.normal) == Side::Floor => first.add::<B, W>(&entry, &feature, d),
                 _ => {}
             }
         }

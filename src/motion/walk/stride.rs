@@ -70,16 +70,13 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
             if !(W::ROUND && self.run.on_chord) {
                 self.before = self.run.here();
             }
-            let mut hit = self.run.look(self.world, d);
-            if hit.is_none() {
-                hit = self.run.arrive(self.world, d).map(|(entry, feature)| Ground { d, entry, feature });
-            }
-            if let Some(hit) = hit {
+            if let Some(hit) = self.run.look(self.world, d) {
                 if self.turn(&hit) {
                     continue;
                 }
                 break self.look_down();
             }
+            self.run.arrive(self.world, d);
             let ground = self.look_down();
             let bends = if W::ROUND && self.run.on_chord {
                 self.leave_chord(ground.as_ref())

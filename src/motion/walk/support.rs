@@ -2,6 +2,7 @@
 
 use super::ground::Look;
 use crate::error::RangeError;
+use crate::motion::around::Around;
 use crate::motion::run::Run;
 use crate::motion::{Body, Hit, Moved, Mover};
 use crate::num::{Axis, Vec2};
@@ -56,7 +57,8 @@ impl Mover {
         body.check_size()?;
         let Some(up) = self.up else { return Ok(None) };
         let mut moved = Moved::freely(*body, Vec2::ZERO, 0);
-        let mut run = Run::new(&mut moved);
+        let mut around = Around::NOTHING;
+        let mut run = Run::new(&mut moved, &mut around);
         run.pass_one_way = self.passes_one_way();
         Ok(run.floor_near(world, self, up))
     }

@@ -4,6 +4,7 @@ use super::Support;
 use super::ground::{Look, leads};
 use super::stride::Stride;
 use crate::error::{Quantity, RangeError};
+use crate::motion::around::Around;
 use crate::motion::{Body, MoveError, Moved, Mover};
 use crate::num::{Fx, MOTION, Raw, Vec2};
 use crate::world::World;
@@ -165,7 +166,8 @@ impl Walker {
         floor: Option<Support>,
     ) -> Result<Walked<B>, MoveError> {
         let mut moved = Moved::freely(*body, velocity, 0);
-        let mut run = self.mover.start(world, &mut moved)?;
+        let mut around = Around::NOTHING;
+        let mut run = self.mover.start(world, &mut moved, &mut around)?;
         let Some(up) = self.mover.up else {
             self.mover.slide::<W, B, true>(world, &mut run)?;
             return Ok(Walked { moved: *run.end::<W>(), floor: None, stepped: Fx::ZERO, snapped: Fx::ZERO });

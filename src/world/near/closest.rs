@@ -100,29 +100,43 @@ fn closest_point<W: World>(world: &W, p: Vec2, within: Fx, one_way: OneWay) -> R
     let inside = world.overlaps_aabb(&Aabb::from_raw_unchecked(p, p));
     let (mut reach, mut features) = (limit.min(world.cell_size() as i32), 0u32);
     loop {
-        let mut best: Option<(Spot, Feature)> = None;
-        for feature in world.features(&square(p, reach)) {
-            features = features.wrapping_add(1);
-            if feature.one_way && one_way == OneWay::Ignore {
-                continue;
+        let mut best = (None, None);
+        features = features.wrapping_add(find_nearest(world, &square(p, reach), p, one_way, inside, &mut best));
+        if let (Some(spot), Some(feature)) = &best {
+            if spot.is_within::<W>(reach) {
+                return Ok(Some(spot.near::<W>(p, inside, feature, features)));
             }
-            let Some(spot) = Spot::of::<W>(p, &feature, inside) else { continue };
-            if best.as_ref().is_none_or(|(first, of)| spot.before::<W>(&feature, first, of)) {
-                best = Some((spot, feature));
-            }
-        }
-        // All that is nearer than the square's sides has been seen.
-        let bound = Measure::root(usqr(reach as u32));
-        if let Some((spot, feature)) = best.filter(|(spot, _)| spot.measure.order::<W>(&bound) != Ordering::Greater) {
-            let (point, axis) = spot.point::<W>(p, inside, &feature);
-            let distance = Fx::from_bits(spot.distance::<W>(p, &feature) as i32);
-            return Ok(Some(Near { point: point.vec2(), distance, axis, inside, feature, features }));
         }
         if reach == limit {
             return Ok(None);
         }
         reach = limit.min(reach.saturating_mul(2));
     }
+}
+
+/// Finds the nearest of what is in a region, or neither of the two; returns at how much it has looked.
+#[inline(never)]
+fn find_nearest<W: World>(
+    world: &W,
+    region: &Aabb,
+    p: Raw,
+    one_way: OneWay,
+    inside: bool,
+    best: &mut (Option<Spot>, Option<Feature>),
+) -> u32 {
+    let (mut features, mut count) = (world.features(region), 0u32);
+    while let Some(feature) = &features.next() {
+        count = count.wrapping_add(1);
+        if feature.one_way && one_way == OneWay::Ignore {
+            continue;
+        }
+        let Some(spot) = &Spot::of::<W>(p, feature, inside) else { continue };
+        let known = best.0.as_ref().zip(best.1.as_ref());
+        if known.is_none_or(|(first, of)| spot.before::<W>(feature, first, of)) {
+            *best = (Some(*spot), Some(*feature));
+        }
+    }
+    count
 }
 
 /// The part of a square in the domain: there is no surface beyond it.
@@ -208,6 +222,20 @@ impl Spot {
             Ordering::Equal => precedes(f, g),
             order => order == Ordering::Less,
         }
+    }
+
+    /// Whether it is no farther than the sides of a square: all that is nearer than these has been seen.
+    #[inline(never)]
+    fn is_within<W: World>(&self, reach: i32) -> bool {
+        self.measure.order::<W>(&Measure::root(usqr(reach as u32))) != Ordering::Greater
+    }
+
+    /// The answer.
+    #[inline(never)]
+    fn near<W: World>(&self, p: Raw, inside: bool, feature: &Feature, features: u32) -> Near {
+        let (point, axis) = self.point::<W>(p, inside, feature);
+        let distance = Fx::from_bits(self.distance::<W>(p, feature) as i32);
+        Near { point: point.vec2(), distance, axis, inside, feature: *feature, features }
     }
 
     /// Where it is, and the normal there.

@@ -218,13 +218,14 @@ pub(crate) fn contacts<W: World, B: Pushable>(
     let behind = world.overlaps_aabb(&Aabb::from_raw_unchecked(Raw::of(bounds.centre()), last));
     let (mut features, mut seen, mut any_in_region) = (0u32, 0u32, false);
     let mut spare: Option<WorldContact> = None;
-    for feature in world.features(&bounds) {
+    let mut surface = world.features(&bounds);
+    while let Some(feature) = &surface.next() {
         features = features.wrapping_add(1);
         if feature.one_way && one_way == OneWay::Ignore {
             continue;
         }
-        let Some((contact, in_region)) = body.meet::<W>(&feature, behind && !feature.one_way) else { continue };
-        let new = WorldContact { contact, feature };
+        let Some((contact, in_region)) = body.meet::<W>(feature, behind && !feature.one_way) else { continue };
+        let new = &WorldContact { contact, feature: *feature };
         if B::ROUND && in_region != any_in_region {
             if any_in_region {
                 continue;
@@ -234,8 +235,8 @@ pub(crate) fn contacts<W: World, B: Pushable>(
             (seen, any_in_region) = (0, true);
         }
         if !B::ROUND && !in_region {
-            if spare.is_none_or(|spare| new.before::<W>(&spare)) {
-                spare = Some(new);
+            if spare.as_ref().is_none_or(|spare| new.before::<W>(spare)) {
+                spare = Some(*new);
             }
             continue;
         }
@@ -246,7 +247,7 @@ pub(crate) fn contacts<W: World, B: Pushable>(
             insert::<W>(out, new);
         }
     }
-    if let (0, Some(spare)) = (seen, spare) {
+    if let (0, Some(spare)) = (seen, &spare) {
         seen = 1;
         insert::<W>(out, spare);
     }
@@ -255,10 +256,11 @@ pub(crate) fn contacts<W: World, B: Pushable>(
 }
 
 /// Keeps the list in order; where it is full the last goes.
-fn insert<W: World>(out: &mut VecView<WorldContact>, new: WorldContact) {
-    if let Err(new) = out.push(new) {
+#[inline(never)]
+fn insert<W: World>(out: &mut VecView<WorldContact>, new: &WorldContact) {
+    if out.is_full() || out.push(*new).is_err() {
         match out.last_mut() {
-            Some(last) if new.before::<W>(last) => *last = new,
+            Some(last) if new.before::<W>(last) => *last = *new,
             _ => return,
         }
     }

@@ -22,17 +22,16 @@ impl Measure {
     /// Exact. Up to 24 products of double words where arcs are compared with slopes: a cold path, of which a level links what it has features for.
     #[inline(never)]
     pub(in crate::world) fn order<W: World>(&self, other: &Self) -> Ordering {
-        match (*self, *other) {
-            (Self::Root { num: n, den: d }, Self::Root { num: m, den: e }) => {
-                // 183 bits. Distances to lattice points, and to faces along x and y, need none of it.
-                if W::BLOCKS || d == e { n.cmp(&m) } else { times(wide(n), e).cmp(&times(wide(m), d)) }
-            }
+        match (self, other) {
+            // Distances to lattice points, and to faces along x and y.
+            (Self::Root { num: n, den: d }, Self::Root { num: m, den: e }) if W::BLOCKS || d == e => n.cmp(m),
+            (Self::Root { num: n, den: d }, Self::Root { num: m, den: e }) => roots(*n, *d, *m, *e),
             _ if !W::ROUND => Ordering::Equal,
-            (Self::Ring { square, radius }, Self::Root { num, den }) => ring_and_root(square, radius, num, den),
+            (Self::Ring { square, radius }, Self::Root { num, den }) => ring_and_root(*square, *radius, *num, *den),
             (Self::Root { num, den }, Self::Ring { square, radius }) => {
-                ring_and_root(square, radius, num, den).reverse()
+                ring_and_root(*square, *radius, *num, *den).reverse()
             }
-            (Self::Ring { square: a, radius: r }, Self::Ring { square: b, radius: s }) => rings(a, r, b, s),
+            (Self::Ring { square: a, radius: r }, Self::Ring { square: b, radius: s }) => rings(*a, *r, *b, *s),
         }
     }
 }
@@ -63,6 +62,12 @@ const fn add(a: u64, b: u64, carry: bool) -> (u64, bool) {
     (sum, first | second)
 }
 
+/// `n / d` against `m / e`: 183 bits.
+#[inline(never)]
+fn roots(n: (u64, u64), d: u64, m: (u64, u64), e: u64) -> Ordering {
+    times(wide(n), e).cmp(&times(wide(m), d))
+}
+
 /// `|sqrt(a) - r|` against `t = sqrt(n / d)`.
 ///
 /// Outside, `sqrt(a) < r + t` is `a - r^2 - t^2 < 2 r t`; inside, `r < sqrt(a) + t` is `r^2 - a - t^2 < 2 sqrt(a) t`. Both are, with `w = |a - r^2|` and
@@ -82,6 +87,7 @@ fn ring_and_root(a: u64, r: u32, n: (u64, u64), d: u64) -> Ordering {
 }
 
 /// `|sqrt(a) - r|` against `|sqrt(b) - s|`.
+#[inline(never)]
 fn rings(a: u64, r: u32, b: u64, s: u32) -> Ordering {
     match (a < usqr(r), b < usqr(s)) {
         (false, false) => roots_apart(a, b, i64::from(r) - i64::from(s)),

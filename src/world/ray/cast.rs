@@ -72,7 +72,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 
     fn cast_shaped(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Option<RayHit>, RangeError> {
-        Ok(Scan::new(self, origin, motion, rules)?.advance())
+        let (o, d) = checked(origin, motion)?;
+        Ok(Scan::of(self, o, d, rules).advance())
     }
 
     /// Where all that stops a ray are full cells.

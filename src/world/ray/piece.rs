@@ -78,23 +78,22 @@ fn cross_size(a: i32, b: i32) -> u64 {
 /// How a ray from `o` by `d` meets a piece, if it does.
 ///
 /// Vertices are ends of other pieces, which are closed.
-#[inline]
-pub(in crate::world) fn meet<L: RayPieces>(o: Raw, d: Raw, feature: Feature) -> Option<Met> {
+#[inline(never)]
+pub(in crate::world) fn meet<L: RayPieces>(o: Raw, d: Raw, feature: &Feature) -> Option<Met> {
+    let with = |time, normal, into| Some(Met { feature: *feature, time, normal, into });
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } => {
             let (time, into) = meet_face(o.sub(Raw::of(a)), d, dir, len)?;
-            Some(Met { feature, time: Some(time), normal: Axis::new(dir.y, dir.x.wrapping_neg()), into })
+            with(Some(time), Axis::new(dir.y, dir.x.wrapping_neg()), into)
         }
         Geometry::Arc { centre, radius, quadrant, convex } if L::ROUND => {
-            let met = match arc::meet(o.sub(Raw::of(centre)), d, radius, quadrant, convex)? {
-                Contact::Within => Met { feature, time: None, normal: Axis::new(0, 0), into: 0 },
+            match arc::meet(o.sub(Raw::of(centre)), d, radius, quadrant, convex)? {
+                Contact::Within => with(None, Axis::new(0, 0), 0),
                 Contact::At { num, den, normal } => {
                     let time = Time { num: u64::from(num), den: u64::from(den) };
-                    let into = Raw { x: normal.x, y: normal.y }.dot(d).wrapping_neg() as u64;
-                    Met { feature, time: Some(time), normal, into }
+                    with(Some(time), normal, Raw { x: normal.x, y: normal.y }.dot(d).wrapping_neg() as u64)
                 }
-            };
-            Some(met)
+            }
         }
         _ => None,
     }

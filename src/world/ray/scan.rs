@@ -21,6 +21,8 @@ pub(in crate::world) struct Scan<'w, L> {
     walk: Walk,
     /// The best hit so far, later than `after`.
     best: Option<Met>,
+    /// Whether that was told, and is not to be told again.
+    is_told: bool,
     /// The moment of the last hit.
     after: Option<Time>,
     stage: Stage,
@@ -55,7 +57,28 @@ impl<'w, L: RayLevel> Scan<'w, L> {
     /// [`RangeError`] where the start or the end is outside of the domain.
     pub(in crate::world) fn new(level: &'w L, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self, RangeError> {
         let (o, d) = checked(origin, motion)?;
-        Ok(Self { level, o, d, rules, walk: level.walk(o, d), best: None, after: None, stage: Stage::Start })
+        Ok(Self::of(level, o, d, rules))
+    }
+
+    /// Of a ray that starts and ends in the domain.
+    #[inline]
+    pub(in crate::world) fn of(level: &'w L, o: Raw, d: Raw, rules: RayRules) -> Self {
+        Self {
+            level,
+            o,
+            d,
+            rules,
+            walk: level.walk(o, d),
+            best: None,
+            is_told: false,
+            after: None,
+            stage: Stage::Start,
+        }
+    }
+
+    /// The next hit, with what was met.
+    pub(in crate::world) fn find(&mut self) -> Option<Found> {
+        self.advance().map(|hit| Found { hit, met: self.best })
     }
 
     /// The next hit.
@@ -63,41 +86,34 @@ impl<'w, L: RayLevel> Scan<'w, L> {
     /// A piece is met in a cell that the ray has entered by then, so what is met before the next line is final. What is met on that line is not: the
     /// cells behind it may have something better.
     pub(in crate::world) fn advance(&mut self) -> Option<RayHit> {
-        self.find().map(|found| found.hit)
-    }
-
-    /// The next hit, with what was met.
-    pub(in crate::world) fn find(&mut self) -> Option<Found> {
         if self.stage == Stage::Start {
             self.stage = Stage::Look;
             if matches!(self.rules.inside, Inside::Hit) && self.level.holds_start(self.o, &self.walk) {
-                return Some(Found { hit: self.at_start(), met: None });
+                return Some(self.at_start());
             }
+        }
+        if core::mem::take(&mut self.is_told) {
+            self.best = None;
         }
         loop {
             if self.stage == Stage::Look {
                 self.stage = Stage::Go;
                 self.look();
                 if L::ROUND && (self.d.x == 0 || self.d.y == 0) && self.best.is_none() {
-                    if let Some(met) = cusp(self.level, self.o, self.d, &self.walk) {
-                        self.consider(met);
-                    }
+                    self.look_for_cusp();
                 }
                 if self.best.is_none() {
                     self.level.skip(&mut self.walk);
                 }
             }
             let over = self.level.grid().next_lines(&self.walk.x, &self.walk.y, self.level.beyond());
-            if let Some(best) = self.best {
-                if over == 0 || self.is_before(&best, over) {
-                    self.best = None;
-                    self.after = best.time;
-                    // After a point within an arc there is nothing more in the step.
-                    if best.time.is_some() {
-                        self.stage = Stage::Look;
-                    }
-                    return Some(Found { hit: self.hit(&best), met: Some(best) });
+            if let Some(best) = self.best.as_ref().filter(|best| over == 0 || self.is_before(best, over)) {
+                (self.is_told, self.after) = (true, best.time);
+                // After a point within an arc there is nothing more in the step.
+                if best.time.is_some() {
+                    self.stage = Stage::Look;
                 }
+                return Some(self.hit(best));
             }
             if over == 0 {
                 return None;
@@ -114,46 +130,58 @@ impl<'w, L: RayLevel> Scan<'w, L> {
     }
 
     /// Tests the pieces of the step's cells.
+    #[inline(never)]
     fn look(&mut self) {
         let mut number = 4u32;
         while number != 0 {
             number = number.wrapping_sub(1);
             let Some((x, y)) = self.walk.cell(number) else { continue };
             let Some(pieces) = self.level.pieces(x, y, self.d) else { continue };
-            for piece in pieces {
+            let mut pieces = pieces;
+            while let Some(piece) = &pieces.next() {
                 if piece.one_way && !self.rules.one_way {
                     continue;
                 }
-                if let Some(met) = meet::<L>(self.o, self.d, piece) {
+                if let Some(met) = &meet::<L>(self.o, self.d, piece) {
                     self.consider(met);
                 }
             }
         }
     }
 
+    /// The same of a gap that closes to nothing.
+    #[inline(never)]
+    fn look_for_cusp(&mut self) {
+        if let Some(met) = &cusp(self.level, self.o, self.d, &self.walk) {
+            self.consider(met);
+        }
+    }
+
     /// Keeps what is later than the last hit and better than the best.
     ///
     /// At the start, solid pieces are met only where the ray goes into the solid: it may also leave, pass or slide along their ends.
-    fn consider(&mut self, met: Met) {
+    #[inline(never)]
+    fn consider(&mut self, met: &Met) {
         if let (Some(time), Some(after)) = (met.time, self.after) {
             if !after.before::<L>(time) {
                 return;
             }
         }
-        if self.best.is_some_and(|best| !met.precedes::<L>(&best)) {
+        if self.best.as_ref().is_some_and(|best| !met.precedes::<L>(best)) {
             return;
         }
         let at_start = met.time.is_some_and(|time| time.num == 0);
         if at_start && !met.feature.one_way && !self.level.enters(self.o, self.d, &self.walk) {
             return;
         }
-        self.best = Some(met);
+        self.best = Some(*met);
     }
 
+    #[inline(never)]
     fn hit(&self, met: &Met) -> RayHit {
         let (toi, by, axis) = match (met.time, met.feature.geometry) {
             (Some(time), _) => straight::<L>(self.d, time, met.normal),
-            (None, Geometry::Arc { centre, radius, convex, .. }) => {
+            (None, Geometry::Arc { centre, radius, convex, .. }) if L::ROUND => {
                 let m = self.o.sub(Raw::of(centre));
                 let (toi, by) = arc::contact(m, self.d, radius, convex);
                 let at = m.add(by);

@@ -55,32 +55,28 @@ pub(super) const fn part(data: &[u8], from: usize, to: usize) -> &[u8] {
     }
 }
 
-/// 16 bits; 0 beyond the end.
+/// 16 bits; 0 beyond the end. By a pattern, which no core needs a check of bounds for that could panic.
 #[inline]
-#[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
 pub(super) const fn half(data: &[u8], at: usize) -> u16 {
-    let len = data.len();
-    if at < len && len - at >= 2 { data[at] as u16 | (data[at + 1] as u16) << 8 } else { 0 }
+    match data.split_at_checked(at) {
+        Some((_, &[a, b, ..])) => u16::from_le_bytes([a, b]),
+        _ => 0,
+    }
 }
 
-/// 32 bits; 0 beyond the end. Without a call: the compiler's limit on constants counts those.
+/// 32 bits; 0 beyond the end.
 #[inline]
-#[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
 pub(super) const fn word(data: &[u8], at: usize) -> u32 {
-    let len = data.len();
-    if at < len && len - at >= 4 {
-        data[at] as u32 | (data[at + 1] as u32) << 8 | (data[at + 2] as u32) << 16 | (data[at + 3] as u32) << 24
-    } else {
-        0
+    match data.split_at_checked(at) {
+        Some((_, &[a, b, c, d, ..])) => u32::from_le_bytes([a, b, c, d]),
+        _ => 0,
     }
 }
 
 /// Writes 16 bits; nothing beyond the end.
-#[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
 pub(super) const fn set_half(data: &mut [u8], at: usize, value: u16) {
-    let next = at.wrapping_add(1);
-    if at < next && next < data.len() {
-        [data[at], data[next]] = value.to_le_bytes();
+    if let Some((_, [a, b, ..])) = data.split_at_mut_checked(at) {
+        [*a, *b] = value.to_le_bytes();
     }
 }
 

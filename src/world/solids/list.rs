@@ -127,7 +127,7 @@ impl World for Solids<'_> {
     }
 
     fn features_ahead(&self, way: &Way) -> SolidFeatures<'_> {
-        Solids::features(self, &way.piece).against(way.d)
+        Solids::features(self, way.piece).against(way.d)
     }
 
     fn occupied(&self, region: &Aabb) -> Option<Aabb> {

@@ -119,7 +119,7 @@ impl SolidRayHits<'_> {
             }
             let faces = solid.pieces() & faces_against(self.d);
             for k in (0..4).filter(|k| faces >> k & 1 != 0) {
-                let Some(met) = meet::<Solids<'_>>(self.o, self.d, solid.piece(k, [false; 2])) else { continue };
+                let Some(met) = meet::<Solids<'_>>(self.o, self.d, &solid.piece(k, [false; 2])) else { continue };
                 let Some(time) = met.time else { continue };
                 // At the start, solid pieces are met only where the ray goes into the solid.
                 let passed = self.after.is_some_and(|after| !after.before::<Solids<'_>>(time));

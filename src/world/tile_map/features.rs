@@ -76,7 +76,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// What a body enters with its inside it meets at the border of a solid in a cell that its inside enters.
     pub(in crate::world) const fn features_ahead(&self, way: &Way) -> Features<'_, S, T> {
         let range = self.solid_range(self.open_range(way.piece.lo(), way.piece.hi()));
-        let seen = match &way.before {
+        let seen = match way.before {
             Some(before) => self.solid_range(self.open_range(before.lo(), before.hi())),
             None => Range::NONE,
         };

@@ -18,17 +18,18 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     ///
     /// # Errors
     /// [`TileMapError::Occupancy`] where the words are too few; nothing is written then.
-    #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
     pub const fn fill_occupancy(&self, words: &mut [u32]) -> Result<(), TileMapError> {
         if words.len() < self.occupancy_words() {
             return Err(self.too_few(words.len()));
         }
-        let (mut y, mut i) = (0, 0);
+        let (mut y, mut rest) = (0, words);
         while y < self.grid.y.count as i32 {
             let mut x = 0;
             while x < self.grid.x.count as i32 {
-                words[i] = self.word(x, y);
-                i += 1;
+                // There are as many as steps.
+                let Some((word, after)) = rest.split_first_mut() else { return Ok(()) };
+                *word = self.word(x, y);
+                rest = after;
                 x = x.wrapping_add(32);
             }
             y = y.wrapping_add(1);
@@ -63,19 +64,18 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     ///
     /// # Errors
     /// [`TileMapError::Occupancy`]: the first row that is missing or wrong.
-    #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
     pub const fn with_occupancy(mut self, words: &'a [u32]) -> Result<Self, TileMapError> {
         if words.len() < self.occupancy_words() {
             return Err(self.too_few(words.len()));
         }
-        let (mut y, mut i) = (0, 0);
+        let (mut y, mut rest) = (0, words);
         while y < self.grid.y.count as i32 {
             let mut x = 0;
             while x < self.grid.x.count as i32 {
-                if words[i] != self.word(x, y) {
-                    return Err(TileMapError::Occupancy { row: y as u16 });
+                match rest.split_first() {
+                    Some((word, after)) if *word == self.word(x, y) => rest = after,
+                    _ => return Err(TileMapError::Occupancy { row: y as u16 }),
                 }
-                i += 1;
                 x = x.wrapping_add(32);
             }
             y = y.wrapping_add(1);

@@ -96,6 +96,7 @@ impl<'w, S: Set, T: Store> TilePieces<'w, S, T> {
 impl<S: Set, T: Store> Iterator for TilePieces<'_, S, T> {
     type Item = Feature;
 
+    #[inline(never)]
     fn next(&mut self) -> Option<Feature> {
         loop {
             let (index, geometry) = match self.stage {
