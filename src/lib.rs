@@ -7,7 +7,9 @@
 //! Tiles can be blocks, halves, slopes and quarter arcs ([`TileShape`]); polygons, walls and one-way chains that no grid holds are a [`SegmentMap`]
 //! (built by the compiler with [`segment_map!`]), and [`Joined`] makes one level of two. Platforms, doors and crushers are [`Solids`].
 //!
-//! It is not a physics engine: there are no stacks, joints, rotating bodies or forces.
+//! Which of many bodies meet is a [`BroadPhase`](broad::BroadPhase)'s to say, and [`Scene`] ties all of it together.
+//!
+//! It is not a physics engine: there are no joints, rotating bodies or forces.
 //!
 //! ```
 //! use tilesat::prelude::*;
@@ -52,6 +54,8 @@
 //! | [`shape`] | [`Aabb`], [`Circle`], [`Segment`] |
 //! | [`query`] | one trait a verb, for each pair of shapes: overlaps, contacts, distances, casts |
 //! | [`world`] | [`TileMap`], [`SegmentMap`], [`Solids`], [`Joined`]: surfaces, overlaps, contacts, rays |
+//! | [`broad`] | [`BroadPhase`](broad::BroadPhase): which of many bodies are near each other; events of pairs |
+//! | [`scene`] | [`Scene`]: level, broad phase and bodies by one call a frame |
 //! | [`motion`] | [`Mover::move_and_slide`], [`Walker`], [`Mover::ride`] on moving [`Solid`]s, responses, casts through levels |
 //! | [`error`] | what can be refused |
 //!
@@ -74,25 +78,31 @@
 
 pub use {fixed, heapless};
 
+pub mod broad;
 pub mod error;
+mod filter;
 #[cfg(feature = "defmt")]
 mod format;
 pub mod motion;
 pub mod num;
 pub mod query;
+pub mod scene;
 pub mod shape;
 pub mod world;
 
 pub use error::{Quantity, RangeError, Truncated};
+pub use filter::{Filter, LayerMask};
 pub use motion::{
     Acceleration, Body, BodyHit, Carry, Energy, Hit, Hits, Masses, MoveError, Moved, Mover, Response, Ridden, Ride,
     SlopeSpeed, Smooth, Speed, StartInside, Stuck, Support, Surface, Walked, Walker, Work,
 };
 pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
 pub use query::{CastHit, Contact, Inside, MovingHit};
+pub use scene::{Scene, SceneBody, SceneError};
 pub use shape::{Aabb, Circle, Segment};
 /// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types come from the crate's root.
 pub mod prelude {
+    pub use crate::broad::BroadPhase;
     pub use crate::query::{CastShape, ClosestPoint, Contacts, Contains, Distance, Overlaps, Touches};
 }
 pub use world::{

@@ -1,0 +1,313 @@
+//! Bodies in cells of a bounded world.
+
+use super::blocks::Rows;
+use super::lists::{Links, Lists};
+use super::near::{last_ring, ring};
+use super::pairs::{Near, pairs};
+use super::path::{along, is_short};
+use super::{At, Lattice, Window};
+use crate::broad::cursor::Meter;
+use crate::broad::spatial::{Spatial, square};
+use crate::broad::table::{Bodies, NIL, Slots, Table, touch};
+use crate::broad::{BroadError, BroadPhase, GridError, Handle, Pair, PairCursor, PairsError, Tag};
+use crate::num::{Fx, Raw, Toi, Vec2, check_coordinate};
+use crate::shape::Aabb;
+
+/// What a [`LooseGrid`] does with a body whose centre is outside of its cells.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Border {
+    /// It belongs to the nearest cell of the border. All answers stay the same; only many bodies outside are as dear as many in one cell.
+    #[default]
+    Clamp,
+    /// It is refused: [`OutOfWorld`](BroadError::OutOfWorld).
+    Refuse,
+}
+
+/// Up to N bodies in a grid of square cells, each in the cell of its centre: for hundreds of bodies in a world of known size.
+///
+/// ```text
+///        columns (a power of two)
+///      +----+----+----+----+--
+///      |    | o  |    |    |        a body is in one list, wherever it reaches;
+///      +----+----+----+----+--      no side of it is longer than a cell, so what it touches
+///      |    |    | oo | o  |        is in one of nine cells
+/// rows +----+----+----+----+--
+/// ```
+///
+/// `BLOCKS` blocks have 32 cells each: a world of 2048 x 1024 units in cells of 32 has 64 columns and 32 rows, 2048 cells, 64 blocks, as
+/// [`blocks_for`](LooseGrid::blocks_for) says. With `LARGE`, bodies with longer sides than a cell are taken
+/// as well, into a list of their own: each of them is tested against all bodies. Without, they are refused as [`TooLarge`](BroadError::TooLarge).
+///
+/// Cost: an insertion, a removal and a move are O(1); a move within a cell is little more than the store of the box. For pairs a body is tested against
+/// five lists: the rest of its own cell's and those of half of the neighbours. The worst case is all bodies in one cell: N (N - 1) / 2 tests, as of
+/// [`BruteForce`](crate::broad::BruteForce); `pairs_from` has a budget for that. Queries look at 32 empty cells at once; rays and casts follow their way. RAM: 6 bytes a body and
+/// 2.125 a cell (68 a block), beside box, tag and the generation's 2 bytes.
+///
+/// ```
+/// use tilesat::broad::{BroadError, BroadPhase, LooseGrid};
+/// use tilesat::{Aabb, Fx, Vec2};
+///
+/// // 16 x 8 cells of 32 units.
+/// let mut near = LooseGrid::<4, 64>::new(Vec2::ZERO, Fx::from_num(32), 16)?;
+/// let at = |x, y| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + 10, y + 10));
+/// let (a, b) = (near.insert(&at(25, 60)?, ())?, near.insert(&at(35, 70)?, ())?);
+/// near.insert(&at(-400, 70)?, ())?; // outside: in a cell of the border
+///
+/// let mut pairs = Vec::new();
+/// near.pairs(|pair| pairs.push((pair.a, pair.b)));
+/// assert_eq!(pairs, [(a, b)]); // neighbours in different cells
+///
+/// let wall = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(500, 10))?;
+/// assert!(matches!(near.insert(&wall, ()), Err(BroadError::TooLarge { .. })));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct LooseGrid<const BLOCKS: usize, const N: usize, T = (), const LARGE: bool = false> {
+    table: Table<T, N>,
+    lattice: Lattice,
+    rows: Rows,
+    border: Border,
+    occupied: [u32; BLOCKS],
+    heads: [[u16; 32]; BLOCKS],
+    links: Links<N>,
+}
+
+impl LooseGrid<1, 1> {
+    /// How many blocks the cells of a world take: all in one unit, whichever it is.
+    ///
+    /// The columns are `width / cell` rounded up to a power of two of at least 4, the rows `height / cell` rounded up, and a block has 32 cells. Where that is none, as with
+    /// a `cell` of 0, or more than 2047, the compiler refuses such a grid.
+    ///
+    /// ```
+    /// use tilesat::broad::LooseGrid;
+    /// use tilesat::{Fx, Vec2};
+    /// const BLOCKS: usize = LooseGrid::blocks_for(2048, 1024, 32);
+    /// assert_eq!(BLOCKS, 64); // 64 columns, 32 rows
+    /// assert!(LooseGrid::<BLOCKS, 200>::new(Vec2::ZERO, Fx::from_num(32), 64).is_ok());
+    /// assert_eq!(LooseGrid::blocks_for(1000, 768, 32), 24); // 32 columns, 24 rows
+    /// ```
+    #[must_use]
+    pub const fn blocks_for(width: u32, height: u32, cell: u32) -> usize {
+        if cell == 0 {
+            return 0;
+        }
+        let across = width.div_ceil(cell);
+        // More columns than that are more than all the cells that there can be, too.
+        let columns = if across > 1 << 16 { 1 << 16 } else { across.next_power_of_two() };
+        let cells = if columns < 4 { 4 } else { columns }.saturating_mul(height.div_ceil(cell));
+        cells.div_ceil(32) as usize
+    }
+}
+
+impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<BLOCKS, N, T, LARGE> {
+    /// An empty grid, which may be a `static`: the corner with the smallest coordinates, the side of a cell, the number of columns.
+    ///
+    /// The side is a power of two of raw units (so of units as well), that no index is found by dividing; the columns are a power of two for
+    /// the same reason, and the rows what the blocks have cells for. What is outside is [clamped](Border::Clamp).
+    ///
+    /// # Errors
+    /// [`GridError`].
+    ///
+    /// ```
+    /// use tilesat::broad::{BroadPhase, LooseGrid};
+    /// use tilesat::{Fx, Vec2};
+    /// static EMPTY: LooseGrid<24, 200> = match LooseGrid::new(Vec2::ZERO, Fx::const_from_int(32), 32) {
+    ///     Ok(grid) => grid, // 32 x 24 cells
+    ///     Err(_) => panic!(),
+    /// };
+    /// let level = EMPTY; // a copy is a snapshot
+    /// assert!(level.is_empty());
+    /// assert!(LooseGrid::<24, 200>::new(Vec2::ZERO, Fx::from_num(24), 32).is_err()); // no power of two
+    /// ```
+    pub const fn new(origin: Vec2, cell: Fx, columns: u16) -> Result<Self, GridError> {
+        const { assert!(BLOCKS > 0 && BLOCKS < 2048, "a grid has from 1 to 2047 blocks") };
+        if let Err(error) = check_coordinate(origin) {
+            return Err(GridError::Origin(error));
+        }
+        let Some(lattice) = Lattice::new(origin, cell.to_bits()) else {
+            return Err(GridError::Cell { side: cell.to_bits() });
+        };
+        let (cells, log) = (BLOCKS << 5, columns.trailing_zeros());
+        if columns < 4 || !columns.is_power_of_two() || cells >> log << log != cells {
+            return Err(GridError::Columns { columns, cells: cells as u16 });
+        }
+        Ok(Self {
+            table: Table::new(),
+            lattice,
+            rows: Rows { count: (cells >> log) as u16, log_columns: log as u8 },
+            border: Border::Clamp,
+            occupied: [0; BLOCKS],
+            heads: [[NIL; 32]; BLOCKS],
+            links: Links::new(),
+        })
+    }
+
+    /// The same with another rule for bodies outside, from the next insertion or move on.
+    #[must_use]
+    pub const fn with_border(self, border: Border) -> Self {
+        Self { border, ..self }
+    }
+
+    /// A cell beyond the grid: the one of the border that stands for it.
+    #[cold]
+    fn beyond(&self, at: At, bounds: &Aabb) -> Result<At, BroadError> {
+        if self.border == Border::Refuse {
+            let (x, y) = bounds.centre().raw();
+            return Err(BroadError::OutOfWorld { x, y });
+        }
+        // Moving coordinates to the nearest of the grid keeps their order and makes no difference longer: neighbours stay neighbours.
+        let last = self.rows.last();
+        Ok(At { x: at.x.max(0).min(last.x), y: at.y.max(0).min(last.y) })
+    }
+
+    #[inline]
+    fn lists(&self) -> Lists<'_> {
+        self.links.lists(&self.occupied, self.heads.as_flattened())
+    }
+
+    /// The bodies of a window of cells.
+    #[inline]
+    fn bodies_in(&self, window: &Window, mut each: impl FnMut(usize)) {
+        let lists = self.lists();
+        self.rows.occupied(&self.occupied, window, |cell| lists.from(lists.head(cell)).for_each(&mut each));
+    }
+
+    #[inline]
+    fn clip(&self, lo: Raw, hi: Raw) -> Window {
+        self.rows.clip(self.lattice.window(lo, hi))
+    }
+}
+
+impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> Spatial for LooseGrid<BLOCKS, N, T, LARGE> {
+    type Tag = T;
+    /// The number of a cell; NIL is the list of large bodies.
+    type Place = u16;
+
+    fn table(&self) -> Bodies<'_, T> {
+        self.table.bodies()
+    }
+
+    fn slots(&mut self) -> Slots<'_, T> {
+        self.table.slots()
+    }
+
+    #[inline]
+    fn admit(&self, bounds: &Aabb) -> Result<u16, BroadError> {
+        let (mut at, last) = (self.lattice.at(bounds), self.rows.last());
+        // One comparison an axis: what is negative is a large number.
+        if at.x as u32 > last.x as u32 || at.y as u32 > last.y as u32 {
+            at = self.beyond(at, bounds)?;
+        }
+        if self.lattice.holds(bounds) {
+            Ok(self.rows.number(at) as u16)
+        } else if LARGE {
+            Ok(NIL)
+        } else {
+            Err(self.lattice.too_large(bounds))
+        }
+    }
+
+    fn link(&mut self, slot: usize, place: u16) {
+        self.links.lists_mut(&mut self.occupied, self.heads.as_flattened_mut()).link(slot, place);
+    }
+
+    #[inline]
+    fn relink(&mut self, slot: usize, place: u16) {
+        if self.links.cell(slot) != place {
+            self.unlink(slot);
+            self.link(slot, place);
+        }
+    }
+
+    #[inline]
+    fn move_all(&mut self, mut to: impl FnMut(Handle, &Aabb) -> Aabb) -> Result<(), (Handle, BroadError)> {
+        let (mut first, mut slot) = (Ok(()), 0);
+        let (lattice, rows) = (self.lattice, self.rows);
+        loop {
+            let cells = self.links.cells();
+            let stays = |slot: usize, bounds: &Aabb| {
+                let Some(&cell) = cells.get(slot) else { return false };
+                // The number of no cell is that of one beyond the grid.
+                lattice.at(bounds) == rows.place(cell) && lattice.holds(bounds) && !(LARGE && cell == NIL)
+            };
+            let Some((moved, bounds)) = self.table.slots().set_while(slot, &mut to, stays) else { return first };
+            let handle = self.table.bodies().handle(moved);
+            if let Err(error) = self.move_to(handle, &bounds) {
+                first = first.and(Err((handle, error)));
+            }
+            slot = moved + 1;
+        }
+    }
+
+    fn unlink(&mut self, slot: usize) {
+        self.links.lists_mut(&mut self.occupied, self.heads.as_flattened_mut()).unlink(slot);
+    }
+
+    #[inline]
+    fn walk<M: Meter>(
+        &mut self,
+        cursor: &mut PairCursor,
+        meter: &mut M,
+        each: impl FnMut(Pair) -> bool,
+    ) -> Result<(), PairsError> {
+        // The last cell of a row and the first of the next one are no neighbours though their numbers are: that costs tests of boxes which do
+        // not touch, as at least two cells are between.
+        let near = Near { stride: 1 << self.rows.log_columns(), mask: usize::MAX };
+        pairs::<T, M, LARGE>(self.table.bodies(), self.lists(), near, cursor, meter, each)
+    }
+
+    #[inline]
+    fn visit(&self, region: &Aabb, mut each: impl FnMut(usize)) {
+        let (bodies, lists) = (self.table.bodies(), self.lists());
+        let mut found = |slot| {
+            if bodies.bounds.get(slot).is_some_and(|bounds| touch(bounds, region)) {
+                each(slot);
+            }
+        };
+        lists.from(lists.large).for_each(&mut found);
+        self.bodies_in(&self.clip(region.lo(), region.hi()), found);
+    }
+
+    #[inline]
+    fn visit_path(&self, start: &Aabb, motion: Raw, mut each: impl FnMut(usize) -> Toi) {
+        if !is_short(&self.lattice, start, motion, self.table.bodies().bounds.len()) {
+            let end = Aabb::from_raw_unchecked(start.lo().add(motion), start.hi().add(motion));
+            return self.visit(&start.union(&end), |slot| {
+                each(slot);
+            });
+        }
+        let (lists, mut until) = (self.lists(), Toi::ONE);
+        lists.from(lists.large).for_each(|slot| until = each(slot));
+        along(
+            &self.lattice,
+            start,
+            motion,
+            |w| self.rows.clip(w),
+            |window| {
+                self.bodies_in(window, |slot| until = each(slot));
+                until
+            },
+        );
+    }
+
+    #[inline]
+    fn visit_near(&self, point: Raw, mut reach: i32, mut each: impl FnMut(usize) -> i32) {
+        let lists = self.lists();
+        lists.from(lists.large).for_each(|slot| reach = each(slot));
+        let place = self.lattice.at(&Aabb::from_raw_unchecked(point, point));
+        let last = self.rows.last();
+        let centre = At { x: place.x.max(0).min(last.x), y: place.y.max(0).min(last.y) };
+        for r in 0.. {
+            let around = square(point, reach);
+            let window = self.clip(around.lo(), around.hi());
+            if r > last_ring(centre, &window) {
+                return;
+            }
+            for part in ring(centre, r) {
+                let part = Window { x: part.x.and(window.x), y: part.y.and(window.y) };
+                self.bodies_in(&part, |slot| reach = each(slot));
+            }
+        }
+    }
+}

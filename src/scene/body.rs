@@ -1,0 +1,154 @@
+//! The bodies of a scene.
+
+use super::Shape;
+use crate::broad::{Handle, Keyed};
+use crate::filter::Filter;
+use crate::motion::Surface;
+use crate::num::{Raw, Vec2};
+use crate::shape::Aabb;
+use core::num::NonZeroU8;
+
+/// One body: what it looks like and how it behaves. Plain data.
+///
+/// ```
+/// use core::num::NonZeroU8;
+/// use tilesat::scene::SceneBody;
+/// use tilesat::{Circle, Filter, Fx, Ratio, Surface, Vec2};
+/// let ball = Circle::new(Vec2::from_ints(20, 20), Fx::from_num(5))?;
+/// let rubber = Surface::new(Ratio::percent(80).unwrap(), Ratio::ZERO).resting_below(Fx::ONE);
+/// let body = SceneBody { surface: rubber, velocity: Vec2::from_ints(1, 0), ..SceneBody::new(ball, 7) };
+/// let trigger = SceneBody { filter: Filter::default().with_sensor(true), ..SceneBody::fixed(ball, 8) };
+/// assert_eq!((body.mass, trigger.mass), (NonZeroU8::new(1), None));
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SceneBody {
+    /// What it looks like, and where.
+    pub shape: Shape,
+    /// Units a step. A body without a mass does not move by it, but others feel it: a conveyor.
+    pub velocity: Vec2,
+    /// In any unit that all bodies share; `None` is a wall, a platform, a trigger: no step moves it.
+    pub mass: Option<NonZeroU8>,
+    /// Its friction and restitution at the level. Where two bodies meet, the surface of the one that bounces more counts, at a tie the one with less friction.
+    pub surface: Surface,
+    /// Whom it meets. [Sensors](Filter::sensor) are told, push nobody and are pushed by nobody; [still](Filter::still) is the scene's to say.
+    pub filter: Filter,
+    /// Given by the game, unique among the bodies: with that no result depends on the order of insertion. A name for the game's own use, too. Where two have one key, the
+    /// slot decides which of a pair is `a`; nothing else changes.
+    pub key: u32,
+    /// Gravity does nothing to it: a balloon, a bullet, a lift. It falls asleep in the air where it hardly moves.
+    pub floats: bool,
+}
+
+impl SceneBody {
+    /// A body of mass 1 at rest that stops at what it runs into and slides along it, and meets all.
+    #[must_use]
+    pub fn new(shape: impl Into<Shape>, key: u32) -> Self {
+        Self { shape: shape.into(), mass: Some(NonZeroU8::MIN), key, ..Self::NOBODY }
+    }
+
+    /// One that no step moves.
+    #[must_use]
+    pub fn fixed(shape: impl Into<Shape>, key: u32) -> Self {
+        Self { mass: None, ..Self::new(shape, key) }
+    }
+
+    const NOBODY: Self = Self {
+        shape: Shape::Aabb(Aabb::from_raw_unchecked(Raw::ZERO, Raw::ZERO)),
+        velocity: Vec2::ZERO,
+        mass: None,
+        surface: Surface::SLICK,
+        filter: Filter::new(crate::LayerMask::ALL, crate::LayerMask::ALL),
+        key: 0,
+        floats: false,
+    };
+
+    /// What a step of gravity gives it.
+    pub(super) fn weight(&self, gravity: Vec2) -> Vec2 {
+        if self.floats { Vec2::ZERO } else { gravity }
+    }
+
+    pub(super) fn tag(&self, still: bool) -> Keyed<Filter> {
+        Keyed { key: self.key, tag: self.filter.with_still(still) }
+    }
+}
+
+/// What a slot is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mode {
+    /// Nobody's.
+    Free,
+    /// No step moves it.
+    Fixed,
+    /// It is in the list of those.
+    Awake,
+    Asleep,
+}
+
+/// A body and what steps know of it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slot {
+    pub(super) body: SceneBody,
+    /// That of the body's handle.
+    pub(super) generation: u16,
+    pub(super) mode: Mode,
+    /// It was awake when the last step began, which told of all that it touched.
+    pub(super) told: bool,
+    /// For how many steps it has hardly moved.
+    pub(super) quiet: u8,
+    /// How many bodies are between it and the level or a fixed body that carries it, as of the last step.
+    pub(super) support: u8,
+    pub(super) tally: Tally,
+}
+
+/// What a step collects for a body before anything moves.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tally {
+    /// The farthest that anything pushes it to each side.
+    pub(super) low: Vec2,
+    pub(super) high: Vec2,
+    /// The sum of the changes of its velocity.
+    pub(super) kick: Vec2,
+    /// How many bodies run into it.
+    pub(super) hits: u16,
+    /// Another body that it touches, directly or not; itself where it stands for all of them.
+    pub(super) link: u16,
+    /// What `support` becomes.
+    pub(super) support: u8,
+    /// Of those that it stands for, the fewest quiet steps.
+    pub(super) calm: u8,
+}
+
+/// Carried by nothing.
+pub(super) const ALOFT: u8 = u8::MAX;
+
+impl Slot {
+    pub(super) const FREE: Self = Self {
+        body: SceneBody::NOBODY,
+        generation: 0,
+        mode: Mode::Free,
+        told: false,
+        quiet: 0,
+        support: ALOFT,
+        tally: Tally::of(0),
+    };
+
+    pub(super) fn of(body: &SceneBody, handle: Handle) -> Self {
+        let fixed = body.mass.is_none();
+        let mode = if fixed { Mode::Fixed } else { Mode::Asleep };
+        let support = if fixed { 0 } else { ALOFT };
+        Self { body: *body, generation: handle.generation(), mode, support, ..Self::FREE }
+    }
+}
+
+impl Tally {
+    pub(super) const fn of(slot: u16) -> Self {
+        let none = Vec2::ZERO;
+        Self { low: none, high: none, kick: none, hits: 0, link: slot, support: ALOFT, calm: u8::MAX }
+    }
+
+    pub(super) fn push(&mut self, by: Vec2) {
+        (self.low, self.high) = (self.low.min(by), self.high.max(by));
+    }
+}

@@ -1,0 +1,332 @@
+//! One step of a scene.
+
+use super::body::{ALOFT, Mode, Slot, Tally};
+use super::change::rouse;
+use super::meeting::{Meeting, Top, carried, toward};
+use super::set::Sleep;
+use super::{Scene, SceneError, SceneEvent, SceneFault, Shape, Stepped};
+use crate::broad::{BroadPhase, Handle, Keyed, Pair};
+use crate::filter::Filter;
+use crate::motion::response::separate;
+use crate::motion::{Body, Mover, Response, Surface};
+use crate::num::{Fx, MOTION, Vec2, check_motion};
+use crate::query::{Contact, Contacts, Touches};
+use crate::world::World;
+
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
+    /// Moves all that is awake by one step; gravity is what the step adds to velocities, zero for games that are seen from above.
+    ///
+    /// See the [module](super) for what happens, and in which order. `each` is told of it.
+    ///
+    /// Cost: of what sleeps, nothing. Of what is awake, the enumeration of its pairs, twice where bodies run into each other; of each body a
+    /// [`move_and_slide`](crate::Mover::move_and_slide), and another one where bodies push it.
+    ///
+    /// # Errors
+    /// [`SceneError`] where the gravity is no motion; nothing was changed. A body that cannot be moved is no error of the step: it is [held](SceneEvent::Held).
+    pub fn step<W: World>(
+        &mut self,
+        level: &W,
+        gravity: Vec2,
+        each: impl FnMut(SceneEvent<'_>),
+    ) -> Result<Stepped, SceneError> {
+        self.step_with(level, gravity, |_| true, each)
+    }
+
+    /// [`step`](Self::step) in which only those pairs count that the game lets: one that it refuses neither pushes nor wakes nor is told.
+    ///
+    /// `counts` is asked of each pair that touches, and once more where the two run into each other: it must say the same both times. What a
+    /// [`Filter`](crate::Filter) can say it should say instead: that costs less.
+    ///
+    /// ```
+    /// use tilesat::broad::{Exceptions, Ignore, SortSweep};
+    /// use tilesat::scene::{SceneBody, SceneEvent, SceneTag};
+    /// use tilesat::{Aabb, Circle, Fx, Scene, TileKinds, TileMap, Vec2};
+    /// let level = TileMap::from_ascii("....\n....\n", &TileKinds::EMPTY)?;
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let ship = scene.insert(&SceneBody::new(Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(16, 8))?, 1))?;
+    /// let shot = SceneBody::new(Circle::new(Vec2::from_ints(14, 4), Fx::ONE)?, 2);
+    /// let shot = scene.insert(&SceneBody { velocity: Vec2::from_ints(2, 0), ..shot })?;
+    /// let mut exceptions = Exceptions::<4>::new();
+    /// exceptions.ignore(shot, ship, Ignore::UntilApart)?;
+    /// for _ in 0..5 {
+    ///     scene.step_with(&level, Vec2::ZERO, |pair| exceptions.passes(pair), |event| {
+    ///         assert!(!matches!(event, SceneEvent::Touch { .. }));
+    ///     })?;
+    ///     exceptions.finish(|handle| scene.body(handle).is_ok(), |pair| scene.rests(pair));
+    /// }
+    /// assert_eq!(scene.body(shot)?.velocity, Vec2::from_ints(2, 0));
+    /// assert_eq!(exceptions.iter().count(), 0); // it has left
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn step_with<W: World>(
+        &mut self,
+        level: &W,
+        gravity: Vec2,
+        mut counts: impl FnMut(Pair) -> bool,
+        mut each: impl FnMut(SceneEvent<'_>),
+    ) -> Result<Stepped, SceneError> {
+        check_motion(gravity, MOTION).map_err(SceneError::call)?;
+        let mut stepped = Stepped::default();
+        if self.count == 0 {
+            return Ok(stepped);
+        }
+        let awake = self.count;
+        begin(&mut self.slots, self.awake.get(..awake).unwrap_or_default(), gravity);
+        self.meet(gravity, &mut stepped, &mut counts, &mut each);
+        self.tell_woken(awake);
+        if self.travel(level, gravity, &mut stepped, &mut each) {
+            self.fall_asleep(&mut stepped);
+        }
+        Ok(stepped)
+    }
+
+    /// Body against body, from the positions at the step's start.
+    fn meet(
+        &mut self,
+        gravity: Vec2,
+        stepped: &mut Stepped,
+        counts: &mut impl FnMut(Pair) -> bool,
+        each: &mut impl FnMut(SceneEvent<'_>),
+    ) {
+        let Some((movers, room)) = self.awake.split_at_mut_checked(self.count) else { return };
+        let (slots, mut woken, mut hits) = (&mut self.slots, 0, false);
+        each_pair(&mut self.near, movers, |pair| {
+            stepped.pairs += 1;
+            let Some((a, b)) = both(slots, pair).filter(|(a, b)| a.body.shape.touches(&b.body.shape)) else { return };
+            if !counts(pair) {
+                return;
+            }
+            let contact = a.body.shape.contact(&b.body.shape);
+            let senses = a.body.filter.sensor() || b.body.filter.sensor();
+            stepped.touching += 1;
+            each(SceneEvent::Touch { pair, contact: contact.as_ref() });
+            if senses {
+                return;
+            }
+            rouse(slots, room, &mut woken, pair.a);
+            rouse(slots, room, &mut woken, pair.b);
+            join(slots, pair);
+            if let Some(contact) = contact {
+                stepped.overlapping += 1;
+                hits |= tally(slots, pair, &contact, gravity);
+            }
+        });
+        if hits {
+            each_pair(&mut self.near, movers, |pair| {
+                stepped.pairs += 1;
+                kick(slots, pair, gravity, counts);
+            });
+        }
+        stepped.woken = woken as u16;
+        self.count += woken;
+    }
+
+    /// Each body against the level; whether one has been quiet for long enough.
+    fn travel<W: World>(
+        &mut self,
+        level: &W,
+        gravity: Vec2,
+        stepped: &mut Stepped,
+        each: &mut impl FnMut(SceneEvent<'_>),
+    ) -> bool {
+        let mover = Mover::platformer(toward(gravity).reversed()).with_surface(Surface::SLICK);
+        let Sleep { still, steps } = self.sleep;
+        let (near, mut calm) = (&mut self.near, false);
+        for &handle in self.awake.iter().take(self.count) {
+            let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
+            let journey = Journey { level, mover: &mover, gravity: slot.body.weight(gravity), still, handle };
+            let made = match slot.body.shape {
+                Shape::Aabb(aabb) => journey.make(slot, &aabb, near, each),
+                Shape::Circle(circle) => journey.make(slot, &circle, near, each),
+            };
+            stepped.moved += 1;
+            if let Err(fault) = made {
+                slot.body.velocity = Vec2::ZERO;
+                (slot.support, slot.quiet) = (ALOFT, slot.quiet.saturating_add(1));
+                stepped.held += 1;
+                each(SceneEvent::Held(SceneError::of(handle, fault)));
+            }
+            calm |= slot.quiet >= steps;
+        }
+        calm && steps != 0
+    }
+
+    /// Bodies that touch, directly or not, sleep together or not at all.
+    fn fall_asleep(&mut self, stepped: &mut Stepped) {
+        let Sleep { steps, .. } = self.sleep;
+        let slots = &mut self.slots;
+        let awake = self.awake.get_mut(..self.count).unwrap_or_default();
+        for handle in &*awake {
+            let Some(quiet) = slots.get(handle.slot()).map(|slot| slot.quiet) else { continue };
+            let root = root(slots, handle.slot() as u16);
+            if let Some(slot) = slots.get_mut(usize::from(root)) {
+                slot.tally.calm = slot.tally.calm.min(quiet);
+            }
+        }
+        let mut left = 0;
+        for k in 0..awake.len() {
+            let Some(&handle) = awake.get(k) else { continue };
+            let root = root(slots, handle.slot() as u16);
+            let calm = slots.get(usize::from(root)).map_or(0, |slot| slot.tally.calm);
+            if calm < steps {
+                if let Some(place) = awake.get_mut(left) {
+                    *place = handle;
+                }
+                left += 1;
+            } else if let Some(slot) = slots.get_mut(handle.slot()) {
+                (slot.mode, slot.body.velocity) = (Mode::Asleep, Vec2::ZERO);
+                let told = self.near.set_tag(handle, slot.body.tag(true));
+                debug_assert!(told.is_ok(), "a body of the scene is in its broad phase");
+            }
+        }
+        stepped.slept = (self.count - left) as u16;
+        self.count = left;
+    }
+}
+
+/// One body's way through the level.
+struct Journey<'a, W> {
+    level: &'a W,
+    /// Slides.
+    mover: &'a Mover<Surface>,
+    gravity: Vec2,
+    still: Fx,
+    handle: Handle,
+}
+
+impl<W: World> Journey<'_, W> {
+    /// First by what pushes it, along the level; then by its velocity.
+    fn make<B: Body + Into<Shape>>(
+        &self,
+        slot: &mut Slot,
+        body: &B,
+        near: &mut impl BroadPhase,
+        each: &mut impl FnMut(SceneEvent<'_>),
+    ) -> Result<(), SceneFault> {
+        let (mut start, push) = (*body, slot.tally.low + slot.tally.high);
+        if push != Vec2::ZERO {
+            start = self.mover.move_and_slide(self.level, body, push)?.body;
+        }
+        let mover =
+            self.mover.with_response(Response::Bounce).with_surface(slot.body.surface.resting_under(self.gravity));
+        let result = mover.move_and_slide(self.level, &start, slot.body.velocity + slot.tally.kick);
+        // Looked at where it is: it is long.
+        let moved = match &result {
+            Ok(moved) => moved,
+            Err(error) => return Err((*error).into()),
+        };
+        let (x, y) = (moved.position() - body.position()).raw();
+        if (x, y) != (0, 0) {
+            let shape = moved.body.into();
+            near.move_to(self.handle, &shape.aabb())?;
+            slot.body.shape = shape;
+        }
+        let is_still = x.unsigned_abs().max(y.unsigned_abs()) < self.still.to_bits().max(0).unsigned_abs();
+        // Slow where nothing holds it is the start or the top of a flight: asleep there it would hang in the air, and out of reach of what wakes.
+        let Tally { low, high, .. } = slot.tally;
+        let flies = self.gravity != Vec2::ZERO && moved.hits.is_empty() && (low, high) == (Vec2::ZERO, Vec2::ZERO);
+        slot.quiet = if is_still && !flies { slot.quiet.saturating_add(1) } else { 0 };
+        slot.support = if moved.floor { 0 } else { slot.tally.support };
+        slot.body.velocity = moved.velocity;
+        if !moved.hits.is_empty() {
+            each(SceneEvent::Level { body: self.handle, hits: &moved.hits, flags: moved.flags });
+        }
+        Ok(())
+    }
+}
+
+fn begin(slots: &mut [Slot], awake: &[Handle], gravity: Vec2) {
+    for handle in awake {
+        let Some(slot) = slots.get_mut(handle.slot()) else { continue };
+        (slot.tally, slot.told) = (Tally::of(handle.slot() as u16), true);
+        slot.body.velocity += slot.body.weight(gravity);
+    }
+}
+
+/// Those of all pairs of which one is awake: by the tags of those that are not, or one by one where they are few.
+fn each_pair<B: BroadPhase>(near: &mut B, movers: &[Handle], each: impl FnMut(Pair)) {
+    if movers.len() > near.len() >> 1 {
+        near.pairs(each);
+    } else {
+        let known = near.pairs_of(movers, each);
+        debug_assert!(known.is_ok(), "a body of the scene is in its broad phase");
+    }
+}
+
+/// The bodies of a pair, where both are of the scene.
+fn both(slots: &[Slot], pair: Pair) -> Option<(&Slot, &Slot)> {
+    let (a, b) = (slots.get(pair.a.slot())?, slots.get(pair.b.slot())?);
+    (a.mode != Mode::Free && b.mode != Mode::Free).then_some((a, b))
+}
+
+/// Collects what a contact does to two bodies; whether they approach.
+fn tally(slots: &mut [Slot], pair: Pair, contact: &Contact, gravity: Vec2) -> bool {
+    let Some((a, b)) = both(slots, pair) else { return false };
+    let top = Top::of(contact.axis(), toward(gravity));
+    let (on_b, on_a) = (carried(b.support), carried(a.support));
+    let Some(meeting) = Meeting::of(a, b, contact.axis(), gravity) else { return false };
+    let (by_a, by_b) = separate(contact, meeting.masses.share_of_a());
+    let is_hit = meeting.is_hit();
+    for (at, by, moves, below) in [
+        (pair.a, by_a, meeting.moves_a, if top == Top::A { on_b } else { ALOFT }),
+        (pair.b, by_b, meeting.moves_b, if top == Top::B { on_a } else { ALOFT }),
+    ] {
+        let Some(slot) = slots.get_mut(at.slot()) else { continue };
+        slot.tally.push(by);
+        slot.tally.hits = slot.tally.hits.saturating_add(u16::from(is_hit && moves));
+        slot.tally.support = slot.tally.support.min(below);
+    }
+    is_hit
+}
+
+/// What two bodies that run into each other do to their velocities.
+fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, counts: &mut impl FnMut(Pair) -> bool) {
+    let Some((a, b)) = both(slots, pair) else { return };
+    if a.body.filter.sensor() || b.body.filter.sensor() {
+        return;
+    }
+    let Some(contact) = a.body.shape.contact(&b.body.shape) else { return };
+    let Some(meeting) = Meeting::of(a, b, contact.axis(), gravity).filter(Meeting::is_hit) else { return };
+    if !counts(pair) {
+        return;
+    }
+    let hits = |slot: &Slot, moves: bool| if moves { slot.tally.hits } else { 0 };
+    let (by_a, by_b) = meeting.kicks(hits(a, meeting.moves_a).max(hits(b, meeting.moves_b)));
+    for (at, by) in [(pair.a, by_a), (pair.b, by_b)] {
+        if let Some(slot) = slots.get_mut(at.slot()) {
+            slot.tally.kick += by;
+        }
+    }
+}
+
+/// Two bodies touch: they rest together. A fixed one joins nobody.
+fn join(slots: &mut [Slot], pair: Pair) {
+    let fixed = |slot: &Slot| slot.mode == Mode::Fixed;
+    if both(slots, pair).is_none_or(|(a, b)| fixed(a) || fixed(b)) {
+        return;
+    }
+    let (a, b) = (root(slots, pair.a.slot() as u16), root(slots, pair.b.slot() as u16));
+    if let Some(slot) = slots.get_mut(usize::from(a.max(b))) {
+        slot.tally.link = a.min(b);
+    }
+}
+
+/// Who stands for a body and all that it touches; the way there is halved.
+fn root(slots: &mut [Slot], mut at: u16) -> u16 {
+    let link = |slots: &[Slot], at: u16| slots.get(usize::from(at)).map_or(at, |slot| slot.tally.link);
+    for _ in 0..slots.len() {
+        let next = link(slots, at);
+        if next == at {
+            break;
+        }
+        let after = link(slots, next);
+        if let Some(slot) = slots.get_mut(usize::from(at)) {
+            slot.tally.link = after;
+        }
+        at = after;
+    }
+    at
+}
