@@ -17,69 +17,12 @@
     allow(unsafe_code, reason = "entry points and the logger of a bare-metal program are unsafe by nature")
 )]
 
-#[allow(unused_imports, reason = "pictures and reports of the desktop example have no place on a chip")]
-#[path = "platformer/sim/mod.rs"]
-mod sim;
-
-#[path = "platformer/levels/meadow.rs"]
-mod meadow;
-
-use core::fmt;
-use tilesat::{Fx, Grid, Outside, TileMap, TileMapError, Vec2};
-
-/// What a run comes to.
-struct Outcome {
-    contacts: u32,
-    refused: u32,
-    hash: u32,
-}
-
-impl fmt::Display for Outcome {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { contacts, refused, hash } = self;
-        write!(
-            f,
-            "frames={} bodies={} contacts={contacts} refused={refused} hash={hash:08x}",
-            sim::FIRMWARE_FRAMES,
-            sim::BODIES
-        )
-    }
-}
-
-/// Why there was no run.
-#[derive(Debug)]
-enum Failure {
-    #[expect(dead_code, reason = "told by Debug")]
-    Level(TileMapError),
-    NoRoom,
-}
-
-const RULES: sim::Rules =
-    sim::Rules { coin: meadow::COIN, kill: meadow::KILL, win: meadow::WIN, ladder: meadow::LADDER };
-
-/// The level as it lies in flash, a closed room.
-fn level() -> Result<TileMap<'static>, TileMapError> {
-    let grid = Grid::new(meadow::WIDTH, meadow::HEIGHT, Fx::from_num(meadow::TILE), Vec2::ZERO)?;
-    Ok(TileMap::on_grid(meadow::TILES, grid, &meadow::KINDS)?.with_outside(Outside::Solid))
-}
-
-/// Runs all frames; `each` is told every frame's number and its report.
-fn run(mut each: impl FnMut(u32, &sim::FrameReport)) -> Result<Outcome, Failure> {
-    let map = level().map_err(Failure::Level)?;
-    let mut sim = sim::Sim::new(&map, RULES, sim::SEED).map_err(|sim::NoRoom| Failure::NoRoom)?;
-    let (mut contacts, mut refused) = (0, 0);
-    for frame in 0..sim::FIRMWARE_FRAMES {
-        let report = sim.step(&map);
-        contacts += report.contacts;
-        refused += report.refused;
-        each(frame, &report);
-    }
-    Ok(Outcome { contacts, refused, hash: sim.hash() })
-}
+#[path = "platformer/flash.rs"]
+mod flash;
 
 #[cfg(not(target_os = "none"))]
 fn main() -> std::process::ExitCode {
-    match run(|_, _| {}) {
+    match flash::run(|_, _| {}) {
         Ok(outcome) => {
             println!("{outcome}");
             std::process::ExitCode::SUCCESS
@@ -96,7 +39,7 @@ fn main() -> std::process::ExitCode {
 #[allow(unsafe_code, reason = "a name that the host finds is promised to be the only one")]
 #[unsafe(no_mangle)]
 pub extern "C" fn firmware_hash() -> u32 {
-    run(|_, _| {}).map_or(0, |outcome| outcome.hash)
+    flash::run(|_, _| {}).map_or(0, |outcome| outcome.hash)
 }
 
 #[cfg(target_os = "none")]
@@ -109,7 +52,7 @@ mod chip {
 
     #[entry]
     fn main() -> ! {
-        match super::run(log) {
+        match super::flash::run(log) {
             Ok(outcome) => {
                 println!("{outcome}");
                 process::exit(0)
@@ -137,10 +80,10 @@ mod chip {
     }
 
     #[cfg(not(feature = "defmt"))]
-    fn log(_: u32, _: &super::sim::FrameReport) {}
+    fn log(_: u32, _: &super::flash::sim::FrameReport) {}
 
     #[cfg(feature = "defmt")]
-    fn log(frame: u32, report: &super::sim::FrameReport) {
+    fn log(frame: u32, report: &super::flash::sim::FrameReport) {
         if frame.is_multiple_of(60) {
             defmt::info!("frame {=u32}: {=u32} contacts", frame, report.contacts);
         }

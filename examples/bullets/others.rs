@@ -1,0 +1,45 @@
+//! The same game on every other broad phase.
+
+use crate::game::{BODIES, Game, Level};
+use crate::platformer::fail::{Fail, Result};
+use tilesat::broad::{BroadPhase, BruteForce, LooseGrid, SpatialHash};
+use tilesat::{Filter, Fx, Vec2};
+
+/// 16 x 8 cells of 64 units.
+type Grid = LooseGrid<4, BODIES, Filter>;
+/// Cells of 32 units; the zone is larger.
+type Hash = SpatialHash<256, BODIES, Filter, true>;
+
+pub struct Others {
+    brute: Game<BruteForce<BODIES, Filter>>,
+    grid: Game<Grid>,
+    hash: Game<Hash>,
+}
+
+impl Others {
+    pub fn new() -> Result<Self> {
+        let grid = Grid::new(Vec2::ZERO, Fx::from_num(64), 16).map_err(|e| Fail::new(e.to_string()))?;
+        let hash = Hash::new(Fx::from_num(32)).map_err(|e| Fail::new(e.to_string()))?;
+        let mut all = Self { brute: Game::new(BruteForce::new()), grid: Game::new(grid), hash: Game::new(hash) };
+        all.brute.start();
+        all.grid.start();
+        all.hash.start();
+        Ok(all)
+    }
+
+    /// One frame, to the same hash.
+    pub fn step(&mut self, level: &Level, game: &Game) -> std::result::Result<(), String> {
+        fn same<B: BroadPhase<Tag = Filter>>(
+            name: &str,
+            other: &mut Game<B>,
+            level: &Level,
+            game: &Game,
+        ) -> std::result::Result<(), String> {
+            other.step(level);
+            if other.tally == game.tally { Ok(()) } else { Err(format!("another game with {name}: {other}")) }
+        }
+        same("brute force", &mut self.brute, level, game)?;
+        same("a loose grid", &mut self.grid, level, game)?;
+        same("a spatial hash", &mut self.hash, level, game)
+    }
+}

@@ -1,0 +1,92 @@
+//! The bullets on a chip: 256 bullets, 32 enemies and a player on the level in flash, 600 frames, and the hash of all of them.
+//!
+//! ```text
+//! cargo run --release --example bullets_firmware                               this computer
+//! cargo run --release --example bullets_firmware --target thumbv6m-none-eabi   a Cortex-M0 (micro:bit, emulated)
+//!   ... thumbv7m-none-eabi, thumbv7em-none-eabihf, thumbv8m.main-none-eabihf   a Cortex-M3, M4F, M33 (emulated)
+//!   ... riscv32imc-unknown-none-elf, riscv32imac-unknown-none-elf              RISC-V (virt, emulated)
+//! ```
+//!
+//! All of them, and `bullets` on a desktop, print the same line.
+
+#![cfg_attr(target_os = "none", no_std, no_main)]
+#![cfg_attr(
+    target_os = "none",
+    allow(unsafe_code, reason = "entry points of a bare-metal program are unsafe by nature")
+)]
+
+#[path = "bullets/game/mod.rs"]
+mod game;
+
+use game::{FRAMES, Game, Near};
+use tilesat::TileMapError;
+
+/// Runs all frames.
+fn run(game: &mut Game) -> Result<(), TileMapError> {
+    let level = game::level()?;
+    game.start();
+    for _ in 0..FRAMES {
+        game.step(&level);
+    }
+    Ok(())
+}
+
+#[cfg(not(target_os = "none"))]
+fn main() -> std::process::ExitCode {
+    let mut game = Game::new(Near::new());
+    match run(&mut game) {
+        Ok(()) => {
+            println!("{game}");
+            std::process::ExitCode::SUCCESS
+        }
+        Err(failure) => {
+            eprintln!("no run: {failure}");
+            std::process::ExitCode::FAILURE
+        }
+    }
+}
+
+#[cfg(target_os = "none")]
+mod chip {
+    use super::{Game, Near};
+    #[cfg(target_arch = "arm")]
+    use cortex_m_rt::entry;
+    #[cfg(target_arch = "riscv32")]
+    use riscv_rt::entry;
+    use semihosting::{eprintln, println, process};
+
+    /// Most of the memory of a small chip: on the stack there would be a moment with two of them.
+    static mut GAME: Game = Game::new(Near::new());
+
+    #[entry]
+    fn main() -> ! {
+        let game = &raw mut GAME;
+        // SAFETY: nothing else names it, and this is called once.
+        let game = unsafe { &mut *game };
+        match super::run(game) {
+            Ok(()) => {
+                println!("{game}");
+                process::exit(0)
+            }
+            Err(failure) => {
+                eprintln!("no run: {failure}");
+                process::exit(1)
+            }
+        }
+    }
+
+    /// The default handlers loop for ever; a fault must end the run.
+    #[cfg(target_arch = "arm")]
+    #[cortex_m_rt::exception]
+    unsafe fn HardFault(frame: &cortex_m_rt::ExceptionFrame) -> ! {
+        eprintln!("hard fault at {:#010x}", frame.pc());
+        process::exit(70)
+    }
+
+    #[cfg(target_arch = "riscv32")]
+    #[unsafe(export_name = "ExceptionHandler")]
+    fn fault(_: &riscv_rt::TrapFrame) -> ! {
+        eprintln!("a trap");
+        process::exit(70)
+    }
+}
