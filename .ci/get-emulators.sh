@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# get-emulators.sh [arm|riscv32]: puts qemu-system-arm (or -riscv32) under target/emulators without installing a package, and prints its path.
-# One on PATH that knows the boards is preferred and nothing is fetched.
+# get-emulators.sh [arm|riscv32|gba]: puts qemu-system-arm (or -riscv32, or mGBA as a libretro core) under target/emulators without installing
+# a package, and prints its path. One on PATH that knows the boards (a core among the system's) is preferred and nothing is fetched.
 # Exit 0: the path is on standard output. Exit 3: no emulator can be had here; the reason is on standard error.
 set -euo pipefail
 
@@ -10,6 +10,7 @@ arch=${1:-arm}
 case $arch in
 arm) boards=(microbit mps2-an385 mps2-an386 lm3s6965evb) packages=(qemu-system-arm) ;;
 riscv32) boards=(virt) packages=(qemu-system-riscv qemu-system-misc) ;;
+gba) boards=() packages=(libretro-mgba) ;;
 *)
     echo "get-emulators.sh: there is none for $arch" >&2
     exit 2
@@ -21,8 +22,26 @@ wrapper=$dir/bin/$program
 
 missing() {
     printf 'no emulator: %s\n' "$*" >&2
-    printf 'install QEMU 7.2 or later so that %s is on PATH, and run this again\n' "$program" >&2
+    if [[ $arch == gba ]]; then
+        printf 'install mGBA as a libretro core (package libretro-mgba), and run this again\n' >&2
+    else
+        printf 'install QEMU 7.2 or later so that %s is on PATH, and run this again\n' "$program" >&2
+    fi
     exit 3
+}
+
+# The core and the libraries unpacked beside it; a core of the system has its own.
+core_of() {
+    local core
+    for core in "$1"/usr/lib/*-linux-gnu*/libretro/mgba_libretro.so "$1"/usr/lib/libretro/mgba_libretro.so; do
+        [[ -f $core ]] && echo "$core" && return
+    done
+    return 1
+}
+core_usable() {
+    local libs
+    libs=$(ldd "$1" 2>/dev/null) || return 1
+    awk -v at="$(dirname "$1")/.." '/not found/ && system("test -e " at "/" $1) { exit 1 }' <<<"$libs"
 }
 
 # An emulator counts only when it starts and has all boards.
@@ -34,13 +53,22 @@ usable() {
     done
 }
 
-if found=$(command -v "$program") && usable "$found"; then
-    echo "$found"
-    exit 0
-fi
-if [[ -x $wrapper ]] && usable "$wrapper"; then
-    echo "$wrapper"
-    exit 0
+if [[ $arch == gba ]]; then
+    for place in '' "$dir"; do
+        if found=$(core_of "$place") && core_usable "$found"; then
+            echo "$found"
+            exit 0
+        fi
+    done
+else
+    if found=$(command -v "$program") && usable "$found"; then
+        echo "$found"
+        exit 0
+    fi
+    if [[ -x $wrapper ]] && usable "$wrapper"; then
+        echo "$wrapper"
+        exit 0
+    fi
 fi
 
 for tool in apt-get dpkg; do
@@ -54,6 +82,11 @@ mkdir -p "$dir/debs"
 # qemu-system-data holds boot ROMs and firmware that the boards do not use.
 wanted() {
     local package=$1
+    # The core's package asks for a whole front end; of its libraries one is not on every system.
+    if [[ $arch == gba ]]; then
+        echo "$package libinih1"
+        return
+    fi
     apt-get "${@:2}" install --simulate --no-install-recommends -y "$package" qemu-utils- 2>>"$dir/log" |
         awk '$1 == "Inst" && $2 != "qemu-system-data" { print $2 }'
 }
@@ -79,6 +112,12 @@ for deb in "$dir"/debs/*.deb; do
     dpkg -x "$deb" "$dir"
 done
 rm -rf "$dir/debs" "$dir/lists" "$dir/cache"
+
+if [[ $arch == gba ]]; then
+    found=$(core_of "$dir") && core_usable "$found" || missing 'the unpacked core lacks a library'
+    echo "$found"
+    exit 0
+fi
 
 mkdir -p "$dir/bin"
 cat >"$wrapper" <<'T'

@@ -1,0 +1,8 @@
+//! Puts the layout of the console's memory where the linker finds it.
+
+use std::env;
+
+fn main() {
+    println!("cargo::rerun-if-changed=link.x");
+    println!("cargo::rustc-link-search={}", env::var("CARGO_MANIFEST_DIR").unwrap_or_default());
+}

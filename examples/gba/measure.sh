@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# Plays the game for the Game Boy Advance with a script for its keys, in Thumb and in ARM state, with 32 bodies and with 64, and compares what the
+# motion of a frame costs, in cycles, with the reviewed table cycles.txt.
+#
+#   measure.sh            print and compare; exit 1 where a mean has moved by more than 2 %, 3 where there is no emulator
+#   measure.sh --accept   print, make this the reviewed table, write it into the README, and the last picture to gba.png
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+here=examples/gba
+accept=0
+case "${*:-}" in
+'') ;;
+--accept) accept=1 ;;
+*)
+    sed -n '2,6s/^# \{0,1\}//p' "$0" >&2
+    exit 2
+    ;;
+esac
+.ci/get-emulators.sh gba >/dev/null || exit 3
+out=${CARGO_TARGET_DIR:-$here/target}
+mkdir -p "$out"
+
+keys='200 130:right 20:right+a 60:right 20:left+a 100:left 20:left+a 100:left 100:right 20:right+a 80:right 10:start'
+game() {
+    RUSTC_BOOTSTRAP=1 cargo run --quiet --release --manifest-path $here/Cargo.toml -Zbuild-std=core --target "$1" --bin game -- --keys "$2" "${@:3}"
+}
+
+fresh=$out/cycles.txt
+{
+    rustc --version
+    echo 'state of the core|bodies|frames|mean|most|late|stack|hash'
+    for state in 'Thumb thumbv4t-none-eabi' 'ARM armv4t-none-eabi'; do
+        read -r name target <<<"$state"
+        for bodies in 32 64; do
+            # Select at power-on doubles the bodies.
+            before=$([[ $bodies == 64 ]] && echo 5:select || echo 5)
+            picture=()
+            [[ $accept$name$bodies == 1ARM32 ]] && picture=(--png $here/gba.png --scale 3)
+            game "$target" "$before $keys" "${picture[@]}" |
+                sed -n "s/^bodies=\(.*\) frames=\(.*\) mean=\(.*\) most=\(.*\) late=\(.*\) stack=\(.*\) hash=\(.*\)/$name|\1|\2|\3|\4|\5|\6|\7/p"
+        done
+    done
+} >"$fresh"
+cat "$fresh"
+
+if ((accept)); then
+    cp "$fresh" $here/cycles.txt
+    awk -F'|' -v table="$fresh" '
+        /<!-- gba:begin/ {
+            print
+            print "| GBA, state of the core | bodies | cycles a frame, mean | most | of a picture, mean | frames over a picture | stack, bytes |"
+            print "|---|--:|--:|--:|--:|--:|--:|"
+            while ((getline row < table) > 0)
+                if (split(row, c, "|") == 8 && c[2] + 0)
+                    printf "| %s | %d | %d | %d | %.0f %% | %d of %d | %d |\n", c[1], c[2], c[4], c[5], c[4] / 2808.96, c[6], c[3], c[7]
+            inside = 1
+        }
+        /<!-- gba:end/ { inside = 0 }
+        !inside' README.md >"$out/README.md"
+    cat "$out/README.md" >README.md
+    echo "$here/cycles.txt, gba.png and the README's table are now this: review the difference before it is committed"
+fi
+
+awk -F'|' '
+    FNR == 1 { if (NR == 1) compiler = $0; else other = compiler != $0; next }
+    NR == FNR { mean[$1 $2] = $4; next }
+    $2 + 0 {
+        rows++
+        was = mean[$1 $2]
+        if ($4 > was * 1.02 || $4 < was * 0.98) { moved++; printf "%s, %d bodies: %d cycles, reviewed were %d\n", $1, $2, $4, was }
+    }
+    END {
+        if (rows != 4) { print "the game did not come to its end"; exit 1 }
+        if (!moved) print "4 rows, none moved by more than 2 %"
+        else if (other) print "another compiler: told, not failed"
+        exit moved && !other
+    }' $here/cycles.txt "$fresh"

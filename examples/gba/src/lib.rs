@@ -1,0 +1,13 @@
+//! The least that a program for the Game Boy Advance needs: start-up, registers, the emulator's log, a cycle counter, screen and keys.
+//!
+//! All `unsafe` of the example is in `start`, `register` and `stack`; the library has none.
+#![no_std]
+
+mod copy;
+pub mod cycles;
+pub mod log;
+pub mod pad;
+mod register;
+pub mod screen;
+pub mod stack;
+mod start;
