@@ -1,11 +1,12 @@
 # The reviewed table as Markdown, both cores side by side: awk -f readme.awk counts.txt
+# Those of broad phases are a table of their own (bodies.awk).
 # Rows that only show where a class comes from stay in counts.txt, and so do stacks below 256 bytes.
 BEGIN { FS = "|" }
 
 function trim(s) { gsub(/^ +| +$/, "", s); return s }
 function mean(s) { return sprintf("%.0f", trim(s) + 0) }
 
-NF < 5 || /^core/ || /(second|third|last) reject|, uniform/ { next }
+NF < 5 || /^core/ || /^M[0-9]+ (pairs|size)/ || /(second|third|last) reject|, uniform/ { next }
 {
     core = trim($1)
     name = trim($2)

@@ -1,6 +1,25 @@
-//! The frame of a program that holds one query and everything it pulls in.
+//! The frame of a program that holds one query and everything it pulls in, and of one that holds all there is.
 
 #![no_std]
+
+use tilesat::Aabb;
+use tilesat::broad::BroadPhase;
+
+/// Bodies come, all move, one goes: a number that tells all pairs.
+#[inline(always)]
+pub fn frame<B: BroadPhase<Tag = ()>>(mut near: B, boxes: &[Aabb], moved: &[Aabb]) -> usize {
+    for bounds in boxes {
+        let _ = core::hint::black_box(near.insert(bounds, ()));
+    }
+    let _ = core::hint::black_box(near.move_each(|body, bounds| *moved.get(body.slot()).unwrap_or(bounds)));
+    let (mut sum, mut last) = (0, None);
+    near.pairs(|pair| {
+        sum += pair.a.slot() ^ pair.b.slot() << 8;
+        last = Some(pair.b);
+    });
+    let _ = core::hint::black_box(last.map(|body| near.remove(body)));
+    sum
+}
 
 /// A program whose entry runs `$query` on operands that the compiler knows nothing of, and stores the whole answer.
 #[macro_export]
@@ -22,5 +41,45 @@ macro_rules! program {
         fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
             loop {}
         }
+    };
+}
+
+/// A program that holds all these functions, each with arguments that the compiler knows nothing of: what they link, they may run.
+///
+/// Its panics all end in a function that cannot be inlined away, so that none is missed.
+#[macro_export]
+macro_rules! everything {
+    ($($part:path),+ $(,)?) => {
+        #[unsafe(no_mangle)]
+        extern "C" fn _start() -> ! {
+            $($part();)+
+            loop {}
+        }
+
+        #[unsafe(no_mangle)]
+        #[inline(never)]
+        extern "C" fn the_panic() -> ! {
+            loop {
+                core::hint::black_box(());
+            }
+        }
+
+        #[panic_handler]
+        fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+            the_panic()
+        }
+    };
+}
+
+/// Links these expressions, each as the body of a function that the compiler cannot know the callers of, with its whole answer.
+#[macro_export]
+macro_rules! keep {
+    ($(|$($x:ident: $t:ty),*| $answer:expr;)+) => {
+        $({
+            fn kept($($x: $t),*) {
+                let _ = core::hint::black_box(&$answer);
+            }
+            core::hint::black_box(kept as *const ());
+        })+
     };
 }

@@ -1,0 +1,66 @@
+# The rows of broad phases as Markdown, a table a world: awk -f bodies.awk counts.txt (or what the firmware prints)
+# Rows: "M0 pairs | sweep, 64 bodies, fixed | plain | filters | budget" and "M0 size | sweep, 64 bodies | plain | filters |".
+BEGIN {
+    FS = "|"
+    kinds = split("brute sweep grid hash", kind, " ")
+    worlds = split("fixed density cluster", world, " ")
+    title["fixed"] = "a world of 1024 x 768"
+    title["density"] = "64 x 64 for each"
+    title["cluster"] = "all in 256 x 256"
+}
+
+function trim(s) { gsub(/^ +| +$/, "", s); return s }
+# 1234567 as 1 234 567.
+function spaced(n, s) {
+    for (s = ""; n >= 1000; n = int(n / 1000)) s = sprintf(" %03d", n % 1000) s
+    return n s
+}
+
+$1 ~ /^M[0-9]+ (pairs|size) *$/ {
+    split(trim($1), what, " ")
+    split(trim($2), name, ", ")
+    n = name[2] + 0
+    if (!(n in seen)) { seen[n] = 1; bodies[++rows] = n }
+    key = what[1] " " (what[2] == "size" ? "size" : name[3]) " " name[1] " " n
+    plain[key] = trim($3) + 0
+    masked[key] = trim($4) + 0
+}
+
+END {
+    for (w = 1; w <= worlds; w++) {
+        print "| " title[world[w]] " | M0 brute | sweep | grid | hash | M3 brute | sweep | grid | hash |"
+        print "|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
+        for (i = 1; i <= rows; i++) {
+            line = "| " bodies[i]
+            for (m = 0; m <= 3; m += 3) {
+                least = 0
+                for (k = 1; k <= kinds; k++) {
+                    cost[k] = plain["M" m " " world[w] " " kind[k] " " bodies[i]]
+                    if (!least || cost[k] < least) least = cost[k]
+                }
+                for (k = 1; k <= kinds; k++) {
+                    line = line " | " (cost[k] == least ? "**" spaced(cost[k]) "**" : spaced(cost[k]))
+                }
+            }
+            print line " |"
+        }
+        print ""
+    }
+    print "| a world of 1024 x 768 | M0 regular grid | loose grid | M3 regular grid | loose grid |"
+    print "|--:|--:|--:|--:|--:|"
+    for (i = 1; i <= rows; i++) {
+        line = "| " bodies[i]
+        for (m = 0; m <= 3; m += 3)
+            line = line " | " spaced(plain["M" m " fixed regular " bodies[i]]) " | " spaced(plain["M" m " fixed grid " bodies[i]])
+        print line " |"
+    }
+    print ""
+    print "| bytes of RAM | brute | sweep | grid | hash | *with filters* | *sweep* | *grid* | *hash* |"
+    print "|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
+    for (i = 1; i <= rows; i++) {
+        line = "| " bodies[i]
+        for (k = 1; k <= kinds; k++) line = line " | " spaced(plain["M0 size " kind[k] " " bodies[i]])
+        for (k = 1; k <= kinds; k++) line = line " | *" spaced(masked["M0 size " kind[k] " " bodies[i]]) "*"
+        print line " |"
+    }
+}

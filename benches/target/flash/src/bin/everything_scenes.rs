@@ -1,0 +1,72 @@
+//! A scene, with each broad phase, in each kind of level.
+#![no_std]
+#![no_main]
+use tilesat::broad::{BruteForce, Handle, LooseGrid, Pair, SortSweep, SpatialHash};
+use tilesat::prelude::*;
+use tilesat::scene::{SceneEvent, SceneTag, Shape, Sleep};
+use tilesat::world::{AllShapes, Joined, SegmentMap, Solids, TileMap};
+use tilesat::{Aabb, Circle, Scene, SceneBody, Vec2};
+use tilesat_flash::keep;
+
+type Doors<'a> = Joined<'a, TileMap<'a, AllShapes>, Solids<'a>>;
+
+macro_rules! scenes {
+    ($($n:literal: $near:ty),+ $(,)?) => {
+        $(keep! {
+            |near: $near| Scene::<$near, $n>::new(near);
+            |near: $near, sleep: Sleep| Scene::<$near, $n>::with_sleep(near, sleep);
+            |s: &'static Scene<$near, $n>| s.near();
+            |s: &mut Scene<$near, $n>, body: &SceneBody| s.insert(body);
+            |s: &mut Scene<$near, $n>, h: Handle| s.remove(h);
+            |s: &'static Scene<$near, $n>, h: Handle| s.body(h);
+            |s: &Scene<$near, $n>, h: Handle| s.is_awake(h);
+            |s: &Scene<$near, $n>, h: Handle| s.is_supported(h);
+            |s: &Scene<$near, $n>, pair: &Pair| s.rests(pair);
+            |s: &'static Scene<$near, $n>| s.awake();
+            |s: &mut Scene<$near, $n>, h: Handle, by: Vec2| s.push(h, by);
+            |s: &mut Scene<$near, $n>, h: Handle, v: Vec2| s.set_velocity(h, v);
+            |s: &mut Scene<$near, $n>, h: Handle, shape: Shape| s.place(h, shape);
+            |s: &mut Scene<$near, $n>, h: Handle| s.wake(h);
+            |s: &mut Scene<$near, $n>, region: &Aabb| s.wake_region(region);
+            |s: &mut Scene<$near, $n>, l: &TileMap<'_>, g: Vec2, each: fn(SceneEvent<'_>)| s.step(l, g, each);
+        })+
+    };
+}
+
+macro_rules! steps {
+    ($($level:ty),+) => {
+        $(keep! {
+            |s: &mut Scene<SortSweep<64, SceneTag>, 64>, l: &$level, g: Vec2, each: fn(SceneEvent<'_>)| s.step(l, g, each);
+            |s: &Shape, l: &$level| s.overlaps_level(l);
+        })+
+    };
+}
+
+fn shapes() {
+    keep! {
+        |shape: Shape, key: u32| SceneBody::new(shape, key);
+        |shape: Shape, key: u32| SceneBody::fixed(shape, key);
+        |shape: Aabb| Shape::from(shape);
+        |shape: Circle| Shape::from(shape);
+        |s: &Shape| (s.aabb(), s.position());
+        |a: &Shape, b: &Shape| a.contact(b);
+        |a: &Shape, b: &Shape| a.overlaps(b);
+        |a: &Shape, b: &Shape| a.touches(b);
+        |_any: u8| Sleep::default();
+    }
+}
+
+fn phases() {
+    scenes!(
+        32: BruteForce<32, SceneTag>,
+        64: SortSweep<64, SceneTag>,
+        300: LooseGrid<24, 300, SceneTag, true>,
+        40: SpatialHash<64, 64, SceneTag>,
+    );
+}
+
+fn levels() {
+    steps!(TileMap<'_, AllShapes>, SegmentMap<'_>, Doors<'_>);
+}
+
+tilesat_flash::everything!(shapes, phases, levels);
