@@ -47,6 +47,10 @@ fn main() -> std::process::ExitCode {
 }
 
 #[cfg(target_os = "none")]
+#[path = "chip/fault.rs"]
+mod fault;
+
+#[cfg(target_os = "none")]
 mod chip {
     use super::{Game, Near};
     #[cfg(target_arch = "arm")]
@@ -73,20 +77,5 @@ mod chip {
                 process::exit(1)
             }
         }
-    }
-
-    /// The default handlers loop for ever; a fault must end the run.
-    #[cfg(target_arch = "arm")]
-    #[cortex_m_rt::exception]
-    unsafe fn HardFault(frame: &cortex_m_rt::ExceptionFrame) -> ! {
-        eprintln!("hard fault at {:#010x}", frame.pc());
-        process::exit(70)
-    }
-
-    #[cfg(target_arch = "riscv32")]
-    #[unsafe(export_name = "ExceptionHandler")]
-    fn fault(_: &riscv_rt::TrapFrame) -> ! {
-        eprintln!("a trap");
-        process::exit(70)
     }
 }
