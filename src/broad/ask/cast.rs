@@ -5,6 +5,7 @@ use crate::broad::spatial::Spatial;
 use crate::broad::{Handle, QueryError};
 use crate::error::{Quantity, RangeError};
 use crate::num::{DOMAIN, Raw, Toi, Vec2, fraction, umul};
+use crate::query::cast::Span;
 use crate::shape::Aabb;
 use heapless::VecView;
 
@@ -18,33 +19,15 @@ pub struct BroadHit {
     pub toi: Toi,
 }
 
-/// One component of a motion toward a closed interval.
-#[derive(Clone, Copy)]
-struct Span {
-    /// How far it is to the near end, negative within; and to the far one. The first is never the larger.
-    gap: i32,
-    leave: i32,
-    /// Not negative.
-    speed: i32,
-}
-
+/// The closed counterparts of what casts ask of their spans.
 impl Span {
-    /// Of differences inside the domain and a motion between two places in it: all below 2^30.
-    const fn new(alo: i32, ahi: i32, blo: i32, bhi: i32, d: i32) -> Self {
-        if d < 0 {
-            Self { gap: alo.wrapping_sub(bhi), leave: ahi.wrapping_sub(blo), speed: d.wrapping_neg() }
-        } else {
-            Self { gap: blo.wrapping_sub(ahi), leave: bhi.wrapping_sub(alo), speed: d }
-        }
-    }
-
     const fn meets(self) -> bool {
         self.gap <= self.speed && self.leave >= 0
     }
 
     /// Whether this is left when the other one is entered or after that: `leave / speed >= gap / speed` of the other. Products below 2^60; none where
     /// the motion ends first.
-    const fn outlasts(self, other: Self) -> bool {
+    const fn lasts_until(self, other: Self) -> bool {
         other.gap <= 0
             || self.leave >= self.speed
             || umul(self.leave as u32, other.speed as u32) >= umul(other.gap as u32, self.speed as u32)
@@ -63,7 +46,7 @@ fn touched(a: &Aabb, d: Raw, b: &Aabb) -> Option<Toi> {
     let x = Span::new(alo.x, ahi.x, blo.x, bhi.x, d.x);
     let y = Span::new(alo.y, ahi.y, blo.y, bhi.y, d.y);
     // Both intervals of time meet, each is closed, and rounding down keeps the order of the entries.
-    (x.meets() && y.meets() && x.outlasts(y) && y.outlasts(x)).then(|| x.entry().max(y.entry()))
+    (x.meets() && y.meets() && x.lasts_until(y) && y.lasts_until(x)).then(|| x.entry().max(y.entry()))
 }
 
 /// A sum that wraps is outside of the domain, too: it is at least 2^30 from zero.

@@ -14,16 +14,17 @@ pub struct Side {
 
 /// One component of a motion toward an interval.
 #[derive(Clone, Copy)]
-struct Span {
-    /// How far it is to the interval's near end, negative within; and to its far end.
-    gap: i32,
-    leave: i32,
+pub(crate) struct Span {
+    /// How far it is to the interval's near end, negative within; and to its far end. The first is never the larger.
+    pub(crate) gap: i32,
+    pub(crate) leave: i32,
     /// Not negative.
-    speed: i32,
+    pub(crate) speed: i32,
 }
 
 impl Span {
-    const fn new(alo: i32, ahi: i32, blo: i32, bhi: i32, d: i32) -> Self {
+    /// Of differences inside the domain and a motion between two places in it: all below 2^30.
+    pub(crate) const fn new(alo: i32, ahi: i32, blo: i32, bhi: i32, d: i32) -> Self {
         if d < 0 {
             Self { gap: alo.wrapping_sub(bhi), leave: ahi.wrapping_sub(blo), speed: d.wrapping_neg() }
         } else {

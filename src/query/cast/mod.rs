@@ -13,6 +13,7 @@ mod rounded;
 pub(crate) mod side;
 mod slabs;
 
+pub(crate) use boxes::Span;
 pub use hit::{CastHit, Inside, MovingHit};
 
 use crate::error::RangeError;
