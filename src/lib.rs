@@ -58,6 +58,7 @@
 //! | [`scene`] | [`Scene`]: level, broad phase and bodies by one call a frame |
 //! | [`motion`] | [`Mover::move_and_slide`], [`Walker`], [`Mover::ride`] on moving [`Solid`]s, responses, casts through levels |
 //! | [`error`] | what can be refused |
+//! | [`boards`] | notes for real boards: targets, manifests, frame budgets |
 //!
 //! # Features
 //!
@@ -78,6 +79,9 @@
 
 pub use {fixed, heapless};
 
+#[allow(clippy::doc_markdown, reason = "names of boards")]
+#[doc = include_str!("boards.md")]
+pub mod boards {}
 pub mod broad;
 pub mod error;
 mod filter;

@@ -2,15 +2,14 @@
 
 use super::body::{Body, Entry};
 use super::order::First;
-use super::run::Run;
+use super::search::Search;
 use crate::num::{Axis, Raw};
-use crate::shape::Aabb;
-use crate::world::{Block, Cell, Feature, Geometry, World};
+use crate::world::{Block, Cell, Cells, Feature, Geometry, World};
 
 /// A motion among blocks.
 struct Sweep<'a, W, B> {
     world: &'a W,
-    body: B,
+    body: &'a B,
     d: Raw,
     /// The corner of the bounds that goes first: the motion comes to no face behind it.
     front: Raw,
@@ -21,20 +20,19 @@ struct Sweep<'a, W, B> {
     first: &'a mut First,
 }
 
-impl<B: Body> Run<'_, B> {
-    /// Takes the hits of the cells whose inside meets a region; each cell counts as a feature.
+impl<B: Body> Search<'_, B> {
+    /// Takes the hits of some cells; each counts as a feature.
     #[inline(never)]
-    pub(super) fn meet_blocks<W: World>(&mut self, world: &W, region: &Aabb, d: Raw, first: &mut First) {
-        let body = self.moved.body;
+    pub(super) fn meet_blocks<W: World>(&mut self, world: &W, cells: &mut Cells, d: Raw, first: &mut First) {
+        let body = self.body;
         let bounds = body.bounds();
         let (a, b) = (bounds.lo(), bounds.hi());
         let front = Raw { x: if d.x > 0 { b.x } else { a.x }, y: if d.y > 0 { b.y } else { a.y } };
         let c = Raw { x: (a.x + b.x) >> 1, y: (a.y + b.y) >> 1 };
         let span = if B::MEETS_CORNERS { (c, c) } else { (a, b) };
         let mut sweep = Sweep { world, body, d, front, span, thin: a.x == b.x || a.y == b.y, first };
-        let mut cells = world.cells(region);
-        while let Some(block) = world.next_cell(&mut cells) {
-            self.moved.work.features += 1;
+        while let Some(block) = world.next_cell(cells) {
+            self.features += 1;
             if !block.one_way {
                 sweep.meet_full(&block);
             } else if !self.pass_one_way {
@@ -60,9 +58,22 @@ impl<W: World, B: Body> Sweep<'_, W, B> {
             self.meet_face(block, 1, Raw { x: hi.x, y: lo.y }, Axis::Y, height);
         }
         if B::MEETS_CORNERS && !self.thin {
-            for (index, x, y) in [(4, 1, -1), (5, 1, 1), (6, -1, 1), (7, -1, -1)] {
-                if (d.x != 0 && (x < 0) == (d.x > 0)) || (d.y != 0 && (y < 0) == (d.y > 0)) {
-                    self.meet_corner(block, index, x, y);
+            // A disc comes to a corner where its centre is in the corner's open quadrant, and moves toward one of its sides.
+            let (c, to) = (self.span.0, self.span.0.add(d));
+            let (left, right) = (c.x.min(to.x) < lo.x, c.x.max(to.x) > hi.x);
+            if left || right {
+                let (above, below) = (c.y.min(to.y) < lo.y, c.y.max(to.y) > hi.y);
+                if above && right && (d.x < 0 || d.y > 0) {
+                    self.meet_corner(block, 4, 1, -1);
+                }
+                if below && right && (d.x < 0 || d.y < 0) {
+                    self.meet_corner(block, 5, 1, 1);
+                }
+                if below && left && (d.x > 0 || d.y < 0) {
+                    self.meet_corner(block, 6, -1, 1);
+                }
+                if above && left && (d.x > 0 || d.y > 0) {
+                    self.meet_corner(block, 7, -1, -1);
                 }
             }
         }
@@ -106,10 +117,10 @@ impl<W: World, B: Body> Sweep<'_, W, B> {
     /// The corner of the sides toward `x` and `y`.
     #[inline(never)]
     fn meet_corner(&mut self, block: &Block, index: u16, x: i32, y: i32) {
-        if self.is_full(block, x, 0) || self.is_full(block, 0, y) {
+        let p = Raw { x: if x > 0 { block.hi.x } else { block.lo.x }, y: if y > 0 { block.hi.y } else { block.lo.y } };
+        if !self.comes_to(p, x, y) || self.is_full(block, x, 0) || self.is_full(block, 0, y) {
             return;
         }
-        let p = Raw { x: if x > 0 { block.hi.x } else { block.lo.x }, y: if y > 0 { block.hi.y } else { block.lo.y } };
         // The edges as a block has them, solid on the left: of the two orders the one that turns.
         let (along, down) = (Axis::new(x, 0), Axis::new(0, y.wrapping_neg()));
         let (e_in, e_out) = if x == y { (down.reversed(), along.reversed()) } else { (along, down) };
@@ -117,6 +128,18 @@ impl<W: World, B: Body> Sweep<'_, W, B> {
         if let Some(entry) = &self.body.sweep_block(self.d, &found) {
             self.first.add::<B, W>(entry, &found, self.d);
         }
+    }
+
+    /// Whether the bounds of the motion hold a corner with their inside.
+    fn comes_to(&self, p: Raw, x: i32, y: i32) -> bool {
+        let (c, d, r) = (self.span.0, self.d, self.front.sub(self.span.0));
+        // From outside of the corner, by at least the radius all the time: no.
+        let along = |c: i32, d: i32, p: i32, side: i32, r: i32| {
+            let (from, to) = (c.wrapping_sub(p), c.wrapping_add(d).wrapping_sub(p));
+            let nearest = if side > 0 { from.min(to) } else { from.max(to).wrapping_neg() };
+            nearest < r.wrapping_abs()
+        };
+        along(c.x, d.x, p.x, x, r.x) && along(c.y, d.y, p.y, y, r.y)
     }
 
     #[inline(never)]

@@ -107,6 +107,10 @@ impl Entry {
     /// The component `d` up to the hit, rounded up where that leads to the side of `out`, else toward the start.
     fn part(&self, d: i32, out: i32) -> i32 {
         let size = d.unsigned_abs();
+        if size == self.den {
+            // The way into a face along x or y, which is what its time is a part of.
+            return if d < 0 { (self.num as i32).wrapping_neg() } else { self.num as i32 };
+        }
         let part = mul_div(size, self.num, self.den);
         let up = out != 0 && (out < 0) == (d < 0) && umul(part, self.den) != umul(size, self.num);
         let part = part.wrapping_add(u32::from(up)) as i32;

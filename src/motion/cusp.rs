@@ -4,11 +4,11 @@ use super::around::hull;
 use super::body::{Body, Entry};
 use super::order::First;
 use super::plane::way;
-use super::run::Run;
+use super::search::Search;
 use crate::num::{Axis, Raw};
 use crate::world::{Geometry, World};
 
-impl<B: Body> Run<'_, B> {
+impl<B: Body> Search<'_, B> {
     /// Takes the first end of a convex arc at which a body that has no extent across its motion runs into the solid, where that is before all else that
     /// it meets.
     ///
@@ -24,13 +24,13 @@ impl<B: Body> Run<'_, B> {
     /// ```
     #[inline(never)]
     pub(super) fn meet_cusp<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
-        let bounds = self.moved.body.bounds();
+        let bounds = self.body.bounds();
         let (lo, hi) = (bounds.lo(), bounds.hi());
         let front = Raw { x: if d.x > 0 { hi.x } else { lo.x }, y: if d.y > 0 { hi.y } else { lo.y } };
         let step = Raw { x: d.x.signum(), y: d.y.signum() };
         let mut features = world.features(&hull(&bounds, Raw::ZERO, d, 1));
         while let Some(feature) = &features.next() {
-            self.moved.work.features += 1;
+            self.features += 1;
             let Geometry::Arc { centre, radius, quadrant, convex: true } = feature.geometry else { continue };
             let (x, y) = if d.x == 0 { (quadrant.x, 0) } else { (0, quadrant.y) };
             let end = Raw::of(centre).add(Raw { x: x.wrapping_mul(radius), y: y.wrapping_mul(radius) });
@@ -48,7 +48,7 @@ impl<B: Body> Run<'_, B> {
 
     /// Whether the motion is along x or y and the body has no extent across it.
     pub(super) fn may_meet_cusp(&self, d: Raw) -> bool {
-        let bounds = self.moved.body.bounds();
+        let bounds = self.body.bounds();
         (d.x == 0 && bounds.lo().x == bounds.hi().x) || (d.y == 0 && bounds.lo().y == bounds.hi().y)
     }
 }

@@ -12,6 +12,7 @@ pub(super) enum Side {
 
 /// The steepest floor, and ceiling: as high as `rise` where it is as wide as `run`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct SlopeLimit {
     pub(super) rise: u16,
     pub(super) run: u16,
@@ -27,7 +28,11 @@ impl SlopeLimit {
     pub(super) fn side(self, up: Axis, normal: Axis) -> Side {
         let (along, across) = (normal.dot(up), normal.perp_dot(up));
         let (a, c) = (along.unsigned_abs(), across.unsigned_abs());
-        if a == 0 || (c != 0 && times(a, self.rise) < times(c, self.run)) {
+        // At 45 degrees, as at first, no product is needed.
+        let is_steep = |a, c| {
+            if self.rise == self.run { a < c && self.run != 0 } else { times(a, self.rise) < times(c, self.run) }
+        };
+        if a == 0 || (c != 0 && is_steep(a, c)) {
             Side::Wall
         } else if along > 0 {
             Side::Floor

@@ -2,7 +2,7 @@
 
 use crate::error::Truncated;
 use crate::num::{Axis, Toi};
-use crate::world::Cell;
+use crate::world::{Cell, Feature};
 use core::iter::{Chain, Flatten};
 use core::slice::Iter;
 
@@ -26,6 +26,13 @@ pub struct Hit {
     pub source: u8,
 }
 
+impl Hit {
+    pub(super) const fn of(axis: Axis, feature: &Feature, toi: Toi) -> Self {
+        let Feature { cell, index, flags, one_way, source, .. } = *feature;
+        Self { toi, axis, cell, index, flags, one_way, source }
+    }
+}
+
 /// The hits of one motion in the order in which they happened, at most [`Hits::CAPACITY`].
 ///
 /// Plain data: a copy is a snapshot.
@@ -44,6 +51,11 @@ impl Hits {
     #[inline]
     pub(super) const fn none() -> Self {
         Self { early: [None; 2], late: [None; 2], seen: 0 }
+    }
+
+    #[inline]
+    pub(super) const fn one(hit: Hit) -> Self {
+        Self { early: [Some(hit), None], late: [None; 2], seen: 1 }
     }
 
     pub(super) fn push(&mut self, hit: Hit) {

@@ -101,6 +101,7 @@ mod plane;
 pub mod response;
 mod rest;
 mod run;
+mod search;
 mod solids;
 mod sweep_arc;
 mod sweep_box;
@@ -110,6 +111,7 @@ mod sweep_slope;
 mod sweep_vertex;
 #[cfg(all(test, not(target_os = "none")))]
 mod tests;
+mod touch;
 mod walk;
 
 pub use body::Body;

@@ -4,15 +4,13 @@ use super::around::Around;
 use super::body::{Body, Entry};
 use super::facing::{Side, SlopeLimit};
 use super::order::First;
-use super::plane::{Bend, NEAR, Planes, across, is_near, may_be_askew, project, reflect, way};
-use super::response::{Law, Smooth, Surface};
-use super::rest::AHEAD;
-use super::run::{Run, check_inside, piece_of, pieces};
-use super::sweep_vertex::is_square;
-use super::{MoveError, Moved, StartInside, Stuck};
+use super::response::{Bounce, Law, Smooth, Surface};
+use super::run::{Run, check_inside, is_free};
+use super::search::{Search, piece_of, pieces};
+use super::{Hit, Hits, MoveError, Moved, StartInside, Stuck, Work};
 use crate::num::{Axis, MOTION, Raw, Toi, Vec2, check_motion, mul_div};
 use crate::shape::Aabb;
-use crate::world::{Feature, Geometry, World};
+use crate::world::{Feature, World};
 
 /// What a body does when it runs into something. The words are bump.lua's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -48,13 +46,15 @@ pub enum Response {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Mover<S = Smooth> {
     pub(super) up: Option<Axis>,
-    response: Response,
-    limit: SlopeLimit,
-    drop_through: bool,
+    pub(super) response: Response,
+    pub(super) bounce: Bounce,
+    pub(super) limit: SlopeLimit,
+    pub(super) drop_through: bool,
     inside: StartInside,
-    surface: S,
+    pub(super) surface: S,
 }
 
 impl Mover {
@@ -67,6 +67,7 @@ impl Mover {
         Self {
             up: None,
             response: Response::Slide,
+            bounce: Bounce::NONE,
             limit: SlopeLimit::DEFAULT,
             drop_through: false,
             inside: StartInside::Report,
@@ -97,14 +98,15 @@ impl<S: Law> Mover<S> {
     /// ```
     #[must_use]
     pub const fn with_surface(self, surface: Surface) -> Mover<Surface> {
-        let Self { up, response, limit, drop_through, inside, .. } = self;
-        Mover { up, response, limit, drop_through, inside, surface }
+        let Self { up, response, bounce, limit, drop_through, inside, .. } = self;
+        Mover { up, response, bounce, limit, drop_through, inside, surface }
     }
 
     /// The same mover with another response.
     #[must_use]
     pub const fn with_response(self, response: Response) -> Self {
-        Self { response, ..self }
+        let bounce = if matches!(response, Response::Bounce) { Bounce::LINKED } else { Bounce::NONE };
+        Self { response, bounce, ..self }
     }
 
     /// The same mover with another limit between floor and wall: the steepest floor rises by `rise` over `run`, 1 : 1 (45 degrees) at first.
@@ -175,13 +177,92 @@ impl<S: Law> Mover<S> {
         check_motion(velocity, MOTION)?;
         body.check_size()?;
         let (d, mut around) = (Raw::of(velocity), Around::NOTHING);
-        if d.is_zero() || flies(world, &body.bounds(), d, &mut around) {
+        let pieces = if d.is_zero() { 0 } else { pieces_unless_free(world, &body.bounds(), d, &mut around) };
+        if pieces == 0 {
             return Ok(Moved::freely(body.shifted(d), velocity, u32::from(!d.is_zero())));
         }
+        self.run_into(world, body, velocity, pieces, &mut around)
+    }
+
+    /// Apart, because most bodies fly: they need no frame for what the others do.
+    #[inline(never)]
+    fn run_into<W: World, B: Body>(
+        &self,
+        world: &W,
+        body: &B,
+        velocity: Vec2,
+        pieces: u32,
+        around: &mut Around,
+    ) -> Result<Moved<B>, MoveError> {
+        let d = Raw::of(velocity);
+        let mut work = Work { iterations: 1, features: 0, checks: 0 };
+        let bounds = body.bounds();
+        // The place before the motion has been looked at.
+        let free = around.is_free_in_sight(&piece_of(&bounds, Raw::ZERO, Raw::ZERO, 1));
+        let inside = !free && self.is_inside(world, body, &mut work)?;
+        check_inside(&bounds, d)?;
+        let mut first = First::none();
+        let mut search = Search::new(body, around);
+        search.find_first_in(world, pieces, d, &mut first);
+        let guarded = search.guarded;
+        work.features = search.features;
+        if let Some((entry, feature)) = first.hit::<B, W>(body, d) {
+            if self.rests(d, entry, feature) {
+                let side = self.side(entry.normal);
+                return Ok(Moved {
+                    body: *body,
+                    velocity: Vec2::ZERO,
+                    remaining: Vec2::ZERO,
+                    hits: Hits::one(Hit::of(entry.normal, feature, Toi::ZERO)),
+                    floor: side == Side::Floor,
+                    wall: side == Side::Wall,
+                    ceiling: side == Side::Ceiling,
+                    flags: feature.flags,
+                    work,
+                });
+            }
+        }
+        self.go_on(world, body, velocity, around, &mut first, &Found { work, inside, guarded })
+    }
+
+    /// Whether a hit takes all of a motion and leaves nothing: what most bodies that rest come to. It is what [`respond`](Self::respond) finds for them
+    /// as well, found without all that the others need.
+    ///
+    /// The face is touched, so none of the motion is made; the motion is straight into it, so nothing of it is along the face, for friction neither;
+    /// and all of one plane along x or y, nothing is askew that could [wedge](Self::wedge) it.
+    fn rests(&self, d: Raw, entry: &Entry, feature: &Feature) -> bool {
+        let Entry { num, normal, ref step, .. } = *entry;
+        let straight = (normal.x == 0 && d.x == 0) || (normal.y == 0 && d.y == 0);
+        num == 0
+            && step.is_none()
+            && straight
+            && !(feature.one_way && self.passes_one_way())
+            && match self.response {
+                Response::Touch => false,
+                Response::Slide | Response::Cross => true,
+                Response::Bounce => self.surface.surface().stops(d, normal),
+            }
+    }
+
+    /// Goes on with a motion of which the first hit is known.
+    #[inline(never)]
+    fn go_on<W: World, B: Body>(
+        &self,
+        world: &W,
+        body: &B,
+        velocity: Vec2,
+        around: &mut Around,
+        first: &mut First,
+        found: &Found,
+    ) -> Result<Moved<B>, MoveError> {
         let mut moved = Moved::freely(*body, velocity, 0);
-        let mut run = Run::new(&mut moved, &mut around);
-        self.begin(world, &mut run)?;
-        self.slide::<W, B, false>(world, &mut run)?;
+        moved.work = found.work;
+        let mut run = Run::new(&mut moved, around);
+        (run.inside, run.guarded) = (found.inside, found.guarded);
+        run.start = if W::BLOCKS || run.inside { None } else { Some(*body) };
+        if !self.follow::<W, B, false>(world, &mut run, Raw::of(velocity), first) {
+            self.slide::<W, B, false>(world, &mut run, first)?;
+        }
         run.end::<W>();
         Ok(moved)
     }
@@ -194,18 +275,22 @@ impl<S: Law> Mover<S> {
     ) -> Result<Run<'m, B>, MoveError> {
         check_motion(moved.velocity, MOTION)?;
         moved.body.check_size()?;
+        let free = is_free(around, &moved.body.bounds());
+        let inside = !free && self.is_inside(world, &moved.body, &mut moved.work)?;
         let mut run = Run::new(moved, around);
-        self.begin(world, &mut run)?;
+        run.inside = inside;
+        run.start = if W::BLOCKS || inside { None } else { Some(run.moved.body) };
         Ok(run)
     }
 
-    fn begin<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>) -> Result<(), Stuck> {
-        run.inside = run.is_stuck(world);
-        if run.inside && self.inside == StartInside::Report {
-            return Err(Stuck { at: run.moved.body.position().raw() });
+    /// Whether the body overlaps the level, where that is no error.
+    fn is_inside<W: World, B: Body>(&self, world: &W, body: &B, work: &mut Work) -> Result<bool, Stuck> {
+        work.checks += 1;
+        let inside = body.overlaps_world(world);
+        if inside && self.inside == StartInside::Report {
+            return Err(Stuck { at: body.position().raw() });
         }
-        run.start = if W::BLOCKS || run.inside { None } else { Some(run.moved.body) };
-        Ok(())
+        Ok(inside)
     }
 
     /// Makes the motion; where it `WALKS` up to the first floor.
@@ -213,163 +298,67 @@ impl<S: Law> Mover<S> {
         &self,
         world: &W,
         run: &mut Run<'_, B>,
+        first: &mut First,
     ) -> Result<(), MoveError> {
         while (run.creeps || !run.motion.is_zero()) && run.moved.work.iterations < Mover::ITERATIONS {
             let d = if !W::BLOCKS && run.creeps { run.ahead() } else { run.motion };
             check_inside(&run.moved.body.bounds(), d)?;
             run.moved.work.iterations += 1;
-            let mut first = First::none();
-            run.find_first(world, d, &mut first);
-            let hit = first.hit::<B, W>(&run.moved.body, d);
-            if !W::BLOCKS && run.creeps {
-                run.creeps = false;
-                if let Some((entry, feature)) = hit {
-                    self.wedge::<W, B>(run, d, entry, feature);
-                }
-            } else if let Some((entry, feature)) = hit {
-                if let Some(side) = self.meet(run, entry, feature) {
-                    let made = run.advance(world, d, entry);
-                    self.respond::<W, B, WALKS>(run, (d, made), side, entry, feature);
-                }
-            } else {
-                run.arrive(world, d);
-                run.motion = Raw::ZERO;
-                if W::ROUND {
-                    run.follow();
-                }
-            }
-            if run.v.is_zero() || (WALKS && run.moved.floor) {
+            *first = First::none();
+            run.find_first(world, d, first);
+            if self.follow::<W, B, WALKS>(world, run, d, first) {
                 break;
             }
         }
         Ok(())
     }
 
-    pub(super) fn passes_one_way(&self) -> bool {
-        self.drop_through || self.response == Response::Cross
-    }
-
-    /// What a surface with this normal is; without an up all are walls.
-    pub(super) fn side(&self, normal: Axis) -> Side {
-        self.up.map_or(Side::Wall, |up| self.limit.side(up, normal))
-    }
-
-    /// What a walker keeps of a velocity at a wall: it does not climb by what it has across "up".
-    fn stopped<W: World, B: Body>(&self, v: Raw, normal: Axis) -> Raw {
-        let Some(up) = self.up else { return v };
-        let into = across(v, up).signum() * up.perp_dot(normal).signum();
-        // Faces of blocks stop a body along x or y, as well as their walls need it.
-        if into < 0 && may_be_askew::<B, W>() { project::<B, W, _>(v, up.perp(), &Smooth) } else { v }
-    }
-
-    /// Records a hit; what it is to a body that does not pass it.
+    /// Makes a motion up to its first hit; whether that is all.
     #[inline(never)]
-    fn meet<B: Body>(&self, run: &mut Run<'_, B>, entry: &Entry, feature: &Feature) -> Option<Side> {
-        let time = run.rest.raw() - run.after.raw();
-        let toi = Toi::ONE.raw() - run.rest.raw() + mul_div(time, entry.num, entry.den);
-        // A corner's time is a lower bound: behind a face that the body has passed exactly, it is not before that.
-        let passed = if run.pass_one_way { run.moved.hits.iter().last() } else { None };
-        let toi = passed.map_or(toi, |hit| toi.max(hit.toi.raw()));
-        run.record(entry.normal, feature, Toi::clamped(toi));
-        if feature.one_way && self.passes_one_way() {
-            run.pass_one_way = true;
-            return None;
-        }
-        let side = self.side(entry.normal);
-        run.meet(side);
-        Some(side)
-    }
-
-    /// Gives the velocity its direction after a hit: of a motion `d`, of which the displacement `made` led up to it.
-    #[inline(never)]
-    fn respond<W: World, B: Body, const WALKS: bool>(
+    fn follow<W: World, B: Body, const WALKS: bool>(
         &self,
+        world: &W,
         run: &mut Run<'_, B>,
-        (d, made): (Raw, Raw),
-        side: Side,
-        entry: &Entry,
-        feature: &Feature,
-    ) {
-        let time = run.rest.raw() - run.after.raw();
-        let bend = bend(entry, feature);
-        if !made.is_zero() {
-            let came = way(made) > NEAR && (W::BLOCKS || !is_hop(entry, bend));
-            if W::BLOCKS || !run.planes.keep_touching(made) {
-                run.planes = Planes::ahead(came);
-                run.before_planes = run.v;
-            } else if came && run.planes.landed {
-                run.before_planes = run.v;
+        d: Raw,
+        first: &First,
+    ) -> bool {
+        let hit = first.hit::<B, W>(&run.moved.body, d);
+        if !W::BLOCKS && run.creeps {
+            run.creeps = false;
+            if let Some((entry, feature)) = hit {
+                self.wedge::<W, B>(run, d, entry, feature);
+            }
+        } else if let Some((entry, feature)) = hit {
+            let time = run.rest.raw() - run.after.raw();
+            let used = mul_div(time, entry.num, entry.den);
+            if let Some(side) = self.meet(run, used, entry, feature) {
+                let made = run.advance(world, d, entry);
+                self.respond::<W, B, WALKS>(run, used, (d, made), side, entry, feature);
+            }
+        } else {
+            run.arrive(world, d);
+            run.motion = Raw::ZERO;
+            if W::ROUND {
+                run.follow();
             }
         }
-        run.rest = Toi::clamped(run.after.raw() + mul_div(time, entry.den - entry.num, entry.den));
-        run.after = Toi::ZERO;
-        run.motion = if W::ROUND && run.on_chord { run.made_in(run.rest) } else { d.sub(made) };
-        run.on_chord = false;
-        if WALKS {
-            if side == Side::Floor {
-                return;
-            }
-            if side == Side::Wall {
-                run.before_planes = self.stopped::<W, B>(run.before_planes, entry.normal);
-            }
-        }
-        match self.response {
-            Response::Touch => run.v = Raw { x: 0, y: 0 },
-            Response::Bounce if !self.surface.surface().stops(run.v, entry.normal) => {
-                run.turn::<W>(reflect::<B, W, S>(run.v, entry.normal, &self.surface));
-            }
-            Response::Slide | Response::Cross | Response::Bounce => {
-                run.planes.push(entry.normal, bend);
-                if !(W::ROUND && run.roll(&feature.geometry, &self.surface)) {
-                    run.turn::<W>(run.planes.slide_on::<B, W, S>(run.before_planes, &self.surface));
-                }
-                if !W::BLOCKS {
-                    run.settle();
-                }
-            }
-        }
-    }
-
-    /// A body that would only creep along what it has hit is held between that and what it is pushed against beside it.
-    #[inline(never)]
-    fn wedge<W: World, B: Body>(&self, run: &mut Run<'_, B>, d: Raw, entry: &Entry, feature: &Feature) {
-        let Some(start) = run.start else { return };
-        let (made, ahead) = (run.made(&start), entry.displacement(d));
-        // Less far for what has come some way: so that what was held here once, and starts without velocity, is held again.
-        let limit = (2 * NEAR).saturating_sub(way(made));
-        let crossed = feature.one_way && self.passes_one_way();
-        if crossed || way(ahead) > AHEAD || !is_near(made.add(ahead), entry.normal, limit) {
-            return;
-        }
-        run.record(entry.normal, feature, Toi::clamped(Toi::ONE.raw() - run.rest.raw()));
-        run.meet(self.side(entry.normal));
-        run.planes.push(entry.normal, bend(entry, feature));
-        run.turn::<W>(run.planes.slide_on::<B, W, S>(run.before_planes, &self.surface));
-        run.settle();
-        run.creeps = false;
+        run.v.is_zero() || (WALKS && run.moved.floor)
     }
 }
 
-/// Whether a body flies, as most do: where all that its motion comes to is seen to be empty, no more is asked.
-#[inline]
-fn flies<W: World>(world: &W, bounds: &Aabb, d: Raw, around: &mut Around) -> bool {
+/// What is known of a motion whose first hit is.
+struct Found {
+    work: Work,
+    inside: bool,
+    guarded: bool,
+}
+
+/// In how many pieces the cells under a motion are visited; 0 where a body flies, as most do: where all that its motion comes to is seen to be empty,
+/// no more is asked.
+#[inline(never)]
+fn pieces_unless_free<W: World>(world: &W, bounds: &Aabb, d: Raw, around: &mut Around) -> u32 {
     let pieces = pieces(world, bounds, d);
     let first = if pieces == 1 { d } else { Raw::ZERO };
     around.look(world, &piece_of(bounds, Raw::ZERO, first, pieces));
-    pieces == 1 && around.is_empty() && check_inside(bounds, d).is_ok()
-}
-
-/// Whether a hit is that of a body which has left a rounded surface along its tangent, and falls back on it.
-fn is_hop(entry: &Entry, bend: Bend) -> bool {
-    matches!(bend, Bend::Convex) && entry.num <= entry.den >> 8
-}
-
-/// What a hit is the tangent of.
-fn bend(entry: &Entry, feature: &Feature) -> Bend {
-    match feature.geometry {
-        _ if entry.step.is_none() => Bend::Flat,
-        Geometry::Arc { convex: false, .. } => Bend::Concave,
-        Geometry::Vertex { e_in, e_out, .. } if is_square(e_in, e_out) => Bend::Corner,
-        _ => Bend::Convex,
-    }
+    if pieces == 1 && around.is_empty() && check_inside(bounds, d).is_ok() { 0 } else { pieces }
 }

@@ -66,17 +66,13 @@ impl First {
 
     /// The first of all; of one moment the face.
     pub(super) fn hit<B: Body, W: World>(&self, body: &B, d: Raw) -> Option<(&Entry, &Feature)> {
-        let (flat, round) = (self.flat.hit(), self.round.hit());
-        match (flat, round) {
-            _ if W::BLOCKS && !B::MEETS_CORNERS => flat,
-            (Some((before, _)), Some(after)) => {
-                if is_earlier(body, d, after, before) {
-                    round
-                } else {
-                    flat
-                }
-            }
-            _ => flat.or(round),
+        if (W::BLOCKS && !B::MEETS_CORNERS) || self.round.entry.is_none() {
+            return self.flat.hit();
+        }
+        let round = self.round.hit();
+        match (self.flat.hit(), round) {
+            (Some(flat), Some(after)) if !is_earlier(body, d, after, flat.0) => Some(flat),
+            _ => round,
         }
     }
 }

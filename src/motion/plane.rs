@@ -1,7 +1,7 @@
 //! What becomes of a velocity at the planes that a body touches.
 
 use super::body::kernel::Kernel;
-use super::response::{Law, Smooth, reply};
+use super::response::{Law, Reply, Smooth};
 use crate::num::{Axis, Raw, div_sqrt, mul_div, umul};
 use crate::world::World;
 
@@ -251,7 +251,7 @@ fn toward(speed: u32, unit: i32, side: i32) -> i32 {
 }
 
 /// `v` after a bounce: never longer than it (or its reference speed), never into the plane; unchanged where it does not move in.
-pub(super) fn reflect<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S) -> Raw {
+pub(super) fn reflect<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S, reply: Reply) -> Raw {
     if S::SMOOTH && !may_be_askew::<B, W>() {
         if into(v, n) >= 0 {
             return v;

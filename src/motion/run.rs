@@ -5,13 +5,14 @@ use super::body::{Body, Entry};
 use super::facing::Side;
 use super::order::First;
 use super::pipe::Pipe;
-use super::plane::{Planes, into, way};
+use super::plane::Planes;
 use super::response::Law;
+use super::search::Search;
 use super::{Hit, Moved};
 use crate::error::{Quantity, RangeError};
-use crate::num::{Axis, DOMAIN, Raw, Toi, leading_zeros32, umul};
+use crate::num::{Axis, DOMAIN, Raw, Toi};
 use crate::shape::Aabb;
-use crate::world::{Feature, Geometry, Way, World};
+use crate::world::{Feature, Geometry, World};
 
 /// The state of one call.
 #[expect(clippy::struct_excessive_bools, reason = "facts that are independent of each other")]
@@ -36,7 +37,7 @@ pub(super) struct Run<'m, B> {
     /// Whether the body has been in the solid all the time.
     pub(super) inside: bool,
     /// Whether one-way faces are near that may be askew.
-    guarded: bool,
+    pub(super) guarded: bool,
     /// Whether the motion is a chord of a quarter pipe, not the velocity times the time.
     pub(super) on_chord: bool,
     /// The part of the call's time that is left after it.
@@ -81,7 +82,7 @@ impl<'m, B: Body> Run<'m, B> {
     /// Whether the body overlaps the level.
     pub(super) fn is_stuck<W: World>(&mut self, world: &W) -> bool {
         let body = self.moved.body;
-        !self.is_free(&body.bounds()) && self.overlaps(world, &body)
+        !is_free(self.around, &body.bounds()) && self.overlaps(world, &body)
     }
 
     pub(super) fn here(&self) -> Place<B> {
@@ -92,11 +93,6 @@ impl<'m, B: Body> Run<'m, B> {
         (self.moved.body, self.inside) = (place.body, place.inside);
     }
 
-    /// Whether the level is known to leave these bounds free.
-    fn is_free(&self, bounds: &Aabb) -> bool {
-        self.around.is_free(&hull(bounds, Raw::ZERO, Raw::ZERO, margin(bounds)))
-    }
-
     /// The first hit of the motion.
     pub(super) fn first_hit<W: World>(&mut self, world: &W, d: Raw) -> Option<(Entry, Feature)> {
         let mut first = First::none();
@@ -104,62 +100,14 @@ impl<'m, B: Body> Run<'m, B> {
         first.hit::<B, W>(&self.moved.body, d).map(|(entry, feature)| (*entry, *feature))
     }
 
-    /// Looks for the first hit of the motion. Cells are visited piece by piece so that the work is linear in the motion's length; the sweeps
-    /// themselves always see the whole motion.
-    #[inline(never)]
+    /// Looks for the first hit of the motion.
     pub(super) fn find_first<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
-        let bounds = self.moved.body.bounds();
-        let (pieces, mut from, mut before) = (pieces(world, &bounds, d), Raw::ZERO, None);
-        for piece in 0..pieces {
-            let to = part(d, piece + 1, pieces);
-            let region = piece_of(&bounds, from, to, pieces);
-            from = to;
-            self.around.look(world, &region);
-            if let Some(held) = self.around.held_in(&region) {
-                if W::GRID {
-                    self.meet_blocks(world, &held, d, first);
-                } else {
-                    self.meet_features(world, &held, before.as_ref(), d, first);
-                }
-                // Later pieces hold only later hits.
-                if first.is_within(piece + 1, pieces) {
-                    break;
-                }
-            }
-            before = Some(region);
-        }
-        if W::ROUND && self.may_meet_cusp(d) {
-            self.meet_cusp(world, d, first);
-        }
-    }
-
-    /// Takes the hits of the features of a piece of the motion.
-    #[inline(never)]
-    fn meet_features<W: World>(&mut self, world: &W, piece: &Aabb, before: Option<&Aabb>, d: Raw, first: &mut First) {
-        let body = &self.moved.body;
-        let (whole, joints) = (hull(&body.bounds(), Raw::ZERO, d, 1), body.meets_joints());
-        let mut features = world.features_ahead(&Way { piece, before, whole, d, joints });
-        // By reference, as all that is larger than a few words: copies of features and entries would be most of the stack.
-        while let Some(feature) = &features.next() {
-            self.moved.work.features += 1;
-            if feature.one_way && self.pass_one_way {
-                continue;
-            }
-            self.guarded |= !W::BLOCKS && feature.one_way;
-            let body = &self.moved.body;
-            let entry = &if W::BLOCKS {
-                body.sweep_block(d, feature)
-            } else if W::ROUND || !matches!(feature.geometry, Geometry::Arc { .. }) {
-                body.sweep(d, feature)
-            } else {
-                None
-            };
-            let Some(entry) = entry else { continue };
-            if !W::BLOCKS && self.creeps && into(self.v, entry.normal) >= 0 {
-                continue;
-            }
-            first.add::<B, W>(entry, feature, d);
-        }
+        let mut search = Search::new(&self.moved.body, self.around);
+        search.pass_one_way = self.pass_one_way;
+        search.pressed = if self.creeps { Some(self.v) } else { None };
+        search.find_first(world, d, first);
+        self.moved.work.features += search.features;
+        self.guarded |= search.guarded;
     }
 
     /// Moves up to the hit; returns the displacement made.
@@ -202,7 +150,8 @@ impl<'m, B: Body> Run<'m, B> {
     #[inline(never)]
     fn take<W: World>(&mut self, world: &W, q: Raw, certain: bool) -> bool {
         let candidate = self.moved.body.shifted(q);
-        let free = (certain && !self.inside) || self.is_free(&candidate.bounds()) || !self.overlaps(world, &candidate);
+        let free =
+            (certain && !self.inside) || is_free(self.around, &candidate.bounds()) || !self.overlaps(world, &candidate);
         debug_assert!(!free || !candidate.overlaps_world(world), "a place was taken for free");
         let takes = (free || self.inside) && (W::BLOCKS || !self.guarded || !self.passes_one_way(world, q));
         if takes {
@@ -289,7 +238,7 @@ impl<'m, B: Body> Run<'m, B> {
         }
     }
 
-    /// Completes the result, once the motion is made.
+    /// The result, once the motion is made.
     pub(super) fn end<W: World>(self) -> &'m mut Moved<B> {
         let remaining = if W::ROUND { self.motion.add(self.made_in(self.after)) } else { self.motion };
         self.moved.remaining = remaining.vec2();
@@ -299,16 +248,13 @@ impl<'m, B: Body> Run<'m, B> {
 
     pub(super) fn record(&mut self, normal: Axis, feature: &Feature, toi: Toi) {
         self.moved.flags |= feature.flags;
-        self.moved.hits.push(Hit {
-            toi,
-            axis: normal,
-            cell: feature.cell,
-            index: feature.index,
-            flags: feature.flags,
-            one_way: feature.one_way,
-            source: feature.source,
-        });
+        self.moved.hits.push(Hit::of(normal, feature, toi));
     }
+}
+
+/// Whether the level is known to leave these bounds free.
+pub(super) fn is_free(around: &Around, bounds: &Aabb) -> bool {
+    around.is_free(&hull(bounds, Raw::ZERO, Raw::ZERO, margin(bounds)))
 }
 
 /// Refuses a motion that would leave the domain.
@@ -328,41 +274,8 @@ fn on_the_way(q: Raw, d: Raw) -> Raw {
     Raw { x: q.x.clamp(d.x.min(0), d.x.max(0)), y: q.y.clamp(d.y.min(0), d.y.max(0)) }
 }
 
-/// `d * k / n`, rounded toward zero, for a power of two n and k up to n.
-fn part(d: Raw, k: u32, n: u32) -> Raw {
-    if k == n {
-        return d;
-    }
-    let of = |c: i32| {
-        // As words: n is more than one, and the result fits one.
-        let (log, size) = ((31 - leading_zeros32(n)) & 31, umul(c.unsigned_abs(), k));
-        let size = ((size >> 32) as u32) << ((32 - log) & 31) | size as u32 >> log;
-        if c < 0 { (size as i32).wrapping_neg() } else { size as i32 }
-    };
-    Raw { x: of(d.x), y: of(d.y) }
-}
-
-/// In how many pieces, a power of two, the cells under a motion are visited: no shorter than the body either, or each would visit the body's own
-/// cells again. Up to half as long again is one piece: a look-up more costs less than another start. At most 2^21, for a motion below 2^29 in cells of
-/// 2^8.
-pub(super) fn pieces<W: World>(world: &W, bounds: &Aabb, d: Raw) -> u32 {
-    let longest = way(d);
-    let side = Raw::of(bounds.size());
-    let length = world.cell_size().max(side.x.max(side.y) as u32);
-    let mut log = 0;
-    while longest >> log > length + (length >> 1) {
-        log += 1;
-    }
-    1 << log
-}
-
-/// What the inside of the bounds covers in one of the pieces of a motion. Where there are more, displacements are rounded: a raw unit larger then.
-pub(super) fn piece_of(bounds: &Aabb, from: Raw, to: Raw, pieces: u32) -> Aabb {
-    hull(bounds, from, to, if pieces == 1 { margin(bounds) } else { 1 })
-}
-
 /// By how much bounds without area are grown, so that they have an inside.
-fn margin(bounds: &Aabb) -> i32 {
+pub(super) fn margin(bounds: &Aabb) -> i32 {
     let size = Raw::of(bounds.size());
     i32::from(size.x == 0 || size.y == 0)
 }

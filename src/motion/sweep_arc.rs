@@ -4,7 +4,7 @@
 //! by it inside of a concave one. Only what happens in the closed quadrant counts; beyond its borders the neighbours of the arc are in charge.
 
 use super::body::Entry;
-use super::sweep_vertex::{enters_quadrant, entry};
+use super::sweep_vertex::{comes_to_quadrant, enters_quadrant, entry};
 use crate::num::{Axis, Raw, Toi, less128, mul64, sqr64, usqr};
 use crate::query::cast::crossing::{Crossing, direction};
 use crate::query::cast::moment::{exit_time, ratio};
@@ -14,6 +14,9 @@ use crate::query::cast::moment::{exit_time, ratio};
 /// Who starts inside of the disc is on another side of the solid, and passes the quadrant's border inside or after leaving: no entry.
 #[inline(never)]
 pub(super) fn enter_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis, closed: bool) -> Option<Entry> {
+    if !comes_to_quadrant(m, d, quadrant, closed) {
+        return None;
+    }
     let Some(hit) = &Crossing::of(m, r, d) else { return None };
     if enters_quadrant(m, r, d, quadrant, hit.cross, closed) { entry(hit, m, d) } else { None }
 }

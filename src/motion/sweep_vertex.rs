@@ -3,7 +3,7 @@
 use super::body::Entry;
 use crate::num::{Axis, Raw, Toi, umul};
 use crate::query::cast::crossing::Crossing;
-use crate::query::cast::side::offset_to_radius;
+use crate::query::cast::side::{along, offset_to_radius};
 use core::cmp::Ordering;
 
 /// The entry of a crossing. A body that is over a corner or an arc from the start does not enter: such a one-way corner is passed, and of the solid
@@ -29,9 +29,22 @@ const fn is_unit(e: Axis) -> bool {
 /// below 180 degrees, cusps included. On the cone's borders, and outside of it, the faces are in charge.
 #[inline(never)]
 pub(super) fn sweep_cone(m: Raw, r: i32, d: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
+    if !comes_along(m, d, e_in) || !comes_along(m, d, e_out.reversed()) {
+        return None;
+    }
     let Some(hit) = &Crossing::of(m, r, d) else { return None };
     let inside = enters_along(m, d, e_in, hit.cross, r) && enters_along(m, d, e_out.reversed(), hit.cross, r);
     if inside { entry(hit, m, d) } else { None }
+}
+
+/// Whether a point is ever over each half-plane of a quadrant: where not, it enters nothing there, and no product has to tell.
+pub(super) fn comes_to_quadrant(m: Raw, d: Raw, quadrant: Axis, closed: bool) -> bool {
+    let comes = |m: i32, d: i32, sign: i32| {
+        let far = if (d < 0) == (sign < 0) { m.wrapping_add(d) } else { m };
+        let far = if sign < 0 { far.wrapping_neg() } else { far };
+        far.wrapping_add(i32::from(closed)) > 0
+    };
+    comes(m.x, d.x, quadrant.x) && comes(m.y, d.y, quadrant.y)
 }
 
 /// Whether a point enters the disc around the origin in a quadrant, its borders included where `closed`; `cross` is m x d.
@@ -69,11 +82,16 @@ fn enters_where(u0: i32, p: i32, q: i32, cross: i64, r: i32, closed: bool) -> bo
     in_time(offset, approaching, p > 0, closed)
 }
 
+/// Whether `u = e . m` is ever positive.
+fn comes_along(m: Raw, d: Raw, e: Axis) -> bool {
+    let u = along(e, m);
+    u > 0 || u.wrapping_add(along(e, d)) > 0
+}
+
 /// The same with u = e . m for any direction: at the moment s the point is on the line across e, `|cross| |e| / |e.d|` from the centre.
 #[inline(never)]
 fn enters_along(m: Raw, d: Raw, e: Axis, cross: i64, r: i32) -> bool {
-    let (m, v) = (Axis::new(m.x, m.y), Axis::new(d.x, d.y));
-    let (u0, du) = (e.dot(m), e.dot(v));
+    let (u0, du) = (along(e, m), along(e, d));
     let u1 = u0.wrapping_add(du);
     if u0 > 0 && u1 > 0 {
         return true;
@@ -82,9 +100,31 @@ fn enters_along(m: Raw, d: Raw, e: Axis, cross: i64, r: i32) -> bool {
         return false;
     }
     // There m = n cross / du, with n = (e.y, -e.x); du is not 0.
-    let turn = e.perp_dot(v);
+    let turn = along(e.perp(), d);
     let approaching = cross != 0 && turn != 0 && (cross < 0) ^ (turn < 0) == (du < 0);
-    in_time(offset_to_radius(cross, e, r, du), approaching, du > 0, false)
+    in_time(offset(cross, e, r, du), approaching, du > 0, false)
+}
+
+/// As [`offset_to_radius`], where `|e|` is 1 or the root of 2 or 5 mostly by one product: the length of the offset between two sums of its halves.
+fn offset(cross: i64, e: Axis, r: i32, du: i64) -> Ordering {
+    let (size, speed) = (cross.unsigned_abs(), du.unsigned_abs());
+    if speed >> 32 == 0 && e.x.unsigned_abs().max(e.y.unsigned_abs()) <= 2 {
+        let (short, long) = match e.x.wrapping_mul(e.x).wrapping_add(e.y.wrapping_mul(e.y)) {
+            1 => (size, size),
+            // 45/32 < sqrt(2) < 23/16, and 71/32 < sqrt(5) < 9/4, of sizes below 2^60; 4 make up for what the shifts drop.
+            2 => (size + (size >> 2) + (size >> 3) + (size >> 5), size + (size >> 1) - (size >> 4) + 4),
+            5 => (2 * size + (size >> 3) + (size >> 4) + (size >> 5), 2 * size + (size >> 2) + 4),
+            _ => (0, u64::MAX),
+        };
+        let radius = umul(r.unsigned_abs(), speed as u32);
+        if short > radius {
+            return Ordering::Greater;
+        }
+        if long < radius {
+            return Ordering::Less;
+        }
+    }
+    offset_to_radius(cross, e, r, du)
 }
 
 /// Whether the entry into the disc is after s where `rising`, else before it; where `closed` at s will do.
@@ -93,4 +133,29 @@ fn enters_along(m: Raw, d: Raw, e: Axis, cross: i64, r: i32) -> bool {
 fn in_time(offset: Ordering, approaching: bool, rising: bool, closed: bool) -> bool {
     let at_once = closed && offset.is_eq();
     if rising { approaching && (offset.is_gt() || at_once) } else { !approaching || offset.is_lt() || at_once }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, offset, offset_to_radius};
+
+    /// Around the offset that is the radius, by parts of it and by raw units: bounds say what exact squares say.
+    #[test]
+    #[allow(clippy::cast_precision_loss, reason = "only to come near the edge")]
+    fn bounds_of_offsets_are_on_both_sides() {
+        for (x, y) in [(1, 0), (0, -1), (1, 1), (-1, 1), (2, 1), (1, -2), (-2, -1), (2, 2), (3, 1), (70_001, -13)] {
+            let e = Axis::new(x, y);
+            let length = (e.length_squared() as f64).sqrt();
+            for r in [0, 1, 7, 655_361, (1 << 28) - 1] {
+                for du in [1, -3, 65_537, -2_621_443, (1 << 29) + 5, 1 << 31] {
+                    let edge = (f64::from(r) * (du as f64).abs() / length) as i64;
+                    let near = (-128..=128).flat_map(|k| [edge + edge / 64 * k, edge + edge / 8192 * k, edge + k]);
+                    for cross in near {
+                        let wanted = offset_to_radius(cross, e, r, du);
+                        assert_eq!(offset(cross, e, r, du), wanted, "{cross} {e:?} {r} {du}");
+                    }
+                }
+            }
+        }
+    }
 }

@@ -151,7 +151,7 @@ const fn sqr64_words(a: u64) -> (u64, u64) {
 /// Compares `a^2 p` with `b^2 q`, for products below 2^192.
 #[inline(never)]
 pub(crate) const fn cmp_squares((a, p): (u64, u64), (b, q): (u64, u64)) -> Ordering {
-    let (a, b) = (mul128(sqr64(a), p), mul128(sqr64(b), q));
+    let (a, b) = (square_times(a, p), square_times(b, q));
     if a.0 == b.0 && a.1 == b.1 && a.2 == b.2 {
         Ordering::Equal
     } else if a.0 < b.0 || (a.0 == b.0 && less128((a.1, a.2), (b.1, b.2))) {
@@ -161,8 +161,14 @@ pub(crate) const fn cmp_squares((a, p): (u64, u64), (b, q): (u64, u64)) -> Order
     }
 }
 
-/// The product of a 128-bit and a 64-bit number, high word first; such triples compare as numbers. For products below 2^192.
+/// `a^2 b` as [`mul128`] has it.
 #[inline(never)]
+pub(crate) const fn square_times(a: u64, b: u64) -> (u64, u64, u64) {
+    mul128(sqr64(a), b)
+}
+
+/// The product of a 128-bit and a 64-bit number, high word first; such triples compare as numbers. For products below 2^192.
+#[inline]
 pub(crate) const fn mul128(a: (u64, u64), b: u64) -> (u64, u64, u64) {
     let (low, high) = (mul64(a.1, b), mul64(a.0, b));
     let (mid, carry) = high.1.overflowing_add(low.0);

@@ -41,11 +41,11 @@ impl Sleep {
 /// [`PairEvents`](crate::broad::PairEvents) and [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 124 bytes a body and those of the broad phase.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<B, const N: usize> {
-    pub(super) near: B,
+    pub(crate) near: B,
     pub(super) slots: [Slot; N],
     /// The bodies awake come first.
     pub(super) awake: [Handle; N],
-    pub(super) count: usize,
+    pub(crate) count: usize,
     /// May be changed at any time.
     pub sleep: Sleep,
 }

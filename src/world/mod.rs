@@ -30,6 +30,7 @@ mod placed;
 mod placed_ray;
 mod ray;
 mod segment_map;
+mod shells;
 mod solids;
 mod tile_map;
 mod way;
@@ -39,6 +40,8 @@ pub use feature::{Feature, Geometry};
 pub use grid::Grid;
 pub use joined::pair::{Joined, JoinedFeatures};
 pub use joined::ray::JoinedRayHits;
+#[cfg(feature = "defmt")]
+pub(crate) use joined::ray::RayWorld;
 pub use near::closest::{Near, OneWay};
 pub(crate) use near::contacts::contacts as contacts_of;
 pub use near::contacts::{Pushable, WorldContact};
@@ -83,6 +86,10 @@ pub trait World: sealed::Sealed {
     /// Whether there may be arcs.
     #[doc(hidden)]
     const ROUND: bool;
+
+    /// Whether there may be faces of other directions than tiles have.
+    #[doc(hidden)]
+    const WIDE: bool = false;
 
     /// The cursor of [`features`](Self::features).
     type Features<'w>: Iterator<Item = Feature>
@@ -141,6 +148,12 @@ pub trait World: sealed::Sealed {
     #[doc(hidden)]
     fn occupied(&self, region: &Aabb) -> Option<Aabb> {
         Some(*region)
+    }
+
+    /// The same with the cells that the box is around, where a level of cells knows them.
+    #[doc(hidden)]
+    fn occupied_cells(&self, region: &Aabb) -> (Option<Aabb>, Option<Cells>) {
+        (self.occupied(region), None)
     }
 
     /// The side of a cell, raw and not zero: longer motions are enumerated in pieces of about this length.
@@ -202,6 +215,11 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
 
     fn occupied(&self, region: &Aabb) -> Option<Aabb> {
         TileMap::occupied(self, region)
+    }
+
+    #[inline]
+    fn occupied_cells(&self, region: &Aabb) -> (Option<Aabb>, Option<Cells>) {
+        TileMap::occupied_cells(self, region)
     }
 
     #[inline]

@@ -3,8 +3,8 @@
 use super::{Feature, Geometry, Way, World, sealed};
 use crate::error::RangeError;
 use crate::num::{DOMAIN, MOTION, Raw, Vec2, check_motion};
-use crate::query::{Overlaps, Touches};
 use crate::shape::{Aabb, Circle};
+use crate::world::shells::{levels, meets_as_world};
 
 /// A level shifted by an offset, a level itself: a polygon that moves, a room that slides in. Copies nothing.
 ///
@@ -75,26 +75,6 @@ impl<'a, W: World> Placed<'a, W> {
         self.offset.vec2()
     }
 
-    /// Whether a box or circle overlaps the solid; strict and exact.
-    #[inline]
-    #[must_use]
-    pub fn overlaps<S>(&self, body: &S) -> bool
-    where
-        Self: Overlaps<S>,
-    {
-        Overlaps::overlaps(self, body)
-    }
-
-    /// Whether a box or circle has a point in common with the solid, borders included; exact.
-    #[inline]
-    #[must_use]
-    pub fn touches<S>(&self, body: &S) -> bool
-    where
-        Self: Touches<S>,
-    {
-        Touches::touches(self, body)
-    }
-
     /// The level's features near a region, at the places where they are here.
     pub fn features(&self, region: &Aabb) -> PlacedFeatures<'_, W> {
         PlacedFeatures { features: self.world.features(&self.seen(region)), offset: self.offset }
@@ -110,12 +90,21 @@ impl<'a, W: World> Placed<'a, W> {
     }
 }
 
+levels! {
+    [W: World] Placed<'_, W> {
+        /// Whether a box or circle overlaps the solid; strict and exact.
+        overlaps,
+        /// Whether a box or circle has a point in common with the solid, borders included; exact.
+        touches,
+    }
+}
+
 /// The cursor of [`Placed::features`].
 #[derive(Debug)]
 #[must_use = "cursors do nothing unless advanced"]
 pub struct PlacedFeatures<'w, W: World + 'w> {
-    features: W::Features<'w>,
-    offset: Raw,
+    pub(crate) features: W::Features<'w>,
+    pub(crate) offset: Raw,
 }
 
 impl<W: World> Iterator for PlacedFeatures<'_, W> {
@@ -141,6 +130,7 @@ impl<W: World> sealed::Sealed for Placed<'_, W> {}
 impl<W: World> World for Placed<'_, W> {
     const BLOCKS: bool = W::BLOCKS;
     const ROUND: bool = W::ROUND;
+    const WIDE: bool = W::WIDE;
     // Beyond its own domain a level has no surface, and a map may be solid there all the same.
     const CERTAIN: bool = false;
 
@@ -193,26 +183,4 @@ const fn is_inside(p: Raw) -> bool {
     p.x > -DOMAIN && p.x < DOMAIN && p.y > -DOMAIN && p.y < DOMAIN
 }
 
-impl<W: World> Overlaps<Aabb> for Placed<'_, W> {
-    fn overlaps(&self, b: &Aabb) -> bool {
-        self.overlaps_aabb(b)
-    }
-}
-
-impl<W: World> Overlaps<Circle> for Placed<'_, W> {
-    fn overlaps(&self, c: &Circle) -> bool {
-        self.overlaps_circle(c)
-    }
-}
-
-impl<W: World> Touches<Aabb> for Placed<'_, W> {
-    fn touches(&self, b: &Aabb) -> bool {
-        self.touches_aabb(b)
-    }
-}
-
-impl<W: World> Touches<Circle> for Placed<'_, W> {
-    fn touches(&self, c: &Circle) -> bool {
-        self.touches_circle(c)
-    }
-}
+meets_as_world! { [W: World] Placed<'_, W> }

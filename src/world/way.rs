@@ -2,6 +2,7 @@
 
 use crate::num::Raw;
 use crate::shape::Aabb;
+use crate::world::Cells;
 
 /// A piece of the motion of a body.
 ///
@@ -10,6 +11,8 @@ use crate::shape::Aabb;
 pub struct Way<'a> {
     /// Holds whatever of the level the inside of the body's bounds meets in this piece.
     pub(crate) piece: &'a Aabb,
+    /// The cells that the inside of the piece meets, where they are known.
+    pub(crate) cells: Option<Cells>,
     /// What they cover in the piece before.
     pub(crate) before: Option<&'a Aabb>,
     /// What they cover in the whole motion, a raw unit larger on every side.

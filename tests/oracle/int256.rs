@@ -51,7 +51,6 @@ impl Int256 {
     }
 
     /// Four limbs of 64 bits, least significant first.
-    #[cfg(test)]
     pub(crate) const fn limbs(self) -> [u64; 4] {
         [self.lo as u64, (self.lo >> 64) as u64, self.hi as u64, (self.hi >> 64) as u64]
     }

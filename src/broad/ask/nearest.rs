@@ -18,13 +18,6 @@ pub struct Nearest {
     pub distance: Fx,
 }
 
-#[cfg(feature = "defmt")]
-impl defmt::Format for Nearest {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{} at {=i32} raw", self.handle, self.distance.to_bits());
-    }
-}
-
 /// How far a box is from a point along x and along y: below 2^30.
 fn apart(p: Raw, bounds: &Aabb) -> (i32, i32) {
     let gap = |p: i32, lo: i32, hi: i32| lo.wrapping_sub(p).max(p.wrapping_sub(hi)).max(0);

@@ -41,14 +41,12 @@ pub enum Ignore {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Exceptions<const M: usize> {
     /// By the handles in ascending order.
     entries: [Entry<Pair, Term>; M],
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct Term {
     ignore: Ignore,
     /// In the frame under way.

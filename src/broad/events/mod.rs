@@ -34,7 +34,6 @@ impl<P: Copy> PairEvent<P> {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 enum Mark {
     /// It came this frame and was not there before.
     New,
@@ -88,7 +87,6 @@ enum Mark {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PairEvents<const M: usize, P = Pair> {
     entries: [Entry<P, Mark>; M],
     frame: Frame,
@@ -96,7 +94,6 @@ pub struct PairEvents<const M: usize, P = Pair> {
 
 /// Of the present frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct Frame {
     fed: u32,
     lost: bool,

@@ -2,7 +2,6 @@
 
 /// Of whole words: a small core moves it in a few registers, and would call a routine for memory of any alignment otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(align(4))]
 pub(in crate::broad) struct Entry<K, V>(pub(in crate::broad) Option<(K, V)>);
 

@@ -19,6 +19,7 @@
 
 mod acceleration;
 mod energy;
+mod linked;
 mod masses;
 mod pair;
 mod particle;
@@ -32,12 +33,12 @@ mod surface;
 
 pub use acceleration::{Acceleration, Carry};
 pub use energy::Energy;
+pub(in crate::motion) use linked::{Bounce, Reply};
 pub use masses::Masses;
 pub use pair::{exchange, separate};
 pub use particle::Particle;
 pub use quiet::Quiet;
 pub use relax::{Link, RelaxError, relax};
-pub(in crate::motion) use reply::reply;
 pub use speed::Speed;
 pub use split::{Split, bounce, respond, slide, split};
 pub use stick::Stick;

@@ -30,7 +30,7 @@ fn agree<S: Set, B: Kernel>(map: &TileMap<'_, S>, body: &B, d: Raw, hits: &mut u
     }
     let bounds = body.bounds();
     let whole = hull(&bounds, d, 1);
-    let way = Way { piece: &whole, before: None, whole, d, joints: body.meets_joints() };
+    let way = Way { piece: &whole, cells: None, before: None, whole, d, joints: body.meets_joints() };
     let (found, wanted) = (first(body, d, map.features_ahead(&way)), first(body, d, World::features(map, &whole)));
     *hits += u32::from(wanted.is_some());
     match (found, wanted) {

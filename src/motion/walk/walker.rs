@@ -5,6 +5,7 @@ use super::ground::{Look, leads};
 use super::stride::Stride;
 use crate::error::{Quantity, RangeError};
 use crate::motion::around::Around;
+use crate::motion::order::First;
 use crate::motion::{Body, MoveError, Moved, Mover};
 use crate::num::{Fx, MOTION, Raw, Vec2};
 use crate::world::World;
@@ -37,10 +38,10 @@ pub enum SlopeSpeed {
 /// Plain data: a copy is a snapshot.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Walker {
-    pub(super) mover: Mover,
-    pub(super) snap: i32,
-    pub(super) step: i32,
-    pub(super) speed: SlopeSpeed,
+    pub(crate) mover: Mover,
+    pub(crate) snap: i32,
+    pub(crate) step: i32,
+    pub(crate) speed: SlopeSpeed,
 }
 
 /// Where a walker ended up.
@@ -169,14 +170,14 @@ impl Walker {
         let mut around = Around::NOTHING;
         let mut run = self.mover.start(world, &mut moved, &mut around)?;
         let Some(up) = self.mover.up else {
-            self.mover.slide::<W, B, true>(world, &mut run)?;
+            self.mover.slide::<W, B, true>(world, &mut run, &mut First::none())?;
             return Ok(Walked { moved: *run.end::<W>(), floor: None, stepped: Fx::ZERO, snapped: Fx::ZERO });
         };
         let passes = self.mover.passes_one_way();
         let rises = leads(run.v, up);
         let stands = floor.filter(|f| !(rises || (passes && f.one_way))).map(|f| f.axis);
         let axis = if stands.is_none() {
-            self.mover.slide::<W, B, true>(world, &mut run)?;
+            self.mover.slide::<W, B, true>(world, &mut run, &mut First::none())?;
             run.creeps = false;
             run.moved.hits.iter().last().filter(|_| run.moved.floor).map(|hit| hit.axis)
         } else {

@@ -49,7 +49,7 @@ impl Span {
 /// What the box `alo..ahi` that moves by `d` meets of the box `blo..bhi`.
 ///
 /// Before a motion boxes overlap where they are within both spans; then no motion leaves one without a part of it inside.
-#[inline]
+#[inline(always)]
 pub(super) fn enter_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Course<Side> {
     let (x, y) = (Span::new(alo.x, ahi.x, blo.x, bhi.x, d.x), Span::new(alo.y, ahi.y, blo.y, bhi.y, d.y));
     if !x.passes() || !y.passes() {
@@ -72,7 +72,7 @@ pub(super) fn meet_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Option
 ///
 /// The motion is strictly within both spans at one time where the later entry comes before the earlier exit. Of two entries at one
 /// moment, corner to corner, the one that opposes the motion more, x on a tie.
-#[inline]
+#[inline(always)]
 fn later(x: Span, y: Span, d: Raw) -> Option<Side> {
     let x_later = if x.gap < 0 {
         false

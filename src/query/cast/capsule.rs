@@ -1,23 +1,21 @@
 //! A moving circle against a segment: a capsule that its centre comes into.
 
 use super::boxes::enter_box;
-use super::circles::{Disc, meet_disc};
 use super::kernel::{Course, Moment};
 use super::moment::{gap_time, last_before};
-use super::rounded::{Rounded, enter_rounded, grown};
+use super::rounded::{self, Rounded, grown};
 use super::side::{along, is_below, meets_beyond, reach};
 use crate::num::{Axis, Raw, Toi, add128, less128, mul64, sqr64, umul};
 use crate::query::meet::corners;
+use crate::shape::{Aabb, Circle, Segment};
 
 /// The part of a capsule that a point meets.
 #[derive(Clone, Copy, Debug)]
 pub enum Capsule {
     /// A slanted side.
     Slope(Slope),
-    /// The disc around an end.
-    End(Disc),
-    /// Of a segment along x or y.
-    Straight(Rounded),
+    /// A side of a segment along x or y, or the disc around an end.
+    Rounded(Rounded),
 }
 
 /// A line that a point comes near to: its height above it falls from `gap` by `into`, in units of the axis' length, to the root of `reach`.
@@ -29,46 +27,93 @@ pub struct Slope {
     axis: Axis,
 }
 
-/// Where the circle of radius `r` around `c` that moves by `d` starts to overlap the segment from `a` to `b`, where it does not overlap already.
+/// The only part of a capsule that a motion can come in through.
+pub(super) enum Gate {
+    /// A slanted side, which it does come through.
+    Slope(Slope),
+    /// A side or end as of a box.
+    Rounded(rounded::Gate),
+}
+
+impl Gate {
+    /// What a circle that moves by `d` meets of it.
+    #[inline]
+    pub(super) fn enter(self, circle: &Circle, d: Raw) -> Option<Capsule> {
+        match self {
+            Self::Slope(slope) => Some(Capsule::Slope(slope)),
+            Self::Rounded(gate) => gate.enter(circle, d).map(Capsule::Rounded),
+        }
+    }
+
+    /// Whether it meets any.
+    #[inline]
+    pub(super) fn hits(self, circle: &Circle, d: Raw) -> bool {
+        match self {
+            Self::Slope(_) => true,
+            Self::Rounded(gate) => gate.hits(circle, d),
+        }
+    }
+}
+
+/// Where a circle that moves by `d` can start to overlap a segment, where it does not overlap already.
 ///
-/// As for a [rounded box](enter_rounded), the capsule lies in a strip, which the motion enters beside the segment itself, or beyond an
-/// end. From there, and from a start in the strip, it meets the disc around that end or nothing. A circle of radius zero overlaps no segment.
+/// A circle of radius zero overlaps no segment.
 #[inline]
-pub(super) fn enter_capsule(c: Raw, r: i32, a: Raw, b: Raw, d: Raw) -> Option<Capsule> {
-    if r == 0 {
+pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Option<Gate> {
+    if circle.r() == 0 {
         return None;
     }
+    let (a, b) = (s.ra(), s.rb());
     let (lo, hi) = corners(a, b);
     if a.x == b.x || a.y == b.y {
-        return enter_rounded(c, r, lo, hi, d).map(Capsule::Straight);
+        return rounded::gate(circle, &Aabb::from_raw_unchecked(lo, hi), d).map(Gate::Rounded);
     }
-    // Most misses do not come into the capsule's bounding box.
-    let (far_lo, far_hi) = grown(lo, hi, r);
-    if matches!(enter_box(c, c, far_lo, far_hi, d), Course::Free) {
+    if !comes_near(circle, lo, hi, d) {
         return None;
     }
     // From the end that has the point on the outer side of its edge, as a face has it.
-    let (a, b) = if b.sub(a).cross(c.sub(a)) > 0 { (b, a) } else { (a, b) };
-    let (e, m) = (b.sub(a), c.sub(a));
-    let (dir, normal) = (Axis::new(e.x, e.y), Axis::new(e.y, e.x.wrapping_neg()));
-    let (gap, into, reach) = (along(normal, m) as u64, along(normal, d).wrapping_neg(), reach(r, dir));
-    let end = if is_below(gap, reach) {
-        // In the strip already, and beyond an end.
-        if along(dir, m) < 0 { a } else { b }
+    let edge = if b.sub(a).cross(circle.c().sub(a)) > 0 { (b, a) } else { (a, b) };
+    let slope = enter_strip(circle, edge, d)?;
+    let end = |end: Raw| Some(Gate::Rounded(rounded::Gate::Corner(end)));
+    let (c, dir) = (circle.c(), slope.axis.perp());
+    if slope.into == 0 {
+        // It starts beyond an end, since it does not overlap the segment.
+        end(if along(dir, c.sub(edge.0)) < 0 { edge.0 } else { edge.1 })
+    } else if !meets_beyond(c.sub(edge.0), d, dir, false, circle.r()) {
+        end(edge.0)
+    } else if !meets_beyond(c.sub(edge.1), d, dir, true, circle.r()) {
+        end(edge.1)
     } else {
-        let left = (gap as i64).wrapping_sub(into);
-        if into <= 0 || (left >= 0 && !is_below(left as u64, reach)) {
-            return None;
-        }
-        if !meets_beyond(m, d, dir, false, r) {
-            a
-        } else if !meets_beyond(c.sub(b), d, dir, true, r) {
-            b
-        } else {
-            return Some(Capsule::Slope(Slope { gap, into: into as u64, reach, axis: normal }));
-        }
-    };
-    meet_disc(c.sub(end), r, d).map(Capsule::End)
+        Some(Gate::Slope(slope))
+    }
+}
+
+/// Whether the motion comes into the capsule's bounding box, which most misses do not.
+#[inline(never)]
+fn comes_near(circle: &Circle, lo: Raw, hi: Raw, d: Raw) -> bool {
+    let (c, (far_lo, far_hi)) = (circle.c(), grown(lo, hi, circle.r()));
+    !matches!(enter_box(c, c, far_lo, far_hi, d), Course::Free)
+}
+
+/// How a motion enters the strip around the line of a slanted segment, whose outer side is the circle's, if it does; by no speed where it starts there.
+///
+/// As for a [rounded box](rounded::gate), the capsule lies in that strip, which the motion enters beside the segment itself, or beyond an
+/// end. From there, and from a start in the strip, it meets the disc around that end or nothing.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+fn enter_strip(circle: &Circle, (a, b): (Raw, Raw), d: Raw) -> Option<Slope> {
+    let e = b.sub(a);
+    let axis = Axis::new(e.y, e.x.wrapping_neg());
+    let (gap, into, reach) =
+        (along(axis, circle.c().sub(a)) as u64, along(axis, d).wrapping_neg(), reach(circle.r(), axis));
+    if is_below(gap, reach) {
+        return Some(Slope { gap, into: 0, reach, axis });
+    }
+    let left = (gap as i64).wrapping_sub(into);
+    if into <= 0 || (left >= 0 && !is_below(left as u64, reach)) {
+        return None;
+    }
+    Some(Slope { gap, into: into as u64, reach, axis })
 }
 
 impl Slope {
@@ -125,24 +170,21 @@ impl Moment for Capsule {
     fn toi(&self) -> Toi {
         match self {
             Self::Slope(slope) => slope.bound(),
-            Self::End(disc) => disc.toi(),
-            Self::Straight(part) => part.toi(),
+            Self::Rounded(part) => part.toi(),
         }
     }
 
     fn exact_toi(&self, d: Raw) -> Toi {
         match self {
             Self::Slope(slope) => slope.exact_toi(),
-            Self::End(disc) => disc.exact_toi(d),
-            Self::Straight(part) => part.exact_toi(d),
+            Self::Rounded(part) => part.exact_toi(d),
         }
     }
 
     fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
         match self {
             Self::Slope(slope) => slope.contact(d),
-            Self::End(disc) => disc.contact(d),
-            Self::Straight(part) => part.contact(d),
+            Self::Rounded(part) => part.contact(d),
         }
     }
 }

@@ -89,7 +89,11 @@ pub(crate) fn enters(m: Raw, r: i32, d: Raw) -> bool {
     }
     // Of signed words, where a product is as cheap as their magnitudes.
     let square = |v: Raw| if SPLIT { v.len2() } else { v.dot(v) as u64 };
-    ((b as u64) < square(d) && passes(cross.unsigned_abs(), r as u32, d)) || square(m.add(d)) < usqr(r as u32)
+    let ends_inside = || square(m.add(d)) < usqr(r as u32);
+    let passes_inside = || (b as u64) < square(d) && passes(cross.unsigned_abs(), r as u32, d);
+    // The cheaper one first, by what a square costs there.
+    let first = if SPLIT { passes_inside() } else { ends_inside() };
+    first || if SPLIT { ends_inside() } else { passes_inside() }
 }
 
 /// Whether `cross < r |d|`, exactly: as squares of 124 bits, where bounds of the length do not settle it by one product of words each.

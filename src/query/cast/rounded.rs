@@ -2,8 +2,10 @@
 
 use super::boxes::{Side, meet_box};
 use super::circles::{Disc, meet_disc};
+use super::crossing::enters;
 use super::kernel::Moment;
 use crate::num::{Axis, Raw, Toi, imul};
+use crate::shape::{Aabb, Circle};
 
 /// The part of a rounded box that a point meets.
 #[derive(Clone, Copy, Debug)]
@@ -14,7 +16,43 @@ pub enum Rounded {
     Corner(Disc),
 }
 
-/// Where the circle of radius `r` around `c` that moves by `d` starts to overlap the box `lo..hi`, where it does not overlap already.
+/// The only part of a rounded box that a motion can come in through.
+#[derive(Clone, Copy)]
+pub(super) enum Gate {
+    /// A side, which it does come through.
+    Side(Side),
+    /// The disc around a corner.
+    Corner(Raw),
+}
+
+impl Gate {
+    /// What a circle that moves by `d` meets of it.
+    #[inline]
+    pub(super) fn enter(self, circle: &Circle, d: Raw) -> Option<Rounded> {
+        match self {
+            Self::Side(side) => Some(Rounded::Side(side)),
+            Self::Corner(corner) => meet_disc(circle.c().sub(corner), circle.r(), d).map(Rounded::Corner),
+        }
+    }
+
+    /// Whether it meets any.
+    #[inline]
+    pub(super) fn hits(self, circle: &Circle, d: Raw) -> bool {
+        match self {
+            Self::Side(_) => true,
+            Self::Corner(corner) => enters(circle.c().sub(corner), circle.r(), d),
+        }
+    }
+}
+
+/// Where a circle that moves by `d` can start to overlap a box, where it does not overlap already: a call of its own, whose stack
+/// is free again when a disc is tested.
+#[inline(never)]
+pub(super) fn gate(circle: &Circle, b: &Aabb, d: Raw) -> Option<Gate> {
+    gate_here(circle, b, d)
+}
+
+/// The same without a call.
 ///
 /// The rounded box lies in the box grown by r. Where a motion comes into that beside a side of the box itself, it has met the
 /// rounded box; else it is in the square of radius r beside one corner, and leaves it through the corner's disc, or leaves
@@ -27,8 +65,9 @@ pub enum Rounded {
 ///     '   +---------+  ,
 ///       `-------------'
 /// ```
-#[inline]
-pub(super) fn enter_rounded(c: Raw, r: i32, lo: Raw, hi: Raw, d: Raw) -> Option<Rounded> {
+#[inline(always)]
+pub(super) fn gate_here(circle: &Circle, b: &Aabb, d: Raw) -> Option<Gate> {
+    let (c, r, lo, hi) = (circle.c(), circle.r(), b.lo(), b.hi());
     let (far_lo, far_hi) = grown(lo, hi, r);
     let within = c.x > far_lo.x && c.x < far_hi.x && c.y > far_lo.y && c.y < far_hi.y;
     let corner = if within {
@@ -38,11 +77,11 @@ pub(super) fn enter_rounded(c: Raw, r: i32, lo: Raw, hi: Raw, d: Raw) -> Option<
         // A circle of no radius has no corners to meet: its grown box is the box, and that is open.
         let beyond = if r == 0 { 0 } else { side.beyond(c, lo, hi, d) };
         if beyond == 0 {
-            return Some(Rounded::Side(side));
+            return Some(Gate::Side(side));
         }
         side.corner(lo, hi, beyond)
     };
-    meet_disc(c.sub(corner), r, d).map(Rounded::Corner)
+    Some(Gate::Corner(corner))
 }
 
 /// A box with its sides moved out, by a length below 2^29.

@@ -36,26 +36,42 @@ pub(crate) fn is_below(height: u64, reach: (u64, u64)) -> bool {
 
 /// Whether, at the moment T when the disc meets the face's line, the centre is not before an end: `u = dir . m(T) >= 0` for the start
 /// with `m` the centre as seen from it, the same with -dir for the face's end (`at_end`).
-///
-/// At the moment s with u = 0 the height is |dir|^2 (m x d) / du, and it falls: T is later than s where that is more than r |dir|.
+#[inline]
 pub(crate) fn meets_beyond(m: Raw, d: Raw, dir: Axis, at_end: bool, r: i32) -> bool {
+    match pass(m, d, dir, at_end) {
+        Pass::Never(beyond) => beyond,
+        Pass::At { cross, du } => {
+            let order = offset_to_radius(cross, dir, r, du);
+            // s <= T on the way to the face, else T <= s.
+            if du > 0 { order.is_ge() } else { order.is_le() }
+        }
+    }
+}
+
+/// When a motion passes an end of a face squarely.
+enum Pass {
+    /// Whether it is beyond at T, whatever the radius.
+    Never(bool),
+    /// At the moment s with u = 0 the height is |dir|^2 cross / du, and it falls: T is later than s where that is more than r |dir|.
+    At { cross: i64, du: i64 },
+}
+
+/// Where the multiplications are calls, one of its own, whose stack is free again when squares are compared.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+fn pass(m: Raw, d: Raw, dir: Axis, at_end: bool) -> Pass {
     let dir = if at_end { dir.reversed() } else { dir };
     let (u, du) = (along(dir, m), along(dir, d));
     let beyond = u.wrapping_add(du);
     if u >= 0 && beyond >= 0 {
-        return true;
+        return Pass::Never(true);
     }
     if u < 0 && beyond < 0 {
-        return false;
+        return Pass::Never(false);
     }
     let cross = if at_end { m.cross(d).wrapping_neg() } else { m.cross(d) };
-    if du > 0 {
-        // s <= T
-        cross >= 0 && offset_to_radius(cross, dir, r, du).is_ge()
-    } else {
-        // T <= s
-        cross >= 0 || offset_to_radius(cross, dir, r, du).is_le()
-    }
+    // Below the line at s: T is before that.
+    if (du > 0) == (cross < 0) { Pass::Never(du <= 0) } else { Pass::At { cross, du } }
 }
 
 /// Compares the distance from a point at the moment when a motion passes it squarely, `|cross| |dir| / |du|`, with the radius.

@@ -2,7 +2,7 @@
 
 use super::crossing::direction;
 use super::kernel::{Course, Moment};
-use crate::num::{Axis, Raw, Toi, less128, mul_div_wide, mul64, mul128, sqr64, umul};
+use crate::num::{Axis, Raw, Toi, less128, mul_div_wide, mul64, square_times, umul};
 use crate::query::meet::{corners, cross_range};
 use core::cmp::Ordering;
 
@@ -78,7 +78,7 @@ impl Edge {
 
     #[inline(never)]
     fn more_opposed(self, b: Self) -> Self {
-        let part = |e: &Self, other: &Self| mul128(sqr64(e.speed), other.axis.length_squared());
+        let part = |e: &Self, other: &Self| square_times(e.speed, other.axis.length_squared());
         let flat =
             |e: &Self, other: &Self| mul64(u64::from(e.axis.x.unsigned_abs()), u64::from(other.axis.y.unsigned_abs()));
         let order = part(&self, &b).cmp(&part(&b, &self)).then_with(|| flat(&self, &b).cmp(&flat(&b, &self)));

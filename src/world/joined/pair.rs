@@ -1,8 +1,8 @@
 //! Two levels used as one.
 
 use super::hidden::shown;
-use crate::query::{Overlaps, Touches};
 use crate::shape::{Aabb, Circle};
+use crate::world::shells::{levels, meets_as_world};
 use crate::world::{Feature, Way, World, sealed};
 
 /// Two levels used as one: tiles and segments, or a level and its neighbour. Copies nothing.
@@ -67,30 +67,6 @@ impl<'a, A: World, B: World> Joined<'a, A, B> {
         self.b
     }
 
-    /// Whether a box or circle overlaps the solid of either level; strict and exact.
-    ///
-    /// Cost: both levels' cost. It cannot fail.
-    #[inline]
-    #[must_use]
-    pub fn overlaps<S>(&self, body: &S) -> bool
-    where
-        Self: Overlaps<S>,
-    {
-        Overlaps::overlaps(self, body)
-    }
-
-    /// Whether a box or circle has a point in common with the solid of either level, borders included; exact.
-    ///
-    /// Cost: both levels' cost. It cannot fail.
-    #[inline]
-    #[must_use]
-    pub fn touches<S>(&self, body: &S) -> bool
-    where
-        Self: Touches<S>,
-    {
-        Touches::touches(self, body)
-    }
-
     /// The pieces of both surfaces that have a point in the closed region and are not hidden by the other level: first the one's, then the
     /// other's.
     ///
@@ -100,11 +76,24 @@ impl<'a, A: World, B: World> Joined<'a, A, B> {
     }
 }
 
+levels! {
+    [A: World, B: World] Joined<'_, A, B> {
+        /// Whether a box or circle overlaps the solid of either level; strict and exact.
+        ///
+        /// Cost: both levels' cost. It cannot fail.
+        overlaps,
+        /// Whether a box or circle has a point in common with the solid of either level, borders included; exact.
+        ///
+        /// Cost: both levels' cost. It cannot fail.
+        touches,
+    }
+}
+
 /// The cursor of [`Joined::features`].
 #[derive(Debug)]
 #[must_use = "cursors do nothing unless advanced"]
 pub struct JoinedFeatures<'w, A: World, B: World> {
-    pair: Joined<'w, A, B>,
+    pub(crate) pair: Joined<'w, A, B>,
     a: A::Features<'w>,
     b: B::Features<'w>,
 }
@@ -132,6 +121,7 @@ impl<A: World, B: World> sealed::Sealed for Joined<'_, A, B> {}
 impl<A: World, B: World> World for Joined<'_, A, B> {
     const BLOCKS: bool = A::BLOCKS && B::BLOCKS;
     const ROUND: bool = A::ROUND || B::ROUND;
+    const WIDE: bool = A::WIDE || B::WIDE;
     const CERTAIN: bool = A::CERTAIN && B::CERTAIN;
 
     type Features<'w>
@@ -176,26 +166,4 @@ impl<A: World, B: World> World for Joined<'_, A, B> {
     }
 }
 
-impl<A: World, B: World> Overlaps<Aabb> for Joined<'_, A, B> {
-    fn overlaps(&self, b: &Aabb) -> bool {
-        self.overlaps_aabb(b)
-    }
-}
-
-impl<A: World, B: World> Overlaps<Circle> for Joined<'_, A, B> {
-    fn overlaps(&self, b: &Circle) -> bool {
-        self.overlaps_circle(b)
-    }
-}
-
-impl<A: World, B: World> Touches<Aabb> for Joined<'_, A, B> {
-    fn touches(&self, b: &Aabb) -> bool {
-        self.touches_aabb(b)
-    }
-}
-
-impl<A: World, B: World> Touches<Circle> for Joined<'_, A, B> {
-    fn touches(&self, b: &Circle) -> bool {
-        self.touches_circle(b)
-    }
-}
+meets_as_world! { [A: World, B: World] Joined<'_, A, B> }

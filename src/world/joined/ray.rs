@@ -6,9 +6,9 @@ use crate::num::{Raw, Vec2, less128, mul64};
 use crate::world::ray::cast::checked;
 use crate::world::ray::piece::{Met, Time};
 use crate::world::ray::scan::Found;
+use crate::world::shells::levels;
 use crate::world::{
-    Inside, Joined, RayHit, RayHits, RayRules, SegmentMap, SegmentRayHits, Set, SolidRayHits, Solids, Store, TileMap,
-    World,
+    Joined, RayHit, RayHits, RayRules, SegmentMap, SegmentRayHits, Set, SolidRayHits, Solids, Store, TileMap, World,
 };
 use core::cmp::Ordering;
 
@@ -93,40 +93,6 @@ impl<A: RayWorld, B: RayWorld> RayWorld for Joined<'_, A, B> {
 }
 
 impl<A: RayWorld, B: RayWorld> Joined<'_, A, B> {
-    /// The first point of either level's solid that a ray meets, or `None` where it ends before.
-    ///
-    /// By the rules of the levels' own `cast_ray`, for the faces that [`features`](Self::features) shows: a ray along a floor that goes on
-    /// from level to level meets nothing. A ray along the very line between two solids that meet flush is in neither: it is stopped
-    /// where it comes to that line, but one that starts there is not.
-    ///
-    /// Cost: both levels' cost, and for each hit a look at the other level along the face. [`RayHit::cells`] counts those of the level
-    /// that was hit.
-    ///
-    /// ```
-    /// use tilesat::{Fx, Grid, Inside, Joined, TileKind, TileKinds, TileMap, Vec2};
-    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-    /// let floor = TileMap::from_ascii("  \n##", &KINDS)?;
-    /// // Another floor goes on from there, and ends in a wall.
-    /// let other = floor.with_origin(Vec2::from_ints(32, 0))?;
-    /// let wall = TileMap::from_ascii(" #\n##", &KINDS)?.with_origin(Vec2::from_ints(64, 0))?;
-    /// let floors = Joined::new(&floor, &other);
-    /// let level = Joined::new(&floors, &wall);
-    /// let hit = level.cast_ray(Vec2::from_ints(4, 16), Vec2::from_ints(200, 0), Inside::Hit).unwrap().unwrap();
-    /// assert_eq!((hit.point, hit.source), (Vec2::from_ints(80, 16), 1));
-    /// # Ok::<(), tilesat::TileMapError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
-    pub fn cast_ray(
-        &self,
-        origin: Vec2,
-        motion: Vec2,
-        rules: impl Into<RayRules>,
-    ) -> Result<Option<RayHit>, RangeError> {
-        Ok(self.cast_ray_all(origin, motion, rules)?.next())
-    }
-
     /// All hits of a ray in order, as if it went on through what it hits. Of hits at one moment there is one.
     ///
     /// Cost: as [`cast_ray`](Self::cast_ray).
@@ -144,14 +110,41 @@ impl<A: RayWorld, B: RayWorld> Joined<'_, A, B> {
         let (a, b) = (self.first().scan(origin, motion, rules)?, self.second().scan(origin, motion, rules)?);
         Ok(JoinedRayHits { pair: *self, o, d, a: Side::new(a), b: Side::new(b) })
     }
+}
 
-    /// Whether the straight line from `a` to `b` is free of both levels, as a ray from `a` sees it, and does not start inside.
-    ///
-    /// # Errors
-    /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
-    pub fn line_of_sight(&self, a: Vec2, b: Vec2) -> Result<bool, RangeError> {
-        let motion = Raw::of(b).sub(Raw::of(a)).vec2();
-        Ok(self.cast_ray(a, motion, Inside::Hit)?.is_none())
+levels! {
+    [A: RayWorld, B: RayWorld] Joined<'_, A, B> {
+        /// The first point of either level's solid that a ray meets, or `None` where it ends before.
+        ///
+        /// By the rules of the levels' own `cast_ray`, for the faces that [`features`](Self::features) shows: a ray along a floor that goes on
+        /// from level to level meets nothing. A ray along the very line between two solids that meet flush is in neither: it is stopped
+        /// where it comes to that line, but one that starts there is not.
+        ///
+        /// Cost: both levels' cost, and for each hit a look at the other level along the face. [`RayHit::cells`] counts those of the level
+        /// that was hit.
+        ///
+        /// ```
+        /// use tilesat::{Fx, Grid, Inside, Joined, TileKind, TileKinds, TileMap, Vec2};
+        /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+        /// let floor = TileMap::from_ascii("  \n##", &KINDS)?;
+        /// // Another floor goes on from there, and ends in a wall.
+        /// let other = floor.with_origin(Vec2::from_ints(32, 0))?;
+        /// let wall = TileMap::from_ascii(" #\n##", &KINDS)?.with_origin(Vec2::from_ints(64, 0))?;
+        /// let floors = Joined::new(&floor, &other);
+        /// let level = Joined::new(&floors, &wall);
+        /// let hit = level.cast_ray(Vec2::from_ints(4, 16), Vec2::from_ints(200, 0), Inside::Hit).unwrap().unwrap();
+        /// assert_eq!((hit.point, hit.source), (Vec2::from_ints(80, 16), 1));
+        /// # Ok::<(), tilesat::TileMapError>(())
+        /// ```
+        ///
+        /// # Errors
+        /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+        cast_ray,
+        /// Whether the straight line from `a` to `b` is free of both levels, as a ray from `a` sees it, and does not start inside.
+        ///
+        /// # Errors
+        /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
+        line_of_sight,
     }
 }
 
@@ -159,7 +152,7 @@ impl<A: RayWorld, B: RayWorld> Joined<'_, A, B> {
 #[derive(Debug)]
 #[must_use = "cursors do nothing unless advanced"]
 pub struct JoinedRayHits<'w, A: RayWorld, B: RayWorld> {
-    pair: Joined<'w, A, B>,
+    pub(crate) pair: Joined<'w, A, B>,
     o: Raw,
     d: Raw,
     a: Side<A::Scan<'w>>,
@@ -200,7 +193,7 @@ impl<A: RayWorld, B: RayWorld> RayScan for JoinedRayHits<'_, A, B> {
         };
         let (from_a, from_b) = (self.a.next, self.b.next);
         let met = |f: Option<Found>| f.and_then(|f| f.met);
-        let ranks = |(b, a): (Met, Met)| b.ranks_above(&a);
+        let ranks = |(b, a): (Met, Met)| b.touch.ranks_above(&b.feature, &a, self.d);
         // One hit a moment.
         let second = order.is_gt() || (order.is_eq() && met(from_b).zip(met(from_a)).is_some_and(ranks));
         let (found, source) = if second { (from_b, 1) } else { (from_a, 0) };
@@ -225,7 +218,7 @@ impl<A: RayWorld, B: RayWorld> Iterator for JoinedRayHits<'_, A, B> {
 /// Which is first: starts inside, then by the exact moments. A hit within an arc has none, and is compared by its `toi`, after a straight one.
 fn order(a: &Found, b: &Found) -> Ordering {
     let (Some(met_a), Some(met_b)) = (a.met, b.met) else { return a.met.is_some().cmp(&b.met.is_some()) };
-    match (met_a.time, met_b.time) {
+    match (met_a.touch.time, met_b.touch.time) {
         (Some(s), Some(t)) if before(s, t) => Ordering::Less,
         (Some(s), Some(t)) if before(t, s) => Ordering::Greater,
         (Some(_), Some(_)) => Ordering::Equal,

@@ -2,12 +2,14 @@
 
 use super::measure::Measure;
 use crate::error::RangeError;
-use crate::num::{Axis, DOMAIN, Fx, Raw, Vec2, check_coordinate, check_radius, div_sqrt, imul, isqrt64, isqrt64_ceil};
-use crate::num::{sqr64, usqr};
+use crate::num::{
+    Axis, DOMAIN, Fx, Raw, Vec2, check_coordinate, check_radius, div_sqrt, imul, isqrt64, isqrt64_ceil, usqr,
+};
 use crate::query::closest::on_segment;
 use crate::query::meet::{clamp, corners};
 use crate::query::round::toward;
 use crate::shape::Aabb;
+use crate::world::shells::levels;
 use crate::world::{Feature, Geometry, Joined, SegmentMap, Set, Store, TileMap, World};
 use core::cmp::Ordering;
 
@@ -39,76 +41,87 @@ pub struct Near {
     pub features: u32,
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The point of the surface that is nearest to `p` and at most `within` away, seen from outside and from inside of the solid.
-    ///
-    /// The order of distances is exact. In a tie a face or arc with the foot of `p` on it goes before a corner, that before the end of a face, and
-    /// then the piece with the smaller coordinates; tie or not, the answer depends on the level and the point only.
-    ///
-    /// Cost: the features of squares around `p` whose half side doubles from one cell until the nearest point is found, at the last `within`:
-    /// at most twice the features of the last one, which has `(2 within / cell + 3)` squared cells at most. [`Near::features`] counts them. Within a
-    /// cell of 24 units, of which a quarter hold a shape, some 13000 instructions on a Cortex-M0.
-    ///
-    /// ```
-    /// use tilesat::{AllShapes, Axis, Fx, Grid, OneWay, TileKind, TileKinds, TileMap, TileShape, Vec2};
-    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'/', TileKind::of(TileShape::SlopeBottomRight));
-    /// let grid = Grid::new(1, 1, Fx::from_num(16), Vec2::ZERO)?;
-    /// let map = TileMap::<AllShapes>::of(b"/", grid, &KINDS)?;
-    /// let near = map.closest_point(Vec2::from_ints(2, 4), Fx::from_num(10), OneWay::Ignore)?.unwrap();
-    /// assert_eq!((near.point, near.axis, near.inside), (Vec2::from_ints(7, 9), Axis::new(-1, -1), false));
-    /// assert_eq!(near.distance.to_bits(), 463_409); // 5 sqrt(2), rounded down
-    /// assert_eq!(map.closest_point(Vec2::from_ints(2, 4), Fx::from_num(7), OneWay::Ignore)?, None);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`RangeError`] where `p` or `within` is outside of the [domain](crate::num::DOMAIN), or `within` is negative.
-    pub fn closest_point(&self, p: Vec2, within: Fx, one_way: OneWay) -> Result<Option<Near>, RangeError> {
-        closest_point(self, p, within, one_way)
+levels! {
+    [S: Set, T: Store] TileMap<'_, S, T> {
+        /// The point of the surface that is nearest to `p` and at most `within` away, seen from outside and from inside of the solid.
+        ///
+        /// The order of distances is exact. In a tie a face or arc with the foot of `p` on it goes before a corner, that before the end of a face, and
+        /// then the piece with the smaller coordinates; tie or not, the answer depends on the level and the point only.
+        ///
+        /// Cost: the features of squares around `p` whose half side doubles from one cell until the nearest point is found, at the last `within`:
+        /// at most twice the features of the last one, which has `(2 within / cell + 3)` squared cells at most. [`Near::features`] counts them. Within a
+        /// cell of 24 units, of which a quarter hold a shape, some 13000 instructions on a Cortex-M0.
+        ///
+        /// ```
+        /// use tilesat::{AllShapes, Axis, Fx, Grid, OneWay, TileKind, TileKinds, TileMap, TileShape, Vec2};
+        /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'/', TileKind::of(TileShape::SlopeBottomRight));
+        /// let grid = Grid::new(1, 1, Fx::from_num(16), Vec2::ZERO)?;
+        /// let map = TileMap::<AllShapes>::of(b"/", grid, &KINDS)?;
+        /// let near = map.closest_point(Vec2::from_ints(2, 4), Fx::from_num(10), OneWay::Ignore)?.unwrap();
+        /// assert_eq!((near.point, near.axis, near.inside), (Vec2::from_ints(7, 9), Axis::new(-1, -1), false));
+        /// assert_eq!(near.distance.to_bits(), 463_409); // 5 sqrt(2), rounded down
+        /// assert_eq!(map.closest_point(Vec2::from_ints(2, 4), Fx::from_num(7), OneWay::Ignore)?, None);
+        /// # Ok::<(), Box<dyn std::error::Error>>(())
+        /// ```
+        ///
+        /// # Errors
+        /// [`RangeError`] where `p` or `within` is outside of the [domain](crate::num::DOMAIN), or `within` is negative.
+        closest_point,
     }
 }
 
-impl SegmentMap<'_> {
-    /// The point of the surface that is nearest to `p` and at most `within` away; as [`TileMap::closest_point`].
-    ///
-    /// Walls are surface, seen from outside. From inside of polygons that overlap, the edges of one that lie in the other are surface too.
-    ///
-    /// # Errors
-    /// As [`TileMap::closest_point`].
-    pub fn closest_point(&self, p: Vec2, within: Fx, one_way: OneWay) -> Result<Option<Near>, RangeError> {
-        closest_point(self, p, within, one_way)
+levels! {
+    [] SegmentMap<'_> {
+        /// The point of the surface that is nearest to `p` and at most `within` away; as [`TileMap::closest_point`].
+        ///
+        /// Walls are surface, seen from outside. From inside of polygons that overlap, the edges of one that lie in the other are surface too.
+        ///
+        /// # Errors
+        /// As [`TileMap::closest_point`].
+        closest_point,
     }
 }
 
-impl<A: World, B: World> Joined<'_, A, B> {
-    /// The point of both surfaces that is nearest to `p` and at most `within` away; as [`TileMap::closest_point`].
-    ///
-    /// Seen from inside of the solid, faces and arcs that the other level covers in part are surface as a whole.
-    ///
-    /// # Errors
-    /// As [`TileMap::closest_point`].
-    pub fn closest_point(&self, p: Vec2, within: Fx, one_way: OneWay) -> Result<Option<Near>, RangeError> {
-        closest_point(self, p, within, one_way)
+levels! {
+    [A: World, B: World] Joined<'_, A, B> {
+        /// The point of both surfaces that is nearest to `p` and at most `within` away; as [`TileMap::closest_point`].
+        ///
+        /// Seen from inside of the solid, faces and arcs that the other level covers in part are surface as a whole.
+        ///
+        /// # Errors
+        /// As [`TileMap::closest_point`].
+        closest_point,
     }
 }
 
 /// [`TileMap::closest_point`] for any level.
-fn closest_point<W: World>(world: &W, p: Vec2, within: Fx, one_way: OneWay) -> Result<Option<Near>, RangeError> {
+pub(in crate::world) fn closest_point<W: World>(
+    world: &W,
+    p: Vec2,
+    within: Fx,
+    one_way: OneWay,
+) -> Result<Option<Near>, RangeError> {
     check_coordinate(p)?;
     check_radius(within)?;
     let (p, limit) = (Raw::of(p), within.to_bits());
     let inside = world.overlaps_aabb(&Aabb::from_raw_unchecked(p, p));
+    Ok(search(world, p, limit, one_way, inside))
+}
+
+/// The search in squares that double, as far as the limit.
+fn search<W: World>(world: &W, p: Raw, limit: i32, one_way: OneWay, inside: bool) -> Option<Near> {
     let (mut reach, mut features) = (limit.min(world.cell_size() as i32), 0u32);
     loop {
-        let mut best = (None, None);
-        features = features.wrapping_add(find_nearest(world, &square(p, reach), p, one_way, inside, &mut best));
-        if let (Some(spot), Some(feature)) = &best {
+        let (mut best, mut of) = (None, None);
+        features =
+            features.wrapping_add(find_nearest(world, &square(p, reach), p, one_way, inside, &mut best, &mut of));
+        if let Some((spot, feature)) = best.as_ref().zip(of.as_ref()) {
             if spot.is_within::<W>(reach) {
-                return Ok(Some(spot.near::<W>(p, inside, feature, features)));
+                return Some(spot.near::<W>(p, inside, feature, features));
             }
         }
         if reach == limit {
-            return Ok(None);
+            return None;
         }
         reach = limit.min(reach.saturating_mul(2));
     }
@@ -122,7 +135,8 @@ fn find_nearest<W: World>(
     p: Raw,
     one_way: OneWay,
     inside: bool,
-    best: &mut (Option<Spot>, Option<Feature>),
+    best: &mut Option<Spot>,
+    of: &mut Option<Feature>,
 ) -> u32 {
     let (mut features, mut count) = (world.features(region), 0u32);
     while let Some(feature) = &features.next() {
@@ -131,9 +145,9 @@ fn find_nearest<W: World>(
             continue;
         }
         let Some(spot) = &Spot::of::<W>(p, feature, inside) else { continue };
-        let known = best.0.as_ref().zip(best.1.as_ref());
+        let known = best.as_ref().zip(of.as_ref());
         if known.is_none_or(|(first, of)| spot.before::<W>(feature, first, of)) {
-            *best = (Some(*spot), Some(*feature));
+            (*best, *of) = (Some(*spot), Some(*feature));
         }
     }
     count
@@ -186,7 +200,7 @@ impl Spot {
                     // From its wrong side a face is no nearer than what is before it.
                     None
                 } else {
-                    found(Measure::Root { num: sqr64(front.unsigned_abs()), den: dir.length_squared() }, Place::Foot)
+                    found(Measure::height(front.unsigned_abs(), dir.length_squared()), Place::Foot)
                 }
             }
             Geometry::Vertex { p: corner, e_in, e_out } => {
@@ -234,7 +248,7 @@ impl Spot {
     #[inline(never)]
     fn near<W: World>(&self, p: Raw, inside: bool, feature: &Feature, features: u32) -> Near {
         let (point, axis) = self.point::<W>(p, inside, feature);
-        let distance = Fx::from_bits(self.distance::<W>(p, feature) as i32);
+        let distance = Fx::from_bits(self.distance::<W>() as i32);
         Near { point: point.vec2(), distance, axis, inside, feature: *feature, features }
     }
 
@@ -272,17 +286,17 @@ impl Spot {
 
     /// How far away it is, rounded down.
     #[inline(never)]
-    fn distance<W: World>(&self, p: Raw, feature: &Feature) -> u32 {
-        match (self.measure, feature.geometry) {
-            (Measure::Ring { square, radius }, _) if W::ROUND && square < usqr(radius) => {
+    fn distance<W: World>(&self) -> u32 {
+        match self.measure {
+            Measure::Ring { square, radius } if W::ROUND && square < usqr(radius) => {
                 radius.wrapping_sub(isqrt64_ceil(square))
             }
-            (Measure::Ring { square, radius }, _) if W::ROUND => isqrt64(square).wrapping_sub(radius),
-            (Measure::Root { den, .. }, Geometry::Face { a, dir, .. }) if !W::BLOCKS && den != 1 => {
-                div_sqrt(raw(dir).cross(p.sub(Raw::of(a))).unsigned_abs(), den)
+            Measure::Ring { square, radius } if W::ROUND => isqrt64(square).wrapping_sub(radius),
+            Measure::Line { front, den } if !W::BLOCKS => div_sqrt(front, den),
+            // Of a level that has no others, too.
+            Measure::Point { square } | Measure::Ring { square, .. } | Measure::Line { front: square, .. } => {
+                isqrt64(square)
             }
-            // The square of a whole number, or between lattice points: below 2^61.
-            (Measure::Root { num: (_, square), .. } | Measure::Ring { square, .. }, _) => isqrt64(square),
         }
     }
 }

@@ -13,6 +13,7 @@ use crate::world::{Feature, Geometry, World};
 /// feature's region.
 ///
 /// The way from a middle outside of the solid to a point of the box in it leads in through a face or arc: that one has a contact, in its region or not.
+#[inline(never)]
 pub(in crate::world) fn boxed<W: World>(
     lo: Raw,
     hi: Raw,

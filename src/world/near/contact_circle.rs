@@ -10,6 +10,7 @@ use crate::world::{Feature, Geometry, World};
 ///
 /// `behind` says whether the back of the feature counts: where the centre is in the solid. Only there does a face count whose normal does not pass
 /// the centre: right behind a concave corner there is none whose does.
+#[inline(never)]
 pub(in crate::world) fn circle<W: World>(c: Raw, r: i32, feature: &Feature, behind: bool) -> Option<(Contact, bool)> {
     if let Geometry::Face { a, dir, len, .. } = feature.geometry {
         let (a, b) = ends(Raw::of(a), dir, len);

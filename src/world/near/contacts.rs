@@ -3,11 +3,12 @@
 use super::closest::{OneWay, ends, precedes};
 use super::measure::Measure;
 use crate::error::Truncated;
-use crate::num::{Axis, Fx, Raw, Vec2, div_sqrt, mul_div_wide, sqr64, umul, usqr};
+use crate::num::{Axis, Fx, Raw, Vec2, div_sqrt, mul_div_wide, umul, usqr};
 use crate::query::Contact;
 use crate::query::closest::on_segment;
 use crate::query::round::toward;
 use crate::shape::{Aabb, Circle};
+use crate::world::shells::levels;
 use crate::world::{Feature, Geometry, Joined, SegmentMap, Set, Store, TileMap, World};
 use core::cmp::Ordering;
 use heapless::VecView;
@@ -93,10 +94,27 @@ impl WorldContact {
         }
     }
 
+    const fn found(&self) -> Found<'_> {
+        Found { contact: &self.contact, feature: &self.feature }
+    }
+}
+
+/// The parts of a [`WorldContact`], where they are.
+#[derive(Clone, Copy)]
+struct Found<'a> {
+    contact: &'a Contact,
+    feature: &'a Feature,
+}
+
+impl Found<'_> {
+    const fn kept(self) -> WorldContact {
+        WorldContact { contact: *self.contact, feature: *self.feature }
+    }
+
     /// Exact, for the order: of a circle how far its centre is from the feature, of a box the depth.
     #[inline(never)]
-    const fn measure(&self) -> Measure {
-        let Contact { axis, overlap, radius_b, .. } = self.contact;
+    const fn measure(self) -> Measure {
+        let Contact { axis, overlap, radius_b, .. } = *self.contact;
         if axis.x == 0 || axis.y == 0 {
             // The axis has length one; the feature's radius is negative for a hollow disc.
             return Measure::root(usqr((overlap as i32).wrapping_add(radius_b).unsigned_abs()));
@@ -104,14 +122,14 @@ impl WorldContact {
         match self.feature.geometry {
             Geometry::Arc { radius, .. } => Measure::Ring { square: axis.length_squared(), radius: radius as u32 },
             _ if self.contact.radial => Measure::root(axis.length_squared()),
-            _ => Measure::Root { num: sqr64(overlap.unsigned_abs()), den: axis.length_squared() },
+            _ => Measure::height(overlap.unsigned_abs(), axis.length_squared()),
         }
     }
 
-    fn before<W: World>(&self, other: &Self) -> bool {
-        let corner = |c: &Self| matches!(c.feature.geometry, Geometry::Vertex { .. });
+    fn before<W: World>(self, other: Found<'_>) -> bool {
+        let corner = |c: Found<'_>| matches!(c.feature.geometry, Geometry::Vertex { .. });
         match self.measure().order::<W>(&other.measure()).then(corner(self).cmp(&corner(other))) {
-            Ordering::Equal => precedes(&self.feature, &other.feature),
+            Ordering::Equal => precedes(self.feature, other.feature),
             order => order == Ordering::Less,
         }
     }
@@ -129,77 +147,62 @@ const fn outward(n: i32, s: u64, d: u64) -> i32 {
     if n < 0 { size } else { size.wrapping_neg() }
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// Writes the features that a box or circle overlaps to `out`, which is cleared first: each once, the nearest first.
-    ///
-    /// A feature counts where the body is in its region: a circle's centre before or behind a face or an arc, or in the cone of a corner (where it
-    /// has none of these, right behind a concave corner, the faces whose ends it covers and is behind of); a
-    /// box's deepest corner before or behind a slope or arc, its side against a face along x or y or the corner that it faces (where a box has
-    /// none of these, the nearest slope that it meets at all).
-    /// What is seen from behind counts only while the body's middle is in the solid: the far side of a thin wall is not a way out.
-    /// Circles are told the feature first whose distance from the centre is least, boxes the shortest way out; ties go as in
-    /// [`closest_point`](Self::closest_point). A body that reaches no surface, such as one deep in the solid or a point, has no contacts.
-    ///
-    /// The result says how many features were looked at. Cost: those of the body's bounding box, at most 10 a cell and
-    /// `(width / cell + 2) (height / cell + 2)` cells, one exact test each, and for each that is kept a comparison with those before it: some
-    /// 7000 instructions on a Cortex-M0 for a ball of 10 units that overlaps shapes of 24.
-    ///
-    /// ```
-    /// use tilesat::{Axis, Circle, Fx, OneWay, TileKind, TileKinds, TileMap, Vec2};
-    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-    /// let map = TileMap::from_ascii("#...\n####", &KINDS)?;
-    /// let ball = Circle::new(Vec2::from_ints(22, 9), Fx::from_num(8))?;
-    /// let mut out = heapless::Vec::<_, 4>::new();
-    /// map.contacts(&ball, OneWay::Ignore, &mut out)?;
-    /// let found: Vec<_> = out.iter().map(|c| (c.axis(), c.depth().to_num::<i32>())).collect();
-    /// assert_eq!(found, [(Axis::X, 2), (Axis::NEG_Y, 1)]); // the wall at x = 16, then the floor at y = 16
-    /// assert_eq!(out[0].push_out(), Vec2::from_ints(2, 0));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
-    pub fn contacts<B: Pushable>(
-        &self,
-        body: &B,
-        one_way: OneWay,
-        out: &mut VecView<WorldContact>,
-    ) -> Result<u32, Truncated> {
-        contacts(self, body, one_way, out)
+levels! {
+    [S: Set, T: Store] TileMap<'_, S, T> {
+        /// Writes the features that a box or circle overlaps to `out`, which is cleared first: each once, the nearest first.
+        ///
+        /// A feature counts where the body is in its region: a circle's centre before or behind a face or an arc, or in the cone of a corner (where it
+        /// has none of these, right behind a concave corner, the faces whose ends it covers and is behind of); a
+        /// box's deepest corner before or behind a slope or arc, its side against a face along x or y or the corner that it faces (where a box has
+        /// none of these, the nearest slope that it meets at all).
+        /// What is seen from behind counts only while the body's middle is in the solid: the far side of a thin wall is not a way out.
+        /// Circles are told the feature first whose distance from the centre is least, boxes the shortest way out; ties go as in
+        /// [`closest_point`](Self::closest_point). A body that reaches no surface, such as one deep in the solid or a point, has no contacts.
+        ///
+        /// The result says how many features were looked at. Cost: those of the body's bounding box, at most 10 a cell and
+        /// `(width / cell + 2) (height / cell + 2)` cells, one exact test each, and for each that is kept a comparison with those before it: some
+        /// 7000 instructions on a Cortex-M0 for a ball of 10 units that overlaps shapes of 24.
+        ///
+        /// ```
+        /// use tilesat::{Axis, Circle, Fx, OneWay, TileKind, TileKinds, TileMap, Vec2};
+        /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+        /// let map = TileMap::from_ascii("#...\n####", &KINDS)?;
+        /// let ball = Circle::new(Vec2::from_ints(22, 9), Fx::from_num(8))?;
+        /// let mut out = heapless::Vec::<_, 4>::new();
+        /// map.contacts(&ball, OneWay::Ignore, &mut out)?;
+        /// let found: Vec<_> = out.iter().map(|c| (c.axis(), c.depth().to_num::<i32>())).collect();
+        /// assert_eq!(found, [(Axis::X, 2), (Axis::NEG_Y, 1)]); // the wall at x = 16, then the floor at y = 16
+        /// assert_eq!(out[0].push_out(), Vec2::from_ints(2, 0));
+        /// # Ok::<(), Box<dyn std::error::Error>>(())
+        /// ```
+        ///
+        /// # Errors
+        /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+        contacts,
     }
 }
 
-impl SegmentMap<'_> {
-    /// Writes the features that a box or circle overlaps to `out`, which is cleared first: each once, the nearest first; as
-    /// [`TileMap::contacts`].
-    ///
-    /// A wall that a body crosses pushes to the side on which the body's middle is.
-    ///
-    /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
-    pub fn contacts<B: Pushable>(
-        &self,
-        body: &B,
-        one_way: OneWay,
-        out: &mut VecView<WorldContact>,
-    ) -> Result<u32, Truncated> {
-        contacts(self, body, one_way, out)
+levels! {
+    [] SegmentMap<'_> {
+        /// Writes the features that a box or circle overlaps to `out`, which is cleared first: each once, the nearest first; as
+        /// [`TileMap::contacts`].
+        ///
+        /// A wall that a body crosses pushes to the side on which the body's middle is.
+        ///
+        /// # Errors
+        /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+        contacts,
     }
 }
 
-impl<A: World, B: World> Joined<'_, A, B> {
-    /// Writes the features of both levels that a box or circle overlaps to `out`, which is cleared first: each once, the nearest first; as
-    /// [`TileMap::contacts`].
-    ///
-    /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
-    pub fn contacts<P: Pushable>(
-        &self,
-        body: &P,
-        one_way: OneWay,
-        out: &mut VecView<WorldContact>,
-    ) -> Result<u32, Truncated> {
-        contacts(self, body, one_way, out)
+levels! {
+    [A: World, B: World] Joined<'_, A, B> {
+        /// Writes the features of both levels that a box or circle overlaps to `out`, which is cleared first: each once, the nearest first; as
+        /// [`TileMap::contacts`].
+        ///
+        /// # Errors
+        /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+        contacts,
     }
 }
 
@@ -216,16 +219,29 @@ pub(crate) fn contacts<W: World, B: Pushable>(
     let (lo, hi) = (bounds.lo(), bounds.hi());
     let last = Raw { x: (lo.x + hi.x + 1) >> 1, y: (lo.y + hi.y + 1) >> 1 };
     let behind = world.overlaps_aabb(&Aabb::from_raw_unchecked(Raw::of(bounds.centre()), last));
+    contacts_in(world, body, &bounds, behind, one_way, out)
+}
+
+/// The same, of a body with these bounds whose middle is in the solid or not.
+#[inline(never)]
+fn contacts_in<W: World, B: Pushable>(
+    world: &W,
+    body: &B,
+    bounds: &Aabb,
+    behind: bool,
+    one_way: OneWay,
+    out: &mut VecView<WorldContact>,
+) -> Result<u32, Truncated> {
     let (mut features, mut seen, mut any_in_region) = (0u32, 0u32, false);
     let mut spare: Option<WorldContact> = None;
-    let mut surface = world.features(&bounds);
+    let mut surface = world.features(bounds);
     while let Some(feature) = &surface.next() {
         features = features.wrapping_add(1);
         if feature.one_way && one_way == OneWay::Ignore {
             continue;
         }
-        let Some((contact, in_region)) = body.meet::<W>(feature, behind && !feature.one_way) else { continue };
-        let new = &WorldContact { contact, feature: *feature };
+        let Some((contact, in_region)) = &body.meet::<W>(feature, behind && !feature.one_way) else { continue };
+        let (new, in_region) = (Found { contact, feature }, *in_region);
         if B::ROUND && in_region != any_in_region {
             if any_in_region {
                 continue;
@@ -235,8 +251,8 @@ pub(crate) fn contacts<W: World, B: Pushable>(
             (seen, any_in_region) = (0, true);
         }
         if !B::ROUND && !in_region {
-            if spare.as_ref().is_none_or(|spare| new.before::<W>(spare)) {
-                spare = Some(*new);
+            if spare.as_ref().is_none_or(|spare| new.before::<W>(spare.found())) {
+                spare = Some(new.kept());
             }
             continue;
         }
@@ -249,7 +265,7 @@ pub(crate) fn contacts<W: World, B: Pushable>(
     }
     if let (0, Some(spare)) = (seen, &spare) {
         seen = 1;
-        insert::<W>(out, spare);
+        insert::<W>(out, spare.found());
     }
     let kept = out.len() as u32;
     if kept == seen { Ok(features) } else { Err(Truncated { seen, kept }) }
@@ -257,16 +273,16 @@ pub(crate) fn contacts<W: World, B: Pushable>(
 
 /// Keeps the list in order; where it is full the last goes.
 #[inline(never)]
-fn insert<W: World>(out: &mut VecView<WorldContact>, new: &WorldContact) {
-    if out.is_full() || out.push(*new).is_err() {
+fn insert<W: World>(out: &mut VecView<WorldContact>, new: Found<'_>) {
+    if out.is_full() || out.push(new.kept()).is_err() {
         match out.last_mut() {
-            Some(last) if new.before::<W>(last) => *last = *new,
+            Some(last) if new.before::<W>(last.found()) => *last = new.kept(),
             _ => return,
         }
     }
     let mut i = out.len();
     while let Some([before, after]) = i.checked_sub(2).and_then(|first| out.get_mut(first..i)) {
-        if !after.before::<W>(before) {
+        if !after.found().before::<W>(before.found()) {
             return;
         }
         core::mem::swap(before, after);

@@ -1,17 +1,9 @@
 //! A ray against a quarter of a circle: exactly whether it meets it, without root or division; then when, from below.
 
+use super::piece::{Time, Touch};
 use crate::num::{Axis, Raw, Toi, imul, less128, mul_div, mul64, root128_down, root128_up, sqr64, sub128, usqr};
 
-/// Where a ray meets an arc.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::world) enum Contact {
-    /// At an end of the arc or at the start of the ray: at the fraction `num / den` of the motion, both below 2^30.
-    At { num: u32, den: u32, normal: Axis },
-    /// Within the arc, at no fraction in general.
-    Within,
-}
-
-/// Whether a ray from `m` (relative to the centre) by `d` meets the closed quarter in the quadrant of `q` from its free side: the entry into the
+/// How a ray from `m` (relative to the centre) by `d` meets the closed quarter in the quadrant of `q` from its free side: the entry into the
 /// disc where it is `convex`, else the exit from it.
 ///
 /// Tangents do not meet a convex arc. They leave a concave one where they start on it, and where they come along the line on which it ends and go
@@ -19,7 +11,7 @@ pub(in crate::world) enum Contact {
 ///
 /// Radii are at most 2^24, components below 2^30: squares of cross products, and r^2 |d|^2, are below 2^122.
 #[inline(never)]
-pub(in crate::world) fn meet(m: Raw, d: Raw, radius: i32, q: Axis, convex: bool) -> Option<Contact> {
+pub(in crate::world) fn meet(m: Raw, d: Raw, radius: i32, q: Axis, convex: bool) -> Option<Touch> {
     let (m, d) = (turned(m, q), turned(d, q));
     let r = radius as u32;
     let rr = usqr(r);
@@ -39,7 +31,7 @@ pub(in crate::world) fn meet(m: Raw, d: Raw, radius: i32, q: Axis, convex: bool)
         return None;
     }
     if !convex && on_rim && !approaches {
-        return (m.x >= 0 && m.y >= 0).then(|| Contact::At { num: 0, den: 1, normal: inward(m, q) });
+        return (m.x >= 0 && m.y >= 0).then(|| at(0, 1, inward(m, q)));
     }
     let cross = m.cross(d);
     if !less128(sqr64(cross.unsigned_abs()), mul64(rr, a)) {
@@ -51,23 +43,28 @@ pub(in crate::world) fn meet(m: Raw, d: Raw, radius: i32, q: Axis, convex: bool)
         return None;
     }
     if at_x != 0 && at_y != 0 {
-        return Some(Contact::Within);
+        return Some(Touch { time: None, normal: Axis::new(0, 0) });
     }
     let end = if at_x == 0 { Raw { x: 0, y: radius } } else { Raw { x: radius, y: 0 } };
     Some(at_end(m, d, end, q, convex))
 }
 
 /// The contact at an end of the arc, which the ray passes.
-fn at_end(m: Raw, d: Raw, end: Raw, q: Axis, convex: bool) -> Contact {
+fn at_end(m: Raw, d: Raw, end: Raw, q: Axis, convex: bool) -> Touch {
     let way = end.sub(m);
     let (num, den) = if d.x == 0 { (way.y, d.y) } else { (way.x, d.x) };
     let inward = inward(end, q);
     let normal = if convex { inward.reversed() } else { inward };
-    Contact::At { num: num.unsigned_abs(), den: den.unsigned_abs(), normal }
+    at(num.unsigned_abs(), den.unsigned_abs(), normal)
+}
+
+/// At a fraction of the motion: both below 2^30.
+fn at(num: u32, den: u32, normal: Axis) -> Touch {
+    Touch { time: Some(Time { num: u64::from(num), den: u64::from(den) }), normal }
 }
 
 /// A ray that touches a concave arc at its end along the cell's side: met where it goes on into the cell.
-fn along_the_end(m: Raw, d: Raw, r: i32, q: Axis) -> Option<Contact> {
+fn along_the_end(m: Raw, d: Raw, r: i32, q: Axis) -> Option<Touch> {
     let reaches = |v: i32, d: i32| d > 0 && v <= 0 && v.wrapping_add(d) >= 0;
     if m.x == r && d.x == 0 && reaches(m.y, d.y) {
         Some(at_end(m, d, Raw { x: r, y: 0 }, q, false))

@@ -3,7 +3,7 @@
 use super::cast::side_against;
 use super::dda::along;
 use super::level::RayLevel;
-use super::piece::{Met, Time};
+use super::piece::{Met, Time, Touch};
 use super::walk::Walk;
 use crate::num::{Axis, Raw};
 use crate::world::{Cell, Feature, Geometry};
@@ -50,5 +50,5 @@ pub(in crate::world) fn cusp<L: RayLevel>(level: &L, o: Raw, d: Raw, walk: &Walk
         source: 0,
     };
     let time = Some(Time { num: u64::from(way), den: u64::from(side.size) });
-    Some(Met { feature, time, normal, into: u64::from(side.size) })
+    Some(Met { feature, touch: Touch { time, normal } })
 }

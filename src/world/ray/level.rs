@@ -75,6 +75,7 @@ impl<S: Set, T: Store> RayLevel for TileMap<'_, S, T> {
         Walk::new(x, y, self.grid.cell as u32)
     }
 
+    #[inline(never)]
     fn skip(&self, walk: &mut Walk) {
         let cell = self.grid.cell as u32;
         if along(&walk.x, &walk.y, cell) == 0 && self.holds(walk.x.cell, walk.y.cell) {

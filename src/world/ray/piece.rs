@@ -1,6 +1,6 @@
 //! A ray against one piece of a surface: whether it is met, when as an exact fraction, and which of two pieces comes first.
 
-use super::arc::{self, Contact};
+use super::arc;
 use super::level::RayPieces;
 use crate::num::{Axis, Raw, less128, mul64, umul};
 use crate::world::{Feature, Geometry};
@@ -26,48 +26,52 @@ impl Time {
     }
 }
 
-/// A piece that is met, and how.
+/// How a piece is met.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::world) struct Met {
-    pub(in crate::world) feature: Feature,
+pub(in crate::world) struct Touch {
     /// `None` for a point within an arc, which is no fraction in general.
     pub(in crate::world) time: Option<Time>,
     /// The outward normal, reduced; of a point within an arc the zero axis.
     pub(in crate::world) normal: Axis,
-    /// The motion against the normal: at least 0, below 2^61.
-    pub(in crate::world) into: u64,
 }
 
-impl Met {
-    /// Whether this is met before `other`, or at the same moment and is to be reported instead.
+/// A piece that is met, and how.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::world) struct Met {
+    pub(in crate::world) feature: Feature,
+    pub(in crate::world) touch: Touch,
+}
+
+impl Touch {
+    /// Whether a ray by `d` meets the piece `of` so before another one, or at the same moment and this is to be reported instead.
     ///
     /// A point within an arc is later than any fraction that a ray meets in the same step: the tile's other pieces are on the border of
     /// its cell, and what is met on the border is met where the ray comes in. (A face on the border opposes rays that come in
     /// across it, so one that is met where the ray leaves is met by a ray that has a single point in the cell.)
-    pub(in crate::world) fn precedes<L: RayPieces>(&self, other: &Self) -> bool {
-        let (Some(a), Some(b)) = (self.time, other.time) else { return self.time.is_some() };
+    pub(in crate::world) fn precedes<L: RayPieces>(&self, of: &Feature, other: &Met, d: Raw) -> bool {
+        let (Some(a), Some(b)) = (self.time, other.touch.time) else { return self.time.is_some() };
         if a.before::<L>(b) {
             return true;
         }
-        !b.before::<L>(a) && self.ranks_above(other)
+        !b.before::<L>(a) && self.ranks_above(of, other, d)
     }
 
     /// At one moment: the normal that is more along x, then the one that opposes the motion more, then +x, then +y; then straight before round.
-    pub(in crate::world) fn ranks_above(&self, other: &Self) -> bool {
-        let (n, m) = (self.normal, other.normal);
+    #[inline(never)]
+    pub(in crate::world) fn ranks_above(&self, of: &Feature, other: &Met, d: Raw) -> bool {
+        let (n, m) = (self.normal, other.touch.normal);
         // n.x^2 / |n|^2 is decreasing in |n.y| / |n.x|; the products are below 2^60.
         let (a, b) = (cross_size(n.y, m.x), cross_size(m.y, n.x));
         if a != b {
             return a < b;
         }
         // Equal shares of reduced axes are equal components, signs apart: so are the lengths.
-        if self.into != other.into {
-            return self.into > other.into;
-        }
         if n != m {
-            return n.x > m.x || (n.x == m.x && n.y > m.y);
+            // The motion against a normal is below 2^61.
+            let (by_n, by_m) = (d.dot(Raw { x: n.x, y: n.y }), d.dot(Raw { x: m.x, y: m.y }));
+            return by_n < by_m || (by_n == by_m && (n.x > m.x || (n.x == m.x && n.y > m.y)));
         }
-        matches!(other.feature.geometry, Geometry::Arc { .. }) && matches!(self.feature.geometry, Geometry::Face { .. })
+        matches!(other.feature.geometry, Geometry::Arc { .. }) && matches!(of.geometry, Geometry::Face { .. })
     }
 }
 
@@ -78,34 +82,23 @@ fn cross_size(a: i32, b: i32) -> u64 {
 /// How a ray from `o` by `d` meets a piece, if it does.
 ///
 /// Vertices are ends of other pieces, which are closed.
-#[inline(never)]
-pub(in crate::world) fn meet<L: RayPieces>(o: Raw, d: Raw, feature: &Feature) -> Option<Met> {
-    let with = |time, normal, into| Some(Met { feature: *feature, time, normal, into });
-    match feature.geometry {
-        Geometry::Face { a, dir, len, .. } => {
-            let (time, into) = meet_face(o.sub(Raw::of(a)), d, dir, len)?;
-            with(Some(time), Axis::new(dir.y, dir.x.wrapping_neg()), into)
-        }
+#[inline]
+pub(in crate::world) fn meet<L: RayPieces>(o: Raw, d: Raw, feature: &Feature) -> Option<Touch> {
+    match &feature.geometry {
+        Geometry::Face { a, dir, len, .. } => meet_face(o.sub(Raw::of(*a)), d, *dir, *len),
         Geometry::Arc { centre, radius, quadrant, convex } if L::ROUND => {
-            match arc::meet(o.sub(Raw::of(centre)), d, radius, quadrant, convex)? {
-                Contact::Within => with(None, Axis::new(0, 0), 0),
-                Contact::At { num, den, normal } => {
-                    let time = Time { num: u64::from(num), den: u64::from(den) };
-                    with(Some(time), normal, Raw { x: normal.x, y: normal.y }.dot(d).wrapping_neg() as u64)
-                }
-            }
+            arc::meet(o.sub(Raw::of(*centre)), d, *radius, *quadrant, *convex)
         }
         _ => None,
     }
 }
 
-/// When a ray from `w` (relative to the start of the face) crosses the closed face against its normal, and `dir x d`, which is its part
-/// against the normal `(dir.y, -dir.x)`.
+/// When a ray from `w` (relative to the start of the face) crosses the closed face against its normal `(dir.y, -dir.x)`.
 ///
 /// At the moment T = (w x dir) / (dir x d) it is at the place s = (w x d) / (dir x d) along dir. The face is `e = dir len` long,
 /// so s <= len is w x d <= e x d. Differences and motions are below 2^30 and `e` is a difference: all products are below 2^61.
-#[inline]
-fn meet_face(w: Raw, d: Raw, dir: Axis, len: i32) -> Option<(Time, u64)> {
+#[inline(never)]
+fn meet_face(w: Raw, d: Raw, dir: Axis, len: i32) -> Option<Touch> {
     let t = Raw { x: dir.x, y: dir.y };
     let den = t.cross(d);
     if den <= 0 {
@@ -120,5 +113,6 @@ fn meet_face(w: Raw, d: Raw, dir: Axis, len: i32) -> Option<(Time, u64)> {
     if place < 0 || place > end.cross(d) {
         return None;
     }
-    Some((Time { num: num as u64, den: den as u64 }, den as u64))
+    let time = Time { num: num as u64, den: den as u64 };
+    Some(Touch { time: Some(time), normal: Axis::new(dir.y, dir.x.wrapping_neg()) })
 }

@@ -5,7 +5,7 @@ use super::cast::checked;
 use super::cusp::cusp;
 use super::dda::Axes;
 use super::level::{RayLevel, RayPieces};
-use super::piece::{Met, Time, meet};
+use super::piece::{Met, Time, Touch, meet};
 use super::walk::Walk;
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, mul_div, mul_div_wide, umul};
@@ -14,7 +14,7 @@ use crate::world::{Cell, Feature, Geometry, Inside, RayHit, RayRules};
 /// A ray that has been asked for its hits up to a moment.
 #[derive(Debug)]
 pub(in crate::world) struct Scan<'w, L> {
-    level: &'w L,
+    pub(in crate::world) level: &'w L,
     o: Raw,
     d: Raw,
     rules: RayRules,
@@ -88,8 +88,11 @@ impl<'w, L: RayLevel> Scan<'w, L> {
     pub(in crate::world) fn advance(&mut self) -> Option<RayHit> {
         if self.stage == Stage::Start {
             self.stage = Stage::Look;
-            if matches!(self.rules.inside, Inside::Hit) && self.level.holds_start(self.o, &self.walk) {
-                return Some(self.at_start());
+            if matches!(self.rules.inside, Inside::Hit) {
+                let hit = self.at_start();
+                if hit.is_some() {
+                    return hit;
+                }
             }
         }
         if core::mem::take(&mut self.is_told) {
@@ -108,9 +111,9 @@ impl<'w, L: RayLevel> Scan<'w, L> {
             }
             let over = self.level.grid().next_lines(&self.walk.x, &self.walk.y, self.level.beyond());
             if let Some(best) = self.best.as_ref().filter(|best| over == 0 || self.is_before(best, over)) {
-                (self.is_told, self.after) = (true, best.time);
+                (self.is_told, self.after) = (true, best.touch.time);
                 // After a point within an arc there is nothing more in the step.
-                if best.time.is_some() {
+                if best.touch.time.is_some() {
                     self.stage = Stage::Look;
                 }
                 return Some(self.hit(best));
@@ -126,7 +129,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
     fn is_before(&self, met: &Met, over: Axes) -> bool {
         let (num, den) = self.walk.time(over);
         let line = Time { num: u64::from(num), den: u64::from(den) };
-        met.time.is_none_or(|time| time.before::<L>(line))
+        met.touch.time.is_none_or(|time| time.before::<L>(line))
     }
 
     /// Tests the pieces of the step's cells.
@@ -142,8 +145,11 @@ impl<'w, L: RayLevel> Scan<'w, L> {
                 if piece.one_way && !self.rules.one_way {
                     continue;
                 }
-                if let Some(met) = &meet::<L>(self.o, self.d, piece) {
-                    self.consider(met);
+                let Some(touch) = &meet::<L>(self.o, self.d, piece) else { continue };
+                // At the start, solid pieces are met only where the ray goes into the solid: it may also leave, pass or slide along their ends.
+                let at_start = touch.time.is_some_and(|time| time.num == 0) && !piece.one_way;
+                if !at_start || self.level.enters(self.o, self.d, &self.walk) {
+                    self.consider(piece, touch);
                 }
             }
         }
@@ -153,34 +159,28 @@ impl<'w, L: RayLevel> Scan<'w, L> {
     #[inline(never)]
     fn look_for_cusp(&mut self) {
         if let Some(met) = &cusp(self.level, self.o, self.d, &self.walk) {
-            self.consider(met);
+            self.consider(&met.feature, &met.touch);
         }
     }
 
     /// Keeps what is later than the last hit and better than the best.
-    ///
-    /// At the start, solid pieces are met only where the ray goes into the solid: it may also leave, pass or slide along their ends.
     #[inline(never)]
-    fn consider(&mut self, met: &Met) {
-        if let (Some(time), Some(after)) = (met.time, self.after) {
+    fn consider(&mut self, feature: &Feature, touch: &Touch) {
+        if let (Some(time), Some(after)) = (touch.time, self.after) {
             if !after.before::<L>(time) {
                 return;
             }
         }
-        if self.best.as_ref().is_some_and(|best| !met.precedes::<L>(best)) {
+        if self.best.as_ref().is_some_and(|best| !touch.precedes::<L>(feature, best, self.d)) {
             return;
         }
-        let at_start = met.time.is_some_and(|time| time.num == 0);
-        if at_start && !met.feature.one_way && !self.level.enters(self.o, self.d, &self.walk) {
-            return;
-        }
-        self.best = Some(*met);
+        self.best = Some(Met { feature: *feature, touch: *touch });
     }
 
     #[inline(never)]
     fn hit(&self, met: &Met) -> RayHit {
-        let (toi, by, axis) = match (met.time, met.feature.geometry) {
-            (Some(time), _) => straight::<L>(self.d, time, met.normal),
+        let (toi, by, axis) = match (met.touch.time, met.feature.geometry) {
+            (Some(time), _) => straight::<L>(self.d, time, met.touch.normal),
             (None, Geometry::Arc { centre, radius, convex, .. }) if L::ROUND => {
                 let m = self.o.sub(Raw::of(centre));
                 let (toi, by) = arc::contact(m, self.d, radius, convex);
@@ -189,17 +189,21 @@ impl<'w, L: RayLevel> Scan<'w, L> {
                 (toi, by, if convex { axis } else { axis.reversed() })
             }
             // Only arcs have no time.
-            (None, _) => (Toi::ZERO, Raw { x: 0, y: 0 }, met.normal),
+            (None, _) => (Toi::ZERO, Raw { x: 0, y: 0 }, met.touch.normal),
         };
         hit_of(&met.feature, (toi, self.o.add(by), axis), self.walk.cells)
     }
 
     /// The hit of a start inside.
-    fn at_start(&self) -> RayHit {
+    #[inline(never)]
+    fn at_start(&self) -> Option<RayHit> {
+        if !self.level.holds_start(self.o, &self.walk) {
+            return None;
+        }
         let (x, y) = (self.walk.x, self.walk.y);
         let axis =
             if y.size > x.size { Axis::new(0, y.step.wrapping_neg()) } else { Axis::new(x.step.wrapping_neg(), 0) };
-        RayHit {
+        Some(RayHit {
             toi: Toi::ZERO,
             point: self.o.vec2(),
             axis,
@@ -210,7 +214,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
             source: 0,
             inside: true,
             cells: self.walk.cells,
-        }
+        })
     }
 }
 

@@ -2,8 +2,9 @@
 
 use super::scan::Scan;
 use crate::error::RangeError;
-use crate::num::{Raw, Vec2};
-use crate::world::{Inside, RayHit, RayRules, Set, Store, TileMap};
+use crate::num::Vec2;
+use crate::world::shells::levels;
+use crate::world::{RayHit, RayRules, Set, Store, TileMap};
 
 /// The hits of a ray in order; see [`TileMap::cast_ray_all`].
 #[derive(Debug)]
@@ -18,11 +19,43 @@ impl<S: Set, T: Store> Clone for RayHits<'_, '_, S, T> {
     }
 }
 
+/// Here and not with the others, because the cursor's parts are not known outside of levels.
+#[cfg(feature = "defmt")]
+impl<S: Set, T: Store> defmt::Format for RayHits<'_, '_, S, T> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "RayHits of {}", self.scan.level);
+    }
+}
+
 impl<S: Set, T: Store> Iterator for RayHits<'_, '_, S, T> {
     type Item = RayHit;
 
     fn next(&mut self) -> Option<RayHit> {
         self.scan.advance()
+    }
+}
+
+levels! {
+    [S: Set, T: Store] TileMap<'_, S, T> {
+        /// Whether a ray from `a` reaches `b` without a hit: the line between them is free of the closed solid.
+        ///
+        /// Exact, by the rules of [`cast_ray`](Self::cast_ray) with [`Inside::Hit`](crate::world::Inside::Hit): a start inside sees nothing, a corner that is touched blocks, a line that slides along a
+        /// wall does not, one-way edges do not. On the surface `a` and `b` are not the same: a point on a wall sees what is in front of it, and is not seen,
+        /// as the line ends in a hit. Cost: as [`cast_ray`](Self::cast_ray).
+        ///
+        /// ```
+        /// use tilesat::{TileKind, TileKinds, TileMap, Vec2};
+        /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+        /// let map = TileMap::from_ascii("...\n.#.\n...", &KINDS)?;
+        /// let (guard, near, far) = (Vec2::from_ints(8, 8), Vec2::from_ints(40, 8), Vec2::from_ints(40, 40));
+        /// assert!(map.line_of_sight(guard, near).unwrap());
+        /// assert!(!map.line_of_sight(guard, far).unwrap());
+        /// # Ok::<(), tilesat::TileMapError>(())
+        /// ```
+        ///
+        /// # Errors
+        /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
+        line_of_sight,
     }
 }
 
@@ -54,28 +87,5 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         rules: impl Into<RayRules>,
     ) -> Result<RayHits<'_, 'a, S, T>, RangeError> {
         Ok(RayHits { scan: Scan::new(self, origin, motion, rules.into())? })
-    }
-
-    /// Whether a ray from `a` reaches `b` without a hit: the line between them is free of the closed solid.
-    ///
-    /// Exact, by the rules of [`cast_ray`](Self::cast_ray) with [`Inside::Hit`]: a start inside sees nothing, a corner that is touched blocks, a line that slides along a
-    /// wall does not, one-way edges do not. On the surface `a` and `b` are not the same: a point on a wall sees what is in front of it, and is not seen,
-    /// as the line ends in a hit. Cost: as [`cast_ray`](Self::cast_ray).
-    ///
-    /// ```
-    /// use tilesat::{TileKind, TileKinds, TileMap, Vec2};
-    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-    /// let map = TileMap::from_ascii("...\n.#.\n...", &KINDS)?;
-    /// let (guard, near, far) = (Vec2::from_ints(8, 8), Vec2::from_ints(40, 8), Vec2::from_ints(40, 40));
-    /// assert!(map.line_of_sight(guard, near).unwrap());
-    /// assert!(!map.line_of_sight(guard, far).unwrap());
-    /// # Ok::<(), tilesat::TileMapError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
-    pub fn line_of_sight(&self, a: Vec2, b: Vec2) -> Result<bool, RangeError> {
-        let motion = Raw::of(b).sub(Raw::of(a)).vec2();
-        Ok(self.cast_ray(a, motion, Inside::Hit)?.is_none())
     }
 }

@@ -50,7 +50,7 @@ impl SegmentMap<'_> {
 #[derive(Clone, Debug)]
 #[must_use = "cursors do nothing unless advanced"]
 pub struct SegmentFeatures<'w> {
-    map: SegmentMap<'w>,
+    pub(crate) map: SegmentMap<'w>,
     lo: Raw,
     hi: Raw,
     range: Range,

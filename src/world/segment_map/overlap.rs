@@ -5,48 +5,38 @@ use crate::num::Raw;
 use crate::query::{Overlaps, Touches, meet};
 use crate::shape::{Aabb, Circle};
 use crate::world::Probe;
+use crate::world::shells::levels;
 use crate::world::tile_map::range::Range;
 
+levels! {
+    [] SegmentMap<'_> {
+        /// Whether a box or circle overlaps the solid: whether a wall or the boundary of a polygon reaches its inside, or it lies within a polygon.
+        ///
+        /// Strict and exact: a body that touches a wall or fills a gap exactly does not overlap. A wall has no thickness, and is overlapped by
+        /// what it crosses; a body without area (a circle of radius 0, a box of no width or height) overlaps only what has area. One-way
+        /// segments are never overlapped. Outside of the grid nothing is solid.
+        ///
+        /// Cost: the segments of the cells under the body, one test each in each cell, until the first hit; one winding number. It cannot fail.
+        ///
+        /// ```
+        /// use tilesat::{Circle, Fx, Path, PathKind, Vec2, segment_map};
+        /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 0), Vec2::from_ints(128, 64)];
+        /// const DOOR: [Vec2; 2] = [Vec2::from_ints(128, 64), Vec2::from_ints(128, 0)];
+        /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL), Path::new(PathKind::Wall, &DOOR)], Fx::lit("32"));
+        /// let ball = |x, y, r| Circle::new(Vec2::from_ints(x, y), Fx::from_num(r)).unwrap();
+        /// assert!(LEVEL.overlaps(&ball(64, 40, 2))); // deep in the hill
+        /// assert!(LEVEL.touches(&ball(120, 10, 8)) && !LEVEL.overlaps(&ball(120, 10, 8))); // at the door
+        /// assert!(LEVEL.overlaps(&ball(120, 10, 9)) && LEVEL.overlaps(&ball(136, 10, 9))); // from both sides
+        /// ```
+        overlaps,
+        /// Whether a box or circle has a point in common with the solid or a wall, borders included.
+        ///
+        /// Exact. One-way segments are not solid. Cost: as [`overlaps`](Self::overlaps).
+        touches,
+    }
+}
+
 impl SegmentMap<'_> {
-    /// Whether a box or circle overlaps the solid: whether a wall or the boundary of a polygon reaches its inside, or it lies within a polygon.
-    ///
-    /// Strict and exact: a body that touches a wall or fills a gap exactly does not overlap. A wall has no thickness, and is overlapped by
-    /// what it crosses; a body without area (a circle of radius 0, a box of no width or height) overlaps only what has area. One-way
-    /// segments are never overlapped. Outside of the grid nothing is solid.
-    ///
-    /// Cost: the segments of the cells under the body, one test each in each cell, until the first hit; one winding number. It cannot fail.
-    ///
-    /// ```
-    /// use tilesat::{Circle, Fx, Path, PathKind, Vec2, segment_map};
-    /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 0), Vec2::from_ints(128, 64)];
-    /// const DOOR: [Vec2; 2] = [Vec2::from_ints(128, 64), Vec2::from_ints(128, 0)];
-    /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL), Path::new(PathKind::Wall, &DOOR)], Fx::lit("32"));
-    /// let ball = |x, y, r| Circle::new(Vec2::from_ints(x, y), Fx::from_num(r)).unwrap();
-    /// assert!(LEVEL.overlaps(&ball(64, 40, 2))); // deep in the hill
-    /// assert!(LEVEL.touches(&ball(120, 10, 8)) && !LEVEL.overlaps(&ball(120, 10, 8))); // at the door
-    /// assert!(LEVEL.overlaps(&ball(120, 10, 9)) && LEVEL.overlaps(&ball(136, 10, 9))); // from both sides
-    /// ```
-    #[inline]
-    #[must_use]
-    pub fn overlaps<B>(&self, body: &B) -> bool
-    where
-        Self: Overlaps<B>,
-    {
-        Overlaps::overlaps(self, body)
-    }
-
-    /// Whether a box or circle has a point in common with the solid or a wall, borders included.
-    ///
-    /// Exact. One-way segments are not solid. Cost: as [`overlaps`](Self::overlaps).
-    #[inline]
-    #[must_use]
-    pub fn touches<B>(&self, body: &B) -> bool
-    where
-        Self: Touches<B>,
-    {
-        Touches::touches(self, body)
-    }
-
     /// The flags, joined by or, of all segments that a box, circle or point has a point in common with: boundaries, walls and one-way
     /// segments, ends included.
     ///

@@ -8,36 +8,10 @@ use crate::world::grid::Grid;
 use crate::world::ray::level::{RayLevel, RayPieces};
 use crate::world::ray::scan::{Found, Scan};
 use crate::world::ray::walk::{Beyond, Walk};
-use crate::world::{Cell, Feature, Inside, RayHit, RayRules};
+use crate::world::shells::levels;
+use crate::world::{Cell, Feature, RayHit, RayRules};
 
 impl<'a> SegmentMap<'a> {
-    /// The first point of a boundary or wall that a ray from `origin` along `motion` meets, or `None` where it ends before.
-    ///
-    /// Every decision is exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray). A start on a wall has no side: it hits the wall
-    /// at 0 in whatever direction it leaves the line. A start inside has no flags and no index.
-    ///
-    /// Cost: the segments of the cells that the ray comes through, each tested in each of its cells. It needs no division for what it rejects.
-    ///
-    /// ```
-    /// use tilesat::{Axis, Fx, Inside, Path, PathKind, Vec2, segment_map};
-    /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 0), Vec2::from_ints(128, 64)];
-    /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], Fx::lit("32"));
-    /// let hit = LEVEL.cast_ray(Vec2::from_ints(0, 16), Vec2::from_ints(64, 0), Inside::Ignore)?.unwrap();
-    /// assert_eq!((hit.point, hit.axis), (Vec2::from_ints(48, 16), Axis::new(-1, -1)));
-    /// # Ok::<(), tilesat::RangeError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
-    pub fn cast_ray(
-        &self,
-        origin: Vec2,
-        motion: Vec2,
-        rules: impl Into<RayRules>,
-    ) -> Result<Option<RayHit>, RangeError> {
-        Ok(self.cast_ray_all(origin, motion, rules)?.next())
-    }
-
     /// All hits of a ray, in order: as if it went on through what it hits. Of hits at one moment there is one.
     ///
     /// Cost: as [`cast_ray`](Self::cast_ray), and the step's segments once more for each hit.
@@ -53,15 +27,6 @@ impl<'a> SegmentMap<'a> {
         Ok(SegmentRayHits { scan: Scan::new(self, origin, motion, rules.into())?, map: self })
     }
 
-    /// Whether the straight line from `a` to `b` meets no boundary and no wall, as a ray from `a` sees it, and does not start inside.
-    ///
-    /// # Errors
-    /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
-    pub fn line_of_sight(&self, a: Vec2, b: Vec2) -> Result<bool, RangeError> {
-        let motion = Raw::of(b).sub(Raw::of(a)).vec2();
-        Ok(self.cast_ray(a, motion, Inside::Hit)?.is_none())
-    }
-
     /// Whether a ray is strictly inside the solid just after its start: on both of its sides.
     fn goes_in(&self, o: Raw, d: Raw) -> bool {
         let (start, ahead) = (self.winding_beside(o), Ray { dir: d, change: 0 });
@@ -70,12 +35,41 @@ impl<'a> SegmentMap<'a> {
     }
 }
 
+levels! {
+    [] SegmentMap<'_> {
+        /// The first point of a boundary or wall that a ray from `origin` along `motion` meets, or `None` where it ends before.
+        ///
+        /// Every decision is exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray). A start on a wall has no side: it hits the wall
+        /// at 0 in whatever direction it leaves the line. A start inside has no flags and no index.
+        ///
+        /// Cost: the segments of the cells that the ray comes through, each tested in each of its cells. It needs no division for what it rejects.
+        ///
+        /// ```
+        /// use tilesat::{Axis, Fx, Inside, Path, PathKind, Vec2, segment_map};
+        /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 0), Vec2::from_ints(128, 64)];
+        /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], Fx::lit("32"));
+        /// let hit = LEVEL.cast_ray(Vec2::from_ints(0, 16), Vec2::from_ints(64, 0), Inside::Ignore)?.unwrap();
+        /// assert_eq!((hit.point, hit.axis), (Vec2::from_ints(48, 16), Axis::new(-1, -1)));
+        /// # Ok::<(), tilesat::RangeError>(())
+        /// ```
+        ///
+        /// # Errors
+        /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+        cast_ray,
+        /// Whether the straight line from `a` to `b` meets no boundary and no wall, as a ray from `a` sees it, and does not start inside.
+        ///
+        /// # Errors
+        /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
+        line_of_sight,
+    }
+}
+
 /// The hits of a ray in order; see [`SegmentMap::cast_ray_all`].
 #[derive(Clone, Debug)]
 #[must_use = "cursors do nothing unless advanced"]
 pub struct SegmentRayHits<'w, 'a> {
     scan: Scan<'w, SegmentMap<'a>>,
-    map: &'w SegmentMap<'a>,
+    pub(crate) map: &'w SegmentMap<'a>,
 }
 
 impl Iterator for SegmentRayHits<'_, '_> {

@@ -9,6 +9,7 @@ impl sealed::Sealed for SegmentMap<'_> {}
 impl World for SegmentMap<'_> {
     const BLOCKS: bool = false;
     const ROUND: bool = false;
+    const WIDE: bool = true;
 
     type Features<'w>
         = SegmentFeatures<'w>

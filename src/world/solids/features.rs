@@ -26,7 +26,7 @@ pub(super) type Bits = u8;
 #[derive(Clone, Debug)]
 #[must_use = "cursors do nothing unless advanced"]
 pub struct SolidFeatures<'w> {
-    all: Solids<'w>,
+    pub(crate) all: Solids<'w>,
     /// Those that were not looked at yet.
     next: &'w [Solid],
     region: (Raw, Raw),

@@ -3,8 +3,9 @@
 use super::features::SolidFeatures;
 use super::solid::Solid;
 use crate::num::Raw;
-use crate::query::{Overlaps, Touches, meet};
+use crate::query::meet;
 use crate::shape::{Aabb, Circle};
+use crate::world::shells::{levels, meets_as_world};
 use crate::world::{Cell, Way, World, sealed};
 
 /// Moving boxes as a level, at the places where they are now. Borrows the list, needs no memory.
@@ -79,26 +80,6 @@ impl<'a> Solids<'a> {
         if cell.y == Solid::ROW { Some(cell.x as u16) } else { None }
     }
 
-    /// Whether a box or circle overlaps one of the solids; strict and exact. One-way ones are never overlapped.
-    #[inline]
-    #[must_use]
-    pub fn overlaps<S>(&self, body: &S) -> bool
-    where
-        Self: Overlaps<S>,
-    {
-        Overlaps::overlaps(self, body)
-    }
-
-    /// Whether a box or circle has a point in common with one of the solids, borders included; exact. Not with one-way ones.
-    #[inline]
-    #[must_use]
-    pub fn touches<S>(&self, body: &S) -> bool
-    where
-        Self: Touches<S>,
-    {
-        Touches::touches(self, body)
-    }
-
     /// The faces and corners of the solids' union that have a point in the closed region, and one-way faces.
     ///
     /// A face that others cover in part stays as it is. Cost: see [`Solids`].
@@ -108,6 +89,15 @@ impl<'a> Solids<'a> {
 
     fn any(&self, meets: impl Fn(&Solid) -> bool) -> bool {
         self.list.iter().any(|solid| solid.one_way().is_none() && meets(solid))
+    }
+}
+
+levels! {
+    [] Solids<'_> {
+        /// Whether a box or circle overlaps one of the solids; strict and exact. One-way ones are never overlapped.
+        overlaps,
+        /// Whether a box or circle has a point in common with one of the solids, borders included; exact. Not with one-way ones.
+        touches,
     }
 }
 
@@ -160,26 +150,4 @@ impl World for Solids<'_> {
     }
 }
 
-impl Overlaps<Aabb> for Solids<'_> {
-    fn overlaps(&self, b: &Aabb) -> bool {
-        self.overlaps_aabb(b)
-    }
-}
-
-impl Overlaps<Circle> for Solids<'_> {
-    fn overlaps(&self, b: &Circle) -> bool {
-        self.overlaps_circle(b)
-    }
-}
-
-impl Touches<Aabb> for Solids<'_> {
-    fn touches(&self, b: &Aabb) -> bool {
-        self.touches_aabb(b)
-    }
-}
-
-impl Touches<Circle> for Solids<'_> {
-    fn touches(&self, b: &Circle) -> bool {
-        self.touches_circle(b)
-    }
-}
+meets_as_world! { [] Solids<'_> }

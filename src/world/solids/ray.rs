@@ -12,6 +12,7 @@ use crate::world::ray::cast::checked;
 use crate::world::ray::level::RayPieces;
 use crate::world::ray::piece::{Met, Time, meet};
 use crate::world::ray::scan::{Found, hit_of, straight};
+use crate::world::shells::levels;
 use crate::world::{Inside, RayHit, RayRules};
 
 impl RayPieces for Solids<'_> {
@@ -20,38 +21,6 @@ impl RayPieces for Solids<'_> {
 }
 
 impl<'a> Solids<'a> {
-    /// The first point of the closed solids, at the places where they are now, that a ray from `origin` along `motion` meets, or `None`
-    /// where it ends before.
-    ///
-    /// Every decision is exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray), of the union of the boxes: a ray along a seam of
-    /// two flush boxes is inside them. The hit's [`cell`](RayHit::cell) names the solid, see [`Solids::key_of`]; of several with the same
-    /// face there the one with the smallest key, solid ones before [one-way](Solid::with_one_way) ones.
-    ///
-    /// Cost: two comparisons of fractions for each box, and for each face that may be the first a look at all boxes.
-    ///
-    /// ```
-    /// use tilesat::{Aabb, Axis, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
-    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-    /// let level = TileMap::from_ascii("   #", &KINDS)?;
-    /// let door = [Solid::new(Aabb::new(Vec2::from_ints(20, 0), Vec2::from_ints(24, 16))?, 3)?];
-    /// let (solids, ray) = (Solids::new(&door), (Vec2::from_ints(4, 8), Vec2::from_ints(90, 0)));
-    /// let hit = Joined::new(&level, &solids).cast_ray(ray.0, ray.1, Inside::Hit)?.unwrap(); // a shot at the door
-    /// assert_eq!((hit.point, hit.axis, hit.source), (Vec2::from_ints(20, 8), Axis::NEG_X, 1));
-    /// assert_eq!(Solids::key_of(hit.cell), Some(3));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
-    pub fn cast_ray(
-        &self,
-        origin: Vec2,
-        motion: Vec2,
-        rules: impl Into<RayRules>,
-    ) -> Result<Option<RayHit>, RangeError> {
-        Ok(self.cast_ray_all(origin, motion, rules)?.next())
-    }
-
     /// All hits of a ray, in order: as if it went on through what it hits. Of hits at one moment there is one.
     ///
     /// Cost: as [`cast_ray`](Self::cast_ray) for each hit.
@@ -67,14 +36,39 @@ impl<'a> Solids<'a> {
         let (o, d) = checked(origin, motion)?;
         Ok(SolidRayHits { all: *self, o, d, rules: rules.into(), after: None, started: false, cells: 0 })
     }
+}
 
-    /// Whether the straight line from `a` to `b` is free of the solids, as a ray from `a` sees it, and does not start inside. One-way ones do not block it.
-    ///
-    /// # Errors
-    /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
-    pub fn line_of_sight(&self, a: Vec2, b: Vec2) -> Result<bool, RangeError> {
-        let motion = Raw::of(b).sub(Raw::of(a)).vec2();
-        Ok(self.cast_ray(a, motion, Inside::Hit)?.is_none())
+levels! {
+    [] Solids<'_> {
+        /// The first point of the closed solids, at the places where they are now, that a ray from `origin` along `motion` meets, or `None`
+        /// where it ends before.
+        ///
+        /// Every decision is exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray), of the union of the boxes: a ray along a seam of
+        /// two flush boxes is inside them. The hit's [`cell`](RayHit::cell) names the solid, see [`Solids::key_of`]; of several with the same
+        /// face there the one with the smallest key, solid ones before [one-way](Solid::with_one_way) ones.
+        ///
+        /// Cost: two comparisons of fractions for each box, and for each face that may be the first a look at all boxes.
+        ///
+        /// ```
+        /// use tilesat::{Aabb, Axis, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
+        /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+        /// let level = TileMap::from_ascii("   #", &KINDS)?;
+        /// let door = [Solid::new(Aabb::new(Vec2::from_ints(20, 0), Vec2::from_ints(24, 16))?, 3)?];
+        /// let (solids, ray) = (Solids::new(&door), (Vec2::from_ints(4, 8), Vec2::from_ints(90, 0)));
+        /// let hit = Joined::new(&level, &solids).cast_ray(ray.0, ray.1, Inside::Hit)?.unwrap(); // a shot at the door
+        /// assert_eq!((hit.point, hit.axis, hit.source), (Vec2::from_ints(20, 8), Axis::NEG_X, 1));
+        /// assert_eq!(Solids::key_of(hit.cell), Some(3));
+        /// # Ok::<(), Box<dyn std::error::Error>>(())
+        /// ```
+        ///
+        /// # Errors
+        /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+        cast_ray,
+        /// Whether the straight line from `a` to `b` is free of the solids, as a ray from `a` sees it, and does not start inside. One-way ones do not block it.
+        ///
+        /// # Errors
+        /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
+        line_of_sight,
     }
 }
 
@@ -82,7 +76,7 @@ impl<'a> Solids<'a> {
 #[derive(Clone, Debug)]
 #[must_use = "cursors do nothing unless advanced"]
 pub struct SolidRayHits<'w> {
-    all: Solids<'w>,
+    pub(crate) all: Solids<'w>,
     o: Raw,
     d: Raw,
     rules: RayRules,
@@ -105,9 +99,8 @@ impl SolidRayHits<'_> {
         self.cells = self.cells.saturating_add(self.all.list().len() as u32);
         if !self.started {
             self.started = true;
-            if matches!(self.rules.inside, Inside::Hit)
-                && let Some(hit) = self.at_start()
-            {
+            let inside = if matches!(self.rules.inside, Inside::Hit) { self.at_start() } else { None };
+            if let Some(hit) = inside {
                 return Some(Found { hit, met: None });
             }
         }
@@ -119,19 +112,25 @@ impl SolidRayHits<'_> {
             }
             let faces = solid.pieces() & faces_against(self.d);
             for k in (0..4).filter(|k| faces >> k & 1 != 0) {
-                let Some(met) = meet::<Solids<'_>>(self.o, self.d, &solid.piece(k, [false; 2])) else { continue };
-                let Some(time) = met.time else { continue };
+                let feature = solid.piece(k, [false; 2]);
+                let Some(touch) = meet::<Solids<'_>>(self.o, self.d, &feature) else { continue };
+                let Some(time) = touch.time else { continue };
+                let met = Met { feature, touch };
                 // At the start, solid pieces are met only where the ray goes into the solid.
                 let passed = self.after.is_some_and(|after| !after.before::<Solids<'_>>(time));
-                let leaves = time.num == 0 && !met.feature.one_way && !goes_in;
-                if !passed && !leaves && best.is_none_or(|(b, _)| precedes(&met, &b)) && self.shows(solid, k, time) {
+                let leaves = time.num == 0 && !feature.one_way && !goes_in;
+                if !passed
+                    && !leaves
+                    && best.is_none_or(|(b, _)| precedes(&met, &b, self.d))
+                    && self.shows(solid, k, time)
+                {
                     best = Some((met, time));
                 }
             }
         }
         let (met, time) = best?;
         self.after = Some(time);
-        let (toi, by, axis) = straight::<Solids<'_>>(self.d, time, met.normal);
+        let (toi, by, axis) = straight::<Solids<'_>>(self.d, time, met.touch.normal);
         Some(Found { hit: hit_of(&met.feature, (toi, self.o.add(by), axis), self.cells), met: Some(met) })
     }
 
@@ -196,7 +195,8 @@ impl SolidRayHits<'_> {
 }
 
 /// Earlier, then by the order of all rays, then solid before one-way, then the smaller key: so no result depends on the list's order.
-fn precedes(a: &Met, b: &Met) -> bool {
+fn precedes(a: &Met, b: &Met, d: Raw) -> bool {
     let name = |met: &Met| (met.feature.one_way, Solids::key_of(met.feature.cell));
-    a.precedes::<Solids<'_>>(b) || (!b.precedes::<Solids<'_>>(a) && name(a) < name(b))
+    let before = |a: &Met, b: &Met| a.touch.precedes::<Solids<'_>>(&a.feature, b, d);
+    before(a, b) || (!before(b, a) && name(a) < name(b))
 }

@@ -30,21 +30,29 @@ pub struct Cells {
 
 impl Cells {
     /// Over.
-    pub(in crate::world) const NONE: Self = Self { range: Range::NONE, x: 0, y: 0 };
+    pub(in crate::world) const NONE: Self = Self::of(Range::NONE);
+
+    pub(in crate::world) const fn of(range: Range) -> Self {
+        Self { x: range.x0, y: range.y0, range }
+    }
+
+    pub(in crate::world) const fn range(&self) -> Range {
+        self.range
+    }
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The cells whose inside meets a region.
     pub(in crate::world) const fn cells(&self, region: &Aabb) -> Cells {
-        let range = self.solid_range(self.open_range(region.lo(), region.hi()));
-        Cells { range, x: range.x0, y: range.y0 }
+        Cells::of(self.solid_range(self.open_range(region.lo(), region.hi())))
     }
 
     pub(in crate::world) const fn next_cell(&self, cells: &mut Cells) -> Option<Block> {
         while cells.y <= cells.range.y1 {
             let (x, y) = (self.next_shape(cells.x, cells.range.x1, cells.y), cells.y);
             if x <= cells.range.x1 {
-                cells.x = x.wrapping_add(1);
+                let last = x == cells.range.x1;
+                (cells.x, cells.y) = if last { (cells.range.x0, y.wrapping_add(1)) } else { (x.wrapping_add(1), y) };
                 let (kind, (lo, hi)) = if self.holds(x, y) && !matches!(self.outside, Outside::Edge) {
                     (self.kinds.get(self.id(x, y)), self.grid.square(x, y))
                 } else {

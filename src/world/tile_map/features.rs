@@ -75,7 +75,10 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///
     /// What a body enters with its inside it meets at the border of a solid in a cell that its inside enters.
     pub(in crate::world) const fn features_ahead(&self, way: &Way) -> Features<'_, S, T> {
-        let range = self.solid_range(self.open_range(way.piece.lo(), way.piece.hi()));
+        let range = match way.cells {
+            Some(cells) => cells.range(),
+            None => self.solid_range(self.open_range(way.piece.lo(), way.piece.hi())),
+        };
         let seen = match way.before {
             Some(before) => self.solid_range(self.open_range(before.lo(), before.hi())),
             None => Range::NONE,
@@ -88,7 +91,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 #[derive(Clone, Debug)]
 #[must_use = "cursors do nothing unless advanced"]
 pub struct Features<'w, S: Set, T: Store> {
-    map: &'w TileMap<'w, S, T>,
+    pub(crate) map: &'w TileMap<'w, S, T>,
     look: Look,
     walk: Walk,
     /// The features of the cell that the walk has come to.

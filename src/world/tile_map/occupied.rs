@@ -1,5 +1,6 @@
 //! Where in a region there is anything at all.
 
+use super::block_cells::Cells;
 use super::range::Range;
 use crate::shape::Aabb;
 use crate::world::{Outside, Set, Store, TileMap};
@@ -7,16 +8,22 @@ use crate::world::{Outside, Set, Store, TileMap};
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The box around the cells of a region that are not empty; see [`World::occupied`](crate::world::World::occupied).
     pub(in crate::world) const fn occupied(&self, region: &Aabb) -> Option<Aabb> {
+        self.occupied_cells(region).0
+    }
+
+    /// The same with those cells, and what is between them.
+    pub(in crate::world) const fn occupied_cells(&self, region: &Aabb) -> (Option<Aabb>, Option<Cells>) {
         let range = self.open_range(region.lo(), region.hi());
-        let inside = self.inside(range);
-        let mut found = match self.outside {
-            Outside::Empty => Range::NOWHERE,
+        let found = match self.outside {
+            Outside::Empty => self.filled(self.inside(range), Range::NOWHERE),
             // Blocks at the border stand for what is beyond it; a region that holds only that has no cell inside.
-            Outside::Edge if !S::SHAPED => return self.extent_of(self.filled(self.solid_range(range), Range::NOWHERE)),
-            Outside::Solid | Outside::Edge => beyond(range, inside),
+            Outside::Edge if !S::SHAPED => self.filled(self.solid_range(range), Range::NOWHERE),
+            Outside::Solid | Outside::Edge => {
+                let inside = self.inside(range);
+                self.filled(inside, beyond(range, inside))
+            }
         };
-        found = self.filled(inside, found);
-        self.extent_of(found)
+        (self.extent_of(found), Some(Cells::of(found)))
     }
 
     /// The cells of a range of the map that are not empty, and another range with them.

@@ -5,53 +5,43 @@ use super::solid::Solid;
 use crate::num::Raw;
 use crate::query::{Overlaps, Touches, meet};
 use crate::shape::{Aabb, Circle};
+use crate::world::shells::levels;
 use crate::world::{Set, Store, TileMap, TileShape};
 
+levels! {
+    [S: Set, T: Store] TileMap<'_, S, T> {
+        /// Whether a box or circle overlaps the solid: whether it reaches the inside of the union of all tiles' solids.
+        ///
+        /// Strict and exact, for slopes and arcs too, and without a root: a body that touches a wall or fills a gap exactly does not overlap. A
+        /// body without area (a circle of radius 0, a box of no width or height) overlaps where it meets the inside of the union, so also on
+        /// the line between two full cells. One-way tiles are never overlapped. What is [`Outside`](crate::world::Outside) counts.
+        ///
+        /// Cost: the cells that the body's bounding box overlaps, one look-up each, until the first hit; a circle adds its test against
+        /// each that is solid, a box against each that is partly so. A ball of 10 units over cells of 24, of which a quarter hold a shape, takes
+        /// some 570 instructions on a Cortex-M0. It cannot fail.
+        ///
+        /// ```
+        /// use tilesat::{Aabb, Circle, Fx, TileKind, TileKinds, TileMap, Vec2};
+        /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+        /// let map = TileMap::from_ascii("#..\n...", &KINDS)?;
+        /// let ball = |x, y| Circle::new(Vec2::from_ints(x, y), Fx::from_num(5)).unwrap();
+        /// assert!(!map.overlaps(&ball(19, 20))); // 3-4-5: touches the corner at (16, 16)
+        /// assert!(map.touches(&ball(19, 20)));
+        /// assert!(map.overlaps(&ball(19, 19)));
+        /// let gap = Aabb::new(Vec2::from_ints(16, 0), Vec2::from_ints(48, 16)).unwrap();
+        /// assert!(!map.overlaps(&gap) && map.touches(&gap));
+        /// # Ok::<(), tilesat::TileMapError>(())
+        /// ```
+        overlaps,
+        /// Whether a box or circle has a point in common with the solid, borders included.
+        ///
+        /// Exact. One-way tiles are not solid; what is [`Outside`](crate::world::Outside) counts. Cost: as [`overlaps`](Self::overlaps), one more cell on each side that
+        /// lies on a cell's border.
+        touches,
+    }
+}
+
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// Whether a box or circle overlaps the solid: whether it reaches the inside of the union of all tiles' solids.
-    ///
-    /// Strict and exact, for slopes and arcs too, and without a root: a body that touches a wall or fills a gap exactly does not overlap. A
-    /// body without area (a circle of radius 0, a box of no width or height) overlaps where it meets the inside of the union, so also on
-    /// the line between two full cells. One-way tiles are never overlapped. What is [`Outside`](crate::world::Outside) counts.
-    ///
-    /// Cost: the cells that the body's bounding box overlaps, one look-up each, until the first hit; a circle adds its test against
-    /// each that is solid, a box against each that is partly so. A ball of 10 units over cells of 24, of which a quarter hold a shape, takes
-    /// some 570 instructions on a Cortex-M0. It cannot fail.
-    ///
-    /// ```
-    /// use tilesat::{Aabb, Circle, Fx, TileKind, TileKinds, TileMap, Vec2};
-    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-    /// let map = TileMap::from_ascii("#..\n...", &KINDS)?;
-    /// let ball = |x, y| Circle::new(Vec2::from_ints(x, y), Fx::from_num(5)).unwrap();
-    /// assert!(!map.overlaps(&ball(19, 20))); // 3-4-5: touches the corner at (16, 16)
-    /// assert!(map.touches(&ball(19, 20)));
-    /// assert!(map.overlaps(&ball(19, 19)));
-    /// let gap = Aabb::new(Vec2::from_ints(16, 0), Vec2::from_ints(48, 16)).unwrap();
-    /// assert!(!map.overlaps(&gap) && map.touches(&gap));
-    /// # Ok::<(), tilesat::TileMapError>(())
-    /// ```
-    #[inline]
-    #[must_use]
-    pub fn overlaps<B>(&self, body: &B) -> bool
-    where
-        Self: Overlaps<B>,
-    {
-        Overlaps::overlaps(self, body)
-    }
-
-    /// Whether a box or circle has a point in common with the solid, borders included.
-    ///
-    /// Exact. One-way tiles are not solid; what is [`Outside`](crate::world::Outside) counts. Cost: as [`overlaps`](Self::overlaps), one more cell on each side that
-    /// lies on a cell's border.
-    #[inline]
-    #[must_use]
-    pub fn touches<B>(&self, body: &B) -> bool
-    where
-        Self: Touches<B>,
-    {
-        Touches::touches(self, body)
-    }
-
     fn box_overlaps(&self, lo: Raw, hi: Raw) -> bool {
         if S::SHAPED {
             if lo.x == hi.x || lo.y == hi.y {

@@ -24,7 +24,7 @@ pub struct TileAt {
 #[derive(Clone, Debug)]
 #[must_use = "cursors do nothing unless advanced"]
 pub struct Tiles<'w, S: Set, T: Store> {
-    map: &'w TileMap<'w, S, T>,
+    pub(crate) map: &'w TileMap<'w, S, T>,
     range: Range,
     x: i32,
     y: i32,

@@ -34,6 +34,7 @@ const fn bits(from: TileShape, to: TileShape) -> u64 {
 
 /// Empty, full and one-way tiles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Blocks;
 
 impl Sealed for Blocks {}
@@ -44,6 +45,7 @@ impl Set for Blocks {
 
 /// [`Blocks`], half tiles and straight slopes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Slopes;
 
 impl Sealed for Slopes {}
@@ -54,6 +56,7 @@ impl Set for Slopes {
 
 /// Every [`TileShape`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AllShapes;
 
 impl Sealed for AllShapes {}
@@ -72,6 +75,7 @@ pub trait Store: Sealed + Copy + Debug + Eq + 'static {
 
 /// One byte a tile: 256 ids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bytes;
 
 impl Sealed for Bytes {}
@@ -81,6 +85,7 @@ impl Store for Bytes {
 
 /// One bit a tile, the least significant bit of a byte first: ids 0 and 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bits;
 
 impl Sealed for Bits {}

@@ -92,7 +92,7 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
         let one_way = tile.kind.one_way_side();
         let corner = meets(look.region, end, end);
         let mut joined = true;
-        if one_way.is_none() && (corner || (look.joints && !arc_here)) {
+        if one_way.is_none() && (corner || (look.joints && !arc_here && look.opposes(dir))) {
             if let Some(out) = tile.end::<ROUND, _, _>(map, piece, arc_here && !convex) {
                 joined = false;
                 if corner && look.opposes_corner(dir, direction(out)) {

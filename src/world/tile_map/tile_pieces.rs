@@ -32,6 +32,7 @@ impl<'w, S: Set, T: Store> TilePieces<'w, S, T> {
     }
 
     /// The part of side `k` that bounds the solid, or blocks, and is not covered by the tile across.
+    #[inline(never)]
     fn side(&self, k: u8) -> Option<Geometry> {
         let own = match self.kind.one_way_side() {
             Some(side) => 3 * u8::from(side == k),
@@ -68,6 +69,7 @@ impl<'w, S: Set, T: Store> TilePieces<'w, S, T> {
         Some(Geometry::Face { a: a.vec2(), dir: direction(4 * k), len, joined: [false; 2] })
     }
 
+    #[inline(never)]
     fn inner(&self) -> Option<Geometry> {
         let outline = self.kind.shape.outline();
         let corners = self.map.grid.corners(self.x, self.y);

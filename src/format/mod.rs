@@ -3,6 +3,9 @@
 //! Lengths print as decimals with four places, rounded toward zero: `-0.7500`. The number goes out as two integers, the sign as an
 //! interned string, and nothing of `core::fmt` is linked.
 
+mod bodies;
+mod levels;
+
 use crate::motion::response::{Particle, Split, Stick, Surface};
 use crate::motion::{BodyHit, Hit, Hits, Moved, Walked};
 use crate::num::{Fx, Ratio, Toi, UnitVec2, Vec2};

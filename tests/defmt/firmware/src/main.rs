@@ -1,0 +1,35 @@
+//! Logs a value of every public type: one frame each, of the type's path and the value. The host decodes them (`check`).
+
+#![no_std]
+#![no_main]
+
+#[path = "../../../../examples/chip/fault.rs"]
+mod fault;
+#[path = "../../../../examples/chip/frames.rs"]
+mod frames;
+
+mod bodies;
+mod levels;
+mod motion;
+mod numbers;
+mod responses;
+mod scenes;
+
+use defmt::Format;
+use semihosting::process;
+
+/// The path comes from the compiler, so a line cannot be another type's.
+fn tell<T: Format>(value: &T) {
+    defmt::println!("{=str} = {}", core::any::type_name::<T>(), value);
+}
+
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    numbers::tell_all();
+    levels::tell_all();
+    motion::tell_all();
+    responses::tell_all();
+    bodies::tell_all();
+    scenes::tell_all();
+    process::exit(0)
+}

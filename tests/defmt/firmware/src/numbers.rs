@@ -1,0 +1,34 @@
+//! Numbers, shapes, pair queries, errors.
+
+use crate::tell;
+use tilesat::prelude::*;
+use tilesat::{
+    Aabb, Axis, Circle, Filter, Fx, Inside, LayerMask, Quantity, RangeError, Ratio, Segment, Toi, Truncated, Vec2,
+};
+
+pub(crate) fn tell_all() {
+    // Both signs, halves, and what is below the fourth place.
+    tell(&Vec2::new(Fx::lit("-0.75"), Fx::lit("8191.99999")));
+    tell(&Axis::new(-3, 4));
+    tell(&Axis::new(-3, 4).unit());
+    tell(&Toi::from_raw(1 << 28).unwrap());
+    tell(&Ratio::percent(75).unwrap());
+
+    let aabb = Aabb::new(Vec2::from_ints(-2, 3), Vec2::from_ints(10, 11)).unwrap();
+    let circle = Circle::new(Vec2::from_ints(11, 7), Fx::lit("2.5")).unwrap();
+    let wall = Segment::new(Vec2::from_ints(40, 0), Vec2::from_ints(40, 20)).unwrap();
+    tell(&aabb);
+    tell(&circle);
+    tell(&wall);
+    tell(&circle.contact(&aabb).unwrap());
+    tell(&Inside::Ignore);
+    tell(&circle.cast_shape(&wall, Vec2::from_ints(53, 0), Inside::Hit).unwrap().unwrap());
+    tell(&circle.cast_moving(Vec2::from_ints(40, 0), &wall, Vec2::from_ints(-13, 0), Inside::Hit).unwrap().unwrap());
+
+    tell(&Quantity::Radius);
+    let error: RangeError = Circle::new(Vec2::ZERO, Fx::NEG_ONE).unwrap_err();
+    tell(&error);
+    tell(&Truncated { seen: 9, kept: 4 });
+    tell(&LayerMask::layer(3));
+    tell(&Filter::new(LayerMask::layer(0), LayerMask::ALL).with_group(-2).with_sensor(true));
+}

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# What the feature defmt prints, on the chip, and what it costs.
+#
+#   run.sh            runs the firmware that logs a value of every public type on an emulated Cortex-M0 and M3, decodes its frames and compares
+#                     them with expected.txt; a public type without a line fails. Then compares programs that log nothing, built with the
+#                     feature and without: they must have the same parts of the same sizes
+#   run.sh --accept   the same, and what was decoded becomes expected.txt
+#
+# Exit 0: all well. 1: a line differs or is missing, or the feature costs something. 3: no emulator can be had here.
+set -euo pipefail
+exec </dev/null
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$(cd "$here/../.." && pwd)
+case "${*:-}" in
+'' | --accept) ;;
+*)
+    sed -n '2,9s/^# \{0,1\}//p' "$here/run.sh" >&2
+    exit 2
+    ;;
+esac
+accept=${1:-}
+
+cd "$root"
+out=${CARGO_TARGET_DIR:-target}
+mkdir -p "$out/defmt"
+out=$(cd "$out" && pwd)
+llvm=$(rustc --print target-libdir)/../bin
+
+# Where rustdoc lists what is public.
+cargo doc --quiet --no-deps --lib --all-features
+cd "$here"
+CARGO_TARGET_DIR=$out cargo build --quiet --package tilesat-defmt-check
+
+failed=0
+for target in thumbv6m-none-eabi thumbv7m-none-eabi; do
+    CARGO_TARGET_DIR=$out/defmt cargo build --quiet --release --package tilesat-defmt --target "$target"
+    elf=$out/defmt/$target/release/tilesat-defmt
+    frames=$out/defmt/$target.frames status=0
+    "$root/.ci/qemu.sh" "$target" "$elf" 2>"$frames" || status=$?
+    if ((status == 3)); then
+        cat "$frames" >&2
+        echo "defmt: no emulator: what the feature prints was NOT checked" >&2
+        exit 3
+    elif ((status)); then
+        failed=1
+        echo "$target: the firmware ended with $status; its frames and its message:" >&2
+        tr -cd '[:print:]\n' <"$frames" | tail -n 5 >&2
+        continue
+    fi
+    echo "-- $target"
+    "$out/debug/tilesat-defmt-check" "$elf" "$frames" "$out/doc/tilesat" "$here/expected.txt" $accept || failed=1
+done
+
+# The programs that hold every public function, and one that a game would be: without the feature, and with it but nothing logged.
+cd "$root/benches/target"
+programs=(everything_shapes everything_levels everything_motion everything_bodies everything_scenes move_circle_shapes)
+# Functions, constants and statics of a program with their sizes. Where they lie, and with it some bytes of padding, follows the compiler's hashes, which know
+# of features; so do the names' last parts. The two marks of the encoding are in no section that is loaded.
+parts() {
+    "$llvm/llvm-nm" --demangle --print-size --radix=d "$1" | grep -v ' _defmt_\(encoding\|version\)_ = ' |
+        awk '{ size = $2 + 0; $1 = $2 = $3 = ""; print size $0 }' | sed 's/::h[0-9a-f]\{16\}//' | sort
+}
+build() {
+    local bins=(--bin 'everything_*' --bin move_circle_shapes)
+    CARGO_TARGET_DIR=$1 cargo build --quiet --profile flash --package tilesat-flash "${bins[@]}" --target thumbv6m-none-eabi "${@:2}"
+}
+build "$out/benches"
+build "$out/defmt/on" --features tilesat/defmt
+echo '-- programs that log nothing: parts and their bytes without the feature, and with it'
+for program in "${programs[@]}"; do
+    parts "$out/benches/thumbv6m-none-eabi/flash/$program" >"$out/defmt/off.txt"
+    parts "$out/defmt/on/thumbv6m-none-eabi/flash/$program" >"$out/defmt/on.txt"
+    awk -v program="$program" '
+        { count[FILENAME]++; sum[FILENAME] += $1 }
+        END { printf "%-20s %4d %7d   %4d %7d\n", program, count[ARGV[1]], sum[ARGV[1]], count[ARGV[2]], sum[ARGV[2]] }' \
+        "$out/defmt/off.txt" "$out/defmt/on.txt"
+    diff "$out/defmt/off.txt" "$out/defmt/on.txt" || failed=1
+done
+((!failed)) || { echo 'defmt: FAILED' >&2; exit 1; }
+echo 'defmt: ok'
