@@ -1,9 +1,14 @@
 #!/usr/bin/env bash
-# Cargo's runner for bare metal: qemu.sh TARGET ELF runs the program on the emulated board of that target.
+# Cargo's runner for bare metal: qemu.sh TARGET ELF [WORD...] runs the program on the emulated board of that target, the words as its command line.
 # The exit status is the program's own; 3 where there is no emulator, 124 where the program did not end in time.
+# QEMU_OPTIONS: more options for the emulator.
 set -euo pipefail
 
 target=$1 elf=$2
+semihosting=enable=on,target=native
+for word in "$(basename "$elf")" "${@:3}"; do
+    semihosting+=,arg=$word
+done
 # One instruction is 2^10 ns of virtual time (on RISC-V 1 ns): runs repeat exactly and the counting firmware reads instructions off a timer.
 arch=arm shift=10
 case $target in
@@ -23,4 +28,4 @@ qemu=$("$(dirname "${BASH_SOURCE[0]}")/get-emulators.sh" "$arch") || exit 3
 
 # Without "-monitor none -serial none" the emulator would take the terminal's input.
 exec timeout "${QEMU_SECONDS:-120}" "$qemu" -machine "${board[@]}" -icount "shift=$shift" \
-    -nographic -monitor none -serial none -semihosting-config enable=on,target=native -kernel "$elf" </dev/null
+    -nographic -monitor none -serial none -semihosting-config "$semihosting" ${QEMU_OPTIONS:-} -kernel "$elf" </dev/null

@@ -1,5 +1,7 @@
-// wasm.js FILE: runs the firmware built as WebAssembly, and prints the hash of all its frames.
-const bytes = require("fs").readFileSync(process.argv[2]);
-WebAssembly.instantiate(bytes).then(({ instance }) => {
-  console.log((instance.exports.firmware_hash() >>> 0).toString(16).padStart(8, "0"));
-});
+// wasm.js FILE FUNCTION NUMBER: calls a function of a program built as WebAssembly; prints the lines that it tells, and its result if it has one.
+const [file, name, number] = process.argv.slice(2);
+const text = (at, length) => Buffer.from(instance.exports.memory.buffer, at, length).toString();
+const program = new WebAssembly.Module(require("fs").readFileSync(file));
+const instance = new WebAssembly.Instance(program, { golden: { line: (at, length) => console.log(text(at, length)) } });
+const result = instance.exports[name](Number(number));
+if (result !== undefined) console.log((result >>> 0).toString(16).padStart(8, "0"));

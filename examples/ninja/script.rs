@@ -2,7 +2,7 @@
 
 use tilesat::Vec2;
 
-use crate::ninja::{Keys, Ninja, State};
+use super::ninja::{Keys, Ninja, State};
 
 enum Jump {
     No,

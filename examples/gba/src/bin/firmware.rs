@@ -1,4 +1,4 @@
-//! The platformer's bodies for 600 frames on the console: the same line as `cargo run --release --example firmware`.
+//! The platformer's bodies on the console, 600 frames and then 10 000: the same lines as of `cargo run --release --example firmware`.
 #![no_std]
 #![no_main]
 
@@ -10,14 +10,14 @@ use tilesat_gba::{entry, println};
 entry!(main);
 
 fn main() -> i32 {
-    match flash::run(|_, _| {}) {
-        Ok(outcome) => {
-            println!("{outcome}");
-            0
-        }
-        Err(failure) => {
-            println!("no run: {failure:?}");
-            1
+    for frames in [flash::sim::FIRMWARE_FRAMES, 10_000] {
+        match flash::run(frames, |_, _| {}) {
+            Ok(outcome) => println!("{outcome}"),
+            Err(failure) => {
+                println!("no run: {failure:?}");
+                return 1;
+            }
         }
     }
+    0
 }

@@ -1,0 +1,88 @@
+//! Golden hashes: every public query over fixed vectors, and ten thousand frames of three games, the same bits on every target.
+//!
+//! ```text
+//! cargo run --release --example golden                  on this computer: a line for each query and each kind of shape or level,
+//!                                                       QUERY OF VECTORS HASH; exit 1 where one is not in tests/golden/hashes.txt
+//! cargo run --release --example golden -- 10000         no more than so many vectors of each
+//! cargo run --release --example golden -- --accept      writes that table anew, and prints the changelog's list of outputs
+//! cargo run --release --example golden_shapes --target thumbv6m-none-eabi [-- 10000]      on a chip (emulated), in seven parts:
+//!   ... golden_bodies, golden_levels, golden_segments, golden_joined, golden_blocks, golden_motion; also firmware
+//!                                                       and bullets_firmware
+//! .ci/targets                                                                             all that, on all targets
+//! ```
+//!
+//! Inputs come from a seeded generator of integers, in classes (`random.rs`): ordinary, on a lattice, touching exactly, touching give or take 2 raw units,
+//! at the ends of the domain, anywhere of any size. Every field of every answer goes into the hash of its query (`encode.rs`).
+#![allow(clippy::std_instead_of_core, reason = "files and strings, on a computer")]
+
+#[path = "golden/mod.rs"]
+mod golden;
+
+use std::process::ExitCode;
+
+/// For a page or a script: runs all with at most so many vectors; the import `golden.line` is given each line as text.
+#[cfg(target_arch = "wasm32")]
+#[allow(unsafe_code, reason = "names that the host finds, and a function that it has")]
+mod page {
+    use crate::golden::table::Table;
+
+    #[link(wasm_import_module = "golden")]
+    unsafe extern "C" {
+        fn line(text: *const u8, length: usize);
+    }
+
+    #[unsafe(no_mangle)]
+    pub extern "C" fn golden(count: u32) {
+        Table::fresh(count, |found| {
+            let text = found.to_string();
+            // SAFETY: the host reads so many bytes there, and keeps nothing.
+            unsafe { line(text.as_ptr(), text.len()) }
+        });
+    }
+}
+
+fn main() -> ExitCode {
+    let (mut count, mut accept) = (golden::VECTORS, false);
+    for word in std::env::args().skip(1) {
+        match word.parse() {
+            Ok(number) => count = number,
+            Err(_) if word == "--accept" => accept = true,
+            Err(_) => {
+                eprintln!("golden [VECTORS] [--accept]");
+                return ExitCode::from(2);
+            }
+        }
+    }
+    match run(count, accept) {
+        Ok(status) => status,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(count: u32, accept: bool) -> Result<ExitCode, std::io::Error> {
+    use golden::table::{PATH, Table};
+
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(PATH);
+    let reviewed = Table::parse(&std::fs::read_to_string(&path).unwrap_or_default()).unwrap_or_default();
+    if !accept {
+        let differences = Table::fresh(count, |line| println!("{line}")).differences(&reviewed);
+        for family in &differences {
+            eprintln!("DIFFERENT: {family}");
+        }
+        return Ok(if differences.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+    }
+    let fresh = Table::fresh(golden::VECTORS, |_| {}).dated(&reviewed);
+    std::fs::create_dir_all(path.with_file_name(""))?;
+    std::fs::write(&path, fresh.text())?;
+    for line in fresh.outputs(env!("CARGO_PKG_VERSION")) {
+        println!("{line}");
+    }
+    for family in fresh.differences(&reviewed) {
+        eprintln!("accepted: {family}");
+    }
+    eprintln!("{PATH} is this now; the lines above belong under \"### Outputs\" of this version in CHANGELOG.md");
+    Ok(ExitCode::SUCCESS)
+}
