@@ -1,5 +1,5 @@
-# The rows of broad phases as Markdown, a table a world: awk -f bodies.awk counts.txt (or what the firmware prints)
-# Rows: "M0 pairs | sweep, 64 bodies, fixed | plain | filters | budget" and "M0 size | sweep, 64 bodies | plain | filters |".
+# The rows of broad phases as Markdown, a table a world: awk -f bodies.awk counts.txt (or what pivot.awk makes of a measurement)
+# Rows of [pairs]: "sweep, 64 bodies, fixed"; of [size] and [size, filters]: "sweep, 64 bodies".
 BEGIN {
     FS = "|"
     kinds = split("brute sweep grid hash", kind, " ")
@@ -16,14 +16,21 @@ function spaced(n, s) {
     return n s
 }
 
-$1 ~ /^M[0-9]+ (pairs|size) *$/ {
-    split(trim($1), what, " ")
-    split(trim($2), name, ", ")
+NF < 2 { section = ""; next }
+$1 ~ /^\[.*\]/ {
+    section = trim($1)
+    for (i = 2; i <= NF; i++) column[i] = trim($i)
+    next
+}
+section ~ /^\[(pairs|size)/ {
+    split(trim($1), name, ", ")
     n = name[2] + 0
     if (!(n in seen)) { seen[n] = 1; bodies[++rows] = n }
-    key = what[1] " " (what[2] == "size" ? "size" : name[3]) " " name[1] " " n
-    plain[key] = trim($3) + 0
-    masked[key] = trim($4) + 0
+    for (i = 2; i <= NF; i++) {
+        if (section == "[pairs]") plain[column[i] " " name[3] " " name[1] " " n] = int(trim($i) + 0.5)
+        if (section == "[size]") plain[column[i] " size " name[1] " " n] = int(trim($i) + 0.5)
+        if (section == "[size, filters]") masked[column[i] " size " name[1] " " n] = int(trim($i) + 0.5)
+    }
 }
 
 END {

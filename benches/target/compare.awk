@@ -1,29 +1,63 @@
-# Compares a fresh table with the reviewed one: awk -v same_compiler=0|1 -f compare.awk counts.txt FRESH
-# Prints one line a finding and ends with a summary line; exit status 1 where a row is above its budget, differs by more
-# than 2 % from the reviewed row, or has no counterpart. With another compiler differences are told but do not fail.
+# Compares fresh tables with the reviewed ones: awk -v same_compiler=0|1 -v only=SECTIONS -v without=COLUMNS -f compare.awk counts.txt FRESH
+# SECTIONS and COLUMNS are names between semicolons, or nothing: what is compared alone, and what could not be measured here.
+# Prints a line a finding and ends with a summary line; exit status 1 where a number is above its budget, differs by more
+# than 2 % from the reviewed one, or has no counterpart. With another compiler differences are told but do not fail.
 BEGIN { FS = "|" }
 
 function trim(s) { gsub(/^ +| +$/, "", s); return s }
-function number(s) { s = trim(s); sub(/ .*/, "", s); return s + 0 }
+function in_list(list, item) { return index(";" list ";", ";" item ";") > 0 }
 function moved(a, b, d) { d = a > b ? a - b : b - a; return d * 50 > a }
-function fail(what, row, text) { printf "  %-7s %s: %s\n", what, row, text }
+function told(what, key, text, part) {
+    split(key, part, SUBSEP)
+    printf "  %-7s %s | %s | %s: %s\n", what, part[1], part[2], part[3], text
+}
+function change(key, text) {
+    changed++
+    split(key, part, SUBSEP)
+    of_column[part[3]]++
+    told(text ~ /^was/ ? "CHANGED" : text ~ /^is/ ? "NEW" : "GONE", key, text)
+}
 
-NF < 5 || /^core/ { next }
-{ row = trim($1) " " trim($2) }
-FILENAME == ARGV[1] { old_first[row] = $3; old_second[row] = $4; next }
+FNR == 1 { file++; section = "" }
+NF < 2 { section = ""; next }
+$1 ~ /^\[.*\]/ {
+    section = trim($1)
+    section = substr(section, 2, length(section) - 2)
+    columns = NF
+    for (i = 2; i <= NF; i++) column[i] = trim($i)
+    next
+}
+section == "" || (only != "" && !in_list(only, section)) { next }
 {
-    rows++
-    seen[row] = 1
-    budget = number($5)
-    if (budget && number($3) > budget) { over++; fail("OVER", row, trim($3) ", budget " budget) }
-    if (!(row in old_first)) { changed++; fail("NEW", row, trim($3)); next }
-    if (moved(number(old_first[row]), number($3)) || moved(number(old_second[row]), number($4))) {
-        changed++
-        fail("CHANGED", row, "was " trim(old_first[row]) " / " trim(old_second[row]) ", is " trim($3) " / " trim($4))
+    if (file == 2) rows++
+    for (i = 2; i <= columns; i++) {
+        number = trim($i)
+        if (number == "" || number == "-" || column[i] ~ /\.\.|budget$/ || in_list(without, column[i])) continue
+        key = section SUBSEP trim($1) SUBSEP column[i]
+        if (file == 1) { old[key] = number; continue }
+        numbers++
+        fresh[key] = number
+        keys[numbers] = key
+    }
+    if (file == 1) next
+    for (i = 2; i <= columns; i++) {
+        if (column[i] !~ / budget$/ || trim($i) == "") continue
+        core = substr(column[i], 1, length(column[i]) - 7)
+        key = section SUBSEP trim($1) SUBSEP core
+        if (fresh[key] + 0 > $i + 0) { over++; told("OVER", key, fresh[key] ", budget " trim($i)) }
     }
 }
+
 END {
-    for (row in old_first) if (!(row in seen)) { changed++; fail("GONE", row, "no longer measured") }
-    printf "%d rows, %d over budget, %d changed\n", rows, over, changed
+    for (i = 1; i <= numbers; i++) {
+        key = keys[i]
+        if (!(key in old)) change(key, "is " fresh[key])
+        else if (moved(old[key] + 0, fresh[key] + 0))
+            change(key, sprintf("was %s, is %s (%+.1f %%)", old[key], fresh[key], old[key] + 0 ? (fresh[key] / old[key] - 1) * 100 : 100))
+    }
+    for (key in old) if (!(key in fresh)) change(key, "no longer measured")
+    where = ""
+    for (c in of_column) where = where (where == "" ? ": " : ", ") c " " of_column[c]
+    printf "%d rows, %d numbers, %d over budget, %d changed%s\n", rows, numbers, over, changed, where
     exit (over || (changed && same_compiler) || !rows)
 }

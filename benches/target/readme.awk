@@ -1,50 +1,83 @@
-# The reviewed table as Markdown, both cores side by side: awk -f readme.awk counts.txt
-# Those of broad phases are a table of their own (bodies.awk).
-# Rows that only show where a class comes from stay in counts.txt, and so do stacks below 256 bytes.
-BEGIN { FS = "|" }
-
-function trim(s) { gsub(/^ +| +$/, "", s); return s }
-function mean(s) { return sprintf("%.0f", trim(s) + 0) }
-
-NF < 5 || /^core/ || /^M[0-9]+ (pairs|size)/ || /(second|third|last) reject|, uniform/ { next }
-{
-    core = trim($1)
-    name = trim($2)
-    if (core ~ /stack/) {
-        sub(/ stack/, "", core)
-        if (!(name in stack_listed) && $3 + 0 < 256) next
-        if (!(name in stack_listed)) { stack_listed[name] = 1; stack_order[++stacks] = name }
-        stack[name, core] = trim($3)
-        next
-    }
-    sub(/ \(A right\)/, "", name)
-    kind = core ~ /flash|RAM/ ? "flash" : "count"
-    if (core ~ /RAM/) name = "RAM of " name
-    sub(/ (flash|RAM)/, "", core)
-    if (!((kind, name) in listed)) { listed[kind, name] = 1; order[kind, ++rows[kind]] = name }
-    first[kind, name, core] = mean($3)
-    second[kind, name, core] = mean($4)
+# The main rows of the reviewed tables as Markdown, a query a line: awk -f readme.awk counts.txt
+# All others stay in counts.txt; those of broad phases are in a table of their own (bodies.awk).
+BEGIN {
+    FS = "|"
+    # section, row = what the README calls it = the flash program that holds it
+    add("kernel", "AABB-AABB overlaps, hit", "two boxes overlap", "AABB-AABB overlaps")
+    add("kernel", "circle-circle overlaps, near", "two circles, near, overlap", "circle-circle overlaps")
+    add("kernel", "circle-AABB overlaps, near", "circle and box, near, overlap", "circle-AABB overlaps")
+    add("kernel", "circle-segment overlaps, near", "circle and segment, near, overlap", "circle-segment overlaps")
+    add("kernel", "circle-circle contact", "contact of two circles", "circle-circle contact")
+    add("kernel", "circle-segment contact", "contact of circle and segment", "")
+    add("kernel", "unit normal, circle-circle", "its unit normal", "unit normal")
+    add("kernel", "circle-segment distance", "distance of circle and segment", "")
+    add("kernel", "AABB-AABB cast_shape, hit", "a box cast against a box, hits", "")
+    add("kernel", "circle-segment cast_shape, hit", "a circle cast against a segment, hits", "")
+    add("kernel", "ray, 17 cells, hit", "ray through 17 cells of blocks", "ray, Blocks")
+    add("kernel", "shapes: ray, hit", "ray among all tile shapes, hits", "ray, AllShapes")
+    add("kernel", "segments: ray, hit", "ray among free segments, hits", "")
+    add("kernel", "shapes: circle overlaps, free", "circle overlaps a level of all shapes", "")
+    add("kernel", "blocks: box moves, <= 4 a frame", "box moves and slides among blocks", "move_and_slide, AABB, Blocks")
+    add("kernel", "blocks: circle moves, <= 4 a frame", "circle moves and slides among blocks", "move_and_slide, circle, Blocks")
+    add("kernel", "shapes: box moves, <= 4 a frame", "box moves and slides among all shapes", "move_and_slide, AABB, AllShapes")
+    add("kernel", "shapes: circle moves, <= 4 a frame", "circle moves and slides among all shapes", "move_and_slide, circle, AllShapes")
+    add("kernel", "ride, box is carried", "box is carried by a platform, one of four", "ride on solids, AABB, Blocks")
+    add("scenes", "64 bodies awake, step", "a scene of 64 bodies, one step", "")
+    cores = split("M0,M0+ cycles,M3,M4F,M33,RV32", core, ",")
 }
+
+function add(section, row, title, program) {
+    rows++
+    key[rows] = section SUBSEP row
+    stack_row[rows] = section == "scenes" ? "scene: " row : row
+    say[rows] = title
+    flash[rows] = program
+}
+function trim(s) { gsub(/^ +| +$/, "", s); return s }
+function shown(where) { return where in value ? sprintf("%.0f", value[where]) : "" }
+# 1234567 as 1 234 567.
+function spaced(n, s) {
+    n += 0
+    for (s = ""; n >= 1000; n = int(n / 1000)) s = sprintf(" %03d", n % 1000) s
+    return n s
+}
+
+NF < 2 { section = ""; next }
+$1 ~ /^\[.*\]/ {
+    section = trim($1)
+    section = substr(section, 2, length(section) - 2)
+    columns = NF
+    for (i = 2; i <= NF; i++) column[i] = trim($i)
+    next
+}
+section != "" {
+    for (i = 2; i <= columns; i++) if (trim($i) != "-") value[section, trim($1), column[i]] = trim($i)
+    if (section == "game flash") game[++games] = trim($1)
+}
+
 END {
-    print "| instructions | M0 | *by reference* | M3 | *by reference* |"
-    print "|---|--:|--:|--:|--:|"
-    for (i = 1; i <= rows["count"]; i++) {
-        name = order["count", i]
-        printf "| %s | %d | *%d* | %d | *%d* |\n", name, first["count", name, "M0"], second["count", name, "M0"], first["count", name, "M3"], second["count", name, "M3"]
+    line = "| | M0"
+    for (c = 2; c <= cores; c++) line = line " | " (core[c] ~ /cycles/ ? "*" core[c] "*" : core[c])
+    print line " | stack | flash |"
+    print "|---|--:|--:|--:|--:|--:|--:|--:|--:|"
+    for (i = 1; i <= rows; i++) {
+        line = "| " say[i]
+        if (!((key[i], "M0") in value)) {
+            printf "readme.awk: counts.txt has no row \"%s\"\n", key[i] >"/dev/stderr"
+            line = line " (not measured)"
+        }
+        for (c = 1; c <= cores; c++) {
+            number = shown(key[i] SUBSEP core[c])
+            if (number != "") number = spaced(number)
+            line = line " | " (core[c] ~ /cycles/ && number != "" ? "*" number "*" : number)
+        }
+        bytes = shown("flash" SUBSEP flash[i] SUBSEP "M0")
+        print line " | " shown("stack" SUBSEP stack_row[i] SUBSEP "M0") " | " (bytes == "" ? "" : spaced(bytes)) " |"
     }
     print ""
-    print "| bytes of flash, 46 for an empty program included | M0 | M3 |"
-    print "|---|--:|--:|"
-    for (i = 1; i <= rows["flash"]; i++) {
-        name = order["flash", i]
-        printf "| %s | %d | %d |\n", name, first["flash", name, "M0"], first["flash", name, "M3"]
-    }
-    if (!stacks) exit
-    print ""
-    print "| bytes of stack, the most of 64 inputs, where above 256 | M0 | M3 |"
-    print "|---|--:|--:|"
-    for (i = 1; i <= stacks; i++) {
-        name = stack_order[i]
-        printf "| %s | %s | %s |\n", name, stack[name, "M0"], stack[name, "M3"]
-    }
+    print "| whole games, bytes | flash, M0 | flash, M3 | static RAM |"
+    print "|---|--:|--:|--:|"
+    for (i = 1; i <= games; i++)
+        printf "| %s | %s | %s | %s |\n", game[i], spaced(shown("game flash" SUBSEP game[i] SUBSEP "M0")),
+            spaced(shown("game flash" SUBSEP game[i] SUBSEP "M3")), spaced(shown("RAM" SUBSEP game[i] SUBSEP "M0"))
 }

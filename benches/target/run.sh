@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# Prints what queries cost on a Cortex-M0 and a Cortex-M3: instructions and stack (in the emulator) and flash, and compares all with
-# the reviewed table counts.txt.
+# Prints what queries cost: instructions on five cores and cycles of a sixth, stack (in the emulator), flash, static RAM and bounds of the
+# stack (by the linker's output), and compares all with the reviewed tables of counts.txt.
 #
-#   run.sh                 print and compare; exit 1 where a row is over budget or moved by more than 2 %
-#   run.sh --accept        print, make this the reviewed table, and write it into the README and the guide to broad phases
-#   run.sh --readme        only write the reviewed table into the README and the guide
+#   run.sh                 print and compare; exit 1 where a number is over budget or moved by more than 2 %
+#   run.sh --accept        print, make these the reviewed tables, and write them into the README and the guide to broad phases
+#   run.sh --readme        only write the reviewed tables into the README and the guide
 #   run.sh --symbols BIN   what the flash program BIN links (src/bin), with sizes, on both cores
-#   run.sh --flash-only    no emulator: flash alone
+#   run.sh --core CORE     only queries, motion and scenes, and only on this core (M0, M3, M4F, M33, RV32): print and compare
+#   run.sh --flash-only    no emulator: flash, RAM and bounds alone
 #   run.sh --no-panic      only the proof that nothing panics: exit 1 where a program of everything links a panic or a 64-bit division
 #   run.sh --bodies        only broad phases: measure, and print their table as Markdown
 set -euo pipefail
@@ -18,7 +19,7 @@ mkdir -p "$out"
 out=$(cd "$out" && pwd)
 export CARGO_TARGET_DIR=$out
 
-accept=0 symbols='' counts=1 measure=1 bodies=0 proof=0
+accept=0 symbols='' only_core='' counts=1 measure=1 bodies=0 proof=0
 while (($#)); do
     case $1 in
     --accept) accept=1 ;;
@@ -26,6 +27,10 @@ while (($#)); do
     --readme) measure=0 ;;
     --bodies) bodies=1 ;;
     --no-panic) proof=1 ;;
+    --core)
+        only_core=${2:?--core needs the name of a core}
+        shift
+        ;;
     --symbols)
         symbols=${2:?--symbols needs the name of a program in flash/src/bin}
         shift
@@ -40,7 +45,7 @@ done
 
 # file : mark : what makes a table of counts.txt. The file's table is between two marks.
 tables=(README.md:counts:readme.awk src/broad/guide.md:bodies:bodies.awk)
-root=$here/../..
+root=$(cd ../.. && pwd)
 with_table() {
     awk -v begin="<!-- $2:begin" -v end="<!-- $2:end" -v table="awk -f $3 counts.txt" '
         index($0, begin) { print; while ((table | getline row) > 0) print row; inside = 1 }
@@ -60,10 +65,12 @@ if ((!measure)); then
     exit 0
 fi
 
+# Those of the flash table; all rows of queries, motion and scenes are counted on more, crowds on these.
 cores=(M0:thumbv6m-none-eabi M3:thumbv7m-none-eabi)
+counted=("${cores[@]}" M4F:thumbv7em-none-eabihf M33:thumbv8m.main-none-eabihf RV32:riscv32imc-unknown-none-elf)
 llvm=$(rustc --print target-libdir)/../bin
 
-# program : name in the table : budget in bytes on the M0, the 46 bytes of the quoted empty program included
+# program : name in the table : budget in bytes of flash on the M0, the 46 bytes of the quoted empty program included
 # The ray's goal is 1100; closed corners, starts on lines and three kinds of outside have not been made to fit it yet.
 programs=(
     'aabb_overlaps:AABB-AABB overlaps:120'
@@ -92,12 +99,29 @@ programs=(
     'pairs_hash:broad phase of 64, hash:0'
 )
 
+# program : name in the table : ceilings of flash and of static RAM on the M0, and on the M3. These are whole games.
+games=(
+    'game_blocks:33 bodies among blocks, coins, ladders:33500:2400:33500:2400'
+    'game_ninja:a ninja among all shapes:34500:64:34500:64'
+    'game_bullets:256 bullets, 32 enemies, pairs and events:58500:13800:58500:13800'
+)
+
+# Without the programs of everything, which are large and belong to the proof.
 build_flash() {
-    cargo build --quiet --profile flash --package tilesat-flash --bins --target "$1"
+    local source bins=()
+    for source in flash/src/bin/*.rs; do
+        [[ $source == */everything_* ]] || bins+=(--bin "$(basename "$source" .rs)")
+    done
+    cargo build --quiet --profile flash --package tilesat-flash "${bins[@]}" --target "$1"
 }
 # Bytes of flash: code, constants and initialised data.
 flash_of() {
     "$llvm/llvm-size" "$out/$1/$2" | awk 'NR == 2 { print $1 + $2 }'
+}
+
+# Bytes of initialised and zeroed data.
+ram_of() {
+    "$llvm/llvm-size" "$out/$1/$2" | awk 'NR == 2 { print $2 + $3 }'
 }
 
 if [[ -n $symbols ]]; then
@@ -155,96 +179,142 @@ if ((proof)); then
     exit 0
 fi
 
+# The model slows the emulator down, and crowds are large.
+export QEMU_SECONDS=${QEMU_SECONDS:-600}
+# run_on TARGET BIN [BOARD]: a counting firmware, on another board where one is named.
+run_on() {
+    "$root/.ci/qemu.sh" "${3:-$1}" "$out/$1/release/$2"
+}
+build_counts() {
+    local target=$1 bin bins=()
+    shift
+    for bin in "$@"; do
+        bins+=(--bin "$bin")
+    done
+    cargo build --quiet --release --package tilesat-counts --target "$target" "${bins[@]}"
+}
 # Crowds do not fit the micro:bit: code for either core runs on the board of the M3.
 count_bodies() {
-    cargo build --quiet --release --package tilesat-counts --bin broad --target "$1"
-    "$here/../../.ci/qemu.sh" thumbv7m-none-eabi "$out/$1/release/broad"
+    build_counts "$1" crowds
+    run_on "$1" crowds thumbv7m-none-eabi
 }
 if ((bodies)); then
     for core in "${cores[@]}"; do
         count_bodies "${core#*:}"
-    done | awk -f bodies.awk
+    done | awk -f pivot.awk | awk -f bodies.awk
     exit 0
 fi
 
-# Lines a|b|c|d|e as columns; no budget is shown as nothing.
-line() {
-    awk -F'|' '{ sub(/^0$/, "", $5); printf "%-8s | %-46s | %-22s | %-22s | %s\n", $1, $2, $3, $4, $5 }' | sed 's/ *$//'
+# Columns that could not be measured, or were not to be.
+absent=()
+if [[ -n $only_core ]]; then
+    for core in "${counted[@]}"; do
+        [[ $core == "$only_core":* ]] && chosen=("$core") || absent+=("${core%:*}")
+    done
+    [[ -n ${chosen:-} ]] || { echo "run.sh: there is no core $only_core" >&2; exit 2; }
+    [[ $only_core == M0 ]] || absent+=('M0+ cycles')
+    counted=("${chosen[@]}")
+fi
+# The emulator's plugin that models cycles: its options in $model, where the emulator takes it.
+model=''
+find_plugin() {
+    local told
+    cargo build --quiet --release --manifest-path plugin/Cargo.toml
+    model="-plugin $out/release/libtilesat_cycles.so -d plugin"
+    told=$(QEMU_OPTIONS=$model run_on thumbv6m-none-eabi pairs 2>&1 | grep -c '^instructions [0-9]* cycles [0-9]*$') || true
+    if ((!told)); then
+        model=''
+        absent+=('M0+ cycles')
+        echo 'NO CYCLES OF THE M0+: this emulator does not take the plugin that models them (written for version 1 of the interface, as in QEMU 7.2)'
+    fi
 }
 
-fresh=$out/fresh.txt
-rustc --version >"$fresh"
-{
-    echo
-    echo 'Instructions: mean (least..most) of 64 inputs. Kernel: operands in registers. API: the call by reference.'
-    echo 'core|query, class of inputs|kernel|API|kernel budget' | line
-} >>"$fresh"
-measured=$out/measured.txt
-if ((counts)); then
-    for core in "${cores[@]}"; do
-        cargo run --quiet --release --package tilesat-counts --target "${core#*:}"
-        cargo run --quiet --release --package tilesat-counts --bin solids --target "${core#*:}"
-        count_bodies "${core#*:}"
-        cargo run --quiet --release --package tilesat-counts --bin scene --target "${core#*:}"
-    done >"$measured"
-    grep '^M[0-9]*|' "$measured" | line >>"$fresh"
-    {
-        echo
-        echo 'Bytes of stack below the caller, the most of 64 inputs at opt-level 3: operands and answer are not counted, they are the caller'"'"'s.'
-        echo 'core|query, class of inputs|most|most|budget' | line
-        grep '^M[0-9]* stack|' "$measured" | line
-        echo
-        echo 'Instructions a frame of N bodies that all move, and all pairs: mean (least..most). The boxes are at hand; 6 to 24 units, 32 cells, up to 2 a frame.'
-        echo 'fixed: 1024 x 768; density: 64 x 64 each; cluster: all in 256 x 256.'
-        echo 'core|bodies, world|plain|filters, each by name|plain budget' | line
-        grep '^M[0-9]* pairs|' "$measured" | line
-        echo
-        echo 'Bytes of RAM of N bodies, with a grid for 1024 x 768.'
-        echo 'core|bodies|plain|filters|budget' | line
-        grep '^M[0-9]* size|' "$measured" | line
-    } >>"$fresh"
-    # The goal is 512 for every query; motion, contacts, nearest points and rays among all shapes have not been made to fit it yet.
-    awk -F'|' '$1 ~ /stack/ && $3 > 512 { n++ } $1 ~ /stack/ && $3 > most { most = $3; row = $1 " " $2 }
-        END { printf "%d rows take more than 512 B of stack, the most %d: %s\n", n, most, row }' "$measured"
-fi
-{
-    echo
-    echo 'Bytes of flash at opt-level "s", everything pulled in. Net: without the frame. With: 46 bytes for an empty program.'
-    echo 'core|query|with|net|budget' | line
-} >>"$fresh"
-for core in "${cores[@]}"; do
-    target=${core#*:}
-    build_flash "$target"
-    empty=$(flash_of "$target/flash" empty)
-    for program in "${programs[@]}"; do
-        IFS=: read -r bin name budget <<<"$program"
-        [[ ${core%:*} == M0 ]] || budget=0
-        net=$(($(flash_of "$target/flash" "$bin") - empty))
-        echo "${core%:*} flash|$name|$((net + 46))|$net|$budget" | line >>"$fresh"
+# Lines core|section|row|value|budget of all firmwares.
+measure_all() {
+    local core target bin
+    for core in "${counted[@]}"; do
+        target=${core#*:}
+        if [[ $target == riscv32* ]] && ! "$root/.ci/get-emulators.sh" riscv32 >/dev/null; then
+            absent+=(RV32)
+            echo 'NOT COUNTED ON RV32: there is no emulator'
+            continue
+        fi
+        build_counts "$target" pairs levels bodies
+        [[ $core != M0:* ]] || find_plugin
+        for bin in pairs levels bodies; do
+            if [[ $core == M0:* && -n $model ]]; then
+                if ! QEMU_OPTIONS=$model run_on "$target" "$bin" >"$out/$bin.merged" 2>&1; then
+                    grep -v '^instructions' "$out/$bin.merged" >&2
+                    return 1
+                fi
+                awk -f cycles.awk "$out/$bin.merged"
+            else
+                run_on "$target" "$bin"
+            fi
+        done >>"$lines"
     done
-done
+    [[ -z $only_core ]] || return 0
+    for core in "${cores[@]}"; do
+        count_bodies "${core#*:}"
+    done >>"$lines"
+}
 
-# A static level costs no RAM: the linker's sizes of initialised and zeroed data.
-for core in "${cores[@]}"; do
-    ram=$("$llvm/llvm-size" "$out/${core#*:}/flash/static_levels" | awk 'NR == 2 { print $2 + $3 }')
-    echo "${core%:*} RAM|two static levels|$ram|$ram|0" | line >>"$fresh"
-    ((ram == 0)) || { echo "run.sh: static levels take $ram B of RAM" >&2; exit 1; }
-done
+fresh=$out/fresh.txt lines=$out/lines.txt
+: >"$lines"
+if ((counts)); then
+    measure_all
+    # The goal is 512 for every query; motion, contacts, nearest points and rays among all shapes have not been made to fit it yet.
+    awk -F'|' '$2 == "stack" && $4 > 512 { n++ } $2 == "stack" && $4 > most { most = $4; row = $1 ", " $3 }
+        END { printf "%d rows take more than 512 B of stack, the most %d: %s\n", n, most, row }' "$lines"
+fi
+# Flash and static RAM of every program, and bounds of the stack of every function.
+measure_links() {
+    local core target name empty program game bin row budget flash ram flash_m3 ram_m3 source
+    for core in "${cores[@]}"; do
+        target=${core#*:} name=${core%:*}
+        build_flash "$target"
+        empty=$(flash_of "$target/flash" empty)
+        for program in "${programs[@]}"; do
+            IFS=: read -r bin row budget <<<"$program"
+            [[ $name == M0 ]] || budget=0
+            echo "$name|flash|$row|$(($(flash_of "$target/flash" "$bin") - empty + 46))|$budget"
+        done
+        for game in "${games[@]}"; do
+            IFS=: read -r bin row flash ram flash_m3 ram_m3 <<<"$game"
+            [[ $name == M0 ]] || flash=$flash_m3 ram=$ram_m3
+            echo "$name|game flash|$row|$(flash_of "$target/flash" "$bin")|$flash"
+            echo "$name|RAM|$row|$(ram_of "$target/flash" "$bin")|$ram"
+        done
+        # A static level costs no RAM.
+        ram=$(ram_of "$target/flash" static_levels)
+        echo "$name|RAM|two static levels|$ram|0"
+        ((ram == 0)) || { echo "run.sh: static levels take $ram B of RAM" >&2; exit 1; }
+    done >>"$lines"
 
-# At the level of optimisation that firmware is shipped with; --no-panic proves both.
-prove flash
+    # At the level of optimisation that firmware is shipped with; --no-panic proves both.
+    prove flash
+    for source in flash/src/bin/everything_*.rs; do
+        bin=$(basename "$source" .rs)
+        "$llvm/llvm-objdump" --disassemble --show-all-symbols --no-show-raw-insn "$out/thumbv6m-none-eabi/flash/$bin" | awk -v part="${bin#everything_}" -f bound.awk
+    done >>"$lines"
+}
+[[ -n $only_core ]] || measure_links
+
+{
+    rustc --version
+    awk -f pivot.awk "$lines"
+} >"$fresh"
 cat "$fresh"
+without=$(IFS=';'; echo "${absent[*]:-}")
 if ((accept)); then
-    ((counts)) || { echo 'run.sh: --accept needs the counts as well' >&2; exit 2; }
+    ((counts)) && [[ -z $without$only_core ]] || { echo "run.sh: --accept needs all counts, there are none of: ${without:-any core}" >&2; exit 2; }
     cp "$fresh" counts.txt
     write_tables
     echo "counts.txt, the README's table and the guide's are now this: review the difference before it is committed"
 fi
-reviewed=counts.txt
-if ! ((counts)); then
-    reviewed=$out/reviewed-flash.txt
-    grep -E ' (flash|RAM) ' counts.txt >"$reviewed"
-fi
+only=''
+((counts)) || only='flash;game flash;RAM;bound'
+[[ -z $only_core ]] || only='kernel;reference;scenes;frames;stack'
 same=0 stale=0
 if [[ $(head -n 1 counts.txt) == "$(head -n 1 "$fresh")" ]]; then
     same=1
@@ -258,5 +328,6 @@ for entry in "${tables[@]}"; do
         echo "the table in $file is not that of counts.txt: benches/target/run.sh --readme writes it"
     fi
 done
+[[ -z $without ]] || echo "NOT COMPARED, because it was not measured: $without"
 echo
-awk -v same_compiler=$same -f compare.awk "$reviewed" "$fresh" && ((!stale))
+awk -v same_compiler=$same -v only="$only" -v without="$without" -f compare.awk counts.txt "$fresh" && ((!stale))

@@ -2,17 +2,21 @@
 
 fn main() {
     let own = env!("CARGO_MANIFEST_DIR");
-    // The repository's serves all boards. Thousands of bodies do not fit the smallest of them.
-    for (bin, folder) in [
-        ("tilesat-counts", format!("{own}/../../..")),
-        ("solids", format!("{own}/../../..")),
-        ("scene", format!("{own}/../../..")),
-        ("broad", format!("{own}/mps2")),
-    ] {
+    let target = std::env::var("TARGET").unwrap_or_default();
+    // The repository's serves all boards, and names RISC-V's in `.cargo`. Thousands of bodies do not fit the smallest of them.
+    let shared = format!("{own}/../../..");
+    let large = if target.starts_with("riscv") { shared.clone() } else { format!("{own}/mps2") };
+    for (bin, folder) in [("pairs", &shared), ("levels", &shared), ("bodies", &shared), ("crowds", &large)] {
         println!("cargo:rustc-link-arg-bin={bin}=-L{folder}");
         println!("cargo:rerun-if-changed={folder}/memory.x");
     }
-    let target = std::env::var("TARGET").unwrap_or_default();
-    let core = if target.starts_with("thumbv6m") { "M0" } else { "M3" };
+    let core = match target.split('-').next() {
+        Some("thumbv6m") => "M0",
+        Some("thumbv7m") => "M3",
+        Some("thumbv7em") => "M4F",
+        Some("thumbv8m.main") => "M33",
+        Some("riscv32imc") => "RV32",
+        _ => panic!("no core is known for {target}"),
+    };
     println!("cargo:rustc-env=CORE={core}");
 }

@@ -1,23 +1,23 @@
 //! One row of the table: a query over a fixed set of inputs.
 //!
 //! A query is called through a pointer with its operands by reference, so that nothing is inlined or folded.
-//! *API* is that call minus an empty call of the same signature. *Kernel* is that call minus a call which does nothing but
+//! *By reference* is that call minus an empty call of the same signature. *Kernel* is that call minus a call which does nothing but
 //! load the operand words that the query needs in that class: the count with operands in registers.
 
-use crate::counter::{Counter, elapsed, now};
+use crate::CORE;
+use crate::clock::{Clock, Short};
+use crate::counter::{Counter, known_loop};
 use crate::inputs::Random;
+use crate::span::Span;
 use crate::stack::depth;
 use core::arch::asm;
 use core::fmt;
 use core::hint::black_box;
 use core::mem::MaybeUninit;
-use semihosting::{eprintln, println};
+use semihosting::{eprintln, println, process};
 
 /// A query on two operands. The wrapper makes the empty call and the loads the same type as the query.
 pub type Query<A, B, R> = fn(&A, &B) -> MaybeUninit<R>;
-
-/// The core that this firmware is built for.
-pub const CORE: &str = env!("CORE");
 
 /// How many inputs a row is measured on.
 const INPUTS: u32 = 64;
@@ -25,17 +25,62 @@ const INPUTS: u32 = 64;
 /// Kernel instructions that a row may take on a Cortex-M0 and on a Cortex-M3.
 pub type Budget = Option<(u32, u32)>;
 
+/// An instruction that does nothing, by which the emulator's plugin knows where a call that it models begins and ends.
+macro_rules! mark {
+    ($instruction:literal) => {
+        // SAFETY: changes nothing.
+        #[cfg(target_arch = "arm")]
+        unsafe {
+            asm!($instruction, options(nostack, preserves_flags))
+        }
+    };
+}
+
+/// Prints what one line of the table holds.
+pub fn tell(section: &str, name: impl fmt::Display, value: impl fmt::Display, budget: Budget) {
+    let (m0, m3) = budget.unwrap_or_default();
+    let limit = match CORE {
+        "M0" => m0,
+        "M3" => m3,
+        _ => 0,
+    };
+    println!("{CORE}|{section}|{name}|{value}|{limit}");
+}
+
 /// Measures and prints rows.
 pub struct Table {
-    pub counter: Counter,
+    pub counter: Counter<Short>,
     random: Random,
     /// Rows whose inputs were not of the class that they claim.
     pub wrong: u32,
 }
 
 impl Table {
-    pub fn new(counter: Counter) -> Self {
-        Self { counter, random: Random::new(1), wrong: 0 }
+    /// With a row that shows that all is counted, and modelled, as it is: two instructions a turn.
+    pub fn start() -> Self {
+        let mut table = Self { counter: Counter::start(), random: Random::new(1), wrong: 0 };
+        let turns: Query<u32, u32, ()> = |many, _| {
+            known_loop(*many);
+            MaybeUninit::uninit()
+        };
+        let one: Query<u32, u32, ()> = |_, one| {
+            known_loop(*one);
+            MaybeUninit::uninit()
+        };
+        table.row(
+            "a loop of two instructions, 1000 turns more",
+            None,
+            turns,
+            |_, _| one,
+            |_| Some((1001, 1)),
+            |()| true,
+        );
+        table
+    }
+
+    /// Ends the run, badly where a row's inputs were not of its class.
+    pub fn end(&self) -> ! {
+        process::exit(i32::from(self.wrong != 0))
     }
 
     /// One row: `next` makes an input of the class, `loads` is the baseline for it, `expect` tells whether the answer is the class's.
@@ -48,53 +93,66 @@ impl Table {
         mut next: impl FnMut(&mut Random) -> Option<(A, B)>,
         expect: impl Fn(&R) -> bool,
     ) {
-        let (mut kernel, mut api) = (Span::new(), Span::new());
+        let (mut kernel, mut api) = (Span::EMPTY, Span::EMPTY);
         let (mut wrong, mut stack) = (false, 0);
         // Rows do not depend on each other: adding one leaves the others' inputs as they were.
         self.random = Random::new(1);
-        while api.n < INPUTS {
+        while api.len() < INPUTS {
             let Some((a, b)) = next(&mut self.random) else { continue };
-            let call = self.counter.instructions(ticks(query, &a, &b));
-            let empty = self.counter.instructions(ticks(nothing::<A, B, R>, &a, &b));
-            let load = self.counter.instructions(ticks(loads(&a, &b), &a, &b));
-            api.add(call - empty);
-            kernel.add(call.saturating_sub(load));
+            let counts = sample(&self.counter, query, loads(&a, &b), &a, &b);
+            kernel.add(counts.0);
+            api.add(counts.1);
             stack = stack.max(depth(query, &a, &b));
             // SAFETY: a query always writes its answer; only the baselines do not.
             let answer = unsafe { query(&a, &b).assume_init() };
             wrong |= !expect(&answer);
         }
-        self.tell(name, wrong, budget, &[kernel, api], stack);
+        self.print(name, wrong, budget, &[kernel, api], stack);
     }
 
     /// Apart from the measurement, which is compiled once a row.
     #[inline(never)]
-    fn tell(&mut self, name: &str, wrong: bool, budget: Budget, [kernel, api]: &[Span; 2], stack: u32) {
+    fn print(&mut self, name: &str, wrong: bool, budget: Budget, [kernel, api]: &[Span; 2], stack: u32) {
         if wrong {
             self.wrong += 1;
             eprintln!("{name}: some inputs are not of this class");
         }
-        let (m0, m3) = budget.unwrap_or_default();
-        let limit = if CORE == "M0" { m0 } else { m3 };
-        println!("{CORE}|{name}|{kernel}|{api}|{limit}");
-        println!("{CORE} stack|{name}|{stack}|{stack}|0");
+        tell("kernel", name, kernel, budget);
+        tell("reference", name, api, None);
+        tell("stack", name, stack, None);
     }
+}
+
+/// Instructions of one call: without those of the loads, and without those of an empty call alone. `query` runs once.
+pub fn sample<A, B, R>(
+    counter: &Counter<Short>,
+    query: Query<A, B, R>,
+    loads: Query<A, B, R>,
+    a: &A,
+    b: &B,
+) -> (u32, u32) {
+    let call = counter.instructions(ticks(query, a, b));
+    let empty = counter.instructions(ticks(nothing::<A, B, R>, a, b));
+    let load = counter.instructions(ticks(loads, a, b));
+    (call.saturating_sub(load), call - empty)
 }
 
 /// Ticks of one call. Out of line, so that nothing of the caller moves between the two readings.
 #[inline(never)]
 fn ticks<A, B, R>(query: Query<A, B, R>, a: &A, b: &B) -> u32 {
     let (query, a, b) = black_box((query, a, b));
-    let from = now();
+    let from = Short::now();
+    mark!("mov r9, r9");
     let answer = query(a, b);
-    let to = now();
+    mark!("mov r10, r10");
+    let to = Short::now();
     black_box(&answer);
-    elapsed(from, to)
+    Short::elapsed(from, to)
 }
 
 /// The empty call.
 #[inline(never)]
-fn nothing<A, B, R>(_: &A, _: &B) -> MaybeUninit<R> {
+pub fn nothing<A, B, R>(_: &A, _: &B) -> MaybeUninit<R> {
     // SAFETY: no instruction at all; it only keeps the call.
     unsafe { asm!("", options(nomem, nostack, preserves_flags)) };
     MaybeUninit::uninit()
@@ -132,33 +190,5 @@ unsafe fn words<const N: usize>(p: *const u32) {
             asm!("/* {0} */", in(reg) a, options(nomem, nostack, preserves_flags));
             i += 1;
         }
-    }
-}
-
-/// Mean and range.
-struct Span {
-    n: u32,
-    sum: u32,
-    min: u32,
-    max: u32,
-}
-
-impl Span {
-    fn new() -> Self {
-        Self { n: 0, sum: 0, min: u32::MAX, max: 0 }
-    }
-
-    fn add(&mut self, count: u32) {
-        self.n += 1;
-        self.sum += count;
-        self.min = self.min.min(count);
-        self.max = self.max.max(count);
-    }
-}
-
-impl fmt::Display for Span {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let tenths = (self.sum * 10 + self.n / 2) / self.n;
-        write!(f, "{}.{} ({}..{})", tenths / 10, tenths % 10, self.min, self.max)
     }
 }

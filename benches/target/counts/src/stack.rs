@@ -37,6 +37,7 @@ fn used(bottom: *const u32) -> u32 {
 fn paint() -> *const u32 {
     let mut at: *const u32;
     // SAFETY: no interrupt is enabled, so memory below the stack pointer belongs to nobody; it is inside of RAM, whose 16 KB are mostly stack.
+    #[cfg(target_arch = "arm")]
     unsafe {
         asm!(
             "mov {at}, sp",
@@ -45,6 +46,21 @@ fn paint() -> *const u32 {
             "str {paint}, [{at}]",
             "subs {left}, #1",
             "bne 2b",
+            at = out(reg) at,
+            paint = in(reg) PAINT,
+            left = inout(reg) WORDS => _,
+        );
+    }
+    // SAFETY: as above.
+    #[cfg(target_arch = "riscv32")]
+    unsafe {
+        asm!(
+            "mv {at}, sp",
+            "2:",
+            "addi {at}, {at}, -4",
+            "sw {paint}, 0({at})",
+            "addi {left}, {left}, -1",
+            "bnez {left}, 2b",
             at = out(reg) at,
             paint = in(reg) PAINT,
             left = inout(reg) WORDS => _,

@@ -44,6 +44,59 @@ macro_rules! program {
     };
 }
 
+/// A whole game: its state in a static, so that the linker tells how large it is, and a frame without end.
+///
+/// `$begin` makes of the state the game in it; what a frame needs of the outside it reads by [`port`].
+#[macro_export]
+macro_rules! game {
+    ($State:ty = $empty:expr, $level:ident = $load:expr, |$state:ident| $begin:expr, |$game:ident| $frame:expr) => {
+        #[unsafe(no_mangle)]
+        extern "C" fn _start() -> ! {
+            static mut STATE: $State = $empty;
+            // SAFETY: never run; this is called once and nothing else names it.
+            let $state: &mut $State = unsafe { &mut *(&raw mut STATE) };
+            if let Ok($level) = $load {
+                let $game = $begin;
+                loop {
+                    core::hint::black_box(&$frame);
+                    core::hint::black_box(&*$game);
+                }
+            }
+            loop {}
+        }
+
+        #[panic_handler]
+        fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+            loop {}
+        }
+    };
+}
+
+/// A state that a game makes when it starts: until then it has no value, and no image in flash.
+pub struct Later<S>(core::mem::MaybeUninit<S>);
+
+impl<S> Later<S> {
+    /// Not yet.
+    pub const NONE: Self = Self(core::mem::MaybeUninit::uninit());
+
+    /// The state; without one the program ends here.
+    #[inline(always)]
+    #[expect(clippy::empty_loop, reason = "it has nobody to tell")]
+    pub fn begin(&mut self, state: Option<S>) -> &mut S {
+        match state {
+            Some(state) => self.0.write(state),
+            None => loop {},
+        }
+    }
+}
+
+/// What a pad or a sensor says.
+#[inline(always)]
+pub fn port() -> u32 {
+    // SAFETY: never run; a register of some chip.
+    unsafe { (0x4000_0000 as *const u32).read_volatile() }
+}
+
 /// A program that holds all these functions, each with arguments that the compiler knows nothing of: what they link, they may run.
 ///
 /// Its panics all end in a function that cannot be inlined away, so that none is missed.
@@ -72,10 +125,13 @@ macro_rules! everything {
 }
 
 /// Links these expressions, each as the body of a function that the compiler cannot know the callers of, with its whole answer.
+///
+/// The function's symbol says which expression it is, and for which types: the table of stack bounds is made by it.
 #[macro_export]
 macro_rules! keep {
     ($(|$($x:ident: $t:ty),*| $answer:expr;)+) => {
         $({
+            #[unsafe(export_name = concat!("kept ", stringify!($answer), " <- ", stringify!($($x: $t),*)))]
             fn kept($($x: $t),*) {
                 let _ = core::hint::black_box(&$answer);
             }

@@ -103,7 +103,6 @@ macro_rules! events {
             |e: &mut PairEvents<$n, $pair>| e.cancel();
             |e: &PairEvents<$n, $pair>| e.pairs().map(|pair| core::hint::black_box(pair)).count();
             |e: &PairEvents<$n, $pair>, pair: $pair| e.contains(pair);
-            |e: &PairEvent<$pair>| e.pair();
         })+
     };
 }
@@ -123,6 +122,10 @@ macro_rules! exceptions {
 
 fn told() {
     events!(64: Pair, 1: Pair, 0: Pair, 16: u32);
+    keep! {
+        |e: &PairEvent<Pair>| e.pair();
+        |e: &PairEvent<u32>| e.pair();
+    }
     exceptions!(8, 1, 0);
 }
 

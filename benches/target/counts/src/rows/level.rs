@@ -1,11 +1,11 @@
 //! Rows of the world queries and of motion.
 
-use crate::inputs::{Random, UNIT, circle, vec};
-use crate::measure::{Query, Table, load};
 use core::mem::MaybeUninit;
 use tilesat::motion::{MoveError, Moved, Mover};
 use tilesat::{Aabb, Axis, Circle, RangeError, Vec2};
 use tilesat::{Inside, RayHit, TileKind, TileKinds, TileMap};
+use tilesat_counts::inputs::{Random, UNIT, circle, vec};
+use tilesat_counts::measure::{Query, Table, load};
 
 const SIDE: usize = 32;
 const CELL: i32 = 16;

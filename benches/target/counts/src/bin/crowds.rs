@@ -1,35 +1,35 @@
 //! Rows of broad phases: a frame moves all bodies and enumerates all pairs.
 //!
-//! The boxes of the frame are at hand: what the game does to find them is not counted, handing them over is. For mps2-an385 on both cores.
+//! The boxes of the frame are at hand: what the game does to find them is not counted, handing them over is. For mps2-an385, on which code for the
+//! Cortex-M0 runs as well.
 
 #![no_std]
 #![no_main]
 
-#[path = "../crowd.rs"]
+#[path = "../rows/crowd.rs"]
 mod crowd;
-#[path = "../inputs.rs"]
-#[expect(dead_code, reason = "the other firmware's classes of inputs")]
-mod inputs;
-#[path = "../regular.rs"]
+#[path = "../../../../../examples/chip/fault.rs"]
+mod fault;
+#[path = "../rows/regular.rs"]
 mod regular;
-#[path = "../timer.rs"]
-mod timer;
 
-use core::fmt;
 use core::hint::black_box;
-use cortex_m_rt::{ExceptionFrame, entry, exception};
 use crowd::{Crowd, World};
 use regular::Regular;
-use semihosting::{eprintln, println, process};
+use semihosting::{eprintln, process};
 use tilesat::broad::{BroadPhase, BruteForce, GridError, Handle, LooseGrid, SortSweep, SpatialHash, Tag};
 use tilesat::{Aabb, Filter, Fx, Vec2};
-use timer::Timer;
+use tilesat_counts::clock::Long;
+use tilesat_counts::counter::Counter;
+use tilesat_counts::measure::{Budget, tell};
+use tilesat_counts::span::Span;
+use tilesat_counts::{CORE, entry};
 
-const CORE: &str = env!("CORE");
+type Timer = Counter<Long>;
 
 #[entry]
 fn main() -> ! {
-    let timer = Timer::start();
+    let timer = &Timer::start();
     let mut wrong = 0;
     all::<8, 1, 64>(timer, &mut wrong);
     all::<16, 2, 64>(timer, &mut wrong);
@@ -43,16 +43,9 @@ fn main() -> ! {
     process::exit(i32::from(wrong != 0))
 }
 
-/// The default handler loops for ever; a fault must end the run.
-#[exception]
-unsafe fn HardFault(frame: &ExceptionFrame) -> ! {
-    eprintln!("hard fault at {:#010x}", frame.pc());
-    process::exit(70)
-}
-
 /// Every structure in every world, with N bodies: a block is 32 cells of 32 x 32 units, each body has 4 of them where there is room for all.
 #[inline(never)]
-fn all<const N: usize, const BLOCKS: usize, const BUCKETS: usize>(timer: Timer, wrong: &mut u32) {
+fn all<const N: usize, const BLOCKS: usize, const BUCKETS: usize>(timer: &Timer, wrong: &mut u32) {
     for world in World::ALL {
         let brute = row::<N, _, _>(timer, "brute", world, BruteForce::<N>::new, BruteForce::<N, Filter>::new);
         let others = [
@@ -97,22 +90,23 @@ fn must<T>(made: Result<T, GridError>) -> T {
 }
 
 /// Instructions a frame on a Cortex-M0 that are not to be exceeded, filters off.
-fn budget(name: &str, bodies: usize, world: World) -> u32 {
-    match (name, bodies) {
-        _ if CORE != "M0" || world != World::Fixed => 0,
+fn budget(name: &str, bodies: usize, world: World) -> Budget {
+    let most = match (name, bodies) {
+        _ if world != World::Fixed => return None,
         ("brute", 8) => 600,
         ("sweep", 16) => 1_550,
         ("sweep", 64) => 7_700,
         ("sweep", 256) => 51_400,
         ("grid", 512) => 125_600,
         ("grid", 2048) => 970_000,
-        _ => 0,
-    }
+        _ => return None,
+    };
+    Some((most, 0))
 }
 
 /// Prints a row; returns what tells whether the pairs are those of another structure.
 #[inline(never)]
-fn row<const N: usize, A, B>(timer: Timer, name: &str, world: World, plain: fn() -> A, masked: fn() -> B) -> [u32; 2]
+fn row<const N: usize, A, B>(timer: &Timer, name: &str, world: World, plain: fn() -> A, masked: fn() -> B) -> [u32; 2]
 where
     A: BroadPhase<Tag = ()>,
     B: BroadPhase<Tag = Filter>,
@@ -120,16 +114,19 @@ where
     let (first, pairs) = frames::<N, A>(timer, world, plain(), (), each);
     let (second, masked_pairs) = frames::<N, B>(timer, world, masked(), Filter::default(), by_handle);
     if world == World::Fixed && CORE == "M0" {
-        println!("{CORE} size|{name}, {N} bodies|{}|{}|0", size_of::<A>(), size_of::<B>());
+        tell("size", format_args!("{name}, {N} bodies"), size_of::<A>(), None);
+        tell("size, filters", format_args!("{name}, {N} bodies"), size_of::<B>(), None);
     }
-    println!("{CORE} pairs|{name}, {N} bodies, {}|{first}|{second}|{}", world.name(), budget(name, N, world));
+    let row = format_args!("{name}, {N} bodies, {}", world.name());
+    tell("pairs", row, first, budget(name, N, world));
+    tell("pairs, filters", row, second, None);
     [pairs, masked_pairs]
 }
 
 /// The row of the grid that the library does not have.
 #[inline(never)]
-fn regular_row<const N: usize>(timer: Timer) -> u32 {
-    let (mut pairs, mut span) = (0, Span::new());
+fn regular_row<const N: usize>(timer: &Timer) -> u32 {
+    let (mut pairs, mut span) = (0, Span::EMPTY);
     let Ok(blank) = Aabb::new(Vec2::ZERO, Vec2::ZERO) else { return 0 };
     let (mut crowd, mut grid) = (Crowd::<N>::new(World::Fixed, blank), Regular::<N>::new(blank));
     for round in 0..rounds(N) + WARM {
@@ -139,7 +136,7 @@ fn regular_row<const N: usize>(timer: Timer) -> u32 {
             span.add(counted);
         }
     }
-    println!("{CORE} pairs|regular, {N} bodies, fixed|{span}|{span}|0");
+    tell("pairs", format_args!("regular, {N} bodies, fixed"), span, None);
     pairs
 }
 
@@ -155,14 +152,14 @@ type Frame<B, const N: usize> = fn(&mut B, &[Handle; N], &[Aabb; N]) -> u32;
 /// Some frames after some that put an order right: instructions of one, and a number that tells the pairs.
 #[inline(never)]
 fn frames<const N: usize, B: BroadPhase>(
-    timer: Timer,
+    timer: &Timer,
     world: World,
     mut near: B,
     tag: B::Tag,
     frame: Frame<B, N>,
 ) -> (Span, u32) {
     let mut pairs = 0;
-    let mut span = Span::new();
+    let mut span = Span::EMPTY;
     let Ok(blank) = Aabb::new(Vec2::ZERO, Vec2::ZERO) else { return (span, 0) };
     let mut crowd = Crowd::<N>::new(world, blank);
     let Some(mut handles) = near.insert(&blank, tag).ok().map(|first| [first; N]) else { return (span, 0) };
@@ -211,31 +208,4 @@ fn sum<B: BroadPhase>(near: &mut B) -> u32 {
     let mut sum = 0;
     near.pairs(|pair| sum += ((pair.a.slot() << 12) ^ pair.b.slot()) as u32);
     sum
-}
-
-/// Mean and range.
-struct Span {
-    n: u32,
-    sum: u64,
-    min: u32,
-    max: u32,
-}
-
-impl Span {
-    fn new() -> Self {
-        Self { n: 0, sum: 0, min: u32::MAX, max: 0 }
-    }
-
-    fn add(&mut self, count: u32) {
-        self.n += 1;
-        self.sum += u64::from(count);
-        self.min = self.min.min(count);
-        self.max = self.max.max(count);
-    }
-}
-
-impl fmt::Display for Span {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} ({}..{})", self.sum / u64::from(self.n.max(1)), self.min, self.max)
-    }
 }

@@ -1,13 +1,13 @@
 //! Rows of many random frames in a level of all shapes: not the mean of a few but the far end of all.
 
-use crate::counter::{Counter, elapsed, now};
-use crate::inputs::{Random, UNIT, circle, vec};
-use crate::measure::{CORE, Table};
-use crate::shapes::{Map, SIDE, ball, crate_, level, on, tiles};
-use core::hint::black_box;
-use semihosting::println;
-use tilesat::motion::{Body, Mover};
+use core::mem::MaybeUninit;
+use tilesat::motion::{Body, MoveError, Moved, Mover};
 use tilesat::{Axis, Vec2};
+use tilesat_counts::clock::Short;
+use tilesat_counts::counter::Counter;
+use tilesat_counts::inputs::{Random, UNIT, circle, vec};
+use tilesat_counts::measure::{Query, Table, nothing, sample, tell};
+use tilesat_counts::shapes::{Map, SIDE, ball, crate_, level, on, tiles};
 
 /// How many frames a row is.
 const FRAMES: usize = 4000;
@@ -34,8 +34,8 @@ fn velocity(r: &mut Random, speed: i32) -> Vec2 {
     vec((r.raw(-speed, speed), r.raw(-speed, speed)))
 }
 
-/// The 99.9th percentile in the place of the kernel, the most in the place of the API.
-fn row<B: Body>(counter: &Counter, name: &str, map: &Map, next: impl Fn(&mut Random) -> Option<(B, Vec2)>) {
+/// The 99.9th percentile and the most.
+fn row<B: Body>(counter: &Counter<Short>, name: &str, map: &Map, next: impl Fn(&mut Random) -> Option<(B, Vec2)>) {
     let (mut random, mut largest, mut made) = (Random::new(7), [0; ABOVE], 0);
     while made < FRAMES {
         let Some(frame) = next(&mut random) else { continue };
@@ -48,7 +48,8 @@ fn row<B: Body>(counter: &Counter, name: &str, map: &Map, next: impl Fn(&mut Ran
             }
         }
     }
-    println!("{CORE}|shapes: {name}, 99.9 % of {FRAMES} and most|{}|{}|0", largest[ABOVE - 1], largest[0]);
+    tell("frames", format_args!("{name}, 99.9 % of {FRAMES}"), largest[ABOVE - 1], None);
+    tell("frames", format_args!("{name}, most of {FRAMES}"), largest[0], None);
 }
 
 /// What a block costs whose cell a ball's bounds reach and which it does not meet: between two blocks, less the same beside one. It has a side
@@ -65,7 +66,8 @@ fn missed(table: &mut Table) {
     };
     for (name, x) in [("behind", -UNIT), ("passed", UNIT / 4)] {
         let counts = [&two, &one].map(|map| instructions(&table.counter, map, &(ball, vec((x, 0)))));
-        println!("{CORE}|shapes: a block {name}, one of two|{}|{}|0", counts[0] - counts[1], counts[0]);
+        tell("frames", format_args!("a block {name}, its part"), counts[0] - counts[1], None);
+        tell("frames", format_args!("a block {name}, the frame"), counts[0], None);
     }
 }
 
@@ -78,23 +80,12 @@ fn worst(table: &mut Table) {
         return;
     };
     let count = instructions(&table.counter, &map, &(ball, vec((-2_276_117, 3_544_802))));
-    println!("{CORE}|shapes: circle moves, the worst frame found|{count}|{count}|0");
+    tell("frames", "circle moves, the worst frame found", count, None);
 }
 
 /// Instructions of one call by reference.
-fn instructions<B: Body>(counter: &Counter, map: &Map, frame: &(B, Vec2)) -> u32 {
-    let (from, to) = timed(map, frame, true);
-    let (before, after) = timed(map, frame, false);
-    counter.instructions(elapsed(from, to)) - counter.instructions(elapsed(before, after))
-}
-
-/// The readings around a call, or around none.
-#[inline(never)]
-fn timed<B: Body>(map: &Map, frame: &(B, Vec2), calls: bool) -> (u32, u32) {
-    let (map, frame, calls) = black_box((map, frame, calls));
-    let from = now();
-    if calls {
-        let _ = black_box(Mover::platformer(Axis::NEG_Y).move_and_slide(map, &frame.0, frame.1));
-    }
-    (from, now())
+fn instructions<B: Body>(counter: &Counter<Short>, map: &Map, frame: &(B, Vec2)) -> u32 {
+    let query: Query<(B, Vec2), Map, Result<Moved<B>, MoveError>> =
+        |body, map| MaybeUninit::new(Mover::platformer(Axis::NEG_Y).move_and_slide(map, &body.0, body.1));
+    sample(counter, query, nothing, frame, map).1
 }

@@ -1,13 +1,13 @@
 //! Rows of the pair queries.
 
-use crate::inputs::{
-    Boxes, Random, any_box, any_circle, any_segment, boxes, near_box, near_circles, near_segment, touching_box,
-    touching_circles, touching_segment,
-};
-use crate::measure::{Budget, Query, Table, load};
 use core::mem::MaybeUninit;
 use tilesat::prelude::*;
 use tilesat::{Aabb, Circle, Contact, Fx, Segment, Vec2};
+use tilesat_counts::inputs::{
+    Boxes, Random, any_box, any_circle, any_segment, boxes, near_box, near_circles, near_segment, touching_box,
+    touching_circles, touching_segment,
+};
+use tilesat_counts::measure::{Budget, Query, Table, load};
 
 /// A query as the table wants it.
 macro_rules! query {
@@ -182,7 +182,7 @@ fn contacts(table: &mut Table) {
 }
 
 fn lengths(table: &mut Table) {
-    let point = |r: &mut Random| crate::inputs::vec(r.point());
+    let point = |r: &mut Random| tilesat_counts::inputs::vec(r.point());
     let positive = |d: &Fx| *d >= Fx::ZERO;
     table.row(
         "circle-circle distance",

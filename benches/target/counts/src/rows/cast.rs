@@ -1,11 +1,10 @@
 //! Rows of casts of pairs.
 
-use crate::inputs::{Random, any_box, any_circle, any_segment, vec};
-use crate::measure::{Budget, Query, Table, load};
-use crate::shapes;
 use core::mem::MaybeUninit;
 use tilesat::prelude::*;
-use tilesat::{Aabb, BodyHit, CastHit, Circle, Inside, RangeError, Segment, Vec2};
+use tilesat::{Aabb, CastHit, Circle, Inside, RangeError, Segment, Vec2};
+use tilesat_counts::inputs::{Random, any_box, any_circle, any_segment, vec};
+use tilesat_counts::measure::{Budget, Query, Table, load};
 
 /// A shape and its motion, as the operands are loaded.
 pub struct Moving<S> {
@@ -89,28 +88,6 @@ pub fn rows(table: &mut Table) {
     );
     exact(table);
     rays(table);
-    levels(table);
-}
-
-/// A ball of 10 units through the level of all shapes.
-fn levels(table: &mut Table) {
-    let Some(map) = shapes::level() else {
-        table.wrong += 1;
-        return;
-    };
-    type Found = Result<Option<BodyHit<Circle>>, RangeError>;
-    let cast: Query<Moving<Circle>, shapes::Map, Found> =
-        |a, map| MaybeUninit::new(map.cast_shape(&a.shape, a.by, Inside::Ignore));
-    for (name, reach) in
-        [("shapes: circle cast_shape, up to 30 units", 30), ("shapes: circle cast_shape, up to 300 units", 300)]
-    {
-        let next = |r: &mut Random| {
-            let shape = shapes::ball(r).filter(|c| !map.overlaps(c))?;
-            let by = vec((r.raw(-reach, reach), r.raw(-reach, reach)));
-            Some((Moving { shape, by }, map))
-        };
-        table.row(name, None, cast, |_, _| load::<_, _, _, 5, 0>, next, Result::is_ok);
-    }
 }
 
 fn exact(table: &mut Table) {

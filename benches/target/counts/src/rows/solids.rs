@@ -1,28 +1,10 @@
 //! Rows of moving solids: four platforms in a room of blocks, one of them under the body or beside it.
-//!
-//! A firmware of its own: with it the other rows would not fit the flash of the emulated Cortex-M0.
-
-#![no_std]
-#![no_main]
-
-#[path = "../counter.rs"]
-#[expect(dead_code, reason = "the other firmware tests the counter")]
-mod counter;
-#[path = "../inputs.rs"]
-#[expect(dead_code, reason = "the other firmware's classes of inputs")]
-mod inputs;
-#[path = "../measure.rs"]
-mod measure;
-#[path = "../stack.rs"]
-mod stack;
 
 use core::mem::MaybeUninit;
-use cortex_m_rt::{ExceptionFrame, entry, exception};
-use inputs::{Random, circle, vec};
-use measure::{Query, Table, load};
-use semihosting::{eprintln, process};
 use tilesat::motion::{Body, MoveError, Mover, Ridden, Ride};
 use tilesat::{Aabb, Axis, Circle, Fx, Joined, Moved, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
+use tilesat_counts::inputs::{Random, circle, vec};
+use tilesat_counts::measure::{Query, Table, load};
 
 const SIDE: usize = 32;
 
@@ -42,21 +24,7 @@ static TILES: [u8; SIDE * SIDE] = {
 
 type Scene = (TileMap<'static>, [Solid; 4]);
 
-#[entry]
-fn main() -> ! {
-    let mut table = Table::new(counter::Counter::start());
-    rows(&mut table);
-    process::exit(i32::from(table.wrong != 0))
-}
-
-/// The default handler loops for ever; a fault must end the run.
-#[exception]
-unsafe fn HardFault(frame: &ExceptionFrame) -> ! {
-    eprintln!("hard fault at {:#010x}", frame.pc());
-    process::exit(70)
-}
-
-fn rows(table: &mut Table) {
+pub fn rows(table: &mut Table) {
     let Ok(map) = TileMap::new(&TILES, SIDE as u16, SIDE as u16, &KINDS) else {
         table.wrong += 1;
         return;

@@ -1,10 +1,10 @@
 //! Rows of motion in levels of blocks: a quarter of the cells are full, at random, in a closed room; and a body at rest.
 
-use crate::inputs::{Random, UNIT, circle, vec};
-use crate::measure::{Query, Table, load};
 use core::mem::MaybeUninit;
 use tilesat::motion::{Body, MoveError, Moved, Mover};
 use tilesat::{Aabb, Axis, Circle, Fx, Grid, Outside, TileKind, TileKinds, TileMap, Vec2};
+use tilesat_counts::inputs::{Random, UNIT, circle, vec};
+use tilesat_counts::measure::{Query, Table, load};
 
 const SIDE: usize = 32;
 const CELL: i32 = 24;

@@ -1,7 +1,7 @@
 //! A crowd in a walled world: bodies of 6 to 24 units that move by at most 2 units a frame and turn round at the walls.
 
-use crate::inputs::{Random, UNIT};
 use tilesat::{Aabb, Vec2};
+use tilesat_counts::inputs::{Random, UNIT};
 
 /// Where the bodies are.
 #[derive(Clone, Copy, PartialEq, Eq)]

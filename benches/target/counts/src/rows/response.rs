@@ -1,12 +1,11 @@
 //! Rows of the response toolkit.
 
-use crate::inputs::{Random, UNIT, circle, near_circles, vec};
-use crate::measure::{Query, Table, load};
 use core::mem::MaybeUninit;
 use tilesat::motion::response::{Split, Stick, exchange, separate, split};
 use tilesat::prelude::*;
 use tilesat::{Acceleration, Axis, Carry, Circle, Contact, Fx, Masses, RangeError, Ratio, Speed, Surface, Vec2};
-use tilesat::{MoveError, Moved, Mover, TileKind, TileKinds, TileMap};
+use tilesat_counts::inputs::{Random, UNIT, near_circles, vec};
+use tilesat_counts::measure::{Query, Table, load};
 
 type Reply = Result<Vec2, RangeError>;
 type Pair = (Vec2, Vec2);
@@ -15,42 +14,6 @@ pub fn rows(table: &mut Table) {
     replies(table);
     pairs(table);
     points(table);
-    movers(table);
-}
-
-static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
-/// A floor under four empty rows.
-static TILES: [u8; 20 * 5] = {
-    let mut tiles = [0; 20 * 5];
-    let mut x = 0;
-    while x < 20 {
-        tiles[80 + x] = 1;
-        x += 1;
-    }
-    tiles
-};
-
-/// The same step without and with friction.
-fn movers(table: &mut Table) {
-    type Step = Query<(Circle, Vec2), TileMap<'static>, Result<Moved<Circle>, MoveError>>;
-    let Ok(map) = TileMap::new(&TILES, 20, 5, &KINDS) else {
-        table.wrong += 1;
-        return;
-    };
-    let smooth: Step =
-        |body, map| MaybeUninit::new(Mover::platformer(Axis::NEG_Y).move_and_slide(map, &body.0, body.1));
-    let rough: Step = |body, map| {
-        let mover = Mover::platformer(Axis::NEG_Y).with_surface(RUBBER);
-        MaybeUninit::new(mover.move_and_slide(map, &body.0, body.1))
-    };
-    let loads = |_: &(Circle, Vec2), _: &TileMap<'static>| -> Step { load::<_, _, _, 5, 0> };
-    let floor = move |r: &mut Random| {
-        let body = circle((r.raw(40, 240), 58 * UNIT), 6 * UNIT)?;
-        Some(((body, vec((UNIT * 337 / 100, UNIT / 4))), map))
-    };
-    let ok = |moved: &Result<Moved<Circle>, MoveError>| moved.as_ref().is_ok_and(|m| m.floor);
-    table.row("circle slides on a floor, no friction", None, smooth, loads, floor, ok);
-    table.row("circle slides on a floor, friction", None, rough, loads, floor, ok);
 }
 
 /// A velocity of up to 8 units a frame that moves into a surface, and the normal of that: from centre to centre of two circles.

@@ -1,0 +1,116 @@
+//! What an emulated core tells of the instructions that it has run.
+//!
+//! Under `-icount shift=10` one instruction takes 1024 ns of virtual time. On Cortex-M timers run off that time: SysTick at 12.5 to
+//! 25 MHz, so it moves by 12.8 to 25.6 ticks an instruction. A RISC-V core counts retired instructions itself.
+
+/// A count that goes up or down by so much an instruction.
+pub trait Clock {
+    /// The bits that it has.
+    const MASK: u32;
+    /// Makes it run.
+    fn start();
+    /// Its count.
+    fn now() -> u32;
+    /// Ticks between two readings less than its bits apart.
+    fn elapsed(from: u32, to: u32) -> u32;
+}
+
+#[cfg(target_arch = "arm")]
+pub use arm::{Board as Long, SysTick as Short};
+#[cfg(target_arch = "riscv32")]
+pub use riscv::{Retired as Long, Retired as Short};
+
+#[cfg(target_arch = "arm")]
+mod arm {
+    use super::Clock;
+
+    /// Every Cortex-M has it; 24 bits are 650 000 instructions or more.
+    pub struct SysTick;
+
+    const CONTROL: *mut u32 = 0xE000_E010 as *mut u32;
+    const RELOAD: *mut u32 = 0xE000_E014 as *mut u32;
+    const CURRENT: *mut u32 = 0xE000_E018 as *mut u32;
+
+    impl Clock for SysTick {
+        const MASK: u32 = 0x00ff_ffff;
+
+        fn start() {
+            // SAFETY: the only user of SysTick; no interrupt is enabled.
+            unsafe {
+                RELOAD.write_volatile(Self::MASK);
+                CURRENT.write_volatile(0);
+                CONTROL.write_volatile(0b101);
+            }
+        }
+
+        #[inline(always)]
+        fn now() -> u32 {
+            // SAFETY: SysTick's current value register exists on every Cortex-M board used here; reading it has no effect.
+            unsafe { CURRENT.read_volatile() }
+        }
+
+        #[inline(always)]
+        fn elapsed(from: u32, to: u32) -> u32 {
+            from.wrapping_sub(to) & Self::MASK
+        }
+    }
+
+    /// A timer of the boards mps2-an385 and mps2-an386, with 32 bits: 160 million instructions.
+    pub struct Board;
+
+    const BOARD_CONTROL: *mut u32 = 0x4000_0000 as *mut u32;
+    const BOARD_VALUE: *mut u32 = 0x4000_0004 as *mut u32;
+    const BOARD_RELOAD: *mut u32 = 0x4000_0008 as *mut u32;
+
+    impl Clock for Board {
+        const MASK: u32 = u32::MAX;
+
+        fn start() {
+            // SAFETY: the only user of this timer; its interrupt stays off.
+            unsafe {
+                BOARD_RELOAD.write_volatile(u32::MAX);
+                BOARD_VALUE.write_volatile(u32::MAX);
+                BOARD_CONTROL.write_volatile(1);
+            }
+        }
+
+        #[inline(always)]
+        fn now() -> u32 {
+            // SAFETY: the board has this register; reading it has no effect.
+            unsafe { BOARD_VALUE.read_volatile() }
+        }
+
+        #[inline(always)]
+        fn elapsed(from: u32, to: u32) -> u32 {
+            from.wrapping_sub(to)
+        }
+    }
+}
+
+#[cfg(target_arch = "riscv32")]
+mod riscv {
+    use super::Clock;
+    use core::arch::asm;
+
+    /// The lower half of `minstret`.
+    pub struct Retired;
+
+    impl Clock for Retired {
+        const MASK: u32 = u32::MAX;
+
+        fn start() {}
+
+        #[inline(always)]
+        fn now() -> u32 {
+            let count: u32;
+            // SAFETY: firmware runs in machine mode, where this register can be read; reading it has no effect.
+            unsafe { asm!("csrr {0}, minstret", out(reg) count) };
+            count
+        }
+
+        #[inline(always)]
+        fn elapsed(from: u32, to: u32) -> u32 {
+            to.wrapping_sub(from)
+        }
+    }
+}
