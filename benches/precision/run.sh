@@ -1,0 +1,124 @@
+#!/usr/bin/env bash
+# Measures run time against error, beside textbook code and other libraries, and writes the results: results.csv, from it plots/*.svg,
+# results.md and readme-table.md.
+#
+#   run.sh                 all: judge, time, count on the host and on microcontrollers, weigh, show (half an hour)
+#   run.sh --quick         judge, count and show with few inputs, into target/precision: nothing in the repository is written
+#   run.sh --only STEP     one step of: judge count micro flash show; adds to what is there
+#   run.sh --soak N        asks each pair of shapes N times around touches; goes on where it ended (target/precision/soak.txt)
+#
+# Needs a C compiler (Box2D, Chipmunk2D), valgrind (count) and the emulator of .ci/get-emulators.sh (micro).
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+cd "$here"
+root=$here/../..
+target=${CARGO_TARGET_DIR:-$root/target}
+mkdir -p "$target/precision"
+target=$(cd "$target" && pwd)
+export CARGO_TARGET_DIR=$target
+work=$target/precision
+
+# Chipmunk2D 7.0.0 includes a header that C libraries no longer have; both C libraries are built as for a release.
+export CFLAGS="-I$here/compat -DNDEBUG ${CFLAGS:-}"
+
+out=$here/results.csv quick='' steps='judge count micro flash show' soak=''
+while (($#)); do
+    case $1 in
+    --quick)
+        quick=--quick steps='judge count show'
+        out=$work/results.csv
+        rm -f "$out"
+        ;;
+    --only)
+        steps=${2:?--only needs the name of a step}
+        shift
+        ;;
+    --soak)
+        soak=${2:?--soak needs a number of queries}
+        shift
+        ;;
+    *)
+        sed -n '2,12s/^# \{0,1\}//p' "$here/run.sh" >&2
+        exit 2
+        ;;
+    esac
+    shift
+done
+
+cargo build --quiet --release --package tilesat-precision
+bench=$target/release/tilesat-precision
+
+if [[ -n $soak ]]; then
+    exec "$bench" soak "$soak" --state "$work/soak.txt" --out "$out"
+fi
+
+judge() {
+    "$bench" measure $quick --out "$out"
+}
+
+count() {
+    command -v valgrind >/dev/null || { echo 'run.sh: no valgrind, no instructions of the host' >&2; return; }
+    "$bench" count $quick --out "$out"
+}
+
+cores=(m0:thumbv6m-none-eabi m4f:thumbv7em-none-eabihf)
+
+micro() {
+    export PRECISION_INPUTS=$work/inputs.bin
+    "$bench" inputs "$PRECISION_INPUTS"
+    local core
+    for core in "${cores[@]}"; do
+        echo "instructions on ${core%:*}" >&2
+        QEMU_SECONDS=1200 cargo run --quiet --release --package tilesat-precision-counts --target "${core#*:}" >"$work/${core%:*}.txt"
+        "$bench" add "${core%:*}" "$work/${core%:*}.txt" --out "$out"
+    done
+}
+
+# Each query is linked alone out of one library: what the linker keeps is what it pulls in.
+flash() {
+    local core library tools elf names name
+    tools=$(rustc --print sysroot)/lib/rustlib/$(rustc -vV | sed -n 's/^host: //p')/bin
+    elf=$work/one.elf
+    for core in "${cores[@]}"; do
+        echo "bytes on ${core%:*}" >&2
+        # Without the flags of the firmware, which lay out a board.
+        RUSTFLAGS='' cargo build --quiet --profile flash --package tilesat-precision-flash --target "${core#*:}"
+        library=$target/${core#*:}/flash/libtilesat_precision_flash.a
+        mapfile -t names < <("$tools/llvm-nm" --format=just-symbols --extern-only --defined-only "$library" 2>/dev/null | grep -E '^[A-Za-z-]+\|.*\|')
+        for name in "${names[@]}"; do
+            "$tools/rust-lld" -flavor gnu --gc-sections --entry "$name" "$library" -o "$elf"
+            echo "$name|$("$tools/llvm-size" "$elf" | awk 'NR == 2 { print $1 + $2 }')"
+        done >"$work/flash-${core%:*}.txt"
+        "$bench" add "flash_${core%:*}" "$work/flash-${core%:*}.txt" --out "$out"
+    done
+}
+
+# The machine and the versions of what was used, for the page.
+machine() {
+    local version
+    version() { awk -v name="\"$1\"" '$1 == "name" && $3 == name { getline; gsub(/"/, "", $3); print $3; exit }' Cargo.lock; }
+    echo "| | |"
+    echo "|---|---|"
+    echo "| machine | $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores |"
+    echo "| Rust | $(rustc --version), opt-level 3, fat LTO, one codegen unit, no target-cpu |"
+    echo "| C | $(cc --version | head -n 1), as its packages build it, -DNDEBUG |"
+    echo "| floats on microcontrollers | roots are libm's in textbook f32 and in parry2d, on the core with an FPU too |"
+    echo "| counts | $(valgrind --version 2>/dev/null || echo none); QEMU with one instruction a tick |"
+    echo "| parry2d, parry2d-f64 | $(version parry2d), $(version parry2d-f64) |"
+    echo "| ncollide2d over simba's I16F16 | $(version ncollide2d), $(version simba); circles only, within 127 px: beyond, its squares overflow, and the root that its other pairs need may not end |"
+    echo "| Box2D | of boxdd-sys $(version boxdd-sys) (C, f32) |"
+    echo "| Chipmunk2D | 7.0.0, of chipmunk-sys $(version chipmunk-sys) (C, f64) |"
+    echo "| cute_c2 | not here: no package of the registry carries it |"
+    echo "| rapier2d | not here: its pairs are parry2d's |"
+    echo "| tilesat without filters | no path of the library: \`exact (no filters)\` is this benchmark's own integer code |"
+}
+
+show() {
+    machine >"$(dirname "$out")/machine.md"
+    "$bench" show --out "$out"
+}
+
+for step in $steps; do
+    "$step"
+done

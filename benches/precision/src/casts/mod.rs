@@ -1,0 +1,85 @@
+//! The workload of casts: three kinds, four classes.
+
+pub mod backends;
+pub mod classes;
+pub mod truth;
+
+use crate::callgrind;
+use crate::job::Job;
+use crate::oracle::figure::Kind;
+use crate::pairs;
+use crate::record::Row;
+use crate::run::{Sizes, fastest};
+use classes::{CLASSES, KINDS};
+use truth::{Answer, Truth, judge};
+
+pub fn name(kinds: (Kind, Kind)) -> String {
+    format!("cast: {}", pairs::name(kinds))
+}
+
+/// What is wrong, and how long it takes.
+pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
+    for kinds in KINDS {
+        let list = backends::all(kinds);
+        for class in CLASSES {
+            let cases = class.cases(kinds, sizes.casts);
+            eprintln!("{}, {}: {} casts", name(kinds), class.name(), cases.len());
+            let truths: Vec<Truth> = cases.iter().map(Truth::new).collect();
+            let from = rows.len();
+            let mut jobs: Vec<Box<dyn Job<Answer>>> = Vec::new();
+            for backend in &list.0 {
+                let mut row = Row::new(&name(kinds), class.name(), backend.name, backend.asked);
+                judge(&mut row, &truths, &(backend.make)(&cases).answers(), backend.format);
+                jobs.push((backend.make)(&cases[..sizes.timed]));
+                rows.push(row);
+            }
+            for (row, ns) in rows[from..].iter_mut().zip(fastest(&mut jobs, sizes)) {
+                row.set("ns", ns);
+            }
+        }
+    }
+}
+
+/// How many instructions it takes; under callgrind.
+pub fn count(sizes: &Sizes) {
+    for kinds in KINDS {
+        let list = backends::all(kinds);
+        for class in CLASSES {
+            let cases = class.cases(kinds, sizes.counted);
+            for backend in &list.0 {
+                let mut job = (backend.make)(&cases);
+                let label =
+                    [&name(kinds), class.name(), backend.name, backend.asked, &cases.len().to_string()].join("|");
+                callgrind::instrumented(|| callgrind::count(&label, || job.pass()));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::oracle::measure::Measure;
+    use crate::peers::ours::{Shape, vec2};
+    use tilesat::prelude::*;
+    use tilesat::{Aabb, Circle, Inside};
+
+    fn ends_apart<A: Shape + CastShape<B>, B: Shape>(kinds: (Kind, Kind)) {
+        for class in CLASSES {
+            for case in class.cases(kinds, 2_000) {
+                let (a, b) = (A::of(&case.a), B::of(&case.b));
+                let Some(hit) = a.cast_shape(&b, vec2(case.d), Inside::Hit).expect("in the domain") else { continue };
+                let (x, y) = hit.displacement.raw();
+                let moved = case.a.moved((x.into(), y.into()));
+                assert!(!Measure::new(&moved, &case.b).overlaps(), "{class:?} {case:?} ends inside");
+            }
+        }
+    }
+
+    #[test]
+    fn ours_ends_apart() {
+        ends_apart::<Circle, Circle>(KINDS[0]);
+        ends_apart::<Circle, Aabb>(KINDS[1]);
+        ends_apart::<Aabb, Aabb>(KINDS[2]);
+    }
+}

@@ -1,0 +1,204 @@
+//! What the library is meant to reach, and where it does not.
+
+use crate::record::Row;
+use crate::show::workloads;
+use crate::tables::{first_asked, is_library, short, usual_class};
+use std::fmt::Write;
+
+/// One goal: how many rows it is about, and those that miss it.
+struct Goal {
+    text: &'static str,
+    rows: usize,
+    missed: Vec<String>,
+}
+
+/// The library's rows that answer a question.
+fn ours<'a>(rows: &'a [Row], asked: &'a str) -> impl Iterator<Item = &'a Row> {
+    rows.iter().filter(move |r| r.backend() == "tilesat" && r.asked() == asked)
+}
+
+/// The least cost among rows of the same workload and class.
+fn least<'a>(rows: &'a [Row], row: &Row, column: &str, of: impl Fn(&Row) -> bool) -> Option<(&'a Row, f64)> {
+    let same = rows.iter().filter(|r| r.workload() == row.workload() && r.class() == row.class() && of(r));
+    same.filter_map(|r| Some((r, r.get(column)?))).min_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// At most `factor` times what the best of others take.
+fn at_most(
+    rows: &[Row],
+    text: &'static str,
+    (column, factor): (&str, f64),
+    own: impl Iterator<Item = Row>,
+    others: impl Fn(&Row, &Row) -> bool,
+) -> Goal {
+    let mut goal = Goal { text, rows: 0, missed: Vec::new() };
+    for row in own {
+        let Some(cost) = row.get(column) else { continue };
+        let Some((best, other)) = least(rows, &row, column, |r| others(&row, r)) else { continue };
+        goal.rows += 1;
+        if cost > other * factor {
+            goal.missed.push(format!(
+                "{}, {}, {}: {} against {} of {}: {}",
+                row.workload(),
+                row.class(),
+                row.asked(),
+                short(cost),
+                short(other),
+                best.backend(),
+                best.asked()
+            ));
+        }
+    }
+    goal
+}
+
+/// Yes or no, rays and casts: the first question of each workload. A library's contact says yes or no as well.
+fn first(rows: &[Row]) -> impl Iterator<Item = Row> {
+    rows.iter().filter(|r| r.backend() == "tilesat" && r.asked() == first_asked(r.workload())).cloned()
+}
+
+/// Yes or no, and contacts with depth and normal.
+fn both(rows: &[Row]) -> impl Iterator<Item = Row> {
+    ours(rows, "overlaps").chain(ours(rows, "contact")).cloned()
+}
+
+fn goals(rows: &[Row]) -> Vec<Goal> {
+    let library = |_: &Row, r: &Row| is_library(r.backend());
+    let contact = |_: &Row, r: &Row| is_library(r.backend()) && r.asked() == "contact";
+    let f32_too = |own: &Row, r: &Row| r.backend() == "textbook f32" && r.asked() == own.asked();
+    let parry = |_: &Row, r: &Row| r.backend().starts_with("parry2d");
+    let usual = |r: &Row| r.class() == usual_class(r.workload());
+    let sums = ["wrong", "late"].map(|column| {
+        let own = rows.iter().filter(|r| r.backend() == "tilesat" && r.get(column).is_some());
+        let bad = own.clone().filter(|r| r.get(column) > Some(0.0));
+        let told = |r: &Row| format!("{}, {}: {}", r.workload(), r.class(), short(r.get(column).unwrap_or(0.0)));
+        let text = if column == "wrong" { "0 wrong answers" } else { "0 late times of impact" };
+        Goal { text, rows: own.count(), missed: bad.map(told).collect() }
+    });
+    let mut soak = Goal { text: "0 wrong of 10^9 adversarial queries a pair", rows: 0, missed: Vec::new() };
+    for row in ours(rows, "overlaps").filter(|r| r.class() == "soak") {
+        soak.rows += 1;
+        let (n, wrong) = (row.get("queries").unwrap_or(0.0), row.get("wrong").unwrap_or(0.0));
+        if n < 1e9 || wrong > 0.0 {
+            soak.missed.push(format!("{}: {wrong} wrong of {n:.2e}", row.workload()));
+        }
+    }
+    let [wrong, late] = sums;
+    let contacts = || ours(rows, "contact").cloned();
+    vec![
+        wrong,
+        late,
+        soak,
+        at_most(
+            rows,
+            "at most the instructions of the fastest library: yes or no, rays, casts",
+            ("host", 1.0),
+            first(rows),
+            library,
+        ),
+        at_most(rows, "at most its ns: yes or no, rays, casts", ("ns", 1.0), first(rows), library),
+        at_most(
+            rows,
+            "at most the instructions of the fastest library: contacts with depth and normal",
+            ("host", 1.0),
+            contacts(),
+            contact,
+        ),
+        at_most(
+            rows,
+            "at most the ns of the fastest library: contacts with depth and normal",
+            ("ns", 1.0),
+            contacts(),
+            contact,
+        ),
+        at_most(
+            rows,
+            "at most 1.25 times the instructions of textbook f32, half of the pairs hit",
+            ("host", 1.25),
+            ours(rows, "overlaps").filter(|r| usual(r)).cloned(),
+            f32_too,
+        ),
+        at_most(
+            rows,
+            "at most the instructions of a plain integer walk: rays",
+            ("host", 1.0),
+            ours(rows, "ray").cloned(),
+            |_, r| r.backend() == "plain integer DDA",
+        ),
+        at_most(
+            rows,
+            "a sixth of parry2d's instructions on Cortex-M0: hits, yes or no",
+            ("m0_hit", 1.0 / 6.0),
+            ours(rows, "overlaps").cloned(),
+            parry,
+        ),
+        at_most(
+            rows,
+            "a twentieth of parry2d's instructions on Cortex-M0: misses, yes or no",
+            ("m0_miss", 1.0 / 20.0),
+            ours(rows, "overlaps").cloned(),
+            parry,
+        ),
+        at_most(
+            rows,
+            "a sixth of parry2d's instructions on Cortex-M0: hits, contacts",
+            ("m0_hit", 1.0 / 6.0),
+            contacts(),
+            move |_, r| r.backend().starts_with("parry2d") && r.asked() == "contact",
+        ),
+        at_most(
+            rows,
+            "at most the instructions of textbook f32 on Cortex-M0: yes or no, contacts",
+            ("m0", 1.0),
+            both(rows),
+            f32_too,
+        ),
+        at_most(
+            rows,
+            "at most the instructions of textbook f32 on Cortex-M4F: yes or no, contacts",
+            ("m4f", 1.0),
+            both(rows),
+            f32_too,
+        ),
+    ]
+}
+
+/// The part of the page that says where we lose.
+pub fn page(rows: &[Row]) -> String {
+    let mut out = String::from("\n## Goals, and where they are missed\n");
+    for goal in goals(rows) {
+        if goal.rows == 0 {
+            let _ = writeln!(out, "\n- **not measured**: {}", goal.text);
+            continue;
+        }
+        let met = goal.rows - goal.missed.len();
+        let mark = if goal.missed.is_empty() { "met" } else { "MISSED" };
+        let _ = writeln!(out, "\n- **{mark}** ({met} of {}): {}", goal.rows, goal.text);
+        for line in &goal.missed {
+            let _ = writeln!(out, "  - {line}");
+        }
+    }
+    let count = workloads(rows).len();
+    let _ = writeln!(out, "\n{count} workloads, {} rows.", rows.len());
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(backend: &str, host: f64, wrong: f64) -> Row {
+        let mut row = Row::new("circle-circle", "uniform 50 % hits", backend, "overlaps");
+        row.set("queries", 10.0).set("host", host).set("wrong", wrong);
+        row
+    }
+
+    #[test]
+    fn a_goal_is_missed_where_others_are_faster_or_an_answer_is_wrong() {
+        let met = page(&[row("tilesat", 20.0, 0.0), row("Box2D", 20.0, 3.0), row("textbook f32", 16.0, 1.0)]);
+        assert!(!met.contains("MISSED"), "{met}");
+        let missed = page(&[row("tilesat", 21.0, 1.0), row("Box2D", 20.0, 0.0), row("textbook f32", 16.0, 1.0)]);
+        assert_eq!(missed.matches("MISSED").count(), 3, "{missed}");
+        assert!(missed.contains("21.0 against 20.0 of Box2D: overlaps"), "{missed}");
+    }
+}

@@ -1,0 +1,170 @@
+//! Run time against error: tilesat beside textbook code and other libraries, all on the same inputs.
+//!
+//! `run.sh` does it all. The parts: what is judged and timed (`measure`), instructions on the host (`count`), then from the results' CSV
+//! alone pictures and pages (`show`). `soak` asks one pair of shapes for hours.
+//!
+//! How to read it:
+//! - Every answer is held against exact integers of 256 bits, which a test holds equal to big rationals. They share no code with the library.
+//! - A backend is wrong by the convention that suits it better over a class: touching is overlapping, or it is not. tilesat's is the strict one.
+//! - Lengths are raw integers, 65 536 a pixel. A float gets the nearest value to each, so an f32 loses digits far from the origin, as in a game.
+//! - A query's cost is that of one call from a loop: operands in memory, the whole answer stored. Libraries differ in what they return.
+
+mod callgrind;
+mod casts;
+mod goals;
+mod job;
+mod micro;
+#[path = "../../../tests/oracle/mod.rs"]
+mod oracle;
+mod pairs;
+mod peers;
+mod plot;
+#[cfg(test)]
+#[allow(dead_code, reason = "the judge of the judge answers more than is asked here")]
+#[path = "../../../tests/oracle/rational.rs"]
+mod rational;
+mod rays;
+mod record;
+mod run;
+mod show;
+mod soak;
+mod tables;
+
+use record::Row;
+use run::Sizes;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+const USAGE: &str = "tilesat-precision COMMAND [--quick] [--out FILE]
+  measure          judges and times, and writes the rows
+  count            counts instructions under callgrind, and adds them to the rows
+  inputs FILE      writes the inputs that microcontrollers get
+  add CORE FILE    adds what a microcontroller printed (m0, m4f) or a linker (flash_m0, flash_m4f)
+  soak N [--state FILE]
+                   asks until each pair of shapes had N queries, and goes on where it ended
+  show             writes the pictures and pages of the rows";
+
+struct Options {
+    quick: bool,
+    out: PathBuf,
+    state: PathBuf,
+}
+
+fn main() -> ExitCode {
+    let mut arguments = std::env::args().skip(1);
+    let command = arguments.next().unwrap_or_default();
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut words: Vec<String> = Vec::new();
+    let mut options = Options { quick: false, out: own.join("results.csv"), state: "soak.txt".into() };
+    while let Some(argument) = arguments.next() {
+        match argument.as_str() {
+            "--quick" => options.quick = true,
+            "--out" => match arguments.next() {
+                Some(file) => options.out = file.into(),
+                None => return usage(),
+            },
+            "--state" => match arguments.next() {
+                Some(file) => options.state = file.into(),
+                None => return usage(),
+            },
+            word if word.starts_with('-') => return usage(),
+            word => words.push(word.to_owned()),
+        }
+    }
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let done = match (command.as_str(), &words[..]) {
+        ("measure", []) => measure(&options),
+        ("count", []) => count(&options),
+        ("count-inside", []) => {
+            count_inside(&sizes(&options));
+            Ok(())
+        }
+        ("inputs", [file]) => std::fs::write(file, micro::inputs()).map_err(|e| format!("{file}: {e}")),
+        ("add", [core, file]) => add(&options, core, Path::new(file)),
+        ("soak", [n]) => match n.parse() {
+            Ok(n) => soak::run(n, &options.state).and_then(|rows| join(&options, rows)),
+            Err(_) => return usage(),
+        },
+        ("show", []) => show::all(&options.out),
+        _ => return usage(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(text) => {
+            eprintln!("{text}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn usage() -> ExitCode {
+    eprintln!("{USAGE}");
+    ExitCode::from(2)
+}
+
+fn sizes(options: &Options) -> Sizes {
+    if options.quick { Sizes::QUICK } else { Sizes::FULL }
+}
+
+pub fn read_rows(file: &Path) -> Result<Vec<Row>, String> {
+    if !file.exists() {
+        return Ok(Vec::new());
+    }
+    let text = std::fs::read_to_string(file).map_err(|e| format!("{}: {e}", file.display()))?;
+    record::from_csv(&text).map_err(|e| format!("{}: {e}", file.display()))
+}
+
+pub fn write(file: &Path, text: &str) -> Result<(), String> {
+    std::fs::write(file, text).map_err(|e| format!("{}: {e}", file.display()))?;
+    eprintln!("written: {}", file.display());
+    Ok(())
+}
+
+/// Rows join those of the file, which is written again.
+fn join(options: &Options, rows: impl IntoIterator<Item = Row>) -> Result<(), String> {
+    let all = record::join(read_rows(&options.out)?.into_iter().chain(rows));
+    write(&options.out, &record::to_csv(&all))
+}
+
+fn add(options: &Options, core: &str, file: &Path) -> Result<(), String> {
+    let printed = std::fs::read_to_string(file).map_err(|e| format!("{}: {e}", file.display()))?;
+    join(options, micro::counts(core, &printed)?)
+}
+
+fn measure(options: &Options) -> Result<(), String> {
+    let mut rows = Vec::new();
+    pairs::measure(&sizes(options), &mut rows);
+    rays::measure(&sizes(options), &mut rows);
+    casts::measure(&sizes(options), &mut rows);
+    join(options, rows)
+}
+
+fn count_inside(sizes: &Sizes) {
+    pairs::count(sizes);
+    rays::count(sizes);
+    casts::count(sizes);
+}
+
+/// Runs `count-inside` under callgrind, and adds what it counted.
+fn count(options: &Options) -> Result<(), String> {
+    let dumps = options.out.with_extension("callgrind");
+    let mut arguments = vec!["count-inside".to_owned()];
+    arguments.extend(options.quick.then(|| "--quick".to_owned()));
+    let status = callgrind::run(&arguments, &dumps).map_err(|e| format!("valgrind: {e}"))?;
+    if !status.success() {
+        return Err(format!("valgrind: {status}"));
+    }
+    let text = std::fs::read_to_string(&dumps).map_err(|e| format!("{}: {e}", dumps.display()))?;
+    std::fs::remove_file(&dumps).map_err(|e| format!("{}: {e}", dumps.display()))?;
+    let counts = callgrind::read(&text);
+    if counts.is_empty() {
+        return Err("callgrind counted nothing".into());
+    }
+    let rows = counts.iter().map(|(label, n)| {
+        let key: Vec<&str> = label.split('|').collect();
+        let mut row = Row::new(key[0], key[1], key[2], key[3]);
+        row.set("host", *n as f64 / key[4].parse::<f64>().unwrap_or(f64::NAN));
+        row
+    });
+    join(options, rows)
+}

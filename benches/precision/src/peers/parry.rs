@@ -1,0 +1,190 @@
+//! parry2d, in both precisions: by its general queries, as its users do, and by the special functions beneath them.
+
+/// What both precisions share: the modules below differ in the crate and its number.
+macro_rules! parry {
+    ($module:ident, $parry:ident, $real:ty, $format:ident, $general:literal, $direct:literal) => {
+        pub mod $module {
+            use crate::job::{Format, List};
+            use crate::oracle::figure::{Figure, Kind};
+            use crate::pairs::classes::Pair;
+            use crate::pairs::truth::Answer;
+            use $parry::bounding_volume::{Aabb, BoundingVolume};
+            use $parry::math::{Pose, Real, Vector};
+            use $parry::query::{self, Contact, ShapeIntersection, details};
+            use $parry::shape::{Ball, Cuboid, Segment, Shape};
+            use $parry::utils::segments_intersection2d;
+
+            pub const FORMAT: Format = Format::$format;
+
+            pub fn length(raw: f64) -> Real {
+                (raw / 65536.0) as $real
+            }
+
+            pub fn vector((x, y): (i64, i64)) -> Vector {
+                Vector::new(length(x as f64), length(y as f64))
+            }
+
+            /// A shape with its place: of balls and boxes the middle, of segments, which are walls, the origin.
+            pub trait Placed: Shape + Sized {
+                fn of(figure: &Figure) -> (Pose, Self);
+            }
+
+            fn at(p: Vector) -> Pose {
+                Pose::translation(p.x, p.y)
+            }
+
+            impl Placed for Ball {
+                fn of(figure: &Figure) -> (Pose, Self) {
+                    let Figure::Circle { centre, radius } = *figure else { panic!("{figure:?} is no circle") };
+                    (at(vector(centre)), Self::new(length(radius as f64)))
+                }
+            }
+
+            impl Placed for Cuboid {
+                fn of(figure: &Figure) -> (Pose, Self) {
+                    let Figure::Aabb { min, max } = *figure else { panic!("{figure:?} is no box") };
+                    let middle = |a: i64, b: i64| length((a + b) as f64 / 2.0);
+                    let half = |a: i64, b: i64| length((b - a) as f64 / 2.0);
+                    (
+                        at(Vector::new(middle(min.0, max.0), middle(min.1, max.1))),
+                        Self::new(Vector::new(half(min.0, max.0), half(min.1, max.1))),
+                    )
+                }
+            }
+
+            impl Placed for Segment {
+                fn of(figure: &Figure) -> (Pose, Self) {
+                    let Figure::Segment { a, b } = *figure else { panic!("{figure:?} is no segment") };
+                    (Pose::identity(), Self::new(vector(a), vector(b)))
+                }
+            }
+
+            fn aabb(figure: &Figure) -> Aabb {
+                let Figure::Aabb { min, max } = *figure else { panic!("{figure:?} is no box") };
+                Aabb::new(vector(min), vector(max))
+            }
+
+            fn of_contact(c: &Option<Contact>) -> Answer {
+                Answer { hit: c.is_some(), depth: c.map(|c| -f64::from(c.dist)) }
+            }
+
+            fn of_yes(yes: &bool) -> Answer {
+                Answer { hit: *yes, depth: None }
+            }
+
+            type Placement<T> = (Pose, T);
+
+            fn shapes<A: Placed, B: Placed>((a, b): &Pair) -> (Placement<A>, Placement<B>) {
+                (A::of(a), B::of(b))
+            }
+
+            fn general<A: Placed, B: Placed>(list: &mut List<Pair, Answer>) {
+                list.add(
+                    ($general, "overlaps", FORMAT),
+                    shapes::<A, B>,
+                    |((p, a), (q, b))| {
+                        query::intersection_test(p, a, q, b).is_ok_and(|i: ShapeIntersection| i.intersecting)
+                    },
+                    of_yes,
+                );
+                list.add(
+                    ($general, "contact", FORMAT),
+                    shapes::<A, B>,
+                    |((p, a), (q, b))| query::contact(p, a, q, b, 0.0).ok().flatten(),
+                    of_contact,
+                );
+            }
+
+            fn direct<A: Placed, B: Placed>(
+                list: &mut List<Pair, Answer>,
+                overlaps: impl Fn(&Pose, &A, &B) -> bool + Copy + 'static,
+                contact: impl Fn(&Pose, &A, &B) -> Option<Contact> + Copy + 'static,
+            ) {
+                list.add(
+                    ($direct, "overlaps", FORMAT),
+                    shapes::<A, B>,
+                    move |((p, a), (q, b))| overlaps(&p.inv_mul(q), a, b),
+                    of_yes,
+                );
+                list.add(
+                    ($direct, "contact", FORMAT),
+                    shapes::<A, B>,
+                    move |((p, a), (q, b))| contact(&p.inv_mul(q), a, b),
+                    of_contact,
+                );
+            }
+
+            fn boxes(list: &mut List<Pair, Answer>) {
+                list.add(
+                    ($direct, "overlaps", FORMAT),
+                    |(a, b): &Pair| (aabb(a), aabb(b)),
+                    |(a, b)| a.intersects(b),
+                    of_yes,
+                );
+            }
+
+            fn segment_and_box(list: &mut List<Pair, Answer>) {
+                list.add(
+                    ($direct, "overlaps", FORMAT),
+                    |(a, b): &Pair| (Segment::of(a).1, aabb(b)),
+                    |(a, b)| details::intersection_test_aabb_segment(b, a),
+                    of_yes,
+                );
+            }
+
+            fn segments(list: &mut List<Pair, Answer>) {
+                list.add(
+                    ($direct, "overlaps", FORMAT),
+                    |(a, b): &Pair| (Segment::of(a).1, Segment::of(b).1),
+                    |(s, t)| segments_intersection2d(s.a, s.b, t.a, t.b, 0.0).is_some(),
+                    of_yes,
+                );
+            }
+
+            pub fn pairs(list: &mut List<Pair, Answer>, kinds: (Kind, Kind)) {
+                match kinds {
+                    (Kind::Circle, Kind::Circle) => {
+                        general::<Ball, Ball>(list);
+                        direct::<Ball, Ball>(
+                            list,
+                            |p, a, b| details::intersection_test_ball_ball(p.translation, a, b),
+                            |p, a, b| details::contact_ball_ball(p, a, b, 0.0),
+                        );
+                    }
+                    (Kind::Circle, Kind::Aabb) => {
+                        general::<Ball, Cuboid>(list);
+                        direct::<Ball, Cuboid>(
+                            list,
+                            |p, a, b| details::intersection_test_ball_point_query(p, a, b).intersecting,
+                            |p, a, b| details::contact_ball_convex_polyhedron(p, a, b, 0.0),
+                        );
+                    }
+                    (Kind::Circle, Kind::Segment) => {
+                        general::<Ball, Segment>(list);
+                        direct::<Ball, Segment>(
+                            list,
+                            |p, a, b| details::intersection_test_ball_point_query(p, a, b).intersecting,
+                            |p, a, b| details::contact_ball_convex_polyhedron(p, a, b, 0.0),
+                        );
+                    }
+                    (Kind::Aabb, Kind::Aabb) => {
+                        general::<Cuboid, Cuboid>(list);
+                        boxes(list);
+                    }
+                    (Kind::Segment, Kind::Aabb) => {
+                        general::<Segment, Cuboid>(list);
+                        segment_and_box(list);
+                    }
+                    (Kind::Segment, Kind::Segment) => {
+                        general::<Segment, Segment>(list);
+                        segments(list);
+                    }
+                    _ => {}
+                }
+            }
+        }
+    };
+}
+
+parry!(single, parry2d, f32, F32, "parry2d", "parry2d (special)");
+parry!(double, parry2d_f64, f64, F64, "parry2d-f64", "parry2d-f64 (special)");

@@ -1,0 +1,119 @@
+//! Libraries that hold the solid cells in trees or tables of their own.
+
+use super::classes::Ray;
+use super::level::{CELL, Level, SIDE};
+use super::truth::Answer;
+use crate::job::{Format, List};
+use crate::oracle::random::Random;
+use crate::peers;
+use std::ptr;
+use std::rc::Rc;
+
+/// The places of solid cells.
+fn solid(level: &Level) -> impl Iterator<Item = (i64, i64)> {
+    let side = SIDE as i64;
+    (0..side * side).map(move |i| (i % side, i / side)).filter(|&(x, y)| level.solid(x, y))
+}
+
+macro_rules! parry {
+    ($module:ident, $parry:ident, $voxels:literal, $compound:literal) => {
+        pub mod $module {
+            use super::{Answer, CELL, Level, List, Ray, Rc, solid};
+            use crate::peers::parry::$module::{FORMAT, length, vector};
+            use $parry::math::{IVector, Pose, Real, Vector};
+            use $parry::query::{Ray as Line, RayCast, RayIntersection};
+            use $parry::shape::{Compound, SharedShape, Voxels};
+
+            fn add(list: &mut List<Ray, Answer>, name: &'static str, shape: impl RayCast + 'static) {
+                let shape = Rc::new(shape);
+                // The loops may live as long as the program does: so does what they ask.
+                let shape: &'static _ = Box::leak(Box::new(shape));
+                list.add(
+                    (name, "ray", FORMAT),
+                    |r: &Ray| Line::new(vector(r.o), vector(r.d)),
+                    move |ray| shape.cast_local_ray_and_get_normal(ray, 1.0, true),
+                    |hit: &Option<RayIntersection>| hit.map(|h| f64::from(h.time_of_impact)),
+                );
+            }
+
+            pub fn rays(list: &mut List<Ray, Answer>, level: &Rc<Level>) {
+                let size: Real = length(CELL as f64);
+                let cells: Vec<IVector> = solid(level).map(|(x, y)| IVector::new(x as _, y as _)).collect();
+                add(list, $voxels, Voxels::new(Vector::new(size, size), &cells));
+                let boxes = solid(level).map(|(x, y)| {
+                    let middle = |v: i64| (v as Real + 0.5) * size;
+                    (Pose::translation(middle(x), middle(y)), SharedShape::cuboid(size / 2.0, size / 2.0))
+                });
+                add(list, $compound, Compound::new(boxes.collect()));
+            }
+        }
+    };
+}
+
+parry!(single, parry2d, "parry2d Voxels", "parry2d Compound");
+parry!(double, parry2d_f64, "parry2d-f64 Voxels", "parry2d-f64 Compound");
+
+/// One static body with a box a cell.
+pub fn box2d(list: &mut List<Ray, Answer>, level: &Rc<Level>) {
+    use boxdd_sys::ffi::{
+        b2CreateBody, b2CreatePolygonShape, b2CreateWorld, b2DefaultBodyDef, b2DefaultQueryFilter, b2DefaultShapeDef,
+        b2DefaultWorldDef, b2MakeOffsetBox, b2Rot, b2World_CastRayClosest, b2World_RebuildStaticTree,
+    };
+    use peers::box2d::{NAME, vector};
+    // SAFETY: as the manual of the library has it; the world lives as long as the program.
+    let (world, filter) = unsafe {
+        let world = b2CreateWorld(&b2DefaultWorldDef());
+        let body = b2CreateBody(world, &b2DefaultBodyDef());
+        let def = b2DefaultShapeDef();
+        for (x, y) in solid(level) {
+            let middle = vector((x * CELL + CELL / 2, y * CELL + CELL / 2));
+            let shape = b2MakeOffsetBox(8.0, 8.0, middle, b2Rot { c: 1.0, s: 0.0 });
+            b2CreatePolygonShape(body, &def, &shape);
+        }
+        b2World_RebuildStaticTree(world);
+        (world, b2DefaultQueryFilter())
+    };
+    list.add(
+        (NAME, "ray", Format::F32),
+        |r: &Ray| (vector(r.o), vector(r.d)),
+        // SAFETY: the world is there.
+        move |&(o, d)| unsafe { b2World_CastRayClosest(world, o, d, filter) },
+        |hit| hit.hit.then(|| f64::from(hit.fraction)),
+    );
+}
+
+/// One static box a cell. They come in any order: its tree is the worse for rows.
+pub fn chipmunk(list: &mut List<Ray, Answer>, level: &Rc<Level>) {
+    use chipmunk_sys::{
+        Struct_cpBB, Struct_cpShapeFilter, cpBoxShapeNew2, cpSegmentQueryInfo, cpSpaceAddShape, cpSpaceGetStaticBody,
+        cpSpaceNew, cpSpaceSegmentQueryFirst, cpv,
+    };
+    use peers::chipmunk::{NAME, vector};
+    let filter = Struct_cpShapeFilter { group: 0, categories: !0, mask: !0 };
+    // SAFETY: as the manual of the library has it; the space lives as long as the program.
+    let space = unsafe {
+        let space = cpSpaceNew();
+        let (mut cells, mut r) = (solid(level).collect::<Vec<_>>(), Random::new(1));
+        for i in (1..cells.len()).rev() {
+            cells.swap(i, r.below(i as i64 + 1) as usize);
+        }
+        for (x, y) in cells {
+            let (lo, hi) = (vector((x * CELL, y * CELL)), vector(((x + 1) * CELL, (y + 1) * CELL)));
+            let bounds = Struct_cpBB { l: lo.x, b: lo.y, r: hi.x, t: hi.y };
+            cpSpaceAddShape(space, cpBoxShapeNew2(cpSpaceGetStaticBody(space), bounds, 0.0));
+        }
+        space
+    };
+    list.add(
+        (NAME, "ray", Format::F64),
+        |r: &Ray| (vector(r.o), vector((r.o.0 + r.d.0, r.o.1 + r.d.1))),
+        move |&(from, to)| {
+            let nothing = cpv(0.0, 0.0);
+            let mut info = cpSegmentQueryInfo { shape: ptr::null(), point: nothing, normal: nothing, alpha: 1.0 };
+            // SAFETY: the space is there, and the answer has its place.
+            let shape = unsafe { cpSpaceSegmentQueryFirst(space, from, to, 0.0, filter, &mut info) };
+            (!shape.is_null(), info.alpha)
+        },
+        |&(hit, t)| hit.then_some(t),
+    );
+}

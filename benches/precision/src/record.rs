@@ -1,0 +1,170 @@
+//! The results: a row a workload, class, backend and question. Everything that is shown is made from this file alone.
+//!
+//! A cell that was not measured is empty. Another workload adds rows, another measure a column to [`COLUMNS`]; parts that
+//! were measured by different programs are joined by their keys.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// What identifies a row.
+pub const KEYS: [&str; 4] = ["workload", "class", "backend", "asked"];
+
+/// What a row may hold. Errors are in pixels, or of a time in pixels of way; `ulp` in units of the backend's own format.
+pub const COLUMNS: [&str; 20] = [
+    "queries",
+    // Answers that are wrong by the strict convention, and by the one where touching counts.
+    "wrong",
+    "wrong_closed",
+    "max_px",
+    "mean_px",
+    "max_ulp",
+    "mean_ulp",
+    // Times of impact beyond the true one, of all hits, and how far into the other shape that leads.
+    "late",
+    "hits",
+    "deepest_px",
+    "ns",
+    // Instructions a query: on the host by callgrind, on microcontrollers in the emulator.
+    "host",
+    "m0",
+    "m0_hit",
+    "m0_miss",
+    "m4f",
+    "m4f_hit",
+    "m4f_miss",
+    // Bytes of the query with all that it pulls in; in a row without a class.
+    "flash_m0",
+    "flash_m4f",
+];
+
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Row {
+    pub key: [String; 4],
+    cells: BTreeMap<&'static str, f64>,
+}
+
+impl Row {
+    pub fn new(workload: &str, class: &str, backend: &str, asked: &str) -> Self {
+        Self { key: [workload, class, backend, asked].map(str::to_owned), cells: BTreeMap::new() }
+    }
+
+    /// # Panics
+    /// Where there is no such column.
+    pub fn set(&mut self, column: &str, value: f64) -> &mut Self {
+        self.cells.insert(column_named(column).expect("a column of the table"), value);
+        self
+    }
+
+    pub fn get(&self, column: &str) -> Option<f64> {
+        self.cells.get(column).copied()
+    }
+
+    pub fn workload(&self) -> &str {
+        &self.key[0]
+    }
+
+    pub fn class(&self) -> &str {
+        &self.key[1]
+    }
+
+    pub fn backend(&self) -> &str {
+        &self.key[2]
+    }
+
+    pub fn asked(&self) -> &str {
+        &self.key[3]
+    }
+
+    /// Wrong answers in a million, by the convention that suits the backend better; `None` where nothing was judged.
+    pub fn wrong_per_million(&self) -> Option<f64> {
+        let strict = self.get("wrong")?;
+        let wrong = self.get("wrong_closed").map_or(strict, |closed| strict.min(closed));
+        Some(wrong * 1e6 / self.get("queries")?)
+    }
+
+    /// Whether the convention that suits it is the one where touching counts.
+    pub fn is_closed(&self) -> bool {
+        matches!((self.get("wrong"), self.get("wrong_closed")), (Some(strict), Some(closed)) if closed < strict)
+    }
+}
+
+fn column_named(name: &str) -> Option<&'static str> {
+    COLUMNS.iter().copied().find(|c| *c == name)
+}
+
+/// Six digits are more than any of this is good for, save counts.
+fn number(v: f64) -> String {
+    if v == v.trunc() && v.abs() < 1e15 {
+        format!("{v}")
+    } else {
+        format!("{}", format!("{v:.5e}").parse::<f64>().unwrap_or(v))
+    }
+}
+
+pub fn to_csv(rows: &[Row]) -> String {
+    let mut out = KEYS.iter().chain(&COLUMNS).copied().collect::<Vec<_>>().join(",");
+    out.push('\n');
+    for row in rows {
+        out.push_str(&row.key.join(","));
+        for column in COLUMNS {
+            let _ = write!(out, ",{}", row.get(column).map(number).unwrap_or_default());
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// # Errors
+/// A text with the number of the line that is wrong.
+pub fn from_csv(text: &str) -> Result<Vec<Row>, String> {
+    let mut lines = text.lines().enumerate();
+    let header: Vec<&str> = lines.next().map(|(_, l)| l.split(',').collect()).unwrap_or_default();
+    if header.get(..4) != Some(&KEYS) {
+        return Err("line 1: not a table of results".into());
+    }
+    lines
+        .map(|(i, line)| {
+            let fields: Vec<&str> = line.split(',').collect();
+            if fields.len() != header.len() {
+                return Err(format!("line {}: {} fields", i + 1, fields.len()));
+            }
+            let mut row = Row::new(fields[0], fields[1], fields[2], fields[3]);
+            for (name, field) in header[4..].iter().zip(&fields[4..]).filter(|(_, f)| !f.is_empty()) {
+                let column = column_named(name).ok_or_else(|| format!("line 1: no column {name}"))?;
+                let value = field.parse().map_err(|_| format!("line {}: {field}", i + 1))?;
+                row.cells.insert(column, value);
+            }
+            Ok(row)
+        })
+        .collect()
+}
+
+/// Rows of all parts, in the order in which keys come first; a later part's cell replaces an earlier one's.
+pub fn join(parts: impl IntoIterator<Item = Row>) -> Vec<Row> {
+    let mut rows: Vec<Row> = Vec::new();
+    for part in parts {
+        match rows.iter_mut().find(|r| r.key == part.key) {
+            Some(row) => row.cells.extend(part.cells),
+            None => rows.push(part),
+        }
+    }
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Row, from_csv, join, to_csv};
+
+    #[test]
+    fn csv_keeps_what_was_measured() {
+        let mut a = Row::new("w", "c", "b", "q");
+        a.set("wrong", 3.0).set("ns", 12.25);
+        let mut b = Row::new("w", "c", "b", "q");
+        b.set("host", 41.0);
+        let rows = join([a, b]);
+        assert_eq!(rows.len(), 1);
+        assert_eq!(from_csv(&to_csv(&rows)).as_deref(), Ok(&rows[..]));
+        assert!(from_csv("workload,class\n").is_err());
+        assert_eq!(from_csv(&to_csv(&rows).replace("12.25", "x")).unwrap_err(), "line 2: x");
+    }
+}
