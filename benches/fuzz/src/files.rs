@@ -1,0 +1,227 @@
+//! What comes from outside: bytes of segment maps, levels of Tiled and of `LDtk`. Refused in one line, or taken and then good for every question.
+
+use crate::segment_world_hostile as hostile;
+use crate::segment_world_support::build;
+use crate::stream::Random;
+use std::ffi::OsString;
+use std::fs;
+use std::path::PathBuf;
+use tilesat::{AllShapes, Fx, Grid, Inside, SegmentMap, TileMap, Vec2};
+
+#[allow(dead_code, reason = "the program's `main` is not called")]
+#[path = "../../../examples/lint/main.rs"]
+mod lint;
+
+/// The part of the baker that makes segment maps.
+#[path = "../../../examples/bake/segments.rs"]
+mod segments;
+
+use lint::level_io;
+use segments::Shapes;
+
+/// Bytes as they are, or a level that was built and then damaged where the input says, its checksum right again.
+pub(crate) fn segment_bytes(data: &[u8]) {
+    let mut r = Random::of(data);
+    let scene = build::scene(&mut r);
+    let mut bytes = match r.below(4) {
+        0 => data[1.min(data.len())..].to_vec(),
+        1 => match hostile::twisted(&mut r, scene.bytes()) {
+            Some(bytes) => bytes,
+            None => return,
+        },
+        _ => scene.bytes(),
+    };
+    while Random::is_left() && !bytes.is_empty() {
+        let at = r.below(bytes.len() as i64) as usize;
+        match r.below(4) {
+            0 => bytes[at] ^= 1 << r.below(8),
+            1 => bytes[at] = r.below(256) as u8,
+            2 => bytes.truncate(at),
+            _ => {
+                let copy = bytes[at];
+                bytes.insert(at, copy);
+            }
+        }
+    }
+    if bytes.len() >= 32 && !r.one_in(8) {
+        hostile::checksum(&mut bytes);
+    }
+    let Ok(map) = SegmentMap::from_bytes(&bytes) else { return };
+    let again = SegmentMap::from_bytes(&bytes).expect("taken before");
+    assert_eq!((map.count(), map.grid()), (again.count(), again.grid()));
+    hostile::ask(&scene, &map, &mut r);
+}
+
+/// Numbers that such files hold and should not.
+const ODD: [&str; 14] = [
+    "-1",
+    "0",
+    "1",
+    "16",
+    "65535",
+    "65536",
+    "4294967296",
+    "-9223372036854775808",
+    "1e308",
+    "nan",
+    "0.00001",
+    "8191.99999",
+    "8192",
+    "",
+];
+
+fn number(r: &mut Random) -> String {
+    match r.below(6) {
+        0 => ODD[r.below(ODD.len() as i64) as usize].to_owned(),
+        1 => format!("{}.{}", r.around(300), r.below(1000)),
+        _ => r.below(160).to_string(),
+    }
+}
+
+fn list(r: &mut Random, count: i64, separator: &str, mut item: impl FnMut(&mut Random) -> String) -> String {
+    let items: Vec<_> = (0..count).map(|_| item(r)).collect();
+    items.join(separator)
+}
+
+const CLASSES: [&str; 8] = ["Solid", "OneWay", "Wall", "Hole", "Kill", "SlopeTopLeft", "Ladder", ""];
+
+fn tmx_text(r: &mut Random) -> String {
+    let (w, h) = (r.within(0, 6), r.within(0, 5));
+    let wrong = if r.one_in(8) { r.around(2) } else { 0 };
+    let flips = ["", "", "", "2147483648", "1073741824", "536870912"];
+    let tiles = list(r, (w * h + wrong).max(0), ",", |r| match flips[r.below(6) as usize] {
+        "" => r.below(7).to_string(),
+        flip => (flip.parse::<u64>().expect("a flag") + r.below(7) as u64).to_string(),
+    });
+    let classes = list(r, 6, "", |r| {
+        let class = CLASSES[r.below(8) as usize];
+        let id = r.below(6);
+        format!(r#"<tile id="{id}" type="{class}"/>"#)
+    });
+    let objects = r.below(4);
+    let objects = list(r, objects, "", |r| {
+        let class = CLASSES[r.below(8) as usize];
+        let (x, y, turn) = (number(r), number(r), number(r));
+        let points = r.within(0, 6);
+        let points = list(r, points, " ", |r| format!("{},{}", number(r), number(r)));
+        let inner = match r.below(6) {
+            0 => "<ellipse/>".to_owned(),
+            1 => "<point/>".to_owned(),
+            2 => format!(r#"<polyline points="{points}"/>"#),
+            3 | 4 => format!(r#"<polygon points="{points}"/>"#),
+            _ => String::new(),
+        };
+        let turn = if r.one_in(4) { format!(r#" rotation="{turn}""#) } else { String::new() };
+        let (width, height) = (number(r), number(r));
+        format!(
+            r#"<object id="1" class="{class}" x="{x}" y="{y}" width="{width}" height="{height}"{turn}>{inner}</object>"#
+        )
+    });
+    let tile = if r.one_in(6) { number(r) } else { "16".to_owned() };
+    format!(
+        r#"<?xml version="1.0" encoding="UTF-8"?>
+<map version="1.10" orientation="orthogonal" width="{w}" height="{h}" tilewidth="{tile}" tileheight="{tile}" infinite="0">
+ <tileset firstgid="1" name="t" tilewidth="16" tileheight="16" tilecount="6" columns="6">{classes}</tileset>
+ <layer id="1" name="World" width="{w}" height="{h}"><data encoding="csv">{tiles}</data></layer>
+ <objectgroup id="2" name="L">{objects}</objectgroup>
+</map>"#
+    )
+}
+
+fn ldtk_text(r: &mut Random) -> String {
+    let (w, h) = (r.within(0, 6), r.within(0, 5));
+    let wrong = if r.one_in(8) { r.around(2) } else { 0 };
+    let csv = list(r, (w * h + wrong).max(0), ",", |r| if r.one_in(20) { number(r) } else { r.below(6).to_string() });
+    let names = ["Full", "SlopeTopLeft_Ice", "Empty_Coin", "OneWayUp", "slope_top_left", "Half_Top", "Nothing", ""];
+    let mut value = 0;
+    let values = list(r, 5, ",", |r| {
+        value += 1;
+        format!(r#"{{"value":{value},"identifier":"{}"}}"#, names[r.below(8) as usize])
+    });
+    let (grid, offset) = if r.one_in(6) { (number(r), number(r)) } else { ("16".to_owned(), "0".to_owned()) };
+    format!(
+        r#"{{"defs":{{"layers":[{{"uid":2,"intGridValues":[{values}]}}]}},"levels":[{{"identifier":"One","layerInstances":[{{"__type":"IntGrid","__identifier":"Solid","__cWid":{w},"__cHei":{h},"__gridSize":{grid},"__pxTotalOffsetX":{offset},"__pxTotalOffsetY":0,"layerDefUid":2,"intGridCsv":[{csv}]}}]}}]}}"#
+    )
+}
+
+/// A file of this process and thread.
+fn scratch(content: &[u8]) -> PathBuf {
+    let name = format!("tilesat-fuzz-{}-{:?}.level", std::process::id(), std::thread::current().id());
+    let path = std::env::temp_dir().join(name);
+    fs::write(&path, content).expect("a folder for temporary files");
+    path
+}
+
+/// Text that was made, then damaged where the input says; or the input itself.
+fn file(data: &[u8], made: fn(&mut Random) -> String) -> PathBuf {
+    let mut r = Random::of(data);
+    if r.one_in(8) {
+        return scratch(&data[1.min(data.len())..]);
+    }
+    let mut bytes = made(&mut r).into_bytes();
+    let wounds = if r.one_in(3) { r.below(4) } else { 0 };
+    for _ in 0..wounds {
+        let at = r.below(bytes.len() as i64) as usize;
+        let to = (at + r.below(24) as usize).min(bytes.len());
+        match r.below(4) {
+            0 => drop(bytes.drain(at..to)),
+            1 => {
+                let copy = bytes[at..to].to_vec();
+                bytes.splice(at..at, copy);
+            }
+            2 => bytes[at] = r.below(256) as u8,
+            _ => drop(bytes.splice(at..to, number(&mut r).into_bytes())),
+        }
+        if bytes.is_empty() {
+            break;
+        }
+    }
+    scratch(&bytes)
+}
+
+pub(crate) fn tmx(data: &[u8]) {
+    read(&file(data, tmx_text));
+}
+
+pub(crate) fn ldtk(data: &[u8]) {
+    read(&file(data, ldtk_text));
+}
+
+fn lint_says(path: &PathBuf) -> (u8, Vec<u8>, Vec<u8>) {
+    let (mut out, mut err) = (Vec::new(), Vec::new());
+    let args = [path.into(), OsString::from("--body"), OsString::from("10x14")];
+    let status = lint::run(args, &mut out, &mut err);
+    (status, out, err)
+}
+
+/// Refused in one line by both tools, or a level that the library takes.
+fn read(path: &PathBuf) {
+    let told = lint_says(path);
+    let (status, _, err) = &told;
+    let lines = String::from_utf8_lossy(err).lines().count();
+    assert!(*status <= 2 && (*status == 2) == (lines == 1), "{told:?}");
+    assert_eq!(lint_says(path), told, "twice");
+    let loaded = level_io::load(path, None);
+    // Unreadable for one is unreadable for all.
+    assert!(loaded.is_ok() || *status == 2, "{told:?}");
+    let Ok(drawing) = loaded else { return };
+    if let Ok(Some(level)) = drawing.level(None) {
+        let kinds = level.kinds();
+        assert_eq!(level.tiles.len(), usize::from(level.width) * usize::from(level.height));
+        assert!(level.tiles.iter().all(|id| usize::from(*id) < level.ids.len()));
+        if let Ok(grid) = Grid::new(level.width, level.height, Fx::from_num(level.tile), Vec2::ZERO) {
+            let map = TileMap::<AllShapes>::of(&level.tiles, grid, &kinds).expect("what was read fits the table");
+            let end = grid.end();
+            let _ = map.cast_ray(Vec2::ZERO, end, Inside::Hit).expect("inside the domain");
+        }
+    }
+    let mut flags = Vec::new();
+    if let Ok(shapes) = Shapes::of(&drawing.outlines, &mut flags)
+        && let Ok(bytes) = shapes.build(&drawing.outlines, Fx::from_num(16))
+    {
+        let map = SegmentMap::from_bytes(&bytes).expect("what was built is taken");
+        let end = Vec2::from_raw(1 << 24, 1 << 24);
+        let hits = map.cast_ray_all(Vec2::ZERO, end, Inside::Hit).expect("inside the domain").count();
+        assert!(hits <= 1 + usize::from(map.count()));
+    }
+}

@@ -1,0 +1,50 @@
+//! What is asked of every input that the fuzzer makes: the contract, by the judges of the crate's tests.
+//!
+//! Each target is a function of bytes that panics where the library is wrong. The programs of `fuzz_targets` give it to cargo-fuzz; the program
+//! `replay` runs the committed corpus on any toolchain.
+
+// The judges are the tests' own, of which each target uses a part.
+#![allow(dead_code, unused_imports, unexpected_cfgs, clippy::duplicate_mod)]
+
+include!(concat!(env!("OUT_DIR"), "/judges.rs"));
+
+mod bodies;
+mod files;
+mod levels;
+mod motion;
+mod pairs;
+mod stream;
+
+type Target = fn(&[u8]);
+
+/// All targets by name.
+pub const TARGETS: [(&str, Target); 18] = [
+    ("overlap", pairs::overlap),
+    ("contact", pairs::contact),
+    ("distance", pairs::distance),
+    ("cast_shape", pairs::cast_shape),
+    ("cast_ray", pairs::cast_ray),
+    ("tiles", levels::tiles),
+    ("tile_shapes", levels::tile_shapes),
+    ("tile_rays", levels::tile_rays),
+    ("segments", levels::segments),
+    ("segment_rays", levels::segment_rays),
+    ("segment_bytes", files::segment_bytes),
+    ("move_blocks", motion::blocks),
+    ("move_shapes", motion::shapes),
+    ("move_segments", motion::segments),
+    ("broad", bodies::broad),
+    ("scene", bodies::scene),
+    ("tmx", files::tmx),
+    ("ldtk", files::ldtk),
+];
+
+/// Runs a target on one input.
+///
+/// # Panics
+///
+/// Where the library breaks its contract, and where there is no such target.
+pub fn check(target: &str, data: &[u8]) {
+    let (_, run) = TARGETS.iter().find(|(name, _)| *name == target).expect("a target of this name");
+    run(data);
+}

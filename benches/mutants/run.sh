@@ -1,0 +1,221 @@
+#!/usr/bin/env bash
+# Breaks the sources in one place at a time and asks whether a suite of seconds notices. The mutants are those of cargo-mutants; all of a part are
+# woven into one program (src/main.rs), so that each costs a run and no build. Goes on where it was stopped.
+#
+#   run.sh [num] [query]      every mutant of src/num and src/query, against the judges on thinned streams (pairs/suite.rs)
+#   run.sh again              what survived of those, against scenes and judges of the whole crate (rest/suite.rs)
+#   run.sh rest               a sample of the mutants of world, motion, broad and scene: those numbered K, K + N, ..., against the same
+#   run.sh --of N --seed K    of the sample (default 100, 7)
+#   run.sh --seconds N ...    starts nothing more after so many seconds (default 2700)
+#   run.sh --shard K/N ...    of the runs only every N-th, from K = 0: for several machines
+#   run.sh --count            only how many mutants there are, by module
+#   run.sh --summary          only what is known by now: figures, and the mutants that nothing noticed
+#
+# Exit 1 where a mutant survived that survivors.md does not explain, 3 where cargo-mutants is missing.
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$(cd "$here/../.." && pwd)
+out=${CARGO_TARGET_DIR:-$root/target}/mutants
+mkdir -p "$out"
+out=$(cd "$out" && pwd)
+
+parts=() seconds=2700 of=100 seed=7 shard=0/1 only=''
+while (($#)); do
+    case $1 in
+    num | query | again | rest) parts+=("$1") ;;
+    --seconds | --of | --seed | --shard)
+        declare "${1#--}=${2:?$1 needs a value}"
+        shift
+        ;;
+    --count | --summary) only=${1#--} ;;
+    *)
+        sed -n '2,15s/^# \{0,1\}//p' "$here/run.sh" >&2
+        exit 2
+        ;;
+    esac
+    shift
+done
+((${#parts[@]})) || parts=(num query)
+
+if ! cargo mutants --version >/dev/null 2>&1; then
+    echo 'run.sh: cargo-mutants IS NOT HERE, nothing was checked: cargo install cargo-mutants --locked' >&2
+    exit 3
+fi
+
+# How thin the streams of the judges are.
+export TILESAT_CASES=400 TILESAT_FRAMES=400
+export RUST_BACKTRACE=0
+# A run takes less than a second, or some; a mutant that loops is told by this, on a machine that is busy with other things too.
+longest=60
+
+# Tests that a tree takes: `mod oracle;` in each of them becomes the one judge of the suite, helpers are opened to it.
+borrow() {
+    local tree=$1 name
+    shift
+    for name; do
+        sed -E 's/^mod ([a-z_]*(oracle|support));/use crate::\1;/; s/^(fn|struct|const) /pub(crate) \1 /; s/^    ([ad]: (Figure|Point),)$/    pub(crate) \1/; s/(RANDOM_CASES: u32) = .*/\1 = 10_000;/' \
+            "$root/tests/$name.rs" >"$tree/tests/$name.rs"
+    done
+}
+
+# Copied anew each time, with new times: what an interruption left changed is not built upon.
+pairs_tree() {
+    local tree=$1
+    rm -rf "$tree/src" "$tree/tests"
+    mkdir -p "$tree/src" "$tree/tests"
+    cp -r "$root"/src/{num,query,shape,error.rs} "$tree/src"
+    cp "$here/pairs/lib.rs" "$tree/src"
+    cp -r "$root"/tests/{oracle,cast_support} "$here/pairs/suite.rs" "$tree/tests"
+    borrow "$tree" cast_classes cast_lattice cast_ranges degenerate distances lattice number_types numbers push_out response_ratio
+    cp "$here/pairs/Cargo.toml" "$root/Cargo.lock" "$tree"
+    mkdir -p "$tree/.cargo" && cp "$root/.cargo/mutants.toml" "$tree/.cargo"
+}
+
+# Everything, for what is not a query of pairs: tests of the whole crate in one program.
+rest_tree() {
+    local tree=$1
+    rm -rf "$tree/src" "$tree/tests"
+    mkdir -p "$tree/src" "$tree/tests"
+    cp -r "$root"/src "$root/README.md" "$root/LICENSE-MIT" "$root/Cargo.lock" "$tree"
+    cp -r "$root"/tests/*_support "$root"/tests/{oracle,support,solids} "$tree/tests"
+    cp "$here/rest/suite.rs" "$tree/tests"
+    borrow "$tree" $(sed -n 's/^mod \(.*\);/\1/p' "$here/rest/suite.rs" | grep -vE 'support$|^oracle$')
+    cp "$here/rest/Cargo.toml" "$tree"
+    mkdir -p "$tree/.cargo" && cp "$root/.cargo/mutants.toml" "$tree/.cargo"
+}
+
+# The mutants of a part as JSON.
+list() {
+    local module modules=("$1") files=()
+    [[ $1 == again ]] && modules=(num query)
+    [[ $1 == rest ]] && modules=(world motion broad scene)
+    for module in "${modules[@]}"; do files+=(--file "src/$module/**"); done
+    cargo mutants --in-place --list --json "${files[@]}"
+}
+tree_of() { [[ $1 == rest || $1 == again ]] && echo rest || echo pairs; }
+survivors() { awk -F'\t' '$2 == "survived" { print $3 }' "$out"/num/done.tsv "$out"/query/done.tsv; }
+
+# Programs of all mutants of a part, and their table: the suite; the same on the code of cores without a long multiply; the unit tests of the sources.
+weave() {
+    local part=$1 tree=$out/$1 target=$out/$(tree_of "$1")-target options=()
+    [[ $part == rest ]] && options=(--of "$of" --seed "$seed")
+    [[ $part == again ]] && options=(--only "$tree/names.txt") && survivors >"$tree/names.txt"
+    "$(tree_of "$part")_tree" "$tree"
+    (cd "$tree" && list "$part" >list.json)
+    CARGO_TARGET_DIR=$out/weave cargo build --quiet --manifest-path "$here/Cargo.toml"
+    CARGO_TARGET_DIR=$target "$out/weave/debug/tilesat-mutants" "$tree/list.json" "$tree" "${options[@]}"
+    rm -f "$tree"/program-*
+    program "$tree" "$target" suite --test suite
+    [[ $(tree_of "$part") == rest ]] || RUSTFLAGS='--cfg tilesat_split' program "$tree" "$target/split" split --test suite
+    program "$tree" "$target" unit --lib
+}
+program() {
+    local tree=$1 target=$2 name=$3
+    (cd "$tree" && CARGO_TARGET_DIR=$target cargo test --quiet --profile mutants "${@:4}" --no-run --message-format json) |
+        sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | xargs -I{} cp {} "$tree/program-$name"
+}
+
+# What a mutant does to the programs, one after another until one notices it.
+tell() {
+    local tree=$1 id=$2 name status
+    for name in suite split unit; do
+        [[ -x $tree/program-$name ]] || continue
+        status=0
+        # Unit tests are few; of the suite, what is thin enough.
+        if [[ $name == unit ]]; then
+            MUTANT=$id timeout "$longest" "$tree/program-$name" >"$tree/last.txt" 2>&1 || status=$?
+        else
+            MUTANT=$id timeout "$longest" "$tree/program-$name" "${filter[@]}" >"$tree/last.txt" 2>&1 || status=$?
+        fi
+        case $status in
+        0) ;;
+        124) echo timeout && return ;;
+        *) echo caught && return ;;
+        esac
+    done
+    echo survived
+}
+
+run_part() {
+    local part=$1 tree=$out/$1 source tests id verdict name told began=$SECONDS done=0
+    source=$(find "$root/src" -name '*.rs' | sort | xargs cat | cksum | cut -d' ' -f1)
+    [[ $part == rest ]] && source+=-$of-$seed
+    tests=$(cat "$here/$(tree_of "$part")"/* "$root"/tests/*.rs "$root"/tests/oracle/*.rs | cksum | cut -d' ' -f1)
+    [[ $part == again ]] && tests+=-$(survivors | cksum | cut -d' ' -f1)
+    mkdir -p "$tree" && touch "$tree/done.tsv"
+    if [[ $(cat "$tree/state" 2>/dev/null) != "$source $tests" ]]; then
+        echo "== $part: weaving"
+        weave "$part"
+        # Tests only become more: what was noticed is noticed still.
+        if [[ $(cut -d' ' -f1 "$tree/state" 2>/dev/null) == "$source" ]]; then
+            grep -v '	survived	' "$tree/done.tsv" >"$tree/kept.tsv" || true
+            mv "$tree/kept.tsv" "$tree/done.tsv"
+        else
+            : >"$tree/done.tsv"
+        fi
+        echo "$source $tests" >"$tree/state"
+    fi
+    # In a broken program every mutant would look caught.
+    if [[ $(tell "$tree" 0) != survived ]]; then
+        tail -40 "$tree/last.txt" >&2
+        echo "run.sh: the suite of $part fails without a mutant" >&2
+        exit 1
+    fi
+    echo "== $part: $(wc -l <"$tree/mutants.tsv") mutants, $(grep -c woven "$tree/mutants.tsv") in one program, $(wc -l <"$tree/done.tsv") known"
+    while IFS=$'\t' read -r id verdict name; do
+        ((id % ${shard#*/} == ${shard%/*})) || continue
+        [[ $verdict == woven ]] || continue
+        grep -q "^$id	" "$tree/done.tsv" && continue
+        if ((SECONDS >= seconds)); then
+            echo "== $part: the time is over; the same command goes on from here"
+            return
+        fi
+        told=$(tell "$tree" "$id")
+        printf '%s\t%s\t%s\n' "$id" "$told" "$name" >>"$tree/done.tsv"
+        [[ $told == survived ]] && echo "   survived: $name"
+        done=$((done + 1))
+        ((done % 50)) || echo "== $(date +%H:%M:%S) $part: $done runs, $(((SECONDS - began) * 1000 / done)) ms each"
+    done <"$tree/mutants.tsv"
+}
+
+# Figures by part; survivors are printed that survivors.md does not name by file and text (lines move).
+summary() {
+    local part name unknown=0 tree verdict
+    printf '%-8s %9s %9s %9s %9s %9s %9s %9s\n' part mutants caught timeout survived unviable constant 'not run'
+    for part in num query again rest; do
+        tree=$out/$part
+        [[ -f $tree/mutants.tsv ]] || continue
+        awk -F'\t' -v part="$part" 'FILENAME ~ /done/ { n[$2]++; next } { n[$2]++; all++ }
+            END { ran = n["caught"] + n["timeout"] + n["survived"]
+                printf "%-8s %9d %9d %9d %9d %9d %9d %9d\n", part, all, n["caught"], n["timeout"], n["survived"], n["unviable"], n["constant"], n["woven"] - ran }' \
+            "$tree/done.tsv" "$tree/mutants.tsv"
+    done
+    while read -r name; do
+        grep -qF -- "$name" "$here/survivors.md" && continue
+        echo "survived, not explained: $name"
+        unknown=1
+    done < <(cat "$out"/{again,num,query,rest}/done.tsv 2>/dev/null | awk -F'\t' '$2 == "survived" && !($3 in caught) { print $3 } $2 != "survived" { caught[$3] }' | sed -E 's/:[0-9]+:[0-9]+:/:/' | sort -u)
+    return $unknown
+}
+
+filter=()
+case $only in
+count)
+    rest_tree "$out/count"
+    for part in num query world motion broad scene; do
+        printf '%-8s %6d\n' "$part" "$(cd "$out/count" && cargo mutants --list --file "src/$part/**" | wc -l)"
+    done
+    exit
+    ;;
+summary)
+    summary
+    exit
+    ;;
+esac
+for part in "${parts[@]}"; do
+    filter=()
+    [[ $(tree_of "$part") == rest ]] || filter=(thinned cast_ranges number degenerate push_out distances response_ratio)
+    run_part "$part"
+done
+summary

@@ -1,0 +1,48 @@
+//! What the compiler says about a tree.
+
+use serde_json::Value;
+use std::path::Path;
+use std::process::Command;
+
+pub(crate) struct Error {
+    pub(crate) text: String,
+    /// Files and lines that the error is about, of all frames of an evaluation.
+    pub(crate) places: Vec<(String, usize)>,
+}
+
+/// The errors of a build of the library; constants are computed in it, which a check alone would not do.
+pub(crate) fn errors(tree: &Path) -> Vec<Error> {
+    let out = Command::new("cargo")
+        .args(["build", "--lib", "--profile", "mutants", "--message-format", "json", "--quiet"])
+        .current_dir(tree)
+        .output()
+        .expect("cargo runs");
+    let messages: Vec<Value> =
+        String::from_utf8_lossy(&out.stdout).lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
+    let errors = messages.iter().map(|m| &m["message"]).filter(|m| m["level"] == "error" && has_place(m));
+    let errors: Vec<Error> = errors.map(error).collect();
+    assert!(out.status.success() || !errors.is_empty(), "{}", String::from_utf8_lossy(&out.stderr));
+    errors
+}
+
+fn has_place(message: &Value) -> bool {
+    message["spans"].as_array().is_some_and(|spans| !spans.is_empty())
+}
+
+fn error(message: &Value) -> Error {
+    let evaluation = message["code"]["code"] == "E0080";
+    let mut places = Vec::new();
+    let mut pending = vec![message];
+    while let Some(message) = pending.pop() {
+        for span in message["spans"].as_array().into_iter().flatten().filter(|s| evaluation || s["is_primary"] == true)
+        {
+            let file = span["file_name"].as_str().unwrap_or_default().to_owned();
+            places.push((file, span["line_start"].as_u64().unwrap_or(0) as usize));
+        }
+        // Of an evaluation all that it went through; of other errors the rest is what is declared elsewhere.
+        if evaluation {
+            pending.extend(message["children"].as_array().into_iter().flatten());
+        }
+    }
+    Error { text: message["rendered"].as_str().unwrap_or_default().to_owned(), places }
+}

@@ -1,0 +1,85 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+#[derive(Clone, Debug)]
+pub struct Options {
+    pub frames: u64,
+    pub queries: u64,
+    pub levels: u64,
+    pub minutes: u64,
+    pub threads: u64,
+    pub seed: u64,
+    pub state: PathBuf,
+    pub fresh: bool,
+    /// Parts of the names of the classes that are run; none: all.
+    pub classes: Vec<String>,
+}
+
+const USAGE: &str = "\
+usage: cargo run --release --manifest-path benches/soak/Cargo.toml -- [OPTION]...
+  --frames N    frames of motion in all, earlier runs included; default 1000000000
+  --queries N   answers of pairs and casts in all; default 10000000000
+  --levels N    random TMX levels in all; default 10000
+  --minutes M   stop after so long; default 0: not before all is done
+  --threads T   default 2
+  --seed S      default 1; another seed is another run with a state of its own
+  --class TEXT  only classes whose name holds this (may be repeated)
+  --state FILE  where the counters are kept; default soak/state-SEED.txt in the target directory
+  --fresh       forget the state
+  --list        the names of the classes
+Numbers may be written 1e9. It goes on where the state file says that it stopped, and exits with 1 on the first wrong answer.";
+
+fn number(text: &str) -> Option<u64> {
+    match text.split_once('e') {
+        None => text.parse().ok(),
+        Some((digits, power)) => digits.parse::<u64>().ok()?.checked_mul(10u64.checked_pow(power.parse().ok()?)?),
+    }
+}
+
+/// What was asked for, or what to say instead; `None` asks for the names.
+pub fn parse(mut words: impl Iterator<Item = String>) -> Result<Option<Options>, String> {
+    let mut state = None;
+    let mut o = Options {
+        frames: 1_000_000_000,
+        queries: 10_000_000_000,
+        levels: 10_000,
+        minutes: 0,
+        threads: 2,
+        seed: 1,
+        state: PathBuf::new(),
+        fresh: false,
+        classes: Vec::new(),
+    };
+    while let Some(word) = words.next() {
+        if word == "--list" {
+            return Ok(None);
+        }
+        if word == "--fresh" {
+            o.fresh = true;
+            continue;
+        }
+        let value = words.next().ok_or_else(|| format!("{word}: not known, or its value is missing\n{USAGE}"))?;
+        let count = || number(&value).ok_or_else(|| format!("{word} {value}: not a number"));
+        match word.as_str() {
+            "--frames" => o.frames = count()?,
+            "--queries" => o.queries = count()?,
+            "--levels" => o.levels = count()?,
+            "--minutes" => o.minutes = count()?,
+            "--threads" => o.threads = count()?.max(1),
+            "--seed" => o.seed = count()?,
+            "--class" => o.classes.push(value),
+            "--state" => state = Some(PathBuf::from(value)),
+            _ => return Err(USAGE.into()),
+        }
+    }
+    let file = format!("soak/state-{}.txt", o.seed);
+    o.state = state.unwrap_or_else(|| target().join(file));
+    Ok(Some(o))
+}
+
+/// The build's own directory.
+pub fn target() -> PathBuf {
+    let own = || PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../target"));
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(own, PathBuf::from)
+}

@@ -1,0 +1,50 @@
+//! The fast judge is judged: by big rationals and other means, on samples of every class, before anything else is asked.
+
+use crate::oracle::figure::Figure;
+use crate::queries::{ROWS, samples};
+use crate::quick::Pair;
+use crate::rational;
+use crate::state::name;
+use num_rational::BigRational;
+
+/// Pairs of each row.
+const EACH: usize = 40;
+
+/// The depth or the distance that an exact square and the radii give, by a search, must be the one that the judge takes.
+pub fn judge(seed: u64) -> Result<(), String> {
+    for row in 0..ROWS {
+        for (a, b) in samples(row, seed, EACH) {
+            let fast = Pair::new(&a, &b);
+            let (overlap, touch) = (rational::overlaps(&a, &b), rational::touches(&a, &b));
+            let length = length(&a, &b, overlap);
+            let right =
+                if overlap { fast.depth_is(length) && !fast.depth_is(length - 1) } else { fast.distance_is(length) };
+            if (fast.overlaps(), fast.touches(), right) != (overlap, touch, true) {
+                return Err(format!("the fast judge is wrong, {}: {a:?} {b:?}, {overlap} {touch} {length}", name(row)));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The depth rounded up, or the distance rounded down.
+fn length(a: &Figure, b: &Figure, overlap: bool) -> i64 {
+    let whole = |n: i64| BigRational::from_integer(n.into());
+    let radius = a.radius() + b.radius();
+    let inside = rational::square_exit(a, b);
+    let square = inside.clone().unwrap_or_else(|| rational::square_distance(a, b));
+    // The sign of sqrt(square) - n.
+    let above = |n: i64| n < 0 || square > whole(n) * whole(n);
+    let (mut low, mut high) = (-1i64, 1i64 << 32);
+    while high - low > 1 {
+        let n = i64::midpoint(low, high);
+        let enough = match (overlap, inside.is_some()) {
+            // radius + root <= n, radius - root <= n, root - radius < n + 1
+            (true, true) => !above(n - radius),
+            (true, false) => n >= radius || above(radius - n) || square == whole(radius - n) * whole(radius - n),
+            _ => !above(n + 1 + radius) && square != whole(n + 1 + radius) * whole(n + 1 + radius),
+        };
+        if enough { high = n } else { low = n }
+    }
+    high
+}
