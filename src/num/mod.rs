@@ -37,8 +37,8 @@ pub use unit::UnitVec2;
 pub(crate) use unit::unit_ceil;
 pub(crate) use vec2::Raw;
 pub use vec2::Vec2;
+pub(crate) use wide::{LONG, add128, cmp_squares, dot, mul128, norm, square_times, sub128};
 pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split, usqr, usqr_split};
-pub(crate) use wide::{add128, cmp_squares, dot, mul128, norm, square_times, sub128};
 
 /// The world's scalar: signed 16.16 fixed point. A unit is whatever the game says it is, usually a pixel.
 pub type Fx = fixed::types::I16F16;

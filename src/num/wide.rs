@@ -10,6 +10,9 @@ use core::cmp::Ordering;
 /// that the host's tests can run what those cores run.
 pub const SPLIT: bool = cfg!(any(tilesat_split, all(target_arch = "arm", not(target_has_atomic = "32"))));
 
+/// True where a register holds a double word: there products and comparisons cost less than the branches that save them.
+pub(crate) const LONG: bool = cfg!(all(target_pointer_width = "64", not(tilesat_split)));
+
 /// The 64-bit product of two unsigned words.
 ///
 /// Exact for all inputs. 18 instructions on a Cortex-M0 (the compiler's call takes 36), one on cores with a long multiply.
@@ -109,7 +112,13 @@ pub const fn usqr_split(a: u32) -> u64 {
 #[inline]
 #[must_use]
 pub const fn mul64(a: u64, b: u64) -> (u64, u64) {
-    if SPLIT { mul64_call(a, b) } else { mul64_words(a, b) }
+    if LONG {
+        pair(a as u128 * b as u128)
+    } else if SPLIT {
+        mul64_call(a, b)
+    } else {
+        mul64_words(a, b)
+    }
 }
 
 /// The 128-bit square of an unsigned double word, as `(high, low)`.
@@ -118,7 +127,18 @@ pub const fn mul64(a: u64, b: u64) -> (u64, u64) {
 #[inline]
 #[must_use]
 pub const fn sqr64(a: u64) -> (u64, u64) {
-    if SPLIT { sqr64_call(a) } else { sqr64_words(a) }
+    if LONG {
+        pair(a as u128 * a as u128)
+    } else if SPLIT {
+        sqr64_call(a)
+    } else {
+        sqr64_words(a)
+    }
+}
+
+#[inline(always)]
+const fn pair(product: u128) -> (u64, u64) {
+    ((product >> 64) as u64, product as u64)
 }
 
 #[inline(never)]

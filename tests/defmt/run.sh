@@ -51,9 +51,9 @@ for target in thumbv6m-none-eabi thumbv7m-none-eabi; do
     "$out/debug/tilesat-defmt-check" "$elf" "$frames" "$out/doc/tilesat" "$here/expected.txt" $accept || failed=1
 done
 
-# The programs that hold every public function, and one that a game would be: without the feature, and with it but nothing logged.
+# Programs of every public function of shapes, broad phases and scenes, and one that a game would be: without the feature, and with it but nothing logged.
 cd "$root/benches/target"
-programs=(everything_shapes everything_levels everything_motion everything_bodies everything_scenes move_circle_shapes)
+programs=(everything_shapes everything_bodies everything_scenes move_circle_shapes)
 # Functions, constants and statics of a program with their sizes. Where they lie, and with it some bytes of padding, follows the compiler's hashes, which know
 # of features; so do the names' last parts. The two marks of the encoding are in no section that is loaded.
 parts() {
@@ -64,8 +64,7 @@ parts() {
 # hashes too (seen: one function of 953, by 2 bytes).
 same() { awk '{ if ($2 ~ /[tTwW]/) $1 = "-"; print }' "$1" | diff - <(awk '{ if ($2 ~ /[tTwW]/) $1 = "-"; print }' "$2"); }
 build() {
-    local bins=(--bin 'everything_*' --bin move_circle_shapes)
-    CARGO_TARGET_DIR=$1 cargo build --quiet --profile flash --package tilesat-flash "${bins[@]}" --target thumbv6m-none-eabi "${@:2}"
+    CARGO_TARGET_DIR=$1 cargo build --quiet --profile flash --package tilesat-flash "${programs[@]/#/--bin=}" --target thumbv6m-none-eabi "${@:2}"
 }
 build "$out/benches"
 build "$out/defmt/on" --features tilesat/defmt

@@ -1,5 +1,8 @@
-//! The picture as PNG, with letters and encoder of embedded-graphics.
+//! The picture as PNG, with the letters of embedded-graphics.
 
+use std::convert::Infallible;
+use std::fs::File;
+use std::io::BufWriter;
 use std::path::Path;
 
 use embedded_graphics::mono_font::MonoTextStyle;
@@ -8,7 +11,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::Text;
-use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
+use png::{BitDepth, ColorType, Encoder};
 
 use super::super::fail::{Fail, Result};
 use super::canvas::Canvas;
@@ -37,21 +40,44 @@ pub fn write(scene: &Scene, path: &Path) -> Result<()> {
             Mark::Text { .. } => {}
         }
     }
-    save(&canvas, scene, path).ok_or_else(|| Fail::new(format!("cannot write {}", path.display())))
-}
-
-fn save(canvas: &Canvas, scene: &Scene, path: &Path) -> Option<()> {
-    let area = Rectangle::new(Point::zero(), Size::new(canvas.width as u32, canvas.height as u32));
-    let mut display: SimulatorDisplay<Rgb888> = SimulatorDisplay::new(area.size);
-    let colours = canvas.pixels.iter().map(|&[r, g, b]| Rgb888::new(r, g, b));
-    display.fill_contiguous(&area, colours).ok()?;
     for mark in &scene.marks {
-        if let Mark::Text { at, text, ink } = mark {
+        if let Mark::Text { at: corner, text, ink } = mark {
             let [r, g, b] = ink.rgb;
+            let (x, y) = at(corner);
             let style = MonoTextStyle::new(&FONT_9X15, Rgb888::new(r, g, b));
-            let at = Point::new((at.0 * scene.scale) as i32, (at.1 * scene.scale) as i32);
-            Text::new(text, at, style).draw(&mut display).ok()?;
+            let Ok(_) = Text::new(text, Point::new(x as i32, y as i32), style).draw(&mut canvas);
         }
     }
-    display.to_rgb_output_image(&OutputSettings::default()).save_png(path).ok()
+    save(&canvas, path).map_err(|e| Fail::new(format!("cannot write {}: {e}", path.display())))
+}
+
+fn save(canvas: &Canvas, path: &Path) -> std::result::Result<(), png::EncodingError> {
+    let mut encoder = Encoder::new(BufWriter::new(File::create(path)?), canvas.width as u32, canvas.height as u32);
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_depth(BitDepth::Eight);
+    let mut image = encoder.write_header()?;
+    image.write_image_data(canvas.pixels.as_flattened())?;
+    image.finish()
+}
+
+impl OriginDimensions for Canvas {
+    fn size(&self) -> Size {
+        Size::new(self.width as u32, self.height as u32)
+    }
+}
+
+impl DrawTarget for Canvas {
+    type Color = Rgb888;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> std::result::Result<(), Infallible> {
+        let size = self.size();
+        for Pixel(at, colour) in pixels {
+            if Rectangle::new(Point::zero(), size).contains(at) {
+                let place = at.y as usize * self.width + at.x as usize;
+                self.pixels[place] = [colour.r(), colour.g(), colour.b()];
+            }
+        }
+        Ok(())
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::dda::{END, X, Y};
 use super::detour::{Detour, INSIDE};
+use super::line::to_cell_of_face;
 use super::scan::Scan;
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, fraction, umul};
@@ -35,8 +36,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///
     /// Cost: one look-up a cell, at most width + height + 4 cells, the area beyond the map included ([`RayHit::cells`] counts them). In
     /// [`Blocks`](crate::world::Blocks) a hit in the 17th cell takes about 850 instructions
-    /// on a Cortex-M0, 560 on a Cortex-M3, toi and point included; no division and no root. Rays that start in the solid or beyond the map, run along
-    /// a grid line, or go on in a band beyond the map look at the four cells around each crossing: about 150 instructions a cell. Other
+    /// on a Cortex-M0, 560 on a Cortex-M3, toi and point included; no division and no root. Rays that start in the solid or beyond the map, or
+    /// go on in a band beyond the map look at the four cells around each crossing: about 150 instructions a cell. Other
     /// shapes add two sides and one inner piece for each tile that is not empty, and one root for a hit within an arc.
     ///
     /// ```
@@ -87,8 +88,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         let (mut x, mut y) = (self.side(&self.grid.x, o.x, d.x), self.side(&self.grid.y, o.y, d.y));
         let cell = self.grid.cell as u32;
         let (mut met, mut kx, mut ky, mut kind) = (0, 0, 0, TileKind::FULL);
-        if self.runs(&x, &y) {
-            let run = self.run::<false>(&x, &y);
+        let run = if self.runs(&x, &y) { Some(self.run::<false>(&x, &y)) } else { self.run_along::<false>(&x, &y) };
+        if let Some(run) = run {
             (met, kx, ky) = (run.met, run.kx, run.ky);
             kind = self.kinds.get(run.id);
         }
@@ -103,6 +104,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             if met == END {
                 return Ok(None);
             }
+        } else {
+            to_cell_of_face(met, &mut x, &mut y);
         }
         let vertical = met & Y != 0;
         // The line crossed last is one cell before the next; a start on a line has crossed that.

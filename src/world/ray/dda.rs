@@ -15,7 +15,7 @@ pub(in crate::world) struct Side {
     /// Distance from the start to the next line, where there is one: below 2^31.
     pub(in crate::world) near: u32,
     /// At least the number of lines ahead, up to the end, that have a cell of the map behind them.
-    lines: i32,
+    pub(in crate::world) lines: i32,
     /// The size of the motion, below 2^30.
     pub(in crate::world) size: u32,
 }
@@ -217,7 +217,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// The id of the tile at a place in the data, and whether a run ends there; `None` does not happen.
     #[inline]
-    fn stop_at<const ANY: bool>(&self, tile: u32) -> Option<(u8, bool)> {
+    pub(in crate::world) fn stop_at<const ANY: bool>(&self, tile: u32) -> Option<(u8, bool)> {
         let byte = *self.data.get(if T::BITS == 8 { tile } else { tile >> 3 } as usize)?;
         let id = if T::BITS == 8 { byte } else { byte >> (tile & 7) & 1 };
         let kind = self.kinds.get(id);

@@ -1,10 +1,9 @@
 //! The rare steps of a ray, each looking at all four cells around a crossing: at the start, in the solid, along a line, beyond the map.
 
 use super::dda::{Axes, END, Met, Side, X, Y, along};
+use super::line::{BESIDE, to_cell_of_face};
 use crate::world::{Outside, Set, Store, TileKind, TileMap};
 
-/// The cell of the face is not the current one, but the one before it on the other axis.
-const BESIDE: Met = 4;
 /// The start is inside: no face was met.
 pub(in crate::world) const INSIDE: Met = 8;
 /// The four cells at a line or corner, as seen by a ray: the one it is in, those across one line, and the one across both. A bit is set where
@@ -66,13 +65,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         while met == 0 {
             met = self.turn(w);
         }
-        if met & BESIDE != 0 {
-            if met & X != 0 {
-                w.y.cell = w.y.cell.wrapping_sub(w.y.step);
-            } else {
-                w.x.cell = w.x.cell.wrapping_sub(w.x.step);
-            }
-        }
+        to_cell_of_face(met, &mut w.x, &mut w.y);
         w.kind = self.kind_unless_edge(w.x.cell, w.y.cell);
         met
     }

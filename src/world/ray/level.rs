@@ -78,8 +78,14 @@ impl<S: Set, T: Store> RayLevel for TileMap<'_, S, T> {
     #[inline(never)]
     fn skip(&self, walk: &mut Walk) {
         let cell = self.grid.cell as u32;
-        if along(&walk.x, &walk.y, cell) == 0 && self.holds(walk.x.cell, walk.y.cell) {
-            let run = self.run::<true>(&walk.x, &walk.y);
+        let run = if along(&walk.x, &walk.y, cell) != 0 {
+            self.run_along::<true>(&walk.x, &walk.y)
+        } else if self.holds(walk.x.cell, walk.y.cell) {
+            Some(self.run::<true>(&walk.x, &walk.y))
+        } else {
+            None
+        };
+        if let Some(run) = run {
             // Before the line that led to something: at a corner the lines are crossed one after the other then, at the same moment.
             walk.jump(run.kx.wrapping_sub(run.met & X), run.ky.wrapping_sub((run.met & Y) >> 1), cell);
         }

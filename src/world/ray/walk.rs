@@ -94,7 +94,7 @@ impl Walk {
         self.back = false;
     }
 
-    /// Goes on over lines on both axes behind all of which there is nothing.
+    /// Goes on over lines behind all of which there is nothing.
     pub(in crate::world) fn jump(&mut self, columns: u32, rows: u32, cell: u32) {
         if columns | rows != 0 {
             self.x = self.x.crossed(columns, cell);
