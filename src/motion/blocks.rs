@@ -6,6 +6,15 @@ use super::search::Search;
 use crate::num::{Axis, Raw};
 use crate::world::{Block, Cell, Cells, Feature, Geometry, World};
 
+/// Where a body is along a side, from the start of its motion to the end.
+enum Over {
+    /// Over its inside all the time.
+    Inside,
+    /// Over neither of its points at any time.
+    Nowhere,
+    Partly,
+}
+
 /// A motion among blocks.
 struct Sweep<'a, W, B> {
     world: &'a W,
@@ -81,13 +90,16 @@ impl<W: World, B: Body> Sweep<'_, W, B> {
 
     #[inline(never)]
     fn meet_face(&mut self, block: &Block, index: u16, a: Raw, dir: Axis, len: i32) {
-        let shape = |joined: [bool; 2]| Geometry::Face { a: a.vec2(), dir, len, joined };
-        let mut found = feature(block, index, shape([false; 2]));
-        if self.is_full(block, dir.y, dir.x.wrapping_neg()) {
+        let over = self.over(block, dir);
+        if matches!(over, Over::Nowhere) || self.is_full(block, dir.y, dir.x.wrapping_neg()) {
             return;
         }
-        let mut entry =
-            if self.stays_over(block, dir) { self.enter(a, dir) } else { self.body.sweep_block(self.d, &found) };
+        let shape = |joined: [bool; 2]| Geometry::Face { a: a.vec2(), dir, len, joined };
+        let mut found = feature(block, index, shape([false; 2]));
+        let mut entry = match over {
+            Over::Inside => self.enter(a, dir),
+            _ => self.body.sweep_block(self.d, &found),
+        };
         if self.thin || entry.as_ref().is_some_and(|entry| entry.at_end) {
             // Corner to corner it matters what lies beside the face.
             let before = self.is_full(block, dir.x.wrapping_neg(), dir.y.wrapping_neg());
@@ -99,11 +111,18 @@ impl<W: World, B: Body> Sweep<'_, W, B> {
         }
     }
 
-    /// Whether the body is over the inside of a side all the time, from the start of the motion to its end.
-    fn stays_over(&self, block: &Block, dir: Axis) -> bool {
+    /// Where over a side the motion leads.
+    fn over(&self, block: &Block, dir: Axis) -> Over {
         let ((lo, hi), (a, b), d) = (self.span, (block.lo, block.hi), self.d);
         let (before, after, d) = if dir.x == 0 { (hi.y - a.y, b.y - lo.y, d.y) } else { (hi.x - a.x, b.x - lo.x, d.x) };
-        !self.thin && before > 0 && before + d > 0 && after > 0 && after - d > 0
+        let (before_end, after_end) = (before + d, after - d);
+        if before > 0 && before_end > 0 && after > 0 && after_end > 0 {
+            if self.thin { Over::Partly } else { Over::Inside }
+        } else if (before < 0 && before_end < 0) || (after < 0 && after_end < 0) {
+            Over::Nowhere
+        } else {
+            Over::Partly
+        }
     }
 
     /// The entry of what stays over a face into it.

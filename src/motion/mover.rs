@@ -176,12 +176,12 @@ impl<S: Law> Mover<S> {
     ) -> Result<Moved<B>, MoveError> {
         check_motion(velocity, MOTION)?;
         body.check_size()?;
-        let (d, bounds, mut around) = (Raw::of(velocity), body.bounds(), Around::NOTHING);
-        let pieces = if d.is_zero() { 0 } else { pieces_unless_free(world, &bounds, d, &mut around) };
+        let (d, mut around) = (Raw::of(velocity), Around::NOTHING);
+        let pieces = if d.is_zero() { 0 } else { pieces_unless_free(world, &body.bounds(), d, &mut around) };
         if pieces == 0 {
             return Ok(Moved::freely(body.shifted(d), velocity, u32::from(!d.is_zero())));
         }
-        self.run_into(world, (body, &bounds), velocity, pieces, &mut around)
+        self.run_into(world, body, velocity, pieces, &mut around)
     }
 
     /// Apart, because most bodies fly: they need no frame for what the others do.
@@ -189,17 +189,18 @@ impl<S: Law> Mover<S> {
     fn run_into<W: World, B: Body>(
         &self,
         world: &W,
-        (body, bounds): (&B, &Aabb),
+        body: &B,
         velocity: Vec2,
         pieces: u32,
         around: &mut Around,
     ) -> Result<Moved<B>, MoveError> {
         let d = Raw::of(velocity);
         let mut work = Work { iterations: 1, features: 0, checks: 0 };
+        let bounds = body.bounds();
         // The place before the motion has been looked at.
-        let free = around.is_free_in_sight(&piece_of(bounds, Raw::ZERO, Raw::ZERO, 1));
+        let free = around.is_free_in_sight(&piece_of(&bounds, Raw::ZERO, Raw::ZERO, 1));
         let inside = !free && self.is_inside(world, body, &mut work)?;
-        check_inside(bounds, d)?;
+        check_inside(&bounds, d)?;
         let mut first = First::none();
         let mut search = Search::new(body, around);
         search.find_first_in(world, pieces, d, &mut first);

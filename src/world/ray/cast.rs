@@ -2,7 +2,6 @@
 
 use super::dda::{END, X, Y};
 use super::detour::{Detour, INSIDE};
-use super::line::to_cell_of_face;
 use super::scan::Scan;
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, fraction, umul};
@@ -88,8 +87,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         let (mut x, mut y) = (self.side(&self.grid.x, o.x, d.x), self.side(&self.grid.y, o.y, d.y));
         let cell = self.grid.cell as u32;
         let (mut met, mut kx, mut ky, mut kind) = (0, 0, 0, TileKind::FULL);
-        let run = if self.runs(&x, &y) { Some(self.run::<false>(&x, &y)) } else { self.run_along::<false>(&x, &y) };
-        if let Some(run) = run {
+        if self.runs(&x, &y) {
+            let run = self.run::<false>(&x, &y);
             (met, kx, ky) = (run.met, run.kx, run.ky);
             kind = self.kinds.get(run.id);
         }
@@ -104,8 +103,6 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             if met == END {
                 return Ok(None);
             }
-        } else {
-            to_cell_of_face(met, &mut x, &mut y);
         }
         let vertical = met & Y != 0;
         // The line crossed last is one cell before the next; a start on a line has crossed that.

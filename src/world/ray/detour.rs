@@ -1,7 +1,7 @@
 //! The rare steps of a ray, each looking at all four cells around a crossing: at the start, in the solid, along a line, beyond the map.
 
 use super::dda::{Axes, END, Met, Side, X, Y, along};
-use super::line::{BESIDE, to_cell_of_face};
+use super::line::BESIDE;
 use crate::world::{Outside, Set, Store, TileKind, TileMap};
 
 /// The start is inside: no face was met.
@@ -59,13 +59,21 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[inline(never)]
     pub(in crate::world) fn detour(&self, w: &mut Detour, hits_inside: bool) -> Met {
         let mut met = 0;
-        if self.kind_unless_edge(w.x.cell, w.y.cell).is_full() {
+        if let Some(run) = self.run_along::<false>(&w.x, &w.y) {
+            let cell = self.grid.cell as u32;
+            (w.x, w.y) = (w.x.crossed(run.kx, cell), w.y.crossed(run.ky, cell));
+            w.cells = w.cells.wrapping_add(run.kx).wrapping_add(run.ky);
+            met = run.met & !END;
+        } else if self.kind_unless_edge(w.x.cell, w.y.cell).is_full() {
             met = self.depart(w, hits_inside);
         }
         while met == 0 {
             met = self.turn(w);
         }
-        to_cell_of_face(met, &mut w.x, &mut w.y);
+        if met & BESIDE != 0 {
+            let side = if met & X != 0 { &mut w.y } else { &mut w.x };
+            side.cell = side.cell.wrapping_sub(side.step);
+        }
         w.kind = self.kind_unless_edge(w.x.cell, w.y.cell);
         met
     }

@@ -6,15 +6,6 @@ use crate::world::{Set, Store, TileMap};
 /// The cell of the face is not the current one, but the one before it on the other axis.
 pub(in crate::world) const BESIDE: Met = 4;
 
-/// Goes over to the cell that the face belongs to.
-#[inline]
-pub(in crate::world) fn to_cell_of_face(met: Met, x: &mut Side, y: &mut Side) {
-    if met & BESIDE != 0 {
-        let side = if met & X != 0 { y } else { x };
-        side.cell = side.cell.wrapping_sub(side.step);
-    }
-}
-
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// [`run`](Self::run) along a line that has cells of the map on both sides; two look-ups a step. `None` for other rays and, unless `ANY`, where the
     /// cell at the start is full.
