@@ -79,7 +79,7 @@ programs=(
     'circle_segment_overlaps:circle-segment overlaps:0'
     'unit_normal:unit normal:0'
     'circle_contact:circle-circle contact:0'
-    'cast_ray:ray, Blocks:2700'
+    'cast_ray:ray, Blocks:3200'
     'cast_ray_slopes:ray, Slopes:0'
     'cast_ray_shapes:ray, AllShapes:0'
     'move_aabb:move_and_slide, AABB, Blocks:0'

@@ -23,29 +23,32 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if !self.holds(x.cell, y.cell) || !self.holds(other.0, other.1) {
             return None;
         }
-        let mut tile = y.cell.wrapping_mul(stride).wrapping_add(x.cell);
-        let mut full_beside = !ANY && self.stop_at::<ANY>(tile.wrapping_add(across) as u32)?.1;
-        if !ANY && self.stop_at::<ANY>(tile as u32)?.1 {
-            return None;
+        // The cells at the start are where a face cannot be yet; of those that may hold anything nothing is asked.
+        let (mut left, mut tile) = (way.lines, y.cell.wrapping_mul(stride).wrapping_add(x.cell));
+        if !ANY {
+            (left, tile) = (left.wrapping_add(1), tile.wrapping_sub(step));
         }
-        let mut left = way.lines;
-        let (met, id) = loop {
+        let (mut full_here, mut full_beside) = (!ANY, !ANY);
+        let met = loop {
             if left <= 0 {
-                break (END, 0);
+                break END;
             }
             left = left.wrapping_sub(1);
             tile = tile.wrapping_add(step);
-            let ((id, full), (id_beside, next_beside)) =
-                (self.stop_at::<ANY>(tile as u32)?, self.stop_at::<ANY>(tile.wrapping_add(across) as u32)?);
-            if full {
-                break (axis, id);
+            if self.stop_at::<ANY>(tile as u32)?.1 {
+                if full_here {
+                    return None;
+                }
+                break axis;
             }
+            let next_beside = self.stop_at::<ANY>(tile.wrapping_add(across) as u32)?.1;
             if next_beside && !full_beside {
-                break (axis | BESIDE, id_beside);
+                break axis | BESIDE;
             }
-            full_beside = next_beside;
+            (full_here, full_beside) = (false, next_beside);
         };
         let crossed = way.lines.wrapping_sub(left) as u32;
-        Some(if axis == X { Run { met, id, kx: crossed, ky: 0 } } else { Run { met, id, kx: 0, ky: crossed } })
+        let (kx, ky) = if axis == X { (crossed, 0) } else { (0, crossed) };
+        Some(Run { met, id: 0, kx, ky })
     }
 }
