@@ -194,13 +194,11 @@ build_counts() {
     cargo build --quiet --release --package tilesat-counts --target "$target" "${bins[@]}"
 }
 # Crowds do not fit the micro:bit: code for either core runs on the board of the M3.
-count_bodies() {
-    build_counts "$1" crowds
-    run_on "$1" crowds thumbv7m-none-eabi
-}
+run_crowds() { run_on "$1" crowds thumbv7m-none-eabi; }
 if ((bodies)); then
     for core in "${cores[@]}"; do
-        count_bodies "${core#*:}"
+        build_counts "${core#*:}" crowds
+        run_crowds "${core#*:}"
     done | awk -f pivot.awk | awk -f bodies.awk
     exit 0
 fi
@@ -229,11 +227,21 @@ find_plugin() {
     fi
 }
 
-# Lines core|section|row|value|budget of all firmwares.
+# run_modelled TARGET BIN: instructions and, by the plugin, cycles.
+run_modelled() {
+    if ! QEMU_OPTIONS=$model run_on "$1" "$2" >"$out/$2.merged" 2>&1; then
+        grep -v '^instructions' "$out/$2.merged" >&2
+        return 1
+    fi
+    awk -f cycles.awk "$out/$2.merged"
+}
+
+# Lines core|section|row|value|budget of all firmwares. One at a time is built, and runs while the next ones are.
 measure_all() {
-    local core target bin
+    local core target bin how runs=() run
+    start() { "$@" >"$out/${#runs[@]}.part" & runs+=($!); }
     for core in "${counted[@]}"; do
-        target=${core#*:}
+        target=${core#*:} how=run_on
         if [[ $target == riscv32* ]] && ! "$root/.ci/get-emulators.sh" riscv32 >/dev/null; then
             absent+=(RV32)
             echo 'NOT COUNTED ON RV32: there is no emulator'
@@ -241,22 +249,21 @@ measure_all() {
         fi
         build_counts "$target" pairs levels bodies
         [[ $core != M0:* ]] || find_plugin
+        [[ $core != M0:* || -z $model ]] || how=run_modelled
         for bin in pairs levels bodies; do
-            if [[ $core == M0:* && -n $model ]]; then
-                if ! QEMU_OPTIONS=$model run_on "$target" "$bin" >"$out/$bin.merged" 2>&1; then
-                    grep -v '^instructions' "$out/$bin.merged" >&2
-                    return 1
-                fi
-                awk -f cycles.awk "$out/$bin.merged"
-            else
-                run_on "$target" "$bin"
-            fi
-        done >>"$lines"
+            start "$how" "$target" "$bin"
+        done
     done
-    [[ -z $only_core ]] || return 0
-    for core in "${cores[@]}"; do
-        count_bodies "${core#*:}"
-    done >>"$lines"
+    if [[ -z $only_core ]]; then
+        for core in "${cores[@]}"; do
+            build_counts "${core#*:}" crowds
+            start run_crowds "${core#*:}"
+        done
+    fi
+    for run in "${!runs[@]}"; do
+        wait "${runs[run]}" || return
+        cat "$out/$run.part" >>"$lines"
+    done
 }
 
 fresh=$out/fresh.txt lines=$out/lines.txt
