@@ -5,8 +5,8 @@
 //!                                                       QUERY OF VECTORS HASH; exit 1 where one is not in tests/golden/hashes.txt
 //! cargo run --release --example golden -- 10000         no more than so many vectors of each
 //! cargo run --release --example golden -- --accept      writes that table anew, and prints the changelog's list of outputs
-//! cargo run --release --example golden_shapes --target thumbv6m-none-eabi [-- 10000]      on a chip (emulated), in seven parts:
-//!   ... golden_bodies, golden_levels, golden_segments, golden_joined, golden_blocks, golden_motion; also firmware
+//! cargo run --release --example golden_shapes --target thumbv6m-none-eabi [-- 10000]      on a chip (emulated), in eight parts:
+//!   ... golden_bodies, golden_levels, golden_segments, golden_joined, golden_moving, golden_blocks, golden_motion; also firmware
 //!                                                       and bullets_firmware
 //! .ci/targets                                                                             all that, on all targets
 //! ```

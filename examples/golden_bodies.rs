@@ -1,6 +1,6 @@
 //! Golden on a chip, the broad phases: `cargo run --release --example golden_bodies --target thumbv6m-none-eabi [-- VECTORS]`.
 //!
-//! One of seven parts of `golden.rs`, which says what it is about; each fits the flash of a small chip.
+//! One of eight parts of `golden.rs`, which says what it is about; each fits the flash of a small chip.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg_attr(
     target_os = "none",
