@@ -39,3 +39,29 @@ const fn check(v: Fx, above: i32, below: i32, what: Quantity) -> Result<(), Rang
     let value = v.to_bits();
     if above < value && value < below { Ok(()) } else { Err(RangeError { what, value }) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{DOMAIN, MOTION, check_length, check_motion};
+    use crate::error::{Quantity, RangeError};
+    use crate::num::{Fx, Vec2};
+
+    #[test]
+    fn refuses_from_the_limit_on() {
+        let error = |what, value| Err(RangeError { what, value });
+        for limit in [MOTION, DOMAIN] {
+            for most in [limit - 1, 1 - limit] {
+                let over = most + most.signum();
+                assert_eq!(check_motion(Vec2::from_raw(most, most), limit), Ok(()));
+                assert_eq!(check_motion(Vec2::from_raw(over, over), limit), error(Quantity::MotionX, over));
+                assert_eq!(check_motion(Vec2::from_raw(most, over), limit), error(Quantity::MotionY, over));
+            }
+        }
+        for length in [0, 1, DOMAIN - 1] {
+            assert_eq!(check_length(Fx::from_bits(length)), Ok(()));
+        }
+        for length in [-1, i32::MIN, DOMAIN, i32::MAX] {
+            assert_eq!(check_length(Fx::from_bits(length)), error(Quantity::Length, length));
+        }
+    }
+}

@@ -42,3 +42,20 @@ pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split,
 
 /// The world's scalar: signed 16.16 fixed point. A unit is whatever the game says it is, usually a pixel.
 pub type Fx = fixed::types::I16F16;
+
+#[cfg(test)]
+mod tests {
+    use super::{cmp_squares, square_times};
+
+    /// Numbers that differ in one of the three words of a product only, or in none.
+    #[test]
+    fn squares_are_compared_in_all_words() {
+        let numbers = [0, 1, 2, 3, 1 << 32, (1 << 32) + 1, (1 << 60) - 1, 1 << 60, (1 << 60) + 1];
+        for (a, p) in numbers.into_iter().flat_map(|a| numbers.map(|p| (a, p))) {
+            for (b, q) in numbers.into_iter().flat_map(|b| numbers.map(|q| (b, q))) {
+                let expected = square_times(a, p).cmp(&square_times(b, q));
+                assert_eq!(cmp_squares((a, p), (b, q)), expected, "{a} {p} {b} {q}");
+            }
+        }
+    }
+}

@@ -94,3 +94,28 @@ impl Ratio {
         self.of_wide(n).wrapping_add(short as u64)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Ratio;
+
+    /// 0, powers of two and what is beside them, and all ones.
+    fn near_powers(bits: u32) -> impl Iterator<Item = u64> {
+        (0..bits).flat_map(|k| [(1 << k) - 1, 1 << k, (1u64 << k).wrapping_add(1)]).chain([u64::MAX >> (64 - bits)])
+    }
+
+    #[test]
+    fn parts_are_rounded_to_their_sides() {
+        let one = u128::from(Ratio::ONE.raw());
+        for raw in near_powers(31).filter(|&raw| u128::from(raw) <= one).chain([1_000_000_007, 333_333_333]) {
+            let ratio = Ratio(raw as u32);
+            for n in near_powers(64).chain([0x1234_5678_9abc_def0]) {
+                let (product, d) = (u128::from(n) * u128::from(raw), n as i32);
+                assert_eq!(u128::from(ratio.of_wide(n)), product / one, "{n} {raw}");
+                assert_eq!(u128::from(ratio.of_wide_up(n)), product.div_ceil(one), "{n} {raw}");
+                let size = (u128::from(d.unsigned_abs()) * u128::from(raw)).div_ceil(one) as i32;
+                assert_eq!(ratio.of_raw_up(d), if d < 0 { size.wrapping_neg() } else { size }, "{d} {raw}");
+            }
+        }
+    }
+}

@@ -191,3 +191,35 @@ const fn ladder(mut n: u32) -> u32 {
 const fn min32(a: u32, b: u32) -> u32 {
     if a < b { a } else { b }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{root128_down, root128_up};
+
+    /// Around squares of every size: bounds on their sides, exact below 2^64, else within a part in 2^31.
+    #[test]
+    fn roots_of_double_words_are_bounds() {
+        for bits in 0..62 {
+            for root in [
+                1u128 << bits,
+                (1 << bits) + 1,
+                (2 << bits) - 1,
+                (3 << bits) >> 1,
+                0x3243_f6a8_885a_308d >> (61 - bits),
+            ] {
+                let square = root * root;
+                // Less than a part in 2^31 below a power of four the ceiling saturates.
+                let shift = |n: u128| (128 - n.leading_zeros()).saturating_sub(64).next_multiple_of(2);
+                let held = |&n: &u128| n >> shift(n) < u128::from(u32::MAX).pow(2);
+                for n in [square - 1, square, square + 1, square + root].into_iter().filter(held) {
+                    let halves = ((n >> 64) as u64, n as u64);
+                    let (down, up) = (u128::from(root128_down(halves)), u128::from(root128_up(halves)));
+                    assert!(down * down <= n && n <= up * up, "{n}: {down} {up}");
+                    let part = if n >> 64 == 0 { 1 } else { root >> 30 };
+                    assert!((down + part).pow(2) > n && (up.max(part) - part).pow(2) <= n, "{n}: {down} {up}");
+                    assert!(n >> 64 != 0 || n == 0 || (up - 1).pow(2) < n, "{n}: {up}");
+                }
+            }
+        }
+    }
+}

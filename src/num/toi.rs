@@ -77,3 +77,24 @@ impl Toi {
         if short && outward == away { part.wrapping_add(d.signum()) } else { part }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Toi;
+
+    #[test]
+    fn parts_beside_zero_are_rounded_to_a_side() {
+        for raw in [0, 1, 3, 1 << 29, (1 << 29) + 1, (1 << 30) / 3, 3 << 28, (1 << 30) - 1, 1 << 30] {
+            for (m, d) in (-9..=9).flat_map(|m| (-9..=9).map(move |d| (m, d))) {
+                // In parts of 2^30.
+                let (part, at) = (i64::from(d) * i64::from(raw), (i64::from(m) << 30) + i64::from(d) * i64::from(raw));
+                for away in [true, false] {
+                    let got = i64::from(Toi(raw).of_raw_beside(m, d, away));
+                    let size = (i64::from(m) + got).abs() << 30;
+                    assert!(if away { size >= at.abs() } else { size <= at.abs() }, "{m} {d} {raw} {away}: {got}");
+                    assert!(((got << 30) - part).abs() < 1 << 30, "{m} {d} {raw} {away}: {got}");
+                }
+            }
+        }
+    }
+}

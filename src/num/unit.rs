@@ -134,3 +134,22 @@ impl Normalised {
         if self.halve { (hi + 3) >> 1 } else { hi + 2 }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Normalised;
+
+    #[test]
+    fn products_are_rounded_to_nearest() {
+        for recip in [1 << 31, (1 << 31) + 1, 0xb504_f333, 0xdead_beef, u32::MAX] {
+            for component in [1, 2, 3, 4, 5, 0x4000_0001, 0x5a82_799a, 0x7fff_ffff] {
+                let product = u64::from(component) * u64::from(recip);
+                for halve in [false, true] {
+                    let got = Normalised { x: 0, y: 0, recip, halve }.nearest(component);
+                    let shift = 32 + u32::from(halve);
+                    assert_eq!(u64::from(got), (product + (1 << (shift - 1))) >> shift, "{component} {recip} {halve}");
+                }
+            }
+        }
+    }
+}

@@ -8,11 +8,16 @@ mod cast_support;
 mod oracle;
 
 mod cast_classes;
+mod cast_corners;
 mod cast_lattice;
 mod cast_ranges;
+mod cast_rays;
+mod closest_ties;
 mod degenerate;
 mod distances;
 mod lattice;
+mod mutants_casts;
+mod mutants_contacts;
 mod number_types;
 mod numbers;
 mod push_out;

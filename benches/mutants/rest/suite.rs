@@ -2,6 +2,7 @@
 
 #![allow(dead_code, reason = "only parts of each test are run")]
 
+mod cast_support;
 mod motion_shape_support;
 mod motion_support;
 mod oracle;
@@ -13,6 +14,7 @@ mod support;
 mod walk_support;
 
 mod broad_removals;
+mod cast_rays;
 mod features;
 mod motion_floor;
 mod motion_one_way;

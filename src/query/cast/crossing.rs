@@ -127,8 +127,16 @@ pub(crate) fn direction(m: Raw) -> Axis {
 
 #[cfg(test)]
 mod tests {
-    use super::octagons;
+    use super::{Crossing, octagons};
     use crate::num::Raw;
+
+    #[test]
+    fn the_rim_is_not_inside() {
+        let crossing = Crossing::of(Raw { x: -5, y: 0 }, 3, Raw { x: 9, y: 0 });
+        for (x, inside) in [(0, true), (-2, true), (2, true), (-3, false), (3, false), (-4, false), (1 << 29, false)] {
+            assert_eq!(crossing.map(|c| c.starts_inside(Raw { x, y: 0 })), Some(inside), "{x}");
+        }
+    }
 
     fn check(x: i32, y: i32) {
         let square = u64::from(x.unsigned_abs()).pow(2) + u64::from(y.unsigned_abs()).pow(2);

@@ -111,3 +111,73 @@ pub(super) fn last_before(from: Toi, happened: impl Fn(u32) -> bool) -> Toi {
     }
     Toi::exact(last)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{exit_time, gap_time, ratio};
+    use crate::num::{Toi, sqr64};
+
+    const ONE: u128 = 1 << 30;
+
+    /// Every bit length, a few numbers of each.
+    fn numbers(bits: u32) -> impl Iterator<Item = u64> + Clone {
+        (0..bits)
+            .flat_map(|k| [1, 3, 5, 0x9e37_79b9_7f4a_7c15 >> (63 - k)].map(|n| (n << k >> k & ((2 << k) - 1)) | 1 << k))
+    }
+
+    /// No more than `num / den`, and less by four parts in 2^30 and two steps at most.
+    fn check(got: Toi, num: u64, den: u64, case: &[u64]) {
+        let exact = (u128::from(num) * ONE / u128::from(den)).min(ONE);
+        let got = u128::from(got.raw());
+        assert!(got <= exact && exact - got <= (exact >> 28) + 2, "{got} for {exact}: {case:?}");
+    }
+
+    #[test]
+    fn ratios_are_rounded_down_to_one() {
+        assert_eq!(ratio(1 << 40, 1 << 41).raw(), 1 << 29);
+        for den in numbers(62) {
+            for num in
+                [0, 1, den / 3, den / 2, den - 1, den, den.saturating_add(1), den.saturating_mul(2), u64::MAX >> 1]
+            {
+                check(ratio(num, den), num, den, &[num, den]);
+            }
+            // By a power of two it is exact.
+            for shift in 0..den.leading_zeros() {
+                assert_eq!(ratio(1, 1 << shift).raw(), (1u32 << 30).checked_shr(shift).unwrap_or(0), "{shift}");
+            }
+        }
+    }
+
+    #[test]
+    fn gaps_fall_to_a_whole_root() {
+        for root in numbers(60) {
+            for into in numbers(60) {
+                for left in [0, 1, into / 7, into / 2, into - 1, into] {
+                    let gap = root + left;
+                    check(gap_time(gap, into, sqr64(root)), left, into, &[gap, into, root]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn exits_with_a_whole_root() {
+        for root in numbers(58) {
+            for b in numbers(58) {
+                for cross in [0, 1, 1 << 40, -(1 << 57)] {
+                    let (square, across) = (u128::from(root).pow(2), u128::from(i64::unsigned_abs(cross)).pow(2));
+                    let sum = square + across;
+                    let rra = ((sum >> 64) as u64, sum as u64);
+                    let far = b + root;
+                    for a in [far, far * 2 + 1, far / 2 + 1] {
+                        check(exit_time(0, b as i64, a, rra, cross), far, a, &[b, a, root]);
+                    }
+                    for inner in [far / 3, far, far * 2] {
+                        check(exit_time(inner, -(b as i64), 1, rra, cross), inner, far, &[inner, b, root]);
+                    }
+                    check(exit_time(root / 2, 0, 1, rra, cross), root / 2, root, &[root]);
+                }
+            }
+        }
+    }
+}

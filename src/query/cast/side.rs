@@ -80,3 +80,21 @@ fn pass(m: Raw, d: Raw, dir: Axis, at_end: bool) -> Pass {
 pub(crate) fn offset_to_radius(cross: i64, dir: Axis, r: i32, du: i64) -> Ordering {
     cmp_squares((cross.unsigned_abs(), dir.length_squared()), (du.unsigned_abs(), usqr(r.unsigned_abs())))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::is_below;
+
+    #[test]
+    fn heights_are_below_a_root_that_is_larger() {
+        for height in [1u64, 5, 25 << 20, 1 << 31, u64::from(u32::MAX), 1 << 32, 3 << 32, (1 << 61) - 1] {
+            let square = u128::from(height).pow(2);
+            for (reach, below) in
+                [(square - 1, false), (square, false), (square + 1, true), (1, false), (1 << 123, true)]
+            {
+                assert_eq!(is_below(height, ((reach >> 64) as u64, reach as u64)), below, "{height} {reach}");
+            }
+        }
+        assert!(is_below(0, (0, 1)) && !is_below(0, (0, 0)));
+    }
+}
