@@ -5,6 +5,7 @@
 #   run.sh                 all: judge, time, count on the host and on microcontrollers, weigh, show (half an hour)
 #   run.sh --quick         judge, count and show with few inputs, into target/precision: nothing in the repository is written
 #   run.sh --only STEP     one step of: judge count micro flash show; adds to what is there
+#   run.sh --parts "P.."   judges and counts only these of: pairs rays casts moves broad; with or without --only
 #   run.sh --soak N        asks each pair of shapes N times around touches; goes on where it ended (target/precision/soak.txt)
 #
 # Needs a C compiler (Box2D, Chipmunk2D), valgrind (count) and the emulator of .ci/get-emulators.sh (micro).
@@ -22,7 +23,7 @@ work=$target/precision
 # Chipmunk2D 7.0.0 includes a header that C libraries no longer have; both C libraries are built as for a release.
 export CFLAGS="-I$here/compat -DNDEBUG ${CFLAGS:-}"
 
-out=$here/results.csv quick='' steps='judge count micro flash show' soak=''
+out=$here/results.csv quick='' steps='judge count micro flash show' soak='' parts=()
 while (($#)); do
     case $1 in
     --quick)
@@ -34,12 +35,16 @@ while (($#)); do
         steps=${2:?--only needs the name of a step}
         shift
         ;;
+    --parts)
+        read -ra parts <<<"${2:?--parts needs names}"
+        shift
+        ;;
     --soak)
         soak=${2:?--soak needs a number of queries}
         shift
         ;;
     *)
-        sed -n '2,12s/^# \{0,1\}//p' "$here/run.sh" >&2
+        sed -n '2,13s/^# \{0,1\}//p' "$here/run.sh" >&2
         exit 2
         ;;
     esac
@@ -54,12 +59,12 @@ if [[ -n $soak ]]; then
 fi
 
 judge() {
-    "$bench" measure $quick --out "$out"
+    "$bench" measure ${parts[@]+"${parts[@]}"} $quick --out "$out"
 }
 
 count() {
     command -v valgrind >/dev/null || { echo 'run.sh: no valgrind, no instructions of the host' >&2; return; }
-    "$bench" count $quick --out "$out"
+    "$bench" count ${parts[@]+"${parts[@]}"} $quick --out "$out"
 }
 
 cores=(m0:thumbv6m-none-eabi m4f:thumbv7em-none-eabihf)
@@ -110,7 +115,10 @@ machine() {
     echo "| Box2D | of boxdd-sys $(version boxdd-sys) (C, f32) |"
     echo "| Chipmunk2D | 7.0.0, of chipmunk-sys $(version chipmunk-sys) (C, f64) |"
     echo "| cute_c2 | not here: no package of the registry carries it |"
-    echo "| rapier2d | not here: its pairs are parry2d's |"
+    echo "| rapier2d | $(version rapier2d): its character controller, which slides by parry2d's casts; its pairs are parry2d's |"
+    echo "| broccoli | $(version broccoli): its tree, built anew in each frame |"
+    echo "| moves without Chipmunk2D | it has no mover; Box2D's is a capsule, so it moves circles alone |"
+    echo "| moves and broad phases on microcontrollers | not counted here: the harness in the emulator has a place for pairs of shapes only |"
     echo "| tilesat without filters | no path of the library: \`exact (no filters)\` is this benchmark's own integer code |"
 }
 

@@ -2,7 +2,7 @@
 
 use crate::record::Row;
 use crate::show::workloads;
-use crate::tables::{first_asked, is_library, short, usual_class};
+use crate::tables::{cheapest, first_asked, is_broad, is_library, short, usual_class};
 use std::fmt::Write;
 
 /// One goal: how many rows it is about, and those that miss it.
@@ -52,9 +52,38 @@ fn at_most(
     goal
 }
 
-/// Yes or no, rays and casts: the first question of each workload. A library's contact says yes or no as well.
-fn first(rows: &[Row]) -> impl Iterator<Item = Row> {
-    rows.iter().filter(|r| r.backend() == "tilesat" && r.asked() == first_asked(r.workload())).cloned()
+/// Whether it moves bodies.
+fn is_move(workload: &str) -> bool {
+    workload.starts_with("move")
+}
+
+/// The first question of each workload that has one: yes or no, rays, casts, moves. A library's contact says yes or no as well.
+fn first(rows: &[Row], moves: bool) -> impl Iterator<Item = Row> {
+    let of = move |r: &&Row| r.backend() == "tilesat" && r.asked() == first_asked(r.workload());
+    rows.iter().filter(of).filter(move |r| is_move(r.workload()) == moves).cloned()
+}
+
+/// Of our broad phases, the one that costs least in each class.
+fn best_broad(rows: &[Row], column: &str) -> Vec<Row> {
+    let own = |r: &&Row| r.backend() == "tilesat" && is_broad(r.workload());
+    let mut classes: Vec<&str> = rows.iter().filter(own).map(Row::class).collect();
+    classes.dedup();
+    classes
+        .iter()
+        .filter_map(|c| cheapest(rows.iter().filter(own).filter(|r| r.class() == *c), column))
+        .cloned()
+        .collect()
+}
+
+/// A count of what is wrong, which is to be none.
+fn none(rows: &[Row], text: &'static str, column: &str, of: impl Fn(&str) -> bool) -> Goal {
+    let own = rows.iter().filter(|r| r.backend() == "tilesat" && r.get(column).is_some() && of(r.workload()));
+    let bad = own.clone().filter(|r| r.get(column) > Some(0.0));
+    let told = |r: &Row| {
+        let (n, all) = (r.get(column).unwrap_or(0.0), r.get("queries").unwrap_or(0.0));
+        format!("{}, {}, {}: {} of {}", r.workload(), r.class(), r.asked(), short(n), short(all))
+    };
+    Goal { text, rows: own.count(), missed: bad.map(told).collect() }
 }
 
 /// Yes or no, and contacts with depth and normal.
@@ -64,17 +93,11 @@ fn both(rows: &[Row]) -> impl Iterator<Item = Row> {
 
 fn goals(rows: &[Row]) -> Vec<Goal> {
     let library = |_: &Row, r: &Row| is_library(r.backend());
+    let others = |_: &Row, r: &Row| r.backend() != "tilesat";
     let contact = |_: &Row, r: &Row| is_library(r.backend()) && r.asked() == "contact";
     let f32_too = |own: &Row, r: &Row| r.backend() == "textbook f32" && r.asked() == own.asked();
     let parry = |_: &Row, r: &Row| r.backend().starts_with("parry2d");
     let usual = |r: &Row| r.class() == usual_class(r.workload());
-    let sums = ["wrong", "late"].map(|column| {
-        let own = rows.iter().filter(|r| r.backend() == "tilesat" && r.get(column).is_some());
-        let bad = own.clone().filter(|r| r.get(column) > Some(0.0));
-        let told = |r: &Row| format!("{}, {}: {}", r.workload(), r.class(), short(r.get(column).unwrap_or(0.0)));
-        let text = if column == "wrong" { "0 wrong answers" } else { "0 late times of impact" };
-        Goal { text, rows: own.count(), missed: bad.map(told).collect() }
-    });
     let mut soak = Goal { text: "0 wrong of 10^9 adversarial queries a pair", rows: 0, missed: Vec::new() };
     for row in ours(rows, "overlaps").filter(|r| r.class() == "soak") {
         soak.rows += 1;
@@ -83,20 +106,39 @@ fn goals(rows: &[Row]) -> Vec<Goal> {
             soak.missed.push(format!("{}: {wrong} wrong of {n:.2e}", row.workload()));
         }
     }
-    let [wrong, late] = sums;
     let contacts = || ours(rows, "contact").cloned();
     vec![
-        wrong,
-        late,
+        none(rows, "0 wrong answers", "wrong", |w| !is_move(w) && !is_broad(w)),
+        none(rows, "0 late times of impact", "late", |_| true),
+        none(rows, "0 overlaps after a move", "wrong", is_move),
+        none(rows, "0 tunnels", "tunnels", is_move),
+        none(rows, "0 frames stuck though there was a way", "stuck", is_move),
+        none(rows, "0 missing pairs of boxes", "wrong", is_broad),
         soak,
         at_most(
             rows,
             "at most the instructions of the fastest library: yes or no, rays, casts",
             ("host", 1.0),
-            first(rows),
+            first(rows, false),
             library,
         ),
-        at_most(rows, "at most its ns: yes or no, rays, casts", ("ns", 1.0), first(rows), library),
+        at_most(rows, "at most its ns: yes or no, rays, casts", ("ns", 1.0), first(rows, false), library),
+        at_most(
+            rows,
+            "at most the instructions of the fastest library: moves",
+            ("host", 1.0),
+            first(rows, true),
+            library,
+        ),
+        at_most(rows, "at most its ns: moves", ("ns", 1.0), first(rows, true), library),
+        at_most(
+            rows,
+            "at most the instructions of the fastest of all others: the best broad phase for as many boxes",
+            ("host", 1.0),
+            best_broad(rows, "host").into_iter(),
+            others,
+        ),
+        at_most(rows, "at most its ns: broad phases", ("ns", 1.0), best_broad(rows, "ns").into_iter(), others),
         at_most(
             rows,
             "at most the instructions of the fastest library: contacts with depth and normal",
@@ -200,5 +242,41 @@ mod tests {
         let missed = page(&[row("tilesat", 21.0, 1.0), row("Box2D", 20.0, 0.0), row("textbook f32", 16.0, 1.0)]);
         assert_eq!(missed.matches("MISSED").count(), 3, "{missed}");
         assert!(missed.contains("21.0 against 20.0 of Box2D: overlaps"), "{missed}");
+    }
+
+    fn cells(key: [&str; 4], cells: &[(&str, f64)]) -> Row {
+        let mut row = Row::new(key[0], key[1], key[2], key[3]);
+        row.set("queries", 100.0);
+        for (column, value) in cells {
+            row.set(column, *value);
+        }
+        row
+    }
+
+    #[test]
+    fn moves_are_held_to_no_overlap_and_no_tunnel() {
+        let row = |wrong, tunnels, stuck| {
+            let counts = [("wrong", wrong), ("tunnels", tunnels), ("stuck", stuck)];
+            page(&[cells(["move: level", "circle", "tilesat", "move"], &counts)])
+        };
+        assert!(!row(0.0, 0.0, 0.0).contains("MISSED"));
+        assert!(row(1.0, 0.0, 0.0).contains("**MISSED** (0 of 1): 0 overlaps after a move"));
+        assert!(
+            row(0.0, 2.0, 0.0).contains("**MISSED** (0 of 1): 0 tunnels\n  - move: level, circle, move: 2.00 of 100")
+        );
+        assert!(row(0.0, 0.0, 3.0).contains("**MISSED** (0 of 1): 0 frames stuck"));
+    }
+
+    #[test]
+    fn the_best_broad_phase_is_held_to_the_best_of_others() {
+        let row = |asked, host, wrong| {
+            cells(["pairs of boxes", "8 boxes", "tilesat", asked], &[("host", host), ("wrong", wrong)])
+        };
+        let other = cells(["pairs of boxes", "8 boxes", "textbook f32", "brute"], &[("host", 50.0)]);
+        let met = page(&[row("grid", 90.0, 0.0), row("sweep", 50.0, 0.0), other.clone()]);
+        assert!(!met.contains("MISSED"), "{met}");
+        let missed = page(&[row("grid", 90.0, 1.0), row("sweep", 51.0, 0.0), other]);
+        assert_eq!(missed.matches("MISSED").count(), 2, "{missed}");
+        assert!(missed.contains("8 boxes, sweep: 51.0 against 50.0 of textbook f32: brute"), "{missed}");
     }
 }

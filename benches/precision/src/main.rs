@@ -6,14 +6,21 @@
 //! How to read it:
 //! - Every answer is held against exact integers of 256 bits, which a test holds equal to big rationals. They share no code with the library.
 //! - A backend is wrong by the convention that suits it better over a class: touching is overlapping, or it is not. tilesat's is the strict one.
+//! - Who moves bodies: rapier2d's controller stands for parry2d's casts, with which it slides; Box2D's mover is a capsule, so circles alone;
+//!   Chipmunk2D has none. Neither moving nor broad phases are counted on microcontrollers here: the emulated harness has a place for pairs of
+//!   shapes only (`benches/target` counts ours).
 //! - Lengths are raw integers, 65 536 a pixel. A float gets the nearest value to each, so an f32 loses digits far from the origin, as in a game.
+//! - Bodies that move are judged where they are, as what their numbers mean exactly, and so each has its own way through a level (`moves/truth.rs`).
+//! - Of pairs of boxes, one that overlaps and is not told is wrong; what only touches may be told or not (`broad/truth.rs`).
 //! - A query's cost is that of one call from a loop: operands in memory, the whole answer stored. Libraries differ in what they return.
 
+mod broad;
 mod callgrind;
 mod casts;
 mod goals;
 mod job;
 mod micro;
+mod moves;
 #[path = "../../../tests/oracle/mod.rs"]
 mod oracle;
 mod pairs;
@@ -36,8 +43,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 const USAGE: &str = "tilesat-precision COMMAND [--quick] [--out FILE]
-  measure          judges and times, and writes the rows
-  count            counts instructions under callgrind, and adds them to the rows
+  measure [PART..] judges and times, and writes the rows
+  count [PART..]   counts instructions under callgrind, and adds them to the rows; parts are pairs, rays, casts, moves and broad
   inputs FILE      writes the inputs that microcontrollers get
   add CORE FILE    adds what a microcontroller printed (m0, m4f) or a linker (flash_m0, flash_m4f)
   soak N [--state FILE]
@@ -73,12 +80,9 @@ fn main() -> ExitCode {
     }
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let done = match (command.as_str(), &words[..]) {
-        ("measure", []) => measure(&options),
-        ("count", []) => count(&options),
-        ("count-inside", []) => {
-            count_inside(&sizes(&options));
-            Ok(())
-        }
+        ("measure", parts) => chosen(parts).and_then(|parts| measure(&options, &parts)),
+        ("count", parts) => count(&options, parts),
+        ("count-inside", parts) => chosen(parts).map(|parts| count_inside(&sizes(&options), &parts)),
         ("inputs", [file]) => std::fs::write(file, micro::inputs()).map_err(|e| format!("{file}: {e}")),
         ("add", [core, file]) => add(&options, core, Path::new(file)),
         ("soak", [n]) => match n.parse() {
@@ -131,24 +135,45 @@ fn add(options: &Options, core: &str, file: &Path) -> Result<(), String> {
     join(options, micro::counts(core, &printed)?)
 }
 
-fn measure(options: &Options) -> Result<(), String> {
+/// Workloads that are measured and counted together.
+struct Part {
+    name: &'static str,
+    measure: fn(&Sizes, &mut Vec<Row>),
+    count: fn(&Sizes),
+}
+
+const PARTS: [Part; 5] = [
+    Part { name: "pairs", measure: pairs::measure, count: pairs::count },
+    Part { name: "rays", measure: rays::measure, count: rays::count },
+    Part { name: "casts", measure: casts::measure, count: casts::count },
+    Part { name: "moves", measure: moves::measure, count: moves::count },
+    Part { name: "broad", measure: broad::measure, count: broad::count },
+];
+
+/// The named parts, or all.
+fn chosen(names: &[&str]) -> Result<Vec<&'static Part>, String> {
+    if let Some(name) = names.iter().find(|name| PARTS.iter().all(|p| p.name != **name)) {
+        return Err(format!("{name}: no such part"));
+    }
+    Ok(PARTS.iter().filter(|p| names.is_empty() || names.contains(&p.name)).collect())
+}
+
+fn measure(options: &Options, parts: &[&Part]) -> Result<(), String> {
     let mut rows = Vec::new();
-    pairs::measure(&sizes(options), &mut rows);
-    rays::measure(&sizes(options), &mut rows);
-    casts::measure(&sizes(options), &mut rows);
+    parts.iter().for_each(|part| (part.measure)(&sizes(options), &mut rows));
     join(options, rows)
 }
 
-fn count_inside(sizes: &Sizes) {
-    pairs::count(sizes);
-    rays::count(sizes);
-    casts::count(sizes);
+fn count_inside(sizes: &Sizes, parts: &[&Part]) {
+    parts.iter().for_each(|part| (part.count)(sizes));
 }
 
 /// Runs `count-inside` under callgrind, and adds what it counted.
-fn count(options: &Options) -> Result<(), String> {
+fn count(options: &Options, parts: &[&str]) -> Result<(), String> {
+    chosen(parts)?;
     let dumps = options.out.with_extension("callgrind");
     let mut arguments = vec!["count-inside".to_owned()];
+    arguments.extend(parts.iter().map(|&part| part.to_owned()));
     arguments.extend(options.quick.then(|| "--quick".to_owned()));
     let status = callgrind::run(&arguments, &dumps).map_err(|e| format!("valgrind: {e}"))?;
     if !status.success() {

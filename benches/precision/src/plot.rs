@@ -22,7 +22,7 @@ pub struct Axes<'a> {
 }
 
 /// A colour a backend, and a sign.
-const STYLES: [(&str, &str, char); 18] = [
+const STYLES: [(&str, &str, char); 20] = [
     ("tilesat", "#0a7a2f", 'o'),
     ("exact (no filters)", "#74b816", 'o'),
     ("plain integer DDA", "#74b816", 'o'),
@@ -41,6 +41,8 @@ const STYLES: [(&str, &str, char); 18] = [
     ("parry2d Compound", "#862e9c", 'd'),
     ("parry2d-f64 Voxels", "#da77f2", 's'),
     ("parry2d-f64 Compound", "#da77f2", 'd'),
+    ("rapier2d", "#862e9c", 's'),
+    ("broccoli", "#2f9e44", 't'),
 ];
 
 fn style(backend: &str) -> (&'static str, char) {

@@ -10,7 +10,7 @@ use std::fmt::Write;
 pub const KEYS: [&str; 4] = ["workload", "class", "backend", "asked"];
 
 /// What a row may hold. Errors are in pixels, or of a time in pixels of way; `ulp` in units of the backend's own format.
-pub const COLUMNS: [&str; 20] = [
+pub const COLUMNS: [&str; 24] = [
     "queries",
     // Answers that are wrong by the strict convention, and by the one where touching counts.
     "wrong",
@@ -23,6 +23,12 @@ pub const COLUMNS: [&str; 20] = [
     "late",
     "hits",
     "deepest_px",
+    // Of frames that move a body: ends deeper than a 64th of a pixel, through the solid, and not at all though it could; of pairs of boxes:
+    // those that are apart.
+    "deep",
+    "tunnels",
+    "stuck",
+    "extra",
     "ns",
     // Instructions a query: on the host by callgrind, on microcontrollers in the emulator.
     "host",
@@ -75,11 +81,11 @@ impl Row {
         &self.key[3]
     }
 
-    /// Wrong answers in a million, by the convention that suits the backend better; `None` where nothing was judged.
+    /// Wrong answers in a million, tunnels among them, by the convention that suits the backend better; `None` where nothing was judged.
     pub fn wrong_per_million(&self) -> Option<f64> {
         let strict = self.get("wrong")?;
         let wrong = self.get("wrong_closed").map_or(strict, |closed| strict.min(closed));
-        Some(wrong * 1e6 / self.get("queries")?)
+        Some((wrong + self.get("tunnels").unwrap_or(0.0)) * 1e6 / self.get("queries")?)
     }
 
     /// Whether the convention that suits it is the one where touching counts.

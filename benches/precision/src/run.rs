@@ -16,15 +16,28 @@ pub struct Sizes {
     pub rays: usize,
     /// Casts that are judged.
     pub casts: usize,
+    /// Sequences of frames that are judged.
+    pub moves: usize,
+    /// Boxes times frames, all of which are judged and timed.
+    pub boxes: usize,
     /// Passes of which the fastest is taken.
     pub passes: usize,
 }
 
 impl Sizes {
-    pub const FULL: Self =
-        Self { judged: 200_000, timed: 4_096, counted: 1_024, rays: 4_096, casts: 100_000, passes: 7 };
+    pub const FULL: Self = Self {
+        judged: 200_000,
+        timed: 4_096,
+        counted: 1_024,
+        rays: 4_096,
+        casts: 100_000,
+        moves: 1_024,
+        boxes: 65_536,
+        passes: 7,
+    };
     /// For a look that takes seconds.
-    pub const QUICK: Self = Self { judged: 2_000, timed: 256, counted: 64, rays: 128, casts: 1_000, passes: 2 };
+    pub const QUICK: Self =
+        Self { judged: 2_000, timed: 256, counted: 64, rays: 128, casts: 1_000, moves: 32, boxes: 4_096, passes: 2 };
 }
 
 /// Nanoseconds an input, of the fastest pass of each; the jobs take turns, so that what disturbs one disturbs all.

@@ -47,7 +47,9 @@ pub fn all(results: &Path) -> Result<(), String> {
             continue;
         }
         let _ = writeln!(page, "\n## {workload}");
-        let x: (&str, Value) = ("instructions a query (x86-64)", |r| r.get("host"));
+        let framed = of.iter().any(|r| r.get("tunnels").or(r.get("extra")).is_some());
+        let label = if framed { "instructions a frame (x86-64)" } else { "instructions a query (x86-64)" };
+        let x: (&str, Value) = (label, |r| r.get("host"));
         let wrong: (&str, Value) = ("wrong in a million", Row::wrong_per_million);
         let error: (&str, Value) = ("largest error, px", |r| r.get("max_px"));
         for (what, ending, y) in [("wrong answers", "", wrong), ("largest error", "-error", error)] {
@@ -74,6 +76,9 @@ Written by `benches/precision/run.sh` from `results.csv`. What is asked, of whom
 - **Instructions**: callgrind, one call from a loop with operands in memory and the whole answer stored; the loop is in it (about 6).
 - **ns**: the fastest of 7 passes within one run, backends in turn. Compare within a row's class only.
 - **Error**: of depths, and of times of impact as pixels of way. `late`: of all hits, those whose time is beyond the true one.
+- **Moves**: a frame is wrong that ends in the solid, by however little, or tunnels; ends by over 1/64 px and depths are told beside it. A
+  sequence of 32 frames is judged until it is lost: a pixel deep, or through a wall. Engines keep a gap of their own from the solid.
+- **Pairs of boxes**: wrong are those that overlap and are not told; a frame moves all boxes and tells all pairs.
 - `overlaps`, `would hit`: yes or no. `contact`: depth and normal at once. `contact (lazy)`: as it is returned, nothing rounded yet.
 
 ";

@@ -7,3 +7,8 @@ pub mod ncollide;
 pub mod ours;
 pub mod parry;
 pub mod textbook;
+
+/// Its character controller, over the queries of parry2d.
+pub const RAPIER: &str = "rapier2d";
+/// A broad phase and nothing else.
+pub const BROCCOLI: &str = "broccoli";

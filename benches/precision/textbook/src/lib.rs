@@ -6,11 +6,14 @@
 
 #![no_std]
 
+pub mod broad;
 pub mod cast;
 pub mod dda;
 pub mod exact;
 pub mod pair;
 mod scalar;
 pub mod shape;
+pub mod tile;
+pub mod walk;
 
 pub use scalar::{Q16, Scalar, Wide};

@@ -1,0 +1,161 @@
+//! Broad phases, each behind the same two calls: it gets the boxes of a frame and tells all pairs.
+
+use super::scenes::{Bounds, Class, Frame};
+use super::truth::Answer;
+use crate::job::{Backend, Format, Job, List};
+use crate::peers::ours;
+use crate::peers::textbook::vector;
+use std::hint::black_box;
+use std::rc::Rc;
+use tilesat::broad::{BruteForce, LooseGrid, SortSweep, SpatialHash};
+use tilesat::prelude::*;
+use tilesat::{Aabb, Fx};
+use tilesat_textbook::broad;
+use tilesat_textbook::shape::Aabb as Book;
+
+/// One that holds the boxes of one frame after the other.
+pub trait Phase: 'static {
+    type Box: 'static;
+    fn boxed(bounds: &Bounds) -> Self::Box;
+    /// Moves all boxes and tells all pairs.
+    fn frame(&mut self, boxes: &[Self::Box], pairs: &mut Answer);
+}
+
+/// Frames forth and back, so that no pass begins with a leap.
+struct Run<P: Phase> {
+    phase: P,
+    frames: Vec<Vec<P::Box>>,
+    told: Vec<Answer>,
+    pairs: Answer,
+}
+
+impl<P: Phase> Job<Answer> for Run<P> {
+    #[inline(never)]
+    fn pass(&mut self) {
+        let n = self.frames.len();
+        for i in (1..n).chain((0..n - 1).rev()) {
+            self.pairs.clear();
+            self.phase.frame(black_box(&self.frames[i]), &mut self.pairs);
+        }
+    }
+
+    fn answers(&self) -> Vec<Answer> {
+        self.told.clone()
+    }
+
+    fn len(&self) -> usize {
+        2 * (self.frames.len() - 1)
+    }
+}
+
+/// A broad phase from its first boxes.
+pub fn add<P: Phase>(
+    list: &mut List<Frame, Answer>,
+    (name, asked, format): (&'static str, &'static str, Format),
+    start: impl Fn(&[P::Box]) -> P + 'static,
+) {
+    let make = Rc::new(move |raw: &[Frame]| {
+        let frames: Vec<Vec<P::Box>> = raw.iter().map(|f| f.iter().map(P::boxed).collect()).collect();
+        let mut phase = start(&frames[0]);
+        let tell = |boxes: &Vec<P::Box>| {
+            let mut pairs = Answer::new();
+            phase.frame(boxes, &mut pairs);
+            pairs
+        };
+        let told: Vec<Answer> = frames.iter().map(tell).collect();
+        // Back to the first frame.
+        let pairs = Answer::with_capacity(told.iter().map(Vec::len).max().unwrap_or(0));
+        let mut run = Run { phase, frames, told, pairs };
+        run.phase.frame(&run.frames[0], &mut run.pairs);
+        Box::new(run) as Box<dyn Job<Answer>>
+    });
+    list.0.push(Backend { name, asked, format, make, fits: |_| true });
+}
+
+/// Any of the library's; the slots are given in order.
+struct Own<B>(B);
+
+impl<B: BroadPhase<Tag = ()> + 'static> Own<B> {
+    fn of(mut near: B, boxes: &[Aabb]) -> Self {
+        for bounds in boxes {
+            near.insert(bounds, ()).expect("there is room for all of them");
+        }
+        Self(near)
+    }
+}
+
+impl<B: BroadPhase<Tag = ()> + 'static> Phase for Own<B> {
+    type Box = Aabb;
+
+    fn boxed(bounds: &Bounds) -> Aabb {
+        Aabb::new(ours::vec2(bounds.lo), ours::vec2(bounds.hi)).expect("scenes stay inside the domain")
+    }
+
+    fn frame(&mut self, boxes: &[Aabb], pairs: &mut Answer) {
+        self.0.move_each(|handle, _| boxes[handle.slot()]).expect("boxes are smaller than cells");
+        self.0.pairs(|pair| pairs.push((pair.a.slot() as u32, pair.b.slot() as u32)));
+    }
+}
+
+/// The side of a cell: a box is at most 24 wide.
+const CELL: Fx = Fx::lit("32");
+
+/// For as many bodies, blocks of 32 cells, and buckets: at least 64.
+fn sized<const N: usize, const BLOCKS: usize, const BUCKETS: usize>(list: &mut List<Frame, Answer>, class: Class) {
+    let corner = ours::vec2((class.origin << 16, class.origin << 16));
+    let columns = ((class.side() as u64).div_ceil(32)).next_power_of_two() as u16;
+    let named = |asked| (ours::NAME, asked, Format::RAW);
+    add(list, named("sweep"), |boxes| Own::of(SortSweep::<N>::new(), boxes));
+    add(list, named("grid"), move |boxes| {
+        Own::of(LooseGrid::<BLOCKS, N>::new(corner, CELL, columns).expect("a legal grid"), boxes)
+    });
+    add(list, named("hash"), |boxes| Own::of(SpatialHash::<BUCKETS, N>::new(CELL).expect("a legal cell"), boxes));
+    add(list, named("brute"), |boxes| Own::of(BruteForce::<N>::new(), boxes));
+}
+
+pub fn library(list: &mut List<Frame, Answer>, class: Class) {
+    match class.bodies {
+        8 => sized::<8, 2, 64>(list, class),
+        64 => sized::<64, 8, 64>(list, class),
+        256 => sized::<256, 32, 256>(list, class),
+        1024 => sized::<1024, 128, 1024>(list, class),
+        _ => sized::<4096, 512, 4096>(list, class),
+    }
+}
+
+struct Brute;
+
+fn book(bounds: &Bounds) -> Book<f32> {
+    Book { lo: vector(bounds.lo), hi: vector(bounds.hi) }
+}
+
+impl Phase for Brute {
+    type Box = Book<f32>;
+
+    fn boxed(bounds: &Bounds) -> Book<f32> {
+        book(bounds)
+    }
+
+    fn frame(&mut self, boxes: &[Book<f32>], pairs: &mut Answer) {
+        broad::brute(boxes, |a, b| pairs.push((a, b)));
+    }
+}
+
+struct Sweep(Vec<u32>);
+
+impl Phase for Sweep {
+    type Box = Book<f32>;
+
+    fn boxed(bounds: &Bounds) -> Book<f32> {
+        book(bounds)
+    }
+
+    fn frame(&mut self, boxes: &[Book<f32>], pairs: &mut Answer) {
+        broad::sweep(&mut self.0, boxes, |a, b| pairs.push((a, b)));
+    }
+}
+
+pub fn textbook(list: &mut List<Frame, Answer>) {
+    add(list, ("textbook f32", "sweep", Format::F32), |boxes| Sweep((0..boxes.len() as u32).collect()));
+    add(list, ("textbook f32", "brute", Format::F32), |_| Brute);
+}

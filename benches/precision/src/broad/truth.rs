@@ -1,0 +1,81 @@
+//! Which pairs of boxes there are: all against all, in integers.
+
+use super::scenes::{Bounds, Frame};
+use crate::record::Row;
+use std::collections::HashSet;
+
+/// What a broad phase told of a frame, in any order.
+pub type Answer = Vec<(u32, u32)>;
+
+/// Pairs that have an area in common, and those that have a point in common.
+#[derive(Debug)]
+pub struct Truth {
+    overlapping: HashSet<(u32, u32)>,
+    touching: HashSet<(u32, u32)>,
+}
+
+fn meet(a: &Bounds, b: &Bounds, apart: impl Fn(i64, i64) -> bool) -> bool {
+    !(apart(a.lo.0, b.hi.0) || apart(b.lo.0, a.hi.0) || apart(a.lo.1, b.hi.1) || apart(b.lo.1, a.hi.1))
+}
+
+impl Truth {
+    pub fn new(frame: &Frame) -> Self {
+        let (mut overlapping, mut touching) = (HashSet::new(), HashSet::new());
+        for (i, a) in frame.iter().enumerate() {
+            for (j, b) in frame.iter().enumerate().skip(i + 1) {
+                if meet(a, b, |lo, hi| lo > hi) {
+                    touching.insert((i as u32, j as u32));
+                    if meet(a, b, |lo, hi| lo >= hi) {
+                        overlapping.insert((i as u32, j as u32));
+                    }
+                }
+            }
+        }
+        Self { overlapping, touching }
+    }
+}
+
+/// Missing is a pair that overlaps and is not told; extra is one that does not even touch, or is told twice. Of pairs that only touch both is right.
+pub fn judge(row: &mut Row, truths: &[Truth], answers: &[Answer]) {
+    let (mut pairs, mut missing, mut extra) = (0, 0, 0);
+    for (truth, answer) in truths.iter().zip(answers) {
+        let mut told = HashSet::new();
+        for &(a, b) in answer {
+            let pair = (a.min(b), a.max(b));
+            extra += usize::from(!told.insert(pair) || !truth.touching.contains(&pair));
+        }
+        pairs += truth.overlapping.len();
+        missing += truth.overlapping.difference(&told).count();
+    }
+    row.set("queries", pairs as f64).set("wrong", missing as f64).set("extra", extra as f64);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(x: i64, y: i64) -> Bounds {
+        Bounds { lo: (x, y), hi: (x + 10, y + 10) }
+    }
+
+    fn judged(frame: &Frame, answer: &[(u32, u32)]) -> (f64, f64, f64) {
+        let mut row = Row::new("w", "c", "b", "q");
+        judge(&mut row, &[Truth::new(frame)], &[answer.to_vec()]);
+        let cell = |name| row.get(name).unwrap();
+        (cell("queries"), cell("wrong"), cell("extra"))
+    }
+
+    #[test]
+    fn missing_and_extra_pairs_are_counted_and_touching_ones_are_free() {
+        // 0 and 1 overlap by a raw unit, 1 and 2 touch, 2 and 3 are a raw unit apart.
+        let frame = vec![at(0, 0), at(9, 0), at(19, 0), at(30, 0)];
+        assert_eq!(judged(&frame, &[(1, 0)]), (1.0, 0.0, 0.0));
+        assert_eq!(judged(&frame, &[(0, 1), (1, 2)]), (1.0, 0.0, 0.0));
+        assert_eq!(judged(&frame, &[(1, 2)]), (1.0, 1.0, 0.0));
+        assert_eq!(judged(&frame, &[(0, 1), (2, 3)]), (1.0, 0.0, 1.0));
+        assert_eq!(judged(&frame, &[(0, 1), (1, 0)]), (1.0, 0.0, 1.0));
+        // At a corner.
+        assert_eq!(judged(&vec![at(0, 0), at(10, 10)], &[]), (0.0, 0.0, 0.0));
+        assert_eq!(judged(&vec![at(0, 0), at(9, 9)], &[]), (1.0, 1.0, 0.0));
+    }
+}

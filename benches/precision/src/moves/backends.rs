@@ -1,0 +1,157 @@
+//! Who moves bodies through tiles.
+
+use super::classes::{Case, FRAMES};
+use super::engines;
+use super::level::{Level, shape};
+use super::region::Region;
+use super::room::{Body, FINE_PIXEL, Room};
+use super::truth::Answer;
+use crate::job::{Format, List};
+use crate::oracle::figure::Kind;
+use crate::peers::ours;
+use crate::peers::textbook::{Named, Shape as Book, vector};
+use tilesat::world::World;
+use tilesat::{Axis, Mover, Vec2};
+use tilesat_textbook::shape::{Aabb, Circle, Vector};
+use tilesat_textbook::tile::{Body as Pushed, Polygon, Tile};
+use tilesat_textbook::{Q16, walk};
+
+pub fn all(room: &Room, kind: Kind) -> List<Case, Answer> {
+    let mut list = List(Vec::new());
+    // A level is static data, as it is in flash.
+    let level: &'static Level = Box::leak(Box::new(room.level.clone()));
+    match (level.blocks(), kind) {
+        (Some(map), Kind::Circle) => library::<tilesat::Circle>(&mut list, map),
+        (Some(map), _) => library::<tilesat::Aabb>(&mut list, map),
+        (None, Kind::Circle) => library::<tilesat::Circle>(&mut list, level.all()),
+        (None, _) => library::<tilesat::Aabb>(&mut list, level.all()),
+    }
+    textbook::<Q16>(&mut list, level, kind);
+    textbook::<f32>(&mut list, level, kind);
+    engines::rapier(&mut list, level);
+    if kind == Kind::Circle {
+        engines::box2d(&mut list, level);
+    }
+    list
+}
+
+/// A length in pixels as what it is.
+pub fn fine(px: f64) -> i64 {
+    (px * FINE_PIXEL as f64).round() as i64
+}
+
+/// The exact body that a backend's numbers mean.
+trait Exact {
+    fn exact(&self) -> Body;
+}
+
+impl Exact for tilesat::Circle {
+    fn exact(&self) -> Body {
+        let c = self.centre();
+        Body::Circle { c: (fine(ours::px(c.x)), fine(ours::px(c.y))), r: fine(ours::px(self.radius())) }
+    }
+}
+
+impl Exact for tilesat::Aabb {
+    fn exact(&self) -> Body {
+        let point = |p: Vec2| (fine(ours::px(p.x)), fine(ours::px(p.y)));
+        Body::Box { lo: point(self.min()), hi: point(self.max()) }
+    }
+}
+
+impl<S: Named> Exact for Circle<S> {
+    fn exact(&self) -> Body {
+        Body::Circle { c: (fine(self.c.x.px()), fine(self.c.y.px())), r: fine(self.r.px()) }
+    }
+}
+
+impl<S: Named> Exact for Aabb<S> {
+    fn exact(&self) -> Body {
+        let point = |p: Vector<S>| (fine(p.x.px()), fine(p.y.px()));
+        Body::Box { lo: point(self.lo), hi: point(self.hi) }
+    }
+}
+
+const MOVER: Mover = Mover::platformer(Axis::NEG_Y);
+
+fn library<B: ours::Shape + tilesat::Body + Exact>(list: &mut List<Case, Answer>, world: impl World + Copy + 'static) {
+    list.add(
+        (ours::NAME, "move", Format::RAW),
+        |c: &Case| (B::of(&c.start), c.motions.map(ours::vec2)),
+        move |(body, motions)| {
+            let mut body = *body;
+            motions.map(|v| {
+                if let Ok(moved) = MOVER.move_and_slide(&world, &body, v) {
+                    body = moved.body;
+                }
+                body
+            })
+        },
+        |ends: &[B; FRAMES]| ends.map(|b| b.exact()),
+    );
+}
+
+/// The tiles by their ids, in a cell of as many pixels.
+fn tiles<S: Named>(cell: i64) -> [Tile<S>; 34] {
+    let half = |p: (i128, i128)| (p.0 as i64 * (cell << 15), p.1 as i64 * (cell << 15));
+    std::array::from_fn(|id| match shape(id as u8).0 {
+        None => Tile::Empty,
+        Some(_) if id == 1 => Tile::Full,
+        Some(Region::Polygon(points)) => {
+            let count = points.len();
+            let place = |i: usize| half(points[i % count]);
+            let normal = |i: usize| {
+                let (a, b, inner) = (place(i), place(i + 1), place(i + 2));
+                let (x, y) = ((b.1 - a.1) as f64, (a.0 - b.0) as f64);
+                let side = (x * (inner.0 - a.0) as f64 + y * (inner.1 - a.1) as f64).signum();
+                let unit = |v: f64| (-side * v / x.hypot(y) * 65536.0).round() as i64;
+                vector::<S>((unit(x), unit(y)))
+            };
+            let corners = std::array::from_fn(|i| vector(place(i)));
+            Tile::Polygon(Polygon { corners, normals: std::array::from_fn(normal), count })
+        }
+        Some(Region::Arc { centre, far, outside }) => {
+            let toward = vector::<S>((((far.0 - centre.0) as i64) << 15, ((far.1 - centre.1) as i64) << 15));
+            let centre = vector(half(centre));
+            if outside { Tile::Hollow { centre, toward } } else { Tile::Disc { centre, toward } }
+        }
+    })
+}
+
+/// Boxes among blocks by axes; all else in steps.
+fn textbook<S: Named>(list: &mut List<Case, Answer>, level: &'static Level, kind: Kind) {
+    let cell = level.cell >> 16;
+    let world = walk::Level {
+        cells: &level.tiles,
+        width: level.width as i32,
+        height: level.height as i32,
+        cell: cell as i32,
+        origin: vector::<S>((level.x, level.y)),
+        tiles: Box::leak(Box::new(tiles::<S>(cell))),
+    };
+    if kind == Kind::Circle {
+        walked::<S, Circle<S>>(list, move |body, d| walk::by_steps(&world, body, d));
+    } else if level.blocks().is_some() {
+        walked::<S, Aabb<S>>(list, move |body, d| walk::by_axes(&world, body, d));
+    } else {
+        walked::<S, Aabb<S>>(list, move |body, d| walk::by_steps(&world, body, d));
+    }
+}
+
+fn walked<S: Named, B: Book + Pushed<S> + Exact>(
+    list: &mut List<Case, Answer>,
+    go: impl Fn(&B, Vector<S>) -> B + Copy + 'static,
+) {
+    list.add(
+        (S::NAME, "move", S::FORMAT),
+        |c: &Case| (B::of(&c.start), c.motions.map(vector::<S>)),
+        move |(body, motions)| {
+            let mut body = *body;
+            motions.map(|d| {
+                body = go(&body, d);
+                body
+            })
+        },
+        |ends: &[B; FRAMES]| ends.map(|b| b.exact()),
+    );
+}

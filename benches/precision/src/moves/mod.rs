@@ -1,0 +1,75 @@
+//! The workload of bodies that move through tiles and slide: three levels, six classes.
+
+mod backends;
+mod classes;
+mod engines;
+#[path = "../../../../tests/solids/level.rs"]
+#[allow(dead_code, reason = "the judge of the tests asks more of a level")]
+mod level;
+mod pieces;
+#[path = "../../../../tests/solids/region.rs"]
+#[allow(dead_code, reason = "the judge of the tests asks more of a region")]
+mod region;
+mod room;
+mod truth;
+
+use crate::callgrind;
+use crate::job::Job;
+use crate::record::Row;
+use crate::run::{Sizes, fastest};
+use classes::{CLASSES, Class, FRAMES};
+use room::{MAPS, Map, Room};
+use truth::{Answer, Verdict};
+
+fn name(map: Map) -> String {
+    format!("move: {}", map.name())
+}
+
+/// The small level has room near the origin only by choice: far classes have the others.
+fn classes(map: Map) -> impl Iterator<Item = Class> {
+    CLASSES.into_iter().filter(move |class| map != Map::Ninja || class.origin == 0)
+}
+
+/// What is wrong, and how long a frame takes.
+pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
+    for map in MAPS {
+        for class in classes(map) {
+            let room = Room::new(map, class.origin);
+            let list = backends::all(&room, class.kind);
+            let cases = class.cases(&room, sizes.moves);
+            eprintln!("{}, {}: {} frames", name(map), class.name(), cases.len() * FRAMES);
+            let from = rows.len();
+            let mut jobs: Vec<Box<dyn Job<Answer>>> = Vec::new();
+            for backend in &list.0 {
+                let mut row = Row::new(&name(map), &class.name(), backend.name, backend.asked);
+                let mut verdict = Verdict::default();
+                for (case, ends) in cases.iter().zip((backend.make)(&cases).answers()) {
+                    verdict.add(&room, case, &ends);
+                }
+                verdict.set(&mut row);
+                jobs.push((backend.make)(&cases[..cases.len().min(sizes.timed / FRAMES)]));
+                rows.push(row);
+            }
+            for (row, ns) in rows[from..].iter_mut().zip(fastest(&mut jobs, sizes)) {
+                row.set("ns", ns / FRAMES as f64);
+            }
+        }
+    }
+}
+
+/// How many instructions a frame takes; under callgrind.
+pub fn count(sizes: &Sizes) {
+    for map in MAPS {
+        for class in classes(map) {
+            let room = Room::new(map, class.origin);
+            let list = backends::all(&room, class.kind);
+            let cases = class.cases(&room, (sizes.counted / FRAMES).max(1));
+            for backend in &list.0 {
+                let mut job = (backend.make)(&cases);
+                let frames = (cases.len() * FRAMES).to_string();
+                let label = [&name(map), &class.name(), backend.name, backend.asked, &frames].join("|");
+                callgrind::instrumented(|| callgrind::count(&label, || job.pass()));
+            }
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! A body that goes through a level of tiles and slides: by one axis after the other, or in small steps and out again.
+
+use crate::Scalar;
+use crate::shape::{Aabb, Vector};
+use crate::tile::{Body, Exit, Tile};
+
+/// Tiles by the ids of their shapes, row by row; all is solid outside.
+#[derive(Clone, Copy, Debug)]
+pub struct Level<'a, S> {
+    pub cells: &'a [u8],
+    pub width: i32,
+    pub height: i32,
+    /// A side of a cell in pixels.
+    pub cell: i32,
+    pub origin: Vector<S>,
+    pub tiles: &'a [Tile<S>; 34],
+}
+
+/// What keeps a body that stands on a line out of the cell behind it: about a thousandth of a pixel.
+const LITTLE: i32 = 64;
+/// As far as a body goes before it is pushed out, in pixels.
+const STEP: i32 = 4;
+/// As often as it is pushed out after a step.
+const ROUNDS: i32 = 4;
+
+impl<S: Scalar> Level<'_, S> {
+    fn column(&self, x: S) -> i32 {
+        (x - self.origin.x).floor().div_euclid(self.cell)
+    }
+
+    fn row(&self, y: S) -> i32 {
+        (y - self.origin.y).floor().div_euclid(self.cell)
+    }
+
+    fn id(&self, column: i32, row: i32) -> u8 {
+        if column < 0 || row < 0 || column >= self.width || row >= self.height {
+            return 1;
+        }
+        self.cells[(row * self.width + column) as usize]
+    }
+
+    fn corner(&self, column: i32, row: i32) -> Vector<S> {
+        self.origin + Vector { x: S::of_int(column * self.cell), y: S::of_int(row * self.cell) }
+    }
+
+    fn is_solid(&self, columns: (i32, i32), rows: (i32, i32)) -> bool {
+        (rows.0..=rows.1).any(|row| (columns.0..=columns.1).any(|column| self.id(column, row) != 0))
+    }
+}
+
+/// Of blocks: x first, then y; what is hit is left at its border.
+pub fn by_axes<S: Scalar>(level: &Level<'_, S>, body: &Aabb<S>, motion: Vector<S>) -> Aabb<S> {
+    let (size, little) = (body.hi - body.lo, S::of_raw(LITTLE));
+    let mut lo = body.lo;
+    lo.x = lo.x + motion.x;
+    let rows = (level.row(lo.y), level.row(lo.y + size.y - little));
+    if motion.x > S::ZERO {
+        let column = level.column(lo.x + size.x - little);
+        if level.is_solid((column, column), rows) {
+            lo.x = level.corner(column, 0).x - size.x;
+        }
+    } else if motion.x < S::ZERO {
+        let column = level.column(lo.x);
+        if level.is_solid((column, column), rows) {
+            lo.x = level.corner(column + 1, 0).x;
+        }
+    }
+    lo.y = lo.y + motion.y;
+    let columns = (level.column(lo.x), level.column(lo.x + size.x - little));
+    if motion.y > S::ZERO {
+        let row = level.row(lo.y + size.y - little);
+        if level.is_solid(columns, (row, row)) {
+            lo.y = level.corner(0, row).y - size.y;
+        }
+    } else if motion.y < S::ZERO {
+        let row = level.row(lo.y);
+        if level.is_solid(columns, (row, row)) {
+            lo.y = level.corner(0, row + 1).y;
+        }
+    }
+    Aabb { lo, hi: lo + size }
+}
+
+/// The deepest contact with a tile near.
+fn deepest<S: Scalar, B: Body<S>>(level: &Level<'_, S>, body: &B) -> Option<Exit<S>> {
+    let bounds = body.bounds();
+    let mut found: Option<Exit<S>> = None;
+    for row in level.row(bounds.lo.y)..=level.row(bounds.hi.y) {
+        for column in level.column(bounds.lo.x)..=level.column(bounds.hi.x) {
+            let tile = &level.tiles[usize::from(level.id(column, row))];
+            if let Tile::Empty = tile {
+                continue;
+            }
+            let corner = level.corner(column, row);
+            let near = body.moved(Vector { x: -corner.x, y: -corner.y });
+            let Some(exit) = tile.exit(&near, S::of_int(level.cell)) else { continue };
+            if found.is_none_or(|f| exit.depth > f.depth) {
+                found = Some(exit);
+            }
+        }
+    }
+    found
+}
+
+/// Small steps, each followed by ways out of the deepest contact.
+pub fn by_steps<S: Scalar, B: Body<S>>(level: &Level<'_, S>, body: &B, motion: Vector<S>) -> B {
+    let steps = motion.x.magnitude().most(motion.y.magnitude()).floor() / STEP + 1;
+    let n = S::of_int(steps);
+    let step = Vector { x: motion.x / n, y: motion.y / n };
+    let mut body = *body;
+    for _ in 0..steps {
+        body = body.moved(step);
+        for _ in 0..ROUNDS {
+            let Some(exit) = deepest(level, &body) else { break };
+            body = body.moved(exit.along * exit.depth);
+        }
+    }
+    body
+}
