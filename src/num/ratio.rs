@@ -30,10 +30,9 @@ pub const fn recip(d: u32) -> u32 {
     let t = RECIP_TABLE[((d >> 25).wrapping_sub(64) & 63) as usize] as u32 + 256;
     let e = (1i32 << 24).wrapping_sub((d >> 16).wrapping_mul(t) as i32);
     let y = ((t << 8) as i32).wrapping_add((t as i32).wrapping_mul(e >> 4) >> 12) as u32;
-    let y = if y > 131_071 { 131_071 } else { y };
+    // At most 131 064, and the result at most 2^32 - 16.
     let e2 = ((1u64 << 48).wrapping_sub(umul(d, y)) as i64 >> 17) as i32;
-    let y = ((y as i64) << 15).wrapping_add(super::wide::imul(y as i32, e2) >> 16);
-    if y > u32::MAX as i64 { u32::MAX } else { y as u32 }
+    ((y as i64) << 15).wrapping_add(super::wide::imul(y as i32, e2) >> 16) as u32
 }
 
 /// The exact floor of `a * b / d`; `u32::MAX` where that does not fit, or `d` is zero.

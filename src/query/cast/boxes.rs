@@ -92,19 +92,14 @@ fn later(x: Span, y: Span, d: Raw) -> Option<Side> {
 
 impl Moment for Side {
     #[inline]
-    fn toi(&self) -> Toi {
-        Toi::exact(if self.gap == 0 { 0 } else { fraction(self.gap, self.speed) })
-    }
-
-    #[inline]
     fn exact_toi(&self, _: Raw) -> Toi {
-        self.toi()
+        Toi::exact(if self.gap == 0 { 0 } else { fraction(self.gap, self.speed) })
     }
 
     /// On the side's axis exact, on the other one rounded toward the start: the box ends on the side's line, so it does not overlap.
     #[inline]
     fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
-        let toi = self.toi();
+        let toi = self.exact_toi(d);
         let gap = self.gap as i32;
         let step = if self.axis.x != 0 {
             Raw { x: with_sign(gap, d.x), y: self.part(d.y, toi) }

@@ -167,13 +167,6 @@ impl Slope {
 }
 
 impl Moment for Capsule {
-    fn toi(&self) -> Toi {
-        match self {
-            Self::Slope(slope) => slope.bound(),
-            Self::Rounded(part) => part.toi(),
-        }
-    }
-
     fn exact_toi(&self, d: Raw) -> Toi {
         match self {
             Self::Slope(slope) => slope.exact_toi(),

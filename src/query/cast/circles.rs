@@ -38,11 +38,6 @@ pub(super) fn meet_disc(m: Raw, r: i32, d: Raw) -> Option<Disc> {
 }
 
 impl Moment for Disc {
-    #[inline]
-    fn toi(&self) -> Toi {
-        self.crossing.toi(self.m)
-    }
-
     fn exact_toi(&self, d: Raw) -> Toi {
         self.crossing.exact_toi(self.m, d)
     }

@@ -6,11 +6,9 @@ use crate::shape::{Aabb, Circle, Segment};
 
 /// The boundary that a motion comes through, and when: decided, not yet computed.
 pub trait Moment: Copy {
-    /// A lower bound of the moment, in parts of the motion: where it is a fraction, the exact floor.
-    fn toi(&self) -> Toi;
-    /// The exact floor.
+    /// The exact floor of the moment, in parts of the motion.
     fn exact_toi(&self, d: Raw) -> Toi;
-    /// The bound, the displacement up to it, rounded so that the shapes do not overlap there, and the normal toward what moves.
+    /// A lower bound of the moment (where it is a fraction, the exact floor), the displacement up to it, rounded so that the shapes do not overlap there, and the normal toward what moves.
     fn contact(&self, d: Raw) -> (Toi, Raw, Axis);
 }
 
@@ -19,11 +17,6 @@ pub trait Moment: Copy {
 pub struct Exchanged<M>(pub(super) M);
 
 impl<M: Moment> Moment for Exchanged<M> {
-    #[inline]
-    fn toi(&self) -> Toi {
-        self.0.toi()
-    }
-
     #[inline]
     fn exact_toi(&self, d: Raw) -> Toi {
         self.0.exact_toi(d.reversed())

@@ -113,16 +113,9 @@ impl Side {
 }
 
 impl Moment for Rounded {
-    fn toi(&self) -> Toi {
-        match self {
-            Self::Side(side) => side.toi(),
-            Self::Corner(disc) => disc.toi(),
-        }
-    }
-
     fn exact_toi(&self, d: Raw) -> Toi {
         match self {
-            Self::Side(side) => side.toi(),
+            Self::Side(side) => side.exact_toi(d),
             Self::Corner(disc) => disc.exact_toi(d),
         }
     }

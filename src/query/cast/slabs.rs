@@ -104,12 +104,8 @@ impl Edge {
 }
 
 impl Moment for Edge {
-    fn toi(&self) -> Toi {
-        Toi::exact(mul_div_wide(self.gap, Toi::ONE.raw(), self.speed))
-    }
-
     fn exact_toi(&self, _: Raw) -> Toi {
-        self.toi()
+        Toi::exact(mul_div_wide(self.gap, Toi::ONE.raw(), self.speed))
     }
 
     /// On the far side of the line of a slanted edge each component is rounded to the side that the normal points to; of one along
@@ -117,7 +113,7 @@ impl Moment for Edge {
     fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
         let slanted = self.axis.x != 0 && self.axis.y != 0;
         let out = if slanted { self.axis } else { Axis::new(0, 0) };
-        let toi = self.toi();
+        let toi = self.exact_toi(d);
         let step = Raw { x: self.part(d.x, toi, out.x), y: self.part(d.y, toi, out.y) };
         (toi, step, direction(Raw { x: self.axis.x, y: self.axis.y }))
     }
