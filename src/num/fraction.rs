@@ -1,14 +1,18 @@
 //! The time of a hit: a fraction of a motion, rounded down.
 
-use super::SPLIT;
+use super::{LONG, SPLIT};
 
 /// The floor of `num / den` in parts of 2^30, for `0 < num <= den < 2^31`.
-///
+#[inline]
+pub(crate) fn fraction(num: u32, den: u32) -> u32 {
+    if LONG { (u64::from(num) << 30).checked_div(u64::from(den)).unwrap_or(0) as u32 } else { by_digits(num, den) }
+}
+
 /// Long division in three digits of ten bits, each from a 16-bit reciprocal that is never too large. A digit is short by less than
 /// 0.11 before it is floored, as each of its three factors adds: the remainder without its low 15 bits 2^-5, the divisor so 2^-5, the reciprocal
 /// 2^10 times 2^-14.4. So it is right or one too small, and the remainder, below `2 den`, tells.
 #[inline]
-pub(crate) fn fraction(num: u32, den: u32) -> u32 {
+fn by_digits(num: u32, den: u32) -> u32 {
     let (mut rest, mut den) = (num, den);
     if SPLIT {
         // No instruction counts leading zeros there.
@@ -44,10 +48,11 @@ pub(crate) fn fraction(num: u32, den: u32) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::fraction;
+    use super::{by_digits, fraction};
 
     fn check(num: u32, den: u32) {
-        assert_eq!(u64::from(fraction(num, den)), (u64::from(num) << 30) / u64::from(den), "{num} / {den}");
+        let floor = (u64::from(num) << 30) / u64::from(den);
+        assert_eq!((u64::from(fraction(num, den)), u64::from(by_digits(num, den))), (floor, floor), "{num} / {den}");
     }
 
     /// All small fractions; all divisors that differ in the bits that the reciprocal sees, and those next to them, with numerators that leave

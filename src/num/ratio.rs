@@ -1,7 +1,7 @@
 //! Quotients without division instructions: a table-and-Newton reciprocal gives a candidate, an exact remainder corrects it.
 
 use super::root::{leading_zeros32, leading_zeros64};
-use super::wide::{less128, mul64, umul};
+use super::wide::{LONG, less128, mul64, umul};
 
 /// `round(2^15 / (i + 64.5)) - 256` for i in 0..64, at most 255.
 const RECIP_TABLE: [u8; 64] = recip_table();
@@ -37,7 +37,7 @@ pub const fn recip(d: u32) -> u32 {
 
 /// The exact floor of `a * b / d`; `u32::MAX` where that does not fit, or `d` is zero.
 ///
-/// No division: about 150 instructions on a Cortex-M0 where the compiler's 64-bit division takes 450.
+/// No division on chips: about 150 instructions on a Cortex-M0 where the compiler's 64-bit division takes 450.
 #[inline(never)]
 #[must_use]
 pub const fn mul_div(a: u32, b: u32, d: u32) -> u32 {
@@ -53,6 +53,21 @@ pub const fn mul_div(a: u32, b: u32, d: u32) -> u32 {
     if (n >> 32) as u32 >= d {
         return u32::MAX;
     }
+    if LONG { divided(n, d as u64) } else { by_reciprocal(n, d) }
+}
+
+/// By the processor, for quotients that fit.
+#[inline(always)]
+const fn divided(n: u64, d: u64) -> u32 {
+    match n.checked_div(d) {
+        Some(q) => q as u32,
+        None => u32::MAX,
+    }
+}
+
+/// The floor of `n / d` for quotients that fit and a `d` that is not zero.
+#[inline(always)]
+const fn by_reciprocal(n: u64, d: u32) -> u32 {
     let shift = leading_zeros32(d);
     if d & d.wrapping_sub(1) == 0 {
         // A power of two, as where a time is in parts of 2^30: a shift, in words. The high one is below d.
@@ -97,6 +112,12 @@ pub const fn mul_div_wide(a: u64, k: u32, n: u64) -> u32 {
     if hi >> 32 != 0 || top >= n {
         return u32::MAX;
     }
+    if LONG && hi == 0 { divided(lo, n) } else { by_wide_reciprocal((top, lo), n) }
+}
+
+/// The floor of a product of 96 bits, by its top 64 and its low 64, with `n`, which is above the top.
+#[inline(always)]
+const fn by_wide_reciprocal((top, lo): (u64, u64), n: u64) -> u32 {
     // With N = n 2^shift >= 2^63 and P = a k 2^shift < 2^32 N: P / N from the top 64 bits of the 96 of P and the top 32 of N.
     let shift = leading_zeros64(n);
     let top = if shift < 32 { (top << shift) | ((lo as u32 as u64) << shift >> 32) } else { lo << (shift - 32) };
@@ -146,4 +167,38 @@ pub const fn div_sqrt(s: u64, n: u64) -> u32 {
         q = q.wrapping_add(1);
     }
     q
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{by_reciprocal, by_wide_reciprocal, mul_div, mul_div_wide};
+
+    /// Around every power of two and its multiples, where quotients change.
+    #[test]
+    fn reciprocals_divide_as_the_processor_does() {
+        let near = |bits: u32| (0..bits).flat_map(|k| [0, 1, 2, 3].map(|by| (1u64 << k) * (2 + by) / 2 - by % 2));
+        for d in near(32).filter_map(|d| u32::try_from(d).ok()).filter(|&d| d != 0) {
+            for q in near(32).filter_map(|q| u32::try_from(q).ok()) {
+                let n = u64::from(q) * u64::from(d);
+                for n in [n.saturating_sub(1), n, n + u64::from(d / 2), n + u64::from(d) - 1] {
+                    assert_eq!(u64::from(by_reciprocal(n, d)), n / u64::from(d), "{n} / {d}");
+                }
+                assert_eq!((mul_div(q, d, d), mul_div(d, q, d)), (q, q));
+            }
+        }
+        for n in near(62).filter(|n| n >> 32 != 0) {
+            for (q, k) in near(31).flat_map(|q| [(q, 1 << 30), (q, 0x9e37_79b9), (q, u64::from(u32::MAX))]) {
+                let a = (u128::from(q) * u128::from(n) / u128::from(k)) as u64;
+                for a in [a, a + 1, a.saturating_sub(1)] {
+                    let product = u128::from(a) * u128::from(k);
+                    let exact = product / u128::from(n);
+                    if let Ok(exact) = u32::try_from(exact) {
+                        let halves = ((product >> 32) as u64, product as u64);
+                        assert_eq!(by_wide_reciprocal(halves, n), exact, "{a} {k} / {n}");
+                        assert_eq!(mul_div_wide(a, k as u32, n), exact, "{a} {k} / {n}");
+                    }
+                }
+            }
+        }
+    }
 }

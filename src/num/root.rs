@@ -67,6 +67,11 @@ pub const fn rsqrt(h: u32) -> u32 {
 #[inline(never)]
 #[must_use]
 pub const fn isqrt64(n: u64) -> u32 {
+    if super::wide::LONG { n.isqrt() as u32 } else { isqrt_words(n) }
+}
+
+#[inline(always)]
+const fn isqrt_words(n: u64) -> u32 {
     if n == 0 {
         return 0;
     }
@@ -195,7 +200,7 @@ const fn min32(a: u32, b: u32) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{root128_down, root128_up};
+    use super::{isqrt_words, isqrt64, root128_down, root128_up};
 
     /// Around squares of every size: bounds on their sides, exact below 2^64, else within a part in 2^31.
     #[test]
@@ -216,6 +221,9 @@ mod tests {
                     let part = if n >> 64 == 0 { 1 } else { root >> 30 };
                     assert!((down + part).pow(2) > n && (up.max(part) - part).pow(2) <= n, "{n}: {down} {up}");
                     assert!(n >> 64 != 0 || n == 0 || (up - 1).pow(2) < n, "{n}: {up}");
+                    if let Ok(n) = u64::try_from(n) {
+                        assert_eq!((isqrt_words(n), isqrt64(n)), (down as u32, down as u32), "{n}");
+                    }
                 }
             }
         }
