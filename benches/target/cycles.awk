@@ -1,6 +1,7 @@
 # Adds the modelled cycles to what the firmware says: awk -f cycles.awk MERGED, the firmware's lines with those of the plugin between them.
 # Before each row of the firmware the plugin has told of 64 times three calls: the query, an empty one, and one that only loads its operands.
-# Fails where the plugin saw other instructions than the firmware counted, or where the known loop is not three cycles a turn.
+# Fails where the plugin saw other instructions than the firmware counted, or where the known loop is not three cycles a turn; the calls around
+# the query and around nothing may differ by one branch that is taken, as the compiler lays them out: one or two cycles.
 BEGIN { FS = "|" }
 
 /^instructions [0-9]+ cycles [0-9]+$/ {
@@ -24,7 +25,7 @@ $1 == "M0" && NF == 5 {
         mean = (cycles[0] - cycles[base]) / 64
         printf "M0+ cycles|%s|%s|%.1f|0\n", $2, $3, mean
         if ($2 == "kernel") printf "M0+ cycles|reference|%s|%.1f|0\n", $3, (cycles[0] - cycles[1]) / 64
-        if ($3 ~ /^a loop of two instructions, 1000 turns/ && mean != 3000) {
+        if ($3 ~ /^a loop of two instructions, 1000 turns/ && (mean < 2998 || mean > 3002)) {
             printf "a loop of 3000 cycles is modelled as %s\n", mean >"/dev/stderr"
             wrong = 1
         }

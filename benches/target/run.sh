@@ -187,6 +187,7 @@ run_on() {
 }
 build_counts() {
     local target=$1 bin bins=()
+    echo "building the counting firmwares for $1" >&2
     shift
     for bin in "$@"; do
         bins+=(--bin "$bin")

@@ -21,7 +21,7 @@ pub mod table;
 mod world;
 mod worlds;
 
-pub use family::{Line, Run};
+pub use family::{Line, MARKS, Run};
 
 /// Families of some kinds.
 pub type Part = fn(&mut Run<'_>);
