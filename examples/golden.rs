@@ -48,7 +48,10 @@ fn main() -> ExitCode {
             Ok(number) if number >= golden::MARKS[0] => count = number,
             Err(_) if word == "--accept" => accept = true,
             _ => {
-                eprintln!("golden [VECTORS] [--accept], at least {} vectors: before that no query has a hash", golden::MARKS[0]);
+                eprintln!(
+                    "golden [VECTORS] [--accept], at least {} vectors: before that no query has a hash",
+                    golden::MARKS[0]
+                );
                 return ExitCode::from(2);
             }
         }
