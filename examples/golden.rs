@@ -45,12 +45,12 @@ fn main() -> ExitCode {
     let (mut count, mut accept) = (golden::VECTORS, false);
     for word in std::env::args().skip(1) {
         match word.parse() {
-            Ok(number) if number >= golden::MARKS[0] => count = number,
+            Ok(number) if number >= golden::LEAST => count = number,
             Err(_) if word == "--accept" => accept = true,
             _ => {
                 eprintln!(
                     "golden [VECTORS] [--accept], at least {} vectors: before that no query has a hash",
-                    golden::MARKS[0]
+                    golden::LEAST
                 );
                 return ExitCode::from(2);
             }

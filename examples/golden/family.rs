@@ -6,7 +6,7 @@ use super::hash::Hash;
 use super::random::Random;
 
 /// After so many vectors of a family, and after its last one, its hash is told: who runs only a part can compare it.
-pub const MARKS: [u32; 2] = [1_000, 10_000];
+const MARKS: [u32; 2] = [super::LEAST, 10_000];
 
 /// One line of the result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

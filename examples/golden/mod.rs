@@ -21,13 +21,16 @@ pub mod table;
 mod world;
 mod worlds;
 
-pub use family::{Line, MARKS, Run};
+pub use family::{Line, Run};
 
 /// Families of some kinds.
 pub type Part = fn(&mut Run<'_>);
 
 /// Vectors of each query at least. Where it is asked of several kinds of shapes or levels, each with a family of its own, they share them.
 pub const VECTORS: u32 = 100_000;
+
+/// Vectors before which no query has a hash.
+pub const LEAST: u32 = 1_000;
 
 // Groups: as much as the flash of a small chip holds, at the worst without optimisation.
 pub const SHAPES: &[Part] = &[numbers::run, pairs::run, responses::run];
