@@ -17,7 +17,7 @@ cd "$here"
 out=${CARGO_TARGET_DIR:-$here/../../target}/benches
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
-export CARGO_TARGET_DIR=$out
+export CARGO_TARGET_DIR=$out RUSTC_WRAPPER=$here/../../.ci/rustc.sh
 
 accept=0 symbols='' only_core='' counts=1 measure=1 bodies=0 proof=0
 while (($#)); do

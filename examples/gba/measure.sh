@@ -20,6 +20,7 @@ esac
 .ci/get-emulators.sh gba >/dev/null || exit 3
 out=${CARGO_TARGET_DIR:-$here/target}
 mkdir -p "$out"
+export RUSTC_WRAPPER=$PWD/.ci/rustc.sh
 
 keys='200 130:right 20:right+a 60:right 20:left+a 100:left 20:left+a 100:left 100:right 20:right+a 80:right 10:start'
 game() {
