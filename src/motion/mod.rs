@@ -96,6 +96,7 @@ mod inside;
 mod moved;
 mod mover;
 mod order;
+mod pinch;
 mod pipe;
 mod plane;
 pub mod response;

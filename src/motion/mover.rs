@@ -329,6 +329,9 @@ impl<S: Law> Mover<S> {
                 self.wedge::<W, B>(run, d, entry, feature);
             }
         } else if let Some((entry, feature)) = hit {
+            let slides = matches!(self.response, Response::Slide | Response::Cross);
+            let past = if slides && !W::BLOCKS && !B::MEETS_CORNERS { run.past_pinch(world, d, entry) } else { None };
+            let (entry, feature) = past.as_ref().map_or((entry, feature), |(entry, feature)| (entry, feature));
             let time = run.rest.raw() - run.after.raw();
             let used = mul_div(time, entry.num, entry.den);
             if let Some(side) = self.meet(run, used, entry, feature) {
