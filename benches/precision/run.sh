@@ -70,12 +70,15 @@ count() {
 cores=(m0:thumbv6m-none-eabi m4f:thumbv7em-none-eabihf)
 
 micro() {
-    export PRECISION_INPUTS=$work/inputs.bin
+    export PRECISION_INPUTS=$work/inputs
+    mkdir -p "$PRECISION_INPUTS"
     "$bench" inputs "$PRECISION_INPUTS"
-    local core
+    local core part
     for core in "${cores[@]}"; do
         echo "instructions on ${core%:*}" >&2
-        QEMU_SECONDS=1200 cargo run --quiet --release --package tilesat-precision-counts --target "${core#*:}" >"$work/${core%:*}.txt"
+        for part in pairs rays casts; do
+            QEMU_SECONDS=1200 cargo run --quiet --release --package tilesat-precision-counts --bin "$part" --target "${core#*:}"
+        done >"$work/${core%:*}.txt"
         "$bench" add "${core%:*}" "$work/${core%:*}.txt" --out "$out"
     done
 }
@@ -90,7 +93,7 @@ flash() {
         # Without the flags of the firmware, which lay out a board.
         RUSTFLAGS='' cargo build --quiet --profile flash --package tilesat-precision-flash --target "${core#*:}"
         library=$target/${core#*:}/flash/libtilesat_precision_flash.a
-        mapfile -t names < <("$tools/llvm-nm" --format=just-symbols --extern-only --defined-only "$library" 2>/dev/null | grep -E '^[A-Za-z-]+\|.*\|')
+        mapfile -t names < <("$tools/llvm-nm" --format=just-symbols --extern-only --defined-only "$library" 2>/dev/null | grep -E '^[A-Za-z0-9:% -]+\|.*\|')
         for name in "${names[@]}"; do
             "$tools/rust-lld" -flavor gnu --gc-sections --entry "$name" "$library" -o "$elf"
             echo "$name|$("$tools/llvm-size" "$elf" | awk 'NR == 2 { print $1 + $2 }')"
@@ -118,7 +121,8 @@ machine() {
     echo "| rapier2d | $(version rapier2d): its character controller, which slides by parry2d's casts; its pairs are parry2d's |"
     echo "| broccoli | $(version broccoli): its tree, built anew in each frame |"
     echo "| moves without Chipmunk2D | it has no mover; Box2D's is a capsule, so it moves circles alone |"
-    echo "| moves and broad phases on microcontrollers | not counted here: the harness in the emulator has a place for pairs of shapes only |"
+    echo "| parry2d on microcontrollers | without an allocator: no grid for rays, and casts of circles against circles alone |"
+    echo "| moves and broad phases on microcontrollers | not counted here |"
     echo "| tilesat without filters | no path of the library: \`exact (no filters)\` is this benchmark's own integer code |"
 }
 

@@ -107,6 +107,7 @@ fn goals(rows: &[Row]) -> Vec<Goal> {
         }
     }
     let contacts = || ours(rows, "contact").cloned();
+    let motions = || ours(rows, "ray").chain(ours(rows, "cast")).cloned();
     vec![
         none(rows, "0 wrong answers", "wrong", |w| !is_move(w) && !is_broad(w)),
         none(rows, "0 late times of impact", "late", |_| true),
@@ -187,6 +188,34 @@ fn goals(rows: &[Row]) -> Vec<Goal> {
             ("m0_hit", 1.0 / 6.0),
             contacts(),
             move |_, r| r.backend().starts_with("parry2d") && r.asked() == "contact",
+        ),
+        at_most(
+            rows,
+            "a twentieth of parry2d's instructions on Cortex-M0: misses, casts",
+            ("m0_miss", 1.0 / 20.0),
+            ours(rows, "cast").cloned(),
+            parry,
+        ),
+        at_most(
+            rows,
+            "a sixth of parry2d's instructions on Cortex-M0: hits, casts",
+            ("m0_hit", 1.0 / 6.0),
+            ours(rows, "cast").cloned(),
+            parry,
+        ),
+        at_most(
+            rows,
+            "at most the instructions of textbook f32 on Cortex-M0: rays and casts",
+            ("m0", 1.0),
+            motions(),
+            f32_too,
+        ),
+        at_most(
+            rows,
+            "at most the instructions of textbook f32 on Cortex-M4F: rays and casts",
+            ("m4f", 1.0),
+            motions(),
+            f32_too,
         ),
         at_most(
             rows,

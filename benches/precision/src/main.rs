@@ -7,8 +7,7 @@
 //! - Every answer is held against exact integers of 256 bits, which a test holds equal to big rationals. They share no code with the library.
 //! - A backend is wrong by the convention that suits it better over a class: touching is overlapping, or it is not. tilesat's is the strict one.
 //! - Who moves bodies: rapier2d's controller stands for parry2d's casts, with which it slides; Box2D's mover is a capsule, so circles alone;
-//!   Chipmunk2D has none. Neither moving nor broad phases are counted on microcontrollers here: the emulated harness has a place for pairs of
-//!   shapes only (`benches/target` counts ours).
+//!   Chipmunk2D has none. Neither moving nor broad phases are counted on microcontrollers here (`benches/target` counts ours).
 //! - Lengths are raw integers, 65 536 a pixel. A float gets the nearest value to each, so an f32 loses digits far from the origin, as in a game.
 //! - Bodies that move are judged where they are, as what their numbers mean exactly, and so each has its own way through a level (`moves/truth.rs`).
 //! - Of pairs of boxes, one that overlaps and is not told is wrong; what only touches may be told or not (`broad/truth.rs`).
@@ -45,7 +44,7 @@ use std::process::ExitCode;
 const USAGE: &str = "tilesat-precision COMMAND [--quick] [--out FILE]
   measure [PART..] judges and times, and writes the rows
   count [PART..]   counts instructions under callgrind, and adds them to the rows; parts are pairs, rays, casts, moves and broad
-  inputs FILE      writes the inputs that microcontrollers get
+  inputs FOLDER    writes the inputs that microcontrollers get
   add CORE FILE    adds what a microcontroller printed (m0, m4f) or a linker (flash_m0, flash_m4f)
   soak N [--state FILE]
                    asks until each pair of shapes had N queries, and goes on where it ended
@@ -83,7 +82,7 @@ fn main() -> ExitCode {
         ("measure", parts) => chosen(parts).and_then(|parts| measure(&options, &parts)),
         ("count", parts) => count(&options, parts),
         ("count-inside", parts) => chosen(parts).map(|parts| count_inside(&sizes(&options), &parts)),
-        ("inputs", [file]) => std::fs::write(file, micro::inputs()).map_err(|e| format!("{file}: {e}")),
+        ("inputs", [folder]) => micro::write(Path::new(folder)),
         ("add", [core, file]) => add(&options, core, Path::new(file)),
         ("soak", [n]) => match n.parse() {
             Ok(n) => soak::run(n, &options.state).and_then(|rows| join(&options, rows)),

@@ -2,25 +2,29 @@
 
 #![no_std]
 
-#[allow(dead_code, reason = "inputs are made only where they are counted")]
-#[path = "../../queries.rs"]
-mod queries;
-
-use queries::*;
+use tilesat_precision_queries::*;
 
 macro_rules! function {
-    ($workload:literal, $backend:literal, $asked:literal, $a:ty, $b:ty, $out:ty, |$p:ident| $ask:expr, |$o:ident| $hit:expr) => {
+    ($workload:literal, $backend:literal, $asked:literal, $in:ty, $out:ty, |$p:ident| $ask:expr, |$o:ident| $hit:expr) => {
         const _: () = {
             // SAFETY: the names have bars in them, and are no one else's.
             #[unsafe(export_name = concat!($workload, "|", $backend, "|", $asked))]
-            extern "C" fn query($p: &($a, $b), out: &mut core::mem::MaybeUninit<$out>) {
+            extern "C" fn query($p: &$in, out: &mut core::mem::MaybeUninit<$out>) {
                 out.write($ask);
             }
         };
     };
 }
 
-each_query!(function);
+macro_rules! ray {
+    ($workload:literal, $backend:literal, $map:ty, $start:ty, $out:ty, |$r:ident| $ask:expr, |$o:ident| $hit:expr) => {
+        function! { $workload, $backend, "ray", Ray<'_, $map, $start>, $out, |$r| $ask, |$o| $hit }
+    };
+}
+
+each_pair!(function);
+each_cast!(function);
+each_ray!(ray);
 
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {

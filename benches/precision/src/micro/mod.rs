@@ -1,48 +1,9 @@
 //! The microcontrollers' part: the inputs that they get, and what they print.
 
-use crate::oracle::figure::{Figure, PAIRS};
-use crate::oracle::measure::Measure;
-use crate::pairs::{classes::Class, name};
+mod inputs;
+
 use crate::record::Row;
-
-/// As many as fit beside the code in 256 KiB of flash.
-const CLASSES: [Class; 5] = [Class::Hits(50), Class::Boxes, Class::Near, Class::Far, Class::Domain];
-const PAIRS_A_CLASS: usize = 64;
-
-/// A number, and so many bytes of a name.
-fn text(out: &mut Vec<u8>, text: &str) {
-    out.extend((text.len() as i32).to_le_bytes());
-    out.extend(text.as_bytes());
-}
-
-fn words(figure: &Figure) -> [i32; 4] {
-    let four = match *figure {
-        Figure::Circle { centre, radius } => [centre.0, centre.1, radius, 0],
-        Figure::Aabb { min, max } => [min.0, min.1, max.0, max.1],
-        Figure::Segment { a, b } => [a.0, a.1, b.0, b.1],
-    };
-    four.map(|v| v as i32)
-}
-
-/// Of each workload and class its names, the number of pairs, and of each pair eight words and whether it overlaps.
-pub fn inputs() -> Vec<u8> {
-    let mut out = Vec::new();
-    for kinds in PAIRS {
-        for class in CLASSES {
-            let pairs = class.pairs(kinds, PAIRS_A_CLASS);
-            text(&mut out, name(kinds));
-            text(&mut out, class.name());
-            out.extend((pairs.len() as i32).to_le_bytes());
-            for (a, b) in &pairs {
-                let overlap = i32::from(Measure::new(a, b).overlaps());
-                for word in words(a).into_iter().chain(words(b)).chain([overlap]) {
-                    out.extend(word.to_le_bytes());
-                }
-            }
-        }
-    }
-    out
-}
+pub use inputs::write;
 
 /// The rows of what a microcontroller printed: keys, then the means of all, of hits and of misses.
 ///
