@@ -55,7 +55,7 @@ borrow() {
     local tree=$1 name
     shift
     for name; do
-        sed -E 's/^mod ([a-z_]*(oracle|support));/use crate::\1;/; s/^(fn|struct|const) /pub(crate) \1 /; s/^    ([ad]: (Figure|Point),)$/    pub(crate) \1/; s/(RANDOM_CASES: u32) = .*/\1 = 10_000;/' \
+        sed -E 's/^mod ([a-z_]*(oracle|support)|solids);/use crate::\1;/; s/^(fn|struct|const) /pub(crate) \1 /; s/^    ([ad]: (Figure|Point),)$/    pub(crate) \1/; s/(RANDOM_CASES: u32) = .*/\1 = 10_000;/' \
             "$root/tests/$name.rs" >"$tree/tests/$name.rs"
     done
 }
@@ -86,7 +86,7 @@ rest_tree() {
     cp -r "$root"/src "$root/README.md" "$root/LICENSE-MIT" "$root/Cargo.lock" "$tree"
     cp -r "$root"/tests/*_support "$root"/tests/{oracle,support,solids} "$tree/tests"
     cp "$here/rest/suite.rs" "$tree/tests"
-    borrow "$tree" $(sed -n 's/^mod \(.*\);/\1/p' "$here/rest/suite.rs" | grep -vE 'support$|^oracle$')
+    borrow "$tree" $(sed -n 's/^mod \(.*\);/\1/p' "$here/rest/suite.rs" | grep -vE 'support$|^(oracle|solids)$')
     cp "$here/rest/Cargo.toml" "$tree"
     mkdir -p "$tree/.cargo" && cp "$root/.cargo/mutants.toml" "$tree/.cargo"
 }
@@ -127,8 +127,10 @@ program() {
 # Of the suite of the whole crate: tests of seconds each, for what the others do not notice, and tests of more than that.
 long=(neither_order_nor_broad mirrored_and_moved_scenes a_copy_is_a_snapshot no_body_enters_the_solid all_frames_of_four_pairs
     anything_over_anything every_small_velocity all_frames_of_all_exceptions every_neighbourhood_of_nine mosaics_are_their_outline
-    at_rest_on_a_floor at_rest_on_a_corner)
-never=(at_rest_in_a_gap at_rest_on_a_one_way at_rest_in_a_corner a_million_frames as_many_on_ceiling)
+    at_rest_on_a_floor at_rest_on_a_corner what_is_left_is_what_the_raster contacts_equal_the closest_points_equal mirrored_scenes_give
+    rays_equal_the_judge every_corner_of_four shape_features::every p17_boxes_rest_in_a_bowl)
+never=(at_rest_in_a_gap at_rest_on_a_one_way at_rest_in_a_corner a_million_frames as_many_on_ceiling p17_rest p17_pushed
+    scene_38_a_stack a_ball_swings)
 
 # The tests of a program that can notice a mutant of a part: numbers call no query, and of the suite of pairs the rest is not thin.
 choose() {

@@ -264,3 +264,22 @@ pub(super) fn reflect<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S,
     }
     reply(v, n, &surface.surface().rule(v))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, Bend, Raw};
+
+    /// Outside of a disc the normal is the body as seen from its centre, inside of one the centre as seen from the body; sides do not turn.
+    #[test]
+    fn normals_turn_with_the_body() {
+        let made = Raw { x: 30, y: -7 };
+        for n in [Axis::new(300, 400), Axis::new(-300, 400), Axis::new(5, -12)] {
+            assert_eq!(Bend::Convex.turned(n, made), Axis::new(n.x + 30, n.y - 7));
+            assert_eq!(Bend::Concave.turned(n, made), Axis::new(n.x - 30, n.y + 7));
+            assert_eq!((Bend::Flat.turned(n, made), Bend::Corner.turned(n, made)), (n, n));
+        }
+        for n in [Axis::X, Axis::Y, Axis::NEG_X, Axis::NEG_Y] {
+            assert_eq!((Bend::Convex.turned(n, made), Bend::Concave.turned(n, made)), (n, n));
+        }
+    }
+}

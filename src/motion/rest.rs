@@ -33,3 +33,26 @@ impl<B: Body> Run<'_, B> {
         Raw::of(self.moved.body.position()).sub(Raw::of(start.position()))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test")]
+
+    use super::way;
+    use crate::motion::Moved;
+    use crate::motion::around::Around;
+    use crate::motion::run::Run;
+    use crate::num::{Fx, Raw, Vec2};
+    use crate::shape::Circle;
+
+    #[test]
+    fn a_creeping_body_looks_ahead_in_its_direction() {
+        let body = Circle::new(Vec2::ZERO, Fx::ONE).unwrap();
+        for v in (-64..=64).flat_map(|x| (-64..=64).map(move |y| Raw { x, y })).filter(|v| !v.is_zero()) {
+            let (mut moved, mut around) = (Moved::freely(body, v.vec2(), 0), Around::NOTHING);
+            let ahead = Run::new(&mut moved, &mut around).ahead();
+            assert!((256..512).contains(&way(ahead)), "{v:?} {ahead:?}");
+            assert!(v.cross(ahead) == 0 && v.dot(ahead) > 0, "{v:?} {ahead:?}");
+        }
+    }
+}

@@ -120,3 +120,24 @@ fn steeper(d: Raw, rest: Raw, n: Axis, pressed: i32) -> Raw {
         Raw { x: d.x.wrapping_add(more(rest.y, n.x)), ..d }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, Raw, yielding};
+
+    /// What is left leads out of the plane or along it, and nowhere back.
+    #[test]
+    fn what_yields_does_not_lead_in() {
+        let steps = || [-70i32, -9, -1, 0, 1, 9, 70].into_iter();
+        for (nx, ny) in steps().flat_map(|x| steps().map(move |y| (x, y))).filter(|n| *n != (0, 0)) {
+            let n = if nx == 0 || ny == 0 { Axis::new(nx.signum(), ny.signum()) } else { Axis::new(nx, ny) };
+            let into = |v: Raw| i64::from(v.x) * i64::from(n.x) + i64::from(v.y) * i64::from(n.y);
+            for rest in steps().flat_map(|x| steps().map(move |y| Raw { x: x * 3, y: y * 2 })) {
+                for held in [(true, false), (false, true), (true, true)] {
+                    let left = yielding(rest, n, held);
+                    assert!(into(left) >= 0 || into(rest) >= 0, "{rest:?} {n:?} {held:?} {left:?}");
+                }
+            }
+        }
+    }
+}
