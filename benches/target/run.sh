@@ -106,13 +106,13 @@ games=(
     'game_bullets:256 bullets, 32 enemies, pairs and events:58500:13800:58500:13800'
 )
 
-# Without the programs of everything, which are large and belong to the proof.
+# build_flash TARGET...: without the programs of everything, which are large and belong to the proof.
 build_flash() {
     local source bins=()
     for source in flash/src/bin/*.rs; do
         [[ $source == */everything_* ]] || bins+=(--bin "$(basename "$source" .rs)")
     done
-    cargo build --quiet --profile flash --package tilesat-flash "${bins[@]}" --target "$1"
+    cargo build --quiet --profile flash --package tilesat-flash "${bins[@]}" "${@/#/--target=}"
 }
 # Bytes of flash: code, constants and initialised data.
 flash_of() {
@@ -125,9 +125,9 @@ ram_of() {
 }
 
 if [[ -n $symbols ]]; then
+    build_flash "${cores[@]#*:}"
     for core in "${cores[@]}"; do
         target=${core#*:}
-        build_flash "$target"
         echo "$symbols on ${core%:*}: $(flash_of "$target/flash" "$symbols") B, of which the frame is $(flash_of "$target/flash" empty) B"
         "$llvm/llvm-nm" --demangle --print-size --size-sort --reverse-sort --radix=d "$out/$target/flash/$symbols" |
             awk '{ size = $2 + 0; $1 = $2 = $3 = ""; printf "%6d  %s\n", size, $0 }'
@@ -140,12 +140,12 @@ fi
 refused='the_panic|rust_begin_unwind|core::panicking|_fail(ed)?(::h[0-9a-f]+)?$|__aeabi_u?ldivmod|__u?(div|mod|divmod)di[34]|__(u?(div|mod|divmod)|mul|ash[lr]|lshr)ti[345]'
 # The flags of .cargo for Arm; for RISC-V they would ask for the layout of a board.
 build_proof() {
-    RUSTFLAGS=-Clink-arg=-Tlink.x cargo build --quiet --profile "$1" --package tilesat-flash --bin 'everything_*' --target "$2"
+    RUSTFLAGS=-Clink-arg=-Tlink.x cargo build --quiet --profile "$1" --package tilesat-flash --bin 'everything_*' "${@:2}"
 }
 # Who calls what is refused, from which line, innermost of what was inlined: built once more, with lines.
 callers() {
     local name=${2//-/_}
-    (export "CARGO_PROFILE_${name^^}_DEBUG=line-tables-only" && build_proof "$2" "$1")
+    (export "CARGO_PROFILE_${name^^}_DEBUG=line-tables-only" && build_proof "$2" --target "$1")
     "$llvm/llvm-objdump" --disassemble --line-numbers --demangle --no-show-raw-insn "$out/$1/$2/$3" | awk -v refused="$refused" '
         /^[0-9a-f]+ <.*>:$/ { caller = $0; gsub(/^[0-9a-f]+ <|>:$/, "", caller) }
         /^; .*:[0-9]+$/ { at = substr($0, 3) }
@@ -157,10 +157,10 @@ callers() {
 }
 # prove PROFILE...
 prove() {
-    local profile target source bin found bad=0
+    local profile target source bin found bad=0 targets=(thumbv6m-none-eabi riscv32imc-unknown-none-elf)
     for profile in "$@"; do
-        for target in thumbv6m-none-eabi riscv32imc-unknown-none-elf; do
-            build_proof "$profile" "$target"
+        build_proof "$profile" "${targets[@]/#/--target=}"
+        for target in "${targets[@]}"; do
             for source in flash/src/bin/everything_*.rs; do
                 bin=$(basename "$source" .rs)
                 found=$("$llvm/llvm-nm" --demangle --format=just-symbols "$out/$target/$profile/$bin" | grep -E "$refused" | sort -u | paste -sd ' ' || true)
@@ -185,20 +185,19 @@ export QEMU_SECONDS=${QEMU_SECONDS:-600}
 run_on() {
     "$root/.ci/qemu.sh" "${3:-$1}" "$out/$1/release/$2"
 }
+# build_counts "TARGET..." PROGRAM...: for all at once, so that no core of this computer waits for the last program of a target.
 build_counts() {
-    local target=$1 bin bins=()
-    echo "building the counting firmwares for $1" >&2
+    local targets
+    read -ra targets <<<"$1"
     shift
-    for bin in "$@"; do
-        bins+=(--bin "$bin")
-    done
-    cargo build --quiet --release --package tilesat-counts --target "$target" "${bins[@]}"
+    echo "building the counting firmwares $* for ${targets[*]}" >&2
+    cargo build --quiet --release --package tilesat-counts "${targets[@]/#/--target=}" "${@/#/--bin=}"
 }
 # Crowds do not fit the micro:bit: code for either core runs on the board of the M3.
 run_crowds() { run_on "$1" crowds thumbv7m-none-eabi; }
 if ((bodies)); then
+    build_counts "${cores[*]#*:}" crowds
     for core in "${cores[@]}"; do
-        build_counts "${core#*:}" crowds
         run_crowds "${core#*:}"
     done | awk -f pivot.awk | awk -f bodies.awk
     exit 0
@@ -237,18 +236,21 @@ run_modelled() {
     awk -f cycles.awk "$out/$2.merged"
 }
 
-# Lines core|section|row|value|budget of all firmwares. One at a time is built, and runs while the next ones are.
+# Lines core|section|row|value|budget of all firmwares, which run while the next ones are built.
 measure_all() {
-    local core target bin how runs=() run
+    local core target bin how present=() runs=() run
     start() { "$@" >"$out/${#runs[@]}.part" & runs+=($!); }
     for core in "${counted[@]}"; do
-        target=${core#*:} how=run_on
-        if [[ $target == riscv32* ]] && ! "$root/.ci/get-emulators.sh" riscv32 >/dev/null; then
-            absent+=(RV32)
-            echo 'NOT COUNTED ON RV32: there is no emulator'
-            continue
+        if [[ $core == *:riscv32* ]] && ! "$root/.ci/get-emulators.sh" riscv32 >/dev/null; then
+            absent+=("${core%:*}")
+            echo "NOT COUNTED ON ${core%:*}: there is no emulator"
+        else
+            present+=("$core")
         fi
-        build_counts "$target" pairs levels bodies
+    done
+    build_counts "${present[*]#*:}" pairs levels bodies
+    for core in "${present[@]}"; do
+        target=${core#*:} how=run_on
         [[ $core != M0:* ]] || find_plugin
         [[ $core != M0:* || -z $model ]] || how=run_modelled
         for bin in pairs levels bodies; do
@@ -256,10 +258,11 @@ measure_all() {
         done
     done
     if [[ -z $only_core ]]; then
+        build_counts "${cores[*]#*:}" crowds
         for core in "${cores[@]}"; do
-            build_counts "${core#*:}" crowds
             start run_crowds "${core#*:}"
         done
+        build_flash "${cores[@]#*:}"
     fi
     for run in "${!runs[@]}"; do
         wait "${runs[run]}" || return
@@ -278,9 +281,9 @@ fi
 # Flash and static RAM of every program, and bounds of the stack of every function.
 measure_links() {
     local core target name empty program game bin row budget flash ram flash_m3 ram_m3 source
+    build_flash "${cores[@]#*:}"
     for core in "${cores[@]}"; do
         target=${core#*:} name=${core%:*}
-        build_flash "$target"
         empty=$(flash_of "$target/flash" empty)
         for program in "${programs[@]}"; do
             IFS=: read -r bin row budget <<<"$program"
