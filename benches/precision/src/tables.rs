@@ -219,7 +219,11 @@ fn line(out: &mut String, rows: &[Row], workload: &str, class: &str) {
         of.filter_map(|r| r.get("m0")).reduce(f64::min).map(short)
     };
     let cores = [m0(&|b| b == "tilesat"), m0(&|b| b == "textbook f32"), m0(&|b| b.starts_with("parry2d"))];
-    let cores: Vec<String> = cores.into_iter().flatten().collect();
+    let cores = if cores.iter().all(Option::is_none) {
+        String::new()
+    } else {
+        cores.map(|count| count.unwrap_or_else(|| "-".to_owned())).join(", ")
+    };
     let name = if broad { format!("{workload}: {class}") } else { workload.to_owned() };
     let _ = writeln!(
         out,
@@ -227,6 +231,6 @@ fn line(out: &mut String, rows: &[Row], workload: &str, class: &str) {
         cell("textbook f32").unwrap_or_default(),
         cell("naive Q16.16").unwrap_or_default(),
         peer.unwrap_or_default(),
-        cores.join(", ")
+        cores
     );
 }
