@@ -203,16 +203,16 @@ mod tests {
             let rest = Raw { x: -30 * x, y: -20 * y };
             let mut wall = Room::ALL;
             if x > 0 {
-                wall.hi.x = made.x
+                wall.hi.x = made.x;
             } else {
-                wall.lo.x = made.x
+                wall.lo.x = made.x;
             }
             assert_eq!(off(rest, made, n, &wall), Raw { x: 0, y: 50 * y });
             let mut floor = Room::ALL;
             if y > 0 {
-                floor.hi.y = made.y
+                floor.hi.y = made.y;
             } else {
-                floor.lo.y = made.y
+                floor.lo.y = made.y;
             }
             assert_eq!(off(rest, made, n, &floor), Raw { x: 50 * x, y: 0 });
         }
