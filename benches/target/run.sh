@@ -149,9 +149,9 @@ callers() {
     "$llvm/llvm-objdump" --disassemble --line-numbers --demangle --no-show-raw-insn "$out/$1/$2/$3" | awk -v refused="$refused" '
         /^[0-9a-f]+ <.*>:$/ { caller = $0; gsub(/^[0-9a-f]+ <|>:$/, "", caller) }
         /^; .*:[0-9]+$/ { at = substr($0, 3) }
-        /^ .*<.*>$/ && caller !~ refused {
+        /^ .*<.*>( *@.*)?$/ && caller !~ refused {
             callee = $0
-            gsub(/^[^<]*<|>$/, "", callee)
+            gsub(/^[^<]*<|>( *@.*)?$/, "", callee)
             if (callee ~ refused) print "    " callee " in " caller ", " at
         }' | sort -u
 }

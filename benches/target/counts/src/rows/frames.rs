@@ -34,13 +34,14 @@ fn velocity(r: &mut Random, speed: i32) -> Vec2 {
     vec((r.raw(-speed, speed), r.raw(-speed, speed)))
 }
 
-/// The 99.9th percentile and the most.
+/// The mean, the 99.9th percentile and the most.
 fn row<B: Body>(counter: &Counter<Short>, name: &str, map: &Map, next: impl Fn(&mut Random) -> Option<(B, Vec2)>) {
-    let (mut random, mut largest, mut made) = (Random::new(7), [0; ABOVE], 0);
+    let (mut random, mut largest, mut made, mut sum) = (Random::new(7), [0; ABOVE], 0, 0);
     while made < FRAMES {
         let Some(frame) = next(&mut random) else { continue };
         made += 1;
         let mut count = instructions(counter, map, &frame);
+        sum += count;
         // The largest so far, the most first.
         for kept in &mut largest {
             if count > *kept {
@@ -48,6 +49,7 @@ fn row<B: Body>(counter: &Counter<Short>, name: &str, map: &Map, next: impl Fn(&
             }
         }
     }
+    tell("frames", format_args!("{name}, mean of {FRAMES}"), sum / FRAMES as u32, None);
     tell("frames", format_args!("{name}, 99.9 % of {FRAMES}"), largest[ABOVE - 1], None);
     tell("frames", format_args!("{name}, most of {FRAMES}"), largest[0], None);
 }
