@@ -145,7 +145,8 @@ impl<S: Law> Mover<S> {
     ///
     /// The body is swept, so no speed tunnels. It ends exactly on the faces along x and y that it hits, and what they do to the motion is
     /// exact: a box that lands still goes on by its whole sideways motion. At a slope, a corner or an arc it ends at most 2 raw early
-    /// and never inside; wedged where no lattice point near the contact is free, it stays where that piece of its motion began.
+    /// and never inside; wedged where no lattice point near the contact is free, 10 raw early, and if none is free there either where that piece
+    /// of its motion began.
     /// Along the slopes of tiles it goes exactly: the velocity is a multiple of the slope's direction, less than one multiple short. Through a
     /// quarter pipe it goes by one chord a call and comes out as fast as it went in, less some 3 raw a call.
     /// Sliding never lengthens the velocity and bouncing never raises its square (with a [`Speed`](super::Speed), not above that).

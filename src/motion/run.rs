@@ -5,12 +5,12 @@ use super::body::{Body, Entry};
 use super::facing::Side;
 use super::order::First;
 use super::pipe::Pipe;
-use super::plane::Planes;
+use super::plane::{Planes, way};
 use super::response::Law;
 use super::search::Search;
 use super::{Hit, Moved};
 use crate::error::{Quantity, RangeError};
-use crate::num::{Axis, DOMAIN, Raw, Toi};
+use crate::num::{Axis, DOMAIN, Raw, Toi, mul_div};
 use crate::shape::Aabb;
 use crate::world::{Feature, Geometry, World};
 
@@ -118,15 +118,21 @@ impl<'m, B: Body> Run<'m, B> {
     pub(super) fn advance<W: World>(&mut self, world: &W, d: Raw, entry: &Entry) -> Raw {
         // Corners: rounding away from one corner may graze another. Lattice neighbours toward the start, then aside, then two back.
         const STEPS: [(i32, i32); 7] = [(0, 0), (-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
+        // In a gap that closes slowly the room for that is farther back: of 1.5 * 10^6 frames of balls among all shapes 26 found a place 8 raw units
+        // back that had found none, a unit and more from where the piece began. Farther back there is room for flat boxes only, by parts of a pixel.
+        const BACK: [u32; 2] = [0, 8];
         let q = entry.displacement(d);
-        if q.is_zero() {
-            return q;
-        }
-        for (x, y) in STEPS {
-            let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
-            let q = on_the_way(q.add(step), d);
-            if self.take(world, q, W::CERTAIN && !B::MEETS_CORNERS) {
-                return q;
+        for back in BACK {
+            if back >= way(q) {
+                break;
+            }
+            let q = q.sub(back_on(d, back));
+            for (x, y) in STEPS {
+                let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
+                let q = on_the_way(q.add(step), d);
+                if self.take(world, q, W::CERTAIN && !B::MEETS_CORNERS) {
+                    return q;
+                }
             }
         }
         Raw::ZERO
@@ -267,6 +273,15 @@ pub(super) fn check_inside(bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
         }
     }
     Ok(())
+}
+
+/// So much of the longest component of a motion, and of the other in proportion.
+fn back_on(d: Raw, back: u32) -> Raw {
+    let of = |c: i32| {
+        let part = mul_div(c.unsigned_abs(), back, way(d)) as i32;
+        if c < 0 { part.wrapping_neg() } else { part }
+    };
+    Raw { x: of(d.x), y: of(d.y) }
 }
 
 /// The displacement nearest to another that leads beyond neither end of a motion.
