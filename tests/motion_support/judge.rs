@@ -14,6 +14,8 @@ fn early(d: P) -> i64 {
 
 /// How far a circle may end from the exact place of its reported moment, on each axis.
 pub(crate) const ASIDE: i64 = 2;
+/// How much farther back it may end where no place there is free, on the longer axis.
+const BACK: i64 = 8;
 
 /// What is wrong with an outcome; all of it must hold for every response.
 pub(crate) fn judge(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
@@ -194,7 +196,8 @@ pub(crate) fn first_place(level: &Level, start: &Body, d: P, touched: &Outcome) 
         Body::Disc { .. } if hit.index < 4 && free => 0,
         Body::Disc { .. } => ASIDE,
     };
-    if aside > allowed && !(allowed > 0 && moved == (0, 0) && wedged(start, exact)) {
+    let held = allowed > 0 && (moved == (0, 0) || aside <= ASIDE + BACK) && wedged(start, exact);
+    if aside > allowed && !held {
         return Err(format!("stopped after {moved:?}, exact {exact:?}"));
     }
     if aside == 0 || matches!(start, Body::Rect { .. }) {
@@ -212,7 +215,7 @@ pub(crate) fn first_place(level: &Level, start: &Body, d: P, touched: &Outcome) 
     if passed { Err("went through a one-way face".to_owned()) } else { Ok(()) }
 }
 
-/// A circle that slides along one corner and reaches another may have no free lattice place there, and stays. After `s` along a tangent the
+/// A circle that slides along one corner and reaches another may have no free lattice place there, and ends farther back or stays. After `s` along a tangent the
 /// first corner is `s^2 / 2r` away: beyond two raw, roundings are no obstacle any more.
 fn wedged(body: &Body, exact: P) -> bool {
     let Body::Disc { r, .. } = *body else { return false };
