@@ -92,20 +92,23 @@ micro() {
     done
 }
 
-# Each query is linked alone out of one library: what the linker keeps is what it pulls in.
+# Each query is linked alone out of a library of its kind: what the linker keeps is what it pulls in.
 flash() {
-    local core library tools elf names name
+    local core library kind tools elf names name
     tools=$(rustc --print sysroot)/lib/rustlib/$(rustc -vV | sed -n 's/^host: //p')/bin
     elf=$work/one.elf
     for core in "${cores[@]}"; do
         echo "bytes on ${core%:*}" >&2
-        # Without the flags of the firmware, which lay out a board.
-        RUSTFLAGS='' cargo build --quiet --profile flash --package tilesat-precision-flash --target "${core#*:}"
         library=$target/${core#*:}/flash/libtilesat_precision_flash.a
-        mapfile -t names < <("$tools/llvm-nm" --format=just-symbols --extern-only --defined-only "$library" 2>/dev/null | grep -E '^[A-Za-z0-9:% -]+\|.*\|')
-        for name in "${names[@]}"; do
-            "$tools/rust-lld" -flavor gnu --gc-sections --entry "$name" "$library" -o "$elf"
-            echo "$name|$("$tools/llvm-size" "$elf" | awk 'NR == 2 { print $1 + $2 }')"
+        for kind in queries moves broad; do
+            # Without the flags of the firmware, which lay out a board.
+            RUSTFLAGS='' cargo build --quiet --profile flash --package tilesat-precision-flash --no-default-features --features "$kind" \
+                --target "${core#*:}"
+            mapfile -t names < <("$tools/llvm-nm" --format=just-symbols --extern-only --defined-only "$library" 2>/dev/null | grep -E '^[A-Za-z0-9:% -]+\|.*\|')
+            for name in "${names[@]}"; do
+                "$tools/rust-lld" -flavor gnu --gc-sections --entry "$name" "$library" -o "$elf"
+                echo "$name|$("$tools/llvm-size" "$elf" | awk 'NR == 2 { print $1 + $2 }')"
+            done
         done >"$work/flash-${core%:*}.txt"
         "$bench" add "flash_${core%:*}" "$work/flash-${core%:*}.txt" --out "$out"
     done

@@ -1,9 +1,8 @@
 //! Each query as a function under its row's name. Linked with one of them as the entry, what is left is what it pulls in.
+//!
+//! One library has queries, one movers, one broad phases: what many functions of a library call is not inlined in any of them.
 
 #![no_std]
-
-use core::mem::MaybeUninit;
-use tilesat_precision_queries::*;
 
 macro_rules! named {
     ($name:expr, |$p:ident: $in:ty, $out:ident: $answer:ty| $ask:expr) => {
@@ -17,38 +16,12 @@ macro_rules! named {
     };
 }
 
-macro_rules! function {
-    ($workload:literal, $backend:literal, $asked:literal, $in:ty, $out:ty, |$p:ident| $ask:expr, |$o:ident| $hit:expr) => {
-        named! { concat!($workload, "|", $backend, "|", $asked), |$p: $in, out: MaybeUninit<$out>| out.write($ask) }
-    };
-}
-
-macro_rules! ray {
-    ($workload:literal, $backend:literal, $map:ty, $start:ty, $out:ty, |$r:ident| $ask:expr, |$o:ident| $hit:expr) => {
-        function! { $workload, $backend, "ray", Ray<'_, $map, $start>, $out, |$r| $ask, |$o| $hit }
-    };
-}
-
-macro_rules! mover {
-    ($workload:literal, $kind:literal, $backend:literal, $level:ty, $body:ty, $motion:ty, |$s:ident| $ask:expr) => {
-        named! { concat!($workload, "|", $kind, "|", $backend, "|move"),
-        |$s: Step<'_, $level, $body, $motion>, out: MaybeUninit<$body>| out.write($ask) }
-    };
-}
-
-macro_rules! phase {
-    ($workload:literal, $backend:literal, $asked:literal, $n:literal, $phase:ty) => {
-        named! { concat!($workload, "|", $backend, "|", $asked),
-        |boxes: [<$phase as Phase<$n>>::Box; $n], scene: Scene<$phase, $n>| scene.frame(boxes) }
-    };
-}
-
-each_pair!(function);
-each_cast!(function);
-each_ray!(ray);
-each_move!(mover);
-// How many boxes there are is a number in the code.
-each_broad!(phase 64, 8, 64);
+#[cfg(feature = "broad")]
+mod broad;
+#[cfg(feature = "moves")]
+mod moves;
+#[cfg(feature = "queries")]
+mod queries;
 
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
