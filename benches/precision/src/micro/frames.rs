@@ -13,7 +13,7 @@ use crate::moves::{self, backends};
 /// Half of those that the host counts: the code of all movers takes half of the flash.
 const SEQUENCES: usize = 16;
 
-/// Frames of as many boxes: as many as fit beside the code in 256 KiB of flash, and one that is not counted.
+/// Frames of so many boxes, and one before them that is not counted.
 fn frames_of(bodies: usize) -> usize {
     (2048 / bodies).clamp(8, 32) + 1
 }
