@@ -7,7 +7,7 @@
 //! - Every answer is held against exact integers of 256 bits, which a test holds equal to big rationals. They share no code with the library.
 //! - A backend is wrong by the convention that suits it better over a class: touching is overlapping, or it is not. tilesat's is the strict one.
 //! - Who moves bodies: rapier2d's controller stands for parry2d's casts, with which it slides; Box2D's mover is a capsule, so circles alone;
-//!   Chipmunk2D has none. Neither moving nor broad phases are counted on microcontrollers here (`benches/target` counts ours).
+//!   Chipmunk2D has none. On microcontrollers bodies are moved and pairs of boxes told by what runs without an allocator: ours and the textbook's.
 //! - Lengths are raw integers, 65 536 a pixel. A float gets the nearest value to each, so an f32 loses digits far from the origin, as in a game.
 //! - Bodies that move are judged where they are, as what their numbers mean exactly, and so each has its own way through a level (`moves/truth.rs`).
 //! - Of pairs of boxes, one that overlaps and is not told is wrong; what only touches may be told or not (`broad/truth.rs`).

@@ -38,7 +38,7 @@ pub const COLUMNS: [&str; 24] = [
     "m4f",
     "m4f_hit",
     "m4f_miss",
-    // Bytes of the query with all that it pulls in; in a row without a class.
+    // Bytes of the query with all that it pulls in; in a row without a class, or with what its classes begin with.
     "flash_m0",
     "flash_m4f",
 ];

@@ -1,6 +1,7 @@
 //! Everything that is shown, from the rows alone: pictures, the page of results, and a short table.
 
 use crate::goals;
+use crate::micro;
 use crate::plot::{Axes, svg};
 use crate::record::Row;
 use crate::tables;
@@ -40,15 +41,15 @@ pub fn all(results: &Path) -> Result<(), String> {
     let machine = results.with_file_name("machine.md");
     page.push_str(&std::fs::read_to_string(&machine).map_err(|e| format!("{}: {e}", machine.display()))?);
     page.push_str(&goals::page(&rows));
-    page.push_str(&tables::micro(&rows));
+    page.push_str(&micro::page(&rows));
     for workload in workloads(&rows) {
         let of: Vec<&Row> = rows.iter().filter(|r| r.workload() == workload && !r.class().is_empty()).collect();
         if of.iter().all(|r| r.get("host").is_none()) {
             continue;
         }
         let _ = writeln!(page, "\n## {workload}");
-        let framed = of.iter().any(|r| r.get("tunnels").or(r.get("extra")).is_some());
-        let label = if framed { "instructions a frame (x86-64)" } else { "instructions a query (x86-64)" };
+        let label =
+            if tables::is_framed(&of) { "instructions a frame (x86-64)" } else { "instructions a query (x86-64)" };
         let x: (&str, Value) = (label, |r| r.get("host"));
         let wrong: (&str, Value) = ("wrong in a million", Row::wrong_per_million);
         let error: (&str, Value) = ("largest error, px", |r| r.get("max_px"));

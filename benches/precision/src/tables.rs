@@ -95,42 +95,18 @@ pub fn workload(rows: &[&Row]) -> String {
             Some(format!("{} / {}", short(share), r.get("deepest_px").map(short).unwrap_or_default()))
         });
     }
+    if is_framed(rows) && rows.iter().any(|r| r.get("m0").is_some()) {
+        out += &table("Instructions on Cortex-M0 / on Cortex-M4F", rows, |r| {
+            let count = |core| r.get(core).map_or_else(|| "-".to_owned(), short);
+            r.get("m4f").map(|_| format!("{} / {}", count("m0"), count("m4f")))
+        });
+    }
     out
 }
 
-/// Microcontrollers: the usual class of each workload.
-pub fn micro(rows: &[Row]) -> String {
-    let usual: Vec<&Row> =
-        rows.iter().filter(|r| r.class() == usual_class(r.workload()) && r.get("m0").is_some()).collect();
-    if usual.is_empty() {
-        return String::new();
-    }
-    let mut out = String::from(
-        "\n## Microcontrollers\n\nInstructions of hits / of misses, half of the pairs and casts hit, generic rays; bytes of flash at opt-level \"s\" of the \
-         query with all that it pulls in, without a ray's cells. Of each class 64 of the host's inputs, 32 rays. Other classes are in `results.csv`.\n\n| | Cortex-M0 | Cortex-M4F | flash M0 | flash M4F |\n|---|--:|--:|--:|--:|\n",
-    );
-    for row in usual {
-        let cell = |name: &str| row.get(name).map(short).unwrap_or_default();
-        let same = |r: &&Row| {
-            r.class().is_empty()
-                && (r.workload(), r.backend(), r.asked()) == (row.workload(), row.backend(), row.asked())
-        };
-        let flash = |name: &str| rows.iter().find(same).and_then(|r| r.get(name)).map(short).unwrap_or_default();
-        let _ = writeln!(
-            out,
-            "| {}, {}: {} | {} / {} | {} / {} | {} | {} |",
-            row.workload(),
-            row.backend(),
-            row.asked(),
-            cell("m0_hit"),
-            cell("m0_miss"),
-            cell("m4f_hit"),
-            cell("m4f_miss"),
-            flash("flash_m0"),
-            flash("flash_m4f")
-        );
-    }
-    out
+/// Whether what is asked is a frame, not one query.
+pub fn is_framed(rows: &[&Row]) -> bool {
+    rows.iter().any(|r| r.get("tunnels").or(r.get("extra")).is_some())
 }
 
 /// Other people's libraries, unlike textbook code.
@@ -213,9 +189,9 @@ fn line(out: &mut String, rows: &[Row], workload: &str, class: &str) {
     let Some(ours) = cell("tilesat") else { return };
     let peer = cheapest(rows.iter().filter(at).filter(|r| is_library(r.backend())), "host");
     let peer = peer.and_then(|r| Some(format!("{}, {}", said(r)?, r.backend())));
-    // The fastest of a library's functions that say yes or no.
+    // The fastest of a library's functions that say the same.
     let m0 = |of: &dyn Fn(&str) -> bool| {
-        let of = rows.iter().filter(at).filter(|r| r.asked() == first_asked(workload) && of(r.backend()));
+        let of = rows.iter().filter(at).filter(asked).filter(|r| of(r.backend()));
         of.filter_map(|r| r.get("m0")).reduce(f64::min).map(short)
     };
     let cores = [m0(&|b| b == "tilesat"), m0(&|b| b == "textbook f32"), m0(&|b| b.starts_with("parry2d"))];

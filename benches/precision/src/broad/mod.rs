@@ -2,7 +2,7 @@
 
 mod engines;
 mod phases;
-mod scenes;
+pub mod scenes;
 mod truth;
 
 use crate::callgrind;
@@ -12,9 +12,9 @@ use crate::run::{Sizes, fastest};
 use scenes::{CLASSES, Class, Frame};
 use truth::{Answer, Truth, judge};
 
-const NAME: &str = "pairs of boxes";
+pub const NAME: &str = "pairs of boxes";
 
-fn backends(class: Class) -> List<Frame, Answer> {
+pub fn backends(class: Class) -> List<Frame, Answer> {
     let mut list = List(Vec::new());
     phases::library(&mut list, class);
     phases::textbook(&mut list);

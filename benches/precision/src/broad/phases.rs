@@ -103,11 +103,10 @@ const CELL: Fx = Fx::lit("32");
 /// For as many bodies, blocks of 32 cells, and buckets: at least 64.
 fn sized<const N: usize, const BLOCKS: usize, const BUCKETS: usize>(list: &mut List<Frame, Answer>, class: Class) {
     let corner = ours::vec2((class.origin << 16, class.origin << 16));
-    let columns = ((class.side() as u64).div_ceil(32)).next_power_of_two() as u16;
     let named = |asked| (ours::NAME, asked, Format::RAW);
     add(list, named("sweep"), |boxes| Own::of(SortSweep::<N>::new(), boxes));
     add(list, named("grid"), move |boxes| {
-        Own::of(LooseGrid::<BLOCKS, N>::new(corner, CELL, columns).expect("a legal grid"), boxes)
+        Own::of(LooseGrid::<BLOCKS, N>::new(corner, CELL, class.grid_columns()).expect("a legal grid"), boxes)
     });
     add(list, named("hash"), |boxes| Own::of(SpatialHash::<BUCKETS, N>::new(CELL).expect("a legal cell"), boxes));
     add(list, named("brute"), |boxes| Own::of(BruteForce::<N>::new(), boxes));

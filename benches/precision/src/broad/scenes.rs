@@ -59,6 +59,11 @@ impl Class {
         ((self.bodies as f64).sqrt() * 64.0).ceil() as i64
     }
 
+    /// Cells of 32 pixels along it: a power of two.
+    pub fn grid_columns(self) -> u16 {
+        (self.side() as u64).div_ceil(32).next_power_of_two() as u16
+    }
+
     pub fn frames(self, n: usize) -> Vec<Frame> {
         let mut r = Random::new(0xb0c5 + self.bodies as u64);
         let frames = match self.kind {

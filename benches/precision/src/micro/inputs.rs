@@ -1,5 +1,7 @@
 //! The inputs that microcontrollers get: the first of the host's, as many as fit beside the code in 256 KiB of flash.
 
+use super::file::File;
+use super::frames;
 use crate::casts::{self, truth::Truth as Impact};
 use crate::oracle::figure::{Figure, PAIRS};
 use crate::oracle::measure::Measure;
@@ -12,26 +14,7 @@ const A_CLASS: usize = 64;
 /// Beside the cells of three maps, 192 KiB.
 const RAYS_A_CLASS: usize = 32;
 
-/// A number, and so many bytes of a name.
-fn text(out: &mut Vec<u8>, text: &str) {
-    out.extend((text.len() as i32).to_le_bytes());
-    out.extend(text.as_bytes());
-}
-
-/// The names of a workload and a class, the number of records, and of each its words and whether it hits.
-fn class<const N: usize>(out: &mut Vec<u8>, (workload, name): (&str, &str), records: &[([i64; N], bool)]) {
-    text(out, workload);
-    text(out, name);
-    out.extend((records.len() as i32).to_le_bytes());
-    out.extend((N as i32 + 1).to_le_bytes());
-    for (words, hit) in records {
-        for &word in words.iter().chain(&[i64::from(*hit)]) {
-            out.extend((word as i32).to_le_bytes());
-        }
-    }
-}
-
-fn words(figure: &Figure) -> [i64; 4] {
+pub fn words(figure: &Figure) -> [i64; 4] {
     match *figure {
         Figure::Circle { centre, radius } => [centre.0, centre.1, radius, 0],
         Figure::Aabb { min, max } => [min.0, min.1, max.0, max.1],
@@ -39,46 +22,46 @@ fn words(figure: &Figure) -> [i64; 4] {
     }
 }
 
-fn pairs() -> Vec<u8> {
-    let mut out = Vec::new();
+fn pairs() -> File {
+    let mut out = File::default();
     for kinds in PAIRS {
         for of in PAIR_CLASSES {
             let record = |(a, b): &(Figure, Figure)| {
                 let ([p, q, r, s], [t, u, v, w]) = (words(a), words(b));
-                ([p, q, r, s, t, u, v, w], Measure::new(a, b).overlaps())
+                [p, q, r, s, t, u, v, w, Measure::new(a, b).overlaps().into()]
             };
             let records: Vec<_> = of.pairs(kinds, A_CLASS).iter().map(record).collect();
-            class(&mut out, (pairs::name(kinds), of.name()), &records);
+            out.queries((pairs::name(kinds), of.name()), &records);
         }
     }
     out
 }
 
-fn casts() -> Vec<u8> {
-    let mut out = Vec::new();
+fn casts() -> File {
+    let mut out = File::default();
     for kinds in casts::classes::KINDS {
         for of in casts::classes::CLASSES {
             let record = |c: &casts::classes::Case| {
                 let ([p, q, r, s], [t, u, v, w]) = (words(&c.a), words(&c.b));
-                ([p, q, r, s, t, u, v, w, c.d.0, c.d.1], Impact::new(c).toi.is_some())
+                [p, q, r, s, t, u, v, w, c.d.0, c.d.1, Impact::new(c).toi.is_some().into()]
             };
             let records: Vec<_> = of.cases(kinds, A_CLASS).iter().map(record).collect();
-            class(&mut out, (&casts::name(kinds), of.name()), &records);
+            out.queries((&casts::name(kinds), of.name()), &records);
         }
     }
     out
 }
 
 /// The rays, and the cells that they go through.
-fn rays() -> (Vec<u8>, Vec<u8>) {
-    let (mut out, mut cells) = (Vec::new(), Vec::new());
+fn rays() -> (File, Vec<u8>) {
+    let (mut out, mut cells) = (File::default(), Vec::new());
     for map in rays::level::MAPS {
         let level = Level::new(map);
         for of in rays::classes::CLASSES {
             let record =
-                |r: &rays::classes::Ray| ([r.o.0, r.o.1, r.d.0, r.d.1], Truth::new(&level, r).closed.is_some());
+                |r: &rays::classes::Ray| [r.o.0, r.o.1, r.d.0, r.d.1, Truth::new(&level, r).closed.is_some().into()];
             let records: Vec<_> = of.rays(&level, RAYS_A_CLASS).iter().map(record).collect();
-            class(&mut out, (&rays::name(map), of.name()), &records);
+            out.queries((&rays::name(map), of.name()), &records);
         }
         cells.extend(level.cells);
     }
@@ -91,7 +74,17 @@ fn rays() -> (Vec<u8>, Vec<u8>) {
 /// Where one cannot be written.
 pub fn write(folder: &Path) -> Result<(), String> {
     let (rays, cells) = rays();
-    for (name, bytes) in [("pairs", pairs()), ("casts", casts()), ("rays", rays), ("cells", cells)] {
+    let files = [
+        ("pairs", pairs().bytes()),
+        ("casts", casts().bytes()),
+        ("rays", rays.bytes()),
+        ("cells", cells),
+        ("moves", frames::moves().bytes()),
+        ("levels", frames::levels().bytes()),
+        ("broad", frames::broad(256).bytes()),
+        ("crowds", frames::broad(4096).bytes()),
+    ];
+    for (name, bytes) in files {
         let file = folder.join(name).with_extension("bin");
         std::fs::write(&file, bytes).map_err(|e| format!("{}: {e}", file.display()))?;
     }

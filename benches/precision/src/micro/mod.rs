@@ -1,9 +1,15 @@
-//! The microcontrollers' part: the inputs that they get, and what they print.
+//! The microcontrollers' part: the inputs that they get, what they print, and how it is shown.
 
+#[path = "../../micro/queries/src/checksum.rs"]
+mod checksum;
+mod file;
+mod frames;
 mod inputs;
+mod table;
 
 use crate::record::Row;
 pub use inputs::write;
+pub use table::page;
 
 /// The rows of what a microcontroller printed: keys, then the means of all, of hits and of misses.
 ///
@@ -23,16 +29,13 @@ pub fn counts(core: &str, printed: &str) -> Result<Vec<Row>, String> {
         .map(|line| {
             let wrong = || format!("not a count: {line}");
             let fields: Vec<&str> = line.split('|').collect();
-            // Bytes are those of a function: they are noted at each class by who shows them.
-            let (key, values) = fields.split_at_checked(if sizes { 3 } else { 4 }).ok_or_else(wrong)?;
+            let (key, values) = fields.split_at(fields.len().saturating_sub(columns.len()));
             let mut row = match *key {
-                [workload, backend, asked] => Row::new(workload, "", backend, asked),
+                // Bytes are those of a function: they are noted at each class that it serves by who shows them.
+                [workload, backend, asked] if sizes => Row::new(workload, "", backend, asked),
                 [workload, class, backend, asked] => Row::new(workload, class, backend, asked),
                 _ => return Err(wrong()),
             };
-            if values.len() != columns.len() {
-                return Err(wrong());
-            }
             for (column, value) in columns.iter().zip(values).filter(|(_, v)| !v.is_empty()) {
                 row.set(column, value.parse().map_err(|_| wrong())?);
             }
@@ -50,6 +53,10 @@ mod tests {
         let rows = counts("m0", "circle-circle|near|b|overlaps|12.5|13.0|\n").unwrap();
         assert_eq!((rows[0].get("m0"), rows[0].get("m0_hit"), rows[0].get("m0_miss")), (Some(12.5), Some(13.0), None));
         assert_eq!(counts("flash_m0", "circle-circle|b|overlaps|90").unwrap()[0].get("flash_m0"), Some(90.0));
+        let boxes = &counts("flash_m4f", "move: level|box|b|move|90").unwrap()[0];
+        assert_eq!((boxes.class(), boxes.get("flash_m4f")), ("box", Some(90.0)));
         assert!(counts("m0", "circle-circle|near|b|overlaps|12.5").is_err());
+        assert!(counts("m0", "circle-circle|b|overlaps|12.5|13.0|").is_err());
+        assert!(counts("flash_m0", "b|overlaps|90").is_err());
     }
 }

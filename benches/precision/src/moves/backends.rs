@@ -13,7 +13,8 @@ use crate::peers::textbook::{Named, Shape as Book, vector};
 use tilesat::world::World;
 use tilesat::{Axis, Mover, Vec2};
 use tilesat_textbook::shape::{Aabb, Circle, Vector};
-use tilesat_textbook::tile::{Body as Pushed, Polygon, Tile};
+use tilesat_textbook::tile::Body as Pushed;
+use tilesat_textbook::tile_set::{DISC, EMPTY, FULL, HOLLOW, POLYGON, RawTile, tile};
 use tilesat_textbook::{Q16, walk};
 
 pub fn all(room: &Room, kind: Kind) -> List<Case, Answer> {
@@ -92,11 +93,11 @@ fn library<B: ours::Shape + tilesat::Body + Exact>(list: &mut List<Case, Answer>
 }
 
 /// The tiles by their ids, in a cell of as many pixels.
-fn tiles<S: Named>(cell: i64) -> [Tile<S>; 34] {
+pub fn tiles(cell: i64) -> [RawTile; 34] {
     let half = |p: (i128, i128)| (p.0 as i64 * (cell << 15), p.1 as i64 * (cell << 15));
     std::array::from_fn(|id| match shape(id as u8).0 {
-        None => Tile::Empty,
-        Some(_) if id == 1 => Tile::Full,
+        None => raw(EMPTY, 0, &[]),
+        Some(_) if id == 1 => raw(FULL, 0, &[]),
         Some(Region::Polygon(points)) => {
             let count = points.len();
             let place = |i: usize| half(points[i % count]);
@@ -105,17 +106,25 @@ fn tiles<S: Named>(cell: i64) -> [Tile<S>; 34] {
                 let (x, y) = ((b.1 - a.1) as f64, (a.0 - b.0) as f64);
                 let side = (x * (inner.0 - a.0) as f64 + y * (inner.1 - a.1) as f64).signum();
                 let unit = |v: f64| (-side * v / x.hypot(y) * 65536.0).round() as i64;
-                vector::<S>((unit(x), unit(y)))
+                (unit(x), unit(y))
             };
-            let corners = std::array::from_fn(|i| vector(place(i)));
-            Tile::Polygon(Polygon { corners, normals: std::array::from_fn(normal), count })
+            let corners = (0..5).map(place);
+            raw(POLYGON, count, &corners.chain((0..5).map(normal)).collect::<Vec<_>>())
         }
         Some(Region::Arc { centre, far, outside }) => {
-            let toward = vector::<S>((((far.0 - centre.0) as i64) << 15, ((far.1 - centre.1) as i64) << 15));
-            let centre = vector(half(centre));
-            if outside { Tile::Hollow { centre, toward } } else { Tile::Disc { centre, toward } }
+            let toward = (((far.0 - centre.0) as i64) << 15, ((far.1 - centre.1) as i64) << 15);
+            raw(if outside { HOLLOW } else { DISC }, 0, &[half(centre), toward])
         }
     })
+}
+
+fn raw(kind: i32, corners: usize, vectors: &[(i64, i64)]) -> RawTile {
+    let mut raw = [0; 22];
+    (raw[0], raw[1]) = (kind, corners as i32);
+    for (place, v) in raw[2..].iter_mut().zip(vectors.iter().flat_map(|v| [v.0, v.1])) {
+        *place = v as i32;
+    }
+    raw
 }
 
 /// Boxes among blocks by axes; all else in steps.
@@ -127,7 +136,7 @@ fn textbook<S: Named>(list: &mut List<Case, Answer>, level: &'static Level, kind
         height: level.height as i32,
         cell: cell as i32,
         origin: vector::<S>((level.x, level.y)),
-        tiles: Box::leak(Box::new(tiles::<S>(cell))),
+        tiles: Box::leak(Box::new(tiles(cell).map(|raw| tile::<S>(&raw)))),
     };
     if kind == Kind::Circle {
         walked::<S, Circle<S>>(list, move |body, d| walk::by_steps(&world, body, d));

@@ -1,7 +1,7 @@
 //! The workload of bodies that move through tiles and slide: three levels, six classes.
 
-mod backends;
-mod classes;
+pub mod backends;
+pub mod classes;
 mod engines;
 #[path = "../../../../tests/solids/level.rs"]
 #[allow(dead_code, reason = "the judge of the tests asks more of a level")]
@@ -10,8 +10,8 @@ mod pieces;
 #[path = "../../../../tests/solids/region.rs"]
 #[allow(dead_code, reason = "the judge of the tests asks more of a region")]
 mod region;
-mod room;
-mod truth;
+pub mod room;
+pub mod truth;
 
 use crate::callgrind;
 use crate::job::Job;
@@ -21,12 +21,12 @@ use classes::{CLASSES, Class, FRAMES};
 use room::{MAPS, Map, Room};
 use truth::{Answer, Verdict};
 
-fn name(map: Map) -> String {
+pub fn name(map: Map) -> String {
     format!("move: {}", map.name())
 }
 
 /// The small level has room near the origin only by choice: far classes have the others.
-fn classes(map: Map) -> impl Iterator<Item = Class> {
+pub fn classes(map: Map) -> impl Iterator<Item = Class> {
     CLASSES.into_iter().filter(move |class| map != Map::Ninja || class.origin == 0)
 }
 

@@ -14,6 +14,7 @@ pub mod pair;
 mod scalar;
 pub mod shape;
 pub mod tile;
+pub mod tile_set;
 pub mod walk;
 
 pub use scalar::{Q16, Scalar, Wide};

@@ -1,47 +1,71 @@
-//! The host's inputs: for each workload and class its names, and so many records of so many words, the last of which is whether it hits.
+//! The host's inputs: of each workload and class its names, some words about all of it, so many records of so many words, and what the host's backends answered.
 
 /// What is read of the inputs so far.
-struct Reader(&'static [u8]);
+#[derive(Clone, Copy)]
+pub struct Reader(&'static [u8]);
 
 impl Reader {
-    fn word(&mut self) -> i32 {
+    pub fn new(bytes: &'static [u8]) -> Self {
+        Self(bytes)
+    }
+
+    pub fn word(&mut self) -> i32 {
         let (word, rest) = self.0.split_first_chunk().expect("the inputs end too early");
         self.0 = rest;
         i32::from_le_bytes(*word)
     }
 
-    fn bytes(&mut self, n: usize) -> &'static [u8] {
+    pub fn words<const N: usize>(&mut self) -> [i32; N] {
+        core::array::from_fn(|_| self.word())
+    }
+
+    pub fn bytes(&mut self, n: usize) -> &'static [u8] {
         let (bytes, rest) = self.0.split_at(n);
         self.0 = rest;
         bytes
     }
 
-    fn text(&mut self) -> &'static str {
+    pub fn text(&mut self) -> &'static str {
         let length = self.word() as usize;
         core::str::from_utf8(self.bytes(length)).expect("a name")
     }
 }
 
 /// The records of a class.
-pub(crate) struct Class {
-    pub(crate) workload: &'static str,
-    pub(crate) name: &'static str,
+pub struct Class {
+    pub workload: &'static str,
+    pub name: &'static str,
+    /// What is the same for all of them.
+    pub about: Reader,
     /// Words a record.
-    width: usize,
+    pub width: usize,
     records: &'static [u8],
+    answers: Reader,
+    answered: usize,
 }
 
-/// The most words a record.
+/// The most words of a query, whether it hits among them.
 const WIDEST: usize = 16;
 
 impl Class {
-    /// The words of each, and whether it hits.
-    pub(crate) fn records(&self) -> impl Iterator<Item = ([i32; WIDEST], bool)> {
-        self.records.chunks_exact(4 * self.width).map(|bytes| {
-            let (mut r, mut words) = (Reader(bytes), [0; WIDEST]);
+    pub fn records(&self) -> impl Iterator<Item = Reader> {
+        self.records.chunks_exact(4 * self.width).map(Reader)
+    }
+
+    /// Of queries: the words of each, and whether it hits, which is the last.
+    pub(crate) fn queries(&self) -> impl Iterator<Item = ([i32; WIDEST], bool)> {
+        self.records().map(|mut r| {
+            let mut words = [0; WIDEST];
             words[..self.width - 1].fill_with(|| r.word());
             (words, r.word() != 0)
         })
+    }
+
+    /// The checksum of the host's answers.
+    pub(crate) fn answer(&self, backend: &str, asked: &str) -> Option<u32> {
+        let mut r = self.answers;
+        let mut answers = (0..self.answered).map(|_| (r.text(), r.text(), r.word() as u32));
+        answers.find(|a| (a.0, a.1) == (backend, asked)).map(|a| a.2)
     }
 }
 
@@ -53,7 +77,15 @@ pub(crate) fn classes(inputs: &'static [u8]) -> impl Iterator<Item = Class> {
             return None;
         }
         let (workload, name) = (r.text(), r.text());
+        let told = r.word() as usize;
+        let about = Reader(r.bytes(4 * told));
         let (n, width) = (r.word() as usize, r.word() as usize);
-        Some(Class { workload, name, width, records: r.bytes(4 * n * width) })
+        let records = r.bytes(4 * n * width);
+        let answered = r.word() as usize;
+        let answers = r;
+        for _ in 0..answered {
+            let _ = (r.text(), r.text(), r.word());
+        }
+        Some(Class { workload, name, about, width, records, answers, answered })
     })
 }

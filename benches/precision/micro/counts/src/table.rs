@@ -1,8 +1,8 @@
 //! The rows of a program.
 
-use crate::clock::{Clock, Short};
+use crate::clock::Clock;
 use crate::counter::Counter;
-use crate::inputs::classes;
+use crate::inputs::{Class, classes};
 use core::hint::black_box;
 use core::mem::MaybeUninit;
 use semihosting::{eprintln, print, println, process};
@@ -11,27 +11,27 @@ pub type Query<P, O> = fn(&P, &mut MaybeUninit<O>);
 
 /// Ticks of one call. Out of line, so that nothing of the caller moves between the two readings.
 #[inline(never)]
-fn ticks<P, O>(query: Query<P, O>, input: &P, out: &mut MaybeUninit<O>) -> u32 {
-    let (query, input, out) = black_box((query, input, out));
-    let from = Short::now();
-    query(input, out);
-    Short::elapsed(from, Short::now())
+fn ticks<C: Clock, P, O>(call: fn(&P, &mut O), input: &P, out: &mut O) -> u32 {
+    let (call, input, out) = black_box((call, input, out));
+    let from = C::now();
+    call(input, out);
+    C::elapsed(from, C::now())
 }
 
 #[inline(never)]
-fn nothing<P, O>(_: &P, out: &mut MaybeUninit<O>) {
-    black_box(out.as_mut_ptr());
+fn nothing<P, O>(_: &P, out: &mut O) {
+    black_box(core::ptr::from_mut(out));
 }
 
 #[derive(Default)]
-struct Mean {
-    sum: u32,
+pub(crate) struct Mean {
+    sum: u64,
     n: u32,
 }
 
 impl Mean {
-    fn add(&mut self, count: u32) {
-        self.sum += count;
+    pub(crate) fn add(&mut self, count: u32) {
+        self.sum += u64::from(count);
         self.n += 1;
     }
 
@@ -40,41 +40,58 @@ impl Mean {
         if self.n == 0 {
             print!("|");
         } else {
-            let tenths = (u64::from(self.sum) * 10 + u64::from(self.n) / 2) / u64::from(self.n);
+            let tenths = (self.sum * 10 + u64::from(self.n) / 2) / u64::from(self.n);
             print!("|{}.{}", tenths / 10, tenths % 10);
         }
     }
 }
 
-/// Counts over the same inputs.
-pub struct Table {
-    counter: Counter<Short>,
+/// What identifies a row beside its class: workload, backend and question.
+pub type Key = (&'static str, &'static str, &'static str);
+
+/// Counts over the same inputs, by a clock that is long enough for a call.
+pub struct Table<C> {
+    counter: Counter<C>,
     inputs: &'static [u8],
-    wrong: u32,
+    wrong: bool,
 }
 
-impl Table {
+impl<C: Clock> Table<C> {
     pub fn start(inputs: &'static [u8]) -> Self {
-        Self { counter: Counter::start(), inputs, wrong: 0 }
+        Self { counter: Counter::start(), inputs, wrong: false }
+    }
+
+    pub fn classes(&self, workload: &'static str) -> impl Iterator<Item = Class> + use<C> {
+        classes(self.inputs).filter(move |c| c.workload == workload)
+    }
+
+    /// The instructions of a call; its own are taken off.
+    pub(crate) fn count<P, O>(&self, call: fn(&P, &mut O), input: &P, out: &mut O) -> u32 {
+        let empty = self.counter.instructions(ticks::<C, P, O>(nothing, input, out));
+        self.counter.instructions(ticks::<C, P, O>(call, input, out)).saturating_sub(empty)
+    }
+
+    pub(crate) fn print(&self, (workload, backend, asked): Key, class: &str, means: [&Mean; 3]) {
+        print!("{workload}|{class}|{backend}|{asked}");
+        means.into_iter().for_each(Mean::print);
+        println!();
+    }
+
+    pub(crate) fn refuse(&mut self, (workload, backend, asked): Key, class: &str) {
+        eprintln!("{workload}, {class}, {backend}, {asked}: the answers are not the host's");
+        self.wrong = true;
     }
 
     /// One row of every class of the workload. The library's answers have to be the host's.
     #[inline(never)]
-    pub fn row<P, O>(
-        &mut self,
-        (workload, backend, asked): (&str, &str, &str),
-        make: impl Fn(&[i32]) -> P,
-        query: Query<P, O>,
-        hit: fn(&O) -> bool,
-    ) {
-        let mut wrong = 0;
-        for class in classes(self.inputs).filter(|c| c.workload == workload) {
+    pub fn row<P, O>(&mut self, key: Key, make: impl Fn(&[i32]) -> P, query: Query<P, O>, hit: fn(&O) -> bool) {
+        for class in self.classes(key.0) {
             let (mut all, mut hits, mut misses) = (Mean::default(), Mean::default(), Mean::default());
-            for (words, hits_there) in class.records() {
+            let mut right = true;
+            for (words, hits_there) in class.queries() {
                 let input = make(&words);
                 let mut out = MaybeUninit::uninit();
-                let empty = self.counter.instructions(ticks(nothing::<P, O>, &input, &mut out));
-                let n = self.counter.instructions(ticks(query, &input, &mut out)).saturating_sub(empty);
+                let n = self.count(query, &input, &mut out);
                 all.add(n);
                 if hits_there {
                     hits.add(n)
@@ -83,19 +100,16 @@ impl Table {
                 }
                 // SAFETY: a query always stores its answer.
                 let answer = unsafe { out.assume_init_ref() };
-                wrong += u32::from(hit(answer) != hits_there);
+                right &= hit(answer) == hits_there;
             }
-            print!("{workload}|{}|{backend}|{asked}", class.name);
-            [all, hits, misses].iter().for_each(Mean::print);
-            println!();
-        }
-        if backend == "tilesat" && wrong != 0 {
-            eprintln!("{workload} {asked}: {wrong} answers are not the host's");
-            self.wrong += wrong;
+            self.print(key, class.name, [&all, &hits, &misses]);
+            if key.1 == "tilesat" && !right {
+                self.refuse(key, class.name);
+            }
         }
     }
 
     pub fn end(&self) -> ! {
-        process::exit(i32::from(self.wrong != 0))
+        process::exit(i32::from(self.wrong))
     }
 }

@@ -1,30 +1,27 @@
 //! Each query as a function under its row's name. Linked with one of them as the entry, what is left is what it pulls in.
+//!
+//! One library has queries, one movers, one broad phases: what many functions of a library call is not inlined in any of them.
 
 #![no_std]
 
-use tilesat_precision_queries::*;
-
-macro_rules! function {
-    ($workload:literal, $backend:literal, $asked:literal, $in:ty, $out:ty, |$p:ident| $ask:expr, |$o:ident| $hit:expr) => {
+macro_rules! named {
+    ($name:expr, |$p:ident: $in:ty, $out:ident: $answer:ty| $ask:expr) => {
         const _: () = {
             // SAFETY: the names have bars in them, and are no one else's.
-            #[unsafe(export_name = concat!($workload, "|", $backend, "|", $asked))]
-            extern "C" fn query($p: &$in, out: &mut core::mem::MaybeUninit<$out>) {
-                out.write($ask);
+            #[unsafe(export_name = $name)]
+            extern "C" fn query($p: &$in, $out: &mut $answer) {
+                $ask;
             }
         };
     };
 }
 
-macro_rules! ray {
-    ($workload:literal, $backend:literal, $map:ty, $start:ty, $out:ty, |$r:ident| $ask:expr, |$o:ident| $hit:expr) => {
-        function! { $workload, $backend, "ray", Ray<'_, $map, $start>, $out, |$r| $ask, |$o| $hit }
-    };
-}
-
-each_pair!(function);
-each_cast!(function);
-each_ray!(ray);
+#[cfg(feature = "broad")]
+mod broad;
+#[cfg(feature = "moves")]
+mod moves;
+#[cfg(feature = "queries")]
+mod queries;
 
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {

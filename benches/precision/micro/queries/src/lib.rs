@@ -2,11 +2,16 @@
 
 #![no_std]
 
+mod broad;
 mod casts;
+pub mod checksum;
+mod moves;
 mod pairs;
 mod rays;
 
+pub use broad::{All, Area, Phase, Scene, Sorted};
 pub use casts::{Cast, sweep};
+pub use moves::{Exact, Level, MOVER, Room, Step};
 pub use pairs::{meets, touching};
 pub use parry2d::bounding_volume::{Aabb as PAabb, BoundingVolume};
 use parry2d::math::Pose;
@@ -16,9 +21,10 @@ pub use parry2d::shape::{Ball, Cuboid, Segment as PSegment};
 pub use parry2d::utils::segments_intersection2d;
 pub use rays::{Map, Ray};
 pub use tilesat;
+pub use tilesat::broad::{BruteForce, LooseGrid, SortSweep, SpatialHash};
 pub use tilesat::prelude::*;
 use tilesat_textbook::Scalar;
-pub use tilesat_textbook::{Q16, Wide, cast, dda, pair, shape as book};
+pub use tilesat_textbook::{Q16, Wide, cast, dda, pair, shape as book, walk};
 
 pub type Raw = [i32; 4];
 

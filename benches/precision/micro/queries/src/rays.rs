@@ -22,7 +22,7 @@ pub trait Map {
     fn of(cells: &'static [u8]) -> Self;
 }
 
-static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
+pub(crate) static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
 
 impl Map for TileMap<'static> {
     fn of(cells: &'static [u8]) -> Self {

@@ -4,14 +4,14 @@
 #![no_main]
 
 use cortex_m_rt::entry;
-use tilesat_precision_counts::{Query, Table};
+use tilesat_precision_counts::{Query, Short, Table};
 use tilesat_precision_queries::*;
 
 static INPUTS: &[u8] = include_bytes!(concat!(env!("PRECISION_INPUTS"), "/casts.bin"));
 
 #[entry]
 fn main() -> ! {
-    let mut table = Table::start(INPUTS);
+    let mut table = Table::<Short>::start(INPUTS);
     macro_rules! count {
         ($workload:literal, $backend:literal, $asked:literal, $in:ty, $out:ty, |$p:ident| $ask:expr, |$o:ident| $hit:expr) => {{
             let query: Query<$in, $out> = |$p, out| {

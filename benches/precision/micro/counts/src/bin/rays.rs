@@ -4,7 +4,7 @@
 #![no_main]
 
 use cortex_m_rt::entry;
-use tilesat_precision_counts::{Query, Table};
+use tilesat_precision_counts::{Query, Short, Table};
 use tilesat_precision_queries::*;
 
 static INPUTS: &[u8] = include_bytes!(concat!(env!("PRECISION_INPUTS"), "/rays.bin"));
@@ -23,7 +23,7 @@ fn cells(workload: &str) -> &'static [u8] {
 
 #[entry]
 fn main() -> ! {
-    let mut table = Table::start(INPUTS);
+    let mut table = Table::<Short>::start(INPUTS);
     macro_rules! count {
         ($workload:literal, $backend:literal, $map:ty, $start:ty, $out:ty, |$r:ident| $ask:expr, |$o:ident| $hit:expr) => {{
             let map = <$map as Map>::of(cells($workload));

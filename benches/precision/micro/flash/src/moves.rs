@@ -1,0 +1,13 @@
+//! Frames of bodies that move; a row's name has the kind of body.
+
+use core::mem::MaybeUninit;
+use tilesat_precision_queries::*;
+
+macro_rules! mover {
+    ($workload:literal, $kind:literal, $backend:literal, $level:ty, $body:ty, $motion:ty, |$s:ident| $ask:expr) => {
+        named! { concat!($workload, "|", $kind, "|", $backend, "|move"),
+        |$s: Step<'_, $level, $body, $motion>, out: MaybeUninit<$body>| out.write($ask) }
+    };
+}
+
+each_move!(mover);
