@@ -4,7 +4,7 @@
 //! - A frame tunnels where no way leads from its start to its end that is at most half as long again as the motion and two pixels more, on a
 //!   lattice of one pixel, for a body that is three quarters of a pixel smaller on all sides.
 //! - A body is stuck that does not move by a 64th of a pixel, though it is free and could go a pixel within 60 degrees of its motion: in
-//!   the motion's own direction or in one that a tile's side has, for a body that is a 256th of a pixel smaller.
+//!   the motion's own direction or in one that a tile's side has.
 //!
 //! A game puts a body back that fell out of the world: after a frame that tunnels or ends deeper than a pixel, the rest of the sequence is not judged.
 
@@ -119,22 +119,28 @@ fn tunnels(room: &Room, before: &Body, end: &Body, wanted: Place) -> bool {
     true
 }
 
+/// Of a pixel, on a way that may be free.
+const STEPS: i64 = 2048;
+
 fn is_stuck(room: &Room, before: &Body, end: &Body, wanted: Place) -> bool {
     let moved = length(between(before.middle(), end.middle()));
     if moved >= FINE_PIXEL as f64 / 64.0 || length(wanted) < FINE_PIXEL as f64 {
         return false;
     }
-    let small = before.shrunk(FINE_PIXEL / 256);
     let along = TILE_WAYS.iter().flat_map(|&(x, y)| [(x, y), (-y, x), (-x, -y), (y, -x)]);
     along.chain([wanted]).any(|way| {
         let unit = FINE_PIXEL as f64 / length(way);
         let ahead = way.0 as f64 * wanted.0 as f64 + way.1 as f64 * wanted.1 as f64;
         let at = |step: i64| {
-            let part = unit * step as f64 / 32.0;
+            let part = unit * step as f64 / STEPS as f64;
+            // Whole multiples of a side's direction stay exactly beside it.
+            let part = if way == wanted { part } else { even(part as i64) as f64 };
             (even((way.0 as f64 * part) as i64), even((way.1 as f64 * part) as i64))
         };
-        // 60 degrees at most; in steps below what a tip that is in the way may measure.
-        ahead >= 0.5 * length(way) * length(wanted) && (1..=32).all(|step| !room.overlaps(&small.moved(at(step))))
+        // 60 degrees at most; in steps below what a tip that is in the way may measure, and small ones to set out from a contact.
+        let mut steps = (1..STEPS / 16).chain((STEPS / 16..=STEPS).step_by(STEPS as usize / 32));
+        let mut free = |step| !room.overlaps(&before.moved(at(step)));
+        ahead >= 0.5 * length(way) * length(wanted) && steps.all(&mut free)
     })
 }
 
@@ -206,13 +212,15 @@ mod tests {
         assert_eq!(judged(&room(false), (54, 20), (4, 0), (54, 20)).stuck, 0);
         assert_eq!(judged(&room(false), (54, 20), (4, 4), (54, 20)).stuck, 1);
     }
+
     /// To go on it would have to go by a tenth of a pixel another way first, which something else is in.
     #[test]
     fn what_is_wedged_is_not_stuck() {
-        // Between a steep slope and a floor, between a slope's tip and a quarter disc.
+        // Between a steep slope and a floor, between a slope's tip and a quarter disc; by 400 raw units behind the edge of a block.
         let wedges = [
             ([(5, 26), (10, 30)], (1_390_497, 1_413_310), (2_104_829, 2_097_152), (-331_959, 1_521_289)),
             ([(1, 29), (6, 12)], (1_572_864, 1_037_854), (2_166_626, 1_721_824), (-162_509, 141_606)),
+            ([(5, 1), (5, 1)], (11 * PX, 32 * PX - 400), (16 * PX, 41 * PX), (91_027, -80)),
         ];
         for (shapes, min, max, motion) in wedges {
             let mut tiles = vec![0; 16];
