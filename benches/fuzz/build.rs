@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders of helpers, as modules of the same names.
-const HELPERS: [&str; 8] = [
+const HELPERS: [&str; 9] = [
     "broad_support",
     "cast_support",
     "motion_shape_support",
@@ -16,9 +16,10 @@ const HELPERS: [&str; 8] = [
     "ray_support",
     "segment_world_support",
     "solids",
+    "solids_support",
 ];
 /// Tests whose functions are used.
-const TESTS: [&str; 9] = [
+const TESTS: [&str; 10] = [
     "cast_classes",
     "motion_segments",
     "motion_shapes",
@@ -27,6 +28,7 @@ const TESTS: [&str; 9] = [
     "segment_world_rays",
     "shape_overlap",
     "shape_rays",
+    "solids_ticks",
     "world_oracle",
 ];
 const RANDOM: &str = "pub(crate) use crate::stream::Random;\n";

@@ -49,7 +49,7 @@ done
 ((${#targets[@]})) || targets=("${all[@]}")
 
 # Bytes of an input: of a pair a few, of a sequence of operations many.
-declare -A longest=([broad]=1200 [scene]=1200 [segment_bytes]=600 [tmx]=500 [ldtk]=400)
+declare -A longest=([broad]=1200 [scene]=1200 [segment_bytes]=600 [ride]=400 [tmx]=500 [ldtk]=400)
 host=$(rustc -vV | sed -n 's/^host: //p')
 
 build_guided() {
@@ -75,9 +75,9 @@ guided() {
     printf '%-14s %12s %9s %7s %7s %9s\n' target executions new edges corpus findings
     for target in "${targets[@]}"; do
         program=$out/guided/$host/release/$target log=$out/$target.log
-        mkdir -p "$out/corpus/$target" "$out/findings/$target" "corpus/$target"
+        mkdir -p "$out/corpus/$target" "$out/findings/$target" "corpus/$target" "faults/$target"
         # 77: a finding; the log tells.
-        "$program" "$out/corpus/$target" "corpus/$target" -max_total_time="$each" -max_len="${longest[$target]:-300}" -timeout=20 -reload=0 \
+        "$program" "$out/corpus/$target" "corpus/$target" "faults/$target" -max_total_time="$each" -max_len="${longest[$target]:-300}" -timeout=20 -reload=0 \
             -print_final_stats=1 -artifact_prefix="$out/findings/$target/" >"$log" 2>&1 || true
         local n
         n=$(find "$out/findings/$target" -type f | wc -l)

@@ -1,7 +1,7 @@
 //! Replays the corpus on any toolchain, and goes on from it without guidance.
 //!
-//! `replay [--random N] [TARGET...]`: every committed input of the targets (all of them by default), then N changed ones of each
-//! target. Prints the number of the input that fails, and writes its bytes beside the program.
+//! `replay [--random N] [TARGET...]`: every committed input of the targets (all of them by default), those of `faults` too, then N changed
+//! ones of each target. Prints the number of the input that fails, and writes its bytes beside the program.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -65,13 +65,14 @@ fn main() -> ExitCode {
         eprintln!("replay: no target {unknown}");
         return ExitCode::from(2);
     }
-    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut good = true;
     for (target, _) in TARGETS.iter().filter(|(name, _)| wanted.is_empty() || wanted.iter().any(|w| w == name)) {
         let begin = Instant::now();
-        let seeds = inputs(&corpus.join(target))
+        let seeds = ["corpus", "faults"]
             .iter()
-            .filter_map(|file| Some((file.clone(), fs::read(file).ok()?)))
+            .flat_map(|folder| inputs(&here.join(folder).join(target)))
+            .filter_map(|file| fs::read(&file).ok().map(|data| (file, data)))
             .collect::<Vec<_>>();
         let mut failed = seeds.iter().filter(|(file, data)| !run(target, data, &file.display().to_string())).count();
         let bytes: Vec<Vec<u8>> = seeds.into_iter().map(|seed| seed.1).collect();

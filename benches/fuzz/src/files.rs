@@ -1,5 +1,6 @@
 //! What comes from outside: bytes of segment maps, levels of Tiled and of `LDtk`. Refused in one line, or taken and then good for every question.
 
+use crate::accepted;
 use crate::segment_world_hostile as hostile;
 use crate::segment_world_support::build;
 use crate::stream::Random;
@@ -33,27 +34,57 @@ pub(crate) fn segment_bytes(data: &[u8]) {
     };
     while Random::is_left() && !bytes.is_empty() {
         let at = r.below(bytes.len() as i64) as usize;
-        match r.below(4) {
+        match r.below(8) {
             0 => bytes[at] ^= 1 << r.below(8),
             1 => bytes[at] = r.below(256) as u8,
             2 => bytes.truncate(at),
-            _ => {
+            3 => {
                 let copy = bytes[at];
                 bytes.insert(at, copy);
             }
+            // What stands at the end: winding numbers; and the last byte missing.
+            4 => {
+                let last = bytes.len() - 1 - at % 8 % bytes.len();
+                bytes[last] = bytes[last].wrapping_add(r.around(1) as u8);
+            }
+            5 => drop(bytes.pop()),
+            _ => wound(&mut r, &mut bytes, at),
         }
     }
     if bytes.len() >= 32 && !r.one_in(8) {
         hostile::checksum(&mut bytes);
     }
-    let Ok(map) = SegmentMap::from_bytes(&bytes) else { return };
+    let Ok(map) = SegmentMap::from_bytes(&bytes) else {
+        assert_ne!(bytes, scene.bytes(), "what was built is refused");
+        return;
+    };
+    accepted::check(&bytes);
     let again = SegmentMap::from_bytes(&bytes).expect("taken before");
     assert_eq!((map.count(), map.grid()), (again.count(), again.grid()));
     hostile::ask(&scene, &map, &mut r);
 }
 
+/// A small change of one field of a segment, or two neighbours among the references exchanged.
+fn wound(r: &mut Random, bytes: &mut [u8], at: usize) {
+    let half = |at: usize| Some(usize::from(u16::from_le_bytes([*bytes.get(at)?, *bytes.get(at + 1)?])));
+    let (Some(count), Some(width), Some(height)) = (half(6), half(20), half(22)) else { return };
+    let (segment, field) = (32 + 24 * (at % count.max(1)), [0, 4, 8, 12, 16, 20][r.below(6) as usize]);
+    if r.one_in(4) {
+        let refs = 32 + 24 * count + 2 * (width * height + 1);
+        let last = bytes.len().saturating_sub(width * height + 4);
+        let from = refs + 2 * (at % (last.saturating_sub(refs) / 2).max(1));
+        if let Some(two) = bytes.get_mut(from..from + 4) {
+            two.rotate_left(2);
+        }
+    } else if let Some(len) = bytes.get_mut(segment + 16..segment + 20).filter(|_| field == 16 && r.one_in(2)) {
+        len.fill(0);
+    } else if let Some(low) = bytes.get_mut(segment + field) {
+        *low = low.wrapping_add(r.around(2) as u8);
+    }
+}
+
 /// Numbers that such files hold and should not.
-const ODD: [&str; 14] = [
+const ODD: [&str; 16] = [
     "-1",
     "0",
     "1",
@@ -67,6 +98,8 @@ const ODD: [&str; 14] = [
     "0.00001",
     "8191.99999",
     "8192",
+    "257",
+    "4096",
     "",
 ];
 
@@ -85,8 +118,17 @@ fn list(r: &mut Random, count: i64, separator: &str, mut item: impl FnMut(&mut R
 
 const CLASSES: [&str; 8] = ["Solid", "OneWay", "Wall", "Hole", "Kill", "SlopeTopLeft", "Ladder", ""];
 
-fn tmx_text(r: &mut Random) -> String {
-    let (w, h) = (r.within(0, 6), r.within(0, 5));
+/// Cells of a layer: few, or a row that with large cells is longer than the domain.
+fn size(r: &mut Random) -> (i64, i64) {
+    let (w, h) = (r.within(0, 6), r.within(0, 6));
+    if h < 6 { (w, h) } else { (7 * w, 1) }
+}
+
+/// Text of a level; whether it lists more or fewer tiles than the layer has.
+type Made = (String, bool);
+
+fn tmx_text(r: &mut Random) -> Made {
+    let (w, h) = size(r);
     let wrong = if r.one_in(8) { r.around(2) } else { 0 };
     let flips = ["", "", "", "2147483648", "1073741824", "536870912"];
     let tiles = list(r, (w * h + wrong).max(0), ",", |r| match flips[r.below(6) as usize] {
@@ -117,31 +159,46 @@ fn tmx_text(r: &mut Random) -> String {
             r#"<object id="1" class="{class}" x="{x}" y="{y}" width="{width}" height="{height}"{turn}>{inner}</object>"#
         )
     });
-    let tile = if r.one_in(6) { number(r) } else { "16".to_owned() };
-    format!(
+    let tile = match r.below(6) {
+        0 => number(r),
+        1 => "256".to_owned(),
+        _ => "16".to_owned(),
+    };
+    // An empty list is one item for readers of such lists.
+    let miscounts = (w * h + wrong).max(1) != (w * h).max(1);
+    let text = format!(
         r#"<?xml version="1.0" encoding="UTF-8"?>
 <map version="1.10" orientation="orthogonal" width="{w}" height="{h}" tilewidth="{tile}" tileheight="{tile}" infinite="0">
  <tileset firstgid="1" name="t" tilewidth="16" tileheight="16" tilecount="6" columns="6">{classes}</tileset>
  <layer id="1" name="World" width="{w}" height="{h}"><data encoding="csv">{tiles}</data></layer>
  <objectgroup id="2" name="L">{objects}</objectgroup>
 </map>"#
-    )
+    );
+    (text, miscounts)
 }
 
-fn ldtk_text(r: &mut Random) -> String {
-    let (w, h) = (r.within(0, 6), r.within(0, 5));
+fn ldtk_text(r: &mut Random) -> Made {
+    let (w, h) = size(r);
     let wrong = if r.one_in(8) { r.around(2) } else { 0 };
-    let csv = list(r, (w * h + wrong).max(0), ",", |r| if r.one_in(20) { number(r) } else { r.below(6).to_string() });
+    let csv = list(r, (w * h + wrong).max(0), ",", |r| {
+        if r.one_in(if w > 6 { 250 } else { 20 }) { number(r) } else { r.below(6).to_string() }
+    });
     let names = ["Full", "SlopeTopLeft_Ice", "Empty_Coin", "OneWayUp", "slope_top_left", "Half_Top", "Nothing", ""];
     let mut value = 0;
     let values = list(r, 5, ",", |r| {
         value += 1;
         format!(r#"{{"value":{value},"identifier":"{}"}}"#, names[r.below(8) as usize])
     });
-    let (grid, offset) = if r.one_in(6) { (number(r), number(r)) } else { ("16".to_owned(), "0".to_owned()) };
-    format!(
+    let (grid, offset) = match r.below(6) {
+        0 => (number(r), number(r)),
+        1 => ("256".to_owned(), "0".to_owned()),
+        2 => (number(r), "0".to_owned()),
+        _ => ("16".to_owned(), "0".to_owned()),
+    };
+    let text = format!(
         r#"{{"defs":{{"layers":[{{"uid":2,"intGridValues":[{values}]}}]}},"levels":[{{"identifier":"One","layerInstances":[{{"__type":"IntGrid","__identifier":"Solid","__cWid":{w},"__cHei":{h},"__gridSize":{grid},"__pxTotalOffsetX":{offset},"__pxTotalOffsetY":0,"layerDefUid":2,"intGridCsv":[{csv}]}}]}}]}}"#
-    )
+    );
+    (text, (w * h + wrong).max(0) != w * h)
 }
 
 /// A file of this process and thread.
@@ -152,13 +209,14 @@ fn scratch(content: &[u8]) -> PathBuf {
     path
 }
 
-/// Text that was made, then damaged where the input says; or the input itself.
-fn file(data: &[u8], made: fn(&mut Random) -> String) -> PathBuf {
+/// Text that was made, then damaged where the input says; or the input itself. And whether it has to be refused.
+fn file(data: &[u8], made: fn(&mut Random) -> Made) -> (PathBuf, bool) {
     let mut r = Random::of(data);
     if r.one_in(8) {
-        return scratch(&data[1.min(data.len())..]);
+        return (scratch(&data[1.min(data.len())..]), false);
     }
-    let mut bytes = made(&mut r).into_bytes();
+    let (text, miscounts) = made(&mut r);
+    let mut bytes = text.into_bytes();
     let wounds = if r.one_in(3) { r.below(4) } else { 0 };
     for _ in 0..wounds {
         let at = r.below(bytes.len() as i64) as usize;
@@ -176,7 +234,7 @@ fn file(data: &[u8], made: fn(&mut Random) -> String) -> PathBuf {
             break;
         }
     }
-    scratch(&bytes)
+    (scratch(&bytes), miscounts && wounds == 0)
 }
 
 pub(crate) fn tmx(data: &[u8]) {
@@ -195,13 +253,14 @@ fn lint_says(path: &PathBuf) -> (u8, Vec<u8>, Vec<u8>) {
 }
 
 /// Refused in one line by both tools, or a level that the library takes.
-fn read(path: &PathBuf) {
+fn read((path, refused): &(PathBuf, bool)) {
     let told = lint_says(path);
     let (status, _, err) = &told;
     let lines = String::from_utf8_lossy(err).lines().count();
     assert!(*status <= 2 && (*status == 2) == (lines == 1), "{told:?}");
     assert_eq!(lint_says(path), told, "twice");
     let loaded = level_io::load(path, None);
+    assert!(!refused || loaded.is_err(), "a wrong number of tiles is taken");
     // Unreadable for one is unreadable for all.
     assert!(loaded.is_ok() || *status == 2, "{told:?}");
     let Ok(drawing) = loaded else { return };
@@ -209,7 +268,9 @@ fn read(path: &PathBuf) {
         let kinds = level.kinds();
         assert_eq!(level.tiles.len(), usize::from(level.width) * usize::from(level.height));
         assert!(level.tiles.iter().all(|id| usize::from(*id) < level.ids.len()));
-        if let Ok(grid) = Grid::new(level.width, level.height, Fx::from_num(level.tile), Vec2::ZERO) {
+        if !level.tiles.is_empty() {
+            let grid = Grid::new(level.width, level.height, Fx::from_num(level.tile), Vec2::ZERO);
+            let grid = grid.expect("what was read is in the domain");
             let map = TileMap::<AllShapes>::of(&level.tiles, grid, &kinds).expect("what was read fits the table");
             let end = grid.end();
             let _ = map.cast_ray(Vec2::ZERO, end, Inside::Hit).expect("inside the domain");

@@ -1,9 +1,11 @@
 //! Questions about levels: tiles and segments against judges that know the definitions alone.
 
-use crate::segment_world_support::{Body, build, sub};
+use crate::segment_world_support::{Body, P, Scene, build, cross, sub};
+use crate::solids::judge::{Body as Figure, Judge};
+use crate::solids::level::Level;
 use crate::stream::Random;
 use crate::{segment_world_rays, shape_overlap, shape_rays, world_oracle};
-use tilesat::{Aabb, Circle, Fx, Inside, RayRules, SegmentMap};
+use tilesat::{Aabb, Circle, Fx, Grid, Inside, Outside, RayRules, SegmentMap, TileKind, TileKinds, TileMap, Vec2};
 
 /// Questions of one level: as many as there are bytes, and not more than these.
 const QUESTIONS: u32 = 12;
@@ -13,21 +15,36 @@ fn questions(mut ask: impl FnMut()) {
     (1..QUESTIONS).take_while(|_| Random::is_left()).for_each(|_| ask());
 }
 
+/// Flags of which each two tiles have one in common: the tests' own tiles have one each.
+const SHARED: [u8; 3] = [0b0011, 0b0110, 0b1101];
+
+static KINDS: TileKinds = TileKinds::EMPTY
+    .with(1, TileKind::FULL)
+    .with(2, TileKind::ONE_WAY_UP)
+    .with(3, TileKind::EMPTY.with_flags(SHARED[0]))
+    .with(4, TileKind::FULL.with_flags(SHARED[1]))
+    .with(5, TileKind::ONE_WAY_UP.with_flags(SHARED[2]));
+
 /// Blocks: rays, overlap, touch, flags.
 pub(crate) fn tiles(data: &[u8]) {
     let mut r = Random::of(data);
     let level = crate::support::build::level(&mut r);
     let (scene, map) = (crate::support::rays::Scene::new(&level), level.map());
+    let origin = Vec2::from_raw(level.x as i32, level.y as i32);
+    let grid = Grid::new(level.width as u16, level.height as u16, Fx::from_bits(level.cell as i32), origin);
+    let flagged = TileMap::on_grid(&level.tiles, grid.expect("as above"), &KINDS).expect("the same tiles");
     questions(|| {
         let (o, d) = world_oracle::ray(&mut r, &level);
         world_oracle::check_ray(&level, &scene, &map, o, d);
         let body = world_oracle::body(&mut r, &level);
         let told = match world_oracle::shape(body) {
-            world_oracle::Shape::Box(b) => (map.overlaps(&b), map.touches(&b), map.flags_touched(&b)),
-            world_oracle::Shape::Circle(b) => (map.overlaps(&b), map.touches(&b), map.flags_touched(&b)),
+            world_oracle::Shape::Box(b) => (map.overlaps(&b), map.touches(&b), flagged.flags_touched(&b)),
+            world_oracle::Shape::Circle(b) => (map.overlaps(&b), map.touches(&b), flagged.flags_touched(&b)),
         };
         let (overlaps, touches) = (crate::support::bodies::overlaps, crate::support::bodies::touches);
-        let expected = (overlaps(&level, body), touches(&level, body), crate::support::bodies::flags(&level, body));
+        let touched = crate::support::bodies::flags(&level, body);
+        let flags = (0..3).filter(|k| touched >> k & 1 != 0).fold(0, |all, k| all | SHARED[k]);
+        let expected = (overlaps(&level, body), touches(&level, body), flags);
         assert_eq!(told, expected, "(overlaps, touches, flags) {level:?} {body:?}");
     });
 }
@@ -36,12 +53,24 @@ pub(crate) fn tiles(data: &[u8]) {
 pub(crate) fn tile_shapes(data: &[u8]) {
     let mut r = Random::of(data);
     let level = crate::solids::build::mosaic(&mut r);
-    let judge = crate::solids::judge::Judge::new(&level);
+    let judge = Judge::new(&level);
+    // What one shape does wrong the others of a level often hide.
+    let alone =
+        Level { width: 1, height: 1, outside: Outside::Empty, tiles: level.tiles[..1].to_vec(), ..level.clone() };
+    let judge_alone = Judge::new(&alone);
     let mut met = shape_overlap::Met::default();
     questions(|| {
         let body = crate::solids::build::body(&mut r, &level);
+        let larger = match body {
+            Figure::Circle { c, r } => Figure::Circle { c, r: r + level.cell },
+            body => body,
+        };
         if crate::solids::build::in_domain(body) {
             met.check(&level, &judge, body);
+            met.check(&alone, &judge_alone, body);
+        }
+        if crate::solids::build::in_domain(larger) {
+            met.check(&alone, &judge_alone, larger);
         }
     });
 }
@@ -57,10 +86,26 @@ pub(crate) fn tile_rays(data: &[u8]) {
     });
 }
 
+/// The flags of edges that a body touches and that have no part of their line in common with any other: of those nothing is cancelled.
+fn certain_flags(scene: &Scene, body: Body) -> u8 {
+    let edges: Vec<((P, P), u8)> =
+        scene.shapes.iter().flat_map(|s| s.edges().into_iter().map(|edge| (edge, s.flags))).collect();
+    let beside = |(a, b): (P, P), (p, q): (P, P)| {
+        let e = sub(b, a);
+        let beyond = |v: fn(P) -> i128| v(p).max(v(q)) < v(a).min(v(b)) || v(a).max(v(b)) < v(p).min(v(q));
+        cross(e, sub(p, a)) != 0 || cross(e, sub(q, a)) != 0 || beyond(|v| v.0) || beyond(|v| v.1)
+    };
+    let alone = |i: usize| (0..edges.len()).all(|k| k == i || beside(edges[i].0, edges[k].0));
+    let touched = (0..edges.len()).filter(|&i| body.meets(edges[i].0.0, edges[i].0.1, true) && alone(i));
+    touched.fold(0, |all, i| all | edges[i].1)
+}
+
 /// Polygons, walls and chains: overlap, touch and flags.
 pub(crate) fn segments(data: &[u8]) {
     let mut r = Random::of(data);
-    let scene = build::scene(&mut r);
+    let mut scene = build::scene(&mut r);
+    // Two flags each, so that neighbours have one in common.
+    scene.shapes.iter_mut().for_each(|shape| shape.flags |= shape.flags.rotate_left(1));
     let bytes = scene.bytes();
     let map = SegmentMap::from_bytes(&bytes).expect("what was built is taken");
     let blocking = scene.blocking();
@@ -79,6 +124,7 @@ pub(crate) fn segments(data: &[u8]) {
         assert_eq!(overlaps, scene.overlaps(&blocking, body), "overlaps: {scene:?} {body:?}");
         assert_eq!(touches, scene.touches(&blocking, body), "touches: {scene:?} {body:?}");
         assert_eq!(flags & !scene.flags(body), 0, "flags: {scene:?} {body:?}");
+        assert_eq!(certain_flags(&scene, body) & !flags, 0, "flags are missing: {scene:?} {body:?}");
     });
 }
 

@@ -8,17 +8,19 @@
 
 include!(concat!(env!("OUT_DIR"), "/judges.rs"));
 
+mod accepted;
 mod bodies;
 mod files;
 mod levels;
 mod motion;
 mod pairs;
+mod ride;
 mod stream;
 
 type Target = fn(&[u8]);
 
 /// All targets by name.
-pub const TARGETS: [(&str, Target); 18] = [
+pub const TARGETS: [(&str, Target); 19] = [
     ("overlap", pairs::overlap),
     ("contact", pairs::contact),
     ("distance", pairs::distance),
@@ -33,6 +35,7 @@ pub const TARGETS: [(&str, Target); 18] = [
     ("move_blocks", motion::blocks),
     ("move_shapes", motion::shapes),
     ("move_segments", motion::segments),
+    ("ride", ride::ride),
     ("broad", bodies::broad),
     ("scene", bodies::scene),
     ("tmx", files::tmx),

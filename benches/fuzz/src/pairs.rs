@@ -6,7 +6,7 @@ use crate::cast_support::judge::{Forbidden, ONE};
 use crate::oracle::figure::{Figure, LIMIT, PAIRS, Point};
 use crate::oracle::generate::{CLASSES, Class, Pairs};
 use crate::oracle::int256::Int256;
-use crate::oracle::kernel::{aabb, circle, point, segment, vec2};
+use crate::oracle::kernel::{self, aabb, circle, point, segment, vec2};
 use crate::oracle::verify::{self, Pair};
 use crate::stream::Random;
 use tilesat::{CastHit, Inside, Vec2};
@@ -32,11 +32,30 @@ pub(crate) fn contact(data: &[u8]) {
     let pair = Pair::new(&a, &b);
     pair.booleans();
     pair.contact();
+    for (a, b) in [(&a, &b), (&b, &a)] {
+        tie(a, b);
+    }
+}
+
+/// Of two opposite exits that are as short the documented one is taken, whichever shape is A: to +x, else to +y; over the line of a segment to
+/// the left of its edge from the first end.
+fn tie(a: &Figure, b: &Figure) {
+    let Some(contact) = kernel::contact(a, b).filter(tilesat::Contact::is_degenerate) else { return };
+    let (pair, axis) = (Pair::new(a, b), contact.axis());
+    let (x, y) = (i64::from(axis.x), i64::from(axis.y));
+    if pair.exact.is_shortest_exit(&pair.sum, (-x, -y)) {
+        let line = [a, b].iter().any(|f| matches!(f, Figure::Segment { a, b } if a != b));
+        let flat = [a, b].iter().any(|f| matches!(f, Figure::Aabb { .. })) || !line;
+        let first = y > 0 || (y == 0 && (x > 0) == flat);
+        assert!(first, "of two exits {axis:?} was taken: {a:?} {b:?}");
+    }
 }
 
 pub(crate) fn distance(data: &[u8]) {
     let (a, b, ..) = pair(data);
     Pair::new(&a, &b).distances();
+    let back = kernel::closest_points(&b, &a).map(|(q, p)| (p, q));
+    assert_eq!(kernel::closest_points(&a, &b), back, "closest points exchanged: {a:?} {b:?}");
     for p in b.vertices() {
         verify::point(&a, p);
     }
