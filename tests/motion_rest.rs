@@ -43,6 +43,7 @@ const U: [&str; 4] = ["#....#", "#....#", "#....#", "######"];
 const BOWL: [&str; 4] = ["#..#", "#..#", "#()#", "####"];
 const DOMES: [&str; 4] = ["#..#", "#..#", "#db#", "####"];
 const GAP: [&str; 4] = ["......", "......", "##..##", "##..##"];
+const NARROW_GAP: [&str; 4] = [".....", ".....", "##.##", "##.##"];
 const SLOPE_AND_WALL: [&str; 6] = ["...#", "...#", r"\..#", r"#\.#", r"##\#", "####"];
 
 fn frames(few: u32) -> u32 {
@@ -103,10 +104,15 @@ impl Play {
 
     /// The frame from which on nothing changes.
     fn settles(&self, start: State, frames: u32) -> (u32, State) {
+        self.settles_beside(start, frames, 100)
+    }
+
+    /// The same, and the twins agree in the first so many frames.
+    fn settles_beside(&self, start: State, frames: u32, twins: u32) -> (u32, State) {
         let mut state = start;
         for k in 0..frames {
             let next = self.step(state);
-            if k < 100 {
+            if k < twins {
                 self.twins_agree(state, next);
             }
             if next == state {
@@ -207,6 +213,22 @@ fn p17_rest_between_a_slope_and_a_wall() {
 #[test]
 fn p17_rest_over_a_gap() {
     drop(&GAP, 24, (16, 0), (32, 8)).rest(&CELLS);
+}
+
+/// On corners so near that a ball which slides along one of them has left it by more than roundings when it meets the other.
+#[test]
+fn p17_balls_rest_over_a_narrow_gap() {
+    let mut r = Random::new(17);
+    for cell in CELLS {
+        let level = level(&NARROW_GAP, cell);
+        for _ in 0..10 * cases() {
+            let play = Play::new(&level, 16 + r.below(cell / 16));
+            let radius = cell / 2 + 1 + r.below(cell / 2);
+            let ball = Body::Disc((2 * cell + r.below(cell), 2 * cell - radius), radius);
+            // No twins: a ball in the middle meets both corners at once, +x first in the mirror too.
+            play.settles_beside((ball, (r.around(cell / 8), 0)), 12_000, 0);
+        }
+    }
 }
 
 /// A valley between two domes.

@@ -4,6 +4,7 @@ use super::around::Around;
 use super::body::{Body, Entry};
 use super::facing::{Side, SlopeLimit};
 use super::order::First;
+use super::plane::may_be_askew;
 use super::response::{Bounce, Law, Smooth, Surface};
 use super::run::{Run, check_inside, is_free};
 use super::search::{Search, piece_of, pieces};
@@ -260,7 +261,7 @@ impl<S: Law> Mover<S> {
         moved.work = found.work;
         let mut run = Run::new(&mut moved, around);
         (run.inside, run.guarded) = (found.inside, found.guarded);
-        run.start = if W::BLOCKS || run.inside { None } else { Some(*body) };
+        run.start = if !may_be_askew::<B, W>() || run.inside { None } else { Some(*body) };
         if !self.follow::<W, B, false>(world, &mut run, Raw::of(velocity), first) {
             self.slide::<W, B, false>(world, &mut run, first)?;
         }
@@ -280,7 +281,7 @@ impl<S: Law> Mover<S> {
         let inside = !free && self.is_inside(world, &moved.body, &mut moved.work)?;
         let mut run = Run::new(moved, around);
         run.inside = inside;
-        run.start = if W::BLOCKS || inside { None } else { Some(run.moved.body) };
+        run.start = if !may_be_askew::<B, W>() || inside { None } else { Some(run.moved.body) };
         Ok(run)
     }
 
@@ -302,7 +303,7 @@ impl<S: Law> Mover<S> {
         first: &mut First,
     ) -> Result<(), MoveError> {
         while (run.creeps || !run.motion.is_zero()) && run.moved.work.iterations < Mover::ITERATIONS {
-            let d = if !W::BLOCKS && run.creeps { run.ahead() } else { run.motion };
+            let d = if may_be_askew::<B, W>() && run.creeps { run.ahead() } else { run.motion };
             check_inside(&run.moved.body.bounds(), d)?;
             run.moved.work.iterations += 1;
             *first = First::none();
@@ -324,7 +325,7 @@ impl<S: Law> Mover<S> {
         first: &First,
     ) -> bool {
         let hit = first.hit::<B, W>(&run.moved.body, d);
-        if !W::BLOCKS && run.creeps {
+        if may_be_askew::<B, W>() && run.creeps {
             run.creeps = false;
             if let Some((entry, feature)) = hit {
                 self.wedge::<W, B>(run, d, entry, feature);

@@ -20,9 +20,7 @@ pub(super) struct Planes {
 pub(super) enum Bend {
     /// A face.
     Flat,
-    /// A corner of a block.
-    Corner,
-    /// Another corner, or an arc from outside: the normal is the body as seen from the centre.
+    /// A corner, or an arc from outside: the normal is the body as seen from the centre.
     Convex,
     /// A quarter pipe: the normal is the centre as seen from the body.
     Concave,
@@ -56,11 +54,15 @@ impl Planes {
         self.len > 1
     }
 
+    /// Whether one is of what rounding does not find exactly: not along x or y.
+    pub(super) fn are_askew(&self) -> bool {
+        self.iter().any(|n| n.x != 0 && n.y != 0)
+    }
+
     /// Whether a displacement leads neither to nor from any of them, and one is of what rounding does not find exactly. The faces and corners of
     /// blocks are what they are in a level of blocks.
     pub(super) fn are_near(&self, made: Raw) -> bool {
-        self.all().any(|(n, bend)| bend != Bend::Corner && n.x != 0 && n.y != 0)
-            && self.iter().all(|n| is_near(made, n, NEAR))
+        self.are_askew() && self.iter().all(|n| is_near(made, n, NEAR))
     }
 
     /// Whether some are left after the body has moved: faces that it has not risen from, and what is within [`NEAR`]; of a body that lay on
@@ -126,10 +128,15 @@ impl Planes {
     }
 
     /// The rest of a motion whose velocity `v` is allowed: along a slope where that is, to the last bit, and into no plane.
+    ///
+    /// What enters a plane does so because it was rounded toward zero, by less than a raw unit on each axis: so far it is put back. Where that enters
+    /// another one, it is projected as velocities are, which loses some units of way.
     pub(super) fn keep<B: Kernel, W: World>(&self, v: Raw, rest: Raw) -> Raw {
         let slope = self.iter().find(|&n| into(v, n) == 0 && into(rest, n) != 0);
         let rest = slope.map_or(rest, |n| project::<B, W, _>(rest, n, &Smooth));
-        self.slide::<B, W>(rest)
+        let entered = self.iter().find(|&n| into(rest, n) < 0);
+        let out = entered.map_or(rest, |n| rest.add(Raw { x: n.x.signum(), y: n.y.signum() }));
+        if self.allow(out) { out } else { self.slide::<B, W>(rest) }
     }
 }
 
@@ -140,7 +147,7 @@ impl Bend {
             return n;
         }
         match self {
-            Self::Flat | Self::Corner => n,
+            Self::Flat => n,
             Self::Convex => Axis::new(n.x.wrapping_add(made.x), n.y.wrapping_add(made.y)),
             Self::Concave => Axis::new(n.x.wrapping_sub(made.x), n.y.wrapping_sub(made.y)),
         }
@@ -276,7 +283,7 @@ mod tests {
         for n in [Axis::new(300, 400), Axis::new(-300, 400), Axis::new(5, -12)] {
             assert_eq!(Bend::Convex.turned(n, made), Axis::new(n.x + 30, n.y - 7));
             assert_eq!(Bend::Concave.turned(n, made), Axis::new(n.x - 30, n.y + 7));
-            assert_eq!((Bend::Flat.turned(n, made), Bend::Corner.turned(n, made)), (n, n));
+            assert_eq!(Bend::Flat.turned(n, made), n);
         }
         for n in [Axis::X, Axis::Y, Axis::NEG_X, Axis::NEG_Y] {
             assert_eq!((Bend::Convex.turned(n, made), Bend::Concave.turned(n, made)), (n, n));

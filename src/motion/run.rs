@@ -5,7 +5,7 @@ use super::body::{Body, Entry};
 use super::facing::Side;
 use super::order::First;
 use super::pipe::Pipe;
-use super::plane::{Planes, way};
+use super::plane::{Planes, may_be_askew, way};
 use super::response::Law;
 use super::search::Search;
 use super::{Hit, Moved};
@@ -198,7 +198,7 @@ impl<'m, B: Body> Run<'m, B> {
             }
         };
         self.motion = Raw { x: component(self.motion.x, self.v.x, to.x), y: component(self.motion.y, self.v.y, to.y) };
-        if !W::BLOCKS {
+        if may_be_askew::<B, W>() {
             self.motion = self.planes.keep::<B, W>(to, self.motion);
         }
         self.v = to;

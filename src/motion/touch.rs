@@ -6,7 +6,6 @@ use super::plane::{Bend, NEAR, Planes, across, is_near, may_be_askew, project, r
 use super::response::{Law, Smooth};
 use super::rest::AHEAD;
 use super::run::Run;
-use super::sweep_vertex::is_square;
 use super::{Mover, Response};
 use crate::num::{Axis, Raw, Toi, umul};
 use crate::world::{Feature, Geometry, World};
@@ -66,8 +65,8 @@ impl<S: Law> Mover<S> {
         let time = run.rest.raw() - run.after.raw();
         let bend = bend(entry, feature);
         if !made.is_zero() {
-            let came = way(made) > NEAR && (W::BLOCKS || !is_hop(entry, bend));
-            if W::BLOCKS || !run.planes.keep_touching(made) {
+            let came = way(made) > NEAR && (!may_be_askew::<B, W>() || !is_hop(entry, bend));
+            if !may_be_askew::<B, W>() || !run.planes.keep_touching(made) {
                 run.planes = Planes::ahead(came);
                 run.before_planes = run.v;
             } else if came && run.planes.landed {
@@ -98,7 +97,7 @@ impl<S: Law> Mover<S> {
                 if !(W::ROUND && run.roll(&feature.geometry, &self.surface)) {
                     run.turn::<W>(run.planes.slide_on::<B, W, S>(run.before_planes, &self.surface));
                 }
-                if !W::BLOCKS {
+                if may_be_askew::<B, W>() {
                     run.settle();
                 }
             }
@@ -135,7 +134,6 @@ fn bend(entry: &Entry, feature: &Feature) -> Bend {
     match feature.geometry {
         _ if entry.step.is_none() => Bend::Flat,
         Geometry::Arc { convex: false, .. } => Bend::Concave,
-        Geometry::Vertex { e_in, e_out, .. } if is_square(e_in, e_out) => Bend::Corner,
         _ => Bend::Convex,
     }
 }
