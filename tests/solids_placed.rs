@@ -14,8 +14,8 @@ use solids_support::random::Random;
 use solids_support::twins::translated;
 use solids_support::{P, cases, disc, rect, solid, vec2};
 use tilesat::{
-    AllShapes, Axis, Body, Circle, Fx, Grid, Inside, Joined, Mover, Outside, Path, PathKind, Placed, RayHit, RayRules,
-    SegmentMap, Side, Solid, Solids, TileKind, TileKinds, TileMap, TileShape, Vec2, World,
+    AllShapes, Axis, Body, Circle, Fx, Grid, Inside, Joined, MoveError, Moved, Mover, Outside, Path, PathKind, Placed,
+    RayHit, RayRules, SegmentMap, Side, Solid, Solids, TileKind, TileKinds, TileMap, TileShape, Vec2, Work, World,
 };
 
 static KINDS: TileKinds = TileKinds::EMPTY
@@ -63,7 +63,11 @@ fn both<A: World, B: World, C: Body + PartialEq + std::fmt::Debug>(
     body: &C,
     v: Vec2,
 ) {
-    assert_eq!(m.move_and_slide(placed, body, v), m.move_and_slide(built, body, v), "{body:?} {v:?}");
+    // A placed level may be solid beyond its domain, so that its ends are checked where a built one's are certain.
+    let seen = |moved: Result<Moved<C>, MoveError>| {
+        moved.map(|moved| Moved { work: Work { checks: 0, ..moved.work }, ..moved })
+    };
+    assert_eq!(seen(m.move_and_slide(placed, body, v)), seen(m.move_and_slide(built, body, v)), "{body:?} {v:?}");
 }
 
 /// Rays near both levels see the same, hit by hit; the levels' rays are methods of their own.

@@ -130,7 +130,7 @@ impl<'m, B: Body> Run<'m, B> {
             for (x, y) in STEPS {
                 let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
                 let q = on_the_way(q.add(step), d);
-                if self.take(world, q, W::CERTAIN && !B::MEETS_CORNERS) {
+                if self.take(world, q, W::CERTAIN && W::BLOCKS && !B::MEETS_CORNERS) {
                     return q;
                 }
             }
@@ -147,9 +147,11 @@ impl<'m, B: Body> Run<'m, B> {
 
     /// Makes a motion that meets nothing.
     ///
-    /// Among blocks its end is certain: the sweeps are exact, so what starts outside of the solid and hits nothing ends outside of it.
+    /// Among tiles its end is certain: the sweeps are exact and the surface is all around the solid, so what starts outside and hits nothing ends
+    /// outside. Where not all tiles are blocks that is not so of bodies without area, which may go in between two features.
     pub(super) fn arrive<W: World>(&mut self, world: &W, d: Raw) {
-        self.take(world, d, W::CERTAIN);
+        let certain = W::CERTAIN && (W::BLOCKS || margin(&self.moved.body.bounds()) == 0);
+        self.take(world, d, certain);
     }
 
     /// Moves by a displacement if the exact overlap test accepts its end; what is `certain` or known needs no test.

@@ -107,8 +107,8 @@ pub trait World: sealed::Sealed {
         self.features(way.piece)
     }
 
-    /// Whether the surface and the overlap tests are two views of one solid wherever a body can be, so that a place among blocks that no face
-    /// is before needs no test.
+    /// Whether the surface and the overlap tests are two views of one solid wherever a body can be, so that the end of a motion that meets nothing
+    /// needs no test.
     #[doc(hidden)]
     const CERTAIN: bool = Self::BLOCKS;
 
@@ -178,6 +178,7 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     const BLOCKS: bool = !S::SHAPED;
     const ROUND: bool = S::ARCS;
     const GRID: bool = !S::SHAPED;
+    const CERTAIN: bool = true;
 
     type Features<'w>
         = Features<'w, S, T>

@@ -1,6 +1,7 @@
 //! The surface of blocks: whole sides of cells and their corners.
 
 use super::features::{Look, Surface};
+use super::walk::Walk;
 use crate::num::{Axis, DOMAIN, Raw};
 use crate::shape::Aabb;
 use crate::world::{Cell, Feature, Geometry, Set, Store, TileKind, TileMap};
@@ -35,10 +36,10 @@ impl Surface for BlockSurface {
     }
 
     #[inline]
-    fn load<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, x: i32, y: i32, look: &Look) {
-        let kind = map.kind_at(x, y);
+    fn load<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, walk: &Walk, look: &Look) {
+        let Walk { x, y, kind, .. } = *walk;
         if kind.is_full() {
-            self.solid = map.extent(x, y);
+            self.solid = map.corners(walk);
             let asked = self.asked(look);
             if asked == 0 {
                 return;

@@ -1,6 +1,7 @@
 //! The surface of a level, derived from its tiles when asked.
 
-use super::range::{Range, Walk};
+use super::range::Range;
+use super::walk::Walk;
 use crate::num::{Axis, Raw};
 use crate::shape::Aabb;
 use crate::world::{Feature, Geometry, Set, Store, TileMap, Way};
@@ -68,7 +69,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// ```
     pub const fn features(&self, region: &Aabb) -> Features<'_, S, T> {
         let range = self.solid_range(self.closed_range(region.lo(), region.hi()));
-        Features { map: self, look: Look::all(region), walk: Walk::new(range, Range::NONE), surface: S::Surface::NONE }
+        Features {
+            map: self,
+            look: Look::all(region),
+            walk: self.walk_of(range, Range::NONE),
+            surface: S::Surface::NONE,
+        }
     }
 
     /// Those of the features that a motion could run into, of the cells that a piece of it reaches and the piece before did not.
@@ -83,7 +89,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             Some(before) => self.solid_range(self.open_range(before.lo(), before.hi())),
             None => Range::NONE,
         };
-        Features { map: self, look: Look::ahead(way), walk: Walk::new(range, seen), surface: S::Surface::NONE }
+        Features { map: self, look: Look::ahead(way), walk: self.walk_of(range, seen), surface: S::Surface::NONE }
     }
 }
 
@@ -152,8 +158,8 @@ pub trait Surface: Clone + Debug {
     /// Whether nothing is left to give.
     fn is_over(&self) -> bool;
 
-    /// Goes on to a cell of the closed range of the region; the cell before is over.
-    fn load<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, x: i32, y: i32, look: &Look);
+    /// Goes on to the cell that a walk over the closed range of the region has come to; the cell before is over.
+    fn load<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, walk: &Walk, look: &Look);
 
     /// The next of what is left, if it is asked for.
     fn take<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, look: &Look) -> Option<Feature>;
@@ -168,7 +174,7 @@ impl<S: Set, T: Store> Iterator for Features<'_, S, T> {
                 if !self.map.walk(&mut self.walk) {
                     return None;
                 }
-                self.surface.load(self.map, self.walk.x, self.walk.y, &self.look);
+                self.surface.load(self.map, &self.walk, &self.look);
             }
             if let Some(feature) = self.surface.take(self.map, &self.look) {
                 return Some(feature);

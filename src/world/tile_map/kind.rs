@@ -95,6 +95,12 @@ impl TileKinds {
         self
     }
 
+    #[inline]
+    #[expect(clippy::indexing_slicing, reason = "a byte indexes 256 entries")]
+    pub(in crate::world) const fn is_empty(&self, id: u8) -> bool {
+        matches!(self.shapes[id as usize], TileShape::Empty)
+    }
+
     /// The kind of an id.
     #[inline]
     #[must_use]

@@ -19,3 +19,4 @@ pub(in crate::world) mod shape;
 pub(in crate::world) mod shape_surface;
 pub(in crate::world) mod solid;
 pub(in crate::world) mod tile_pieces;
+pub(in crate::world) mod walk;

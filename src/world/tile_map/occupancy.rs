@@ -1,6 +1,5 @@
 //! One bit a tile in the caller's storage, so that queries pass over empty rows of cells with one test.
 
-use super::range::Walk;
 use crate::world::{Set, Store, TileMap, TileMapError, TileShape};
 
 impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
@@ -102,24 +101,6 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
             bit += 1;
         }
         word
-    }
-
-    /// Goes on to the next cell of a walk that has a shape; false where none is left.
-    #[inline(never)]
-    pub(in crate::world) const fn walk(&self, walk: &mut Walk) -> bool {
-        let (mut x, mut y, mut last, range) = (walk.x.wrapping_add(1), walk.y, walk.last, walk.range);
-        loop {
-            x = self.next_shape(x, last, y);
-            if x <= last {
-                (walk.x, walk.y, walk.last) = (x, y, last);
-                return true;
-            }
-            if y >= range.y1 {
-                return false;
-            }
-            y = y.wrapping_add(1);
-            (x, last) = if walk.seen.has_row(y) { range.row_without(&walk.seen) } else { (range.x0, range.x1) };
-        }
     }
 
     /// The first column of `x..=last` in a row whose cell has a shape; beyond `last` where none has. Columns and rows may be beyond the map.

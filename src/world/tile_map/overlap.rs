@@ -1,6 +1,6 @@
 //! Overlap with the solid of a map (strict) and touch (closed), straight from the cells.
 
-use super::range::{Range, Walk};
+use super::range::Range;
 use super::solid::Solid;
 use crate::num::Raw;
 use crate::query::{Overlaps, Touches, meet};
@@ -130,9 +130,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Whether the solid of any cell of a range passes a test.
     #[inline]
     fn any_solid(&self, range: Range, test: impl Fn(&Solid) -> bool) -> bool {
-        let mut walk = Walk::new(self.solid_range(range), Range::NONE);
+        let mut walk = self.walk_of(self.solid_range(range), Range::NONE);
         while self.walk(&mut walk) {
-            if test(&self.solid(self.kind_at(walk.x, walk.y).shape, walk.x, walk.y)) {
+            if test(&Solid::new(walk.kind.shape.form(), self.corners(&walk), self.grid.cell >> 1)) {
                 return true;
             }
         }

@@ -45,26 +45,6 @@ impl Range {
     }
 }
 
-/// A walk over the cells of a range, row after row.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::world) struct Walk {
-    /// The cell that it has come to.
-    pub(in crate::world) x: i32,
-    pub(in crate::world) y: i32,
-    /// The last column of its row.
-    pub(in crate::world) last: i32,
-    pub(in crate::world) range: Range,
-    /// Cells that are passed over: those of a box that `range` has left.
-    pub(in crate::world) seen: Range,
-}
-
-impl Walk {
-    /// Before the first row, whose columns are over.
-    pub(in crate::world) const fn new(range: Range, seen: Range) -> Self {
-        Self { x: 0, y: range.y0.wrapping_sub(1), last: -1, range, seen }
-    }
-}
-
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The cells whose closed square meets the closed box: `ceil(lo / cell) - 1` is the column of `lo - 1`.
     pub(in crate::world) const fn closed_range(&self, lo: Raw, hi: Raw) -> Range {

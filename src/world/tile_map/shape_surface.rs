@@ -3,6 +3,7 @@
 use super::features::{Look, Surface};
 use super::form::Form;
 use super::outline::{InnerKind, Outline, Piece, direction, gaps, place};
+use super::walk::Walk;
 use crate::num::{Axis, Raw};
 use crate::world::{Cell, Feature, Geometry, Set, Store, TileKind, TileMap, TileShape};
 
@@ -41,8 +42,8 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
     }
 
     #[inline(never)]
-    fn load<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, x: i32, y: i32, look: &Look) {
-        let kind = map.kind_at(x, y);
+    fn load<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, walk: &Walk, look: &Look) {
+        let Walk { x, y, kind, .. } = *walk;
         let outline = kind.shape.outline();
         let edges = match kind.one_way_side() {
             Some(side) => 3 << (2 * side),
@@ -59,7 +60,7 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
         if self.left == 0 {
             return;
         }
-        let corners = map.extent(x, y);
+        let corners = map.corners(walk);
         self.left &= reached(corners, look.region);
         (self.index, self.outs) = (0, 0);
         self.tile = Some(Tile { kind, outline, cell: Cell::of(x, y), corners, faces, beside });
