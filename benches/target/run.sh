@@ -101,7 +101,7 @@ programs=(
 
 # program : name in the table : ceilings of flash and of static RAM on the M0, and on the M3. These are whole games.
 games=(
-    'game_blocks:33 bodies among blocks, coins, ladders:33500:2400:33500:2400'
+    'game_blocks:33 bodies among blocks, coins, ladders:35000:2400:35000:2400'
     'game_ninja:a ninja among all shapes:34500:64:34500:64'
     'game_bullets:256 bullets, 32 enemies, pairs and events:58500:13800:58500:13800'
 )
