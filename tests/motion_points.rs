@@ -12,6 +12,7 @@ use core::fmt::Debug;
 use motion_shape_support::P;
 use motion_shape_support::body::{point, vec2};
 use motion_shape_support::level::Level;
+use motion_shape_support::random::Random;
 use tilesat::motion::Body as Movable;
 use tilesat::prelude::Overlaps;
 use tilesat::{Aabb, AllShapes, Axis, BodyHit, Circle, Fx, Inside, Mover, Outside, Response, TileMap};
@@ -249,6 +250,33 @@ fn at_the_end_of_the_map() {
             }
         }
     }
+}
+
+/// Points and bars on the lines of small maps, most of them beside what is outside: where they go in between two features they stay where they were.
+#[test]
+fn no_end_is_in_the_solid() {
+    let (mut r, mut moved) = (Random::new(3), 0);
+    for room in 0..3000 {
+        let tiles = (0..9).map(|_| r.below(34) as u8).collect();
+        let outside = [Outside::Solid, Outside::Edge, Outside::Empty][room % 3];
+        let level = Level { width: 3, x: 0, y: 0, outside, tiles, ..level([0; 4], (0, 0)) };
+        let map = level.all();
+        for _ in 0..60 {
+            let place = |r: &mut Random| r.below(7) * S / 2;
+            let (p, long) = ((place(&mut r), place(&mut r)), r.below(2) * r.below(S));
+            let bar = if r.one_in(2) { (long, 0) } else { (0, long) };
+            let body = Aabb::new(vec2(p), vec2((p.0 + bar.0, p.1 + bar.1))).unwrap();
+            let d = (r.around(2) * r.below(2 * S), r.around(2) * r.below(2 * S));
+            if map.overlaps(&body) {
+                continue;
+            }
+            let end = Mover::new().move_and_slide(&map, &body, vec2(d)).unwrap().body;
+            assert!(!map.overlaps(&end), "{body:?} by {d:?} to {end:?}\n{level:?}");
+            moved += u32::from(end != body);
+        }
+    }
+    println!("{moved} moved");
+    assert!(moved > 30_000, "{moved}");
 }
 
 /// Out of the gap below an arc into a quarter pipe that begins where the gap ends: it is the pipe that the point meets, and its speed stays.
