@@ -340,6 +340,19 @@ mod pixelroot_one_way {
     }
 }
 
+/// A ball that lands and slides a tenth of a unit into a corner, which is half a unit below its middle, goes up on it by what the floor has left of its
+/// velocity: it was not pressed against both by the fall.
+#[test]
+fn lands_before_a_corner() {
+    let level = Level::new(&[".....", ".....", "...#.", "#####"], px(16));
+    let ball = Body::disc((px(48) - 2_064_384, px(32) - 1_015_808), 1_081_344);
+    for response in [Response::Slide, Response::Cross] {
+        let out = go(&level, response, ball, (2_950_813, 2_967_197));
+        assert_eq!((out.hits.len(), out.floor, out.wall), (2, true, true), "{out:?}");
+        assert!(out.v.0 > 2600 && out.v.1 < -89_000, "{out:?}");
+    }
+}
+
 /// The room around a map is closed if it says so, at any speed.
 #[test]
 fn nothing_leaves_a_closed_room() {

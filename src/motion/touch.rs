@@ -65,9 +65,9 @@ impl<S: Law> Mover<S> {
         let time = run.rest.raw() - run.after.raw();
         let bend = bend(entry, feature);
         if !made.is_zero() {
-            let came = way(made) > NEAR && (!may_be_askew::<B, W>() || !is_hop(entry, bend));
+            let came = way(made) > NEAR;
             if !may_be_askew::<B, W>() || !run.planes.keep_touching(made) {
-                run.planes = Planes::ahead(came);
+                run.planes = Planes::ahead(came && (!may_be_askew::<B, W>() || !is_hop(entry, bend)));
                 run.before_planes = run.v;
             } else if came && run.planes.landed {
                 run.before_planes = run.v;
