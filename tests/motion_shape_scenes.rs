@@ -296,6 +296,27 @@ fn a_wall_goes_before_the_end_of_a_pipe() {
     }
 }
 
+/// A body as wide as a shaft falls to where the shaft's side turns into a quarter pipe: its velocity ends there, frame after frame.
+#[test]
+fn a_shaft_ends_in_a_pipe() {
+    let cell = 65536;
+    for end in [17, 16] {
+        let l = drawn(&["#.##", "#.##", "#(##", "####"], cell, &[('(', end)]);
+        for body in [Body::Disc((3 * cell / 2, cell), cell / 2), Body::Rect((cell, cell / 3), (cell, cell))] {
+            for view in [View::MirrorX, View::MirrorY, View::Transpose, View::Moved((77, -1_000_003))] {
+                let level = view.level(&l);
+                let (mut body, mut v) = (view.body(body), (0, 0));
+                for frame in 0..40 {
+                    let pull = view.direction((0, cell / 64));
+                    let out = body.step(&UP, &level.all(), (v.0 + pull.0, v.1 + pull.1)).unwrap();
+                    (body, v) = (out.body, out.v);
+                    assert!(frame < 20 || (v, out.remaining) == ((0, 0), (0, 0)), "{view:?} {end}: {out:?}");
+                }
+            }
+        }
+    }
+}
+
 /// A point that runs into the cusp between an arc and the floor that it touches stops at its end, and says so.
 #[test]
 fn a_point_in_a_cusp() {

@@ -193,3 +193,25 @@ fn a_wall_behind_a_step() {
         assert!(both > 0 || shape != BOX, "{shape:?}: both in one frame");
     }
 }
+
+/// A one-way wall of a tile that is higher than the step holds a walker from its side, however round it is; with a step as high as the wall it is stepped
+/// over.
+#[test]
+fn a_one_way_wall_is_as_high_as_it_is() {
+    let mut ground = Ground::of("________________", 3, 8);
+    ground.put(8, 7, 37);
+    let level = ground.level();
+    for shape in [BOX, Shape::Disc(PX), Shape::Disc(3 * PX), Shape::Disc(8 * PX)] {
+        for step in (1..16).map(|units| units * PX).chain([CELL - 1, CELL + 1]) {
+            for speed in [PX / 3, 2 * PX, 5 * PX] {
+                for phase in [0, 7_777, 40_961] {
+                    let (from, v) = ((6 * CELL + phase, 8 * CELL), (speed, PX / 4));
+                    let frames = (4 * CELL / speed) as u32;
+                    let end = *play(&level.all(), shape, &walker(PX, step), from, v, frames).last().unwrap();
+                    let beyond = end.at.0 > 8 * CELL;
+                    assert_eq!(beyond, step > CELL, "{shape:?}, step {step}, by {speed}: {end:?}");
+                }
+            }
+        }
+    }
+}

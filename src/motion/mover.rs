@@ -152,7 +152,7 @@ impl<S: Law> Mover<S> {
     /// quarter pipe it goes by one chord a call and comes out as fast as it went in, less some 3 raw a call.
     /// Sliding never lengthens the velocity and bouncing never raises its square (with a [`Speed`](super::Speed), not above that).
     ///
-    /// A body that gravity presses between surfaces (a V, a bowl, two domes, a slope and a wall) comes to rest, for gravities up to an eighth of a
+    /// A body that gravity presses between surfaces (a V, a bowl, two domes, a slope and a wall) comes to rest, for gravities up to a twentieth of a
     /// tile a call: within 4 raw of all of them a call that leaves no velocity leaves the place as it was too, so nothing hums.
     ///
     /// A body without velocity stays where it is, and nothing is asked of the level, not even whether the body is in the solid: nothing that

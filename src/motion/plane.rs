@@ -59,6 +59,12 @@ impl Planes {
         self.iter().any(|n| n.x != 0 && n.y != 0)
     }
 
+    /// Whether a body has come back to a quarter pipe without a way, thrown back by another plane: that stands where the pipe bends to. To a
+    /// velocity along both it is nothing, by their normals alone; so falls a body that is as wide as a shaft whose end is a pipe.
+    pub(super) fn close_pipe(&self, normal: Axis, bend: Bend) -> bool {
+        bend == Bend::Concave && self.are_wedge() && self.all().any(|seen| seen == (normal, bend))
+    }
+
     /// Whether a displacement leads neither to nor from any of them, and one is of what rounding does not find exactly. The faces and corners of
     /// blocks are what they are in a level of blocks.
     pub(super) fn are_near(&self, made: Raw) -> bool {

@@ -93,8 +93,11 @@ impl<S: Law> Mover<S> {
                 run.turn::<W>(reflect::<B, W, S>(run.v, entry.normal, &self.surface, reply));
             }
             (Response::Slide | Response::Cross | Response::Bounce, _) => {
+                let ends = W::ROUND && made.is_zero() && run.planes.close_pipe(entry.normal, bend);
                 run.planes.push(entry.normal, bend);
-                if !(W::ROUND && run.roll(&feature.geometry, &self.surface)) {
+                if ends {
+                    run.turn::<W>(Raw::ZERO);
+                } else if !(W::ROUND && run.roll(&feature.geometry, &self.surface)) {
                     run.turn::<W>(run.planes.slide_on::<B, W, S>(run.before_planes, &self.surface));
                 }
                 if may_be_askew::<B, W>() {

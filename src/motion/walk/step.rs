@@ -5,8 +5,11 @@ use super::ground::{Ground, Look, along, within};
 use super::stride::Stride;
 use super::support::CONTACT;
 use super::walker::length;
+use crate::motion::around::hull;
 use crate::motion::body::Body;
+use crate::motion::body::kernel::Kernel;
 use crate::num::{Raw, Toi, mul_div};
+use crate::shape::Aabb;
 use crate::world::World;
 
 impl<W: World, B: Body> Stride<'_, W, B> {
@@ -39,8 +42,9 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         if raised.is_zero() || forward.is_zero() {
             return false;
         }
+        let bounds = self.run.moved.body.bounds();
         let (made, rest) = self.shift(forward);
-        if made.is_zero() {
+        if made.is_zero() || (B::MEETS_CORNERS && self.passes_one_way(&bounds, made)) {
             return false;
         }
         // To where it came from, and a little farther: on a floor of that height it touches only.
@@ -55,6 +59,19 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         self.run.rest = rest;
         self.stepped += length(raised.add(fall));
         true
+    }
+
+    /// Whether the box around a raised circle meets a one-way face in front of it: the free end of such a face holds no circle, but where it is higher than
+    /// the circle's lowest point, it is higher than the step.
+    fn passes_one_way(&mut self, bounds: &Aabb, d: Raw) -> bool {
+        let mut features = self.world.features(&hull(bounds, Raw::ZERO, d, 1));
+        while let Some(feature) = &features.next() {
+            self.run.moved.work.features += 1;
+            if feature.one_way && !self.run.pass_one_way && bounds.sweep(d, feature).is_some() {
+                return true;
+            }
+        }
+        false
     }
 
     /// What carries the body on this ground.

@@ -87,7 +87,8 @@ pub enum TileShape {
     SteepHighBottomRight = 32,
     /// As [`SteepHighTopLeft`](Self::SteepHighTopLeft), at another corner.
     SteepHighBottomLeft = 33,
-    /// Only the edge toward row 0 blocks, and only what is entirely in front of it and moves in. It has no inside: it is never overlapped.
+    /// Only the edge toward row 0 blocks, and only what is entirely in front of it and moves in. It has no inside: it is never overlapped. Its ends
+    /// are no corners: a circle whose centre is beyond an end that nothing continues passes it.
     OneWayUp = 34,
     /// As [`OneWayUp`](Self::OneWayUp), the edge toward larger x.
     OneWayRight = 35,
