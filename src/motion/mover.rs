@@ -158,7 +158,7 @@ impl<S: Law> Mover<S> {
     /// A body without velocity stays where it is, and nothing is asked of the level, not even whether the body is in the solid: nothing that
     /// could lead into it is done. `overlaps` of the level tells.
     ///
-    /// Mirrored scenes give mirrored bits, save where a circle meets two corners or slopes at the same moment and as squarely (+x goes first);
+    /// Mirrored scenes give mirrored bits, save where a circle meets two corners, slopes or arcs at the same moment and as squarely (+x goes first);
     /// translated scenes give the same bits; exchanging x and y does too, save for ties (x goes first) and a raw unit at corners.
     ///
     /// Cost: where no cell that the motion passes over holds anything, one look at each. Else at most [`Mover::ITERATIONS`] sweeps over the cells under the motion, enumerated in pieces as long as a cell or the body (that
