@@ -6,8 +6,8 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 core=$("$root/.ci/get-emulators.sh" gba) || exit 3
 
-# The front end is the host's, built beside the program by the stable compiler as it is.
-unset RUSTC_BOOTSTRAP
-cargo build --quiet --release --manifest-path "$root/examples/gba/Cargo.toml" --package tilesat-gba-run
-run=${CARGO_TARGET_DIR:-$root/examples/gba/target}/release/tilesat-gba-run
+# The front end is the host's, built by the stable compiler as it is, and as the tests are.
+unset RUSTC_BOOTSTRAP RUSTC_WRAPPER
+cargo build --quiet --profile test --manifest-path "$root/Cargo.toml" --package tilesat-gba-run
+run=${CARGO_TARGET_DIR:-$root/target}/debug/tilesat-gba-run
 LD_LIBRARY_PATH=$(dirname "$core")/.. exec timeout "${GBA_SECONDS:-120}" "$run" "$core" "$@" </dev/null

@@ -16,18 +16,15 @@
     allow(unsafe_code, reason = "entry points of a bare-metal program are unsafe by nature")
 )]
 
-#[path = "bullets/game/mod.rs"]
-mod game;
-
-use game::{FRAMES, Game, Near};
 use tilesat::TileMapError;
+use tilesat_games::bullets::{FRAMES, Game, Near, level};
 
 /// What the desktop example plays, and the run of the golden hashes.
 const RUNS: [u32; 2] = [FRAMES, 10_000];
 
 /// Runs all frames; `tell` is given the game after each of the runs.
 fn run(game: &mut Game, tell: impl Fn(&Game)) -> Result<(), TileMapError> {
-    let level = game::level()?;
+    let level = level()?;
     game.start();
     for frames in RUNS {
         while game.frame < frames {
@@ -51,17 +48,9 @@ fn main() -> std::process::ExitCode {
 }
 
 #[cfg(target_os = "none")]
-#[path = "chip/fault.rs"]
-mod fault;
-
-#[cfg(target_os = "none")]
 mod chip {
     use super::{Game, Near};
-    #[cfg(target_arch = "arm")]
-    use cortex_m_rt::entry;
-    #[cfg(target_arch = "riscv32")]
-    use riscv_rt::entry;
-    use semihosting::{eprintln, println, process};
+    use tilesat_chip::{entry, eprintln, println, process};
 
     /// Most of the memory of a small chip: on the stack there would be a moment with two of them.
     static mut GAME: Game = Game::new(Near::new());

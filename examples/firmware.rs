@@ -14,14 +14,13 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg_attr(
     target_os = "none",
-    allow(unsafe_code, reason = "entry points and the logger of a bare-metal program are unsafe by nature")
+    allow(unsafe_code, reason = "entry points of a bare-metal program are unsafe by nature")
 )]
 
-#[path = "platformer/flash.rs"]
-mod flash;
+use tilesat_games::platformer::{flash, sim};
 
 /// What the desktop example plays by default, and the run of the golden hashes.
-const RUNS: [u32; 2] = [flash::sim::FIRMWARE_FRAMES, 10_000];
+const RUNS: [u32; 2] = [sim::FIRMWARE_FRAMES, 10_000];
 
 #[cfg(not(target_os = "none"))]
 fn main() -> std::process::ExitCode {
@@ -46,16 +45,8 @@ pub extern "C" fn firmware_hash(frames: u32) -> u32 {
 }
 
 #[cfg(target_os = "none")]
-#[path = "chip/fault.rs"]
-mod fault;
-
-#[cfg(target_os = "none")]
 mod chip {
-    #[cfg(target_arch = "arm")]
-    use cortex_m_rt::entry;
-    #[cfg(target_arch = "riscv32")]
-    use riscv_rt::entry;
-    use semihosting::{eprintln, println, process};
+    use tilesat_chip::{entry, eprintln, println, process};
 
     #[entry]
     fn main() -> ! {
@@ -78,16 +69,12 @@ mod chip {
     }
 
     #[cfg(not(feature = "defmt"))]
-    fn log(_: u32, _: &super::flash::sim::FrameReport) {}
+    fn log(_: u32, _: &super::sim::FrameReport) {}
 
     #[cfg(feature = "defmt")]
-    fn log(frame: u32, report: &super::flash::sim::FrameReport) {
+    fn log(frame: u32, report: &super::sim::FrameReport) {
         if frame.is_multiple_of(60) {
             defmt::info!("frame {=u32}: {=u32} contacts", frame, report.contacts);
         }
     }
 }
-
-#[cfg(all(target_os = "none", feature = "defmt"))]
-#[path = "chip/frames.rs"]
-mod frames;

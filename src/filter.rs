@@ -1,6 +1,5 @@
 //! Layers: which bodies have to do with which.
 
-use crate::broad::Tag;
 use core::ops::{BitAnd, BitOr, Not};
 
 /// A set of up to 16 layers.
@@ -142,19 +141,15 @@ impl Filter {
     const fn with_flag(self, flag: u16, on: bool) -> Self {
         Self { flags: if on { self.flags | flag } else { self.flags & !flag }, ..self }
     }
-}
-
-impl Tag for Filter {
-    const BLANK: Self = Self::new(LayerMask::NONE, LayerMask::NONE);
 
     // Layers first: they part most of what is near each other, and then the sign of one group is all that is left to ask.
     #[inline]
-    fn pairs_with(&self, other: &Self) -> bool {
-        let alike = |flags: u16| flags & other.flags == 0;
+    pub(crate) const fn lets_pair(self, other: Self) -> bool {
+        let flags = self.flags & other.flags;
         if self.mask.intersects(other.layers) && other.mask.intersects(self.layers) {
-            alike(self.flags) && (self.group >= 0 || self.group != other.group)
+            flags == 0 && (self.group >= 0 || self.group != other.group)
         } else {
-            self.group > 0 && self.group == other.group && alike(self.flags)
+            self.group > 0 && self.group == other.group && flags == 0
         }
     }
 }

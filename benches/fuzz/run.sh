@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Fuzzes the library and the level readers: every input is held against the contract by the judges of the tests.
 #
-#   run.sh [TARGET...]             guided by coverage, all targets or these; wants a nightly toolchain and cargo-fuzz
+#   run.sh [TARGET...]             guided by coverage, all targets or these; wants a C++ compiler
 #   run.sh --seconds N [TARGET...] N seconds in all (default 360), the same for each target
 #   run.sh --replay [TARGET...]    the committed corpus, on any toolchain
 #   run.sh --random N [TARGET...]  the same, and N changed inputs of each target
@@ -9,7 +9,8 @@
 #   run.sh --keep [TARGET...]      makes the smallest corpus that covers what was found so far the committed one
 #   run.sh --list                  the targets
 #
-# What was found stays below target/fuzz and is gone on from. Exit 1 where something failed, 3 where nothing could be run.
+# The committed inputs are lines of hexadecimal digits: corpus/TARGET.hex, and in faults/TARGET.hex with the name of what each has found. What
+# was found stays below target/fuzz and is gone on from. Exit 1 where something failed, 3 where nothing could be run.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -33,7 +34,7 @@ while (($#)); do
         exit
         ;;
     --* | -*)
-        sed -n '2,12s/^# \{0,1\}//p' run.sh >&2
+        sed -n '2,13s/^# \{0,1\}//p' run.sh >&2
         exit 2
         ;;
     *)
@@ -52,18 +53,42 @@ done
 declare -A longest=([broad]=1200 [scene]=1200 [segment_bytes]=600 [ride]=400 [tmx]=500 [ldtk]=400)
 host=$(rustc -vV | sed -n 's/^host: //p')
 
+# unpack FILE FOLDER: a file for each line.
+unpack() {
+    local line n=0
+    rm -rf "$2" && mkdir -p "$2"
+    [[ -f $1 ]] || return 0
+    while read -r line _; do
+        n=$((n + 1))
+        # shellcheck disable=SC2059 # the bytes are the format
+        printf "$(sed 's/^-$//; s/../\\x&/g' <<<"$line")" >"$2/$n"
+    done <"$1"
+}
+# pack FOLDER: the lines of a file.
+pack() {
+    local file
+    for file in "$1"/*; do
+        od -An -v -tx1 "$file" | tr -d ' \n' | sed 's/^$/-/'
+        echo
+    done | LC_ALL=C sort
+}
+
+# What libFuzzer wants of the compiler: counters of edges and of comparisons. There is no unsafe code to be caught by a sanitizer; without one more is
+# tried in the same time, and any toolchain will do.
+coverage_flags='--cfg fuzzing -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4 -Cllvm-args=-sanitizer-coverage-inline-8bit-counters
+    -Cllvm-args=-sanitizer-coverage-pc-table -Cllvm-args=-sanitizer-coverage-trace-compares -Cllvm-args=-sanitizer-coverage-stack-depth'
 build_guided() {
-    if ! cargo +nightly --version >/dev/null 2>&1 || ! cargo fuzz --version >/dev/null 2>&1; then
-        cat >&2 <<'END'
-run.sh: NOTHING WAS FUZZED: a nightly toolchain or cargo-fuzz is not here.
-    rustup toolchain install nightly --profile minimal
-    cargo install cargo-fuzz
-The committed corpus needs neither: run.sh --replay
-END
+    command -v c++ >/dev/null || {
+        echo 'run.sh: NOTHING WAS FUZZED: libFuzzer wants a C++ compiler. The committed corpus does not: run.sh --replay' >&2
         exit 3
-    fi
-    # There is no unsafe code to be caught by a sanitizer; without one more is tried in the same time.
-    CARGO_TARGET_DIR=$out/guided cargo +nightly fuzz build --fuzz-dir "$here" --features coverage-guided --sanitizer none
+    }
+    RUSTFLAGS=${coverage_flags//$'\n'/} CARGO_TARGET_DIR=$out/guided cargo build --quiet --profile fuzz --package tilesat-fuzz \
+        --features coverage-guided --target "$host" "${targets[@]/#/--bin=}"
+    local target
+    for target in "${targets[@]}"; do
+        unpack "corpus/$target.hex" "$out/committed/$target"
+        unpack "faults/$target.hex" "$out/faults/$target"
+    done
 }
 
 guided() {
@@ -74,10 +99,10 @@ guided() {
     echo "== ${#targets[@]} targets, $each s each"
     printf '%-14s %12s %9s %7s %7s %9s\n' target executions new edges corpus findings
     for target in "${targets[@]}"; do
-        program=$out/guided/$host/release/$target log=$out/$target.log
-        mkdir -p "$out/corpus/$target" "$out/findings/$target" "corpus/$target" "faults/$target"
+        program=$out/guided/$host/fuzz/$target log=$out/$target.log
+        mkdir -p "$out/corpus/$target" "$out/findings/$target"
         # 77: a finding; the log tells.
-        "$program" "$out/corpus/$target" "corpus/$target" "faults/$target" -max_total_time="$each" -max_len="${longest[$target]:-300}" -timeout=20 -reload=0 \
+        "$program" "$out/corpus/$target" "$out/committed/$target" "$out/faults/$target" -max_total_time="$each" -max_len="${longest[$target]:-300}" -timeout=20 -reload=0 \
             -print_final_stats=1 -artifact_prefix="$out/findings/$target/" >"$log" 2>&1 || true
         local n
         n=$(find "$out/findings/$target" -type f | wc -l)
@@ -102,18 +127,18 @@ keep() {
     local target program fresh
     build_guided
     for target in "${targets[@]}"; do
-        program=$out/guided/$host/release/$target fresh=$out/fresh/$target
-        mkdir -p "$out/corpus/$target" "corpus/$target"
+        program=$out/guided/$host/fuzz/$target fresh=$out/fresh/$target
+        mkdir -p "$out/corpus/$target"
         rm -rf "$fresh" && mkdir -p "$fresh"
-        "$program" -set_cover_merge=1 -use_counters=0 -max_len="${longest[$target]:-300}" "$fresh" "$out/corpus/$target" "corpus/$target" >"$out/$target.merge.log" 2>&1
-        rm -rf "corpus/$target" && cp -r "$fresh" "corpus/$target"
-        printf '%-14s %5d inputs %7d bytes\n' "$target" "$(find "corpus/$target" -type f | wc -l)" "$(cat "corpus/$target"/* | wc -c)"
+        "$program" -set_cover_merge=1 -use_counters=0 -max_len="${longest[$target]:-300}" "$fresh" "$out/corpus/$target" "$out/committed/$target" >"$out/$target.merge.log" 2>&1
+        pack "$fresh" >"corpus/$target.hex"
+        printf '%-14s %5d inputs %7d bytes\n' "$target" "$(wc -l <"corpus/$target.hex")" "$(cat "$fresh"/* | wc -c)"
     done
-    printf 'in all %d bytes\n' "$(find corpus -type f -exec cat {} + | wc -c)"
 }
 
 replay() {
-    CARGO_TARGET_DIR=$out/stable cargo run --quiet --example replay -- --random "$random" "${targets[@]}"
+    # As the tests are built: overflow and every assertion are checked, and what they have built is not built again.
+    cargo run --quiet --profile test --package tilesat-fuzz --example replay -- --random "$random" "${targets[@]}"
 }
 
 coverage() {
@@ -124,7 +149,7 @@ coverage() {
         exit 3
     }
     rm -f "$out"/coverage-*.profraw
-    RUSTFLAGS=-Cinstrument-coverage CARGO_TARGET_DIR=$out/coverage cargo build --quiet --example replay
+    RUSTFLAGS=-Cinstrument-coverage CARGO_TARGET_DIR=$out/coverage cargo build --quiet --profile test --package tilesat-fuzz --example replay
     LLVM_PROFILE_FILE=$out/coverage-%p.profraw "$out/coverage/debug/examples/replay"
     "$llvm/llvm-profdata" merge --sparse "$out"/coverage-*.profraw -o "$out/coverage.profdata"
     "$llvm/llvm-cov" report "$out/coverage/debug/examples/replay" --instr-profile "$out/coverage.profdata" --ignore-filename-regex '/\.cargo/|rustlib/|/rustc/|/out/|benches/|examples/' >"$out/coverage.txt"

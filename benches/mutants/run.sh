@@ -2,8 +2,8 @@
 # Breaks the sources in one place at a time and asks whether a suite of seconds notices. The mutants are those of cargo-mutants; all of a part are
 # woven into one program (src/main.rs), so that each costs a run and no build. Goes on where it was stopped.
 #
-#   run.sh [num] [query]      every mutant of src/num and src/query, against the judges on thinned streams (pairs/suite.rs)
-#   run.sh again              what survived of those, against scenes and judges of the whole crate (rest/suite.rs)
+#   run.sh [num] [query]      every mutant of src/num and src/query, against the judges on thinned streams
+#   run.sh again              what survived of those, against scenes and judges of the whole crate
 #   run.sh rest               a sample of the mutants of world, motion, broad and scene: those numbered K, K + N, ..., against the same
 #   run.sh --of N --seed K    of the sample (default 100, 7)
 #   run.sh --seconds N ...    starts nothing more after so many seconds (default 2700)
@@ -50,44 +50,14 @@ export RUST_BACKTRACE=0
 # busy with make none.
 longest=8
 
-# Tests that a tree takes: `mod oracle;` in each of them becomes the one judge of the suite, helpers are opened to it.
-borrow() {
-    local tree=$1 name
-    shift
-    for name; do
-        sed -E 's/^mod ([a-z_]*(oracle|support)|solids);/use crate::\1;/; s/^(fn|struct|const) /pub(crate) \1 /; s/^    ([ad]: (Figure|Point),)$/    pub(crate) \1/; s/(RANDOM_CASES: u32) = .*/\1 = 10_000;/' \
-            "$root/tests/$name.rs" >"$tree/tests/$name.rs"
-    done
-}
-
-# Copied anew each time, with new times: what an interruption left changed is not built upon.
-pairs_tree() {
+# The tests as they are, beside sources that are to be changed. Copied with new times: what an interruption left changed is not built upon.
+make_tree() {
     local tree=$1
     rm -rf "$tree/src" "$tree/tests"
-    mkdir -p "$tree/src" "$tree/tests"
-    cp -r "$root"/src/{num,query,shape,error.rs} "$tree/src"
-    cp "$here/pairs/lib.rs" "$tree/src"
-    cp -r "$root"/tests/{oracle,cast_support} "$here/pairs/suite.rs" "$tree/tests"
-    borrow "$tree" cast_{classes,corners,lattice,ranges} closest_ties degenerate distances lattice mutants_{casts,contacts} number_types numbers push_out \
-        response_ratio
-    # Rays at levels are the whole crate's.
-    borrow "$tree" cast_rays
-    sed -i -E '/^use tilesat/,/;$/s/ (Path|PathKind|SegmentMap|TileKind|TileKinds|TileMap),//g; /^static KINDS/,/fn ints/{/fn ints/!d}' \
-        "$tree/tests/cast_rays.rs"
-    cp "$here/pairs/Cargo.toml" "$root/Cargo.lock" "$tree"
-    mkdir -p "$tree/.cargo" && cp "$root/.cargo/mutants.toml" "$tree/.cargo"
-}
-
-# Everything, for what is not a query of pairs: tests of the whole crate in one program.
-rest_tree() {
-    local tree=$1
-    rm -rf "$tree/src" "$tree/tests"
-    mkdir -p "$tree/src" "$tree/tests"
-    cp -r "$root"/src "$root/README.md" "$root/LICENSE-MIT" "$root/Cargo.lock" "$tree"
-    cp -r "$root"/tests/*_support "$root"/tests/{oracle,support,solids} "$tree/tests"
-    cp "$here/rest/suite.rs" "$tree/tests"
-    borrow "$tree" $(sed -n 's/^mod \(.*\);/\1/p' "$here/rest/suite.rs" | grep -vE 'support$|^(oracle|solids)$')
-    cp "$here/rest/Cargo.toml" "$tree"
+    mkdir -p "$tree"
+    cp -r "$root"/{src,tests,README.md,LICENSE-MIT,Cargo.lock} "$tree"
+    cp "$here/tree/thinned.rs" "$tree/tests"
+    cp "$here/tree/Cargo.toml" "$tree"
     mkdir -p "$tree/.cargo" && cp "$root/.cargo/mutants.toml" "$tree/.cargo"
 }
 
@@ -100,27 +70,31 @@ list() {
     for module in "${modules[@]}"; do files+=(--file "src/$module/**" --exclude "src/$module/**/tests.rs" --exclude "src/$module/tests/**"); done
     cargo mutants --in-place --list --json "${files[@]}"
 }
-tree_of() { [[ $1 == rest || $1 == again ]] && echo rest || echo pairs; }
+# Which of the two suites a part is held against.
+suite_of() { [[ $1 == rest || $1 == again ]] && echo rest || echo pairs; }
+executables_of() { [[ $(suite_of "$1") == rest ]] && echo bodies motion rays segments solids tiles || echo thinned bodies casts pairs rays; }
 survivors() { awk -F'\t' '$2 == "survived" { print $3 }' "$out"/num/done.tsv "$out"/query/done.tsv; }
 
-# Programs of all mutants of a part, and their table: the suite; the same on the code of cores without a long multiply; the unit tests of the sources.
+# Programs of all mutants of a part, and their table: the suite; of pairs the same on the code of cores without a long multiply; the unit tests of the
+# sources.
 weave() {
-    local part=$1 tree=$out/$1 target=$out/$1-target options=()
+    local part=$1 tree=$out/$1 target=$out/$1-target options=() name
     [[ $part == rest ]] && options=(--of "$of" --seed "$seed")
     [[ $part == again ]] && options=(--only "$tree/names.txt") && survivors >"$tree/names.txt"
-    "$(tree_of "$part")_tree" "$tree"
+    make_tree "$tree"
     (cd "$tree" && list "$part" >list.json)
-    CARGO_TARGET_DIR=$out/weave cargo build --quiet --manifest-path "$here/Cargo.toml"
+    CARGO_TARGET_DIR=$out/weave cargo build --quiet --package tilesat-mutants
     CARGO_TARGET_DIR=$target "$out/weave/debug/tilesat-mutants" "$tree/list.json" "$tree" "${options[@]}"
     rm -f "$tree"/program-*
-    program "$tree" "$target" suite --test suite
-    [[ $(tree_of "$part") == rest ]] || RUSTFLAGS='--cfg tilesat_split' program "$tree" "$target/split" split --test suite
+    for name in $(executables_of "$part"); do
+        program "$tree" "$target" "suite-$name" --test "$name"
+        [[ $(suite_of "$part") == rest ]] || RUSTFLAGS='--cfg tilesat_split' program "$tree" "$target/split" "split-$name" --test "$name"
+    done
     program "$tree" "$target" unit --lib
-    [[ $part != rest ]] || ln "$tree/program-suite" "$tree/program-long"
 }
 program() {
     local tree=$1 target=$2 name=$3
-    (cd "$tree" && CARGO_TARGET_DIR=$target cargo test --quiet --profile mutants "${@:4}" --no-run --message-format json) |
+    (cd "$tree" && CARGO_TARGET_DIR=$target cargo test --quiet --package tilesat --profile mutants "${@:4}" --no-run --message-format json) |
         sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | xargs -I{} cp {} "$tree/program-$name"
 }
 
@@ -132,28 +106,47 @@ long=(neither_order_nor_broad mirrored_and_moved_scenes a_copy_is_a_snapshot no_
 never=(at_rest_in_a_gap at_rest_on_a_one_way at_rest_in_a_corner a_million_frames as_many_on_ceiling p17_rest p17_pushed
     scene_38_a_stack a_ball_swings)
 
-# The tests of a program that can notice a mutant of a part: numbers call no query, and of the suite of pairs the rest is not thin.
+# The tests of a program that can notice a mutant of a part, within seconds; nothing where there are none.
 choose() {
+    local skip=("${long[@]/#/--skip=}" "${never[@]/#/--skip=}")
     case $1/$2 in
     num/unit) chosen=(num::) ;;
     query/unit) chosen=(query::) ;;
-    num/*) chosen=(thinned cast_ranges number degenerate push_out distances response_ratio) ;;
-    query/*) chosen=(thinned cast_corners cast_ra closest_ties degenerate distances mutants push_out) ;;
-    */long) chosen=("${long[@]}") ;;
-    */suite) chosen=("${long[@]/#/--skip=}" "${never[@]/#/--skip=}") ;;
+    */unit) chosen=('') ;;
+    num/*-thinned | query/*-thinned) chosen=('') ;;
+    num/*-bodies) chosen=(response_ratio::) ;;
+    num/*-casts) chosen=(ranges::) ;;
+    num/*-pairs) chosen=(degenerate:: distances:: number_types:: numbers:: push_out::) ;;
+    query/*-casts) chosen=(classes:: corners:: mutants:: ranges::) ;;
+    query/*-pairs) chosen=(closest_ties:: degenerate:: distances:: exact:: mutants:: push_out::) ;;
+    query/*-rays) chosen=(single::) ;;
+    */long-*) chosen=("${long[@]}") ;;
+    */suite-bodies) chosen=(broad_pairs:: broad_removals:: pair_events:: response:: scene_rules:: scene_sleep:: "${skip[@]}") ;;
+    */suite-motion) chosen=(floor:: mutants:: one_way:: response_gravity:: rest:: scenes:: segments:: walk_scenes:: "${skip[@]}") ;;
+    */suite-rays) chosen=(shapes:: single:: "${skip[@]}") ;;
+    */suite-segments) chosen=(build:: queries:: "${skip[@]}") ;;
+    */suite-solids) chosen=(push:: "${skip[@]}") ;;
+    */suite-tiles) chosen=(blocks:: contacts:: features:: joined:: map:: mutants:: shape_features:: "${skip[@]}") ;;
     *) chosen=() ;;
     esac
 }
 
 # What a mutant does to the programs, one after another until one notices it.
 tell() {
-    local part=$1 tree=$out/$1 id=$2 name status chosen limit
-    for name in suite split unit long; do
-        [[ -x $tree/program-$name ]] || continue
+    local part=$1 tree=$out/$1 id=$2 name program status chosen limit names=() executables
+    read -ra executables <<<"$(executables_of "$part")"
+    for name in suite split; do names+=("${executables[@]/#/$name-}"); done
+    names+=(unit)
+    [[ $(suite_of "$part") != rest ]] || names+=("${executables[@]/#/long-}")
+    for name in "${names[@]}"; do
+        # The long tests are of the same programs.
+        program=$tree/program-${name/#long-/suite-}
+        [[ -x $program ]] || continue
         choose "$part" "$name"
-        [[ $name == long ]] && limit=$((15 * longest)) || limit=$longest
+        ((${#chosen[@]})) || continue
+        [[ $name == long-* ]] && limit=$((15 * longest)) || limit=$longest
         status=0
-        (ulimit -t "$limit" && MUTANT=$id exec "$tree/program-$name" "${chosen[@]}") >"$tree/last.txt" 2>&1 || status=$?
+        (ulimit -t "$limit" && MUTANT=$id exec "$program" "${chosen[@]}") >"$tree/last.txt" 2>&1 || status=$?
         case $status in
         0) ;;
         # Killed for its time.
@@ -169,7 +162,7 @@ run_part() {
     source=$(find "$root/src" -name '*.rs' | sort | xargs awk 'FNR == 1 { on = 1 } /^#\[cfg\(test\)\]/ { held = $0; next }
         /^mod tests \{/ { on = 0 } on && NF { print held $0 } { held = "" }' | cksum | cut -d' ' -f1)
     [[ $part == rest ]] && source+=-$of-$seed
-    tests=$(cat "$here/$(tree_of "$part")"/* "$root"/tests/*.rs "$root"/tests/oracle/*.rs "$root"/src/*/*.rs | cksum | cut -d' ' -f1)
+    tests=$(find "$here/tree" "$root/tests" "$root/src" -name '*.rs' | sort | xargs cat | cksum | cut -d' ' -f1)
     [[ $part == again ]] && tests+=-$(survivors | cksum | cut -d' ' -f1)
     mkdir -p "$tree" && touch "$tree/done.tsv"
     if [[ $(cat "$tree/state" 2>/dev/null) != "$source $tests" ]]; then
@@ -229,7 +222,7 @@ summary() {
 
 case $only in
 count)
-    rest_tree "$out/count"
+    make_tree "$out/count"
     for part in num query world motion broad scene; do
         printf '%-8s %6d\n' "$part" "$(cd "$out/count" && list "$part" | grep -c "\"name\":")"
     done

@@ -51,8 +51,8 @@ while (($#)); do
     shift
 done
 
-cargo build --quiet --release --package tilesat-precision
-bench=$target/release/tilesat-precision
+cargo build --quiet --profile timed --package tilesat-precision --features peers
+bench=$target/timed/tilesat-precision
 
 if [[ -n $soak ]]; then
     exec "$bench" soak "$soak" --state "$work/soak.txt" --out "$out"
@@ -73,7 +73,7 @@ cores=(m0:thumbv6m-none-eabi m4f:thumbv7em-none-eabihf)
 count_on() {
     local board=$1
     [[ $1 == thumbv6m-* && $2 =~ ^(moves|broad)$ ]] && board=thumbv7m-none-eabi
-    cargo build --quiet --release --package tilesat-precision-counts --bin "$2" --target "$1"
+    cargo build --quiet --release --package tilesat-precision-counts --features chip --bin "$2" --target "$1"
     QEMU_SECONDS=1200 "$root/.ci/qemu.sh" "$board" "$target/$1/release/$2"
 }
 
@@ -117,7 +117,7 @@ flash() {
 # The machine and the versions of what was used, for the page.
 machine() {
     local version
-    version() { awk -v name="\"$1\"" '$1 == "name" && $3 == name { getline; gsub(/"/, "", $3); print $3; exit }' Cargo.lock; }
+    version() { awk -v name="\"$1\"" '$1 == "name" && $3 == name { getline; gsub(/"/, "", $3); print $3; exit }' "$root/Cargo.lock"; }
     echo "| | |"
     echo "|---|---|"
     echo "| machine | $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores |"

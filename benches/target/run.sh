@@ -6,6 +6,7 @@
 #   run.sh --accept        print, make these the reviewed tables, and write them into the README and the guide to broad phases
 #   run.sh --readme        only write the reviewed tables into the README and the guide
 #   run.sh --symbols BIN   what the flash program BIN links (src/bin), with sizes, on both cores
+#   run.sh --short         all tables, but of the Cortex-M0 alone: print and compare
 #   run.sh --core CORE     only queries, motion and scenes, and only on this core (M0, M3, M4F, M33, RV32): print and compare
 #   run.sh --flash-only    no emulator: flash, RAM and bounds alone
 #   run.sh --no-panic      only the proof that nothing panics: exit 1 where a program of everything links a panic or a 64-bit division
@@ -19,7 +20,7 @@ mkdir -p "$out"
 out=$(cd "$out" && pwd)
 export CARGO_TARGET_DIR=$out RUSTC_WRAPPER=$here/../../.ci/rustc.sh
 
-accept=0 symbols='' only_core='' counts=1 measure=1 bodies=0 proof=0
+accept=0 symbols='' only_core='' counts=1 measure=1 bodies=0 proof=0 short=0
 while (($#)); do
     case $1 in
     --accept) accept=1 ;;
@@ -27,6 +28,7 @@ while (($#)); do
     --readme) measure=0 ;;
     --bodies) bodies=1 ;;
     --no-panic) proof=1 ;;
+    --short) short=1 ;;
     --core)
         only_core=${2:?--core needs the name of a core}
         shift
@@ -36,7 +38,7 @@ while (($#)); do
         shift
         ;;
     *)
-        sed -n '2,13s/^# \{0,1\}//p' "$here/run.sh" >&2
+        sed -n '2,14s/^# \{0,1\}//p' "$here/run.sh" >&2
         exit 2
         ;;
     esac
@@ -68,6 +70,14 @@ fi
 # Those of the flash table; all rows of queries, motion and scenes are counted on more, crowds on these.
 cores=(M0:thumbv6m-none-eabi M3:thumbv7m-none-eabi)
 counted=("${cores[@]}" M4F:thumbv7em-none-eabihf M33:thumbv8m.main-none-eabihf RV32:riscv32imc-unknown-none-elf)
+# At both ends of what multiplies: nothing of 64 bits, and all of it.
+proved=(thumbv6m-none-eabi riscv32imc-unknown-none-elf)
+# Columns that could not be measured, or were not to be.
+absent=()
+if ((short)); then
+    absent=(M3 M4F M33 RV32)
+    cores=("${cores[0]}") counted=("${cores[0]}") proved=("${proved[0]}")
+fi
 llvm=$(rustc --print target-libdir)/../bin
 
 # program : name in the table : budget in bytes of flash on the M0, the 46 bytes of the quoted empty program included
@@ -157,10 +167,10 @@ callers() {
 }
 # prove PROFILE...
 prove() {
-    local profile target source bin found bad=0 targets=(thumbv6m-none-eabi riscv32imc-unknown-none-elf)
+    local profile target source bin found bad=0
     for profile in "$@"; do
-        build_proof "$profile" "${targets[@]/#/--target=}"
-        for target in "${targets[@]}"; do
+        build_proof "$profile" "${proved[@]/#/--target=}"
+        for target in "${proved[@]}"; do
             for source in flash/src/bin/everything_*.rs; do
                 bin=$(basename "$source" .rs)
                 found=$("$llvm/llvm-nm" --demangle --format=just-symbols "$out/$target/$profile/$bin" | grep -E "$refused" | sort -u | paste -sd ' ' || true)
@@ -191,7 +201,7 @@ build_counts() {
     read -ra targets <<<"$1"
     shift
     echo "building the counting firmwares $* for ${targets[*]}" >&2
-    cargo build --quiet --release --package tilesat-counts "${targets[@]/#/--target=}" "${@/#/--bin=}"
+    cargo build --quiet --release --package tilesat-counts --features chip "${targets[@]/#/--target=}" "${@/#/--bin=}"
 }
 # Crowds do not fit the micro:bit: code for either core runs on the board of the M3.
 run_crowds() { run_on "$1" crowds thumbv7m-none-eabi; }
@@ -203,8 +213,6 @@ if ((bodies)); then
     exit 0
 fi
 
-# Columns that could not be measured, or were not to be.
-absent=()
 if [[ -n $only_core ]]; then
     for core in "${counted[@]}"; do
         [[ $core == "$only_core":* ]] && chosen=("$core") || absent+=("${core%:*}")
@@ -217,7 +225,7 @@ fi
 model=''
 find_plugin() {
     local told
-    cargo build --quiet --release --manifest-path plugin/Cargo.toml
+    cargo build --quiet --release --package tilesat-cycles
     model="-plugin $out/release/libtilesat_cycles.so -d plugin"
     told=$(QEMU_OPTIONS=$model run_on thumbv6m-none-eabi pairs 2>&1 | grep -c '^instructions [0-9]* cycles [0-9]*$') || true
     if ((!told)); then

@@ -3,10 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-use crate::game::{Game, Kind, Near};
 use crate::rooms::{Rooms, solid};
 use tilesat::broad::{BroadPhase, Handle, Pair, PairEvent};
 use tilesat::{Aabb, Vec2};
+use tilesat_games::bullets::{Game, Kind, Near};
 
 /// Every body there is, by its slot.
 pub fn everybody(near: &Near) -> Vec<Handle> {

@@ -1,6 +1,6 @@
 //! Bullets everywhere: `cargo run --release --example bullets [-- FILE.png]`.
 //!
-//! 32 enemies fill two galleries and an arena with up to 256 bullets; the player goes its rounds among them, shoots, is hit, is repaired in its zone. The folder `game` is
+//! 32 enemies fill two galleries and an arena with up to 256 bullets; the player goes its rounds among them, shoots, is hit, is repaired in its zone. `tilesat_games::bullets` is
 //! the game, and runs unchanged on a microcontroller (`examples/bullets_firmware.rs`), to the same hash. `check.rs` finds all pairs, all events and all walls
 //! once more in its own way, in every frame. The picture, `target/bullets.png`, is the last frame, with the ways of half a second.
 #![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
@@ -12,29 +12,20 @@
 )]
 
 mod check;
-mod game;
 mod others;
-#[allow(dead_code, reason = "its canvas is used here")]
-#[path = "../platformer/main.rs"]
-mod platformer;
 mod rooms;
-#[allow(dead_code, reason = "shared by the small games")]
-#[path = "../sketch/mod.rs"]
-mod sketch;
-#[path = "../sheet/solid.rs"]
-mod solid;
 
 use std::collections::BTreeMap;
 use std::process::ExitCode;
 
 use check::{Judge, everybody};
-use game::{FRAMES, Game, Kind, Near, SIZE, SPONGE};
 use others::Others;
-use platformer::fail::{Fail, Result};
-use platformer::picture::ink::{BOUNCE, COIN, CROSS, Ink, KILL, PLANK, PLAYER, SLIDE, TOUCH, WATER};
-use sketch::Sketch;
 use tilesat::Vec2;
 use tilesat::broad::{BroadPhase, Handle};
+use tilesat_games::bullets::{self, FRAMES, Game, Kind, Near, SIZE, SPONGE};
+use tilesat_tools::fail::{Fail, Result};
+use tilesat_tools::picture::ink::{BOUNCE, COIN, CROSS, Ink, KILL, PLANK, PLAYER, SLIDE, TOUCH, WATER};
+use tilesat_tools::picture::sketch::{self, Sketch};
 
 /// Frames whose ways are drawn.
 const TRAIL: u32 = 14;
@@ -44,7 +35,7 @@ fn main() -> ExitCode {
 }
 
 fn play() -> Result<()> {
-    let level = game::level().map_err(|e| Fail::new(e.to_string()))?;
+    let level = bullets::level().map_err(|e| Fail::new(e.to_string()))?;
     let mut game = Game::new(Near::new());
     game.start();
     let mut others = Others::new()?;
@@ -78,7 +69,7 @@ fn play() -> Result<()> {
     println!("{game}");
 
     let mut sketch = Sketch::new(&level, (16 * i32::from(SIZE.0), 16 * i32::from(SIZE.1)), 2);
-    for tile in game::bounds().iter().flat_map(|all| level.tiles_in(all)).filter(|tile| tile.kind.flag(SPONGE)) {
+    for tile in bullets::bounds().iter().flat_map(|all| level.tiles_in(all)).filter(|tile| tile.kind.flag(SPONGE)) {
         let corner = Vec2::from_ints(16 * tile.cell.x, 16 * tile.cell.y);
         sketch.scene.rect(sketch.spot(corner), (32.0, 32.0), PLANK.alpha(0.5));
     }

@@ -1,9 +1,9 @@
 //! The same game on every other broad phase.
 
-use crate::game::{BODIES, Game, Level};
-use crate::platformer::fail::{Fail, Result};
 use tilesat::broad::{BroadPhase, BruteForce, LooseGrid, SpatialHash};
 use tilesat::{Filter, Fx, Vec2};
+use tilesat_games::bullets::{BODIES, Game, Level};
+use tilesat_tools::fail::{Fail, Result};
 
 /// 16 x 8 cells of 64 units.
 type Grid = LooseGrid<4, BODIES, Filter>;

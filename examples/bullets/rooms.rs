@@ -1,6 +1,6 @@
 //! Where the solid is, from the level's letters and the shapes' definitions, and which places are one room.
 
-use crate::game::{ROWS, SIZE};
+use tilesat_games::bullets::{ROWS, SIZE};
 
 /// Whether a place is in the solid; `u` and `v` are where it is in its cell, from its top left corner.
 pub fn solid(x: f64, y: f64) -> bool {

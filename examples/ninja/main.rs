@@ -1,7 +1,7 @@
 //! A round ninja runs up slopes and quarter pipes, slides down walls and jumps from them: `cargo run --release --example ninja [-- FILE.png]`.
 //!
-//! `ninja.rs` is the game: one circle, a few numbers, and `Mover::move_and_slide`. `level.rs` is the level, `script.rs` what the player
-//! presses. The rest draws the way to `target/ninja.png`.
+//! `tilesat_games::ninja` is the game: one circle, a few numbers, and `Mover::move_and_slide`; its level, and what the player presses.
+//! The rest draws the way to `target/ninja.png`.
 #![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
 #![allow(
     clippy::std_instead_of_core,
@@ -10,27 +10,13 @@
     reason = "drawing, on a desktop"
 )]
 
-#[allow(dead_code, reason = "its canvas is used here")]
-#[path = "../platformer/main.rs"]
-mod platformer;
-#[path = "../sketch/mod.rs"]
-#[allow(dead_code, reason = "shared by the small games")]
-mod sketch;
-#[path = "../sheet/solid.rs"]
-mod solid;
-
-mod level;
-mod ninja;
-mod script;
-
 use std::process::ExitCode;
 
-use ninja::{Ninja, State};
-use platformer::fail::{Fail, Result};
-use platformer::picture::ink::{BOUNCE, COIN, CROSS, Ink, PLAYER, SLIDE, TOUCH};
-use script::Script;
-use sketch::Sketch;
 use tilesat::World;
+use tilesat_games::ninja::{Ninja, Script, State, level};
+use tilesat_tools::fail::{Fail, Result};
+use tilesat_tools::picture::ink::{BOUNCE, COIN, CROSS, Ink, PLAYER, SLIDE, TOUCH};
+use tilesat_tools::picture::sketch::{self, Sketch};
 
 /// A minute is enough for every script.
 const FRAMES: u32 = 3600;

@@ -1,7 +1,7 @@
 //! Balls on a pinball table: bumpers, slingshots, a kicker: `cargo run --release --example pinball [-- FILE.png]`.
 //!
-//! `table.rs` is the level: tiles, and polygons joined to them. `ball.rs` is the game: gravity, a bounce on a surface that loses a little, and
-//! what the bumpers add. The picture shows the ways of five balls in twenty seconds: `target/pinball.png`.
+//! `tilesat_games::pinball` is the game. Its table is tiles, and polygons joined to them; its balls fall, bounce on a surface that loses a little,
+//! and are pushed by the bumpers. The picture shows the ways of five balls in twenty seconds: `target/pinball.png`.
 #![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
 #![allow(
     clippy::std_instead_of_core,
@@ -10,25 +10,13 @@
     reason = "drawing, on a desktop"
 )]
 
-#[allow(dead_code, reason = "its canvas is used here")]
-#[path = "../platformer/main.rs"]
-mod platformer;
-#[allow(dead_code, reason = "shared by the small games")]
-#[path = "../sketch/mod.rs"]
-mod sketch;
-#[path = "../sheet/solid.rs"]
-mod solid;
-
-mod ball;
-mod table;
-
 use std::process::ExitCode;
 
-use ball::{Ball, RADIUS};
-use platformer::fail::{Fail, Result};
-use platformer::picture::ink::{BOUNCE, COIN, CROSS, Ink, SLIDE, TOUCH};
-use sketch::Sketch;
 use tilesat::{Joined, MoveError, Vec2, World};
+use tilesat_games::pinball::{Ball, RADIUS, table};
+use tilesat_tools::fail::{Fail, Result};
+use tilesat_tools::picture::ink::{BOUNCE, COIN, CROSS, Ink, SLIDE, TOUCH};
+use tilesat_tools::picture::sketch::{self, Sketch};
 
 const FRAMES: u32 = 1200;
 /// Of as many balls.

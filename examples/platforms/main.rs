@@ -1,7 +1,7 @@
 //! A character among moving platforms: `cargo run --release --example platforms [-- FILE.png]`.
 //!
 //! It walks over steps and slopes, is conveyed over a pit, waits for a crusher, takes a lift, jumps through a one-way lift, rides up and drops
-//! through the ledge there. `game.rs` is the game; this is the level, the script and the picture, `target/platforms.png`.
+//! through the ledge there. `tilesat_games::platforms` is the game, its level and the script; this draws the picture, `target/platforms.png`.
 #![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
 #![allow(
     clippy::std_instead_of_core,
@@ -11,77 +11,13 @@
     reason = "drawing, on a desktop"
 )]
 
-mod game;
-#[allow(dead_code, reason = "its canvas is used here")]
-#[path = "../platformer/main.rs"]
-mod platformer;
-#[allow(dead_code, reason = "shared by the small games")]
-#[path = "../sketch/mod.rs"]
-mod sketch;
-#[path = "../sheet/solid.rs"]
-mod solid;
-
 use std::process::ExitCode;
 
-use game::{CRUSHER, Game, Keys, LIFT, MACHINES, SHELF};
-use platformer::fail::{Fail, Result};
-use platformer::picture::ink::{BOUNCE, COIN, CROSS, EDGE, PLANK, SLIDE};
-use sketch::Sketch;
-use tilesat::{Ride, TileKind, TileKinds, TileMap, TileShape, Vec2, World};
-
-const ROWS: &str = "\
-##################################################
-#................................................#
-#...........................================.....#
-#................................................#
-#................................................#
-#................................................#
-#....................................../#_.......#
-#.......................##########...#############
-#.......................##########...#############
-#....................................#############
-#....................................#############
-#....................................#############
-#...._##\\..abcd......................#############
-#################......###########...#############
-#################......###########################
-##################################################
-";
-static KINDS: TileKinds = TileKinds::EMPTY
-    .with(b'#', TileKind::FULL)
-    .with(b'=', TileKind::ONE_WAY_UP)
-    .with(b'_', TileKind::of(TileShape::HalfBottom))
-    .with(b'/', TileKind::of(TileShape::SlopeBottomRight))
-    .with(b'\\', TileKind::of(TileShape::SlopeBottomLeft))
-    .with(b'a', TileKind::of(TileShape::MildLowBottomRight))
-    .with(b'b', TileKind::of(TileShape::MildHighBottomRight))
-    .with(b'c', TileKind::of(TileShape::MildHighBottomLeft))
-    .with(b'd', TileKind::of(TileShape::MildLowBottomLeft));
-
-const NONE: Keys = Keys { run: 0, jump: false, drop: false };
-const RIGHT: Keys = Keys { run: 1, ..NONE };
-const LEFT: Keys = Keys { run: -1, ..NONE };
-
-/// Keys, and until when they are held.
-type Stretch = (Keys, fn(&Game) -> bool);
-const SCRIPT: [Stretch; 16] = [
-    (RIGHT, |game| game.at().x > 280),
-    (NONE, |game| game.at().x > 370), // the belt takes it there
-    (RIGHT, |game| game.at().x > 436),
-    (NONE, |game| game.is_back(CRUSHER)),
-    (RIGHT, |game| game.at().x > 530),
-    (NONE, |game| game.is_back(LIFT)),
-    (RIGHT, |game| game.at().x > 568),
-    (NONE, |game| game.at().y < 106),
-    (RIGHT, |game| game.at().x > 728),
-    (NONE, |game| game.is_back(SHELF)),
-    (Keys { jump: true, ..NONE }, |game| game.at().y < 88), // through it from below
-    (NONE, |game| game.floor.is_some()),
-    (NONE, |game| game.at().y < 26),
-    (LEFT, |game| game.at().x < 520),
-    (Keys { drop: true, ..NONE }, |game| game.floor.is_none()),
-    (LEFT, |game| game.at().x < 420),
-];
+use tilesat::{Ride, Vec2, World};
+use tilesat_games::platforms::{Game, MACHINES, SCRIPT, level};
+use tilesat_tools::fail::{Fail, Result};
+use tilesat_tools::picture::ink::{BOUNCE, COIN, CROSS, EDGE, PLANK, SLIDE};
+use tilesat_tools::picture::sketch::{self, Sketch};
 
 /// A minute is enough.
 const FRAMES: u32 = 3600;
@@ -91,9 +27,9 @@ fn main() -> ExitCode {
 }
 
 fn play() -> Result<()> {
-    let level = TileMap::of_ascii(ROWS, &KINDS).map_err(|e| Fail::new(e.to_string()))?;
-    let mut game = Game::new(level, (40, 208)).map_err(|e| Fail::new(e.to_string()))?;
-    let mut sketch = Sketch::new(&game.level, (50 * 16, 16 * 16), 2);
+    let map = level::map().map_err(|e| Fail::new(e.to_string()))?;
+    let mut game = Game::new(map, level::START).map_err(|e| Fail::new(e.to_string()))?;
+    let mut sketch = Sketch::new(&game.level, level::SIZE, 2);
     for machine in &MACHINES {
         for (y, ink) in [(machine.way, EDGE.alpha(0.25)), (0, PLANK.alpha(0.8))] {
             let [x0, y0, x1, y1] = machine.at;

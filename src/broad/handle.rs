@@ -1,6 +1,10 @@
-//! Names of bodies in a broad phase.
+//! What a broad phase keeps of a body beside its box, its name and a tag (nothing, a filter, a key); and what it refuses.
 
+use crate::error::{RangeError, Truncated};
+use crate::filter::{Filter, LayerMask};
+use crate::num::Fx;
 use core::cmp::Ordering;
+use core::fmt;
 
 /// The name of one body in one broad phase: a slot, and which of its tenants is meant.
 ///
@@ -137,35 +141,230 @@ impl PartialOrd for Pair {
     }
 }
 
-#[cfg(test)]
-#[allow(clippy::indexing_slicing, reason = "a test may panic")]
-mod tests {
-    use super::*;
+/// What a body carries in a broad phase: whom it pairs with, and where it stands in canonical order.
+///
+/// Asked only about two whose boxes touch. `()` pairs with all and costs nothing, [`Filter`](crate::Filter) has layers, [`Keyed`] adds a key; a rule of a game's own is a
+/// type of its own:
+///
+/// ```
+/// use tilesat::broad::Tag;
+/// #[derive(Clone, Copy)]
+/// struct Team(u8);
+/// impl Tag for Team {
+///     const BLANK: Self = Self(0);
+///     fn pairs_with(&self, other: &Self) -> bool {
+///         self.0 != other.0
+///     }
+/// }
+/// assert!(Team(1).pairs_with(&Team(2)) && !Team(1).pairs_with(&Team(1)));
+/// ```
+pub trait Tag: Copy {
+    /// What slots hold that nobody has.
+    const BLANK: Self;
 
-    #[test]
-    fn a_pair_knows_its_two() {
-        let [a, b] = [Handle::new(3, 5), Handle::new(5, 3)];
-        let pair = Pair { a, b };
-        assert_eq!([a, b].map(|body| pair.other(body)), [Some(b), Some(a)]);
-        assert!(pair.has(a) && pair.has(b));
-        for stranger in [Handle::new(3, 3), Handle::new(5, 5), Handle::new(3, 7), Handle::new(4, 5)] {
-            assert!(!pair.has(stranger) && pair.other(stranger).is_none());
-        }
+    /// Whether two bodies may pair; must be symmetric.
+    #[inline]
+    #[must_use]
+    fn pairs_with(&self, other: &Self) -> bool {
+        let _ = other;
+        true
     }
 
-    #[test]
-    fn words_are_in_the_order_of_the_parts() {
-        let ends = [0, 1, 0x7fff, 0x8000, 0xffff];
-        let handle = |i: usize| Handle::new(usize::from(ends[i / 5 % 5]), ends[i % 5]);
-        let parts = |h: &Handle| (h.slot(), h.generation());
-        let pairs: [Pair; 625] = core::array::from_fn(|i| Pair { a: handle(i / 25), b: handle(i) });
-        let both = |pair: &Pair| (parts(&pair.a), parts(&pair.b));
-        for x in &pairs {
-            assert_eq!(x.a.cmp(&x.b), parts(&x.a).cmp(&parts(&x.b)));
-            for y in &pairs {
-                assert_eq!(x.cmp(y), both(x).cmp(&both(y)));
-                assert_eq!(x.partial_cmp(y), Some(x.cmp(y)));
+    /// The body's place in canonical order, which does not depend on the order of insertion; unique where that matters.
+    #[inline]
+    #[must_use]
+    fn key(&self) -> u32 {
+        0
+    }
+}
+
+impl Tag for () {
+    const BLANK: Self = ();
+}
+
+impl Tag for Filter {
+    const BLANK: Self = Self::new(LayerMask::NONE, LayerMask::NONE);
+
+    #[inline]
+    fn pairs_with(&self, other: &Self) -> bool {
+        self.lets_pair(*other)
+    }
+}
+
+/// A tag with a key given by the caller: pairs sorted by it are the same in whichever order bodies were inserted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Keyed<T = ()> {
+    /// Unique among the bodies.
+    pub key: u32,
+    /// Whom it pairs with.
+    pub tag: T,
+}
+
+impl<T: Tag> Tag for Keyed<T> {
+    const BLANK: Self = Self { key: 0, tag: T::BLANK };
+
+    #[inline]
+    fn pairs_with(&self, other: &Self) -> bool {
+        self.tag.pairs_with(&other.tag)
+    }
+
+    #[inline]
+    fn key(&self) -> u32 {
+        self.key
+    }
+}
+
+/// Why a body was not taken, moved or found; the broad phase is as it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum BroadError {
+    /// All slots are taken.
+    Full {
+        /// How many there are.
+        capacity: u16,
+    },
+    /// The handle's body was removed.
+    ///
+    /// Of another broad phase a handle is told only where its slot has no body here, or one of another generation: there may be a body of the
+    /// same name, and which of the two is meant cannot be told.
+    Stale(Handle),
+    /// The box is wider or higher than a cell of the grid, in raw units.
+    TooLarge {
+        /// The longer side.
+        size: i32,
+        /// The longest that fits.
+        limit: i32,
+    },
+    /// The box's centre is outside of the grid, which refuses such bodies; in raw units.
+    OutOfWorld {
+        /// The centre.
+        x: i32,
+        /// The centre.
+        y: i32,
+    },
+}
+
+impl fmt::Display for BroadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Full { capacity } => write!(f, "all {capacity} slots are taken"),
+            Self::Stale(handle) => {
+                write!(f, "no body with slot {} and generation {}", handle.slot(), handle.generation())
+            }
+            Self::TooLarge { size, limit } => {
+                write!(f, "a side of {} is longer than {}", Fx::from_bits(size), Fx::from_bits(limit))
+            }
+            Self::OutOfWorld { x, y } => {
+                write!(f, "a centre at ({}, {}) is outside of the grid", Fx::from_bits(x), Fx::from_bits(y))
             }
         }
     }
 }
+
+impl core::error::Error for BroadError {}
+
+/// Why an enumeration of pairs stopped before its end; nothing is lost.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum PairsError {
+    /// The budget of tests is spent: the next call goes on from here.
+    BudgetExceeded,
+    /// There is no more room for pairs: take them out, and the next call goes on from here.
+    Full,
+    /// A body was inserted or moved since the enumeration began: the cursor is at the start again.
+    Changed,
+}
+
+impl fmt::Display for PairsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::BudgetExceeded => "the budget of tests is spent before all pairs were found",
+            Self::Full => "there is no more room for pairs",
+            Self::Changed => "bodies were inserted or moved during the enumeration",
+        })
+    }
+}
+
+impl core::error::Error for PairsError {}
+
+/// Why a query has no answer, or not the whole one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum QueryError {
+    /// It was not asked: an argument is out of range. The buffer is empty.
+    Range(RangeError),
+    /// The buffer is full of what comes first; the rest did not fit.
+    Truncated(Truncated),
+}
+
+impl From<RangeError> for QueryError {
+    fn from(error: RangeError) -> Self {
+        Self::Range(error)
+    }
+}
+
+impl From<Truncated> for QueryError {
+    fn from(error: Truncated) -> Self {
+        Self::Truncated(error)
+    }
+}
+
+impl fmt::Display for QueryError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Range(error) => error.fmt(f),
+            Self::Truncated(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for QueryError {}
+
+/// Why there is no such grid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum GridError {
+    /// The side of a cell is not a power of two of raw units, from 2 to 2^28.
+    Cell {
+        /// The side, in raw units.
+        side: i32,
+    },
+    /// The number of columns is not a power of two of at least 4 that divides the number of cells.
+    Columns {
+        /// The columns asked for.
+        columns: u16,
+        /// The cells that there are.
+        cells: u16,
+    },
+    /// The origin is outside of the domain.
+    Origin(RangeError),
+}
+
+impl fmt::Display for GridError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Cell { side } => {
+                // The powers of two on both sides of it, from 2 raw to 2^28.
+                let log = side.checked_ilog2().unwrap_or(1).clamp(1, 27);
+                let (below, above) = (Fx::from_bits(1 << log), Fx::from_bits(2 << log));
+                write!(f, "a cell of {} is no power of two: {below} or {above} would do", Fx::from_bits(side))
+            }
+            Self::Columns { columns, cells } => {
+                let most = 1u32 << cells.trailing_zeros();
+                write!(f, "{columns} columns do not fit {} blocks: a power of two from 4 to {most} would", cells >> 5)?;
+                match columns >> 5 {
+                    blocks if blocks > 1 && columns.is_power_of_two() => {
+                        write!(f, ", or a multiple of {blocks} blocks")
+                    }
+                    _ => Ok(()),
+                }
+            }
+            Self::Origin(error) => write!(f, "the origin: {error}"),
+        }
+    }
+}
+
+impl core::error::Error for GridError {}

@@ -26,25 +26,21 @@
 #![doc = include_str!("guide.md")]
 
 mod ask;
-mod brute;
 mod cells;
-mod cursor;
-mod error;
 mod events;
 mod handle;
+mod order;
 mod phase;
-mod spatial;
-mod sweep;
+mod plain;
 mod table;
-mod tag;
+#[cfg(test)]
+mod tests;
 
-pub use ask::{BroadHit, Nearest, QueryError};
-pub use brute::BruteForce;
-pub use cells::{Border, GridError, LooseGrid, SpatialHash};
-pub use cursor::PairCursor;
-pub use error::{BroadError, PairsError};
+pub use ask::{BroadHit, Nearest};
+pub use cells::{Border, LooseGrid, SpatialHash};
 pub use events::{Exceptions, Ignore, PairEvent, PairEvents};
-pub use handle::{Handle, Pair};
+pub use handle::{BroadError, GridError, PairsError, QueryError};
+pub use handle::{Handle, Keyed, Pair, Tag};
 pub use phase::BroadPhase;
-pub use sweep::SortSweep;
-pub use tag::{Keyed, Tag};
+pub use plain::{BruteForce, SortSweep};
+pub use table::PairCursor;

@@ -1,8 +1,8 @@
 //! What all broad phases have in common.
 
-use super::ask::{cast, movers, nearest, sorted};
-use super::cursor::{Budget, Unlimited};
-use super::spatial::Spatial;
+use super::ask::{along, cast, nearest, neighbours, pairs_of, sorted_pairs, sorted_region};
+use super::table::Spatial;
+use super::table::{Budget, Unlimited};
 use super::{BroadError, BroadHit, Handle, Nearest, Pair, PairCursor, PairsError, QueryError};
 use crate::error::{RangeError, Truncated};
 use crate::num::{Fx, Raw, Toi, Vec2};
@@ -196,7 +196,7 @@ pub trait BroadPhase: Spatial {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     fn pairs_sorted(&mut self, out: &mut VecView<Pair>) -> Result<(), Truncated> {
-        sorted::pairs(self, out)
+        sorted_pairs(self, out)
     }
 
     /// Every pair with at least one of the `movers`, once, in no particular order: for games where few of many bodies move, as two that rest need not be
@@ -225,7 +225,7 @@ pub trait BroadPhase: Spatial {
     /// ```
     #[inline]
     fn pairs_of(&mut self, movers: &[Handle], each: impl FnMut(Pair)) -> Result<(), BroadError> {
-        movers::pairs_of(self, movers, each)
+        pairs_of(self, movers, each)
     }
 
     /// Every body whose box touches a region, once, in no particular order. The box of a body's own is one of them.
@@ -251,7 +251,7 @@ pub trait BroadPhase: Spatial {
     /// # Errors
     /// [`Truncated`] where they do not fit: `out` then holds the first ones.
     fn collect_region(&self, region: &Aabb, out: &mut VecView<Handle>) -> Result<(), Truncated> {
-        sorted::region(self, region, out)
+        sorted_region(self, region, out)
     }
 
     /// Of the `wanted` bodies the one whose box is nearest to a point and at most `within` away; of equally near ones the one with the smaller key, then slot.
@@ -284,7 +284,7 @@ pub trait BroadPhase: Spatial {
         within: Fx,
         wanted: impl FnMut(Handle, &Self::Tag) -> bool,
     ) -> Result<Option<Nearest>, RangeError> {
-        nearest::nearest(self, point, within, wanted)
+        nearest(self, point, within, wanted)
     }
 
     /// All `wanted` bodies whose boxes are at most `within` away from a point, the nearest first, in the order of [`nearest`](Self::nearest) and in place of what is in `out`.
@@ -300,7 +300,7 @@ pub trait BroadPhase: Spatial {
         wanted: impl FnMut(Handle, &Self::Tag) -> bool,
         out: &mut VecView<Nearest>,
     ) -> Result<(), QueryError> {
-        nearest::neighbours(self, point, within, wanted, out)
+        neighbours(self, point, within, wanted, out)
     }
 
     /// Every body whose box is touched by a box on its way along `motion`, once, in no particular order, with the [time](BroadHit::toi) of the first touch.
@@ -344,7 +344,7 @@ pub trait BroadPhase: Spatial {
         motion: Vec2,
         each: impl FnMut(Handle, &Self::Tag, Toi) -> Toi,
     ) -> Result<(), RangeError> {
-        cast::along(self, start, motion, each)
+        along(self, start, motion, each)
     }
 
     /// All `wanted` bodies whose boxes a ray from `origin` along `motion` touches, the earliest first; of those at one time (in parts of 2^30) the one with the
@@ -374,7 +374,7 @@ pub trait BroadPhase: Spatial {
         out: &mut VecView<BroadHit>,
     ) -> Result<(), QueryError> {
         out.clear();
-        cast::cast(self, &Aabb::new(origin, origin)?, motion, wanted, out)
+        cast(self, &Aabb::new(origin, origin)?, motion, wanted, out)
     }
 
     /// The same for a box that moves, in place of what is in `out`: what a body could run into.
@@ -404,7 +404,7 @@ pub trait BroadPhase: Spatial {
         wanted: impl FnMut(Handle, &Self::Tag) -> bool,
         out: &mut VecView<BroadHit>,
     ) -> Result<(), QueryError> {
-        cast::cast(self, start, motion, wanted, out)
+        cast(self, start, motion, wanted, out)
     }
 }
 

@@ -1,8 +1,8 @@
 //! Bodies cast through a level: the first hit of a motion, without a response.
 
-use super::around::Around;
 use super::body::Body;
 use super::run::{Run, check_inside};
+use super::search::Around;
 use super::{Hit, Moved, Work};
 use crate::error::RangeError;
 use crate::num::{MOTION, Raw, Toi, Vec2, check_motion, mul_div};

@@ -85,31 +85,22 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod around;
 mod blocks;
 mod body;
 mod cast;
-mod cusp;
-mod facing;
-mod hits;
 mod inside;
 mod moved;
 mod mover;
 mod order;
-mod pinch;
-mod pipe;
 mod plane;
 pub mod response;
-mod rest;
 mod run;
 mod search;
 mod solids;
-mod sweep_arc;
 mod sweep_box;
 mod sweep_circle;
-mod sweep_corner;
+mod sweep_round;
 mod sweep_slope;
-mod sweep_vertex;
 #[cfg(all(test, not(target_os = "none")))]
 mod tests;
 mod touch;
@@ -117,9 +108,9 @@ mod walk;
 
 pub use body::Body;
 pub use cast::BodyHit;
-pub use hits::{Hit, Hits};
+
 pub use inside::{StartInside, escape};
-pub use moved::{MoveError, Moved, Stuck, Work};
+pub use moved::{Hit, Hits, MoveError, Moved, Stuck, Work};
 pub use mover::{Mover, Response};
 pub use response::{Acceleration, Carry, Energy, Masses, Smooth, Speed, Surface};
 pub use solids::{Ridden, Ride};

@@ -1,12 +1,12 @@
 //! The movement loop: sweep, verify, commit, respond.
 
-use super::around::Around;
 use super::body::{Body, Entry};
-use super::facing::{Side, SlopeLimit};
 use super::order::First;
 use super::plane::may_be_askew;
+use super::plane::{Side, SlopeLimit};
 use super::response::{Bounce, Law, Smooth, Surface};
 use super::run::{Run, check_inside, is_free};
+use super::search::Around;
 use super::search::{Search, piece_of, pieces};
 use super::{Hit, Hits, MoveError, Moved, StartInside, Stuck, Work};
 use crate::num::{Axis, MOTION, Raw, Toi, Vec2, check_motion, mul_div};

@@ -1,13 +1,104 @@
-//! The search for the first hit of a motion: which parts of the level it asks, and in which order.
+//! The search for the first hit of a motion: what is known of the level around it, which parts it asks, and in which order.
 
-use super::around::{Around, Held, hull};
-use super::body::Body;
+use super::body::{Body, Entry};
 use super::order::First;
 use super::plane::{into, way};
 use super::run::margin;
-use crate::num::{Raw, leading_zeros32, umul};
+use crate::num::{Axis, Raw, leading_zeros32, umul};
 use crate::shape::Aabb;
-use crate::world::{Geometry, Way, World};
+use crate::world::{Cells, Geometry, Way, World};
+
+/// A region that was looked at, and a box in it outside of which nothing of the level is.
+///
+/// A body whose inside stays in the region and out of the box meets nothing and overlaps nothing: most starts, ends and slides need no
+/// more than these comparisons. Bodies without area have no inside: theirs are [grown](hull) by a raw unit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Around {
+    seen: Aabb,
+    held: Option<Aabb>,
+    /// The cells in that box, if the level tells.
+    cells: Option<Cells>,
+}
+
+/// What a region may hold.
+pub(super) struct Held {
+    pub(super) bounds: Aabb,
+    /// The cells that the inside of the bounds meets, where they are known.
+    pub(super) cells: Option<Cells>,
+}
+
+impl Around {
+    /// Nothing is known: no box is inside of this one.
+    pub(super) const NOTHING: Self =
+        Self { seen: Aabb::from_raw_unchecked(Raw { x: 1, y: 1 }, Raw { x: 0, y: 0 }), held: None, cells: None };
+
+    /// Looks at a region, unless it is known already.
+    pub(super) fn look<W: World>(&mut self, world: &W, region: &Aabb) {
+        if !self.has_seen(region) {
+            (self.held, self.cells) = world.occupied_cells(region);
+            self.seen = *region;
+        }
+    }
+
+    /// What a known region may hold.
+    pub(super) fn held_of(&self, region: &Aabb) -> Option<Held> {
+        if *region == self.seen {
+            self.held_of_all()
+        } else {
+            Some(Held { bounds: self.held_in(region)?, cells: None })
+        }
+    }
+
+    /// What all of the known region may hold. Where its cells are known, they alone count.
+    pub(super) fn held_of_all(&self) -> Option<Held> {
+        let bounds = if self.cells.is_some() { self.held? } else { self.held_in(&self.seen)? };
+        Some(Held { bounds, cells: self.cells })
+    }
+
+    /// The cells in all of the known region, where they are known and there are any.
+    pub(super) fn known_cells(&self) -> Option<Cells> {
+        if self.held.is_some() { self.cells } else { None }
+    }
+
+    /// The part of a known region that may hold something.
+    fn held_in(&self, region: &Aabb) -> Option<Aabb> {
+        let (held, a, b) = (self.held?, region.lo(), region.hi());
+        let lo = Raw { x: a.x.max(held.lo().x), y: a.y.max(held.lo().y) };
+        let hi = Raw { x: b.x.min(held.hi().x), y: b.y.min(held.hi().y) };
+        (lo.x < hi.x && lo.y < hi.y).then_some(Aabb::from_raw_unchecked(lo, hi))
+    }
+
+    /// Whether all of the region that was looked at holds nothing.
+    pub(super) fn is_empty(&self) -> bool {
+        self.held.is_none()
+    }
+
+    /// Whether a region is known to hold nothing.
+    pub(super) fn is_free(&self, region: &Aabb) -> bool {
+        self.has_seen(region) && self.is_free_in_sight(region)
+    }
+
+    /// The same of a region that is known.
+    pub(super) fn is_free_in_sight(&self, region: &Aabb) -> bool {
+        self.held.is_none_or(|held| {
+            let ((a, b), (lo, hi)) = ((region.lo(), region.hi()), (held.lo(), held.hi()));
+            b.x <= lo.x || a.x >= hi.x || b.y <= lo.y || a.y >= hi.y
+        })
+    }
+
+    fn has_seen(&self, region: &Aabb) -> bool {
+        let ((a, b), (lo, hi)) = ((region.lo(), region.hi()), (self.seen.lo(), self.seen.hi()));
+        a.x >= lo.x && b.x <= hi.x && a.y >= lo.y && b.y <= hi.y
+    }
+}
+
+/// What the inside of the bounds covers between two displacements, `margin` raw units larger on every side.
+pub(super) fn hull(bounds: &Aabb, from: Raw, to: Raw, margin: i32) -> Aabb {
+    let (a, b) = (bounds.lo(), bounds.hi());
+    let lo = Raw { x: a.x + from.x.min(to.x) - margin, y: a.y + from.y.min(to.y) - margin };
+    let hi = Raw { x: b.x + from.x.max(to.x) + margin, y: b.y + from.y.max(to.y) + margin };
+    Aabb::from_raw_unchecked(lo, hi)
+}
 
 /// What the first hit of a body's motion depends on, beside the level.
 pub(super) struct Search<'a, B> {
@@ -154,4 +245,50 @@ pub(super) fn pieces<W: World>(world: &W, bounds: &Aabb, d: Raw) -> u32 {
 /// What the inside of the bounds covers in one of the pieces of a motion. Where there are more, displacements are rounded: a raw unit larger then.
 pub(super) fn piece_of(bounds: &Aabb, from: Raw, to: Raw, pieces: u32) -> Aabb {
     hull(bounds, from, to, if pieces == 1 { margin(bounds) } else { 1 })
+}
+
+impl<B: Body> Search<'_, B> {
+    /// Takes the first end of an arc at which a body that has no extent across its motion runs into the solid, where that is before all else that
+    /// it meets.
+    ///
+    /// The gap between a convex arc and the surface that it touches closes to nothing: both are tangent to the motion, and what is solid behind the
+    /// end of the arc has no face there. A quarter pipe ends on the line of the wall beside it, where a body that comes down the wall passes the arc.
+    /// Only a motion along x or y gets to either. From the end on it is in the inside of the
+    /// solid, or in none for at least half a cell: a raw unit farther tells which. What has a face there is met by that, at the same moment.
+    ///
+    /// ```text
+    ///       ....          the arc ends at P with the motion's direction;      ....|o         the pipe ends at P, across the motion
+    ///   .solid..`.        the floor goes on behind P, and so does the         wall|V       .
+    ///   ..........P<--- o solid above it                                      ....P    . `
+    ///   .......solid.....                                                     ......solid..
+    /// ```
+    #[inline(never)]
+    pub(super) fn meet_cusp<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
+        let bounds = self.body.bounds();
+        let (lo, hi) = (bounds.lo(), bounds.hi());
+        let front = Raw { x: if d.x > 0 { hi.x } else { lo.x }, y: if d.y > 0 { hi.y } else { lo.y } };
+        let step = Raw { x: d.x.signum(), y: d.y.signum() };
+        let mut features = world.features(&hull(&bounds, Raw::ZERO, d, 1));
+        while let Some(feature) = &features.next() {
+            self.features += 1;
+            let Geometry::Arc { centre, radius, quadrant, convex } = feature.geometry else { continue };
+            let (x, y) = if convex == (d.x == 0) { (quadrant.x, 0) } else { (0, quadrant.y) };
+            let end = Raw::of(centre).add(Raw { x: x.wrapping_mul(radius), y: y.wrapping_mul(radius) });
+            let q = end.sub(front);
+            if q.cross(d) != 0 || q.dot(d) < 0 || way(q) >= way(d) || first.is_within(way(q), way(d)) {
+                continue;
+            }
+            if B::is_inside(world, end.add(step)) {
+                let normal = Axis::new(step.x.wrapping_neg(), step.y.wrapping_neg());
+                let entry = Entry { num: way(q), den: way(d), normal, at_end: true, step: Some(q) };
+                first.only(&entry, feature);
+            }
+        }
+    }
+
+    /// Whether the motion is along x or y and the body has no extent across it.
+    pub(super) fn may_meet_cusp(&self, d: Raw) -> bool {
+        let bounds = self.body.bounds();
+        (d.x == 0 && bounds.lo().x == bounds.hi().x) || (d.y == 0 && bounds.lo().y == bounds.hi().y)
+    }
 }

@@ -1,10 +1,10 @@
 //! A moving circle against faces along x and y, and what tells its other cases apart.
 
 use super::body::{Entry, kernel::Kernel};
-use super::sweep_arc::{enter_quarter, leave_centre, leave_quarter};
 use super::sweep_box::{Face, sweep_face};
+use super::sweep_round::{enter_quarter, leave_centre, leave_quarter};
+use super::sweep_round::{is_square, sweep_cone};
 use super::sweep_slope::sweep_slope;
-use super::sweep_vertex::{is_square, sweep_cone};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw};
 use crate::shape::{Aabb, Circle};

@@ -1,13 +1,11 @@
-//! What a mover does at a hit: records it, and gives the velocity its direction.
+//! What a mover does at a hit, where two solids pinch a body, and how a body that surfaces hold comes to rest.
 
 use super::body::{Body, Entry};
-use super::facing::Side;
-use super::plane::{Bend, NEAR, Planes, across, is_near, may_be_askew, project, reflect, way};
+use super::plane::{Bend, NEAR, Planes, Side, across, is_near, may_be_askew, project, reflect, way};
 use super::response::{Law, Smooth};
-use super::rest::AHEAD;
-use super::run::Run;
+use super::run::{Run, check_inside};
 use super::{Mover, Response};
-use crate::num::{Axis, Raw, Toi, umul};
+use crate::num::{Axis, Raw, Toi, leading_zeros64, umul};
 use crate::world::{Feature, Geometry, World};
 
 impl<S: Law> Mover<S> {
@@ -138,5 +136,97 @@ fn bend(entry: &Entry, feature: &Feature) -> Bend {
         _ if entry.step.is_none() => Bend::Flat,
         Geometry::Arc { convex: false, .. } => Bend::Concave,
         _ => Bend::Convex,
+    }
+}
+
+impl<B: Body> Run<'_, B> {
+    /// Another hit instead of one at the end of a face that the body touches, where that stops it for good though it could slide.
+    ///
+    /// Corner to corner neither axis alone leads into the solid that is ahead, only both do, so either side of the corner could be what is hit. One of
+    /// the two may be hidden by a second solid that ends in the same point, and no feature of the first tells that. So both ways along are tried:
+    /// where the one along the side that was hit is blocked at once, by what leaves nothing of the velocity, and the other is not, the other side is the
+    /// one to slide along. The sweep that
+    /// follows proves the way as it proves every other.
+    ///
+    /// ```text
+    ///       |###/     the box moves up and to the right; the underside of the upper tip opposes it most, but along it
+    ///       |##/      the lower solid is in the way: it slides up along the left side
+    ///       |#/
+    ///   +---*
+    ///   |box|\
+    ///   +---+##\
+    /// ```
+    #[inline(never)]
+    pub(super) fn past_pinch<W: World>(&mut self, world: &W, d: Raw, entry: &Entry) -> Option<(Entry, Feature)> {
+        if !entry.at_end || entry.num != 0 || entry.step.is_some() || d.x == 0 || d.y == 0 {
+            return None;
+        }
+        let (along_x, along_y) = (Raw { x: d.x, y: 0 }, Raw { x: 0, y: d.y });
+        let (along, across, normal) = match entry.normal {
+            Axis { x: 0, .. } => (along_x, along_y, Axis::new(d.x.signum().wrapping_neg(), 0)),
+            Axis { y: 0, .. } => (along_y, along_x, Axis::new(0, d.y.signum().wrapping_neg())),
+            _ => return None,
+        };
+        let (second, feature) = self.first_hit(world, along).filter(|(hit, _)| hit.num == 0)?;
+        let mut both = self.planes;
+        both.push(entry.normal, Bend::Flat);
+        both.push(second.normal, Bend::Flat);
+        if !both.slide::<B, W>(self.before_planes).is_zero() {
+            return None;
+        }
+        let other = self.first_hit(world, across).is_some_and(|(hit, _)| hit.num == 0);
+        (!other).then_some((Entry { normal, ..*entry }, feature))
+    }
+}
+
+/// How far along what it touches a creeping body looks for what holds it, in raw units.
+pub(super) const AHEAD: u32 = 255;
+
+impl<B: Body> Run<'_, B> {
+    /// Between surfaces that are not all of blocks a body has found its place when nothing is left of its velocity; roundings to and fro
+    /// around it do not move it any more. Where it creeps, what holds it may be less than a rounding away.
+    pub(super) fn settle(&mut self) {
+        const SLOW: u32 = 64;
+        let Some(start) = self.start.filter(|start| self.planes.are_near(self.made(start))) else { return };
+        if !self.v.is_zero() {
+            self.creeps = way(self.v) <= SLOW && check_inside(&self.moved.body.bounds(), self.ahead()).is_ok();
+        } else if self.planes.are_wedge() {
+            self.moved.body = start;
+        }
+    }
+
+    /// The way of a creeping body, at a length of 256 to 511 raw.
+    pub(super) fn ahead(&self) -> Raw {
+        const BITS: u32 = 9;
+        let bits = 64 - leading_zeros64(way(self.v).into());
+        Raw { x: self.v.x << (BITS - bits), y: self.v.y << (BITS - bits) }
+    }
+
+    /// The displacement since the start of the call.
+    pub(super) fn made(&self, start: &B) -> Raw {
+        Raw::of(self.moved.body.position()).sub(Raw::of(start.position()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test")]
+
+    use super::way;
+    use crate::motion::Moved;
+    use crate::motion::run::Run;
+    use crate::motion::search::Around;
+    use crate::num::{Fx, Raw, Vec2};
+    use crate::shape::Circle;
+
+    #[test]
+    fn a_creeping_body_looks_ahead_in_its_direction() {
+        let body = Circle::new(Vec2::ZERO, Fx::ONE).unwrap();
+        for v in (-64..=64).flat_map(|x| (-64..=64).map(move |y| Raw { x, y })).filter(|v| !v.is_zero()) {
+            let (mut moved, mut around) = (Moved::freely(body, v.vec2(), 0), Around::NOTHING);
+            let ahead = Run::new(&mut moved, &mut around).ahead();
+            assert!((256..512).contains(&way(ahead)), "{v:?} {ahead:?}");
+            assert!(v.cross(ahead) == 0 && v.dot(ahead) > 0, "{v:?} {ahead:?}");
+        }
     }
 }

@@ -13,49 +13,24 @@
 //! "raw" is one unit of the integer lattice: the bits of an `Fx`, 1/65536 of a unit. Kernels see raw integers only and never the
 //! binary point, so other formats may be fed by their bits ([`Vec2::from_raw`]).
 
-mod axis;
-mod domain;
-mod fraction;
-mod q30;
-mod ratio;
-mod root;
-mod toi;
-mod unit;
+mod direction;
+mod part;
+mod quotient;
+#[cfg(test)]
+mod tests;
 mod vec2;
 mod wide;
 
-pub use axis::Axis;
-pub use domain::{DOMAIN, MOTION};
-pub(crate) use domain::{check_coordinate, check_length, check_motion, check_radius};
-pub(crate) use fraction::fraction;
-pub use q30::Ratio;
-pub use ratio::{div_sqrt, mul_div, mul_div_wide, recip};
-pub use root::{isqrt64, isqrt64_ceil, rsqrt};
-pub(crate) use root::{leading_zeros32, leading_zeros64, root128_down, root128_up};
-pub use toi::Toi;
-pub use unit::UnitVec2;
-pub(crate) use unit::unit_ceil;
-pub(crate) use vec2::Raw;
-pub use vec2::Vec2;
+pub use direction::{Axis, UnitVec2};
+pub(crate) use direction::{on_circle, scaled, toward, unit_ceil};
+pub(crate) use part::fraction;
+pub use part::{Ratio, Toi};
+pub use quotient::{div_sqrt, isqrt64, isqrt64_ceil, mul_div, mul_div_wide, recip, rsqrt};
+pub(crate) use quotient::{leading_zeros32, leading_zeros64, root128_down, root128_up};
+pub use vec2::{DOMAIN, MOTION, Vec2};
+pub(crate) use vec2::{Raw, check_coordinate, check_length, check_motion, check_radius};
 pub(crate) use wide::{LONG, add128, cmp_squares, dot, mul128, norm, square_times, sub128};
 pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split, usqr, usqr_split};
 
 /// The world's scalar: signed 16.16 fixed point. A unit is whatever the game says it is, usually a pixel.
 pub type Fx = fixed::types::I16F16;
-
-#[cfg(test)]
-mod tests {
-    use super::{cmp_squares, square_times};
-
-    /// Numbers that differ in one of the three words of a product only, or in none.
-    #[test]
-    fn squares_are_compared_in_all_words() {
-        let numbers = [0, 1, 2, 3, 1 << 32, (1 << 32) + 1, (1 << 60) - 1, 1 << 60, (1 << 60) + 1];
-        for (a, p) in numbers.into_iter().flat_map(|a| numbers.map(|p| (a, p))) {
-            for (b, q) in numbers.into_iter().flat_map(|b| numbers.map(|q| (b, q))) {
-                let expected = square_times(a, p).cmp(&square_times(b, q));
-                assert_eq!(cmp_squares((a, p), (b, q)), expected, "{a} {p} {b} {q}");
-            }
-        }
-    }
-}

@@ -1,6 +1,7 @@
-//! Positions and displacements.
+//! Vectors of the world's scalars, and the domain that they keep to: inside it no kernel can wrap, and constructors let nothing else in.
 
 use super::{Fx, imul};
+use crate::error::{Quantity, RangeError};
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// A position or displacement in units.
@@ -226,26 +227,39 @@ impl Raw {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::Vec2;
+/// Every coordinate, radius and half extent has a raw absolute value below this, 2^29: 8192 units in 16.16.
+///
+/// Differences then need 31 bits, products of differences 62, and every predicate fits a signed 64-bit or one
+/// unsigned 128-bit comparison.
+pub const DOMAIN: i32 = 1 << 29;
 
-    #[test]
-    fn whole_units_are_shifted() {
-        for (x, y) in [(3, -4), (-1, 1), (i16::MAX, i16::MIN)] {
-            assert_eq!(Vec2::from_ints(x, y).raw(), (i32::from(x) * 65_536, i32::from(y) * 65_536));
-        }
-    }
+/// A motion call takes components, and bodies with extents, below this raw value, 2^28: 4096 units in 16.16.
+pub const MOTION: i32 = 1 << 28;
 
-    #[cfg(feature = "libm")]
-    #[test]
-    fn floating_point_is_rounded_or_refused() {
-        let raw = |x: f32, y: f32| Vec2::from_f32(x, y).map(Vec2::raw);
-        assert_eq!(raw(1.5, -0.25), Some((98_304, -16_384)));
-        assert_eq!(raw(1.25 / 65_536.0, -1.75 / 65_536.0), Some((1, -2)));
-        assert_eq!(raw(-32_768.0, 32_767.0), Some((i32::MIN, 32_767 << 16)));
-        for bad in [32_768.0, -32_769.0, f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-            assert_eq!((raw(bad, 0.0), raw(0.0, bad)), (None, None), "{bad}");
-        }
+pub(crate) const fn check_coordinate(v: Vec2) -> Result<(), RangeError> {
+    match check(v.x, -DOMAIN, DOMAIN, Quantity::X) {
+        Ok(()) => check(v.y, -DOMAIN, DOMAIN, Quantity::Y),
+        bad => bad,
     }
+}
+
+pub(crate) const fn check_radius(r: Fx) -> Result<(), RangeError> {
+    check(r, -1, DOMAIN, Quantity::Radius)
+}
+
+pub(crate) const fn check_length(length: Fx) -> Result<(), RangeError> {
+    check(length, -1, DOMAIN, Quantity::Length)
+}
+
+pub(crate) const fn check_motion(v: Vec2, limit: i32) -> Result<(), RangeError> {
+    match check(v.x, -limit, limit, Quantity::MotionX) {
+        Ok(()) => check(v.y, -limit, limit, Quantity::MotionY),
+        bad => bad,
+    }
+}
+
+/// Refuses values outside of the open interval.
+const fn check(v: Fx, above: i32, below: i32, what: Quantity) -> Result<(), RangeError> {
+    let value = v.to_bits();
+    if above < value && value < below { Ok(()) } else { Err(RangeError { what, value }) }
 }

@@ -1,9 +1,5 @@
 //! The boolean kernels, on raw values: strict where `CLOSED` is false, closed where it is true.
-//!
-//! Strict means that the origin is interior to A + (-B), closed that the closed sets have a point in common. Coordinates are inside
-//! the domain: differences are below 2^30, products below 2^60, sums of two products below 2^61.
 
-use super::region::{Region, region};
 use crate::num::{LONG, Raw, SPLIT, less128, mul64, sqr64, usqr};
 
 /// `a < b`, or `a <= b` for closed sets.
@@ -44,7 +40,7 @@ const fn in_square<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
 
 /// An octagon around the circle and one inside it settle 85 % of the square by shifts; for cores whose long product is a call.
 #[inline]
-const fn by_octagons<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
+pub(super) const fn by_octagons<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
     // With c = 7/16 > sqrt(2) - 1 and x >= y, |v| <= x + c y; the shifts drop fractions that are subtracted, so `above` is not below that.
     let (sum, min) = (x.wrapping_add(y), if x < y { x } else { y });
     let above = sum.wrapping_sub(min >> 1).wrapping_sub(min >> 4);
@@ -58,7 +54,7 @@ const fn by_octagons<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
 }
 
 #[inline]
-const fn by_squares<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
+pub(super) const fn by_squares<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
     let (square, limit) = (usqr(x).wrapping_add(usqr(y)), usqr(r));
     square < limit || (CLOSED && square == limit)
 }
@@ -207,40 +203,41 @@ const fn on_both_sides<const CLOSED: bool>(a: Raw, b: Raw, p: Raw, q: Raw) -> bo
     if CLOSED { (s <= 0 && t >= 0) || (s >= 0 && t <= 0) } else { (s < 0 && t > 0) || (s > 0 && t < 0) }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::{by_octagons, by_squares};
+/// The nearest part of a segment, seen from a point.
+#[derive(Clone, Copy)]
+pub(crate) enum Region {
+    /// This end; equal ends have no other region.
+    End(Raw),
+    /// A point between the ends.
+    Line {
+        /// The cross product of the edge with the vector from its first end to the point: distance times length, positive on the left (y up).
+        cross: i64,
+        /// The square of the edge's length, not zero.
+        len2: u64,
+    },
+}
 
-    fn both_ways<const CLOSED: bool>(x: u32, y: u32, r: u32) {
-        if x > r || y > r || (!CLOSED && (x == r || y == r)) {
-            return;
+/// The region of `p` before the segment from `a` to `b`, which is not a point where `inside` is set.
+///
+/// `FAR` allows any `p`; otherwise it must be inside the domain. The products with `p` itself are below 2^62, those with `a` below
+/// 2^60, so the difference is exact in 64 bits even where `p - a` needs 33.
+///
+/// `inside` says that `p` is known to be in the segment's bounding box. Then both products of the dot product have the sign of a square, and
+/// none exceeds that square: the foot is between the ends, at most at one of them.
+#[inline]
+pub(crate) const fn region<const FAR: bool>(p: Raw, a: Raw, b: Raw, inside: bool) -> Region {
+    let e = b.sub(a);
+    // Where a signed product is as cheap as an unsigned one, magnitudes are not needed.
+    let len2 = if SPLIT { e.len2() } else { e.dot(e) as u64 };
+    if !inside {
+        let dot = if FAR { e.dot(p).wrapping_sub(e.dot(a)) } else { e.dot(p.sub(a)) };
+        if dot <= 0 {
+            return Region::End(a);
         }
-        let (square, limit) = (u64::from(x).pow(2) + u64::from(y).pow(2), u64::from(r).pow(2));
-        let expected = if CLOSED { square <= limit } else { square < limit };
-        assert_eq!(by_octagons::<CLOSED>(x, y, r), expected, "octagons {x} {y} {r}");
-        assert_eq!(by_squares::<CLOSED>(x, y, r), expected, "squares {x} {y} {r}");
-    }
-
-    #[test]
-    fn octagons_change_no_answer() {
-        for r in 0..40 {
-            for x in 0..42 {
-                for y in 0..42 {
-                    both_ways::<false>(x, y, r);
-                    both_ways::<true>(x, y, r);
-                }
-            }
-        }
-        // Around the border of large discs, in all directions: y is the root that x leaves, give or take a unit.
-        for r in [1 << 16, (1 << 24) + 12_345, (1 << 30) - 1] {
-            for step in 0..1000 {
-                let x = r / 1000 * step;
-                let y = (u64::from(r).pow(2) - u64::from(x).pow(2)).isqrt() as u32;
-                for y in y.saturating_sub(2)..=y + 2 {
-                    both_ways::<false>(x, y, r);
-                    both_ways::<true>(x, y, r);
-                }
-            }
+        if dot as u64 >= len2 {
+            return Region::End(b);
         }
     }
+    let cross = if FAR { e.cross(p).wrapping_sub(e.cross(a)) } else { e.cross(p.sub(a)) };
+    Region::Line { cross, len2 }
 }

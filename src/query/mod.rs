@@ -49,19 +49,16 @@
 
 pub(crate) mod cast;
 pub(crate) mod closest;
-pub(crate) mod meet;
-pub(crate) mod region;
-pub(crate) mod round;
-
 mod contact;
-mod contain;
-mod distance;
-mod fraction;
+pub(crate) mod meet;
 mod overlap;
+#[cfg(test)]
+mod tests;
+
+// Where motion finds `scaled` and `toward`.
+pub(crate) use crate::num as round;
 
 pub use cast::{CastHit, CastShape, Inside, MovingHit};
-pub use closest::ClosestPoint;
+pub use closest::{ClosestPoint, Distance};
 pub use contact::{Contact, Contacts};
-pub use contain::Contains;
-pub use distance::Distance;
-pub use overlap::{Overlaps, Touches};
+pub use overlap::{Contains, Overlaps, Touches};

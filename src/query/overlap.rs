@@ -1,6 +1,8 @@
-//! Whether two shapes overlap (strict) or touch (closed).
+//! Whether two shapes overlap (strict) or touch (closed), and whether one contains another.
 
 use super::meet;
+use super::meet::{corners, in_disc};
+use crate::num::{Raw, Vec2};
 use crate::shape::{Aabb, Circle, Segment};
 
 /// Whether the interiors of two shapes meet: exact, and strict.
@@ -93,3 +95,129 @@ meets!(Segment, Segment, |a, b, CLOSED| meet::segment_segment::<CLOSED>(a.ra(), 
 meets_both!(Circle, Aabb, |a, b, CLOSED| meet::circle_aabb::<CLOSED>(a.c(), a.r(), b.lo(), b.hi()));
 meets_both!(Circle, Segment, |a, b, CLOSED| meet::circle_segment::<CLOSED>(a.c(), a.r(), b.ra(), b.rb()));
 meets_both!(Segment, Aabb, |a, b, CLOSED| meet::segment_aabb::<CLOSED>(a.ra(), a.rb(), b.lo(), b.hi()));
+
+/// Whether all of another shape, or a point, lies in this one, borders included: exact.
+///
+/// Both are closed sets: a shape contains itself, its corners and its border. A segment contains only points, segments along it, and
+/// boxes and circles that are as thin. Cost: comparisons for boxes, two or three squares for a circle, two products an end for a segment.
+/// It cannot fail; points outside of the [domain](crate::num::DOMAIN) are in no shape.
+///
+/// ```
+/// use tilesat::prelude::*;
+/// use tilesat::{Aabb, Circle, Fx, Vec2};
+/// let room = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(16, 16))?;
+/// let ball = Circle::new(Vec2::from_ints(8, 8), Fx::from_num(8))?;
+/// assert!(room.contains(&ball) && !ball.contains(&room));
+/// assert!(ball.contains(&Vec2::from_ints(8, 16)));
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+pub trait Contains<B: ?Sized> {
+    /// Whether every point of `b` is a point of this shape; closed and exact.
+    #[must_use]
+    fn contains(&self, b: &B) -> bool;
+}
+
+/// Box in box, each by its corners; a point is a box.
+const fn box_in_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw) -> bool {
+    alo.x <= blo.x && alo.y <= blo.y && bhi.x <= ahi.x && bhi.y <= ahi.y
+}
+
+impl Contains<Vec2> for Aabb {
+    #[inline]
+    fn contains(&self, b: &Vec2) -> bool {
+        let p = Raw::of(*b);
+        box_in_box(self.lo(), self.hi(), p, p)
+    }
+}
+
+/// A box is convex with sides along the axes: it contains a shape where it contains the bounding box.
+macro_rules! by_bounding_box {
+    ($($shape:ty),*) => {$(
+        impl Contains<$shape> for Aabb {
+            #[inline]
+            fn contains(&self, b: &$shape) -> bool {
+                let b = b.aabb();
+                box_in_box(self.lo(), self.hi(), b.lo(), b.hi())
+            }
+        }
+    )*};
+}
+
+by_bounding_box!(Aabb, Circle, Segment);
+
+/// The distances to the farthest coordinates of a box, against a disc. A point is a box; any point is allowed.
+const fn box_in_disc(c: Raw, r: i32, lo: Raw, hi: Raw) -> bool {
+    let (x, y) = (farthest(c.x, lo.x, hi.x), farthest(c.y, lo.y, hi.y));
+    in_disc::<true>(x, y, r as u32)
+}
+
+const fn farthest(c: i32, lo: i32, hi: i32) -> u32 {
+    let (left, right) = (c.abs_diff(lo), c.abs_diff(hi));
+    if left > right { left } else { right }
+}
+
+impl Contains<Vec2> for Circle {
+    #[inline]
+    fn contains(&self, b: &Vec2) -> bool {
+        box_in_disc(self.c(), self.r(), Raw::of(*b), Raw::of(*b))
+    }
+}
+
+impl Contains<Aabb> for Circle {
+    #[inline]
+    fn contains(&self, b: &Aabb) -> bool {
+        box_in_disc(self.c(), self.r(), b.lo(), b.hi())
+    }
+}
+
+impl Contains<Circle> for Circle {
+    #[inline]
+    fn contains(&self, b: &Circle) -> bool {
+        // |d| + r_b <= r_a.
+        let rest = self.r().wrapping_sub(b.r());
+        rest >= 0 && box_in_disc(self.c(), rest, b.c(), b.c())
+    }
+}
+
+impl Contains<Segment> for Circle {
+    #[inline]
+    fn contains(&self, b: &Segment) -> bool {
+        self.contains(&b.a()) && self.contains(&b.b())
+    }
+}
+
+/// Whether `p` is on the segment. Beyond the bounding box nothing is multiplied, so any point is allowed.
+fn on_segment(s: &Segment, p: Raw) -> bool {
+    let (lo, hi) = corners(s.ra(), s.rb());
+    box_in_box(lo, hi, p, p) && s.edge().cross(p.sub(s.ra())) == 0
+}
+
+impl Contains<Vec2> for Segment {
+    #[inline]
+    fn contains(&self, b: &Vec2) -> bool {
+        on_segment(self, Raw::of(*b))
+    }
+}
+
+impl Contains<Segment> for Segment {
+    #[inline]
+    fn contains(&self, b: &Segment) -> bool {
+        on_segment(self, b.ra()) && on_segment(self, b.rb())
+    }
+}
+
+impl Contains<Aabb> for Segment {
+    #[inline]
+    fn contains(&self, b: &Aabb) -> bool {
+        // Three corners of a box with area are not on one line; those of a flat box are two points.
+        let (lo, hi) = (b.lo(), b.hi());
+        on_segment(self, lo) && on_segment(self, hi) && on_segment(self, Raw { x: lo.x, y: hi.y })
+    }
+}
+
+impl Contains<Circle> for Segment {
+    #[inline]
+    fn contains(&self, b: &Circle) -> bool {
+        b.r() == 0 && on_segment(self, b.c())
+    }
+}

@@ -75,19 +75,124 @@
 #![doc = include_str!("guide.md")]
 
 mod body;
-mod change;
-mod error;
-mod meeting;
-mod report;
 mod set;
-mod shape;
 mod step;
 
-pub use body::SceneBody;
-pub use error::{SceneError, SceneFault};
-pub use report::{SceneEvent, Stepped};
+pub use body::{SceneBody, Shape};
 pub use set::{Scene, Sleep};
-pub use shape::Shape;
+
+use crate::broad::{BroadError, Handle, Pair};
+use crate::error::RangeError;
+use crate::motion::{Hits, MoveError};
+use crate::query::Contact;
+use core::fmt;
 
 /// What a scene's bodies carry in its broad phase.
 pub type SceneTag = crate::broad::Keyed<crate::Filter>;
+
+/// What happened in a step, as it happens; in no particular order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum SceneEvent<'a> {
+    /// Two bodies, sensors too, touched at the step's start. In every step in which they do and one of them is awake: for begin and end feed `pair` to
+    /// [`PairEvents`](crate::broad::PairEvents).
+    Touch {
+        /// Who; `a` has the smaller key.
+        pair: Pair,
+        /// How they overlap, from `a` to `b`; none where they only touch.
+        contact: Option<&'a Contact>,
+    },
+    /// A body ran into the level.
+    Level {
+        /// Who.
+        body: Handle,
+        /// Into what.
+        hits: &'a Hits,
+        /// The flags of all that, or-ed.
+        flags: u8,
+    },
+    /// A body could not be moved: it stays where it was, and has no velocity any more.
+    Held(SceneError),
+}
+
+/// What a step did: for budgets and tests.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Stepped {
+    /// Bodies that the level was asked about: those awake. Zero where all sleep.
+    pub moved: u16,
+    /// Bodies of those that were [held](SceneEvent::Held).
+    pub held: u16,
+    /// Bodies that something touched while they slept.
+    pub woken: u16,
+    /// Bodies that fell asleep.
+    pub slept: u16,
+    /// Pairs of boxes looked into, twice where bodies ran into each other. Zero where all sleep.
+    pub pairs: u32,
+    /// Pairs of bodies that touched at the step's start.
+    pub touching: u32,
+    /// Pairs of bodies that overlapped then and are no sensors; what is left of that shows in the next step.
+    pub overlapping: u32,
+}
+
+/// What was refused, and of which body; that body, or the scene, is as it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SceneError {
+    /// The body; none where it is about the call: a body that is not in yet, a gravity.
+    pub body: Option<Handle>,
+    /// What is wrong.
+    pub fault: SceneFault,
+}
+
+/// Why.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum SceneFault {
+    /// The broad phase does not know it, or has no room or place for it.
+    Broad(BroadError),
+    /// It overlaps the level, or would leave the domain, or is too fast or too large.
+    Move(MoveError),
+}
+
+impl SceneError {
+    pub(super) fn of(body: Handle, fault: impl Into<SceneFault>) -> Self {
+        Self { body: Some(body), fault: fault.into() }
+    }
+
+    pub(super) fn call(fault: impl Into<SceneFault>) -> Self {
+        Self { body: None, fault: fault.into() }
+    }
+}
+
+impl From<BroadError> for SceneFault {
+    fn from(e: BroadError) -> Self {
+        Self::Broad(e)
+    }
+}
+
+impl From<MoveError> for SceneFault {
+    fn from(e: MoveError) -> Self {
+        Self::Move(e)
+    }
+}
+
+impl From<RangeError> for SceneFault {
+    fn from(e: RangeError) -> Self {
+        Self::Move(e.into())
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(body) = self.body {
+            write!(f, "body {} (generation {}): ", body.slot(), body.generation())?;
+        }
+        match self.fault {
+            SceneFault::Broad(e) => e.fmt(f),
+            SceneFault::Move(e) => e.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for SceneError {}

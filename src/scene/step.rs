@@ -1,9 +1,9 @@
 //! One step of a scene.
 
 use super::body::{ALOFT, Mode, Slot, Tally};
-use super::change::rouse;
-use super::meeting::{Meeting, Top, carried, toward};
+use super::body::{Meeting, Top, carried, toward};
 use super::set::Sleep;
+use super::set::rouse;
 use super::{Scene, SceneError, SceneEvent, SceneFault, Shape, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;

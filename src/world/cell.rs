@@ -1,4 +1,6 @@
-//! Cells of a grid.
+//! Cells of a grid, ranges of them, and what a walk over a range finds.
+
+use crate::num::Raw;
 
 /// A cell of a [`TileMap`](super::TileMap): column and row, counted from the map's origin.
 ///
@@ -28,5 +30,78 @@ impl Cell {
     /// For indices clamped to -1..=32767.
     pub(crate) const fn of(x: i32, y: i32) -> Self {
         Self { x: x as i16, y: y as i16 }
+    }
+}
+
+/// Columns `x0..=x1` of rows `y0..=y1`; empty where a first is above its last.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::world) struct Range {
+    pub(in crate::world) x0: i32,
+    pub(in crate::world) y0: i32,
+    pub(in crate::world) x1: i32,
+    pub(in crate::world) y1: i32,
+}
+
+impl Range {
+    pub(in crate::world) const NONE: Self = Self { x0: 0, y0: 0, x1: -1, y1: -1 };
+
+    /// Without a cell, to be [widened](Self::with).
+    pub(in crate::world) const NOWHERE: Self = Self { x0: i32::MAX, y0: i32::MAX, x1: i32::MIN, y1: i32::MIN };
+
+    /// Widened to a cell.
+    #[inline]
+    pub(in crate::world) const fn with(self, x: i32, y: i32) -> Self {
+        Self {
+            x0: if x < self.x0 { x } else { self.x0 },
+            y0: if y < self.y0 { y } else { self.y0 },
+            x1: if x > self.x1 { x } else { self.x1 },
+            y1: if y > self.y1 { y } else { self.y1 },
+        }
+    }
+
+    #[inline]
+    pub(in crate::world) const fn has_row(&self, y: i32) -> bool {
+        self.y0 <= y && y <= self.y1
+    }
+
+    /// The columns, less those of a range that a box has left, both ways without going back.
+    #[inline(never)]
+    pub(in crate::world) const fn row_without(&self, seen: &Self) -> (i32, i32) {
+        if seen.x0 <= self.x0 {
+            (if seen.x1 < self.x0 { self.x0 } else { seen.x1.wrapping_add(1) }, self.x1)
+        } else {
+            (self.x0, if seen.x0 > self.x1 { self.x1 } else { seen.x0.wrapping_sub(1) })
+        }
+    }
+}
+
+/// A cell that is full, or has a one-way face.
+///
+/// Public in a private module, because a sealed trait's methods name it.
+#[derive(Clone, Copy, Debug)]
+pub struct Block {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    /// The corners of the cell; at a repeated border it goes on beyond the map.
+    pub(crate) lo: Raw,
+    pub(crate) hi: Raw,
+    pub(crate) flags: u8,
+    pub(crate) one_way: bool,
+}
+
+/// The place of a walk over such cells: the next one to look at.
+#[derive(Clone, Copy, Debug)]
+pub struct Cells {
+    pub(in crate::world) range: Range,
+    pub(in crate::world) x: i32,
+    pub(in crate::world) y: i32,
+}
+
+impl Cells {
+    /// Over.
+    pub(in crate::world) const NONE: Self = Self::of(Range::NONE);
+
+    pub(in crate::world) const fn of(range: Range) -> Self {
+        Self { x: range.x0, y: range.y0, range }
     }
 }

@@ -1,6 +1,7 @@
 //! Where the cells of a map are: origin, cell size, and the cell of a coordinate without division.
 
-use super::{Cell, TileMapError};
+use super::cell::Cell;
+use super::error::TileMapError;
 use crate::error::Quantity;
 use crate::num::{DOMAIN, Fx, Raw, SPLIT, Vec2, umul};
 
@@ -174,7 +175,7 @@ impl Grid {
     ///
     /// d / 2^(log - 1) is below 2^17 and the magic's upper half at most 2^15: the product is below 2^32, the first loses less than 1 of it, which is
     /// half a cell, and the second less than 2^17 / 2^16 cells.
-    const fn quotient_by_words(&self, d: u32) -> u32 {
+    pub(super) const fn quotient_by_words(&self, d: u32) -> u32 {
         let mut index = (d >> (self.log.wrapping_sub(1) & 31)).wrapping_mul(self.magic >> 16) >> 16;
         let mut rest = d.wrapping_sub(index.wrapping_mul(self.cell as u32));
         while rest >= self.cell as u32 {
@@ -259,25 +260,4 @@ const fn magic(cell: u32) -> (u32, u8) {
     }
     // No power of two divides evenly: the ceiling is one more than the floor.
     (floor.wrapping_add(1), log)
-}
-
-#[cfg(test)]
-#[allow(clippy::expect_used, reason = "a test")]
-mod tests {
-    use super::Grid;
-    use crate::num::{Fx, Vec2};
-
-    /// What cores without a long product run, at both sides of every line that a domain has room for.
-    #[test]
-    fn quotients_by_words() {
-        for cell in [258, 1000, 70_002, (1 << 17) - 2, 1_572_864, (1 << 24) - 2] {
-            let grid = Grid::new(1, 1, Fx::from_bits(cell), Vec2::ZERO).expect("a grid");
-            for index in 0..32_767.min((1 << 30) / cell as u32) {
-                let d = index * cell as u32;
-                for (d, expected) in [(d, index), (d + cell as u32 - 1, index), (d + cell as u32 / 2, index)] {
-                    assert_eq!(grid.quotient_by_words(d), expected, "{d} / {cell}");
-                }
-            }
-        }
-    }
 }

@@ -22,229 +22,41 @@
 //! Movers see a level through [`World`] and nothing else.
 
 mod cell;
-mod feature;
+mod closest;
+mod contacts;
+mod error;
 mod grid;
 mod joined;
-mod near;
+mod level;
+mod measure;
 mod placed;
-mod placed_ray;
 mod ray;
 mod segment_map;
-mod shells;
 mod solids;
+#[cfg(test)]
+mod tests;
 mod tile_map;
-mod way;
 
 pub use cell::Cell;
-pub use feature::{Feature, Geometry};
+pub(crate) use cell::{Block, Cells};
+pub use closest::{Near, OneWay};
+pub(crate) use contacts::contacts as contacts_of;
+pub use contacts::{Pushable, WorldContact};
+pub use error::{SegmentFault, SegmentMapError, TileMapError};
 pub use grid::Grid;
-pub use joined::pair::{Joined, JoinedFeatures};
-pub use joined::ray::JoinedRayHits;
+pub use joined::{Joined, JoinedFeatures, JoinedRayHits};
+pub use level::{Feature, Geometry, World};
+pub(crate) use level::{Way, sealed};
+pub use placed::{Placed, PlacedFeatures, PlacedRayHits};
 #[cfg(feature = "defmt")]
-pub(crate) use joined::ray::RayWorld;
-pub use near::closest::{Near, OneWay};
-pub(crate) use near::contacts::contacts as contacts_of;
-pub use near::contacts::{Pushable, WorldContact};
-pub use placed::{Placed, PlacedFeatures};
-pub use placed_ray::PlacedRayHits;
-pub use ray::hit::{Inside, RayHit, RayRules};
-pub use ray::sight::RayHits;
-pub use segment_map::{
-    Path, PathKind, SegmentFault, SegmentFeatures, SegmentMap, SegmentMapError, SegmentRayHits, Size,
-};
-pub use solids::features::SolidFeatures;
-pub use solids::list::Solids;
+pub(crate) use ray::scan::RayWorld;
+pub use ray::{Inside, RayHit, RayRules};
+pub use segment_map::{Path, PathKind, SegmentFeatures, SegmentMap, SegmentRayHits, Size};
 pub use solids::ray::SolidRayHits;
 pub use solids::solid::{Side, Solid};
-pub use tile_map::error::TileMapError;
+pub use solids::{SolidFeatures, Solids};
 pub use tile_map::features::Features;
-pub use tile_map::kind::{TileKind, TileKinds};
-pub use tile_map::map::{Outside, TileMap};
+pub use tile_map::kind::{TileKind, TileKinds, TileShape};
+pub use tile_map::ray::RayHits;
 pub use tile_map::region::{Probe, TileAt, Tiles};
-pub use tile_map::set::{AllShapes, Bits, Blocks, Bytes, Set, Slopes, Store};
-pub use tile_map::shape::TileShape;
-
-use crate::shape::{Aabb, Circle};
-pub(crate) use tile_map::block_cells::{Block, Cells};
-pub(crate) use way::Way;
-
-pub(crate) mod sealed {
-    //! Only this crate implements the traits that its exactness argument rests on.
-
-    /// A supertrait that nobody outside can implement.
-    pub trait Sealed {}
-}
-
-/// What a [mover](crate::motion::Mover) needs of a level: its surface near a box, and two exact overlap tests.
-///
-/// Sealed: that a mover never ends in the solid rests on `features` and the tests being two views of one set of points.
-pub trait World: sealed::Sealed {
-    /// Whether all faces are along x or y and all corners a block's: then a mover links no code for others.
-    #[doc(hidden)]
-    const BLOCKS: bool;
-
-    /// Whether there may be arcs.
-    #[doc(hidden)]
-    const ROUND: bool;
-
-    /// Whether there may be faces of other directions than tiles have.
-    #[doc(hidden)]
-    const WIDE: bool = false;
-
-    /// The cursor of [`features`](Self::features).
-    type Features<'w>: Iterator<Item = Feature>
-    where
-        Self: 'w;
-
-    /// Every face and vertex of the surface that has a point in the closed region, in an order that depends on the level only.
-    ///
-    /// Pieces near the region may come too.
-    fn features(&self, region: &Aabb) -> Self::Features<'_>;
-
-    /// Those of the features that a piece of a motion could run into and the piece before could not: not less, but more may come.
-    #[doc(hidden)]
-    fn features_ahead(&self, way: &Way) -> Self::Features<'_> {
-        self.features(way.piece)
-    }
-
-    /// Whether the surface and the overlap tests are two views of one solid wherever a body can be, so that the end of a motion that meets nothing
-    /// needs no test.
-    #[doc(hidden)]
-    const CERTAIN: bool = Self::BLOCKS;
-
-    /// Whether the level is a grid of blocks and nothing else: then its surface is known from [`cells`](Self::cells) too.
-    #[doc(hidden)]
-    const GRID: bool = false;
-
-    /// A walk over the cells of a grid that hold something and whose inside meets a region, row after row.
-    #[doc(hidden)]
-    fn cells(&self, region: &Aabb) -> Cells {
-        let _ = region;
-        Cells::NONE
-    }
-
-    #[doc(hidden)]
-    fn next_cell(&self, cells: &mut Cells) -> Option<Block> {
-        let _ = cells;
-        None
-    }
-
-    /// Whether a cell of a grid is full.
-    #[doc(hidden)]
-    fn is_full(&self, x: i32, y: i32) -> bool {
-        let _ = (x, y);
-        false
-    }
-
-    /// The face of a one-way cell of a grid, if nothing covers it.
-    #[doc(hidden)]
-    fn one_way_face(&self, block: &Block) -> Option<Feature> {
-        let _ = block;
-        None
-    }
-
-    /// A box that holds whatever of the level is in a region with area: nothing that a body in the region could meet or overlap with its inside is
-    /// outside of the box, one-way faces included. `None` where there is nothing at all.
-    #[doc(hidden)]
-    fn occupied(&self, region: &Aabb) -> Option<Aabb> {
-        Some(*region)
-    }
-
-    /// The same with the cells that the box is around, where a level of cells knows them.
-    #[doc(hidden)]
-    fn occupied_cells(&self, region: &Aabb) -> (Option<Aabb>, Option<Cells>) {
-        (self.occupied(region), None)
-    }
-
-    /// The side of a cell, raw and not zero: longer motions are enumerated in pieces of about this length.
-    fn cell_size(&self) -> u32;
-
-    /// Whether a box overlaps the solid; strict and exact.
-    fn overlaps_aabb(&self, b: &Aabb) -> bool;
-
-    /// Whether a circle overlaps the solid; strict and exact.
-    fn overlaps_circle(&self, c: &Circle) -> bool;
-
-    /// Whether a box has a point in common with the solid, borders included; exact.
-    fn touches_aabb(&self, b: &Aabb) -> bool;
-
-    /// Whether a circle has a point in common with the solid, borders included; exact.
-    fn touches_circle(&self, c: &Circle) -> bool;
-}
-
-impl<S: Set, T: Store> sealed::Sealed for TileMap<'_, S, T> {}
-
-impl<S: Set, T: Store> World for TileMap<'_, S, T> {
-    const BLOCKS: bool = !S::SHAPED;
-    const ROUND: bool = S::ARCS;
-    const GRID: bool = !S::SHAPED;
-    const CERTAIN: bool = true;
-
-    type Features<'w>
-        = Features<'w, S, T>
-    where
-        Self: 'w;
-
-    #[inline]
-    fn features(&self, region: &Aabb) -> Features<'_, S, T> {
-        TileMap::features(self, region)
-    }
-
-    #[inline]
-    fn features_ahead(&self, way: &Way) -> Features<'_, S, T> {
-        TileMap::features_ahead(self, way)
-    }
-
-    #[inline]
-    fn cells(&self, region: &Aabb) -> Cells {
-        TileMap::cells(self, region)
-    }
-
-    fn next_cell(&self, cells: &mut Cells) -> Option<Block> {
-        TileMap::next_cell(self, cells)
-    }
-
-    #[inline]
-    fn is_full(&self, x: i32, y: i32) -> bool {
-        self.full(x, y)
-    }
-
-    #[inline]
-    fn one_way_face(&self, block: &Block) -> Option<Feature> {
-        TileMap::one_way_face(self, block)
-    }
-
-    fn occupied(&self, region: &Aabb) -> Option<Aabb> {
-        TileMap::occupied(self, region)
-    }
-
-    #[inline]
-    fn occupied_cells(&self, region: &Aabb) -> (Option<Aabb>, Option<Cells>) {
-        TileMap::occupied_cells(self, region)
-    }
-
-    #[inline]
-    fn cell_size(&self) -> u32 {
-        self.grid.cell as u32
-    }
-
-    #[inline]
-    fn overlaps_aabb(&self, b: &Aabb) -> bool {
-        TileMap::overlaps(self, b)
-    }
-
-    #[inline]
-    fn overlaps_circle(&self, c: &Circle) -> bool {
-        TileMap::overlaps(self, c)
-    }
-
-    #[inline]
-    fn touches_aabb(&self, b: &Aabb) -> bool {
-        TileMap::touches(self, b)
-    }
-
-    #[inline]
-    fn touches_circle(&self, c: &Circle) -> bool {
-        TileMap::touches(self, c)
-    }
-}
+pub use tile_map::{AllShapes, Bits, Blocks, Bytes, Outside, Set, Slopes, Store, TileMap};

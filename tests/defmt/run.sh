@@ -26,15 +26,17 @@ mkdir -p "$out/defmt"
 out=$(cd "$out" && pwd)
 llvm=$(rustc --print target-libdir)/../bin
 
-# Where rustdoc lists what is public.
-cargo doc --quiet --no-deps --lib --all-features
-cd "$here"
-CARGO_TARGET_DIR=$out cargo build --quiet --package tilesat-defmt-check
+# Where rustdoc lists what is public; with the flags of `.ci/run`, so that nothing is written twice.
+RUSTDOCFLAGS='-D warnings' cargo doc --quiet --no-deps --lib --all-features
+cargo build --quiet --package tilesat-defmt-check
+
+# The same symbols wherever the clone lies, as in the tables of sizes, whose programs are among those below.
+export RUSTC_WRAPPER=$root/.ci/rustc.sh
 
 failed=0
 for target in thumbv6m-none-eabi thumbv7m-none-eabi; do
-    CARGO_TARGET_DIR=$out/defmt cargo build --quiet --release --package tilesat-defmt --target "$target"
-    elf=$out/defmt/$target/release/tilesat-defmt
+    CARGO_TARGET_DIR=$out/defmt cargo build --quiet --profile flash --package tilesat-defmt --features chip --target "$target"
+    elf=$out/defmt/$target/flash/tilesat-defmt
     frames=$out/defmt/$target.frames status=0
     "$root/.ci/qemu.sh" "$target" "$elf" 2>"$frames" || status=$?
     if ((status == 3)); then
@@ -52,7 +54,6 @@ for target in thumbv6m-none-eabi thumbv7m-none-eabi; do
 done
 
 # Programs of every public function of shapes, broad phases and scenes, and one that a game would be: without the feature, and with it but nothing logged.
-cd "$root/benches/target"
 programs=(everything_shapes everything_bodies everything_scenes move_circle_shapes)
 # Functions, constants and statics of a program with their sizes. Where they lie, and with it some bytes of padding, follows the compiler's hashes, which know
 # of features; so do the names' last parts. The two marks of the encoding are in no section that is loaded.
@@ -67,11 +68,11 @@ build() {
     CARGO_TARGET_DIR=$1 cargo build --quiet --profile flash --package tilesat-flash "${programs[@]/#/--bin=}" --target thumbv6m-none-eabi "${@:2}"
 }
 build "$out/benches"
-build "$out/defmt/on" --features tilesat/defmt
+build "$out/defmt" --features tilesat/defmt
 echo '-- programs that log nothing: parts and their bytes without the feature, and with it'
 for program in "${programs[@]}"; do
     parts "$out/benches/thumbv6m-none-eabi/flash/$program" >"$out/defmt/off.txt"
-    parts "$out/defmt/on/thumbv6m-none-eabi/flash/$program" >"$out/defmt/on.txt"
+    parts "$out/defmt/thumbv6m-none-eabi/flash/$program" >"$out/defmt/on.txt"
     awk -v program="$program" '
         { count[FILENAME]++; sum[FILENAME] += $1 }
         END {

@@ -1,14 +1,14 @@
 //! Shapes that move toward each other: P10 to P13.
 
-use super::cast_support::ask::{Answer, Case, cast, check};
 use super::config;
-use super::oracle::figure::{Figure, Point};
-use super::oracle::int256::Int256;
-use super::oracle::kernel::{self, point, vec2};
-use super::oracle::verify::Pair;
 use super::scenes::{motions, pairs};
 use proptest::prelude::*;
 use tilesat::{CastHit, Inside};
+use tilesat_judge::casts::ask::{Answer, Case, cast, check};
+use tilesat_judge::oracle::figure::{Figure, Point};
+use tilesat_judge::oracle::int256::Int256;
+use tilesat_judge::oracle::kernel::{self, point, vec2};
+use tilesat_judge::oracle::verify::Pair;
 
 fn ask(a: &Figure, b: &Figure, d: Point) -> Answer {
     cast(a, b, d, Inside::Ignore).unwrap_or_else(|e| panic!("{e}: {a:?} by {d:?} on {b:?}"))

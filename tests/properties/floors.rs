@@ -1,11 +1,11 @@
 //! Floors of pieces, corners to rest in, and the order of what a level is made of: P17, P18, P19.
 
 use super::config;
-use super::motion_shape_support::body::Body;
-use super::motion_shape_support::{P, PX};
-use super::torture_support::{Drawing, at, disc, mover, rect};
 use proptest::prelude::*;
 use tilesat::{PathKind, SegmentMap};
+use tilesat_judge::drawing::{Drawing, at, disc, mover, rect};
+use tilesat_judge::rooms::body::Body;
+use tilesat_judge::rooms::{P, PX};
 
 const GRAVITY: i64 = 10_922;
 

@@ -1,14 +1,14 @@
 //! Bodies in worlds of all shapes: P5 to P7 and P9 of motion, P14 to P16, P20, P24.
 
 use super::config;
-use super::motion_shape_support::body::{Body, Outcome};
-use super::motion_shape_support::level::Level;
-use super::motion_shape_support::random::Random;
-use super::motion_shape_support::room::{FINE, Room};
-use super::motion_shape_support::view::View;
-use super::motion_shape_support::{P, PX, len2, mosaic};
 use proptest::prelude::*;
 use tilesat::{Axis, Mover, Response};
+use tilesat_judge::Random;
+use tilesat_judge::rooms::body::{Body, Outcome};
+use tilesat_judge::rooms::room::{FINE, Room};
+use tilesat_judge::rooms::view::View;
+use tilesat_judge::rooms::{P, PX, len2, mosaic};
+use tilesat_judge::shapes::level::Level;
 
 const SIZE: P = (6, 5);
 

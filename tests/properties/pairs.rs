@@ -1,20 +1,22 @@
 //! Two shapes that do not move: P1 to P4, P23, P27.
 
 use super::config;
-use super::oracle::figure::{Figure, Point};
-use super::oracle::kernel::{self, point};
-use super::oracle::verify::Pair;
-use super::rational;
 use super::scenes::{extremes, pairs};
-use num_rational::BigRational;
 use proptest::prelude::*;
+use tilesat_judge::casts;
+use tilesat_judge::num_rational::BigRational;
+use tilesat_judge::oracle;
+use tilesat_judge::oracle::figure::{Figure, Point};
+use tilesat_judge::oracle::kernel::{self, point};
+use tilesat_judge::oracle::rational;
+use tilesat_judge::oracle::verify::Pair;
 
 /// The nine by nine lattice and the radii of the exhaustive test.
 fn small() -> impl Strategy<Value = Figure> {
     let at = || (0i64..9, 0i64..9);
     let radius = prop::sample::select(&[0i64, 1, 2, 3, 4, 5, 8][..]);
     prop_oneof![
-        (at(), at()).prop_map(|(p, q)| super::oracle::generate::aabb(p, q)),
+        (at(), at()).prop_map(|(p, q)| oracle::generate::aabb(p, q)),
         (at(), radius).prop_map(|(centre, radius)| Figure::Circle { centre, radius }),
         (at(), at()).prop_map(|(a, b)| Figure::Segment { a, b }),
     ]
@@ -99,10 +101,10 @@ proptest! {
         pair.distances();
         let most = (1i64 << 28) - 1;
         for d in [(most, most), (-most, most), (if along { most } else { 0 }, if along { 0 } else { -most })] {
-            super::cast_support::ask::check::<super::oracle::int256::Int256>(&a, &b, d, 4);
+            casts::ask::check::<oracle::int256::Int256>(&a, &b, d, 4);
         }
         let far: Point = (i64::from(i32::MAX), i64::from(i32::MIN));
-        super::oracle::verify::point(&a, far);
+        oracle::verify::point(&a, far);
     }
 
     /// The small lattice against big rationals, which share nothing with the judge of the other tests.

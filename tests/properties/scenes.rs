@@ -1,8 +1,8 @@
 //! Pairs of shapes that shrink to small ones at the origin.
 
-use super::oracle::figure::{Figure, Kind, LIMIT, PAIRS, Point};
-use super::oracle::generate::{CLASSES, Pairs, aabb};
 use proptest::prelude::*;
+use tilesat_judge::oracle::figure::{Figure, Kind, LIMIT, PAIRS, Point};
+use tilesat_judge::oracle::generate::{CLASSES, Pairs, aabb};
 
 /// Numbers of a shape before it has a kind: two points and a radius.
 type Bare = (Point, Point, i64);

@@ -1,12 +1,12 @@
 //! The same scene seen otherwise: P5 to P9, of pairs and of casts.
 
-use super::cast_support::ask::cast;
 use super::config;
-use super::oracle::figure::{Figure, LIMIT, Point};
-use super::oracle::kernel;
 use super::scenes::{motions, pairs};
 use proptest::prelude::*;
 use tilesat::Inside;
+use tilesat_judge::casts::ask::cast;
+use tilesat_judge::oracle::figure::{Figure, LIMIT, Point};
+use tilesat_judge::oracle::kernel;
 
 type Map = fn(Point) -> Point;
 

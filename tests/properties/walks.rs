@@ -1,14 +1,14 @@
 //! Grids that rays and segments walk through: P21, P22, P25.
 
 use super::config;
-use super::motion_shape_support::body::{Body, vec2};
-use super::motion_shape_support::random::Random;
-use super::motion_shape_support::room::Room;
-use super::motion_shape_support::{PX, mosaic};
-use super::segment_support::level::{level, placed, shape};
-use super::segment_support::oracle::check_refs;
 use proptest::prelude::*;
 use tilesat::{Axis, Cell, Fx, Grid, Inside, Mover, RayRules, TileKind, TileKinds, TileMap};
+use tilesat_judge::Random;
+use tilesat_judge::paths::level::{level, placed, shape};
+use tilesat_judge::paths::oracle::check_refs;
+use tilesat_judge::rooms::body::{Body, vec2};
+use tilesat_judge::rooms::room::Room;
+use tilesat_judge::rooms::{PX, mosaic};
 
 type P = (i64, i64);
 

@@ -1,6 +1,6 @@
 //! What bytes that are taken for a segment map have to be, from the table of the layout alone: no code of the library's, no state between cells.
 
-use crate::segment_world_support::{Body, P, cross, gcd, sub};
+use tilesat_judge::segments::{Body, P, cross, gcd, sub};
 
 const HEADER: usize = 32;
 const SEGMENT: usize = 24;

@@ -1,15 +1,15 @@
 //! Sequences of operations on many bodies: broad phases beside a list of boxes, scenes beside themselves.
 
-use crate::broad_support::script::{At, Op, Play, Shape as Place};
-use crate::broad_support::{Cells, Check, Mark, everywhere};
-use crate::scene_change::{BODIES, check, room};
-use crate::stream::Random;
 use core::num::NonZeroU8;
-use std::fmt::Debug;
 use tilesat::broad::{BroadPhase, BruteForce, Handle, LooseGrid, SortSweep, Tag};
 use tilesat::prelude::*;
 use tilesat::scene::{SceneBody, SceneError, SceneEvent, SceneTag, Shape, Sleep, Stepped};
 use tilesat::{Aabb, Circle, Filter, Fx, LayerMask, Ratio, Scene, Surface, Vec2};
+use tilesat_judge::Random;
+use tilesat_judge::broad::near::Near;
+use tilesat_judge::broad::script::{At, Op, Play, Shape as Place};
+use tilesat_judge::broad::{Cells, Check, Mark, everywhere};
+use tilesat_judge::scenes::{BODIES, check, room};
 
 /// Operations in a sequence.
 const MOST: usize = 80;
@@ -65,7 +65,7 @@ fn op(r: &mut Random) -> Op {
 struct Script(Cells, Vec<Op>);
 
 impl Check for Script {
-    fn on<P: BroadPhase<Tag = Mark> + Copy + Debug>(&mut self, name: &str, limit: Option<i32>, empty: P) {
+    fn on(&mut self, name: &str, limit: Option<i32>, empty: &Near<Mark>) {
         let mut play = Play::new(name, limit, self.0, empty);
         for op in &self.1 {
             play.play(op);
@@ -76,7 +76,7 @@ impl Check for Script {
 
 /// Every broad phase against brute force by the definitions.
 pub(crate) fn broad(data: &[u8]) {
-    let mut r = Random::of(data);
+    let mut r = Random::steered(data);
     let end = (1 << 29) - 1;
     let origin = |r: &mut Random| [0, -1, -end, end, 1000 << 16, r.around(99_999) as i32][r.below(6) as usize];
     let cells = Cells { side: 1 << r.within(1, 28), origin: (origin(&mut r), origin(&mut r)) };
@@ -84,7 +84,7 @@ pub(crate) fn broad(data: &[u8]) {
     while ops.len() < MOST && Random::is_left() {
         ops.push(op(&mut r));
     }
-    everywhere::<24>(cells, &mut Script(cells, ops));
+    everywhere(24, cells, &mut Script(cells, ops));
 }
 
 fn shape(r: &mut Random) -> Shape {
@@ -261,7 +261,7 @@ fn change(r: &mut Random, key: &mut u32) -> Change {
 
 /// A scene on three broad phases at once: the same bodies in all; consistent; and after a rollback the same again.
 pub(crate) fn scene(data: &[u8]) {
-    let mut r = Random::of(data);
+    let mut r = Random::steered(data);
     let sleep = Sleep { steps: r.below(20) as u8, ..Sleep::default() };
     let mut one = Stage::new(SortSweep::<BODIES, SceneTag>::new(), sleep);
     let mut two = Stage::new(BruteForce::<BODIES, SceneTag>::new(), sleep);

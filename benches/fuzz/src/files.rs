@@ -1,28 +1,21 @@
 //! What comes from outside: bytes of segment maps, levels of Tiled and of `LDtk`. Refused in one line, or taken and then good for every question.
 
 use crate::accepted;
-use crate::segment_world_hostile as hostile;
-use crate::segment_world_support::build;
-use crate::stream::Random;
 use std::ffi::OsString;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tilesat::{AllShapes, Fx, Grid, Inside, SegmentMap, TileMap, Vec2};
-
-#[allow(dead_code, reason = "the program's `main` is not called")]
-#[path = "../../../examples/lint/main.rs"]
-mod lint;
-
-/// The part of the baker that makes segment maps.
-#[path = "../../../examples/bake/segments.rs"]
-mod segments;
-
-use lint::level_io;
-use segments::Shapes;
+use tilesat_judge::Random;
+use tilesat_judge::segments::build;
+use tilesat_judge::segments::hostile;
+use tilesat_tools::bake::level::Level;
+use tilesat_tools::bake::segments::Shapes;
+use tilesat_tools::cli;
+use tilesat_tools::read::load;
 
 /// Bytes as they are, or a level that was built and then damaged where the input says, its checksum right again.
 pub(crate) fn segment_bytes(data: &[u8]) {
-    let mut r = Random::of(data);
+    let mut r = Random::steered(data);
     let scene = build::scene(&mut r);
     let mut bytes = match r.below(4) {
         0 => data[1.min(data.len())..].to_vec(),
@@ -211,7 +204,7 @@ fn scratch(content: &[u8]) -> PathBuf {
 
 /// Text that was made, then damaged where the input says; or the input itself. And whether it has to be refused.
 fn file(data: &[u8], made: fn(&mut Random) -> Made) -> (PathBuf, bool) {
-    let mut r = Random::of(data);
+    let mut r = Random::steered(data);
     if r.one_in(8) {
         return (scratch(&data[1.min(data.len())..]), false);
     }
@@ -245,10 +238,10 @@ pub(crate) fn ldtk(data: &[u8]) {
     read(&file(data, ldtk_text));
 }
 
-fn lint_says(path: &PathBuf) -> (u8, Vec<u8>, Vec<u8>) {
+fn lint_says(path: &Path) -> (u8, Vec<u8>, Vec<u8>) {
     let (mut out, mut err) = (Vec::new(), Vec::new());
-    let args = [path.into(), OsString::from("--body"), OsString::from("10x14")];
-    let status = lint::run(args, &mut out, &mut err);
+    let args = ["lint".as_ref(), path.as_os_str(), "--body".as_ref(), "10x14".as_ref()];
+    let status = cli::run(args.map(OsString::from), &mut out, &mut err);
     (status, out, err)
 }
 
@@ -259,12 +252,12 @@ fn read((path, refused): &(PathBuf, bool)) {
     let lines = String::from_utf8_lossy(err).lines().count();
     assert!(*status <= 2 && (*status == 2) == (lines == 1), "{told:?}");
     assert_eq!(lint_says(path), told, "twice");
-    let loaded = level_io::load(path, None);
+    let loaded = load(path, None);
     assert!(!refused || loaded.is_err(), "a wrong number of tiles is taken");
     // Unreadable for one is unreadable for all.
     assert!(loaded.is_ok() || *status == 2, "{told:?}");
     let Ok(drawing) = loaded else { return };
-    if let Ok(Some(level)) = drawing.level(None) {
+    if let Ok(Some(level)) = Level::of_drawing(&drawing, None) {
         let kinds = level.kinds();
         assert_eq!(level.tiles.len(), usize::from(level.width) * usize::from(level.height));
         assert!(level.tiles.iter().all(|id| usize::from(*id) < level.ids.len()));

@@ -1,11 +1,14 @@
 //! Questions about levels: tiles and segments against judges that know the definitions alone.
 
-use crate::segment_world_support::{Body, P, Scene, build, cross, sub};
-use crate::solids::judge::{Body as Figure, Judge};
-use crate::solids::level::Level;
-use crate::stream::Random;
-use crate::{segment_world_rays, shape_overlap, shape_rays, world_oracle};
 use tilesat::{Aabb, Circle, Fx, Grid, Inside, Outside, RayRules, SegmentMap, TileKind, TileKinds, TileMap, Vec2};
+use tilesat_judge::Random;
+use tilesat_judge::blocks::ask as world_oracle;
+use tilesat_judge::rays::check as shape_rays;
+use tilesat_judge::segments::rays as segment_world_rays;
+use tilesat_judge::segments::{Body, P, Scene, build, cross, sub};
+use tilesat_judge::shapes::judge::{Body as Figure, Judge};
+use tilesat_judge::shapes::level::Level;
+use tilesat_judge::shapes::met as shape_overlap;
 
 /// Questions of one level: as many as there are bytes, and not more than these.
 const QUESTIONS: u32 = 12;
@@ -27,9 +30,9 @@ static KINDS: TileKinds = TileKinds::EMPTY
 
 /// Blocks: rays, overlap, touch, flags.
 pub(crate) fn tiles(data: &[u8]) {
-    let mut r = Random::of(data);
-    let level = crate::support::build::level(&mut r);
-    let (scene, map) = (crate::support::rays::Scene::new(&level), level.map());
+    let mut r = Random::steered(data);
+    let level = tilesat_judge::blocks::build::level(&mut r);
+    let (scene, map) = (tilesat_judge::blocks::rays::Scene::new(&level), level.map());
     let origin = Vec2::from_raw(level.x as i32, level.y as i32);
     let grid = Grid::new(level.width as u16, level.height as u16, Fx::from_bits(level.cell as i32), origin);
     let flagged = TileMap::on_grid(&level.tiles, grid.expect("as above"), &KINDS).expect("the same tiles");
@@ -41,8 +44,8 @@ pub(crate) fn tiles(data: &[u8]) {
             world_oracle::Shape::Box(b) => (map.overlaps(&b), map.touches(&b), flagged.flags_touched(&b)),
             world_oracle::Shape::Circle(b) => (map.overlaps(&b), map.touches(&b), flagged.flags_touched(&b)),
         };
-        let (overlaps, touches) = (crate::support::bodies::overlaps, crate::support::bodies::touches);
-        let touched = crate::support::bodies::flags(&level, body);
+        let (overlaps, touches) = (tilesat_judge::blocks::bodies::overlaps, tilesat_judge::blocks::bodies::touches);
+        let touched = tilesat_judge::blocks::bodies::flags(&level, body);
         let flags = (0..3).filter(|k| touched >> k & 1 != 0).fold(0, |all, k| all | SHARED[k]);
         let expected = (overlaps(&level, body), touches(&level, body), flags);
         assert_eq!(told, expected, "(overlaps, touches, flags) {level:?} {body:?}");
@@ -51,8 +54,8 @@ pub(crate) fn tiles(data: &[u8]) {
 
 /// Tiles of all shapes: overlap and touch, with and without the table of rows.
 pub(crate) fn tile_shapes(data: &[u8]) {
-    let mut r = Random::of(data);
-    let level = crate::solids::build::mosaic(&mut r);
+    let mut r = Random::steered(data);
+    let level = tilesat_judge::shapes::build::mosaic(&mut r);
     let judge = Judge::new(&level);
     // What one shape does wrong the others of a level often hide.
     let alone =
@@ -60,16 +63,16 @@ pub(crate) fn tile_shapes(data: &[u8]) {
     let judge_alone = Judge::new(&alone);
     let mut met = shape_overlap::Met::default();
     questions(|| {
-        let body = crate::solids::build::body(&mut r, &level);
+        let body = tilesat_judge::shapes::build::body(&mut r, &level);
         let larger = match body {
             Figure::Circle { c, r } => Figure::Circle { c, r: r + level.cell },
             body => body,
         };
-        if crate::solids::build::in_domain(body) {
+        if tilesat_judge::shapes::build::in_domain(body) {
             met.check(&level, &judge, body);
             met.check(&alone, &judge_alone, body);
         }
-        if crate::solids::build::in_domain(larger) {
+        if tilesat_judge::shapes::build::in_domain(larger) {
             met.check(&alone, &judge_alone, larger);
         }
     });
@@ -77,11 +80,11 @@ pub(crate) fn tile_shapes(data: &[u8]) {
 
 /// Tiles of all shapes: every hit of rays.
 pub(crate) fn tile_rays(data: &[u8]) {
-    let mut r = Random::of(data);
-    let level = crate::ray_support::level::Level::random(&mut r);
-    let (scene, map) = (crate::ray_support::cast::Scene::new(&level), level.map());
+    let mut r = Random::steered(data);
+    let level = tilesat_judge::rays::level::Level::random(&mut r);
+    let (scene, map) = (tilesat_judge::rays::cast::Scene::new(&level), level.map());
     questions(|| {
-        let (o, d) = crate::ray_support::rays::ray(&mut r, &level, &scene);
+        let (o, d) = tilesat_judge::rays::generate::ray(&mut r, &level, &scene);
         shape_rays::check(&level, &scene, &map, o, d, &mut r);
     });
 }
@@ -102,7 +105,7 @@ fn certain_flags(scene: &Scene, body: Body) -> u8 {
 
 /// Polygons, walls and chains: overlap, touch and flags.
 pub(crate) fn segments(data: &[u8]) {
-    let mut r = Random::of(data);
+    let mut r = Random::steered(data);
     let mut scene = build::scene(&mut r);
     // Two flags each, so that neighbours have one in common.
     scene.shapes.iter_mut().for_each(|shape| shape.flags |= shape.flags.rotate_left(1));
@@ -130,7 +133,7 @@ pub(crate) fn segments(data: &[u8]) {
 
 /// Polygons, walls and chains: every hit of rays.
 pub(crate) fn segment_rays(data: &[u8]) {
-    let mut r = Random::of(data);
+    let mut r = Random::steered(data);
     let scene = build::scene(&mut r);
     let bytes = scene.bytes();
     let map = SegmentMap::from_bytes(&bytes).expect("what was built is taken");

@@ -1,12 +1,7 @@
 //! What is asked of every input that the fuzzer makes: the contract, by the judges of the crate's tests.
 //!
-//! Each target is a function of bytes that panics where the library is wrong. The programs of `fuzz_targets` give it to cargo-fuzz; the program
+//! Each target is a function of bytes that panics where the library is wrong. The programs of `fuzz_targets` give it to libFuzzer; the program
 //! `replay` runs the committed corpus on any toolchain.
-
-// The judges are the tests' own, of which each target uses a part.
-#![allow(dead_code, unused_imports, unexpected_cfgs, clippy::duplicate_mod)]
-
-include!(concat!(env!("OUT_DIR"), "/judges.rs"));
 
 mod accepted;
 mod bodies;
@@ -15,7 +10,6 @@ mod levels;
 mod motion;
 mod pairs;
 mod ride;
-mod stream;
 
 type Target = fn(&[u8]);
 

@@ -1,18 +1,18 @@
 //! Bodies that move through levels: never inside by the exact test, never faster, the same twice, mirrored in a mirror.
 
-use crate::motion_segments as polygons;
-use crate::motion_shape_support::body::Body as Shaped;
-use crate::motion_shape_support::room::Room;
-use crate::motion_shape_support::view::View;
-use crate::motion_shape_support::{PX, mosaic};
-use crate::motion_shapes as mosaics;
-use crate::motion_support::body::{Body, RESPONSES};
-use crate::motion_support::level::Level;
-use crate::motion_support::scene::{any_velocity, blocks as random_blocks, placed};
-use crate::motion_support::{P, judge, len2};
-use crate::segment_world_support::build;
-use crate::stream::Random;
 use tilesat::{Axis, Mover, Outside, Response, SegmentMap};
+use tilesat_judge::Random;
+use tilesat_judge::motion::body::{Body, RESPONSES};
+use tilesat_judge::motion::level::Level;
+use tilesat_judge::motion::scene::{any_velocity, blocks as random_blocks, placed};
+use tilesat_judge::motion::{P, judge, len2};
+use tilesat_judge::rooms::body::Body as Shaped;
+use tilesat_judge::rooms::frames as mosaics;
+use tilesat_judge::rooms::room::Room;
+use tilesat_judge::rooms::view::View;
+use tilesat_judge::rooms::{PX, mosaic};
+use tilesat_judge::segments::build;
+use tilesat_judge::segments::frames as polygons;
 
 /// Frames of one body: as many as there are bytes, and not more than these.
 const FRAMES: u32 = 8;
@@ -49,7 +49,7 @@ fn size(r: &mut Random, cell: i64) -> i64 {
 
 /// Blocks and one-way tiles by the exact judge of the first hit, of places and of what is left of the velocity.
 pub(crate) fn blocks(data: &[u8]) {
-    let mut r = Random::of(data);
+    let mut r = Random::steered(data);
     let cell = cell(&mut r);
     let (width, height) = (r.within(1, 12), r.within(1, 9));
     let (solid, one_way) = (r.within(0, 60), r.within(0, 20));
@@ -85,13 +85,13 @@ pub(crate) fn blocks(data: &[u8]) {
     }
 }
 
-fn again(level: &Level, body: &Body, v: P, response: Response, out: &crate::motion_support::body::Outcome) {
+fn again(level: &Level, body: &Body, v: P, response: Response, out: &tilesat_judge::motion::body::Outcome) {
     let mover = Mover::platformer(Axis::NEG_Y).with_response(response);
     assert_eq!(body.step(&mover, &level.map(), v).as_ref(), Ok(out), "twice: {level:?} {body:?} by {v:?}");
 }
 
 /// The mirror twin: x reversed. Two corners that a circle meets at once from exactly the middle are the one exception, told by the axes.
-fn mirrored(level: &Level, body: &Body, v: P, response: Response, out: &crate::motion_support::body::Outcome) {
+fn mirrored(level: &Level, body: &Body, v: P, response: Response, out: &tilesat_judge::motion::body::Outcome) {
     let w = level.width;
     let tiles = (0..w * level.height).map(|k| level.tile(w - 1 - k % w, k / w)).collect();
     let origin = (-level.origin.0 - w * level.cell, level.origin.1);
@@ -101,7 +101,7 @@ fn mirrored(level: &Level, body: &Body, v: P, response: Response, out: &crate::m
     let seen = body.mapped(flip).step(&mover, &twin.map(), flip(v)).expect("a mirrored motion is taken as well");
     let axes: Vec<P> = seen.axes().into_iter().map(flip).collect();
     let tie = axes.iter().zip(out.axes()).find(|(a, b)| **a != *b).is_some_and(|(a, b)| *a == flip(b));
-    let bits = |o: &crate::motion_support::body::Outcome, b: Body, v: P, left: P| {
+    let bits = |o: &tilesat_judge::motion::body::Outcome, b: Body, v: P, left: P| {
         (b, v, left, o.times(), o.floor, o.wall, o.ceiling, o.flags)
     };
     let (one, other) = (
@@ -113,7 +113,7 @@ fn mirrored(level: &Level, body: &Body, v: P, response: Response, out: &crate::m
 
 /// Tiles of all shapes.
 pub(crate) fn shapes(data: &[u8]) {
-    let mut r = Random::of(data);
+    let mut r = Random::steered(data);
     let cell = match r.below(3) {
         0 => 16 * PX,
         1 => 24 * PX,
@@ -161,7 +161,7 @@ pub(crate) fn shapes(data: &[u8]) {
 
 /// Polygons, walls and chains.
 pub(crate) fn segments(data: &[u8]) {
-    let mut r = Random::of(data);
+    let mut r = Random::steered(data);
     let scene = build::scene(&mut r);
     if !polygons::is_proper(&scene) {
         return;
@@ -172,7 +172,7 @@ pub(crate) fn segments(data: &[u8]) {
     if blocking.is_empty() {
         return;
     }
-    let free = |b: &crate::segment_world_support::Body| b.has_area() && !scene.overlaps(&blocking, *b);
+    let free = |b: &tilesat_judge::segments::Body| b.has_area() && !scene.overlaps(&blocking, *b);
     let Some(mut body) = (0..30).map(|_| scene.body(&mut r)).find(free) else { return };
     let (lo, hi) = scene.bounds();
     let size = (hi.0 - lo.0).max(hi.1 - lo.1) as i64;

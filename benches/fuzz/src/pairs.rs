@@ -1,19 +1,19 @@
 //! Pairs of shapes: every verb against the exact judge, on the tests' adversarial classes.
 
-use crate::cast_classes::{Motion, moving, through, views};
-use crate::cast_support::ask;
-use crate::cast_support::judge::{Forbidden, ONE};
-use crate::oracle::figure::{Figure, LIMIT, PAIRS, Point};
-use crate::oracle::generate::{CLASSES, Class, Pairs};
-use crate::oracle::int256::Int256;
-use crate::oracle::kernel::{self, aabb, circle, point, segment, vec2};
-use crate::oracle::verify::{self, Pair};
-use crate::stream::Random;
 use tilesat::{CastHit, Inside, Vec2};
+use tilesat_judge::Random;
+use tilesat_judge::casts::ask;
+use tilesat_judge::casts::judge::{Forbidden, ONE};
+use tilesat_judge::casts::motions::{Motion, moving, through, views};
+use tilesat_judge::oracle::figure::{Figure, LIMIT, PAIRS, Point};
+use tilesat_judge::oracle::generate::{CLASSES, Class, Pairs};
+use tilesat_judge::oracle::int256::Int256;
+use tilesat_judge::oracle::kernel::{self, aabb, circle, point, segment, vec2};
+use tilesat_judge::oracle::verify::{self, Pair};
 
 /// A pair in either order, and where it is from.
 fn pair(data: &[u8]) -> (Figure, Figure, Pairs, Class) {
-    let mut r = Random::of(data);
+    let mut r = Random::steered(data);
     let kinds = PAIRS[r.below(6) as usize];
     let class = CLASSES[r.below(6) as usize];
     let exchanged = r.one_in(2);

@@ -1,19 +1,21 @@
 //! Bodies on, before and between solids that move: carried, pushed, squashed, and moved themselves after each tick, by the judges of the tests.
 
-use crate::solids_support::judge::{Block, Judged};
-use crate::solids_support::twins::{BLOCKS, KINDS, mirrored_level};
-use crate::solids_support::{raw, rect, show};
-use crate::solids_ticks::{ALL, CELL, FOLLOW, MOVER, SIDE, Scene, Seen, balls, boxes, grid, solids, steer, tiles};
-use crate::stream::Random;
 use tilesat::prelude::*;
 use tilesat::world::Set;
 use tilesat::{AllShapes, Blocks, Fx, Joined, Side, Solid, Solids, TileKinds, TileMap, World};
+use tilesat_judge::Random;
+use tilesat_judge::solids::judge::{Block, Judged};
+use tilesat_judge::solids::ticks::{
+    ALL, CELL, FOLLOW, MOVER, SIDE, Scene, Seen, balls, boxes, grid, solids, steer, tiles,
+};
+use tilesat_judge::solids::twins::{BLOCKS, KINDS, mirrored_level};
+use tilesat_judge::solids::{raw, rect, show};
 
 /// Ticks of one scene, at most.
 const TICKS: i64 = 12;
 
 pub(crate) fn ride(data: &[u8]) {
-    let mut r = Random::of(data);
+    let mut r = Random::steered(data);
     if r.one_in(4) {
         return carried(&mut r);
     }

@@ -20,15 +20,9 @@ mod goals;
 mod job;
 mod micro;
 mod moves;
-#[path = "../../../tests/oracle/mod.rs"]
-mod oracle;
 mod pairs;
 mod peers;
 mod plot;
-#[cfg(test)]
-#[allow(dead_code, reason = "the judge of the judge answers more than is asked here")]
-#[path = "../../../tests/oracle/rational.rs"]
-mod rational;
 mod rays;
 mod record;
 mod run;

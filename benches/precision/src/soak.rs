@@ -3,9 +3,6 @@
 //! Around each generated pair its neighbours are asked too, up to 2 raw units away in each direction and with radii one more and one less.
 //! The judge of this many is plain 64- and 128-bit integers; every so often it is itself held against the 256-bit one.
 
-use crate::oracle::figure::{Figure, Kind, PAIRS};
-use crate::oracle::generate::{CLASSES, Pairs};
-use crate::oracle::measure::Measure;
 use crate::pairs::name;
 use crate::peers::exact::Shape as Plain;
 use crate::peers::ours::Shape as Ours;
@@ -14,6 +11,9 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 use tilesat::prelude::*;
+use tilesat_judge::oracle::figure::{Figure, Kind, PAIRS};
+use tilesat_judge::oracle::generate::{CLASSES, Pairs};
+use tilesat_judge::oracle::measure::Measure;
 use tilesat_textbook::exact;
 
 /// Generated pairs a chunk: what is done between two looks at the clock, and what a seed stands for.

@@ -1,12 +1,12 @@
 //! Frames of motion in random worlds, each judged: no overlap, no solid on the way to the first contact, never faster.
 
-use crate::blocks;
 use crate::room::{FINE, Room};
-use crate::shapes::body::{Body, Outcome};
-use crate::shapes::level::Level;
-use crate::shapes::random::Random;
-use crate::shapes::{P, PX, len2, mosaic};
 use tilesat::{AllShapes, Axis, Mover, Response, Surface, TileMap};
+use tilesat_judge::Random;
+use tilesat_judge::motion as blocks;
+use tilesat_judge::rooms::body::{Body, Outcome};
+use tilesat_judge::rooms::{P, PX, len2, mosaic};
+use tilesat_judge::shapes::level::Level;
 
 const FRAMES_A_BODY: u64 = 250;
 const BODIES_A_BATCH: u64 = 20;
@@ -171,7 +171,7 @@ fn any_velocity(r: &mut Random, fastest: i64) -> P {
 }
 
 fn in_blocks(seed: u64, tally: &mut Tally) {
-    let mut r = blocks::random::Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    let mut r = tilesat_judge::Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
     let (solid, one_way) = (r.within(5, 60), r.within(0, 15));
     let cell = if r.one_in(2) { 16 << 16 } else { 24 << 16 };
     let level = blocks::scene::blocks(&mut r, (20, 14), cell, solid, one_way);

@@ -1,8 +1,8 @@
 //! A run of hours: 10^9 frames and 10^10 answers, each judged exactly, that can be stopped at any time and goes on where it was.
 //!
 //! ```text
-//! cargo run --release --manifest-path benches/soak/Cargo.toml                               all of it, on two cores
-//! cargo run --release --manifest-path benches/soak/Cargo.toml -- --minutes 15 --threads 1   a quarter of an hour of it
+//! cargo run --profile checked -p tilesat-soak                               all of it, on two cores
+//! cargo run --profile checked -p tilesat-soak -- --minutes 15 --threads 1   a quarter of an hour of it
 //! ... -- --class tiny --queries 1e8 --frames 0 --levels 0 --state /tmp/tiny.txt             a part; --list tells the names
 //! ```
 //!
@@ -18,30 +18,12 @@
 //! - **Frames**: circles and boxes up to 60 px a frame (in cells of 16) in random worlds of all 34 shapes and one-way edges, all responses, elastic ones
 //!   too: no overlap after a frame, never faster, and the way to the first contact free at each sixteenth of the motion. Block worlds are judged by
 //!   the tests' judge: exact first moments and sides, and a body never leaves its room.
-//! - **Levels**: random TMX files through the level reader of the examples, compared tile by tile and played in.
+//! - **Levels**: random TMX files through the reader of the level tools, compared tile by tile and played in.
 //!
 //! # Honest limits
 //!
 //! Legs after the first contact are judged by their ends in levels of all shapes, and by rooms in levels of blocks. Tiles at the moment of a sixteenth only;
 //! what is thinner than that and missed between two of them would have to be thinner than a sixteenth of a frame's motion.
-
-#![allow(clippy::duplicate_mod, reason = "judges that share their random numbers")]
-
-#[path = "../../../tests/motion_support/mod.rs"]
-mod blocks;
-#[path = "../../../tests/cast_support/mod.rs"]
-mod cast_support;
-#[allow(clippy::collapsible_if, reason = "files of a package that older compilers build")]
-#[allow(dead_code, unused_imports, reason = "the readers know more than is asked")]
-#[path = "../../../examples/level_io/mod.rs"]
-mod level_io;
-#[path = "../../../tests/oracle/mod.rs"]
-mod oracle;
-#[allow(dead_code, reason = "containment is not asked")]
-#[path = "../../../tests/oracle/rational.rs"]
-mod rational;
-#[path = "../../../tests/motion_shape_support/mod.rs"]
-mod shapes;
 
 mod frames;
 mod options;

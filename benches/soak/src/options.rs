@@ -17,7 +17,7 @@ pub struct Options {
 }
 
 const USAGE: &str = "\
-usage: cargo run --release --manifest-path benches/soak/Cargo.toml -- [OPTION]...
+usage: cargo run --profile checked -p tilesat-soak -- [OPTION]...
   --frames N    frames of motion in all, earlier runs included; default 1000000000
   --queries N   answers of pairs and casts in all; default 10000000000
   --levels N    random TMX levels in all; default 10000

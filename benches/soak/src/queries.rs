@@ -1,14 +1,14 @@
 //! Pairs of shapes in adversarial classes: every answer of the library against the fast judge, some against the slow ones.
 
-use crate::cast_support::ask::{self, cast};
-use crate::oracle::figure::{Figure, Kind, LIMIT, PAIRS, Point};
-use crate::oracle::generate::{self, Pairs, UNIT, aabb};
-use crate::oracle::int256::Int256;
-use crate::oracle::kernel;
-use crate::oracle::random::Random;
-use crate::oracle::verify;
 use crate::quick;
 use tilesat::Inside;
+use tilesat_judge::Random;
+use tilesat_judge::casts::ask::{self, cast};
+use tilesat_judge::oracle::figure::{Figure, Kind, LIMIT, PAIRS, Point};
+use tilesat_judge::oracle::generate::{self, Pairs, UNIT, aabb};
+use tilesat_judge::oracle::int256::Int256;
+use tilesat_judge::oracle::kernel;
+use tilesat_judge::oracle::verify;
 
 /// Motions are smaller than this.
 const MOTION: i64 = 1 << 28;

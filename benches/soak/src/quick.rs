@@ -7,7 +7,7 @@
 //!
 //! With coordinates below 2^30 a cross product is below 2^62, its square and a squared radius times a squared length below 2^124.
 
-use crate::oracle::figure::{Figure, Point};
+use tilesat_judge::oracle::figure::{Figure, Point};
 
 /// Where the origin is in the difference of two cores.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,8 +1,8 @@
 //! A level as one convex piece, or a piece with a quarter arc, a cell: does a body overlap the solid, exactly, at a sixteenth of a motion?
 
-use crate::shapes::body::Body;
-use crate::shapes::level::{Level, shape};
-use crate::shapes::region::Region;
+use tilesat_judge::rooms::body::Body;
+use tilesat_judge::shapes::level::{Level, shape};
+use tilesat_judge::shapes::region::Region;
 
 type P = (i64, i64);
 

@@ -1,11 +1,11 @@
 //! The fast judge is judged: by big rationals and other means, on samples of every class, before anything else is asked.
 
-use crate::oracle::figure::Figure;
 use crate::queries::{ROWS, samples};
 use crate::quick::Pair;
-use crate::rational;
 use crate::state::name;
-use num_rational::BigRational;
+use tilesat_judge::num_rational::BigRational;
+use tilesat_judge::oracle::figure::Figure;
+use tilesat_judge::oracle::rational;
 
 /// Pairs of each row.
 const EACH: usize = 40;

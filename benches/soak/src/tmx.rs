@@ -1,15 +1,17 @@
-//! Random levels of Tiled through the level reader of the examples: written as a file, read, baked, compared tile by tile, and played in.
+//! Random levels of Tiled through the reader of the level tools: written as a file, read, baked, compared tile by tile, and played in.
 
 use crate::frames::{self, Tally};
-use crate::level_io::{self, level::Level as Baked};
-use crate::shapes::PX;
-use crate::shapes::level::Level;
-use crate::shapes::random::Random;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::Path;
 use std::sync::OnceLock;
 use tilesat::{AllShapes, Fx, Grid, Outside, TileMap, Vec2};
+use tilesat_judge::Random;
+use tilesat_judge::rooms::PX;
+use tilesat_judge::shapes::level::Level;
+use tilesat_tools::bake::level::Level as Baked;
+use tilesat_tools::read::load;
+use tilesat_tools::rules::names;
 
 /// Bodies in each level.
 const BODIES: u64 = 2;
@@ -73,7 +75,7 @@ pub fn level(scratch: &Path, seed: u64, number: u64) -> Tally {
 }
 
 fn read(file: &Path) -> Result<Baked, String> {
-    let drawing = level_io::load(file, None).map_err(|e| e.to_string())?;
+    let drawing = load(file, None).map_err(|e| e.to_string())?;
     Baked::bake(&drawing.tiles, None).map_err(|e| e.to_string())
 }
 
@@ -86,7 +88,7 @@ fn text(width: i64, height: i64, tile: i64, named: bool, cells: &[u32]) -> Strin
     );
     for shape in 1..38 {
         let property = if named || shape > 33 {
-            let name = level_io::names::name(tilesat::TileShape::ALL[shape]);
+            let name = names::name(tilesat::TileShape::ALL[shape]);
             format!("<property name=\"shape\" value=\"{name}\"/>")
         } else {
             format!("<property name=\"npp\" type=\"int\" value=\"{shape}\"/>")
@@ -119,7 +121,7 @@ fn outline(id: u8) -> BTreeSet<(i64, i64)> {
     if let 34..=37 = id {
         return BTreeSet::from([[(0, -1), (1, 0), (0, 1), (-1, 0)][usize::from(id - 34)]]);
     }
-    let Some(solid) = crate::shapes::level::shape(id).0 else { return BTreeSet::new() };
+    let Some(solid) = tilesat_judge::shapes::level::shape(id).0 else { return BTreeSet::new() };
     let solid = solid.map(|(x, y)| (12 * x, 12 * y));
     let places = (0..144i64).map(|k| (1 + 2 * (k % 12), 1 + 2 * (k / 12)));
     places.filter(|p| solid.contains((p.0.into(), p.1.into()))).map(|(x, y)| (x - 12, y - 12)).collect()

@@ -1,9 +1,9 @@
 //! What long runs do to a ball and to a box: this library beside textbook code, parry2d and rapier2d.
 //!
 //! ```text
-//! cargo run --release --manifest-path benches/stability/Cargo.toml                              all scenes, 10^5 frames: a minute on two cores
-//! cargo run --release --manifest-path benches/stability/Cargo.toml -- --full                    10^6 frames: ten minutes
-//! cargo run --release --manifest-path benches/stability/Cargo.toml --features rapier            rapier2d too
+//! cargo run --profile unlinked -p tilesat-stability                              all scenes, 10^5 frames: a minute on two cores
+//! cargo run --profile unlinked -p tilesat-stability -- --full                    10^6 frames: ten minutes
+//! cargo run --profile unlinked -p tilesat-stability --features rapier            rapier2d too
 //! ... -- --scene gravity --column tilesat --frames 1000000                                      a part; --list tells the names
 //! ```
 //!

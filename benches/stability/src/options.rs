@@ -10,7 +10,7 @@ pub struct Options {
 }
 
 const USAGE: &str = "\
-usage: cargo run --release --manifest-path benches/stability/Cargo.toml [--features rapier] -- [OPTION]...
+usage: cargo run --profile unlinked -p tilesat-stability [--features rapier] -- [OPTION]...
   --frames N    frames of each run (bounces of the elastic rooms); default 100000
   --full        1000000 frames
   --starts N    at most so many starts a scene; default all (16)

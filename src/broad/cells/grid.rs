@@ -1,16 +1,11 @@
 //! Bodies in cells of a bounded world.
 
-use super::blocks::Rows;
-use super::lists::{Links, Lists};
-use super::near::{last_ring, ring};
-use super::pairs::{Near, pairs};
-use super::path::{along, is_short};
-use super::{At, Lattice, Window};
-use crate::broad::cursor::Meter;
-use crate::broad::spatial::{Spatial, square};
+use super::lattice::{At, Lattice, Rows, Window};
+use super::lists::{Links, Lists, ListsMut, Neighbours};
+use super::{InCells, Moving};
 use crate::broad::table::{Bodies, NIL, Slots, Table, touch};
-use crate::broad::{BroadError, BroadPhase, GridError, Handle, Pair, PairCursor, PairsError, Tag};
-use crate::num::{Fx, Raw, Toi, Vec2, check_coordinate};
+use crate::broad::{BroadError, GridError, Tag};
+use crate::num::{Fx, Vec2, check_coordinate};
 use crate::shape::Aabb;
 
 /// What a [`LooseGrid`] does with a body whose centre is outside of its cells.
@@ -160,29 +155,12 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
         let last = self.rows.last();
         Ok(At { x: at.x.max(0).min(last.x), y: at.y.max(0).min(last.y) })
     }
-
-    #[inline]
-    fn lists(&self) -> Lists<'_> {
-        self.links.lists(&self.occupied, self.heads.as_flattened())
-    }
-
-    /// The bodies of a window of cells.
-    #[inline]
-    fn bodies_in(&self, window: &Window, mut each: impl FnMut(usize)) {
-        let lists = self.lists();
-        self.rows.occupied(&self.occupied, window, |cell| lists.from(lists.head(cell)).for_each(&mut each));
-    }
-
-    #[inline]
-    fn clip(&self, lo: Raw, hi: Raw) -> Window {
-        self.rows.clip(self.lattice.window(lo, hi))
-    }
 }
 
-impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> Spatial for LooseGrid<BLOCKS, N, T, LARGE> {
+impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for LooseGrid<BLOCKS, N, T, LARGE> {
     type Tag = T;
-    /// The number of a cell; NIL is the list of large bodies.
-    type Place = u16;
+    const LARGE: bool = LARGE;
+    const ENDLESS: bool = false;
 
     fn table(&self) -> Bodies<'_, T> {
         self.table.bodies()
@@ -193,72 +171,60 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> Spatial for
     }
 
     #[inline]
-    fn admit(&self, bounds: &Aabb) -> Result<u16, BroadError> {
+    fn lattice(&self) -> &Lattice {
+        &self.lattice
+    }
+
+    #[inline]
+    fn lists(&self) -> Lists<'_> {
+        self.links.lists(&self.occupied, self.heads.as_flattened())
+    }
+
+    #[inline]
+    fn lists_mut(&mut self) -> ListsMut<'_> {
+        self.links.lists_mut(&mut self.occupied, self.heads.as_flattened_mut())
+    }
+
+    #[inline]
+    fn number(&self, bounds: &Aabb) -> Result<u16, BroadError> {
         let (mut at, last) = (self.lattice.at(bounds), self.rows.last());
         // One comparison an axis: what is negative is a large number.
         if at.x as u32 > last.x as u32 || at.y as u32 > last.y as u32 {
             at = self.beyond(at, bounds)?;
         }
-        if self.lattice.holds(bounds) {
-            Ok(self.rows.number(at) as u16)
-        } else if LARGE {
-            Ok(NIL)
-        } else {
-            Err(self.lattice.too_large(bounds))
-        }
-    }
-
-    fn link(&mut self, slot: usize, place: u16) {
-        self.links.lists_mut(&mut self.occupied, self.heads.as_flattened_mut()).link(slot, place);
+        Ok(self.rows.number(at) as u16)
     }
 
     #[inline]
-    fn relink(&mut self, slot: usize, place: u16) {
-        if self.links.cell(slot) != place {
-            self.unlink(slot);
-            self.link(slot, place);
-        }
-    }
-
-    #[inline]
-    fn move_all(&mut self, mut to: impl FnMut(Handle, &Aabb) -> Aabb) -> Result<(), (Handle, BroadError)> {
-        let (mut first, mut slot) = (Ok(()), 0);
+    fn moving(&mut self) -> Moving<'_, T, impl Fn(u16, &Aabb) -> bool> {
         let (lattice, rows) = (self.lattice, self.rows);
-        loop {
-            let cells = self.links.cells();
-            let stays = |slot: usize, bounds: &Aabb| {
-                let Some(&cell) = cells.get(slot) else { return false };
-                // The number of no cell is that of one beyond the grid.
-                lattice.at(bounds) == rows.place(cell) && lattice.holds(bounds) && !(LARGE && cell == NIL)
-            };
-            let Some((moved, bounds)) = self.table.slots().set_while(slot, &mut to, stays) else { return first };
-            let handle = self.table.bodies().handle(moved);
-            if let Err(error) = self.move_to(handle, &bounds) {
-                first = first.and(Err((handle, error)));
-            }
-            slot = moved + 1;
-        }
-    }
-
-    fn unlink(&mut self, slot: usize) {
-        self.links.lists_mut(&mut self.occupied, self.heads.as_flattened_mut()).unlink(slot);
+        let stays = move |cell: u16, bounds: &Aabb| {
+            // The number of no cell is that of one beyond the grid.
+            lattice.at(bounds) == rows.place(cell) && lattice.holds(bounds) && !(LARGE && cell == NIL)
+        };
+        Moving { slots: self.table.slots(), numbers: self.links.cells(), stays }
     }
 
     #[inline]
-    fn walk<M: Meter>(
-        &mut self,
-        cursor: &mut PairCursor,
-        meter: &mut M,
-        each: impl FnMut(Pair) -> bool,
-    ) -> Result<(), PairsError> {
+    fn neighbours(&self) -> Neighbours {
         // The last cell of a row and the first of the next one are no neighbours though their numbers are: that costs tests of boxes which do
         // not touch, as at least two cells are between.
-        let near = Near { stride: 1 << self.rows.log_columns(), mask: usize::MAX };
-        pairs::<T, M, LARGE>(self.table.bodies(), self.lists(), near, cursor, meter, each)
+        Neighbours { stride: 1 << self.rows.log_columns(), mask: usize::MAX }
     }
 
     #[inline]
-    fn visit(&self, region: &Aabb, mut each: impl FnMut(usize)) {
+    fn clip(&self, window: Window) -> Window {
+        self.rows.clip(window)
+    }
+
+    #[inline]
+    fn bodies_in(&self, window: &Window, mut each: impl FnMut(usize)) {
+        let lists = self.lists();
+        self.rows.occupied(&self.occupied, window, |cell| lists.from(lists.head(cell)).for_each(&mut each));
+    }
+
+    #[inline]
+    fn touching(&self, region: &Aabb, mut each: impl FnMut(usize)) {
         let (bodies, lists) = (self.table.bodies(), self.lists());
         let mut found = |slot| {
             if bodies.bounds.get(slot).is_some_and(|bounds| touch(bounds, region)) {
@@ -266,48 +232,9 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> Spatial for
             }
         };
         lists.from(lists.large).for_each(&mut found);
-        self.bodies_in(&self.clip(region.lo(), region.hi()), found);
+        self.bodies_in(&self.clip(self.lattice.window(region.lo(), region.hi())), found);
     }
 
     #[inline]
-    fn visit_path(&self, start: &Aabb, motion: Raw, mut each: impl FnMut(usize) -> Toi) {
-        if !is_short(&self.lattice, start, motion, self.table.bodies().bounds.len()) {
-            let end = Aabb::from_raw_unchecked(start.lo().add(motion), start.hi().add(motion));
-            return self.visit(&start.union(&end), |slot| {
-                each(slot);
-            });
-        }
-        let (lists, mut until) = (self.lists(), Toi::ONE);
-        lists.from(lists.large).for_each(|slot| until = each(slot));
-        along(
-            &self.lattice,
-            start,
-            motion,
-            |w| self.rows.clip(w),
-            |window| {
-                self.bodies_in(window, |slot| until = each(slot));
-                until
-            },
-        );
-    }
-
-    #[inline]
-    fn visit_near(&self, point: Raw, mut reach: i32, mut each: impl FnMut(usize) -> i32) {
-        let lists = self.lists();
-        lists.from(lists.large).for_each(|slot| reach = each(slot));
-        let place = self.lattice.at(&Aabb::from_raw_unchecked(point, point));
-        let last = self.rows.last();
-        let centre = At { x: place.x.max(0).min(last.x), y: place.y.max(0).min(last.y) };
-        for r in 0.. {
-            let around = square(point, reach);
-            let window = self.clip(around.lo(), around.hi());
-            if r > last_ring(centre, &window) {
-                return;
-            }
-            for part in ring(centre, r) {
-                let part = Window { x: part.x.and(window.x), y: part.y.and(window.y) };
-                self.bodies_in(&part, |slot| reach = each(slot));
-            }
-        }
-    }
+    fn rest(&self, _: i32, _: At, _: impl FnMut(usize)) {}
 }

@@ -1,16 +1,11 @@
 //! Bodies in cells of an unbounded world.
 
-use super::factor::factor;
-use super::lists::{Links, Lists};
-use super::near::{last_ring, ring};
-use super::pairs::{Near, pairs};
-use super::path::{along, is_short};
-use super::{At, Lattice, Window, is_free};
-use crate::broad::cursor::Meter;
-use crate::broad::spatial::{Spatial, square};
+use super::lattice::{At, Lattice, Window, is_free};
+use super::lists::{Links, Lists, ListsMut, Neighbours};
+use super::{InCells, Moving};
 use crate::broad::table::{Bodies, NIL, Slots, Table, touch};
-use crate::broad::{BroadError, BroadPhase, GridError, Handle, Pair, PairCursor, PairsError, Tag};
-use crate::num::{Fx, Raw, Toi, Vec2};
+use crate::broad::{BroadError, GridError, Tag};
+use crate::num::{Fx, Vec2};
 use crate::shape::Aabb;
 
 /// Up to N bodies in square cells of which there is no end, each in the cell of its centre; cells share BUCKETS lists.
@@ -65,11 +60,6 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> SpatialHas
         (at.x.wrapping_add(at.y.wrapping_mul(i32::from(Self::FACTOR))) as usize & (BUCKETS - 1)) as u16
     }
 
-    #[inline]
-    fn lists(&self) -> Lists<'_> {
-        self.links.lists(&[], &self.heads)
-    }
-
     /// The bodies of one cell: others in its list are of other cells.
     #[inline]
     fn bodies_at(&self, at: At, mut each: impl FnMut(usize, &Aabb)) {
@@ -82,8 +72,8 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> SpatialHas
         }
     }
 
-    /// The bodies of a window of cells.
-    fn bodies_in(&self, window: &Window, mut each: impl FnMut(usize, &Aabb)) {
+    /// The bodies of a window, with their boxes of cells.
+    fn boxes_in(&self, window: &Window, mut each: impl FnMut(usize, &Aabb)) {
         for y in window.y.lo..=window.y.hi {
             for x in window.x.lo..=window.x.hi {
                 self.bodies_at(At { x, y }, &mut each);
@@ -97,10 +87,10 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> SpatialHas
     }
 }
 
-impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> Spatial for SpatialHash<BUCKETS, N, T, LARGE> {
+impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for SpatialHash<BUCKETS, N, T, LARGE> {
     type Tag = T;
-    /// A list; NIL is that of large bodies.
-    type Place = u16;
+    const LARGE: bool = LARGE;
+    const ENDLESS: bool = true;
 
     fn table(&self) -> Bodies<'_, T> {
         self.table.bodies()
@@ -111,64 +101,50 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> Spatial fo
     }
 
     #[inline]
-    fn admit(&self, bounds: &Aabb) -> Result<u16, BroadError> {
-        if self.lattice.holds(bounds) {
-            Ok(Self::bucket(self.lattice.at(bounds)))
-        } else if LARGE {
-            Ok(NIL)
-        } else {
-            Err(self.lattice.too_large(bounds))
-        }
-    }
-
-    fn link(&mut self, slot: usize, place: u16) {
-        self.links.lists_mut(&mut [], &mut self.heads).link(slot, place);
+    fn lattice(&self) -> &Lattice {
+        &self.lattice
     }
 
     #[inline]
-    fn relink(&mut self, slot: usize, place: u16) {
-        if self.links.cell(slot) != place {
-            self.unlink(slot);
-            self.link(slot, place);
-        }
+    fn lists(&self) -> Lists<'_> {
+        self.links.lists(&[], &self.heads)
     }
 
     #[inline]
-    fn move_all(&mut self, mut to: impl FnMut(Handle, &Aabb) -> Aabb) -> Result<(), (Handle, BroadError)> {
-        let (mut first, mut slot) = (Ok(()), 0);
+    fn lists_mut(&mut self) -> ListsMut<'_> {
+        self.links.lists_mut(&mut [], &mut self.heads)
+    }
+
+    #[inline]
+    fn number(&self, bounds: &Aabb) -> Result<u16, BroadError> {
+        Ok(Self::bucket(self.lattice.at(bounds)))
+    }
+
+    #[inline]
+    fn moving(&mut self) -> Moving<'_, T, impl Fn(u16, &Aabb) -> bool> {
         let lattice = self.lattice;
-        loop {
-            let cells = self.links.cells();
-            let stays = |slot: usize, bounds: &Aabb| {
-                cells.get(slot) == Some(&Self::bucket(lattice.at(bounds))) && lattice.holds(bounds)
-            };
-            let Some((moved, bounds)) = self.table.slots().set_while(slot, &mut to, stays) else { return first };
-            let handle = self.table.bodies().handle(moved);
-            if let Err(error) = self.move_to(handle, &bounds) {
-                first = first.and(Err((handle, error)));
-            }
-            slot = moved + 1;
-        }
-    }
-
-    fn unlink(&mut self, slot: usize) {
-        self.links.lists_mut(&mut [], &mut self.heads).unlink(slot);
+        let stays = move |cell, bounds: &Aabb| cell == Self::bucket(lattice.at(bounds)) && lattice.holds(bounds);
+        Moving { slots: self.table.slots(), numbers: self.links.cells(), stays }
     }
 
     #[inline]
-    fn walk<M: Meter>(
-        &mut self,
-        cursor: &mut PairCursor,
-        meter: &mut M,
-        each: impl FnMut(Pair) -> bool,
-    ) -> Result<(), PairsError> {
+    fn neighbours(&self) -> Neighbours {
         // Lists of a cell and its eight neighbours are nine different ones, so a neighbour is met in one list only.
-        let near = Near { stride: usize::from(Self::FACTOR), mask: BUCKETS - 1 };
-        pairs::<T, M, LARGE>(self.table.bodies(), self.lists(), near, cursor, meter, each)
+        Neighbours { stride: usize::from(Self::FACTOR), mask: BUCKETS - 1 }
     }
 
     #[inline]
-    fn visit(&self, region: &Aabb, mut each: impl FnMut(usize)) {
+    fn clip(&self, window: Window) -> Window {
+        window
+    }
+
+    #[inline]
+    fn bodies_in(&self, window: &Window, mut each: impl FnMut(usize)) {
+        self.boxes_in(window, |slot, _| each(slot));
+    }
+
+    #[inline]
+    fn touching(&self, region: &Aabb, mut each: impl FnMut(usize)) {
         let mut found = |slot, bounds: &Aabb| {
             if touch(bounds, region) {
                 each(slot);
@@ -184,55 +160,39 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> Spatial fo
                 found(slot, bounds);
             }
         }
-        self.bodies_in(&window, found);
+        self.boxes_in(&window, found);
     }
 
     #[inline]
-    fn visit_path(&self, start: &Aabb, motion: Raw, mut each: impl FnMut(usize) -> Toi) {
-        if !is_short(&self.lattice, start, motion, self.table.bodies().bounds.len()) {
-            let end = Aabb::from_raw_unchecked(start.lo().add(motion), start.hi().add(motion));
-            return self.visit(&start.union(&end), |slot| {
+    fn rest(&self, r: i32, centre: At, mut each: impl FnMut(usize)) {
+        let lists = self.lists();
+        self.all().for_each(|(slot, bounds)| {
+            if lists.cell_of(slot) != NIL && !self.lattice.at(bounds).is_within(r - 1, centre) {
                 each(slot);
-            });
-        }
-        let (lists, mut until) = (self.lists(), Toi::ONE);
-        lists.from(lists.large).for_each(|slot| until = each(slot));
-        along(
-            &self.lattice,
-            start,
-            motion,
-            |w| w,
-            |window| {
-                self.bodies_in(window, |slot, _| until = each(slot));
-                until
-            },
-        );
+            }
+        });
     }
+}
 
-    #[inline]
-    fn visit_near(&self, point: Raw, mut reach: i32, mut each: impl FnMut(usize) -> i32) {
-        let (lists, mut left) = (self.lists(), self.table.bodies().bounds.len() as i32);
-        lists.from(lists.large).for_each(|slot| reach = each(slot));
-        let centre = self.lattice.at(&Aabb::from_raw_unchecked(point, point));
-        for r in 0.. {
-            let around = square(point, reach);
-            let window = self.lattice.window(around.lo(), around.hi());
-            if r > last_ring(centre, &window) {
-                return;
-            }
-            left -= 8 * r + 1;
-            if left < 0 {
-                // More cells than bodies: those that are not in a ring before.
-                return self.all().for_each(|(slot, bounds)| {
-                    if self.links.cell(slot) != NIL && !self.lattice.at(bounds).is_within(r - 1, centre) {
-                        each(slot);
-                    }
-                });
-            }
-            for part in ring(centre, r) {
-                let part = Window { x: part.x.and(window.x), y: part.y.and(window.y) };
-                self.bodies_in(&part, |slot, _| reach = each(slot));
-            }
+/// Factors for 2^6 to 2^15 buckets.
+///
+/// Two cells share a list where their distance (x, y) has `x + K y` a multiple of the buckets B. Such distances form a lattice; each of
+/// these factors is odd (so no two cells of a column of B share one) and of all factors the one with the largest least `|x y|` among
+/// those with neither 0: at least B / 4. The nearest to B times the golden ratio would do for some B only.
+const FACTORS: [u16; 10] = [19, 47, 75, 149, 275, 791, 1557, 2431, 6229, 12031];
+
+/// The factor for a number of buckets; refused by the compiler where there is none.
+pub(in crate::broad) const fn factor(buckets: usize) -> u16 {
+    assert!(
+        buckets.is_power_of_two() && buckets >= 64 && buckets <= 32_768,
+        "a spatial hash has a power of two of buckets, from 64 to 32768"
+    );
+    let (mut rest, mut log) = (FACTORS.as_slice(), buckets.trailing_zeros() - 6);
+    loop {
+        match rest {
+            [first, ..] if log == 0 => return *first,
+            [_, tail @ ..] => (rest, log) = (tail, log - 1),
+            [] => return 1,
         }
     }
 }

@@ -1,7 +1,7 @@
-//! Square cells: which one a box belongs to, and which ones a region can have to do with.
+//! Square cells: which one a box belongs to, which ones a region can have to do with, and those around a cell or along a way.
 
 use crate::broad::BroadError;
-use crate::num::{DOMAIN, Raw, Vec2};
+use crate::num::{DOMAIN, Raw, Toi, Vec2, leading_zeros32};
 use crate::shape::Aabb;
 
 /// A lattice of cells. A box belongs to the cell of its centre, and no side of it is longer than a cell.
@@ -9,7 +9,7 @@ use crate::shape::Aabb;
 /// So two boxes that touch belong to the same cell or to neighbours: where a whole cell is between two cells, centres in them are
 /// more than a side of a cell apart (a cell has its lower lines and not its upper ones), and half widths add up to at most that.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::broad) struct Lattice {
+pub struct Lattice {
     /// Where cell (0, 0) begins.
     origin: Raw,
     /// The side is 2^log raw, 1 to 28.
@@ -18,21 +18,21 @@ pub(in crate::broad) struct Lattice {
 
 /// The coordinates of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::broad) struct At {
+pub struct At {
     pub(in crate::broad) x: i32,
     pub(in crate::broad) y: i32,
 }
 
 /// Some cells of a row or of a column: from one to another, both included; none where they are in the wrong order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::broad) struct Run {
+pub(crate) struct Run {
     pub(in crate::broad) lo: i32,
     pub(in crate::broad) hi: i32,
 }
 
 /// Cells in a rectangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::broad) struct Window {
+pub struct Window {
     pub(in crate::broad) x: Run,
     pub(in crate::broad) y: Run,
 }
@@ -65,6 +65,17 @@ impl Run {
 }
 
 impl Window {
+    /// Of one cell.
+    pub(in crate::broad) fn of(at: At) -> Self {
+        let one = |v| Run { lo: v, hi: v };
+        Self { x: one(at.x), y: one(at.y) }
+    }
+
+    /// Its first cell.
+    pub(in crate::broad) fn first(&self) -> At {
+        At { x: self.x.lo, y: self.y.lo }
+    }
+
     /// How many are left of so many cells, less than 2^16, without those of a window; `None` where it has more.
     pub(in crate::broad) fn cells_of(&self, all: usize) -> Option<u32> {
         let (all, w, h) = (all as u32, self.x.len(), self.y.len());
@@ -142,16 +153,188 @@ impl Lattice {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::{Run, Window};
+/// How cells are numbered: row by row, with a power of two of columns.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::broad) struct Rows {
+    pub(in crate::broad) count: u16,
+    pub(in crate::broad) log_columns: u8,
+}
 
-    /// More cells than a word can count are more than there are bodies.
-    #[test]
-    fn windows_are_counted_beyond_a_word() {
-        let run = |cells: i32| Run { lo: -3, hi: cells - 4 };
-        let left = |w: i32, h: i32| Window { x: run(w), y: run(h) }.cells_of(8);
-        assert_eq!((left(1 << 29, 8), left(8, 1 << 29), left(9, 1)), (None, None, None));
-        assert_eq!((left(2, 3), left(8, 1), left(1, 8)), (Some(2), Some(0), Some(0)));
+impl Rows {
+    pub(in crate::broad) const fn log_columns(self) -> u32 {
+        (self.log_columns & 15) as u32
+    }
+
+    pub(in crate::broad) const fn last(self) -> At {
+        At { x: (1 << self.log_columns()) - 1, y: self.count as i32 - 1 }
+    }
+
+    /// The number of a cell of the grid.
+    #[inline]
+    pub(in crate::broad) fn number(self, at: At) -> usize {
+        (at.y as usize) << self.log_columns() | at.x as usize
+    }
+
+    /// The cell of a number.
+    #[inline]
+    pub(in crate::broad) fn place(self, number: u16) -> At {
+        At { x: i32::from(number) & self.last().x, y: i32::from(number) >> self.log_columns() }
+    }
+
+    /// Windows of cells beyond the grid become ones of its border, where the bodies beyond it are.
+    pub(in crate::broad) fn clip(self, window: Window) -> Window {
+        let last = self.last();
+        Window { x: window.x.clamped(last.x), y: window.y.clamped(last.y) }
+    }
+
+    /// The cells of a window of the grid that are not empty: one look at 32 of them.
+    #[inline]
+    pub(in crate::broad) fn occupied(self, words: &[u32], window: &Window, mut each: impl FnMut(usize)) {
+        let Window { x: Run { lo, hi }, y } = *window;
+        if lo > hi {
+            return;
+        }
+        for row in y.lo..=y.hi {
+            let (first, last) = (self.number(At { x: lo, y: row }), self.number(At { x: hi, y: row }));
+            let (mut number, end) = (first & !31, last >> 5);
+            let mut before = u32::MAX << (first & 31);
+            for (i, word) in words.iter().enumerate().take(end + 1).skip(first >> 5) {
+                let after = if i == end { u32::MAX >> (31 - (last & 31)) } else { u32::MAX };
+                let mut bits = word & before & after;
+                while bits != 0 {
+                    each(number + bits.trailing_zeros() as usize);
+                    bits &= bits - 1;
+                }
+                (before, number) = (u32::MAX, number + 32);
+            }
+        }
+    }
+}
+
+/// The cells at distance `r` from a cell (the longer of the two ways along the axes), in up to four windows: the rows above and below, and the columns
+/// at the sides between them. Each cell once; with `r` = 0 only the first window has one.
+///
+/// ```text
+///  1 1 1
+///  3 . 4
+///  2 2 2
+/// ```
+pub(in crate::broad) fn ring(centre: At, r: i32) -> [Window; 4] {
+    let (x, y) = (Run { lo: centre.x - r, hi: centre.x + r }, Run { lo: centre.y - r, hi: centre.y + r });
+    let one = |v| Run { lo: v, hi: v };
+    let between = Run { lo: y.lo + 1, hi: y.hi - 1 };
+    let below = if r == 0 { between } else { one(y.hi) };
+    [
+        Window { x, y: one(y.lo) },
+        Window { x, y: below },
+        Window { x: one(x.lo), y: between },
+        Window { x: one(x.hi), y: between },
+    ]
+}
+
+/// The number of the last ring that has a cell of a window; the centre is in it.
+pub(in crate::broad) fn last_ring(centre: At, window: &Window) -> i32 {
+    let far = |run: Run, at: i32| (at - run.lo).max(run.hi - at);
+    far(window.x, centre.x).max(far(window.y, centre.y))
+}
+
+/// At most 2^15 parts: products of two such numbers fit a word.
+const MOST_PARTS: u32 = 15;
+
+/// Gives windows of cells to `each` which together hold the cells of all boxes that a box touches on its way, every cell once.
+///
+/// The way is cut into 2^k parts, none as long as a cell if that takes no more than 2^15 parts; both its ends are in the domain. What is near a part is a window, of
+/// which all four sides only ever move in the direction of the motion. So a cell that is in two windows is in all between them, and
+/// what a window has in common with the one before is what was in any of those before.
+///
+/// ```text
+///  +-----+--+
+///  |  1  | 2+--+     1: the first window; 2: what is new in the second; 3: in the third
+///  +--+--+--+ 3|
+///     | 2   |  |
+///     +--+--+--+
+///        | 3   |
+///        +-----+
+/// ```
+///
+/// `clip` moves sides of windows into a grid, and must keep their order. `each` answers which part of the way still matters: what is touched only
+/// later does not come any more.
+#[inline]
+pub(in crate::broad) fn along(
+    lattice: &Lattice,
+    start: &Aabb,
+    motion: Raw,
+    clip: impl Fn(Window) -> Window,
+    mut each: impl FnMut(&Window) -> Toi,
+) {
+    let (lo, hi, log) = (lattice.before(start.lo()), lattice.behind(start.hi()), log_parts(lattice, motion));
+    let (mut x, mut y) = (Edges::new(lo.x, hi.x, motion.x), Edges::new(lo.y, hi.y, motion.y));
+    let (mut before, mut until) = (None, Toi::ONE);
+    for i in 0..1u32 << log {
+        if i << (30 - log) > until.raw() {
+            return;
+        }
+        let now = clip(Window { x: x.part(i, log, lattice.log()), y: y.part(i, log, lattice.log()) });
+        if before == Some(now) {
+            continue;
+        }
+        for window in fresh(now, before).iter().filter(|w| !w.x.is_empty() && !w.y.is_empty()) {
+            until = each(window);
+        }
+        before = Some(now);
+    }
+}
+
+/// One axis of a way: where the nearest cells begin and end at its start, and how far it is there and now.
+struct Edges {
+    lo: i32,
+    hi: i32,
+    motion: i32,
+    at: i32,
+}
+
+impl Edges {
+    fn new(lo: i32, hi: i32, motion: i32) -> Self {
+        // Ends of parts are rounded down: the way itself is less than a unit beyond.
+        Self { lo, hi: hi.wrapping_add(1), motion, at: 0 }
+    }
+
+    /// The cells near a part of the way: from `i` to `i + 1`, of 2^log.
+    fn part(&mut self, i: u32, log: u32, log_cell: u32) -> Run {
+        // Rounded down, and all of it in the end. The rest is below 2^log.
+        let (i, rest) = (i + 1, self.motion as u32 & ((1 << log) - 1));
+        let end = (self.motion >> log).wrapping_mul(i as i32).wrapping_add(((rest * i) >> log) as i32);
+        let (from, to) = if end < self.at { (end, self.at) } else { (self.at, end) };
+        self.at = end;
+        Run { lo: self.lo.wrapping_add(from) >> log_cell, hi: self.hi.wrapping_add(to) >> log_cell }
+    }
+}
+
+/// Whether a way passes fewer cells than there are bodies; else it is better to look at all of them. A part moves the sides by about a cell.
+pub(in crate::broad) fn is_short(lattice: &Lattice, start: &Aabb, motion: Raw, bodies: usize) -> bool {
+    let first = lattice.window(start.lo(), start.hi());
+    let part = first.x.len().saturating_add(first.y.len());
+    first.cells_of(bodies).is_some_and(|left| part <= left >> log_parts(lattice, motion))
+}
+
+/// How many times the way is halved.
+fn log_parts(lattice: &Lattice, motion: Raw) -> u32 {
+    let most = motion.x.unsigned_abs() | motion.y.unsigned_abs();
+    (32 - leading_zeros32(most)).saturating_sub(lattice.log()).min(MOST_PARTS)
+}
+
+/// What a window has that the one before did not have: whole rows, and the rest of the other rows.
+fn fresh(now: Window, before: Option<Window>) -> [Window; 2] {
+    const NONE: Run = Run { lo: 0, hi: -1 };
+    let Some(before) = before else { return [now, Window { x: NONE, y: NONE }] };
+    [Window { x: now.x, y: beyond(now.y, before.y) }, Window { x: beyond(now.x, before.x), y: now.y.and(before.y) }]
+}
+
+/// What a run has that another has not, which is at one of its sides.
+fn beyond(now: Run, before: Run) -> Run {
+    if now.hi > before.hi {
+        Run { lo: now.lo.max(before.hi + 1), hi: now.hi }
+    } else {
+        Run { lo: now.lo, hi: now.hi.min(before.lo - 1) }
     }
 }

@@ -155,3 +155,34 @@ fn all_that_is_on_a_way_or_near_a_point_comes_once() {
     check(SpatialHash::<512, BODIES>::new(cell).unwrap(), CELL, 6);
     check(SpatialHash::<64, BODIES, (), true>::new(cell).unwrap(), 90, 7);
 }
+
+mod lattice {
+    use crate::broad::cells::lattice::{Run, Window};
+
+    /// More cells than a word can count are more than there are bodies.
+    #[test]
+    fn windows_are_counted_beyond_a_word() {
+        let run = |cells: i32| Run { lo: -3, hi: cells - 4 };
+        let left = |w: i32, h: i32| Window { x: run(w), y: run(h) }.cells_of(8);
+        assert_eq!((left(1 << 29, 8), left(8, 1 << 29), left(9, 1)), (None, None, None));
+        assert_eq!((left(2, 3), left(8, 1), left(1, 8)), (Some(2), Some(0), Some(0)));
+    }
+}
+
+mod hash {
+    use crate::broad::cells::hash::factor;
+
+    /// The claim, for every distance: two cells with a list in common are in one column or row at a multiple of all buckets, or else far apart.
+    #[test]
+    fn cells_that_share_a_list_are_far_apart() {
+        for log in 6..=15 {
+            let buckets = 1u64 << log;
+            let factor = u64::from(factor(1 << log));
+            for y in 1..buckets {
+                let x = factor * y % buckets;
+                assert!(x != 0, "a column");
+                assert!(4 * x.min(buckets - x) * y.min(buckets - y) > buckets, "{buckets} buckets: ({x}, {y})");
+            }
+        }
+    }
+}

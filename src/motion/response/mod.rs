@@ -18,29 +18,16 @@
 //! Coulomb's, and the points are those of Jakobsen's *Advanced Character Physics* (2001).
 
 mod acceleration;
-mod energy;
-mod linked;
-mod masses;
 mod pair;
-mod particle;
-mod quiet;
-mod relax;
 mod reply;
-mod speed;
 mod split;
-mod stick;
 mod surface;
+mod verlet;
 
 pub use acceleration::{Acceleration, Carry};
-pub use energy::Energy;
-pub(in crate::motion) use linked::{Bounce, Reply};
-pub use masses::Masses;
-pub use pair::{exchange, separate};
-pub use particle::Particle;
-pub use quiet::Quiet;
-pub use relax::{Link, RelaxError, relax};
-pub use speed::Speed;
+pub use pair::{Masses, exchange, separate};
+pub(in crate::motion) use reply::{Bounce, Reply};
 pub use split::{Split, bounce, respond, slide, split};
-pub use stick::Stick;
 pub(in crate::motion) use surface::law::Law;
-pub use surface::{Smooth, Surface};
+pub use surface::{Energy, Smooth, Speed, Surface};
+pub use verlet::{Link, Particle, Quiet, RelaxError, Stick, relax};

@@ -1,6 +1,5 @@
-//! What surfaces do to the velocity of a body that runs into them.
+//! What surfaces do to the velocity of a body that runs into them, and the speed that a bouncing body keeps.
 
-use super::Speed;
 use super::reply::{Rule, reply};
 use crate::error::RangeError;
 use crate::num::{
@@ -170,4 +169,141 @@ impl law::Law for Surface {
     fn surface(&self) -> Surface {
         *self
     }
+}
+
+/// The square of the speed that a body should have, exact: what keeps a thousand bounces as fast as the first.
+///
+/// A lattice holds no vector of exactly the right length in a new direction, so each askew bounce is a little slow: by up to a raw unit. A
+/// velocity that is mirrored again and again loses all of that; one whose length is renewed from this reference is never slower than by the
+/// last bounce's rounding. It is plain data: keep one beside the velocity.
+///
+/// - Free flight and bounces at restitution one leave the reference as it is.
+/// - What the game does to the velocity (a jump, a brake, a frame's gravity) changes the reference by as much: [`changed`](Self::changed).
+/// - After a bounce that is meant to lose, or friction, it is the new velocity's: [`of`](Self::of).
+/// - Under gravity, [`Energy::speed`](super::Energy::speed) says what it is at each place.
+///
+/// ```
+/// use tilesat::{Axis, Speed, Vec2};
+/// let mut v = Vec2::from_raw(70_001, 12_345);
+/// let speed = Speed::of(v);
+/// for k in 1..1000 {
+///     let wall = Axis::new(-k, 3 * k + 1);
+///     let wall = if wall.dot_vec(v) < 0 { wall } else { -wall };
+///     v = speed.bounce(v, wall)?;
+///     assert!(v.length_squared() <= speed.squared());
+/// }
+/// assert!(v.length() >= tilesat::Fx::from_bits(71_079)); // from 71 081.2
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Speed(u64);
+
+impl Speed {
+    /// The speed of a velocity.
+    #[must_use]
+    pub const fn of(v: Vec2) -> Self {
+        Self(v.length_squared())
+    }
+
+    /// The square, in square raw units.
+    #[must_use]
+    pub const fn squared(self) -> u64 {
+        self.0
+    }
+
+    pub(super) const fn from_square(square: u64) -> Self {
+        Self(square)
+    }
+
+    /// What it is after the game has changed the velocity: more or less by as much as the square of that, and not below zero.
+    ///
+    /// What the last bounce lost to rounding is still to be had at the next one.
+    #[must_use]
+    pub const fn changed(self, from: Vec2, to: Vec2) -> Self {
+        Self(self.0.saturating_add(to.length_squared()).saturating_sub(from.length_squared()))
+    }
+
+    /// `v` mirrored at a surface, as fast as this reference; `v` itself where it does not move in or the normal is zero.
+    ///
+    /// Exact at normals along x or y, where the reference is within 2 raw of the speed of `v`. Elsewhere the mirror image is rounded to nearest, drawn
+    /// to the length of the reference (rounded to nearest), and where that is too long or into the surface the nearest vector is taken that is
+    /// neither: each component within 2 raw of the exact one, slower than the reference by less than 2 raw, and never faster.
+    /// Mirrored input gives mirrored bits. Cost: two long divisions and three roots, some 4460 instructions on a Cortex-M0; a few along x and y.
+    ///
+    /// # Errors
+    /// [`RangeError`] where a component of `v` is outside of the [domain](crate::num::DOMAIN).
+    pub fn bounce(self, v: Vec2, normal: Axis) -> Result<Vec2, RangeError> {
+        Surface::ELASTIC.with_speed(self).respond(v, normal)
+    }
+
+    /// The bound of a bounce: nothing is drawn out of the domain.
+    pub(super) fn bound(self) -> u64 {
+        self.0.min(FASTEST)
+    }
+}
+
+/// The square of the fastest velocity that a bounce may draw one to.
+const FASTEST: u64 = (DOMAIN as u64 - 1) * (DOMAIN as u64 - 1);
+
+/// Twice the energy of a body of mass one, in square raw units, exact: `|v|^2 + g.v - 2 g.x`.
+///
+/// Bodies move by `v += g; x += v`. In free flight that keeps this number to the last bit; the middle term is what the velocity's being half a
+/// frame late amounts to. A bounce within a frame does not keep it: it turns a velocity that has the whole frame's gravity already, however much of
+/// the frame is left, and the errors add up to many times the energy (in every engine that we know). So remember the energy, and let the
+/// reference speed be what the body should have where it is: the next bounce puts it right, up to what the part of a frame after it is worth,
+/// which does not add up. So no two bounces are equally high, and one may be higher than the start by about one frame's way at the speed of
+/// the bounce. A ball on one flat floor comes out as even without this; it is for valleys, boxes and tables, where the errors would grow.
+///
+/// ```
+/// use tilesat::{Energy, Mover, Response, Surface, Vec2};
+/// # use tilesat::{AllShapes, Circle, Fx, TileKind, TileKinds, TileMap, TileShape};
+/// # static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL)
+/// #     .with(b'/', TileKind::of(TileShape::SlopeBottomRight)).with(b'L', TileKind::of(TileShape::SlopeBottomLeft));
+/// # let map: TileMap<'_, AllShapes> = TileMap::of_ascii("######\n#    #\n#    #\n#L  /#\n##L/##\n######\n", &KINDS)?;
+/// # let mut ball = Circle::new(Vec2::from_ints(40, 30), Fx::from_num(5))?;
+/// const GRAVITY: Vec2 = Vec2::from_raw(0, 16_384);
+/// let mut v = Vec2::from_ints(1, 0);
+/// let energy = Energy::of(ball.centre(), v, GRAVITY);
+/// for frame in 0..10_000 {
+///     let speed = energy.speed(ball.centre(), v, GRAVITY).changed(v, v + GRAVITY);
+///     let mover = Mover::new().with_response(Response::Bounce).with_surface(Surface::ELASTIC.with_speed(speed));
+///     let moved = mover.move_and_slide(&map, &ball, v + GRAVITY)?;
+///     (ball, v) = (moved.body, moved.velocity);
+/// }
+/// let now = Energy::of(ball.centre(), v, GRAVITY);
+/// # let highest = Energy::of(Vec2::from_ints(40, 80), Vec2::ZERO, GRAVITY); // at the bottom of the valley
+/// # let (all, off) = (energy.raw() - highest.raw(), (now.raw() - energy.raw()).abs());
+/// # assert!(off < all / 5, "{off} of {all}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Energy(i64);
+
+impl Energy {
+    /// The energy of a body at a place, with a velocity, under a gravity in units per frame and frame; all three inside the
+    /// [domain](crate::num::DOMAIN).
+    #[must_use]
+    pub const fn of(position: Vec2, velocity: Vec2, gravity: Vec2) -> Self {
+        Self((velocity.length_squared() as i64).wrapping_add(potential(position, velocity, gravity)))
+    }
+
+    /// In square raw units; only differences mean anything.
+    #[must_use]
+    pub const fn raw(self) -> i64 {
+        self.0
+    }
+
+    /// The speed that a body of this energy should have at a place, zero where it should not be there at all; the velocity is the one it has.
+    #[must_use]
+    pub const fn speed(self, position: Vec2, velocity: Vec2, gravity: Vec2) -> Speed {
+        let square = self.0.wrapping_sub(potential(position, velocity, gravity));
+        Speed::from_square(if square < 0 { 0 } else { square as u64 })
+    }
+}
+
+/// `g.v - 2 g.x`: below 2^60 in size.
+const fn potential(position: Vec2, velocity: Vec2, gravity: Vec2) -> i64 {
+    gravity.dot(velocity).wrapping_sub(gravity.dot(position).wrapping_mul(2))
 }

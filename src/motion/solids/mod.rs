@@ -9,9 +9,270 @@
 //! ```
 
 mod push;
-mod ride;
-mod room;
 mod shove;
-mod stand;
 
-pub use ride::{Ridden, Ride};
+use crate::error::{Quantity, RangeError};
+use crate::motion::body::Body;
+use crate::motion::plane::Side;
+use crate::motion::response::Law;
+use crate::motion::walk::CONTACT;
+use crate::motion::{MoveError, Mover, Work};
+use crate::num::{Axis, Fx, MOTION, Raw, Vec2, usqr};
+use crate::query::meet;
+use crate::world::{Solid, World};
+use push::Pushes;
+use shove::{Room, Shove};
+
+/// What the solids' motions of one tick do to a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Ride {
+    /// Nothing: it stands on none of them and is in no one's way.
+    Free,
+    /// It stands on one of them and went with it, as far as the level and the other solids let it.
+    Carried,
+    /// It was in the way of one that moves, and yielded.
+    Pushed {
+        /// The key of the solid that comes against it fastest; of two the smaller one.
+        by: u16,
+        /// Out of that solid, toward the body; at a corner not reduced.
+        normal: Axis,
+    },
+    /// It was in the way and cannot yield, for the level or another solid is behind it. It stays where it is, so it will overlap a solid that goes on.
+    Squashed {
+        /// The key of the solid that comes against it fastest; of two the smaller one.
+        by: u16,
+        /// Out of that solid, toward the body.
+        normal: Axis,
+    },
+}
+
+/// Where the solids' motions of one tick take a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Ridden<B> {
+    /// The body at its new place. It does not overlap the level; and no solid at its new place, save where it is squashed.
+    pub body: B,
+    /// What became of it.
+    pub ride: Ride,
+    /// How far it was taken.
+    pub motion: Vec2,
+    /// The key of the solid that it stood on.
+    pub floor: Option<u16>,
+    /// What that solid and its conveyor gave it in this tick: to be added to the velocity of what jumps off.
+    pub carry: Vec2,
+    /// What the call did.
+    pub work: Work,
+}
+
+impl<S: Law> Mover<S> {
+    /// The most displacements of a body that are tried in one [`ride`](Self::ride).
+    pub const ROUNDS: u32 = 8;
+
+    /// Takes a body along with what it stands on, and out of the way of what moves against it, in one tick.
+    ///
+    /// The solids are still at their old places; all go by their [motions](Solid::with_motion) at once, and straight. Ask for each body, then
+    /// call [`Solid::move_all`], then move the bodies in the level [joined](crate::Joined) with the solids.
+    ///
+    /// ```text
+    ///         ceiling                 floor, wall: the mover's "up" and slope limit
+    ///   _____________________         carried: it touches a floor of the solid
+    ///        [squashed]               pushed: the solid's motion would enter it, seen from
+    ///        =====^=====   wall       the solid, so no speed passes through a body
+    ///                       ||        squashed: there is no place behind it
+    ///   [carried]  |->[pushed]||
+    ///   ====->===  |           ||
+    /// ```
+    ///
+    /// - **Carried** is what touches a face that is floor, or a circle on its corner. It goes by exactly the solid's motion and its conveyor, so
+    ///   it never drifts; what the level stops, stops. `follow` is how far it goes down with a floor that sinks in this tick: for a body
+    ///   in the air what it falls in a tick, so that a lift that sinks faster leaves it there; for a [`Walker`](crate::Walker) that stands at least its
+    ///   [snap](crate::Walker::with_snap), see below. On two solids at once it goes with the one that rises most, then
+    ///   with the smaller key.
+    /// - **Pushed** is what a solid runs into, from any side, or with a [one-way](Solid::with_one_way) solid from in front of it. All pushes of a
+    ///   tick are combined axis by axis: the body goes no farther than to where it touches the solid. At slopes of the level up to 2 : 1 it
+    ///   yields along the other axis. A corner pushes a circle off along its normal. Of all that
+    ///   push, the one that comes fastest is named; a body that stands on one and is pushed by another is `Pushed`, and its `floor` says the first.
+    /// - **Squashed** is what two solids push against each other beyond the room, or one against the level. The body stays where it is.
+    ///   So is what overlaps a solid before the tick (a door that was put there) and still does after it.
+    ///
+    /// **A walker's snap.** Where a floor sinks by more than `follow`, the body is `Free` and stays behind, and so it does across: with `follow` 1 and a
+    /// lift that goes by (2, 2), a walker with a snap of 3 is drawn down to the lift in each tick after it, stands all the time, and slides off its
+    /// side. With `follow` 3 it is carried.
+    ///
+    /// **After `Squashed`** the body overlaps the solid, and each move in the level joined with the solids is
+    /// [`MoveError::Stuck`](crate::MoveError::Stuck) until the solid has passed it; nothing moves it from within. What that means is the game's: let it
+    /// wait (a move that is stuck leaves it where it is), end it, or put it out by [`escape`](crate::motion::escape). No overlap is too small: a
+    /// body that is half a unit under a crusher's edge is squashed as well; a game that forgives such edges escapes first, and asks who is still stuck.
+    ///
+    /// No result depends on the order of the list, and bodies do not push each other, so their order does not matter either. Solids do not
+    /// push solids. A mover that drops through one-way faces is neither carried nor pushed by one-way solids. Mirrored scenes give
+    /// mirrored results where keys are unique, save for the `normal` of what is exactly in the middle of a solid; translated ones the same bits.
+    ///
+    /// Each type of level that a program moves through takes flash of its own. A game that moves its bodies in a joined level saves some 3 KB where it
+    /// hands that type here too: `Joined::new(&level, &Solids::new(&[]))`.
+    ///
+    /// Cost: a few comparisons for each solid that is far (130 instructions on a Cortex-M0). Else at most [`Mover::ROUNDS`] displacements, each of up to 6 sweeps over the
+    /// cells under it, and for each solid near up to 8 sweeps against its pieces. What no solid touches costs no look at the level.
+    ///
+    /// # Errors
+    /// [`MoveError::Range`] where a half extent or radius is not below 2^28 raw, `follow` is negative or not below that, or the body would
+    /// be taken out of the domain; [`MoveError::Stuck`] where it is to be moved and overlaps the level already.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, Fx, Mover, Ride, Solid, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("####\n    \n    \n    ", &KINDS)?; // a ceiling, down to y = 16
+    /// let boxed = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
+    /// let mover = Mover::platformer(Axis::NEG_Y);
+    ///
+    /// let mut solids = [Solid::new(boxed(0, 40, 30, 8)?, 7)?];
+    /// let mut player = boxed(10, 20, 8, 20)?; // stands on the platform
+    /// solids[0] = solids[0].with_motion(Vec2::from_ints(2, -3))?;
+    /// let ridden = mover.ride(&level, &solids, &player, Fx::ONE)?;
+    /// assert_eq!((ridden.ride, ridden.motion), (Ride::Carried, Vec2::from_ints(2, -3)));
+    /// player = ridden.body;
+    /// Solid::move_all(&mut solids);
+    ///
+    /// solids[0] = solids[0].with_motion(Vec2::from_ints(0, -2))?; // the player's head is 1 below the ceiling
+    /// let ridden = mover.ride(&level, &solids, &player, Fx::ONE)?;
+    /// assert_eq!(ridden.ride, Ride::Squashed { by: 7, normal: Axis::NEG_Y });
+    /// assert_eq!(ridden.body, player);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn ride<W: World, B: Body>(
+        &self,
+        level: &W,
+        solids: &[Solid],
+        body: &B,
+        follow: Fx,
+    ) -> Result<Ridden<B>, MoveError> {
+        let value = follow.to_bits();
+        if !(0..MOTION).contains(&value) {
+            return Err(RangeError { what: Quantity::Follow, value }.into());
+        }
+        body.check_size()?;
+        let carrier = self.carrier(solids, body, value);
+        let carry = carrier.map_or(Raw { x: 0, y: 0 }, |c| c.carry);
+        let mut ridden = Ridden {
+            body: *body,
+            ride: if carrier.is_some() { Ride::Carried } else { Ride::Free },
+            motion: Vec2::ZERO,
+            floor: carrier.map(|c| c.key),
+            carry: carry.vec2(),
+            work: Work::default(),
+        };
+        let mut pushes = Pushes { solids, body, passes_one_way: self.passes_one_way(), room: Room::ALL, press: None };
+        let mut d = carry;
+        for _ in 0..Self::ROUNDS {
+            let held = pushes.room.held();
+            let shove = Shove { d, held, passes_one_way: self.passes_one_way() };
+            let to = if d.is_zero() { *body } else { shove.of(body, level, &mut ridden.work)? };
+            let made = Raw::of(to.position()).sub(Raw::of(body.position()));
+            let Some(next) = pushes.ask(d, made) else {
+                if let Some(press) = pushes.press.filter(|p| p.comes) {
+                    ridden.ride = Ride::Pushed { by: press.key, normal: press.normal };
+                }
+                (ridden.body, ridden.motion) = (to, made.vec2());
+                return Ok(ridden);
+            };
+            if pushes.room.is_empty() || (next, pushes.room.held()) == (d, held) {
+                break;
+            }
+            d = next;
+        }
+        if let Some(press) = pushes.press {
+            ridden.ride = Ride::Squashed { by: press.key, normal: press.normal };
+        }
+        Ok(ridden)
+    }
+}
+
+/// A solid under a body.
+#[derive(Clone, Copy)]
+pub(super) struct Carrier {
+    pub(super) key: u16,
+    /// Its motion with the conveyor's.
+    pub(super) carry: Raw,
+    /// How far it rises in this tick, scaled by the length of "up".
+    rise: i64,
+}
+
+impl Carrier {
+    /// Of several the one that rises most (it lifts the body off the others), then the smaller key, then geometry: the order of the list plays no
+    /// part.
+    fn goes_before(&self, other: &Self) -> bool {
+        let key = |c: &Self| (c.rise, u16::MAX - c.key, c.carry.x, c.carry.y);
+        key(self) > key(other)
+    }
+}
+
+impl<S: Law> Mover<S> {
+    /// What carries a body: the solid whose floor it touches, unless that sinks away by more than `follow`.
+    #[inline(never)]
+    pub(super) fn carrier<B: Body>(&self, solids: &[Solid], body: &B, follow: i32) -> Option<Carrier> {
+        let up = self.up?;
+        // What is farther than a contact carries nothing.
+        let (bounds, near) = (body.bounds(), Raw { x: CONTACT, y: CONTACT });
+        let (lo, hi) = (bounds.lo().sub(near), bounds.hi().add(near));
+        let mut best: Option<Carrier> = None;
+        for solid in solids.iter().filter(|s| !(self.passes_one_way() && s.one_way().is_some())) {
+            if !meet::aabb_aabb::<true>(lo, hi, solid.lo(), solid.hi()) {
+                continue;
+            }
+            let motion = Raw::of(solid.motion());
+            // Along an axis: below 2^28.
+            let rises = |n: Axis| motion.x.wrapping_mul(n.x).wrapping_add(motion.y.wrapping_mul(n.y));
+            let stands = SIDES.iter().any(|&(bit, n)| {
+                solid.pieces() & bit != 0 && rises(n).wrapping_neg() <= follow && self.lies_on(solid, n, body)
+            });
+            if !stands {
+                continue;
+            }
+            let carrier = Carrier {
+                key: solid.key(),
+                carry: motion.add(Raw::of(solid.conveyor())),
+                rise: up.dot(Axis::new(motion.x, motion.y)),
+            };
+            if best.is_none_or(|b| carrier.goes_before(&b)) {
+                best = Some(carrier);
+            }
+        }
+        best
+    }
+
+    /// Whether a body touches that side of a solid, with the part of it that is floor.
+    ///
+    /// A face is touched exactly. A circle beyond its end stands on the corner, within what a motion that ends there leaves.
+    fn lies_on<B: Body>(&self, solid: &Solid, n: Axis, body: &B) -> bool {
+        let (lo, hi, bounds) = (solid.lo(), solid.hi(), body.bounds());
+        let (b_lo, b_hi) = (bounds.lo(), bounds.hi());
+        let (gap, along) = if n.x == 0 {
+            (if n.y > 0 { b_lo.y - hi.y } else { lo.y - b_hi.y }, (b_lo.x, b_hi.x, lo.x, hi.x))
+        } else {
+            (if n.x > 0 { b_lo.x - hi.x } else { lo.x - b_hi.x }, (b_lo.y, b_hi.y, lo.y, hi.y))
+        };
+        let (from, to, start, end) = along;
+        if !B::MEETS_CORNERS {
+            return gap == 0 && from < end && start < to && self.side(n) == Side::Floor;
+        }
+        // How far the centre is beyond the nearer end of the side; 0 over the side itself.
+        let middle = from + (to - from) / 2;
+        let beyond = (start - middle).max(middle - end).max(0);
+        if beyond == 0 || solid.one_way().is_some() {
+            return beyond == 0 && gap == 0 && self.side(n) == Side::Floor;
+        }
+        let radius = (to - from) / 2;
+        let (above, reach) = (gap + radius, radius + CONTACT);
+        if above <= 0 || beyond > reach || above > reach {
+            return false;
+        }
+        let aside = if middle < start { beyond.wrapping_neg() } else { beyond };
+        let normal = if n.x == 0 { Axis::new(aside, n.y * above) } else { Axis::new(n.x * above, aside) };
+        let square = |v: i32| usqr(v.unsigned_abs());
+        square(above) + square(beyond) <= square(reach) && self.side(normal) == Side::Floor
+    }
+}
+
+/// The faces of a box as [`Solid::pieces`] counts them, and their normals.
+const SIDES: [(u8, Axis); 4] = [(1, Axis::NEG_Y), (2, Axis::X), (4, Axis::Y), (8, Axis::NEG_X)];

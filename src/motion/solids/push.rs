@@ -1,7 +1,6 @@
 //! What the solids say about one displacement of a body.
 
-use super::room::Room;
-use super::shove::out_of;
+use super::shove::{Room, out_of};
 use crate::motion::body::{Body, Entry};
 use crate::num::{Axis, Raw, div_sqrt, mul_div_wide};
 use crate::query::meet;

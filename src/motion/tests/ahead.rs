@@ -1,12 +1,12 @@
 //! What a motion is handed of a level's surface, against all of the surface: the first hit is the same.
 
-use super::random::Random;
 use super::std::vec::Vec;
 use super::{Entry, Kernel, Raw, Vec2, vec2};
 use crate::num::Fx;
 use crate::shape::{Aabb, Circle};
 use crate::world::{AllShapes, Feature, Grid, Outside, Set, Slopes, TileKind, TileKinds, TileMap, TileShape};
 use crate::world::{Way, World};
+use tilesat_judge::Random;
 
 const SIDE: i32 = 6;
 /// Odd halves, no power of two.

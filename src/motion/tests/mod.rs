@@ -24,10 +24,7 @@ use super::order::First;
 use crate::num::{Axis, Raw, Vec2};
 use crate::shape::Circle;
 use crate::world::{Cell, Feature, Geometry, SegmentMap};
-
-#[path = "../../../tests/oracle/random.rs"]
-mod random;
-use random::Random;
+use tilesat_judge::{Random, cases};
 
 type P = (i64, i64);
 
@@ -65,11 +62,6 @@ fn first(body: &Circle, d: P, features: &[Feature]) -> Option<Entry> {
         }
     }
     first.hit::<Circle, SegmentMap<'_>>(body, d).map(|hit| *hit.0)
-}
-
-/// How many random cases a test takes.
-fn cases(few: u64) -> u64 {
-    std::env::var("TILESAT_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(few)
 }
 
 /// The boundary of a polygon that turns from x toward y (its solid is on the left): a face an edge, a vertex where it is convex.

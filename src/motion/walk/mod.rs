@@ -6,9 +6,8 @@
 mod ground;
 mod step;
 mod stride;
-mod support;
 mod walker;
 
-pub(super) use support::CONTACT;
-pub use support::Support;
+pub(super) use ground::CONTACT;
+pub use ground::Support;
 pub use walker::{SlopeSpeed, Walked, Walker};

@@ -1,13 +1,13 @@
 //! Steps: up, forward, down.
 
 use super::Support;
+use super::ground::CONTACT;
 use super::ground::{Ground, Look, along, within};
 use super::stride::Stride;
-use super::support::CONTACT;
 use super::walker::length;
-use crate::motion::around::hull;
 use crate::motion::body::Body;
 use crate::motion::body::kernel::Kernel;
+use crate::motion::search::hull;
 use crate::num::{Raw, Toi, mul_div};
 use crate::shape::Aabb;
 use crate::world::World;

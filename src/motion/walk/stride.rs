@@ -1,15 +1,13 @@
 //! One frame on the ground: legs along the floor, turned where it bends.
 
 use super::Support;
-use super::ground::{Ground, Look, along};
-use super::support::CONTACT;
+use super::ground::{CONTACT, Ground, Look, along};
 use super::walker::{SlopeSpeed, Walked, Walker, length};
 use crate::motion::body::Body;
-use crate::motion::facing::Side;
-use crate::motion::pipe::Pipe;
+use crate::motion::plane::Side;
 use crate::motion::plane::{NEAR, across, lies_along, project, tangent, tangential, way};
 use crate::motion::response::Smooth;
-use crate::motion::run::{Place, Run, check_inside};
+use crate::motion::run::{Pipe, Place, Run, check_inside};
 use crate::motion::{MoveError, Mover};
 use crate::num::{Axis, Fx, Raw, Toi, mul_div, umul};
 use crate::query::cast::moment::ratio;

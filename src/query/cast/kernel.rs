@@ -1,4 +1,4 @@
-//! What a pair provides of [`CastShape`](super::CastShape); public in a private module.
+//! What a cast is asked and answers, and what a pair provides of [`CastShape`](super::CastShape); public in a private module.
 
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, check_coordinate};
@@ -58,7 +58,7 @@ impl<M> Course<M> {
 }
 
 /// A shape with a place.
-pub trait Placed {
+pub trait InDomain {
     /// Refuses a shape that no constructor has checked.
     ///
     /// # Errors
@@ -70,7 +70,7 @@ pub trait Placed {
 }
 
 /// A moving shape and what it is cast against.
-pub trait Enter<B: ?Sized>: Placed {
+pub trait Enter<B: ?Sized>: InDomain {
     /// How the boundary of `b`, grown by this shape, may be met.
     type Moment: Moment;
 
@@ -84,13 +84,72 @@ pub trait Enter<B: ?Sized>: Placed {
     }
 }
 
-impl Placed for Vec2 {
+impl InDomain for Vec2 {
     #[inline]
     fn check(&self) -> Result<(), RangeError> {
         check_coordinate(*self)
     }
 }
 
-impl Placed for Aabb {}
-impl Placed for Circle {}
-impl Placed for Segment {}
+impl InDomain for Aabb {}
+impl InDomain for Circle {}
+impl InDomain for Segment {}
+
+/// What a cast does that starts inside: a ray in the solid, a shape that overlaps the other one. On the border is not inside.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Inside {
+    /// It passes through to the first free place, and may hit after that.
+    #[default]
+    Ignore,
+    /// It hits at once.
+    Hit,
+}
+
+/// What the cast of a shape or a ray against a shape met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CastHit {
+    /// When: a fraction of the motion. The exact floor in 2^-30 where straight sides meet, and of a circle that meets a side along x or y;
+    /// of other circles a lower bound, early by less than a raw unit of way. [`exact_toi`](super::CastShape::exact_toi) is exact for all.
+    pub toi: Toi,
+    /// The normal of what was hit: out of B, toward A, against the motion; never zero, of length one where it is parallel to x or y. Of straight sides
+    /// it is exact. Of two circles, or of a corner that a circle hits, it is the way from the one centre, or the corner, to the other centre where that is placed
+    /// now: as fine as the radius is large, and in the closest graze across the motion, give or take that rounding.
+    pub axis: Axis,
+    /// How far A goes until the hit: `position + displacement` touches B, or is less than 2 raw units short of it, and does not overlap it.
+    ///
+    /// Along an axis parallel to x or y it is exact. Each component is between zero and that of the motion: where the motion stays in the domain, so does the moved shape.
+    pub displacement: Vec2,
+    /// Whether they overlapped before the motion: only with [`Inside::Hit`]. The displacement is zero then, and the axis is along the larger component of the motion (x
+    /// on a tie), against it; +x for no motion.
+    pub inside: bool,
+}
+
+/// What the cast of two shapes met that both move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MovingHit {
+    /// When, as [`CastHit::toi`], in parts of both motions.
+    pub toi: Toi,
+    /// The exact normal, out of B toward A.
+    pub axis: Axis,
+    /// How far A goes until the hit.
+    pub displacement: Vec2,
+    /// How far B goes until the hit. Moved by these the two do not overlap: they are [`displacement`](CastHit::displacement) apart in motion, and
+    /// B's is rounded toward its start.
+    pub displacement_b: Vec2,
+    /// Whether they overlapped before the motion, as [`CastHit::inside`].
+    pub inside: bool,
+}
+
+impl CastHit {
+    /// A start inside, by a motion.
+    pub(crate) const fn at_start(motion: Vec2) -> Self {
+        let (x, y) = motion.raw();
+        let axis = if y.unsigned_abs() > x.unsigned_abs() {
+            Axis::new(0, if y > 0 { -1 } else { 1 })
+        } else {
+            Axis::new(if x > 0 { -1 } else { 1 }, 0)
+        };
+        Self { toi: Toi::ZERO, axis, displacement: Vec2::ZERO, inside: true }
+    }
+}

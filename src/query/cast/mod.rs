@@ -1,24 +1,26 @@
 //! When a moving shape first hits another one.
 
 mod boxes;
-mod capsule;
-mod circles;
-pub(crate) mod crossing;
-mod hit;
 mod kernel;
 pub(crate) mod moment;
-mod pairs;
 mod ray;
-mod rounded;
-pub(crate) mod side;
-mod slabs;
+mod segments;
 
-pub(crate) use boxes::Span;
-pub use hit::{CastHit, Inside, MovingHit};
-
+use super::Overlaps;
 use crate::error::RangeError;
 use crate::num::{MOTION, Raw, Toi, Vec2, check_motion, mul_div};
-use kernel::{Course, Enter, Moment, Placed};
+use crate::shape::{Aabb, Circle, Segment};
+use boxes::{Rounded, Side, enter_box};
+use kernel::{Course, Enter, Exchanged, InDomain, Moment};
+use moment::{Disc, enter_disc, hit_disc};
+use segments::{Capsule, Edge, enter_crossing, enter_segment};
+
+// Where motion finds these.
+pub(crate) use moment as crossing;
+pub(crate) use moment as side;
+
+pub(crate) use boxes::Span;
+pub use kernel::{CastHit, Inside, MovingHit};
 
 /// Moving a shape until it hits another one.
 ///
@@ -177,9 +179,102 @@ fn first<A: Enter<B> + ?Sized, B: ?Sized>(a: &A, b: &B, d: Raw, inside: Inside) 
 
 /// Refuses motions that are too large, and points that are outside of the domain.
 #[inline]
-fn check<S: Placed + ?Sized>(shape: &S, motion: Vec2) -> Result<(), RangeError> {
+fn check<S: InDomain + ?Sized>(shape: &S, motion: Vec2) -> Result<(), RangeError> {
     shape.check()?;
     let (x, y) = motion.raw();
     let fits = |d: i32| (d.wrapping_add(MOTION - 1) as u32) < (2 * MOTION - 1) as u32;
     if fits(x) && fits(y) { Ok(()) } else { check_motion(motion, MOTION) }
 }
+
+/// One ordered pair and its kernel, and another one for a yes or no: a call, where it is not small, so that what it takes of stack and flash is not
+/// the caller's.
+macro_rules! casts {
+    ($a:ty, $b:ty, $moment:ty, |$x:ident, $y:ident, $d:ident| $course:expr $(, #[$call:meta] $hits:expr)?) => {
+        impl Enter<$b> for $a {
+            type Moment = $moment;
+
+            #[inline]
+            fn enter(&self, b: &$b, $d: Raw) -> Course<$moment> {
+                let ($x, $y) = (self, b);
+                $course
+            }
+
+            $(#[$call]
+            fn hits(&self, b: &$b, $d: Raw) -> Course<()> {
+                let ($x, $y) = (self, b);
+                $hits
+            })?
+        }
+
+        impl CastShape<$b> for $a {}
+    };
+}
+
+/// A pair of different shapes, in both orders.
+macro_rules! casts_both {
+    ($a:ty, $b:ty, $moment:ty, |$x:ident, $y:ident, $d:ident| $course:expr $(, #[$call:meta] $hits:expr)?) => {
+        casts!($a, $b, $moment, |$x, $y, $d| $course $(, #[$call] $hits)?);
+        casts!(
+            $b,
+            $a,
+            Exchanged<$moment>,
+            |$y, $x, d| {
+                let $d = d.reversed();
+                $course.map(Exchanged)
+            },
+            #[inline]
+            $x.hits($y, d.reversed())
+        );
+    };
+}
+
+/// The kernel's answer, unless the shapes overlap already.
+#[inline]
+fn unless<M>(overlap: bool, enter: impl FnOnce() -> Option<M>) -> Course<M> {
+    if overlap { Course::Inside } else { Course::of(enter()) }
+}
+
+casts!(
+    Aabb,
+    Aabb,
+    Side,
+    |a, b, d| enter_box(a.lo(), a.hi(), b.lo(), b.hi(), d),
+    #[inline]
+    enter_box(a.lo(), a.hi(), b.lo(), b.hi(), d).map(|_| ())
+);
+casts!(
+    Circle,
+    Circle,
+    Disc,
+    |a, b, d| enter_disc(a.c(), b.c(), a.r().wrapping_add(b.r()), d),
+    #[inline(never)]
+    hit_disc(a.c(), b.c(), a.r().wrapping_add(b.r()), d)
+);
+casts!(Segment, Segment, Edge, |a, b, d| enter_crossing((a.ra(), a.rb()), (b.ra(), b.rb()), d));
+casts_both!(
+    Circle,
+    Aabb,
+    Rounded,
+    |a, b, d| unless(a.overlaps(b), || boxes::gate(a, b, d)?.enter(a, d)),
+    #[inline(never)]
+    unless(a.overlaps(b), || boxes::gate_here(a, b, d)?.hits(a, d).then_some(()))
+);
+casts_both!(
+    Circle,
+    Segment,
+    Capsule,
+    |a, b, d| unless(a.overlaps(b), || segments::gate(a, b, d)?.enter(a, d)),
+    #[inline(never)]
+    unless(a.overlaps(b), || segments::gate(a, b, d)?.hits(a, d).then_some(()))
+);
+casts_both!(Aabb, Segment, Edge, |a, b, d| enter_segment(a.lo(), a.hi(), b.ra(), b.rb(), d));
+// A point is a box or a circle of no size.
+casts!(Vec2, Aabb, Side, |p, b, d| enter_box(Raw::of(*p), Raw::of(*p), b.lo(), b.hi(), d));
+casts!(
+    Vec2,
+    Circle,
+    Disc,
+    |p, b, d| enter_disc(Raw::of(*p), b.c(), b.r(), d),
+    #[inline(never)]
+    hit_disc(Raw::of(*p), b.c(), b.r(), d)
+);

@@ -1,6 +1,14 @@
-//! Moments of contact that are no fractions of integers: lower bounds in parts of 2^30, never late.
+//! When a moving point enters a disc, or comes to the flat side of a grown segment or slope.
+//!
+//! Moments that are no fractions of integers are lower bounds in parts of 2^30, never late.
 
-use crate::num::{Toi, fraction, leading_zeros64, root128_down, root128_up, sqr64, sub128, umul};
+use super::kernel::{Course, Moment};
+use crate::num::{
+    Axis, Raw, SPLIT, Toi, add128, cmp_squares, fraction, imul, leading_zeros64, less128, mul64, root128_down,
+    root128_up, sqr64, sub128, umul, usqr,
+};
+use crate::query::meet::circle_circle;
+use core::cmp::Ordering;
 
 /// When a point enters a disc: a lower bound of `c / (b + sqrt(rra - cross^2))`, with c = |m|^2 - r^2 and b = -m.d.
 ///
@@ -112,72 +120,245 @@ pub(super) fn last_before(from: Toi, happened: impl Fn(u32) -> bool) -> Toi {
     Toi::exact(last)
 }
 
-#[cfg(test)]
-mod tests {
-    use super::{exit_time, gap_time, ratio};
-    use crate::num::{Toi, sqr64};
-
-    const ONE: u128 = 1 << 30;
-
-    /// Every bit length, a few numbers of each.
-    fn numbers(bits: u32) -> impl Iterator<Item = u64> + Clone {
-        (0..bits)
-            .flat_map(|k| [1, 3, 5, 0x9e37_79b9_7f4a_7c15 >> (63 - k)].map(|n| (n << k >> k & ((2 << k) - 1)) | 1 << k))
+/// `dir . v`; for the slopes of tiles, whose components are at most 2, with two products of words: |v| is below 2^30.
+pub(crate) fn along(dir: Axis, v: Raw) -> i64 {
+    if is_small(dir) {
+        i64::from(dir.x.wrapping_mul(v.x)).wrapping_add(i64::from(dir.y.wrapping_mul(v.y)))
+    } else {
+        imul(dir.x, v.x).wrapping_add(imul(dir.y, v.y))
     }
+}
 
-    /// No more than `num / den`, and less by four parts in 2^30 and two steps at most.
-    fn check(got: Toi, num: u64, den: u64, case: &[u64]) {
-        let exact = (u128::from(num) * ONE / u128::from(den)).min(ONE);
-        let got = u128::from(got.raw());
-        assert!(got <= exact && exact - got <= (exact >> 28) + 2, "{got} for {exact}: {case:?}");
+const fn is_small(dir: Axis) -> bool {
+    dir.x.wrapping_add(2) as u32 <= 4 && dir.y.wrapping_add(2) as u32 <= 4
+}
+
+/// The square of r |dir|.
+pub(crate) fn reach(r: i32, dir: Axis) -> (u64, u64) {
+    let rr = usqr(r.unsigned_abs());
+    match dir.length_squared() {
+        2 => (0, rr << 1),
+        5 => (0, usqr(r.unsigned_abs() << 1).wrapping_add(rr)),
+        nn => mul64(rr, nn),
     }
+}
 
-    #[test]
-    fn ratios_are_rounded_down_to_one() {
-        assert_eq!(ratio(1 << 40, 1 << 41).raw(), 1 << 29);
-        for den in numbers(62) {
-            for num in
-                [0, 1, den / 3, den / 2, den - 1, den, den.saturating_add(1), den.saturating_mul(2), u64::MAX >> 1]
-            {
-                check(ratio(num, den), num, den, &[num, den]);
-            }
-            // By a power of two it is exact.
-            for shift in 0..den.leading_zeros() {
-                assert_eq!(ratio(1, 1 << shift).raw(), (1u32 << 30).checked_shr(shift).unwrap_or(0), "{shift}");
-            }
+/// Whether the square of a height is less than `reach`.
+pub(crate) fn is_below(height: u64, reach: (u64, u64)) -> bool {
+    if height >> 32 == 0 {
+        return reach.0 != 0 || usqr(height as u32) < reach.1;
+    }
+    less128(sqr64(height), reach)
+}
+
+/// Whether, at the moment T when the disc meets the face's line, the centre is not before an end: `u = dir . m(T) >= 0` for the start
+/// with `m` the centre as seen from it, the same with -dir for the face's end (`at_end`).
+#[inline]
+pub(crate) fn meets_beyond(m: Raw, d: Raw, dir: Axis, at_end: bool, r: i32) -> bool {
+    match pass(m, d, dir, at_end) {
+        Pass::Never(beyond) => beyond,
+        Pass::At { cross, du } => {
+            let order = offset_to_radius(cross, dir, r, du);
+            // s <= T on the way to the face, else T <= s.
+            if du > 0 { order.is_ge() } else { order.is_le() }
         }
     }
+}
 
-    #[test]
-    fn gaps_fall_to_a_whole_root() {
-        for root in numbers(60) {
-            for into in numbers(60) {
-                for left in [0, 1, into / 7, into / 2, into - 1, into] {
-                    let gap = root + left;
-                    check(gap_time(gap, into, sqr64(root)), left, into, &[gap, into, root]);
-                }
-            }
+/// When a motion passes an end of a face squarely.
+enum Pass {
+    /// Whether it is beyond at T, whatever the radius.
+    Never(bool),
+    /// At the moment s with u = 0 the height is |dir|^2 cross / du, and it falls: T is later than s where that is more than r |dir|.
+    At { cross: i64, du: i64 },
+}
+
+/// Where the multiplications are calls, one of its own, whose stack is free again when squares are compared.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+fn pass(m: Raw, d: Raw, dir: Axis, at_end: bool) -> Pass {
+    let dir = if at_end { dir.reversed() } else { dir };
+    let (u, du) = (along(dir, m), along(dir, d));
+    let beyond = u.wrapping_add(du);
+    if u >= 0 && beyond >= 0 {
+        return Pass::Never(true);
+    }
+    if u < 0 && beyond < 0 {
+        return Pass::Never(false);
+    }
+    let cross = if at_end { m.cross(d).wrapping_neg() } else { m.cross(d) };
+    // Below the line at s: T is before that.
+    if (du > 0) == (cross < 0) { Pass::Never(du <= 0) } else { Pass::At { cross, du } }
+}
+
+/// Compares the distance from a point at the moment when a motion passes it squarely, `|cross| |dir| / |du|`, with the radius.
+///
+/// |cross| is below 2^60, the square of |dir| below 2^61: exact in 192 bits.
+pub(crate) fn offset_to_radius(cross: i64, dir: Axis, r: i32, du: i64) -> Ordering {
+    cmp_squares((cross.unsigned_abs(), dir.length_squared()), (du.unsigned_abs(), usqr(r.unsigned_abs())))
+}
+
+/// A motion that enters a disc around the origin: what its moment is computed from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Crossing {
+    rr: u64,
+    /// |d|^2.
+    a: u64,
+    /// -m.d, positive.
+    b: u64,
+    pub(crate) cross: i64,
+}
+
+impl Crossing {
+    /// Of the point `m` that moves by `d` into the disc of radius `r`.
+    ///
+    /// Decided without root or division: |m + d| < r, or a closest approach inside the motion that is nearer than r (numerics:
+    /// cross^2 < r^2 |d|^2, 124 bits).
+    #[inline]
+    pub(crate) fn of(m: Raw, r: i32, d: Raw) -> Option<Self> {
+        let (dot, cross) = m.dot_cross(d);
+        let b = dot.wrapping_neg();
+        if b <= 0 {
+            return None;
         }
+        let (rr, a) = (usqr(r as u32), d.len2());
+        let passes_inside = (b as u64) < a && passes(cross.unsigned_abs(), r as u32, d);
+        if !passes_inside && m.add(d).len2() >= rr {
+            return None;
+        }
+        Some(Self { rr, a, b: b as u64, cross })
     }
 
-    #[test]
-    fn exits_with_a_whole_root() {
-        for root in numbers(58) {
-            for b in numbers(58) {
-                for cross in [0, 1, 1 << 40, -(1 << 57)] {
-                    let (square, across) = (u128::from(root).pow(2), u128::from(i64::unsigned_abs(cross)).pow(2));
-                    let sum = square + across;
-                    let rra = ((sum >> 64) as u64, sum as u64);
-                    let far = b + root;
-                    for a in [far, far * 2 + 1, far / 2 + 1] {
-                        check(exit_time(0, b as i64, a, rra, cross), far, a, &[b, a, root]);
-                    }
-                    for inner in [far / 3, far, far * 2] {
-                        check(exit_time(inner, -(b as i64), 1, rra, cross), inner, far, &[inner, b, root]);
-                    }
-                    check(exit_time(root / 2, 0, 1, rra, cross), root / 2, root, &[root]);
-                }
-            }
+    /// Whether the point `m` is inside from the start.
+    #[inline]
+    pub(crate) fn starts_inside(&self, m: Raw) -> bool {
+        m.len2() < self.rr
+    }
+
+    /// Of a ray from `m`, which touching stops: from the rim and up to it too. A tangent does not come in.
+    pub(crate) fn touching(m: Raw, r: i32, d: Raw) -> Option<Self> {
+        let b = m.dot(d).wrapping_neg();
+        if b <= 0 {
+            return None;
         }
+        let (rr, a, cross) = (usqr(r as u32), d.len2(), m.cross(d));
+        let reaches = b as u64 <= a || m.add(d).len2() <= rr;
+        (reaches && less128(sqr64(cross.unsigned_abs()), mul64(rr, a))).then_some(Self { rr, a, b: b as u64, cross })
+    }
+
+    /// A lower bound of the moment of entry, the displacement up to it, rounded away from the centre, and the normal there.
+    #[inline]
+    pub(crate) fn contact(&self, m: Raw, d: Raw) -> (Toi, Raw, Axis) {
+        let t = self.toi(m);
+        let step = Raw { x: t.of_raw_beside(m.x, d.x, true), y: t.of_raw_beside(m.y, d.y, true) };
+        (t, step, direction(m.add(step)))
+    }
+
+    /// The bound alone.
+    #[inline]
+    pub(crate) fn toi(&self, m: Raw) -> Toi {
+        entry_time(m.len2().saturating_sub(self.rr), self.b, mul64(self.rr, self.a), self.cross)
+    }
+
+    /// The exact floor of the moment.
+    ///
+    /// At a moment T, in parts of 2^30, the point is at `2^30 m + T d`, components below 2^61. It has entered where that is nearer than
+    /// 2^30 r (squares below 2^123), or where the closest approach is over: T |d|^2 > 2^30 b.
+    pub(crate) fn exact_toi(&self, m: Raw, d: Raw) -> Toi {
+        last_before(self.toi(m), |t| {
+            let at = |m: i32, d: i32| (i64::from(m) << 30).wrapping_add(imul(d, t as i32)).unsigned_abs();
+            let square = add128(sqr64(at(m.x, d.x)), sqr64(at(m.y, d.y)));
+            less128(square, (self.rr >> 4, self.rr << 60))
+                || less128((self.b >> 34, self.b << 30), mul64(self.a, u64::from(t)))
+        })
+    }
+}
+
+/// Whether the point `m` that moves by `d`, outside of the disc of radius `r` before, enters it: [`Crossing::of`] and nothing else.
+#[inline]
+pub(crate) fn enters(m: Raw, r: i32, d: Raw) -> bool {
+    let (dot, cross) = m.dot_cross(d);
+    let b = dot.wrapping_neg();
+    if b <= 0 {
+        return false;
+    }
+    // Of signed words, where a product is as cheap as their magnitudes.
+    let square = |v: Raw| if SPLIT { v.len2() } else { v.dot(v) as u64 };
+    let ends_inside = || square(m.add(d)) < usqr(r as u32);
+    let passes_inside = || (b as u64) < square(d) && passes(cross.unsigned_abs(), r as u32, d);
+    // The cheaper one first, by what a square costs there.
+    let first = if SPLIT { passes_inside() } else { ends_inside() };
+    first || if SPLIT { ends_inside() } else { passes_inside() }
+}
+
+/// Whether `cross < r |d|`, exactly: as squares of 124 bits, where bounds of the length do not settle it by one product of words each.
+#[inline]
+fn passes(cross: u64, r: u32, d: Raw) -> bool {
+    let (below, above) = octagons(d);
+    cross < umul(r, below) || (cross < umul(r, above) && passes_closely(cross, r, d))
+}
+
+#[inline(never)]
+fn passes_closely(cross: u64, r: u32, d: Raw) -> bool {
+    less128(sqr64(cross), mul64(usqr(r), d.len2()))
+}
+
+/// Bounds of the length of a vector, below 2^30 a component: from x the larger component and y the smaller one, by shifts.
+///
+/// At least `x + 3 y / 8` less 1/16 and 1/256 of that, since `sqrt(1 + (3/8)^2) < 256 / 239`; at most `x + 7 y / 16`, since that is more than sqrt(2) - 1.
+/// The fractions that the shifts drop are made up for.
+pub(in crate::query) const fn octagons(d: Raw) -> (u32, u32) {
+    let (dx, dy) = (d.x.unsigned_abs(), d.y.unsigned_abs());
+    let (x, y) = if dx > dy { (dx, dy) } else { (dy, dx) };
+    let below = x.wrapping_add(y >> 2).wrapping_add(y >> 3);
+    let below = below.wrapping_sub(below >> 4).wrapping_sub(below >> 8).saturating_sub(2);
+    (below, x.wrapping_add(y >> 1).wrapping_sub(y >> 4).wrapping_add(1))
+}
+
+/// The direction of a point from the origin: along x or y it has one length, whatever the radius.
+pub(crate) fn direction(m: Raw) -> Axis {
+    if m.x == 0 || m.y == 0 { Axis::new(m.x.signum(), m.y.signum()) } else { Axis::new(m.x, m.y) }
+}
+
+/// A disc around the origin that a point comes into.
+#[derive(Clone, Copy, Debug)]
+pub struct Disc {
+    m: Raw,
+    crossing: Crossing,
+}
+
+/// The disc of radius `r` around `b`, as the point `a` that moves by `d` comes into it.
+#[inline]
+pub(super) fn enter_disc(a: Raw, b: Raw, r: i32, d: Raw) -> Course<Disc> {
+    if is_inside(a, b, r) { Course::Inside } else { Course::of(meet_disc(a.sub(b), r, d)) }
+}
+
+/// The same without a time.
+#[inline]
+pub(super) fn hit_disc(a: Raw, b: Raw, r: i32, d: Raw) -> Course<()> {
+    if is_inside(a, b, r) { Course::Inside } else { Course::of(enters(a.sub(b), r, d).then_some(())) }
+}
+
+/// Where a product is cheap, so are the squares.
+#[inline]
+fn is_inside(a: Raw, b: Raw, r: i32) -> bool {
+    let m = a.sub(b);
+    if SPLIT { circle_circle::<false>(a, b, r) } else { (m.dot(m) as u64) < usqr(r as u32) }
+}
+
+/// The same for a start outside, seen from the disc's centre.
+#[inline]
+pub(super) fn meet_disc(m: Raw, r: i32, d: Raw) -> Option<Disc> {
+    Crossing::of(m, r, d).map(|crossing| Disc { m, crossing })
+}
+
+impl Moment for Disc {
+    fn exact_toi(&self, d: Raw) -> Toi {
+        self.crossing.exact_toi(self.m, d)
+    }
+
+    #[inline]
+    fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
+        self.crossing.contact(self.m, d)
     }
 }

@@ -1,10 +1,10 @@
 //! Rays against single shapes: the closed counterpart of casts.
 
 use super::boxes::Side;
-use super::crossing::{Crossing, direction};
-use super::hit::{CastHit, Inside};
-use super::kernel::{Moment, Placed};
-use super::slabs::Edge;
+use super::kernel::{CastHit, Inside};
+use super::kernel::{InDomain, Moment};
+use super::moment::{Crossing, direction};
+use super::segments::Edge;
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, imul, mul_div};
 use crate::query::meet;

@@ -1,9 +1,6 @@
 //! How two shapes overlap: how deep, which way out, and where.
 
-mod boxes;
-mod circles;
-mod results;
-mod segments;
+mod kernels;
 
 use crate::num::{Axis, Raw, UnitVec2};
 

@@ -15,7 +15,7 @@
 use crate::num::{Axis, Raw};
 use crate::query::meet;
 use crate::shape::Aabb;
-use crate::world::{Feature, Geometry, World};
+use crate::world::level::{Feature, Geometry, World, normal};
 
 /// What is left of a feature beside the other level; `first` says whose corner stands for both where both have one.
 pub(in crate::world) fn shown<W: World>(mut feature: Feature, other: &W, first: bool) -> Option<Feature> {
@@ -46,10 +46,6 @@ fn point(p: Raw) -> Aabb {
 
 fn touched<W: World>(other: &W, p: Raw) -> bool {
     other.touches_aabb(&point(p))
-}
-
-const fn normal(dir: Axis) -> Axis {
-    Axis::new(dir.y, dir.x.wrapping_neg())
 }
 
 /// The part of a corner's cone that is in the cones of the other level's corners at the same point; `None` where it has no inside, or where

@@ -1,5 +1,324 @@
-//! Two levels as one.
+//! Two levels used as one: their surfaces, and rays against both.
 
-pub(in crate::world) mod hidden;
-pub(in crate::world) mod pair;
-pub(in crate::world) mod ray;
+mod hidden;
+
+use super::level::{Feature, Way, World, levels, meets_as_world, sealed};
+use super::ray::{Met, RayHit, RayRules, Time, checked, rays};
+use crate::error::RangeError;
+use crate::num::{Raw, Vec2, less128, mul64};
+use crate::shape::{Aabb, Circle};
+use crate::world::ray::scan::{Found, RayScan, RayWorld};
+use core::cmp::Ordering;
+use hidden::{hides, shown};
+
+/// Two levels used as one: tiles and segments, or a level and its neighbour. Copies nothing.
+///
+/// What is solid in either is solid. Where the two meet there is no seam: a corner that lies in the other level's solid is no corner, save
+/// where both together have one, and a face whose front the other solid covers from end to end is not there. So a floor of tiles that goes
+/// on as a floor of segments is one floor, for a mover too. A face that is covered in part stays as it is, and so do arcs.
+///
+/// A pair is a level itself: more than two are pairs of pairs. Of a [`Feature::source`] the lowest bit says which of the pair it is from, 0 for
+/// the first; the other bits are what the source was in that level.
+///
+/// The levels are asked one after the other, so a body without area overlaps a pair where it overlaps one of the two; on the line
+/// between two solids that meet flush it overlaps neither.
+///
+/// Cost: both levels' cost, and for each feature a look-up or two of a point in the other level; where that is solid, the other level's
+/// features along the face.
+///
+/// ```
+/// use tilesat::{Aabb, Axis, Fx, Grid, Joined, Mover, TileKind, TileKinds, TileMap, Vec2};
+/// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+/// // A floor at y = 32, of cells of 16 units to x = 48, and of cells of 32 units from there on.
+/// let fine = TileMap::from_ascii("   \n   \n###", &KINDS)?;
+/// let coarse = TileMap::on_grid(b"  ##", Grid::new(2, 2, Fx::from_num(32), Vec2::from_ints(48, 0))?, &KINDS)?;
+/// let level = Joined::new(&fine, &coarse);
+///
+/// let player = Aabb::new(Vec2::from_ints(30, 22), Vec2::from_ints(40, 32)).unwrap();
+/// assert!(level.touches(&player) && !level.overlaps(&player));
+/// let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&level, &player, Vec2::from_ints(40, 1)).unwrap();
+/// assert_eq!(moved.position(), Vec2::from_ints(70, 22)); // over the joint as if there were none
+/// # Ok::<(), tilesat::TileMapError>(())
+/// ```
+#[derive(Debug)]
+pub struct Joined<'a, A, B> {
+    a: &'a A,
+    b: &'a B,
+}
+
+impl<A, B> Clone for Joined<'_, A, B> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<A, B> Copy for Joined<'_, A, B> {}
+
+impl<'a, A: World, B: World> Joined<'a, A, B> {
+    /// Both levels as one.
+    #[must_use]
+    pub const fn new(a: &'a A, b: &'a B) -> Self {
+        Self { a, b }
+    }
+
+    /// The first level.
+    #[must_use]
+    pub const fn first(&self) -> &'a A {
+        self.a
+    }
+
+    /// The second level.
+    #[must_use]
+    pub const fn second(&self) -> &'a B {
+        self.b
+    }
+
+    /// The pieces of both surfaces that have a point in the closed region and are not hidden by the other level: first the one's, then the
+    /// other's.
+    ///
+    /// A corner's directions are those of both solids together. Pieces near the region may come too. Cost: see [`Joined`].
+    pub fn features(&self, region: &Aabb) -> JoinedFeatures<'_, A, B> {
+        JoinedFeatures { pair: *self, a: self.a.features(region), b: self.b.features(region) }
+    }
+}
+
+levels! {
+    [A: World, B: World] Joined<'_, A, B> {
+        /// Whether a box or circle overlaps the solid of either level; strict and exact.
+        ///
+        /// Cost: both levels' cost. It cannot fail.
+        overlaps,
+        /// Whether a box or circle has a point in common with the solid of either level, borders included; exact.
+        ///
+        /// Cost: both levels' cost. It cannot fail.
+        touches,
+    }
+}
+
+/// The cursor of [`Joined::features`].
+#[derive(Debug)]
+#[must_use = "cursors do nothing unless advanced"]
+pub struct JoinedFeatures<'w, A: World, B: World> {
+    pub(crate) pair: Joined<'w, A, B>,
+    a: A::Features<'w>,
+    b: B::Features<'w>,
+}
+
+impl<A: World, B: World> Iterator for JoinedFeatures<'_, A, B> {
+    type Item = Feature;
+
+    fn next(&mut self) -> Option<Feature> {
+        for f in self.a.by_ref() {
+            if let Some(shown) = shown(f, self.pair.b, true) {
+                return Some(Feature { source: shown.source << 1, ..shown });
+            }
+        }
+        for f in self.b.by_ref() {
+            if let Some(shown) = shown(f, self.pair.a, false) {
+                return Some(Feature { source: shown.source << 1 | 1, ..shown });
+            }
+        }
+        None
+    }
+}
+
+impl<A: World, B: World> sealed::Sealed for Joined<'_, A, B> {}
+
+impl<A: World, B: World> World for Joined<'_, A, B> {
+    const BLOCKS: bool = A::BLOCKS && B::BLOCKS;
+    const ROUND: bool = A::ROUND || B::ROUND;
+    const WIDE: bool = A::WIDE || B::WIDE;
+    const CERTAIN: bool = A::CERTAIN && B::CERTAIN;
+
+    type Features<'w>
+        = JoinedFeatures<'w, A, B>
+    where
+        Self: 'w;
+
+    fn features(&self, region: &Aabb) -> JoinedFeatures<'_, A, B> {
+        Joined::features(self, region)
+    }
+
+    fn features_ahead(&self, way: &Way) -> JoinedFeatures<'_, A, B> {
+        JoinedFeatures { pair: *self, a: self.a.features_ahead(way), b: self.b.features_ahead(way) }
+    }
+
+    fn occupied(&self, region: &Aabb) -> Option<Aabb> {
+        match (self.a.occupied(region), self.b.occupied(region)) {
+            (Some(a), Some(b)) => Some(a.union(&b)),
+            (a, b) => a.or(b),
+        }
+    }
+
+    /// The shorter of both: a piece of a motion then reaches few cells of either level.
+    fn cell_size(&self) -> u32 {
+        self.a.cell_size().min(self.b.cell_size())
+    }
+
+    fn overlaps_aabb(&self, b: &Aabb) -> bool {
+        self.a.overlaps_aabb(b) || self.b.overlaps_aabb(b)
+    }
+
+    fn overlaps_circle(&self, c: &Circle) -> bool {
+        self.a.overlaps_circle(c) || self.b.overlaps_circle(c)
+    }
+
+    fn touches_aabb(&self, b: &Aabb) -> bool {
+        self.a.touches_aabb(b) || self.b.touches_aabb(b)
+    }
+
+    fn touches_circle(&self, c: &Circle) -> bool {
+        self.a.touches_circle(c) || self.b.touches_circle(c)
+    }
+}
+
+meets_as_world! { [A: World, B: World] Joined<'_, A, B> }
+
+impl<A: RayWorld, B: RayWorld> RayWorld for Joined<'_, A, B> {
+    type Scan<'w>
+        = JoinedRayHits<'w, A, B>
+    where
+        Self: 'w;
+
+    fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError> {
+        self.cast_ray_all(origin, motion, rules)
+    }
+}
+
+impl<A: RayWorld, B: RayWorld> Joined<'_, A, B> {
+    /// All hits of a ray in order, as if it went on through what it hits. Of hits at one moment there is one.
+    ///
+    /// Cost: as [`cast_ray`](Self::cast_ray).
+    ///
+    /// # Errors
+    /// As [`cast_ray`](Self::cast_ray).
+    pub fn cast_ray_all(
+        &self,
+        origin: Vec2,
+        motion: Vec2,
+        rules: impl Into<RayRules>,
+    ) -> Result<JoinedRayHits<'_, A, B>, RangeError> {
+        let rules = rules.into();
+        let (o, d) = checked(origin, motion)?;
+        let (a, b) = (self.first().scan(origin, motion, rules)?, self.second().scan(origin, motion, rules)?);
+        Ok(JoinedRayHits { pair: *self, o, d, a: Ahead::new(a), b: Ahead::new(b) })
+    }
+}
+
+rays! {
+    [A: RayWorld, B: RayWorld] Joined<'_, A, B> {
+        /// The first point of either level's solid that a ray meets, or `None` where it ends before.
+        ///
+        /// By the rules of the levels' own `cast_ray`, for the faces that [`features`](Self::features) shows: a ray along a floor that goes on
+        /// from level to level meets nothing. A ray along the very line between two solids that meet flush is in neither: it is stopped
+        /// where it comes to that line, but one that starts there is not.
+        ///
+        /// Cost: both levels' cost, and for each hit a look at the other level along the face. [`RayHit::cells`] counts those of the level
+        /// that was hit.
+        ///
+        /// ```
+        /// use tilesat::{Fx, Grid, Inside, Joined, TileKind, TileKinds, TileMap, Vec2};
+        /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+        /// let floor = TileMap::from_ascii("  \n##", &KINDS)?;
+        /// // Another floor goes on from there, and ends in a wall.
+        /// let other = floor.with_origin(Vec2::from_ints(32, 0))?;
+        /// let wall = TileMap::from_ascii(" #\n##", &KINDS)?.with_origin(Vec2::from_ints(64, 0))?;
+        /// let floors = Joined::new(&floor, &other);
+        /// let level = Joined::new(&floors, &wall);
+        /// let hit = level.cast_ray(Vec2::from_ints(4, 16), Vec2::from_ints(200, 0), Inside::Hit).unwrap().unwrap();
+        /// assert_eq!((hit.point, hit.source), (Vec2::from_ints(80, 16), 1));
+        /// # Ok::<(), tilesat::TileMapError>(())
+        /// ```
+        ///
+        /// # Errors
+        /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+        cast_ray,
+        /// Whether the straight line from `a` to `b` is free of both levels, as a ray from `a` sees it, and does not start inside.
+        ///
+        /// # Errors
+        /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
+        line_of_sight,
+    }
+}
+
+/// The hits of a ray in order; see [`Joined::cast_ray_all`].
+#[derive(Debug)]
+#[must_use = "cursors do nothing unless advanced"]
+pub struct JoinedRayHits<'w, A: RayWorld, B: RayWorld> {
+    pub(crate) pair: Joined<'w, A, B>,
+    o: Raw,
+    d: Raw,
+    a: Ahead<A::Scan<'w>>,
+    b: Ahead<B::Scan<'w>>,
+}
+
+/// The hits of one level, one ahead.
+#[derive(Debug)]
+struct Ahead<S> {
+    scan: S,
+    next: Option<Found>,
+}
+
+impl<S: RayScan> Ahead<S> {
+    fn new(scan: S) -> Self {
+        Self { scan, next: None }
+    }
+
+    /// Has the next hit that the other level does not hide at hand.
+    fn fill<W: World>(&mut self, o: Raw, d: Raw, other: &W) {
+        while self.next.is_none() {
+            let Some(found) = self.scan.next_found() else { return };
+            if !found.met.is_some_and(|met| hides(&met.feature.geometry, o, d, other)) {
+                self.next = Some(found);
+            }
+        }
+    }
+}
+
+impl<A: RayWorld, B: RayWorld> RayScan for JoinedRayHits<'_, A, B> {
+    fn next_found(&mut self) -> Option<Found> {
+        self.a.fill(self.o, self.d, self.pair.second());
+        self.b.fill(self.o, self.d, self.pair.first());
+        let order = match (&self.a.next, &self.b.next) {
+            (Some(a), Some(b)) => order(a, b),
+            (None, _) => Ordering::Greater,
+            (_, None) => Ordering::Less,
+        };
+        let (from_a, from_b) = (self.a.next, self.b.next);
+        let met = |f: Option<Found>| f.and_then(|f| f.met);
+        let ranks = |(b, a): (Met, Met)| b.touch.ranks_above(&b.feature, &a, self.d);
+        // One hit a moment.
+        let second = order.is_gt() || (order.is_eq() && met(from_b).zip(met(from_a)).is_some_and(ranks));
+        let (found, source) = if second { (from_b, 1) } else { (from_a, 0) };
+        if order.is_le() {
+            self.a.next = None;
+        }
+        if order.is_ge() {
+            self.b.next = None;
+        }
+        found.map(|f| Found { hit: RayHit { source: f.hit.source << 1 | source, ..f.hit }, ..f })
+    }
+}
+
+impl<A: RayWorld, B: RayWorld> Iterator for JoinedRayHits<'_, A, B> {
+    type Item = RayHit;
+
+    fn next(&mut self) -> Option<RayHit> {
+        self.next_found().map(|found| found.hit)
+    }
+}
+
+/// Which is first: starts inside, then by the exact moments. A hit within an arc has none, and is compared by its `toi`, after a straight one.
+fn order(a: &Found, b: &Found) -> Ordering {
+    let (Some(met_a), Some(met_b)) = (a.met, b.met) else { return a.met.is_some().cmp(&b.met.is_some()) };
+    match (met_a.touch.time, met_b.touch.time) {
+        (Some(s), Some(t)) if before(s, t) => Ordering::Less,
+        (Some(s), Some(t)) if before(t, s) => Ordering::Greater,
+        (Some(_), Some(_)) => Ordering::Equal,
+        (s, t) => (a.hit.toi.raw(), s.is_none(), false).cmp(&(b.hit.toi.raw(), t.is_none(), true)),
+    }
+}
+
+fn before(s: Time, t: Time) -> bool {
+    less128(mul64(s.num, t.den), mul64(t.num, s.den))
+}

@@ -1,15 +1,65 @@
 //! The hits of a ray in order: one engine for every kind of level.
 
-use super::arc;
-use super::cast::checked;
-use super::cusp::cusp;
-use super::dda::Axes;
-use super::level::{RayLevel, RayPieces};
-use super::piece::{Met, Time, Touch, meet};
-use super::walk::Walk;
+use super::walk::{Axes, Beyond, Walk, along};
+use super::{Met, RayHit, RayPieces, RayRules, Time, Touch, arc_contact, checked, meet};
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, mul_div, mul_div_wide, umul};
-use crate::world::{Cell, Feature, Geometry, Inside, RayHit, RayRules};
+use crate::query::Inside;
+use crate::world::cell::Cell;
+use crate::world::grid::Grid;
+use crate::world::level::{Feature, Geometry, World, face_against};
+
+/// A level that can be asked for the hits of a ray with their exact moments. Public in a private module, because [`Joined`] needs it of both.
+pub trait RayWorld: World {
+    /// The cursor.
+    type Scan<'w>: RayScan
+    where
+        Self: 'w;
+
+    /// # Errors
+    /// [`RangeError`] where the start or the end is outside of the domain.
+    fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError>;
+}
+
+/// See [`RayWorld`].
+pub trait RayScan {
+    /// The next hit.
+    fn next_found(&mut self) -> Option<Found>;
+}
+
+/// A level whose surface is found cell by cell, bands included as [`beyond`](Self::beyond) says.
+pub(in crate::world) trait RayLevel: RayPieces {
+    /// The pieces of a cell.
+    type Pieces<'w>: Iterator<Item = Feature>
+    where
+        Self: 'w;
+
+    fn grid(&self) -> &Grid;
+
+    fn beyond(&self) -> Beyond;
+
+    /// The start of a ray.
+    fn walk(&self, o: Raw, d: Raw) -> Walk {
+        let grid = self.grid();
+        Walk::new(grid.ray_lane(&grid.x, o.x, d.x), grid.ray_lane(&grid.y, o.y, d.y), grid.cell as u32)
+    }
+
+    /// Goes on from a step that has been looked at over cells that have no pieces, as far as that is faster than step by step.
+    fn skip(&self, _: &mut Walk) {}
+
+    /// All pieces that have a point in the closed cell or, where each has a cell of its own, those of this one. Those that the motion `d` does not
+    /// oppose may be left out. `None` where there are none, told as fast as it can be, and for cells beyond the bands.
+    fn pieces(&self, x: i32, y: i32, d: Raw) -> Option<Self::Pieces<'_>>;
+
+    /// Whether the start of a walk is strictly inside the solid.
+    fn holds_start(&self, o: Raw, walk: &Walk) -> bool;
+
+    /// Whether a ray that starts on the border of the solid is strictly inside just after.
+    fn enters(&self, o: Raw, d: Raw, walk: &Walk) -> bool;
+
+    /// The user's flags of what is solid in a cell.
+    fn flags(&self, x: i32, y: i32) -> u8;
+}
 
 /// A ray that has been asked for its hits up to a moment.
 #[derive(Debug)]
@@ -183,7 +233,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
             (Some(time), _) => straight::<L>(self.d, time, met.touch.normal),
             (None, Geometry::Arc { centre, radius, convex, .. }) if L::ROUND => {
                 let m = self.o.sub(Raw::of(centre));
-                let (toi, by) = arc::contact(m, self.d, radius, convex);
+                let (toi, by) = arc_contact(m, self.d, radius, convex);
                 let at = m.add(by);
                 let axis = Axis::new(at.x, at.y);
                 (toi, by, if convex { axis } else { axis.reversed() })
@@ -264,4 +314,49 @@ fn signed<L: RayPieces>(d: i32, normal: i32, time: Time) -> i32 {
     }
     let part = part as i32;
     if d < 0 { part.wrapping_neg() } else { part }
+}
+
+/// What a ray along a grid line meets at the last line that it has crossed, or at its start on one, where it comes out of the open and goes into the
+/// solid and no piece opposes it.
+///
+/// That is between a convex arc and the surface that it touches: both are tangent to the ray, and what is behind the point has no face there.
+///
+/// ```text
+///       ....                  The arc ends at P with the ray's direction; the floor below goes on behind P, and so does the solid
+///   .solid..`.                above it. The hit has the point for a face, across the ray.
+///   ..........P<-------- ray
+///   .......solid.........
+/// ```
+#[inline(never)]
+fn cusp<L: RayLevel>(level: &L, o: Raw, d: Raw, walk: &Walk) -> Option<Met> {
+    let cell = level.grid().cell as u32;
+    if along(&walk.x, &walk.y, cell) == 0 {
+        return None;
+    }
+    let side = if d.x != 0 { &walk.x } else { &walk.y };
+    // The line before the next one; none is crossed yet where that is behind the start.
+    let way = side.near.checked_sub(cell)?;
+    if side.size == 0 || way > side.size {
+        return None;
+    }
+    let by = side.step.wrapping_mul(way as i32);
+    let p = o.add(if d.x != 0 { Raw { x: by, y: 0 } } else { Raw { x: 0, y: by } });
+    let back = Raw { x: d.x.wrapping_neg(), y: d.y.wrapping_neg() };
+    let solid = |d: Raw| level.enters(p, d, &level.walk(p, d));
+    if !solid(d) || solid(back) {
+        return None;
+    }
+    let normal = Axis::new(back.x.signum(), back.y.signum());
+    let (x, y) = (walk.x.cell, walk.y.cell);
+    let dir = normal.perp();
+    let feature = Feature {
+        geometry: Geometry::Face { a: p.vec2(), dir, len: 0, joined: [true; 2] },
+        cell: Cell::of(x, y),
+        index: face_against(normal),
+        flags: level.flags(x, y),
+        one_way: false,
+        source: 0,
+    };
+    let time = Some(Time { num: u64::from(way), den: u64::from(side.size) });
+    Some(Met { feature, touch: Touch { time, normal } })
 }

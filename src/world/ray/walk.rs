@@ -1,7 +1,65 @@
-//! The walk of a ray over the cells of any grid, by the closed rule: no cell that has a point in common with the ray is missed.
+//! The walk of a ray over the cells of any grid, exactly and without division.
+//!
+//! By the closed rule: no cell that has a point in common with the ray is missed.
 
-use super::dda::{Axes, Side, X, Y, along, lead};
+use crate::num::umul;
 use crate::world::grid::{Grid, Span};
+
+/// One axis of a ray on its way.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::world) struct Lane {
+    /// The index of the cell: the one just ahead, where the ray is on a line. -1 and the count stand for the bands beyond the map.
+    pub(in crate::world) cell: i32,
+    /// 1 or -1; -1 where there is no motion.
+    pub(in crate::world) step: i32,
+    /// Distance from the start to the next line, where there is one: below 2^31.
+    pub(in crate::world) near: u32,
+    /// At least the number of lines ahead, up to the end, that have a cell of the map behind them.
+    pub(in crate::world) lines: i32,
+    /// The size of the motion, below 2^30.
+    pub(in crate::world) size: u32,
+}
+
+impl Lane {
+    /// A coordinate moved along the ray.
+    #[inline]
+    pub(in crate::world) fn ahead(&self, v: i32, by: u32) -> i32 {
+        v.wrapping_add(self.step.wrapping_mul(by as i32))
+    }
+
+    /// After `n` more lines.
+    #[inline]
+    pub(in crate::world) fn crossed(self, n: u32, cell: u32) -> Self {
+        let near = self.near.wrapping_add(n.wrapping_mul(cell));
+        Self { cell: self.ahead(self.cell, n), near, lines: self.lines.wrapping_sub(n as i32), ..self }
+    }
+
+    /// At the start, and always where there is no motion: whether that is on a line, so that it touches the cell before the first one too.
+    /// True for some starts in a band as well, where both cells are beyond the map.
+    #[inline]
+    pub(in crate::world) fn on_line(&self, cell: u32) -> bool {
+        self.near == cell
+    }
+}
+
+/// A set of axes: 1 for the lines between columns, 2 for those between rows.
+pub(in crate::world) type Axes = u32;
+
+pub(in crate::world) const X: Axes = 1;
+pub(in crate::world) const Y: Axes = 2;
+
+/// The difference of the times of the next two crossings times both sizes: below 2^61.
+#[inline]
+pub(in crate::world) fn lead(x: &Lane, y: &Lane) -> i64 {
+    umul(x.near, y.size).wrapping_sub(umul(y.near, x.size)) as i64
+}
+
+/// Axes on whose lines the ray runs, so that it is in two cells at any time.
+#[inline]
+pub(in crate::world) fn along(x: &Lane, y: &Lane, cell: u32) -> Axes {
+    let columns = if x.size == 0 && x.on_line(cell) { X } else { 0 };
+    columns | if y.size == 0 && y.on_line(cell) { Y } else { 0 }
+}
 
 /// What a walk does at the border of a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,14 +73,44 @@ pub(in crate::world) enum Beyond {
 }
 
 impl Grid {
+    /// Measures one axis of a ray, with what a cell beyond the grid (before it?, last cell) is called.
+    #[inline]
+    pub(in crate::world) fn lane_with(
+        &self,
+        span: &Span,
+        o: i32,
+        d: i32,
+        beyond: impl FnOnce(bool, i32) -> i32,
+    ) -> Lane {
+        // A motion toward smaller coordinates (or none) is one toward larger ones in the mirror: a point on a line belongs to the cell ahead.
+        let u = o.wrapping_sub(span.origin);
+        let v = if d > 0 { u } else { span.size.wrapping_sub(u) };
+        let last = (span.count as i32).wrapping_sub(1);
+        let mut cell = self.quotient(v as u32) as i32;
+        if v as u32 >= span.size as u32 {
+            cell = beyond(v < 0, last);
+        }
+        let size = d.unsigned_abs();
+        // By a power of two that the cell is not below, and rounded up: never too few.
+        let some = (size >> (self.log & 31)).wrapping_add(1) as i32;
+        let room = last.wrapping_sub(cell);
+        Lane {
+            cell: if d > 0 { cell } else { room },
+            step: if d > 0 { 1 } else { -1 },
+            near: self.line(cell.wrapping_add(1)).wrapping_sub(v) as u32,
+            lines: if some < room { some } else { room },
+            size,
+        }
+    }
+
     /// Measures one axis of a ray on a grid whose bands are cells.
-    pub(in crate::world) fn ray_side(&self, span: &Span, o: i32, d: i32) -> Side {
-        self.side_with(span, o, d, |before, last| if before { -1 } else { last.wrapping_add(1) })
+    pub(in crate::world) fn ray_lane(&self, span: &Span, o: i32, d: i32) -> Lane {
+        self.lane_with(span, o, d, |before, last| if before { -1 } else { last.wrapping_add(1) })
     }
 
     /// The axes of the lines that a ray crosses next, both at a corner; 0 where nothing ahead matters, or the motion ends before.
     #[inline]
-    pub(in crate::world) fn next_lines(&self, x: &Side, y: &Side, beyond: Beyond) -> Axes {
+    pub(in crate::world) fn next_lines(&self, x: &Lane, y: &Lane, beyond: Beyond) -> Axes {
         let mut lines = 0;
         if leads_on(x, self.x.count, beyond) {
             lines |= X;
@@ -44,7 +132,7 @@ impl Grid {
 
 /// Whether a line is ahead, with a cell behind it that matters: of those beyond the map, only bands do.
 #[inline(never)]
-fn leads_on(side: &Side, count: u16, beyond: Beyond) -> bool {
+fn leads_on(side: &Lane, count: u16, beyond: Beyond) -> bool {
     let last = (count as i32).wrapping_sub(1);
     let room = if side.step > 0 { last.wrapping_sub(side.cell) } else { side.cell };
     side.near <= side.size && room.wrapping_add(matches!(beyond, Beyond::Bands) as i32) > 0
@@ -63,8 +151,8 @@ fn leads_on(side: &Side, count: u16, beyond: Beyond) -> bool {
 /// that includes those behind a line on which it starts.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::world) struct Walk {
-    pub(in crate::world) x: Side,
-    pub(in crate::world) y: Side,
+    pub(in crate::world) x: Lane,
+    pub(in crate::world) y: Lane,
     /// Cells entered, the first and the last included.
     pub(in crate::world) cells: u32,
     /// The axes on which the cells before the last line belong to this step too.
@@ -74,7 +162,7 @@ pub(in crate::world) struct Walk {
 }
 
 impl Walk {
-    pub(in crate::world) fn new(x: Side, y: Side, cell: u32) -> Self {
+    pub(in crate::world) fn new(x: Lane, y: Lane, cell: u32) -> Self {
         let (columns, rows) = (if x.on_line(cell) { X } else { 0 }, if y.on_line(cell) { Y } else { 0 });
         Self { x, y, cells: 1, wide: columns | rows, back: true }
     }
@@ -134,140 +222,5 @@ impl Walk {
             }
         }
         true
-    }
-}
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests stop at the first surprise")]
-mod tests {
-    extern crate std;
-
-    use super::{Beyond, Walk};
-    use crate::num::{Fx, Vec2};
-    use crate::world::{Cell, Grid};
-    use std::vec::Vec;
-
-    const FAR: i128 = 1 << 40;
-
-    /// The cells that a ray touches, grouped by the moment at which it first does: from the closed intervals of time in which it is in their columns and
-    /// rows. Moments are multiplied by both components of the motion.
-    fn expected(grid: &Grid, beyond: Beyond, o: [i128; 2], d: [i128; 2]) -> Vec<Vec<Cell>> {
-        let scale = d.map(|d| d.abs().max(1));
-        let whole = scale[0] * scale[1];
-        let interval = |axis: usize, span: &super::Span, index: i128| {
-            let count = i128::from(span.count);
-            let (first, last) = match beyond {
-                Beyond::Merged => (index == 0, index == count - 1),
-                _ => (index < 0, index == count),
-            };
-            let line = |i: i128| i128::from(span.origin) + i * i128::from(grid.cell);
-            let lo = if first { -FAR } else { line(index) };
-            let hi = if last { FAR } else { line(index + 1) };
-            let (o, d) = (o[axis], d[axis]);
-            if d == 0 {
-                return (lo <= o && o <= hi).then_some((0, whole));
-            }
-            let other = scale[1 - axis];
-            let (from, to) = if d > 0 { (lo - o, hi - o) } else { (o - hi, o - lo) };
-            Some((from * other, to * other))
-        };
-        let outer = i128::from(beyond == Beyond::Bands);
-        let mut found = Vec::new();
-        for y in -outer..i128::from(grid.y.count) + outer {
-            for x in -outer..i128::from(grid.x.count) + outer {
-                let (Some(a), Some(b)) = (interval(0, &grid.x, x), interval(1, &grid.y, y)) else { continue };
-                let (from, to) = (a.0.max(b.0).max(0), a.1.min(b.1).min(whole));
-                if from <= to {
-                    found.push((from, Cell::of(x as i32, y as i32)));
-                }
-            }
-        }
-        found.sort_by_key(|f| f.0);
-        found.chunk_by(|a, b| a.0 == b.0).map(|group| sorted(group.iter().map(|f| f.1).collect())).collect()
-    }
-
-    fn sorted(mut cells: Vec<Cell>) -> Vec<Cell> {
-        cells.sort_by_key(|c| (c.y, c.x));
-        cells
-    }
-
-    fn walked(grid: &Grid, beyond: Beyond, o: [i32; 2], d: [i32; 2]) -> Vec<Vec<Cell>> {
-        let outer = i32::from(beyond != Beyond::Merged);
-        let side = |span, o, d| grid.side_with(span, o, d, |before, last| if before { -outer } else { last + outer });
-        let cell = grid.cell as u32;
-        let mut walk = Walk::new(side(&grid.x, o[0], d[0]), side(&grid.y, o[1], d[1]), cell);
-        let mut steps = Vec::new();
-        loop {
-            let known = |v: i32, count: u16| {
-                let bands = i32::from(beyond == Beyond::Bands);
-                -bands <= v && v < i32::from(count) + bands
-            };
-            let cells =
-                (0..4).filter_map(|n| walk.cell(n)).filter(|c| known(c.0, grid.x.count) && known(c.1, grid.y.count));
-            steps.push(sorted(cells.map(|(x, y)| Cell::of(x, y)).collect()));
-            let over = grid.next_lines(&walk.x, &walk.y, beyond);
-            if over == 0 {
-                assert!(walk.cells <= u32::from(grid.x.count) + u32::from(grid.y.count) + 4);
-                steps.retain(|s| !s.is_empty());
-                return steps;
-            }
-            walk.cross(over, cell);
-        }
-    }
-
-    fn check(grid: &Grid, o: [i32; 2], end: [i32; 2]) {
-        let d = [end[0] - o[0], end[1] - o[1]];
-        for beyond in [Beyond::Nothing, Beyond::Bands, Beyond::Merged] {
-            let expected = expected(grid, beyond, o.map(i128::from), d.map(i128::from));
-            assert_eq!(walked(grid, beyond, o, d), expected, "{grid:?} {beyond:?} from {o:?} by {d:?}");
-        }
-    }
-
-    /// Every step has exactly the cells that are touched from then on: between all points of the half-cell lattice and one raw beside them.
-    #[test]
-    fn cells_are_those_of_the_closed_squares() {
-        for (width, height, cell) in [(2, 2, 300), (3, 1, 256), (1, 2, 2 * 7 * 64)] {
-            let grid = Grid::new(width, height, Fx::from_bits(cell), Vec2::from_raw(-cell, 5)).unwrap();
-            let lattice = |n: i32, origin: i32| [-1, 0, 1].map(|by| origin + (n - 1) * cell / 2 + by);
-            let (xs, ys): (Vec<i32>, Vec<i32>) = (
-                (0..2 * i32::from(width) + 3).flat_map(|n| lattice(n, -cell)).collect(),
-                (0..2 * i32::from(height) + 3).flat_map(|n| lattice(n, 5)).collect(),
-            );
-            let points: Vec<[i32; 2]> = ys.iter().flat_map(|&y| xs.iter().map(move |&x| [x, y])).collect();
-            for &o in points.iter().step_by(2) {
-                for &end in points.iter().skip(o[0].unsigned_abs() as usize % 3).step_by(3) {
-                    check(&grid, o, end);
-                }
-            }
-        }
-    }
-
-    /// Long rays over large grids, and from one end of the domain to the other.
-    #[test]
-    fn cells_are_those_of_the_closed_squares_far_away() {
-        let mut seed = 1u64;
-        let mut random = |n: i32| {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            ((i64::from((seed >> 33) as u32) * i64::from(n)) >> 31) as i32
-        };
-        for _ in 0..3000 {
-            let cell = [256, 1 << 20, 1_048_578, 1 << 24, 100_042][random(5) as usize];
-            let (width, height) = (1 + random(20), 1 + random(20));
-            let origin = [random(1 << 27) - (1 << 26), random(1 << 27) - (1 << 26)];
-            let grid =
-                Grid::new(width as u16, height as u16, Fx::from_bits(cell), Vec2::from_raw(origin[0], origin[1]))
-                    .unwrap();
-            let mut point = || {
-                let near = |random: &mut dyn FnMut(i32) -> i32, origin: i32, count: i32| match random(4) {
-                    0 => random((1 << 30) - 1) - (1 << 29) + 1,
-                    1 => origin + cell * random(count + 1),
-                    2 => origin + cell / 2 * random(2 * count + 1) + random(3) - 1,
-                    _ => origin + random(cell * count),
-                };
-                [near(&mut random, origin[0], width), near(&mut random, origin[1], height)]
-            };
-            let (a, b) = (point(), point());
-            check(&grid, a, b);
-        }
     }
 }

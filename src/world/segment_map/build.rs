@@ -1,13 +1,16 @@
-//! From paths to bytes: measured, then written.
+//! From paths to bytes: segments counted, then written, with their references and joints.
 
-use super::bytes::{HEADER, MAGIC, SEGMENT, VERSION, at, checksum, half, set_byte, set_half, set_word};
-use super::emit::Sink;
 use super::parse::clamped;
+use super::path::{Edge, Place, edges, left_from, point, reversed};
 use super::raster::Rows;
-use super::seg::{ATTR_AT, END_JOINED, NEXT_AT, NONE, START_JOINED};
-use super::{Path, SegmentMap, SegmentMapError, Size, check};
-use crate::num::Fx;
-use crate::world::{Cell, Grid};
+use super::{
+    ATTR_AT, END_JOINED, HEADER, Kind, MAGIC, MOST, NEXT_AT, NONE, Path, PathKind, SEGMENT, START_JOINED, SegmentMap,
+    Size, VERSION, at, checksum, half, path, set_byte, set_half, set_word,
+};
+use crate::num::{Axis, Fx, Raw};
+use crate::world::cell::Cell;
+use crate::world::error::SegmentMapError;
+use crate::world::grid::Grid;
 use heapless::VecView;
 
 impl<'a> SegmentMap<'a> {
@@ -31,8 +34,8 @@ impl<'a> SegmentMap<'a> {
     /// # Errors
     /// [`SegmentMapError`]: which point of which path is wrong, or that there is too much.
     pub const fn measure(paths: &[Path<'_>], cell: Fx) -> Result<Size, SegmentMapError> {
-        match check::bounds(paths) {
-            Ok((lo, hi)) => match check::grid(lo, hi, cell) {
+        match path::bounds(paths) {
+            Ok((lo, hi)) => match path::grid(lo, hi, cell) {
                 Ok(grid) => count(paths, grid),
                 Err(e) => Err(e),
             },
@@ -45,10 +48,10 @@ impl<'a> SegmentMap<'a> {
     /// # Errors
     /// As [`measure`](Self::measure), and [`SegmentMapError::OutsideGrid`].
     pub const fn measure_on(paths: &[Path<'_>], grid: Grid) -> Result<Size, SegmentMapError> {
-        if let Err(e) = check::bounds(paths) {
+        if let Err(e) = path::bounds(paths) {
             return Err(e);
         }
-        match check::on_grid(paths, &grid) {
+        match path::on_grid(paths, &grid) {
             Ok(()) => count(paths, grid),
             Err(e) => Err(e),
         }
@@ -243,4 +246,163 @@ const fn head(size: &Size, out: &mut [u8]) {
     set_half(out, at::RESERVED, 0);
     set_word(out, at::MAGIC, MAGIC);
     set_word(out, at::CHECKSUM, checksum(out));
+}
+
+/// Takes segments: the first pass gives no room, so that both passes are the same code.
+#[derive(Debug)]
+pub(super) struct Sink<'o> {
+    pub(super) grid: Grid,
+    pub(super) out: &'o mut [u8],
+    pub(super) segments: u16,
+    pub(super) refs: u16,
+}
+
+impl Sink<'_> {
+    /// The segments of all paths, in the order of the paths and their points; of a cancelled edge what is left.
+    #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
+    pub(super) const fn take(&mut self, paths: &[Path<'_>]) -> Result<(), SegmentMapError> {
+        let mut i = 0;
+        while i < paths.len() {
+            let path = &paths[i];
+            let (against, count) = (reversed(path), edges(path));
+            let mut k = 0;
+            while k < count {
+                let (a, b) = (point(path, k), point(path, k + 1));
+                let edge = if against { Edge::between(b, a) } else { Edge::between(a, b) };
+                let place = Place { path: i, point: k };
+                let taken = match path.kind {
+                    PathKind::Solid | PathKind::Hole => self.left(paths, place, &edge),
+                    PathKind::Wall => self.both(place, &edge, path.flags),
+                    PathKind::OneWay => self.put(place, &edge, Kind::OneWay, path.flags),
+                };
+                if taken.is_err() {
+                    return taken;
+                }
+                k += 1;
+            }
+            i += 1;
+        }
+        Ok(())
+    }
+
+    /// The pieces of a polygon's edge that are not cancelled, each as long as can be.
+    #[expect(clippy::indexing_slicing, reason = "a path that is being looked at exists")]
+    const fn left(&mut self, paths: &[Path<'_>], place: Place, edge: &Edge) -> Result<(), SegmentMapError> {
+        let flags = paths[place.path].flags;
+        let (mut t, mut from) = (0, -1);
+        while t < edge.len {
+            let (until, left) = left_from(paths, place, edge, t);
+            if left && from < 0 {
+                from = t;
+            }
+            if from >= 0 && (!left || until >= edge.len) {
+                let to = if left { until } else { t };
+                let piece = Edge { a: edge.at(from), dir: edge.dir, len: to.wrapping_sub(from) };
+                if let Err(e) = self.put(place, &piece, Kind::Solid, flags) {
+                    return Err(e);
+                }
+                from = -1;
+            }
+            t = until;
+        }
+        Ok(())
+    }
+
+    /// Both faces of a wall's edge.
+    const fn both(&mut self, place: Place, edge: &Edge, flags: u8) -> Result<(), SegmentMapError> {
+        let back = Edge { a: edge.at(edge.len), dir: edge.dir.reversed(), len: edge.len };
+        match self.put(place, edge, Kind::Wall, flags) {
+            Ok(()) => self.put(place, &back, Kind::Wall, flags),
+            Err(e) => Err(e),
+        }
+    }
+
+    const fn put(&mut self, place: Place, edge: &Edge, kind: Kind, flags: u8) -> Result<(), SegmentMapError> {
+        let (path, point) = (place.path as u32, place.point as u32);
+        if self.segments == MOST {
+            return Err(SegmentMapError::TooManySegments { path, point });
+        }
+        let mut rows = Rows::new(&self.grid, edge.a, edge.at(edge.len), edge.dir);
+        while let Some(row) = rows.advance() {
+            // Fewer than 2^15 columns.
+            let met = row.x1.wrapping_sub(row.x0).wrapping_add(1) as u16;
+            match self.refs.checked_add(met) {
+                Some(refs) => self.refs = refs,
+                None => return Err(SegmentMapError::TooManyRefs { path, point }),
+            }
+        }
+        let at = HEADER.wrapping_add((self.segments as usize).wrapping_mul(SEGMENT));
+        set_raw(self.out, at, edge.a);
+        let Axis { x, y } = edge.dir;
+        set_raw(self.out, at.wrapping_add(8), Raw { x, y });
+        set_word(self.out, at.wrapping_add(16), edge.len as u32);
+        set_half(self.out, at.wrapping_add(NEXT_AT), NONE);
+        set_byte(self.out, at.wrapping_add(ATTR_AT), kind as u8);
+        set_byte(self.out, at.wrapping_add(ATTR_AT + 1), flags);
+        self.segments += 1;
+        Ok(())
+    }
+}
+
+const fn set_raw(out: &mut [u8], at: usize, p: Raw) {
+    set_word(out, at, p.x as u32);
+    set_word(out, at.wrapping_add(4), p.y as u32);
+}
+
+/// A level of line segments as a `static`, built and checked by the compiler: no work at run time, no memory but the bytes in flash.
+///
+/// Takes an array of [`Path`](crate::Path)s and the side of a cell, both constant. A path that is refused is a compile error that says which and why.
+///
+/// ```
+/// use tilesat::{Fx, Path, PathKind, Vec2, segment_map};
+/// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 32), Vec2::from_ints(128, 64)];
+/// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], Fx::lit("32"));
+/// assert_eq!((LEVEL.count(), LEVEL.width(), LEVEL.height()), (3, 4, 1));
+/// ```
+///
+/// ```compile_fail
+/// # use tilesat::{Fx, Path, PathKind, Vec2, segment_map};
+/// // path 0, point 1: the same as the next point
+/// const LINE: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 32), Vec2::from_ints(64, 32)];
+/// segment_map!(static LEVEL: [Path::new(PathKind::Wall, &LINE)], Fx::lit("32"));
+/// # assert_eq!(LEVEL.count(), 4);
+/// ```
+#[macro_export]
+macro_rules! segment_map {
+    ($(#[$attr:meta])* $vis:vis static $name:ident: $paths:expr, $cell:expr) => {
+        $(#[$attr])*
+        $vis static $name: $crate::SegmentMap<'static> = {
+            const __PATHS: &[$crate::Path<'static>] = &$paths;
+            $(#[$attr])*
+            const __SIZE: $crate::Size = match $crate::SegmentMap::measure(__PATHS, $cell) {
+                Ok(size) => size,
+                Err(e) => panic!("{}", e.__text().as_str()),
+            };
+            $(#[$attr])*
+            static __BYTES: [u8; __SIZE.bytes()] = match __SIZE.__build(__PATHS) {
+                Ok(bytes) => bytes,
+                Err(e) => panic!("{}", e.__text().as_str()),
+            };
+            __SIZE.__view(&__BYTES)
+        };
+    };
+}
+
+impl Size {
+    /// For [`segment_map!`] alone, which asks for as many bytes as the paths need.
+    #[doc(hidden)]
+    pub const fn __build<const N: usize>(&self, paths: &[Path<'_>]) -> Result<[u8; N], SegmentMapError> {
+        let mut out = [0; N];
+        match build(paths, self, &mut out) {
+            Ok(_) => Ok(out),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// For [`segment_map!`] alone: the bytes are those that were built.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn __view<'a>(&self, bytes: &'a [u8]) -> SegmentMap<'a> {
+        self.view(bytes)
+    }
 }

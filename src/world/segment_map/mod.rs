@@ -1,40 +1,43 @@
 //! A level of free line segments: polygons, walls and one-way chains in a grid, read from bytes.
+//!
+//! The bytes are little-endian, at any alignment, and are read and written in constants too.
+//!
+//! | bytes | what |
+//! |---|---|
+//! | 32 | header |
+//! | 24 a segment | segments |
+//! | 2 a cell, and 2 | offsets into the references, row after row |
+//! | 2 a reference | segment indices, ascending within a cell |
+//! | 1 a cell | winding numbers of the reference points, signed |
+//!
+//! | header at | type | what |
+//! |---|---|---|
+//! | 0 | | `TSEG` |
+//! | 4 | u8 | version, 1 |
+//! | 5 | u8 | 0 |
+//! | 6 | u16 | segments |
+//! | 8, 12 | i32 | origin x, y |
+//! | 16 | i32 | side of a cell |
+//! | 20, 22 | u16 | columns, rows |
+//! | 24 | u16 | references |
+//! | 26 | u16 | 0 |
+//! | 28 | u32 | checksum of everything, itself as zero |
 
 mod build;
-mod bytes;
-mod cancel;
-mod cells;
-mod check;
-mod emit;
-mod error;
-mod features;
-mod join;
-mod joint;
-mod macros;
-mod orient;
 mod overlap;
 mod parse;
 mod path;
 mod raster;
 mod ray;
-mod seg;
-mod size;
-mod solid;
-mod thin;
-mod verify;
-mod winding;
-mod world;
+mod surface;
 
-pub use error::{SegmentFault, SegmentMapError};
-pub use features::SegmentFeatures;
+pub use parse::Size;
 pub use path::{Path, PathKind};
 pub use ray::SegmentRayHits;
-pub(super) use seg::{Kind, Seg};
-pub use size::Size;
+pub use surface::SegmentFeatures;
 
-use super::Grid;
-use crate::num::{Fx, Vec2};
-use bytes::{SEGMENT, half};
+use super::grid::Grid;
+use crate::num::{Axis, Fx, Raw, Vec2};
 
 /// A level of polygons, walls and one-way chains, read from where it lies: a view of bytes that have been checked once.
 ///
@@ -212,4 +215,177 @@ impl Iterator for Refs<'_> {
     fn next(&mut self) -> Option<u16> {
         self.advance()
     }
+}
+
+/// What a segment is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::world) enum Kind {
+    /// The boundary of a solid, which lies on the left of its direction.
+    Solid,
+    /// One face of a wall; another one runs the other way.
+    Wall,
+    /// Blocks what comes from its outward normal's side.
+    OneWay,
+}
+
+/// A segment from `a` to `a + dir * len`; its outward normal is `(dir.y, -dir.x)`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::world) struct Seg {
+    pub(in crate::world) a: Raw,
+    /// Reduced.
+    pub(in crate::world) dir: Axis,
+    /// In multiples of `dir`, at least 1.
+    pub(in crate::world) len: i32,
+    /// The segment that leaves the convex vertex at the end; where there is none, there is no vertex.
+    pub(in crate::world) next: Option<u16>,
+    pub(in crate::world) kind: Kind,
+    /// No vertex at the start: the boundary, or the one-way chain, goes on there.
+    pub(in crate::world) start_joined: bool,
+    /// The same at the end. Where it is not set and the segment is not one-way, `next` is there.
+    pub(in crate::world) end_joined: bool,
+    /// The user's flags.
+    pub(in crate::world) flags: u8,
+}
+
+/// Segments are fewer than this: twice an index, and one for the vertex, is the index of a feature.
+pub(super) const MOST: u16 = 1 << 15;
+
+/// What `next` holds where there is no vertex.
+pub(super) const NONE: u16 = u16::MAX;
+
+/// The bits of the attribute byte.
+pub(super) const KIND: u8 = 3;
+pub(super) const START_JOINED: u8 = 4;
+pub(super) const END_JOINED: u8 = 8;
+
+/// Where the fields after the geometry are.
+pub(super) const NEXT_AT: usize = 20;
+pub(super) const ATTR_AT: usize = 22;
+
+impl Seg {
+    /// The end: inside the domain, so that nothing wraps.
+    pub(in crate::world) const fn b(&self) -> Raw {
+        Raw {
+            x: self.a.x.wrapping_add(self.dir.x.wrapping_mul(self.len)),
+            y: self.a.y.wrapping_add(self.dir.y.wrapping_mul(self.len)),
+        }
+    }
+
+    /// Whether a point is on the closed segment. Distances inside the domain and directions are below 2^30: the product is below 2^61.
+    pub(in crate::world) const fn holds(&self, p: Raw) -> bool {
+        let (a, b) = (self.a, self.b());
+        let beside = p.x < a.x && p.x < b.x || p.x > a.x && p.x > b.x;
+        if beside || p.y < a.y && p.y < b.y || p.y > a.y && p.y > b.y {
+            return false;
+        }
+        Raw { x: self.dir.x, y: self.dir.y }.cross(p.sub(a)) == 0
+    }
+
+    /// Segment `index` of a table; zeros beyond its end.
+    #[inline]
+    pub(super) const fn read(table: &[u8], index: u16) -> Self {
+        let at = index as usize * SEGMENT;
+        let next = half(table, at + NEXT_AT);
+        let attr = half(table, at + ATTR_AT);
+        Self {
+            a: Raw { x: word(table, at) as i32, y: word(table, at + 4) as i32 },
+            dir: Axis { x: word(table, at + 8) as i32, y: word(table, at + 12) as i32 },
+            len: word(table, at + 16) as i32,
+            next: if next == NONE { None } else { Some(next) },
+            kind: match attr as u8 & KIND {
+                0 => Kind::Solid,
+                1 => Kind::Wall,
+                _ => Kind::OneWay,
+            },
+            start_joined: attr as u8 & START_JOINED != 0,
+            end_joined: attr as u8 & END_JOINED != 0,
+            flags: (attr >> 8) as u8,
+        }
+    }
+}
+
+pub(super) const MAGIC: u32 = u32::from_le_bytes(*b"TSEG");
+pub(super) const VERSION: u8 = 1;
+/// Bytes of the header.
+pub(super) const HEADER: usize = 32;
+/// Bytes of a segment.
+pub(super) const SEGMENT: usize = 24;
+
+/// Where the fields of the header are.
+pub(super) mod at {
+    pub(in crate::world::segment_map) const MAGIC: usize = 0;
+    /// Version, a zero and the number of segments in one word.
+    pub(in crate::world::segment_map) const VERSION: usize = 4;
+    pub(in crate::world::segment_map) const SEGMENTS: usize = 6;
+    pub(in crate::world::segment_map) const ORIGIN_X: usize = 8;
+    pub(in crate::world::segment_map) const ORIGIN_Y: usize = 12;
+    pub(in crate::world::segment_map) const CELL: usize = 16;
+    pub(in crate::world::segment_map) const WIDTH: usize = 20;
+    pub(in crate::world::segment_map) const HEIGHT: usize = 22;
+    pub(in crate::world::segment_map) const REFS: usize = 24;
+    pub(in crate::world::segment_map) const RESERVED: usize = 26;
+    pub(in crate::world::segment_map) const CHECKSUM: usize = 28;
+}
+
+/// The bytes `from..to`; none where there are not so many.
+pub(super) const fn part(data: &[u8], from: usize, to: usize) -> &[u8] {
+    match data.split_at_checked(to) {
+        Some((head, _)) => match head.split_at_checked(from) {
+            Some((_, part)) => part,
+            None => &[],
+        },
+        None => &[],
+    }
+}
+
+/// 16 bits; 0 beyond the end. By a pattern, which no core needs a check of bounds for that could panic.
+#[inline]
+pub(super) const fn half(data: &[u8], at: usize) -> u16 {
+    match data.split_at_checked(at) {
+        Some((_, &[a, b, ..])) => u16::from_le_bytes([a, b]),
+        _ => 0,
+    }
+}
+
+/// 32 bits; 0 beyond the end.
+#[inline]
+pub(super) const fn word(data: &[u8], at: usize) -> u32 {
+    match data.split_at_checked(at) {
+        Some((_, &[a, b, c, d, ..])) => u32::from_le_bytes([a, b, c, d]),
+        _ => 0,
+    }
+}
+
+/// Writes 16 bits; nothing beyond the end.
+pub(super) const fn set_half(data: &mut [u8], at: usize, value: u16) {
+    if let Some((_, [a, b, ..])) = data.split_at_mut_checked(at) {
+        [*a, *b] = value.to_le_bytes();
+    }
+}
+
+/// Writes 32 bits; nothing beyond the end.
+pub(super) const fn set_word(data: &mut [u8], at: usize, value: u32) {
+    set_half(data, at, value as u16);
+    set_half(data, at.wrapping_add(2), (value >> 16) as u16);
+}
+
+/// Writes a byte; nothing beyond the end.
+#[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
+pub(super) const fn set_byte(data: &mut [u8], at: usize, value: u8) {
+    if at < data.len() {
+        data[at] = value;
+    }
+}
+
+/// 32-bit FNV-1a with the checksum's own field as zero: each step is one-to-one in the state and in the byte, so that no change of a
+/// single byte goes unseen.
+#[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
+pub(super) const fn checksum(data: &[u8]) -> u32 {
+    let (mut hash, mut i) = (0x811c_9dc5u32, 0);
+    while i < data.len() {
+        let byte = if i & !3 == at::CHECKSUM { 0 } else { data[i] };
+        hash = (hash ^ byte as u32).wrapping_mul(0x0100_0193);
+        i += 1;
+    }
+    hash
 }

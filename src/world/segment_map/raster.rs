@@ -1,7 +1,9 @@
-//! Which cells a segment meets, row after row, exactly and without division.
+//! Which cells a segment meets, exactly and without division; which a query looks at; and how many solids hold the corner of each.
 
+use super::{Kind, SegmentMap};
 use crate::num::{Axis, Raw, imul};
-use crate::world::Grid;
+use crate::world::cell::Range;
+use crate::world::grid::{Grid, Span};
 
 /// Columns `x0..=x1` of row `y`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -114,4 +116,77 @@ const fn before(grid: &Grid, d: i32) -> i32 {
 const fn at_most(grid: &Grid, d: i32, count: i32) -> i32 {
     let index = grid.quotient(d as u32) as i32;
     if index < count { index } else { count.wrapping_sub(1) }
+}
+
+impl SegmentMap<'_> {
+    /// The cells that hold the points of a closed box, each point in one: where [`Grid::cell_at`](crate::Grid::cell_at) has it, and in the last
+    /// cells what is on the far borders of the grid.
+    ///
+    /// That is enough to find what meets the box: a segment is referred to by every cell whose closed square it meets.
+    pub(super) const fn cells(&self, lo: Raw, hi: Raw) -> Range {
+        let (x0, x1) = along(&self.grid.x, lo.x, self.grid.column(lo.x), self.grid.column(hi.x));
+        let (y0, y1) = along(&self.grid.y, lo.y, self.grid.row(lo.y), self.grid.row(hi.y));
+        Range { x0, y0, x1, y1 }
+    }
+
+    /// [`cells`](Self::cells) of a box without its borders, for a box with area.
+    pub(super) const fn open_cells(&self, lo: Raw, hi: Raw) -> Range {
+        self.cells(lo, Raw { x: hi.x.wrapping_sub(1), y: hi.y.wrapping_sub(1) })
+    }
+}
+
+/// The first and the last cell of the grid from `first` to `last`; none where the box begins beyond the end.
+const fn along(span: &Span, lo: i32, first: i32, last: i32) -> (i32, i32) {
+    let count = span.count as i32;
+    if first == count && lo.wrapping_sub(span.origin) > span.size {
+        return (0, -1);
+    }
+    let end = count.wrapping_sub(1);
+    let first = if first < end { first } else { end };
+    (if first < 0 { 0 } else { first }, if last < end { last } else { end })
+}
+
+impl SegmentMap<'_> {
+    /// The winding number of a cell's reference point, from that of the cell before it in the row (0 for the first one).
+    ///
+    /// ```text
+    ///       ^ e          ^ e: +1 further left    The reference point R of a cell is its corner, moved right by an infinitesimal and
+    ///   R---|---R   and  |       -1 right of e   up by a much smaller one. On the way from R to R there is what crosses the line
+    ///                  solid left, y up          between the corners, the right one included and the left one not.
+    /// ```
+    ///
+    /// All that crosses the line before a corner meets the closed square of the cell before it.
+    pub(super) const fn next_winding(&self, x: i32, y: i32, before: i32) -> i32 {
+        let left = Raw { x: self.grid.x.origin.wrapping_add(self.grid.line(x)), y: self.grid.line_y(y) };
+        if x == 0 {
+            return self.passed(0, y, left);
+        }
+        let cell = x.wrapping_sub(1);
+        let start = Raw { x: left.x.wrapping_sub(self.grid.cell), ..left };
+        before.wrapping_add(self.passed(cell, y, left)).wrapping_sub(self.passed(cell, y, start))
+    }
+
+    /// What the winding number changes by at segments of a cell that cross the height of `r` at `r` or before it, from left to right.
+    ///
+    /// Just above `r`, segments that end at its height from below are gone, and those that start there upward have begun. The
+    /// slope of a segment moves its crossing by a part of the smaller infinitesimal only, so that one exactly at `r` has been passed.
+    const fn passed(&self, x: i32, y: i32, r: Raw) -> i32 {
+        let mut sum = 0i32;
+        let mut refs = self.refs(x, y);
+        while let Some(index) = refs.advance() {
+            let seg = self.segment(index);
+            let (before, after) = (seg.a.y <= r.y, seg.b().y <= r.y);
+            if before == after || !matches!(seg.kind, Kind::Solid) {
+                continue;
+            }
+            // Positive where r is on the left of the segment. Upward, that is not passed; downward it is.
+            let side = Raw { x: seg.dir.x, y: seg.dir.y }.cross(r.sub(seg.a));
+            if before && side <= 0 {
+                sum = sum.wrapping_sub(1);
+            } else if after && side >= 0 {
+                sum = sum.wrapping_add(1);
+            }
+        }
+        sum
+    }
 }

@@ -1,15 +1,15 @@
 //! Rays against a segment map.
 
-use super::solid::Ray;
+use super::overlap::Spoke;
 use super::{Kind, Refs, Seg, SegmentMap};
 use crate::error::RangeError;
 use crate::num::{Raw, Vec2};
+use crate::world::cell::Cell;
 use crate::world::grid::Grid;
-use crate::world::ray::level::{RayLevel, RayPieces};
-use crate::world::ray::scan::{Found, Scan};
+use crate::world::level::Feature;
+use crate::world::ray::scan::{Found, RayLevel, RayScan, RayWorld, Scan};
 use crate::world::ray::walk::{Beyond, Walk};
-use crate::world::shells::levels;
-use crate::world::{Cell, Feature, RayHit, RayRules};
+use crate::world::ray::{RayHit, RayPieces, RayRules, rays};
 
 impl<'a> SegmentMap<'a> {
     /// All hits of a ray, in order: as if it went on through what it hits. Of hits at one moment there is one.
@@ -29,13 +29,14 @@ impl<'a> SegmentMap<'a> {
 
     /// Whether a ray is strictly inside the solid just after its start: on both of its sides.
     fn goes_in(&self, o: Raw, d: Raw) -> bool {
-        let (start, ahead) = (self.winding_beside(o), Ray { dir: d, change: 0 });
-        let sum = |test: &dyn Fn(&Ray) -> bool| self.rays(o).filter(test).fold(start, |w, r| w.wrapping_add(r.change));
+        let (start, ahead) = (self.winding_beside(o), Spoke { dir: d, change: 0 });
+        let sum =
+            |test: &dyn Fn(&Spoke) -> bool| self.spokes(o).filter(test).fold(start, |w, r| w.wrapping_add(r.change));
         sum(&|r| r.up_to(&ahead)) > 0 && sum(&|r| !ahead.up_to(r)) > 0
     }
 }
 
-levels! {
+rays! {
     [] SegmentMap<'_> {
         /// The first point of a boundary or wall that a ray from `origin` along `motion` meets, or `None` where it ends before.
         ///
@@ -144,5 +145,22 @@ impl Iterator for CellFaces<'_> {
         let index = self.refs.next()?;
         let seg = self.map.segment(index);
         Some(seg.feature(seg.face([false; 2]), self.cell, index.wrapping_mul(2)))
+    }
+}
+
+impl<'a> RayWorld for SegmentMap<'a> {
+    type Scan<'w>
+        = SegmentRayHits<'w, 'a>
+    where
+        Self: 'w;
+
+    fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError> {
+        self.cast_ray_all(origin, motion, rules)
+    }
+}
+
+impl RayScan for SegmentRayHits<'_, '_> {
+    fn next_found(&mut self) -> Option<Found> {
+        SegmentRayHits::find(self)
     }
 }

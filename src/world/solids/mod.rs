@@ -1,6 +1,375 @@
-//! Boxes that move beside a level: platforms, doors, crushers.
+//! Boxes that move beside a level, platforms, doors, crushers: a list of them is a level.
+//!
+//! Its surface is what of each box's four faces and corners no other box of the list covers.
+//!
+//! At a point, a box fills some of the four quadrants around it. Around a box's own corner c, counted as its faces are, it fills quadrant
+//! c + 2; those beside that one are c + 1 and c + 3, the one across is c:
+//!
+//! ```text
+//!    0 | 1        corner 0 of a box (its minimum) has the box in quadrant 2,
+//!   ---p---       corner 1 in quadrant 3, and so on.
+//!    3 | 2
+//! ```
+//!
+//! So the corner of a union is convex where nothing is in c + 1 and c + 3, and face c goes on beyond its start, which is corner c, where
+//! something is in c + 3 and nothing in c + 1, before it.
 
-pub(super) mod features;
-pub(super) mod list;
 pub(super) mod ray;
 pub(super) mod solid;
+
+use super::cell::Cell;
+use super::level::{Feature, Geometry, Way, World, levels, meets_as_world, sealed};
+use crate::num::{Axis, Raw};
+use crate::query::meet;
+use crate::shape::{Aabb, Circle};
+use solid::{Side, Solid};
+
+/// Moving boxes as a level, at the places where they are now. Borrows the list, needs no memory.
+///
+/// [`Joined::new(&level, &solids)`](crate::Joined) is the level with its platforms and doors in it. A platform that lies flush with a floor,
+/// or with another platform, is one floor with it: no seam trips a walker.
+///
+/// ```text
+///   ####      +------+        level and solids, joined:  ____  ______
+///   ####______|      |  --->  the walker's floor         ####__|    |
+///   ####|  a  |  b   |                                   ####         (no face between a and b, no corner at their joint)
+/// ```
+///
+/// The order of the list changes no result; of solids that say the same, the ids of a hit may be either one's. [One-way](Solid::with_one_way)
+/// solids are one face each, which blocks what comes from entirely in front, and no part of `overlaps` and `touches`. A feature's
+/// [`cell`](crate::Feature::cell) holds the key: see [`Solids::key_of`].
+///
+/// The boxes are asked one by one, so a point (a body without area) on the line between two flush solids overlaps neither.
+///
+/// Cost: an overlap test looks at each of the n boxes. So does each piece of a surface near the region, of which a box has 8; a face that is
+/// covered by k others together takes k looks. Lists are meant to be short, the platforms of a screen. It cannot fail.
+///
+/// ```
+/// use tilesat::{Aabb, Axis, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
+/// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+/// let level = TileMap::from_ascii("     \n##  #", &KINDS)?; // a pit from x = 32 to x = 64
+/// let bridge = [Solid::new(Aabb::new(Vec2::from_ints(32, 16), Vec2::from_ints(64, 24))?, 3)?];
+/// let solids = Solids::new(&bridge);
+///
+/// let walker = Aabb::new(Vec2::from_ints(2, 6), Vec2::from_ints(10, 16))?;
+/// let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&Joined::new(&level, &solids), &walker, Vec2::from_ints(60, 1))?;
+/// assert_eq!(moved.position(), Vec2::from_ints(62, 6)); // over both joints
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Solids<'a> {
+    list: &'a [Solid],
+}
+
+impl<'a> Solids<'a> {
+    /// All boxes of a list.
+    #[must_use]
+    pub const fn new(list: &'a [Solid]) -> Self {
+        Self { list }
+    }
+
+    /// The list.
+    #[must_use]
+    pub const fn list(&self) -> &'a [Solid] {
+        self.list
+    }
+
+    /// The key of the solid that a feature, a contact, a floor or a hit names by its cell; `None` where it is a tile's or a segment's.
+    ///
+    /// So it can be asked of whatever a [joined](crate::Joined) level reports. The keys of two lists that are joined are told apart by the
+    /// [`source`](crate::Feature::source).
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Cell, Fx, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("   \n###", &KINDS)?;
+    /// let lift = [Solid::new(Aabb::new(Vec2::from_ints(16, 8), Vec2::from_ints(32, 12))?, 7)?];
+    /// let solids = Solids::new(&lift);
+    /// let level = Joined::new(&level, &solids);
+    /// let below = |x| level.cast_ray(Vec2::from_ints(x, 0), Vec2::from_ints(0, 20), Inside::Hit);
+    /// assert_eq!(below(20)?.map(|hit| Solids::key_of(hit.cell)), Some(Some(7)));
+    /// assert_eq!(below(8)?.map(|hit| Solids::key_of(hit.cell)), Some(None)); // the floor
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub const fn key_of(cell: Cell) -> Option<u16> {
+        if cell.y == Solid::ROW { Some(cell.x as u16) } else { None }
+    }
+
+    /// The faces and corners of the solids' union that have a point in the closed region, and one-way faces.
+    ///
+    /// A face that others cover in part stays as it is. Cost: see [`Solids`].
+    pub const fn features(&self, region: &Aabb) -> SolidFeatures<'a> {
+        SolidFeatures::new(self.list, region)
+    }
+
+    fn any(&self, meets: impl Fn(&Solid) -> bool) -> bool {
+        self.list.iter().any(|solid| solid.one_way().is_none() && meets(solid))
+    }
+}
+
+levels! {
+    [] Solids<'_> {
+        /// Whether a box or circle overlaps one of the solids; strict and exact. One-way ones are never overlapped.
+        overlaps,
+        /// Whether a box or circle has a point in common with one of the solids, borders included; exact. Not with one-way ones.
+        touches,
+    }
+}
+
+impl sealed::Sealed for Solids<'_> {}
+
+impl World for Solids<'_> {
+    const BLOCKS: bool = true;
+    const ROUND: bool = false;
+
+    type Features<'w>
+        = SolidFeatures<'w>
+    where
+        Self: 'w;
+
+    fn features(&self, region: &Aabb) -> SolidFeatures<'_> {
+        Solids::features(self, region)
+    }
+
+    fn features_ahead(&self, way: &Way) -> SolidFeatures<'_> {
+        Solids::features(self, way.piece).against(way.d)
+    }
+
+    fn occupied(&self, region: &Aabb) -> Option<Aabb> {
+        let meets = |s: &&Solid| meet::aabb_aabb::<true>(s.lo(), s.hi(), region.lo(), region.hi());
+        let all = self.list.iter().filter(meets).map(Solid::shape);
+        // A raw unit larger, for one-way faces on its border.
+        let one = Raw { x: 1, y: 1 };
+        all.reduce(|a, b| a.union(&b)).map(|all| Aabb::from_raw_unchecked(all.lo().sub(one), all.hi().add(one)))
+    }
+
+    /// No motion is cut into pieces for them: each piece would look at all of them.
+    fn cell_size(&self) -> u32 {
+        u32::MAX >> 1
+    }
+
+    fn overlaps_aabb(&self, b: &Aabb) -> bool {
+        self.any(|s| meet::aabb_aabb::<false>(s.lo(), s.hi(), b.lo(), b.hi()))
+    }
+
+    fn overlaps_circle(&self, c: &Circle) -> bool {
+        self.any(|s| meet::circle_aabb::<false>(c.c(), c.r(), s.lo(), s.hi()))
+    }
+
+    fn touches_aabb(&self, b: &Aabb) -> bool {
+        self.any(|s| meet::aabb_aabb::<true>(s.lo(), s.hi(), b.lo(), b.hi()))
+    }
+
+    fn touches_circle(&self, c: &Circle) -> bool {
+        self.any(|s| meet::circle_aabb::<true>(c.c(), c.r(), s.lo(), s.hi()))
+    }
+}
+
+meets_as_world! { [] Solids<'_> }
+
+/// A set of quadrants, or of the pieces of a box: bits 0..=3 its faces, 4..=7 the corners that they end in.
+pub(super) type Bits = u8;
+
+/// The cursor of [`Solids::features`].
+#[derive(Clone, Debug)]
+#[must_use = "cursors do nothing unless advanced"]
+pub struct SolidFeatures<'w> {
+    pub(crate) all: &'w [Solid],
+    /// Those that were not looked at yet.
+    next: &'w [Solid],
+    region: (Raw, Raw),
+    /// The one whose pieces are handed out, and which are left.
+    of: Option<&'w Solid>,
+    left: Bits,
+    /// The pieces that are asked for.
+    asked: Bits,
+}
+
+impl<'w> SolidFeatures<'w> {
+    pub(super) const fn new(all: &'w [Solid], region: &Aabb) -> Self {
+        Self { all, next: all, region: (region.lo(), region.hi()), of: None, left: 0, asked: 0xff }
+    }
+
+    /// Of those only what a motion can run into: faces that it goes against, and the corners of one.
+    pub(super) const fn against(self, d: Raw) -> Self {
+        let faces = faces_against(d);
+        // Corner 4 + k is between the faces k and k + 1.
+        let corners = (faces | faces >> 1 | faces << 3) & 0xf;
+        Self { asked: faces | corners << 4, ..self }
+    }
+}
+
+impl Iterator for SolidFeatures<'_> {
+    type Item = Feature;
+
+    fn next(&mut self) -> Option<Feature> {
+        loop {
+            while self.left != 0 {
+                let index = self.left.trailing_zeros() as u8;
+                self.left &= self.left.wrapping_sub(1);
+                if let Some(feature) = self.of.and_then(|solid| piece(self.all, solid, index)) {
+                    return Some(feature);
+                }
+            }
+            let (solid, rest) = self.next.split_first()?;
+            (self.of, self.next) = (Some(solid), rest);
+            self.left = reached(solid, self.region) & self.asked;
+        }
+    }
+}
+
+/// The faces that a motion goes against.
+pub(super) const fn faces_against(d: Raw) -> Bits {
+    (d.y > 0) as Bits | ((d.x < 0) as Bits) << 1 | ((d.y < 0) as Bits) << 2 | ((d.x > 0) as Bits) << 3
+}
+
+/// The pieces of a box that have a point in the closed region.
+fn reached(solid: &Solid, (lo, hi): (Raw, Raw)) -> Bits {
+    let (a, b) = (solid.lo(), solid.hi());
+    if !meet::aabb_aabb::<true>(a, b, lo, hi) {
+        return 0;
+    }
+    let mut out: Bits = 0xff;
+    for (outside, pieces) in
+        [(a.y < lo.y, 0b1001_0001), (b.x > hi.x, 0b0011_0010), (b.y > hi.y, 0b0110_0100), (a.x < lo.x, 0b1100_1000)]
+    {
+        if outside {
+            out &= !pieces;
+        }
+    }
+    out & solid.pieces()
+}
+
+/// The face of a side, counted as a tile's are.
+const fn number(side: Side) -> u8 {
+    match side {
+        Side::Up => 0,
+        Side::Right => 1,
+        Side::Down => 2,
+        Side::Left => 3,
+    }
+}
+
+/// The direction of face k.
+const fn direction(k: u8) -> Axis {
+    match k & 3 {
+        0 => Axis::X,
+        1 => Axis::Y,
+        2 => Axis::NEG_X,
+        _ => Axis::NEG_Y,
+    }
+}
+
+/// Where face k starts.
+const fn corner(solid: &Solid, k: u8) -> Raw {
+    let (lo, hi) = (solid.lo(), solid.hi());
+    Raw { x: if matches!(k & 3, 1 | 2) { hi.x } else { lo.x }, y: if k & 2 == 0 { lo.y } else { hi.y } }
+}
+
+/// The quadrants at `p` that a box fills.
+pub(super) fn quadrants_of(solid: &Solid, p: Raw) -> Bits {
+    let (lo, hi) = (solid.lo(), solid.hi());
+    if !meet::aabb_aabb::<true>(lo, hi, p, p) {
+        return 0;
+    }
+    let x = (Bits::from(lo.x < p.x) * 0b1001) | (Bits::from(hi.x > p.x) * 0b0110);
+    let y = (Bits::from(lo.y < p.y) * 0b0011) | (Bits::from(hi.y > p.y) * 0b1100);
+    x & y
+}
+
+/// The part of the line of face k, as coordinates along x or y, that has a box just in front of it.
+pub(super) fn in_front(of: &Solid, k: u8, other: &Solid) -> Option<(i32, i32)> {
+    let (p, lo, hi) = (corner(of, k), other.lo(), other.hi());
+    let (there, from, to) = match k & 3 {
+        0 => (lo.y < p.y && hi.y >= p.y, lo.x, hi.x),
+        1 => (lo.x <= p.x && hi.x > p.x, lo.y, hi.y),
+        2 => (lo.y <= p.y && hi.y > p.y, lo.x, hi.x),
+        _ => (lo.x < p.x && hi.x >= p.x, lo.y, hi.y),
+    };
+    there.then_some((from, to))
+}
+
+/// The boxes that are solid from all sides.
+pub(super) fn full(list: &[Solid]) -> impl Iterator<Item = &Solid> {
+    list.iter().filter(|solid| solid.one_way().is_none())
+}
+
+pub(super) fn quadrants(list: &[Solid], p: Raw) -> Bits {
+    full(list).fold(0, |bits, solid| bits | quadrants_of(solid, p))
+}
+
+/// Whether the points just in front of a face are in other boxes from end to end: from one end on, the box that reaches farthest leads to the next.
+fn covered(list: &[Solid], solid: &Solid, k: u8) -> bool {
+    let (lo, hi) = (solid.lo(), solid.hi());
+    let (mut at, end) = if k & 1 == 0 { (lo.x, hi.x) } else { (lo.y, hi.y) };
+    while at < end {
+        let reach = full(list)
+            .filter_map(|other| in_front(solid, k, other))
+            .filter(|&(from, to)| from <= at && to > at)
+            .map(|(_, to)| to)
+            .max();
+        match reach {
+            Some(to) => at = to,
+            None => return false,
+        }
+    }
+    true
+}
+
+/// A piece of a box, where it is part of the surface.
+fn piece(list: &[Solid], solid: &Solid, index: u8) -> Option<Feature> {
+    let k = index & 3;
+    // Corner k + 1, where the face ends: k + 2 is beyond it and k before it.
+    let at_end = quadrants(list, corner(solid, k.wrapping_add(1)));
+    let has = |bits: Bits, quadrant: u8| bits >> (quadrant & 3) & 1 != 0;
+    let (end_goes_on, end_is_behind) = (has(at_end, k + 2), has(at_end, k));
+    if index >= 4 {
+        return (!end_goes_on && !end_is_behind).then(|| solid.piece(index, [false; 2]));
+    }
+    if covered(list, solid, k) {
+        return None;
+    }
+    let at_start = quadrants(list, corner(solid, k));
+    let joined = [has(at_start, k + 3) && !has(at_start, k + 1), end_goes_on && !end_is_behind];
+    Some(solid.piece(index, joined))
+}
+
+impl Solid {
+    /// A piece of the box alone: 0..=3 its faces, 4..=7 the corners that they end in.
+    pub(crate) fn piece(&self, index: u8, joined: [bool; 2]) -> Feature {
+        let k = index & 3;
+        let end = corner(self, k.wrapping_add(1));
+        let geometry = if index < 4 {
+            let start = corner(self, k);
+            let len = end.sub(start);
+            // One of them is zero.
+            Geometry::Face { a: start.vec2(), dir: direction(k), len: (len.x | len.y).wrapping_abs(), joined }
+        } else {
+            Geometry::Vertex { p: end.vec2(), e_in: direction(k), e_out: direction(k.wrapping_add(1)) }
+        };
+        Feature {
+            geometry,
+            cell: self.cell(),
+            index: u16::from(index),
+            flags: self.flags(),
+            one_way: self.one_way().is_some(),
+            source: 0,
+        }
+    }
+
+    /// The cell that stands for the box: its key in a row that no grid has, as theirs begin at -1.
+    pub(super) const fn cell(&self) -> Cell {
+        Cell::new(self.key() as i16, Self::ROW)
+    }
+
+    pub(super) const ROW: i16 = i16::MIN;
+
+    /// The pieces of the box alone, as bits: of a one-way platform one face, as a one-way tile is.
+    pub(crate) const fn pieces(&self) -> u8 {
+        match self.one_way() {
+            Some(side) => 1 << number(side),
+            None => 0xff,
+        }
+    }
+}

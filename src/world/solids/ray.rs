@@ -3,17 +3,12 @@
 //! Each hit is a look at all boxes for the earliest face after the last hit. A face shows where the points just in front of it are in no other
 //! box, ends included, so that a ray meets the surface of the union; the crossing is a fraction, compared by products.
 
-use super::features::{Bits, faces_against, in_front, quadrants_of};
-use super::list::Solids;
 use super::solid::Solid;
+use super::{Bits, Solids, faces_against, full, in_front, quadrants, quadrants_of};
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, imul};
-use crate::world::ray::cast::checked;
-use crate::world::ray::level::RayPieces;
-use crate::world::ray::piece::{Met, Time, meet};
-use crate::world::ray::scan::{Found, hit_of, straight};
-use crate::world::shells::levels;
-use crate::world::{Inside, RayHit, RayRules};
+use crate::world::ray::scan::{Found, RayScan, RayWorld, hit_of, straight};
+use crate::world::ray::{Inside, Met, RayHit, RayPieces, RayRules, Time, checked, meet, rays};
 
 impl RayPieces for Solids<'_> {
     const WIDE: bool = false;
@@ -38,7 +33,7 @@ impl<'a> Solids<'a> {
     }
 }
 
-levels! {
+rays! {
     [] Solids<'_> {
         /// The first point of the closed solids, at the places where they are now, that a ray from `origin` along `motion` meets, or `None`
         /// where it ends before.
@@ -142,7 +137,7 @@ impl SolidRayHits<'_> {
             _ => 0xf,
         };
         let (x, y) = (next_to(self.d.x, 0b0110, 0b1001), next_to(self.d.y, 0b1100, 0b0011));
-        x & y & !self.all.quadrants(self.o) == 0
+        x & y & !quadrants(self.all.list(), self.o) == 0
     }
 
     /// Whether a face is part of the union's surface where the ray crosses it: beside that point, on either side, its front is free.
@@ -158,7 +153,7 @@ impl SolidRayHits<'_> {
         // Where a place along the face is, seen from the crossing.
         let side = |place: i32| imul(place.wrapping_sub(o), time.den as i32).wrapping_sub(way);
         let (mut before, mut behind) = (side(lo) < 0, side(hi) > 0);
-        for (from, to) in self.all.full().filter_map(|other| in_front(solid, k, other)) {
+        for (from, to) in full(self.all.list()).filter_map(|other| in_front(solid, k, other)) {
             let (from, to) = (side(from), side(to));
             before &= !(from < 0 && to >= 0);
             behind &= !(from <= 0 && to > 0);
@@ -168,10 +163,10 @@ impl SolidRayHits<'_> {
 
     /// The hit of a start inside, of the box that holds it, or of those that meet there if none does alone.
     fn at_start(&self) -> Option<RayHit> {
-        if self.all.quadrants(self.o) != 0xf {
+        if quadrants(self.all.list(), self.o) != 0xf {
             return None;
         }
-        let beside = self.all.full().filter(|solid| quadrants_of(solid, self.o) != 0);
+        let beside = full(self.all.list()).filter(|solid| quadrants_of(solid, self.o) != 0);
         let solid = beside.min_by_key(|solid| (quadrants_of(solid, self.o) != 0xf, solid.key()))?;
         let d = self.d;
         let axis = if d.y.unsigned_abs() > d.x.unsigned_abs() {
@@ -199,4 +194,21 @@ fn precedes(a: &Met, b: &Met, d: Raw) -> bool {
     let name = |met: &Met| (met.feature.one_way, Solids::key_of(met.feature.cell));
     let before = |a: &Met, b: &Met| a.touch.precedes::<Solids<'_>>(&a.feature, b, d);
     before(a, b) || (!before(b, a) && name(a) < name(b))
+}
+
+impl RayWorld for Solids<'_> {
+    type Scan<'w>
+        = SolidRayHits<'w>
+    where
+        Self: 'w;
+
+    fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError> {
+        self.cast_ray_all(origin, motion, rules)
+    }
+}
+
+impl RayScan for SolidRayHits<'_> {
+    fn next_found(&mut self) -> Option<Found> {
+        self.find()
+    }
 }

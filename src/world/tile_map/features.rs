@@ -1,11 +1,12 @@
 //! The surface of a level, derived from its tiles when asked.
 
-use super::range::Range;
-use super::walk::Walk;
-use crate::num::{Axis, Raw};
+use super::surface::{CellWalk, Look, Surface, TileSource};
+use super::{Set, Store, TileMap};
+use crate::num::Raw;
 use crate::shape::Aabb;
-use crate::world::{Feature, Geometry, Set, Store, TileMap, Way};
-use core::fmt::Debug;
+use crate::world::cell::Range;
+use crate::world::level::{Feature, Way};
+use crate::world::tile_map::kind::{TileKind, TileShape};
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The faces, arcs and vertices of the surface that have a point in the closed region, row after row.
@@ -82,7 +83,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// What a body enters with its inside it meets at the border of a solid in a cell that its inside enters.
     pub(in crate::world) const fn features_ahead(&self, way: &Way) -> Features<'_, S, T> {
         let range = match way.cells {
-            Some(cells) => cells.range(),
+            Some(cells) => cells.range,
             None => self.solid_range(self.open_range(way.piece.lo(), way.piece.hi())),
         };
         let seen = match way.before {
@@ -99,70 +100,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 pub struct Features<'w, S: Set, T: Store> {
     pub(crate) map: &'w TileMap<'w, S, T>,
     look: Look,
-    walk: Walk,
+    walk: CellWalk,
     /// The features of the cell that the walk has come to.
     surface: S::Surface,
-}
-
-/// What of a cell's surface is asked for.
-///
-/// Public in a private module, because a sealed trait names it.
-#[derive(Clone, Copy, Debug)]
-pub struct Look {
-    /// Closed.
-    pub(super) region: (Raw, Raw),
-    /// Only what opposes this motion; all where it is zero.
-    pub(super) d: Raw,
-    /// Whether the joints of faces matter.
-    pub(super) joints: bool,
-}
-
-impl Look {
-    pub(super) const fn all(region: &Aabb) -> Self {
-        Self { region: (region.lo(), region.hi()), d: Raw { x: 0, y: 0 }, joints: true }
-    }
-
-    const fn ahead(way: &Way) -> Self {
-        Self { region: (way.whole.lo(), way.whole.hi()), d: way.d, joints: way.joints }
-    }
-
-    /// Whether a face along `dir` is opposed to the motion, or all are asked for.
-    ///
-    /// |d| is below 2^29, components of directions are at most 2.
-    #[inline]
-    pub(super) const fn opposes(&self, dir: Axis) -> bool {
-        dir.y.wrapping_mul(self.d.x).wrapping_sub(dir.x.wrapping_mul(self.d.y)) < 0 || self.d.is_zero()
-    }
-
-    /// The same of an arc, if that is one: of the normals at its ends, since all others are between these.
-    pub(super) const fn opposes_arc(&self, arc: &Geometry) -> bool {
-        let Geometry::Arc { quadrant, convex, .. } = *arc else { return true };
-        let out = if convex { quadrant } else { quadrant.reversed() };
-        out.x.wrapping_mul(self.d.x) < 0 || out.y.wrapping_mul(self.d.y) < 0 || self.d.is_zero()
-    }
-
-    /// The same of the corner between two edges: some normal of a corner is opposed to the motion only where that of an edge is, but for a
-    /// wedge of no angle, which has all normals of half a turn.
-    pub(super) const fn opposes_corner(&self, e_in: Axis, e_out: Axis) -> bool {
-        self.opposes(e_in) || self.opposes(e_out) || (e_in.x == -e_out.x && e_in.y == -e_out.y)
-    }
-}
-
-/// The features of one cell, found when asked.
-///
-/// Public in a private module, because a sealed trait names it.
-pub trait Surface: Clone + Debug {
-    /// That of no cell.
-    const NONE: Self;
-
-    /// Whether nothing is left to give.
-    fn is_over(&self) -> bool;
-
-    /// Goes on to the cell that a walk over the closed range of the region has come to; the cell before is over.
-    fn load<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, walk: &Walk, look: &Look);
-
-    /// The next of what is left, if it is asked for.
-    fn take<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, look: &Look) -> Option<Feature>;
 }
 
 impl<S: Set, T: Store> Iterator for Features<'_, S, T> {
@@ -180,5 +120,115 @@ impl<S: Set, T: Store> Iterator for Features<'_, S, T> {
                 return Some(feature);
             }
         }
+    }
+}
+
+impl<S: Set, T: Store> TileMap<'_, S, T> {
+    /// A walk over the cells of a range, less those of a box that the range has left.
+    #[inline]
+    pub(super) const fn walk_of(&self, range: Range, seen: Range) -> CellWalk {
+        let in_map = self.holds(range.x0, range.y0) && self.holds(range.x1, range.y1);
+        // Before the first row, whose columns are over.
+        let y = range.y0.wrapping_sub(1);
+        CellWalk { x: 0, y, kind: TileKind::EMPTY, tile: 0, in_map, last: -1, range, seen }
+    }
+
+    /// Goes on to the next cell of a walk that has a shape; false where none is left.
+    #[inline(never)]
+    pub(super) const fn walk(&self, walk: &mut CellWalk) -> bool {
+        if !walk.in_map {
+            return self.walk_beyond(walk);
+        }
+        let (mut x, mut y, mut last, mut tile) = (walk.x, walk.y, walk.last, walk.tile);
+        loop {
+            while x < last {
+                (x, tile) = (x.wrapping_add(1), tile.wrapping_add(1));
+                let id = self.id_at(tile);
+                if !self.kinds.is_empty(id) {
+                    (walk.x, walk.y, walk.last, walk.tile) = (x, y, last, tile);
+                    walk.kind = self.kinds.get(id);
+                    return true;
+                }
+            }
+            if y >= walk.range.y1 {
+                return false;
+            }
+            y = y.wrapping_add(1);
+            (x, last) = self.before_row(walk, y);
+            tile = self.place(x, y);
+        }
+    }
+
+    /// The column before the first one of a row of a walk, and the last.
+    #[inline]
+    const fn before_row(&self, walk: &CellWalk, y: i32) -> (i32, i32) {
+        let range = &walk.range;
+        let (x, last) = if walk.seen.has_row(y) { range.row_without(&walk.seen) } else { (range.x0, range.x1) };
+        let empty = walk.in_map && x <= last && self.known_empty(x, last, y);
+        (if empty { last } else { x.wrapping_sub(1) }, last)
+    }
+
+    /// The same where some of the range is not in the map.
+    #[inline(never)]
+    const fn walk_beyond(&self, walk: &mut CellWalk) -> bool {
+        loop {
+            while walk.x < walk.last {
+                walk.x = walk.x.wrapping_add(1);
+                walk.kind = self.kind_at(walk.x, walk.y);
+                if !walk.kind.is_empty() {
+                    return true;
+                }
+            }
+            if walk.y >= walk.range.y1 {
+                return false;
+            }
+            walk.y = walk.y.wrapping_add(1);
+            (walk.x, walk.last) = self.before_row(walk, walk.y);
+        }
+    }
+
+    /// The corners of the cell that a walk has come to.
+    #[inline]
+    pub(super) const fn corners(&self, walk: &CellWalk) -> (Raw, Raw) {
+        if S::SHAPED && walk.in_map { self.grid.square(walk.x, walk.y) } else { self.extent(walk.x, walk.y) }
+    }
+}
+
+impl<S: Set, T: Store> TileSource for TileMap<'_, S, T> {
+    #[inline]
+    fn kind_at(&self, x: i32, y: i32) -> TileKind {
+        TileMap::kind_at(self, x, y)
+    }
+
+    #[inline]
+    fn full(&self, x: i32, y: i32) -> bool {
+        TileMap::full(self, x, y)
+    }
+
+    #[inline(never)]
+    fn beside(&self, x: i32, y: i32) -> [TileShape; 4] {
+        let last = (i32::from(self.grid.x.count) - 1, i32::from(self.grid.y.count) - 1);
+        if 0 < x && x < last.0 && 0 < y && y < last.1 {
+            // All are tiles of the map, a fixed way apart in its data.
+            let (tile, row) = (self.place(x, y), u32::from(self.stride));
+            let tiles = [tile.wrapping_sub(row), tile.wrapping_add(1), tile.wrapping_add(row), tile.wrapping_sub(1)];
+            return tiles.map(|tile| self.kinds.get(self.id_at(tile)).shape);
+        }
+        [(0, -1), (1, 0), (0, 1), (-1, 0)].map(|(dx, dy)| self.kind_at(x.wrapping_add(dx), y.wrapping_add(dy)).shape)
+    }
+
+    #[inline]
+    fn cell_corners(&self, x: i32, y: i32) -> (Raw, Raw) {
+        self.grid.corners(x, y)
+    }
+
+    #[inline]
+    fn extent(&self, x: i32, y: i32) -> (Raw, Raw) {
+        TileMap::extent(self, x, y)
+    }
+
+    #[inline]
+    fn corners(&self, walk: &CellWalk) -> (Raw, Raw) {
+        TileMap::corners(self, walk)
     }
 }

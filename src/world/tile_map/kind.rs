@@ -1,6 +1,146 @@
 //! What the tiles of a level are: shapes, user flags, and the table from ids to both.
 
-use crate::world::TileShape;
+/// The solid part of a tile.
+///
+/// Lines end in corners and in the middles of sides, so that mild and steep slopes go on from tile to tile; arcs have a radius of one cell, and
+/// their tangents continue the sides of the cell. Slopes and arcs come in fours, solid at the top left, top right, bottom right and bottom
+/// left ("top" is toward row 0); those at the bottom right are:
+///
+/// ```text
+///   Slope       MildLow     MildHigh    SteepLow    SteepHigh   Convex      Concave
+///          /|           |       _.-#|          /|      /####|       ,.##|           |
+///        /##|           |   _.-#####|         /#|     /#####|     /#####|          /|
+///      /####|       _.-#|   ########|        /##|    /######|    /######|         /#|
+///    /######|   _.-#####|   ########|       /###|   /#######|   /#######|     _.-###|
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+#[repr(u8)]
+pub enum TileShape {
+    /// Nothing is solid.
+    #[default]
+    Empty = 0,
+    /// The whole cell is solid.
+    Full = 1,
+    /// The half toward row 0.
+    HalfTop = 2,
+    /// The half toward larger x.
+    HalfRight = 3,
+    /// The half away from row 0.
+    HalfBottom = 4,
+    /// The half toward smaller x.
+    HalfLeft = 5,
+    /// Half of the cell, cut from corner to corner; each slope and arc is named by the corner where it is solid.
+    SlopeTopLeft = 6,
+    /// As [`SlopeTopLeft`](Self::SlopeTopLeft), at another corner.
+    SlopeTopRight = 7,
+    /// As [`SlopeTopLeft`](Self::SlopeTopLeft), at another corner.
+    SlopeBottomRight = 8,
+    /// As [`SlopeTopLeft`](Self::SlopeTopLeft), at another corner.
+    SlopeBottomLeft = 9,
+    /// A quarter disc around its corner, radius one cell.
+    ConvexTopLeft = 10,
+    /// As [`ConvexTopLeft`](Self::ConvexTopLeft), at another corner.
+    ConvexTopRight = 11,
+    /// As [`ConvexTopLeft`](Self::ConvexTopLeft), at another corner.
+    ConvexBottomRight = 12,
+    /// As [`ConvexTopLeft`](Self::ConvexTopLeft), at another corner.
+    ConvexBottomLeft = 13,
+    /// The cell without a quarter disc around the corner opposite: a quarter pipe.
+    ConcaveTopLeft = 14,
+    /// As [`ConcaveTopLeft`](Self::ConcaveTopLeft), at another corner.
+    ConcaveTopRight = 15,
+    /// As [`ConcaveTopLeft`](Self::ConcaveTopLeft), at another corner.
+    ConcaveBottomRight = 16,
+    /// As [`ConcaveTopLeft`](Self::ConcaveTopLeft), at another corner.
+    ConcaveBottomLeft = 17,
+    /// A slope of one half cell a cell: half a side high at its corner, nothing at the other.
+    MildLowTopLeft = 18,
+    /// As [`MildLowTopLeft`](Self::MildLowTopLeft), at another corner.
+    MildLowTopRight = 19,
+    /// As [`MildLowTopLeft`](Self::MildLowTopLeft), at another corner.
+    MildLowBottomRight = 20,
+    /// As [`MildLowTopLeft`](Self::MildLowTopLeft), at another corner.
+    MildLowBottomLeft = 21,
+    /// The same slope raised by half a cell: a whole side high at its corner, half a side at the other.
+    MildHighTopLeft = 22,
+    /// As [`MildHighTopLeft`](Self::MildHighTopLeft), at another corner.
+    MildHighTopRight = 23,
+    /// As [`MildHighTopLeft`](Self::MildHighTopLeft), at another corner.
+    MildHighBottomRight = 24,
+    /// As [`MildHighTopLeft`](Self::MildHighTopLeft), at another corner.
+    MildHighBottomLeft = 25,
+    /// A slope of two cells a cell: half a side wide at its corner, nothing at the other.
+    SteepLowTopLeft = 26,
+    /// As [`SteepLowTopLeft`](Self::SteepLowTopLeft), at another corner.
+    SteepLowTopRight = 27,
+    /// As [`SteepLowTopLeft`](Self::SteepLowTopLeft), at another corner.
+    SteepLowBottomRight = 28,
+    /// As [`SteepLowTopLeft`](Self::SteepLowTopLeft), at another corner.
+    SteepLowBottomLeft = 29,
+    /// The same slope moved by half a cell: a whole side wide at its corner, half a side at the other.
+    SteepHighTopLeft = 30,
+    /// As [`SteepHighTopLeft`](Self::SteepHighTopLeft), at another corner.
+    SteepHighTopRight = 31,
+    /// As [`SteepHighTopLeft`](Self::SteepHighTopLeft), at another corner.
+    SteepHighBottomRight = 32,
+    /// As [`SteepHighTopLeft`](Self::SteepHighTopLeft), at another corner.
+    SteepHighBottomLeft = 33,
+    /// Only the edge toward row 0 blocks, and only what is entirely in front of it and moves in. It has no inside: it is never overlapped. Its ends
+    /// are no corners: a circle whose centre is beyond an end that nothing continues passes it.
+    OneWayUp = 34,
+    /// As [`OneWayUp`](Self::OneWayUp), the edge toward larger x.
+    OneWayRight = 35,
+    /// As [`OneWayUp`](Self::OneWayUp), the edge away from row 0.
+    OneWayDown = 36,
+    /// As [`OneWayUp`](Self::OneWayUp), the edge toward smaller x.
+    OneWayLeft = 37,
+}
+
+impl TileShape {
+    /// All shapes, in the order of their discriminants. The first 34 are the tiles 0 to 33 of N++.
+    pub const ALL: [Self; 38] = [
+        Self::Empty,
+        Self::Full,
+        Self::HalfTop,
+        Self::HalfRight,
+        Self::HalfBottom,
+        Self::HalfLeft,
+        Self::SlopeTopLeft,
+        Self::SlopeTopRight,
+        Self::SlopeBottomRight,
+        Self::SlopeBottomLeft,
+        Self::ConvexTopLeft,
+        Self::ConvexTopRight,
+        Self::ConvexBottomRight,
+        Self::ConvexBottomLeft,
+        Self::ConcaveTopLeft,
+        Self::ConcaveTopRight,
+        Self::ConcaveBottomRight,
+        Self::ConcaveBottomLeft,
+        Self::MildLowTopLeft,
+        Self::MildLowTopRight,
+        Self::MildLowBottomRight,
+        Self::MildLowBottomLeft,
+        Self::MildHighTopLeft,
+        Self::MildHighTopRight,
+        Self::MildHighBottomRight,
+        Self::MildHighBottomLeft,
+        Self::SteepLowTopLeft,
+        Self::SteepLowTopRight,
+        Self::SteepLowBottomRight,
+        Self::SteepLowBottomLeft,
+        Self::SteepHighTopLeft,
+        Self::SteepHighTopRight,
+        Self::SteepHighBottomRight,
+        Self::SteepHighBottomLeft,
+        Self::OneWayUp,
+        Self::OneWayRight,
+        Self::OneWayDown,
+        Self::OneWayLeft,
+    ];
+}
 
 /// A shape and eight flags that mean what the game likes: coin, ladder, deadly, ...
 ///

@@ -1,8 +1,72 @@
-//! What each shape does on the border of its cell: all that is needed to join it to its neighbours.
+//! What each shape does in its cell: the part that it fills, as one inequality, and all that joins its border to its neighbours.
 
-use super::form::{Form, FormKind};
 use crate::num::Axis;
-use crate::world::{TileKind, TileShape};
+use crate::world::tile_map::kind::{TileKind, TileShape};
+
+/// The solid of a tile in its own frame: `u` and `v` are the distances from the corner at which it is solid, along x and along y, both
+/// 0 to a side S of the cell; `h = S / 2`.
+///
+/// ```text
+///   corner +----> u      Line: p u + q v <= k h     p, q, k in 0..=4
+///          |####/        Convex: u u + v v <= S S
+///          |###/         Concave: (S - u)(S - u) + (S - v)(S - v) >= S S
+///          v|#/
+/// ```
+///
+/// All are monotone: with a point, every point of the cell nearer to the corner on both axes is in the solid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::world) struct Form {
+    /// Whether the corner is the one with the larger x; else the smaller.
+    pub(in crate::world) right: bool,
+    /// Whether the corner is the one with the larger y; else the smaller.
+    pub(in crate::world) bottom: bool,
+    pub(in crate::world) kind: FormKind,
+}
+
+/// See [`Form`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::world) enum FormKind {
+    /// Nothing is solid: empty and one-way tiles.
+    Empty,
+    Full,
+    Line {
+        p: u8,
+        q: u8,
+        k: u8,
+    },
+    Convex,
+    Concave,
+}
+
+/// That of each group of four shapes; of the halves it is every other one's.
+static GROUPS: [FormKind; 8] = [
+    FormKind::Line { p: 0, q: 1, k: 1 },
+    FormKind::Line { p: 1, q: 1, k: 2 },
+    FormKind::Convex,
+    FormKind::Concave,
+    FormKind::Line { p: 1, q: 2, k: 2 },
+    FormKind::Line { p: 1, q: 2, k: 4 },
+    FormKind::Line { p: 2, q: 1, k: 2 },
+    FormKind::Line { p: 2, q: 1, k: 4 },
+];
+
+impl TileShape {
+    /// Where the shape is solid.
+    #[expect(clippy::indexing_slicing, reason = "masked to the table's length")]
+    pub(in crate::world) const fn form(self) -> Form {
+        // After empty and full, groups of four: halves by their side, the others by their corner, both turning right from the top (left).
+        let id = (self as u8).wrapping_sub(2);
+        let (group, turn) = (id >> 2, id & 3);
+        let kind = if group >= 8 {
+            if matches!(self, Self::Full) { FormKind::Full } else { FormKind::Empty }
+        } else if group == 0 && turn & 1 != 0 {
+            FormKind::Line { p: 1, q: 0, k: 1 }
+        } else {
+            GROUPS[(group & 7) as usize]
+        };
+        Form { right: turn == 1 || turn == 2, bottom: turn >= 2, kind }
+    }
+}
 
 /// The border of a tile's solid, on a lattice of half cells.
 ///

@@ -1,11 +1,12 @@
 //! Which tiles lie in a region, and which flags a shape touches: for coins, ladders and spikes, solid or not.
 
-use super::range::Range;
+use super::{Set, Store, TileMap};
 use crate::error::{RangeError, Truncated};
 use crate::num::{MOTION, Raw, Vec2, check_coordinate, check_motion};
 use crate::query::meet;
 use crate::shape::{Aabb, Circle};
-use crate::world::{Cell, Set, Store, TileKind, TileMap};
+use crate::world::cell::{Cell, Range};
+use crate::world::tile_map::kind::TileKind;
 use heapless::VecView;
 
 /// A tile of a map and its place.

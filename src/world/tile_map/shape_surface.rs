@@ -1,11 +1,11 @@
 //! The surface of shaped tiles: halves of sides, slopes, arcs, and the corners that they make with their neighbours.
 
-use super::features::{Look, Surface};
-use super::form::Form;
-use super::outline::{InnerKind, Outline, Piece, direction, gaps, place};
-use super::walk::Walk;
+use super::outline::{Form, InnerKind, Outline, Piece, direction, gaps, place};
+use super::surface::{CellWalk, Look, Surface, TileSource};
 use crate::num::{Axis, Raw};
-use crate::world::{Cell, Feature, Geometry, Set, Store, TileKind, TileMap, TileShape};
+use crate::world::cell::Cell;
+use crate::world::level::{Feature, Geometry};
+use crate::world::tile_map::kind::{TileKind, TileShape};
 
 /// The cell whose features are handed out. `ROUND`: whether there are arcs.
 #[derive(Clone, Copy, Debug)]
@@ -42,8 +42,8 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
     }
 
     #[inline(never)]
-    fn load<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, walk: &Walk, look: &Look) {
-        let Walk { x, y, kind, .. } = *walk;
+    fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &Look) {
+        let CellWalk { x, y, kind, .. } = *walk;
         let outline = kind.shape.outline();
         let edges = match kind.one_way_side() {
             Some(side) => 3 << (2 * side),
@@ -67,7 +67,7 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
     }
 
     #[inline]
-    fn take<S: Set, T: Store>(&mut self, map: &TileMap<'_, S, T>, look: &Look) -> Option<Feature> {
+    fn take<M: TileSource>(&mut self, map: &M, look: &Look) -> Option<Feature> {
         let Some(tile) = &self.tile else {
             self.left = 0;
             return None;
@@ -94,7 +94,7 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
         let corner = meets(look.region, end, end);
         let mut joined = true;
         if one_way.is_none() && (corner || (look.joints && !arc_here && look.opposes(dir))) {
-            if let Some(out) = tile.end::<ROUND, _, _>(map, piece, arc_here && !convex) {
+            if let Some(out) = tile.end::<ROUND, _>(map, piece, arc_here && !convex) {
                 joined = false;
                 if corner && look.opposes_corner(dir, direction(out)) {
                     let vertex = if index == INNER { INNER + 1 } else { index + 4 };
@@ -116,7 +116,7 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
         let joined = match one_way {
             _ if !look.joints => [false; 2],
             Some(side) => tile.one_way_joined(map, side),
-            None => [tile.joined_at_start::<ROUND, _, _>(map, piece), joined],
+            None => [tile.joined_at_start::<ROUND, _>(map, piece), joined],
         };
         Some(tile.feature(index, Geometry::Face { a: start.vec2(), dir, len, joined }))
     }
@@ -159,7 +159,7 @@ impl Tile {
 
     /// The sectors around a node that are solid, by this tile and those around, and the directions at which two of them are not joined.
     #[inline(never)]
-    fn sectors<const ROUND: bool, S: Set, T: Store>(&self, map: &TileMap<'_, S, T>, node: u8) -> (u16, u16) {
+    fn sectors<const ROUND: bool, M: TileSource>(&self, map: &M, node: u8) -> (u16, u16) {
         let k = node >> 1 & 3;
         let side = at(&self.beside, k).outline();
         if node & 1 == 0 {
@@ -173,7 +173,7 @@ impl Tile {
     }
 
     /// The shape across corner `k`, modulo four.
-    fn diagonal<S: Set, T: Store>(&self, map: &TileMap<'_, S, T>, k: u8) -> TileShape {
+    fn diagonal<M: TileSource>(&self, map: &M, k: u8) -> TileShape {
         let (x, y) = (i32::from(self.cell.x), i32::from(self.cell.y));
         let dx = if k.wrapping_add(1) & 2 == 0 { -1 } else { 1 };
         let dy = if k & 2 == 0 { -1 } else { 1 };
@@ -181,8 +181,8 @@ impl Tile {
     }
 
     /// Whether no vertex is at the start of a face: from its direction on, solid covers eight sectors, which are half a turn, without a gap.
-    fn joined_at_start<const ROUND: bool, S: Set, T: Store>(&self, map: &TileMap<'_, S, T>, piece: Piece) -> bool {
-        let (solid, gaps) = self.sectors::<ROUND, _, _>(map, piece.start);
+    fn joined_at_start<const ROUND: bool, M: TileSource>(&self, map: &M, piece: Piece) -> bool {
+        let (solid, gaps) = self.sectors::<ROUND, _>(map, piece.start);
         let first = 1u16.rotate_left(u32::from(piece.dir));
         (solid & (!gaps | first)).rotate_right(u32::from(piece.dir)) as u8 == u8::MAX
     }
@@ -191,13 +191,8 @@ impl Tile {
     ///
     /// A gap in the direction of a face itself does not matter, its solid is on this side. That of a concave arc (`cusp`) is nothing but the
     /// line itself there, so that it does.
-    fn end<const ROUND: bool, S: Set, T: Store>(
-        &self,
-        map: &TileMap<'_, S, T>,
-        piece: Piece,
-        cusp: bool,
-    ) -> Option<u8> {
-        let (solid, gaps) = self.sectors::<ROUND, _, _>(map, piece.end);
+    fn end<const ROUND: bool, M: TileSource>(&self, map: &M, piece: Piece, cusp: bool) -> Option<u8> {
+        let (solid, gaps) = self.sectors::<ROUND, _>(map, piece.end);
         let back = piece.dir.wrapping_add(8) & 15;
         // The sector before a direction is entered across it.
         let blocked = gaps.rotate_right(1);
@@ -215,7 +210,7 @@ impl Tile {
 
     /// At which ends of a one-way face something that blocks from its side goes on beside it.
     #[inline(never)]
-    fn one_way_joined<S: Set, T: Store>(&self, map: &TileMap<'_, S, T>, k: u8) -> [bool; 2] {
+    fn one_way_joined<M: TileSource>(&self, map: &M, k: u8) -> [bool; 2] {
         // Solid at the corner or along the half of its side there, or with the same edge, not covered from its other side.
         let goes_on = |side: u8, diagonal: u8, corner: u8, half: u8| {
             let beside = at(&self.beside, side);
@@ -235,21 +230,6 @@ impl Tile {
 #[expect(clippy::indexing_slicing, reason = "masked to the array's length")]
 fn at<V: Copy>(values: &[V; 4], k: u8) -> V {
     values[(k & 3) as usize]
-}
-
-impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The shapes across the sides of a cell.
-    #[inline(never)]
-    fn beside(&self, x: i32, y: i32) -> [TileShape; 4] {
-        let last = (i32::from(self.grid.x.count) - 1, i32::from(self.grid.y.count) - 1);
-        if 0 < x && x < last.0 && 0 < y && y < last.1 {
-            // All are tiles of the map, a fixed way apart in its data.
-            let (tile, row) = (self.place(x, y), u32::from(self.stride));
-            let tiles = [tile.wrapping_sub(row), tile.wrapping_add(1), tile.wrapping_add(row), tile.wrapping_sub(1)];
-            return tiles.map(|tile| self.kinds.get(self.id_at(tile)).shape);
-        }
-        [(0, -1), (1, 0), (0, 1), (-1, 0)].map(|(dx, dy)| self.kind_at(x.wrapping_add(dx), y.wrapping_add(dy)).shape)
-    }
 }
 
 /// The arc of a cell that has one.

@@ -4,7 +4,6 @@ use super::phases::{Phase, add};
 use super::scenes::{Bounds, Frame};
 use super::truth::Answer;
 use crate::job::{Format, List};
-use crate::oracle::figure::Point;
 use crate::peers::{BROCCOLI, box2d};
 use boxdd_sys::ffi::{
     b2AABB, b2DynamicTree, b2DynamicTree_Create, b2DynamicTree_CreateProxy, b2DynamicTree_EnlargeProxy,
@@ -14,6 +13,7 @@ use broccoli::{Tree, rect};
 use parry2d::bounding_volume::Aabb;
 use parry2d::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
 use std::os::raw::c_void;
+use tilesat_judge::oracle::figure::Point;
 
 /// The tree of parry2d, kept as rapier2d keeps it, without margins.
 struct ParryTree {

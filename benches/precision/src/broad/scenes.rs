@@ -1,8 +1,8 @@
 //! Boxes that move, frame by frame, as many to the area whatever their number.
 
-use crate::oracle::figure::Point;
-use crate::oracle::generate::UNIT;
-use crate::oracle::random::Random;
+use tilesat_judge::Random;
+use tilesat_judge::oracle::figure::Point;
+use tilesat_judge::oracle::generate::UNIT;
 
 /// Corners, raw.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,6 @@
 use super::classes::Case;
 use super::truth::Answer;
 use crate::job::{Format, List};
-use crate::oracle::figure::{Figure, Kind};
 use crate::peers::textbook::{Named, Shape as Book, vector};
 use crate::peers::{box2d, chipmunk, ours};
 use boxdd_sys::ffi::{
@@ -13,6 +12,7 @@ use chipmunk_sys::{cpSegmentQueryInfo, cpShapeSegmentQuery, cpv};
 use std::ptr;
 use tilesat::prelude::*;
 use tilesat::{CastHit, Inside, RangeError};
+use tilesat_judge::oracle::figure::{Figure, Kind};
 use tilesat_textbook::shape::{Aabb, Circle, Vector};
 use tilesat_textbook::{Q16, Wide, cast};
 
@@ -85,8 +85,8 @@ macro_rules! parry {
             use super::super::classes::Case;
             use super::super::truth::Answer;
             use crate::job::List;
-            use crate::oracle::figure::Kind;
             use crate::peers::parry::$module::{FORMAT, Placed, vector};
+            use tilesat_judge::oracle::figure::Kind;
             use $parry::math::Vector;
             use $parry::query::{ShapeCastHit, ShapeCastOptions, cast_shapes};
             use $parry::shape::{Ball, Cuboid};

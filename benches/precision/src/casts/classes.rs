@@ -1,9 +1,9 @@
 //! Classes of motions of one shape toward another. None starts with an overlap.
 
 use super::truth::Truth;
-use crate::oracle::figure::{Figure, Kind, Point};
-use crate::oracle::generate::UNIT;
-use crate::oracle::random::Random;
+use tilesat_judge::Random;
+use tilesat_judge::oracle::figure::{Figure, Kind, Point};
+use tilesat_judge::oracle::generate::UNIT;
 
 /// A moves by `d`, B does not.
 #[derive(Clone, Copy, Debug)]

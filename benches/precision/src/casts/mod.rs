@@ -6,11 +6,11 @@ pub mod truth;
 
 use crate::callgrind;
 use crate::job::Job;
-use crate::oracle::figure::Kind;
 use crate::pairs;
 use crate::record::Row;
 use crate::run::{Sizes, fastest};
 use classes::{CLASSES, KINDS};
+use tilesat_judge::oracle::figure::Kind;
 use truth::{Answer, Truth, judge};
 
 pub fn name(kinds: (Kind, Kind)) -> String {
@@ -59,10 +59,10 @@ pub fn count(sizes: &Sizes) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::oracle::measure::Measure;
     use crate::peers::ours::{Shape, vec2};
     use tilesat::prelude::*;
     use tilesat::{Aabb, Circle, Inside};
+    use tilesat_judge::oracle::measure::Measure;
 
     fn ends_apart<A: Shape + CastShape<B>, B: Shape>(kinds: (Kind, Kind)) {
         for class in CLASSES {

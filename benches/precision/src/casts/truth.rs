@@ -6,10 +6,10 @@
 
 use super::classes::Case;
 use crate::job::Format;
-use crate::oracle::figure::{Figure, Point};
-use crate::oracle::measure::Measure;
-use crate::oracle::sum::Sum;
 use crate::record::Row;
+use tilesat_judge::oracle::figure::{Figure, Point};
+use tilesat_judge::oracle::measure::Measure;
+use tilesat_judge::oracle::sum::Sum;
 
 #[derive(Clone, Copy, Debug)]
 pub struct Truth {
@@ -139,8 +139,8 @@ pub fn judge(row: &mut Row, truths: &[Truth], answers: &[Answer], format: Format
 mod tests {
     use super::*;
     use crate::casts::classes::{CLASSES, KINDS};
-    use num_bigint::BigInt;
-    use num_rational::BigRational;
+    use tilesat_judge::num_bigint::BigInt;
+    use tilesat_judge::num_rational::BigRational;
 
     type Q = BigRational;
 

@@ -1,6 +1,5 @@
 //! Of bodies that move and of broad phases: the inputs, and what the host's backends answer.
 
-use super::checksum::{START, mixed, pair};
 use super::file::{Answered, File};
 use super::inputs::words;
 use crate::broad::{self, scenes};
@@ -9,6 +8,7 @@ use crate::moves::classes::Case;
 use crate::moves::room::{Body, MAPS, Room};
 use crate::moves::truth::Answer;
 use crate::moves::{self, backends};
+use tilesat_textbook::checksum::{START, mixed, pair};
 
 /// Half of those that the host counts: the code of all movers takes half of the flash.
 const SEQUENCES: usize = 16;

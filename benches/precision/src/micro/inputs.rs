@@ -3,11 +3,11 @@
 use super::file::File;
 use super::frames;
 use crate::casts::{self, truth::Truth as Impact};
-use crate::oracle::figure::{Figure, PAIRS};
-use crate::oracle::measure::Measure;
 use crate::pairs::{self, classes::Class};
 use crate::rays::{self, level::Level, truth::Truth};
 use std::path::Path;
+use tilesat_judge::oracle::figure::{Figure, PAIRS};
+use tilesat_judge::oracle::measure::Measure;
 
 const PAIR_CLASSES: [Class; 5] = [Class::Hits(50), Class::Boxes, Class::Near, Class::Far, Class::Domain];
 const A_CLASS: usize = 64;

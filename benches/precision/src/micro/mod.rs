@@ -1,7 +1,5 @@
 //! The microcontrollers' part: the inputs that they get, what they print, and how it is shown.
 
-#[path = "../../micro/queries/src/checksum.rs"]
-mod checksum;
 mod file;
 mod frames;
 mod inputs;

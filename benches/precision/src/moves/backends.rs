@@ -2,16 +2,16 @@
 
 use super::classes::{Case, FRAMES};
 use super::engines;
-use super::level::{Level, shape};
-use super::region::Region;
 use super::room::{Body, FINE_PIXEL, Room};
 use super::truth::Answer;
 use crate::job::{Format, List};
-use crate::oracle::figure::Kind;
 use crate::peers::ours;
 use crate::peers::textbook::{Named, Shape as Book, vector};
 use tilesat::world::World;
 use tilesat::{Axis, Mover, Vec2};
+use tilesat_judge::oracle::figure::Kind;
+use tilesat_judge::shapes::level::{Level, shape};
+use tilesat_judge::shapes::region::Region;
 use tilesat_textbook::shape::{Aabb, Circle, Vector};
 use tilesat_textbook::tile::Body as Pushed;
 use tilesat_textbook::tile_set::{DISC, EMPTY, FULL, HOLLOW, POLYGON, RawTile, tile};

@@ -1,9 +1,9 @@
 //! Sequences of motions: a body sets out from a free place, and is steered this way and that, whatever is in its way.
 
 use super::room::{Body, Room};
-use crate::oracle::figure::{Figure, Kind, Point};
-use crate::oracle::generate::UNIT;
-use crate::oracle::random::Random;
+use tilesat_judge::Random;
+use tilesat_judge::oracle::figure::{Figure, Kind, Point};
+use tilesat_judge::oracle::generate::UNIT;
 
 /// Frames of a sequence.
 pub const FRAMES: usize = 32;

@@ -2,12 +2,10 @@
 
 use super::backends::fine;
 use super::classes::{Case, FRAMES};
-use super::level::Level;
 use super::pieces;
 use super::room::Body;
 use super::truth::Answer;
 use crate::job::{Format, List};
-use crate::oracle::figure::Figure;
 use crate::peers::box2d::{length, vector};
 use crate::peers::{RAPIER, box2d as box2d_peer};
 use boxdd_sys::ffi::{
@@ -22,6 +20,8 @@ use rapier2d::prelude::{
     Shape, SharedShape, Vector,
 };
 use std::os::raw::c_void;
+use tilesat_judge::oracle::figure::Figure;
+use tilesat_judge::shapes::level::Level;
 
 /// What its queries ask; it lives as long as the program.
 struct World {

@@ -3,13 +3,7 @@
 pub mod backends;
 pub mod classes;
 mod engines;
-#[path = "../../../../tests/solids/level.rs"]
-#[allow(dead_code, reason = "the judge of the tests asks more of a level")]
-mod level;
 mod pieces;
-#[path = "../../../../tests/solids/region.rs"]
-#[allow(dead_code, reason = "the judge of the tests asks more of a region")]
-mod region;
 pub mod room;
 pub mod truth;
 

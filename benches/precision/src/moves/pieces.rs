@@ -1,7 +1,7 @@
 //! The tiles of a level as convex polygons, for engines that know no arcs: none holds less of the plane than its tile.
 
-use super::level::{Level, shape};
-use super::region::Region;
+use tilesat_judge::shapes::level::{Level, shape};
+use tilesat_judge::shapes::region::Region;
 
 pub type Corner = (f64, f64);
 

@@ -2,14 +2,11 @@
 //!
 //! A body's place is an exact number of 512ths of a raw unit: an f32 at one pixel or beyond is one as well.
 
-use super::level::Level;
-use super::region::Region;
-use crate::oracle::random::Random;
 use tilesat::{Outside, TileShape};
-
-#[path = "../../../../examples/platformer/levels/ninja.rs"]
-#[allow(dead_code, reason = "the flags are the game's")]
-mod ninja;
+use tilesat_games::platformer::ninja;
+use tilesat_judge::Random;
+use tilesat_judge::shapes::level::Level;
+use tilesat_judge::shapes::region::Region;
 
 /// Parts of a raw unit, and of a pixel; even ones, because slopes are cut at even places only.
 const FINE: i64 = 512;

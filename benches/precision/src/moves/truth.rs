@@ -149,10 +149,10 @@ const TILE_WAYS: [Place; 4] = [(1, 0), (1, 1), (1, 2), (2, 1)];
 
 #[cfg(test)]
 mod tests {
-    use super::super::level::Level;
     use super::*;
-    use crate::oracle::figure::Figure;
     use tilesat::Outside;
+    use tilesat_judge::oracle::figure::Figure;
+    use tilesat_judge::shapes::level::Level;
 
     const PX: i64 = 1 << 16;
 

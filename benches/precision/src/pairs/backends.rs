@@ -3,9 +3,9 @@
 use super::classes::Pair;
 use super::truth::Answer;
 use crate::job::List;
-use crate::oracle::figure::Kind;
 use crate::peers::textbook::{Named, contact, overlaps};
 use crate::peers::{box2d, chipmunk, exact, ncollide, ours, parry};
+use tilesat_judge::oracle::figure::Kind;
 use tilesat_textbook::shape::{Aabb, Circle, Segment};
 use tilesat_textbook::{Q16, Wide, exact as plain, pair};
 

@@ -1,9 +1,9 @@
 //! Classes of pairs: the plain ones, in which no number format is ever wrong, and those in which they go wrong.
 
-use crate::oracle::figure::{Figure, Kind, Point};
-use crate::oracle::generate::{self, Pairs, UNIT};
-use crate::oracle::measure::Measure;
-use crate::oracle::random::Random;
+use tilesat_judge::Random;
+use tilesat_judge::oracle::figure::{Figure, Kind, Point};
+use tilesat_judge::oracle::generate::{self, Pairs, UNIT};
+use tilesat_judge::oracle::measure::Measure;
 
 pub type Pair = (Figure, Figure);
 
@@ -201,7 +201,7 @@ fn square(r: &mut Random, other: Kind) -> Pair {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::oracle::figure::PAIRS;
+    use tilesat_judge::oracle::figure::PAIRS;
 
     #[test]
     fn squares_are_within_one() {

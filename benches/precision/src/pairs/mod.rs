@@ -6,10 +6,10 @@ pub mod truth;
 
 use crate::callgrind;
 use crate::job::Job;
-use crate::oracle::figure::{Kind, PAIRS};
 use crate::record::Row;
 use crate::run::{Sizes, fastest};
 use classes::CLASSES;
+use tilesat_judge::oracle::figure::{Kind, PAIRS};
 use truth::{Answer, Truth, judge};
 
 pub fn name(kinds: (Kind, Kind)) -> &'static str {

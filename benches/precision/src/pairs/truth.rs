@@ -2,10 +2,10 @@
 
 use super::classes::Pair;
 use crate::job::Format;
-use crate::oracle::int256::Int256;
-use crate::oracle::measure::{Fraction, Measure};
-use crate::oracle::sum::Place;
 use crate::record::Row;
+use tilesat_judge::oracle::int256::Int256;
+use tilesat_judge::oracle::measure::{Fraction, Measure};
+use tilesat_judge::oracle::sum::Place;
 
 /// An answer about a pair.
 #[derive(Clone, Copy, Debug)]
@@ -91,11 +91,11 @@ pub fn judge(row: &mut Row, truths: &[Truth], answers: &[Answer], format: Format
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::oracle::figure::{Figure, PAIRS};
     use crate::pairs::classes::CLASSES;
-    use crate::rational;
-    use num_bigint::BigInt;
-    use num_rational::BigRational;
+    use tilesat_judge::num_bigint::BigInt;
+    use tilesat_judge::num_rational::BigRational;
+    use tilesat_judge::oracle::figure::{Figure, PAIRS};
+    use tilesat_judge::oracle::rational;
 
     /// In parts of 2^-80 of a raw unit, rounded down.
     fn scaled(v: f64) -> BigInt {

@@ -1,7 +1,6 @@
 //! Box2D, in C and f32: its manifold functions, as its own narrow phase calls them.
 
 use crate::job::{Format, List};
-use crate::oracle::figure::{Figure, Kind};
 use crate::pairs::classes::Pair;
 use crate::pairs::truth::Answer;
 use boxdd_sys::ffi::{
@@ -9,6 +8,7 @@ use boxdd_sys::ffi::{
     b2CollideSegmentAndPolygon, b2LocalManifold, b2MakeBox, b2Polygon, b2RayCastInput, b2RayCastSegment, b2Rot,
     b2Segment, b2Transform, b2Vec2,
 };
+use tilesat_judge::oracle::figure::{Figure, Kind};
 
 pub const NAME: &str = "Box2D";
 

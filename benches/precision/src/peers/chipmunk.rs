@@ -1,7 +1,6 @@
 //! Chipmunk2D, in C and double precision: its query for two shapes.
 
 use crate::job::{Format, List};
-use crate::oracle::figure::{Figure, Kind};
 use crate::pairs::classes::Pair;
 use crate::pairs::truth::Answer;
 use chipmunk_sys::{
@@ -10,6 +9,7 @@ use chipmunk_sys::{
 };
 use std::cell::Cell;
 use std::ptr;
+use tilesat_judge::oracle::figure::{Figure, Kind};
 
 pub const NAME: &str = "Chipmunk2D";
 

@@ -1,9 +1,9 @@
 //! Exact integers without filters.
 
 use crate::job::{Format, List};
-use crate::oracle::figure::{Figure, Point};
 use crate::pairs::classes::Pair;
 use crate::pairs::truth::Answer;
+use tilesat_judge::oracle::figure::{Figure, Point};
 use tilesat_textbook::exact::{Aabb, Circle, Point as Raw, Segment};
 
 pub const NAME: &str = "exact (no filters)";

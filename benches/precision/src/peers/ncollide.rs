@@ -1,13 +1,13 @@
 //! ncollide2d in fixed point: its generic queries over simba's I16F16, the only other library here that computes in integers.
 
 use crate::job::{Format, List};
-use crate::oracle::figure::{Figure, Kind};
 use crate::pairs::classes::Pair;
 use crate::pairs::truth::Answer;
 use nalgebra::{Isometry2, Point2, Vector2};
 use ncollide2d::query::{self, Contact};
 use ncollide2d::shape::{Ball, Cuboid, Segment, Shape};
 use simba::scalar::FixedI16F16 as N;
+use tilesat_judge::oracle::figure::{Figure, Kind};
 
 const NAME: &str = "ncollide2d I16F16";
 

@@ -1,11 +1,11 @@
 //! The library, by its public interface, as a game calls it.
 
 use crate::job::{Format, List};
-use crate::oracle::figure::Figure;
 use crate::pairs::classes::Pair;
 use crate::pairs::truth::Answer;
 use tilesat::prelude::*;
 use tilesat::{Aabb, Circle, Contact, Fx, Segment, UnitVec2, Vec2};
+use tilesat_judge::oracle::figure::Figure;
 
 pub const NAME: &str = "tilesat";
 

@@ -5,9 +5,9 @@ macro_rules! parry {
     ($module:ident, $parry:ident, $real:ty, $format:ident, $general:literal, $direct:literal) => {
         pub mod $module {
             use crate::job::{Format, List};
-            use crate::oracle::figure::{Figure, Kind};
             use crate::pairs::classes::Pair;
             use crate::pairs::truth::Answer;
+            use tilesat_judge::oracle::figure::{Figure, Kind};
             use $parry::bounding_volume::{Aabb, BoundingVolume};
             use $parry::math::{Pose, Real, Vector};
             use $parry::query::{self, Contact, ShapeIntersection, details};

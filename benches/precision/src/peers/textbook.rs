@@ -1,9 +1,9 @@
 //! The textbook's formulas in four number formats.
 
 use crate::job::{Format, List};
-use crate::oracle::figure::Figure;
 use crate::pairs::classes::Pair;
 use crate::pairs::truth::Answer;
+use tilesat_judge::oracle::figure::Figure;
 use tilesat_textbook::Scalar;
 use tilesat_textbook::shape::{Aabb, Circle, Contact, Segment, Vector};
 

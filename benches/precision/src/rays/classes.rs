@@ -1,7 +1,7 @@
 //! Classes of rays through a grid. No ray starts on or in the solid, so that closed and open answers are all there are.
 
 use super::level::{CELL, Level, SIDE};
-use crate::oracle::random::Random;
+use tilesat_judge::Random;
 
 pub type Point = (i64, i64);
 

@@ -1,6 +1,6 @@
 //! Grids of 256 x 256 solid and free cells of 16 pixels, with a solid border.
 
-use crate::oracle::random::Random;
+use tilesat_judge::Random;
 
 pub const SIDE: usize = 256;
 /// A side of a cell, raw.

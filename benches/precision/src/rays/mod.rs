@@ -65,8 +65,8 @@ mod tests {
     use super::classes::Ray;
     use super::level::CELL;
     use super::*;
-    use num_bigint::BigInt;
-    use num_rational::BigRational;
+    use tilesat_judge::num_bigint::BigInt;
+    use tilesat_judge::num_rational::BigRational;
 
     type Q = BigRational;
 

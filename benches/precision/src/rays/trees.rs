@@ -4,10 +4,10 @@ use super::classes::Ray;
 use super::level::{CELL, Level, SIDE};
 use super::truth::Answer;
 use crate::job::{Format, List};
-use crate::oracle::random::Random;
 use crate::peers;
 use std::ptr;
 use std::rc::Rc;
+use tilesat_judge::Random;
 
 /// The places of solid cells.
 fn solid(level: &Level) -> impl Iterator<Item = (i64, i64)> {

@@ -8,6 +8,7 @@
 
 pub mod broad;
 pub mod cast;
+pub mod checksum;
 pub mod dda;
 pub mod exact;
 pub mod pair;

@@ -6,7 +6,7 @@ use crate::clock::Clock;
 use core::arch::asm;
 use core::hint::black_box;
 use core::marker::PhantomData;
-use semihosting::{eprintln, process};
+use tilesat_chip::{eprintln, process};
 
 /// A calibrated counter.
 pub struct Counter<C> {

@@ -14,7 +14,7 @@ use core::arch::asm;
 use core::fmt;
 use core::hint::black_box;
 use core::mem::MaybeUninit;
-use semihosting::{eprintln, println, process};
+use tilesat_chip::{eprintln, println, process};
 
 /// A query on two operands. The wrapper makes the empty call and the loads the same type as the query.
 pub type Query<A, B, R> = fn(&A, &B) -> MaybeUninit<R>;

@@ -1,4 +1,6 @@
 //! The frame of a program that holds one query and everything it pulls in, and of one that holds all there is.
+//!
+//! On a computer the programs are only checked: their `main` does nothing.
 
 #![no_std]
 
@@ -25,7 +27,8 @@ pub fn frame<B: BroadPhase<Tag = ()>>(mut near: B, boxes: &[Aabb], moved: &[Aabb
 #[macro_export]
 macro_rules! program {
     (|$a:ident: $A:ty, $b:ident: $B:ty| $query:expr) => {
-        #[unsafe(no_mangle)]
+        #[cfg_attr(target_os = "none", unsafe(no_mangle))]
+        #[cfg_attr(not(target_os = "none"), expect(dead_code))]
         extern "C" fn _start() -> ! {
             const OPERANDS: *const (*const $A, *const $B) = 0x2000_0000 as *const _;
             // SAFETY: never run. The volatile read hides the operands from the compiler.
@@ -37,6 +40,10 @@ macro_rules! program {
             loop {}
         }
 
+        #[cfg(not(target_os = "none"))]
+        fn main() {}
+
+        #[cfg(target_os = "none")]
         #[panic_handler]
         fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
             loop {}
@@ -50,7 +57,8 @@ macro_rules! program {
 #[macro_export]
 macro_rules! game {
     ($State:ty = $empty:expr, $level:ident = $load:expr, |$state:ident| $begin:expr, |$game:ident| $frame:expr) => {
-        #[unsafe(no_mangle)]
+        #[cfg_attr(target_os = "none", unsafe(no_mangle))]
+        #[cfg_attr(not(target_os = "none"), expect(dead_code))]
         extern "C" fn _start() -> ! {
             static mut STATE: $State = $empty;
             // SAFETY: never run; this is called once and nothing else names it.
@@ -65,6 +73,10 @@ macro_rules! game {
             loop {}
         }
 
+        #[cfg(not(target_os = "none"))]
+        fn main() {}
+
+        #[cfg(target_os = "none")]
         #[panic_handler]
         fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
             loop {}
@@ -103,12 +115,14 @@ pub fn port() -> u32 {
 #[macro_export]
 macro_rules! everything {
     ($($part:path),+ $(,)?) => {
-        #[unsafe(no_mangle)]
+        #[cfg_attr(target_os = "none", unsafe(no_mangle))]
+        #[cfg_attr(not(target_os = "none"), expect(dead_code))]
         extern "C" fn _start() -> ! {
             $($part();)+
             loop {}
         }
 
+        #[cfg(target_os = "none")]
         #[unsafe(no_mangle)]
         #[inline(never)]
         extern "C" fn the_panic() -> ! {
@@ -117,6 +131,10 @@ macro_rules! everything {
             }
         }
 
+        #[cfg(not(target_os = "none"))]
+        fn main() {}
+
+        #[cfg(target_os = "none")]
         #[panic_handler]
         fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
             the_panic()

@@ -19,7 +19,7 @@ pub fn save(path: &Path, screen: &Screen, scale: usize) -> Result<(), Box<dyn Er
     let mut encoder = png::Encoder::new(file, side(screen.width)?, side(screen.height)?);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Best);
+    encoder.set_compression(png::Compression::High);
     encoder.write_header()?.write_image_data(&data)?;
     Ok(())
 }

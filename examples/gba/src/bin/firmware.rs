@@ -2,15 +2,13 @@
 #![no_std]
 #![no_main]
 
-#[path = "../../../platformer/flash.rs"]
-mod flash;
-
+use tilesat_games::platformer::{flash, sim};
 use tilesat_gba::{entry, println};
 
 entry!(main);
 
 fn main() -> i32 {
-    for frames in [flash::sim::FIRMWARE_FRAMES, 10_000] {
+    for frames in [sim::FIRMWARE_FRAMES, 10_000] {
         match flash::run(frames, |_, _| {}) {
             Ok(outcome) => println!("{outcome}"),
             Err(failure) => {

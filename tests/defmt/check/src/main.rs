@@ -46,7 +46,9 @@ fn check(elf: &Path, frames: &Path, docs: &Path, expected: &Path, accept: bool) 
         good = false;
         println!("no type: {path} is logged, but the documentation has no such public type");
     }
-    let text: String = lines.iter().map(|line| format!("{} = {}\n", line.path, line.value)).collect();
+    // A type by its name alone: in which file it stands is no promise.
+    let name = |path: &str| path.rsplit("::").next().unwrap_or_default().to_owned();
+    let text: String = lines.iter().map(|line| format!("{} = {}\n", name(&line.path), line.value)).collect();
     if accept {
         std::fs::write(expected, &text)?;
     }

@@ -1,11 +1,11 @@
 //! Broad phases, their answers, and events of pairs.
 
 use crate::tell;
-use heapless::Vec;
 use tilesat::broad::{
     Border, BroadError, BroadHit, BruteForce, Exceptions, GridError, Ignore, Keyed, LooseGrid, Nearest, PairCursor,
     PairEvent, PairEvents, PairsError, QueryError, SortSweep, SpatialHash,
 };
+use tilesat::heapless::Vec;
 use tilesat::prelude::*;
 use tilesat::{Aabb, Fx, Truncated, Vec2};
 

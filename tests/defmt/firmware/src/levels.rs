@@ -1,7 +1,7 @@
 //! Levels of tiles, of lines, of solids, joined and placed; what they are asked, and the cursors that answer.
 
 use crate::tell;
-use heapless::Vec;
+use tilesat::heapless::Vec;
 use tilesat::{
     Aabb, AllShapes, Bits, Blocks, Bytes, Cell, Circle, Fx, Geometry, Grid, Inside, Joined, OneWay, Outside, Path,
     PathKind, Placed, RayRules, SegmentFault, SegmentMap, SegmentMapError, Side, Slopes, Solid, Solids, TileKind,

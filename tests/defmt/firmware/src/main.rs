@@ -3,11 +3,6 @@
 #![no_std]
 #![no_main]
 
-#[path = "../../../../examples/chip/fault.rs"]
-mod fault;
-#[path = "../../../../examples/chip/frames.rs"]
-mod frames;
-
 mod bodies;
 mod levels;
 mod motion;
@@ -16,14 +11,14 @@ mod responses;
 mod scenes;
 
 use defmt::Format;
-use semihosting::process;
+use tilesat_chip::{entry, process};
 
 /// The path comes from the compiler, so a line cannot be another type's.
 fn tell<T: Format>(value: &T) {
     defmt::println!("{=str} = {}", core::any::type_name::<T>(), value);
 }
 
-#[cortex_m_rt::entry]
+#[entry]
 fn main() -> ! {
     numbers::tell_all();
     levels::tell_all();

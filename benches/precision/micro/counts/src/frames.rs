@@ -1,11 +1,11 @@
 //! Rows of what goes on from frame to frame: bodies that move, and broad phases. Every backend's answers have to be the host's.
 
-use crate::clock::Clock;
 use crate::inputs::{Class, Reader};
 use crate::table::{Key, Mean, Query, Table};
 use core::mem::MaybeUninit;
-use tilesat_precision_queries::checksum::{START, mixed, pair};
+use tilesat_counts::clock::Clock;
 use tilesat_precision_queries::{Area, Exact, Phase, Place, Raw, Room, Scene, Shape, Step};
+use tilesat_textbook::checksum::{START, mixed, pair};
 
 /// The level of a workload, whose first corner is the class's.
 ///

@@ -1,11 +1,12 @@
 //! The rows of a program.
 
-use crate::clock::Clock;
-use crate::counter::Counter;
 use crate::inputs::{Class, classes};
 use core::hint::black_box;
 use core::mem::MaybeUninit;
-use semihosting::{eprintln, print, println, process};
+use semihosting::print;
+use tilesat_chip::{eprintln, println, process};
+use tilesat_counts::clock::Clock;
+use tilesat_counts::counter::Counter;
 
 pub type Query<P, O> = fn(&P, &mut MaybeUninit<O>);
 

@@ -4,7 +4,6 @@
 
 mod broad;
 mod casts;
-pub mod checksum;
 mod moves;
 mod pairs;
 mod rays;

@@ -1,6 +1,5 @@
 //! A whole ray through a tile map: walk, hit, toi and point.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::Vec2;
 use tilesat::world::{Inside, TileMap};
 tilesat_flash::program!(|map: TileMap<'static>, ray: (Vec2, Vec2)| map.cast_ray(ray.0, ray.1, Inside::Ignore));

@@ -1,6 +1,5 @@
 //! A ray through a tile map of this set.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::Vec2;
 use tilesat::world::{AllShapes, Inside, TileMap};
 tilesat_flash::program!(|map: TileMap<'static, AllShapes>, ray: (Vec2, Vec2)| {

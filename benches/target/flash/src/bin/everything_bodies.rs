@@ -1,6 +1,5 @@
 //! All broad phases with each kind of tag, what they are asked, and events of pairs.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::broad::{
     Border, BroadHit, BroadPhase, BruteForce, Exceptions, Handle, Ignore, Keyed, LooseGrid, Nearest, Pair, PairCursor,
     PairEvent, PairEvents, SortSweep, SpatialHash,

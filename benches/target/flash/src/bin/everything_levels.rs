@@ -1,6 +1,5 @@
 //! All levels, however they are made, and all that they are asked.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::heapless::VecView;
 use tilesat::world::{
     AllShapes, Bits, Blocks, Bytes, Cell, Grid, Joined, OneWay, Outside, Path, PathKind, Placed, RayRules, SegmentMap,

@@ -1,6 +1,5 @@
 //! All motion through levels, and all responses.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::heapless::VecView;
 use tilesat::motion::response::{
     Link, Particle, Quiet, Stick, bounce, exchange, relax, respond, separate, slide, split,

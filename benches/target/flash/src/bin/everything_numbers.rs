@@ -1,6 +1,5 @@
 //! All numbers, vectors and masks.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::fixed::types::I16F16;
 use tilesat::num::{
     div_sqrt, imul, imul_split, isqrt64, isqrt64_ceil, less128, mul_div, mul_div_wide, mul64, recip, rsqrt, sqr64,

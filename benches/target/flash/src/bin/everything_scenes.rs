@@ -1,6 +1,5 @@
 //! A scene, with each broad phase, in each kind of level.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::broad::{BruteForce, Handle, LooseGrid, Pair, SortSweep, SpatialHash};
 use tilesat::prelude::*;
 use tilesat::scene::{SceneEvent, SceneTag, Shape, Sleep};

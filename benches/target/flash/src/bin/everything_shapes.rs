@@ -1,6 +1,5 @@
 //! All shapes, and all queries of all pairs of them.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::prelude::*;
 use tilesat::{Aabb, Circle, Contact, Fx, Inside, Segment, Vec2};
 use tilesat_flash::keep;

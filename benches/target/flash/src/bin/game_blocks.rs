@@ -1,12 +1,8 @@
 //! The platformer among blocks as the firmware plays it: a player that plays by itself, 16 boxes and 16 balls, coins, spikes, ladders, a goal.
-#![no_std]
-#![no_main]
-#[path = "../../../../../examples/platformer/flash.rs"]
-#[allow(dead_code, reason = "the firmware's own loop and its outcome")]
-#[allow(clippy::collapsible_if, reason = "the example is for older compilers as well")]
-mod flash;
-use flash::{RULES, level, sim};
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat_flash::Later;
+use tilesat_games::platformer::flash::{RULES, level};
+use tilesat_games::platformer::sim;
 
 tilesat_flash::game!(
     Later<sim::Sim> = Later::NONE,

@@ -1,9 +1,6 @@
 //! The bullets as the firmware plays them: 256 bullets, 32 enemies and a player, found by a broad phase, with events and exceptions of pairs.
-#![no_std]
-#![no_main]
-#[path = "../../../../../examples/bullets/game/mod.rs"]
-mod game;
-use game::{Game, Near, level};
+#![cfg_attr(target_os = "none", no_std, no_main)]
+use tilesat_games::bullets::{Game, Near, level};
 
 tilesat_flash::game!(
     Game = Game::new(Near::new()),

@@ -1,13 +1,7 @@
 //! The ninja of the example, one circle that runs, slides and jumps among all tile shapes, with a pad.
-#![no_std]
-#![no_main]
-#[path = "../../../../../examples/ninja/level.rs"]
-#[allow(dead_code, reason = "the desktop draws it")]
-mod level;
-#[path = "../../../../../examples/ninja/ninja.rs"]
-mod ninja;
-use ninja::{Keys, Ninja};
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat_flash::{Later, port};
+use tilesat_games::ninja::{Keys, Ninja, level};
 
 /// A pad's left, right and jump.
 fn keys() -> Keys {

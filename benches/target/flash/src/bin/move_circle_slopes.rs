@@ -1,6 +1,5 @@
 //! One body of this shape that moves and slides through a tile map of this set.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::motion::Mover;
 use tilesat::world::{Slopes, TileMap};
 use tilesat::{Axis, Circle, Vec2};

@@ -1,6 +1,5 @@
 //! Bodies that come, go and move in this broad phase, and all pairs of them.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::broad::LooseGrid;
 use tilesat::{Aabb, Fx, Vec2};
 use tilesat_flash::frame;

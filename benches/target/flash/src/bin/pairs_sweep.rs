@@ -1,6 +1,5 @@
 //! Bodies that come, go and move in this broad phase, and all pairs of them.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::Aabb;
 use tilesat::broad::SortSweep;
 use tilesat_flash::frame;

@@ -1,6 +1,5 @@
 //! One body of this shape that rides on moving solids.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::motion::Mover;
 use tilesat::world::{Solid, TileMap};
 use tilesat::{Axis, Circle, Fx};

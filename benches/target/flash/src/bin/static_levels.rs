@@ -1,6 +1,5 @@
 //! A level of tiles and one of segments, both built by the compiler: they must lie in flash alone.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::world::{AllShapes, Grid, Joined, Path, PathKind, TileKind, TileKinds, TileMap, TileShape, World};
 use tilesat::{Aabb, Fx, Vec2, segment_map};
 

@@ -1,4 +1,3 @@
 //! `Axis::unit`.
-#![no_std]
-#![no_main]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 tilesat_flash::program!(|a: tilesat::Axis, _b: u32| a.unit());

@@ -6,7 +6,7 @@ use tilesat_gba::screen::{Layer, Tile, set_cell, set_colour, set_sprite, set_til
 
 use crate::crowd::{BALLS, BOXES, Crowd, Shape};
 use crate::level::{HEIGHT, Level, WIDTH};
-use crate::ninja::{Ninja, State};
+use tilesat_games::ninja::{Ninja, State};
 
 /// Colours of the background, and of the palettes of sprites.
 const SKY: (u16, u16, u16) = (3, 4, 7);

@@ -7,11 +7,9 @@
 mod crowd;
 mod draw;
 mod level;
-#[path = "../../../../ninja/ninja.rs"]
-mod ninja;
 
 use crowd::Crowd;
-use ninja::{Keys, Ninja};
+use tilesat_games::ninja::{Keys, Ninja};
 use tilesat_gba::cycles::{self, FRAME};
 use tilesat_gba::pad::{Key, Pad};
 use tilesat_gba::{entry, println, screen, stack};

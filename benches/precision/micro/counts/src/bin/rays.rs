@@ -3,7 +3,7 @@
 #![no_std]
 #![no_main]
 
-use cortex_m_rt::entry;
+use tilesat_chip::entry;
 use tilesat_precision_counts::{Query, Short, Table};
 use tilesat_precision_queries::*;
 

@@ -1,0 +1,3 @@
+#!/usr/bin/env bash
+# split.sh RUSTC ARGUMENT...: a RUSTC_WORKSPACE_WRAPPER that compiles the crates of the workspace as for cores without a long multiply.
+exec "$@" --cfg tilesat_split

@@ -1,0 +1,24 @@
+//! Prints what moving solids and whole scenes cost.
+
+#![no_std]
+#![no_main]
+
+mod scene;
+mod solids;
+
+use tilesat_chip::entry;
+use tilesat_counts::measure::Table;
+
+/// Most of the memory of the smallest board.
+static mut SCENE: scene::Bodies = scene::NONE;
+
+#[entry]
+fn main() -> ! {
+    let scene = &raw mut SCENE;
+    // SAFETY: nothing else names it, and this is called once.
+    let scene = unsafe { &mut *scene };
+    let mut table = Table::start();
+    solids::rows(&mut table);
+    scene::rows(&mut table, scene);
+    table.end()
+}

@@ -1,0 +1,28 @@
+//! Prints what queries on levels and motion in them cost.
+
+#![no_std]
+#![no_main]
+
+mod ask;
+mod blocks;
+mod frames;
+mod friction;
+mod level;
+mod segments;
+mod shapes;
+
+use tilesat_chip::entry;
+use tilesat_counts::measure::Table;
+
+#[entry]
+fn main() -> ! {
+    let mut table = Table::start();
+    level::rows(&mut table);
+    blocks::rows(&mut table);
+    shapes::rows(&mut table);
+    frames::rows(&mut table);
+    friction::rows(&mut table);
+    ask::rows(&mut table);
+    segments::rows(&mut table);
+    table.end()
+}

@@ -1,0 +1,123 @@
+//! What flies, stands and goes about.
+
+use tilesat::motion::Response;
+use tilesat::{Aabb, Circle, Filter, LayerMask, Mover, RangeError, Vec2};
+
+use super::level::{Level, SPONGE};
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A box in which the player is repaired: a sensor.
+    Zone,
+    Player,
+    /// Armoured: shots bounce off, though they count.
+    Turret,
+    Spinner,
+    /// Goes to and fro, and sleeps every now and then.
+    Patrol,
+    /// An enemy's; bounces off the level twice.
+    Bullet,
+    /// The player's; ends at the level.
+    Shot,
+}
+
+const ZONE: LayerMask = LayerMask::layer(0);
+const PLAYER: LayerMask = LayerMask::layer(1);
+const ENEMY: LayerMask = LayerMask::layer(2);
+const BULLET: LayerMask = LayerMask::layer(3);
+const SHOT: LayerMask = LayerMask::layer(4);
+
+impl Kind {
+    pub const fn is_enemy(self) -> bool {
+        matches!(self, Self::Turret | Self::Spinner | Self::Patrol)
+    }
+
+    pub const fn filter(self) -> Filter {
+        match self {
+            Self::Zone => Filter::new(ZONE, PLAYER.with(ENEMY)).with_still(true).with_sensor(true),
+            Self::Player => Filter::new(PLAYER, ZONE.with(ENEMY).with(BULLET)),
+            Self::Turret | Self::Spinner => Self::Patrol.filter().with_still(true),
+            // They bunch up without harm.
+            Self::Patrol => Filter::new(ENEMY, ZONE.with(PLAYER).with(BULLET).with(SHOT)),
+            Self::Bullet => Filter::new(BULLET, PLAYER.with(ENEMY)),
+            Self::Shot => Filter::new(SHOT, ENEMY),
+        }
+    }
+
+    /// Half of the body's box: the radius, but for the zone.
+    pub const fn half(self) -> Vec2 {
+        match self {
+            Self::Zone => Vec2::from_ints(24, 16),
+            Self::Player => Vec2::from_ints(6, 6),
+            Self::Turret | Self::Spinner | Self::Patrol => Vec2::from_ints(7, 7),
+            Self::Bullet | Self::Shot => Vec2::from_ints(2, 2),
+        }
+    }
+}
+
+/// Lives of the player.
+pub(super) const FULL: u8 = 16;
+
+/// What the broad phase does not keep of a body.
+#[derive(Debug, Clone, Copy)]
+pub struct Body {
+    pub velocity: Vec2,
+    pub kind: Kind,
+    /// Hits that it takes; it goes when there are none left.
+    pub life: u8,
+    /// Frames: of a bullet those left, of others those since it came.
+    pub clock: u16,
+}
+
+/// What a body's motion came to.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Flight {
+    pub bounces: u32,
+    pub refused: u32,
+}
+
+impl Body {
+    pub const NONE: Self = Self { velocity: Vec2::ZERO, kind: Kind::Zone, life: 0, clock: 0 };
+
+    /// The shape in the broad phase's box; the box of a circle is exact, so the circle is too.
+    pub fn circle(&self, bounds: &Aabb) -> Result<Circle, RangeError> {
+        Circle::new(bounds.centre(), self.kind.half().x)
+    }
+
+    /// Whether a patrol sleeps in its present frame.
+    pub const fn sleeps(&self) -> bool {
+        matches!(self.kind, Kind::Patrol) && self.clock % 256 >= 160
+    }
+
+    /// Flies for a frame: its new box.
+    pub fn fly(&mut self, level: &Level, bounds: &Aabb, flight: &mut Flight) -> Aabb {
+        let response = match self.kind {
+            Kind::Zone | Kind::Turret | Kind::Spinner => return *bounds,
+            Kind::Patrol if self.sleeps() => return *bounds,
+            Kind::Player => Response::Slide,
+            Kind::Patrol | Kind::Bullet => Response::Bounce,
+            Kind::Shot => Response::Touch,
+        };
+        let mover = Mover::new().with_response(response);
+        let Ok(Ok(moved)) = self.circle(bounds).map(|circle| mover.move_and_slide(level, &circle, self.velocity))
+        else {
+            flight.refused += 1;
+            return *bounds;
+        };
+        self.velocity = moved.velocity;
+        let hits = moved.hits.len() as u8;
+        match self.kind {
+            Kind::Bullet => {
+                flight.bounces += u32::from(hits);
+                self.clock = self.clock.saturating_sub(1);
+                self.life = self.life.saturating_sub(hits);
+                if self.clock == 0 || moved.flags & SPONGE != 0 {
+                    self.life = 0;
+                }
+            }
+            Kind::Shot => self.life = self.life.saturating_sub(hits),
+            _ => {}
+        }
+        moved.body.aabb()
+    }
+}

@@ -1,0 +1,151 @@
+//! A game of many bullets.
+//!
+//! A frame is three steps, so that a desktop can look in between: [`Game::fly`] moves every body through the level, [`Game::meet`] finds who is hit, [`Game::fire`] lets
+//! everybody shoot. A body is a slot of the broad phase, which keeps its box and its filter, and an entry of the game's own at the same place.
+
+mod aim;
+mod body;
+mod fire;
+mod level;
+mod meet;
+mod tally;
+
+pub use body::{Body, Kind};
+pub use level::{Level, ROWS, SIZE, SPONGE, bounds, level};
+pub use tally::Tally;
+
+use body::Flight;
+use tilesat::broad::{BroadPhase, Exceptions, Handle, PairEvents, SortSweep};
+use tilesat::heapless::Vec;
+use tilesat::{Aabb, Circle, Filter, Vec2};
+
+pub const BULLETS: usize = 256;
+pub const ENEMIES: usize = 32;
+/// With the player and the zone.
+pub const BODIES: usize = BULLETS + ENEMIES + 2;
+/// Frames of the run whose hash desktop and firmware compare.
+pub const FRAMES: u32 = 600;
+
+/// A place where an enemy stands, or comes back.
+#[derive(Debug, Clone, Copy)]
+pub struct Post {
+    pub kind: Kind,
+    /// Its cell.
+    pub at: (u8, u8),
+    /// Where its enemy goes at first.
+    pub course: (i8, i8),
+    pub body: Option<Handle>,
+}
+
+/// Sorted, it fits the smallest chip.
+pub type Near = SortSweep<BODIES, Filter>;
+
+/// The whole state: plain data, so a snapshot is a copy; 13 KB, so on a chip it is a `static`. Every broad phase gives the same game.
+#[derive(Debug, Clone, Copy)]
+pub struct Game<B = Near> {
+    pub near: B,
+    pub bodies: [Body; BODIES],
+    pub events: PairEvents<64>,
+    /// Bullets that leave who fired them, and shots that leave the turret that they bounced off.
+    pub exceptions: Exceptions<48>,
+    /// The enemies', the player's and the zone's.
+    pub posts: [Post; ENEMIES + 2],
+    /// What the player makes for, and for how long already.
+    goal: (u8, u16),
+    pub frame: u32,
+    pub tally: Tally,
+}
+
+impl<B> Game<B> {
+    /// With an empty broad phase.
+    pub const fn new(near: B) -> Self {
+        Self {
+            near,
+            bodies: [Body::NONE; BODIES],
+            events: PairEvents::new(),
+            exceptions: Exceptions::new(),
+            posts: [Post { kind: Kind::Zone, at: (0, 0), course: (0, 0), body: None }; ENEMIES + 2],
+            goal: (0, 0),
+            frame: 0,
+            tally: Tally::NONE,
+        }
+    }
+}
+
+impl<B: BroadPhase<Tag = Filter>> Game<B> {
+    /// Puts everybody in a new game at the start.
+    pub fn start(&mut self) {
+        for (post, (kind, at, course)) in self.posts.iter_mut().zip(level::posts()) {
+            (post.kind, post.at, post.course) = (kind, at, course);
+        }
+        self.staff();
+    }
+
+    /// One frame.
+    // The three are not in line, or on a chip's stack the lists of each would lie below the motion of every body.
+    pub fn step(&mut self, level: &Level) {
+        self.fly(level);
+        self.meet();
+        self.fire();
+    }
+
+    /// Moves all bodies; bullets that the level ended are gone.
+    #[inline(never)]
+    pub fn fly(&mut self, level: &Level) {
+        self.steer();
+        let Self { near, bodies, tally, .. } = self;
+        let mut flight = Flight::default();
+        let moved = near.move_each(|handle, bounds| match bodies.get_mut(handle.slot()) {
+            Some(body) => body.fly(level, bounds, &mut flight),
+            None => *bounds,
+        });
+        tally.bounces += flight.bounces;
+        tally.refused += flight.refused + u32::from(moved.is_err());
+        self.bury();
+    }
+
+    /// A body's own entry, while it is there.
+    pub fn body(&self, handle: Handle) -> Option<&Body> {
+        self.bodies.get(handle.slot()).filter(|_| self.near.contains(handle))
+    }
+
+    /// The circle that a body is; of the zone the one in its box.
+    pub fn circle(&self, handle: Handle) -> Option<Circle> {
+        self.body(handle)?.circle(&self.near.bounds(handle).ok()?).ok()
+    }
+
+    /// Takes a body in; `None` where there is no room.
+    fn enter(&mut self, body: Body, at: Vec2) -> Option<Handle> {
+        let bounds = Aabb::from_centre(at, body.kind.half()).ok()?;
+        let handle = self.near.insert(&bounds, body.kind.filter()).ok()?;
+        *self.bodies.get_mut(handle.slot())? = body;
+        Some(handle)
+    }
+
+    /// Takes out all bodies without a life.
+    #[inline(never)]
+    fn bury(&mut self) {
+        let Some(all) = level::bounds() else { return };
+        loop {
+            // The least first: slots are then free in an order that no broad phase decides.
+            let mut dead = Vec::<Handle, 32>::new();
+            let bodies = &self.bodies;
+            self.near.in_region(&all, |handle| {
+                if bodies.get(handle.slot()).is_some_and(|body| body.life > 0) {
+                    return;
+                }
+                let place = dead.iter().position(|other| handle < *other).unwrap_or(dead.len());
+                if dead.is_full() && place < dead.len() {
+                    dead.pop();
+                }
+                let _ = dead.insert(place, handle);
+            });
+            for &handle in &dead {
+                let _ = self.near.remove(handle);
+            }
+            if !dead.is_full() {
+                break;
+            }
+        }
+    }
+}

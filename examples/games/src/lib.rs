@@ -1,0 +1,27 @@
+//! The logic of the example games, shared by desktop, firmware, console and golden runs.
+//!
+//! | module | game |
+//! |---|---|
+//! | [`bullets`] | 256 bullets, 32 enemies and a player: pairs and events in fixed memory |
+//! | [`ninja`] | one circle among all tile shapes: slopes, quarter pipes, wall jumps |
+//! | [`pinball`] | balls on a table of tiles and polygons: bumpers, slingshots, a kicker |
+//! | [`platformer`] | a scripted player, 16 boxes and 16 balls in a baked level |
+//! | [`platforms`] | a walker on lifts, a conveyor, steps, under a crusher |
+//! | [`top_down`] | eight directions, no up; slips around corners |
+//!
+//! Integers only, no heap, no panic: the same frames everywhere, to the bit.
+#![no_std]
+#![warn(clippy::indexing_slicing, clippy::std_instead_of_core, clippy::float_arithmetic)]
+#![allow(
+    clippy::must_use_candidate,
+    clippy::missing_errors_doc,
+    clippy::new_without_default,
+    reason = "read as games, not as a library: every call here has one caller or two"
+)]
+
+pub mod bullets;
+pub mod ninja;
+pub mod pinball;
+pub mod platformer;
+pub mod platforms;
+pub mod top_down;

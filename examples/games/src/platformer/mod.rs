@@ -1,0 +1,6 @@
+//! The platformer: its rules, its two levels as they lie in flash, and its run on a chip.
+
+pub mod flash;
+pub mod meadow;
+pub mod ninja;
+pub mod sim;

@@ -1,0 +1,116 @@
+//! Everything that happens in a frame.
+
+mod actor;
+mod bodies;
+mod player;
+mod rng;
+mod start;
+
+use tilesat::world::{Set, TileMap};
+
+pub use actor::{Actor, Shape};
+pub use player::{MAX_COINS, Score};
+
+use player::Player;
+use rng::Rng;
+
+/// The player, 16 boxes and 16 balls.
+pub const BODIES: usize = 33;
+/// Frames of the run whose hash desktop and firmware compare.
+pub const FIRMWARE_FRAMES: u32 = 600;
+/// The seed where none is given, and of that run: one whose player shows every trick on our level.
+pub const SEED: u32 = 11;
+
+/// Which flag bits mean what in this game; 0 where a level has no such tile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Rules {
+    pub coin: u8,
+    pub kill: u8,
+    pub win: u8,
+    pub ladder: u8,
+}
+
+/// The level has no free cell to put a body in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct NoRoom;
+
+/// What one frame brought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct FrameReport {
+    /// Faces and corners of the level that bodies ran into.
+    pub contacts: u32,
+    /// Motions that the library refused; none are expected.
+    pub refused: u32,
+    /// Whether the player died and is back at its start.
+    pub respawned: bool,
+}
+
+/// The whole state of a run: plain data, so a snapshot is a copy.
+#[derive(Debug, Clone, Copy)]
+pub struct Sim {
+    actors: [Actor; BODIES],
+    player: Player,
+    rng: Rng,
+    frame: u32,
+    hash: u32,
+}
+
+impl Sim {
+    /// Puts all bodies into free space that the seed picks.
+    pub fn new<S: Set>(map: &TileMap<'_, S>, rules: Rules, seed: u32) -> Result<Self, NoRoom> {
+        let mut rng = Rng::new(seed);
+        let (player, first) = Player::new(map, rules, &mut rng).ok_or(NoRoom)?;
+        let mut actors = [first; BODIES];
+        for (i, slot) in actors.iter_mut().enumerate().skip(1) {
+            *slot = bodies::start(map, i, &mut rng).ok_or(NoRoom)?;
+        }
+        // FNV-1a's offset basis.
+        Ok(Self { actors, player, rng, frame: 0, hash: 0x811c_9dc5 })
+    }
+
+    /// Moves every body by one frame.
+    pub fn step<S: Set>(&mut self, map: &TileMap<'_, S>) -> FrameReport {
+        let mut report = FrameReport::default();
+        for (i, actor) in self.actors.iter_mut().enumerate() {
+            if i == 0 {
+                self.player.step(map, actor, &mut self.rng, &mut report);
+            } else {
+                bodies::step(map, actor, i, self.frame, &mut self.rng, &mut report);
+            }
+        }
+        self.frame = self.frame.wrapping_add(1);
+        self.fold();
+        report
+    }
+
+    fn fold(&mut self) {
+        for actor in &self.actors {
+            let (position, velocity) = (actor.shape.position().raw(), actor.velocity.raw());
+            for word in [position.0, position.1, velocity.0, velocity.1] {
+                for byte in word.to_le_bytes() {
+                    self.hash = (self.hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
+                }
+            }
+        }
+    }
+
+    /// FNV-1a over the raw positions and velocities of all bodies after every frame so far.
+    pub fn hash(&self) -> u32 {
+        self.hash
+    }
+
+    /// The player first.
+    pub fn bodies(&self) -> &[Actor; BODIES] {
+        &self.actors
+    }
+
+    /// How the player fares.
+    pub fn score(&self) -> Score {
+        self.player.score()
+    }
+
+    /// Whether this coin, counted row by row from 0, is gone.
+    pub fn collected(&self, coin: u32) -> bool {
+        self.player.collected(coin)
+    }
+}

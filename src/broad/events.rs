@@ -1,0 +1,417 @@
+//! Which pairs begin, stay and end from frame to frame, and which are ignored for a while: both in ascending order, in fixed arrays.
+
+use super::{BroadError, Handle, Pair};
+use crate::error::Truncated;
+
+/// Of whole words: a small core moves it in a few registers, and would call a routine for memory of any alignment otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(align(4))]
+pub(in crate::broad) struct Entry<K, V>(pub(in crate::broad) Option<(K, V)>);
+
+/// Where a key is, or would go: the first entry that is not below it.
+#[inline]
+pub(in crate::broad) fn place<K: Ord, V>(entries: &[Entry<K, V>], key: &K) -> usize {
+    entries.partition_point(|entry| matches!(entry, Entry(Some((k, _))) if k < key))
+}
+
+/// What is kept under a key whose place was asked for.
+#[inline]
+pub(in crate::broad) fn known<'a, K: Eq, V>(entries: &'a mut [Entry<K, V>], at: usize, key: &K) -> Option<&'a mut V> {
+    match entries.get_mut(at) {
+        Some(Entry(Some((k, value)))) if k == key => Some(value),
+        _ => None,
+    }
+}
+
+/// How many entries there are.
+#[inline]
+pub(in crate::broad) fn count<K, V>(entries: &[Entry<K, V>]) -> usize {
+    entries.partition_point(|entry| entry.0.is_some())
+}
+
+/// Puts an entry before those of a part of the array and moves them up by one; the last of the part, of a free place nothing, is dropped.
+pub(in crate::broad) fn insert<K: Copy, V: Copy>(part: &mut [Entry<K, V>], key: K, value: V) {
+    let mut places = part.iter_mut().rev();
+    let Some(mut to) = places.next() else { return };
+    for from in places {
+        *to = *from;
+        to = from;
+    }
+    *to = Entry(Some((key, value)));
+}
+
+/// Drops what `keep` says, which may change values; one pass.
+pub(in crate::broad) fn retain<K: Copy, V: Copy>(
+    entries: &mut [Entry<K, V>],
+    mut keep: impl FnMut(&K, &mut V) -> bool,
+) {
+    let mut kept = 0;
+    for i in 0..entries.len() {
+        let Some((key, mut value)) = entries.get_mut(i).and_then(|entry| entry.0.take()) else { break };
+        if keep(&key, &mut value) {
+            if let Some(slot) = entries.get_mut(kept) {
+                *slot = Entry(Some((key, value)));
+            }
+            kept += 1;
+        }
+    }
+}
+
+/// What became of a pair in one frame.
+///
+/// Of every pair comes `Begin`, then `Stay` in each later frame, then `End`, once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum PairEvent<P = Pair> {
+    /// It was not there in the frame before.
+    Begin(P),
+    /// It was, and is.
+    Stay(P),
+    /// It is not there any more: the bodies parted, or one was removed; its handle is the old one then.
+    End(P),
+}
+
+impl<P: Copy> PairEvent<P> {
+    /// The pair.
+    #[must_use]
+    pub fn pair(&self) -> P {
+        match *self {
+            Self::Begin(pair) | Self::Stay(pair) | Self::End(pair) => pair,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Mark {
+    /// It came this frame and was not there before.
+    New,
+    /// It was there before and did not come: not yet, or, where the frame is over, not at all.
+    Old,
+    /// It was there before, and is.
+    Both,
+}
+
+/// The pairs of the last frame, at most M of them, and what has changed since: begin, stay and end of contacts and of visits to sensors.
+///
+/// In each frame [`feed`](Self::feed) takes the pairs that count, in any order, each once or more often; those are what the game's own test of the shapes
+/// leaves of what the broad phase found. [`finish`](Self::finish) ends the frame, and [`iter`](Self::iter) then tells what became of each pair, in ascending order of
+/// pairs, as often as it is asked, until the next frame is fed.
+///
+/// Any `P` that is `Copy + Ord` is a pair: `(Handle, Cell)`-like tuples for tiles that trigger, or the keys of two bodies, where the order of events shall not
+/// depend on the order of insertion as that of handles does. `(a, b)` and `(b, a)` are two pairs; a broad phase gives only one of them.
+///
+/// - **Bodies at rest**: two [still](crate::Filter::still) bodies are no pair of a broad phase, and what fell asleep in a trigger is in it all the same: `finish` asks `held` about
+///   each pair that did not come. Let bodies fall asleep after `finish`, so that the frame in which they moved is judged by where they are.
+/// - **More than M pairs**: those of the last frame stay until they end, and of the new ones the smallest fit; `finish` says
+///   [`Truncated`]. What did not fit was not begun, has no end, and begins as soon as there is room. There is none too few where M is the number of pairs of two successive frames together.
+///
+/// Plain data, a copy is a snapshot; for [`Pair`]s 12 bytes each. Cost: of a pair known since the last frame a binary search, of a new one also the moves of all
+/// greater ones, so M new pairs at once are M^2 / 2 moves at worst; a frame is two passes over the pairs. With 64 pairs on a
+/// Cortex-M0: 310 instructions a pair that is known, 590 a new one where they come the greatest first.
+///
+/// ```
+/// use tilesat::broad::{BroadPhase, BruteForce, PairEvent, PairEvents};
+/// use tilesat::{Aabb, Filter, LayerMask, Vec2};
+/// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
+/// let all = Filter::default();
+/// let (mut near, mut events) = (BruteForce::<8, Filter>::new(), PairEvents::<16>::new());
+/// let trap = near.insert(&at(0)?, all.with_still(true).with_sensor(true))?;
+/// let hero = near.insert(&at(20)?, all)?;
+///
+/// let mut log = Vec::new();
+/// for x in [9, 8, 4, 4, 9] {
+///     near.move_to(hero, &at(x)?)?;
+///     near.set_tag(hero, all)?; // who moves is awake
+///     near.pairs(|pair| events.feed(pair));
+///     let rests = |handle| near.tag(handle).is_ok_and(|filter| filter.still());
+///     events.finish(|pair| rests(pair.a) && rests(pair.b))?;
+///     log.extend(events.iter().map(|event| (x, event)));
+///     near.set_tag(hero, all.with_still(x == 4))?;
+/// }
+/// let pair = log[0].1.pair();
+/// assert_eq!((pair.a, pair.b), (trap, hero));
+/// use PairEvent::{Begin, End, Stay};
+/// assert_eq!(log, [(8, Begin(pair)), (4, Stay(pair)), (4, Stay(pair)), (9, End(pair))]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct PairEvents<const M: usize, P = Pair> {
+    entries: [Entry<P, Mark>; M],
+    frame: Frame,
+}
+
+/// Of the present frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+struct Frame {
+    fed: u32,
+    lost: bool,
+    /// Nothing was fed since it ended.
+    over: bool,
+}
+
+impl<const M: usize, P: Copy + Ord> Default for PairEvents<M, P> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
+    /// Without any pair; may be a `static`.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { entries: [Entry(None); M], frame: Frame { fed: 0, lost: false, over: true } }
+    }
+
+    /// This pair is there in the frame under way.
+    #[inline]
+    pub fn feed(&mut self, pair: P) {
+        feed(&mut self.entries, &mut self.frame, &pair);
+    }
+
+    /// Ends the frame.
+    ///
+    /// `held` is asked about every pair of the last frame that did not come, whether it is there all the same, because its bodies rest; it must say no where one
+    /// was removed. `|_| false` where nothing rests.
+    ///
+    /// # Errors
+    /// [`Truncated`] where there were more than M pairs: the events are those of the M that were kept. A pair that was fed twice is seen twice.
+    pub fn finish(&mut self, held: impl FnMut(&P) -> bool) -> Result<(), Truncated> {
+        finish(&mut self.entries, &mut self.frame, held)
+    }
+
+    /// What became of each pair in the frame that ended last, in ascending order of pairs; nothing where the next one is being fed already.
+    pub fn iter(&self) -> impl Iterator<Item = PairEvent<P>> {
+        let told: &[Entry<P, Mark>] = if self.frame.over { &self.entries } else { &[] };
+        told.iter().filter_map(|entry| entry.0).map(|(pair, mark)| match mark {
+            Mark::New => PairEvent::Begin(pair),
+            Mark::Old => PairEvent::End(pair),
+            Mark::Both => PairEvent::Stay(pair),
+        })
+    }
+
+    /// Takes back what was fed since the last `finish`, for an enumeration that has to begin anew ([`Changed`](crate::broad::PairsError::Changed)).
+    pub fn cancel(&mut self) {
+        if !self.frame.over {
+            retain(&mut self.entries, |_, mark| core::mem::replace(mark, Mark::Old) != Mark::New);
+            self.frame = Frame { fed: 0, lost: false, over: false };
+        }
+    }
+
+    /// The pairs that have begun and not ended as of the last `finish`, in ascending order.
+    pub fn pairs(&self) -> impl Iterator<Item = P> {
+        self.entries.iter().filter_map(|entry| entry.0).filter(|(_, mark)| self.was_there(*mark)).map(|(pair, _)| pair)
+    }
+
+    /// Whether a pair has begun and not ended as of the last `finish`.
+    #[must_use]
+    pub fn contains(&self, pair: P) -> bool {
+        let at = self.entries.get(place(&self.entries, &pair));
+        matches!(at, Some(Entry(Some((known, mark)))) if *known == pair && self.was_there(*mark))
+    }
+
+    fn was_there(&self, mark: Mark) -> bool {
+        mark != if self.frame.over { Mark::Old } else { Mark::New }
+    }
+}
+
+/// Begins the next frame, if the last one is over: drops what ended.
+fn begin<P: Copy>(entries: &mut [Entry<P, Mark>], frame: &mut Frame) {
+    if frame.over {
+        retain(entries, |_, mark| core::mem::replace(mark, Mark::Old) != Mark::Old);
+        *frame = Frame { fed: 0, lost: false, over: false };
+    }
+}
+
+// Not in line: the capacity is no constant here, one copy serves all.
+#[inline(never)]
+fn feed<P: Copy + Ord>(entries: &mut [Entry<P, Mark>], frame: &mut Frame, pair: &P) {
+    begin(entries, frame);
+    frame.fed = frame.fed.saturating_add(1);
+    let at = place(entries, pair);
+    if let Some(mark) = known(entries, at, pair) {
+        if *mark == Mark::Old {
+            *mark = Mark::Both;
+        }
+        return;
+    }
+    let mut end = count(entries);
+    if end == entries.len() {
+        // The greatest new pair makes way, or this one is it; pairs that were told never do. So those of the new ones that stay are the smallest of all
+        // that came, in whichever order.
+        frame.lost = true;
+        let Some(last) = entries.iter().rposition(|entry| matches!(entry, Entry(Some((_, Mark::New))))) else { return };
+        end = last;
+    }
+    if let Some(part) = entries.get_mut(at..=end) {
+        insert(part, *pair, Mark::New);
+    }
+}
+
+fn finish<P: Copy>(
+    entries: &mut [Entry<P, Mark>],
+    frame: &mut Frame,
+    mut held: impl FnMut(&P) -> bool,
+) -> Result<(), Truncated> {
+    begin(entries, frame);
+    frame.over = true;
+    let mut kept = 0;
+    for (pair, mark) in entries.iter_mut().filter_map(|entry| entry.0.as_mut()) {
+        if *mark != Mark::Old {
+            kept += 1;
+        } else if held(pair) {
+            *mark = Mark::Both;
+        }
+    }
+    if frame.lost { Err(Truncated { seen: frame.fed, kept }) } else { Ok(()) }
+}
+
+/// How long a pair is ignored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Ignore {
+    /// In the next frame in which it comes, then no more.
+    Once,
+    /// Until a frame ends in which it did not come, the frame in which this is said not counted: a bullet that starts within its shooter.
+    UntilApart,
+    /// Until one of the bodies is removed: a shield and its bearer.
+    UntilRemoved,
+}
+
+/// Up to M pairs of bodies that are to be ignored, each for a while of its own.
+///
+/// [`passes`](Self::passes) says of each pair of a frame whether it counts; [`finish`](Self::finish) at the frame's end forgets what is over, and bodies that are gone. Behind
+/// the game's own test of the shapes, "apart" is of the shapes; before it, of the boxes. A pair that is not to count is not fed to
+/// [`PairEvents`](crate::broad::PairEvents): where it had begun, it ends.
+///
+/// The two handles may be given in either order. Plain data, a copy is a snapshot; 12 bytes a pair. Cost: a binary search a pair, one pass a frame.
+///
+/// ```
+/// use tilesat::broad::{BroadPhase, BruteForce, Exceptions, Ignore};
+/// use tilesat::{Aabb, Vec2};
+/// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
+/// let (mut near, mut exceptions) = (BruteForce::<8>::new(), Exceptions::<4>::new());
+/// let (ship, bullet) = (near.insert(&at(0)?, ())?, near.insert(&at(6)?, ())?);
+/// exceptions.ignore(bullet, ship, Ignore::UntilApart)?;
+///
+/// let mut hits = Vec::new();
+/// for x in [6, 8, 9, 8] {
+///     near.move_to(bullet, &at(x)?)?;
+///     near.pairs(|pair| if exceptions.passes(pair) { hits.push(x) });
+///     exceptions.finish(|handle| near.contains(handle), |_| false);
+/// }
+/// assert_eq!(hits, [8]); // when it came back
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Exceptions<const M: usize> {
+    /// By the handles in ascending order.
+    entries: [Entry<Pair, Term>; M],
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+struct Term {
+    ignore: Ignore,
+    /// In the frame under way.
+    came: bool,
+}
+
+/// One name for the two orders of a pair; broad phases order by key, which may change.
+#[inline]
+fn sorted(a: Handle, b: Handle) -> Pair {
+    if a <= b { Pair { a, b } } else { Pair { a: b, b: a } }
+}
+
+impl<const M: usize> Default for Exceptions<M> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<const M: usize> Exceptions<M> {
+    /// Without any; may be a `static`.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { entries: [Entry(None); M] }
+    }
+
+    /// Ignores a pair from now on; what was said of it before is replaced.
+    ///
+    /// # Errors
+    /// [`Full`](BroadError::Full): there are M others. Nothing was changed then. Those of removed bodies make room in [`finish`](Self::finish).
+    pub fn ignore(&mut self, a: Handle, b: Handle, ignore: Ignore) -> Result<(), BroadError> {
+        put(&mut self.entries, sorted(a, b), Term { ignore, came: ignore == Ignore::UntilApart })
+    }
+
+    /// Ignores a pair no longer; what was said of it, if anything was.
+    pub fn allow(&mut self, a: Handle, b: Handle) -> Option<Ignore> {
+        let (pair, mut found) = (sorted(a, b), None);
+        retain(&mut self.entries, |known, term| {
+            let other = *known != pair;
+            if !other {
+                found = Some(term.ignore);
+            }
+            other
+        });
+        found
+    }
+
+    /// Whether a pair that came counts: no exception is made of it.
+    #[inline]
+    pub fn passes(&mut self, pair: Pair) -> bool {
+        // Most frames have none.
+        self.entries.first().is_none_or(|entry| entry.0.is_none()) || passes(&mut self.entries, pair)
+    }
+
+    /// Ends the frame: forgets what is over.
+    ///
+    /// `present` says whether a body is still here; `held`, as in [`PairEvents::finish`](crate::broad::PairEvents::finish), whether two that did not come are together because they rest.
+    pub fn finish(&mut self, present: impl FnMut(Handle) -> bool, held: impl FnMut(&Pair) -> bool) {
+        expire(&mut self.entries, present, held);
+    }
+
+    /// The pairs that are ignored, the smaller handle first, in ascending order.
+    pub fn iter(&self) -> impl Iterator<Item = (Pair, Ignore)> {
+        self.entries.iter().filter_map(|entry| entry.0).map(|(pair, term)| (pair, term.ignore))
+    }
+}
+
+fn passes(entries: &mut [Entry<Pair, Term>], pair: Pair) -> bool {
+    let pair = sorted(pair.a, pair.b);
+    match known(entries, place(entries, &pair), &pair) {
+        Some(term) => {
+            term.came = true;
+            false
+        }
+        None => true,
+    }
+}
+
+fn put(entries: &mut [Entry<Pair, Term>], pair: Pair, term: Term) -> Result<(), BroadError> {
+    let at = place(entries, &pair);
+    if let Some(known) = known(entries, at, &pair) {
+        *known = term;
+        return Ok(());
+    }
+    let end = count(entries);
+    if end == entries.len() {
+        return Err(BroadError::Full { capacity: entries.len() as u16 });
+    }
+    insert(entries.get_mut(at..=end).unwrap_or_default(), pair, term);
+    Ok(())
+}
+
+fn expire(
+    entries: &mut [Entry<Pair, Term>],
+    mut present: impl FnMut(Handle) -> bool,
+    mut held: impl FnMut(&Pair) -> bool,
+) {
+    retain(entries, |pair, term| {
+        let came = core::mem::replace(&mut term.came, false);
+        let lasts = match term.ignore {
+            Ignore::Once => !came,
+            Ignore::UntilApart => came || held(pair),
+            Ignore::UntilRemoved => true,
+        };
+        lasts && present(pair.a) && present(pair.b)
+    });
+}

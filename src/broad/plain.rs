@@ -1,0 +1,375 @@
+//! Bodies without cells: each against every other one, or in the order of their left sides.
+
+use super::order::{compact, sort};
+use super::table::{Bodies, Slots, Table};
+use super::table::{Meter, Spatial, Step};
+use super::{BroadError, Handle, Pair, PairCursor, PairsError, Tag};
+use crate::shape::Aabb;
+use core::slice::Iter;
+
+/// What both do the same: they take any box, and a query tests each.
+macro_rules! any_box {
+    () => {
+        type Tag = T;
+        type Place = ();
+
+        fn table(&self) -> Bodies<'_, T> {
+            self.table.bodies()
+        }
+
+        fn slots(&mut self) -> Slots<'_, T> {
+            self.table.slots()
+        }
+
+        fn admit(&self, _: &Aabb) -> Result<(), BroadError> {
+            Ok(())
+        }
+
+        fn relink(&mut self, _: usize, (): ()) {}
+
+        fn move_all(&mut self, to: impl FnMut(Handle, &Aabb) -> Aabb) -> Result<(), (Handle, BroadError)> {
+            self.table.slots().set_each(to);
+            Ok(())
+        }
+
+        fn visit(&self, region: &Aabb, each: impl FnMut(usize)) {
+            self.table.bodies().touching(region, each);
+        }
+    };
+}
+
+/// A search for boxes that touch: the body of a row against those that come after it, row by row.
+trait Scan {
+    fn next<M: Meter>(&mut self, meter: &mut M) -> Step;
+
+    /// How many rows are left after this one, and how many bodies it has still to be tested against.
+    fn left(&self) -> (usize, usize);
+
+    /// The slots of this row and of a later place.
+    fn slots(&self, row: usize, later: usize) -> (usize, usize);
+}
+
+/// All pairs of `n` places. The cursor: `a` is the row, `b` how many places after it are done.
+fn pairs<T: Tag, M: Meter>(
+    bodies: Bodies<'_, T>,
+    n: usize,
+    scan: Option<impl Scan>,
+    cursor: &mut PairCursor,
+    meter: &mut M,
+    mut each: impl FnMut(Pair) -> bool,
+) -> Result<(), PairsError> {
+    if let Some(mut scan) = scan {
+        loop {
+            let step = scan.next(meter);
+            let (rows, later) = scan.left();
+            let (row, later) = (n - rows - 1, n - later);
+            let (stopped, next) = match step {
+                Step::Pair => {
+                    let (i, j) = scan.slots(row, later - 1);
+                    if bodies.pair(i, j).is_none_or(&mut each) {
+                        continue;
+                    }
+                    (PairsError::Full, later - 1)
+                }
+                Step::Spent => (PairsError::BudgetExceeded, later),
+                Step::End => break,
+            };
+            (cursor.a, cursor.b) = (row as u16, (next - row - 1) as u16);
+            return Err(stopped);
+        }
+    }
+    *cursor = PairCursor::new();
+    Ok(())
+}
+
+/// Up to N bodies, each tested against each: the fastest for a dozen, and the definition of what the others must find.
+///
+/// Cost: N (N - 1) / 2 tests of boxes, most of them two comparisons; an insertion or a move is a store. RAM: box, tag and the generation's 2 bytes.
+///
+/// ```
+/// use tilesat::broad::{BroadPhase, BruteForce};
+/// use tilesat::{Aabb, Vec2};
+///
+/// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
+/// let mut near = BruteForce::<16>::new();
+/// let (a, b, c) = (near.insert(&at(0)?, ())?, near.insert(&at(8)?, ())?, near.insert(&at(20)?, ())?);
+///
+/// let mut pairs = Vec::new();
+/// near.pairs(|pair| pairs.push((pair.a, pair.b)));
+/// assert_eq!(pairs, [(a, b)]); // their boxes touch
+///
+/// near.move_to(c, &at(15)?)?;
+/// assert!(near.remove(a).is_ok() && near.remove(a).is_err()); // it is gone
+/// near.pairs(|pair| assert_eq!((pair.a, pair.b), (b, c)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct BruteForce<const N: usize, T = ()> {
+    table: Table<T, N>,
+}
+
+impl<const N: usize, T: Tag> BruteForce<N, T> {
+    /// An empty one; may be a `static`.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { table: Table::new() }
+    }
+}
+
+impl<const N: usize, T: Tag> Default for BruteForce<N, T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<const N: usize, T: Tag> Spatial for BruteForce<N, T> {
+    any_box!();
+
+    fn link(&mut self, _: usize, (): ()) {}
+
+    fn unlink(&mut self, _: usize) {}
+
+    fn walk<M: Meter>(
+        &mut self,
+        cursor: &mut PairCursor,
+        meter: &mut M,
+        each: impl FnMut(Pair) -> bool,
+    ) -> Result<(), PairsError> {
+        let bodies = self.table.bodies();
+        pairs(bodies, bodies.bounds.len(), EachScan::new(bodies.bounds, cursor), cursor, meter, each)
+    }
+}
+
+struct EachScan<'a> {
+    row: &'a Aabb,
+    /// The bodies after the row's.
+    rows: Iter<'a, Aabb>,
+    /// Those that it has still to be tested against.
+    later: Iter<'a, Aabb>,
+}
+
+impl<'a> EachScan<'a> {
+    fn new(bounds: &'a [Aabb], cursor: &PairCursor) -> Option<Self> {
+        let (row, rest) = bounds.get(usize::from(cursor.a)..)?.split_first()?;
+        Some(Self { row, rows: rest.iter(), later: rest.get(usize::from(cursor.b)..)?.iter() })
+    }
+}
+
+impl Scan for EachScan<'_> {
+    /// Goes on to two boxes that touch. Apart from what is done with them, so that the box of the row stays in registers.
+    #[inline(never)]
+    fn next<M: Meter>(&mut self, meter: &mut M) -> Step {
+        // Written back only where it ends, so that they are in registers until then.
+        let Self { mut row, ref rows, ref later } = *self;
+        let (mut rows, mut later) = (rows.clone(), later.clone());
+        let step = 'found: loop {
+            let (low, high) = (row.lo(), row.hi());
+            while !later.as_slice().is_empty() {
+                if !meter.spend() {
+                    break 'found Step::Spent;
+                }
+                let Some(b) = later.next() else { break };
+                if b.lo().x > high.x || b.hi().x < low.x {
+                    continue;
+                }
+                if b.lo().y <= high.y && b.hi().y >= low.y {
+                    break 'found Step::Pair;
+                }
+            }
+            let Some(next) = rows.next() else { return Step::End };
+            row = next;
+            later = rows.clone();
+        };
+        *self = Self { row, rows, later };
+        step
+    }
+
+    fn left(&self) -> (usize, usize) {
+        (self.rows.len(), self.later.len())
+    }
+
+    fn slots(&self, row: usize, later: usize) -> (usize, usize) {
+        (row, later)
+    }
+}
+
+/// Up to N bodies, sorted by their left sides: the fastest from a dozen to some hundreds of them, however large.
+///
+/// A body is tested against those that begin where it reaches in x. The order is kept from one enumeration to the next, and bodies that move a little change it
+/// a little. A world that is higher than wide, or whose bodies fall in columns, is better given in with x and y exchanged.
+///
+/// ```text
+///  a +-----+          order of left sides: a b c d
+///    |   +-|--+ b     a is tested against b and c, which begin before its right side,
+///    +---|-+  |       and no further: d begins beyond it, and so does all after d
+///        +----+  +--+ d
+///       c +---+  +--+
+///         +---+
+/// ```
+///
+/// Cost of an enumeration: the shifts that put the order right, one for each two bodies that changed places; after 8 N shifts, as where bodies were put
+/// anywhere, a heap sort of N log N steps (a frame of 256 bodies takes a Cortex-M0 some 40 000 instructions, one in which all were thrown about 190 000). Then a test of
+/// boxes for every two that touch in x, and for one more a body; N (N - 1) / 2 where all touch in x.
+/// Nothing is sorted where nothing moved, and where an enumeration [goes on](crate::broad::BroadPhase::pairs_from). An insertion or a move is a store.
+/// A query of a region or a point tests every body's box. RAM: 2 bytes a body, beside box, tag and the generation's 2 bytes.
+///
+/// ```
+/// use tilesat::broad::{BroadPhase, SortSweep};
+/// use tilesat::{Aabb, Vec2};
+///
+/// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
+/// let mut near = SortSweep::<64>::new();
+/// let (a, b, c) = (near.insert(&at(20)?, ())?, near.insert(&at(8)?, ())?, near.insert(&at(0)?, ())?);
+///
+/// let mut pairs = Vec::new();
+/// near.pairs(|pair| pairs.push((pair.a, pair.b)));
+/// assert_eq!(pairs, [(b, c)]); // their boxes touch
+///
+/// near.move_each(|body, bounds| if body == a { at(15).unwrap_or(*bounds) } else { *bounds })
+///     .map_err(|(_, error)| error)?;
+/// near.remove(c)?;
+/// near.pairs(|pair| assert_eq!((pair.a, pair.b), (a, b)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct SortSweep<const N: usize, T = ()> {
+    table: Table<T, N>,
+    /// Every slot once; those that were in use when it was last sorted are the first.
+    order: [u16; N],
+    /// How many are sorted.
+    sorted: u16,
+    /// A body came or went.
+    stale: bool,
+    /// When it was sorted.
+    epoch: u32,
+}
+
+impl<const N: usize, T: Tag> SortSweep<N, T> {
+    /// An empty one; may be a `static`.
+    #[must_use]
+    pub const fn new() -> Self {
+        let mut order = [0; N];
+        let mut slot = 0;
+        let mut rest: &mut [u16] = &mut order;
+        while let Some((place, after)) = rest.split_first_mut() {
+            *place = slot;
+            slot += 1;
+            rest = after;
+        }
+        Self { table: Table::new(), order, sorted: 0, stale: false, epoch: 0 }
+    }
+}
+
+impl<const N: usize, T: Tag> Default for SortSweep<N, T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<const N: usize, T: Tag> Spatial for SortSweep<N, T> {
+    any_box!();
+
+    fn link(&mut self, _: usize, (): ()) {
+        self.stale = true;
+    }
+
+    /// A free slot keeps its place in the order, and its left side: an enumeration that is under way finds the others where they were.
+    fn unlink(&mut self, _: usize) {
+        self.stale = true;
+    }
+
+    fn walk<M: Meter>(
+        &mut self,
+        cursor: &mut PairCursor,
+        meter: &mut M,
+        each: impl FnMut(Pair) -> bool,
+    ) -> Result<(), PairsError> {
+        if (cursor.a, cursor.b) == (0, 0) {
+            self.put_right();
+        }
+        let order = self.order.get(..usize::from(self.sorted)).unwrap_or_default();
+        let bodies = self.table.bodies();
+        pairs(bodies, order.len(), OrderedScan::new(order, bodies.bounds, cursor), cursor, meter, each)
+    }
+}
+
+impl<const N: usize, T: Tag> SortSweep<N, T> {
+    /// Sorts, unless nothing came or moved since: then an enumeration may be under way, and the order has to stay as it is.
+    #[inline]
+    fn put_right(&mut self) {
+        let epoch = self.table.slots().epoch();
+        if self.epoch == epoch {
+            return;
+        }
+        let bodies = self.table.bodies();
+        if self.stale {
+            let used = self.order.get_mut(..bodies.bounds.len()).unwrap_or_default();
+            self.sorted = compact(used, bodies.generations);
+            self.stale = false;
+        }
+        sort(self.order.get_mut(..usize::from(self.sorted)).unwrap_or_default(), bodies.bounds);
+        self.epoch = epoch;
+    }
+}
+
+struct OrderedScan<'a> {
+    order: &'a [u16],
+    bounds: &'a [Aabb],
+    /// The slot whose pairs are looked for.
+    row: u16,
+    /// The slots after it.
+    rows: Iter<'a, u16>,
+    /// Those that it has still to be tested against.
+    later: Iter<'a, u16>,
+}
+
+impl<'a> OrderedScan<'a> {
+    fn new(order: &'a [u16], bounds: &'a [Aabb], cursor: &PairCursor) -> Option<Self> {
+        let (&row, rest) = order.get(usize::from(cursor.a)..)?.split_first()?;
+        Some(Self { order, bounds, row, rows: rest.iter(), later: rest.get(usize::from(cursor.b)..)?.iter() })
+    }
+}
+
+impl Scan for OrderedScan<'_> {
+    /// Goes on to two boxes that touch. Apart from what is done with them, so that the box of the row stays in registers.
+    ///
+    /// What follows begins at or beyond the row's left side, so it touches the row in x where it begins before the row's right side. That of a free slot is
+    /// before everything, and as a later one such a slot fails in y.
+    #[inline(never)]
+    fn next<M: Meter>(&mut self, meter: &mut M) -> Step {
+        // Written back only where it ends, so that they are in registers until then.
+        let Self { order, bounds, mut row, ref rows, ref later } = *self;
+        let (mut rows, mut later) = (rows.clone(), later.clone());
+        let step = 'found: loop {
+            let Some(a) = bounds.get(usize::from(row)) else { return Step::End };
+            let (low, high) = (a.lo().y, a.hi());
+            while !later.as_slice().is_empty() {
+                if !meter.spend() {
+                    break 'found Step::Spent;
+                }
+                let Some(&other) = later.next() else { break };
+                let Some(b) = bounds.get(usize::from(other)) else { break };
+                if b.lo().x > high.x {
+                    break;
+                }
+                if b.lo().y <= high.y && b.hi().y >= low {
+                    break 'found Step::Pair;
+                }
+            }
+            let Some(&next) = rows.next() else { return Step::End };
+            row = next;
+            later = rows.clone();
+        };
+        *self = Self { order, bounds, row, rows, later };
+        step
+    }
+
+    fn left(&self) -> (usize, usize) {
+        (self.rows.len(), self.later.len())
+    }
+
+    fn slots(&self, _: usize, later: usize) -> (usize, usize) {
+        let other = self.order.get(later).copied().unwrap_or(self.row);
+        (usize::from(self.row), usize::from(other))
+    }
+}

@@ -1,0 +1,344 @@
+//! Compact `defmt::Format` for the types that hold fixed-point numbers; the others derive it.
+//!
+//! A level tells its size and place, never its tiles; a cursor tells whose it is. Broad phases, scenes and walkers tell how full they are and what they are
+//! set to, never each body; of pairs those that there are.
+
+use crate::broad::{BroadPhase, BruteForce, Exceptions, LooseGrid, Nearest, PairEvents, SortSweep, SpatialHash, Tag};
+use crate::motion::response::{Particle, Split, Stick, Surface};
+use crate::motion::{BodyHit, Hit, Hits, Moved, Walked, Walker};
+use crate::num::{Fx, Ratio, Toi, UnitVec2, Vec2};
+use crate::query::{CastHit, Contact, MovingHit};
+use crate::scene::{Scene, Sleep};
+use crate::shape::{Aabb, Circle, Segment};
+use crate::world::{
+    Features, Grid, Joined, JoinedFeatures, JoinedRayHits, Near, Placed, PlacedFeatures, PlacedRayHits, RayHit,
+    RayWorld, SegmentFeatures, SegmentMap, SegmentRayHits, Set, Size, SolidFeatures, SolidRayHits, Solids, Store,
+    TileKinds, TileMap, TileShape, Tiles, World, WorldContact,
+};
+use defmt::{Format, Formatter, write};
+
+struct Decimal(Fx);
+
+impl Format for Decimal {
+    fn format(&self, f: Formatter<'_>) {
+        let raw = self.0.to_bits();
+        let size = raw.unsigned_abs();
+        if raw < 0 {
+            write!(f, "-");
+        }
+        write!(f, "{=u16}.{=u16:04}", (size >> 16) as u16, (((size & 0xffff) * 10_000) >> 16) as u16);
+    }
+}
+
+impl Format for Vec2 {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "({}, {})", Decimal(self.x), Decimal(self.y));
+    }
+}
+
+impl Format for UnitVec2 {
+    fn format(&self, f: Formatter<'_>) {
+        let (x, y) = self.raw();
+        write!(f, "({}, {})", Decimal(Fx::from_bits(x >> 14)), Decimal(Fx::from_bits(y >> 14)));
+    }
+}
+
+impl Format for Toi {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "{}", Decimal(self.to_fx()));
+    }
+}
+
+impl Format for Ratio {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "{}", Decimal(Fx::from_bits((self.raw() >> 14) as i32)));
+    }
+}
+
+impl Format for Aabb {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Aabb {}..{}", self.min(), self.max());
+    }
+}
+
+impl Format for Circle {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Circle {} r {}", self.centre(), Decimal(self.radius()));
+    }
+}
+
+impl Format for Segment {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Segment {}-{}", self.a(), self.b());
+    }
+}
+
+impl Format for Contact {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Contact axis {} depth {}", self.axis(), Decimal(self.depth()));
+    }
+}
+
+impl Format for CastHit {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "CastHit {} axis {} after {} inside {}", self.toi, self.axis, self.displacement, self.inside);
+    }
+}
+
+impl Format for MovingHit {
+    fn format(&self, f: Formatter<'_>) {
+        let (a, b) = (self.displacement, self.displacement_b);
+        write!(f, "MovingHit {} axis {} after {} and {} inside {}", self.toi, self.axis, a, b, self.inside);
+    }
+}
+
+impl Format for RayHit {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "RayHit {} at {} axis {} cell {}", self.toi, self.point, self.axis, self.cell);
+    }
+}
+
+impl Format for Near {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Near {} at {} axis {} inside {}", Decimal(self.distance), self.point, self.axis, self.inside);
+    }
+}
+
+impl Format for WorldContact {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "WorldContact axis {} depth {} cell {}", self.axis(), Decimal(self.depth()), self.feature().cell);
+    }
+}
+
+impl Format for Hit {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Hit {} axis {} cell {} flags {=u8:#x}", self.toi, self.axis, self.cell, self.flags);
+    }
+}
+
+impl<B: Format> Format for BodyHit<B> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "BodyHit {} at {} inside {}", self.hit, self.body, self.inside);
+    }
+}
+
+impl Format for Hits {
+    fn format(&self, f: Formatter<'_>) {
+        for hit in self.iter() {
+            write!(f, "[{}]", hit);
+        }
+    }
+}
+
+impl<B: Format> Format for Moved<B> {
+    fn format(&self, f: Formatter<'_>) {
+        let (floor, wall, ceiling) = (self.floor, self.wall, self.ceiling);
+        write!(
+            f,
+            "Moved {} v {} floor {} wall {} ceiling {} {}",
+            self.body, self.velocity, floor, wall, ceiling, self.hits
+        );
+    }
+}
+
+impl<B: Format> Format for Walked<B> {
+    fn format(&self, f: Formatter<'_>) {
+        let (up, down) = (Decimal(self.stepped), Decimal(self.snapped));
+        write!(f, "Walked {} on {} stepped {} snapped {}", self.moved, self.floor, up, down);
+    }
+}
+
+impl Format for Split {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Split normal {} tangent {}", self.normal, self.tangent);
+    }
+}
+
+impl Format for Surface {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Surface restitution {} friction {}", self.restitution(), self.friction());
+    }
+}
+
+impl Format for Particle {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Particle {} from {}", self.position, self.previous);
+    }
+}
+
+impl Format for Stick {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Stick {}", Decimal(self.length()));
+    }
+}
+
+impl Format for Grid {
+    fn format(&self, f: Formatter<'_>) {
+        let (width, height, cell) = (self.width(), self.height(), Decimal(self.cell()));
+        write!(f, "{=u16} x {=u16} cells of {} from {}", width, height, cell, self.origin());
+    }
+}
+
+impl Format for TileKinds {
+    fn format(&self, f: Formatter<'_>) {
+        let named = (0..=u8::MAX).filter(|&id| self.get(id).shape != TileShape::Empty || self.get(id).flags != 0);
+        write!(f, "TileKinds {=usize} named", named.count());
+    }
+}
+
+impl<S: Set, T: Store> Format for TileMap<'_, S, T> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "TileMap {} outside {}", self.grid(), self.outside());
+    }
+}
+
+impl Format for SegmentMap<'_> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "SegmentMap {} segments {=u16}", self.grid(), self.count());
+    }
+}
+
+impl Format for Size {
+    fn format(&self, f: Formatter<'_>) {
+        let (segments, refs, bytes) = (self.segments(), self.refs(), self.bytes());
+        write!(f, "Size {} segments {=u16} refs {=u16} bytes {=usize}", self.grid(), segments, refs, bytes);
+    }
+}
+
+impl<A: World + Format, B: World + Format> Format for Joined<'_, A, B> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Joined {} and {}", self.first(), self.second());
+    }
+}
+
+impl<W: World + Format> Format for Placed<'_, W> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Placed {} by {}", self.world(), self.offset());
+    }
+}
+
+impl Format for Solids<'_> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Solids {}", self.list());
+    }
+}
+
+impl<S: Set, T: Store> Format for Features<'_, S, T> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Features of {}", self.map);
+    }
+}
+
+impl<S: Set, T: Store> Format for Tiles<'_, S, T> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Tiles of {}", self.map);
+    }
+}
+
+impl Format for SegmentFeatures<'_> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "SegmentFeatures of {}", self.map);
+    }
+}
+
+impl Format for SolidFeatures<'_> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "SolidFeatures of {}", Solids::new(self.all));
+    }
+}
+
+impl<A: World + Format, B: World + Format> Format for JoinedFeatures<'_, A, B> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "JoinedFeatures of {}", self.pair);
+    }
+}
+
+impl<'w, W: World<Features<'w>: Format> + 'w> Format for PlacedFeatures<'w, W> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "PlacedFeatures {} by {}", self.features, self.offset.vec2());
+    }
+}
+
+impl Format for SegmentRayHits<'_, '_> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "SegmentRayHits of {}", self.map);
+    }
+}
+
+impl Format for SolidRayHits<'_> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "SolidRayHits of {}", self.all);
+    }
+}
+
+impl<A: RayWorld + Format, B: RayWorld + Format> Format for JoinedRayHits<'_, A, B> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "JoinedRayHits of {}", self.pair);
+    }
+}
+
+impl<'w, W: RayWorld<Scan<'w>: Format> + 'w> Format for PlacedRayHits<'w, W> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "PlacedRayHits {} by {}", self.scan, self.offset.vec2());
+    }
+}
+
+macro_rules! phases {
+    ($($text:literal: $phase:ty, [$($parameter:tt)+];)+) => {$(
+        impl<$($parameter)+> Format for $phase {
+            fn format(&self, f: Formatter<'_>) {
+                write!(f, $text, self.len(), N);
+            }
+        }
+    )+};
+}
+
+phases! {
+    "BruteForce {=usize} of {=usize}": BruteForce<N, T>, [const N: usize, T: Tag];
+    "SortSweep {=usize} of {=usize}": SortSweep<N, T>, [const N: usize, T: Tag];
+    "LooseGrid {=usize} of {=usize}": LooseGrid<C, N, T, L>, [const C: usize, const N: usize, T: Tag, const L: bool];
+    "SpatialHash {=usize} of {=usize}": SpatialHash<C, N, T, L>, [const C: usize, const N: usize, T: Tag, const L: bool];
+}
+
+impl Format for Nearest {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Nearest {} at {}", self.handle, Decimal(self.distance));
+    }
+}
+
+impl<const M: usize, P: Copy + Ord + Format> Format for PairEvents<M, P> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "PairEvents ");
+        for event in self.iter() {
+            write!(f, "[{}]", event);
+        }
+    }
+}
+
+impl<const M: usize> Format for Exceptions<M> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Exceptions ");
+        for (pair, ignore) in self.iter() {
+            write!(f, "[{} {}]", pair, ignore);
+        }
+    }
+}
+
+impl Format for Sleep {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Sleep below {} for {=u8}", Decimal(self.still), self.steps);
+    }
+}
+
+impl<B: Format, const N: usize> Format for Scene<B, N> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Scene {} awake {=usize} {}", self.near, self.count, self.sleep);
+    }
+}
+
+impl Format for Walker {
+    fn format(&self, f: Formatter<'_>) {
+        let (snap, step) = (Decimal(Fx::from_bits(self.snap)), Decimal(Fx::from_bits(self.step)));
+        write!(f, "Walker {} snap {} step {} {}", self.mover, snap, step, self.speed);
+    }
+}

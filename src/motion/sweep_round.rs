@@ -1,0 +1,235 @@
+//! A moving circle against convex corners of any angle, and against quarter arcs.
+
+use super::body::Entry;
+use crate::num::{Axis, Raw, Toi, less128, mul64, sqr64, umul, usqr};
+use crate::query::cast::crossing::{Crossing, direction};
+use crate::query::cast::moment::{exit_time, ratio};
+use crate::query::cast::side::{along, offset_to_radius};
+use core::cmp::Ordering;
+
+/// The entry of a crossing. A body that is over a corner or an arc from the start does not enter: such a one-way corner is passed, and of the solid
+/// only a body that started in it is there.
+pub(super) fn entry(hit: &Crossing, m: Raw, d: Raw) -> Option<Entry> {
+    if hit.starts_inside(m) {
+        return None;
+    }
+    let (t, step, normal) = hit.contact(m, d);
+    Some(Entry { num: t.raw(), den: Toi::ONE.raw(), normal, at_end: false, step: Some(step) })
+}
+
+/// Whether the corner is one of a block: its edges along x and y, across each other.
+pub(super) const fn is_square(e_in: Axis, e_out: Axis) -> bool {
+    is_unit(e_in) && is_unit(e_out) && e_in.x != e_out.x && e_in.y != e_out.y
+}
+
+const fn is_unit(e: Axis) -> bool {
+    (e.x == 0 || e.y == 0) && e.x.wrapping_add(e.y).unsigned_abs() == 1
+}
+
+/// Entry of the point `m` (centre relative to the corner) moving by `d` into the disc of radius `r`, inside the open cone of a corner: of any angle
+/// below 180 degrees, cusps included. On the cone's borders, and outside of it, the faces are in charge.
+#[inline(never)]
+pub(super) fn sweep_cone(m: Raw, r: i32, d: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
+    if !comes_along(m, d, e_in) || !comes_along(m, d, e_out.reversed()) {
+        return None;
+    }
+    let Some(hit) = &Crossing::of(m, r, d) else { return None };
+    let inside = enters_along(m, d, e_in, hit.cross, r) && enters_along(m, d, e_out.reversed(), hit.cross, r);
+    if inside { entry(hit, m, d) } else { None }
+}
+
+/// Whether a point is ever over each half-plane of a quadrant: where not, it enters nothing there, and no product has to tell.
+pub(super) fn comes_to_quadrant(m: Raw, d: Raw, quadrant: Axis, closed: bool) -> bool {
+    let comes = |m: i32, d: i32, sign: i32| {
+        let far = if (d < 0) == (sign < 0) { m.wrapping_add(d) } else { m };
+        let far = if sign < 0 { far.wrapping_neg() } else { far };
+        far.wrapping_add(i32::from(closed)) > 0
+    };
+    comes(m.x, d.x, quadrant.x) && comes(m.y, d.y, quadrant.y)
+}
+
+/// Whether a point enters the disc around the origin in a quadrant, its borders included where `closed`; `cross` is m x d.
+#[inline(never)]
+pub(super) fn enters_quadrant(m: Raw, r: i32, d: Raw, quadrant: Axis, cross: i64, closed: bool) -> bool {
+    let flipped = |v: i32, sign: i32| if sign < 0 { v.wrapping_neg() } else { v };
+    // Mirrored into the first quadrant, the moment changes its sign with each mirror.
+    let (m, d, mirrored) = (
+        Raw { x: flipped(m.x, quadrant.x), y: flipped(m.y, quadrant.y) },
+        Raw { x: flipped(d.x, quadrant.x), y: flipped(d.y, quadrant.y) },
+        (quadrant.x < 0) != (quadrant.y < 0),
+    );
+    let cross = if mirrored { cross.wrapping_neg() } else { cross };
+    enters_where(m.x, d.x, d.y, cross, r, closed) && enters_where(m.y, d.y, d.x, cross.wrapping_neg(), r, closed)
+}
+
+/// Whether the point enters the disc at a moment T with `u > 0` (or `u >= 0` where `closed`), where `u` runs from `u0` by `p`.
+///
+/// `q` is the other component of the motion. At the moment s with u = 0 the other coordinate is -cross/p, so against the disc's radius:
+/// |cross| ? r |p|, exactly, in 64 bits. The point approaches the disc's centre at s iff cross p q > 0.
+#[inline(never)]
+fn enters_where(u0: i32, p: i32, q: i32, cross: i64, r: i32, closed: bool) -> bool {
+    // u >= 0 is u + 1 > 0.
+    let first = u0.wrapping_add(i32::from(closed));
+    let last = first.wrapping_add(p);
+    if first > 0 && last > 0 {
+        return true;
+    }
+    if first <= 0 && last <= 0 {
+        return false;
+    }
+    let offset = cross.unsigned_abs().cmp(&umul(r.unsigned_abs(), p.unsigned_abs()));
+    // p is not 0 here.
+    let approaching = cross != 0 && q != 0 && (cross < 0) == ((p ^ q) < 0);
+    in_time(offset, approaching, p > 0, closed)
+}
+
+/// Whether `u = e . m` is ever positive.
+fn comes_along(m: Raw, d: Raw, e: Axis) -> bool {
+    let u = along(e, m);
+    u > 0 || u.wrapping_add(along(e, d)) > 0
+}
+
+/// The same with u = e . m for any direction: at the moment s the point is on the line across e, `|cross| |e| / |e.d|` from the centre.
+#[inline(never)]
+fn enters_along(m: Raw, d: Raw, e: Axis, cross: i64, r: i32) -> bool {
+    let (u0, du) = (along(e, m), along(e, d));
+    let u1 = u0.wrapping_add(du);
+    if u0 > 0 && u1 > 0 {
+        return true;
+    }
+    if u0 <= 0 && u1 <= 0 {
+        return false;
+    }
+    // There m = n cross / du, with n = (e.y, -e.x); du is not 0.
+    let turn = along(e.perp(), d);
+    let approaching = cross != 0 && turn != 0 && (cross < 0) ^ (turn < 0) == (du < 0);
+    in_time(offset(cross, e, r, du), approaching, du > 0, false)
+}
+
+/// As [`offset_to_radius`], where `|e|` is 1 or the root of 2 or 5 mostly by one product: the length of the offset between two sums of its halves.
+fn offset(cross: i64, e: Axis, r: i32, du: i64) -> Ordering {
+    let (size, speed) = (cross.unsigned_abs(), du.unsigned_abs());
+    if speed >> 32 == 0 && e.x.unsigned_abs().max(e.y.unsigned_abs()) <= 2 {
+        let (short, long) = match e.x.wrapping_mul(e.x).wrapping_add(e.y.wrapping_mul(e.y)) {
+            1 => (size, size),
+            // 45/32 < sqrt(2) < 23/16, and 71/32 < sqrt(5) < 9/4, of sizes below 2^60; 4 make up for what the shifts drop.
+            2 => (size + (size >> 2) + (size >> 3) + (size >> 5), size + (size >> 1) - (size >> 4) + 4),
+            5 => (2 * size + (size >> 3) + (size >> 4) + (size >> 5), 2 * size + (size >> 2) + 4),
+            _ => (0, u64::MAX),
+        };
+        let radius = umul(r.unsigned_abs(), speed as u32);
+        if short > radius {
+            return Ordering::Greater;
+        }
+        if long < radius {
+            return Ordering::Less;
+        }
+    }
+    offset_to_radius(cross, e, r, du)
+}
+
+/// Whether the entry into the disc is after s where `rising`, else before it; where `closed` at s will do.
+///
+/// Inside the disc at s: T < s. On its rim: T = s while approaching, else T < s. Outside: T > s while approaching, else T < s.
+fn in_time(offset: Ordering, approaching: bool, rising: bool, closed: bool) -> bool {
+    let at_once = closed && offset.is_eq();
+    if rising { approaching && (offset.is_gt() || at_once) } else { !approaching || offset.is_lt() || at_once }
+}
+
+/// Entry of the point `m` (as seen from the arc's centre) moving by `d` into the disc of radius `r`, in the quadrant, which is `closed` or not.
+///
+/// Who starts inside of the disc is on another side of the solid, and passes the quadrant's border inside or after leaving: no entry.
+#[inline(never)]
+pub(super) fn enter_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis, closed: bool) -> Option<Entry> {
+    if !comes_to_quadrant(m, d, quadrant, closed) {
+        return None;
+    }
+    let Some(hit) = &Crossing::of(m, r, d) else { return None };
+    if enters_quadrant(m, r, d, quadrant, hit.cross, closed) { entry(hit, m, d) } else { None }
+}
+
+/// The point `m` leaving the disc of radius `r` by `d`, in the closed quadrant.
+///
+/// It leaves where the reversed motion enters. A motion that only touches the disc, as from a floor into a quarter pipe, leaves it
+/// there; on the border of the quadrant it does so only if it goes on into the quadrant, not if it comes out of it.
+#[inline(never)]
+pub(super) fn leave_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<Entry> {
+    let (end, rr) = (m.add(d), usqr(r as u32));
+    if end.len2() <= rr {
+        return None;
+    }
+    let (a, b, cross) = (d.len2(), m.dot(d).wrapping_neg(), m.cross(d));
+    let (rra, square) = (mul64(rr, a), sqr64(cross.unsigned_abs()));
+    let inner = rr.checked_sub(m.len2());
+    let passes = b > 0 && (b as u64) < a && !less128(rra, square);
+    if inner.is_none() && !passes {
+        return None;
+    }
+    let back = Raw { x: d.x.wrapping_neg(), y: d.y.wrapping_neg() };
+    // Reversed, the same line has the opposite moment: (m + d) x -d = -(m x d). A tangent does not approach, so it is taken where it goes on
+    // into the quadrant and not where it comes out.
+    if !enters_quadrant(end, r, back, quadrant, cross.wrapping_neg(), true) {
+        return None;
+    }
+    let t = exit_time(inner.unwrap_or(0), b, a, rra, cross);
+    let step = Raw { x: t.of_raw_beside(m.x, d.x, false), y: t.of_raw_beside(m.y, d.y, false) };
+    let at = m.add(step);
+    // In a pipe as wide as the body the centre itself may be the nearest place of the lattice.
+    let normal = if at.is_zero() { back } else { Raw { x: at.x.wrapping_neg(), y: at.y.wrapping_neg() } };
+    let normal = direction(normal);
+    Some(Entry { num: t.raw(), den: Toi::ONE.raw(), normal, at_end: true, step: Some(step) })
+}
+
+/// The same for the corner of a box. Exactly through an end of the arc and out of its quarter it passes: what the arc bounds ends there as well.
+/// A circle does not, it reaches farther to the side.
+pub(super) fn leave_by_corner(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<Entry> {
+    let passes = |x: i32, y: i32, along: i32| {
+        let end = Raw { x: x.wrapping_mul(r), y: y.wrapping_mul(r) };
+        along <= 0 && end.sub(m).cross(d) == 0 && end.dot(d) > 0
+    };
+    let (x, y) = (quadrant.x, quadrant.y);
+    let passes = passes(0, y, d.x.wrapping_mul(x)) || passes(x, 0, d.y.wrapping_mul(y));
+    if passes { None } else { leave_quarter(m, r, d, quadrant) }
+}
+
+/// The same where the disc is a point: a body as wide as the pipe comes to its centre, touches all of it, and goes on against an end.
+#[inline(never)]
+pub(super) fn leave_centre(m: Raw, d: Raw, quadrant: Axis) -> Option<Entry> {
+    let (a, b) = (d.len2(), m.dot(d).wrapping_neg());
+    if m.cross(d) != 0 || b < 0 || b as u64 >= a {
+        return None;
+    }
+    let against = |side: i32, d: i32| if side.wrapping_mul(d) > 0 { side.wrapping_neg() } else { 0 };
+    let normal = Axis::new(against(quadrant.x, d.x), against(quadrant.y, d.y));
+    if normal.is_zero() {
+        return None;
+    }
+    let t = ratio(b as u64, a);
+    let step = Raw { x: m.x.wrapping_neg(), y: m.y.wrapping_neg() };
+    Some(Entry { num: t.raw(), den: Toi::ONE.raw(), normal, at_end: true, step: Some(step) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, offset, offset_to_radius};
+
+    /// Around the offset that is the radius, by parts of it and by raw units: bounds say what exact squares say.
+    #[test]
+    #[allow(clippy::cast_precision_loss, reason = "only to come near the edge")]
+    fn bounds_of_offsets_are_on_both_sides() {
+        for (x, y) in [(1, 0), (0, -1), (1, 1), (-1, 1), (2, 1), (1, -2), (-2, -1), (2, 2), (3, 1), (70_001, -13)] {
+            let e = Axis::new(x, y);
+            let length = (e.length_squared() as f64).sqrt();
+            for r in [0, 1, 7, 655_361, (1 << 28) - 1] {
+                for du in [1, -3, 65_537, -2_621_443, (1 << 29) + 5, 1 << 31] {
+                    let edge = (f64::from(r) * (du as f64).abs() / length) as i64;
+                    let near = (-128..=128).flat_map(|k| [edge + edge / 64 * k, edge + edge / 8192 * k, edge + k]);
+                    for cross in near {
+                        let wanted = offset_to_radius(cross, e, r, du);
+                        assert_eq!(offset(cross, e, r, du), wanted, "{cross} {e:?} {r} {du}");
+                    }
+                }
+            }
+        }
+    }
+}

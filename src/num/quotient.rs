@@ -1,0 +1,362 @@
+//! Roots and quotients: one canonical integer algorithm each, without division.
+
+use super::wide::{LONG, less128, mul64, umul};
+
+/// `round(256 / sqrt((i + 32.5) / 128)) - 256` for i in 0..96, at most 255; padded to a power of two so that a mask bounds the index.
+const RSQRT_TABLE: [u8; 128] = rsqrt_table();
+
+/// Twice the nearest integer decision of `256 / sqrt(u)`, `u = (2i + 65) / 256`: the largest t with (2t - 1)^2 u <= 512^2.
+#[expect(clippy::indexing_slicing, reason = "bounded by the loop; runs in the compiler")]
+const fn rsqrt_table() -> [u8; 128] {
+    let mut table = [0u8; 128];
+    let mut i = 0;
+    while i < 96 {
+        let u = 2 * i as u64 + 65;
+        let mut t = 256u64;
+        while t < 511 && (2 * t + 1) * (2 * t + 1) * u <= 512 * 512 * 256 {
+            t += 1;
+        }
+        table[i] = (t - 256) as u8;
+        i += 1;
+    }
+    table
+}
+
+/// `2^15 / sqrt(h / 2^32)` for h in `[2^30, 2^32)`, relative error below 2^-12.9; other inputs give some number.
+#[inline]
+#[expect(clippy::indexing_slicing, reason = "the index is masked to the table's length")]
+const fn rsqrt_seed(h: u32) -> u32 {
+    let t = RSQRT_TABLE[((h >> 25).wrapping_sub(32) & 127) as usize] as u32 + 256;
+    let e = (h >> 18).wrapping_mul(t * t) as i32;
+    let e16 = e.wrapping_sub(1 << 30) >> 14;
+    let e2 = e16.wrapping_mul(e16) >> 16;
+    ((t << 7) as i32)
+        .wrapping_sub((t as i32).wrapping_mul(e16) >> 10)
+        .wrapping_add((t as i32).wrapping_mul(e2).wrapping_mul(3) >> 12) as u32
+}
+
+/// The reciprocal square root `2^31 / sqrt(h / 2^32)` of a normalised word.
+///
+/// `h` must be in `[2^30, 2^32)`. The error is within -1.53 and +2.00, checked for every `h`. A call where the multiplications are calls as well.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+#[must_use]
+pub const fn rsqrt(h: u32) -> u32 {
+    let y0 = min32(rsqrt_seed(h), 65535);
+    // e / 2^31 is twice the seed's relative error: |e| < 2^20 for h in range.
+    let e = ((umul(h, y0 * y0) as i64).wrapping_sub(1i64 << 62) >> 31) as i32;
+    let e8 = e >> 8;
+    let second = ((e8.wrapping_mul(e8) >> 13).wrapping_mul((y0 >> 8) as i32)).wrapping_mul(3) >> 12;
+    if super::wide::SPLIT {
+        // floor(y0 e / 2^16) by two single multiplications: e = 256 e8 + its low byte.
+        let low = ((y0 * (e as u32 & 0xff)) >> 8) as i32;
+        let first = (y0 as i32).wrapping_mul(e8).wrapping_add(low) >> 8;
+        (y0 << 16).saturating_add_signed(second.wrapping_sub(first))
+    } else {
+        let y = ((y0 as i64) << 16).wrapping_sub(super::wide::imul(y0 as i32, e) >> 16).wrapping_add(second as i64);
+        if y > u32::MAX as i64 { u32::MAX } else { y as u32 }
+    }
+}
+
+/// The exact floor of the square root of a double word.
+///
+/// Exact for all 2^64 inputs; no division. About 270 instructions on a Cortex-M0, 135 on a Cortex-M3.
+#[inline(never)]
+#[must_use]
+pub const fn isqrt64(n: u64) -> u32 {
+    if super::wide::LONG { n.isqrt() as u32 } else { isqrt_words(n) }
+}
+
+#[inline(always)]
+pub(super) const fn isqrt_words(n: u64) -> u32 {
+    if n == 0 {
+        return 0;
+    }
+    let shift = leading_zeros64(n) & !1;
+    let m = n << shift;
+    // n = m / 2^shift, so floor(sqrt n) = floor(floor(sqrt m) / 2^(shift/2)).
+    isqrt_norm((m >> 32) as u32, m as u32) >> (shift >> 1)
+}
+
+/// The exact ceiling of the square root of a double word, at most `u32::MAX`.
+///
+/// Exact for all sums of squares inside the domain; only above `(2^32 - 1)^2` does it saturate.
+#[inline]
+#[must_use]
+pub const fn isqrt64_ceil(n: u64) -> u32 {
+    let s = isqrt64(n);
+    if super::wide::usqr(s) == n { s } else { s.saturating_add(1) }
+}
+
+/// An upper bound of the square root of a number below 2^124, within one part in 2^31 (exact ceiling below 2^64).
+pub(crate) const fn root128_up(n: (u64, u64)) -> u64 {
+    let (top, shift) = top_word(n);
+    let (word, root) = if shift == 0 {
+        (top, isqrt64(top))
+    } else {
+        let word = top.saturating_add(1);
+        (word, isqrt_norm((word >> 32) as u32, word as u32))
+    };
+    // Added as a double word: the root after 2^32 - 1 has no room in a word.
+    (root as u64 + (super::wide::usqr(root) != word) as u64) << (shift / 2)
+}
+
+/// The same as a lower bound (exact floor below 2^64).
+pub(crate) const fn root128_down(n: (u64, u64)) -> u64 {
+    let (top, shift) = top_word(n);
+    let root = if shift == 0 { isqrt64(top) } else { isqrt_norm((top >> 32) as u32, top as u32) };
+    (root as u64) << (shift / 2)
+}
+
+/// What the least even shift leaves in 64 bits; where it is not zero, at least 2^62.
+const fn top_word((hi, lo): (u64, u64)) -> (u64, u32) {
+    if hi == 0 {
+        return (lo, 0);
+    }
+    // At most 60.
+    let shift = (65 - leading_zeros64(hi)) & !1;
+    ((hi << (64 - shift)) | (lo >> shift), shift)
+}
+
+/// Exact floor square root of `h * 2^32 + lo`, h in `[2^30, 2^32)`.
+const fn isqrt_norm(h: u32, lo: u32) -> u32 {
+    let y = min32(rsqrt_seed(h), 65535);
+    let mut s = min32((h >> 16).wrapping_mul(y) >> 15, 65535);
+    let mut r = h.wrapping_sub(s.wrapping_mul(s)) as i32;
+    s = min32((s as i32).wrapping_add((r >> 6).wrapping_mul((y >> 2) as i32) >> 24) as u32, 65535);
+    r = h.wrapping_sub(s.wrapping_mul(s)) as i32;
+    while r < 0 {
+        s = s.wrapping_sub(1);
+        r = r.wrapping_add((2 * s + 1) as i32);
+    }
+    while r > (2 * s) as i32 {
+        r = r.wrapping_sub((2 * s + 1) as i32);
+        s += 1;
+    }
+    // s is the root of the high word and r its remainder; the low half of the root is about r * 2^16 / (2 s).
+    let e = 0x8000_0000u32.wrapping_sub(s.wrapping_mul(y)) as i32;
+    let y = min32((y as i32).wrapping_add((y as i32 >> 3).wrapping_mul(e >> 5) >> 23) as u32, 65536);
+    let q = if r as u32 >= 0x1_ffff { 65535 } else { min32((r as u32 >> 1).wrapping_mul(y) >> 15, 65535) };
+    let mut root = ((s << 16) | q) as u64;
+    let mut rem =
+        (((r as u64) << 32) | lo as u64).wrapping_sub(umul(q, s) << 17).wrapping_sub(q.wrapping_mul(q) as u64) as i64;
+    while rem < 0 {
+        root -= 1;
+        rem += (2 * root + 1) as i64;
+    }
+    while rem > (2 * root) as i64 {
+        rem -= (2 * root + 1) as i64;
+        root += 1;
+    }
+    root as u32
+}
+
+/// Leading zeros of a double word; the 64-bit builtin costs 78 instructions on `ARMv6-M`, two words of the 32-bit one less.
+#[inline]
+#[must_use]
+pub(crate) const fn leading_zeros64(n: u64) -> u32 {
+    let hi = (n >> 32) as u32;
+    if hi != 0 { leading_zeros32(hi) } else { 32 + leading_zeros32(n as u32) }
+}
+
+/// Leading zeros of a word: a ladder of compares where the core has no `CLZ`.
+#[inline]
+#[must_use]
+pub(crate) const fn leading_zeros32(n: u32) -> u32 {
+    if super::wide::SPLIT { ladder(n) } else { n.leading_zeros() }
+}
+
+#[inline(never)]
+const fn ladder(mut n: u32) -> u32 {
+    if n == 0 {
+        return 32;
+    }
+    let mut zeros = 0;
+    if n >> 16 == 0 {
+        zeros += 16;
+        n <<= 16;
+    }
+    if n >> 24 == 0 {
+        zeros += 8;
+        n <<= 8;
+    }
+    if n >> 28 == 0 {
+        zeros += 4;
+        n <<= 4;
+    }
+    if n >> 30 == 0 {
+        zeros += 2;
+        n <<= 2;
+    }
+    zeros + (1 - (n >> 31))
+}
+
+const fn min32(a: u32, b: u32) -> u32 {
+    if a < b { a } else { b }
+}
+
+/// `round(2^15 / (i + 64.5)) - 256` for i in 0..64, at most 255.
+const RECIP_TABLE: [u8; 64] = recip_table();
+
+#[expect(clippy::indexing_slicing, reason = "bounded by the loop; runs in the compiler")]
+const fn recip_table() -> [u8; 64] {
+    let mut table = [0u8; 64];
+    let mut i = 0;
+    while i < 64 {
+        // round(2^15 / (i + 64.5)) = floor((2^16 / (2i + 129)) + 1/2)
+        let d = 2 * i as u32 + 129;
+        let t = (2 * 65536 + d) / (2 * d);
+        table[i] = if t > 511 { 255 } else { (t - 256) as u8 };
+        i += 1;
+    }
+    table
+}
+
+/// The reciprocal `2^63 / d` of a normalised word.
+///
+/// `d` must be at least 2^31. The error is in `(-26.5, 0]`, checked for every `d`.
+#[inline]
+#[must_use]
+#[expect(clippy::indexing_slicing, reason = "the index is masked to the table's length")]
+pub const fn recip(d: u32) -> u32 {
+    let t = RECIP_TABLE[((d >> 25).wrapping_sub(64) & 63) as usize] as u32 + 256;
+    let e = (1i32 << 24).wrapping_sub((d >> 16).wrapping_mul(t) as i32);
+    let y = ((t << 8) as i32).wrapping_add((t as i32).wrapping_mul(e >> 4) >> 12) as u32;
+    // At most 131 064, and the result at most 2^32 - 16.
+    let e2 = ((1u64 << 48).wrapping_sub(umul(d, y)) as i64 >> 17) as i32;
+    ((y as i64) << 15).wrapping_add(super::wide::imul(y as i32, e2) >> 16) as u32
+}
+
+/// The exact floor of `a * b / d`; `u32::MAX` where that does not fit, or `d` is zero.
+///
+/// No division on chips: about 150 instructions on a Cortex-M0 where the compiler's 64-bit division takes 450.
+#[inline(never)]
+#[must_use]
+pub const fn mul_div(a: u32, b: u32, d: u32) -> u32 {
+    if d != 0 {
+        if a == 0 || b == 0 {
+            return 0;
+        }
+        if b == d {
+            return a;
+        }
+    }
+    let n = umul(a, b);
+    if (n >> 32) as u32 >= d {
+        return u32::MAX;
+    }
+    if LONG { divided(n, d as u64) } else { by_reciprocal(n, d) }
+}
+
+/// By the processor, for quotients that fit.
+#[inline(always)]
+const fn divided(n: u64, d: u64) -> u32 {
+    match n.checked_div(d) {
+        Some(q) => q as u32,
+        None => u32::MAX,
+    }
+}
+
+/// The floor of `n / d` for quotients that fit and a `d` that is not zero.
+#[inline(always)]
+pub(super) const fn by_reciprocal(n: u64, d: u32) -> u32 {
+    let shift = leading_zeros32(d);
+    if d & d.wrapping_sub(1) == 0 {
+        // A power of two, as where a time is in parts of 2^30: a shift, in words. The high one is below d.
+        let log = 31 - shift;
+        return ((n >> 32) as u32) << ((32 - log) & 31) | n as u32 >> log;
+    }
+    // With D = d * 2^shift >= 2^31: n / d = (n * 2^shift / 2^32) * (2^32 / D), and recip(D) / 2^31 <= 2^32 / D.
+    // The quotient fits a word, so n < d * 2^32 and n * 2^shift < 2^64.
+    let scaled = n << shift;
+    let y = recip(d << shift);
+    let hi = umul((scaled >> 32) as u32, y);
+    let lo = umul(scaled as u32, y) >> 32;
+    let mut q = (hi.wrapping_add(lo) >> 31) as u32;
+    // Never above the exact quotient; below it by at most 26.5 parts in 2^31 (53 units) and a truncation: at most 7 rounds by 8.
+    let mut rem = n.wrapping_sub(umul(q, d));
+    let mut step = d as u64 * 8;
+    let mut weight = 8;
+    while weight > 0 {
+        if rem >= step {
+            rem = rem.wrapping_sub(step);
+            q = q.wrapping_add(weight);
+        } else {
+            step >>= 1;
+            weight >>= 1;
+        }
+    }
+    q
+}
+
+/// The exact floor of `a * k / n`, for `n <= 2^63`; `u32::MAX` where it does not fit, or `n` is zero.
+///
+/// As fast as [`mul_div`] where `a` and `n` are words, else some 700 instructions on a Cortex-M0. Used where a result must be exact and is asked for
+/// rarely: points on segments, replies of velocities.
+#[inline(never)]
+#[must_use]
+pub const fn mul_div_wide(a: u64, k: u32, n: u64) -> u32 {
+    if (a | n) >> 32 == 0 {
+        return mul_div(a as u32, k, n as u32);
+    }
+    let (hi, lo) = mul64(a, k as u64);
+    let top = (hi << 32) | (lo >> 32);
+    if hi >> 32 != 0 || top >= n {
+        return u32::MAX;
+    }
+    if LONG && hi == 0 { divided(lo, n) } else { by_wide_reciprocal((top, lo), n) }
+}
+
+/// The floor of a product of 96 bits, by its top 64 and its low 64, with `n`, which is above the top.
+#[inline(always)]
+pub(super) const fn by_wide_reciprocal((top, lo): (u64, u64), n: u64) -> u32 {
+    // With N = n 2^shift >= 2^63 and P = a k 2^shift < 2^32 N: P / N from the top 64 bits of the 96 of P and the top 32 of N.
+    let shift = leading_zeros64(n);
+    let top = if shift < 32 { (top << shift) | ((lo as u32 as u64) << shift >> 32) } else { lo << (shift - 32) };
+    let (nh, nl) = ((n << shift >> 32) as u32, (n << shift) as u32);
+    let y = recip(nh);
+    let sum = umul((top >> 32) as u32, y).wrapping_add(umul(top as u32, y) >> 32);
+    // The low half of N makes that too large by at most 2 and a fraction; the reciprocal's 26.5 parts in 2^32 of 2 and two truncations make it
+    // too small by at most 55. So what is short, from 3 less, is below 64.
+    let mut q = (sum >> 31).saturating_sub(3) as u32;
+    // The remainder and N in units of 2^32, a little too small and too large: q stays no more than exact, and ends at most 1 short.
+    let mut rem = top.wrapping_sub(umul(q, nh)).wrapping_sub(umul(q, nl) >> 32).saturating_sub(1);
+    let unit = nh as u64 + 1;
+    let mut step = unit << 5;
+    let mut weight = 32;
+    while weight > 0 {
+        if rem >= step {
+            rem = rem.wrapping_sub(step);
+            q = q.wrapping_add(weight);
+        }
+        step >>= 1;
+        weight >>= 1;
+    }
+    // Below 2 n <= 2^64.
+    q.wrapping_add((lo.wrapping_sub(n.wrapping_mul(q as u64)) >= n) as u32)
+}
+
+/// The exact floor of `s / sqrt(n)`, for quotients below 2^31; `u32::MAX` for others, or where `n` is zero.
+///
+/// Starts from the reciprocal square root and settles by comparing `q^2 n` with `s^2` in 128 bits: one comparison more than
+/// the candidate is short, at most 9, and at most 1 for quotients below 2^27.
+#[inline(never)]
+#[must_use]
+pub const fn div_sqrt(s: u64, n: u64) -> u32 {
+    let square = super::wide::sqr64(s);
+    // s / sqrt(n) >= 2^31, that is s^2 >= 2^62 n.
+    if !less128(square, (n >> 2, n << 62)) {
+        return u32::MAX;
+    }
+    let half_shift = leading_zeros64(n) >> 1;
+    let h = ((n << (2 * half_shift)) >> 32) as u32;
+    // 1/sqrt(n) = 2^half_shift y / 2^63 with y = 2^47/sqrt(h'), h <= h' < h + 1. rsqrt is less than 2 above its value at h, and
+    // that is at most 2 above the one at h': y - 4 never exceeds the exact factor, and is at most 8 below it.
+    let y = rsqrt(h).saturating_sub(4);
+    let product = umul((s >> 32) as u32, y).wrapping_add(umul(s as u32, y) >> 32);
+    let mut q = (product >> (31 - half_shift)) as u32;
+    while !less128(square, mul64(super::wide::usqr(q.wrapping_add(1)), n)) {
+        q = q.wrapping_add(1);
+    }
+    q
+}

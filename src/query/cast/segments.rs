@@ -1,0 +1,336 @@
+//! A moving box, segment or circle against a segment: with a circle, a capsule that its centre comes into.
+
+use super::boxes::{self, Rounded, enter_box, grown};
+use super::kernel::{Course, Moment};
+use super::moment::direction;
+use super::moment::{along, gap_time, is_below, last_before, meets_beyond, reach};
+use crate::num::{Axis, Raw, Toi, add128, less128, mul_div_wide, mul64, sqr64, square_times, umul};
+use crate::query::meet::{corners, cross_range};
+use crate::shape::{Aabb, Circle, Segment};
+use core::cmp::Ordering;
+
+/// A straight side of any direction, met after `gap / speed` of the motion: `gap <= speed`, both below 2^62.
+#[derive(Clone, Copy, Debug)]
+pub struct Edge {
+    pub(super) gap: u64,
+    pub(super) speed: u64,
+    /// Of the length that gap and speed are multiples of.
+    pub(super) axis: Axis,
+}
+
+/// One strip, as a motion comes through it: where the moving and the resting shape are on an axis, and how fast the first one moves along it.
+#[derive(Clone, Copy)]
+struct Strip {
+    /// How far it is to the near border, negative within; and to the far one.
+    gap: i64,
+    leave: i64,
+    /// Not negative.
+    speed: i64,
+    /// Against the motion.
+    axis: Axis,
+}
+
+impl Strip {
+    fn new(axis: Axis, moving: (i64, i64), resting: (i64, i64), speed: i64) -> Self {
+        if speed < 0 {
+            let (gap, leave) = (moving.0.wrapping_sub(resting.1), moving.1.wrapping_sub(resting.0));
+            Self { gap, leave, speed: speed.wrapping_neg(), axis }
+        } else {
+            let (gap, leave) = (resting.0.wrapping_sub(moving.1), resting.1.wrapping_sub(moving.0));
+            Self { gap, leave, speed, axis: axis.reversed() }
+        }
+    }
+
+    /// Whether a part of the motion is strictly within. Intervals of no length, both of them, have no between.
+    const fn passes(&self) -> bool {
+        self.gap < self.speed && self.leave > 0 && self.gap < self.leave
+    }
+
+    /// Whether the strip is left after an entry; no product where the motion ends first.
+    fn outlasts(&self, entry: &Edge) -> bool {
+        self.leave >= self.speed || less128(mul64(entry.gap, self.speed as u64), mul64(self.leave as u64, entry.speed))
+    }
+}
+
+/// The latest entry into strips, if it comes before the earliest exit from one of them; inside where none is left to enter.
+fn enter<const N: usize>(strips: [Strip; N]) -> Course<Edge> {
+    let mut latest: Option<Edge> = None;
+    for strip in &strips {
+        if !strip.passes() {
+            return Course::Free;
+        }
+        if strip.gap >= 0 {
+            let entry = Edge { gap: strip.gap as u64, speed: strip.speed as u64, axis: strip.axis };
+            latest = Some(latest.map_or(entry, |other| other.later(entry)));
+        }
+    }
+    let Some(entry) = latest else { return Course::Inside };
+    if strips.iter().all(|strip| strip.outlasts(&entry)) { Course::Meets(entry) } else { Course::Free }
+}
+
+impl Edge {
+    /// Of two entries the later one; at one moment the one that opposes the motion more, then the one more along x, then the one that is
+    /// on a definite side of the motion, which exchanging the shapes does not change.
+    fn later(self, b: Self) -> Self {
+        match mul64(self.gap, b.speed).cmp(&mul64(b.gap, self.speed)) {
+            Ordering::Less => b,
+            Ordering::Greater => self,
+            Ordering::Equal => self.more_opposed(b),
+        }
+    }
+
+    #[inline(never)]
+    fn more_opposed(self, b: Self) -> Self {
+        let part = |e: &Self, other: &Self| square_times(e.speed, other.axis.length_squared());
+        let flat =
+            |e: &Self, other: &Self| mul64(u64::from(e.axis.x.unsigned_abs()), u64::from(other.axis.y.unsigned_abs()));
+        let order = part(&self, &b).cmp(&part(&b, &self)).then_with(|| flat(&self, &b).cmp(&flat(&b, &self)));
+        // Mirrored at the motion: the one from which a left turn leads to the other.
+        let keep = order.then_with(|| self.axis.perp_dot(b.axis).cmp(&0));
+        if keep.is_lt() { b } else { self }
+    }
+
+    /// `d * gap / speed`, rounded up in size where that leads to the side of `out`, else toward the start.
+    ///
+    /// The product with the floored time is the floor or one less, since |d| is below 2^30. The remainder is below twice the speed, so its
+    /// low 64 bits are all of it.
+    fn part(&self, d: i32, toi: Toi, out: i32) -> i32 {
+        let size = d.unsigned_abs();
+        let part = (umul(size, toi.raw()) >> 30) as u32;
+        let rest = self.gap.wrapping_mul(u64::from(size)).wrapping_sub(self.speed.wrapping_mul(u64::from(part)));
+        let (part, rest) =
+            if rest >= self.speed { (part.wrapping_add(1), rest.wrapping_sub(self.speed)) } else { (part, rest) };
+        let up = rest != 0 && out != 0 && (out < 0) == (d < 0);
+        let part = part.wrapping_add(u32::from(up)) as i32;
+        if d < 0 { part.wrapping_neg() } else { part }
+    }
+}
+
+impl Moment for Edge {
+    fn exact_toi(&self, _: Raw) -> Toi {
+        Toi::exact(mul_div_wide(self.gap, Toi::ONE.raw(), self.speed))
+    }
+
+    /// On the far side of the line of a slanted edge each component is rounded to the side that the normal points to; of one along
+    /// x or y the distance is exact, because the gap divides by itself.
+    fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
+        let slanted = self.axis.x != 0 && self.axis.y != 0;
+        let out = if slanted { self.axis } else { Axis::new(0, 0) };
+        let toi = self.exact_toi(d);
+        let step = Raw { x: self.part(d.x, toi, out.x), y: self.part(d.y, toi, out.y) };
+        (toi, step, direction(Raw { x: self.axis.x, y: self.axis.y }))
+    }
+}
+
+/// What the box `lo..hi` that moves by `d` meets of the segment from `a` to `b`.
+///
+/// Strips across x, y and the segment: products of differences below 2^30, so below 2^61, and speeds below 2^60.
+#[inline(never)]
+pub(super) fn enter_segment(lo: Raw, hi: Raw, a: Raw, b: Raw, d: Raw) -> Course<Edge> {
+    let ((slo, shi), e) = (corners(a, b), b.sub(a));
+    let straight = |axis: Axis, lo: i32, hi: i32, slo: i32, shi: i32, d: i32| {
+        Strip::new(axis, (i64::from(lo), i64::from(hi)), (i64::from(slo), i64::from(shi)), i64::from(d))
+    };
+    let x = straight(Axis::X, lo.x, hi.x, slo.x, shi.x, d.x);
+    let y = straight(Axis::Y, lo.y, hi.y, slo.y, shi.y, d.y);
+    if !x.passes() || !y.passes() {
+        return Course::Free;
+    }
+    if e.x == 0 || e.y == 0 {
+        return enter([x, y]);
+    }
+    let across = Strip::new(normal(e), cross_range(a, e, lo, hi), (0, 0), e.cross(d));
+    enter([x, y, across])
+}
+
+/// What the segment `a` that moves by `d` meets of the segment `b`: strips across both.
+#[inline(never)]
+pub(super) fn enter_crossing(a: (Raw, Raw), b: (Raw, Raw), d: Raw) -> Course<Edge> {
+    let (e, f) = (a.1.sub(a.0), b.1.sub(b.0));
+    let range = |e: Raw, from: Raw, of: (Raw, Raw)| {
+        let (p, q) = (e.cross(of.0.sub(from)), e.cross(of.1.sub(from)));
+        if p < q { (p, q) } else { (q, p) }
+    };
+    enter([
+        Strip::new(normal(e), (0, 0), range(e, a.0, b), e.cross(d)),
+        Strip::new(normal(f), range(f, b.0, a), (0, 0), f.cross(d)),
+    ])
+}
+
+/// The direction in which `e x v` grows, in the same unit.
+const fn normal(e: Raw) -> Axis {
+    Axis::new(e.y.wrapping_neg(), e.x)
+}
+
+/// The part of a capsule that a point meets.
+#[derive(Clone, Copy, Debug)]
+pub enum Capsule {
+    /// A slanted side.
+    Slope(Slope),
+    /// A side of a segment along x or y, or the disc around an end.
+    Rounded(Rounded),
+}
+
+/// A line that a point comes near to: its height above it falls from `gap` by `into`, in units of the axis' length, to the root of `reach`.
+#[derive(Clone, Copy, Debug)]
+pub struct Slope {
+    gap: u64,
+    into: u64,
+    reach: (u64, u64),
+    axis: Axis,
+}
+
+/// The only part of a capsule that a motion can come in through.
+pub(super) enum Gate {
+    /// A slanted side, which it does come through.
+    Slope(Slope),
+    /// A side or end as of a box.
+    Rounded(boxes::Gate),
+}
+
+impl Gate {
+    /// What a circle that moves by `d` meets of it.
+    #[inline]
+    pub(super) fn enter(self, circle: &Circle, d: Raw) -> Option<Capsule> {
+        match self {
+            Self::Slope(slope) => Some(Capsule::Slope(slope)),
+            Self::Rounded(gate) => gate.enter(circle, d).map(Capsule::Rounded),
+        }
+    }
+
+    /// Whether it meets any.
+    #[inline]
+    pub(super) fn hits(self, circle: &Circle, d: Raw) -> bool {
+        match self {
+            Self::Slope(_) => true,
+            Self::Rounded(gate) => gate.hits(circle, d),
+        }
+    }
+}
+
+/// Where a circle that moves by `d` can start to overlap a segment, where it does not overlap already.
+///
+/// A circle of radius zero overlaps no segment.
+#[inline]
+pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Option<Gate> {
+    if circle.r() == 0 {
+        return None;
+    }
+    let (a, b) = (s.ra(), s.rb());
+    let (lo, hi) = corners(a, b);
+    if a.x == b.x || a.y == b.y {
+        return boxes::gate(circle, &Aabb::from_raw_unchecked(lo, hi), d).map(Gate::Rounded);
+    }
+    if !comes_near(circle, lo, hi, d) {
+        return None;
+    }
+    // From the end that has the point on the outer side of its edge, as a face has it.
+    let edge = if b.sub(a).cross(circle.c().sub(a)) > 0 { (b, a) } else { (a, b) };
+    let slope = enter_strip(circle, edge, d)?;
+    let end = |end: Raw| Some(Gate::Rounded(boxes::Gate::Corner(end)));
+    let (c, dir) = (circle.c(), slope.axis.perp());
+    if slope.into == 0 {
+        // It starts beyond an end, since it does not overlap the segment.
+        end(if along(dir, c.sub(edge.0)) < 0 { edge.0 } else { edge.1 })
+    } else if !meets_beyond(c.sub(edge.0), d, dir, false, circle.r()) {
+        end(edge.0)
+    } else if !meets_beyond(c.sub(edge.1), d, dir, true, circle.r()) {
+        end(edge.1)
+    } else {
+        Some(Gate::Slope(slope))
+    }
+}
+
+/// Whether the motion comes into the capsule's bounding box, which most misses do not.
+#[inline(never)]
+fn comes_near(circle: &Circle, lo: Raw, hi: Raw, d: Raw) -> bool {
+    let (c, (far_lo, far_hi)) = (circle.c(), grown(lo, hi, circle.r()));
+    !matches!(enter_box(c, c, far_lo, far_hi, d), Course::Free)
+}
+
+/// How a motion enters the strip around the line of a slanted segment, whose outer side is the circle's, if it does; by no speed where it starts there.
+///
+/// As for a [rounded box](boxes::gate), the capsule lies in that strip, which the motion enters beside the segment itself, or beyond an
+/// end. From there, and from a start in the strip, it meets the disc around that end or nothing.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+fn enter_strip(circle: &Circle, (a, b): (Raw, Raw), d: Raw) -> Option<Slope> {
+    let e = b.sub(a);
+    let axis = Axis::new(e.y, e.x.wrapping_neg());
+    let (gap, into, reach) =
+        (along(axis, circle.c().sub(a)) as u64, along(axis, d).wrapping_neg(), reach(circle.r(), axis));
+    if is_below(gap, reach) {
+        return Some(Slope { gap, into: 0, reach, axis });
+    }
+    let left = (gap as i64).wrapping_sub(into);
+    if into <= 0 || (left >= 0 && !is_below(left as u64, reach)) {
+        return None;
+    }
+    Some(Slope { gap, into: into as u64, reach, axis })
+}
+
+impl Slope {
+    /// The exact floor.
+    ///
+    /// At a moment T, in parts of 2^30, the height is g + f / 2^30 with g the whole part of `gap - into T / 2^30`. It is below the
+    /// root of the reach where g^2 + 2 g f / 2^30 + f^2 / 2^60 is below the reach: where not already its whole parts tell, what is left of
+    /// the reach is at most 2 g, so in parts of 2^60 all sides are below 2^123.
+    fn exact_toi(&self) -> Toi {
+        last_before(self.bound(), |t| {
+            // into * T in parts of 2^30: into below 2^61, split so that the whole part comes out.
+            let (high, low) = mul64(self.into, u64::from(t));
+            let (whole, part) = ((high << 34) | (low >> 30), (low & ((1 << 30) - 1)) as u32);
+            let (g, f) = if part == 0 {
+                (self.gap.wrapping_sub(whole), 0)
+            } else {
+                (self.gap.wrapping_sub(whole).wrapping_sub(1), (1u32 << 30).wrapping_sub(part))
+            };
+            // Beyond the line itself.
+            if g >> 63 != 0 {
+                return true;
+            }
+            let square = sqr64(g);
+            if !less128(square, self.reach) {
+                return false;
+            }
+            let left = crate::num::sub128(self.reach, square);
+            // (g + 1)^2 does not exceed the reach, and f / 2^30 is less than one.
+            if left.0 != 0 || left.1 > g << 1 {
+                return true;
+            }
+            let gained = add128(mul64(g << 1, umul(f, 1 << 30)), (0, umul(f, f)));
+            less128(gained, mul64(left.1, 1 << 60))
+        })
+    }
+
+    fn bound(&self) -> Toi {
+        gap_time(self.gap, self.into, self.reach)
+    }
+
+    /// Each component rounded to the side that the normal points to: the height only gains.
+    fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
+        let t = self.bound();
+        let outward = |out: i32, d: i32| {
+            let part = t.of_raw(d);
+            let short = umul(d.unsigned_abs(), t.raw()) & u64::from(Toi::ONE.raw() - 1) != 0;
+            if short && (out < 0) == (d < 0) { part.wrapping_add(d.signum()) } else { part }
+        };
+        (t, Raw { x: outward(self.axis.x, d.x), y: outward(self.axis.y, d.y) }, self.axis)
+    }
+}
+
+impl Moment for Capsule {
+    fn exact_toi(&self, d: Raw) -> Toi {
+        match self {
+            Self::Slope(slope) => slope.exact_toi(),
+            Self::Rounded(part) => part.exact_toi(d),
+        }
+    }
+
+    fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
+        match self {
+            Self::Slope(slope) => slope.contact(d),
+            Self::Rounded(part) => part.contact(d),
+        }
+    }
+}

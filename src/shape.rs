@@ -1,0 +1,281 @@
+//! Shapes: small `Copy` values with private fields, built by checked constructors, so that a shape that exists is inside the domain.
+
+use crate::error::{Quantity, RangeError};
+use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
+
+/// An axis-aligned box, given by its two corners.
+///
+/// A box of no width or height is legal and acts as a segment or a point.
+///
+/// ```text
+///  min +--------+
+///      |        |      y may grow down (as here) or up
+///      +--------+ max
+/// ```
+///
+/// ```
+/// use tilesat::{Aabb, Vec2};
+/// let player = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(10, 14))?;
+/// assert_eq!(player.size(), Vec2::from_ints(10, 14));
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Aabb {
+    min: Vec2,
+    max: Vec2,
+}
+
+impl Aabb {
+    /// A box from its corner with the smaller coordinates to the one with the larger ones.
+    ///
+    /// # Errors
+    /// [`RangeError`] where a coordinate is outside of the [domain](crate::num::DOMAIN) or `min` is beyond `max`.
+    pub const fn new(min: Vec2, max: Vec2) -> Result<Self, RangeError> {
+        if let Err(e) = check_coordinate(min) {
+            return Err(e);
+        }
+        if let Err(e) = check_coordinate(max) {
+            return Err(e);
+        }
+        let (lo, hi) = (Raw::of(min), Raw::of(max));
+        if lo.x > hi.x {
+            return Err(RangeError { what: Quantity::Width, value: hi.x - lo.x });
+        }
+        if lo.y > hi.y {
+            return Err(RangeError { what: Quantity::Height, value: hi.y - lo.y });
+        }
+        Ok(Self { min, max })
+    }
+
+    /// A box from its centre and half its size; exact.
+    ///
+    /// # Errors
+    /// [`RangeError`] where a half extent is negative or a corner is outside of the [domain](crate::num::DOMAIN).
+    pub const fn from_centre(centre: Vec2, half: Vec2) -> Result<Self, RangeError> {
+        if let Err(e) = check_coordinate(centre) {
+            return Err(e);
+        }
+        let (c, h) = (Raw::of(centre), Raw::of(half));
+        if h.x < 0 || h.x >= crate::num::DOMAIN {
+            return Err(RangeError { what: Quantity::HalfExtent, value: h.x });
+        }
+        if h.y < 0 || h.y >= crate::num::DOMAIN {
+            return Err(RangeError { what: Quantity::HalfExtent, value: h.y });
+        }
+        Self::new(c.sub(h).vec2(), c.add(h).vec2())
+    }
+
+    /// For corners that the caller has checked.
+    pub(crate) const fn from_raw_unchecked(min: Raw, max: Raw) -> Self {
+        Self { min: min.vec2(), max: max.vec2() }
+    }
+
+    /// The corner with the smaller coordinates.
+    #[must_use]
+    pub const fn min(&self) -> Vec2 {
+        self.min
+    }
+
+    /// The corner with the larger coordinates.
+    #[must_use]
+    pub const fn max(&self) -> Vec2 {
+        self.max
+    }
+
+    /// Width and height; exact.
+    #[must_use]
+    pub const fn size(&self) -> Vec2 {
+        self.hi().sub(self.lo()).vec2()
+    }
+
+    /// The middle; where a side is an odd number of raw units, the half unit is dropped toward the smaller coordinate.
+    #[must_use]
+    pub const fn centre(&self) -> Vec2 {
+        let (lo, hi) = (self.lo(), self.hi());
+        Vec2::from_raw((lo.x + hi.x) >> 1, (lo.y + hi.y) >> 1)
+    }
+
+    /// This box moved by `by`.
+    ///
+    /// # Errors
+    /// [`RangeError`] where a corner would leave the [domain](crate::num::DOMAIN).
+    pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
+        Self::new(self.min.saturating_add(by), self.max.saturating_add(by))
+    }
+
+    /// This box itself; every shape has a bounding box.
+    #[must_use]
+    pub const fn aabb(&self) -> Self {
+        *self
+    }
+
+    /// The point of the box that is nearest to `p`: `p` itself where it is inside. Exact.
+    #[must_use]
+    pub const fn closest_point(&self, p: Vec2) -> Vec2 {
+        p.max(self.min).min(self.max)
+    }
+
+    /// The bounding box of two boxes.
+    #[must_use]
+    pub const fn union(&self, other: &Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    pub(crate) const fn lo(&self) -> Raw {
+        Raw::of(self.min)
+    }
+
+    pub(crate) const fn hi(&self) -> Raw {
+        Raw::of(self.max)
+    }
+}
+
+/// A circle, given by its centre and radius.
+///
+/// A radius of zero is legal and acts as a point.
+///
+/// ```
+/// use tilesat::{Circle, Fx, Vec2};
+/// let ball = Circle::new(Vec2::from_ints(100, 50), Fx::from_num(8))?;
+/// assert_eq!(ball.aabb().min(), Vec2::from_ints(92, 42));
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Circle {
+    centre: Vec2,
+    radius: Fx,
+}
+
+impl Circle {
+    /// A circle from its centre and radius.
+    ///
+    /// # Errors
+    /// [`RangeError`] where the radius is negative, or the centre, the radius or a point of the circle is outside of the
+    /// [domain](crate::num::DOMAIN).
+    pub const fn new(centre: Vec2, radius: Fx) -> Result<Self, RangeError> {
+        if let Err(e) = check_coordinate(centre) {
+            return Err(e);
+        }
+        if let Err(e) = check_radius(radius) {
+            return Err(e);
+        }
+        let (c, r) = (Raw::of(centre), radius.to_bits());
+        // The farther end in each direction: below 2^30.
+        let (x, y) = (if c.x < 0 { c.x - r } else { c.x + r }, if c.y < 0 { c.y - r } else { c.y + r });
+        match check_coordinate(Vec2::from_raw(x, y)) {
+            Ok(()) => Ok(Self { centre, radius }),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The centre.
+    #[must_use]
+    pub const fn centre(&self) -> Vec2 {
+        self.centre
+    }
+
+    /// The radius, not negative.
+    #[must_use]
+    pub const fn radius(&self) -> Fx {
+        self.radius
+    }
+
+    /// This circle moved by `by`.
+    ///
+    /// # Errors
+    /// [`RangeError`] where it would leave the [domain](crate::num::DOMAIN).
+    pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
+        Self::new(self.centre.saturating_add(by), self.radius)
+    }
+
+    /// The bounding box; exact.
+    #[must_use]
+    pub const fn aabb(&self) -> Aabb {
+        let (c, r) = (self.c(), self.r());
+        Aabb::from_raw_unchecked(Raw { x: c.x - r, y: c.y - r }, Raw { x: c.x + r, y: c.y + r })
+    }
+
+    /// For a centre and radius that the caller has checked.
+    pub(crate) const fn from_raw_unchecked(centre: Raw, radius: i32) -> Self {
+        Self { centre: centre.vec2(), radius: Fx::from_bits(radius) }
+    }
+
+    pub(crate) const fn c(&self) -> Raw {
+        Raw::of(self.centre)
+    }
+
+    pub(crate) const fn r(&self) -> i32 {
+        self.radius.to_bits()
+    }
+}
+
+/// A line segment between two points; it has no inside and no side.
+///
+/// Equal ends are legal and act as a point. Reversing the ends changes no result, save the documented degenerate axes.
+///
+/// ```
+/// use tilesat::{Segment, Vec2};
+/// let wall = Segment::new(Vec2::from_ints(0, 0), Vec2::from_ints(3, 4))?;
+/// assert_eq!((wall.b() - wall.a()).length(), 5);
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Segment {
+    a: Vec2,
+    b: Vec2,
+}
+
+impl Segment {
+    /// A segment from its two ends.
+    ///
+    /// # Errors
+    /// [`RangeError`] where a coordinate is outside of the [domain](crate::num::DOMAIN).
+    pub const fn new(a: Vec2, b: Vec2) -> Result<Self, RangeError> {
+        match check_coordinate(a) {
+            Ok(()) => match check_coordinate(b) {
+                Ok(()) => Ok(Self { a, b }),
+                Err(e) => Err(e),
+            },
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The first end.
+    #[must_use]
+    pub const fn a(&self) -> Vec2 {
+        self.a
+    }
+
+    /// The second end.
+    #[must_use]
+    pub const fn b(&self) -> Vec2 {
+        self.b
+    }
+
+    /// This segment moved by `by`.
+    ///
+    /// # Errors
+    /// [`RangeError`] where an end would leave the [domain](crate::num::DOMAIN).
+    pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
+        Self::new(self.a.saturating_add(by), self.b.saturating_add(by))
+    }
+
+    /// The bounding box; exact.
+    #[must_use]
+    pub const fn aabb(&self) -> Aabb {
+        Aabb::from_raw_unchecked(Raw::of(self.a.min(self.b)), Raw::of(self.a.max(self.b)))
+    }
+
+    pub(crate) const fn ra(&self) -> Raw {
+        Raw::of(self.a)
+    }
+
+    pub(crate) const fn rb(&self) -> Raw {
+        Raw::of(self.b)
+    }
+
+    /// From the first end to the second: below 2^30 per component.
+    pub(crate) const fn edge(&self) -> Raw {
+        self.rb().sub(self.ra())
+    }
+}

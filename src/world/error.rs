@@ -1,0 +1,330 @@
+//! What can be wrong with a level: of tiles, and of segments.
+
+use super::cell::Cell;
+use crate::error::Quantity;
+use core::fmt;
+
+/// A level that was refused, and why.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum TileMapError {
+    /// The width or the height is zero.
+    EmptyMap,
+    /// The width or the height is above 32767.
+    TooManyCells(u16),
+    /// The side of a cell, in raw, is odd or outside of 2^8..=2^24.
+    Cell(i32),
+    /// The map does not fit the [domain](crate::num::DOMAIN): which axis, and the raw coordinate of its end.
+    OutOfDomain {
+        /// [`Quantity::X`] or [`Quantity::Y`].
+        what: Quantity,
+        /// The end that is outside; it saturates.
+        value: i32,
+    },
+    /// Rows would overlap: the stride is less than the width.
+    Stride(u16),
+    /// The data ends before the last tile. Bytes are counted, also where a tile is a bit.
+    TooShort {
+        /// The bytes that the map needs.
+        needed: u32,
+        /// The bytes that there are.
+        found: u32,
+    },
+    /// A row of text is longer or shorter than the first.
+    RowLength {
+        /// The row, from 0.
+        row: u32,
+        /// The characters of the first row.
+        expected: u32,
+        /// The characters of this one.
+        found: u32,
+    },
+    /// A character of the text is not ASCII, so that bytes would not be tiles.
+    NotAscii {
+        /// The row, from 0.
+        row: u32,
+        /// The column, from 0.
+        column: u32,
+    },
+    /// A row of text ends with a carriage return and a line feed: line feeds alone are wanted.
+    CarriageReturn {
+        /// The row, from 0.
+        row: u32,
+    },
+    /// The table names a shape that the map's [`Set`](crate::world::Set) does not have, for this id.
+    ShapeNotInSet {
+        /// The first such id.
+        id: u8,
+    },
+    /// The bits of [`with_occupancy`](crate::world::TileMap::with_occupancy) are too few, or not those of the tiles.
+    Occupancy {
+        /// The first row that is missing or wrong.
+        row: u16,
+    },
+}
+
+impl fmt::Display for TileMapError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::EmptyMap => write!(f, "the map has no cells"),
+            Self::TooManyCells(n) => write!(f, "{n} cells on a side are more than 32767"),
+            Self::Cell(raw) => write!(f, "a cell of {raw} raw is odd or not in 256..=16777216 (256 units)"),
+            Self::OutOfDomain { what, value } => write!(f, "the map ends at {what:?} = {value} raw, out of range"),
+            Self::Stride(stride) => write!(f, "a stride of {stride} is less than the width"),
+            Self::TooShort { needed, found } => write!(f, "{found} bytes of tiles where {needed} are needed"),
+            Self::RowLength { row, expected, found } => {
+                write!(f, "row {row} has {found} characters where the first has {expected}")
+            }
+            Self::NotAscii { row, column } => write!(f, "the character at row {row}, column {column} is not ASCII"),
+            Self::CarriageReturn { row } => {
+                write!(f, "row {row} has a carriage return; rows end with line feeds alone")
+            }
+            Self::Occupancy { row } => write!(f, "the occupancy of row {row} is missing or not that of its tiles"),
+            Self::ShapeNotInSet { id } => {
+                write!(f, "the table gives tile {id}")?;
+                if id.is_ascii_graphic() {
+                    write!(f, " '{}'", char::from(id))?;
+                }
+                f.write_str(" a shape that is not in the map's set: a map of another set is made by `of` or `of_ascii`")
+            }
+        }
+    }
+}
+
+impl core::error::Error for TileMapError {}
+
+/// A segment map that was refused, and why. Paths, points and segments are counted from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum SegmentMapError {
+    /// There is not a single point.
+    Empty,
+    /// A polygon of fewer than three points, or a chain of fewer than two: nothing that could be closed, or drawn.
+    TooFewPoints {
+        /// The path.
+        path: u32,
+        /// Its points.
+        points: u32,
+    },
+    /// A point is the same as the one that follows it; in a polygon the first one follows the last.
+    ZeroLength {
+        /// The path.
+        path: u32,
+        /// The first of the two points.
+        point: u32,
+    },
+    /// A point is outside of the [domain](crate::num::DOMAIN).
+    OutOfDomain {
+        /// The path.
+        path: u32,
+        /// The point.
+        point: u32,
+        /// [`Quantity::X`] or [`Quantity::Y`].
+        what: Quantity,
+        /// The raw coordinate.
+        value: i32,
+    },
+    /// A point is outside of the given grid.
+    OutsideGrid {
+        /// The path.
+        path: u32,
+        /// The point.
+        point: u32,
+    },
+    /// The signed area of a polygon is zero: it has no inside.
+    NoArea {
+        /// The path.
+        path: u32,
+    },
+    /// More than 32768 segments, in this one of this path.
+    TooManySegments {
+        /// The path.
+        path: u32,
+        /// The point where the segment starts that is too much.
+        point: u32,
+    },
+    /// More than 65535 pairs of a segment and a cell that it meets: larger cells are needed.
+    TooManyRefs {
+        /// The path.
+        path: u32,
+        /// The point where the segment starts that is too much.
+        point: u32,
+    },
+    /// The cells are refused: their size, their number, or their place.
+    Grid(TileMapError),
+    /// More than 127 solids, or holes outside of solids, lie over each other in a cell.
+    TooDeep(Cell),
+    /// The room for the bytes is too small.
+    TooSmall {
+        /// The bytes that are needed.
+        needed: u32,
+        /// The bytes that there are.
+        found: u32,
+    },
+    /// The bytes do not start with `TSEG`.
+    NotSegments,
+    /// The bytes are of another version of the format.
+    Version(u8),
+    /// A part of the header that must be zero is not.
+    Reserved,
+    /// The bytes are more or fewer than the header says.
+    Length {
+        /// The bytes that the header needs.
+        needed: u32,
+        /// The bytes that there are.
+        found: u32,
+    },
+    /// The checksum does not fit the bytes.
+    Checksum {
+        /// The one that is stored.
+        stored: u32,
+        /// The one that the bytes have.
+        computed: u32,
+    },
+    /// A segment is not one.
+    Segment {
+        /// Its index.
+        index: u16,
+        /// What is wrong.
+        fault: SegmentFault,
+    },
+    /// The references of a cell are not those of the segments that meet it.
+    Refs(Cell),
+    /// The references are not as many as the segments have, or as the offsets say.
+    RefCount {
+        /// How many there should be.
+        needed: u32,
+        /// How many there are.
+        found: u32,
+    },
+    /// The winding number of a cell is not that of its segments.
+    Winding(Cell),
+}
+
+/// What is wrong with a segment of a byte form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum SegmentFault {
+    /// It is the first of too many: there are at most 32768.
+    TooMany,
+    /// The length is below 1.
+    Length,
+    /// The direction is zero, or both components have a common divisor.
+    Direction,
+    /// An end is not on the grid.
+    OffGrid,
+    /// An attribute that does not exist, or joints that contradict each other.
+    Attributes,
+    /// The segment after the vertex at its end does not exist, does not leave from there, or the vertex is not convex.
+    Next,
+}
+
+impl fmt::Display for SegmentMapError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Empty => write!(f, "there are no points"),
+            Self::TooFewPoints { path, points } => write!(f, "path {path} has {points} points, too few for its kind"),
+            Self::ZeroLength { path, point } => write!(f, "path {path}: point {point} is the same as the next"),
+            Self::OutOfDomain { path, point, what, value } => {
+                write!(f, "path {path}, point {point}: {what:?} = {value} raw is out of range")
+            }
+            Self::OutsideGrid { path, point } => write!(f, "path {path}, point {point} is outside of the grid"),
+            Self::NoArea { path } => write!(f, "path {path} is a polygon without area"),
+            Self::TooManySegments { path, point } => {
+                write!(f, "more than 32768 segments at path {path}, point {point}")
+            }
+            Self::TooManyRefs { path, point } => {
+                write!(f, "more than 65535 segments in cells at path {path}, point {point}: use larger cells")
+            }
+            Self::Grid(e) => e.fmt(f),
+            Self::TooDeep(cell) => write!(f, "more than 127 polygons lie over each other in cell {cell:?}"),
+            Self::TooSmall { needed, found } => write!(f, "room for {found} bytes where {needed} are needed"),
+            Self::NotSegments => write!(f, "the bytes are no segment map"),
+            Self::Version(version) => write!(f, "version {version} of the format is not known"),
+            Self::Reserved => write!(f, "a part of the header that must be zero is not"),
+            Self::Length { needed, found } => write!(f, "{found} bytes where the header needs {needed}"),
+            Self::Checksum { stored, computed } => write!(f, "the checksum is {computed:#x}, not {stored:#x}"),
+            Self::Segment { index, fault } => write!(f, "segment {index}: {fault:?}"),
+            Self::Refs(cell) => write!(f, "the segments of cell {cell:?} are not those that meet it"),
+            Self::RefCount { needed, found } => write!(f, "{found} references where {needed} are needed"),
+            Self::Winding(cell) => write!(f, "the winding number of cell {cell:?} is wrong"),
+        }
+    }
+}
+
+impl core::error::Error for SegmentMapError {}
+
+impl SegmentMapError {
+    /// For [`segment_map!`] alone: what [`Display`](core::fmt::Display) says of a level's paths, in a constant.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn __text(&self) -> Text {
+        let text = Text { bytes: [0; 80], len: 0 };
+        match *self {
+            Self::Empty => text.and("there are no points"),
+            Self::TooFewPoints { path, .. } => text.at(path, None).and("too few points for its kind"),
+            Self::ZeroLength { path, point } => text.at(path, Some(point)).and("the same as the next point"),
+            Self::OutOfDomain { path, point, .. } => text.at(path, Some(point)).and("out of the domain"),
+            Self::OutsideGrid { path, point } => text.at(path, Some(point)).and("outside of the grid"),
+            Self::NoArea { path } => text.at(path, None).and("a polygon without area"),
+            Self::TooManySegments { path, point } => text.at(path, Some(point)).and("more than 32768 segments"),
+            Self::TooManyRefs { path, point } => {
+                text.at(path, Some(point)).and("more than 65535 segments in cells: use larger cells")
+            }
+            Self::Grid(_) => text.and("the side of a cell is odd, too small or too large"),
+            Self::TooDeep(_) => text.and("too many polygons lie over each other"),
+            _ => text.and("no level"),
+        }
+    }
+}
+
+/// A message that the compiler can put together.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Text {
+    bytes: [u8; 80],
+    len: usize,
+}
+
+impl Text {
+    /// The message.
+    #[must_use]
+    pub const fn as_str(&self) -> &str {
+        match self.bytes.split_at_checked(self.len) {
+            Some((text, _)) => match core::str::from_utf8(text) {
+                Ok(text) => text,
+                Err(_) => "",
+            },
+            None => "",
+        }
+    }
+
+    #[expect(clippy::indexing_slicing, reason = "behind comparisons with the lengths")]
+    const fn and(mut self, text: &str) -> Self {
+        let (text, mut i) = (text.as_bytes(), 0);
+        while i < text.len() && self.len < self.bytes.len() {
+            self.bytes[self.len] = text[i];
+            self.len += 1;
+            i += 1;
+        }
+        self
+    }
+
+    const fn at(self, path: u32, point: Option<u32>) -> Self {
+        let text = self.and("path ").number(path);
+        match point {
+            Some(point) => text.and(", point ").number(point).and(": "),
+            None => text.and(": "),
+        }
+    }
+
+    const fn number(self, n: u32) -> Self {
+        const DIGITS: [&str; 10] = ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"];
+        let text = if n > 9 { self.number(n / 10) } else { self };
+        #[expect(clippy::indexing_slicing, reason = "a remainder by 10 indexes 10 entries")]
+        text.and(DIGITS[(n % 10) as usize])
+    }
+}

@@ -1,0 +1,306 @@
+//! What a level is: the faces and vertices of its surface, which are all that motion ever sees of it; the trait that movers see it through; and the
+//! methods that every kind of level has.
+
+use super::cell::{Block, Cell, Cells};
+use crate::num::{Axis, Raw, Vec2, imul};
+use crate::shape::{Aabb, Circle};
+
+pub(crate) mod sealed {
+    //! Only this crate implements the traits that its exactness argument rests on.
+
+    /// A supertrait that nobody outside can implement.
+    pub trait Sealed {}
+}
+
+/// One piece of a level's surface, with what its tile says about it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Feature {
+    /// Where it is.
+    pub geometry: Geometry,
+    /// The cell whose solid it bounds.
+    pub cell: Cell,
+    /// Which piece. Of a tile: 0..=3 the faces on its sides, 4..=7 their vertices, counted from the side toward row 0, turning right,
+    /// bottom, left (a vertex follows the face that ends in it); 8 the slope, arc or inner face, 9 its vertex. Of a segment map: twice the
+    /// segment's index, plus one for the vertex at its end.
+    pub index: u16,
+    /// The user flags of the cell's tile.
+    pub flags: u8,
+    /// Whether it blocks only what comes from entirely in front.
+    pub one_way: bool,
+    /// Which level of a `Joined` pair it is from: 0 for the first, and for a level alone.
+    pub source: u8,
+}
+
+/// The shape of a [`Feature`]. Directions are reduced: one slope has one direction.
+///
+/// Where a vertex ends an arc, its edge is the arc's tangent there. A cusp (the end of a quarter pipe or of a wall) has `e_out == -e_in`.
+///
+/// ```text
+///             n = (dir.y, -dir.x)            e_in     p
+///                    ^                     -------->+   solid wedge: left of both
+///      a +-----------+----------> dir      ..solid..|   edges (y up)
+///        ....solid on the left....         .........| e_out
+///                                          .........v
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Geometry {
+    /// A straight one-sided edge from `a` to `a + dir * len`; its outward normal is `(dir.y, -dir.x)`.
+    Face {
+        /// Start.
+        a: Vec2,
+        /// Reduced direction.
+        dir: Axis,
+        /// Length in multiples of `dir`, raw; 0 only where a map that ends with the domain goes on beyond it.
+        len: i32,
+        /// Whether the solid goes on beyond the start and the end (flat or concave joint), so that the end point itself blocks.
+        joined: [bool; 2],
+    },
+    /// A strictly convex corner of the solid.
+    Vertex {
+        /// The corner.
+        p: Vec2,
+        /// Direction of the edge that ends here.
+        e_in: Axis,
+        /// Direction of the edge that starts here.
+        e_out: Axis,
+    },
+    /// A quarter of a circle that bounds the solid, ends included.
+    ///
+    /// ```text
+    ///   convex, quadrant (1, -1)      concave, quadrant (1, 1)
+    ///       ..._                          centre +         |
+    ///       ....`.   solid inside                         ,'   solid
+    ///       ......\                                     _.'    outside
+    ///  centre +----                              ----''
+    /// ```
+    Arc {
+        /// The centre.
+        centre: Vec2,
+        /// The radius, raw, above 0.
+        radius: i32,
+        /// Both components 1 or -1: from the centre toward the arc.
+        quadrant: Axis,
+        /// Whether the solid is on the centre's side; its normal points away from the centre then, else toward it.
+        convex: bool,
+    },
+}
+
+/// The index of a cell's face with this normal.
+#[inline]
+pub(in crate::world) const fn face_against(axis: Axis) -> u16 {
+    // -y, +x, +y, -x are 0 to 3.
+    (if axis.x != 0 { 2 - axis.x } else { 1 + axis.y }) as u16
+}
+
+impl Feature {
+    /// Moves it.
+    pub(in crate::world) fn shift(&mut self, offset: Raw) {
+        let (Geometry::Face { a: p, .. } | Geometry::Vertex { p, .. } | Geometry::Arc { centre: p, .. }) =
+            &mut self.geometry;
+        *p = Raw::of(*p).add(offset).vec2();
+    }
+}
+
+pub(in crate::world) const fn raw(axis: Axis) -> Raw {
+    Raw { x: axis.x, y: axis.y }
+}
+
+/// The outward normal of an edge.
+pub(in crate::world) const fn normal(dir: Axis) -> Axis {
+    Axis::new(dir.y, dir.x.wrapping_neg())
+}
+
+/// The ends of a face, which are in the domain.
+pub(in crate::world) const fn ends(a: Raw, dir: Axis, len: i32) -> (Raw, Raw) {
+    (a, a.add(Raw { x: dir.x.wrapping_mul(len), y: dir.y.wrapping_mul(len) }))
+}
+
+/// Whether a vector from an arc's centre leads to the closed quarter of the arc.
+pub(in crate::world) const fn in_quadrant(m: Raw, quadrant: Axis) -> bool {
+    imul(m.x, quadrant.x) >= 0 && imul(m.y, quadrant.y) >= 0
+}
+
+/// The order of features by their place and shape: the last resort in a tie.
+#[inline(never)]
+pub(in crate::world) fn precedes(a: &Feature, b: &Feature) -> bool {
+    let of = |p: Vec2, v: Axis, w: (i32, i32)| [Raw::of(p).x, Raw::of(p).y, v.x, v.y, w.0, w.1];
+    let key = |feature: &Feature| match feature.geometry {
+        Geometry::Face { a, dir, len, .. } => of(a, dir, (len, 0)),
+        Geometry::Vertex { p, e_in, e_out } => of(p, e_in, (e_out.x, e_out.y)),
+        Geometry::Arc { centre, radius, quadrant, convex } => of(centre, quadrant, (radius, i32::from(convex))),
+    };
+    (key(a), a.source) < (key(b), b.source)
+}
+
+/// A piece of the motion of a body.
+///
+/// Public in a private module, because a sealed trait's method takes it.
+#[derive(Clone, Copy, Debug)]
+pub struct Way<'a> {
+    /// Holds whatever of the level the inside of the body's bounds meets in this piece.
+    pub(crate) piece: &'a Aabb,
+    /// The cells that the inside of the piece meets, where they are known.
+    pub(crate) cells: Option<Cells>,
+    /// What they cover in the piece before.
+    pub(crate) before: Option<&'a Aabb>,
+    /// What they cover in the whole motion, a raw unit larger on every side.
+    pub(crate) whole: Aabb,
+    /// The whole motion, not zero.
+    pub(crate) d: Raw,
+    /// Whether it matters to the body how faces are joined: to one with corners, or without area.
+    pub(crate) joints: bool,
+}
+
+/// What a [mover](crate::motion::Mover) needs of a level: its surface near a box, and two exact overlap tests.
+///
+/// Sealed: that a mover never ends in the solid rests on `features` and the tests being two views of one set of points.
+pub trait World: sealed::Sealed {
+    /// Whether all faces are along x or y and all corners a block's: then a mover links no code for others.
+    #[doc(hidden)]
+    const BLOCKS: bool;
+
+    /// Whether there may be arcs.
+    #[doc(hidden)]
+    const ROUND: bool;
+
+    /// Whether there may be faces of other directions than tiles have.
+    #[doc(hidden)]
+    const WIDE: bool = false;
+
+    /// The cursor of [`features`](Self::features).
+    type Features<'w>: Iterator<Item = Feature>
+    where
+        Self: 'w;
+
+    /// Every face and vertex of the surface that has a point in the closed region, in an order that depends on the level only.
+    ///
+    /// Pieces near the region may come too.
+    fn features(&self, region: &Aabb) -> Self::Features<'_>;
+
+    /// Those of the features that a piece of a motion could run into and the piece before could not: not less, but more may come.
+    #[doc(hidden)]
+    fn features_ahead(&self, way: &Way) -> Self::Features<'_> {
+        self.features(way.piece)
+    }
+
+    /// Whether the surface and the overlap tests are two views of one solid wherever a body can be, so that the end of a motion that meets nothing
+    /// needs no test.
+    #[doc(hidden)]
+    const CERTAIN: bool = Self::BLOCKS;
+
+    /// Whether the level is a grid of blocks and nothing else: then its surface is known from [`cells`](Self::cells) too.
+    #[doc(hidden)]
+    const GRID: bool = false;
+
+    /// A walk over the cells of a grid that hold something and whose inside meets a region, row after row.
+    #[doc(hidden)]
+    fn cells(&self, region: &Aabb) -> Cells {
+        let _ = region;
+        Cells::NONE
+    }
+
+    #[doc(hidden)]
+    fn next_cell(&self, cells: &mut Cells) -> Option<Block> {
+        let _ = cells;
+        None
+    }
+
+    /// Whether a cell of a grid is full.
+    #[doc(hidden)]
+    fn is_full(&self, x: i32, y: i32) -> bool {
+        let _ = (x, y);
+        false
+    }
+
+    /// The face of a one-way cell of a grid, if nothing covers it.
+    #[doc(hidden)]
+    fn one_way_face(&self, block: &Block) -> Option<Feature> {
+        let _ = block;
+        None
+    }
+
+    /// A box that holds whatever of the level is in a region with area: nothing that a body in the region could meet or overlap with its inside is
+    /// outside of the box, one-way faces included. `None` where there is nothing at all.
+    #[doc(hidden)]
+    fn occupied(&self, region: &Aabb) -> Option<Aabb> {
+        Some(*region)
+    }
+
+    /// The same with the cells that the box is around, where a level of cells knows them.
+    #[doc(hidden)]
+    fn occupied_cells(&self, region: &Aabb) -> (Option<Aabb>, Option<Cells>) {
+        (self.occupied(region), None)
+    }
+
+    /// The side of a cell, raw and not zero: longer motions are enumerated in pieces of about this length.
+    fn cell_size(&self) -> u32;
+
+    /// Whether a box overlaps the solid; strict and exact.
+    fn overlaps_aabb(&self, b: &Aabb) -> bool;
+
+    /// Whether a circle overlaps the solid; strict and exact.
+    fn overlaps_circle(&self, c: &Circle) -> bool;
+
+    /// Whether a box has a point in common with the solid, borders included; exact.
+    fn touches_aabb(&self, b: &Aabb) -> bool;
+
+    /// Whether a circle has a point in common with the solid, borders included; exact.
+    fn touches_circle(&self, c: &Circle) -> bool;
+}
+
+/// Methods by name, after the documentation of each: `levels! { [parameters] type { /// ... overlaps, ... } }`.
+macro_rules! levels {
+    ([$($parameters:tt)*] $level:ty { $($(#[$doc:meta])* $verb:ident,)* }) => {
+        impl<$($parameters)*> $level {
+            $($crate::world::level::levels! { @$verb $(#[$doc])* })*
+        }
+    };
+    (@overlaps $(#[$doc:meta])*) => {
+        $(#[$doc])*
+        #[inline]
+        #[must_use]
+        pub fn overlaps<Body>(&self, body: &Body) -> bool
+        where
+            Self: $crate::query::Overlaps<Body>,
+        {
+            $crate::query::Overlaps::overlaps(self, body)
+        }
+    };
+    (@touches $(#[$doc:meta])*) => {
+        $(#[$doc])*
+        #[inline]
+        #[must_use]
+        pub fn touches<Body>(&self, body: &Body) -> bool
+        where
+            Self: $crate::query::Touches<Body>,
+        {
+            $crate::query::Touches::touches(self, body)
+        }
+    };
+}
+pub(in crate::world) use levels;
+
+/// The traits of a level whose own tests are those of its [`World`](crate::world::World).
+macro_rules! meets_as_world {
+    ([$($parameters:tt)*] $level:ty) => {
+        $crate::world::level::meets_as_world! { @ [$($parameters)*] $level, Overlaps, overlaps, overlaps_aabb, overlaps_circle }
+        $crate::world::level::meets_as_world! { @ [$($parameters)*] $level, Touches, touches, touches_aabb, touches_circle }
+    };
+    (@ [$($parameters:tt)*] $level:ty, $verb:ident, $method:ident, $aabb:ident, $circle:ident) => {
+        impl<$($parameters)*> $crate::query::$verb<$crate::Aabb> for $level {
+            fn $method(&self, b: &$crate::Aabb) -> bool {
+                self.$aabb(b)
+            }
+        }
+
+        impl<$($parameters)*> $crate::query::$verb<$crate::Circle> for $level {
+            fn $method(&self, c: &$crate::Circle) -> bool {
+                self.$circle(c)
+            }
+        }
+    };
+}
+pub(in crate::world) use meets_as_world;

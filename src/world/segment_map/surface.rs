@@ -1,0 +1,371 @@
+//! The surface of a segment map, served by a cursor; a segment map as a level.
+//!
+//! Where the boundary goes on behind the end of a segment, flat or into a concave corner, or around a vertex, and which ends block by themselves.
+
+use super::{Kind, Refs, Seg, SegmentMap};
+use crate::num::{Axis, Raw};
+use crate::query::meet;
+use crate::shape::{Aabb, Circle};
+use crate::world::cell::{Cell, Range};
+use crate::world::level::{Feature, Geometry, World, sealed};
+
+impl SegmentMap<'_> {
+    /// The segments that may have a point in the closed region as faces, each followed by the vertex at its end, if that is in the region.
+    ///
+    /// Each comes once. They come in the order of the region's cells, row after row, and within a cell by index; faces near the region
+    /// may come too. The boundary of a polygon is one face a segment, a wall has one on each side, a one-way segment one on its
+    /// outward normal's side. A feature's cell is the one that holds its start, or its corner.
+    ///
+    /// Cost: the references of the cells of the region, up to three tests each; for each end without a vertex, the segments of its cell.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Fx, Geometry, Path, PathKind, Vec2, segment_map};
+    /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 0), Vec2::from_ints(128, 64)];
+    /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], Fx::lit("32"));
+    /// // Around the top: both slopes, and the corner between them.
+    /// let region = Aabb::new(Vec2::from_ints(60, 0), Vec2::from_ints(68, 8)).unwrap();
+    /// let corners = LEVEL.features(&region).filter(|f| matches!(f.geometry, Geometry::Vertex { .. }));
+    /// assert_eq!((LEVEL.features(&region).count(), corners.count()), (3, 1));
+    /// ```
+    pub const fn features(&self, region: &Aabb) -> SegmentFeatures<'_> {
+        let (lo, hi) = (region.lo(), region.hi());
+        let range = self.cells(lo, hi);
+        let refs =
+            if range.y0 <= range.y1 && range.x0 <= range.x1 { self.refs(range.x0, range.y0) } else { Refs::NONE };
+        SegmentFeatures { map: *self, lo, hi, range, x: range.x0, y: range.y0, refs, vertex: None }
+    }
+
+    /// The cell of a feature by its index.
+    pub(super) const fn home(&self, index: u16) -> Cell {
+        let seg = self.segment(index >> 1);
+        self.holder(if index & 1 == 0 { seg.a } else { seg.b() })
+    }
+
+    /// The cell that holds a point of the closed grid.
+    const fn holder(&self, p: Raw) -> Cell {
+        let cell = self.cells(p, p);
+        Cell::of(cell.x0, cell.y0)
+    }
+}
+
+/// The cursor of [`SegmentMap::features`].
+#[derive(Clone, Debug)]
+#[must_use = "cursors do nothing unless advanced"]
+pub struct SegmentFeatures<'w> {
+    pub(crate) map: SegmentMap<'w>,
+    lo: Raw,
+    hi: Raw,
+    range: Range,
+    /// The cell and what is left of it.
+    x: i32,
+    y: i32,
+    refs: Refs<'w>,
+    /// The vertex at the end of the last face.
+    vertex: Option<Feature>,
+}
+
+impl Iterator for SegmentFeatures<'_> {
+    type Item = Feature;
+
+    fn next(&mut self) -> Option<Feature> {
+        if let Some(vertex) = self.vertex.take() {
+            return Some(vertex);
+        }
+        loop {
+            while let Some(index) = self.refs.advance() {
+                let seg = self.map.segment(index);
+                let b = seg.b();
+                let (lo, hi) = meet::corners(seg.a, b);
+                if meet::aabb_aabb::<true>(lo, hi, self.lo, self.hi) && self.is_first(seg.a, b) {
+                    return Some(self.serve(&seg, b, index));
+                }
+            }
+            if !self.advance() {
+                return None;
+            }
+        }
+    }
+}
+
+impl SegmentFeatures<'_> {
+    /// Goes to the next cell; false where there is none.
+    fn advance(&mut self) -> bool {
+        if self.x < self.range.x1 {
+            self.x = self.x.wrapping_add(1);
+        } else if self.y < self.range.y1 {
+            (self.x, self.y) = (self.range.x0, self.y.wrapping_add(1));
+        } else {
+            return false;
+        }
+        self.refs = self.map.refs(self.x, self.y);
+        true
+    }
+
+    /// Whether the segment has been in no cell of the range before this one, which it meets.
+    ///
+    /// What it has in common with the range's part of a row is one piece, and so is what it has in common with the columns of the range:
+    /// if it was in an earlier row it was in the last one, if in an earlier cell of this row it was in the last one.
+    fn is_first(&self, a: Raw, b: Raw) -> bool {
+        let (x, y, range) = (self.x, self.y, &self.range);
+        let meets = |x0: i32, x1: i32, y: i32| {
+            let ((lo, _), (_, hi)) = (self.map.grid.corners(x0, y), self.map.grid.corners(x1, y));
+            meet::segment_aabb::<true>(a, b, lo, hi)
+        };
+        let (before, above) = (x.wrapping_sub(1), y.wrapping_sub(1));
+        !(x > range.x0 && meets(before, before, y) || y > range.y0 && meets(range.x0, range.x1, above))
+    }
+
+    fn serve(&mut self, seg: &Seg, b: Raw, index: u16) -> Feature {
+        let twice = index.wrapping_mul(2);
+        self.vertex = match seg.next {
+            Some(next) if meet::aabb_aabb::<true>(b, b, self.lo, self.hi) => {
+                let e_out = self.map.segment(next).dir;
+                let geometry = Geometry::Vertex { p: b.vec2(), e_in: seg.dir, e_out };
+                Some(seg.feature(geometry, self.map.holder(b), twice.wrapping_add(1)))
+            }
+            _ => None,
+        };
+        let joined = [
+            seg.start_joined && (seg.kind == Kind::OneWay || self.map.end_blocks(seg.a, seg.dir, false)),
+            seg.end_joined && (seg.kind == Kind::OneWay || self.map.end_blocks(b, seg.dir.reversed(), true)),
+        ];
+        seg.feature(seg.face(joined), self.map.holder(seg.a), twice)
+    }
+}
+
+impl Seg {
+    pub(super) const fn face(&self, joined: [bool; 2]) -> Geometry {
+        Geometry::Face { a: self.a.vec2(), dir: self.dir, len: self.len, joined }
+    }
+
+    pub(super) fn feature(&self, geometry: Geometry, cell: Cell, index: u16) -> Feature {
+        Feature { geometry, cell, index, flags: self.flags, one_way: self.kind == Kind::OneWay, source: 0 }
+    }
+}
+
+impl sealed::Sealed for SegmentMap<'_> {}
+
+impl World for SegmentMap<'_> {
+    const BLOCKS: bool = false;
+    const ROUND: bool = false;
+    const WIDE: bool = true;
+
+    type Features<'w>
+        = SegmentFeatures<'w>
+    where
+        Self: 'w;
+
+    fn features(&self, region: &Aabb) -> SegmentFeatures<'_> {
+        SegmentMap::features(self, region)
+    }
+
+    fn cell_size(&self) -> u32 {
+        self.grid.cell as u32
+    }
+
+    fn overlaps_aabb(&self, b: &Aabb) -> bool {
+        SegmentMap::overlaps(self, b)
+    }
+
+    fn overlaps_circle(&self, c: &Circle) -> bool {
+        SegmentMap::overlaps(self, c)
+    }
+
+    fn touches_aabb(&self, b: &Aabb) -> bool {
+        SegmentMap::touches(self, b)
+    }
+
+    fn touches_circle(&self, c: &Circle) -> bool {
+        SegmentMap::touches(self, c)
+    }
+}
+
+/// How a segment is joined to others.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Joints {
+    /// The segment that leaves the vertex at the end.
+    pub(super) next: Option<u16>,
+    pub(super) start_joined: bool,
+    pub(super) end_joined: bool,
+}
+
+/// A ray from a point where segments meet.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    dir: Axis,
+    sector: Sector,
+    /// The first segment that runs on it the way that is asked for.
+    index: Option<u16>,
+    /// Whether one of those is one-way.
+    one_way: bool,
+}
+
+/// Where a ray is, turned away from another one.
+type Sector = u8;
+
+/// Less than half a turn, or half of one.
+const LESS: Sector = 1;
+const HALF: Sector = 2;
+/// More than half a turn.
+const MORE: Sector = 3;
+/// A whole turn: the same direction.
+const WHOLE: Sector = 4;
+
+impl SegmentMap<'_> {
+    /// The joints of a segment.
+    pub(super) const fn joints(&self, index: u16) -> Joints {
+        let seg = self.segment(index);
+        let (end, start) = (self.turn(&seg, true), self.turn(&seg, false));
+        if matches!(seg.kind, Kind::OneWay) {
+            // Around a convex corner the chain carries as well, so there is a vertex; its faces block up to there all the same.
+            let next = if end.sector == MORE && end.one_way { end.index } else { None };
+            return Joints { next, start_joined: goes_on(&start), end_joined: goes_on(&end) };
+        }
+        let next = if end.sector >= MORE { end.index } else { None };
+        Joints { next, start_joined: start.sector < MORE || start.index.is_none(), end_joined: next.is_none() }
+    }
+
+    /// From a segment, at its end (or its start), through the free side to the first ray of any segment.
+    ///
+    /// ```text
+    ///          ^  free  (y up)      At the end P of e, from -e through the side of its outward normal: the first ray is that of f.
+    ///     -e   |n                   More than half a turn: P is a vertex, and f, which leaves P, is next. Else the boundary goes
+    ///   <======P======= e           on. Of T-junctions count both rays of the segment that passes through P:
+    ///   ..../  .......
+    ///   .../ f .......                  |e|
+    ///   ../ solid ....              ----vP^----> through: next to e is a quarter turn away, P is no vertex
+    /// ```
+    ///
+    /// The free side of a direction is on its right, where y grows up: from the end one turns left there, from the start right.
+    /// Segments that block from one side only are no part of the solid, so that only their own kind sees them.
+    const fn turn(&self, seg: &Seg, at_end: bool) -> Turn {
+        let (p, base) = if at_end { (seg.b(), seg.dir.reversed()) } else { (seg.a, seg.dir) };
+        let one_way = matches!(seg.kind, Kind::OneWay);
+        let mut best = Turn { dir: base, sector: WHOLE, index: None, one_way: false };
+        let mut refs = self.refs_at(p);
+        while let Some(index) = refs.advance() {
+            let other = self.segment(index);
+            let other_one_way = matches!(other.kind, Kind::OneWay);
+            if other_one_way && !one_way || !other.holds(p) {
+                continue;
+            }
+            let (leaves, arrives) = (!same(p, other.b()), !same(p, other.a));
+            let wanted = if at_end { leaves } else { arrives };
+            if wanted {
+                let dir = if at_end { other.dir } else { other.dir.reversed() };
+                best = nearer(base, at_end, best, dir, Some(index), other_one_way);
+            }
+            if !other_one_way && if at_end { arrives } else { leaves } {
+                let dir = if at_end { other.dir.reversed() } else { other.dir };
+                best = nearer(base, at_end, best, dir, None, false);
+            }
+        }
+        best
+    }
+
+    /// The segments of a cell that holds a point of the grid: every segment through the point is among them.
+    const fn refs_at(&self, p: Raw) -> Refs<'_> {
+        let (x, y) = (self.grid.column(p.x), self.grid.row(p.y));
+        let (last_x, last_y) = (self.grid.x.count as i32 - 1, self.grid.y.count as i32 - 1);
+        self.refs(if x < last_x { x } else { last_x }, if y < last_y { y } else { last_y })
+    }
+}
+
+/// Of a one-way face: whether what is next blocks a body on the face, too. Its own kind does around a corner as well.
+const fn goes_on(ray: &Turn) -> bool {
+    ray.sector <= HALF || ray.sector == MORE && ray.one_way
+}
+
+/// The ray that comes first, of two. Rays of one direction are one.
+const fn nearer(base: Axis, left: bool, best: Turn, dir: Axis, index: Option<u16>, one_way: bool) -> Turn {
+    let sector = sector(base, dir, left);
+    let ray = Turn { dir, sector, index, one_way };
+    if sector != best.sector {
+        return if sector < best.sector { ray } else { best };
+    }
+    let turn = turned(dir, best.dir, left);
+    if turn > 0 {
+        return ray;
+    }
+    if turn == 0 {
+        let index = if best.index.is_some() { best.index } else { index };
+        return Turn { index, one_way: best.one_way || one_way, ..best };
+    }
+    best
+}
+
+/// Directions are below 2^30: the product is below 2^61.
+const fn turned(from: Axis, to: Axis, left: bool) -> i64 {
+    let cross = from.perp_dot(to);
+    if left { cross } else { cross.wrapping_neg() }
+}
+
+/// Reduced directions on one line are the same or opposite.
+const fn sector(base: Axis, dir: Axis, left: bool) -> Sector {
+    let turn = turned(base, dir, left);
+    if turn > 0 {
+        LESS
+    } else if turn < 0 {
+        MORE
+    } else if base.x == dir.x && base.y == dir.y {
+        WHOLE
+    } else {
+        HALF
+    }
+}
+
+const fn same(p: Raw, q: Raw) -> bool {
+    p.x == q.x && p.y == q.y
+}
+
+/// A direction from a point in which segments run, less than half a turn from another one.
+#[derive(Clone, Copy)]
+struct Branch {
+    dir: Axis,
+    /// Whether what comes after it, on the way around, is solid by one of them.
+    after: bool,
+    /// Whether what comes before it is.
+    before: bool,
+}
+
+impl SegmentMap<'_> {
+    /// Whether the solid goes on from the end `p` of a face so that `p` blocks what is in front: `along` leads from `p` along the face, and
+    /// `left` says on which side of that the front is.
+    ///
+    /// It does where the surface goes on straight, or turns toward the front and is solid as far as beyond `p`. It does not where the face meets
+    /// a wall or a spike from below, or the surface of a solid that it is in: a body above comes as far as `p`.
+    ///
+    /// ```text
+    ///      |####        ####|####         box                 f: the face, its front is on the right
+    ///      |####        ####|####        -----P========  wall
+    ///      P----- yes   ----P----  no         |          or spike: no
+    ///      f                f                 f
+    /// ```
+    ///
+    /// Cost: the segments of a cell, three products for each one through `p`.
+    pub(super) fn end_blocks(&self, p: Raw, along: Axis, left: bool) -> bool {
+        let turn = |from: Axis, to: Axis| if left { from.perp_dot(to) } else { to.perp_dot(from) };
+        let (mut last, mut straight): (Option<Branch>, bool) = (None, false);
+        for seg in self.around(p) {
+            if seg.kind == Kind::OneWay || !seg.holds(p) {
+                continue;
+            }
+            for (there, dir, leaves) in [(seg.b() != p, seg.dir, true), (seg.a != p, seg.dir.reversed(), false)] {
+                // The solid is on the left of what leaves, so it is after it on the way to the left.
+                let ray = Branch { dir, after: leaves == left, before: leaves != left };
+                let ahead = turn(along, dir);
+                if there && ahead > 0 {
+                    last = Some(match last {
+                        Some(last) if last.dir == dir => {
+                            Branch { dir, after: last.after || ray.after, before: last.before || ray.before }
+                        }
+                        Some(last) if turn(last.dir, dir) < 0 => last,
+                        _ => ray,
+                    });
+                }
+                straight |= there && ahead == 0 && dir != along && ray.after;
+            }
+        }
+        straight || last.is_some_and(|last| last.after && !last.before)
+    }
+}

@@ -1,0 +1,283 @@
+//! The constructors of maps: bytes, bits or text; every one checks what it is given.
+
+use super::{Bits, Blocks, Bytes, Outside, Set, Store, TileMap};
+use crate::num::{Fx, Vec2};
+use crate::world::error::TileMapError;
+use crate::world::grid::Grid;
+use crate::world::tile_map::kind::TileKinds;
+use core::marker::PhantomData;
+
+/// The side of a cell where nothing else is said: 16 units.
+const CELL: Fx = Fx::from_bits(16 << 16);
+
+impl<'a> TileMap<'a, Blocks, Bytes> {
+    /// A map of one byte a tile, row after row.
+    ///
+    /// The data may be longer than the map, for [`with_stride`](Self::with_stride). Maps of more than 511 cells a side do not fit the domain with
+    /// cells of 16 units: [`on_grid`](Self::on_grid) takes the cell at once.
+    ///
+    /// # Errors
+    /// [`TileMapError`]: no cells, too many, not enough data, or a shape that is not in the set.
+    pub const fn new(tiles: &'a [u8], width: u16, height: u16, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
+        match Grid::new(width, height, CELL, Vec2::ZERO) {
+            Ok(grid) => Self::build(tiles, grid, width, kinds),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// A map of one byte a tile, row after row, on a grid.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub const fn on_grid(tiles: &'a [u8], grid: Grid, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
+        Self::build(tiles, grid, grid.x.count, kinds)
+    }
+}
+
+impl<'a> TileMap<'a, Blocks, Bits> {
+    /// A map of one bit a tile, row after row without gaps, the least significant bit of each byte first: a clear bit is id 0, a set one
+    /// id 1.
+    ///
+    /// ```
+    /// use tilesat::{Cell, TileKind, TileKinds, TileMap};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
+    /// let map = TileMap::from_bits(&[0b0110_0001, 0b1], 3, 3, &KINDS)?;
+    /// assert_eq!(map.tile(Cell::new(0, 0)), Some(1)); // #..
+    /// assert_eq!(map.tile(Cell::new(2, 1)), Some(1)); // ..#
+    /// assert_eq!(map.tile(Cell::new(2, 2)), Some(1)); // #.#
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`new`](TileMap::new).
+    pub const fn from_bits(
+        bits: &'a [u8],
+        width: u16,
+        height: u16,
+        kinds: &'a TileKinds,
+    ) -> Result<Self, TileMapError> {
+        match Grid::new(width, height, CELL, Vec2::ZERO) {
+            Ok(grid) => Self::build(bits, grid, width, kinds),
+            Err(e) => Err(e),
+        }
+    }
+}
+
+impl<'a, S: Set> TileMap<'a, S, Bytes> {
+    /// A map of one byte a tile, row after row, on a grid, that can hold the shapes of any [`Set`].
+    ///
+    /// ```
+    /// use tilesat::{AllShapes, Circle, Fx, Grid, Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY
+    ///     .with(b'/', TileKind::of(TileShape::SlopeBottomRight))
+    ///     .with(b'(', TileKind::of(TileShape::ConcaveBottomLeft));
+    /// let grid = Grid::new(2, 1, Fx::from_num(16), Vec2::ZERO)?;
+    /// let map = TileMap::<AllShapes>::of(b"/(", grid, &KINDS)?;
+    /// // 45 degrees: five units in front of the slope's middle a ball of 7 reaches it.
+    /// let ball = Circle::new(Vec2::from_ints(3, 3), Fx::from_num(7)).unwrap();
+    /// assert!(!map.overlaps(&ball) && !map.touches(&ball));
+    /// // A set that does not have the shape refuses it.
+    /// assert_eq!(TileMap::<Slopes>::of(b"/(", grid, &KINDS).unwrap_err(), TileMapError::ShapeNotInSet { id: b'(' });
+    /// # Ok::<(), TileMapError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`new`](TileMap::new).
+    pub const fn of(tiles: &'a [u8], grid: Grid, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
+        Self::build(tiles, grid, grid.x.count, kinds)
+    }
+}
+
+impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
+    /// Every constructor ends here, whatever the set and the store.
+    pub(in crate::world) const fn build(
+        data: &'a [u8],
+        grid: Grid,
+        stride: u16,
+        kinds: &'a TileKinds,
+    ) -> Result<Self, TileMapError> {
+        let map = Self { data, kinds, grid, stride, outside: Outside::Empty, occupied: &[], marker: PhantomData };
+        if let Err(e) = map.check_length() {
+            return Err(e);
+        }
+        let mut id = 0u8;
+        loop {
+            if S::SHAPES >> kinds.get(id).shape as u64 & 1 == 0 {
+                return Err(TileMapError::ShapeNotInSet { id });
+            }
+            if id == u8::MAX {
+                return Ok(map);
+            }
+            id = id.wrapping_add(1);
+        }
+    }
+
+    /// Below 2^31 tiles: both factors are below 2^15 and 2^16.
+    const fn check_length(&self) -> Result<(), TileMapError> {
+        let rows_before = self.grid.y.count.wrapping_sub(1) as u64;
+        let tiles = rows_before * self.stride as u64 + self.grid.x.count as u64;
+        let needed = (tiles * T::BITS as u64).div_ceil(8);
+        let found = self.data.len() as u64;
+        if found < needed {
+            return Err(TileMapError::TooShort { needed: needed as u32, found: found as u32 });
+        }
+        Ok(())
+    }
+
+    /// The same tiles, each row `stride` tiles after the one before: a window into a wider level, or rows with padding; without
+    /// [occupancy](Self::with_occupancy).
+    ///
+    /// # Errors
+    /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] where the data ends before the last tile.
+    pub const fn with_stride(mut self, stride: u16) -> Result<Self, TileMapError> {
+        if stride < self.grid.x.count {
+            return Err(TileMapError::Stride(stride));
+        }
+        self.stride = stride;
+        // Other tiles than the bits were made of.
+        self.occupied = &[];
+        match self.check_length() {
+            Ok(()) => Ok(self),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The same map with its first corner elsewhere.
+    ///
+    /// # Errors
+    /// [`TileMapError::OutOfDomain`].
+    pub const fn with_origin(self, origin: Vec2) -> Result<Self, TileMapError> {
+        self.with_grid(Grid::new(self.grid.x.count, self.grid.y.count, self.grid.cell(), origin))
+    }
+
+    /// The same map with cells of another size.
+    ///
+    /// # Errors
+    /// [`TileMapError::Cell`] where it is odd or not in 2^8..=2^24 raw, [`TileMapError::OutOfDomain`].
+    pub const fn with_cell(self, cell: Fx) -> Result<Self, TileMapError> {
+        self.with_grid(Grid::new(self.grid.x.count, self.grid.y.count, cell, self.grid.origin()))
+    }
+
+    const fn with_grid(mut self, grid: Result<Grid, TileMapError>) -> Result<Self, TileMapError> {
+        match grid {
+            Ok(grid) => {
+                self.grid = grid;
+                Ok(self)
+            }
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The same tiles with another table, which may hold the shapes of another [`Set`].
+    ///
+    /// ```
+    /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileShape};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'/', TileKind::of(TileShape::SlopeBottomRight));
+    /// let map = TileMap::from_ascii("./\n/.", &TileKinds::EMPTY)?.with_kinds::<Slopes>(&KINDS)?;
+    /// assert_eq!(map.kind(map.cell_at(map.origin())).shape, TileShape::Empty);
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`TileMapError::ShapeNotInSet`].
+    pub const fn with_kinds<N: Set>(self, kinds: &'a TileKinds) -> Result<TileMap<'a, N, T>, TileMapError> {
+        match TileMap::<N, T>::build(self.data, self.grid, self.stride, kinds) {
+            Ok(map) => Ok(map.with_outside(self.outside)),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The same map with something else outside.
+    #[must_use]
+    pub const fn with_outside(mut self, outside: Outside) -> Self {
+        self.outside = outside;
+        self
+    }
+}
+
+impl<'a> TileMap<'a, Blocks, Bytes> {
+    /// A map from lines of text of one length, one character a tile; the characters are the ids. A line feed may end the last row too.
+    ///
+    /// Nothing is copied: the map reads the text, stepping over the line feeds. Usable in constants, so that a mistake in a level is a
+    /// compile error; the compiler does some 10 steps a character, and up to about 100 000 characters stay within its limit on
+    /// constant evaluation.
+    ///
+    /// ```
+    /// use tilesat::{Cell, TileKind, TileKinds, TileMap, TileMapError};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let map = TileMap::from_ascii("#..\n###\n", &KINDS)?;
+    /// assert_eq!((map.width(), map.height(), map.tile(Cell::new(0, 1))), (3, 2, Some(b'#')));
+    ///
+    /// let ragged = TileMap::from_ascii("#..\n####", &KINDS);
+    /// assert_eq!(ragged.unwrap_err(), TileMapError::RowLength { row: 1, expected: 3, found: 4 });
+    /// # Ok::<(), TileMapError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`TileMapError`]: no cells, too many, rows of different lengths, a character that is not ASCII, or a carriage return (as an editor or a
+    /// checkout on Windows may add).
+    pub const fn from_ascii(text: &'a str, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
+        Self::of_ascii(text, kinds)
+    }
+}
+
+impl<'a, S: Set> TileMap<'a, S, Bytes> {
+    /// The same for the shapes of any [`Set`].
+    ///
+    /// ```
+    /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape};
+    /// static KINDS: TileKinds =
+    ///     TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'/', TileKind::of(TileShape::SlopeBottomRight));
+    /// let hill = TileMap::<Slopes>::of_ascii("../.\n./##", &KINDS)?;
+    /// assert_eq!((hill.width(), hill.height()), (4, 2));
+    /// # Ok::<(), TileMapError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`from_ascii`](TileMap::from_ascii), and [`TileMapError::ShapeNotInSet`].
+    pub const fn of_ascii(text: &'a str, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
+        let text = text.as_bytes();
+        let (width, height) = match measure(text) {
+            Ok(size) => size,
+            Err(e) => return Err(e),
+        };
+        if width > i16::MAX as u32 || height > i16::MAX as u32 {
+            let n = if width > height { width } else { height };
+            return Err(TileMapError::TooManyCells(if n > u16::MAX as u32 { u16::MAX } else { n as u16 }));
+        }
+        match Grid::new(width as u16, height as u16, CELL, Vec2::ZERO) {
+            Ok(grid) => Self::build(text, grid, width as u16 + 1, kinds),
+            Err(e) => Err(e),
+        }
+    }
+}
+
+/// Width and height of a text whose rows have one length.
+#[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
+const fn measure(text: &[u8]) -> Result<(u32, u32), TileMapError> {
+    let (mut width, mut row, mut column) = (0, 0, 0);
+    let mut i = 0;
+    while i < text.len() {
+        let character = text[i];
+        i += 1;
+        if character >= 0x80 {
+            return Err(TileMapError::NotAscii { row, column });
+        }
+        if character == b'\r' {
+            return Err(TileMapError::CarriageReturn { row });
+        }
+        if character != b'\n' {
+            column += 1;
+        }
+        if character == b'\n' || i == text.len() {
+            if row == 0 {
+                width = column;
+            } else if column != width {
+                return Err(TileMapError::RowLength { row, expected: width, found: column });
+            }
+            row += 1;
+            column = 0;
+        }
+    }
+    Ok((width, row))
+}

@@ -1,0 +1,379 @@
+//! A tile map as a level: its cells, which of them a box of coordinates reaches, and where there is anything at all.
+//!
+//! Rows that are known to be empty are passed over: one bit a tile in the caller's storage.
+
+use super::surface::BlockSurface;
+use super::{Outside, Set, Store, TileMap};
+use crate::num::Raw;
+use crate::shape::{Aabb, Circle};
+use crate::world::cell::{Block, Cells, Range};
+use crate::world::error::TileMapError;
+use crate::world::level::{Feature, Way, World, sealed};
+use crate::world::tile_map::features::Features;
+use crate::world::tile_map::kind::TileShape;
+
+impl<S: Set, T: Store> sealed::Sealed for TileMap<'_, S, T> {}
+
+impl<S: Set, T: Store> World for TileMap<'_, S, T> {
+    const BLOCKS: bool = !S::SHAPED;
+    const ROUND: bool = S::ARCS;
+    const GRID: bool = !S::SHAPED;
+    const CERTAIN: bool = true;
+
+    type Features<'w>
+        = Features<'w, S, T>
+    where
+        Self: 'w;
+
+    #[inline]
+    fn features(&self, region: &Aabb) -> Features<'_, S, T> {
+        TileMap::features(self, region)
+    }
+
+    #[inline]
+    fn features_ahead(&self, way: &Way) -> Features<'_, S, T> {
+        TileMap::features_ahead(self, way)
+    }
+
+    #[inline]
+    fn cells(&self, region: &Aabb) -> Cells {
+        TileMap::cells(self, region)
+    }
+
+    fn next_cell(&self, cells: &mut Cells) -> Option<Block> {
+        TileMap::next_cell(self, cells)
+    }
+
+    #[inline]
+    fn is_full(&self, x: i32, y: i32) -> bool {
+        self.full(x, y)
+    }
+
+    #[inline]
+    fn one_way_face(&self, block: &Block) -> Option<Feature> {
+        TileMap::one_way_face(self, block)
+    }
+
+    fn occupied(&self, region: &Aabb) -> Option<Aabb> {
+        TileMap::occupied(self, region)
+    }
+
+    #[inline]
+    fn occupied_cells(&self, region: &Aabb) -> (Option<Aabb>, Option<Cells>) {
+        TileMap::occupied_cells(self, region)
+    }
+
+    #[inline]
+    fn cell_size(&self) -> u32 {
+        self.grid.cell as u32
+    }
+
+    #[inline]
+    fn overlaps_aabb(&self, b: &Aabb) -> bool {
+        TileMap::overlaps(self, b)
+    }
+
+    #[inline]
+    fn overlaps_circle(&self, c: &Circle) -> bool {
+        TileMap::overlaps(self, c)
+    }
+
+    #[inline]
+    fn touches_aabb(&self, b: &Aabb) -> bool {
+        TileMap::touches(self, b)
+    }
+
+    #[inline]
+    fn touches_circle(&self, c: &Circle) -> bool {
+        TileMap::touches(self, c)
+    }
+}
+
+impl<S: Set, T: Store> TileMap<'_, S, T> {
+    /// The cells whose inside meets a region.
+    pub(in crate::world) const fn cells(&self, region: &Aabb) -> Cells {
+        Cells::of(self.solid_range(self.open_range(region.lo(), region.hi())))
+    }
+
+    pub(in crate::world) const fn next_cell(&self, cells: &mut Cells) -> Option<Block> {
+        while cells.y <= cells.range.y1 {
+            let (x, y) = (self.next_shape(cells.x, cells.range.x1, cells.y), cells.y);
+            if x <= cells.range.x1 {
+                let last = x == cells.range.x1;
+                (cells.x, cells.y) = if last { (cells.range.x0, y.wrapping_add(1)) } else { (x.wrapping_add(1), y) };
+                let (kind, (lo, hi)) = if self.holds(x, y) && !matches!(self.outside, Outside::Edge) {
+                    (self.kinds.get(self.id(x, y)), self.grid.square(x, y))
+                } else {
+                    (self.kind_at(x, y), self.extent(x, y))
+                };
+                return Some(Block { x, y, lo, hi, flags: kind.flags, one_way: !kind.is_full() });
+            }
+            (cells.x, cells.y) = (cells.range.x0, y.wrapping_add(1));
+        }
+        None
+    }
+
+    /// The face of a one-way tile, if nothing covers it.
+    pub(in crate::world) fn one_way_face(&self, block: &Block) -> Option<Feature> {
+        BlockSurface::one_way(self, block.x, block.y)
+    }
+
+    /// The box around the cells of a region that are not empty; see [`World::occupied`](crate::world::World::occupied).
+    pub(in crate::world) const fn occupied(&self, region: &Aabb) -> Option<Aabb> {
+        self.occupied_cells(region).0
+    }
+
+    /// The same with those cells, and what is between them.
+    pub(in crate::world) const fn occupied_cells(&self, region: &Aabb) -> (Option<Aabb>, Option<Cells>) {
+        let range = self.open_range(region.lo(), region.hi());
+        let found = match self.outside {
+            Outside::Empty => self.filled(self.inside(range), Range::NOWHERE),
+            // Blocks at the border stand for what is beyond it; a region that holds only that has no cell inside.
+            Outside::Edge if !S::SHAPED => self.filled(self.solid_range(range), Range::NOWHERE),
+            Outside::Solid | Outside::Edge => {
+                let inside = self.inside(range);
+                self.filled(inside, beyond(range, inside))
+            }
+        };
+        (self.extent_of(found), Some(Cells::of(found)))
+    }
+
+    /// The cells of a range of the map that are not empty, and another range with them.
+    const fn filled(&self, range: Range, mut found: Range) -> Range {
+        let mut y = range.y0;
+        while y <= range.y1 {
+            if self.occupied.is_empty() || !self.row_is_empty(range.x0, range.x1, y) {
+                let mut tile = self.place(range.x0, y);
+                let mut x = range.x0;
+                while x <= range.x1 {
+                    if !self.kinds.get(self.id_at(tile)).is_empty() {
+                        found = found.with(x, y);
+                    }
+                    tile = tile.wrapping_add(1);
+                    x = x.wrapping_add(1);
+                }
+            }
+            y = y.wrapping_add(1);
+        }
+        found
+    }
+
+    const fn extent_of(&self, found: Range) -> Option<Aabb> {
+        if found.x0 > found.x1 {
+            return None;
+        }
+        let (lo, hi) = self.extent_between((found.x0, found.y0), (found.x1, found.y1));
+        Some(Aabb::from_raw_unchecked(lo, hi))
+    }
+}
+
+/// The cells of a range that are beyond the map: one row or column on each side, and what is between them.
+const fn beyond(range: Range, inside: Range) -> Range {
+    let (left, right) = (range.x0 < inside.x0, range.x1 > inside.x1);
+    let (top, bottom) = (range.y0 < inside.y0, range.y1 > inside.y1);
+    // A row beyond is as wide as the range, a column beyond as high.
+    let (row, column) = (top || bottom, left || right);
+    if !row && !column {
+        return Range::NOWHERE;
+    }
+    Range {
+        x0: if row || left { range.x0 } else { range.x1 },
+        x1: if row || right { range.x1 } else { range.x0 },
+        y0: if column || top { range.y0 } else { range.y1 },
+        y1: if column || bottom { range.y1 } else { range.y0 },
+    }
+}
+
+impl<S: Set, T: Store> TileMap<'_, S, T> {
+    /// The cells whose closed square meets the closed box: `ceil(lo / cell) - 1` is the column of `lo - 1`.
+    pub(in crate::world) const fn closed_range(&self, lo: Raw, hi: Raw) -> Range {
+        let one = Raw { x: 1, y: 1 };
+        self.open_range(lo.sub(one), hi.add(one))
+    }
+
+    /// The cells whose open square meets the open box, for a box with area.
+    #[inline(never)]
+    pub(in crate::world) const fn open_range(&self, lo: Raw, hi: Raw) -> Range {
+        let (x0, x1) = self.grid.columns(lo.x, hi.x.wrapping_sub(1));
+        let (y0, y1) = self.grid.rows(lo.y, hi.y.wrapping_sub(1));
+        Range { x0, y0, x1, y1 }
+    }
+
+    /// The part of a range inside the map.
+    pub(in crate::world) const fn inside(&self, r: Range) -> Range {
+        let (last_x, last_y) = (self.grid.x.count as i32 - 1, self.grid.y.count as i32 - 1);
+        Range {
+            x0: if r.x0 < 0 { 0 } else { r.x0 },
+            y0: if r.y0 < 0 { 0 } else { r.y0 },
+            x1: if r.x1 > last_x { last_x } else { r.x1 },
+            y1: if r.y1 > last_y { last_y } else { r.y1 },
+        }
+    }
+
+    /// The cells of a range that can hold solid: where the border is repeated, border blocks stand for the bands beyond them, shaped ones
+    /// have bands of their own; there is nothing outside where that is empty.
+    pub(in crate::world) const fn solid_range(&self, r: Range) -> Range {
+        match self.outside {
+            Outside::Solid => r,
+            Outside::Edge if S::SHAPED => r,
+            Outside::Empty => self.inside(r),
+            Outside::Edge => {
+                let (last_x, last_y) = (self.grid.x.count as i32 - 1, self.grid.y.count as i32 - 1);
+                let r = self.inside(r);
+                Range {
+                    x0: if r.x0 > last_x { last_x } else { r.x0 },
+                    y0: if r.y0 > last_y { last_y } else { r.y0 },
+                    x1: if r.x1 < 0 { 0 } else { r.x1 },
+                    y1: if r.y1 < 0 { 0 } else { r.y1 },
+                }
+            }
+        }
+    }
+}
+
+impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
+    /// The words that [`fill_occupancy`](Self::fill_occupancy) needs: one for each 32 columns begun, for every row.
+    #[must_use]
+    pub const fn occupancy_words(&self) -> usize {
+        self.words_a_row() as usize * self.grid.y.count as usize
+    }
+
+    pub(in crate::world) const fn words_a_row(&self) -> u32 {
+        (self.grid.x.count as u32).div_ceil(32)
+    }
+
+    /// Writes one bit a tile, set where its shape is not empty: bit `x % 32` of word `x / 32` of each row. Words beyond are left alone.
+    ///
+    /// # Errors
+    /// [`TileMapError::Occupancy`] where the words are too few; nothing is written then.
+    pub const fn fill_occupancy(&self, words: &mut [u32]) -> Result<(), TileMapError> {
+        if words.len() < self.occupancy_words() {
+            return Err(self.too_few(words.len()));
+        }
+        let (mut y, mut rest) = (0, words);
+        while y < self.grid.y.count as i32 {
+            let mut x = 0;
+            while x < self.grid.x.count as i32 {
+                // There are as many as steps.
+                let Some((word, after)) = rest.split_first_mut() else { return Ok(()) };
+                *word = self.word(x, y);
+                rest = after;
+                x = x.wrapping_add(32);
+            }
+            y = y.wrapping_add(1);
+        }
+        Ok(())
+    }
+
+    /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy) at hand: the same answers, faster where rows of cells are empty.
+    ///
+    /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the compiler for a `const` map. After a tile is written, fill
+    /// them again.
+    ///
+    /// ```
+    /// use tilesat::{Cell, TileKind, TileKinds, TileMap, TileMapError};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// const BARE: TileMap = match TileMap::from_ascii("....\n....\n####", &KINDS) {
+    ///     Ok(map) => map,
+    ///     Err(_) => panic!("bad level"),
+    /// };
+    /// // 4 bytes of flash for each 32 tiles.
+    /// static WORDS: [u32; BARE.occupancy_words()] = {
+    ///     let mut words = [0; BARE.occupancy_words()];
+    ///     assert!(BARE.fill_occupancy(&mut words).is_ok());
+    ///     words
+    /// };
+    /// assert_eq!(WORDS, [0, 0, 0b1111]);
+    /// let map = BARE.with_occupancy(&WORDS)?;
+    /// assert_eq!(map.tile(Cell::new(1, 2)), Some(b'#'));
+    /// assert_eq!(BARE.with_occupancy(&[0, 1, 0]).unwrap_err(), TileMapError::Occupancy { row: 1 });
+    /// # Ok::<(), TileMapError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`TileMapError::Occupancy`]: the first row that is missing or wrong.
+    pub const fn with_occupancy(mut self, words: &'a [u32]) -> Result<Self, TileMapError> {
+        if words.len() < self.occupancy_words() {
+            return Err(self.too_few(words.len()));
+        }
+        let (mut y, mut rest) = (0, words);
+        while y < self.grid.y.count as i32 {
+            let mut x = 0;
+            while x < self.grid.x.count as i32 {
+                match rest.split_first() {
+                    Some((word, after)) if *word == self.word(x, y) => rest = after,
+                    _ => return Err(TileMapError::Occupancy { row: y as u16 }),
+                }
+                x = x.wrapping_add(32);
+            }
+            y = y.wrapping_add(1);
+        }
+        self.occupied = words;
+        Ok(self)
+    }
+
+    /// The row of the first word that is missing. A row has at least one word, so the division is by no zero.
+    const fn too_few(&self, found: usize) -> TileMapError {
+        let row = match (found as u32).checked_div(self.words_a_row()) {
+            Some(row) => row as u16,
+            None => 0,
+        };
+        TileMapError::Occupancy { row }
+    }
+
+    /// The bits of up to 32 tiles from column `x` on.
+    const fn word(&self, x: i32, y: i32) -> u32 {
+        let (mut word, mut bit) = (0, 0);
+        while bit < 32 && x.wrapping_add(bit) < self.grid.x.count as i32 {
+            let shape = self.kinds.get(self.id(x.wrapping_add(bit), y)).shape;
+            word |= (!matches!(shape, TileShape::Empty) as u32) << bit;
+            bit += 1;
+        }
+        word
+    }
+
+    /// The first column of `x..=last` in a row whose cell has a shape; beyond `last` where none has. Columns and rows may be beyond the map.
+    #[inline]
+    pub(in crate::world) const fn next_shape(&self, mut x: i32, last: i32, y: i32) -> i32 {
+        if x > last {
+        } else if self.holds(x, y) && self.holds(last, y) {
+            if self.known_empty(x, last, y) {
+                return last.wrapping_add(1);
+            }
+            let mut tile = self.place(x, y);
+            while x <= last && self.kinds.get(self.id_at(tile)).is_empty() {
+                (x, tile) = (x.wrapping_add(1), tile.wrapping_add(1));
+            }
+        } else {
+            while x <= last && self.kind_at(x, y).is_empty() {
+                x = x.wrapping_add(1);
+            }
+        }
+        x
+    }
+
+    /// Whether all tiles of a row of the map from column `x0` to `x1` are known to be empty.
+    #[inline]
+    pub(in crate::world) const fn known_empty(&self, x0: i32, x1: i32, y: i32) -> bool {
+        !self.occupied.is_empty() && self.row_is_empty(x0, x1, y)
+    }
+
+    #[inline(never)]
+    #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
+    pub(in crate::world) const fn row_is_empty(&self, x0: i32, x1: i32, y: i32) -> bool {
+        let row = self.words_a_row().wrapping_mul(y as u32);
+        let (mut word, last) = (row.wrapping_add(x0 as u32 >> 5), row.wrapping_add(x1 as u32 >> 5));
+        let mut mask = u32::MAX << (x0 & 31);
+        while word <= last && (word as usize) < self.occupied.len() {
+            if word == last {
+                mask &= u32::MAX >> (31 - (x1 & 31));
+            }
+            if self.occupied[word as usize] & mask != 0 {
+                return false;
+            }
+            mask = u32::MAX;
+            word = word.wrapping_add(1);
+        }
+        true
+    }
+}

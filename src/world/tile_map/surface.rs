@@ -1,0 +1,300 @@
+//! How tiles give their surface: what is asked of a cell, and the answer of blocks, whole sides of cells and their corners.
+
+use crate::num::{Axis, DOMAIN, Raw};
+use crate::shape::Aabb;
+use crate::world::cell::{Cell, Range};
+use crate::world::level::{Feature, Geometry, Way};
+use crate::world::tile_map::kind::{TileKind, TileShape};
+use core::fmt::Debug;
+
+/// A walk over the cells of a range, row after row.
+///
+/// Public in a private module, because a sealed trait names it.
+#[derive(Clone, Copy, Debug)]
+pub struct CellWalk {
+    /// The cell that it has come to.
+    pub(super) x: i32,
+    pub(super) y: i32,
+    /// What that is.
+    pub(super) kind: TileKind,
+    /// Its place in the map's data, where all of the range is in the map.
+    pub(super) tile: u32,
+    pub(super) in_map: bool,
+    /// The last column of its row.
+    pub(super) last: i32,
+    pub(super) range: Range,
+    /// Cells that are passed over: those of a box that `range` has left.
+    pub(super) seen: Range,
+}
+
+/// What of a cell's surface is asked for.
+///
+/// Public in a private module, because a sealed trait names it.
+#[derive(Clone, Copy, Debug)]
+pub struct Look {
+    /// Closed.
+    pub(super) region: (Raw, Raw),
+    /// Only what opposes this motion; all where it is zero.
+    pub(super) d: Raw,
+    /// Whether the joints of faces matter.
+    pub(super) joints: bool,
+}
+
+impl Look {
+    pub(super) const fn all(region: &Aabb) -> Self {
+        Self { region: (region.lo(), region.hi()), d: Raw { x: 0, y: 0 }, joints: true }
+    }
+
+    pub(super) const fn ahead(way: &Way) -> Self {
+        Self { region: (way.whole.lo(), way.whole.hi()), d: way.d, joints: way.joints }
+    }
+
+    /// Whether a face along `dir` is opposed to the motion, or all are asked for.
+    ///
+    /// |d| is below 2^29, components of directions are at most 2.
+    #[inline]
+    pub(super) const fn opposes(&self, dir: Axis) -> bool {
+        dir.y.wrapping_mul(self.d.x).wrapping_sub(dir.x.wrapping_mul(self.d.y)) < 0 || self.d.is_zero()
+    }
+
+    /// The same of an arc, if that is one: of the normals at its ends, since all others are between these.
+    pub(super) const fn opposes_arc(&self, arc: &Geometry) -> bool {
+        let Geometry::Arc { quadrant, convex, .. } = *arc else { return true };
+        let out = if convex { quadrant } else { quadrant.reversed() };
+        out.x.wrapping_mul(self.d.x) < 0 || out.y.wrapping_mul(self.d.y) < 0 || self.d.is_zero()
+    }
+
+    /// The same of the corner between two edges: some normal of a corner is opposed to the motion only where that of an edge is, but for a
+    /// wedge of no angle, which has all normals of half a turn.
+    pub(super) const fn opposes_corner(&self, e_in: Axis, e_out: Axis) -> bool {
+        self.opposes(e_in) || self.opposes(e_out) || (e_in.x == -e_out.x && e_in.y == -e_out.y)
+    }
+}
+
+/// The tiles that a surface is derived from.
+///
+/// Public in a private module, because a sealed trait names it.
+pub trait TileSource {
+    /// The kind of any cell.
+    fn kind_at(&self, x: i32, y: i32) -> TileKind;
+
+    fn full(&self, x: i32, y: i32) -> bool;
+
+    /// The shapes across the sides of a cell.
+    fn beside(&self, x: i32, y: i32) -> [TileShape; 4];
+
+    /// The corners of a cell; those of one beyond the map reach to the end of the domain.
+    fn cell_corners(&self, x: i32, y: i32) -> (Raw, Raw);
+
+    /// The corners of a cell with the band that it stands for.
+    fn extent(&self, x: i32, y: i32) -> (Raw, Raw);
+
+    /// The corners of the cell that a walk has come to.
+    fn corners(&self, walk: &CellWalk) -> (Raw, Raw);
+}
+
+/// The features of one cell, found when asked.
+///
+/// Public in a private module, because a sealed trait names it.
+pub trait Surface: Clone + Debug {
+    /// That of no cell.
+    const NONE: Self;
+
+    /// Whether nothing is left to give.
+    fn is_over(&self) -> bool;
+
+    /// Goes on to the cell that a walk over the closed range of the region has come to; the cell before is over.
+    fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &Look);
+
+    /// The next of what is left, if it is asked for.
+    fn take<M: TileSource>(&mut self, map: &M, look: &Look) -> Option<Feature>;
+}
+
+/// The cell whose features are handed out, the corners of its solid, its tile's flags, all its features as a mask of indices, and those
+/// left to give.
+#[derive(Clone, Copy, Debug)]
+pub struct BlockSurface {
+    cell: Cell,
+    solid: (Raw, Raw),
+    flags: u8,
+    all: Pieces,
+    left: Pieces,
+}
+
+/// Bits 0..=3: faces by index; 4..=7: vertices; 8: a one-way tile, of whose face the bits of the vertices at its ends mean that it is not
+/// joined there.
+type Pieces = u16;
+
+const ONE_WAY: Pieces = 1 << 8;
+
+/// Face k runs from corner k to corner k + 1: corners are counted from the one nearest the origin, turning with the faces.
+const DIRECTIONS: [Axis; 4] = [Axis::X, Axis::Y, Axis::NEG_X, Axis::NEG_Y];
+
+impl Surface for BlockSurface {
+    const NONE: Self =
+        Self { cell: Cell::new(0, 0), solid: (Raw { x: 0, y: 0 }, Raw { x: 0, y: 0 }), flags: 0, all: 0, left: 0 };
+
+    #[inline]
+    fn is_over(&self) -> bool {
+        self.left == 0
+    }
+
+    #[inline]
+    fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &Look) {
+        let CellWalk { x, y, kind, .. } = *walk;
+        if kind.is_full() {
+            self.solid = map.corners(walk);
+            let asked = self.asked(look);
+            if asked == 0 {
+                return;
+            }
+            self.all = surface(map, x, y);
+            self.left = self.all & asked;
+        } else {
+            self.load_one_way(map, kind, (x, y), look);
+        }
+        self.flags = kind.flags;
+        self.cell = Cell::of(x, y);
+    }
+
+    #[inline]
+    fn take<M: TileSource>(&mut self, _: &M, _: &Look) -> Option<Feature> {
+        let mut index = 0u16;
+        while index < 7 && self.left >> index & 1 == 0 {
+            index += 1;
+        }
+        self.left &= !(1 << index);
+        Some(self.feature(index))
+    }
+}
+
+impl BlockSurface {
+    /// The face of a cell that is not full, if it has one that nothing covers.
+    pub(super) fn one_way<M: TileSource>(map: &M, x: i32, y: i32) -> Option<Feature> {
+        let (mut surface, kind) = (Self { cell: Cell::of(x, y), ..Self::NONE }, map.kind_at(x, y));
+        let (lo, hi) = (Raw { x: 1 - DOMAIN, y: 1 - DOMAIN }, Raw { x: DOMAIN - 1, y: DOMAIN - 1 });
+        surface.load_one_way(map, kind, (x, y), &Look::all(&Aabb::from_raw_unchecked(lo, hi)));
+        surface.flags = kind.flags;
+        (surface.left != 0).then(|| surface.feature(kind.one_way_side().unwrap_or(0).into()))
+    }
+
+    /// A cell with one face; not there before a full one. Out of line: a level has few.
+    #[inline(never)]
+    fn load_one_way<M: TileSource>(&mut self, map: &M, kind: TileKind, (x, y): (i32, i32), look: &Look) {
+        let Some(side) = kind.one_way_side() else { return };
+        let (dx, dy) = across(side);
+        if map.full(x.wrapping_add(dx), y.wrapping_add(dy)) {
+            return;
+        }
+        // The next side is turned by a right angle.
+        let end = !goes_on(map, x.wrapping_sub(dy), y.wrapping_add(dx), side) as Pieces;
+        let start = !goes_on(map, x.wrapping_add(dy), y.wrapping_sub(dx), side) as Pieces;
+        self.all = ONE_WAY | 1 << side | end << (4 + side) | start << (4 + (side.wrapping_sub(1) & 3));
+        // Across its line a one-way edge is not repeated: the band's corners are not its own.
+        let (band, (lo, hi)) = (map.extent(x, y), map.cell_corners(x, y));
+        let a = corner(lo, hi, side);
+        self.solid = if dx == 0 {
+            (Raw { x: band.0.x, y: a.y }, Raw { x: band.1.x, y: a.y })
+        } else {
+            (Raw { x: a.x, y: band.0.y }, Raw { x: a.x, y: band.1.y })
+        };
+        // Where the region is beyond a repeated border, the line may be on either side of it.
+        let ((lo, hi), region) = (self.solid, look.region);
+        let met = lo.x <= region.1.x && hi.x >= region.0.x && lo.y <= region.1.y && hi.y >= region.0.y;
+        self.left = ((met && look.opposes(direction(side))) as Pieces) << side;
+    }
+
+    /// The indices that are asked for, if they are there.
+    fn asked(&self, look: &Look) -> Pieces {
+        let (d, reached) = (look.d, self.reached(look.region));
+        if d.is_zero() {
+            return reached;
+        }
+        // The faces that the motion comes to: not those that its front, up to the raw unit by which the region is larger, is beyond at the start.
+        let ((lo, hi), (from, to)) = (self.solid, look.region);
+        let up = d.y > 0 && lo.y >= to.y.wrapping_sub(d.y).wrapping_sub(1);
+        let right = d.x < 0 && hi.x <= from.x.wrapping_sub(d.x).wrapping_add(1);
+        let down = d.y < 0 && hi.y <= from.y.wrapping_sub(d.y).wrapping_add(1);
+        let left = d.x > 0 && lo.x >= to.x.wrapping_sub(d.x).wrapping_sub(1);
+        let faces = up as Pieces | (right as Pieces) << 1 | (down as Pieces) << 2 | (left as Pieces) << 3;
+        if look.joints {
+            // What meets the joints of faces meets no corners.
+            return faces & reached;
+        }
+        // A corner is met only by what moves toward one of its faces.
+        let toward =
+            (d.y > 0) as Pieces | ((d.x < 0) as Pieces) << 1 | ((d.y < 0) as Pieces) << 2 | ((d.x > 0) as Pieces) << 3;
+        (faces | (toward | toward >> 1 | toward << 3) << 4) & reached
+    }
+
+    /// The indices whose place is in the region; that the cell is is known.
+    fn reached(&self, region: (Raw, Raw)) -> Pieces {
+        let (lo, hi) = self.solid;
+        let mut out = 0;
+        if lo.y < region.0.y {
+            out |= 0b1001_0001;
+        }
+        if hi.x > region.1.x {
+            out |= 0b0011_0010;
+        }
+        if hi.y > region.1.y {
+            out |= 0b0110_0100;
+        }
+        if lo.x < region.0.x {
+            out |= 0b1100_1000;
+        }
+        !out & 0xff
+    }
+
+    fn feature(&self, index: u16) -> Feature {
+        let (lo, hi) = self.solid;
+        let k = index as u8 & 3;
+        let dir = direction(k);
+        let geometry = if index < 4 {
+            let a = corner(lo, hi, k);
+            let len = if k & 1 == 0 { hi.x.wrapping_sub(lo.x) } else { hi.y.wrapping_sub(lo.y) };
+            let (start, end) = (4 + (k.wrapping_sub(1) & 3), 4 + k);
+            let joined = [self.all >> start & 1 == 0, self.all >> end & 1 == 0];
+            Geometry::Face { a: a.vec2(), dir, len, joined }
+        } else {
+            let next = k.wrapping_add(1) & 3;
+            Geometry::Vertex { p: corner(lo, hi, next).vec2(), e_in: dir, e_out: direction(next) }
+        };
+        Feature { geometry, cell: self.cell, index, flags: self.flags, one_way: self.all & ONE_WAY != 0, source: 0 }
+    }
+}
+
+#[expect(clippy::indexing_slicing, reason = "masked to the table's length")]
+const fn direction(k: u8) -> Axis {
+    DIRECTIONS[(k & 3) as usize]
+}
+
+/// Where face k starts.
+const fn corner(lo: Raw, hi: Raw, k: u8) -> Raw {
+    Raw { x: if k == 1 || k == 2 { hi.x } else { lo.x }, y: if k >= 2 { hi.y } else { lo.y } }
+}
+
+/// The faces and vertices of a full cell.
+fn surface<M: TileSource>(map: &M, x: i32, y: i32) -> Pieces {
+    let up = !map.full(x, y.wrapping_sub(1)) as Pieces;
+    let right = !map.full(x.wrapping_add(1), y) as Pieces;
+    let down = !map.full(x, y.wrapping_add(1)) as Pieces;
+    let left = !map.full(x.wrapping_sub(1), y) as Pieces;
+    let faces = up | right << 1 | down << 2 | left << 3;
+    // Vertex k is where face k ends and the next one starts.
+    faces | (faces & (faces >> 1 | faces << 3) & 0xf) << 4
+}
+
+/// Whether something that blocks from the same side lies beside a one-way face: a full cell, or such a one-way one that has its face.
+fn goes_on<M: TileSource>(map: &M, x: i32, y: i32, side: u8) -> bool {
+    let kind = map.kind_at(x, y);
+    let (dx, dy) = across(side);
+    let same = matches!(kind.one_way_side(), Some(other) if other == side);
+    kind.is_full() || (same && !map.full(x.wrapping_add(dx), y.wrapping_add(dy)))
+}
+
+/// The step to the cell across a side.
+const fn across(side: u8) -> (i32, i32) {
+    let normal = direction(side.wrapping_sub(1));
+    (normal.x, normal.y)
+}

@@ -1,0 +1,19 @@
+//! Many bodies: broad phases, pairs and their events, what they do to each other, scenes.
+
+#![cfg(not(target_os = "none"))]
+
+mod broad_grid;
+mod broad_model;
+mod broad_pairs;
+mod broad_removals;
+mod filters;
+mod pair_events;
+mod response;
+mod response_pair;
+mod response_ratio;
+mod response_verlet;
+mod scene_change;
+mod scene_rest;
+mod scene_rules;
+mod scene_sleep;
+mod sort_sweep;

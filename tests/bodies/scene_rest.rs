@@ -1,0 +1,152 @@
+//! Scenes: what sleeps is where what may wake it reaches it, and its pairs last.
+
+use tilesat::broad::{PairEvent, PairEvents, SortSweep};
+use tilesat::scene::{SceneBody, SceneEvent, SceneTag};
+use tilesat::{Aabb, Circle, Fx, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, Vec2};
+
+static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+fn bx(x: i16, y: i16, w: i16, h: i16) -> Aabb {
+    Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h)).unwrap()
+}
+fn raw(x: i32, y: i32, w: i32, h: i32) -> Aabb {
+    Aabb::new(Vec2::from_raw(x, y), Vec2::from_raw(x + w, y + h)).unwrap()
+}
+type S = Scene<SortSweep<16, SceneTag>, 16>;
+
+/// A trap and a crate in it both rest; a ball wakes the crate: no pair ends that the next step begins again.
+#[test]
+fn waking_does_not_end_pairs() {
+    let level = TileMap::from_ascii("#........#\n#........#\n##########\n", &KINDS).unwrap();
+    let g = Vec2::from_raw(0, 6_554);
+    let mut scene = S::new(SortSweep::new());
+    let _ = scene.insert(&SceneBody::new(bx(40, 22, 10, 10), 1)).unwrap();
+    let _ = scene.insert(&SceneBody::new(bx(40, 12, 10, 10), 2)).unwrap();
+    let trap = SceneBody::fixed(bx(36, 20, 20, 12), 3);
+    scene.insert(&SceneBody { filter: trap.filter.with_sensor(true), ..trap }).unwrap();
+    let mut events = PairEvents::<32>::new();
+    let mut log = Vec::new();
+    for k in 0..200 {
+        if k == 100 {
+            assert!(scene.awake().is_empty());
+            let b = SceneBody {
+                velocity: Vec2::from_ints(-4, 0),
+                ..SceneBody::new(Circle::new(Vec2::from_ints(80, 26), Fx::from_num(4)).unwrap(), 4)
+            };
+            scene.insert(&b).unwrap();
+        }
+        scene
+            .step(&level, g, |e| {
+                if let SceneEvent::Touch { pair, .. } = e {
+                    events.feed(pair);
+                }
+            })
+            .unwrap();
+        events.finish(|p| scene.rests(p)).unwrap();
+        for e in events.iter() {
+            if !matches!(e, PairEvent::Stay(_)) {
+                log.push((k, e));
+            }
+        }
+    }
+    for (_, event) in &log {
+        assert!(log.iter().filter(|(_, e)| e == event).count() == 1, "{event:?} twice");
+    }
+}
+
+/// Whatever its surface and however low the gravity, what sleeps at the floor touches it: a change of the floor wakes it.
+#[test]
+fn what_sleeps_at_the_floor_touches_it() {
+    let level = TileMap::from_ascii("............\n............\n............\n############\n", &KINDS).unwrap();
+    let floor = bx(0, 48, 12 * 16, 16);
+    let mut bad = 0;
+    let mut stat = std::collections::BTreeMap::new();
+    for percent in [0, 30, 50, 70, 80, 90, 95, 100] {
+        for gy in [1, 3, 50, 655, 6_553, 6_554, 20_001, 65_537] {
+            for vx in [0, 1, 7777, -65_535] {
+                for k in 0..40 {
+                    for round in [false, true] {
+                        let surface = Surface::new(Ratio::percent(percent).unwrap(), Ratio::percent(30).unwrap());
+                        let y = 30 * 65_536 + k * 7_919;
+                        let shape: tilesat::scene::Shape = if round {
+                            Circle::new(Vec2::from_raw(90 * 65_536 + 13 * k, y), Fx::from_bits(300_007)).unwrap().into()
+                        } else {
+                            raw(90 * 65_536 + 13 * k, y, 600_001, 600_003).into()
+                        };
+                        let mut scene = S::new(SortSweep::new());
+                        let h = scene
+                            .insert(&SceneBody { surface, velocity: Vec2::from_raw(vx, 0), ..SceneBody::new(shape, 1) })
+                            .unwrap();
+                        let mut n = 0;
+                        while !scene.awake().is_empty() && n < 3000 {
+                            scene.step(&level, Vec2::from_raw(0, gy), |_| {}).unwrap();
+                            n += 1;
+                        }
+                        if n == 3000 {
+                            continue;
+                        }
+                        let b = scene.body(h).unwrap().shape.aabb();
+                        let gap = 48 * 65_536 - b.max().raw().1;
+                        scene.wake_region(&floor);
+                        if gap >= 0 && scene.awake().is_empty() {
+                            bad += 1;
+                            let e = stat.entry((percent, gy, round)).or_insert((0, i32::MAX, i32::MIN));
+                            *e = (e.0 + 1, e.1.min(gap), e.2.max(gap));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    for e in &stat {
+        println!("floats {e:?}");
+    }
+    assert_eq!(bad, 0);
+}
+
+/// The same where a body carries it: gone, put elsewhere or pushed away from below, it wakes what slept on top.
+#[test]
+fn what_sleeps_on_a_body_wakes_with_it() {
+    let level = TileMap::from_ascii("............\n............\n............\n############\n", &KINDS).unwrap();
+    let mut slept = 0;
+    for percent in [0, 30, 50, 70, 90, 100] {
+        for gy in [655, 6_554, 20_001] {
+            for k in 0..40 {
+                for form in 0..16 {
+                    let surface = Surface::new(Ratio::percent(percent).unwrap(), Ratio::percent(30).unwrap());
+                    let y = 20 * 65_536 + k * 7_919;
+                    let ball = |r, y| Circle::new(Vec2::from_raw(90 << 16, y), Fx::from_bits(r)).unwrap();
+                    let top: tilesat::scene::Shape =
+                        if form & 1 == 0 { ball(300_007, y).into() } else { raw(89 << 16, y, 300_001, 300_003).into() };
+                    let base = raw(85 << 16, 38 << 16, 10 << 16, 10 << 16);
+                    let base = SceneBody { surface, ..SceneBody::new(base, 1) };
+                    let base = if form & 2 == 0 { base } else { SceneBody { mass: None, ..base } };
+                    let mut scene = S::new(SortSweep::new());
+                    let base = scene.insert(&base).unwrap();
+                    let top = scene.insert(&SceneBody { surface, ..SceneBody::new(top, 2) }).unwrap();
+                    let gravity = Vec2::from_raw(0, gy);
+                    for _ in 0..2000 {
+                        if scene.awake().is_empty() {
+                            break;
+                        }
+                        scene.step(&level, gravity, |_| {}).unwrap();
+                    }
+                    if !scene.awake().is_empty() {
+                        continue;
+                    }
+                    slept += 1;
+                    match form >> 2 {
+                        0 => drop(scene.remove(base).unwrap()),
+                        1 => scene.place(base, bx(10, 10, 10, 10)).unwrap(),
+                        2 => scene.push(base, Vec2::from_ints(12, 0)).unwrap(),
+                        _ => scene.set_velocity(base, Vec2::from_ints(0, 1)).unwrap(),
+                    }
+                    scene.step(&level, gravity, |_| {}).unwrap();
+                    if form & 2 == 0 || form >> 2 < 2 {
+                        assert!(scene.is_awake(top).unwrap(), "{percent} % at {gravity:?}: {k} {form}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(slept > 5_000, "{slept}");
+}

@@ -1,0 +1,24 @@
+//! All families, in groups.
+
+use super::family::Run;
+#[cfg(not(target_os = "none"))]
+use super::games;
+use super::{bodies, motion, ninja, numbers, pairs, responses, worlds};
+
+/// Families of some kinds.
+pub type Part = fn(&mut Run<'_>);
+
+// Groups: as much as the flash of a small chip holds, at the worst without optimisation.
+pub const SHAPES: &[Part] = &[numbers::run, pairs::run, responses::run];
+pub const BODIES: &[Part] = &[bodies::run];
+pub const LEVELS: &[Part] = &[worlds::run_tiles, worlds::run_blocks, worlds::run_slopes, worlds::run_shapes];
+pub const SEGMENTS: &[Part] = &[worlds::run_segments, motion::run_segments];
+pub const JOINED: &[Part] = &[worlds::run_joined];
+pub const MOVING: &[Part] = &[worlds::run_moving];
+pub const BLOCKS: &[Part] = &[motion::run_blocks];
+pub const MOTION: &[Part] = &[motion::run_shapes, ninja::run];
+pub const GROUPS: [&[Part]; 8] = [SHAPES, BODIES, LEVELS, SEGMENTS, JOINED, MOVING, BLOCKS, MOTION];
+
+/// Firmwares of their own on chips.
+#[cfg(not(target_os = "none"))]
+pub const GAMES: &[Part] = &[games::run];

@@ -1,0 +1,138 @@
+//! Bodies that move through levels: the mover, the walker, moving solids, the way out of the solid.
+
+use tilesat::motion::{Body, escape};
+use tilesat::world::{Pushable, Solid, World};
+use tilesat::{
+    Aabb, Axis, Circle, Fx, MoveError, Mover, Ratio, Response, SlopeSpeed, StartInside, Support, Surface, Vec2, Walker,
+};
+
+use super::VECTORS;
+use super::family::Run;
+use super::hash::{Encode, Hash};
+use super::levels;
+use super::random::{Class, Random, UNIT, any_motion};
+use super::world::Vector;
+
+const QUERIES: [&str; 7] = ["move_and_slide", "bounce_and_slide", "walk", "ride", "supported", "escape", "motion_work"];
+
+const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::Cross, Response::Bounce];
+
+/// A mover of each kind in turn.
+fn mover(number: u32) -> Mover {
+    let mover = if number.is_multiple_of(3) { Mover::new() } else { Mover::platformer(Axis::NEG_Y) };
+    let response = if number.is_multiple_of(5) { RESPONSES[number as usize / 5 % 4] } else { Response::Slide };
+    let inside = if number % 16 == 7 { StartInside::Ignore } else { StartInside::Report };
+    mover.with_response(response).with_inside(inside).with_drop_through(number % 32 == 5)
+}
+
+/// What is carried on from vector to vector: a body that goes on from where it came to.
+#[derive(Clone, Copy, Debug)]
+struct Trip<B> {
+    body: B,
+    velocity: Vec2,
+    floor: Option<Support>,
+}
+
+impl<B: Body + Pushable + Encode> Trip<B> {
+    fn new(body: B) -> Self {
+        Self { body, velocity: Vec2::ZERO, floor: None }
+    }
+
+    fn ask(
+        &mut self,
+        level: &impl World,
+        list: &[Solid],
+        number: u32,
+        by: Vec2,
+        r: &mut Random,
+        hashes: &mut [Hash; 7],
+    ) {
+        let [slides, bounces, walks, rides, stands, frees, work] = hashes;
+        let mover = mover(number);
+        let free = escape(level, &self.body);
+        frees.add(free);
+        if let (Ok(free), true) = (free, number % 4 != 3) {
+            self.body = free;
+        }
+        stands.add(mover.supported(level, &self.body));
+        let speed = [SlopeSpeed::Projected, SlopeSpeed::Constant][number as usize / 2 % 2];
+        let walker = Walker::new(mover).with_slope_speed(speed);
+        let walker = walker.with_step(Fx::from_bits(r.signed(19).abs())).unwrap_or(walker);
+        let walker = walker.with_snap(Fx::from_bits(r.signed(19).abs())).unwrap_or(walker);
+        let walked = walker.walk(level, &self.body, by, self.floor);
+        walks.add(walked);
+        let ridden = mover.ride(level, list, &self.body, Fx::from_bits(r.signed(17).abs()));
+        rides.add(ridden);
+        let surface = Surface::new(Ratio::from_raw(r.word() >> 2).unwrap_or(Ratio::ONE), Ratio::HALF);
+        let bounced = mover.with_surface(surface).with_response(Response::Bounce).move_and_slide(level, &self.body, by);
+        bounces.add(bounced);
+        let moved = mover.move_and_slide(level, &self.body, by + self.velocity);
+        slides.add(moved);
+        if let Ok(ridden) = ridden {
+            work.add(ridden.work);
+        }
+        if let Ok(walked) = walked {
+            self.floor = walked.floor;
+            work.add(walked.moved.work);
+        }
+        self.velocity = Vec2::ZERO;
+        match moved {
+            Ok(moved) => {
+                self.body = moved.body;
+                let (x, y) = moved.velocity.raw();
+                // Falls on, and never so fast that it leaves the domain.
+                self.velocity = Vec2::from_raw(x.clamp(-UNIT * 8, UNIT * 8), y.clamp(-UNIT * 8, UNIT * 8) + UNIT / 16);
+                work.add(moved.work);
+            }
+            Err(MoveError::Stuck(_) | MoveError::Range(_)) => {}
+        }
+    }
+}
+
+/// Sixteen vectors a trip, boxes and circles in turn.
+fn trips<W: World>(run: &mut Run<'_>, of: &'static str, level: impl Fn(u32) -> Option<(W, Vec2)>) {
+    let (mut ball, mut block) = (None, None);
+    run.family(of, VECTORS / 3 + 1, QUERIES, |number, r, hashes| {
+        let Some((level, at)) = level(number / 16) else { return };
+        let v = Vector::draw(number, r, at, levels::SIZE);
+        let class = Class::of(number / 16);
+        if number.is_multiple_of(16) {
+            (ball, block) = (Some(Trip::<Circle>::new(v.ball)), Some(Trip::<Aabb>::new(v.block)));
+        }
+        let by = match class {
+            Class::Lattice | Class::Touch => Vec2::from_raw(r.small(2) * UNIT * 4, r.small(2) * UNIT * 4),
+            Class::Domain => v.motion,
+            _ => {
+                let aim = Vec2::from_raw(r.signed(19), r.signed(19));
+                any_motion(r, Class::Uniform, Vec2::ZERO, aim)
+            }
+        };
+        let list = levels::solids(r, at);
+        let list = if number.is_multiple_of(2) { &list[..] } else { &[] };
+        let trip = (&mut ball, &mut block);
+        match (trip, number / 16 % 2) {
+            ((Some(ball), _), 0) => ball.ask(&level, list, number, by, r, hashes),
+            ((_, Some(block)), _) => block.ask(&level, list, number, by, r, hashes),
+            _ => {}
+        }
+    });
+}
+
+/// A map, and where it is.
+macro_rules! placed {
+    ($map:path) => {
+        |trip| $map(trip * 6).map(|map| (map, map.origin()))
+    };
+}
+
+pub(crate) fn run_blocks(run: &mut Run<'_>) {
+    trips(run, "blocks", placed!(levels::blocks));
+}
+
+pub(crate) fn run_shapes(run: &mut Run<'_>) {
+    trips(run, "shapes", placed!(levels::shapes));
+}
+
+pub(crate) fn run_segments(run: &mut Run<'_>) {
+    trips(run, "segments", |_| Some((*levels::segments(), Vec2::ZERO)));
+}

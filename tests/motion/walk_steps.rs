@@ -1,0 +1,212 @@
+//! Walkers at steps, ledges, walls and wedges, to the raw unit.
+
+use tilesat::world::World;
+use tilesat::{Aabb, Axis, Joined, Mover, Solid, Solids, Walker};
+use tilesat_judge::ground::{CELL, Frame, Ground, P, PX, Shape, fx, vec2};
+
+const BOX: Shape = Shape::Rect(5 * PX, 8 * PX);
+const DISC: Shape = Shape::Disc(8 * PX);
+
+fn walker(snap: i64, step: i64) -> Walker {
+    Walker::new(Mover::platformer(Axis::NEG_Y)).with_snap(fx(snap)).unwrap().with_step(fx(step)).unwrap()
+}
+
+/// Ground left of x = 0 at y = 0, right of it `rise` higher, up to 8 cells away, seen in a mirror where `left`.
+fn ledge(rise: i64, left: bool) -> Ground {
+    let mut points = vec![(-8 * CELL, 0), (0, 0), (0, -rise), (8 * CELL, -rise)];
+    if left {
+        points = points.into_iter().rev().map(|(x, y)| (-x, y)).collect();
+    }
+    Ground::corners(&points)
+}
+
+/// Frames at one speed from a stand on the ground.
+fn play<W: World>(world: &W, shape: Shape, walker: &Walker, from: P, v: P, frames: u32) -> Vec<Frame> {
+    let mut last = shape.step(walker, world, (from.0, from.1 - shape.half() - PX), (0, 2 * PX), None).unwrap();
+    assert!(last.floor.is_some(), "{last:?}");
+    (0..frames)
+        .map(|_| {
+            last = shape.step(walker, world, last.at, v, last.floor).unwrap();
+            last
+        })
+        .collect()
+}
+
+/// A step of exactly the walker's is climbed, one raw unit more is a wall; at any phase and speed, to both sides.
+#[test]
+fn steps_to_the_raw_unit() {
+    for (shape, reach) in [(BOX, 5 * PX), (DISC, 8 * PX)] {
+        for left in [false, true] {
+            let side = if left { -1 } else { 1 };
+            // A circle rolls over what it meets as a floor: 2.3 units at 45 degrees.
+            for step in [PX, 4 * PX, 6 * PX].into_iter().filter(|&s| shape == BOX || s > 3 * PX) {
+                for more in [-1, 0, 1] {
+                    ledge(step + more, left).with_polygon(|map| {
+                        for phase in 0..24 {
+                            let speed = PX / 3 + phase * 12_345;
+                            let from = (-side * (3 * CELL - phase * 777), 0);
+                            let seen = play(map, shape, &walker(2 * PX, step), from, (side * speed, PX / 4), 360);
+                            let tell = |f: &Frame| format!("{shape:?} {step}+{more} by {speed} {left}: {f:?}");
+                            for f in seen.iter().take_while(|f| f.at.0 * side < 4 * CELL) {
+                                assert!(f.floor.is_some(), "{}", tell(f));
+                                assert!(more > 0 || !f.hit_wall, "a step is no wall: {}", tell(f));
+                            }
+                            let last = seen.iter().find(|f| f.at.0 * side > 3 * CELL).unwrap_or(&seen[359]);
+                            if more <= 0 {
+                                assert!(last.at.0 * side > 3 * CELL, "{}", tell(last));
+                                assert_eq!(last.at.1, -step - more - shape.half(), "{}", tell(last));
+                                let up: i64 =
+                                    seen.iter().take_while(|f| f.at.0 * side < 4 * CELL).map(|f| f.stepped).sum();
+                                assert!(up > 0 && (shape == DISC || up == step + more), "{} {up}", tell(last));
+                            } else {
+                                assert!((last.at.0 * side).abs() <= reach && last.at.0 * side <= 0, "{}", tell(last));
+                                assert_eq!((last.at.1, last.stepped), (-shape.half(), 0), "{}", tell(last));
+                                assert!(last.hit_wall && last.v == (0, 0), "{}", tell(last));
+                            }
+                        }
+                    });
+                }
+            }
+        }
+    }
+}
+
+/// A ledge of exactly the snap is followed down, one raw unit more is left flying.
+#[test]
+fn ledges_to_the_raw_unit() {
+    for left in [false, true] {
+        let side = if left { -1 } else { 1 };
+        for fall in [PX / 2, 2 * PX, 6 * PX] {
+            for more in [-1, 0, 1] {
+                ledge(fall + more, left).with_polygon(|map| {
+                    for phase in 0..24 {
+                        let speed = PX / 3 + phase * 12_345;
+                        let from = (side * (2 * CELL - phase * 777), -fall - more);
+                        let seen = play(map, BOX, &walker(fall, 0), from, (-side * speed, 0), 240);
+                        let end = seen.iter().find(|f| f.at.0 * side < -5 * PX).unwrap();
+                        let tell = || format!("{fall}+{more} by {speed} {left}: {end:?}");
+                        if more <= 0 {
+                            assert!(end.floor.is_some() && end.at.1 == -BOX.half(), "{}", tell());
+                            assert_eq!((end.snapped, end.v), (fall + more, (-side * speed, 0)), "{}", tell());
+                        } else {
+                            assert!(end.floor.is_none() && end.at.1 == -fall - more - BOX.half(), "{}", tell());
+                            assert_eq!(end.v, (-side * speed, 0), "{}", tell());
+                        }
+                    }
+                });
+            }
+        }
+    }
+}
+
+/// Stairs of half tiles, up and down, faster than they are wide too.
+#[test]
+fn stairs_of_tiles() {
+    for shape in [BOX, DISC, Shape::Rect(9 * PX, 4 * PX)] {
+        for speed in [PX / 2, 2 * PX, 7 * PX, 20 * PX] {
+            for up in [true, false] {
+                let mut ground = Ground::of("__________________", 3, 8);
+                let steps: [&[(usize, u8)]; 4] = [&[(7, 4)], &[(7, 1)], &[(7, 1), (6, 4)], &[(7, 1), (6, 1)]];
+                for x in 0..18 {
+                    let stair: usize = if up { x } else { 17 - x };
+                    for &(y, id) in
+                        steps.get(stair.wrapping_sub(6)).copied().unwrap_or(if stair < 6 { &[] } else { steps[3] })
+                    {
+                        ground.put(x, y, id);
+                    }
+                }
+                let level = ground.level();
+                let start = if up { (2 * CELL, 8 * CELL) } else { (2 * CELL, 6 * CELL) };
+                let seen = play(
+                    &level.all(),
+                    shape,
+                    &walker(30 * PX, 8 * PX),
+                    start,
+                    (speed, PX / 4),
+                    (20 * CELL / speed) as u32,
+                );
+                for f in seen.iter().take_while(|f| f.at.0 < 16 * CELL) {
+                    assert!(f.floor.is_some() && f.v == (speed, 0) && !f.hit_wall, "{shape:?} by {speed} {up}: {f:?}");
+                }
+                let end = seen.iter().find(|f| f.at.0 > 14 * CELL).unwrap();
+                assert_eq!(
+                    end.at.1,
+                    (if up { 6 } else { 8 }) * CELL - shape.half(),
+                    "{shape:?} by {speed} {up}: {end:?}"
+                );
+            }
+        }
+    }
+}
+
+/// A step in the same frame as a wall on top of it: the step is made, and the wall is told in that frame or the next one, not before. The step is
+/// half a tile, a ledge of a polygon or a platform on the floor.
+#[test]
+fn a_wall_behind_a_step() {
+    let mut ground = Ground::of("________________", 3, 8);
+    ground.put(8, 7, 4);
+    ground.put(9, 7, 1);
+    ground.put(9, 6, 1);
+    let tiles = ground.level();
+    let corners = Ground::corners(&[
+        (0, 8 * CELL),
+        (8 * CELL, 8 * CELL),
+        (8 * CELL, 15 * CELL / 2),
+        (9 * CELL, 15 * CELL / 2),
+        (9 * CELL, 6 * CELL),
+        (16 * CELL, 6 * CELL),
+    ]);
+    ground.put(8, 7, 0);
+    let bare = ground.level();
+    let platform = Aabb::new(vec2((8 * CELL, 15 * CELL / 2)), vec2((9 * CELL, 8 * CELL))).unwrap();
+    let solids = [Solid::new(platform, 1).unwrap()];
+    for shape in [BOX, Shape::Disc(6 * PX)] {
+        let mut both = 0;
+        // A circle that is faster than it is wide leaves the edge by its tangent, and may be in the air at the wall.
+        for speed in [PX, 3 * PX, 11 * PX, 25 * PX].into_iter().filter(|&s| shape == BOX || s < 12 * PX) {
+            for phase in 0..40 {
+                let tell = |f: &Frame| format!("{shape:?} by {speed} {phase}: {f:?}");
+                let judge = |seen: &[Frame]| {
+                    let stop = seen.iter().position(|f| f.hit_wall).unwrap();
+                    let (way, end) = (&seen[..stop], seen[stop]);
+                    assert!(way.iter().all(|f| f.v == (speed, 0)), "{}", tell(&end));
+                    // Up, at the wall, and not on before the wall was told.
+                    let width = if let Shape::Rect(w, _) = shape { w } else { shape.half() };
+                    assert!((9 * CELL - width - end.at.0 - 2).abs() <= 2 && end.v == (0, 0), "{}", tell(&end));
+                    assert!((end.at.1 - 15 * CELL / 2 + shape.half() + 1).abs() <= 1, "{}", tell(&end));
+                    assert!(seen[..=stop].iter().any(|f| f.stepped > 0), "{}", tell(&end));
+                    seen[..=stop].iter().any(|f| f.hit_wall && f.stepped > 0)
+                };
+                let (from, v) = ((3 * CELL + phase * 40_961, 8 * CELL), (speed, PX / 4));
+                let walker = walker(9 * PX, 8 * PX);
+                judge(&play(&tiles.all(), shape, &walker, from, v, 120));
+                corners.with_polygon(|map| judge(&play(map, shape, &walker, from, v, 120)));
+                let solids = Solids::new(&solids);
+                both += u32::from(judge(&play(&Joined::new(&bare.all(), &solids), shape, &walker, from, v, 120)));
+            }
+        }
+        assert!(both > 0 || shape != BOX, "{shape:?}: both in one frame");
+    }
+}
+
+/// A one-way wall of a tile that is higher than the step holds a walker from its side, however round it is; with a step as high as the wall it is stepped
+/// over.
+#[test]
+fn a_one_way_wall_is_as_high_as_it_is() {
+    let mut ground = Ground::of("________________", 3, 8);
+    ground.put(8, 7, 37);
+    let level = ground.level();
+    for shape in [BOX, Shape::Disc(PX), Shape::Disc(3 * PX), Shape::Disc(8 * PX)] {
+        for step in (1..16).map(|units| units * PX).chain([CELL - 1, CELL + 1]) {
+            for speed in [PX / 3, 2 * PX, 5 * PX] {
+                for phase in [0, 7_777, 40_961] {
+                    let (from, v) = ((6 * CELL + phase, 8 * CELL), (speed, PX / 4));
+                    let frames = (4 * CELL / speed) as u32;
+                    let end = *play(&level.all(), shape, &walker(PX, step), from, v, frames).last().unwrap();
+                    let beyond = end.at.0 > 8 * CELL;
+                    assert_eq!(beyond, step > CELL, "{shape:?}, step {step}, by {speed}: {end:?}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! Bodies that slide into a gap which closes at an acute angle: they go in as far as there is a free place, and rest there.
+
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "a place in floats, within a raw unit"
+)]
+
+use std::fmt::Debug;
+use tilesat::motion::Body;
+use tilesat::{Aabb, AllShapes, Axis, Circle, Fx, Grid, Mover, Outside, TileKind, TileKinds, TileMap, TileShape, Vec2};
+use tilesat_judge::Random;
+
+static KINDS: TileKinds = {
+    let (mut kinds, mut id) = (TileKinds::EMPTY, 0u8);
+    while id < 34 {
+        kinds = kinds.with(id, TileKind::of(TileShape::ALL[id as usize]));
+        id += 1;
+    }
+    kinds
+};
+
+const SIDE: usize = 32;
+const UNIT: i64 = 1 << 16;
+
+fn map(tiles: &[u8]) -> TileMap<'_, AllShapes> {
+    let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_num(16), Vec2::ZERO).unwrap();
+    TileMap::of(tiles, grid, &KINDS).unwrap().with_outside(Outside::Solid)
+}
+
+fn raw(x: i64, y: i64) -> Vec2 {
+    Vec2::new(Fx::from_bits(x as i32), Fx::from_bits(y as i32))
+}
+
+fn exact(v: Vec2) -> [f64; 2] {
+    [f64::from(v.x.to_bits()), f64::from(v.y.to_bits())]
+}
+
+/// A box that comes up a slope of one in two under a round tile. No place within two raw units of where it meets both is free.
+#[test]
+fn goes_into_the_gap() {
+    let mut tiles = [0; SIDE * SIDE];
+    let mut put = |x: usize, y: usize, shape: TileShape| tiles[y * SIDE + x] = shape as u8;
+    put(17, 20, TileShape::ConvexTopLeft);
+    put(17, 21, TileShape::MildLowBottomRight);
+    let body = Aabb::new(raw(17_810_228, 22_076_362), raw(18_494_676, 22_734_230)).unwrap();
+    let push = raw(1_397_858, 531_275);
+
+    let moved = Mover::new().move_and_slide(&map(&tiles), &body, push).unwrap();
+    assert_eq!(moved.position() - body.min(), raw(123_710, -61_855));
+    assert_eq!((moved.velocity, moved.hits.len()), (Vec2::ZERO, 2));
+    let again = Mover::new().move_and_slide(&map(&tiles), &moved.body, push).unwrap();
+    assert_eq!((again.body, again.velocity), (moved.body, Vec2::ZERO));
+}
+
+/// How many frames of bodies among all shapes end without velocity between a straight face and what they met after it; each where the motion along
+/// that face led, up to 512 raw units on its way, and what rounding takes.
+fn held_frames<B: Body + Debug>(rooms: usize, mut body: impl FnMut(&mut Random) -> Option<B>) -> u32 {
+    let (mut random, mut held) = (Random::new(20), 0);
+    for _ in 0..rooms {
+        let mut tiles = [0; SIDE * SIDE];
+        tiles.fill_with(|| if random.one_in(4) { random.within(1, 33) as u8 } else { 0 });
+        let map = map(&tiles);
+        for _ in 0..100 {
+            let Some(mut body) = body(&mut random) else { continue };
+            let mut velocity = Vec2::ZERO;
+            for frame in 0..48 {
+                if frame % 12 == 0 {
+                    velocity = raw(random.around(30 * UNIT), random.around(30 * UNIT));
+                }
+                // In the solid from the start: no body of this test.
+                let Ok(moved) = Mover::new().move_and_slide(&map, &body, velocity) else { break };
+                if moved.velocity == Vec2::ZERO && moved.hits.len() == 2 {
+                    let mut hits = moved.hits.iter();
+                    let (first, second) = (hits.next().unwrap(), hits.next().unwrap());
+                    if let Some(to) = along(velocity, first.axis, first.toi.raw(), second.toi.raw()) {
+                        held += 1;
+                        let made = exact(moved.position() - body.position());
+                        let short = (made[0] - to[0]).abs().max((made[1] - to[1]).abs());
+                        assert!(
+                            short < 16.0 + 10.0 / sine(first.axis, second.axis),
+                            "{body:?} by {velocity:?}: {moved:?}"
+                        );
+                    }
+                }
+                body = moved.body;
+            }
+        }
+    }
+    held
+}
+
+/// Where a motion leads that slides along a face from one moment to another; none where the first is no face of a tile.
+fn along(v: Vec2, n: Axis, from: u32, to: u32) -> Option<[f64; 2]> {
+    if n.x.abs().max(n.y.abs()) > 2 {
+        return None;
+    }
+    let (v, n) = (exact(v), [f64::from(n.x), f64::from(n.y)]);
+    let into = (v[0] * n[0] + v[1] * n[1]) / (n[0] * n[0] + n[1] * n[1]);
+    let part = |t: u32| f64::from(t) / f64::from(1 << 30);
+    let at = |k: usize| v[k] * part(from) + (v[k] - n[k] * into) * (part(to) - part(from));
+    Some([at(0), at(1)])
+}
+
+/// Of the angle between two directions.
+fn sine(a: Axis, b: Axis) -> f64 {
+    let length = |v: Axis| f64::from(v.x).hypot(f64::from(v.y));
+    a.perp_dot(b).abs() as f64 / (length(a) * length(b))
+}
+
+fn place(r: &mut Random) -> (i64, i64) {
+    (r.within(16 * UNIT, 496 * UNIT), r.within(16 * UNIT, 496 * UNIT))
+}
+
+#[test]
+fn circles_stop_where_the_gap_does() {
+    let held = held_frames(160, |r| {
+        let (x, y) = place(r);
+        Circle::new(raw(x, y), Fx::from_bits(r.within(4 * UNIT, 6 * UNIT) as i32)).ok()
+    });
+    assert!(held > 10_000, "{held}");
+}
+
+#[test]
+fn boxes_stop_where_the_gap_does() {
+    let held = held_frames(640, |r| {
+        let ((x, y), w, h) = (place(r), r.within(UNIT, 6 * UNIT), r.within(UNIT, 6 * UNIT));
+        Aabb::new(raw(x - w, y - h), raw(x + w, y + h)).ok()
+    });
+    assert!(held > 10_000, "{held}");
+}

@@ -1,0 +1,15 @@
+//! Two shapes: overlap, touch, contacts, distances and closest points against exact judges; and the numbers that they are made of.
+
+#![cfg(not(target_os = "none"))]
+
+mod closest_ties;
+mod degenerate;
+mod distances;
+mod exact;
+mod lattice;
+mod mutants;
+mod number_types;
+mod numbers;
+mod oracle_self;
+mod push_out;
+mod symmetry;

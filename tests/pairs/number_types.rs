@@ -1,0 +1,131 @@
+//! The public numbers against 128-bit arithmetic of the host, and the ends of what shapes are made of.
+
+use tilesat::num::DOMAIN;
+use tilesat::{Aabb, Axis, Circle, Fx, Quantity, RangeError, Segment, Toi, Vec2};
+use tilesat_judge::Random;
+
+/// Units, ends, zero, and what is beside them; each sign.
+fn words() -> Vec<i32> {
+    let sizes = [0, 1, 2, 3, 7, 65_536, (1 << 28) - 1, 1 << 28, (1 << 30) - 1, 1 << 30];
+    sizes.into_iter().flat_map(|n| [n, -n]).collect()
+}
+
+fn pairs() -> Vec<(i32, i32)> {
+    let mut r = Random::new(5);
+    let any =
+        (0..400).map(|_| (r.around(1 << 30) as i32, (r.sign() * r.magnitude(1 << 30)) as i32)).collect::<Vec<_>>();
+    words().into_iter().flat_map(|x| words().into_iter().map(move |y| (x, y))).chain(any).collect()
+}
+
+#[test]
+fn products_of_directions_are_exact() {
+    let all = pairs();
+    for (i, &(x, y)) in all.iter().enumerate() {
+        let a = Axis::new(x, y);
+        let square = i128::from(x).pow(2) + i128::from(y).pow(2);
+        assert_eq!(i128::from(a.length_squared()), square, "{a:?}");
+        assert_eq!(a.is_zero(), square == 0, "{a:?}");
+        assert_eq!((a.perp(), -a, a.reversed()), (Axis::new(-y, x), Axis::new(-x, -y), Axis::new(-x, -y)));
+        for &(u, v) in all.iter().skip(i % 7).step_by(7) {
+            let (b, w) = (Axis::new(u, v), Vec2::from_raw(u, v));
+            let product = |p: i32, q: i32| i128::from(p) * i128::from(q);
+            let (dot, cross) = (product(x, u) + product(y, v), product(x, v) - product(y, u));
+            assert_eq!((i128::from(a.dot(b)), i128::from(a.dot_vec(w))), (dot, dot), "{a:?} {b:?}");
+            assert_eq!(i128::from(a.perp_dot(b)), cross, "{a:?} {b:?}");
+            let here = Vec2::from_raw(x, y);
+            assert_eq!((i128::from(here.dot(w)), i128::from(here.perp_dot(w))), (dot, cross), "{here:?} {w:?}");
+        }
+    }
+}
+
+#[test]
+fn sums_of_vectors_saturate() {
+    let all = pairs();
+    let ends = [(i32::MAX, i32::MIN), (i32::MIN, i32::MAX), (i32::MIN, i32::MIN), (i32::MAX, i32::MAX)];
+    for &(x, y) in all.iter().step_by(3).chain(&ends) {
+        let a = Vec2::from_raw(x, y);
+        assert_eq!((-a).raw(), (x.saturating_neg(), y.saturating_neg()));
+        let square = i128::from(x).pow(2) + i128::from(y).pow(2);
+        assert_eq!(i128::from(a.length_squared()), square, "{a:?}");
+        let length = i128::from(a.length().to_bits());
+        let full = length == i128::from(i32::MAX);
+        assert!(length * length <= square && (full || square < (length + 1).pow(2)), "{a:?}: {length}");
+        for &(u, v) in all.iter().step_by(5).chain(&ends) {
+            let b = Vec2::from_raw(u, v);
+            let (sum, difference) =
+                ((x.saturating_add(u), y.saturating_add(v)), (x.saturating_sub(u), y.saturating_sub(v)));
+            assert_eq!(
+                ((a + b).raw(), a.saturating_add(b).raw(), (a - b).raw()),
+                (sum, sum, difference),
+                "{a:?} {b:?}"
+            );
+            let (mut more, mut less) = (a, a);
+            more += b;
+            less -= b;
+            assert_eq!((more.raw(), less.raw()), (sum, difference), "{a:?} {b:?}");
+            assert_eq!((a.min(b).raw(), a.max(b).raw()), ((x.min(u), y.min(v)), (x.max(u), y.max(v))), "{a:?} {b:?}");
+        }
+        let fields = [Fx::from_bits(x), Fx::from_bits(y)];
+        assert_eq!((Vec2::from(fields), Vec2::from((fields[0], fields[1])), <[Fx; 2]>::from(a)), (a, a, fields));
+    }
+}
+
+#[test]
+fn times_are_parts_of_motions() {
+    let one = 1u32 << 30;
+    assert_eq!((Toi::from_raw(one), Toi::from_raw(one + 1), Toi::from_raw(0)), (Some(Toi::ONE), None, Some(Toi::ZERO)));
+    for raw in [0, 1, 2, 3, 1 << 14, (1 << 14) - 1, one / 3, one / 2, one - 1, one] {
+        let toi = Toi::from_raw(raw).expect("at most one");
+        assert_eq!((toi.raw(), toi.to_fx().to_bits()), (raw, (raw >> 14) as i32));
+        for (x, y) in pairs() {
+            let part = |d: i32| (i128::from(d) * i128::from(raw) / i128::from(one)) as i32;
+            assert_eq!(toi.of(Vec2::from_raw(x, y)).raw(), (part(x), part(y)), "{toi:?} of {x}, {y}");
+        }
+    }
+}
+
+/// A number from which on each constructor refuses, and the last one that it takes.
+#[test]
+fn shapes_end_at_the_domain() {
+    let most = DOMAIN - 1;
+    let at = |x: i32, y: i32| Vec2::from_raw(x, y);
+    let error = |what, value| Some(RangeError { what, value });
+    for end in [most, -most] {
+        let over = end + end.signum();
+        let (zero, x, y) = (Vec2::ZERO, at(over, 0), at(0, over));
+        assert!(Segment::new(at(end, end), at(-end, end)).is_ok());
+        for (v, what) in [(x, Quantity::X), (y, Quantity::Y)] {
+            assert_eq!(Segment::new(v, zero).err(), error(what, over));
+            assert_eq!(Segment::new(zero, v).err(), error(what, over));
+            assert_eq!(Aabb::new(v.min(zero), v.max(zero)).err(), error(what, over));
+            assert_eq!(Aabb::new(v, v).err(), error(what, over));
+            assert_eq!(Aabb::from_centre(v, zero).err(), error(what, over));
+            assert_eq!(Circle::new(v, Fx::ZERO).err(), error(what, over));
+            let unit = at(v.raw().0.signum(), v.raw().1.signum());
+            let edge = at(end * unit.raw().0.abs(), end * unit.raw().1.abs());
+            assert_eq!(Segment::new(edge, zero).expect("inside").translated(unit).err(), error(what, over));
+            assert_eq!(Aabb::new(edge, edge).expect("inside").translated(unit).err(), error(what, over));
+            assert_eq!(Circle::new(edge, Fx::ZERO).expect("inside").translated(unit).err(), error(what, over));
+            let back = at(-unit.raw().0, -unit.raw().1);
+            assert!(Circle::new(edge, Fx::ZERO).expect("inside").translated(back).is_ok());
+        }
+    }
+    let r = Fx::from_bits;
+    assert!(Circle::new(at(0, 0), r(most)).is_ok() && Circle::new(at(5, 0), r(most - 5)).is_ok());
+    assert!(Circle::new(at(-5, 0), r(most - 5)).is_ok() && Circle::new(at(0, -5), r(most - 5)).is_ok());
+    assert_eq!(Circle::new(at(0, 0), r(-1)).err(), error(Quantity::Radius, -1));
+    assert_eq!(Circle::new(at(0, 0), r(DOMAIN)).err(), error(Quantity::Radius, DOMAIN));
+    for (x, y) in [(6, 0), (-6, 0), (0, 6), (0, -6)] {
+        assert!(Circle::new(at(x, y), r(most - 5)).is_err(), "{x} {y}");
+    }
+    for (x, y) in [(-1, 0), (0, -1), (DOMAIN, 0), (0, DOMAIN)] {
+        assert_eq!(Aabb::from_centre(at(0, 0), at(x, y)).err(), error(Quantity::HalfExtent, x + y));
+    }
+    assert_eq!(Aabb::new(at(3, 0), at(2, 9)).err(), error(Quantity::Width, -1));
+    assert_eq!(Aabb::new(at(0, 7), at(2, 4)).err(), error(Quantity::Height, -3));
+    let b = Aabb::from_centre(at(10, 20), at(3, 4)).expect("inside");
+    assert_eq!((b.min(), b.max(), b.size(), b.centre()), (at(7, 16), at(13, 24), at(6, 8), at(10, 20)));
+    assert_eq!(Aabb::from_centre(at(0, 0), at(most, most)).map(|b| b.size()), Ok(at(2 * most, 2 * most)));
+    let odd = Aabb::new(at(-3, -1), at(0, 2)).expect("inside");
+    assert_eq!((odd.centre(), odd.union(&b)), (at(-2, 0), Aabb::new(at(-3, -1), at(13, 24)).expect("inside")));
+}

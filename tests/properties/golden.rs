@@ -1,0 +1,66 @@
+//! The same bits as ever: every query's hash is the reviewed one, and the changelog names each. `.ci/targets` asks the same of all targets.
+//!
+//! A change of results is accepted with `cargo run --release -p tilesat-golden -- --accept` and with the lines that it prints, in the changelog.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use tilesat_golden::VECTORS;
+use tilesat_golden::table::{PATH, Table, VERSION, listed};
+
+fn read(path: &str) -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap()
+}
+
+fn reviewed() -> Table {
+    Table::parse(&read(PATH)).unwrap()
+}
+
+#[test]
+fn hashes_are_the_reviewed_ones() {
+    let differences = Table::fresh(VECTORS, |_| {}).differences(&reviewed());
+    assert!(differences.is_empty(), "other bits than reviewed:\n{}", differences.join("\n"));
+}
+
+/// No family has the name of another one: its hashes are after more and more vectors.
+#[test]
+fn families_have_names_of_their_own() {
+    for (name, row) in &reviewed().rows {
+        assert!(!row.hashes.is_empty() && row.hashes.windows(2).all(|two| two[0].0 < two[1].0), "{name:?}: {row:?}");
+    }
+}
+
+/// Every query that is hashed at all has as many vectors as promised; games have frames.
+#[test]
+fn queries_have_their_vectors() {
+    let table = reviewed();
+    let queries: BTreeSet<_> = table.rows.iter().map(|((query, _), _)| query).collect();
+    for query in queries {
+        let rows = table.rows.iter().filter(|((other, _), _)| other == query);
+        let vectors: u32 = rows.map(|(_, row)| row.hashes.last().unwrap().0).sum();
+        let wanted = if query == "frames" { 30_000 } else { VECTORS };
+        assert!(vectors >= wanted, "{query}: {vectors} of {wanted}");
+    }
+}
+
+/// Nobody edits a hash without a line in the changelog, in the section of the version that it is from.
+#[test]
+fn the_changelog_names_every_output() {
+    let (table, changelog) = (reviewed(), read("CHANGELOG.md"));
+    let versions: BTreeSet<_> = table.rows.iter().map(|(_, row)| row.since.as_str()).collect();
+    for version in versions {
+        let listed = listed(&changelog, version);
+        for line in table.outputs(version) {
+            assert!(listed.contains(&line), "CHANGELOG.md, {version}, Outputs lacks\n{line}");
+        }
+    }
+    let version = env!("CARGO_PKG_VERSION");
+    assert_eq!(
+        version, VERSION,
+        "rows are dated by the version of the package that writes them: tests/golden/Cargo.toml"
+    );
+    let now = table.outputs(version);
+    for line in listed(&changelog, version) {
+        assert!(now.contains(&line), "CHANGELOG.md, {version}, Outputs has what is not in {PATH}\n{line}");
+    }
+}

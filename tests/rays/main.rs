@@ -1,0 +1,11 @@
+//! Rays: at single shapes and through levels of blocks, of all tile shapes, of segments and of solids.
+
+#![cfg(not(target_os = "none"))]
+
+mod blocks;
+mod segments;
+mod shapes;
+mod shapes_scenes;
+mod shapes_views;
+mod single;
+mod solids;

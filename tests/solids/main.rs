@@ -1,0 +1,11 @@
+//! Solids that move: what they carry and push, and how bodies move among them.
+
+#![cfg(not(target_os = "none"))]
+
+mod carry;
+mod games;
+mod joints;
+mod placed;
+mod push;
+mod surface;
+mod ticks;

@@ -1,0 +1,92 @@
+//! What tests of broad phases share: a list of all structures, and a reference that knows the definitions only.
+
+pub mod frames;
+pub mod near;
+pub mod reference;
+pub mod script;
+
+use near::Near;
+use tilesat::broad::{BruteForce, LooseGrid, SortSweep, SpatialHash, Tag};
+use tilesat::{Aabb, Fx, Vec2};
+
+/// A key and a team: bodies of one team do not pair; those of team 0 pair with all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mark {
+    pub key: u32,
+    pub team: u8,
+}
+
+impl Mark {
+    pub const fn new(key: u32, team: u8) -> Self {
+        Self { key, team }
+    }
+}
+
+impl Tag for Mark {
+    const BLANK: Self = Self::new(u32::MAX, 77);
+
+    fn pairs_with(&self, other: &Self) -> bool {
+        self.team == 0 || self.team != other.team
+    }
+
+    fn key(&self) -> u32 {
+        self.key
+    }
+}
+
+/// Where the cells of grids are; the others do not care.
+#[derive(Clone, Copy, Debug)]
+pub struct Cells {
+    /// The side, raw, a power of two.
+    pub side: i32,
+    pub origin: (i32, i32),
+}
+
+/// What is to hold for every structure.
+pub trait Check {
+    /// `limit` is the longest side of a box that is taken.
+    fn on(&mut self, name: &str, limit: Option<i32>, empty: &Near<Mark>);
+}
+
+/// Runs a check on each structure with room for so many bodies: 2, 8, 24 or 90.
+pub fn everywhere(bodies: usize, cells: Cells, check: &mut dyn Check) {
+    match bodies {
+        2 => with_room::<2>(cells, check),
+        8 => with_room::<8>(cells, check),
+        24 => with_room::<24>(cells, check),
+        90 => with_room::<90>(cells, check),
+        _ => panic!("no structure has room for {bodies} bodies"),
+    }
+}
+
+fn with_room<const N: usize>(cells: Cells, check: &mut dyn Check) {
+    let (side, origin) = (Fx::from_bits(cells.side), Vec2::from_raw(cells.origin.0, cells.origin.1));
+    let limit = Some(cells.side);
+    check.on("brute force", None, &Near::new(BruteForce::<N, Mark>::new()));
+    check.on("sweep", None, &Near::new(SortSweep::<N, Mark>::new()));
+    check.on("grid 16 x 16", limit, &Near::new(LooseGrid::<8, N, Mark>::new(origin, side, 16).unwrap()));
+    check.on("grid 64 x 4, large", None, &Near::new(LooseGrid::<8, N, Mark, true>::new(origin, side, 64).unwrap()));
+    check.on("grid 4 x 8", limit, &Near::new(LooseGrid::<1, N, Mark>::new(origin, side, 4).unwrap()));
+    check.on("hash", limit, &Near::new(SpatialHash::<64, N, Mark>::new(side).unwrap()));
+    check.on("hash, large", None, &Near::new(SpatialHash::<256, N, Mark, true>::new(side).unwrap()));
+}
+
+/// The same on those that take boxes of every size.
+pub struct Large<'a, C>(pub &'a mut C);
+
+impl<C: Check> Check for Large<'_, C> {
+    fn on(&mut self, name: &str, limit: Option<i32>, empty: &Near<Mark>) {
+        if limit.is_none() {
+            self.0.on(name, limit, empty);
+        }
+    }
+}
+
+/// A box by its corners, raw.
+pub fn aabb(lo: (i64, i64), hi: (i64, i64)) -> Aabb {
+    Aabb::new(vec2(lo), vec2(hi)).unwrap()
+}
+
+pub fn vec2(p: (i64, i64)) -> Vec2 {
+    Vec2::from_raw(i32::try_from(p.0).unwrap(), i32::try_from(p.1).unwrap())
+}

@@ -1,0 +1,213 @@
+//! Any broad phase as one type: what is asked of all of them is compiled once, and not once for each.
+
+use std::fmt;
+use tilesat::broad::{
+    BroadError, BroadHit, BroadPhase, Handle, Nearest, Pair, PairCursor, PairsError, QueryError, Tag,
+};
+use tilesat::heapless::VecView;
+use tilesat::{Aabb, Fx, RangeError, Toi, Truncated, Vec2};
+
+/// A broad phase with its methods, each of which is one call of the same name.
+pub struct Near<T>(Box<dyn Phase<T>>);
+
+impl<T> Clone for Near<T> {
+    fn clone(&self) -> Self {
+        Self(self.0.copy())
+    }
+}
+
+impl<T> fmt::Debug for Near<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+/// What is refused of a frame, and whose it is.
+type Moved = Result<(), (Handle, BroadError)>;
+
+impl<T: Tag + 'static> Near<T> {
+    pub fn new<P: BroadPhase<Tag = T> + Copy + fmt::Debug + 'static>(phase: P) -> Self {
+        Self(Box::new(phase))
+    }
+
+    pub fn insert(&mut self, bounds: &Aabb, tag: T) -> Result<Handle, BroadError> {
+        self.0.insert(bounds, tag)
+    }
+
+    pub fn move_to(&mut self, handle: Handle, bounds: &Aabb) -> Result<(), BroadError> {
+        self.0.move_to(handle, bounds)
+    }
+
+    pub fn move_each(&mut self, mut to: impl FnMut(Handle, &Aabb) -> Aabb) -> Moved {
+        self.0.move_each(&mut to)
+    }
+
+    pub fn remove(&mut self, handle: Handle) -> Result<T, BroadError> {
+        self.0.remove(handle)
+    }
+
+    pub fn contains(&self, handle: Handle) -> bool {
+        self.0.contains(handle)
+    }
+
+    pub fn bounds(&self, handle: Handle) -> Result<Aabb, BroadError> {
+        self.0.bounds(handle)
+    }
+
+    pub fn tag(&self, handle: Handle) -> Result<T, BroadError> {
+        self.0.tag(handle)
+    }
+
+    pub fn set_tag(&mut self, handle: Handle, tag: T) -> Result<(), BroadError> {
+        self.0.set_tag(handle, tag)
+    }
+
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    pub fn bodies(&self) -> impl Iterator<Item = (Handle, Aabb, T)> + use<T> {
+        self.0.bodies().into_iter()
+    }
+
+    pub fn pairs(&mut self, mut each: impl FnMut(Pair)) {
+        self.0.pairs(&mut each);
+    }
+
+    pub fn pairs_from(
+        &mut self,
+        cursor: &mut PairCursor,
+        budget: u32,
+        out: &mut VecView<Pair>,
+    ) -> Result<(), PairsError> {
+        self.0.pairs_from(cursor, budget, out)
+    }
+
+    pub fn pairs_sorted(&mut self, out: &mut VecView<Pair>) -> Result<(), Truncated> {
+        self.0.pairs_sorted(out)
+    }
+
+    pub fn pairs_of(&mut self, movers: &[Handle], mut each: impl FnMut(Pair)) -> Result<(), BroadError> {
+        self.0.pairs_of(movers, &mut each)
+    }
+
+    pub fn in_region(&self, region: &Aabb, mut each: impl FnMut(Handle)) {
+        self.0.in_region(region, &mut each);
+    }
+
+    pub fn at_point(&self, point: Vec2, mut each: impl FnMut(Handle)) {
+        self.0.at_point(point, &mut each);
+    }
+
+    pub fn collect_region(&self, region: &Aabb, out: &mut VecView<Handle>) -> Result<(), Truncated> {
+        self.0.collect_region(region, out)
+    }
+
+    pub fn nearest(
+        &self,
+        point: Vec2,
+        within: Fx,
+        mut wanted: impl FnMut(Handle, &T) -> bool,
+    ) -> Result<Option<Nearest>, RangeError> {
+        self.0.nearest(point, within, &mut wanted)
+    }
+
+    pub fn neighbours(
+        &self,
+        point: Vec2,
+        within: Fx,
+        mut wanted: impl FnMut(Handle, &T) -> bool,
+        out: &mut VecView<Nearest>,
+    ) -> Result<(), QueryError> {
+        self.0.neighbours(point, within, &mut wanted, out)
+    }
+
+    pub fn along(
+        &self,
+        start: &Aabb,
+        motion: Vec2,
+        mut each: impl FnMut(Handle, &T, Toi) -> Toi,
+    ) -> Result<(), RangeError> {
+        self.0.along(start, motion, &mut each)
+    }
+
+    pub fn cast_ray(
+        &self,
+        origin: Vec2,
+        motion: Vec2,
+        mut wanted: impl FnMut(Handle, &T) -> bool,
+        out: &mut VecView<BroadHit>,
+    ) -> Result<(), QueryError> {
+        self.0.cast_ray(origin, motion, &mut wanted, out)
+    }
+
+    pub fn cast_shape(
+        &self,
+        start: &Aabb,
+        motion: Vec2,
+        mut wanted: impl FnMut(Handle, &T) -> bool,
+        out: &mut VecView<BroadHit>,
+    ) -> Result<(), QueryError> {
+        self.0.cast_shape(start, motion, &mut wanted, out)
+    }
+}
+
+/// Writes a method list once, as the object's and as what calls the broad phase.
+macro_rules! phase {
+    ($($name:ident($self:ident: $by:ty) $args:tt $(-> $out:ty)?;)*) => {
+        trait Phase<T>: fmt::Debug {
+            fn copy(&self) -> Box<dyn Phase<T>>;
+            fn bodies(&self) -> Vec<(Handle, Aabb, T)>;
+            $(phase!(@declare $name($self: $by) $args $(-> $out)?);)*
+        }
+
+        impl<T: Tag + 'static, P: BroadPhase<Tag = T> + Copy + fmt::Debug + 'static> Phase<T> for P {
+            fn copy(&self) -> Box<dyn Phase<T>> {
+                Box::new(*self)
+            }
+
+            fn bodies(&self) -> Vec<(Handle, Aabb, T)> {
+                BroadPhase::bodies(self).collect()
+            }
+
+            $(phase!(@call $name($self: $by) $args $(-> $out)?);)*
+        }
+    };
+    (@declare $name:ident($self:ident: $by:ty) ($($arg:ident: $type:ty),*) $(-> $out:ty)?) => {
+        fn $name($self: $by, $($arg: $type),*) $(-> $out)?;
+    };
+    (@call $name:ident($self:ident: $by:ty) ($($arg:ident: $type:ty),*) $(-> $out:ty)?) => {
+        fn $name($self: $by, $($arg: $type),*) $(-> $out)? {
+            BroadPhase::$name($self, $($arg),*)
+        }
+    };
+}
+
+phase! {
+    insert(self: &mut Self)(bounds: &Aabb, tag: T) -> Result<Handle, BroadError>;
+    move_to(self: &mut Self)(handle: Handle, bounds: &Aabb) -> Result<(), BroadError>;
+    move_each(self: &mut Self)(to: &mut dyn FnMut(Handle, &Aabb) -> Aabb) -> Moved;
+    remove(self: &mut Self)(handle: Handle) -> Result<T, BroadError>;
+    contains(self: &Self)(handle: Handle) -> bool;
+    bounds(self: &Self)(handle: Handle) -> Result<Aabb, BroadError>;
+    tag(self: &Self)(handle: Handle) -> Result<T, BroadError>;
+    set_tag(self: &mut Self)(handle: Handle, tag: T) -> Result<(), BroadError>;
+    len(self: &Self)() -> usize;
+    is_empty(self: &Self)() -> bool;
+    pairs(self: &mut Self)(each: &mut dyn FnMut(Pair));
+    pairs_from(self: &mut Self)(cursor: &mut PairCursor, budget: u32, out: &mut VecView<Pair>) -> Result<(), PairsError>;
+    pairs_sorted(self: &mut Self)(out: &mut VecView<Pair>) -> Result<(), Truncated>;
+    pairs_of(self: &mut Self)(movers: &[Handle], each: &mut dyn FnMut(Pair)) -> Result<(), BroadError>;
+    in_region(self: &Self)(region: &Aabb, each: &mut dyn FnMut(Handle));
+    at_point(self: &Self)(point: Vec2, each: &mut dyn FnMut(Handle));
+    collect_region(self: &Self)(region: &Aabb, out: &mut VecView<Handle>) -> Result<(), Truncated>;
+    nearest(self: &Self)(point: Vec2, within: Fx, wanted: &mut dyn FnMut(Handle, &T) -> bool) -> Result<Option<Nearest>, RangeError>;
+    neighbours(self: &Self)(point: Vec2, within: Fx, wanted: &mut dyn FnMut(Handle, &T) -> bool, out: &mut VecView<Nearest>) -> Result<(), QueryError>;
+    along(self: &Self)(start: &Aabb, motion: Vec2, each: &mut dyn FnMut(Handle, &T, Toi) -> Toi) -> Result<(), RangeError>;
+    cast_ray(self: &Self)(origin: Vec2, motion: Vec2, wanted: &mut dyn FnMut(Handle, &T) -> bool, out: &mut VecView<BroadHit>) -> Result<(), QueryError>;
+    cast_shape(self: &Self)(start: &Aabb, motion: Vec2, wanted: &mut dyn FnMut(Handle, &T) -> bool, out: &mut VecView<BroadHit>) -> Result<(), QueryError>;
+}

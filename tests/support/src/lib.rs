@@ -1,0 +1,41 @@
+//! Exact judges and generators of scenes, for the tests and the benchmarks.
+//!
+//! The judges share no code with the library. Each answers from the definitions, in integers that are wide enough.
+
+pub mod blocks;
+pub mod broad;
+pub mod broad_twin;
+pub mod casts;
+pub mod drawing;
+pub mod ground;
+pub mod levels_cast;
+pub mod motion;
+pub mod oracle;
+pub mod paths;
+pub mod plain;
+pub mod random;
+pub mod rays;
+pub mod rooms;
+pub mod scenes;
+pub mod segments;
+pub mod shapes;
+pub mod solids;
+pub mod surface;
+
+pub use random::Random;
+use std::str::FromStr;
+pub use {num_bigint, num_rational};
+
+/// The number of cases of a test: what the variable `TILESAT_CASES` says, or else `default`.
+pub fn cases<N: FromStr>(default: N) -> N {
+    given("TILESAT_CASES", default)
+}
+
+/// The number of frames of a run: what the variable `TILESAT_FRAMES` says, or else `default`.
+pub fn frames<N: FromStr>(default: N) -> N {
+    given("TILESAT_FRAMES", default)
+}
+
+fn given<N: FromStr>(name: &str, default: N) -> N {
+    std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(default)
+}

@@ -1,0 +1,254 @@
+//! The verdict on one call of the mover.
+
+use super::body::{Body, Outcome};
+use super::level::Level;
+use super::rect::{self, First};
+use super::{P, Time, add, disc, dot, len2, path, point};
+use tilesat::{Hit, Mover, Response};
+
+/// How early a circle's corner contact may be reported, in parts of 2^30: a few roundings of 31 bits, and the roots of short motions,
+/// which are whole raw units (less than a raw unit of way).
+fn early(d: P) -> i64 {
+    (8 + (2 << 30) / len2(d)) as i64
+}
+
+/// How far a circle may end from the exact place of its reported moment, on each axis.
+pub const ASIDE: i64 = 2;
+/// How much farther back it may end where no place there is free, on the longer axis.
+const BACK: i64 = 8;
+
+/// What is wrong with an outcome; all of it must hold for every response.
+pub fn judge(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
+    let check = |ok: bool, what: &str| if ok { Ok(()) } else { Err(what.to_owned()) };
+    check(!level.overlaps(&out.body), "ends in the solid")?;
+    check(start.moved(offset(start, &out.body)) == out.body, "changed its size")?;
+    check(len2(out.v) <= len2(v), "is faster than before")?;
+    check(out.work.iterations <= Mover::ITERATIONS, "too many iterations")?;
+    check(out.hits.len() as u32 <= out.work.iterations, "more hits than iterations")?;
+    check(out.times().is_sorted(), "times go back")?;
+    first_hit(level, start, v, out.hits.first())?;
+    judge_hits(level, response, out)?;
+    path::follows(start, v, response, out)?;
+    if matches!(start, Body::Rect { .. }) {
+        path::box_is_exact(level, start, v, response, out)?;
+    }
+    if response == Response::Touch {
+        check(add(offset(start, &out.body), out.remaining) == v, "place and rest are not the motion")?;
+    }
+    if out.hits.is_empty() {
+        check(out.body == start.moved(v), "a free motion did not arrive")?;
+        check(out.v == v && out.remaining == (0, 0), "a free motion lost something")?;
+    }
+    let obeyed: Vec<&Hit> = out.hits.iter().filter(|h| response != Response::Cross || !h.one_way).collect();
+    let axes: Vec<P> = obeyed.iter().map(|h| (i64::from(h.axis.x), i64::from(h.axis.y))).collect();
+    if let Some(&last) = axes.last() {
+        check(dot(out.v, last) >= 0, "still moves into what it hit last")?;
+    } else {
+        check(out.v == v, "lost velocity without a hit")?;
+    }
+    check(
+        out.remaining == (0, 0) || response == Response::Touch || out.work.iterations == Mover::ITERATIONS,
+        "motion left over",
+    )?;
+    match response {
+        Response::Touch => check(axes.is_empty() || out.v == (0, 0), "touched and went on"),
+        Response::Slide | Response::Cross if matches!(start, Body::Rect { .. }) => {
+            let stopped = |by: fn(&P) -> i64| axes.iter().any(|n| by(n) != 0);
+            let expected = (if stopped(|n| n.0) { 0 } else { v.0 }, if stopped(|n| n.1) { 0 } else { v.1 });
+            check(out.v == expected, "a box slides with another velocity")
+        }
+        Response::Bounce if matches!(start, Body::Rect { .. }) => {
+            let turns = |by: fn(&P) -> i64| if axes.iter().filter(|n| by(n) != 0).count() % 2 == 0 { 1 } else { -1 };
+            check(out.v == (v.0 * turns(|n| n.0), v.1 * turns(|n| n.1)), "a box bounces with another velocity")
+        }
+        _ => Ok(()),
+    }
+}
+
+pub fn offset(from: &Body, to: &Body) -> P {
+    let (a, b) = (from.position(), to.position());
+    (b.0 - a.0, b.1 - a.1)
+}
+
+/// Whether each hit names something that is there, with its flags, and the summary agrees (up is -y; what is crossed is no floor).
+fn judge_hits(level: &Level, response: Response, out: &Outcome) -> Result<(), String> {
+    let (mut floor, mut wall, mut ceiling, mut flags) = (false, false, false, 0);
+    for hit in out.hits.iter() {
+        let n: P = (hit.axis.x.into(), hit.axis.y.into());
+        let (x, y) = (i64::from(hit.cell.x), i64::from(hit.cell.y));
+        // Indices turn from the side toward row 0.
+        let sides = [(0, -1), (1, 0), (0, 1), (-1, 0)];
+        let side = |k: u16| sides[usize::from(k & 3)];
+        let open = |s: P| !level.full(x + s.0, y + s.1);
+        let there = if hit.one_way {
+            hit.index == 0 && level.one_way(x, y) && n == (0, -1)
+        } else if hit.index < 4 {
+            level.full(x, y) && open(side(hit.index)) && n == side(hit.index)
+        } else {
+            let (s, t) = (side(hit.index), side(hit.index + 1));
+            level.full(x, y) && open(s) && open(t) && dot(n, s) > 0 && dot(n, t) > 0
+        };
+        if !there {
+            return Err(format!("hit something that is not there: {hit:?}"));
+        }
+        if hit.flags & level.flags(x, y) != level.flags(x, y) {
+            return Err(format!("flags of the cell are missing: {hit:?}"));
+        }
+        flags |= hit.flags;
+        if hit.one_way && response == Response::Cross {
+            continue;
+        }
+        if -n.1 >= n.0.abs() {
+            floor = true;
+        } else if n.1 >= n.0.abs() {
+            ceiling = true;
+        } else {
+            wall = true;
+        }
+    }
+    if (floor, wall, ceiling, flags) == (out.floor, out.wall, out.ceiling, out.flags) {
+        Ok(())
+    } else {
+        Err("floor, wall, ceiling or flags disagree with the hits".to_owned())
+    }
+}
+
+/// The first hit against the exact first moment: whether there is one, when, and on which side.
+pub fn first_hit(level: &Level, body: &Body, d: P, hit: Option<Hit>) -> Result<(), String> {
+    let one_way = rect::first_one_way(level, body, d);
+    match *body {
+        Body::Disc { r, .. } if r > 0 => {
+            let Some(hit) = hit else {
+                let misses = one_way.is_none() && !disc::enters_solid(level, body, d, Time::END);
+                return if misses { Ok(()) } else { Err("missed a hit".to_owned()) };
+            };
+            let raw = hit.toi.raw();
+            let early = if hit.index < 4 { 1 } else { early(d) };
+            if disc::enters_solid(level, body, d, Time::parts(raw)) {
+                return Err(format!("late: {hit:?}"));
+            }
+            if one_way.as_ref().is_some_and(|f| f.time.floor() < i64::from(raw)) {
+                return Err(format!("late at a one-way face: {hit:?}"));
+            }
+            if hit.one_way {
+                let agrees = one_way.as_ref().is_some_and(|f| f.time.floor() == i64::from(raw));
+                return if agrees {
+                    Ok(())
+                } else {
+                    Err(format!("a one-way face at another time: {hit:?}, exact {one_way:?}"))
+                };
+            }
+            // The time of a corner is a lower bound: it may come before a face that is met as much earlier.
+            let face = disc::first_face(level, body, d).unwrap_or(Time::END);
+            let wrong = if hit.index < 4 {
+                disc::enters_corner(level, body, d, face)
+            } else {
+                let then = Time { num: (face.floor() + 1 + early).min(1 << 30), den: 1 << 30 };
+                !disc::enters_corner(level, body, d, then)
+            };
+            if wrong {
+                return Err(format!("a corner instead of a face, or the other way round: {hit:?}"));
+            }
+            let until = Time { num: (i64::from(raw) + early).min(1 << 30), den: 1 << 30 };
+            if disc::enters_solid(level, body, d, until) {
+                Ok(())
+            } else {
+                Err(format!("hit nothing, or early: {hit:?}"))
+            }
+        }
+        _ => {
+            let solid = if body.has_area() {
+                rect::first_solid(level, body, d)
+            } else {
+                // The side is not judged for bodies without area.
+                point::first_solid(level, body, d).map(|time| First { time, faces: Vec::new() })
+            };
+            let exact = First::earlier(solid, one_way);
+            let found = hit.map(|h| (i64::from(h.toi.raw()), (i64::from(h.axis.x), i64::from(h.axis.y))));
+            let agrees = match (&exact, found) {
+                (None, None) => true,
+                (Some(f), Some((raw, axis))) => {
+                    f.time.floor() == raw && (!body.has_area() || f.normal(d) == Some(axis))
+                }
+                _ => false,
+            };
+            if agrees { Ok(()) } else { Err(format!("first hit {found:?}, exact {exact:?}")) }
+        }
+    }
+}
+
+/// Where the first contact stops a body: the exact place for a box, within [`ASIDE`] of it for a circle's corner contact, and not
+/// beyond a one-way face that the exact motion has not passed.
+pub fn first_place(level: &Level, start: &Body, d: P, touched: &Outcome) -> Result<(), String> {
+    let Some(hit) = touched.hits.first() else { return Ok(()) };
+    let moved = offset(start, &touched.body);
+    // Faces: the normal's axis is exact, the other one is rounded toward the start: from the gap, not from the reported time.
+    let exact = if hit.index < 4 {
+        let (num, den) = gap(level, start, d, &hit);
+        Time::new(num, den).part_of(d)
+    } else {
+        Time::parts(hit.toi.raw()).part_of(d)
+    };
+    let aside = (moved.0 - exact.0).abs().max((moved.1 - exact.1).abs());
+    let free = !level.overlaps(&start.moved(exact));
+    let allowed = match start {
+        Body::Rect { .. } => 0,
+        Body::Disc { .. } if hit.index < 4 && free => 0,
+        Body::Disc { .. } => ASIDE,
+    };
+    let held = allowed > 0 && (moved == (0, 0) || aside <= ASIDE + BACK) && wedged(start, exact);
+    if aside > allowed && !held {
+        return Err(format!("stopped after {moved:?}, exact {exact:?}"));
+    }
+    if aside == 0 || matches!(start, Body::Rect { .. }) {
+        return Ok(());
+    }
+    // A face that does not block the exact motion up to here is still entirely below.
+    let (_, before) = start.bounds();
+    let (_, after) = touched.body.bounds();
+    let passed = level.cells_along(start, d).any(|(x, y)| {
+        let (a, b) = level.square(x, y);
+        let under = start.position().0.min(touched.body.position().0) >= a.0
+            && start.position().0.max(touched.body.position().0) <= b.0;
+        level.one_way(x, y) && under && before.1 <= a.1 && after.1 > a.1
+    });
+    if passed { Err("went through a one-way face".to_owned()) } else { Ok(()) }
+}
+
+/// A circle that slides along one corner and reaches another may have no free lattice place there, and ends farther back or stays. After `s` along a tangent the
+/// first corner is `s^2 / 2r` away: beyond two raw, roundings are no obstacle any more.
+fn wedged(body: &Body, exact: P) -> bool {
+    let Body::Disc { r, .. } = *body else { return false };
+    len2(exact) < 4 * i128::from(r)
+}
+
+/// The distance to the face that was hit and the speed on its axis.
+fn gap(level: &Level, body: &Body, d: P, hit: &Hit) -> (i64, i64) {
+    let (a, b) = level.square(hit.cell.x.into(), hit.cell.y.into());
+    let (lo, hi) = body.bounds();
+    match hit.index & 3 {
+        0 => (a.1 - hi.1, d.1),
+        1 => (b.0 - lo.0, d.0),
+        2 => (b.1 - lo.1, d.1),
+        _ => (a.0 - hi.0, d.0),
+    }
+}
+
+/// Everything at once, and a report that can be pasted into a test.
+pub fn check(level: &Level, mover: Mover, response: Response, body: &Body, v: P) -> Outcome {
+    let map = level.map();
+    let mover = mover.with_response(response);
+    let fail = |what: &str, out: &dyn core::fmt::Debug| -> ! {
+        let rows: Vec<_> = level.tiles.chunks(level.width as usize).map(String::from_utf8_lossy).collect();
+        panic!(
+            "{what}\n{body:?} by {v:?} {response:?}\ncell {} origin {:?} {:?}\n{rows:#?}\n{out:?}",
+            level.cell, level.origin, level.outside
+        )
+    };
+    let out = body.step(&mover, &map, v).unwrap_or_else(|e| fail("refused", &e));
+    judge(level, body, v, response, &out).unwrap_or_else(|what| fail(&what, &out));
+    let touched = body.step(&mover.with_response(Response::Touch), &map, v).unwrap_or_else(|e| fail("refused", &e));
+    first_place(level, body, v, &touched).unwrap_or_else(|what| fail(&what, &touched));
+    assert!(add(body.position(), offset(body, &out.body)) == out.body.position());
+    out
+}

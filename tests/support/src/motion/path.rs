@@ -1,0 +1,166 @@
+//! Where a motion must end, from its reported hits: boxes exactly, circles from legs of straight motion, in floating point, within a few raw.
+//!
+//! The other checks say what must not happen; this one says that the body gets on.
+
+#![allow(clippy::cast_precision_loss, reason = "lengths are below 2^30")]
+
+use super::body::{Body, Outcome};
+use super::level::Level;
+use super::{P, len2};
+use tilesat::{Hit, Mover, Response};
+
+type V = (f64, f64);
+
+fn respond(v: V, n: V, response: Response) -> V {
+    let into = (v.0 * n.0 + v.1 * n.1) / (n.0 * n.0 + n.1 * n.1);
+    let k = match response {
+        Response::Touch => return (0.0, 0.0),
+        Response::Slide | Response::Cross => into.min(0.0),
+        Response::Bounce => 2.0 * into.min(0.0),
+    };
+    (v.0 - k * n.0, v.1 - k * n.1)
+}
+
+fn near(a: P, b: V, within: f64) -> bool {
+    (a.0 as f64 - b.0).abs() <= within && (a.1 as f64 - b.1).abs() <= within
+}
+
+/// What a motion has touched so far, and the velocity that it came to that with. A circle that lay on the first when its motion began is pressed against
+/// all that it has slid along since by the velocity of the start; one that came flying comes to the next with what the last has left.
+struct Touched {
+    by: V,
+    planes: Vec<Plane>,
+    lies: bool,
+}
+
+struct Plane {
+    normal: V,
+    corner: bool,
+}
+
+impl Touched {
+    /// By how much a plane may have been left and counts as touched, in raw units.
+    const NEAR: f64 = 4.0;
+
+    /// Drops what a leg has left: faces by rising, corners by another way than round them, or by flying past.
+    fn slide(&mut self, leg: V) {
+        let (way, lies) = (leg.0.abs().max(leg.1.abs()), self.lies);
+        self.planes.retain_mut(|plane| {
+            if plane.corner {
+                plane.normal = (plane.normal.0 + leg.0, plane.normal.1 + leg.1);
+            }
+            let n = plane.normal;
+            let out = n.0 * leg.0 + n.1 * leg.1;
+            if plane.corner { lies && out.abs() * 4.0 <= way * n.0.abs().max(n.1.abs()) } else { out <= Self::NEAR }
+        });
+    }
+
+    /// The longest velocity along one of the planes and into none, or rest.
+    fn velocity(&self) -> V {
+        let all = self.planes.iter().map(|plane| respond(self.by, plane.normal, Response::Slide));
+        let free = all.filter(|v| {
+            let into = |n: V| (v.0 * n.0 + v.1 * n.1) / n.0.hypot(n.1);
+            self.planes.iter().all(|plane| into(plane.normal) >= -8.0)
+        });
+        free.max_by(|a, b| a.0.hypot(a.1).total_cmp(&b.0.hypot(b.1))).unwrap_or_default()
+    }
+}
+
+/// Whether a circle lies on what it hits after a leg that is a `part` of the motion left: it is as near as roundings leave it, or as a step along a
+/// corner's tangent does. `None` where a raw unit would decide that.
+fn lies(leg: V, part: f64, hit: &Hit) -> Option<bool> {
+    const HOP: f64 = 1.0 / 256.0;
+    let (way, corner) = (leg.0.abs().max(leg.1.abs()), hit.index >= 4);
+    if way < Touched::NEAR - 2.0 || (corner && part < HOP * 0.999) {
+        return Some(true);
+    }
+    let beyond = !corner || part > HOP * 1.001;
+    if way > Touched::NEAR + 2.0 && beyond { Some(false) } else { None }
+}
+
+/// Whether velocity and place are what the hits imply. Corners with hits at the same place are not judged: planes that are touched
+/// together are projected on together.
+pub fn follows(start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
+    let hits: Vec<&Hit> = out.hits.iter().collect();
+    let corners = hits.iter().any(|h| h.index >= 4);
+    let (mut vel, mut place, mut now) = ((v.0 as f64, v.1 as f64), (0.0, 0.0), 0.0);
+    let leg = |vel: V, time: f64| (vel.0 * time, vel.1 * time);
+    let plus = |a: V, b: V| (a.0 + b.0, a.1 + b.1);
+    let mut first_leg = None;
+    // A circle between two corners may stay where it is, a little before the contact: then both are touched together.
+    let wedge = if let Body::Disc { r, .. } = *start { 2.0 * (r as f64).sqrt() } else { 0.0 };
+    let slides = matches!(response, Response::Slide | Response::Cross);
+    let mut touched = Touched { by: vel, planes: Vec::new(), lies: false };
+    for (i, hit) in hits.iter().enumerate() {
+        let toi = f64::from(hit.toi.raw()) / f64::from(1u32 << 30);
+        if corners && first_leg.is_some() && vel.0.hypot(vel.1) * (toi - now) < wedge.max(16.0) {
+            return Ok(());
+        }
+        if response == Response::Cross && hit.one_way && i as u32 + 1 == Mover::ITERATIONS {
+            // It takes an iteration to see that it can be passed, and there is none left to do so.
+            break;
+        }
+        let (made, part) = (leg(vel, toi - now), (toi - now) / (1.0 - now));
+        place = plus(place, made);
+        touched.slide(made);
+        first_leg.get_or_insert(place);
+        now = toi;
+        if response != Response::Cross || !hit.one_way {
+            let normal = (hit.axis.x.into(), hit.axis.y.into());
+            if slides {
+                if touched.planes.is_empty() {
+                    let Some(lies) = lies(made, part, hit) else { return Ok(()) };
+                    touched.lies = lies && matches!(start, Body::Disc { .. });
+                }
+                if touched.planes.is_empty() || !touched.lies {
+                    touched.by = vel;
+                }
+                touched.planes.push(Plane { normal, corner: hit.index >= 4 });
+                vel = touched.velocity();
+            } else {
+                vel = respond(vel, normal, response);
+            }
+        }
+    }
+    // Four hits use up the iterations: what is left is reported and not made.
+    if (hits.len() as u32) < Mover::ITERATIONS {
+        place = plus(place, leg(vel, 1.0 - now));
+    }
+    let length = (len2(v) as f64).sqrt();
+    let rounding = (8.0 + length / f64::from(1 << 24)) * hits.len().max(1) as f64;
+    if !near(out.v, vel, rounding) {
+        return Err(format!("goes on by {:?}, not {vel:?}", out.v));
+    }
+    let short_leg = if first_leg.is_some_and(|leg| leg.0.hypot(leg.1) < wedge) { wedge } else { 0.0 };
+    let (p, q) = (start.position(), out.body.position());
+    let moved = (q.0 - p.0, q.1 - p.1);
+    if near(moved, place, rounding + short_leg) { Ok(()) } else { Err(format!("moved by {moved:?}, not {place:?}")) }
+}
+
+/// A box's motion along each axis is exact: from face to face, and what is left of the speed after the last one.
+pub fn box_is_exact(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
+    let ((lo, hi), (end, _)) = (start.bounds(), out.body.bounds());
+    let size = (hi.0 - lo.0, hi.1 - lo.1);
+    // Where the box is, on the axis of the hit, when it touches each face in turn.
+    let mut stops = (vec![lo.0], vec![lo.1]);
+    for hit in out.hits.iter().filter(|h| response != Response::Cross || !h.one_way) {
+        let (a, b) = level.square(hit.cell.x.into(), hit.cell.y.into());
+        match hit.index {
+            0 => stops.1.push(a.1 - size.1),
+            1 => stops.0.push(b.0),
+            2 => stops.1.push(b.1),
+            _ => stops.0.push(a.0 - size.0),
+        }
+    }
+    let axis = |stops: &[i64], end: i64, v: i64, remaining: i64| {
+        let way: i64 = stops.windows(2).map(|w| (w[1] - w[0]).abs()).sum();
+        let last = *stops.last().unwrap_or(&end);
+        match response {
+            Response::Slide | Response::Cross if stops.len() > 1 => end == last && remaining == 0,
+            _ => way + (end - last).abs() + remaining.abs() == v.abs(),
+        }
+    };
+    let ok = axis(&stops.0, end.0, v.0, out.remaining.0) && axis(&stops.1, end.1, v.1, out.remaining.1);
+    let stopped = response == Response::Touch && !out.hits.is_empty();
+    if ok || stopped { Ok(()) } else { Err("a box's motion is not exact".to_owned()) }
+}

@@ -1,0 +1,6 @@
+//! Levels of line segments and what must hold for them, from the definitions: all pairs, no walks, no tables.
+
+pub mod generate;
+pub mod level;
+pub mod oracle;
+pub mod vertices;

@@ -1,0 +1,128 @@
+//! The one generator of choices: seeded pseudo-random numbers, or bytes that steer every choice.
+//!
+//! A seeded failure is found again by its seed, a steered one by its bytes.
+
+mod bytes;
+
+/// A stream of choices.
+///
+/// Seeded generators (`SplitMix64`) are independent of each other. A steered one is a handle to the bytes of its thread: copies of
+/// it, and every generator that this thread makes afterwards, read on where the last one stopped.
+#[derive(Clone, Copy, Debug)]
+pub struct Random(Source);
+
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    Seed(u64),
+    Bytes,
+}
+
+impl Random {
+    /// The generator of a seed, or the next part of the bytes where they [steer](Self::steered) this thread.
+    pub fn new(seed: u64) -> Self {
+        Self(if bytes::steer() { Source::Bytes } else { Source::Seed(seed) })
+    }
+
+    /// The choices that bytes stand for, for everything that this thread chooses from now on.
+    ///
+    /// Each choice takes as few bytes as its range needs, low bytes first. So a changed byte changes one choice, and a small change of
+    /// it is a small change of the case. After the last byte the choices go on pseudo-randomly, by a seed made of all bytes:
+    /// generators that try again until something fits come to an end, and the same bytes are the same case.
+    pub fn steered(bytes: &[u8]) -> Self {
+        bytes::start(bytes);
+        Self(Source::Bytes)
+    }
+
+    /// Whether this thread is steered and has bytes left.
+    pub fn is_left() -> bool {
+        bytes::steer() && bytes::is_left()
+    }
+
+    #[allow(clippy::should_implement_trait, reason = "it never ends, and is no iterator")]
+    pub fn next(&mut self) -> u64 {
+        match &mut self.0 {
+            Source::Seed(state) => split_mix(state),
+            Source::Bytes => bytes::take(8),
+        }
+    }
+
+    /// Uniform in `0..n`; the bias of the seeded high product is below 2^-32 for the `n` used here.
+    pub fn below(&mut self, n: i64) -> i64 {
+        match &mut self.0 {
+            Source::Seed(state) => ((split_mix(state) as u128 * n as u128) >> 64) as i64,
+            Source::Bytes => bytes::below(n),
+        }
+    }
+
+    /// Uniform in `low..=high`.
+    pub fn within(&mut self, low: i64, high: i64) -> i64 {
+        low + self.below(high - low + 1)
+    }
+
+    /// Uniform in `-n..=n`.
+    pub fn around(&mut self, n: i64) -> i64 {
+        match self.0 {
+            Source::Seed(_) => self.within(-n, n),
+            // 0, -1, 1, -2, 2 ...: small bytes are small numbers.
+            Source::Bytes => {
+                let k = self.below(2 * n + 1);
+                (k >> 1) ^ -(k & 1)
+            }
+        }
+    }
+
+    /// True once in `n` times.
+    pub fn one_in(&mut self, n: i64) -> bool {
+        self.below(n) == 0
+    }
+
+    pub fn sign(&mut self) -> i64 {
+        if self.one_in(2) { 1 } else { -1 }
+    }
+
+    /// Every magnitude up to `n` equally likely: lengths of one raw unit and of the whole domain in one stream.
+    pub fn magnitude(&mut self, n: i64) -> i64 {
+        let bits = i64::from(64 - n.leading_zeros());
+        let cap = (1i64 << self.below(bits + 1)).min(n);
+        self.within(0, cap)
+    }
+}
+
+fn split_mix(state: &mut u64) -> u64 {
+    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Random;
+
+    fn choices(r: &mut Random) -> [i64; 6] {
+        [r.below(1), r.below(256), r.around(3), r.around(3), r.within(5, 1000), r.sign()]
+    }
+
+    #[test]
+    fn bytes_are_choices_low_bytes_first() {
+        // On a thread of its own: it steers all that comes after on this one.
+        let steered = std::thread::spawn(|| {
+            let mut r = Random::steered(&[200, 1, 2, 0x34, 0x02, 1]);
+            let made = choices(&mut r);
+            assert!(!Random::is_left());
+            (made, Random::new(7).next(), Random::steered(&[200]).next())
+        });
+        let (made, beyond, again) = steered.join().expect("the thread ends");
+        assert_eq!(made, [0, 200, -1, 1, 5 + 0x234, -1]);
+        assert_ne!(beyond, Random::new(7).next());
+        assert_eq!(again & 0xff, 200);
+    }
+
+    #[test]
+    fn a_seed_is_a_stream() {
+        let (mut one, mut other) = (Random::new(3), Random::new(3));
+        assert!(!Random::is_left());
+        assert_eq!([choices(&mut one), choices(&mut one)], [choices(&mut other), choices(&mut other)]);
+        assert_eq!(Random::new(0).next(), 0xe220_a839_7b1d_cdaf);
+    }
+}

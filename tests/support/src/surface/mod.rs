@@ -1,0 +1,7 @@
+//! The surface of levels of all shapes, written down from polygons, to judge the tile map's by: no sectors, no tables, no cursor.
+
+pub mod mosaic;
+pub mod outline;
+pub mod piece;
+pub mod polygon;
+pub mod turn;

@@ -1,0 +1,16 @@
+//! Maps of tiles: what they hold, their surface, and what bodies overlap and touch in them.
+
+#![cfg(not(target_os = "none"))]
+
+mod blocks;
+mod contacts;
+mod contacts_sources;
+mod features;
+mod joined;
+mod map;
+mod mutants;
+mod occupancy;
+mod shape_features;
+mod shape_features_views;
+mod shape_overlap;
+mod swept_flags;

@@ -1,0 +1,82 @@
+//! Flags on a straight way: exact, against the distances of sets in 128 bits, and against places along the way.
+
+use tilesat::{Aabb, Circle, Fx, Grid, TileKind, TileKinds, TileMap, Vec2};
+use tilesat_judge::Random;
+
+static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::EMPTY.with_flags(1)).with(2, TileKind::FULL.with_flags(2));
+
+fn raw(x: i64, y: i64) -> Vec2 {
+    Vec2::from_raw(x as i32, y as i32)
+}
+
+/// Whether a segment from `p` by `d` comes as near as `r` to the box `lo..hi`: the least over the convex way, by its three kinds of places.
+fn comes_near(p: (i128, i128), d: (i128, i128), r: i128, lo: (i128, i128), hi: (i128, i128)) -> bool {
+    let square = |v: (i128, i128)| v.0 * v.0 + v.1 * v.1;
+    let to_box = |q: (i128, i128)| (q.0 - q.0.clamp(lo.0, hi.0), q.1 - q.1.clamp(lo.1, hi.1));
+    if square(to_box(p)) <= r * r || square(to_box((p.0 + d.0, p.1 + d.1))) <= r * r {
+        return true;
+    }
+    let corners = [(lo.0, lo.1), (hi.0, lo.1), (hi.0, hi.1), (lo.0, hi.1)];
+    // A corner whose foot is on the way.
+    if d == (0, 0) {
+        return false;
+    }
+    let near = corners.iter().any(|c| {
+        let m = (c.0 - p.0, c.1 - p.1);
+        let (dot, cross) = (m.0 * d.0 + m.1 * d.1, m.0 * d.1 - m.1 * d.0);
+        dot >= 0 && dot <= square(d) && cross * cross <= r * r * square(d)
+    });
+    // The way crosses a side.
+    let side = |a: (i128, i128), b: (i128, i128), q: (i128, i128)| {
+        ((b.0 - a.0) * (q.1 - a.1) - (b.1 - a.1) * (q.0 - a.0)).signum()
+    };
+    let q = (p.0 + d.0, p.1 + d.1);
+    near || (0..4).any(|k| {
+        let (a, b) = (corners[k], corners[(k + 1) % 4]);
+        let (pa, pb, qa, qb) = (side(a, b, p), side(p, q, b), side(a, b, q), side(p, q, a));
+        // In one line a corner or an end has told it already.
+        pa * qa <= 0 && pb * qb <= 0 && (pa, pb, qa, qb) != (0, 0, 0, 0)
+    })
+}
+
+/// Small lattice: cells of 256 raw, bodies and ways of multiples of odd parts, so that all touches happen, one raw unit more and less too.
+#[test]
+fn exact_on_a_lattice() {
+    let mut r = Random::new(7);
+    let (mut touched, mut missed) = (0u32, 0u32);
+    let part = |r: &mut Random, most: i64| r.within(-most, most) * 64 + if r.one_in(3) { r.within(-1, 1) } else { 0 };
+    for _ in 0..60_000 {
+        let mut tiles = [0u8; 36];
+        let (cx, cy) = (r.within(1, 4), r.within(1, 4));
+        tiles[(cy * 6 + cx) as usize] = 1 + r.below(2) as u8;
+        let map = TileMap::on_grid(&tiles, Grid::new(6, 6, Fx::from_bits(256), raw(0, 0)).unwrap(), &KINDS).unwrap();
+        let p = (768 + part(&mut r, 14), 768 + part(&mut r, 14));
+        let d = (part(&mut r, 20), part(&mut r, 20));
+        let (lo, hi) = ((cx * 256, cy * 256), (cx * 256 + 256, cy * 256 + 256));
+        let wide = |v: (i64, i64)| (i128::from(v.0), i128::from(v.1));
+        let size = (r.within(0, 6) * 64, r.within(0, 6) * 64);
+        let body = Aabb::new(raw(p.0, p.1), raw(p.0 + size.0, p.1 + size.1)).unwrap();
+        let due = comes_near(wide(p), wide(d), 0, wide((lo.0 - size.0, lo.1 - size.1)), wide(hi));
+        let flags = map.flags_swept(&body, raw(d.0, d.1)).unwrap();
+        assert_eq!(flags != 0, due, "{body:?} by {d:?} at {lo:?}");
+        let disc = Circle::new(raw(p.0, p.1), Fx::from_bits(size.0 as i32)).unwrap();
+        let due = comes_near(wide(p), wide(d), size.0.into(), wide(lo), wide(hi));
+        assert_eq!(map.flags_swept(&disc, raw(d.0, d.1)).unwrap() != 0, due, "{disc:?} by {d:?} at {lo:?}");
+        let due = comes_near(wide(p), wide(d), 0, wide(lo), wide(hi));
+        assert_eq!(map.flags_swept(&raw(p.0, p.1), raw(d.0, d.1)).unwrap() != 0, due, "{p:?} by {d:?} at {lo:?}");
+        // No way is a place.
+        assert_eq!(map.flags_swept(&disc, Vec2::ZERO).unwrap(), map.flags_touched(&disc));
+        assert_eq!(map.flags_swept(&body, Vec2::ZERO).unwrap(), map.flags_touched(&body));
+        if flags == 0 { missed += 1 } else { touched += 1 }
+    }
+    assert!(touched > 10_000 && missed > 10_000, "{touched} {missed}");
+}
+
+#[test]
+fn out_of_range_is_refused() {
+    let map = TileMap::on_grid(&[1], Grid::new(1, 1, Fx::ONE, Vec2::ZERO).unwrap(), &KINDS).unwrap();
+    let body = Circle::new(Vec2::from_ints(8000, 0), Fx::ONE).unwrap();
+    assert!(map.flags_swept(&body, Vec2::from_ints(200, 0)).is_err());
+    assert!(map.flags_swept(&body, Vec2::from_ints(0, 4096)).is_err());
+    assert_eq!(map.flags_swept(&body, Vec2::from_ints(-4095, 0)), Ok(0));
+}

@@ -1,0 +1,94 @@
+//! A level in the forms that the library takes.
+
+use tilesat::{AllShapes, Fx, Grid, SegmentMap, TileKinds, TileMap, Vec2};
+
+use super::level::Level;
+use super::report::{Owner, Report};
+use super::segments::Shapes;
+use super::{source, view};
+use crate::fail::{Fail, Result};
+use crate::picture::marks::Scene;
+
+/// A baked level: tiles, objects, or both.
+#[derive(Debug, Clone)]
+pub struct Baked {
+    /// The solid tile layer, with the flags of all.
+    pub tiles: Option<Level>,
+    /// What its ids stand for.
+    pub kinds: TileKinds,
+    /// The objects, their bytes, and the side of a cell.
+    pub objects: Option<(Shapes, Vec<u8>, Fx)>,
+    /// The name of each flag bit, bit 0 first.
+    pub flags: Vec<String>,
+}
+
+impl Baked {
+    /// Rust source with the statics `MAP` and `SEGMENTS`, which the compiler builds and checks.
+    pub fn source(&self) -> String {
+        let objects = self.objects.as_ref().map(|(shapes, _, cell)| (shapes, *cell));
+        source::source(self.tiles.as_ref(), objects, &self.flags)
+    }
+
+    /// The tiles as the library sees them, and their grid.
+    ///
+    /// # Errors
+    ///
+    /// The layer is too large for the library.
+    pub fn map(&self) -> Result<Option<(TileMap<'_, AllShapes>, Grid)>> {
+        let Some(level) = &self.tiles else { return Ok(None) };
+        let grid = Grid::new(level.width, level.height, Fx::from_num(level.tile), Vec2::ZERO);
+        let map = grid.and_then(|grid| Ok((TileMap::<AllShapes>::of(&level.tiles, grid, &self.kinds)?, grid)));
+        map.map(Some).map_err(|e| Fail::new(format!("layer '{}': {e}", level.layer)))
+    }
+
+    /// The objects as the library sees them.
+    ///
+    /// # Errors
+    ///
+    /// The library refuses the bytes, which [`bake`](super::bake) has seen it take.
+    pub fn segments(&self) -> Result<Option<SegmentMap<'_>>> {
+        let Some((_, bytes, _)) = &self.objects else { return Ok(None) };
+        SegmentMap::from_bytes(bytes).map(Some).map_err(|e| Fail::new(format!("the objects: {e}")))
+    }
+
+    /// What the level costs, line by line, for a body of these sides in raw units; for one of a cell where none are given.
+    ///
+    /// # Errors
+    ///
+    /// As [`map`](Self::map).
+    pub fn report(&self, body: Option<(i32, i32)>) -> Result<Vec<String>> {
+        let mut lines = Vec::new();
+        let body = |grid: &Grid| body.unwrap_or((grid.cell().to_bits(), grid.cell().to_bits()));
+        if let (Some((map, grid)), Some(level)) = (self.map()?, &self.tiles) {
+            let (width, height, side) = (level.width, level.height, level.tile);
+            lines.push(format!("tiles   layer '{}': {width}x{height} of {side} px", level.layer));
+            lines.push(format!("flash   {} bytes of tiles, {} of kinds", level.tiles.len(), size_of::<TileKinds>()));
+            let report = Report::of(&map, grid, Owner::Tile, body(&grid));
+            lines.extend(report.lines(body(&grid)));
+        }
+        if let (Some(map), Some((shapes, bytes, cell))) = (self.segments()?, &self.objects) {
+            let (count, paths) = (map.count(), shapes.kinds.len());
+            let (width, height) = (map.width(), map.height());
+            lines.push(format!("objects {paths} in {count} segments, {width}x{height} cells of {cell} px"));
+            lines.push(format!("flash   {} bytes", bytes.len()));
+            let grid = map.grid();
+            let report = Report::of(&map, grid, Owner::Square, body(&grid));
+            lines.extend(report.lines(body(&grid)));
+        }
+        let flags: Vec<String> =
+            self.flags.iter().enumerate().map(|(bit, name)| format!("{name} = bit {bit}")).collect();
+        if !flags.is_empty() {
+            lines.push(format!("flags   {}", flags.join(", ")));
+        }
+        Ok(lines)
+    }
+
+    /// Cells, segments with their normals, vertices and rays, with lines of text below.
+    ///
+    /// # Errors
+    ///
+    /// As [`map`](Self::map).
+    pub fn picture(&self, lines: &[String]) -> Result<Scene> {
+        Ok(view::scene(self.map()?, self.segments()?, lines))
+    }
+}

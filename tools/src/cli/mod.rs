@@ -1,0 +1,49 @@
+//! The program `tilesat`: its subcommands, their arguments, what they print.
+
+mod args;
+mod bake;
+mod lint;
+pub mod play;
+mod program;
+mod sheet;
+mod tell;
+
+use std::ffi::OsString;
+use std::io::Write;
+
+const USAGE: &str = "\
+usage: tilesat COMMAND ...
+
+Looks after levels of Tiled and LDtk for the crate tilesat.
+
+  bake     turn a level into bytes or Rust source for a firmware
+  lint     look for mistakes in a level
+  play     play a level with a scripted player, boxes and balls
+  sheet    draw every shape of a tile with its faces, corners and arcs
+
+tilesat COMMAND --help says what each of them takes.
+";
+
+/// The whole program but for the process around it; returns the exit status.
+pub fn run(args: impl IntoIterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
+    let mut args = args.into_iter();
+    let command = args.next();
+    match command.as_ref().map(|command| command.to_string_lossy()).as_deref() {
+        Some("bake") => bake::run(args, out, err),
+        Some("lint") => lint::run(args, out, err),
+        Some("play") => play::run(&play::Program::default(), args, out, err),
+        Some("sheet") => sheet::run(args, out, err),
+        Some("--help" | "-h") => {
+            tell::usage(out, USAGE);
+            0
+        }
+        Some(other) => {
+            tell::tell(err, &format!("tilesat: no command is called {other}; there are: bake, lint, play, sheet"));
+            2
+        }
+        None => {
+            tell::tell(err, "tilesat: no command given (see --help)");
+            2
+        }
+    }
+}

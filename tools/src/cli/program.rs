@@ -1,0 +1,126 @@
+//! The arguments of a program that plays levels.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use lexopt::Arg::{Long, Short, Value};
+use lexopt::Parser;
+use tilesat_games::platformer::sim::SEED;
+
+use super::args::{next, number, once, path, text, unknown, value};
+use crate::fail::{Fail, Result};
+
+/// A program that plays levels.
+#[derive(Debug, Clone)]
+pub struct Program {
+    /// What its usage and its errors begin with.
+    pub name: &'static str,
+    /// Levels that `--level` knows by name, the first being played where no level is given.
+    pub levels: Vec<(&'static str, PathBuf)>,
+    /// Where the picture goes where nobody says.
+    pub picture: Option<PathBuf>,
+}
+
+impl Default for Program {
+    /// `tilesat play`, which has no level of its own.
+    fn default() -> Self {
+        Self { name: "tilesat play", levels: Vec::new(), picture: None }
+    }
+}
+
+const ABOUT: &str = "
+Plays a level with one scripted player and 32 boxes and balls, and checks every
+body in every frame against an independent exact overlap test.
+
+  LEVEL.tmx      a finite orthogonal Tiled map
+";
+
+const OPTIONS: &str = "  --layer NAME   the tile layer that is solid (default: the one with most solid tiles)
+  --frames N     how long to play (default: 3600)
+  --seed N       where the bodies start and how they move (default: 11)
+  --svg FILE     write the picture as SVG
+  --bake STEM    write STEM.bin and STEM.rs, the level as this game includes it, and stop
+  --help         print this
+
+What a tile is, in Tiled:
+  class          Collision or Solid: full; OneWay: one-way-up; every other class
+                 is a flag. A true boolean property counts as a class.
+  shape          a string property: empty, full,
+                 half-top, half-right, half-bottom, half-left,
+                 slope-*, convex-*, concave-*, mild-low-*, mild-high-*,
+                 steep-low-*, steep-high-*  where * is the solid corner, one of
+                 top-left, top-right, bottom-right, bottom-left;
+                 one-way-up, one-way-right, one-way-down, one-way-left
+  npp            an integer property: the shape's number in N++, 0 to 33
+shape and npp win over the class. Flipped and turned tiles have flipped and
+turned shapes.
+The last line is  frames=N bodies=N contacts=N overlaps=N escaped=N hash=XXXXXXXX
+Exit status: 0 all is well, 1 an overlap or an escape, 2 bad arguments or a bad file.
+";
+
+/// What is to be done.
+pub(super) struct Options {
+    pub(super) level: PathBuf,
+    pub(super) layer: Option<String>,
+    pub(super) frames: u32,
+    pub(super) seed: u32,
+    pub(super) png: Option<PathBuf>,
+    pub(super) svg: Option<PathBuf>,
+    pub(super) bake: Option<PathBuf>,
+}
+
+impl Program {
+    pub(super) fn usage(&self) -> String {
+        let mut own = String::new();
+        let mut level = "LEVEL.tmx";
+        if let [(first, _), ..] = &self.levels[..] {
+            own = format!("  --level NAME   a level of the example: {} (default: {first})\n", self.names());
+            level = "[LEVEL.tmx]";
+        }
+        let default = self.picture.as_ref().map(|file| format!(" (default: {})", file.display())).unwrap_or_default();
+        let png = format!("  --png FILE     write the picture there{default}\n");
+        format!("usage: {} {level} [options]\n{ABOUT}{own}{png}{OPTIONS}", self.name)
+    }
+
+    fn names(&self) -> String {
+        self.levels.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")
+    }
+
+    fn own(&self, name: &str) -> Result<PathBuf> {
+        let unknown = || format!("no level of the example is called {name}; there are: {}", self.names());
+        let own = self.levels.iter().find(|(own, _)| *own == name);
+        own.map(|(_, path)| path.clone()).ok_or_else(|| Fail::new(unknown()))
+    }
+
+    /// `None` where help is asked for.
+    pub(super) fn parse(&self, args: impl IntoIterator<Item = OsString>) -> Result<Option<Options>> {
+        let place = if self.levels.is_empty() { "LEVEL.tmx" } else { "LEVEL.tmx or --level" };
+        let (mut level, mut layer, mut frames, mut seed) = (None, None, None, None);
+        let (mut png, mut svg, mut bake) = (None, None, None);
+        let mut parser = Parser::from_args(args);
+        while let Some(arg) = next(&mut parser)? {
+            match arg {
+                Short('h') | Long("help") => return Ok(None),
+                Long("level") if !self.levels.is_empty() => {
+                    let path = self.own(&text(&mut parser, "--level")?)?;
+                    once(&mut level, place, path)?;
+                }
+                Long("layer") => once(&mut layer, "--layer", text(&mut parser, "--layer")?)?,
+                Long("frames") => once(&mut frames, "--frames", number(&mut parser, "--frames")?)?,
+                Long("seed") => once(&mut seed, "--seed", number(&mut parser, "--seed")?)?,
+                Long("png") => once(&mut png, "--png", PathBuf::from(value(&mut parser, "--png")?))?,
+                Long("svg") => once(&mut svg, "--svg", PathBuf::from(value(&mut parser, "--svg")?))?,
+                Long("bake") => once(&mut bake, "--bake", PathBuf::from(value(&mut parser, "--bake")?))?,
+                Value(given) => once(&mut level, place, path(given)?)?,
+                other => return Err(unknown(&other)),
+            }
+        }
+        let first = || self.levels.first().map(|(_, path)| path.clone());
+        let level = level.or_else(first).ok_or_else(|| Fail::new("no level given (see --help)"))?;
+        if png.is_none() && svg.is_none() {
+            png.clone_from(&self.picture);
+        }
+        let (frames, seed) = (frames.unwrap_or(3600), seed.unwrap_or(SEED));
+        Ok(Some(Options { level, layer, frames, seed, png, svg, bake }))
+    }
+}

@@ -1,0 +1,23 @@
+//! Lines for the user.
+
+use std::io::Write;
+
+use crate::fail::{Result, one_line};
+
+/// One line; a closed pipe is no reason to stop.
+pub(crate) fn tell(to: &mut dyn Write, line: &str) {
+    let _ = writeln!(to, "{}", one_line(line));
+}
+
+/// Text of ours, of many lines.
+pub(crate) fn usage(to: &mut dyn Write, text: &str) {
+    let _ = to.write_all(text.as_bytes());
+}
+
+/// The exit status of a program: 2 where it failed, which is told in one line.
+pub(crate) fn status(program: &str, result: Result<u8>, err: &mut dyn Write) -> u8 {
+    result.unwrap_or_else(|fail| {
+        tell(err, &format!("{program}: {fail}"));
+        2
+    })
+}

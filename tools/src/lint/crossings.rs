@@ -1,0 +1,103 @@
+//! Edges that cross, cover or touch each other.
+
+use std::collections::HashSet;
+
+use super::finding::Severity::{Error, Note, Warning};
+use super::finding::{Severity, Who};
+use super::geometry::{Edge, Meeting, Point, Side, meet};
+use super::scene::Scene;
+use crate::rules::kind::Kind;
+
+/// Returns the outlines that cross another one or themselves.
+pub(super) fn check(scene: &mut Scene<'_>) -> HashSet<usize> {
+    let mut crossed = HashSet::new();
+    for i in 0..scene.edges.len() {
+        let s = scene.edges[i];
+        for j in scene.index.near(&s, 0).into_iter().filter(|&j| j > i) {
+            let t = scene.edges[j];
+            let who = vec![scene.who(&s), scene.who(&t)];
+            match meet(&s, &t) {
+                Meeting::Apart => {}
+                Meeting::SharedEnd(at) => shared_end(scene, [&s, &t], who, at),
+                Meeting::Cross(at) => {
+                    crossed.extend([s.outline, t.outline].into_iter().flatten());
+                    crossing(scene, [&s, &t], who, at);
+                }
+                Meeting::Tee(at) if s.outline == t.outline => touches_itself(scene, who, at),
+                Meeting::Tee(at) => {
+                    let why = "the solids are joined there, and no corner is felt";
+                    scene.say((Note, "t-junction"), who, at, "one ends within the other", why);
+                }
+                Meeting::Overlap { at, reversed, whole } => overlap(scene, [&s, &t], who, (at, reversed, whole)),
+            }
+        }
+    }
+    crossed
+}
+
+fn kinds(scene: &Scene<'_>, edges: [&Edge; 2]) -> [Kind; 2] {
+    edges.map(|edge| edge.outline.map_or(Kind::Solid, |outline| scene.drawing.outlines[outline].kind))
+}
+
+fn touches_itself(scene: &mut Scene<'_>, who: Vec<Who>, at: Point) {
+    let why = "two parts of one outline meet in a point that bodies cannot pass";
+    scene.say((Warning, "self-touch"), who, at, "the outline touches itself", why);
+}
+
+/// Only corners that come twice; neighbours share one anyway.
+fn shared_end(scene: &mut Scene<'_>, [s, t]: [&Edge; 2], who: Vec<Who>, at: Point) {
+    let Some(outline) = s.outline.filter(|_| s.outline == t.outline) else { return };
+    let points = &scene.drawing.outlines[outline].points;
+    let apart = s.number.abs_diff(t.number);
+    // Points that repeat the one before are said to be so.
+    let repeats = points[s.number.min(t.number)..=s.number.max(t.number)].iter().all(|&p| p == at);
+    if apart > 0 && !repeats && points[s.number] == at && points[t.number] == at {
+        touches_itself(scene, who, at);
+    }
+}
+
+fn crossing(scene: &mut Scene<'_>, edges: [&Edge; 2], who: Vec<Who>, at: Point) {
+    let [s, t] = edges;
+    if s.outline == t.outline {
+        let why = "what is inside and what is outside change places there";
+        let severity = if s.side == Side::Solid { Error } else { Warning };
+        return scene.say((severity, "self-crossing"), who, at, "the outline crosses itself", why);
+    }
+    let kinds = kinds(scene, edges);
+    let (severity, why): (Severity, _) = if kinds.contains(&Kind::OneWay) {
+        (Note, "a one-way edge goes on within")
+    } else if kinds.contains(&Kind::Hole) {
+        (Error, "what a hole cuts out where nothing is solid keeps an edge that bodies meet from one side")
+    } else {
+        (Warning, "there is no vertex, and the parts within the other cost time for nothing")
+    };
+    scene.say((severity, "crossing"), who, at, "they cross", why);
+}
+
+fn overlap(scene: &mut Scene<'_>, edges: [&Edge; 2], who: Vec<Who>, (at, reversed, whole): (Point, bool, bool)) {
+    let [s, t] = edges;
+    let sides = (s.side, t.side);
+    let extent = if whole { "they are the same edge" } else { "they lie on each other for a part of their length" };
+    // Walls have no direction.
+    let reversed = reversed && s.side != Side::Wall && t.side != Side::Wall;
+    if s.side != t.side {
+        let why = "both are felt, and the one-sided of them may be hidden by the other";
+        return scene.say((Note, "overlap"), who, at, extent, why);
+    }
+    if !reversed {
+        let why = "each query meets the same face twice";
+        return scene.say((Error, "duplicate"), who, at, extent, why);
+    }
+    let what = format!("{extent}, the other way round");
+    match sides {
+        (Side::Solid, _) if s.outline == t.outline => {
+            let why = "the outline goes back on itself: a spike without area";
+            scene.say((Error, "reversed"), who, at, what, why);
+        }
+        (Side::Solid, _) => {
+            let why = "the two cancel and the solids are joined; draw them as one to save the work";
+            scene.say((Note, "reversed"), who, at, what, why);
+        }
+        _ => scene.say((Warning, "reversed"), who, at, what, "two one-way edges back to back are a wall: draw a wall"),
+    }
+}

@@ -1,0 +1,149 @@
+//! How two edges meet, exactly.
+//!
+//! Raw coordinates of a file stay below 2^37 (a million pixels and offsets), so products are below 2^76 and
+//! everything here is far from the ends of `i128`.
+
+pub type Point = (i64, i64);
+
+/// A straight piece of an outline or of a tile layer's surface; the solid, where it has one, lies right of its way (y down).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Edge {
+    pub a: Point,
+    pub b: Point,
+    /// Which outline; `None` is the tile layer.
+    pub outline: Option<usize>,
+    /// Which of the outline's edges.
+    pub number: usize,
+    pub side: Side,
+}
+
+/// What blocks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// The surface of a solid or of a hole.
+    Solid,
+    /// Both sides.
+    Wall,
+    OneWay,
+}
+
+impl Edge {
+    pub fn dir(&self) -> (i128, i128) {
+        (i128::from(self.b.0 - self.a.0), i128::from(self.b.1 - self.a.1))
+    }
+
+    pub fn normal(&self) -> (i128, i128) {
+        let (x, y) = self.dir();
+        (y, -x)
+    }
+
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        Self { a: self.b, b: self.a, ..self }
+    }
+
+    pub fn middle(&self) -> Point {
+        ((self.a.0 + self.b.0).div_euclid(2), (self.a.1 + self.b.1).div_euclid(2))
+    }
+
+    pub fn length_squared(&self) -> i128 {
+        let (x, y) = self.dir();
+        x * x + y * y
+    }
+}
+
+/// How two edges meet that have a length each.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Meeting {
+    /// Not at all, or in an end of both.
+    Apart,
+    SharedEnd(Point),
+    /// In one point within both; rounded to raw.
+    Cross(Point),
+    /// An end of one within the other.
+    Tee(Point),
+    /// Along a common piece, which is here.
+    Overlap {
+        at: Point,
+        reversed: bool,
+        whole: bool,
+    },
+}
+
+/// Positive where c lies right of the way from a to b, seen with y down.
+pub fn orient(a: Point, b: Point, c: Point) -> i128 {
+    let (bx, by) = (i128::from(b.0 - a.0), i128::from(b.1 - a.1));
+    let (cx, cy) = (i128::from(c.0 - a.0), i128::from(c.1 - a.1));
+    bx * cy - by * cx
+}
+
+pub fn meet(s: &Edge, t: &Edge) -> Meeting {
+    let (c, d) = (orient(s.a, s.b, t.a), orient(s.a, s.b, t.b));
+    let (a, b) = (orient(t.a, t.b, s.a), orient(t.a, t.b, s.b));
+    if c == 0 && d == 0 {
+        return on_one_line(s, t);
+    }
+    if a.signum() * b.signum() < 0 && c.signum() * d.signum() < 0 {
+        // At c / (c - d) of t.
+        let part = |from: i64, to: i64| i128::from(from) + nearest(i128::from(to - from) * c, c - d);
+        return Meeting::Cross((part(t.a.0, t.b.0) as i64, part(t.a.1, t.b.1) as i64));
+    }
+    let ends = [(s.a, t.a), (s.a, t.b), (s.b, t.a), (s.b, t.b)];
+    if let Some((shared, _)) = ends.into_iter().find(|(p, q)| p == q) {
+        return Meeting::SharedEnd(shared);
+    }
+    let tees = [(t.a, s, c), (t.b, s, d), (s.a, t, a), (s.b, t, b)];
+    let tee = tees.into_iter().find(|(p, edge, side)| *side == 0 && within(*p, edge));
+    tee.map_or(Meeting::Apart, |(p, ..)| Meeting::Tee(p))
+}
+
+fn on_one_line(s: &Edge, t: &Edge) -> Meeting {
+    // Points of one line are in the same order as their coordinates, x first.
+    let order = |e: &Edge| (e.a.min(e.b), e.a.max(e.b));
+    let ((s_lo, s_hi), (t_lo, t_hi)) = (order(s), order(t));
+    let (lo, hi) = (s_lo.max(t_lo), s_hi.min(t_hi));
+    match lo.cmp(&hi) {
+        std::cmp::Ordering::Greater => Meeting::Apart,
+        std::cmp::Ordering::Equal => Meeting::SharedEnd(lo),
+        std::cmp::Ordering::Less => {
+            Meeting::Overlap { at: lo, reversed: (s.a < s.b) != (t.a < t.b), whole: (s_lo, s_hi) == (t_lo, t_hi) }
+        }
+    }
+}
+
+/// Whether a point on the line of an edge lies on the edge.
+fn within(p: Point, edge: &Edge) -> bool {
+    let between = |v: i64, a: i64, b: i64| a.min(b) <= v && v <= a.max(b);
+    between(p.0, edge.a.0, edge.b.0) && between(p.1, edge.a.1, edge.b.1)
+}
+
+fn nearest(numerator: i128, denominator: i128) -> i128 {
+    let (n, d) = if denominator < 0 { (-numerator, -denominator) } else { (numerator, denominator) };
+    (2 * n + d).div_euclid(2 * d)
+}
+
+/// Whether an edge stands between two points: they lie on different sides of it and see each other through it.
+pub fn hides(edge: &Edge, p: Point, q: Point) -> bool {
+    let split = orient(edge.a, edge.b, p).signum() * orient(edge.a, edge.b, q).signum() < 0;
+    split && orient(p, q, edge.a).signum() * orient(p, q, edge.b).signum() <= 0
+}
+
+/// Twice the area, positive where the solid lies right of the way (y down).
+pub fn doubled_area(points: &[Point]) -> i128 {
+    let Some(&origin) = points.first() else { return 0 };
+    points.windows(2).map(|pair| orient(origin, pair[0], pair[1])).sum()
+}
+
+/// How often a polygon winds around a point that is not on it; the point has doubled coordinates.
+pub fn winding(points: &[Point], p: Point) -> i32 {
+    let double = |q: Point| (2 * q.0, 2 * q.1);
+    let mut count = 0;
+    for (i, &a) in points.iter().enumerate() {
+        let (a, b) = (double(a), double(points[(i + 1) % points.len()]));
+        if (a.1 <= p.1) != (b.1 <= p.1) {
+            let side = orient(a, b, p);
+            count += i32::from(a.1 <= p.1 && side > 0) - i32::from(a.1 > p.1 && side < 0);
+        }
+    }
+    count
+}

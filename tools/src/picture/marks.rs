@@ -1,0 +1,98 @@
+//! What a picture is made of, in level pixels with y down; the back ends only scale.
+
+use super::ink::Ink;
+
+/// A point in level pixels.
+pub type Spot = (f32, f32);
+
+/// One thing that is drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Mark {
+    Rect {
+        at: Spot,
+        size: Spot,
+        fill: Ink,
+    },
+    Disc {
+        centre: Spot,
+        radius: f32,
+        fill: Ink,
+    },
+    Ring {
+        centre: Spot,
+        radius: f32,
+        width: f32,
+        ink: Ink,
+    },
+    /// A polygon that does not cross itself.
+    Poly {
+        points: Vec<Spot>,
+        fill: Ink,
+    },
+    /// A line through the points; when it fades, from nothing at the first to full at the last.
+    Line {
+        points: Vec<Spot>,
+        width: f32,
+        ink: Ink,
+        fade: bool,
+    },
+    /// Starts at `at`, the left end of its baseline; its cells are `Scene::LETTER` output pixels.
+    Text {
+        at: Spot,
+        text: String,
+        ink: Ink,
+    },
+}
+
+/// A picture before it is a file.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    /// Size of the level, and of the whole picture with its footer.
+    pub level: Spot,
+    pub size: Spot,
+    /// Output pixels for a level pixel.
+    pub scale: f32,
+    /// A sixteenth of a tile, what line widths go by.
+    pub unit: f32,
+    pub marks: Vec<Mark>,
+}
+
+impl Scene {
+    /// Width and height of a letter in output pixels.
+    pub const LETTER: Spot = (9.0, 15.0);
+
+    /// An empty picture of a level of this size, without a footer.
+    pub fn new(width: f32, height: f32, scale: f32, unit: f32) -> Self {
+        Self { level: (width, height), size: (width, height), scale, unit, marks: Vec::new() }
+    }
+
+    /// Adds a filled box.
+    pub fn rect(&mut self, at: Spot, size: Spot, fill: Ink) {
+        self.marks.push(Mark::Rect { at, size, fill });
+    }
+
+    /// Adds a filled circle.
+    pub fn disc(&mut self, centre: Spot, radius: f32, fill: Ink) {
+        self.marks.push(Mark::Disc { centre, radius, fill });
+    }
+
+    /// Adds a circle's line.
+    pub fn ring(&mut self, centre: Spot, radius: f32, width: f32, ink: Ink) {
+        self.marks.push(Mark::Ring { centre, radius, width, ink });
+    }
+
+    /// Adds a filled polygon.
+    pub fn poly(&mut self, points: &[Spot], fill: Ink) {
+        self.marks.push(Mark::Poly { points: points.to_vec(), fill });
+    }
+
+    /// Adds a line through points.
+    pub fn line(&mut self, points: Vec<Spot>, width: f32, ink: Ink, fade: bool) {
+        self.marks.push(Mark::Line { points, width, ink, fade });
+    }
+
+    /// Adds a line of text.
+    pub fn text(&mut self, at: Spot, text: impl Into<String>, ink: Ink) {
+        self.marks.push(Mark::Text { at, text: text.into(), ink });
+    }
+}

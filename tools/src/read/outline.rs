@@ -1,0 +1,58 @@
+//! What is drawn as objects in a level, in raw units.
+
+use std::fmt;
+
+use crate::rules::kind::Kind;
+
+/// What an object is called.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Title {
+    pub id: u32,
+    pub name: String,
+    pub layer: String,
+}
+
+impl fmt::Display for Title {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "object {}", self.id)?;
+        if !self.name.is_empty() {
+            write!(f, " '{}'", self.name)?;
+        }
+        write!(f, " of layer '{}'", self.layer)
+    }
+}
+
+/// A polygon or a chain of an object layer.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Outline {
+    pub title: Title,
+    pub kind: Kind,
+    /// Whether the last point joins the first.
+    pub closed: bool,
+    /// Raw, rounded to nearest; possibly out of the domain.
+    pub points: Vec<(i64, i64)>,
+    /// How far each point was moved by rounding, in thousandths of a raw unit.
+    pub rounding: Vec<i64>,
+    /// All other names that the object's class and true properties give it.
+    pub flags: Vec<String>,
+}
+
+impl Outline {
+    /// The ends of each edge, in drawing order.
+    pub fn edges(&self) -> impl Iterator<Item = ((i64, i64), (i64, i64))> + '_ {
+        let close = if self.closed { self.points.first() } else { None };
+        let ends = self.points.iter().skip(1).chain(close);
+        self.points.iter().copied().zip(ends.copied())
+    }
+}
+
+/// An object that is no part of the level's surface.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LeftOut {
+    pub title: Title,
+    /// Raw.
+    pub at: (i64, i64),
+    pub why: String,
+    /// Whether its author may have meant it to be solid.
+    pub suspicious: bool,
+}

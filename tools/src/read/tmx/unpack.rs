@@ -1,0 +1,53 @@
+//! Unpacks the data of a tile layer, and no more of it than a layer of its size can hold.
+
+use std::io::{Error, ErrorKind, Read, Result};
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use flate2::bufread::{GzDecoder, ZlibDecoder};
+use ruzstd::decoding::StreamingDecoder;
+
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Packing {
+    None,
+    Zlib,
+    Gzip,
+    Zstd,
+}
+
+/// Memory that a zstd stream may ask for: what the largest layer that is read unpacks to.
+const ZSTD_WINDOW: u64 = 1 << 24;
+
+/// The bytes in base64 again, without the compression; `None` where there are more than `most`.
+pub(super) fn unpack(text: &[u8], packing: Packing, most: u64) -> Result<Option<String>> {
+    let packed = STANDARD.decode(text.trim_ascii()).map_err(invalid)?;
+    let limit = most.saturating_add(1);
+    let mut bytes = Vec::new();
+    match packing {
+        Packing::None => packed.as_slice().take(limit).read_to_end(&mut bytes)?,
+        Packing::Zlib => ZlibDecoder::new(&packed[..]).take(limit).read_to_end(&mut bytes)?,
+        Packing::Gzip => GzDecoder::new(&packed[..]).take(limit).read_to_end(&mut bytes)?,
+        Packing::Zstd => zstd(&packed, limit, &mut bytes)?,
+    };
+    Ok((bytes.len() as u64 <= most).then(|| STANDARD.encode(bytes)))
+}
+
+/// Frame after frame, as one stream may hold several; returns how many bytes there are, or the limit.
+fn zstd(mut packed: &[u8], limit: u64, bytes: &mut Vec<u8>) -> Result<usize> {
+    while !packed.is_empty() && (bytes.len() as u64) < limit {
+        let mut frame = StreamingDecoder::new_with_max_window_size(&mut packed, ZSTD_WINDOW).map_err(invalid)?;
+        let room = limit - bytes.len() as u64;
+        frame.by_ref().take(room).read_to_end(bytes)?;
+        let decoder = frame.into_frame_decoder();
+        // The decoder reads the checksum and leaves it to its user to compare.
+        let (told, found) = (decoder.get_checksum_from_data(), decoder.get_calculated_checksum());
+        if decoder.is_finished() && told.is_some() && told != found {
+            return Err(invalid("the checksum of the zstd data is wrong"));
+        }
+    }
+    Ok(bytes.len())
+}
+
+fn invalid(why: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Error {
+    Error::new(ErrorKind::InvalidData, why)
+}

@@ -1,0 +1,46 @@
+//! What an object is, by a name that its author gave it.
+
+use std::fmt;
+
+/// What an outline is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// Solid within.
+    Solid,
+    /// Free within, cut out of solids.
+    Hole,
+    /// A chain that blocks from both sides.
+    Wall,
+    /// A chain that blocks from the left of its way: drawn to the right, it is stood upon (y down).
+    OneWay,
+}
+
+impl Kind {
+    /// Compared without regard to case, hyphens and underscores.
+    pub fn from_name(name: &str) -> Option<Self> {
+        let plain: String = name.chars().filter(|c| !"-_ ".contains(*c)).collect();
+        Some(match plain.to_ascii_lowercase().as_str() {
+            "solid" | "collision" => Self::Solid,
+            "hole" => Self::Hole,
+            "wall" => Self::Wall,
+            "oneway" => Self::OneWay,
+            _ => return None,
+        })
+    }
+
+    /// Whether the outline has an inside.
+    pub fn has_area(self) -> bool {
+        matches!(self, Self::Solid | Self::Hole)
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Solid => "solid",
+            Self::Hole => "hole",
+            Self::Wall => "wall",
+            Self::OneWay => "one-way",
+        })
+    }
+}

@@ -1,0 +1,258 @@
+//! The baker: its own levels, what it refuses, its arguments.
+
+use std::fs;
+use std::path::PathBuf;
+
+use tilesat::world::World;
+use tilesat::{Aabb, AllShapes, Feature, Fx, Grid, SegmentMap, TileKinds, TileMap, TileShape, Vec2};
+
+use crate::baked::{quarry, steps};
+use crate::support::{self, Ran, ldtk, objects, own, rows, scratch};
+
+/// Bakes a level file of the examples or of a test; returns the run and the file it was to write.
+fn baked(file: PathBuf, out: &str, options: &str) -> (Ran, PathBuf) {
+    let out = scratch("bake", out, "");
+    let ran = support::run("bake", file, &format!("-o {} {options}", out.display()));
+    (ran, out)
+}
+
+fn fine(ran: &Ran) {
+    assert!(ran.status == 0 && ran.err.is_empty(), "{ran:?}");
+}
+
+const HINT: &str =
+    "bake it: cargo run -p tilesat-tools -- bake examples/levels/NAME -o tools/tests/tools/baked/NAME.rs";
+
+#[test]
+fn source_equals_the_levels() {
+    for (level, source) in
+        [("levels/quarry.tmx", include_str!("baked/quarry.rs")), ("levels/steps.ldtk", include_str!("baked/steps.rs"))]
+    {
+        let (ran, out) = baked(own(level), "own.rs", "");
+        fine(&ran);
+        assert!(fs::read_to_string(out).unwrap() == source, "{HINT}");
+    }
+}
+
+fn tiles<'a>(tiles: &'a [u8], kinds: &'a TileKinds, (width, height): (u16, u16)) -> TileMap<'a, AllShapes> {
+    let grid = Grid::new(width, height, Fx::from_num(quarry::TILE), Vec2::ZERO).unwrap();
+    TileMap::<AllShapes>::of(tiles, grid, kinds).unwrap()
+}
+
+fn everything<W: World>(world: &W) -> Vec<Feature> {
+    let region = Aabb::new(Vec2::from_ints(-64, -64), Vec2::from_ints(1024, 1024)).unwrap();
+    world.features(&region).collect()
+}
+
+/// What the compiler builds of the source is what the bytes say.
+#[test]
+fn bytes_equal_the_source() {
+    let (ran, out) = baked(own("levels/quarry.tmx"), "quarry.bin", "");
+    fine(&ran);
+    let read = |what: &str| fs::read(out.with_extension(format!("{what}.bin"))).unwrap();
+    assert!(read("tiles") == quarry::TILES);
+    let map = tiles(quarry::TILES, &quarry::KINDS, (quarry::WIDTH, quarry::HEIGHT));
+    assert_eq!(everything(&map), everything(&quarry::MAP));
+    assert_eq!((steps::MAP.width(), steps::MAP.height()), (steps::WIDTH, steps::HEIGHT));
+    let bytes = read("segments");
+    let map = SegmentMap::from_bytes(&bytes).unwrap();
+    assert_eq!((map.count(), map.grid()), (quarry::SEGMENTS.count(), quarry::SEGMENTS.grid()));
+    assert_eq!(everything(&map), everything(&quarry::SEGMENTS));
+    // Nine outlines are seven paths: a start and an exit are none. Ice is the last flag.
+    assert_eq!([quarry::FLAG_COIN, quarry::FLAG_LADDER, quarry::FLAG_ICE], [1, 2, 4]);
+    let flags = everything(&map).iter().fold(0, |all, feature| all | feature.flags);
+    assert_eq!(flags, quarry::FLAG_ICE | quarry::FLAG_LADDER);
+    assert!(!everything(&tiles(quarry::TILES, &quarry::KINDS, (quarry::WIDTH, quarry::HEIGHT))).is_empty());
+}
+
+#[test]
+fn values_of_a_grid_are_shapes() {
+    let (ran, out) = baked(own("levels/steps.ldtk"), "steps.bin", "");
+    fine(&ran);
+    assert!(fs::read(out).unwrap() == steps::TILES);
+    let map = tiles(steps::TILES, &steps::KINDS, (steps::WIDTH, steps::HEIGHT));
+    let at = |x, y| {
+        let kind = map.kind(tilesat::Cell::new(x, y));
+        (kind.shape, kind.flags)
+    };
+    assert_eq!(at(0, 0), (TileShape::Full, 0));
+    assert_eq!(at(23, 12), (TileShape::Full, 0), "Solid");
+    assert_eq!(at(5, 8), (TileShape::SlopeBottomRight, 0));
+    assert_eq!(at(11, 11), (TileShape::SteepLowBottomLeft, 0), "steep_low_bottom_left");
+    assert_eq!(at(12, 4), (TileShape::OneWayUp, 0));
+    assert_eq!(at(3, 5), (TileShape::HalfTop, steps::FLAG_KILL));
+    assert_eq!(at(1, 11), (TileShape::MildLowBottomRight, steps::FLAG_ICE));
+    assert_eq!(at(13, 3), (TileShape::Empty, steps::FLAG_COIN));
+    assert_eq!(at(22, 8), (TileShape::Empty, steps::FLAG_LADDER));
+    assert_eq!(at(22, 10), (TileShape::Empty, steps::FLAG_WATER));
+    assert_eq!(steps::TILE, 16);
+}
+
+#[test]
+fn report_and_picture() {
+    let picture = scratch("bake", "quarry.png", "");
+    let (ran, _) =
+        baked(own("levels/quarry.tmx"), "report.bin", &format!("--body 10x14 --picture {}", picture.display()));
+    fine(&ran);
+    let expected = [
+        "tiles   layer 'Ground': 30x17 of 16 px",
+        "flash   510 bytes of tiles, 512 of kinds",
+        "objects 7 in 37 segments, 25x12 cells of 16 px",
+        "flash   2166 bytes",
+        "flags   Coin = bit 0, Ladder = bit 1, Ice = bit 2",
+    ];
+    for line in expected {
+        assert!(ran.out.lines().any(|l| l == line), "{line:?} is not in {}", ran.out);
+    }
+    for word in [
+        "interior, 91 boundary",
+        "pieces  at most 5 in a cell, on average 0.73",
+        "work    a body of 10x14 meets at most ",
+    ] {
+        assert!(ran.out.contains(word), "{word:?} is not in {}", ran.out);
+    }
+    assert!(fs::read(picture).unwrap().starts_with(b"\x89PNG\r\n"));
+}
+
+/// Counted by hand.
+#[test]
+fn the_report_counts() {
+    let block = objects(r#"<object id="1" x="16" y="16" width="16" height="16"/>"#);
+    let (ran, _) = baked(scratch("bake", "block.tmx", block), "block.bin", "--cell 16 --body 4x4");
+    fine(&ran);
+    let lines: Vec<&str> = ran.out.lines().collect();
+    // A grid of the block alone; its four faces and corners are all in the one cell.
+    assert_eq!(
+        lines[..5],
+        [
+            "objects 1 in 4 segments, 1x1 cells of 16 px",
+            "flash   141 bytes",
+            "cells   0 empty, 0 interior, 1 boundary",
+            "pieces  at most 8 in a cell, on average 8.00 (8.00 in a boundary cell)",
+            "work    a body of 4x4 meets at most 8 pieces in 1 cells",
+        ]
+    );
+    // A loop of four edges has a face on each side of each.
+    let fence = objects(r#"<object id="1" type="Wall" width="16" height="16"/>"#);
+    let (ran, _) = baked(scratch("bake", "fence.tmx", fence), "fence.bin", "");
+    assert!(ran.out.starts_with("objects 1 in 8 segments"), "{ran:?}");
+    let room = scratch("bake", "room.tmx", rows(&["####", "####", "####", " ## "]));
+    let (ran, _) = baked(room, "room.bin", "");
+    fine(&ran);
+    assert!(ran.out.contains("cells   2 empty, 4 interior, 10 boundary"), "{}", ran.out);
+}
+
+/// Refused: status 2, one line that contains the word, and no file.
+fn refused((ran, out): (Ran, PathBuf), word: &str) {
+    assert!(ran.status == 2 && ran.err.lines().count() == 1, "{ran:?}");
+    assert!(ran.err.starts_with("tilesat bake: ") && ran.err.contains(word), "{word:?} is not in {ran:?}");
+    assert!(fs::read(out).unwrap().is_empty());
+}
+
+/// The library's errors name the object that the user drew.
+#[test]
+fn refused_objects() {
+    let object =
+        |points: &str| format!(r#"<object id="7" name="hut" x="0" y="0"><polygon points="{points}"/></object>"#);
+    let good = r#"<object id="6" x="99" y="99" width="9" height="9"/>"#;
+    let cases = [
+        (object("0,0 9,0 9,0 0,9"), "object 7 'hut' of layer 'L' at (9, 0): path 1: point 1 is the same as the next"),
+        (object("0,0 9,0"), "object 7 'hut' of layer 'L': path 1 has 2 points"),
+        (object("0,0 9,0 18,0"), "object 7 'hut' of layer 'L': path 1 is a polygon without area"),
+        (object("0,0 8192,0 0,8"), "object 7 'hut' of layer 'L' at (8192, 0): path 1, point 1"),
+        (object("0,0 99999,0 0,8"), "object 7 'hut' of layer 'L': point 1 is beyond the domain"),
+        (
+            r#"<object id="7" type="Hole"><polyline points="0,0 9,0 9,9"/></object>"#.into(),
+            "object 7 of layer 'L': a hole that is not closed",
+        ),
+    ];
+    for (i, (list, word)) in cases.iter().enumerate() {
+        let level = scratch("bake", &format!("object{i}.tmx"), objects(&(good.to_owned() + list)));
+        refused(baked(level, "refused.bin", ""), word);
+    }
+    let flags = ["A", "B", "C", "D", "E", "F", "G", "H", "I"];
+    let flags = flags.map(|name| format!(r#"<property name="{name}" type="bool" value="true"/>"#)).concat();
+    let many = format!(r#"<object id="7" width="9" height="9"><properties>{flags}</properties></object>"#);
+    let level = scratch("bake", "flags.tmx", objects(&many));
+    refused(baked(level, "refused.bin", ""), "object 7 of layer 'L': 'I' would be the ninth flag");
+    let nothing = scratch("bake", "nothing.tmx", objects(""));
+    refused(baked(nothing, "refused.bin", ""), "nothing solid");
+}
+
+#[test]
+fn refused_grids() {
+    let good = ldtk(&["Full", "Empty_Coin"], 2, 2, "1,0,2,1");
+    let change = |from: &str, to: &str| good.replacen(from, to, 1);
+    let cases = [
+        ("{".to_owned(), "not JSON"),
+        ("{}".to_owned(), "has no levels"),
+        (change("IntGrid", "Tiles"), "level 'One': it has no IntGrid layer"),
+        (change("Full", "Wall"), "layer 'Solid': value 1: 'Wall' does not begin with the name of a shape"),
+        (change("\"Full\"", "null"), "value 1 has no identifier"),
+        (change("1,0,2,1", "1,0,3,1"), "value 3 is not in the layer's list"),
+        (change("1,0,2,1", "1,0,2"), "3 values for 2x2 cells"),
+        (change("1,0,2,1", "1,0,2,0.5"), "the value 0.5 is not whole"),
+        (change("\"__cWid\":2", "\"__cWid\":-2"), "__cWid is -2, not a count"),
+        (change("\"__cWid\":2", "\"__cWid\":4000000000"), "beyond the domain"),
+        (change("\"__gridSize\":16", "\"__gridSize\":0"), "cells of 0 pixels"),
+        (change("\"__pxTotalOffsetX\":0", "\"__pxTotalOffsetX\":4"), "drawn with an offset"),
+        (change("\"layerDefUid\":2", "\"layerDefUid\":3"), "defs.layers has no uid 3"),
+        (
+            change("\"layerInstances\":", "\"externalRelPath\":\"none.ldtkl\",\"layerInstances\":null,\"x\":"),
+            "none.ldtkl: cannot read",
+        ),
+        ("[".repeat(1000).replacen('[', "{\"a\":[", 1), "not JSON: recursion limit"),
+        (" ".repeat(17 << 20).replacen(' ', "{", 1), "larger than 16 MiB"),
+    ];
+    for (i, (text, word)) in cases.iter().enumerate() {
+        refused(baked(scratch("bake", &format!("grid{i}.ldtk"), text), "refused.bin", ""), word);
+    }
+    let level = || scratch("bake", "good.ldtk", &good);
+    refused(baked(level(), "refused.bin", "--level Two"), "no level 'Two'; there are: One");
+    refused(baked(level(), "refused.bin", "--layer Two"), "no tile layer 'Two'; there are: Solid");
+    fine(&baked(level(), "good.bin", "--level One --layer Solid").0);
+}
+
+/// A level in a file of its own.
+#[test]
+fn external_levels() {
+    let good = ldtk(&["Full"], 2, 1, "1,0");
+    let apart = good.split("\"levels\":[").nth(1).unwrap().strip_suffix("]}").unwrap();
+    scratch("bake", "apart.ldtkl", apart);
+    let text =
+        good.replace("\"layerInstances\":", "\"externalRelPath\":\"apart.ldtkl\",\"layerInstances\":null,\"x\":");
+    let (ran, out) = baked(scratch("bake", "whole.ldtk", text), "apart.bin", "");
+    fine(&ran);
+    assert_eq!(fs::read(out).unwrap(), [1, 0]);
+}
+
+#[test]
+fn bad_arguments() {
+    let level = || scratch("bake", "arguments.tmx", rows(&["##"]));
+    for (options, word) in [
+        ("--cell 0", "--cell needs pixels above 0 and below 8192, got 0"),
+        ("--cell", "--cell needs a value"),
+        ("--body 4", "WIDTHxHEIGHT"),
+        ("--fps 3", "--fps"),
+        ("--layer Nowhere", "no tile layer 'Nowhere'"),
+        ("--picture /no/such/folder/a.png", "cannot write"),
+        ("-o b.bin", "twice"),
+        ("b.tmx", "twice"),
+    ] {
+        let (ran, out) = baked(level(), "arguments.bin", options);
+        let ran = Ran { out: String::new(), ..ran };
+        assert!(ran.status == 2 && ran.err.contains(word), "{word:?} is not in {ran:?} {}", out.display());
+    }
+    for (options, word) in
+        [("", "no -o"), ("-o a.txt", "neither in .bin nor in .rs"), ("-o /no/such/a.bin", "cannot write")]
+    {
+        let ran = support::run("bake", level(), options);
+        assert!(ran.status == 2 && ran.err.contains(word), "{word:?} is not in {ran:?}");
+    }
+    let odd = scratch("bake", "odd.tmx", objects(r#"<object id="1" width="9" height="9"/>"#));
+    refused(baked(odd, "odd.bin", "--cell 0.00002"), "the objects: ");
+    let vast = scratch("bake", "vast.tmx", objects(r#"<object id="1" width="8000" height="8000"/>"#));
+    refused(baked(vast, "vast.bin", "--cell 1"), "use larger cells");
+    let help = support::run("bake", "--help", "");
+    assert!(help.status == 0 && help.out.starts_with("usage: tilesat bake "), "{help:?}");
+}

@@ -1,0 +1,122 @@
+//! Written by `tilesat bake LEVEL -o OUT.rs`; not edited by hand.
+#![allow(unreachable_pub, reason = "a level is a module of a program")]
+#![allow(clippy::unreadable_literal, reason = "raw coordinates")]
+
+use tilesat::{TileKind, TileKinds};
+
+pub const WIDTH: u16 = 30;
+pub const HEIGHT: u16 = 17;
+/// Side of a tile in pixels.
+pub const TILE: u16 = 16;
+/// The flag bits of the game's rules.
+pub const FLAG_COIN: u8 = 1;
+pub const FLAG_LADDER: u8 = 2;
+pub const FLAG_ICE: u8 = 4;
+/// Row by row.
+pub static TILES: &[u8; 510] = b"\
+    \x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\
+    \x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01\
+    \x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01\
+    \x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01\
+    \x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01\
+    \x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01\
+    \x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01\
+    \x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01\
+    \x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x02\x00\x00\x00\x01\
+    \x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x03\x03\x03\x03\x00\x01\
+    \x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01\
+    \x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01\
+    \x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01\
+    \x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01\
+    \x01\x00\x00\x02\x00\x02\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01\
+    \x01\x01\x01\x01\x01\x01\x01\x01\x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01\x01\x01\x01\x01\x01\x01\x01\
+    \x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\
+";
+#[rustfmt::skip]
+pub static KINDS: TileKinds = TileKinds::EMPTY
+    .with(1, TileKind::FULL)
+    .with(2, TileKind::EMPTY.with_flags(1))
+    .with(3, TileKind::ONE_WAY_UP);
+/// The tiles as a level whose first corner is at the origin, with nothing outside.
+pub static MAP: tilesat::TileMap<tilesat::Blocks> =
+    match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+        Ok(grid) => match tilesat::TileMap::of(TILES, grid, &KINDS) {
+            Ok(map) => map,
+            Err(_) => panic!("the tiles do not fit"),
+        },
+        Err(_) => panic!("the cells do not fit"),
+    };
+
+use tilesat::{Fx, Path, PathKind, Vec2, segment_map};
+
+#[rustfmt::skip]
+const POINTS_0: [Vec2; 11] = [
+    Vec2::from_ints(64, 176),
+    Vec2::from_ints(88, 136),
+    Vec2::from_ints(136, 120),
+    Vec2::from_ints(184, 144),
+    Vec2::from_ints(200, 184),
+    Vec2::from_ints(192, 216),
+    Vec2::from_ints(160, 216),
+    Vec2::from_ints(148, 192),
+    Vec2::from_ints(112, 192),
+    Vec2::from_ints(100, 216),
+    Vec2::from_ints(72, 216),
+];
+#[rustfmt::skip]
+const POINTS_1: [Vec2; 5] = [
+    Vec2::from_ints(112, 136),
+    Vec2::from_ints(128, 132),
+    Vec2::from_ints(140, 144),
+    Vec2::from_ints(124, 160),
+    Vec2::from_ints(108, 156),
+];
+#[rustfmt::skip]
+const POINTS_2: [Vec2; 4] = [
+    Vec2::from_ints(224, 112),
+    Vec2::from_ints(288, 112),
+    Vec2::from_ints(288, 120),
+    Vec2::from_ints(224, 120),
+];
+#[rustfmt::skip]
+const POINTS_3: [Vec2; 4] = [
+    Vec2::from_ints(320, 240),
+    Vec2::from_ints(320, 216),
+    Vec2::from_ints(340, 204),
+    Vec2::from_raw(22288794, 11776819),
+];
+#[rustfmt::skip]
+const POINTS_4: [Vec2; 4] = [
+    Vec2::from_ints(224, 192),
+    Vec2::from_ints(248, 200),
+    Vec2::from_ints(280, 202),
+    Vec2::from_ints(312, 192),
+];
+#[rustfmt::skip]
+const POINTS_5: [Vec2; 4] = [
+    Vec2::from_ints(384, 240),
+    Vec2::from_ints(432, 216),
+    Vec2::from_ints(464, 216),
+    Vec2::from_ints(464, 240),
+];
+#[rustfmt::skip]
+const POINTS_6: [Vec2; 4] = [
+    Vec2::from_ints(352, 48),
+    Vec2::from_ints(352, 64),
+    Vec2::from_ints(288, 64),
+    Vec2::from_ints(288, 48),
+];
+
+segment_map!(
+    #[allow(long_running_const_eval, reason = "it ends: the level is as large as it is")]
+    pub static SEGMENTS: [
+        Path::new(PathKind::Solid, &POINTS_0),
+        Path::new(PathKind::Hole, &POINTS_1),
+        Path::new(PathKind::Solid, &POINTS_2),
+        Path::new(PathKind::Wall, &POINTS_3),
+        Path::new(PathKind::OneWay, &POINTS_4).with_flags(2),
+        Path::new(PathKind::Solid, &POINTS_5).with_flags(4),
+        Path::new(PathKind::Solid, &POINTS_6),
+    ],
+    Fx::lit("16")
+);

@@ -1,0 +1,53 @@
+//! The program `tilesat` itself, and the subcommands that have no file of their own here.
+
+use std::fs;
+
+use crate::support::{Ran, folder, own, scratch, tilesat};
+
+/// Refused: status 2 and one line that contains the word.
+fn refused(ran: &Ran, word: &str) {
+    assert!(ran.status == 2 && ran.out.is_empty() && ran.err.lines().count() == 1, "{ran:?}");
+    assert!(ran.err.starts_with("tilesat") && ran.err.contains(word), "{word:?} is not in {ran:?}");
+}
+
+#[test]
+fn commands() {
+    refused(&tilesat([""; 0]), "no command given");
+    refused(&tilesat(["bace"]), "no command is called bace; there are: bake, lint, play, sheet");
+    refused(&tilesat(["--fps"]), "no command is called --fps");
+    for help in ["--help", "-h"] {
+        for args in [&[][..], &["bake"], &["lint"], &["play"], &["sheet"]] {
+            let ran = tilesat(args.iter().chain([&help]));
+            assert!(ran.status == 0 && ran.err.is_empty() && ran.out.starts_with("usage: tilesat"), "{ran:?}");
+            assert!(!ran.out.lines().any(|line| line.starts_with('-')), "options are indented: {}", ran.out);
+        }
+    }
+}
+
+/// It has no level of its own, and draws where it is told to.
+#[test]
+fn play_takes_any_level() {
+    let level = own("platformer/levels/ninja.tmx");
+    refused(&tilesat(["play"]), "tilesat play: no level given");
+    refused(&tilesat(["play", "--level", "ninja"]), "unknown argument --level");
+    refused(&tilesat(["play", "a.tmx", "b.tmx"]), "LEVEL.tmx is given twice");
+    let args = ["play".as_ref(), level.as_os_str(), "--frames".as_ref(), "600".as_ref()];
+    let ran = tilesat(args);
+    assert!(ran.status == 0 && ran.err.is_empty() && !ran.out.contains("picture"), "{ran:?}");
+    assert!(ran.last().starts_with("frames=600 bodies=33 "), "{ran:?}");
+}
+
+#[test]
+fn sheets() {
+    // Nothing is left there of another run.
+    let files = ["sheet-shapes.png", "sheet-mosaic.png", "sheet-level.png"].map(|name| scratch("sheets", name, ""));
+    let ran = tilesat(["sheet".as_ref(), folder("sheets").as_os_str()]);
+    assert!(ran.status == 0 && ran.err.is_empty() && ran.out.lines().count() == 3, "{ran:?}");
+    for file in files {
+        assert!(fs::read(&file).unwrap().starts_with(b"\x89PNG\r\n"), "{}", file.display());
+    }
+    refused(&tilesat(["sheet"]), "tilesat sheet: no folder given");
+    refused(&tilesat(["sheet", "a", "b"]), "twice");
+    refused(&tilesat(["sheet", "--wide"]), "unknown argument --wide");
+    refused(&tilesat(["sheet", "/no/such/folder"]), "cannot write");
+}

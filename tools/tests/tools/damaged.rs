@@ -1,0 +1,138 @@
+//! Damaged levels: whatever stands in a file, the level tools say what is wrong or do their work.
+
+use std::fs;
+use std::ops::Range;
+
+use crate::support::{self, ldtk, own, scratch};
+
+/// Numbers that such files hold and should not.
+const ODD: [&str; 16] = [
+    "-1",
+    "0",
+    "1",
+    "65535",
+    "65536",
+    "2147483647",
+    "4294967296",
+    "-9223372036854775808",
+    "1e308",
+    "1e-320",
+    "nan",
+    "0.00001",
+    "8191.99999",
+    "8192",
+    "\u{e9}",
+    "",
+];
+
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, end: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) as usize) % end.max(1)
+    }
+
+    fn range(&mut self, length: usize, most: usize) -> Range<usize> {
+        let start = self.below(length);
+        start..(start + self.below(most)).min(length)
+    }
+}
+
+/// One to four wounds.
+fn damaged(level: &[u8], random: &mut Random) -> Vec<u8> {
+    let mut bytes = level.to_vec();
+    for _ in 0..=random.below(4) {
+        let length = bytes.len();
+        match random.below(12) {
+            0 => bytes.truncate(random.below(length)),
+            1 => drop(bytes.drain(random.range(length, 64))),
+            2 => {
+                let copy = bytes[random.range(length, 64)].to_vec();
+                let at = random.below(length);
+                bytes.splice(at..at, copy);
+            }
+            3 => {
+                let at = random.below(length);
+                if let Some(byte) = bytes.get_mut(at) {
+                    *byte ^= 1 << random.below(8);
+                }
+            }
+            _ => {
+                let number = numbers(&bytes);
+                if !number.is_empty() {
+                    let at = number[random.below(number.len())].clone();
+                    bytes.splice(at, ODD[random.below(ODD.len())].bytes());
+                }
+            }
+        }
+    }
+    bytes
+}
+
+/// Where digits stand.
+fn numbers(bytes: &[u8]) -> Vec<Range<usize>> {
+    let mut found: Vec<Range<usize>> = Vec::new();
+    for (i, _) in bytes.iter().enumerate().filter(|(_, byte)| byte.is_ascii_digit()) {
+        match found.last_mut() {
+            Some(last) if last.end == i => last.end += 1,
+            _ => found.push(i..i + 1),
+        }
+    }
+    found
+}
+
+/// Returns how many of the levels were still taken.
+fn torture(name: &str, level: &[u8], seed: u64) -> usize {
+    let scale = std::env::var("TILESAT_CASES").ok().and_then(|text| text.parse().ok());
+    let mut random = Random(seed);
+    let mut taken = 0;
+    for case in 0..scale.unwrap_or(150) {
+        let bytes = damaged(level, &mut random);
+        let file = scratch("fuzz", name, &bytes);
+        let ran = support::run("lint", &file, "--body 10x14");
+        assert!(ran.status <= 2 && (ran.status == 2) == (ran.err.lines().count() == 1), "case {case}: {ran:?}");
+        let out = scratch("fuzz", &format!("{name}.rs"), "");
+        let ran = support::run("bake", file, &format!("-o {}", out.display()));
+        assert!((ran.status == 2) == (ran.err.lines().count() == 1), "case {case}: {ran:?}");
+        assert!(ran.status == 0 || ran.status == 2 && fs::read(&out).unwrap().is_empty(), "case {case}: {ran:?}");
+        taken += usize::from(ran.status == 0);
+    }
+    println!("{name}: {taken} are still levels");
+    taken
+}
+
+#[test]
+fn tiled() {
+    let text = fs::read_to_string(own("levels/quarry.tmx")).unwrap();
+    let tileset = own("platformer/levels/meadow.tsx");
+    let level = text.replace("../platformer/levels/meadow.tsx", tileset.to_str().unwrap());
+    assert!(torture("quarry.tmx", level.as_bytes(), 1) > 0);
+}
+
+#[test]
+fn many_objects() {
+    let shapes = [
+        r#"<polygon points="0,0 9.5,0 3,8"/>"#,
+        r#"<polyline points="0,0 9,0 3,8 0,0"/>"#,
+        "<ellipse/>",
+        r#"<properties><property name="kind" value="hole"/></properties>"#,
+    ];
+    let object = |i: usize| {
+        let (x, y, shape) = (i % 8 * 12, i / 8 * 12, shapes[i % 4]);
+        let (class, rotation) = (["", "Solid", "OneWay", "Wall"][i / 4 % 4], i * 15);
+        format!(
+            r#"<object id="{i}" class="{class}" x="{x}" y="{y}" width="9" height="7.25" rotation="{rotation}">{shape}</object>"#
+        )
+    };
+    let list = (0..40).map(object).collect::<Vec<_>>().concat();
+    assert!(torture("objects.tmx", support::objects(&list).as_bytes(), 2) > 0);
+}
+
+#[test]
+fn ldtk_projects() {
+    let level = fs::read(own("levels/steps.ldtk")).unwrap();
+    torture("steps.ldtk", &level, 3);
+    let small = ldtk(&["Full", "SlopeTopLeft_Ice", "Empty_Coin"], 4, 2, "1,0,3,1,2,2,0,1");
+    assert!(torture("small.ldtk", small.as_bytes(), 4) > 0);
+}

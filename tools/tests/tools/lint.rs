@@ -1,0 +1,177 @@
+//! The linter: each mistake in a level of its own with the exact lines that are said about it, tiles, arguments, bad files.
+
+use crate::lint_cases::CASES;
+use crate::support::{self, Ran, objects, own, rows, scratch};
+
+fn run(name: &str, level: impl AsRef<[u8]>, options: &str) -> Ran {
+    let path = scratch("lint", name, level);
+    support::run("lint", path, options)
+}
+
+/// What is said about a level of these objects, without the last line.
+fn said(name: &str, level: &str, options: &str) -> Vec<String> {
+    let ran = run(&format!("{name}.tmx"), level, options);
+    assert!(ran.err.is_empty() && ran.status < 2, "{name} {ran:?}");
+    let lines: Vec<String> = ran.out.lines().map(str::to_owned).collect();
+    let (last, lines) = lines.split_last().unwrap();
+    let errors = lines.iter().filter(|line| line.starts_with("error ")).count();
+    assert!(last.contains(&format!("errors={errors} ")) && (errors > 0) == (ran.status == 1), "{ran:?}");
+    lines.to_vec()
+}
+
+#[test]
+fn each_mistake_once() {
+    for (name, list, options, expected) in CASES {
+        assert_eq!(said(name, &objects(list), options), *expected, "{name}");
+    }
+}
+
+/// Every kind of finding has a case.
+#[test]
+fn no_code_is_forgotten() {
+    let codes = "crossing duplicate hole-buried hole-outside left-out no-area not-closed off-lattice out-of-domain overlap pocket \
+                 reversed self-crossing self-touch sliver solid-buried t-junction unreachable zero-length";
+    let lines: Vec<&str> = CASES.iter().flat_map(|case| case.3).copied().collect();
+    for code in codes.split(' ') {
+        assert!(lines.iter().any(|line| line.split(' ').nth(1) == Some(code)), "{code}");
+    }
+    for line in lines {
+        let code = line.split(' ').nth(1).unwrap();
+        assert!(codes.split(' ').any(|known| known == code), "{line}");
+    }
+}
+
+/// The order of the file changes no finding about one object, whichever way polygons are drawn.
+#[test]
+fn winding_and_order_do_not_matter() {
+    let hole =
+        |points: &str| format!(r#"<object id="4" type="Hole" x="0" y="0"><polygon points="{points}"/></object>"#);
+    let solid = |points: &str| format!(r#"<object id="3" x="0" y="0"><polygon points="{points}"/></object>"#);
+    let (there, back) = ("0,0 64,0 64,64 0,64", "0,64 64,64 64,0 0,0");
+    let (inner, outer) = ("8,8 16,8 16,16 8,16", "80,16 88,16 88,8 80,8");
+    let clean = [solid(there) + &hole(inner), hole(inner) + &solid(back), solid(back) + &hole(inner)];
+    for (i, list) in clean.iter().enumerate() {
+        assert_eq!(said(&format!("order{i}"), &objects(list), "--body 8x8"), [""; 0]);
+    }
+    for (i, list) in [solid(there) + &hole(outer), hole(outer) + &solid(back)].iter().enumerate() {
+        let lines = said(&format!("stray{i}"), &objects(list), "");
+        assert!(lines.len() == 1 && lines[0].starts_with("error hole-outside at (84, 16)"), "{lines:?}");
+    }
+}
+
+#[test]
+fn tiles() {
+    let slot = ["####", "#  #", "## #", "####"];
+    assert_eq!(said("fits", &rows(&slot), "--body 16x16"), [""; 0]);
+    let lines = said("tight", &rows(&slot), "--body 17x16");
+    assert_eq!(
+        lines,
+        [
+            "warning pocket at (40, 40): tile layer 'World' and tile layer 'World': the room between them is 16 wide, the body 17; \
+          the body cannot get in, or gets stuck on its way"
+        ]
+    );
+    // The room is one tile high over the step, and two beside it.
+    let lines = said("low", &rows(&slot), "--body 16x17");
+    assert!(lines.len() == 1 && lines[0].contains("at (24, 24)") && lines[0].contains("16 high"), "{lines:?}");
+    // One-way tiles: under a solid, with room for the body, without.
+    let shelf = ["####", "#==#", "#  #", "####"];
+    let lines = said("covered", &rows(&shelf), "");
+    assert!(lines.len() == 2 && lines[0].contains("column 1, row 1 has a solid on its edge"), "{lines:?}");
+    let shelf = ["####", "#  #", "#==#", "####"];
+    assert_eq!(said("room", &rows(&shelf), "--body 16x16"), [""; 0]);
+    let lines = said("no_room", &rows(&shelf), "--body 16x16.01");
+    assert!(lines.iter().any(|line| line.starts_with("warning unreachable at (32, 32)")), "{lines:?}");
+    // An object in a tile's way.
+    let both = rows(&["    ", "====", "    "])
+        .replace("</objectgroup>", r#"<object id="9" y="10" width="64" height="6"/></objectgroup>"#);
+    let lines = said("both", &both, "");
+    assert!(lines.len() == 1 && lines[0].starts_with("warning unreachable at (32, 16): tile layer"), "{lines:?}");
+}
+
+#[test]
+fn own_levels_are_clean() {
+    for (level, layers) in [("levels/quarry.tmx", 1), ("levels/steps.ldtk", 1), ("platformer/levels/meadow.tmx", 3)] {
+        let ran = support::run("lint", own(level), "--body 10x14 --strict");
+        assert!(ran.status == 0 && ran.err.is_empty(), "{level} {ran:?}");
+        assert!(ran.out.lines().last().unwrap().starts_with(&format!("layers={layers} ")), "{level} {ran:?}");
+    }
+}
+
+#[test]
+fn strict() {
+    let cross = CASES.iter().find(|case| case.0 == "crossing").unwrap();
+    assert_eq!(run("loose.tmx", objects(cross.1), "").status, 0);
+    assert_eq!(run("strict.tmx", objects(cross.1), "--strict").status, 1);
+    let tee = CASES.iter().find(|case| case.0 == "tee").unwrap();
+    assert_eq!(run("tee.tmx", objects(tee.1), "--strict").status, 0);
+}
+
+/// Refused: status 2 and one line that contains the word.
+fn refused(ran: &Ran, word: &str) {
+    assert!(ran.status == 2 && ran.out.is_empty() && ran.err.lines().count() == 1, "{ran:?}");
+    assert!(ran.err.starts_with("tilesat lint: ") && ran.err.contains(word), "{word:?} is not in {ran:?}");
+}
+
+#[test]
+fn bad_arguments() {
+    let cases = [
+        ("--fps 3", "--fps"),
+        ("--body", "--body needs a value"),
+        ("--body 10", "WIDTHxHEIGHT"),
+        ("--body 0x3", "pixels above 0 and below 8192, got 0"),
+        ("--body 3x9000", "got 9000"),
+        ("--circle big", "got big"),
+        ("--circle 4 --body 3x3", "twice"),
+        ("--small -1", "--small needs pixels above 0 and below 8192, got -1"),
+        ("--layer Nowhere", "no tile layer 'Nowhere'; there are: World"),
+        ("--level Somewhere", "--level is for LDtk"),
+        ("other.tmx", "twice"),
+    ];
+    for (options, word) in cases {
+        refused(&run("arguments.tmx", rows(&["##"]), options), word);
+    }
+    let none = |options| support::run("lint", "", options);
+    refused(&none(""), "an empty argument");
+    refused(&support::run("lint", "/no/such/level.tmx", ""), "cannot read");
+    let help = support::run("lint", "--help", "");
+    assert!(help.status == 0 && help.out.starts_with("usage: tilesat lint "), "{help:?}");
+}
+
+#[test]
+fn bad_maps() {
+    let good = objects(r#"<object id="7" name="a" x="0" y="0"><polygon points="0,0 8,0 8,8"/></object>"#);
+    let change = |from: &str, to: &str| good.replacen(from, to, 1);
+    let cases = [
+        ("empty", String::new(), "not a Tiled map"),
+        ("html", "<html></html>".into(), "not a Tiled map"),
+        ("cut", good[..good.len() - 9].into(), "not a Tiled map"),
+        ("cut_tag", good[..good.len() - 18].into(), "not a Tiled map"),
+        ("crossed", change("</object>", "</objects>"), "line 7: </objects> closes <object>"),
+        ("letters", change("8,0 ", "8,a "), "line 7: object 7: a point's y is 'a', no number"),
+        ("single", change("8,0 ", "8 "), "object 7: a point's y is '', no number"),
+        ("nan", change("x=\"0\"", "x=\"nan\""), "object 7: x is 'nan'"),
+        ("huge", change("x=\"0\"", "x=\"1e9\""), "object 7: x is '1e9', no number below a million"),
+        ("id", change("id=\"7\"", "id=\"-7\""), "an object with the id '-7'"),
+        ("no_points", change("points", "pints"), "object 7 has no points"),
+        ("nested", change("<polygon", "<object id=\"8\"/><polygon"), "an object within an object"),
+        (
+            "kind",
+            change("<polygon", "<properties><property name=\"kind\" value=\"sold\"/></properties><polygon"),
+            "object 7 has the kind 'sold'; there are solid, hole, wall and one-way",
+        ),
+        (
+            "kinds",
+            change("name=\"a\"", "type=\"Hole\"").replace(
+                "<polygon",
+                "<properties><property name=\"Solid\" type=\"bool\" value=\"true\"/></properties><polygon",
+            ),
+            "object 7 is both solid and hole",
+        ),
+        ("offset", change("name=\"L\"", "name=\"L\" offsetx=\"far\""), "offsetx is 'far', no number"),
+        ("isometric", change("orthogonal", "isometric"), "isometric"),
+    ];
+    for (name, text, word) in cases {
+        refused(&run(&format!("{name}.tmx"), text, ""), word);
+    }
+}

@@ -1,0 +1,18 @@
+//! The level tools: what they read, refuse, bake, lint, play and draw.
+//!
+//! `TILESAT_CASES` scales the number of damaged files. Set `TILESAT_LEVELS` to a folder to have every `.tmx` in it and in its
+//! folders played too.
+
+mod bake;
+mod baked;
+mod command;
+mod damaged;
+mod hostile;
+mod level;
+mod lint;
+mod lint_cases;
+mod lint_geometry;
+mod objects;
+mod play;
+mod shapes;
+mod support;

@@ -1,0 +1,107 @@
+//! What objects of a map become: kinds by name, places by offsets and turns.
+
+use tilesat_tools::read::drawing::Drawing;
+use tilesat_tools::read::load;
+use tilesat_tools::rules::kind::Kind;
+
+use crate::support::{objects, scratch};
+
+fn drawing(name: &str, text: &str) -> Drawing {
+    load(&scratch("objects", &format!("{name}.tmx"), text), None).unwrap()
+}
+
+/// The points of the only outline in whole pixels.
+fn pixels(name: &str, text: &str) -> Vec<(i64, i64)> {
+    let drawing = drawing(name, text);
+    let [outline] = &drawing.outlines[..] else { panic!("{drawing:?}") };
+    assert!(outline.rounding.iter().all(|&off| off == 0), "{outline:?}");
+    outline.points.iter().map(|&(x, y)| (x >> 16, y >> 16)).collect()
+}
+
+#[test]
+fn turned_and_moved() {
+    let turned = |degrees: &str| {
+        let list = format!(r#"<object id="1" x="100" y="50" width="20" height="8" rotation="{degrees}"/>"#);
+        pixels("turned", &objects(&list))
+    };
+    let plain = [(100, 50), (120, 50), (120, 58), (100, 58)];
+    let quarter = [(100, 50), (100, 70), (92, 70), (92, 50)];
+    let half = [(100, 50), (80, 50), (80, 42), (100, 42)];
+    let back = [(100, 50), (100, 30), (108, 30), (108, 50)];
+    let cases = [
+        ("0", plain),
+        ("360", plain),
+        ("90.000", quarter),
+        ("-270", quarter),
+        ("180", half),
+        ("-180", half),
+        ("270", back),
+        ("-90", back),
+    ];
+    for (degrees, expected) in cases {
+        assert_eq!(turned(degrees), expected, "{degrees}");
+    }
+    let map = objects(r#"<object id="1" x="0.5" y="-3"><polygon points="0.5,0 8,4 -2,9"/></object>"#);
+    let moved = map
+        .replace(
+            "<objectgroup id=\"2\"",
+            "<group offsetx=\"10\" offsety=\"-20\"><group offsety=\"5\"><objectgroup id=\"2\" offsetx=\"-1\"",
+        )
+        .replace("</objectgroup>", "</objectgroup></group></group>");
+    assert_eq!(pixels("moved", &moved.replace("x=\"0.5\"", "x=\"-0.5\"")), [(9, -18), (16, -14), (6, -9)]);
+    // Any other turn is rounded, and the size of the object stays.
+    let list = r#"<object id="1" x="100" y="50" width="20" height="8" rotation="30"/>"#;
+    let outline = &drawing("askew", &objects(list)).outlines[0];
+    assert!(outline.rounding[0] == 0 && outline.rounding[1] > 0);
+    for ((a, b), length) in outline.edges().zip([20, 8, 20, 8]) {
+        let (x, y) = (b.0 - a.0, b.1 - a.1);
+        assert!(((x * x + y * y).isqrt() - (length << 16)).abs() <= 2, "{a:?} {b:?}");
+    }
+}
+
+#[test]
+fn names_of_objects() {
+    let kind = |what: &str, layer: &str, shape: &str| {
+        let (attributes, properties) = what.split_once('|').unwrap_or((what, ""));
+        let list = format!(r#"<object id="1" {attributes}><properties>{properties}</properties>{shape}</object>"#);
+        let map = objects(&list).replace("name=\"L\"", &format!("name=\"L\" class=\"{layer}\""));
+        drawing("names", &map).outlines.first().map(|outline| (outline.kind, outline.closed, outline.flags.clone()))
+    };
+    let (polygon, chain) = (r#"<polygon points="0,0 9,0 0,9"/>"#, r#"<polyline points="0,0 9,0 0,9"/>"#);
+    let plain = |kind, closed| Some((kind, closed, Vec::<String>::new()));
+    let yes = |name: &str| format!("|<property name=\"{name}\" type=\"bool\" value=\"true\"/>");
+    // By form, where nothing has a name.
+    assert_eq!(kind("", "", polygon), plain(Kind::Solid, true));
+    assert_eq!(kind("", "", ""), plain(Kind::Solid, true));
+    assert_eq!(kind("", "", chain), plain(Kind::Wall, false));
+    assert_eq!(kind("", "", r#"<polyline points="0,0 9,0 0,9 0,0"/>"#), plain(Kind::Wall, true));
+    // By class, of the object before that of the layer.
+    assert_eq!(kind(r#"class="collision""#, "", polygon), plain(Kind::Solid, true));
+    assert_eq!(kind(r#"type="HOLE""#, "", polygon), plain(Kind::Hole, true));
+    assert_eq!(kind(r#"type="one-way""#, "Wall", chain), plain(Kind::OneWay, false));
+    assert_eq!(kind("", "One_Way", polygon), plain(Kind::OneWay, true));
+    assert_eq!(kind(&yes("Wall"), "", polygon), plain(Kind::Wall, true));
+    assert_eq!(kind(r#"|<property name="Kind" value="hole"/>"#, "Solid", polygon), plain(Kind::Hole, true));
+    // Not ours, unless something else says so; then the class is a flag.
+    assert_eq!(kind(r#"type="Spawn""#, "", polygon), None);
+    assert_eq!(kind("", "Spawns", polygon), None);
+    assert_eq!(kind(r#"type="Ice""#, "Solid", polygon), Some((Kind::Solid, true, vec!["Ice".into()])));
+    let ice = yes("Ice") + &yes("ice")[1..] + &yes("Solid")[1..] + &yes("A &amp; B&#33;")[1..];
+    assert_eq!(kind(&ice, "", chain), Some((Kind::Solid, false, vec!["Ice".into(), "A & B!".into()])));
+    // A false property says nothing, and neither does one within another.
+    assert_eq!(kind(&yes("Hole").replace("true", "false"), "", polygon), plain(Kind::Solid, true));
+    let inner =
+        r#"|<property name="c" type="class"><properties><property name="kind" value="hole"/></properties></property>"#;
+    assert_eq!(kind(inner, "", polygon), plain(Kind::Solid, true));
+}
+
+/// The collision shapes that tiles have in a tileset are no objects of the level.
+#[test]
+fn shapes_of_tiles_are_not_the_level() {
+    let shape = r#"<tile id="3"><objectgroup><object id="1" width="9" height="9"/></objectgroup></tile></tileset>"#;
+    let map = objects("").replace("</tileset>", shape);
+    assert!(drawing("tiles", &map).outlines.is_empty());
+    // A comment is none, either.
+    let map = objects(r#"<!-- <object id="1" width="9" height="9"/> --><object id="2" width="9" height="9"/>"#);
+    assert_eq!(drawing("comment", &map).outlines.len(), 1);
+}

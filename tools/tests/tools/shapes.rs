@@ -1,0 +1,333 @@
+//! The shapes of the platformer's levels: their names and numbers, flips, the errors, and the check that watches the library.
+//!
+//! What a shape fills is written down here once more, from N++'s own corners; nothing is shared with the example or the library.
+
+use std::path::PathBuf;
+
+use tilesat::{Aabb, AllShapes, Circle, Fx, Grid, Outside, TileMap, TileShape, Vec2};
+use tilesat_games::platformer::{ninja, sim};
+use tilesat_tools::bake::level::Level;
+use tilesat_tools::play::check::Checker;
+use tilesat_tools::play::{self, Figure, constants};
+use tilesat_tools::read::drawing::{TileLayer, TileLayers};
+use tilesat_tools::read::tmx;
+use tilesat_tools::rules::flip::Flip;
+use tilesat_tools::rules::names;
+use tilesat_tools::rules::traits::Traits;
+
+use crate::support;
+
+type Point = (i32, i32);
+
+/// The slopes of N++, each a line through its 24 x 24 cell with the solid at the corner that its number has.
+const LINES: [(u8, Point, Point); 20] = [
+    (6, (0, 24), (24, 0)),
+    (7, (0, 0), (24, 24)),
+    (8, (24, 0), (0, 24)),
+    (9, (24, 24), (0, 0)),
+    (18, (0, 12), (24, 0)),
+    (19, (0, 0), (24, 12)),
+    (20, (24, 12), (0, 24)),
+    (21, (24, 24), (0, 12)),
+    (22, (0, 24), (24, 12)),
+    (23, (0, 12), (24, 24)),
+    (24, (24, 0), (0, 12)),
+    (25, (24, 12), (0, 0)),
+    (26, (0, 24), (12, 0)),
+    (27, (12, 0), (24, 24)),
+    (28, (24, 0), (12, 24)),
+    (29, (12, 24), (0, 0)),
+    (30, (12, 24), (24, 0)),
+    (31, (0, 0), (12, 24)),
+    (32, (12, 0), (0, 24)),
+    (33, (24, 24), (12, 0)),
+];
+
+/// Whether tile `id` is solid at a point of its cell, given in 96ths; for the one-way tiles, whether the point is near their edge.
+fn solid(id: u8, (x, y): Point) -> bool {
+    let corner = [(0, 0), (96, 0), (96, 96), (0, 96)][usize::from((id + 2) % 4)];
+    let away = |c: Point| (x - c.0).pow(2) + (y - c.1).pow(2);
+    match id {
+        0 => false,
+        1 => true,
+        2 => y < 48,
+        3 => x > 48,
+        4 => y > 48,
+        5 => x < 48,
+        10..=13 => away(corner) < 96 * 96,
+        14..=17 => away((96 - corner.0, 96 - corner.1)) > 96 * 96,
+        34 => y < 12,
+        35 => x > 84,
+        36 => y > 84,
+        37 => x < 12,
+        _ => {
+            let &(_, a, b) = LINES.iter().find(|line| line.0 == id).unwrap();
+            let side = |p: Point| (b.0 - a.0) * (p.1 - 4 * a.1) - (b.1 - a.1) * (p.0 - 4 * a.0);
+            assert_ne!(side((x, y)), 0);
+            side((x, y)).signum() == side(corner).signum()
+        }
+    }
+}
+
+/// Points of a cell that no outline passes through, flipped or not: one coordinate is odd and the other a multiple of 4 but not the
+/// middle, which no line of slope 1, 2 or 1/2 through the half lattice and no arc allows.
+fn points() -> impl Iterator<Item = Point> {
+    (1..96).step_by(6).flat_map(|x| (4..96).step_by(8).map(move |y| (x, y)))
+}
+
+fn flips() -> impl Iterator<Item = Flip> {
+    (0..8).map(|bits| Flip { diagonal: bits & 1 != 0, horizontal: bits & 2 != 0, vertical: bits & 4 != 0 })
+}
+
+/// Where a point of a flipped tile is in the tile itself: Tiled flips along the diagonal first.
+fn source(flip: Flip, (x, y): Point) -> Point {
+    let (x, y) = (if flip.horizontal { 96 - x } else { x }, if flip.vertical { 96 - y } else { y });
+    if flip.diagonal { (y, x) } else { (x, y) }
+}
+
+/// The points tell all shapes apart, and no flip of a shape is another one than the table says.
+#[test]
+fn flips_of_all_shapes() {
+    for shape in TileShape::ALL {
+        for flip in flips() {
+            let turned = flip.of(shape);
+            for p in points() {
+                assert_eq!(solid(turned as u8, p), solid(shape as u8, source(flip, p)), "{shape:?} {flip:?} at {p:?}");
+            }
+        }
+    }
+    for (i, a) in TileShape::ALL.into_iter().enumerate() {
+        for b in TileShape::ALL.into_iter().skip(i + 1) {
+            assert!(points().any(|p| solid(a as u8, p) != solid(b as u8, p)), "{a:?} and {b:?}");
+        }
+    }
+}
+
+#[test]
+fn names_and_numbers() {
+    assert_eq!(names::name(TileShape::MildLowTopRight), "mild-low-top-right");
+    for shape in TileShape::ALL {
+        assert_eq!(names::shape(&names::name(shape)), Some(shape));
+        assert_eq!(names::shape(&names::name(shape).to_uppercase()), Some(shape));
+        let number = (shape as u8).to_string();
+        assert_eq!(names::npp(&number), Some(shape).filter(|_| (shape as u8) < 34), "{number}");
+    }
+    for name in ["", "slope", "slope_top_left", "SlopeTopLeft", "one-way", "full "] {
+        assert_eq!(names::shape(name), None, "{name}");
+    }
+    for number in ["", "-1", "34", "38", "256", "4294967297", "1.0", "0x1", "one"] {
+        assert_eq!(names::npp(number), None, "{number}");
+    }
+}
+
+#[test]
+fn properties_win_over_the_class() {
+    let of = |names: &[&str], shape, npp| Traits::from_names(names).with_properties(shape, npp);
+    let slope = Traits { shape: TileShape::SlopeBottomLeft, flags: vec!["Ice".into()] };
+    for names in [&["Solid", "Ice"][..], &["OneWay", "Ice"], &["Ice"]] {
+        assert_eq!(of(names, Some("slope-bottom-left"), None).as_ref(), Ok(&slope));
+        assert_eq!(of(names, Some(" Slope-Bottom-Left "), Some("9")).as_ref(), Ok(&slope));
+        assert_eq!(of(names, None, Some("9")).as_ref(), Ok(&slope));
+        assert_eq!(of(names, Some("empty"), Some("0")).unwrap().shape, TileShape::Empty);
+        assert_eq!(of(names, Some(""), None).unwrap().shape, Traits::from_names(names).shape);
+    }
+    for (shape, npp, words) in [
+        (Some("slop"), None, ["shape", "'slop'"]),
+        (None, Some("34"), ["npp", "'34'"]),
+        (None, Some(""), ["npp", "''"]),
+        (Some("full"), Some("2"), ["'full'", "'2' (half-top)"]),
+    ] {
+        let error = of(&["Solid"], shape, npp).unwrap_err();
+        assert!(words.iter().all(|word| error.contains(word)), "{error}");
+    }
+}
+
+/// A map of 8 columns whose tileset holds these tiles.
+fn map(name: &str, tiles: &str, gids: &[u32]) -> PathBuf {
+    let (rows, csv) = (gids.len() / 8, gids.iter().map(u32::to_string).collect::<Vec<_>>().join(","));
+    let text = format!(
+        r#"<?xml version="1.0"?>
+<map version="1.10" orientation="orthogonal" width="8" height="{rows}" tilewidth="24" tileheight="24" infinite="0">
+ <tileset firstgid="1" name="set" tilewidth="24" tileheight="24" tilecount="64" columns="8">{tiles}</tileset>
+ <layer id="1" name="World" width="8" height="{rows}"><data encoding="csv">{csv}</data></layer>
+</map>"#
+    );
+    support::scratch("shapes", &format!("{name}.tmx"), text)
+}
+
+fn tile(id: u8, property: &str) -> String {
+    format!("<tile id=\"{id}\"><properties><property {property}/></properties></tile>")
+}
+
+/// Every shape in every flip, by name and by number, through a file.
+#[test]
+fn a_map_of_all_flips() {
+    let gids: Vec<u32> = (0..38u32)
+        .flat_map(|id| {
+            (0..8u32).map(move |bits| (id + 1) | (bits & 1) << 29 | (bits >> 1 & 1) << 31 | (bits >> 2) << 30)
+        })
+        .collect();
+    let name = |s: TileShape| tile(s as u8, &format!("name=\"shape\" value=\"{}\"", names::name(s)));
+    let number = |s: TileShape| match s as u8 {
+        id @ 34.. => tile(id, &format!("name=\"shape\" value=\"{}\"", names::name(s))),
+        id => tile(id, &format!("name=\"npp\" type=\"int\" value=\"{id}\"")),
+    };
+    let by_name: String = TileShape::ALL.into_iter().map(name).collect();
+    let by_number: String = TileShape::ALL.into_iter().map(number).collect();
+    for (file, tiles) in [("by_name", by_name), ("by_number", by_number)] {
+        let level = Level::bake(&tmx::load(&map(file, &tiles, &gids)).unwrap(), None).unwrap();
+        assert!(!level.is_blocks());
+        for (y, shape) in TileShape::ALL.into_iter().enumerate() {
+            for (x, flip) in flips().enumerate() {
+                let found = level.kind(x as u16, y as u16).shape as u8;
+                assert!(points().all(|p| solid(found, p) == solid(shape as u8, source(flip, p))), "{shape:?} {flip:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn errors_name_tile_property_and_value() {
+    let gids = [8, 1, 1, 1, 1, 1, 1, 1];
+    let solid = "<tile id=\"0\" type=\"Solid\"/>";
+    let error = |name: &str, property: &str| {
+        let path = map(name, &(solid.to_owned() + &tile(7, property)), &gids);
+        tmx::load(&path).unwrap_err().to_string()
+    };
+    for (name, property, value) in [
+        ("unknown", "name=\"shape\" value=\"slope-left\"", "property shape 'slope-left'"),
+        ("large", "name=\"npp\" type=\"int\" value=\"34\"", "property npp '34'"),
+        ("less", "name=\"npp\" type=\"int\" value=\"-1\"", "property npp '-1'"),
+        ("float", "name=\"npp\" type=\"float\" value=\"1.5\"", "property npp '1.5'"),
+        ("word", "name=\"npp\" type=\"int\" value=\"six\"", "property npp 'six'"),
+        ("bool", "name=\"shape\" type=\"bool\" value=\"true\"", "property shape 'true'"),
+        ("quoted", "name='shape' value='a\"b'", "property shape 'a\"b'"),
+    ] {
+        let text = error(name, property);
+        assert!(text.contains("tile 7 of tileset 'set'") && text.contains(value), "{text}");
+    }
+    // A tile that no layer uses may say what it likes.
+    let path = map("unused", &(solid.to_owned() + &tile(9, "name=\"npp\" value=\"99\"")), &gids);
+    assert!(tmx::load(&path).is_ok());
+}
+
+#[test]
+fn more_than_256_kinds_are_refused() {
+    let kinds: Vec<Traits> =
+        TileShape::ALL.into_iter().take(34).map(|shape| Traits { shape, flags: Vec::new() }).collect();
+    let flags: Vec<Traits> = (0..8).map(|i| Traits { shape: TileShape::Empty, flags: vec![format!("f{i}")] }).collect();
+    let palette: Vec<Traits> = kinds.into_iter().chain(flags).collect();
+    let layer =
+        |name: &str, cells: Vec<u32>| TileLayer { name: name.into(), width: cells.len() as u16, height: 1, cells };
+    let bake = |count: u32| {
+        let world = layer("world", (0..count).map(|i| i % 34).collect());
+        let flags = layer("flags", (0..count).map(|i| 34 + i / 34).collect());
+        let drawn = TileLayers { tile: 8, layers: vec![world, flags], palette: palette.clone() };
+        Level::bake(&drawn, Some("world"))
+    };
+    // Nothing at all is a kind too, of id 0, whether a cell has it or not.
+    assert_eq!(bake(255).unwrap().ids.len(), 256);
+    assert!(bake(256).unwrap_err().to_string().contains("more than 256"));
+}
+
+/// The exact check of the example and the library's tests, neither of which knows the other: every shape, boxes and balls of several
+/// sizes on the quarters and fifths of a cell (arcs pass through 3/5, 4/5) and a raw unit beside them.
+#[test]
+fn the_check_and_the_library_agree() {
+    let (cell, quarter) = (10i64 << 16, 10i64 << 14);
+    let lattice: Vec<i64> = (0..=12).map(|i| i * quarter).chain((3..=12).map(|i| i * cell / 5)).collect();
+    let mut met = 0;
+    for shape in TileShape::ALL {
+        let palette = vec![Traits::default(), Traits { shape, flags: Vec::new() }];
+        let cells = vec![0, 0, 0, 0, 1, 0, 0, 0, 0];
+        let layers = vec![TileLayer { name: "a".into(), width: 3, height: 3, cells }];
+        let Ok(level) = Level::bake(&TileLayers { tile: 10, layers, palette }, None) else { continue };
+        let (check, kinds) = (Checker::new(&level), level.kinds());
+        let grid = Grid::new(3, 3, Fx::from_num(10), Vec2::ZERO).unwrap();
+        let map = TileMap::<AllShapes>::of(&level.tiles, grid, &kinds).unwrap();
+        for (i, j) in lattice.iter().flat_map(|&i| lattice.iter().map(move |&j| (i, j))) {
+            for (dx, dy) in [(0, 0), (1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1)] {
+                let (x, y) = (i + dx, j + dy);
+                for size in [2, quarter, 2 * quarter, cell + quarter] {
+                    let round = Figure::Disc { centre: (x, y), radius: size };
+                    let ball = Circle::new(Vec2::from_raw(x as i32, y as i32), Fx::from_bits(size as i32)).unwrap();
+                    assert_eq!(check.overlaps(&round), map.overlaps(&ball), "{shape:?} {round:?}");
+                    let square = Figure::Box { min: (x, y), max: (x + size, y + quarter) };
+                    let far = Vec2::from_raw((x + size) as i32, (y + quarter) as i32);
+                    let aabb = Aabb::new(Vec2::from_raw(x as i32, y as i32), far).unwrap();
+                    assert_eq!(check.overlaps(&square), map.overlaps(&aabb), "{shape:?} {square:?}");
+                    met += usize::from(map.overlaps(&ball)) + usize::from(map.overlaps(&aabb));
+                }
+            }
+        }
+    }
+    assert!(met > 10_000);
+}
+
+fn own() -> Level {
+    Level::bake(&tmx::load(&support::own("platformer/levels/ninja.tmx")).unwrap(), None).unwrap()
+}
+
+const HINT: &str =
+    "bake it: cargo run --example platformer -- --level ninja --bake examples/games/src/platformer/ninja";
+
+#[test]
+fn ninja_is_baked_and_has_all_shapes() {
+    let level = own();
+    assert!(level.tiles == ninja::TILES, "{HINT}");
+    assert!(
+        constants::constants(&level, "ninja.bin") == include_str!("../../../examples/games/src/platformer/ninja.rs"),
+        "{HINT}"
+    );
+    assert_eq!(level.kinds(), ninja::KINDS);
+    assert_eq!((level.width, level.height, level.tile), (ninja::WIDTH, ninja::HEIGHT, ninja::TILE));
+    assert!(level.width >= 44 && level.height >= 25);
+    for shape in TileShape::ALL {
+        assert!(level.ids.iter().any(|kind| kind.shape == shape), "{shape:?}");
+    }
+    assert!(["Coin", "Kill", "Ladder", "Water", "Win"].iter().all(|flag| level.mask(flag) != 0));
+}
+
+/// Desktop and firmware play the same run; the library keeps every body out of the solid.
+#[test]
+fn ninja_plays() {
+    let grid = Grid::new(ninja::WIDTH, ninja::HEIGHT, Fx::from_num(ninja::TILE), Vec2::ZERO).unwrap();
+    let map = TileMap::<AllShapes>::of(ninja::TILES, grid, &ninja::KINDS).unwrap().with_outside(Outside::Solid);
+    let rules = sim::Rules { coin: ninja::COIN, kill: ninja::KILL, win: ninja::WIN, ladder: ninja::LADDER };
+    let mut state = sim::Sim::new(&map, rules, sim::SEED).unwrap();
+    for _ in 0..600 {
+        assert_eq!(state.step(&map).refused, 0);
+    }
+    let level = own();
+    let run = play::play(&level, 600, sim::SEED, &mut std::io::sink()).unwrap();
+    assert_eq!((run.overlaps, run.escaped, run.refused, run.hash), (0, 0, 0, state.hash()));
+    for seed in 200..208 {
+        let run = play::play(&level, 600, seed, &mut std::io::sink()).unwrap();
+        assert_eq!((run.overlaps, run.escaped, run.refused), (0, 0, 0), "seed {seed}");
+    }
+}
+
+/// The level shows every trick in one run or another.
+#[test]
+fn the_player_plays_ninja() {
+    let level = own();
+    let scores = [12, 14, 19, 33].map(|seed| play::play(&level, 3600, seed, &mut std::io::sink()).unwrap().score);
+    let sum = |of: fn(&sim::Score) -> u32| scores.iter().map(of).sum::<u32>();
+    let tricks = [sum(|s| s.coins), sum(|s| s.deaths), sum(|s| s.wins), sum(|s| s.bumps), sum(|s| s.landings)];
+    assert!(tricks.iter().all(|&count| count > 0), "{scores:?}");
+}
+
+/// A level of blocks gives the same run whichever set it is played with.
+#[test]
+fn blocks_play_the_same_in_every_set() {
+    let level = Level::bake(&tmx::load(&support::own("platformer/levels/meadow.tmx")).unwrap(), None).unwrap();
+    assert!(level.is_blocks());
+    let kinds = level.kinds();
+    let grid = Grid::new(level.width, level.height, Fx::from_num(level.tile), Vec2::ZERO).unwrap();
+    let map = TileMap::<AllShapes>::of(&level.tiles, grid, &kinds).unwrap().with_outside(Outside::Solid);
+    let mut state = sim::Sim::new(&map, play::rules(&level), sim::SEED).unwrap();
+    for _ in 0..600 {
+        state.step(&map);
+    }
+    assert_eq!(state.hash(), 0x66e0_09a9);
+}
