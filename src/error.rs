@@ -34,6 +34,8 @@ pub enum Quantity {
     Length,
     /// How high a walker steps.
     StepHeight,
+    /// The cells of a level that a motion comes to: their number, not a length.
+    Cells,
 }
 
 /// An input outside of the range that keeps arithmetic exact; nothing was changed.
@@ -48,7 +50,10 @@ pub struct RangeError {
 
 impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:?} is out of range: {} ({} raw)", self.what, Fx::from_bits(self.value), self.value)
+        match self.what {
+            Quantity::Cells => write!(f, "a motion comes to too many cells: {} or more", self.value),
+            what => write!(f, "{what:?} is out of range: {} ({} raw)", Fx::from_bits(self.value), self.value),
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::run::{Run, check_inside};
-use super::search::Around;
+use super::search::{Around, check_cells};
 use super::{Hit, Moved, Work};
 use crate::error::RangeError;
 use crate::num::{MOTION, Raw, Toi, Vec2, check_motion, mul_div};
@@ -64,8 +64,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where a component of the motion or a half extent is not below 2^28 raw (4096 units), or the motion would leave the
-    /// [domain](crate::num::DOMAIN).
+    /// [`RangeError`] where a component of the motion or a half extent is not below 2^28 raw (4096 units), the motion would leave the
+    /// [domain](crate::num::DOMAIN), or it comes to more than [`Mover::CELLS`](crate::Mover::CELLS) cells.
     pub fn cast_shape<B: Body>(
         &self,
         body: &B,
@@ -124,6 +124,7 @@ fn cast<W: World, B: Body>(
     body.check_size()?;
     let d = Raw::of(motion);
     check_inside(&body.bounds(), d)?;
+    check_cells(world, &body.bounds(), d)?;
     let mut moved = Moved::freely(*body, motion, 0);
     let mut around = Around::NOTHING;
     let mut run = Run::new(&mut moved, &mut around);

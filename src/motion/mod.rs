@@ -97,10 +97,9 @@ pub mod response;
 mod run;
 mod search;
 mod solids;
-mod sweep_box;
-mod sweep_circle;
+mod sweep_body;
+mod sweep_face;
 mod sweep_round;
-mod sweep_slope;
 #[cfg(all(test, not(target_os = "none")))]
 mod tests;
 mod touch;

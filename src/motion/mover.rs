@@ -7,10 +7,9 @@ use super::plane::{Side, SlopeLimit};
 use super::response::{Bounce, Law, Smooth, Surface};
 use super::run::{Run, check_inside, is_free};
 use super::search::Around;
-use super::search::{Search, piece_of, pieces};
+use super::search::{Search, check_cells, piece_of, pieces};
 use super::{Hit, Hits, MoveError, Moved, StartInside, Stuck, Work};
 use crate::num::{Axis, MOTION, Raw, Toi, Vec2, check_motion, mul_div};
-use crate::shape::Aabb;
 use crate::world::{Feature, World};
 
 /// What a body does when it runs into something. The words are bump.lua's.
@@ -61,6 +60,10 @@ pub struct Mover<S = Smooth> {
 impl Mover {
     /// The most pieces that one motion is made of.
     pub const ITERATIONS: u32 = 4;
+
+    /// The most cells that one motion may come to, counted for each of its [pieces](Self::move_and_slide): longer ones, and those of larger bodies, are
+    /// refused. A square of 512 cells a side, or 4096 units a call for a body of one cell where that is a unit.
+    pub const CELLS: u32 = 1 << 18;
 
     /// A mover without an "up", for games that are seen from above: every hit is a wall.
     #[must_use]
@@ -167,7 +170,8 @@ impl<S: Law> Mover<S> {
     ///
     /// # Errors
     /// [`MoveError::Range`] where a velocity component or a half extent is not below 2^28 raw (4096 units; a velocity whose length is below
-    /// that stays acceptable however it is turned) or the motion would leave the domain; [`MoveError::Stuck`] where the body overlaps
+    /// that stays acceptable however it is turned), the motion would leave the domain, or it comes to more than [`Mover::CELLS`] cells;
+    /// [`MoveError::Stuck`] where the body overlaps
     /// the level already, it is to move, and the mover [reports](StartInside) that; without a velocity nothing is asked of the level.
     #[inline(never)]
     pub fn move_and_slide<W: World, B: Body>(
@@ -179,9 +183,13 @@ impl<S: Law> Mover<S> {
         check_motion(velocity, MOTION)?;
         body.check_size()?;
         let (d, mut around) = (Raw::of(velocity), Around::NOTHING);
-        let pieces = if d.is_zero() { 0 } else { pieces_unless_free(world, &body.bounds(), d, &mut around) };
+        if d.is_zero() {
+            return Ok(Moved::freely(*body, velocity, 0));
+        }
+        check_cells(world, &body.bounds(), d)?;
+        let pieces = pieces_unless_free(world, body, d, &mut around);
         if pieces == 0 {
-            return Ok(Moved::freely(body.shifted(d), velocity, u32::from(!d.is_zero())));
+            return Ok(Moved::freely(body.shifted(d), velocity, 1));
         }
         self.run_into(world, body, velocity, pieces, &mut around)
     }
@@ -277,6 +285,7 @@ impl<S: Law> Mover<S> {
     ) -> Result<Run<'m, B>, MoveError> {
         check_motion(moved.velocity, MOTION)?;
         moved.body.check_size()?;
+        check_cells(world, &moved.body.bounds(), Raw::of(moved.velocity))?;
         let free = is_free(around, &moved.body.bounds());
         let inside = !free && self.is_inside(world, &moved.body, &mut moved.work)?;
         let mut run = Run::new(moved, around);
@@ -361,9 +370,10 @@ struct Found {
 /// In how many pieces the cells under a motion are visited; 0 where a body flies, as most do: where all that its motion comes to is seen to be empty,
 /// no more is asked.
 #[inline(never)]
-fn pieces_unless_free<W: World>(world: &W, bounds: &Aabb, d: Raw, around: &mut Around) -> u32 {
-    let pieces = pieces(world, bounds, d);
+fn pieces_unless_free<W: World, B: Body>(world: &W, body: &B, d: Raw, around: &mut Around) -> u32 {
+    let bounds = body.bounds();
+    let pieces = pieces(world, &bounds, d);
     let first = if pieces == 1 { d } else { Raw::ZERO };
-    around.look(world, &piece_of(bounds, Raw::ZERO, first, pieces));
-    if pieces == 1 && around.is_empty() && check_inside(bounds, d).is_ok() { 0 } else { pieces }
+    around.look(world, body, Raw::ZERO, first, pieces);
+    if pieces == 1 && around.is_empty() && check_inside(&bounds, d).is_ok() { 0 } else { pieces }
 }

@@ -121,10 +121,11 @@ fn is_past(m: Raw, r: i32, leaves: bool, d: Raw, at: &Entry) -> bool {
     less128(square, rim) || toward <= 0 || !less128(mul64(d.len2(), at.num.into()), mul64(toward as u64, at.den.into()))
 }
 
-/// Two features that are one surface at the moment of the hit: the solid one stands for both, with the flags of both.
+/// Two features that are one surface at the moment of the hit: the solid one stands for both, else the first row by row, with the flags of both.
 fn merge(into: &mut Feature, other: &Feature) {
     let flags = into.flags | other.flags;
-    if into.one_way && !other.one_way {
+    let key = |f: &Feature| (f.one_way, f.source, f.cell.y, f.cell.x, f.index);
+    if key(other) < key(into) {
         *into = *other;
     }
     into.flags = flags;

@@ -1,9 +1,11 @@
 //! The search for the first hit of a motion: what is known of the level around it, which parts it asks, and in which order.
 
+use super::Mover;
 use super::body::{Body, Entry};
 use super::order::First;
 use super::plane::{into, way};
 use super::run::margin;
+use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, Raw, leading_zeros32, umul};
 use crate::shape::Aabb;
 use crate::world::{Cells, Geometry, Way, World};
@@ -32,12 +34,16 @@ impl Around {
     pub(super) const NOTHING: Self =
         Self { seen: Aabb::from_raw_unchecked(Raw { x: 1, y: 1 }, Raw { x: 0, y: 0 }), held: None, cells: None };
 
-    /// Looks at a region, unless it is known already.
-    pub(super) fn look<W: World>(&mut self, world: &W, region: &Aabb) {
-        if !self.has_seen(region) {
-            (self.held, self.cells) = world.occupied_cells(region);
-            self.seen = *region;
+    /// Looks at what a body comes through in one of the pieces of a motion, unless that is known already; tells the region.
+    pub(super) fn look<W: World, B: Body>(&mut self, world: &W, body: &B, from: Raw, to: Raw, pieces: u32) -> Aabb {
+        let bounds = body.bounds();
+        let region = piece_of(&bounds, from, to, pieces);
+        if !self.has_seen(&region) {
+            let r = if B::MEETS_CORNERS { bounds.hi().x.wrapping_sub(bounds.lo().x) >> 1 } else { 0 };
+            (self.held, self.cells) = world.look(&region, r);
+            self.seen = region;
         }
+        region
     }
 
     /// What a known region may hold.
@@ -126,8 +132,7 @@ impl<'a, B: Body> Search<'a, B> {
         let bounds = self.body.bounds();
         match pieces(world, &bounds, d) {
             1 => {
-                let region = piece_of(&bounds, Raw::ZERO, d, 1);
-                self.around.look(world, &region);
+                let region = self.around.look(world, self.body, Raw::ZERO, d, 1);
                 self.meet(world, self.around.held_of(&region).as_ref(), None, d, first);
             }
             pieces => self.find_in_pieces(world, pieces, d, first),
@@ -157,19 +162,18 @@ impl<'a, B: Body> Search<'a, B> {
 
     #[inline(never)]
     fn find_in_pieces<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
-        let bounds = self.body.bounds();
         let (mut from, mut before) = (Raw::ZERO, None);
         for piece in 1..=pieces {
             let to = part(d, piece, pieces);
-            let region = piece_of(&bounds, from, to, pieces);
+            let region = self.around.look(world, self.body, from, to, pieces);
             from = to;
-            self.around.look(world, &region);
-            self.meet(world, self.around.held_of(&region).as_ref(), before.as_ref(), d, first);
+            let held = self.around.held_of(&region);
+            self.meet(world, held.as_ref(), before.as_ref(), d, first);
             // Later pieces hold only later hits.
             if first.is_within(piece, pieces) {
                 break;
             }
-            before = Some(region);
+            before = held.map(|held| held.bounds);
         }
     }
 
@@ -240,6 +244,28 @@ pub(super) fn pieces<W: World>(world: &W, bounds: &Aabb, d: Raw) -> u32 {
         log += 1;
     }
     1 << log
+}
+
+/// Refuses a motion that comes to more than [`Mover::CELLS`] cells.
+///
+/// A hull of up to 256 cells a side never does: in one piece it meets 258 squared at most, in pieces longer than the body fewer.
+#[inline]
+pub(super) fn check_cells<W: World>(world: &W, bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
+    let side = Raw::of(bounds.size());
+    let longest = (side.x.max(side.y) as u32).wrapping_add(way(d));
+    if longest >> 8 < world.cell_size() { Ok(()) } else { count_cells(world, bounds, d) }
+}
+
+#[inline(never)]
+fn count_cells<W: World>(world: &W, bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
+    let pieces = pieces(world, bounds, d);
+    let (side, part) = (Raw::of(bounds.size()), part(d, 1, pieces));
+    let along = |side: i32, part: i32| (side as u32).wrapping_add(part.unsigned_abs()).wrapping_add(3);
+    let cells = umul(world.most_cells(along(side.x, part.x), along(side.y, part.y)), pieces);
+    if cells <= u64::from(Mover::CELLS) {
+        return Ok(());
+    }
+    Err(RangeError { what: Quantity::Cells, value: cells.min(i32::MAX as u64) as i32 })
 }
 
 /// What the inside of the bounds covers in one of the pieces of a motion. Where there are more, displacements are rounded: a raw unit larger then.

@@ -64,13 +64,13 @@ impl Range {
         self.y0 <= y && y <= self.y1
     }
 
-    /// The columns, less those of a range that a box has left, both ways without going back.
+    /// The columns, less those of a range that begins before them or ends after them.
     #[inline(never)]
     pub(in crate::world) const fn row_without(&self, seen: &Self) -> (i32, i32) {
         if seen.x0 <= self.x0 {
             (if seen.x1 < self.x0 { self.x0 } else { seen.x1.wrapping_add(1) }, self.x1)
         } else {
-            (self.x0, if seen.x0 > self.x1 { self.x1 } else { seen.x0.wrapping_sub(1) })
+            (self.x0, if seen.x1 < self.x1 || seen.x0 > self.x1 { self.x1 } else { seen.x0.wrapping_sub(1) })
         }
     }
 }

@@ -185,6 +185,16 @@ impl Grid {
         index
     }
 
+    /// How many cells a box may meet with its inside, those beyond the map included: less than 2^31.
+    pub(super) const fn most_cells(&self, width: u32, height: u32) -> u32 {
+        self.most_along(width, &self.x).wrapping_mul(self.most_along(height, &self.y))
+    }
+
+    const fn most_along(&self, length: u32, span: &Span) -> u32 {
+        let (most, all) = (self.quotient(length).wrapping_add(2), span.count as u32 + 2);
+        if most < all { most } else { all }
+    }
+
     /// The smaller coordinate of a column's side, as a distance from the origin. For columns 0..=width.
     #[inline]
     pub(super) const fn line(&self, index: i32) -> i32 {

@@ -144,7 +144,7 @@ pub struct Way<'a> {
     pub(crate) piece: &'a Aabb,
     /// The cells that the inside of the piece meets, where they are known.
     pub(crate) cells: Option<Cells>,
-    /// What they cover in the piece before.
+    /// The same of the piece before.
     pub(crate) before: Option<&'a Aabb>,
     /// What they cover in the whole motion, a raw unit larger on every side.
     pub(crate) whole: Aabb,
@@ -222,21 +222,25 @@ pub trait World: sealed::Sealed {
         None
     }
 
-    /// A box that holds whatever of the level is in a region with area: nothing that a body in the region could meet or overlap with its inside is
-    /// outside of the box, one-way faces included. `None` where there is nothing at all.
+    /// A box in a region with area, and the cells that it is around where a level of cells knows them; `None` where there is nothing at all.
+    ///
+    /// A body in the region meets and overlaps nothing with its inside while its bounds are out of the box, one-way faces included. It fills its
+    /// bounds, or is the disc of radius `r` in them.
     #[doc(hidden)]
-    fn occupied(&self, region: &Aabb) -> Option<Aabb> {
-        Some(*region)
-    }
-
-    /// The same with the cells that the box is around, where a level of cells knows them.
-    #[doc(hidden)]
-    fn occupied_cells(&self, region: &Aabb) -> (Option<Aabb>, Option<Cells>) {
-        (self.occupied(region), None)
+    fn look(&self, region: &Aabb, r: i32) -> (Option<Aabb>, Option<Cells>) {
+        let _ = r;
+        (Some(*region), None)
     }
 
     /// The side of a cell, raw and not zero: longer motions are enumerated in pieces of about this length.
     fn cell_size(&self) -> u32;
+
+    /// How many cells a box of this size may meet with its inside, in raw units below 2^30; 1 where there are none.
+    #[doc(hidden)]
+    fn most_cells(&self, width: u32, height: u32) -> u32 {
+        let _ = (width, height);
+        1
+    }
 
     /// Whether a box overlaps the solid; strict and exact.
     fn overlaps_aabb(&self, b: &Aabb) -> bool;

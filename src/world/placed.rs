@@ -1,5 +1,6 @@
 //! A level at another place: its surface, and rays against it.
 
+use super::cell::Cells;
 use super::level::{Feature, Way, World, levels, meets_as_world, sealed};
 use super::ray::scan::{Found, RayScan, RayWorld};
 use super::ray::{RayHit, RayRules, checked, rays};
@@ -142,17 +143,21 @@ impl<W: World> World for Placed<'_, W> {
         PlacedFeatures { features: self.world.features_ahead(&way), offset: self.offset }
     }
 
-    fn occupied(&self, region: &Aabb) -> Option<Aabb> {
+    fn look(&self, region: &Aabb, r: i32) -> (Option<Aabb>, Option<Cells>) {
         let seen = self.seen(region);
         if !is_inside(seen.lo()) || !is_inside(seen.hi()) {
-            return Some(*region);
+            return (Some(*region), None);
         }
-        let there = self.world.occupied(&seen)?;
-        Some(Aabb::from_raw_unchecked(there.lo().add(self.offset), there.hi().add(self.offset)))
+        let (held, cells) = self.world.look(&seen, r);
+        (held.map(|held| Aabb::from_raw_unchecked(held.lo().add(self.offset), held.hi().add(self.offset))), cells)
     }
 
     fn cell_size(&self) -> u32 {
         self.world.cell_size()
+    }
+
+    fn most_cells(&self, width: u32, height: u32) -> u32 {
+        self.world.most_cells(width, height)
     }
 
     fn overlaps_aabb(&self, b: &Aabb) -> bool {

@@ -2,6 +2,7 @@
 
 #![cfg(not(target_os = "none"))]
 
+mod clear;
 mod floor;
 mod inside;
 mod invariants;

@@ -2,7 +2,7 @@
 //!
 //! bump.lua gives goals where this crate takes velocities, and rectangles of any size where it takes cells: each case says what was made of it.
 
-use tilesat::{Axis, MoveError, Mover, Outside, Quantity, RangeError, Response};
+use tilesat::{Aabb, Axis, Fx, Inside, MoveError, Mover, Outside, Quantity, RangeError, Response, Solid, Vec2, Walker};
 use tilesat_judge::motion::body::{Body, Outcome, RESPONSES, at, px};
 use tilesat_judge::motion::judge::check;
 use tilesat_judge::motion::level::Level;
@@ -156,6 +156,40 @@ fn what_is_out_of_range() {
     let near = Body::disc((0, px(100) - end), px(50));
     assert_eq!(go(&level, Response::Slide, near, at(0, -50)).body, near.moved(at(0, -50)));
     assert_eq!(refused(&level, near, (0, -px(50) - 1)), RangeError { what: Quantity::Y, value: -(1 << 29) });
+}
+
+/// One raw unit of way or of body more is a cell more: over cells of 2^8 raw on both axes, beyond the map's border on one, and in pieces.
+#[test]
+fn what_comes_to_too_many_cells() {
+    let cells = i64::from(Mover::CELLS);
+    let level = Level::new(&[".".repeat(1000).as_str(); 1000], 256);
+    // A look meets up to two cells more than a length has, and is a raw unit larger on each side where it is one of several, and one for the rounding.
+    let most = 511 * 256 - 5;
+    let square = |side: i64| Body::rect((300, 300), (side, side));
+    assert_eq!(go(&level, Response::Slide, square(most), (1, 1)).body, square(most).moved((1, 1)));
+    assert_eq!(refused(&level, square(most + 1), (1, 1)), RangeError { what: Quantity::Cells, value: 513 * 513 });
+    assert!(square(most + 1).step(&PLAYER, &level.map(), (0, 0)).is_ok());
+    // A map of four rows has six with what is beyond it.
+    let flat = Level::new(&[".".repeat(1000).as_str(); 4], 256);
+    assert_eq!(go(&flat, Response::Slide, square(4 * most), (0, 1)).work.iterations, 1);
+    // A piece of a cell's length is over two cells or three: 2^17 of them are too many.
+    let long = (1 << 28) - 1;
+    let error = refused(&flat, square(256), (long, 0));
+    assert!(error.what == Quantity::Cells && i64::from(error.value) > cells, "{error}");
+    assert_eq!(go(&flat, Response::Slide, square(256), (1 << 22, 0)).work.iterations, 1);
+    assert_eq!(error.to_string(), format!("a motion comes to too many cells: {} or more", error.value));
+
+    let (map, mover) = (level.map(), PLAYER);
+    let large = Aabb::new(Vec2::from_raw(300, 300), Vec2::from_raw(301 + most as i32, 301 + most as i32)).unwrap();
+    let (step, is_range) =
+        (Vec2::from_raw(1, 1), |e: MoveError| matches!(e, MoveError::Range(e) if e.what == Quantity::Cells));
+    assert!(is_range(mover.move_and_slide(&map, &large, step).unwrap_err()));
+    assert!(is_range(Walker::new(mover).walk(&map, &large, step, None).unwrap_err()));
+    assert_eq!(map.cast_shape(&large, step, Inside::Hit).unwrap_err().what, Quantity::Cells);
+    assert_eq!(mover.supported(&map, &large).unwrap_err().what, Quantity::Cells);
+    let (left, right) = (Vec2::from_raw(300, large.max().y.to_bits()), large.max() + Vec2::from_raw(0, 99));
+    let lift = Solid::new(Aabb::new(left, right).unwrap(), 1).unwrap().with_motion(Vec2::from_raw(0, -4)).unwrap();
+    assert!(is_range(mover.ride(&map, &[lift], &large, Fx::ONE).unwrap_err()));
 }
 
 // bump.lua, rect_spec and responses_spec. An item is a map of one tile; goals become velocities.

@@ -116,8 +116,8 @@ impl<S: Law> Mover<S> {
     /// cells under it, and for each solid near up to 8 sweeps against its pieces. What no solid touches costs no look at the level.
     ///
     /// # Errors
-    /// [`MoveError::Range`] where a half extent or radius is not below 2^28 raw, `follow` is negative or not below that, or the body would
-    /// be taken out of the domain; [`MoveError::Stuck`] where it is to be moved and overlaps the level already.
+    /// [`MoveError::Range`] where a half extent or radius is not below 2^28 raw, `follow` is negative or not below that, the body would
+    /// be taken out of the domain, or a way comes to more than [`Mover::CELLS`] cells; [`MoveError::Stuck`] where it is to be moved and overlaps the level already.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Fx, Mover, Ride, Solid, TileKind, TileKinds, TileMap, Vec2};

@@ -3,7 +3,7 @@
 use crate::motion::body::Body;
 use crate::motion::plane::{Bend, NEAR, Planes, way};
 use crate::motion::run::{Run, check_inside};
-use crate::motion::search::Around;
+use crate::motion::search::{Around, check_cells};
 use crate::motion::{MoveError, Moved, Stuck, Work};
 use crate::num::{Axis, MOTION, Raw, mul_div_wide, usqr};
 use crate::world::{Solid, World};
@@ -95,6 +95,7 @@ impl Shove {
     #[inline(never)]
     pub(super) fn of<W: World, B: Body>(&self, body: &B, level: &W, work: &mut Work) -> Result<B, MoveError> {
         let mut d = self.d;
+        check_cells(level, &body.bounds(), d)?;
         let mut moved = Moved::freely(*body, d.vec2(), 0);
         let mut around = Around::NOTHING;
         let mut run = Run::new(&mut moved, &mut around);

@@ -5,7 +5,7 @@ use crate::motion::body::{Body, Entry};
 use crate::motion::order::First;
 use crate::motion::plane::{NEAR, Side};
 use crate::motion::run::{Run, check_inside};
-use crate::motion::search::Around;
+use crate::motion::search::{Around, check_cells};
 use crate::motion::{Hit, Moved, Mover};
 use crate::num::{Axis, DOMAIN, Raw, Vec2, mul_div, umul};
 use crate::shape::Aabb;
@@ -55,9 +55,10 @@ impl Mover {
     /// Cost: one sweep over the cells that the body touches.
     ///
     /// # Errors
-    /// [`RangeError`] where a half extent or radius is not below 2^28 raw.
+    /// [`RangeError`] where a half extent or radius is not below 2^28 raw, or the body is over more than [`Mover::CELLS`] cells.
     pub fn supported<W: World, B: Body>(&self, world: &W, body: &B) -> Result<Option<Support>, RangeError> {
         body.check_size()?;
+        check_cells(world, &body.bounds(), Raw::ZERO)?;
         let Some(up) = self.up else { return Ok(None) };
         let mut moved = Moved::freely(*body, Vec2::ZERO, 0);
         let mut around = Around::NOTHING;

@@ -5,7 +5,7 @@ use super::ground::{Look, leads};
 use super::stride::Stride;
 use crate::error::{Quantity, RangeError};
 use crate::motion::order::First;
-use crate::motion::search::Around;
+use crate::motion::search::{Around, check_cells};
 use crate::motion::{Body, MoveError, Moved, Mover};
 use crate::num::{Fx, MOTION, Raw, Vec2};
 use crate::world::World;
@@ -169,6 +169,8 @@ impl Walker {
         let mut moved = Moved::freely(*body, velocity, 0);
         let mut around = Around::NOTHING;
         let mut run = self.mover.start(world, &mut moved, &mut around)?;
+        let reach = self.snap.max(self.step);
+        check_cells(world, &body.bounds(), Raw { x: reach, y: reach })?;
         let Some(up) = self.mover.up else {
             self.mover.slide::<W, B, true>(world, &mut run, &mut First::none())?;
             return Ok(Walked { moved: *run.end::<W>(), floor: None, stepped: Fx::ZERO, snapped: Fx::ZERO });

@@ -2,6 +2,7 @@
 
 mod hidden;
 
+use super::cell::Cells;
 use super::level::{Feature, Way, World, levels, meets_as_world, sealed};
 use super::ray::{Met, RayHit, RayRules, Time, checked, rays};
 use crate::error::RangeError;
@@ -143,16 +144,21 @@ impl<A: World, B: World> World for Joined<'_, A, B> {
         JoinedFeatures { pair: *self, a: self.a.features_ahead(way), b: self.b.features_ahead(way) }
     }
 
-    fn occupied(&self, region: &Aabb) -> Option<Aabb> {
-        match (self.a.occupied(region), self.b.occupied(region)) {
+    fn look(&self, region: &Aabb, r: i32) -> (Option<Aabb>, Option<Cells>) {
+        let held = match (self.a.look(region, r).0, self.b.look(region, r).0) {
             (Some(a), Some(b)) => Some(a.union(&b)),
             (a, b) => a.or(b),
-        }
+        };
+        (held, None)
     }
 
     /// The shorter of both: a piece of a motion then reaches few cells of either level.
     fn cell_size(&self) -> u32 {
         self.a.cell_size().min(self.b.cell_size())
+    }
+
+    fn most_cells(&self, width: u32, height: u32) -> u32 {
+        self.a.most_cells(width, height).saturating_add(self.b.most_cells(width, height))
     }
 
     fn overlaps_aabb(&self, b: &Aabb) -> bool {

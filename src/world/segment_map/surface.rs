@@ -163,6 +163,10 @@ impl World for SegmentMap<'_> {
         self.grid.cell as u32
     }
 
+    fn most_cells(&self, width: u32, height: u32) -> u32 {
+        self.grid.most_cells(width, height)
+    }
+
     fn overlaps_aabb(&self, b: &Aabb) -> bool {
         SegmentMap::overlaps(self, b)
     }

@@ -17,7 +17,7 @@
 pub(super) mod ray;
 pub(super) mod solid;
 
-use super::cell::Cell;
+use super::cell::{Cell, Cells};
 use super::level::{Feature, Geometry, Way, World, levels, meets_as_world, sealed};
 use crate::num::{Axis, Raw};
 use crate::query::meet;
@@ -136,12 +136,13 @@ impl World for Solids<'_> {
         Solids::features(self, way.piece).against(way.d)
     }
 
-    fn occupied(&self, region: &Aabb) -> Option<Aabb> {
+    fn look(&self, region: &Aabb, _: i32) -> (Option<Aabb>, Option<Cells>) {
         let meets = |s: &&Solid| meet::aabb_aabb::<true>(s.lo(), s.hi(), region.lo(), region.hi());
         let all = self.list.iter().filter(meets).map(Solid::shape);
         // A raw unit larger, for one-way faces on its border.
         let one = Raw { x: 1, y: 1 };
-        all.reduce(|a, b| a.union(&b)).map(|all| Aabb::from_raw_unchecked(all.lo().sub(one), all.hi().add(one)))
+        let held = all.reduce(|a, b| a.union(&b));
+        (held.map(|all| Aabb::from_raw_unchecked(all.lo().sub(one), all.hi().add(one))), None)
     }
 
     /// No motion is cut into pieces for them: each piece would look at all of them.

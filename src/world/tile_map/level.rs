@@ -2,6 +2,7 @@
 //!
 //! Rows that are known to be empty are passed over: one bit a tile in the caller's storage.
 
+use super::clear::is_clear;
 use super::surface::BlockSurface;
 use super::{Outside, Set, Store, TileMap};
 use crate::num::Raw;
@@ -54,18 +55,18 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
         TileMap::one_way_face(self, block)
     }
 
-    fn occupied(&self, region: &Aabb) -> Option<Aabb> {
-        TileMap::occupied(self, region)
-    }
-
     #[inline]
-    fn occupied_cells(&self, region: &Aabb) -> (Option<Aabb>, Option<Cells>) {
-        TileMap::occupied_cells(self, region)
+    fn look(&self, region: &Aabb, r: i32) -> (Option<Aabb>, Option<Cells>) {
+        TileMap::look(self, region, r)
     }
 
     #[inline]
     fn cell_size(&self) -> u32 {
         self.grid.cell as u32
+    }
+
+    fn most_cells(&self, width: u32, height: u32) -> u32 {
+        self.grid.most_cells(width, height)
     }
 
     #[inline]
@@ -118,35 +119,31 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         BlockSurface::one_way(self, block.x, block.y)
     }
 
-    /// The box around the cells of a region that are not empty; see [`World::occupied`](crate::world::World::occupied).
-    pub(in crate::world) const fn occupied(&self, region: &Aabb) -> Option<Aabb> {
-        self.occupied_cells(region).0
-    }
-
-    /// The same with those cells, and what is between them.
-    pub(in crate::world) const fn occupied_cells(&self, region: &Aabb) -> (Option<Aabb>, Option<Cells>) {
+    /// The box around the cells of a region that a body may meet, and those cells; see [`World::look`](crate::world::World::look).
+    pub(in crate::world) const fn look(&self, region: &Aabb, r: i32) -> (Option<Aabb>, Option<Cells>) {
         let range = self.open_range(region.lo(), region.hi());
         let found = match self.outside {
-            Outside::Empty => self.filled(self.inside(range), Range::NOWHERE),
+            Outside::Empty => self.met(self.inside(range), Range::NOWHERE, region, r),
             // Blocks at the border stand for what is beyond it; a region that holds only that has no cell inside.
-            Outside::Edge if !S::SHAPED => self.filled(self.solid_range(range), Range::NOWHERE),
+            Outside::Edge if !S::SHAPED => self.met(self.solid_range(range), Range::NOWHERE, region, r),
             Outside::Solid | Outside::Edge => {
                 let inside = self.inside(range);
-                self.filled(inside, beyond(range, inside))
+                self.met(inside, beyond(range, inside), region, r)
             }
         };
         (self.extent_of(found), Some(Cells::of(found)))
     }
 
-    /// The cells of a range of the map that are not empty, and another range with them.
-    const fn filled(&self, range: Range, mut found: Range) -> Range {
+    /// The cells of a range of the map that a body in the region may meet, and another range with them.
+    const fn met(&self, range: Range, mut found: Range, region: &Aabb, r: i32) -> Range {
         let mut y = range.y0;
         while y <= range.y1 {
             if self.occupied.is_empty() || !self.row_is_empty(range.x0, range.x1, y) {
                 let mut tile = self.place(range.x0, y);
                 let mut x = range.x0;
                 while x <= range.x1 {
-                    if !self.kinds.get(self.id_at(tile)).is_empty() {
+                    let shape = self.kinds.get(self.id_at(tile)).shape;
+                    if !matches!(shape, TileShape::Empty) && !(S::SHAPED && self.is_clear(shape, (x, y), region, r)) {
                         found = found.with(x, y);
                     }
                     tile = tile.wrapping_add(1);
@@ -156,6 +153,11 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             y = y.wrapping_add(1);
         }
         found
+    }
+
+    #[inline]
+    const fn is_clear(&self, shape: TileShape, (x, y): (i32, i32), region: &Aabb, r: i32) -> bool {
+        !matches!(shape, TileShape::Full) && is_clear(shape, self.grid.square(x, y), (region.lo(), region.hi()), r)
     }
 
     const fn extent_of(&self, found: Range) -> Option<Aabb> {

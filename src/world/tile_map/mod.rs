@@ -1,6 +1,7 @@
 //! A level of tiles: borrowed bytes, a grid, a table of kinds, and what lies outside; its type says which shapes it can hold, and how ids are stored.
 
 mod build;
+mod clear;
 pub(in crate::world) mod features;
 pub(in crate::world) mod kind;
 pub(in crate::world) mod level;

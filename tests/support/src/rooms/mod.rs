@@ -2,6 +2,7 @@
 
 pub mod body;
 pub mod frames;
+pub mod hull;
 pub mod room;
 pub mod view;
 

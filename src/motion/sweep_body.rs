@@ -1,12 +1,12 @@
-//! A moving box against faces, and against what is not a block: corners and arcs, which it meets with a side.
+//! What a moving box and a moving circle enter of each kind of feature, and the corners and arcs that a box meets with a side.
 
 use super::body::Entry;
 use super::body::kernel::Kernel;
-use super::sweep_round::{enter_quarter, leave_by_corner};
-use super::sweep_slope::sweep_slope;
+use super::sweep_face::{Face, sweep_face, sweep_slope};
+use super::sweep_round::{enter_quarter, is_square, leave_by_corner, leave_centre, leave_quarter, sweep_cone};
 use crate::error::{Quantity, RangeError};
-use crate::num::{Axis, MOTION, Raw, imul};
-use crate::shape::Aabb;
+use crate::num::{Axis, MOTION, Raw};
+use crate::shape::{Aabb, Circle};
 use crate::world::{Feature, Geometry, World};
 
 impl Kernel for Aabb {
@@ -77,63 +77,81 @@ impl Kernel for Aabb {
     }
 }
 
-/// Entry of the box `lo..hi`, grown by `r` all around, moving by `d` through a face along x or y, if the motion would start to overlap beyond it.
-///
-/// With gap g >= 0 and speed s > 0 into the face, the entry time is g/s; the motion overlaps beyond the face only if it goes on
-/// after touching (g < s). At that moment the box must span a part of the face: strictly, or touch the face's end while moving
-/// over it, or, without width, touch an end beyond which the solid goes on. (One with width then spans a part of what goes on there.) Of a disc the
-/// point that is nearest to the line must meet the closed face: it is a box without size to which all ends are joined.
-#[inline(never)]
-pub(super) fn sweep_face((lo, hi): (Raw, Raw), r: i32, d: Raw, face: &Face) -> Option<Entry> {
-    let Face { a, dir, len, joined } = *face;
-    // (across the face, along it)
-    let split = |v: Raw| if dir.x == 0 { (v.x, v.y) } else { (v.y, v.x) };
-    let outward = dir.y.wrapping_sub(dir.x);
-    let (speed, along) = split(d);
-    let into = if outward < 0 { speed } else { speed.wrapping_neg() };
-    if into <= 0 {
-        return None;
-    }
-    let ((lo_n, lo_t), (hi_n, hi_t), (at, start)) = (split(lo), split(hi), split(a));
-    let gap = if outward < 0 { at.wrapping_sub(hi_n) } else { lo_n.wrapping_sub(at) }.wrapping_sub(r);
-    if gap < 0 || gap >= into {
-        return None;
-    }
-    let (first, last) = (lo_t.wrapping_sub(start), hi_t.wrapping_sub(start));
-    let (first, last, along) = if dir.x.wrapping_add(dir.y) > 0 {
-        (first, last, along)
-    } else {
-        (last.wrapping_neg(), first.wrapping_neg(), along.wrapping_neg())
-    };
-    let over_start = over(last, along, gap, into);
-    let over_end = over(len.wrapping_sub(first), along.wrapping_neg(), gap, into);
-    let thin = lo_t == hi_t;
-    let meets =
-        |over: i32, moving_over: bool, joined: bool| over > 0 || (over == 0 && (moving_over || (thin && joined)));
-    let spans = meets(over_start, along > 0, joined[0]) && meets(over_end, along < 0, joined[1]);
-    let at_end = (over_start == 0 && !joined[0]) || (over_end == 0 && !joined[1]);
-    let normal = Axis::new(dir.y, dir.x.wrapping_neg());
-    spans.then_some(Entry { num: gap as u32, den: into as u32, normal, at_end, step: None })
-}
+impl Kernel for Circle {
+    const MEETS_CORNERS: bool = true;
 
-/// A [`Geometry::Face`].
-pub(super) struct Face {
-    pub(super) a: Raw,
-    pub(super) dir: Axis,
-    pub(super) len: i32,
-    pub(super) joined: [bool; 2],
-}
-
-/// The sign of `reach + along * gap / into`, for `0 <= gap < into`: how far a body is over a face's end when it meets the face's line.
-///
-/// Where it has the same sign at both ends of the motion, that is the answer: no product. Else differences are below 2^31 and speeds
-/// below 2^30, so the products are below 2^61.
-pub(super) fn over(reach: i32, along: i32, gap: i32, into: i32) -> i32 {
-    let end = reach.wrapping_add(along);
-    if gap == 0 || reach.signum() == end.signum() {
-        return reach.signum();
+    fn meets_joints(&self) -> bool {
+        self.r() == 0
     }
-    imul(reach, into).wrapping_add(imul(along, gap)).signum() as i32
+
+    fn bounds(&self) -> Aabb {
+        self.aabb()
+    }
+
+    fn check_size(&self) -> Result<(), RangeError> {
+        if self.r() < MOTION { Ok(()) } else { Err(RangeError { what: Quantity::BodySize, value: self.r() }) }
+    }
+
+    fn shifted(&self, d: Raw) -> Self {
+        Self::from_raw_unchecked(self.c().add(d), self.r())
+    }
+
+    #[inline]
+    fn sweep(&self, d: Raw, feature: &Feature) -> Option<Entry> {
+        let (c, r) = (self.c(), self.r());
+        match feature.geometry {
+            Geometry::Face { a, dir, len, joined } if dir.x != 0 && dir.y != 0 => {
+                sweep_slope(c, r, d, &Face { a: Raw::of(a), dir, len, joined })
+            }
+            Geometry::Vertex { p, e_in, e_out } if !is_square(e_in, e_out) => {
+                sweep_cone(c.sub(Raw::of(p)), r, d, e_in, e_out)
+            }
+            Geometry::Arc { centre, radius, quadrant, convex } => {
+                let m = c.sub(Raw::of(centre));
+                if convex {
+                    enter_quarter(m, radius.wrapping_add(r), d, quadrant, true)
+                } else if r < radius {
+                    leave_quarter(m, radius.wrapping_sub(r), d, quadrant)
+                } else if r == radius {
+                    leave_centre(m, d, quadrant)
+                } else {
+                    // It meets the arc's ends first.
+                    None
+                }
+            }
+            _ => self.sweep_block(d, feature),
+        }
+    }
+
+    #[inline]
+    fn sweep_block(&self, d: Raw, feature: &Feature) -> Option<Entry> {
+        let (c, r) = (self.c(), self.r());
+        match feature.geometry {
+            Geometry::Face { a, dir, len, joined } => {
+                // A circle without radius is a box without size: it may touch a face's free end and pass.
+                let joined = if r == 0 { joined } else { [true; 2] };
+                sweep_face((c, c), r, d, &Face { a: Raw::of(a), dir, len, joined })
+            }
+            // The cone of a block's corner is a quadrant; on its borders, and outside of it, the faces are in charge.
+            Geometry::Vertex { p, e_in, e_out } => {
+                let quadrant = Axis::new(e_in.x.wrapping_sub(e_out.x), e_in.y.wrapping_sub(e_out.y));
+                enter_quarter(c.sub(Raw::of(p)), r, d, quadrant, false)
+            }
+            Geometry::Arc { .. } => None,
+        }
+    }
+
+    fn toward(&self, _: Axis) -> (Raw, i32) {
+        (self.c(), self.r())
+    }
+
+    fn overlaps_world<W: World>(&self, world: &W) -> bool {
+        world.overlaps_circle(self)
+    }
+
+    fn is_inside<W: World>(world: &W, p: Raw) -> bool {
+        world.overlaps_circle(&Self::from_raw_unchecked(p, 0))
+    }
 }
 
 /// Entry of a side of the box that lands on a convex corner: along x or y, wherever that direction points out of both edges.
