@@ -231,7 +231,7 @@ impl Check for Permutation {
 fn scene_47_every_order_of_six() {
     let mut check = Permutation(None);
     for origin in [(0, 0), (-100, -64), (7, 30)] {
-        everywhere(8, Cells { side: 32, origin }, &mut check);
+        everywhere(6, Cells { side: 32, origin }, &mut check);
     }
     let answers = check.0.unwrap();
     assert_eq!(answers.pairs, [(0, 1), (0, 2), (0, 5), (1, 2), (1, 5), (2, 5), (3, 4)]);
@@ -312,7 +312,7 @@ impl Check for Corner {
 #[test]
 fn scene_38_four_in_a_corner() {
     let mut check = Corner(Vec::new());
-    everywhere(8, Cells { side: 8, origin: (0, 0) }, &mut check);
+    everywhere(4, Cells { side: 8, origin: (0, 0) }, &mut check);
     assert_eq!(check.0[0], []);
     assert_eq!(check.0[19], [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]);
 }

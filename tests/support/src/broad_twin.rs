@@ -3,7 +3,6 @@
 use crate::Random;
 use crate::broad::near::Near;
 use std::collections::BTreeSet;
-use std::fmt::Debug;
 use tilesat::broad::{BroadError, BroadPhase, Handle, Pair};
 use tilesat::{Aabb, Vec2};
 
@@ -30,7 +29,7 @@ pub struct Twin {
 }
 
 impl Twin {
-    pub fn new<B: BroadPhase<Tag = ()> + Copy + Debug + 'static>(near: B) -> Self {
+    pub fn new<B: BroadPhase<Tag = ()> + Copy + 'static>(near: B) -> Self {
         Self { near: Near::new(near), bodies: Vec::new() }
     }
 

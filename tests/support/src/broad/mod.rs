@@ -48,27 +48,35 @@ pub trait Check {
     fn on(&mut self, name: &str, limit: Option<i32>, empty: &Near<Mark>);
 }
 
-/// Runs a check on each structure with room for so many bodies: 2, 8, 24 or 90.
+/// Runs a check on each structure, which is full when the check has put so many bodies into it.
 pub fn everywhere(bodies: usize, cells: Cells, check: &mut dyn Check) {
     match bodies {
-        2 => with_room::<2>(cells, check),
-        8 => with_room::<8>(cells, check),
-        24 => with_room::<24>(cells, check),
-        90 => with_room::<90>(cells, check),
-        _ => panic!("no structure has room for {bodies} bodies"),
+        ..=2 => with_room::<2>(bodies, cells, check),
+        ..=24 => with_room::<24>(bodies, cells, check),
+        _ => with_room::<90>(bodies, cells, check),
     }
 }
 
-fn with_room<const N: usize>(cells: Cells, check: &mut dyn Check) {
+/// Where no check puts a body.
+const AWAY: (i64, i64) = (1 << 20, 1 << 20);
+
+/// Each kind of structure is compiled for few sizes: what room is too much, bodies take that are nobody's neighbours.
+fn with_room<const N: usize>(bodies: usize, cells: Cells, check: &mut dyn Check) {
     let (side, origin) = (Fx::from_bits(cells.side), Vec2::from_raw(cells.origin.0, cells.origin.1));
     let limit = Some(cells.side);
-    check.on("brute force", None, &Near::new(BruteForce::<N, Mark>::new()));
-    check.on("sweep", None, &Near::new(SortSweep::<N, Mark>::new()));
-    check.on("grid 16 x 16", limit, &Near::new(LooseGrid::<8, N, Mark>::new(origin, side, 16).unwrap()));
-    check.on("grid 64 x 4, large", None, &Near::new(LooseGrid::<8, N, Mark, true>::new(origin, side, 64).unwrap()));
-    check.on("grid 4 x 8", limit, &Near::new(LooseGrid::<1, N, Mark>::new(origin, side, 4).unwrap()));
-    check.on("hash", limit, &Near::new(SpatialHash::<64, N, Mark>::new(side).unwrap()));
-    check.on("hash, large", None, &Near::new(SpatialHash::<256, N, Mark, true>::new(side).unwrap()));
+    let mut on = |name, limit, mut near: Near<Mark>| {
+        for _ in bodies..N {
+            near.insert(&aabb(AWAY, AWAY), Mark::BLANK).unwrap();
+        }
+        check.on(name, limit, &near);
+    };
+    on("brute force", None, Near::asked(BruteForce::<N, Mark>::new()));
+    on("sweep", None, Near::asked(SortSweep::<N, Mark>::new()));
+    on("grid 16 x 16", limit, Near::asked(LooseGrid::<8, N, Mark>::new(origin, side, 16).unwrap()));
+    on("grid 64 x 4, large", None, Near::asked(LooseGrid::<8, N, Mark, true>::new(origin, side, 64).unwrap()));
+    on("grid 4 x 8", limit, Near::asked(LooseGrid::<1, N, Mark>::new(origin, side, 4).unwrap()));
+    on("hash", limit, Near::asked(SpatialHash::<64, N, Mark>::new(side).unwrap()));
+    on("hash, large", None, Near::asked(SpatialHash::<256, N, Mark, true>::new(side).unwrap()));
 }
 
 /// The same on those that take boxes of every size.

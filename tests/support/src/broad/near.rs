@@ -1,6 +1,5 @@
 //! Any broad phase as one type: what is asked of all of them is compiled once, and not once for each.
 
-use std::fmt;
 use tilesat::broad::{
     BroadError, BroadHit, BroadPhase, Handle, Nearest, Pair, PairCursor, PairsError, QueryError, Tag,
 };
@@ -16,66 +15,66 @@ impl<T> Clone for Near<T> {
     }
 }
 
-impl<T> fmt::Debug for Near<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
 /// What is refused of a frame, and whose it is.
 type Moved = Result<(), (Handle, BroadError)>;
 
 impl<T: Tag + 'static> Near<T> {
-    pub fn new<P: BroadPhase<Tag = T> + Copy + fmt::Debug + 'static>(phase: P) -> Self {
-        Self(Box::new(phase))
+    /// One of which no more than bodies and pairs is asked, and who is here.
+    pub fn new<P: BroadPhase<Tag = T> + Copy + 'static>(phase: P) -> Self {
+        Self(Box::new(Plain(phase)))
+    }
+
+    /// One of which everything is asked. All answers of a structure together are most of what it takes to compile it.
+    pub fn asked<P: BroadPhase<Tag = T> + Copy + 'static>(phase: P) -> Self {
+        Self(Box::new(Asked(phase)))
     }
 
     pub fn insert(&mut self, bounds: &Aabb, tag: T) -> Result<Handle, BroadError> {
-        self.0.insert(bounds, tag)
+        self.0.phase_mut().insert(bounds, tag)
     }
 
     pub fn move_to(&mut self, handle: Handle, bounds: &Aabb) -> Result<(), BroadError> {
-        self.0.move_to(handle, bounds)
+        self.0.phase_mut().move_to(handle, bounds)
     }
 
     pub fn move_each(&mut self, mut to: impl FnMut(Handle, &Aabb) -> Aabb) -> Moved {
-        self.0.move_each(&mut to)
+        self.0.phase_mut().move_each(&mut to)
     }
 
     pub fn remove(&mut self, handle: Handle) -> Result<T, BroadError> {
-        self.0.remove(handle)
+        self.0.phase_mut().remove(handle)
     }
 
     pub fn contains(&self, handle: Handle) -> bool {
-        self.0.contains(handle)
+        self.0.phase().contains(handle)
     }
 
     pub fn bounds(&self, handle: Handle) -> Result<Aabb, BroadError> {
-        self.0.bounds(handle)
+        self.0.phase().bounds(handle)
     }
 
     pub fn tag(&self, handle: Handle) -> Result<T, BroadError> {
-        self.0.tag(handle)
+        self.0.phase().tag(handle)
     }
 
     pub fn set_tag(&mut self, handle: Handle, tag: T) -> Result<(), BroadError> {
-        self.0.set_tag(handle, tag)
+        self.0.phase_mut().set_tag(handle, tag)
     }
 
     pub fn len(&self) -> usize {
-        self.0.len()
+        self.0.phase().len()
     }
 
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.0.phase().is_empty()
     }
 
     pub fn bodies(&self) -> impl Iterator<Item = (Handle, Aabb, T)> + use<T> {
-        self.0.bodies().into_iter()
+        self.0.list().into_iter()
     }
 
     pub fn pairs(&mut self, mut each: impl FnMut(Pair)) {
-        self.0.pairs(&mut each);
+        self.0.phase_mut().pairs(&mut each);
     }
 
     pub fn pairs_from(
@@ -84,27 +83,27 @@ impl<T: Tag + 'static> Near<T> {
         budget: u32,
         out: &mut VecView<Pair>,
     ) -> Result<(), PairsError> {
-        self.0.pairs_from(cursor, budget, out)
+        self.0.phase_mut().pairs_from(cursor, budget, out)
     }
 
     pub fn pairs_sorted(&mut self, out: &mut VecView<Pair>) -> Result<(), Truncated> {
-        self.0.pairs_sorted(out)
+        self.0.phase_mut().pairs_sorted(out)
     }
 
     pub fn pairs_of(&mut self, movers: &[Handle], mut each: impl FnMut(Pair)) -> Result<(), BroadError> {
-        self.0.pairs_of(movers, &mut each)
+        self.0.phase_mut().pairs_of(movers, &mut each)
     }
 
     pub fn in_region(&self, region: &Aabb, mut each: impl FnMut(Handle)) {
-        self.0.in_region(region, &mut each);
+        self.0.phase().in_region(region, &mut each);
     }
 
     pub fn at_point(&self, point: Vec2, mut each: impl FnMut(Handle)) {
-        self.0.at_point(point, &mut each);
+        self.0.phase().at_point(point, &mut each);
     }
 
     pub fn collect_region(&self, region: &Aabb, out: &mut VecView<Handle>) -> Result<(), Truncated> {
-        self.0.collect_region(region, out)
+        self.0.asks().collect_region(region, out)
     }
 
     pub fn nearest(
@@ -113,7 +112,7 @@ impl<T: Tag + 'static> Near<T> {
         within: Fx,
         mut wanted: impl FnMut(Handle, &T) -> bool,
     ) -> Result<Option<Nearest>, RangeError> {
-        self.0.nearest(point, within, &mut wanted)
+        self.0.asks().nearest(point, within, &mut wanted)
     }
 
     pub fn neighbours(
@@ -123,7 +122,7 @@ impl<T: Tag + 'static> Near<T> {
         mut wanted: impl FnMut(Handle, &T) -> bool,
         out: &mut VecView<Nearest>,
     ) -> Result<(), QueryError> {
-        self.0.neighbours(point, within, &mut wanted, out)
+        self.0.asks().neighbours(point, within, &mut wanted, out)
     }
 
     pub fn along(
@@ -132,7 +131,7 @@ impl<T: Tag + 'static> Near<T> {
         motion: Vec2,
         mut each: impl FnMut(Handle, &T, Toi) -> Toi,
     ) -> Result<(), RangeError> {
-        self.0.along(start, motion, &mut each)
+        self.0.asks().along(start, motion, &mut each)
     }
 
     pub fn cast_ray(
@@ -142,7 +141,7 @@ impl<T: Tag + 'static> Near<T> {
         mut wanted: impl FnMut(Handle, &T) -> bool,
         out: &mut VecView<BroadHit>,
     ) -> Result<(), QueryError> {
-        self.0.cast_ray(origin, motion, &mut wanted, out)
+        self.0.asks().cast_ray(origin, motion, &mut wanted, out)
     }
 
     pub fn cast_shape(
@@ -152,42 +151,27 @@ impl<T: Tag + 'static> Near<T> {
         mut wanted: impl FnMut(Handle, &T) -> bool,
         out: &mut VecView<BroadHit>,
     ) -> Result<(), QueryError> {
-        self.0.cast_shape(start, motion, &mut wanted, out)
+        self.0.asks().cast_shape(start, motion, &mut wanted, out)
     }
 }
 
-/// Writes a method list once, as the object's and as what calls the broad phase.
-macro_rules! phase {
-    ($($name:ident($self:ident: $by:ty) $args:tt $(-> $out:ty)?;)*) => {
-        trait Phase<T>: fmt::Debug {
-            fn copy(&self) -> Box<dyn Phase<T>>;
-            fn bodies(&self) -> Vec<(Handle, Aabb, T)>;
-            $(phase!(@declare $name($self: $by) $args $(-> $out)?);)*
+/// Writes a method list once, as an object's and as what calls the broad phase.
+macro_rules! answers {
+    ($trait:ident: $($name:ident($self:ident: $by:ty)($($arg:ident: $type:ty),*) $(-> $out:ty)?;)*) => {
+        trait $trait<T> {
+            $(fn $name($self: $by, $($arg: $type),*) $(-> $out)?;)*
         }
 
-        impl<T: Tag + 'static, P: BroadPhase<Tag = T> + Copy + fmt::Debug + 'static> Phase<T> for P {
-            fn copy(&self) -> Box<dyn Phase<T>> {
-                Box::new(*self)
-            }
-
-            fn bodies(&self) -> Vec<(Handle, Aabb, T)> {
-                BroadPhase::bodies(self).collect()
-            }
-
-            $(phase!(@call $name($self: $by) $args $(-> $out)?);)*
-        }
-    };
-    (@declare $name:ident($self:ident: $by:ty) ($($arg:ident: $type:ty),*) $(-> $out:ty)?) => {
-        fn $name($self: $by, $($arg: $type),*) $(-> $out)?;
-    };
-    (@call $name:ident($self:ident: $by:ty) ($($arg:ident: $type:ty),*) $(-> $out:ty)?) => {
-        fn $name($self: $by, $($arg: $type),*) $(-> $out)? {
-            BroadPhase::$name($self, $($arg),*)
+        impl<T: Tag, P: BroadPhase<Tag = T>> $trait<T> for P {
+            $(fn $name($self: $by, $($arg: $type),*) $(-> $out)? {
+                BroadPhase::$name($self, $($arg),*)
+            })*
         }
     };
 }
 
-phase! {
+answers! {
+    Bodies:
     insert(self: &mut Self)(bounds: &Aabb, tag: T) -> Result<Handle, BroadError>;
     move_to(self: &mut Self)(handle: Handle, bounds: &Aabb) -> Result<(), BroadError>;
     move_each(self: &mut Self)(to: &mut dyn FnMut(Handle, &Aabb) -> Aabb) -> Moved;
@@ -204,6 +188,10 @@ phase! {
     pairs_of(self: &mut Self)(movers: &[Handle], each: &mut dyn FnMut(Pair)) -> Result<(), BroadError>;
     in_region(self: &Self)(region: &Aabb, each: &mut dyn FnMut(Handle));
     at_point(self: &Self)(point: Vec2, each: &mut dyn FnMut(Handle));
+}
+
+answers! {
+    Questions:
     collect_region(self: &Self)(region: &Aabb, out: &mut VecView<Handle>) -> Result<(), Truncated>;
     nearest(self: &Self)(point: Vec2, within: Fx, wanted: &mut dyn FnMut(Handle, &T) -> bool) -> Result<Option<Nearest>, RangeError>;
     neighbours(self: &Self)(point: Vec2, within: Fx, wanted: &mut dyn FnMut(Handle, &T) -> bool, out: &mut VecView<Nearest>) -> Result<(), QueryError>;
@@ -211,3 +199,43 @@ phase! {
     cast_ray(self: &Self)(origin: Vec2, motion: Vec2, wanted: &mut dyn FnMut(Handle, &T) -> bool, out: &mut VecView<BroadHit>) -> Result<(), QueryError>;
     cast_shape(self: &Self)(start: &Aabb, motion: Vec2, wanted: &mut dyn FnMut(Handle, &T) -> bool, out: &mut VecView<BroadHit>) -> Result<(), QueryError>;
 }
+
+/// A structure, whose answers to [`Questions`] are compiled only where somebody asks them.
+trait Phase<T> {
+    fn copy(&self) -> Box<dyn Phase<T>>;
+    fn phase(&self) -> &dyn Bodies<T>;
+    fn phase_mut(&mut self) -> &mut dyn Bodies<T>;
+    fn list(&self) -> Vec<(Handle, Aabb, T)>;
+    fn asks(&self) -> &dyn Questions<T>;
+}
+
+macro_rules! phase {
+    ($kind:ident, $self:ident => $asks:expr) => {
+        struct $kind<P>(P);
+
+        impl<T: Tag + 'static, P: BroadPhase<Tag = T> + Copy + 'static> Phase<T> for $kind<P> {
+            fn copy(&self) -> Box<dyn Phase<T>> {
+                Box::new(Self(self.0))
+            }
+
+            fn phase(&self) -> &dyn Bodies<T> {
+                &self.0
+            }
+
+            fn phase_mut(&mut self) -> &mut dyn Bodies<T> {
+                &mut self.0
+            }
+
+            fn list(&self) -> Vec<(Handle, Aabb, T)> {
+                self.0.bodies().collect()
+            }
+
+            fn asks(&$self) -> &dyn Questions<T> {
+                $asks
+            }
+        }
+    };
+}
+
+phase!(Plain, self => panic!("`Near::asked` makes a structure that answers this"));
+phase!(Asked, self => &self.0);
