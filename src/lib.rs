@@ -53,7 +53,7 @@
 //! | [`num`] | scalars, vectors, wide products, roots |
 //! | [`shape`] | [`Aabb`], [`Circle`], [`Segment`] |
 //! | [`query`] | one trait a verb, for each pair of shapes: overlaps, contacts, distances, casts |
-//! | [`world`] | [`TileMap`], [`SegmentMap`], [`Solids`], [`Joined`]: surfaces, overlaps, contacts, rays |
+//! | [`world`] | [`TileMap`], [`SegmentMap`], [`Solids`], [`Joined`], [`Rooms`]: surfaces, overlaps, contacts, rays |
 //! | [`broad`] | [`BroadPhase`](broad::BroadPhase): which of many bodies are near each other; events of pairs |
 //! | [`scene`] | [`Scene`]: level, broad phase and bodies by one call a frame |
 //! | [`motion`] | [`Mover::move_and_slide`], [`Walker`], [`Mover::ride`] on moving [`Solid`]s, responses, casts through levels |
@@ -111,8 +111,8 @@ pub mod prelude {
 }
 pub use world::{
     AllShapes, Bits, Blocks, Bytes, Cell, Feature, Features, Geometry, Grid, Joined, JoinedFeatures, JoinedRayHits,
-    Near, OneWay, Outside, Path, PathKind, Placed, PlacedFeatures, PlacedRayHits, RayHit, RayHits, RayRules,
-    SegmentFault, SegmentFeatures, SegmentMap, SegmentMapError, SegmentRayHits, Side, Size, Slopes, Solid,
+    Near, OneWay, Outside, Path, PathKind, Placed, PlacedFeatures, PlacedRayHits, RayHit, RayHits, RayRules, Room,
+    Rooms, SegmentFault, SegmentFeatures, SegmentMap, SegmentMapError, SegmentRayHits, Side, Size, Slopes, Solid,
     SolidFeatures, SolidRayHits, Solids, TileAt, TileKind, TileKinds, TileMap, TileMapError, TileShape, Tiles, World,
     WorldContact,
 };

@@ -19,6 +19,8 @@
 //! tiles. A [`Joined`] pair of levels, of either kind, is one level without a seam. Platforms and doors that move are [`Solids`], joined to a level; a level that moves is
 //! [`Placed`]. Rays see these too, and [`Solids::key_of`] tells whom they met.
 //!
+//! A world that is larger than the coordinates allow is cut into [`Rooms`], with borders that no body feels.
+//!
 //! Movers see a level through [`World`] and nothing else.
 
 mod cell;
@@ -31,6 +33,7 @@ mod level;
 mod measure;
 mod placed;
 mod ray;
+mod rooms;
 mod segment_map;
 mod solids;
 #[cfg(test)]
@@ -51,6 +54,7 @@ pub use placed::{Placed, PlacedFeatures, PlacedRayHits};
 #[cfg(feature = "defmt")]
 pub(crate) use ray::scan::RayWorld;
 pub use ray::{Inside, RayHit, RayRules};
+pub use rooms::{Room, Rooms};
 pub use segment_map::{Path, PathKind, SegmentFeatures, SegmentMap, SegmentRayHits, Size};
 pub use solids::ray::SolidRayHits;
 pub use solids::solid::{Side, Solid};

@@ -18,16 +18,14 @@
 //! Coulomb's, and the points are those of Jakobsen's *Advanced Character Physics* (2001).
 
 mod acceleration;
-mod pair;
+mod impact;
 mod reply;
-mod split;
 mod surface;
 mod verlet;
 
 pub use acceleration::{Acceleration, Carry};
-pub use pair::{Masses, exchange, separate};
+pub use impact::{Masses, Split, bounce, exchange, respond, separate, slide, split};
 pub(in crate::motion) use reply::{Bounce, Reply};
-pub use split::{Split, bounce, respond, slide, split};
 pub(in crate::motion) use surface::law::Law;
 pub use surface::{Energy, Smooth, Speed, Surface};
 pub use verlet::{Link, Particle, Quiet, RelaxError, Stick, relax};

@@ -89,11 +89,10 @@ fn job(options: &Options, out: &mut dyn Write) -> Result<u8> {
     let drawing = read::load(&options.file, options.level.as_deref())?;
     let of_file = |fail: Fail| Fail::new(format!("{}: {fail}", options.file.display()));
     let findings = lint::check(&drawing, &options.rules).map_err(of_file)?;
-    for finding in &findings {
-        tell(out, &finding.to_string());
+    for line in findings.lines() {
+        tell(out, &line);
     }
-    let count = |severity| findings.iter().filter(|finding| finding.severity == severity).count();
-    let (errors, warnings, notes) = (count(Severity::Error), count(Severity::Warning), count(Severity::Note));
+    let [errors, warnings, notes] = [Severity::Error, Severity::Warning, Severity::Note].map(|s| findings.count(s));
     let layers = drawing.tiles.layers.len();
     let outlines = drawing.outlines.len();
     tell(out, &format!("layers={layers} outlines={outlines} errors={errors} warnings={warnings} notes={notes}"));

@@ -5,34 +5,47 @@ use std::collections::HashSet;
 use super::finding::Severity::{Error, Note, Warning};
 use super::finding::{Severity, Who};
 use super::geometry::{Edge, Meeting, Point, Side, meet};
+use super::index::Work;
 use super::scene::Scene;
 use crate::rules::kind::Kind;
 
-/// Returns the outlines that cross another one or themselves.
+/// Returns the outlines that cross another one or themselves, and those of which it is not known.
 pub(super) fn check(scene: &mut Scene<'_>) -> HashSet<usize> {
     let mut crossed = HashSet::new();
+    let mut work = Work::for_edges(scene.edges.len());
     for i in 0..scene.edges.len() {
         let s = scene.edges[i];
-        for j in scene.index.near(&s, 0).into_iter().filter(|&j| j > i) {
+        let near: Vec<usize> = scene.index.near(&s, 0, &mut work).filter(|&j| j > i).collect();
+        for j in near {
             let t = scene.edges[j];
-            let who = vec![scene.who(&s), scene.who(&t)];
-            match meet(&s, &t) {
-                Meeting::Apart => {}
-                Meeting::SharedEnd(at) => shared_end(scene, [&s, &t], who, at),
-                Meeting::Cross(at) => {
-                    crossed.extend([s.outline, t.outline].into_iter().flatten());
-                    crossing(scene, [&s, &t], who, at);
-                }
-                Meeting::Tee(at) if s.outline == t.outline => touches_itself(scene, who, at),
-                Meeting::Tee(at) => {
-                    let why = "the solids are joined there, and no corner is felt";
-                    scene.say((Note, "t-junction"), who, at, "one ends within the other", why);
-                }
-                Meeting::Overlap { at, reversed, whole } => overlap(scene, [&s, &t], who, (at, reversed, whole)),
+            let meeting = meet(&s, &t);
+            if let Meeting::Cross(_) = meeting {
+                crossed.extend([s.outline, t.outline].into_iter().flatten());
             }
+            say(scene, [&s, &t], meeting);
+        }
+        if work.is_spent() {
+            scene.say_unfinished(&s, "the edges from here on were not compared with each other");
+            crossed.extend(scene.edges[i..].iter().filter_map(|edge| edge.outline));
+            break;
         }
     }
     crossed
+}
+
+fn say(scene: &mut Scene<'_>, [s, t]: [&Edge; 2], meeting: Meeting) {
+    let who = |scene: &Scene<'_>| vec![scene.who(s), scene.who(t)];
+    match meeting {
+        Meeting::Apart => {}
+        Meeting::SharedEnd(at) => shared_end(scene, [s, t], at),
+        Meeting::Cross(at) => crossing(scene, [s, t], who(scene), at),
+        Meeting::Tee(at) if s.outline == t.outline => touches_itself(scene, who(scene), at),
+        Meeting::Tee(at) => {
+            let why = "the solids are joined there, and no corner is felt";
+            scene.say((Note, "t-junction"), who(scene), at, "one ends within the other", why);
+        }
+        Meeting::Overlap { at, reversed, whole } => overlap(scene, [s, t], who(scene), (at, reversed, whole)),
+    }
 }
 
 fn kinds(scene: &Scene<'_>, edges: [&Edge; 2]) -> [Kind; 2] {
@@ -45,14 +58,14 @@ fn touches_itself(scene: &mut Scene<'_>, who: Vec<Who>, at: Point) {
 }
 
 /// Only corners that come twice; neighbours share one anyway.
-fn shared_end(scene: &mut Scene<'_>, [s, t]: [&Edge; 2], who: Vec<Who>, at: Point) {
+fn shared_end(scene: &mut Scene<'_>, [s, t]: [&Edge; 2], at: Point) {
     let Some(outline) = s.outline.filter(|_| s.outline == t.outline) else { return };
     let points = &scene.drawing.outlines[outline].points;
     let apart = s.number.abs_diff(t.number);
     // Points that repeat the one before are said to be so.
     let repeats = points[s.number.min(t.number)..=s.number.max(t.number)].iter().all(|&p| p == at);
     if apart > 0 && !repeats && points[s.number] == at && points[t.number] == at {
-        touches_itself(scene, who, at);
+        touches_itself(scene, vec![scene.who(s), scene.who(t)], at);
     }
 }
 

@@ -1,10 +1,11 @@
 //! What the linter says.
 
 use std::fmt;
+use std::rc::Rc;
 
 use super::geometry::Point;
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
     /// The library refuses it, or bodies meet something that nobody drew.
     Error,
@@ -24,7 +25,7 @@ impl fmt::Display for Severity {
 }
 
 /// Sorts by severity, then code, then what it is about, then place.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Finding {
     pub severity: Severity,
     pub code: &'static str,
@@ -37,10 +38,10 @@ pub struct Finding {
 }
 
 /// An object or a tile layer, and which of its edges, 0 being that from its first point.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Who {
     pub id: u32,
-    pub title: String,
+    pub title: Rc<str>,
     pub edge: Option<usize>,
 }
 

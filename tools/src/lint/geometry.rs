@@ -136,14 +136,17 @@ pub fn doubled_area(points: &[Point]) -> i128 {
 
 /// How often a polygon winds around a point that is not on it; the point has doubled coordinates.
 pub fn winding(points: &[Point], p: Point) -> i32 {
+    let next = points.iter().cycle().skip(1);
+    points.iter().zip(next).map(|(&a, &b)| crossed(a, b, p)).sum()
+}
+
+/// How an edge crosses the ray from a point of doubled coordinates along x: 1 where the point is on the right of its way, else -1.
+pub fn crossed(a: Point, b: Point, p: Point) -> i32 {
     let double = |q: Point| (2 * q.0, 2 * q.1);
-    let mut count = 0;
-    for (i, &a) in points.iter().enumerate() {
-        let (a, b) = (double(a), double(points[(i + 1) % points.len()]));
-        if (a.1 <= p.1) != (b.1 <= p.1) {
-            let side = orient(a, b, p);
-            count += i32::from(a.1 <= p.1 && side > 0) - i32::from(a.1 > p.1 && side < 0);
-        }
+    let (a, b) = (double(a), double(b));
+    if (a.1 <= p.1) == (b.1 <= p.1) {
+        return 0;
     }
-    count
+    let side = orient(a, b, p);
+    i32::from(a.1 <= p.1 && side > 0) - i32::from(a.1 > p.1 && side < 0)
 }

@@ -1,55 +1,136 @@
-//! Which edges are near each other: a grid.
+//! Which edges are near each other: a tree of boxes, and an account of the work that is spent in it.
 
-use std::collections::HashMap;
+use super::geometry::{Edge, Point, orient};
 
-use super::geometry::Edge;
+/// A closed box.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bounds {
+    lo: Point,
+    hi: Point,
+}
 
-/// Squares of a side that gives each edge about one.
+impl Bounds {
+    const NOTHING: Self = Self { lo: (i64::MAX, i64::MAX), hi: (i64::MIN, i64::MIN) };
+
+    pub(super) fn of([p, q]: [Point; 2]) -> Self {
+        Self { lo: (p.0.min(q.0), p.1.min(q.1)), hi: (p.0.max(q.0), p.1.max(q.1)) }
+    }
+
+    /// From a point of doubled coordinates along x without end.
+    pub(super) fn ray((x, y): Point) -> Self {
+        Self { lo: (x.div_euclid(2), y.div_euclid(2)), hi: (i64::MAX, (y + 1).div_euclid(2)) }
+    }
+
+    fn with(self, other: &Self) -> Self {
+        let lo = (self.lo.0.min(other.lo.0), self.lo.1.min(other.lo.1));
+        Self { lo, hi: (self.hi.0.max(other.hi.0), self.hi.1.max(other.hi.1)) }
+    }
+
+    fn fattened(self, margin: i64) -> Self {
+        Self { lo: (self.lo.0 - margin, self.lo.1 - margin), hi: (self.hi.0 + margin, self.hi.1 + margin) }
+    }
+
+    fn meets(&self, other: &Self) -> bool {
+        self.lo.0 <= other.hi.0 && other.lo.0 <= self.hi.0 && self.lo.1 <= other.hi.1 && other.lo.1 <= self.hi.1
+    }
+
+    /// Whether all of it lies strictly on one side of an edge's line.
+    fn is_beside(&self, edge: &Edge) -> bool {
+        let ((x0, y0), (x1, y1)) = (self.lo, self.hi);
+        let sides = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|corner| orient(edge.a, edge.b, corner).signum());
+        sides.iter().sum::<i128>().abs() == 4
+    }
+}
+
+/// How many boxes a check may look at: enough for any level that is drawn with care, and n log n of them where things lie over
+/// each other, so that all pairs are too many.
+#[derive(Debug)]
+pub(super) struct Work(u64);
+
+impl Work {
+    /// Levels of real games take less than 100 boxes an edge; a twentieth of the factor would do.
+    pub(super) fn for_edges(count: usize) -> Self {
+        let count = count as u64;
+        Self(128 * (count + 1024) * u64::from(count.max(2).ilog2()))
+    }
+
+    pub(super) fn is_spent(&self) -> bool {
+        self.0 == 0
+    }
+
+    fn spend(&mut self) -> bool {
+        self.0 = self.0.saturating_sub(1);
+        !self.is_spent()
+    }
+}
+
+const CHILDREN: usize = 8;
+
+/// The edges in the order of the tree's leaves, and the boxes: of each edge, of each eight of these, and so on up to one.
 pub(super) struct Index {
-    side: i64,
-    cells: HashMap<(i64, i64), Vec<usize>>,
+    order: Vec<usize>,
+    boxes: Vec<Vec<Bounds>>,
 }
 
 impl Index {
+    /// Strips along x that hold as many edges as there are strips, each sorted along y.
     pub(super) fn new(edges: &[Edge]) -> Self {
-        let (mut lo, mut hi) = ((i64::MAX, i64::MAX), (i64::MIN, i64::MIN));
-        for p in edges.iter().flat_map(|edge| [edge.a, edge.b]) {
-            lo = (lo.0.min(p.0), lo.1.min(p.1));
-            hi = (hi.0.max(p.0), hi.1.max(p.1));
+        let mut order: Vec<usize> = (0..edges.len()).collect();
+        order.sort_by_key(|&i| edges[i].middle().0);
+        let strip = CHILDREN * (edges.len() / CHILDREN).isqrt().max(1);
+        for strip in order.chunks_mut(strip) {
+            strip.sort_by_key(|&i| edges[i].middle().1);
         }
-        let area = if edges.is_empty() { 0 } else { (hi.0 - lo.0) * (hi.1 - lo.1) / edges.len() as i64 };
-        let mut index = Self { side: area.isqrt().max(1 << 16), cells: HashMap::new() };
-        for (i, edge) in edges.iter().enumerate() {
-            walk(edge, 0, index.side, |cell| index.cells.entry(cell).or_default().push(i));
+        let mut boxes = vec![order.iter().map(|&i| Bounds::of([edges[i].a, edges[i].b])).collect::<Vec<_>>()];
+        while let Some(below) = boxes.last().filter(|level| level.len() > 1) {
+            let around = |children: &[Bounds]| children.iter().fold(Bounds::NOTHING, Bounds::with);
+            boxes.push(below.chunks(CHILDREN).map(around).collect());
         }
-        index
+        Self { order, boxes }
     }
 
-    /// All edges within `margin` of this one, in order, and some further away.
-    pub(super) fn near(&self, edge: &Edge, margin: i64) -> Vec<usize> {
-        let mut found = Vec::new();
-        walk(edge, margin, self.side, |cell| found.extend(self.cells.get(&cell).into_iter().flatten()));
-        found.sort_unstable();
-        found.dedup();
-        found
+    /// All edges within `margin` of this one, and some further away; fewer where the work is spent.
+    pub(super) fn near<'a>(&'a self, edge: &Edge, margin: i64, work: &'a mut Work) -> Near<'a> {
+        let window = Bounds::of([edge.a, edge.b]).fattened(margin);
+        Near { along: Some((*edge, margin)), ..self.within(window, work) }
+    }
+
+    /// All edges with a box that meets another; fewer where the work is spent.
+    pub(super) fn within<'a>(&'a self, window: Bounds, work: &'a mut Work) -> Near<'a> {
+        let top = self.boxes.len() - 1;
+        let stack = self.boxes[top].iter().map(|_| (top, 0)).collect();
+        Near { index: self, window, along: None, stack, work }
     }
 }
 
-/// The cells that an edge meets when it is fattened by a margin.
-fn walk(edge: &Edge, margin: i64, side: i64, mut visit: impl FnMut((i64, i64))) {
-    let (top, bottom) = if edge.a.1 <= edge.b.1 { (edge.a, edge.b) } else { (edge.b, edge.a) };
-    let first = (top.1 - margin).div_euclid(side);
-    let last = (bottom.1 + margin).div_euclid(side);
-    let (dx, dy) = (i128::from(bottom.0 - top.0), i128::from(bottom.1 - top.1));
-    for row in first..=last {
-        // Where the edge is at the row's ends; one raw more for the rounding.
-        let at = |y: i64| match dy {
-            0 => None,
-            _ => Some(top.0 + (dx * i128::from(y.clamp(top.1, bottom.1) - top.1)).div_euclid(dy) as i64),
-        };
-        let ends = [at(row * side - margin).unwrap_or(top.0), at((row + 1) * side + margin).unwrap_or(bottom.0)];
-        let from = (ends[0].min(ends[1]) - margin - 1).div_euclid(side);
-        let to = (ends[0].max(ends[1]) + margin + 1).div_euclid(side);
-        (from..=to).for_each(|column| visit((column, row)));
+/// A walk through the tree.
+pub(super) struct Near<'a> {
+    index: &'a Index,
+    window: Bounds,
+    /// The edge that they are to be near to, and how near.
+    along: Option<(Edge, i64)>,
+    /// Boxes to look at: their level, and their place there.
+    stack: Vec<(usize, usize)>,
+    work: &'a mut Work,
+}
+
+impl Iterator for Near<'_> {
+    type Item = usize;
+
+    fn next(&mut self) -> Option<usize> {
+        while let Some((level, at)) = self.stack.pop() {
+            if !self.work.spend() {
+                return None;
+            }
+            let bounds = self.index.boxes[level][at];
+            let beside = |(edge, margin): &(Edge, i64)| bounds.fattened(*margin).is_beside(edge);
+            if !bounds.meets(&self.window) || self.along.as_ref().is_some_and(beside) {
+                continue;
+            }
+            let Some(below) = level.checked_sub(1) else { return Some(self.index.order[at]) };
+            let end = (CHILDREN * (at + 1)).min(self.index.boxes[below].len());
+            self.stack.extend((CHILDREN * at..end).map(|child| (below, child)));
+        }
+        None
     }
 }

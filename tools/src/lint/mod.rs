@@ -3,6 +3,7 @@
 mod crossings;
 mod edges;
 mod finding;
+mod findings;
 pub mod geometry;
 mod index;
 mod nesting;
@@ -13,37 +14,36 @@ mod scene;
 mod surface;
 
 pub use finding::{Finding, Severity, Who};
+pub use findings::{COUNTED, Findings, SHOWN};
 pub use scene::{Body, Rules};
 
 use crate::bake::level::Level;
 use crate::fail::{Fail, Result};
 use crate::read::drawing::Drawing;
-use index::Index;
 use scene::Scene;
 
 /// As many edges as a segment map can hold.
 const MAX_EDGES: usize = 65_534;
 
-/// All findings about a level, the worst first.
+/// All findings about a level.
+///
+/// Its time and memory are n log n in the edges and linear in the tiles. Where so many things lie over each other that all pairs of
+/// them are too many, a check ends early and says so.
 ///
 /// # Errors
 ///
 /// The rules name no layer of it, or it has more edges or faces than can be compared.
-pub fn check(drawing: &Drawing, rules: &Rules) -> Result<Vec<Finding>> {
+pub fn check(drawing: &Drawing, rules: &Rules) -> Result<Findings> {
     let edges = edges::of(&drawing.outlines);
     if edges.len() > MAX_EDGES {
         return Err(Fail::new(format!("{} edges; a segment map holds {MAX_EDGES}", edges.len())));
     }
     let surface = Level::of_drawing(drawing, rules.layer.as_deref())?.map(surface::of).transpose()?;
-    let index = Index::new(&edges);
-    let mut scene = Scene { drawing, rules, edges, index, surface, findings: Vec::new() };
+    let mut scene = Scene::new(drawing, rules, edges, surface);
     outlines::check(&mut scene);
     let crossed = crossings::check(&mut scene);
     nesting::check(&mut scene, &crossed);
     reach::check(&mut scene);
     pockets::check(&mut scene);
-    let mut findings = scene.findings;
-    findings.sort_unstable();
-    findings.dedup();
-    Ok(findings)
+    Ok(scene.findings)
 }

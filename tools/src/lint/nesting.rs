@@ -2,22 +2,28 @@
 
 use std::collections::HashSet;
 
-use super::edges::is_sound;
 use super::finding::Severity::{Error, Warning};
-use super::geometry::{Edge, Point, doubled_area, orient, winding};
+use super::geometry::{Edge, Point, crossed, orient};
+use super::index::{Bounds, Work};
 use super::scene::Scene;
 use crate::rules::kind::Kind;
 
 /// Outlines that cross others are on both sides of them; that has been said.
-pub(super) fn check(scene: &mut Scene<'_>, crossed: &HashSet<usize>) {
-    for i in 0..scene.drawing.outlines.len() {
-        let outline = &scene.drawing.outlines[i];
-        if !is_sound(outline) || crossed.contains(&i) || doubled_area(&outline.points) == 0 {
+pub(super) fn check(scene: &mut Scene<'_>, crossing: &HashSet<usize>) {
+    let mut work = Work::for_edges(scene.edges.len());
+    let edges = scene.edges.clone();
+    for edges in edges.chunk_by(|a, b| a.outline == b.outline) {
+        let Some(i) = edges[0].outline.filter(|i| !crossing.contains(i)) else { continue };
+        if !scene.bounds_inside(&edges[0]) {
             continue;
         }
-        let Some((edge, around)) = surroundings(scene, i) else { continue };
+        let surroundings = surroundings(scene, edges, &mut work);
+        if work.is_spent() {
+            return scene.say_unfinished(&edges[0], "from here on it was not asked what lies within what");
+        }
+        let Some((edge, around)) = surroundings else { continue };
         let (who, at) = (vec![scene.owner(i, None)], edge.middle());
-        match (outline.kind, around) {
+        match (scene.drawing.outlines[i].kind, around) {
             (Kind::Hole, ..=0) => {
                 let what = "a hole outside of any solid";
                 scene.say((Error, "hole-outside"), who, at, what, "its edge blocks what comes from within");
@@ -35,32 +41,26 @@ pub(super) fn check(scene: &mut Scene<'_>, crossed: &HashSet<usize>) {
     }
 }
 
-/// How many solids, less holes, lie around an outline, and by which of its edges; `None` if it lies on others all along.
-fn surroundings(scene: &Scene<'_>, outline: usize) -> Option<(Edge, i32)> {
-    for edge in scene.edges.iter().filter(|edge| edge.outline == Some(outline)) {
+/// How many solids, less holes, lie around an outline of these edges, and by which of them; `None` if it lies on others all along.
+fn surroundings(scene: &Scene<'_>, edges: &[Edge], work: &mut Work) -> Option<(Edge, i32)> {
+    for edge in edges {
         let middle = (edge.a.0 + edge.b.0, edge.a.1 + edge.b.1);
-        let on_another = scene
-            .index
-            .near(edge, 0)
-            .iter()
-            .any(|&j| scene.edges[j].outline != Some(outline) && on(&scene.edges[j], middle));
+        let on_another = scene.index.near(edge, 0, work).any(|j| {
+            let other = &scene.edges[j];
+            other.outline != edge.outline && on(other, middle)
+        });
         if !on_another {
-            return Some((*edge, depth(scene, middle, Some(outline))));
+            return Some((*edge, depth(scene, middle, edge.outline, work)));
         }
     }
     None
 }
 
-/// How many solids, less holes, hold a point of doubled coordinates.
-pub(super) fn depth(scene: &Scene<'_>, point: Point, without: Option<usize>) -> i32 {
-    let mut depth = 0;
-    for (i, outline) in scene.drawing.outlines.iter().enumerate() {
-        if Some(i) != without && outline.kind.has_area() && is_sound(outline) {
-            let wound = winding(&outline.points, point) * doubled_area(&outline.points).signum() as i32;
-            depth += if outline.kind == Kind::Solid { wound } else { -wound };
-        }
-    }
-    depth
+/// How many solids, less holes, hold a point of doubled coordinates: all edges have the solid on the same side.
+pub(super) fn depth(scene: &Scene<'_>, point: Point, without: Option<usize>, work: &mut Work) -> i32 {
+    let hit = scene.index.within(Bounds::ray(point), work).map(|j| &scene.edges[j]);
+    let counts = |edge: &&Edge| scene.bounds_inside(edge) && (without.is_none() || edge.outline != without);
+    hit.filter(counts).map(|edge| crossed(edge.a, edge.b, point)).sum()
 }
 
 /// Whether a point of doubled coordinates lies on an edge.

@@ -9,7 +9,7 @@ use crate::read::outline::Outline;
 
 pub(super) fn check(scene: &mut Scene<'_>) {
     for left_out in &scene.drawing.left_out {
-        let who = Who { id: left_out.title.id, title: left_out.title.to_string(), edge: None };
+        let who = Who { id: left_out.title.id, title: left_out.title.to_string().into(), edge: None };
         let severity = if left_out.suspicious { Warning } else { Note };
         scene.say((severity, "left-out"), vec![who], left_out.at, left_out.why.clone(), "nothing collides with it");
     }

@@ -3,7 +3,7 @@
 use super::finding::Severity::Warning;
 use super::finding::pixels;
 use super::geometry::{Edge, Point, Side, hides};
-use super::index::Index;
+use super::index::{Bounds, Index, Work};
 use super::scene::{Body, Scene};
 
 type Wide = (i128, i128);
@@ -25,17 +25,23 @@ pub(super) fn check(scene: &mut Scene<'_>) {
         Body::Box { width, height } => width.max(height),
         Body::Circle { radius } => 2 * radius,
     };
+    let mut work = Work::for_edges(faces.len());
     for (i, s) in faces.iter().enumerate() {
-        let near = index.near(s, reach);
-        for &j in near.iter().filter(|&&j| j != i) {
+        let near: Vec<usize> = index.near(s, reach, &mut work).filter(|&j| j != i).collect();
+        for j in near {
             let t = &faces[j];
             let Some((gap, what)) = too_narrow(body, s, t, i < j) else { continue };
             let [p, q] = gap.ends;
-            if !near.iter().any(|&k| k != i && k != j && hides(&faces[k], p, q)) {
+            let hidden =
+                index.within(Bounds::of(gap.ends), &mut work).any(|k| k != i && k != j && hides(&faces[k], p, q));
+            if !hidden && !work.is_spent() {
                 let at = ((p.0 + q.0).div_euclid(2), (p.1 + q.1).div_euclid(2));
                 let who = vec![scene.who(s), scene.who(t)];
                 scene.say((Warning, "pocket"), who, at, what, "the body cannot get in, or gets stuck on its way");
             }
+        }
+        if work.is_spent() {
+            return scene.say_unfinished(s, "from here on it was not asked what is too narrow for the body");
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::finding::Severity::Warning;
 use super::geometry::{Edge, Point, Side};
-use super::index::Index;
+use super::index::{Index, Work};
 use super::nesting;
 use super::scene::{Body, Scene};
 
@@ -22,18 +22,22 @@ pub(super) fn check(scene: &mut Scene<'_>) {
     let all: Vec<Edge> = scene.edges.iter().chain(tiles).copied().collect();
     let blockers: Vec<Edge> = all.iter().filter(|edge| edge.side != Side::OneWay).copied().collect();
     let index = Index::new(&blockers);
+    let mut work = Work::for_edges(all.len());
     for edge in all.iter().filter(|edge| edge.side == Side::OneWay) {
-        let who = vec![scene.who(edge)];
-        if let Some(what) = blocked(scene, edge, &blockers, &index) {
-            scene.say((Warning, "unreachable"), who, edge.middle(), what, WHY);
+        let blocked = blocked(scene, edge, &blockers, &index, &mut work);
+        if work.is_spent() {
+            return scene.say_unfinished(edge, "from here on it was not asked which one-way edges can be reached");
+        }
+        if let Some(what) = blocked {
+            scene.say((Warning, "unreachable"), vec![scene.who(edge)], edge.middle(), what, WHY);
         }
     }
 }
 
-fn blocked(scene: &Scene<'_>, edge: &Edge, blockers: &[Edge], index: &Index) -> Option<&'static str> {
+fn blocked(scene: &Scene<'_>, edge: &Edge, blockers: &[Edge], index: &Index, work: &mut Work) -> Option<&'static str> {
     let (reach, room) = room(scene.rules.body, edge);
-    let near = index.near(edge, reach);
-    let mut covered: Vec<(i128, i128)> = near.iter().filter_map(|&i| cover(edge, &blockers[i], room)).collect();
+    let near = index.near(edge, reach, work);
+    let mut covered: Vec<(i128, i128)> = near.filter_map(|i| cover(edge, &blockers[i], room)).collect();
     covered.sort_unstable();
     let mut done = 0;
     for (from, to) in covered {
@@ -47,12 +51,12 @@ fn blocked(scene: &Scene<'_>, edge: &Edge, blockers: &[Edge], index: &Index) -> 
             Some(_) => "all along its front a solid is closer than the body is big",
         });
     }
-    let buried = |p: Point| {
-        nesting::depth(scene, p, None) > 0 || scene.surface.as_ref().is_some_and(|surface| surface.is_full(p))
+    let mut buried = |p: Point| {
+        nesting::depth(scene, p, None, work) > 0 || scene.surface.as_ref().is_some_and(|surface| surface.is_full(p))
     };
     let doubled =
         [(2 * edge.a.0, 2 * edge.a.1), (2 * edge.b.0, 2 * edge.b.1), (edge.a.0 + edge.b.0, edge.a.1 + edge.b.1)];
-    doubled.into_iter().all(buried).then_some("it lies within the solid")
+    doubled.into_iter().all(&mut buried).then_some("it lies within the solid")
 }
 
 /// How far in front of the edge a body that stands on it reaches: in raw, rounded up, and in lengths of the edge's normal.

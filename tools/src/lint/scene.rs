@@ -1,10 +1,15 @@
 //! A level as the checks see it, and what they find.
 
+use std::rc::Rc;
+
+use super::edges::is_sound;
 use super::finding::{Finding, Severity, Who};
-use super::geometry::{Edge, Point};
+use super::findings::Findings;
+use super::geometry::{Edge, Point, doubled_area};
 use super::index::Index;
 use super::surface::Surface;
 use crate::read::drawing::Drawing;
+use crate::read::outline::Outline;
 
 /// What moves through the level, in raw units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,10 +36,24 @@ pub(crate) struct Scene<'a> {
     /// Which edges are near each other.
     pub index: Index,
     pub surface: Option<Surface>,
-    pub findings: Vec<Finding>,
+    pub findings: Findings,
+    /// What each outline is called.
+    titles: Vec<Rc<str>>,
+    /// Whether each outline has an inside.
+    insides: Vec<bool>,
 }
 
-impl Scene<'_> {
+impl<'a> Scene<'a> {
+    pub(super) fn new(drawing: &'a Drawing, rules: &'a Rules, edges: Vec<Edge>, surface: Option<Surface>) -> Self {
+        let outlines = &drawing.outlines;
+        let titles = outlines.iter().map(|outline| outline.title.to_string().into()).collect();
+        let inside =
+            |outline: &Outline| outline.kind.has_area() && is_sound(outline) && doubled_area(&outline.points) != 0;
+        let insides = outlines.iter().map(inside).collect();
+        let index = Index::new(&edges);
+        Self { drawing, rules, edges, index, surface, findings: Findings::default(), titles, insides }
+    }
+
     pub(super) fn say(
         &mut self,
         (severity, code): (Severity, &'static str),
@@ -43,7 +62,15 @@ impl Scene<'_> {
         what: impl Into<String>,
         why: &'static str,
     ) {
-        self.findings.push(Finding { severity, code, who, at, what: what.into(), why });
+        if !self.findings.is_full(severity, code) {
+            self.findings.add(Finding { severity, code, who, at, what: what.into(), why });
+        }
+    }
+
+    /// Says that a check ended at an edge, because what is left is too much.
+    pub(super) fn say_unfinished(&mut self, at: &Edge, what: &'static str) {
+        let why = "so much lies over each other here that what else is wrong is not known";
+        self.say((Severity::Warning, "unfinished"), vec![self.who(at)], at.a, what, why);
     }
 
     /// An edge's owner; an edge number is that of the drawing.
@@ -55,12 +82,16 @@ impl Scene<'_> {
     }
 
     pub(super) fn owner(&self, outline: usize, edge: Option<usize>) -> Who {
-        let title = &self.drawing.outlines[outline].title;
-        Who { id: title.id, title: title.to_string(), edge }
+        Who { id: self.drawing.outlines[outline].title.id, title: self.titles[outline].clone(), edge }
     }
 
     pub(super) fn tiles(&self) -> Who {
         let layer = self.surface.as_ref().map_or("", |surface| &surface.layer);
-        Who { id: 0, title: format!("tile layer '{layer}'"), edge: None }
+        Who { id: 0, title: format!("tile layer '{layer}'").into(), edge: None }
+    }
+
+    /// Whether an edge is one of the border of a solid or a hole that has an inside.
+    pub(super) fn bounds_inside(&self, edge: &Edge) -> bool {
+        edge.outline.is_some_and(|outline| self.insides[outline])
     }
 }

@@ -1,8 +1,9 @@
 //! The surface of the solid tile layer, as the library itself derives it.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
+use std::fmt::Display;
 
-use tilesat::{Feature, Geometry, TileShape, Vec2};
+use tilesat::{Aabb, AllShapes, Feature, Fx, Geometry, Grid, Outside, TileMap, TileShape, Vec2};
 
 use super::geometry::{Edge, Point, Side};
 use crate::bake::level::Level;
@@ -17,24 +18,35 @@ pub(super) struct Surface {
     level: Level,
 }
 
-/// Those of a checkerboard of 256 x 256 tiles.
-const MAX_FEATURES: usize = 1 << 18;
+/// Those of a checkerboard of 512 x 512 tiles.
+const MAX_FEATURES: usize = 1 << 20;
+
+/// The smallest cell of the library, raw: a level of any size fits its domain when it is drawn as small as that.
+const CELL: i32 = 1 << 8;
 
 pub(super) fn of(level: Level) -> Result<Surface> {
-    let features = level.features();
+    let kinds = level.kinds();
+    let of_layer = |why: &dyn Display| Fail::new(format!("layer '{}' {why}", level.layer));
+    let grid = Grid::new(level.width, level.height, Fx::from_bits(CELL), Vec2::ZERO);
+    let map = grid.and_then(|grid| TileMap::<AllShapes>::of(&level.tiles, grid, &kinds));
+    let map = map.map_err(|e| of_layer(&format!("cannot be compared: {e}")))?.with_outside(Outside::Solid);
+    let whole = Aabb::new(map.grid().origin(), map.grid().end()).map_err(|e| of_layer(&e))?;
+
+    // What the outside adds is no part of the level.
+    let features = map.features(&whole).filter(|feature| map.tile(feature.cell).is_some());
+    let features: Vec<Feature> = features.take(MAX_FEATURES + 1).collect();
     if features.len() > MAX_FEATURES {
-        let why =
-            format!("layer '{}' has {} faces and corners; {MAX_FEATURES} can be compared", level.layer, features.len());
-        return Err(Fail::new(why));
+        return Err(of_layer(&format!("has more faces and corners than can be compared, which is {MAX_FEATURES}")));
     }
     let one_ways: HashSet<_> = features.iter().filter(|f| f.one_way).map(|f| (f.cell.x, f.cell.y)).collect();
     let cells = (0..level.height).flat_map(|y| (0..level.width).map(move |x| (x, y)));
     let bare = |&(x, y): &(u16, u16)| {
         level.kind(x, y).shape as u8 >= TileShape::OneWayUp as u8 && !one_ways.contains(&(x as i16, y as i16))
     };
+    let scale = (i64::from(level.tile) << 16) / i64::from(CELL);
     Ok(Surface {
         layer: level.layer.clone(),
-        edges: joined(features.iter().flat_map(pieces).collect()),
+        edges: joined(features.iter().flat_map(|feature| pieces(feature, scale)).collect()),
         hidden: cells.filter(bare).collect(),
         level,
     })
@@ -58,17 +70,18 @@ impl Surface {
     }
 }
 
-fn pieces(feature: &Feature) -> Vec<Edge> {
+/// The edges of a piece of the surface, which is enlarged.
+fn pieces(feature: &Feature, scale: i64) -> Vec<Edge> {
     let side = if feature.one_way { Side::OneWay } else { Side::Solid };
     let edge = |a, b| Edge { a, b, outline: None, number: 0, side };
-    let wide = |v: Vec2| (i64::from(v.raw().0), i64::from(v.raw().1));
+    let wide = |v: Vec2| (i64::from(v.raw().0) * scale, i64::from(v.raw().1) * scale);
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } => {
-            let a = wide(a);
-            vec![edge(a, (a.0 + i64::from(dir.x) * i64::from(len), a.1 + i64::from(dir.y) * i64::from(len)))]
+            let (a, len) = (wide(a), i64::from(len) * scale);
+            vec![edge(a, (a.0 + i64::from(dir.x) * len, a.1 + i64::from(dir.y) * len))]
         }
         Geometry::Arc { centre, radius, quadrant, convex } => {
-            let ((x, y), r) = (wide(centre), i64::from(radius));
+            let ((x, y), r) = (wide(centre), i64::from(radius) * scale);
             let (sx, sy) = (i64::from(quadrant.x), i64::from(quadrant.y));
             // Cosines of 0, 22.5, 45, 67.5 and 90 degrees in 65536ths.
             let cos = [65536, 60547, 46341, 25080, 0];
@@ -83,23 +96,29 @@ fn pieces(feature: &Feature) -> Vec<Edge> {
 
 /// Faces in one line, end to end, as one.
 fn joined(mut faces: Vec<Edge>) -> Vec<Edge> {
-    faces.sort_unstable_by_key(|e| (e.a, e.b));
+    // Faces of one line and direction come together, in the order in which it passes them.
     let line = |e: &Edge| {
         let (x, y) = e.dir();
         let divisor = gcd(x.unsigned_abs(), y.unsigned_abs()).max(1) as i128;
-        (x / divisor, y / divisor, e.side == Side::OneWay)
+        let (x, y) = (x / divisor, y / divisor);
+        let (a, b) = (i128::from(e.a.0), i128::from(e.a.1));
+        (x, y, e.side == Side::OneWay, x * b - y * a, x * a + y * b)
     };
-    let starts: HashMap<_, usize> = faces.iter().enumerate().map(|(i, e)| ((e.a, line(e)), i)).collect();
-    let ends: HashSet<_> = faces.iter().map(|e| (e.b, line(e))).collect();
-    let mut runs = Vec::new();
-    for face in faces.iter().filter(|face| !ends.contains(&(face.a, line(face)))) {
-        let mut run = *face;
-        while let Some(&next) = starts.get(&(run.b, line(face))) {
-            run.b = faces[next].b;
+    faces.sort_by_cached_key(line);
+    let mut runs: Vec<Edge> = Vec::new();
+    for face in faces {
+        match runs.last_mut() {
+            Some(run) if run.b == face.a && same_way(run, &face) => run.b = face.b,
+            _ => runs.push(face),
         }
-        runs.push(run);
     }
     runs
+}
+
+/// Whether two edges have one direction and side.
+fn same_way(s: &Edge, t: &Edge) -> bool {
+    let ((x, y), (z, w)) = (s.dir(), t.dir());
+    s.side == t.side && x * w == y * z && x * z + y * w > 0
 }
 
 fn gcd(a: u128, b: u128) -> u128 {

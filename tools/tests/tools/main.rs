@@ -10,6 +10,7 @@ mod damaged;
 mod hostile;
 mod level;
 mod lint;
+mod lint_bounded;
 mod lint_cases;
 mod lint_geometry;
 mod objects;

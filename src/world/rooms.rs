@@ -1,0 +1,361 @@
+//! Worlds larger than the coordinates allow: rooms, each with coordinates of its own, and the way from one to the next.
+
+use super::cell::Cell;
+use super::error::TileMapError;
+use super::grid::Grid;
+use super::tile_map::kind::TileKinds;
+use super::tile_map::{AllShapes, Outside, Set, TileMap};
+use crate::num::{DOMAIN, Fx, Raw, Vec2};
+
+/// A part of a world, as a level with coordinates of its own: its tiles, and around them an apron, which is tiles of its neighbours.
+///
+/// ```text
+///      apron
+///    +---------------------+
+///    |  +---------------+  |     (0, 0) is the room's first corner;
+///    |  |(0,0)          |  |     the apron left of it and above it has negative coordinates.
+///    |  |     room    []|[]|     A body that has left the room is still in its map. In the next
+///    |  |               |  |     room it is at the same place, by other coordinates.
+///    |  +---------------+  |
+///    +---------------------+
+/// ```
+///
+/// No body feels the border. Where the apron is [wide enough](Self::apron_for), a motion in the room's map has the bits that it would have
+/// in a map of the whole world. So it does not matter in which frame a body goes over to the next room, as long as the apron holds it.
+///
+/// The rooms of a [`Rooms`] are equal, and are made when asked for. Rooms of any rectangles are a table:
+///
+/// ```
+/// use tilesat::{AllShapes, Fx, Grid, Room, TileKind, TileKinds, TileMap, TileMapError, Vec2};
+/// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+/// // A hall of 4 x 2 cells, and right of it a cell of 1 x 2: each with an apron of one cell.
+/// let map = |rows, width| {
+///     let grid = Grid::new(width, 4, Fx::from_num(16), Vec2::ZERO)?;
+///     TileMap::<AllShapes>::of(rows, grid, &KINDS)
+/// };
+/// let rooms = [
+///     Room::new(map(b"#######....##.....######", 6)?, 0, 0, 1)?,
+///     Room::new(map(b"###..#..####", 3)?, 4, 0, 1)?,
+/// ];
+/// let place = Vec2::from_ints(66, 20); // beyond the hall, in its apron
+/// let (next, by) = rooms[0].next_of(&rooms, place).unwrap();
+/// assert_eq!((next.first(), place + by), ((4, 0), Vec2::from_ints(2, 20)));
+/// # Ok::<(), TileMapError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Room<'a, S: Set = AllShapes> {
+    map: TileMap<'a, S>,
+    /// The cell of the world that is the room's first.
+    x: i32,
+    y: i32,
+    width: u16,
+    height: u16,
+}
+
+impl<'a, S: Set> Room<'a, S> {
+    /// A room of a map that has an apron of so many cells on each side; its first cell is the cell (`x`, `y`) of a world.
+    ///
+    /// The map's own origin does not count. Where the world ends, the apron is what lies beyond it.
+    ///
+    /// # Errors
+    /// [`TileMapError::EmptyMap`] where the apron leaves nothing, [`TileMapError::OutOfDomain`] where the map is too large.
+    pub const fn new(map: TileMap<'a, S>, x: i32, y: i32, apron: u16) -> Result<Self, TileMapError> {
+        let twice = 2 * apron as u32;
+        if map.width() as u32 <= twice || map.height() as u32 <= twice {
+            return Err(TileMapError::EmptyMap);
+        }
+        let (width, height) = (map.width() - twice as u16, map.height() - twice as u16);
+        // Within the sides of the map, which are below 2^30.
+        let before = -(apron as i32).wrapping_mul(map.grid.cell);
+        match map.with_origin(Vec2::from_raw(before, before)) {
+            Ok(map) => Ok(Self { map, x, y, width, height }),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The least apron in cells for bodies whose width and height are at most `body` and whose motion per frame is at most `motion` long.
+    /// The step and the snap of a [`Walker`](crate::Walker) add to its motion.
+    ///
+    /// A frame reads the tiles that the closed box around the whole motion touches, and their neighbours, which hide faces. The mover looks
+    /// less than a unit further. The place of a body that is in the room is its first corner, or any other point of it. So
+    /// `(apron - 1) cell > body + motion + 1`.
+    ///
+    /// ```
+    /// use tilesat::{AllShapes, Fx, Room};
+    /// let apron = Room::<AllShapes>::apron_for(Fx::from_num(16), Fx::from_num(20), Fx::from_num(12));
+    /// assert_eq!(apron, 4); // 33 units reach into the third cell
+    /// ```
+    #[must_use]
+    pub const fn apron_for(cell: Fx, body: Fx, motion: Fx) -> u16 {
+        let reach = body.to_bits() as i64 + motion.to_bits() as i64 + Fx::ONE.to_bits() as i64;
+        match reach.checked_div(cell.to_bits() as i64) {
+            Some(cells) if 0 <= cells && cells < i16::MAX as i64 => cells as u16 + 2,
+            _ => u16::MAX,
+        }
+    }
+
+    /// The tiles of the room and of its apron.
+    #[must_use]
+    pub const fn map(&self) -> &TileMap<'a, S> {
+        &self.map
+    }
+
+    /// Its first cell in the world.
+    #[must_use]
+    pub const fn first(&self) -> (i32, i32) {
+        (self.x, self.y)
+    }
+
+    /// Columns, without the apron.
+    #[must_use]
+    pub const fn width(&self) -> u16 {
+        self.width
+    }
+
+    /// Rows, without the apron.
+    #[must_use]
+    pub const fn height(&self) -> u16 {
+        self.height
+    }
+
+    /// Whether a place is in the room, not in its apron: left and upper borders belong to it, right and lower ones to the next room.
+    #[must_use]
+    pub const fn holds(&self, place: Vec2) -> bool {
+        let (p, cell) = (Raw::of(place), self.map.grid.cell);
+        // The sides are a part of the map's, which are below 2^30.
+        let (width, height) = ((self.width as i32).wrapping_mul(cell), (self.height as i32).wrapping_mul(cell));
+        0 <= p.x && p.x < width && 0 <= p.y && p.y < height
+    }
+
+    /// The cell of the world that a cell of the room's [map](Self::map) is, such as that of a hit.
+    #[must_use]
+    pub const fn in_world(&self, cell: Cell) -> (i32, i32) {
+        // The origin is not above 0 and not below the domain.
+        let Raw { x, y } = Raw::of(self.map.origin());
+        let grid = &self.map.grid;
+        let (left, above) = (grid.quotient(x.unsigned_abs()) as i32, grid.quotient(y.unsigned_abs()) as i32);
+        (self.x.wrapping_add(cell.x as i32 - left), self.y.wrapping_add(cell.y as i32 - above))
+    }
+
+    /// The room of a table that holds a place of this one, and what to add to the place there: to all positions of what goes over.
+    ///
+    /// `None` where the world has no room there. The first of several rooms that hold it; so keep on until [`holds`](Self::holds) is false.
+    /// Cost: one comparison per room of the table, some 20 instructions each; no division.
+    #[must_use]
+    pub fn next_of<'r>(&self, rooms: &'r [Self], place: Vec2) -> Option<(&'r Self, Vec2)> {
+        rooms.iter().find_map(|room| {
+            let by = self.way_to((room.x, room.y))?;
+            room.holds(place + by).then_some((room, by))
+        })
+    }
+
+    /// What to add to a place of this room to have it in one with this first cell; `None` where no coordinate can be that far.
+    const fn way_to(&self, first: (i32, i32)) -> Option<Vec2> {
+        match (apart(self.x, first.0, self.map.grid.cell), apart(self.y, first.1, self.map.grid.cell)) {
+            (Some(x), Some(y)) => Some(Vec2::from_raw(x, y)),
+            _ => None,
+        }
+    }
+}
+
+/// From one cell back to another, in raw, if that is less than the domain is long.
+const fn apart(from: i32, to: i32, cell: i32) -> Option<i32> {
+    // Below 2^33 and 2^24.
+    let raw = (from as i64 - to as i64) * cell as i64;
+    if -2 * (DOMAIN as i64) < raw && raw < 2 * DOMAIN as i64 { Some(raw as i32) } else { None }
+}
+
+/// A world of tiles that is cut into equal rooms: one array of tiles, row after row, of up to 65535 columns and rows.
+///
+/// A [`Room`] is a window of that array, so its apron costs nothing: neither flash nor memory. What lies [outside](Outside) of the world is
+/// as in a map of the whole.
+///
+/// ```
+/// use tilesat::{Aabb, Axis, Blocks, Fx, Mover, Room, Rooms, TileKind, TileKinds, Vec2};
+/// static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
+/// // 40 000 x 48 units: a floor of 2500 cells. A room is a screen of 320 units.
+/// static TILES: [u8; 7500] = {
+///     let mut tiles = [0; 7500];
+///     let mut x = 5000;
+///     while x < 7500 {
+///         tiles[x] = 1;
+///         x += 1;
+///     }
+///     tiles
+/// };
+/// const CELL: Fx = Fx::lit("16");
+/// // For bodies of up to 16 units that move by up to 30 units per frame.
+/// const APRON: u16 = Room::<Blocks>::apron_for(CELL, CELL, Fx::lit("30"));
+/// let world = Rooms::<Blocks>::of(&TILES, (2500, 3), CELL, &KINDS, (20, 3), APRON)?;
+/// assert_eq!((world.columns(), world.rows()), (125, 1));
+///
+/// let mover = Mover::platformer(Axis::NEG_Y);
+/// let mut room = world.room(0, 0).unwrap();
+/// let mut body = Aabb::new(Vec2::from_ints(2, 20), Vec2::from_ints(12, 32))?;
+/// for _ in 0..1332 {
+///     body = mover.move_and_slide(room.map(), &body, Vec2::from_ints(30, 1))?.body;
+///     if let Some((next, by)) = world.next(&room, body.min()) {
+///         (room, body) = (next, body.translated(by)?);
+///     }
+/// }
+/// assert_eq!((room.first(), body.min()), ((2480, 0), Vec2::from_ints(282, 20))); // 39 962 units from the start
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Rooms<'a, S: Set = AllShapes> {
+    /// All but the grid of each room's map.
+    pattern: TileMap<'a, S>,
+    world: (u16, u16),
+    room: (u16, u16),
+    apron: u16,
+}
+
+impl<'a, S: Set> Rooms<'a, S> {
+    /// A world of so many columns and rows of cells, in rooms of so many; the last room of a row and of a column may be smaller.
+    /// See [`Room::apron_for`] for the apron, which is in cells.
+    ///
+    /// # Errors
+    /// [`TileMapError`]: no cells, not enough tiles, a cell or a shape that a map cannot have, or a room that does not fit the
+    /// [domain](crate::num::DOMAIN) together with its apron.
+    pub const fn of(
+        tiles: &'a [u8],
+        world: (u16, u16),
+        cell: Fx,
+        kinds: &'a TileKinds,
+        room: (u16, u16),
+        apron: u16,
+    ) -> Result<Self, TileMapError> {
+        if world.0 == 0 || world.1 == 0 || room.0 == 0 || room.1 == 0 {
+            return Err(TileMapError::EmptyMap);
+        }
+        let needed = world.0 as u32 * world.1 as u32;
+        if (tiles.len() as u64) < needed as u64 {
+            return Err(TileMapError::TooShort { needed, found: tiles.len() as u32 });
+        }
+        // The largest map that a room may have.
+        let (width, height) = (with_apron(room.0, apron), with_apron(room.1, apron));
+        if let Err(e) = Grid::new(width, height, cell, Vec2::ZERO) {
+            return Err(e);
+        }
+        let pattern = match Grid::new(1, 1, cell, Vec2::ZERO) {
+            Ok(one) => TileMap::build(tiles, one, world.0, kinds),
+            Err(e) => Err(e),
+        };
+        match pattern {
+            Ok(pattern) => Ok(Self { pattern, world, room, apron }),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The same world with another outside; it is empty at first.
+    #[must_use]
+    pub const fn with_outside(self, outside: Outside) -> Self {
+        Self { pattern: self.pattern.with_outside(outside), ..self }
+    }
+
+    /// Rooms in a row.
+    #[must_use]
+    pub const fn columns(&self) -> u16 {
+        quotient(self.world.0 - 1, self.room.0) + 1
+    }
+
+    /// Rows of rooms.
+    #[must_use]
+    pub const fn rows(&self) -> u16 {
+        quotient(self.world.1 - 1, self.room.1) + 1
+    }
+
+    /// A room by its place among the rooms; `None` beyond the world.
+    ///
+    /// Cost: some 400 instructions on a Cortex-M0. Keep it while the body is in it: it is 80 bytes.
+    #[must_use]
+    pub const fn room(&self, column: u16, row: u16) -> Option<Room<'a, S>> {
+        let x = Window::of(column, self.room.0, self.world.0, self.apron);
+        let y = Window::of(row, self.room.1, self.world.1, self.apron);
+        let (Some(x), Some(y)) = (x, y) else { return None };
+        let cell = self.pattern.grid.cell;
+        // As far from 0 as the largest map is long, at most.
+        let origin = Raw { x: -x.before.wrapping_mul(cell), y: -y.before.wrapping_mul(cell) };
+        let first = (y.first - y.before) as u32 * self.world.0 as u32 + (x.first - x.before) as u32;
+        match (
+            Grid::new(x.cells, y.cells, self.pattern.grid.cell(), origin.vec2()),
+            self.pattern.data.split_at_checked(first as usize),
+        ) {
+            (Ok(grid), Some((_, data))) => {
+                let map = TileMap { data, grid, ..self.pattern };
+                Some(Room { map, x: x.first, y: y.first, width: x.own, height: y.own })
+            }
+            _ => None,
+        }
+    }
+
+    /// The room that holds a place which is no longer in one of these rooms, and what to add to the place there: to all positions of what
+    /// goes over. `None` where it is still in the room, and where the world ends.
+    ///
+    /// Cost: 20 instructions where it is still in the room; else four short divisions and a [`room`](Self::room), however large the world is.
+    #[must_use]
+    pub const fn next(&self, room: &Room<'_, S>, place: Vec2) -> Option<(Room<'a, S>, Vec2)> {
+        if room.holds(place) {
+            return None;
+        }
+        let (p, cell) = (Raw::of(place), self.pattern.grid.cell);
+        let column = index(room.x, p.x, cell, self.room.0);
+        let row = index(room.y, p.y, cell, self.room.1);
+        let (Some(column), Some(row)) = (column, row) else { return None };
+        match self.room(column, row) {
+            Some(next) => match room.way_to((next.x, next.y)) {
+                Some(by) => Some((next, by)),
+                None => None,
+            },
+            None => None,
+        }
+    }
+}
+
+/// One axis of a room's map, in cells of the world.
+struct Window {
+    /// Of the room.
+    first: i32,
+    own: u16,
+    /// In the apron before it.
+    before: i32,
+    /// In the map.
+    cells: u16,
+}
+
+impl Window {
+    const fn of(index: u16, room: u16, world: u16, apron: u16) -> Option<Self> {
+        let (first, world) = (index as i32 * room as i32, world as i32);
+        if first >= world {
+            return None;
+        }
+        let end = least(first + room as i32, world);
+        let before = least(first, apron as i32);
+        let cells = least(end + apron as i32, world) - (first - before);
+        Some(Self { first, own: (end - first) as u16, before, cells: cells as u16 })
+    }
+}
+
+const fn least(a: i32, b: i32) -> i32 {
+    if a < b { a } else { b }
+}
+
+/// Saturated, which no map can have.
+const fn with_apron(room: u16, apron: u16) -> u16 {
+    room.saturating_add(apron).saturating_add(apron)
+}
+
+/// Which room of an axis holds a coordinate of a room with this first cell; `None` before the world, and far beyond it.
+const fn index(first: i32, at: i32, cell: i32, room: u16) -> Option<u16> {
+    let Some(cells) = at.checked_div_euclid(cell) else { return None };
+    let Some(cell) = first.checked_add(cells) else { return None };
+    if 0 <= cell && cell <= u16::MAX as i32 { Some(quotient(cell as u16, room)) } else { None }
+}
+
+/// A divisor is never 0.
+const fn quotient(cells: u16, room: u16) -> u16 {
+    match cells.checked_div(room) {
+        Some(quotient) => quotient,
+        None => 0,
+    }
+}

@@ -1,0 +1,68 @@
+//! All that the linter says: of each kind the first findings, and how many there are.
+
+use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+use super::finding::{Finding, Severity};
+
+/// So many findings of a kind are shown; the others are counted.
+pub const SHOWN: usize = 50;
+/// So many of a kind are told apart: what is wrong so often is one mistake.
+pub const COUNTED: usize = 100_000;
+
+/// Findings in their order, the worst first, each once.
+#[derive(Debug, Clone, Default)]
+pub struct Findings {
+    kinds: BTreeMap<(Severity, &'static str), Kind>,
+}
+
+#[derive(Debug, Clone, Default)]
+struct Kind {
+    /// The first in order, not those that came first.
+    shown: BTreeSet<Finding>,
+    /// The hashes of all of them.
+    known: HashSet<u64>,
+    /// Whether there are more than are counted.
+    more: bool,
+}
+
+impl Findings {
+    /// Whether no more of a kind are counted; says that there is one more.
+    pub(super) fn is_full(&mut self, severity: Severity, code: &'static str) -> bool {
+        let Some(kind) = self.kinds.get_mut(&(severity, code)) else { return false };
+        kind.more |= kind.known.len() >= COUNTED;
+        kind.more
+    }
+
+    pub(super) fn add(&mut self, finding: Finding) {
+        let mut hasher = DefaultHasher::new();
+        finding.hash(&mut hasher);
+        let kind = self.kinds.entry((finding.severity, finding.code)).or_default();
+        if kind.known.insert(hasher.finish()) {
+            kind.shown.insert(finding);
+            if kind.shown.len() > SHOWN {
+                kind.shown.pop_last();
+            }
+        }
+    }
+
+    /// How many there are; of a kind at most [`COUNTED`].
+    pub fn count(&self, severity: Severity) -> usize {
+        let of_it = self.kinds.iter().filter(|((of, _), _)| *of == severity);
+        of_it.map(|(_, kind)| kind.known.len()).sum()
+    }
+
+    /// A line for each that is shown, and one for the others of its kind.
+    pub fn lines(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        for ((severity, code), kind) in &self.kinds {
+            lines.extend(kind.shown.iter().map(Finding::to_string));
+            let others = kind.known.len() - kind.shown.len();
+            if others > 0 {
+                let bound = if kind.more { "over " } else { "" };
+                lines.push(format!("{severity} {code}: {bound}{others} more"));
+            }
+        }
+        lines
+    }
+}
