@@ -143,7 +143,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 let mut x = range.x0;
                 while x <= range.x1 {
                     let shape = self.kinds.get(self.id_at(tile)).shape;
-                    if !matches!(shape, TileShape::Empty) && !(S::SHAPED && self.is_clear(shape, (x, y), region, r)) {
+                    if self.may_meet(shape, (x, y), region, r) {
                         found = found.with(x, y);
                     }
                     tile = tile.wrapping_add(1);
@@ -156,8 +156,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 
     #[inline]
-    const fn is_clear(&self, shape: TileShape, (x, y): (i32, i32), region: &Aabb, r: i32) -> bool {
-        !matches!(shape, TileShape::Full) && is_clear(shape, self.grid.square(x, y), (region.lo(), region.hi()), r)
+    const fn may_meet(&self, shape: TileShape, (x, y): (i32, i32), region: &Aabb, r: i32) -> bool {
+        match shape {
+            TileShape::Empty => false,
+            TileShape::Full => true,
+            _ => !S::SHAPED || !is_clear(shape, self.grid.square(x, y), (region.lo(), region.hi()), r),
+        }
     }
 
     const fn extent_of(&self, found: Range) -> Option<Aabb> {
