@@ -60,7 +60,8 @@ impl Look {
     /// The region is a raw unit larger than the way.
     pub(super) fn sides_ahead(&self, (lo, hi): (Raw, Raw)) -> u8 {
         let (d, (from, to)) = (self.d, self.region);
-        let (over_x, over_y) = (self.is_over(lo.x, hi.x, self.middle.x, d.x), self.is_over(lo.y, hi.y, self.middle.y, d.y));
+        let (over_x, over_y) =
+            (self.is_over(lo.x, hi.x, self.middle.x, d.x), self.is_over(lo.y, hi.y, self.middle.y, d.y));
         let up = over_x && d.y > 0 && lo.y >= to.y.wrapping_sub(d.y).wrapping_sub(1);
         let right = over_y && d.x < 0 && hi.x <= from.x.wrapping_sub(d.x).wrapping_add(1);
         let down = over_x && d.y < 0 && hi.y <= from.y.wrapping_sub(d.y).wrapping_add(1);
