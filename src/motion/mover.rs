@@ -7,7 +7,7 @@ use super::plane::{Side, SlopeLimit};
 use super::response::{Bounce, Law, Smooth, Surface};
 use super::run::{Run, check_inside, is_free};
 use super::search::Around;
-use super::search::{Search, check_cells, piece_of, pieces};
+use super::search::{Search, check_cells, piece_of};
 use super::{Hit, Hits, MoveError, Moved, StartInside, Stuck, Work};
 use crate::num::{Axis, MOTION, Raw, Toi, Vec2, check_motion, mul_div};
 use crate::world::{Feature, World};
@@ -186,8 +186,7 @@ impl<S: Law> Mover<S> {
         if d.is_zero() {
             return Ok(Moved::freely(*body, velocity, 0));
         }
-        check_cells(world, &body.bounds(), d)?;
-        let pieces = pieces_unless_free(world, body, d, &mut around);
+        let pieces = around.begin(world, body, d)?;
         if pieces == 0 {
             return Ok(Moved::freely(body.shifted(d), velocity, 1));
         }
@@ -365,15 +364,4 @@ struct Found {
     work: Work,
     inside: bool,
     guarded: bool,
-}
-
-/// In how many pieces the cells under a motion are visited; 0 where a body flies, as most do: where all that its motion comes to is seen to be empty,
-/// no more is asked.
-#[inline(never)]
-fn pieces_unless_free<W: World, B: Body>(world: &W, body: &B, d: Raw, around: &mut Around) -> u32 {
-    let bounds = body.bounds();
-    let pieces = pieces(world, &bounds, d);
-    let first = if pieces == 1 { d } else { Raw::ZERO };
-    around.look(world, body, Raw::ZERO, first, pieces);
-    if pieces == 1 && around.is_empty() && check_inside(&bounds, d).is_ok() { 0 } else { pieces }
 }

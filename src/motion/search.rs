@@ -6,20 +6,18 @@ use super::order::First;
 use super::plane::{into, way};
 use super::run::margin;
 use crate::error::{Quantity, RangeError};
-use crate::num::{Axis, Raw, leading_zeros32, umul};
+use crate::num::{Axis, DOMAIN, Raw, leading_zeros32, umul};
 use crate::shape::Aabb;
-use crate::world::{Cells, Geometry, Way, World};
+use crate::world::{Cells, Geometry, Seen, Way, World};
 
-/// A region that was looked at, and a box in it outside of which nothing of the level is.
+/// A region that was looked at, and what of it a body may meet.
 ///
-/// A body whose inside stays in the region and out of the box meets nothing and overlaps nothing: most starts, ends and slides need no
-/// more than these comparisons. Bodies without area have no inside: theirs are [grown](hull) by a raw unit.
+/// Most starts, ends and slides need no more than comparisons with the box that holds that. Bodies without area have no inside: theirs are [grown](hull)
+/// by a raw unit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Around {
-    seen: Aabb,
-    held: Option<Aabb>,
-    /// The cells in that box, if the level tells.
-    cells: Option<Cells>,
+    region: Aabb,
+    seen: Seen,
 }
 
 /// What a region may hold.
@@ -32,23 +30,43 @@ pub(super) struct Held {
 impl Around {
     /// Nothing is known: no box is inside of this one.
     pub(super) const NOTHING: Self =
-        Self { seen: Aabb::from_raw_unchecked(Raw { x: 1, y: 1 }, Raw { x: 0, y: 0 }), held: None, cells: None };
+        Self { region: Aabb::from_raw_unchecked(Raw { x: 1, y: 1 }, Raw { x: 0, y: 0 }), seen: Seen::NOTHING };
 
     /// Looks at what a body comes through in one of the pieces of a motion, unless that is known already; tells the region.
     pub(super) fn look<W: World, B: Body>(&mut self, world: &W, body: &B, from: Raw, to: Raw, pieces: u32) -> Aabb {
-        let bounds = body.bounds();
-        let region = piece_of(&bounds, from, to, pieces);
+        let region = piece_of(&body.bounds(), from, to, pieces);
         if !self.has_seen(&region) {
-            let r = if B::MEETS_CORNERS { bounds.hi().x.wrapping_sub(bounds.lo().x) >> 1 } else { 0 };
-            (self.held, self.cells) = world.look(&region, r);
-            self.seen = region;
+            self.look_at(world, body, region);
         }
         region
     }
 
+    #[inline]
+    fn look_at<W: World, B: Body>(&mut self, world: &W, body: &B, region: Aabb) {
+        let bounds = body.bounds();
+        let r = if B::MEETS_CORNERS { bounds.hi().x.wrapping_sub(bounds.lo().x) >> 1 } else { 0 };
+        self.region = region;
+        world.look(&self.region, r, &mut self.seen);
+    }
+
+    /// In how many [pieces] the cells under the motion of a call are visited; 0 where a body flies, as most do: where it meets nothing of all that its
+    /// motion comes to, no more is asked.
+    ///
+    /// # Errors
+    /// Where it comes to too many cells.
+    #[inline]
+    pub(super) fn begin<W: World, B: Body>(&mut self, world: &W, body: &B, d: Raw) -> Result<u32, RangeError> {
+        let bounds = body.bounds();
+        check_cells(world, &bounds, d)?;
+        let pieces = pieces(world, &bounds, d);
+        let first = if pieces == 1 { d } else { Raw::ZERO };
+        self.look_at(world, body, piece_of(&bounds, Raw::ZERO, first, pieces));
+        Ok(if pieces == 1 && self.is_empty() && is_inside(&self.region) { 0 } else { pieces })
+    }
+
     /// What a known region may hold.
     pub(super) fn held_of(&self, region: &Aabb) -> Option<Held> {
-        if *region == self.seen {
+        if *region == self.region {
             self.held_of_all()
         } else {
             Some(Held { bounds: self.held_in(region)?, cells: None })
@@ -57,18 +75,18 @@ impl Around {
 
     /// What all of the known region may hold. Where its cells are known, they alone count.
     pub(super) fn held_of_all(&self) -> Option<Held> {
-        let bounds = if self.cells.is_some() { self.held? } else { self.held_in(&self.seen)? };
-        Some(Held { bounds, cells: self.cells })
+        let bounds = if self.seen.cells.is_some() { self.seen.held? } else { self.held_in(&self.region)? };
+        Some(Held { bounds, cells: self.seen.cells })
     }
 
     /// The cells in all of the known region, where they are known and there are any.
     pub(super) fn known_cells(&self) -> Option<Cells> {
-        if self.held.is_some() { self.cells } else { None }
+        if self.seen.held.is_some() { self.seen.cells } else { None }
     }
 
     /// The part of a known region that may hold something.
     fn held_in(&self, region: &Aabb) -> Option<Aabb> {
-        let (held, a, b) = (self.held?, region.lo(), region.hi());
+        let (held, a, b) = (self.seen.held?, region.lo(), region.hi());
         let lo = Raw { x: a.x.max(held.lo().x), y: a.y.max(held.lo().y) };
         let hi = Raw { x: b.x.min(held.hi().x), y: b.y.min(held.hi().y) };
         (lo.x < hi.x && lo.y < hi.y).then_some(Aabb::from_raw_unchecked(lo, hi))
@@ -76,7 +94,7 @@ impl Around {
 
     /// Whether all of the region that was looked at holds nothing.
     pub(super) fn is_empty(&self) -> bool {
-        self.held.is_none()
+        self.seen.held.is_none()
     }
 
     /// Whether a region is known to hold nothing.
@@ -86,16 +104,22 @@ impl Around {
 
     /// The same of a region that is known.
     pub(super) fn is_free_in_sight(&self, region: &Aabb) -> bool {
-        self.held.is_none_or(|held| {
+        self.seen.held.is_none_or(|held| {
             let ((a, b), (lo, hi)) = ((region.lo(), region.hi()), (held.lo(), held.hi()));
             b.x <= lo.x || a.x >= hi.x || b.y <= lo.y || a.y >= hi.y
         })
     }
 
     fn has_seen(&self, region: &Aabb) -> bool {
-        let ((a, b), (lo, hi)) = ((region.lo(), region.hi()), (self.seen.lo(), self.seen.hi()));
+        let ((a, b), (lo, hi)) = ((region.lo(), region.hi()), (self.region.lo(), self.region.hi()));
         a.x >= lo.x && b.x <= hi.x && a.y >= lo.y && b.y <= hi.y
     }
+}
+
+/// Whether a box is inside the domain.
+fn is_inside(region: &Aabb) -> bool {
+    let (lo, hi) = (region.lo(), region.hi());
+    lo.x.min(lo.y) > -DOMAIN && hi.x.max(hi.y) < DOMAIN
 }
 
 /// What the inside of the bounds covers between two displacements, `margin` raw units larger on every side.

@@ -155,6 +155,16 @@ impl Grid {
         if d >= span.size as u32 { span.count as i32 } else { self.quotient(d) as i32 }
     }
 
+    /// The last cell that begins before a distance from the origin, not less than the `first`; stepped, because as a rule it is near.
+    #[inline]
+    pub(super) const fn last_before(&self, distance: i32, first: i32) -> i32 {
+        let (mut index, mut end) = (first, self.line(first.wrapping_add(1)));
+        while end < distance {
+            (index, end) = (index.wrapping_add(1), end.wrapping_add(self.cell));
+        }
+        index
+    }
+
     /// `d / cell` for `d < 2^30`.
     ///
     /// Granlund and Montgomery: with `l = log + 1` and `2^(30 + l) <= m cell < 2^(30 + l) + cell`, `m d / 2^(30 + l)` exceeds `d / cell` by less than

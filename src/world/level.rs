@@ -154,6 +154,21 @@ pub struct Way<'a> {
     pub(crate) joints: bool,
 }
 
+/// What a look at a region found.
+///
+/// Public in a private module, because a sealed trait's method writes it.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen {
+    /// A body meets and overlaps nothing with its inside while its bounds are in the region and out of this box, one-way faces included.
+    pub(crate) held: Option<Aabb>,
+    /// Where there is a box, the cells that it is around, if the level is one of cells.
+    pub(crate) cells: Option<Cells>,
+}
+
+impl Seen {
+    pub(crate) const NOTHING: Self = Self { held: None, cells: None };
+}
+
 /// What a [mover](crate::motion::Mover) needs of a level: its surface near a box, and two exact overlap tests.
 ///
 /// Sealed: that a mover never ends in the solid rests on `features` and the tests being two views of one set of points.
@@ -222,14 +237,11 @@ pub trait World: sealed::Sealed {
         None
     }
 
-    /// A box in a region with area, and the cells that it is around where a level of cells knows them; `None` where there is nothing at all.
-    ///
-    /// A body in the region meets and overlaps nothing with its inside while its bounds are out of the box, one-way faces included. It fills its
-    /// bounds, or is the disc of radius `r` in them.
+    /// Writes what of a region with area a body in it may meet. It fills its bounds, or is the disc of radius `r` in them.
     #[doc(hidden)]
-    fn look(&self, region: &Aabb, r: i32) -> (Option<Aabb>, Option<Cells>) {
+    fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) {
         let _ = r;
-        (Some(*region), None)
+        *seen = Seen { held: Some(*region), cells: None };
     }
 
     /// The side of a cell, raw and not zero: longer motions are enumerated in pieces of about this length.

@@ -49,7 +49,7 @@ pub use error::{SegmentFault, SegmentMapError, TileMapError};
 pub use grid::Grid;
 pub use joined::{Joined, JoinedFeatures, JoinedRayHits};
 pub use level::{Feature, Geometry, World};
-pub(crate) use level::{Way, sealed};
+pub(crate) use level::{Seen, Way, sealed};
 pub use placed::{Placed, PlacedFeatures, PlacedRayHits};
 #[cfg(feature = "defmt")]
 pub(crate) use ray::scan::RayWorld;

@@ -1,7 +1,6 @@
 //! A level at another place: its surface, and rays against it.
 
-use super::cell::Cells;
-use super::level::{Feature, Way, World, levels, meets_as_world, sealed};
+use super::level::{Feature, Seen, Way, World, levels, meets_as_world, sealed};
 use super::ray::scan::{Found, RayScan, RayWorld};
 use super::ray::{RayHit, RayRules, checked, rays};
 use crate::error::RangeError;
@@ -143,13 +142,16 @@ impl<W: World> World for Placed<'_, W> {
         PlacedFeatures { features: self.world.features_ahead(&way), offset: self.offset }
     }
 
-    fn look(&self, region: &Aabb, r: i32) -> (Option<Aabb>, Option<Cells>) {
-        let seen = self.seen(region);
-        if !is_inside(seen.lo()) || !is_inside(seen.hi()) {
-            return (Some(*region), None);
+    fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) {
+        let there = self.seen(region);
+        if !is_inside(there.lo()) || !is_inside(there.hi()) {
+            *seen = Seen { held: Some(*region), cells: None };
+            return;
         }
-        let (held, cells) = self.world.look(&seen, r);
-        (held.map(|held| Aabb::from_raw_unchecked(held.lo().add(self.offset), held.hi().add(self.offset))), cells)
+        self.world.look(&there, r, seen);
+        if let Some(held) = &mut seen.held {
+            *held = Aabb::from_raw_unchecked(held.lo().add(self.offset), held.hi().add(self.offset));
+        }
     }
 
     fn cell_size(&self) -> u32 {

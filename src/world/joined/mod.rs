@@ -2,8 +2,7 @@
 
 mod hidden;
 
-use super::cell::Cells;
-use super::level::{Feature, Way, World, levels, meets_as_world, sealed};
+use super::level::{Feature, Seen, Way, World, levels, meets_as_world, sealed};
 use super::ray::{Met, RayHit, RayRules, Time, checked, rays};
 use crate::error::RangeError;
 use crate::num::{Raw, Vec2, less128, mul64};
@@ -144,12 +143,15 @@ impl<A: World, B: World> World for Joined<'_, A, B> {
         JoinedFeatures { pair: *self, a: self.a.features_ahead(way), b: self.b.features_ahead(way) }
     }
 
-    fn look(&self, region: &Aabb, r: i32) -> (Option<Aabb>, Option<Cells>) {
-        let held = match (self.a.look(region, r).0, self.b.look(region, r).0) {
+    fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) {
+        let mut other = Seen::NOTHING;
+        self.a.look(region, r, seen);
+        self.b.look(region, r, &mut other);
+        seen.cells = None;
+        seen.held = match (seen.held, other.held) {
             (Some(a), Some(b)) => Some(a.union(&b)),
             (a, b) => a.or(b),
         };
-        (held, None)
     }
 
     /// The shorter of both: a piece of a motion then reaches few cells of either level.

@@ -17,8 +17,8 @@
 pub(super) mod ray;
 pub(super) mod solid;
 
-use super::cell::{Cell, Cells};
-use super::level::{Feature, Geometry, Way, World, levels, meets_as_world, sealed};
+use super::cell::Cell;
+use super::level::{Feature, Geometry, Seen, Way, World, levels, meets_as_world, sealed};
 use crate::num::{Axis, Raw};
 use crate::query::meet;
 use crate::shape::{Aabb, Circle};
@@ -136,13 +136,14 @@ impl World for Solids<'_> {
         Solids::features(self, way.piece).against(way.d)
     }
 
-    fn look(&self, region: &Aabb, _: i32) -> (Option<Aabb>, Option<Cells>) {
+    fn look(&self, region: &Aabb, _: i32, seen: &mut Seen) {
         let meets = |s: &&Solid| meet::aabb_aabb::<true>(s.lo(), s.hi(), region.lo(), region.hi());
         let all = self.list.iter().filter(meets).map(Solid::shape);
         // A raw unit larger, for one-way faces on its border.
         let one = Raw { x: 1, y: 1 };
         let held = all.reduce(|a, b| a.union(&b));
-        (held.map(|all| Aabb::from_raw_unchecked(all.lo().sub(one), all.hi().add(one))), None)
+        let held = held.map(|all| Aabb::from_raw_unchecked(all.lo().sub(one), all.hi().add(one)));
+        *seen = Seen { held, cells: None };
     }
 
     /// No motion is cut into pieces for them: each piece would look at all of them.

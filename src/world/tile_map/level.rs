@@ -9,7 +9,7 @@ use crate::num::Raw;
 use crate::shape::{Aabb, Circle};
 use crate::world::cell::{Block, Cells, Range};
 use crate::world::error::TileMapError;
-use crate::world::level::{Feature, Way, World, sealed};
+use crate::world::level::{Feature, Seen, Way, World, sealed};
 use crate::world::tile_map::features::Features;
 use crate::world::tile_map::kind::TileShape;
 
@@ -56,8 +56,8 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     }
 
     #[inline]
-    fn look(&self, region: &Aabb, r: i32) -> (Option<Aabb>, Option<Cells>) {
-        TileMap::look(self, region, r)
+    fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) {
+        TileMap::look(self, region, r, seen);
     }
 
     #[inline]
@@ -119,10 +119,37 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         BlockSurface::one_way(self, block.x, block.y)
     }
 
-    /// The box around the cells of a region that a body may meet, and those cells; see [`World::look`](crate::world::World::look).
-    pub(in crate::world) const fn look(&self, region: &Aabb, r: i32) -> (Option<Aabb>, Option<Cells>) {
+    /// The cells of a region that a body may meet, and the box around them; see [`World::look`](crate::world::World::look).
+    #[inline(never)]
+    pub(in crate::world) fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) {
+        let found = match self.range_inside(region) {
+            Some(range) => self.met(range, Range::NOWHERE, region, r),
+            None => self.met_beyond(region, r),
+        };
+        seen.held = self.extent_of(found);
+        if seen.held.is_some() {
+            seen.cells = Some(Cells::of(found));
+        }
+    }
+
+    /// The cells of a region inside the map: a quotient an axis, from where it is stepped.
+    #[inline]
+    const fn range_inside(&self, region: &Aabb) -> Option<Range> {
+        let (grid, lo, hi) = (&self.grid, region.lo(), region.hi());
+        let (x0, y0) = (lo.x.wrapping_sub(grid.x.origin), lo.y.wrapping_sub(grid.y.origin));
+        let (x1, y1) = (hi.x.wrapping_sub(grid.x.origin), hi.y.wrapping_sub(grid.y.origin));
+        if x0 < 0 || y0 < 0 || x1 > grid.x.size || y1 > grid.y.size {
+            return None;
+        }
+        let (first_x, first_y) = (grid.quotient(x0 as u32) as i32, grid.quotient(y0 as u32) as i32);
+        Some(Range { x0: first_x, y0: first_y, x1: grid.last_before(x1, first_x), y1: grid.last_before(y1, first_y) })
+    }
+
+    /// The same of a region that is not all inside the map.
+    #[inline(never)]
+    const fn met_beyond(&self, region: &Aabb, r: i32) -> Range {
         let range = self.open_range(region.lo(), region.hi());
-        let found = match self.outside {
+        match self.outside {
             Outside::Empty => self.met(self.inside(range), Range::NOWHERE, region, r),
             // Blocks at the border stand for what is beyond it; a region that holds only that has no cell inside.
             Outside::Edge if !S::SHAPED => self.met(self.solid_range(range), Range::NOWHERE, region, r),
@@ -130,8 +157,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 let inside = self.inside(range);
                 self.met(inside, beyond(range, inside), region, r)
             }
-        };
-        (self.extent_of(found), Some(Cells::of(found)))
+        }
     }
 
     /// The cells of a range of the map that a body in the region may meet, and another range with them.
@@ -143,7 +169,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 let mut x = range.x0;
                 while x <= range.x1 {
                     let shape = self.kinds.get(self.id_at(tile)).shape;
-                    if !matches!(shape, TileShape::Empty) && !(S::SHAPED && self.is_clear(shape, (x, y), region, r)) {
+                    if self.may_meet(shape, (x, y), region, r) {
                         found = found.with(x, y);
                     }
                     tile = tile.wrapping_add(1);
@@ -156,8 +182,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 
     #[inline]
-    const fn is_clear(&self, shape: TileShape, (x, y): (i32, i32), region: &Aabb, r: i32) -> bool {
-        !matches!(shape, TileShape::Full) && is_clear(shape, self.grid.square(x, y), (region.lo(), region.hi()), r)
+    const fn may_meet(&self, shape: TileShape, (x, y): (i32, i32), region: &Aabb, r: i32) -> bool {
+        match shape {
+            TileShape::Empty => false,
+            TileShape::Full => true,
+            _ => !S::SHAPED || !is_clear(shape, self.grid.square(x, y), (region.lo(), region.hi()), r),
+        }
     }
 
     const fn extent_of(&self, found: Range) -> Option<Aabb> {
