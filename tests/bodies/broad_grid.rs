@@ -109,7 +109,7 @@ fn large_bodies_are_taken_where_there_is_a_list_for_them() {
                 };
                 match (r.below(6), twin.bodies.len()) {
                     (0, 1..) => drop(twin.remove(r.below(twin.bodies.len() as i64) as usize)),
-                    (1 | 2, ..20) => drop(twin.insert(corners).unwrap()),
+                    (1 | 2, ..48) => drop(twin.insert(corners).unwrap()),
                     (3.., n @ 1..) => twin.set(r.below(n as i64) as usize, corners),
                     _ => {}
                 }
@@ -119,8 +119,8 @@ fn large_bodies_are_taken_where_there_is_a_list_for_them() {
             resumed(&twin);
         }
     }
-    check(&Twin::new(grid::<1, 20, true>((-16, -16), 8)));
-    check(&Twin::new(hash::<64, 20, true>()));
+    check(&Twin::new(grid::<1, 48, true>((-16, -16), 8)));
+    check(&Twin::new(hash::<64, 48, true>()));
 }
 
 /// Enumerates with a budget and so much room, while bodies are removed as `lose` says; gives all pairs.
@@ -222,7 +222,7 @@ fn bodies_may_go_during_an_enumeration() {
 
 #[test]
 fn what_is_refused_changes_nothing() {
-    let refuse = grid::<1, 2, false>((0, 0), 8).with_border(Border::Refuse);
+    let refuse = grid::<1, 8, false>((0, 0), 8).with_border(Border::Refuse);
     let mut twin = Twin::new(refuse);
     // Centres on the first line are inside, on the last outside.
     for (x, ok) in [(-4, true), (-5, false), (59, true), (60, false), (END - 8, false), (-END, false)] {
@@ -240,19 +240,22 @@ fn what_is_refused_changes_nothing() {
     assert_eq!(moved, Err(BroadError::OutOfWorld { x: 0, y: -2 }));
     assert_eq!(twin.near.move_to(body, &aabb([0, 0, 9, 2])), Err(BroadError::TooLarge { size: 9, limit: 8 }));
     assert_eq!(twin.near.move_to(body, &aabb([0, 0, 2, 9])), Err(BroadError::TooLarge { size: 9, limit: 8 }));
-    assert_eq!(twin.insert([0; 4]), Err(BroadError::Full { capacity: 2 }));
+    for side in 0..6 {
+        twin.insert([side, 0, side, 0]).unwrap();
+    }
+    assert_eq!(twin.insert([0; 4]), Err(BroadError::Full { capacity: 8 }));
     twin.check_pairs();
     twin.check_region([0, 0, 0, 0]);
 
     // A large body shrinks, and would be in a cell with the number of none.
-    let mut twin = Twin::new(grid::<1, 2, true>((0, 0), 8).with_border(Border::Refuse));
+    let mut twin = Twin::new(grid::<1, 8, true>((0, 0), 8).with_border(Border::Refuse));
     let body = twin.insert([0, 0, 30, 9]).unwrap();
     let (x, y) = (7 * CELL, (0xffff >> 3) * CELL);
     let moved = twin.near.move_each(|_, _| aabb([x, y, x + 2, y + 2]));
     assert_eq!(moved, Err((body, BroadError::OutOfWorld { x: x + 1, y: y + 1 })));
     twin.check_region([0, 0, 0, 0]);
 
-    let mut twin = Twin::new(hash::<64, 2, false>());
+    let mut twin = Twin::new(hash::<64, 8, false>());
     assert_eq!(twin.insert([0, 0, 9, 2]), Err(BroadError::TooLarge { size: 9, limit: 8 }));
     let gone = twin.insert([0, 0, 8, 8]).unwrap();
     twin.remove(0);
@@ -304,8 +307,8 @@ fn frames_move_all_bodies() {
         }
     }
     on_all!(check);
-    check(&Twin::new(grid::<2, 44, false>((-20, -16), 8).with_border(Border::Refuse)));
-    check(&Twin::new(grid::<2, 44, true>((-20, -16), 8).with_border(Border::Refuse)));
+    check(&Twin::new(grid::<3, 48, false>((-20, -16), 8).with_border(Border::Refuse)));
+    check(&Twin::new(grid::<2, 48, true>((-20, -16), 8).with_border(Border::Refuse)));
 }
 
 #[test]
@@ -398,7 +401,7 @@ fn cells_of_all_sizes() {
         for round in 0..300 {
             let corners = small(&mut r, cell, ((1 << 29) / cell).min(1 << 20), (0, 0));
             match twin.bodies.len() {
-                ..24 => drop(twin.insert(corners).unwrap()),
+                ..48 => drop(twin.insert(corners).unwrap()),
                 n => twin.set(round % n, corners),
             }
             twin.check_pairs();
@@ -410,8 +413,8 @@ fn cells_of_all_sizes() {
     for log in [1, 2, 7, 16, 21, 27, 28] {
         let cell = Fx::from_bits(1 << log);
         for corner in [-END, 0, END] {
-            check(Twin::new(LooseGrid::<2, 24>::new(Vec2::from_raw(corner, -corner), cell, 8).unwrap()), 1 << log);
+            check(Twin::new(LooseGrid::<3, 48>::new(Vec2::from_raw(corner, -corner), cell, 8).unwrap()), 1 << log);
         }
-        check(Twin::new(SpatialHash::<64, 24>::new(cell).unwrap()), 1 << log);
+        check(Twin::new(SpatialHash::<64, 48>::new(cell).unwrap()), 1 << log);
     }
 }

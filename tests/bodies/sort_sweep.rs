@@ -212,9 +212,9 @@ fn tests_are_counted() {
         }
         tests(&mut near)
     };
-    assert_eq!(of(Near::new(SortSweep::<64>::new()), |i| [4 * i, 0, 4 * i + 3, 9]), 63);
-    assert_eq!(of(Near::new(SortSweep::<64>::new()), |i| [4 * i, 0, 4 * i + 4, 9]), 63 + 62);
-    assert_eq!(of(Near::new(SortSweep::<64>::new()), |i| [0, 2 * i, 9, 2 * i + 1]), 64 * 63 / 2);
+    assert_eq!(of(Near::new(SortSweep::<300>::new()), |i| [4 * i, 0, 4 * i + 3, 9]), 63);
+    assert_eq!(of(Near::new(SortSweep::<300>::new()), |i| [4 * i, 0, 4 * i + 4, 9]), 63 + 62);
+    assert_eq!(of(Near::new(SortSweep::<300>::new()), |i| [0, 2 * i, 9, 2 * i + 1]), 64 * 63 / 2);
 }
 
 /// Bodies thrown anywhere: past 8 N shifts another way of sorting takes over.

@@ -12,4 +12,5 @@ mod number_types;
 mod numbers;
 mod oracle_self;
 mod push_out;
+mod random;
 mod symmetry;

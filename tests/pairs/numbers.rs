@@ -1,6 +1,6 @@
 //! Products, roots, reciprocals and quotients against 128-bit arithmetic of the host.
 //!
-//! `cargo test --test numbers -- --ignored` sweeps every 32-bit operand.
+//! `cargo test --test pairs numbers:: -- --ignored` sweeps every 32-bit operand.
 
 use tilesat::num::{
     div_sqrt, imul, imul_split, isqrt64, isqrt64_ceil, less128, mul_div, mul_div_wide, mul64, recip, rsqrt, sqr64,

@@ -87,7 +87,7 @@ impl<T: Tag + 'static> Near<T> {
     }
 
     pub fn pairs_sorted(&mut self, out: &mut VecView<Pair>) -> Result<(), Truncated> {
-        self.0.phase_mut().pairs_sorted(out)
+        self.0.asks_mut().pairs_sorted(out)
     }
 
     pub fn pairs_of(&mut self, movers: &[Handle], mut each: impl FnMut(Pair)) -> Result<(), BroadError> {
@@ -184,7 +184,6 @@ answers! {
     is_empty(self: &Self)() -> bool;
     pairs(self: &mut Self)(each: &mut dyn FnMut(Pair));
     pairs_from(self: &mut Self)(cursor: &mut PairCursor, budget: u32, out: &mut VecView<Pair>) -> Result<(), PairsError>;
-    pairs_sorted(self: &mut Self)(out: &mut VecView<Pair>) -> Result<(), Truncated>;
     pairs_of(self: &mut Self)(movers: &[Handle], each: &mut dyn FnMut(Pair)) -> Result<(), BroadError>;
     in_region(self: &Self)(region: &Aabb, each: &mut dyn FnMut(Handle));
     at_point(self: &Self)(point: Vec2, each: &mut dyn FnMut(Handle));
@@ -192,6 +191,7 @@ answers! {
 
 answers! {
     Questions:
+    pairs_sorted(self: &mut Self)(out: &mut VecView<Pair>) -> Result<(), Truncated>;
     collect_region(self: &Self)(region: &Aabb, out: &mut VecView<Handle>) -> Result<(), Truncated>;
     nearest(self: &Self)(point: Vec2, within: Fx, wanted: &mut dyn FnMut(Handle, &T) -> bool) -> Result<Option<Nearest>, RangeError>;
     neighbours(self: &Self)(point: Vec2, within: Fx, wanted: &mut dyn FnMut(Handle, &T) -> bool, out: &mut VecView<Nearest>) -> Result<(), QueryError>;
@@ -207,10 +207,11 @@ trait Phase<T> {
     fn phase_mut(&mut self) -> &mut dyn Bodies<T>;
     fn list(&self) -> Vec<(Handle, Aabb, T)>;
     fn asks(&self) -> &dyn Questions<T>;
+    fn asks_mut(&mut self) -> &mut dyn Questions<T>;
 }
 
 macro_rules! phase {
-    ($kind:ident, $self:ident => $asks:expr) => {
+    ($kind:ident, $self:ident => $asks:expr, $asks_mut:expr) => {
         struct $kind<P>(P);
 
         impl<T: Tag + 'static, P: BroadPhase<Tag = T> + Copy + 'static> Phase<T> for $kind<P> {
@@ -233,9 +234,17 @@ macro_rules! phase {
             fn asks(&$self) -> &dyn Questions<T> {
                 $asks
             }
+
+            fn asks_mut(&mut $self) -> &mut dyn Questions<T> {
+                $asks_mut
+            }
         }
     };
 }
 
-phase!(Plain, self => panic!("`Near::asked` makes a structure that answers this"));
-phase!(Asked, self => &self.0);
+fn unasked() -> ! {
+    panic!("`Near::asked` makes a structure that answers this")
+}
+
+phase!(Plain, self => unasked(), unasked());
+phase!(Asked, self => &self.0, &mut self.0);

@@ -50,6 +50,33 @@ impl Int256 {
         if self.hi == (self.lo as i128) >> 127 { Some(self.lo as i128) } else { None }
     }
 
+    /// The value when it fits 64 bits: products of two such values, which most are, need no check.
+    const fn word(self) -> Option<i64> {
+        let word = self.lo as i64;
+        if self.lo as i128 == word as i128 && self.hi == (word >> 63) as i128 { Some(word) } else { None }
+    }
+
+    fn long_product(self, other: Self) -> Self {
+        if let (Some(a), Some(b)) = (self.narrow(), other.narrow())
+            && let Some(p) = a.checked_mul(b)
+        {
+            return Self::from_i128(p);
+        }
+        let negative = (self.hi < 0) != (other.hi < 0);
+        let (a, b) = (self.abs(), other.abs());
+        // Each operand is hi * 2^128 + lo; hi * hi would be 2^256.
+        assert!(a.hi == 0 || b.hi == 0, "Int256 product overflows");
+        let (carry, lo) = wide(a.lo, b.lo);
+        let cross = match (a.hi, b.hi) {
+            (0, 0) => 0,
+            (h, 0) => checked(h, b.lo),
+            (_, h) => checked(h, a.lo),
+        };
+        let hi = carry.checked_add(cross).and_then(|h| i128::try_from(h).ok());
+        let magnitude = Self { hi: hi.expect("Int256 product overflows"), lo };
+        if negative { -magnitude } else { magnitude }
+    }
+
     /// Four limbs of 64 bits, least significant first.
     pub const fn limbs(self) -> [u64; 4] {
         [self.lo as u64, (self.lo >> 64) as u64, self.hi as u64, (self.hi >> 64) as u64]
@@ -87,25 +114,12 @@ impl Sub for Int256 {
 
 impl Mul for Int256 {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
-        if let (Some(a), Some(b)) = (self.narrow(), other.narrow())
-            && let Some(p) = a.checked_mul(b)
-        {
-            return Self::from_i128(p);
+        match (self.word(), other.word()) {
+            (Some(a), Some(b)) => Self::product(a, b),
+            _ => self.long_product(other),
         }
-        let negative = (self.hi < 0) != (other.hi < 0);
-        let (a, b) = (self.abs(), other.abs());
-        // Each operand is hi * 2^128 + lo; hi * hi would be 2^256.
-        assert!(a.hi == 0 || b.hi == 0, "Int256 product overflows");
-        let (carry, lo) = wide(a.lo, b.lo);
-        let cross = match (a.hi, b.hi) {
-            (0, 0) => 0,
-            (h, 0) => checked(h, b.lo),
-            (_, h) => checked(h, a.lo),
-        };
-        let hi = carry.checked_add(cross).and_then(|h| i128::try_from(h).ok());
-        let magnitude = Self { hi: hi.expect("Int256 product overflows"), lo };
-        if negative { -magnitude } else { magnitude }
     }
 }
 

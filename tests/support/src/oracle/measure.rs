@@ -148,7 +148,8 @@ fn to_line(p: Point, q: Point) -> Fraction {
 
 /// Every point of `b` belongs to `a`.
 pub fn contains(a: &Figure, b: &Figure) -> bool {
-    let (vertices, r) = (b.vertices(), b.radius());
+    let ((corners, count), r) = (b.corners(), b.radius());
+    let vertices = &corners[..count];
     match *a {
         Figure::Aabb { min, max } => {
             vertices.iter().all(|p| p.0 - r >= min.0 && p.1 - r >= min.1 && p.0 + r <= max.0 && p.1 + r <= max.1)

@@ -7,6 +7,7 @@
 pub mod closest;
 pub mod exit;
 pub mod figure;
+mod fraction;
 pub mod generate;
 pub mod int256;
 pub mod kernel;

@@ -1,15 +1,14 @@
 //! The same questions once more over big rationals and by other means: parameters of crossing points, interval clipping,
 //! distances between features, projections. It judges the judge.
 
-use crate::oracle::figure::{Figure, Point};
-use num_bigint::BigInt;
+use super::figure::{Figure, Point};
+use super::fraction::Fraction as Q;
 use num_rational::BigRational;
 
-type Q = BigRational;
 type V = (Q, Q);
 
 fn q(n: i64) -> Q {
-    Q::from_integer(BigInt::from(n))
+    Q::whole(n)
 }
 
 fn v(p: Point) -> V {
@@ -138,23 +137,27 @@ fn square_apart(a: &Core, b: &Core) -> Q {
 }
 
 /// Squared distance between the cores.
-pub fn square_distance(a: &Figure, b: &Figure) -> Q {
+pub fn square_distance(a: &Figure, b: &Figure) -> BigRational {
+    least_square(a, b).reduced()
+}
+
+fn least_square(a: &Figure, b: &Figure) -> Q {
     let (a, b) = (core(a), core(b));
     if cores_meet(&a, &b, false) { q(0) } else { square_apart(&a, &b) }
 }
 
 pub fn overlaps(a: &Figure, b: &Figure) -> bool {
     let r = q(a.radius() + b.radius());
-    if r == q(0) { cores_meet(&core(a), &core(b), true) } else { square_distance(a, b) < &r * &r }
+    if r == q(0) { cores_meet(&core(a), &core(b), true) } else { least_square(a, b) < &r * &r }
 }
 
 pub fn touches(a: &Figure, b: &Figure) -> bool {
     let r = q(a.radius() + b.radius());
-    square_distance(a, b) <= &r * &r
+    least_square(a, b) <= &r * &r
 }
 
 /// For cores that overlap strictly: the squared shortest way out, over the normals of all sides.
-pub fn square_exit(a: &Figure, b: &Figure) -> Option<Q> {
+pub fn square_exit(a: &Figure, b: &Figure) -> Option<BigRational> {
     let (a, b) = (core(a), core(b));
     if !cores_meet(&a, &b, true) {
         return None;
@@ -174,7 +177,7 @@ pub fn square_exit(a: &Figure, b: &Figure) -> Option<Q> {
             best = Some(best.map_or_else(|| exit.clone(), |old| old.min(exit.clone())));
         }
     }
-    best
+    best.map(Q::reduced)
 }
 
 /// Every corner of `b` is at least its radius inside of `a`.
