@@ -165,7 +165,7 @@ impl Hits {
     }
 
     #[inline]
-    pub(super) const fn one(hit: Hit) -> Self {
+    pub(crate) const fn one(hit: Hit) -> Self {
         Self { early: [Some(hit), None], late: [None; 2], seen: 1 }
     }
 

@@ -1,13 +1,12 @@
 //! The bodies of a scene: what a game gives, boxes and circles mixed, what a step keeps of each, and what becomes of two that run into each other.
 
+use super::Shape;
 use crate::broad::{Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::response::exchange;
 use crate::motion::{Masses, Surface};
-use crate::num::{Axis, Ratio, Raw, Vec2, mul_div};
-use crate::query::{Contact, Contacts, Overlaps, Touches};
-use crate::shape::{Aabb, Circle};
-use crate::world::World;
+use crate::num::{Axis, Ratio, Raw, Toi, Vec2, mul_div};
+use crate::shape::Aabb;
 use core::num::NonZeroU8;
 
 /// One body: what it looks like and how it behaves. Plain data.
@@ -41,6 +40,9 @@ pub struct SceneBody {
     pub key: u32,
     /// Gravity does nothing to it: a balloon, a bullet, a lift. It falls asleep in the air where it hardly moves.
     pub floats: bool,
+    /// It meets others [on its whole way](super#fast-bodies), however slow it is: a crusher among small things. What moves by more than half of its smaller side in a
+    /// step does so without being told to.
+    pub fast: bool,
 }
 
 impl SceneBody {
@@ -64,6 +66,7 @@ impl SceneBody {
         filter: Filter::new(crate::LayerMask::ALL, crate::LayerMask::ALL),
         key: 0,
         floats: false,
+        fast: false,
     };
 
     /// What a step of gravity gives it.
@@ -102,6 +105,90 @@ pub(super) struct Slot {
     /// How many bodies are between it and the level or a fixed body that carries it, as of the last step.
     pub(super) support: u8,
     pub(super) tally: Tally,
+    pub(super) way: Way,
+}
+
+/// What a body does in a step, once its velocity is known: straight ways only.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    /// Units in a whole step, of which it makes what is left.
+    pub(super) rate: Vec2,
+    /// When it is where its shape is: at the step's end, but for those that are swept.
+    pub(super) since: Toi,
+    /// What ends this way, and when.
+    pub(super) end: (Toi, End),
+    /// The slots of those that it has met in this step, and how many there are.
+    pub(super) met: ([u16; 3], u8),
+    /// How often it was turned.
+    pub(super) turns: u8,
+    pub(super) pace: Pace,
+}
+
+/// How often a way may be turned in a step; then the body waits for the next one. Between plates that close there is no last time.
+pub(super) const TURNS: u8 = 8;
+
+/// How a body makes its step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Pace {
+    /// It meets others where they are at the step's start.
+    Slow,
+    /// It is fast, and nobody is near.
+    Alone,
+    /// From one thing that it meets to the next.
+    Swept,
+}
+
+/// What ends a straight way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum End {
+    Level,
+    /// The one in this slot.
+    Body(u16),
+    /// The step.
+    Step,
+}
+
+impl Way {
+    pub(super) const REST: Self = Self::made(Vec2::ZERO);
+
+    /// It has been made.
+    pub(super) const fn made(rate: Vec2) -> Self {
+        Self { rate, since: Toi::ONE, end: (Toi::ONE, End::Step), met: ([0; 3], 0), turns: 0, pace: Pace::Slow }
+    }
+
+    /// What is left of it at a time.
+    pub(super) fn left(&self, at: Toi) -> Vec2 {
+        Toi::exact(Toi::ONE.raw().wrapping_sub(at.raw())).of(self.rate)
+    }
+
+    /// From a time on with another velocity.
+    pub(super) fn go_on(&mut self, time: Toi, velocity: Vec2) {
+        (self.since, self.rate) = (time, if self.waits() { Vec2::ZERO } else { velocity });
+    }
+
+    /// It is turned no more in this step.
+    pub(super) fn waits(&self) -> bool {
+        self.turns >= TURNS
+    }
+
+    /// Whether it may be led elsewhere.
+    pub(super) fn goes(&self) -> bool {
+        self.pace == Pace::Swept && !self.waits()
+    }
+
+    /// Whether two have met in this step already, or one of them so many that it cannot know.
+    pub(super) fn has_met(&self, other: Handle) -> bool {
+        let (slots, count) = &self.met;
+        let known = slots.iter().take((*count).into());
+        usize::from(*count) >= slots.len() || known.into_iter().any(|&slot| usize::from(slot) == other.slot())
+    }
+
+    pub(super) fn note(&mut self, other: Handle) {
+        let (slots, count) = &mut self.met;
+        if let Some(place) = slots.get_mut(usize::from(*count)) {
+            (*place, *count) = (other.slot() as u16, *count + 1);
+        }
+    }
 }
 
 /// What a step collects for a body before anything moves.
@@ -134,6 +221,7 @@ impl Slot {
         quiet: 0,
         support: ALOFT,
         tally: Tally::of(0),
+        way: Way::REST,
     };
 
     pub(super) fn of(body: &SceneBody, handle: Handle) -> Self {
@@ -141,6 +229,15 @@ impl Slot {
         let mode = if fixed { Mode::Fixed } else { Mode::Asleep };
         let support = if fixed { 0 } else { ALOFT };
         Self { body: *body, generation: handle.generation(), mode, support, ..Self::FREE }
+    }
+
+    /// Whether a look at where it starts does not do.
+    pub(super) fn is_fast(&self) -> bool {
+        let Raw { x, y } = Raw::of(self.body.velocity + self.tally.kick + self.tally.push());
+        let bounds = self.body.shape.aabb();
+        let size = bounds.hi().sub(bounds.lo());
+        let speed = x.unsigned_abs().max(y.unsigned_abs());
+        self.body.fast || speed.saturating_mul(2) > size.x.min(size.y).unsigned_abs()
     }
 }
 
@@ -150,99 +247,13 @@ impl Tally {
         Self { low: none, high: none, kick: none, hits: 0, link: slot, support: ALOFT, calm: u8::MAX }
     }
 
-    pub(super) fn push(&mut self, by: Vec2) {
+    /// Where all that pushes it brings it.
+    pub(super) fn push(&self) -> Vec2 {
+        self.low + self.high
+    }
+
+    pub(super) fn pushed(&mut self, by: Vec2) {
         (self.low, self.high) = (self.low.min(by), self.high.max(by));
-    }
-}
-
-/// A box or a circle; the pair queries ask the kernel of the two that meet.
-///
-/// ```
-/// use tilesat::prelude::*;
-/// use tilesat::scene::Shape;
-/// use tilesat::{Aabb, Axis, Circle, Fx, Vec2};
-/// let crate_: Shape = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(10, 10))?.into();
-/// let ball: Shape = Circle::new(Vec2::from_ints(12, 5), Fx::from_num(3))?.into();
-/// assert_eq!(crate_.contact(&ball).map(|contact| contact.axis()), Some(Axis::X));
-/// # Ok::<(), tilesat::RangeError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Shape {
-    /// A box.
-    Aabb(Aabb),
-    /// A circle.
-    Circle(Circle),
-}
-
-impl From<Aabb> for Shape {
-    fn from(aabb: Aabb) -> Self {
-        Self::Aabb(aabb)
-    }
-}
-
-impl From<Circle> for Shape {
-    fn from(circle: Circle) -> Self {
-        Self::Circle(circle)
-    }
-}
-
-impl Shape {
-    /// The box around it.
-    #[must_use]
-    pub const fn aabb(&self) -> Aabb {
-        match self {
-            Self::Aabb(aabb) => *aabb,
-            Self::Circle(circle) => circle.aabb(),
-        }
-    }
-
-    /// The minimum corner of a box, the centre of a circle.
-    #[must_use]
-    pub const fn position(&self) -> Vec2 {
-        match self {
-            Self::Aabb(aabb) => aabb.min(),
-            Self::Circle(circle) => circle.centre(),
-        }
-    }
-
-    /// Whether it overlaps a level: strict and exact.
-    #[must_use]
-    pub fn overlaps_level(&self, level: &impl World) -> bool {
-        match self {
-            Self::Aabb(aabb) => level.overlaps_aabb(aabb),
-            Self::Circle(circle) => level.overlaps_circle(circle),
-        }
-    }
-}
-
-/// A verb of the pair queries, by what the two shapes are.
-macro_rules! verb {
-    ($a:ident, $b:ident, $verb:ident) => {
-        match ($a, $b) {
-            (Shape::Aabb(a), Shape::Aabb(b)) => a.$verb(b),
-            (Shape::Aabb(a), Shape::Circle(b)) => a.$verb(b),
-            (Shape::Circle(a), Shape::Aabb(b)) => a.$verb(b),
-            (Shape::Circle(a), Shape::Circle(b)) => a.$verb(b),
-        }
-    };
-}
-
-impl Contacts<Shape> for Shape {
-    fn contact(&self, b: &Shape) -> Option<Contact> {
-        verb!(self, b, contact)
-    }
-}
-
-impl Overlaps<Shape> for Shape {
-    fn overlaps(&self, b: &Shape) -> bool {
-        verb!(self, b, overlaps)
-    }
-}
-
-impl Touches<Shape> for Shape {
-    fn touches(&self, b: &Shape) -> bool {
-        verb!(self, b, touches)
     }
 }
 

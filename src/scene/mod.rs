@@ -48,13 +48,14 @@
 //! 3. Each body is [moved](crate::Mover::move_and_slide) by its push and then by its velocity, and bounces off the level as its surface says, but not where it
 //!    meets it at no more than what gravity gives in two steps: what lies there would hum above it. It is not stored anywhere that the
 //!    level's exact overlap test rejects.
-//! 4. What has hardly moved for some steps, and all that it touches with it, falls asleep.
+//! 4. What is fast is moved last, from one thing that it meets to the next.
+//! 5. What has hardly moved for some steps, and all that it touches with it, falls asleep.
 //!
 //! # What holds
 //!
 //! - **No body enters the solid.** One that is in it already, or could not be moved for another reason, is [held](SceneEvent::Held): it stays and has no velocity.
-//! - **Bodies may overlap** after a step, where the level leaves no room, where many push, where something is fast: two that pass through each other within a step do not meet (how fast is too fast: below). The next
-//!   step tells how deep, and pushes again.
+//! - **Bodies may overlap** after a step, where the level leaves no room, where many push. The next step tells how deep, and pushes again.
+//! - **Nothing fast passes anything**: see [below](self#fast-bodies).
 //! - **Order does not matter**: neither that of insertion nor that of the broad phase, nor which one it is, where keys are unique (or else slots decide). Only events come in no particular order.
 //! - **Images**: mirrored scenes give mirrored bits and moved scenes the same, as far as the [mover](crate::Mover::move_and_slide) and
 //!   [degenerate](crate::query::Contact::is_degenerate) contacts (two coincident centres) do.
@@ -67,24 +68,148 @@
 //!   moves, which stops bodies but does not push or carry them (a fixed body does). Sensors wake nobody. It wakes what it touches in
 //!   the step after, with all that had fallen asleep with it one step a body.
 //!
+//! # Fast bodies
+//!
+//! A body is fast where it moves by more than half of its smaller side in a step, by its velocity and by what pushes it, or where it is [flagged](SceneBody::fast): a look at where it starts
+//! would miss whom it meets on its way. It makes its step from event to event: up to the first thing that it runs into, the level or a body, by the exact cast of two that
+//! [both move](crate::query::CastShape::cast_moving); there it bounces or slides, and goes on for the rest of the step. All such events of a scene come in the order of their times. At one time
+//! the level comes first, then the pair with the smaller keys.
+//!
+//! ```text
+//!   t = 0        0.4          0.7           |#
+//!     o-----------o            o <----------|#   1  ball meets crate       (Meet)
+//!               +--+                        |#   2  it meets the wall      (Level)
+//!               |  |  what is slow keeps    |#   3  and what it meets next
+//!               +--+  its way in this step  |#
+//! ```
+//!
+//! - Two exchange velocities at most once a step, and are told once, with the time and with how hard ([`SceneEvent::Meet`]). Where they run into each other again they are led along each
+//!   other until the step ends.
+//! - What is slow, or sleeps, and is hit has its new velocity from the next step on.
+//! - Sensors on the way are told, too, each time that they are entered.
+//! - After three bodies or eight events of a step a body waits for the next step where it is; none passes it.
+//! - Two that are *not* fast may still pass each other where they clip each other or are squeezed: large and slow among small things wants the flag.
+//! - A fixed body is moved by the game between steps, so it is never on a way: what it jumps over it does not meet.
+//!
+//! A fast body with nobody in reach is moved as all others are, so that costs a region query. Else each event takes two casts through the level and a region query, and a test of each other fast body.
+//!
+//! ```
+//! use tilesat::broad::SortSweep;
+//! use tilesat::scene::{SceneBody, SceneEvent, SceneTag};
+//! use tilesat::{Aabb, Circle, Fx, Scene, TileKinds, TileMap, Toi, Vec2};
+//! let level = TileMap::from_ascii("....\n....\n", &TileKinds::EMPTY)?;
+//! let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+//! let wall = Aabb::new(Vec2::from_ints(50, -40), Vec2::from_ints(51, 40))?;
+//! let wall = scene.insert(&SceneBody::fixed(wall, 1))?;
+//! let bullet = SceneBody::new(Circle::new(Vec2::ZERO, Fx::from_num(2))?, 2);
+//! let bullet = scene.insert(&SceneBody { velocity: Vec2::from_ints(192, 0), floats: true, ..bullet })?;
+//! let mut met = None;
+//! scene.step(&level, Vec2::ZERO, |event| {
+//!     if let SceneEvent::Meet { pair, toi, speed, .. } = event {
+//!         met = Some((pair.a, toi, speed));
+//!     }
+//! })?;
+//! assert_eq!(met, Some((wall, Toi::from_raw(1 << 28).unwrap(), Fx::from_num(192)))); // 48 of 192 units
+//! assert_eq!(scene.body(bullet)?.shape.position(), Vec2::from_ints(48, 0));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Cost
 //!
 //! On a Cortex-M0, 64 bodies, boxes and circles, among tiles of all shapes, with a [`SortSweep`](crate::broad::SortSweep): 184 000 instructions a step while they fly and land, at most 298 000,
 //! most of them the mover's; 553 000 where all lie in nooks of slopes and none may sleep; 41 where all do. Stack: 2580 bytes.
 //!
-#![doc = include_str!("guide.md")]
+//! # Games in a scene
+//!
+//! **Moving platforms** are `fixed` bodies that the game [places](crate::Scene::place), not [`Solid`](crate::Solid)s: those are level for a step, stop what runs into them, and neither
+//! push nor carry; a body that one moves into is [held](SceneEvent::Held). Give the platform the velocity that it has, and place it *after* the step, in which those on it move
+//! with it. Up and down that is all; sideways it carries by friction, as a conveyor does, which is such a body that stays where it is. Where two meet, the surface of
+//! the one that bounces more counts, else that with less friction: so *both* need friction. Placed without its velocity, a platform that rises pushes, and one that goes sideways or
+//! down leaves from under what stands on it. What it crushes against the level overlaps it, and is told so.
+//!
+//! ```
+//! use tilesat::broad::SortSweep;
+//! use tilesat::scene::{SceneBody, SceneTag};
+//! use tilesat::{Aabb, Fx, Ratio, Scene, Surface, TileKinds, TileMap, Vec2};
+//! let level = TileMap::from_ascii("........\n........\n", &TileKinds::EMPTY)?;
+//! let at = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
+//! let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+//! let surface = Surface::new(Ratio::ZERO, Ratio::ONE); // friction, for both
+//! let velocity = Vec2::from_ints(1, -1);
+//! let mut way = at(10, 100, 24, 4)?;
+//! let lift = scene.insert(&SceneBody { velocity, surface, ..SceneBody::fixed(way, 1) })?;
+//! let load = scene.insert(&SceneBody { velocity, surface, ..SceneBody::new(at(18, 92, 8, 8)?, 2) })?;
+//! for _ in 0..40 {
+//!     scene.step(&level, Vec2::from_raw(0, 6_554), |_| {})?;
+//!     way = Aabb::new(way.min() + velocity, way.max() + velocity)?;
+//!     scene.place(lift, way)?;
+//! }
+//! let load = scene.body(load)?.shape.aabb();
+//! assert!((load.min().x - way.min().x - Fx::from_num(8)).abs() < 1); // where it stood
+//! assert_eq!(load.max().y - way.min().y, Fx::from_bits(6_554)); // as deep in it as a step of gravity
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! **A hero** that a [`Walker`](crate::Walker) moves is in the scene as a body that [floats](SceneBody::floats), with a mass and no velocity. Each frame: walk it through the level, `place` it, `step`,
+//! and go on from where the scene has pushed it, which the level allows. It is told of triggers and pushes crates by being in their way; what hits it changes its velocity in
+//! the scene: add that to the walker's or not, and set it to zero. As a `fixed` body it would be pushed by nobody, and told of nothing that is fixed itself. The walker does not know that it
+//! stands on a crate: [`is_supported`](crate::Scene::is_supported) does.
+//!
+//! ```
+//! use tilesat::broad::SortSweep;
+//! use tilesat::scene::{SceneBody, SceneEvent, SceneTag, Shape};
+//! use tilesat::{Aabb, Axis, Filter, Mover, Scene, TileKind, TileKinds, TileMap, Vec2, Walker};
+//! static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+//! let level = TileMap::from_ascii("........\n........\n########", &KINDS)?; // the floor is at y = 32
+//! let at = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
+//! let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+//! let mut hero = at(4, 20, 8, 12)?;
+//! let body = scene.insert(&SceneBody { floats: true, ..SceneBody::new(hero, 1) })?;
+//! let box_ = scene.insert(&SceneBody::new(at(40, 22, 10, 10)?, 2))?;
+//! let door = SceneBody { filter: Filter::default().with_sensor(true), ..SceneBody::fixed(at(24, 0, 4, 32)?, 3) };
+//! let door = scene.insert(&door)?;
+//! let (walker, mut floor, mut passed) = (Walker::new(Mover::platformer(Axis::NEG_Y)), None, false);
+//! for _ in 0..40 {
+//!     let walked = walker.walk(&level, &hero, Vec2::from_ints(1, 1), floor)?;
+//!     floor = walked.floor;
+//!     scene.place(body, walked.moved.body)?;
+//!     scene.step(&level, Vec2::from_raw(0, 6_554), |event| {
+//!         passed |= matches!(event, SceneEvent::Touch { pair, .. } if (pair.a, pair.b) == (body, door));
+//!     })?;
+//!     scene.set_velocity(body, Vec2::ZERO)?;
+//!     if let Shape::Aabb(pushed) = scene.body(body)?.shape {
+//!         hero = pushed;
+//!     }
+//! }
+//! assert!(passed && scene.body(box_)?.shape.position().x > 41); // it pushes the box before it
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! **Sensors** wake nobody, whatever is done with them. One with a mass is told of sleepers when it has been placed; give it `floats`. A fixed one and a body that sleeps
+//! both rest: where it is put on one, nobody is told until that one wakes; call [`wake`](crate::Scene::wake) for what [`near`](crate::Scene::near) finds there.
+//!
+//! **Keys** must be unique for results that do not depend on the order of insertion. Where two are equal nothing fails: the one in the smaller slot is `a`, and slots depend on that order.
+//!
+//! **Grids with [`Border::Refuse`](crate::broad::Border::Refuse)**: a body that would leave is held at its last place in every step, without a velocity, until it falls asleep there. It is the game's to
+//! remove it when it is told, or to have a border that takes all.
+//!
+//! **Rollback** copies the scene, and with it all that the game's own rules read: [`PairEvents`](crate::broad::PairEvents), [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change, solids.
 
 mod body;
 mod set;
 mod step;
+mod swept;
 
-pub use body::{SceneBody, Shape};
+pub use body::SceneBody;
 pub use set::{Scene, Sleep};
 
 use crate::broad::{BroadError, Handle, Pair};
 use crate::error::RangeError;
 use crate::motion::{Hits, MoveError};
-use crate::query::Contact;
+use crate::num::{Axis, Fx, Raw, Toi, Vec2};
+use crate::query::{Contact, Contacts, Overlaps, Touches};
+use crate::shape::{Aabb, Circle};
+use crate::world::World;
 use core::fmt;
 
 /// What a scene's bodies carry in its broad phase.
@@ -101,6 +226,17 @@ pub enum SceneEvent<'a> {
         pair: Pair,
         /// How they overlap, from `a` to `b`; none where they only touch.
         contact: Option<&'a Contact>,
+    },
+    /// Two bodies of which one is [fast](self#fast-bodies) ran into each other on their way, sensors too.
+    Meet {
+        /// Who; `a` has the smaller key.
+        pair: Pair,
+        /// When, as a part of the step.
+        toi: Toi,
+        /// The normal, from `a` to `b`.
+        axis: Axis,
+        /// How fast they came nearer along the normal, in units a step, to nearest.
+        speed: Fx,
     },
     /// A body ran into the level.
     Level {
@@ -196,3 +332,105 @@ impl fmt::Display for SceneError {
 }
 
 impl core::error::Error for SceneError {}
+
+/// A box or a circle; the pair queries ask the kernel of the two that meet.
+///
+/// ```
+/// use tilesat::prelude::*;
+/// use tilesat::scene::Shape;
+/// use tilesat::{Aabb, Axis, Circle, Fx, Vec2};
+/// let crate_: Shape = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(10, 10))?.into();
+/// let ball: Shape = Circle::new(Vec2::from_ints(12, 5), Fx::from_num(3))?.into();
+/// assert_eq!(crate_.contact(&ball).map(|contact| contact.axis()), Some(Axis::X));
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Shape {
+    /// A box.
+    Aabb(Aabb),
+    /// A circle.
+    Circle(Circle),
+}
+
+impl From<Aabb> for Shape {
+    fn from(aabb: Aabb) -> Self {
+        Self::Aabb(aabb)
+    }
+}
+
+impl From<Circle> for Shape {
+    fn from(circle: Circle) -> Self {
+        Self::Circle(circle)
+    }
+}
+
+impl Shape {
+    /// The same somewhere else; the caller knows that it is inside of the domain.
+    pub(super) fn shifted(&self, by: Vec2) -> Self {
+        match self {
+            Self::Aabb(aabb) => {
+                let by = Raw::of(by);
+                Self::Aabb(Aabb::from_raw_unchecked(aabb.lo().add(by), aabb.hi().add(by)))
+            }
+            Self::Circle(circle) => Self::Circle(Circle::from_raw_unchecked(circle.c().add(Raw::of(by)), circle.r())),
+        }
+    }
+
+    /// The box around it.
+    #[must_use]
+    pub const fn aabb(&self) -> Aabb {
+        match self {
+            Self::Aabb(aabb) => *aabb,
+            Self::Circle(circle) => circle.aabb(),
+        }
+    }
+
+    /// The minimum corner of a box, the centre of a circle.
+    #[must_use]
+    pub const fn position(&self) -> Vec2 {
+        match self {
+            Self::Aabb(aabb) => aabb.min(),
+            Self::Circle(circle) => circle.centre(),
+        }
+    }
+
+    /// Whether it overlaps a level: strict and exact.
+    #[must_use]
+    pub fn overlaps_level(&self, level: &impl World) -> bool {
+        match self {
+            Self::Aabb(aabb) => level.overlaps_aabb(aabb),
+            Self::Circle(circle) => level.overlaps_circle(circle),
+        }
+    }
+}
+
+/// A verb of the pair queries, by what the two shapes are.
+macro_rules! verb {
+    ($a:ident, $b:ident, $verb:ident) => {
+        match ($a, $b) {
+            (Shape::Aabb(a), Shape::Aabb(b)) => a.$verb(b),
+            (Shape::Aabb(a), Shape::Circle(b)) => a.$verb(b),
+            (Shape::Circle(a), Shape::Aabb(b)) => a.$verb(b),
+            (Shape::Circle(a), Shape::Circle(b)) => a.$verb(b),
+        }
+    };
+}
+
+impl Contacts<Shape> for Shape {
+    fn contact(&self, b: &Shape) -> Option<Contact> {
+        verb!(self, b, contact)
+    }
+}
+
+impl Overlaps<Shape> for Shape {
+    fn overlaps(&self, b: &Shape) -> bool {
+        verb!(self, b, overlaps)
+    }
+}
+
+impl Touches<Shape> for Shape {
+    fn touches(&self, b: &Shape) -> bool {
+        verb!(self, b, touches)
+    }
+}

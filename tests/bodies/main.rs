@@ -17,3 +17,4 @@ mod scene_rest;
 mod scene_rules;
 mod scene_sleep;
 mod sort_sweep;
+mod swept;

@@ -1,0 +1,459 @@
+//! What is fast meets others and the level on its whole way, in the order of the times.
+//!
+//! Each has a straight way in the rest of the step, and knows what ends it first: the level, another body, or the step. The earliest of all ends is acted on, and whom that
+//! changed looks again. What is slow has made its step before, and counts as on the straight way from where it was: hit, it has another velocity, but keeps that way, and
+//! what hit it goes on so that it does not come into it. Two that meet again in the step are led along each other; their velocities meet in the next one.
+
+use super::body::{End, Meeting, Mode, Pace, Slot, TURNS, Way};
+use super::set::rouse;
+use super::step::{Touched, Trip, hold};
+use super::{Scene, SceneError, SceneEvent, SceneFault, Shape, Stepped};
+use crate::broad::{BroadPhase, Handle, Keyed, Pair};
+use crate::filter::Filter;
+use crate::motion::response::exchange;
+use crate::motion::{Hit, Hits, Masses, Surface};
+use crate::num::{Axis, DOMAIN, Fx, Raw, Toi, Vec2};
+use crate::query::{CastShape, Contacts, Inside, MovingHit};
+use crate::shape::Aabb;
+use crate::world::World;
+
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
+    /// Moves those that are fast; whether one has been quiet for long enough.
+    pub(super) fn sweep<W: World>(
+        &mut self,
+        trip: &Trip<'_, W>,
+        stepped: &mut Stepped,
+        counts: &mut impl FnMut(Pair) -> bool,
+        each: &mut impl FnMut(SceneEvent<'_>),
+    ) -> bool {
+        let from = self.count;
+        let Some((movers, room)) = self.awake.split_at_mut_checked(from) else { return false };
+        let (near, slots) = (&mut self.near, self.slots.as_mut_slice());
+        let mut sweep = Sweep { near, slots, movers, room, woken: 0, trip, margin: 0, stepped, counts, each };
+        sweep.run();
+        let woken = sweep.woken;
+        stepped.woken += woken as u16;
+        self.count += woken;
+        self.tell_woken(from);
+        let quiet = |handle: &Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= self.sleep.steps);
+        self.awake().iter().any(quiet)
+    }
+}
+
+struct Sweep<'a, B, W, C, E> {
+    near: &'a mut B,
+    slots: &'a mut [Slot],
+    /// Those that were awake before.
+    movers: &'a [Handle],
+    room: &'a mut [Handle],
+    woken: usize,
+    trip: &'a Trip<'a, W>,
+    /// No slow body is farther than that from where the broad phase has it.
+    margin: u32,
+    stepped: &'a mut Stepped,
+    counts: &'a mut C,
+    each: &'a mut E,
+}
+
+impl<B, W, C, E> Sweep<'_, B, W, C, E>
+where
+    B: BroadPhase<Tag = Keyed<Filter>>,
+    W: World,
+    C: FnMut(Pair) -> bool,
+    E: FnMut(SceneEvent<'_>),
+{
+    fn run(&mut self) {
+        self.launch();
+        while let Some(handle) = self.earliest() {
+            let Some(way) = self.slots.get(handle.slot()).map(|slot| slot.way) else { return };
+            match way.end.1 {
+                End::Step => break,
+                End::Level => self.bounce(handle),
+                End::Body(with) => self.clash(handle, with),
+            }
+        }
+        for handle in self.movers {
+            self.land(*handle);
+        }
+        for handle in self.movers {
+            if let Some(slot) = self.slots.get_mut(handle.slot()) {
+                slot.way = Way::REST;
+            }
+        }
+    }
+
+    /// Lets go of those that have nobody in reach: for them the level is all. The others look; what pushes them is a part of their way, for there may be somebody on it.
+    fn launch(&mut self) {
+        let Self { near, slots, movers, trip, stepped, counts, each, .. } = self;
+        let widest = reach_of(slots, movers, |_| true);
+        for &handle in *movers {
+            let Some(slot) = slots.get(handle.slot()).filter(|slot| slot.way.pace == Pace::Swept) else { continue };
+            let mut alone = true;
+            near.in_region(&around(&slot.body.shape.aabb(), reach(slot).saturating_add(widest)), |other| {
+                let found = slots.get(other.slot()).filter(|at| alone && other != handle && may_meet(slot, at));
+                alone &= !found.is_some_and(|at| counts(pair((handle, slot), (other, at))));
+            });
+            if let Some(slot) = slots.get_mut(handle.slot()).filter(|_| alone) {
+                slot.way.pace = Pace::Alone;
+            }
+        }
+        for &handle in *movers {
+            let Some(slot) = slots.get_mut(handle.slot()) else { continue };
+            match slot.way.pace {
+                Pace::Slow => {}
+                Pace::Alone => {
+                    slot.way.pace = Pace::Slow;
+                    trip.make(slot, handle, *near, stepped, *each);
+                }
+                Pace::Swept => {
+                    slot.body.velocity += slot.tally.kick;
+                    let rate = slot.body.velocity + slot.tally.push();
+                    slot.way = Way { pace: Pace::Swept, since: Toi::ZERO, ..Way::made(rate) };
+                    stepped.moved += 1;
+                }
+            }
+        }
+        self.margin = reach_of(self.slots, self.movers, |slot| slot.way.pace != Pace::Swept);
+        self.look_again(|_, _| true);
+    }
+
+    /// Whose way ends first: of those at one time the level's, then that of the pair with the smaller keys, then slots.
+    fn earliest(&self) -> Option<Handle> {
+        let swept = |handle: &&Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.way.pace == Pace::Swept);
+        self.movers.iter().filter(swept).copied().min_by_key(|handle| {
+            let rank = |at: usize| (self.slots.get(at).map_or(0, |slot| slot.body.key), at);
+            let mine = rank(handle.slot());
+            let (time, end) = self.slots.get(handle.slot()).map_or((Toi::ONE, End::Step), |slot| slot.way.end);
+            let (kind, other) = match end {
+                End::Level => (0, mine),
+                End::Body(with) => (1, rank(with.into())),
+                End::Step => (2, mine),
+            };
+            (kind == 2, time, kind, mine.min(other), mine.max(other))
+        })
+    }
+
+    /// Those of whom it is asked find out what ends their way.
+    fn look_again(&mut self, whom: impl Fn(u16, End) -> bool) {
+        for &handle in self.movers {
+            let Some(slot) = self.slots.get(handle.slot()).copied() else { continue };
+            if slot.way.pace != Pace::Swept || !whom(handle.slot() as u16, slot.way.end.1) {
+                continue;
+            }
+            let end = self.look(handle, &slot);
+            let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
+            match end {
+                Ok(end) => slot.way.end = end,
+                Err(fault) => {
+                    (slot.body.velocity, slot.way.rate) = (Vec2::ZERO, Vec2::ZERO);
+                    (slot.way.turns, slot.way.end) = (TURNS, (Toi::ONE, End::Step));
+                    self.stepped.held += 1;
+                    (self.each)(SceneEvent::Held(SceneError::of(handle, fault)));
+                }
+            }
+        }
+    }
+
+    /// What ends a body's way first; of bodies met at one time the one with the smaller key, then slot.
+    fn look(&mut self, handle: Handle, slot: &Slot) -> Result<(Toi, End), SceneFault> {
+        let since = slot.way.since;
+        let touched = self.trip.touch(&slot.body.shape, slot.way.left(since))?;
+        let mut first = touched.hit.map_or((Toi::ONE, End::Step), |hit| (later(since, hit.toi), End::Level));
+        let mut rank = (0, 0);
+        let counts = &mut *self.counts;
+        each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
+            let waits = slot.way.waits() && (at.way.pace != Pace::Swept || at.way.waits());
+            if waits || slot.body.filter.sensor() || at.body.filter.sensor() {
+                return;
+            }
+            let Some(met) = Met::of((handle, slot), (other, at)) else { return };
+            let it = (met.time, first.1 == End::Level, (at.body.key, other.slot()));
+            let before = it < (first.0, false, rank) || (first.1 == End::Step && met.time <= first.0);
+            if before && counts(met.pair) {
+                (first, rank) = ((met.time, End::Body(other.slot() as u16)), it.2);
+            }
+        });
+        Ok(first)
+    }
+
+    /// The level answers.
+    fn bounce(&mut self, handle: Handle) {
+        let Some(slot) = self.slots.get(handle.slot()).copied() else { return };
+        let (time, _) = slot.way.end;
+        self.sense(handle, &slot, time);
+        let touched = self.trip.touch(&slot.body.shape, slot.way.left(slot.way.since));
+        let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
+        slot.way.turns += 1;
+        if let Ok(Touched { shape, hit: Some(hit), floor, flags }) = touched {
+            let velocity = slot.body.velocity;
+            slot.body.shape = shape;
+            slot.body.velocity = self.trip.surface(slot).respond(velocity, hit.axis).unwrap_or(Vec2::ZERO);
+            slot.tally.support = if floor { 0 } else { slot.tally.support };
+            let hits = Hits::one(Hit { toi: time, ..hit });
+            (self.each)(SceneEvent::Level { body: handle, hits: &hits, flags });
+        }
+        slot.way.go_on(time, slot.body.velocity);
+        let at = handle.slot() as u16;
+        self.look_again(|other, end| other == at || end == End::Body(at));
+    }
+
+    /// Two meet.
+    fn clash(&mut self, handle: Handle, with: u16) {
+        let slots = &*self.slots;
+        let (Some(slot), Some(other)) = (slots.get(handle.slot()), slots.get(usize::from(with))) else { return };
+        let (one, two) = ((handle, *slot), (Handle::new(with.into(), other.generation), *other));
+        if let Some(met) = Met::of((one.0, &one.1), (two.0, &two.1)) {
+            for (at, slot) in [&one, &two] {
+                if slot.way.pace == Pace::Swept {
+                    self.sense(*at, slot, met.time);
+                }
+            }
+            self.meet(&met);
+        } else if let Some(slot) = self.slots.get_mut(handle.slot()) {
+            // Not to be: whoever found it has looked at the same two.
+            slot.way.turns = TURNS;
+        }
+        let at = handle.slot() as u16;
+        self.look_again(|other, end| [at, with].contains(&other) || end == End::Body(at) || end == End::Body(with));
+    }
+
+    fn meet(&mut self, met: &Met) {
+        let Pair { a, b } = met.pair;
+        for (at, place) in [(a, met.place_a), (b, met.place_b)] {
+            let Some(slot) = self.slots.get_mut(at.slot()).filter(|slot| slot.way.pace == Pace::Swept) else {
+                continue;
+            };
+            // The level is asked, because the place is rounded: what goes along a floor may come to lead into it.
+            if let Ok(shape) = self.trip.slide(&slot.body.shape, place - slot.body.shape.position()) {
+                slot.body.shape = shape;
+            }
+            slot.way.since = met.time;
+        }
+        let Some((one, other)) = super::step::both(self.slots, met.pair) else { return };
+        let (mut one, mut other) = (*one, *other);
+        let again = one.way.has_met(b) || other.way.has_met(a);
+        if !again {
+            let speed = approach(met.axis, one.body.velocity - other.body.velocity);
+            (self.each)(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
+            rouse(self.slots, self.room, &mut self.woken, a);
+            rouse(self.slots, self.room, &mut self.woken, b);
+            if let Some(meeting) = Meeting::of(&one, &other, met.axis, self.trip.gravity) {
+                let (by_a, by_b) = meeting.kicks(1);
+                one.body.velocity += by_a;
+                other.body.velocity += by_b;
+            }
+        }
+        for (slot, with) in [(&mut one, b), (&mut other, a)] {
+            if slot.way.pace == Pace::Swept {
+                slot.way.turns = slot.way.turns.saturating_add(1);
+                if !again {
+                    slot.way.note(with);
+                }
+                // Whom it has met once it is led along, with the velocity that it has.
+                let rate = if again { slot.way.rate } else { slot.body.velocity };
+                slot.way.go_on(met.time, rate);
+            }
+        }
+        // What is left of the ways must not lead into each other, whatever the velocities are.
+        let masses = match (one.way.goes(), other.way.goes()) {
+            (true, true) => one.body.mass.zip(other.body.mass).and_then(|(m, n)| Masses::new(m.get(), n.get())),
+            (true, false) => Some(Masses::B_FIXED),
+            (false, true) => Some(Masses::A_FIXED),
+            (false, false) => None,
+        };
+        if let Some(masses) = masses {
+            if let Ok(rates) = exchange(one.way.rate, other.way.rate, met.axis, masses, &Surface::SLICK) {
+                (one.way.rate, other.way.rate) = rates;
+            }
+        }
+        for (at, from) in [(a, one), (b, other)] {
+            if let Some(slot) = self.slots.get_mut(at.slot()) {
+                (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
+            }
+        }
+    }
+
+    /// Tells of the sensors on a way that ends at a time.
+    fn sense(&mut self, handle: Handle, slot: &Slot, until: Toi) {
+        let each = &mut *self.each;
+        let counts = &mut *self.counts;
+        each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
+            if !slot.body.filter.sensor() && !at.body.filter.sensor() {
+                return;
+            }
+            let met = Met::of((handle, slot), (other, at)).filter(|met| met.begins && met.time < until);
+            if let Some(met) = met.filter(|met| counts(met.pair)) {
+                let (a, b) = if met.pair.a == handle { (slot, at) } else { (at, slot) };
+                let speed = approach(met.axis, a.body.velocity - b.body.velocity);
+                each(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
+            }
+        });
+    }
+
+    /// Nothing ends its way but the step.
+    fn land(&mut self, handle: Handle) {
+        let swept = |slot: &&Slot| slot.way.pace == Pace::Swept;
+        let Some(slot) = self.slots.get(handle.slot()).filter(swept).copied() else { return };
+        self.sense(handle, &slot, Toi::ONE);
+        let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
+        if let Ok(touched) = self.trip.touch(&slot.body.shape, slot.way.left(slot.way.since)) {
+            slot.body.shape = touched.shape;
+        }
+        slot.way.since = Toi::ONE;
+        let (bounds, free) = (slot.body.shape.aabb(), slot.way.turns == 0);
+        let by = self.near.bounds(handle).map_or(Vec2::ZERO, |from| bounds.min() - from.min());
+        match self.near.move_to(handle, &bounds) {
+            Ok(()) => self.trip.arrive(slot, by, false, free),
+            Err(fault) => {
+                slot.body.shape = slot.body.shape.shifted(Vec2::ZERO - by);
+                hold(slot, handle, fault.into(), self.stepped, self.each);
+            }
+        }
+    }
+}
+
+/// Where and when two run into each other.
+struct Met {
+    pair: Pair,
+    time: Toi,
+    /// From `a` to `b`.
+    axis: Axis,
+    place_a: Vec2,
+    place_b: Vec2,
+    /// They did not overlap before.
+    begins: bool,
+}
+
+impl Met {
+    /// In the order of the pair, so that it does not matter who asks. From when on both are on these ways: what was before is over.
+    fn of(one: (Handle, &Slot), other: (Handle, &Slot)) -> Option<Self> {
+        let pair = pair(one, other);
+        let (a, b) = if pair.a == one.0 { (one.1, other.1) } else { (other.1, one.1) };
+        let swept = |slot: &Slot| slot.way.pace == Pace::Swept;
+        let from = match (swept(a), swept(b)) {
+            (true, true) => a.way.since.max(b.way.since),
+            (true, false) => a.way.since,
+            (false, true) => b.way.since,
+            (false, false) => return None,
+        };
+        let (p, q) = (a.at(from), b.at(from));
+        let (left_a, left_b) = (a.way.left(from), b.way.left(from));
+        let hit = p.cast_moving(left_a, &q, left_b)?;
+        if !hit.inside {
+            // The cast's own displacements are shares of how far they come nearer, which may be nothing: so one goes by the time, the other as far from it as the cast says.
+            let nearer = hit.displacement - hit.displacement_b;
+            let (by_a, by_b) = if swept(a) {
+                (hit.toi.of(left_b) + nearer, hit.toi.of(left_b))
+            } else {
+                (hit.toi.of(left_a), hit.toi.of(left_a) - nearer)
+            };
+            let (place_a, place_b) = (p.position() + by_a, q.position() + by_b);
+            return Some(Self {
+                pair,
+                time: later(from, hit.toi),
+                axis: hit.axis.reversed(),
+                place_a,
+                place_b,
+                begins: true,
+            });
+        }
+        let axis = p.contact(&q)?.axis();
+        let nearing = axis.dot_vec(a.way.rate - b.way.rate) > 0;
+        nearing.then_some(Self { pair, time: from, axis, place_a: p.position(), place_b: q.position(), begins: false })
+    }
+}
+
+impl Slot {
+    /// Where its way has it at a time.
+    fn at(&self, time: Toi) -> Shape {
+        self.body.shape.shifted(self.way.left(self.way.since) - self.way.left(time))
+    }
+}
+
+impl Shape {
+    /// When two that move run into each other; none where a motion is too large.
+    fn cast_moving(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit> {
+        let hit = match (self, other) {
+            (Self::Aabb(a), Self::Aabb(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
+            (Self::Aabb(a), Self::Circle(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
+            (Self::Circle(a), Self::Aabb(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
+            (Self::Circle(a), Self::Circle(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
+        };
+        hit.ok().flatten()
+    }
+}
+
+/// The others that may be on a body's way: those that are slow where the broad phase has them, and all that are swept.
+fn each_near<B: BroadPhase>(
+    near: &B,
+    slots: &[Slot],
+    movers: &[Handle],
+    margin: u32,
+    handle: Handle,
+    mut each: impl FnMut(Handle, &Slot),
+) {
+    let Some(slot) = slots.get(handle.slot()) else { return };
+    let mut meet = |other: Handle, swept: bool| {
+        let found = slots.get(other.slot()).filter(|at| (at.way.pace == Pace::Swept) == swept);
+        if let Some(at) = found.filter(|at| other != handle && may_meet(slot, at)) {
+            each(other, at);
+        }
+    };
+    let start = slot.body.shape.aabb();
+    let end = slot.body.shape.shifted(slot.way.left(slot.way.since)).aabb();
+    near.in_region(&around(&start.union(&end), margin), |other| meet(other, false));
+    for &other in movers {
+        meet(other, true);
+    }
+}
+
+fn may_meet(one: &Slot, other: &Slot) -> bool {
+    other.mode != Mode::Free && one.body.filter.with_still(false).lets_pair(other.body.filter.with_still(false))
+}
+
+/// Two in canonical order.
+fn pair(one: (Handle, &Slot), other: (Handle, &Slot)) -> Pair {
+    let rank = |(handle, slot): (Handle, &Slot)| (slot.body.key, handle.slot());
+    let (a, b) = if rank(one) < rank(other) { (one.0, other.0) } else { (other.0, one.0) };
+    Pair { a, b }
+}
+
+/// How far from its box a body may be in this step: no bounce makes it faster.
+fn reach(slot: &Slot) -> u32 {
+    let size = |v: Vec2| {
+        let Raw { x, y } = Raw::of(v);
+        x.unsigned_abs().saturating_add(y.unsigned_abs())
+    };
+    let velocity = slot.body.velocity + slot.tally.kick;
+    match slot.way.pace {
+        Pace::Swept => size(velocity).saturating_add(size(slot.tally.push())),
+        Pace::Slow | Pace::Alone => size(slot.way.rate),
+    }
+}
+
+fn reach_of(slots: &[Slot], movers: &[Handle], of: impl Fn(&Slot) -> bool) -> u32 {
+    let found = movers.iter().filter_map(|handle| slots.get(handle.slot())).filter(|slot| of(slot));
+    found.map(reach).max().unwrap_or(0)
+}
+
+/// A box grown to all sides, as far as the domain goes.
+fn around(bounds: &Aabb, by: u32) -> Aabb {
+    let by = by.min(DOMAIN as u32) as i32;
+    let (lo, hi) = (bounds.lo(), bounds.hi());
+    let least = |c: i32| c.saturating_sub(by).max(1 - DOMAIN);
+    let most = |c: i32| c.saturating_add(by).min(DOMAIN - 1);
+    Aabb::from_raw_unchecked(Raw { x: least(lo.x), y: least(lo.y) }, Raw { x: most(hi.x), y: most(hi.y) })
+}
+
+/// A part of what is left of the step from a time on, as a time of the step, rounded down.
+fn later(from: Toi, part: Toi) -> Toi {
+    let left = Toi::ONE.raw().wrapping_sub(from.raw());
+    Toi::clamped(from.raw().wrapping_add(part.of_raw(left as i32) as u32))
+}
+
+/// How fast the ends of a normal come nearer, to nearest.
+fn approach(axis: Axis, velocity: Vec2) -> Fx {
+    let ((x, y), Raw { x: vx, y: vy }) = (axis.unit().raw(), Raw::of(velocity));
+    let sum = i64::from(x) * i64::from(vx) + i64::from(y) * i64::from(vy);
+    Fx::from_bits(((sum + (1 << 29)) >> 30).clamp(0, i32::MAX.into()) as i32)
+}

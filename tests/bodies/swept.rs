@@ -1,0 +1,573 @@
+//! Scenes: what is fast passes nothing. Judges: the order of bodies in a corridor that is too narrow for two of them; rooms of thin walls that nobody leaves; and of one
+//! step of two bodies an exact swept test of its own, in `i128`. Raw units, y down.
+
+use core::num::NonZeroU8;
+use tilesat::broad::{BroadPhase, BruteForce, Handle, LooseGrid, Pair, SortSweep, SpatialHash};
+use tilesat::scene::{SceneBody, SceneEvent, SceneTag, Shape, Sleep, Stepped};
+use tilesat::{Aabb, Circle, Fx, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, Toi, Vec2};
+use tilesat_judge::{Random, cases};
+
+const BODIES: usize = 16;
+const PX: i64 = 1 << 16;
+
+static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+const NOWHERE: &str = "....\n....\n";
+/// Cells of 16: free from (16, 16) to (624, 32).
+const CORRIDOR: &str = "\
+########################################
+#......................................#
+########################################
+";
+
+fn level(rows: &str) -> TileMap<'_> {
+    TileMap::from_ascii(rows, &KINDS).unwrap()
+}
+
+fn vec2(x: i64, y: i64) -> Vec2 {
+    Vec2::from_raw(x as i32, y as i32)
+}
+
+fn boxed(x: i64, y: i64, w: i64, h: i64) -> Aabb {
+    Aabb::new(vec2(x, y), vec2(x + w, y + h)).unwrap()
+}
+
+fn ball(x: i64, y: i64, r: i64) -> Circle {
+    Circle::new(vec2(x, y), Fx::from_bits(r as i32)).unwrap()
+}
+
+type Swept = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
+
+fn scene(bodies: &[SceneBody]) -> Swept {
+    filled(SortSweep::new(), bodies.iter())
+}
+
+fn filled<'a, B: BroadPhase<Tag = SceneTag>>(near: B, bodies: impl Iterator<Item = &'a SceneBody>) -> Scene<B, BODIES> {
+    let mut scene = Scene::with_sleep(near, Sleep { steps: 10, ..Sleep::default() });
+    for body in bodies {
+        assert!(scene.insert(body).is_ok());
+    }
+    scene
+}
+
+fn handle<B: BroadPhase<Tag = SceneTag>>(scene: &Scene<B, BODIES>, key: u32) -> Handle {
+    scene.bodies().find(|(_, body)| body.key == key).unwrap().0
+}
+
+fn body_of<B: BroadPhase<Tag = SceneTag>>(scene: &Scene<B, BODIES>, key: u32) -> SceneBody {
+    *scene.body(handle(scene, key)).unwrap()
+}
+
+/// Who met whom in a step, and when.
+fn meetings<B: BroadPhase<Tag = SceneTag>>(
+    scene: &mut Scene<B, BODIES>,
+    map: &TileMap<'_>,
+    gravity: Vec2,
+) -> (Stepped, Vec<(Pair, Toi)>) {
+    let mut met = Vec::new();
+    let stepped = scene.step(map, gravity, |event| {
+        if let SceneEvent::Meet { pair, toi, .. } = event {
+            met.push((pair, toi));
+        }
+    });
+    (stepped.unwrap(), met)
+}
+
+fn ratio(r: &mut Random) -> Ratio {
+    Ratio::percent([0, 100, r.below(101)][r.below(3) as usize] as u8).unwrap()
+}
+
+fn surface(r: &mut Random) -> Surface {
+    Surface::new(ratio(r), ratio(r)).resting_below(Fx::from_bits(r.below(2) as i32 * 20_000))
+}
+
+/// A velocity of up to a hundred sizes a step, small ones as often as large ones.
+fn launch(r: &mut Random, size: i64) -> Vec2 {
+    let most = size * [1, 2, 8, 30, 100][r.below(5) as usize];
+    vec2(r.around(most), if r.one_in(2) { 0 } else { r.around(most) })
+}
+
+/// A floating circle of radius 2 flies at a fixed body of 8 x 80 units.
+fn at_a_wall<B: BroadPhase<Tag = SceneTag>>(near: impl Fn() -> B) {
+    let map = level(NOWHERE);
+    for speed in [1, 3, 8, 12, 24, 80, 160, 1000] {
+        for k in 0..80 {
+            let bullet = ball((20 + k % 10) * PX + 8111 * k, (k % 30 - 15) * PX + 77 * k, 2 * PX);
+            let velocity = vec2(speed * PX, 1000 * (k % 7));
+            let mut scene = filled(
+                near(),
+                [
+                    SceneBody::fixed(boxed(200 * PX, -40 * PX, 8 * PX, 80 * PX), 1),
+                    SceneBody { velocity, floats: true, ..SceneBody::new(bullet, 2) },
+                ]
+                .iter(),
+            );
+            for _ in 0..400 / speed + 3 {
+                scene.step(&map, Vec2::ZERO, |_| {}).unwrap();
+            }
+            assert_eq!(body_of(&scene, 2).shape.position().x, 198, "{k} at {speed} a step");
+        }
+    }
+}
+
+#[test]
+fn a_wall_stops_what_flies_at_it() {
+    at_a_wall(SortSweep::<BODIES, SceneTag>::new);
+    at_a_wall(BruteForce::<BODIES, SceneTag>::new);
+    at_a_wall(|| LooseGrid::<8, BODIES, SceneTag>::new(Vec2::ZERO, Fx::from_num(128), 16).unwrap());
+    at_a_wall(|| SpatialHash::<64, BODIES, SceneTag>::new(Fx::from_num(128)).unwrap());
+}
+
+/// A row of bodies from left to right, boxes and circles, of which no two fit beside each other, and doors.
+fn row(r: &mut Random, flagged: bool) -> Vec<SceneBody> {
+    let count = r.within(3, 9);
+    (0..count)
+        .map(|k| {
+            let (x, high) = ((30 + 60 * k) * PX + r.below(40 * PX), r.within(9 * PX, 15 * PX) & !1);
+            let y = 16 * PX + r.within(0, 16 * PX - high);
+            let key = 100 + (k * 37 % 11) as u32;
+            if r.one_in(5) {
+                return SceneBody::fixed(boxed(x, 16 * PX + PX / 2, PX, 15 * PX), key);
+            }
+            let shape: Shape = match r.below(2) {
+                0 => boxed(x, y, r.within(2 * PX, 12 * PX), high).into(),
+                _ => ball(x, y + high / 2, high / 2).into(),
+            };
+            let velocity = launch(r, 8 * PX);
+            SceneBody { velocity, floats: r.one_in(3), fast: flagged, ..with_surface(r, shape, key) }
+        })
+        .collect()
+}
+
+fn with_surface(r: &mut Random, shape: Shape, key: u32) -> SceneBody {
+    SceneBody { mass: NonZeroU8::new(r.within(1, 9) as u8), surface: surface(r), ..SceneBody::new(shape, key) }
+}
+
+/// Left and right end.
+fn ends(body: &SceneBody) -> (i64, i64) {
+    let bounds = body.shape.aabb();
+    (bounds.min().x.to_bits().into(), bounds.max().x.to_bits().into())
+}
+
+/// Whether it moves by more than half of its smaller side.
+fn is_fast(body: &SceneBody, gravity: Vec2) -> bool {
+    let (size, (x, y)) = (body.shape.aabb().size().raw(), (body.velocity + gravity).raw());
+    body.mass.is_some() && 2 * x.abs().max(y.abs()) > size.0.min(size.1)
+}
+
+/// Ways made, and how often one passed another; where not all are flagged, those count that were apart and of which one was fast.
+fn corridor(case: u64, flagged: bool, frames: u32) -> (u64, u64) {
+    let (mut r, map) = (Random::new(case), level(CORRIDOR));
+    let bodies = row(&mut r, flagged);
+    let mut scene = scene(&bodies);
+    let gravity = vec2(0, [0, 6554, PX][r.below(3) as usize]);
+    let row = |scene: &Swept| bodies.iter().map(|body| body_of(scene, body.key)).collect::<Vec<_>>();
+    let (mut made, mut before) = (0, row(&scene));
+    for frame in 0..frames {
+        if frame % 12 == 11 {
+            let body = bodies[r.below(bodies.len() as i64) as usize];
+            if body.mass.is_some() {
+                let handle = handle(&scene, body.key);
+                scene.set_velocity(handle, launch(&mut r, 8 * PX)).unwrap();
+            }
+            before = row(&scene);
+        }
+        let stepped = scene.step(&map, gravity, |_| {}).unwrap();
+        assert_eq!(stepped.held, 0);
+        made += u64::from(stepped.moved);
+        let after = row(&scene);
+        for (was, is) in before.windows(2).zip(after.windows(2)) {
+            let ((a, b), (c, d)) = (ends(&is[0]), ends(&is[1]));
+            if a + b >= c + d {
+                let apart = ends(&was[0]).1 <= ends(&was[1]).0;
+                let counts = flagged || apart && was.iter().any(|body| is_fast(body, gravity));
+                if counts {
+                    println!("{case}, frame {frame}: {was:?} became {is:?}");
+                }
+                return (made, u64::from(counts));
+            }
+        }
+        before = after;
+    }
+    (made, 0)
+}
+
+fn corridors(from: u64, wanted: u64, told: u64) {
+    let (mut made, mut passed, mut case) = (0, 0, from);
+    while made < wanted {
+        let (more, passes) = corridor(case, case % 2 == 0, 120);
+        (made, passed, case) = (made + more, passed + passes, case + 1);
+        if (case - from) % told == 0 {
+            eprintln!("{made} of {wanted} ways, {passed} passes");
+        }
+    }
+    assert_eq!(passed, 0, "of {made} ways in {} corridors", case - from);
+}
+
+#[test]
+fn nobody_passes_in_a_corridor() {
+    corridors(0, 150_000 * cases(1), 100);
+}
+
+#[test]
+#[ignore = "two minutes"]
+fn nobody_passes_in_ten_million_ways() {
+    corridors(1_000_000, 10_000_000, 1000);
+}
+
+/// Three bodies in a room of four fixed walls, a unit thick, and the room in a level of tiles.
+#[test]
+fn nobody_leaves_a_room_of_thin_walls() {
+    let map = level(NOWHERE);
+    let (mut made, wanted, mut case) = (0, 60_000 * cases(1), 0);
+    while made < wanted {
+        let mut r = Random::new(5000 + case);
+        let mut bodies: Vec<_> = [(0, 0, 100, 1), (0, 99, 100, 1), (0, 0, 1, 100), (99, 0, 1, 100)]
+            .iter()
+            .enumerate()
+            .map(|(k, &(x, y, w, h))| SceneBody::fixed(boxed(x * PX, y * PX, w * PX, h * PX), k as u32))
+            .collect();
+        for key in 4..4 + r.within(1, 3) as u32 {
+            let (at, size) = ((i64::from(key) * 24 - 80) * PX, r.within(1, 10 * PX) & !1);
+            let shape: Shape = match r.below(2) {
+                0 => boxed(at, r.within(2 * PX, 80 * PX), size, 8 * PX).into(),
+                _ => ball(at + size / 2, r.within(15 * PX, 80 * PX), size / 2).into(),
+            };
+            let velocity = launch(&mut r, size);
+            bodies.push(SceneBody { velocity, fast: true, ..with_surface(&mut r, shape, key) });
+        }
+        let mut scene = scene(&bodies);
+        let gravity = vec2(r.around(PX) / 8, r.around(PX) / 8);
+        for frame in 0..100 {
+            if frame % 10 == 9 {
+                let key = 4 + r.below(bodies.len() as i64 - 4) as u32;
+                let handle = handle(&scene, key);
+                scene.set_velocity(handle, launch(&mut r, 10 * PX)).unwrap();
+            }
+            let stepped = scene.step(&map, gravity, |_| {}).unwrap();
+            assert_eq!(stepped.held, 0);
+            made += u64::from(stepped.moved);
+            for body in &bodies[4..] {
+                let at = body_of(&scene, body.key).shape.aabb().centre();
+                let inside = |c: Fx| c > 0 && c < 100;
+                assert!(inside(at.x) && inside(at.y), "{case}, {frame}: {:?}", body_of(&scene, body.key));
+            }
+        }
+        case += 1;
+    }
+}
+
+/// Exact: whether a point that moves from `p` by `d` comes into a box, borders not included.
+fn enters_box(p: (i128, i128), d: (i128, i128), lo: (i128, i128), hi: (i128, i128)) -> bool {
+    // Times in which it is between the sides, as fractions of one denominator.
+    let (wide, high) = (d.0.abs().max(1), d.1.abs().max(1));
+    let span = |p: i128, d: i128, lo: i128, hi: i128, scale: i128| match d.signum() {
+        0 => (lo < p && p < hi).then_some((0, wide * high)),
+        1 => Some(((lo - p) * scale, (hi - p) * scale)),
+        _ => Some(((p - hi) * scale, (p - lo) * scale)),
+    };
+    let (Some(x), Some(y)) = (span(p.0, d.0, lo.0, hi.0, high), span(p.1, d.1, lo.1, hi.1, wide)) else { return false };
+    x.0.max(y.0).max(0) < x.1.min(y.1).min(wide * high)
+}
+
+/// The same for a disc.
+fn enters_disc(p: (i128, i128), d: (i128, i128), c: (i128, i128), r: i128) -> bool {
+    let (m, rr, dd) = ((p.0 - c.0, p.1 - c.1), r * r, d.0 * d.0 + d.1 * d.1);
+    let end = (m.0 + d.0, m.1 + d.1);
+    let (along, cross) = (-(m.0 * d.0 + m.1 * d.1), m.0 * d.1 - m.1 * d.0);
+    let within = |v: (i128, i128)| v.0 * v.0 + v.1 * v.1 < rr;
+    within(m) || within(end) || (0 < along && along < dd && cross * cross < rr * dd)
+}
+
+/// Whether a shape that moves by `d` overlaps another one on its way: the Minkowski sum, in its parts.
+fn sweeps(a: &Shape, d: (i128, i128), b: &Shape) -> bool {
+    let wide = |v: Vec2| (i128::from(v.raw().0), i128::from(v.raw().1));
+    let parts = |shape: &Shape| match shape {
+        Shape::Aabb(aabb) => (wide(aabb.min()), wide(aabb.max()), 0),
+        Shape::Circle(circle) => (wide(circle.centre()), wide(circle.centre()), i128::from(circle.radius().to_bits())),
+    };
+    let ((alo, ahi, ar), (blo, bhi, br)) = (parts(a), parts(b));
+    // The corner `alo` of the one moves, the other has grown by the first one's size.
+    let (lo, hi, r) = ((blo.0 - (ahi.0 - alo.0), blo.1 - (ahi.1 - alo.1)), bhi, ar + br);
+    enters_box(alo, d, (lo.0 - r, lo.1), (hi.0 + r, hi.1))
+        || enters_box(alo, d, (lo.0, lo.1 - r), (hi.0, hi.1 + r))
+        || [lo, hi, (lo.0, hi.1), (hi.0, lo.1)].iter().any(|&corner| enters_disc(alo, d, corner, r))
+}
+
+/// One step of two, of which one is fast: they meet exactly where the judge says so, once, and neither ends in or beyond the other.
+#[test]
+fn two_meet_where_their_ways_do() {
+    let map = level(NOWHERE);
+    let (mut met, mut missed) = (0, 0);
+    for case in 0..30_000 * cases(1) {
+        let mut r = Random::new(9000 + case);
+        let any = |r: &mut Random, x: i64, y: i64| -> Shape {
+            let size = r.within(PX / 8, 20 * PX) & !1;
+            if r.one_in(2) { ball(x, y, size / 2).into() } else { boxed(x, y, size, r.within(PX / 8, 20 * PX)).into() }
+        };
+        let (one, two) = (any(&mut r, 0, 0), {
+            let at = (r.around(200 * PX), r.around(200 * PX));
+            any(&mut r, at.0, at.1)
+        });
+        let toward = two.position().raw();
+        let aim = |r: &mut Random, c: i32| i64::from(c) * r.within(1, 30) / 10 + r.around(10 * PX);
+        let velocity = vec2(aim(&mut r, toward.0), aim(&mut r, toward.1));
+        let floats =
+            |shape: Shape, key: u32, velocity: Vec2| SceneBody { floats: true, velocity, ..SceneBody::new(shape, key) };
+        let (keys, slow) = (if r.one_in(2) { (1, 2) } else { (2, 1) }, vec2(r.around(4 * PX), r.around(4 * PX)));
+        let first = SceneBody { fast: true, ..floats(one, keys.0, velocity) };
+        let second = match r.below(3) {
+            0 => SceneBody::fixed(two, keys.1),
+            1 => floats(two, keys.1, slow),
+            _ => SceneBody { fast: true, ..floats(two, keys.1, launch(&mut r, 20 * PX)) },
+        };
+        let mut scene = scene(&[first, second]);
+        let (v, w) = (first.velocity.raw(), if second.mass.is_some() { second.velocity.raw() } else { (0, 0) });
+        let apart = (i128::from(v.0) - i128::from(w.0), i128::from(v.1) - i128::from(w.1));
+        if sweeps(&one, (0, 0), &two) {
+            continue;
+        }
+        let meets = sweeps(&one, apart, &two);
+        let (stepped, told) = meetings(&mut scene, &map, Vec2::ZERO);
+        assert_eq!((stepped.held, told.len()), (0, usize::from(meets)), "{case}: {first:?} {second:?} {told:?}");
+        (met, missed) = (met + u32::from(meets), missed + u32::from(!meets));
+        let (a, b) = (body_of(&scene, keys.0), body_of(&scene, keys.1));
+        if !meets {
+            assert_eq!((a.shape.position(), b.velocity), (one.position() + first.velocity, second.velocity));
+            continue;
+        }
+        let (time, ends) = (told[0].1, (a.shape.position().raw(), b.shape.position().raw()));
+        // Where the second one is when they meet, and the way of the first one as seen from it, before and after.
+        let at = |from: Vec2, v: (i32, i32)| {
+            let part = |v: i32| i64::from(v) * i64::from(time.raw()) >> 30;
+            (i128::from(from.raw().0) + i128::from(part(v.0)), i128::from(from.raw().1) + i128::from(part(v.1)))
+        };
+        let (p, q) = (at(one.position(), v), at(two.position(), w));
+        let meeting = (p.0 - q.0, p.1 - q.1);
+        let start = (one.position() - two.position()).raw();
+        let end = (i128::from(ends.0.0) - i128::from(ends.1.0), i128::from(ends.0.1) - i128::from(ends.1.1));
+        let core = match two {
+            Shape::Aabb(b) => {
+                let (w, h) = b.size().raw();
+                if w < 17 || h < 17 {
+                    continue;
+                }
+                Shape::from(boxed(
+                    i64::from(b.min().raw().0) + 8,
+                    i64::from(b.min().raw().1) + 8,
+                    i64::from(w) - 16,
+                    i64::from(h) - 16,
+                ))
+            }
+            Shape::Circle(c) => {
+                ball(c.centre().raw().0.into(), c.centre().raw().1.into(), i64::from(c.radius().to_bits()) - 8).into()
+            }
+        };
+        let moved = |by: (i128, i128)| (by.0 - i128::from(start.0), by.1 - i128::from(start.1));
+        let place = moved(meeting);
+        assert!(!sweeps(&one, place, &core), "{case}: they meet too late");
+        let there = match one {
+            Shape::Aabb(b) => Shape::from(b.translated(vec2(place.0 as i64, place.1 as i64)).unwrap()),
+            Shape::Circle(c) => c.translated(vec2(place.0 as i64, place.1 as i64)).unwrap().into(),
+        };
+        assert!(
+            !sweeps(&there, (end.0 - meeting.0, end.1 - meeting.1), &core),
+            "{case}: one goes through the other\n{first:?}\n{second:?}\n{a:?}\n{b:?}"
+        );
+    }
+    println!("{met} met, {missed} did not");
+    assert!(met > 5_000 && missed > 5_000);
+}
+
+/// Many of all kinds among tiles, up to a hundred sizes a step fast.
+#[test]
+fn neither_order_nor_broad_phase_matters() {
+    let map = level(CORRIDOR);
+    let (mut met, mut woken) = (0, 0);
+    for case in 0..cases(60) {
+        let mut r = Random::new(20_000 + case);
+        let bodies: Vec<_> = (0..BODIES as u32)
+            .map(|key| {
+                let (x, y, size) = (r.within(20, 200) * PX, r.within(17, 23) * PX, r.within(1, 7) * PX);
+                let shape: Shape = if r.one_in(2) {
+                    boxed(x, y, size, size).into()
+                } else {
+                    ball(x + 4 * PX, y + 4 * PX, size / 2).into()
+                };
+                let filter = tilesat::Filter::default().with_sensor(r.one_in(6));
+                let body =
+                    SceneBody { filter, floats: r.one_in(3), fast: r.one_in(8), ..with_surface(&mut r, shape, key) };
+                if r.one_in(8) {
+                    SceneBody { mass: None, ..body }
+                } else {
+                    SceneBody { velocity: launch(&mut r, size), ..body }
+                }
+            })
+            .collect();
+        let mut shuffled: Vec<_> = bodies.iter().collect();
+        for i in (1..shuffled.len()).rev() {
+            shuffled.swap(i, r.below(i as i64 + 1) as usize);
+        }
+        let mut one = filled(SortSweep::<BODIES, SceneTag>::new(), bodies.iter());
+        let mut other = filled(SortSweep::<BODIES, SceneTag>::new(), shuffled.iter().copied());
+        let mut brute = filled(BruteForce::<BODIES, SceneTag>::new(), shuffled.iter().rev().copied());
+        let grid = LooseGrid::<8, BODIES, SceneTag>::new(Vec2::ZERO, Fx::from_num(16), 16).unwrap();
+        let mut grid = filled(grid, bodies.iter().rev());
+        let mut hash =
+            filled(SpatialHash::<64, BODIES, SceneTag>::new(Fx::from_num(16)).unwrap(), shuffled.iter().copied());
+        for frame in 0..60 {
+            if frame % 15 == 14 {
+                let (key, velocity) = (r.below(BODIES as i64) as u32, launch(&mut r, 8 * PX));
+                one.set_velocity(handle(&one, key), velocity).unwrap();
+                other.set_velocity(handle(&other, key), velocity).unwrap();
+                brute.set_velocity(handle(&brute, key), velocity).unwrap();
+                grid.set_velocity(handle(&grid, key), velocity).unwrap();
+                hash.set_velocity(handle(&hash, key), velocity).unwrap();
+            }
+            let all = told(&mut one, &map);
+            assert_eq!(all, told(&mut other, &map), "{case}, {frame}: another order");
+            assert_eq!(all, told(&mut brute, &map), "{case}, {frame}: brute force");
+            assert_eq!(all, told(&mut grid, &map), "{case}, {frame}: grid");
+            assert_eq!(all, told(&mut hash, &map), "{case}, {frame}: hash");
+            let pairs: Vec<_> = all.1.iter().map(|told| (told.0, told.1)).collect();
+            let solid = |key: u32| !bodies[key as usize].filter.sensor();
+            for (k, pair) in pairs.iter().enumerate().filter(|(_, pair)| solid(pair.0) && solid(pair.1)) {
+                assert!(!pairs[..k].contains(pair), "{case}, {frame}: {pair:?} met twice");
+            }
+            (met, woken) = (met + pairs.len(), woken + u32::from(all.0.woken));
+        }
+    }
+    println!("{met} met, {woken} woken");
+    assert!(met > 2000);
+}
+
+type Told = (Stepped, Vec<(u32, u32, u32, Fx)>, Vec<(SceneBody, bool)>);
+
+/// All that a step does, by key.
+fn told<B: BroadPhase<Tag = SceneTag>>(scene: &mut Scene<B, BODIES>, map: &TileMap<'_>) -> Told {
+    let keys: Vec<_> = scene.bodies().map(|(handle, body)| (handle, body.key)).collect();
+    let key = |of: Handle| keys.iter().find(|(handle, _)| *handle == of).unwrap().1;
+    let mut met = Vec::new();
+    let stepped = scene.step(map, vec2(0, 6554), |event| {
+        if let SceneEvent::Meet { pair, toi, speed, .. } = event {
+            met.push((key(pair.a), key(pair.b), toi.raw(), speed));
+        }
+    });
+    met.sort_unstable();
+    let mut bodies: Vec<_> = scene.bodies().map(|(handle, body)| (*body, scene.is_awake(handle).unwrap())).collect();
+    bodies.sort_by_key(|body| body.0.key);
+    (stepped.unwrap(), met, bodies)
+}
+
+/// From (100, 24) to the right, before what stands at 300 and what flies: the level and bodies in the order of the times.
+#[test]
+fn the_level_and_bodies_come_in_one_order() {
+    let map = level(CORRIDOR);
+    let flies = |x: i64, v: i64, key: u32| SceneBody {
+        velocity: vec2(v * PX, 0),
+        surface: Surface::ELASTIC,
+        floats: true,
+        ..SceneBody::new(ball(x * PX, 24 * PX, 4 * PX), key)
+    };
+    let events = |scene: &mut Swept| {
+        let mut told = Vec::new();
+        let stepped = scene.step(&map, Vec2::ZERO, |event| match event {
+            SceneEvent::Meet { pair, toi, speed, .. } => {
+                told.push((toi.to_fx().to_num::<f64>(), Some((pair.a.slot(), pair.b.slot(), speed))))
+            }
+            SceneEvent::Level { hits, .. } => told.push((hits.first().unwrap().toi.to_fx().to_num(), None)),
+            _ => {}
+        });
+        assert_eq!(stepped.unwrap().held, 0);
+        told
+    };
+    // The wall is at 624: to 620 and back to where one stands behind its start.
+    let mut shot = scene(&[flies(420, 400, 1), SceneBody { velocity: Vec2::ZERO, ..flies(412, 0, 2) }]);
+    let told = events(&mut shot);
+    assert_eq!(told, [(0.5, None)]);
+    let told = events(&mut shot);
+    assert_eq!(told, [(0.0, Some((0, 1, Fx::from_num(400))))]);
+    // Equal masses exchange what they have, in the middle of the step; the one that stood flies from the next step on.
+    assert_eq!((body_of(&shot, 1).velocity.x, body_of(&shot, 2).velocity.x), (Fx::ZERO, Fx::from_num(-400)));
+    // A row: each is met after the one before it, and the wall last.
+    let mut shot = scene(&[flies(424, 392, 1), flies(532, -98, 2)]);
+    let told = events(&mut shot);
+    // 100 apart at 490 a step; the first one goes back at 98, the second one at 392 to the wall.
+    assert_eq!(told[0].1, Some((0, 1, Fx::from_num(490))));
+    assert!((told[0].0 - 100.0 / 490.0).abs() < 1e-4 && told[1].1.is_none() && told[1].0 > told[0].0);
+    assert_eq!(told.len(), 2);
+}
+
+#[test]
+fn sensors_on_the_way_are_told_and_pushed_by_nobody() {
+    let map = level(NOWHERE);
+    let gate = |x: i64, key: u32| {
+        let gate = SceneBody::fixed(boxed(x * PX, -20 * PX, PX, 40 * PX), key);
+        SceneBody { filter: gate.filter.with_sensor(true), ..gate }
+    };
+    let bullet = SceneBody { velocity: vec2(500 * PX, 0), floats: true, ..SceneBody::new(ball(0, 0, 2 * PX), 9) };
+    let mut scene = scene(&[gate(100, 1), gate(200, 2), gate(300, 3), gate(700, 4), bullet]);
+    let mut told: Vec<_> = meetings(&mut scene, &map, Vec2::ZERO).1;
+    told.sort_by_key(|told| told.1);
+    let keys: Vec<_> = told.iter().map(|(pair, _)| scene.body(pair.a).unwrap().key).collect();
+    assert_eq!(keys, [1, 2, 3]);
+    assert_eq!(body_of(&scene, 9).shape.position(), vec2(500 * PX, 0));
+    assert_eq!(body_of(&scene, 9).velocity, vec2(500 * PX, 0));
+}
+
+#[test]
+fn what_sleeps_is_woken_by_what_flies_at_it() {
+    let map = level(CORRIDOR);
+    let mut scene = scene(&[SceneBody::new(boxed(300 * PX, 22 * PX, 10 * PX, 10 * PX), 1)]);
+    for _ in 0..40 {
+        scene.step(&map, vec2(0, 6554), |_| {}).unwrap();
+    }
+    assert!(scene.awake().is_empty());
+    let bullet =
+        SceneBody { velocity: vec2(700 * PX, 0), floats: true, ..SceneBody::new(ball(30 * PX, 26 * PX, PX), 2) };
+    scene.insert(&bullet).unwrap();
+    let (stepped, met) = meetings(&mut scene, &map, vec2(0, 6554));
+    assert_eq!((stepped.moved, stepped.woken, met.len()), (1, 1, 1));
+    assert_eq!(body_of(&scene, 1).velocity.x, 350);
+    assert_eq!(scene.awake().len(), 2);
+}
+
+/// Large and not faster than half its size, it goes beyond what is small; flagged it does not.
+#[test]
+fn a_crusher_is_flagged() {
+    let map = level(NOWHERE);
+    let behind = |fast: bool| {
+        let mut scene = scene(&[
+            SceneBody {
+                velocity: vec2(45 * PX, 0),
+                mass: NonZeroU8::new(200),
+                floats: true,
+                fast,
+                ..SceneBody::new(boxed(0, 0, 100 * PX, 100 * PX), 1)
+            },
+            SceneBody { floats: true, ..SceneBody::new(boxed(120 * PX, 3 * PX, 2 * PX, 2 * PX), 2) },
+        ]);
+        for _ in 0..10 {
+            scene.step(&map, Vec2::ZERO, |_| {}).unwrap();
+        }
+        body_of(&scene, 2).shape.position().x < body_of(&scene, 1).shape.aabb().max().x
+    };
+    assert!(behind(false) && !behind(true));
+}
+
+/// What the game refuses is passed.
+#[test]
+fn what_is_refused_is_passed() {
+    let map = level(NOWHERE);
+    let bullet = SceneBody { velocity: vec2(500 * PX, 0), floats: true, ..SceneBody::new(ball(0, 0, 2 * PX), 9) };
+    let wall = SceneBody::fixed(boxed(100 * PX, -20 * PX, PX, 40 * PX), 1);
+    let mut refused = scene(&[wall, bullet]);
+    refused.step_with(&map, Vec2::ZERO, |_| false, |event| panic!("{event:?}")).unwrap();
+    assert_eq!(body_of(&refused, 9).shape.position().x, 500);
+    let ghost = tilesat::Filter::new(tilesat::LayerMask::layer(1), tilesat::LayerMask::layer(1));
+    let mut filtered = scene(&[
+        SceneBody { filter: ghost.with_group(-1), ..wall },
+        SceneBody { filter: ghost.with_group(-1), ..bullet },
+    ]);
+    filtered.step(&map, Vec2::ZERO, |event| panic!("{event:?}")).unwrap();
+    assert_eq!(body_of(&filtered, 9).shape.position().x, 500);
+}
