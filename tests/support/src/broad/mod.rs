@@ -51,8 +51,8 @@ pub trait Check {
 /// Runs a check on each structure, which is full when the check has put so many bodies into it.
 pub fn everywhere(bodies: usize, cells: Cells, check: &mut dyn Check) {
     match bodies {
-        ..=2 => with_room::<2>(bodies, cells, check),
-        ..=24 => with_room::<24>(bodies, cells, check),
+        0..=2 => with_room::<2>(bodies, cells, check),
+        3..=24 => with_room::<24>(bodies, cells, check),
         _ => with_room::<90>(bodies, cells, check),
     }
 }
