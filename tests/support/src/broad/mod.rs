@@ -51,8 +51,8 @@ pub trait Check {
 /// Runs a check on each structure, which is full when the check has put so many bodies into it.
 pub fn everywhere(bodies: usize, cells: Cells, check: &mut dyn Check) {
     match bodies {
-        ..=2 => with_room::<2>(bodies, cells, check),
-        ..=24 => with_room::<24>(bodies, cells, check),
+        0..=2 => with_room::<2>(bodies, cells, check),
+        3..=24 => with_room::<24>(bodies, cells, check),
         _ => with_room::<90>(bodies, cells, check),
     }
 }
@@ -74,7 +74,7 @@ fn with_room<const N: usize>(bodies: usize, cells: Cells, check: &mut dyn Check)
     on("sweep", None, Near::asked(SortSweep::<N, Mark>::new()));
     on("grid 16 x 16", limit, Near::asked(LooseGrid::<8, N, Mark>::new(origin, side, 16).unwrap()));
     on("grid 64 x 4, large", None, Near::asked(LooseGrid::<8, N, Mark, true>::new(origin, side, 64).unwrap()));
-    on("grid 4 x 8", limit, Near::asked(LooseGrid::<1, N, Mark>::new(origin, side, 4).unwrap()));
+    on("grid 4 x 64", limit, Near::asked(LooseGrid::<8, N, Mark>::new(origin, side, 4).unwrap()));
     on("hash", limit, Near::asked(SpatialHash::<64, N, Mark>::new(side).unwrap()));
     on("hash, large", None, Near::asked(SpatialHash::<256, N, Mark, true>::new(side).unwrap()));
 }
