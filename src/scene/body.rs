@@ -130,10 +130,8 @@ pub(super) const TURNS: u8 = 8;
 /// How a body makes its step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pace {
-    /// It meets others where they are at the step's start.
+    /// It meets others where they are at the step's start, or nobody is in its reach.
     Slow,
-    /// It is fast, and nobody is near.
-    Alone,
     /// From one thing that it meets to the next.
     Swept,
 }
@@ -233,7 +231,9 @@ impl Slot {
 
     /// Whether a look at where it starts does not do.
     pub(super) fn is_fast(&self) -> bool {
-        let Raw { x, y } = Raw::of(self.body.velocity + self.tally.kick + self.tally.push());
+        // Each is a motion: no sum wraps.
+        let Tally { low, high, kick, .. } = self.tally;
+        let Raw { x, y } = Raw::of(self.body.velocity).add(Raw::of(kick)).add(Raw::of(low)).add(Raw::of(high));
         let bounds = self.body.shape.aabb();
         let size = bounds.hi().sub(bounds.lo());
         let speed = x.unsigned_abs().max(y.unsigned_abs());

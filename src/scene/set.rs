@@ -39,7 +39,7 @@ impl Sleep {
 /// `B` is any [`BroadPhase`] with [`SceneTag`](super::SceneTag)s and room for N bodies: `Scene<SortSweep<64, SceneTag>, 64>`. The [module](super) says what a step does.
 ///
 /// Plain data: a copy is a snapshot, and to assign it is to roll back. What the game keeps beside it is part of a snapshot too: its
-/// [`PairEvents`](crate::broad::PairEvents) and [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 124 bytes a body and those of the broad phase.
+/// [`PairEvents`](crate::broad::PairEvents) and [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 156 bytes a body and those of the broad phase.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<B, const N: usize> {
     pub(crate) near: B,

@@ -136,17 +136,22 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         let mover = Mover::platformer(toward(gravity).reversed()).with_surface(Surface::SLICK);
         let Sleep { still, steps } = self.sleep;
         let trip = Trip { level, mover, gravity, still };
-        let (mut calm, mut swept) = (false, false);
+        let (mut calm, mut fast) = (false, false);
+        for handle in self.awake.iter().take(self.count) {
+            let Some(slot) = self.slots.get_mut(handle.slot()).filter(|slot| slot.is_fast()) else { continue };
+            (slot.way.pace, fast) = (Pace::Swept, true);
+        }
+        if fast {
+            self.let_go(counts);
+        }
         for &handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-            if slot.is_fast() {
-                (slot.way.pace, swept) = (Pace::Swept, true);
-            } else {
+            if slot.way.pace == Pace::Slow {
                 trip.make(slot, handle, &mut self.near, stepped, each);
                 calm |= slot.quiet >= steps;
             }
         }
-        if swept {
+        if fast {
             calm |= self.sweep(&trip, stepped, counts, each);
         }
         calm && steps != 0
@@ -195,9 +200,8 @@ pub(super) struct Trip<'a, W> {
 }
 
 impl<W: World> Trip<'_, W> {
-    /// One body's whole step. In line where most bodies are moved: as a call it is 4 % of the step.
-    #[inline(always)]
-    pub(super) fn make(
+    /// One body's whole step.
+    fn make(
         &self,
         slot: &mut Slot,
         handle: Handle,

@@ -18,7 +18,27 @@ use crate::shape::Aabb;
 use crate::world::World;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
-    /// Moves those that are fast; whether one has been quiet for long enough.
+    /// Lets go of those that have nobody in reach: for them the level is all.
+    #[inline(never)]
+    pub(super) fn let_go(&mut self, counts: &mut impl FnMut(Pair) -> bool) {
+        let Self { near, slots, .. } = self;
+        let movers = self.awake.get(..self.count).unwrap_or_default();
+        let widest = movers.iter().filter_map(|handle| slots.get(handle.slot())).map(reach).max().unwrap_or(0);
+        for &handle in movers {
+            let Some(slot) = slots.get(handle.slot()).filter(|slot| slot.way.pace == Pace::Swept) else { continue };
+            let mut alone = true;
+            near.in_region(&around(&slot.body.shape.aabb(), reach(slot).saturating_add(widest)), |other| {
+                let found = slots.get(other.slot()).filter(|at| alone && other != handle && may_meet(slot, at));
+                alone &= !found.is_some_and(|at| counts(pair((handle, slot), (other, at))));
+            });
+            if let Some(slot) = slots.get_mut(handle.slot()).filter(|_| alone) {
+                slot.way.pace = Pace::Slow;
+            }
+        }
+    }
+
+    /// Moves those that are fast; whether one has been quiet for long enough. Apart, because most steps need neither its registers nor its stack.
+    #[inline(never)]
     pub(super) fn sweep<W: World>(
         &mut self,
         trip: &Trip<'_, W>,
@@ -75,45 +95,22 @@ where
         for handle in self.movers {
             self.land(*handle);
         }
-        for handle in self.movers {
-            if let Some(slot) = self.slots.get_mut(handle.slot()) {
-                slot.way = Way::REST;
-            }
-        }
+        self.slots.iter_mut().for_each(|slot| slot.way = Way::REST);
     }
 
-    /// Lets go of those that have nobody in reach: for them the level is all. The others look; what pushes them is a part of their way, for there may be somebody on it.
+    /// What pushes a body is a part of its way: there may be somebody on it.
     fn launch(&mut self) {
-        let Self { near, slots, movers, trip, stepped, counts, each, .. } = self;
-        let widest = reach_of(slots, movers, |_| true);
-        for &handle in *movers {
-            let Some(slot) = slots.get(handle.slot()).filter(|slot| slot.way.pace == Pace::Swept) else { continue };
-            let mut alone = true;
-            near.in_region(&around(&slot.body.shape.aabb(), reach(slot).saturating_add(widest)), |other| {
-                let found = slots.get(other.slot()).filter(|at| alone && other != handle && may_meet(slot, at));
-                alone &= !found.is_some_and(|at| counts(pair((handle, slot), (other, at))));
-            });
-            if let Some(slot) = slots.get_mut(handle.slot()).filter(|_| alone) {
-                slot.way.pace = Pace::Alone;
+        for handle in self.movers {
+            let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
+            if slot.way.pace == Pace::Swept {
+                slot.body.velocity += slot.tally.kick;
+                let rate = slot.body.velocity + slot.tally.push();
+                slot.way = Way { pace: Pace::Swept, since: Toi::ZERO, ..Way::made(rate) };
+                self.stepped.moved += 1;
+            } else {
+                self.margin = self.margin.max(size(slot.way.rate));
             }
         }
-        for &handle in *movers {
-            let Some(slot) = slots.get_mut(handle.slot()) else { continue };
-            match slot.way.pace {
-                Pace::Slow => {}
-                Pace::Alone => {
-                    slot.way.pace = Pace::Slow;
-                    trip.make(slot, handle, *near, stepped, *each);
-                }
-                Pace::Swept => {
-                    slot.body.velocity += slot.tally.kick;
-                    let rate = slot.body.velocity + slot.tally.push();
-                    slot.way = Way { pace: Pace::Swept, since: Toi::ZERO, ..Way::made(rate) };
-                    stepped.moved += 1;
-                }
-            }
-        }
-        self.margin = reach_of(self.slots, self.movers, |slot| slot.way.pace != Pace::Swept);
         self.look_again(|_, _| true);
     }
 
@@ -418,22 +415,14 @@ fn pair(one: (Handle, &Slot), other: (Handle, &Slot)) -> Pair {
     Pair { a, b }
 }
 
-/// How far from its box a body may be in this step: no bounce makes it faster.
+/// How far from its box a body may come in this step: no bounce makes it faster.
 fn reach(slot: &Slot) -> u32 {
-    let size = |v: Vec2| {
-        let Raw { x, y } = Raw::of(v);
-        x.unsigned_abs().saturating_add(y.unsigned_abs())
-    };
-    let velocity = slot.body.velocity + slot.tally.kick;
-    match slot.way.pace {
-        Pace::Swept => size(velocity).saturating_add(size(slot.tally.push())),
-        Pace::Slow | Pace::Alone => size(slot.way.rate),
-    }
+    size(slot.body.velocity + slot.tally.kick).saturating_add(size(slot.tally.push()))
 }
 
-fn reach_of(slots: &[Slot], movers: &[Handle], of: impl Fn(&Slot) -> bool) -> u32 {
-    let found = movers.iter().filter_map(|handle| slots.get(handle.slot())).filter(|slot| of(slot));
-    found.map(reach).max().unwrap_or(0)
+fn size(v: Vec2) -> u32 {
+    let Raw { x, y } = Raw::of(v);
+    x.unsigned_abs().saturating_add(y.unsigned_abs())
 }
 
 /// A box grown to all sides, as far as the domain goes.
