@@ -1,10 +1,11 @@
-//! The first hit in a level that is a grid of blocks: straight from its cells, of which only those features are made that a motion comes to.
+//! The first hit in a level that is a grid of tiles: full cells straight from the grid, of which only those features are made that a motion comes to.
 
 use super::body::{Body, Entry};
 use super::order::First;
-use super::search::Search;
+use super::plane::into;
+use super::search::{Held, Search};
 use crate::num::{Axis, Raw};
-use crate::world::{Block, Cell, Cells, Feature, Geometry, World};
+use crate::world::{Block, Cell, Cells, Feature, Fill, Geometry, World};
 
 /// Where a body is along a side, from the start of its motion to the end.
 enum Over {
@@ -26,26 +27,55 @@ struct Sweep<'a, W, B> {
     span: (Raw, Raw),
     /// Whether the body has no extent along one of the axes: then it matters what lies beside a face.
     thin: bool,
+    /// A velocity, of which only what opposes it is a hit.
+    pressed: Option<Raw>,
+    /// Whether the cell is beside what is solid in part, so that its features are to be asked for.
+    is_odd: bool,
+    /// The corners of the full cell that is met.
+    corners: (Raw, Raw),
     first: &'a mut First,
 }
 
 impl<B: Body> Search<'_, B> {
-    /// Takes the hits of some cells; each counts as a feature.
+    /// Takes the hits of some cells, less those that were visited `before`; each full one counts as a feature.
     #[inline(never)]
-    pub(super) fn meet_blocks<W: World>(&mut self, world: &W, cells: &mut Cells, d: Raw, first: &mut First) {
+    pub(super) fn meet_cells<W: World>(
+        &mut self,
+        world: &W,
+        cells: &mut Cells,
+        before: Option<&Cells>,
+        d: Raw,
+        first: &mut First,
+    ) {
         let body = self.body;
         let bounds = body.bounds();
         let (a, b) = (bounds.lo(), bounds.hi());
         let front = Raw { x: if d.x > 0 { b.x } else { a.x }, y: if d.y > 0 { b.y } else { a.y } };
         let c = Raw { x: (a.x + b.x) >> 1, y: (a.y + b.y) >> 1 };
         let span = if B::MEETS_CORNERS { (c, c) } else { (a, b) };
-        let mut sweep = Sweep { world, body, d, front, span, thin: a.x == b.x || a.y == b.y, first };
+        let (thin, pressed) = (a.x == b.x || a.y == b.y, self.pressed);
+        let mut sweep = Sweep { world, body, d, front, span, thin, pressed, is_odd: false, corners: (a, b), first };
+        // One cursor for all cells of other shapes.
+        let mut features = None;
         while let Some(block) = world.next_cell(cells) {
-            self.features += 1;
-            if !block.one_way {
-                sweep.meet_full(&block);
-            } else if !self.pass_one_way {
-                sweep.meet_one_way(&block);
+            if before.is_some_and(|before| before.hold(block.x, block.y)) {
+                continue;
+            }
+            let is_full = block.kind.fill() == Fill::Full;
+            sweep.is_odd = !W::BLOCKS && (thin || !is_full);
+            if !sweep.is_odd {
+                self.features += 1;
+                if is_full {
+                    sweep.meet_full(&block);
+                } else if !self.pass_one_way {
+                    sweep.meet_one_way(&block);
+                }
+            }
+            if sweep.is_odd {
+                let features = features
+                    .get_or_insert_with(|| self.ahead(world, &Held { bounds, cells: Some(Cells::NONE) }, None, d));
+                world.enter(features, &block);
+                self.meet_all(world, features, d, sweep.first);
             }
         }
     }
@@ -54,7 +84,8 @@ impl<B: Body> Search<'_, B> {
 impl<W: World, B: Body> Sweep<'_, W, B> {
     /// The faces that the motion comes to, one across each axis, and for what is round the corners that have a face that opposes it.
     fn meet_full(&mut self, block: &Block) {
-        let (lo, hi, d, front) = (block.lo, block.hi, self.d, self.front);
+        let ((lo, hi), d, front) = (self.world.corners(block), self.d, self.front);
+        self.corners = (lo, hi);
         let (width, height) = (hi.x.wrapping_sub(lo.x), hi.y.wrapping_sub(lo.y));
         if d.y > 0 && lo.y >= front.y {
             self.meet_face(block, 0, lo, Axis::X, width);
@@ -90,8 +121,8 @@ impl<W: World, B: Body> Sweep<'_, W, B> {
 
     #[inline(never)]
     fn meet_face(&mut self, block: &Block, index: u16, a: Raw, dir: Axis, len: i32) {
-        let over = self.over(block, dir);
-        if matches!(over, Over::Nowhere) || self.is_full(block, dir.y, dir.x.wrapping_neg()) {
+        let over = self.over(dir);
+        if matches!(over, Over::Nowhere) || !self.is_free(block, dir.y, dir.x.wrapping_neg()) {
             return;
         }
         let shape = |joined: [bool; 2]| Geometry::Face { a: a.vec2(), dir, len, joined };
@@ -102,18 +133,20 @@ impl<W: World, B: Body> Sweep<'_, W, B> {
         };
         if self.thin || entry.as_ref().is_some_and(|entry| entry.at_end) {
             // Corner to corner it matters what lies beside the face.
+            if !W::BLOCKS {
+                self.is_odd = true;
+                return;
+            }
             let before = self.is_full(block, dir.x.wrapping_neg(), dir.y.wrapping_neg());
             found.geometry = shape([before, self.is_full(block, dir.x, dir.y)]);
             entry = self.body.sweep_block(self.d, &found);
         }
-        if let Some(entry) = &entry {
-            self.first.add::<B, W>(entry, &found, self.d);
-        }
+        self.add(entry.as_ref(), &found);
     }
 
     /// Where over a side the motion leads.
-    fn over(&self, block: &Block, dir: Axis) -> Over {
-        let ((lo, hi), (a, b), d) = (self.span, (block.lo, block.hi), self.d);
+    fn over(&self, dir: Axis) -> Over {
+        let ((lo, hi), (a, b), d) = (self.span, self.corners, self.d);
         let (before, after, d) = if dir.x == 0 { (hi.y - a.y, b.y - lo.y, d.y) } else { (hi.x - a.x, b.x - lo.x, d.x) };
         let (before_end, after_end) = (before + d, after - d);
         if before > 0 && before_end > 0 && after > 0 && after_end > 0 {
@@ -136,17 +169,16 @@ impl<W: World, B: Body> Sweep<'_, W, B> {
     /// The corner of the sides toward `x` and `y`.
     #[inline(never)]
     fn meet_corner(&mut self, block: &Block, index: u16, x: i32, y: i32) {
-        let p = Raw { x: if x > 0 { block.hi.x } else { block.lo.x }, y: if y > 0 { block.hi.y } else { block.lo.y } };
-        if !self.comes_to(p, x, y) || self.is_full(block, x, 0) || self.is_full(block, 0, y) {
+        let (lo, hi) = self.corners;
+        let p = Raw { x: if x > 0 { hi.x } else { lo.x }, y: if y > 0 { hi.y } else { lo.y } };
+        if !self.comes_to(p, x, y) || !self.is_free(block, x, 0) || !self.is_free(block, 0, y) {
             return;
         }
         // The edges as a block has them, solid on the left: of the two orders the one that turns.
         let (along, down) = (Axis::new(x, 0), Axis::new(0, y.wrapping_neg()));
         let (e_in, e_out) = if x == y { (down.reversed(), along.reversed()) } else { (along, down) };
         let found = feature(block, index, Geometry::Vertex { p: p.vec2(), e_in, e_out });
-        if let Some(entry) = &self.body.sweep_block(self.d, &found) {
-            self.first.add::<B, W>(entry, &found, self.d);
-        }
+        self.add(self.body.sweep_block(self.d, &found).as_ref(), &found);
     }
 
     /// Whether the bounds of the motion hold a corner with their inside.
@@ -164,17 +196,29 @@ impl<W: World, B: Body> Sweep<'_, W, B> {
     #[inline(never)]
     fn meet_one_way(&mut self, block: &Block) {
         let Some(face) = &self.world.one_way_face(block) else { return };
-        if let Some(entry) = &self.body.sweep_block(self.d, face) {
-            self.first.add::<B, W>(entry, face, self.d);
+        self.add(self.body.sweep_block(self.d, face).as_ref(), face);
+    }
+
+    fn add(&mut self, entry: Option<&Entry>, found: &Feature) {
+        let Some(entry) = entry else { return };
+        if W::BLOCKS || self.pressed.is_none_or(|v| into(v, entry.normal) < 0) {
+            self.first.add::<B, W>(entry, found, self.d);
         }
     }
 
+    /// Whether nothing beside a full cell covers its side; of what covers it in part the features tell.
+    fn is_free(&mut self, block: &Block, x: i32, y: i32) -> bool {
+        let fill = self.world.fill(block.x.wrapping_add(x), block.y.wrapping_add(y));
+        self.is_odd |= !W::BLOCKS && fill == Fill::Part;
+        fill == Fill::None
+    }
+
     fn is_full(&self, block: &Block, x: i32, y: i32) -> bool {
-        self.world.is_full(block.x.wrapping_add(x), block.y.wrapping_add(y))
+        self.world.fill(block.x.wrapping_add(x), block.y.wrapping_add(y)) == Fill::Full
     }
 }
 
 fn feature(block: &Block, index: u16, geometry: Geometry) -> Feature {
     let cell = Cell::of(block.x, block.y);
-    Feature { geometry, cell, index, flags: block.flags, one_way: false, source: 0 }
+    Feature { geometry, cell, index, flags: block.kind.flags, one_way: false, source: 0 }
 }

@@ -168,7 +168,7 @@ impl<'a, B: Body> Search<'a, B> {
     pub(super) fn find_first_in<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
         if pieces == 1 {
             match self.around.known_cells() {
-                Some(mut cells) if W::GRID => self.meet_blocks(world, &mut cells, d, first),
+                Some(mut cells) if W::GRID => self.meet_cells(world, &mut cells, None, d, first),
                 _ => self.meet(world, self.around.held_of_all().as_ref(), None, d, first),
             }
         } else {
@@ -197,30 +197,45 @@ impl<'a, B: Body> Search<'a, B> {
             if first.is_within(piece, pieces) {
                 break;
             }
-            before = held.map(|held| held.bounds);
+            before = held;
         }
     }
 
     #[inline]
-    fn meet<W: World>(&mut self, world: &W, held: Option<&Held>, before: Option<&Aabb>, d: Raw, first: &mut First) {
+    fn meet<W: World>(&mut self, world: &W, held: Option<&Held>, before: Option<&Held>, d: Raw, first: &mut First) {
         let Some(held) = held else { return };
         if W::GRID {
-            let mut cells = held.cells.unwrap_or_else(|| world.cells(&held.bounds));
-            self.meet_blocks(world, &mut cells, d, first);
+            let cells = |held: &Held| held.cells.unwrap_or_else(|| world.cells(&held.bounds));
+            self.meet_cells(world, &mut cells(held), before.map(cells).as_ref(), d, first);
         } else {
-            self.meet_features(world, held, before, d, first);
+            self.meet_features(world, held, before.map(|before| &before.bounds), d, first);
         }
     }
 
     /// Takes the hits of the features of a piece of the motion.
     #[inline(never)]
     fn meet_features<W: World>(&mut self, world: &W, held: &Held, before: Option<&Aabb>, d: Raw, first: &mut First) {
+        self.meet_all(world, &mut self.ahead(world, held, before, d), d, first);
+    }
+
+    /// What lies ahead in a piece of the motion.
+    pub(super) fn ahead<'w, W: World>(
+        &self,
+        world: &'w W,
+        held: &Held,
+        before: Option<&Aabb>,
+        d: Raw,
+    ) -> W::Features<'w> {
+        let (whole, joints) = (hull(&self.body.bounds(), Raw::ZERO, d, 1), self.body.meets_joints());
+        world.features_ahead(&Way { piece: &held.bounds, cells: held.cells, before, whole, d, joints })
+    }
+
+    /// Takes the hits of all that a cursor has to give, of a grid in the cell that it is in.
+    #[inline(never)]
+    pub(super) fn meet_all<W: World>(&mut self, world: &W, features: &mut W::Features<'_>, d: Raw, first: &mut First) {
         let body = self.body;
-        let (whole, joints) = (hull(&body.bounds(), Raw::ZERO, d, 1), body.meets_joints());
-        let way = Way { piece: &held.bounds, cells: held.cells, before, whole, d, joints };
-        let mut features = world.features_ahead(&way);
         // By reference, as all that is larger than a few words: copies of features and entries would be most of the stack.
-        while let Some(feature) = &features.next() {
+        while let Some(feature) = &if W::GRID { world.next_here(features) } else { features.next() } {
             self.features += 1;
             if feature.one_way && self.pass_one_way {
                 continue;

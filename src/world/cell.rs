@@ -1,6 +1,6 @@
 //! Cells of a grid, ranges of them, and what a walk over a range finds.
 
-use crate::num::Raw;
+use super::tile_map::kind::TileKind;
 
 /// A cell of a [`TileMap`](super::TileMap): column and row, counted from the map's origin.
 ///
@@ -75,18 +75,14 @@ impl Range {
     }
 }
 
-/// A cell that is full, or has a one-way face.
+/// A cell that holds something.
 ///
 /// Public in a private module, because a sealed trait's methods name it.
 #[derive(Clone, Copy, Debug)]
 pub struct Block {
     pub(crate) x: i32,
     pub(crate) y: i32,
-    /// The corners of the cell; at a repeated border it goes on beyond the map.
-    pub(crate) lo: Raw,
-    pub(crate) hi: Raw,
-    pub(crate) flags: u8,
-    pub(crate) one_way: bool,
+    pub(crate) kind: TileKind,
 }
 
 /// The place of a walk over such cells: the next one to look at.
@@ -99,9 +95,14 @@ pub struct Cells {
 
 impl Cells {
     /// Over.
-    pub(in crate::world) const NONE: Self = Self::of(Range::NONE);
+    pub(crate) const NONE: Self = Self::of(Range::NONE);
 
     pub(in crate::world) const fn of(range: Range) -> Self {
         Self { x: range.x0, y: range.y0, range }
+    }
+
+    /// Whether a cell is among them, visited or not.
+    pub(crate) const fn hold(&self, x: i32, y: i32) -> bool {
+        self.range.has_row(y) && self.range.x0 <= x && x <= self.range.x1
     }
 }

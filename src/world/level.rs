@@ -2,6 +2,7 @@
 //! methods that every kind of level has.
 
 use super::cell::{Block, Cell, Cells};
+use super::tile_map::kind::Fill;
 use crate::num::{Axis, Raw, Vec2, imul};
 use crate::shape::{Aabb, Circle};
 
@@ -206,7 +207,7 @@ pub trait World: sealed::Sealed {
     #[doc(hidden)]
     const CERTAIN: bool = Self::BLOCKS;
 
-    /// Whether the level is a grid of blocks and nothing else: then its surface is known from [`cells`](Self::cells) too.
+    /// Whether the level is a grid of tiles and nothing else: then the surface of its full cells is known from [`fill`](Self::fill).
     #[doc(hidden)]
     const GRID: bool = false;
 
@@ -223,11 +224,30 @@ pub trait World: sealed::Sealed {
         None
     }
 
-    /// Whether a cell of a grid is full.
+    /// The corners of a cell of a grid; at a repeated border it goes on beyond the map.
     #[doc(hidden)]
-    fn is_full(&self, x: i32, y: i32) -> bool {
+    fn corners(&self, block: &Block) -> (Raw, Raw) {
+        let _ = block;
+        (Raw { x: 0, y: 0 }, Raw { x: 0, y: 0 })
+    }
+
+    /// Gives a cursor that is over the features of a cell of a grid.
+    #[doc(hidden)]
+    fn enter(&self, features: &mut Self::Features<'_>, block: &Block) {
+        let _ = (features, block);
+    }
+
+    /// The next feature of that cell.
+    #[doc(hidden)]
+    fn next_here(&self, features: &mut Self::Features<'_>) -> Option<Feature> {
+        features.next()
+    }
+
+    /// How much of a cell of a grid is solid.
+    #[doc(hidden)]
+    fn fill(&self, x: i32, y: i32) -> Fill {
         let _ = (x, y);
-        false
+        Fill::None
     }
 
     /// The face of a one-way cell of a grid, if nothing covers it.

@@ -60,6 +60,7 @@ pub use solids::ray::SolidRayHits;
 pub use solids::solid::{Side, Solid};
 pub use solids::{SolidFeatures, Solids};
 pub use tile_map::features::Features;
+pub(crate) use tile_map::kind::Fill;
 pub use tile_map::kind::{TileKind, TileKinds, TileShape};
 pub use tile_map::ray::RayHits;
 pub use tile_map::region::{Probe, TileAt, Tiles};

@@ -4,7 +4,7 @@ use super::surface::{CellWalk, Look, Surface, TileSource};
 use super::{Set, Store, TileMap};
 use crate::num::Raw;
 use crate::shape::Aabb;
-use crate::world::cell::Range;
+use crate::world::cell::{Block, Range};
 use crate::world::level::{Feature, Way};
 use crate::world::tile_map::kind::{TileKind, TileShape};
 
@@ -110,16 +110,35 @@ impl<S: Set, T: Store> Iterator for Features<'_, S, T> {
 
     fn next(&mut self) -> Option<Feature> {
         loop {
-            while self.surface.is_over() {
-                if !self.map.walk(&mut self.walk) {
-                    return None;
-                }
-                self.surface.load(self.map, &self.walk, &self.look);
+            if let Some(feature) = self.next_here() {
+                return Some(feature);
             }
+            if !self.map.walk(&mut self.walk) {
+                return None;
+            }
+            self.surface.load(self.map, &self.walk, &self.look);
+        }
+    }
+}
+
+impl<S: Set, T: Store> Features<'_, S, T> {
+    /// Goes to the features of a cell, of a walk that is over.
+    pub(super) fn enter(&mut self, block: &Block) {
+        let Block { x, y, kind, .. } = *block;
+        let in_map = self.map.holds(x, y);
+        self.walk = CellWalk { x, y, kind, in_map, last: x, ..self.walk };
+        self.surface.load(self.map, &self.walk, &self.look);
+    }
+
+    /// The next feature of the cell that the walk has come to.
+    #[inline]
+    pub(super) fn next_here(&mut self) -> Option<Feature> {
+        while !self.surface.is_over() {
             if let Some(feature) = self.surface.take(self.map, &self.look) {
                 return Some(feature);
             }
         }
+        None
     }
 }
 

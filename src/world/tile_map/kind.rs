@@ -195,6 +195,15 @@ impl TileKind {
         matches!(self.shape, TileShape::Empty)
     }
 
+    #[inline]
+    pub(crate) const fn fill(self) -> Fill {
+        match self.shape as u8 {
+            1 => Fill::Full,
+            2..34 => Fill::Part,
+            _ => Fill::None,
+        }
+    }
+
     /// The side whose edge blocks, of a one-way tile: 0 toward row 0, turning right.
     pub(in crate::world) const fn one_way_side(self) -> Option<u8> {
         match (self.shape as u8).checked_sub(TileShape::OneWayUp as u8) {
@@ -202,6 +211,17 @@ impl TileKind {
             _ => None,
         }
     }
+}
+
+/// How much of a cell is solid.
+///
+/// Public in a private module, because a sealed trait's method tells it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fill {
+    /// Nothing; it may have a one-way face.
+    None,
+    Part,
+    Full,
 }
 
 /// What each of the 256 tile ids is: 512 bytes, usually a `static` in flash, shared by all maps of a game.

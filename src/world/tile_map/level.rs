@@ -11,14 +11,14 @@ use crate::world::cell::{Block, Cells, Range};
 use crate::world::error::TileMapError;
 use crate::world::level::{Feature, Seen, Way, World, sealed};
 use crate::world::tile_map::features::Features;
-use crate::world::tile_map::kind::TileShape;
+use crate::world::tile_map::kind::{Fill, TileShape};
 
 impl<S: Set, T: Store> sealed::Sealed for TileMap<'_, S, T> {}
 
 impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     const BLOCKS: bool = !S::SHAPED;
     const ROUND: bool = S::ARCS;
-    const GRID: bool = !S::SHAPED;
+    const GRID: bool = true;
     const CERTAIN: bool = true;
 
     type Features<'w>
@@ -46,8 +46,23 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     }
 
     #[inline]
-    fn is_full(&self, x: i32, y: i32) -> bool {
-        self.full(x, y)
+    fn corners(&self, block: &Block) -> (Raw, Raw) {
+        let (x, y) = (block.x, block.y);
+        let is_square = self.holds(x, y) && (S::SHAPED || !matches!(self.outside, Outside::Edge));
+        if is_square { self.grid.square(x, y) } else { self.extent(x, y) }
+    }
+
+    fn enter(&self, features: &mut Features<'_, S, T>, block: &Block) {
+        features.enter(block);
+    }
+
+    fn next_here(&self, features: &mut Features<'_, S, T>) -> Option<Feature> {
+        features.next_here()
+    }
+
+    #[inline]
+    fn fill(&self, x: i32, y: i32) -> Fill {
+        self.kind_at(x, y).fill()
     }
 
     #[inline]
@@ -96,18 +111,23 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Cells::of(self.solid_range(self.open_range(region.lo(), region.hi())))
     }
 
+    #[inline(never)]
     pub(in crate::world) const fn next_cell(&self, cells: &mut Cells) -> Option<Block> {
+        let last = cells.range.x1;
         while cells.y <= cells.range.y1 {
-            let (x, y) = (self.next_shape(cells.x, cells.range.x1, cells.y), cells.y);
-            if x <= cells.range.x1 {
-                let last = x == cells.range.x1;
-                (cells.x, cells.y) = if last { (cells.range.x0, y.wrapping_add(1)) } else { (x.wrapping_add(1), y) };
-                let (kind, (lo, hi)) = if self.holds(x, y) && !matches!(self.outside, Outside::Edge) {
-                    (self.kinds.get(self.id(x, y)), self.grid.square(x, y))
-                } else {
-                    (self.kind_at(x, y), self.extent(x, y))
-                };
-                return Some(Block { x, y, lo, hi, flags: kind.flags, one_way: !kind.is_full() });
+            let y = cells.y;
+            let in_map = self.holds(cells.x, y) && self.holds(last, y);
+            if in_map && self.known_empty(cells.x, last, y) {
+                cells.x = last.wrapping_add(1);
+            }
+            let mut tile = self.place(cells.x, y);
+            while cells.x <= last {
+                let x = cells.x;
+                let kind = if in_map { self.kinds.get(self.id_at(tile)) } else { self.kind_at(x, y) };
+                (cells.x, tile) = (x.wrapping_add(1), tile.wrapping_add(1));
+                if !kind.is_empty() {
+                    return Some(Block { x, y, kind });
+                }
             }
             (cells.x, cells.y) = (cells.range.x0, y.wrapping_add(1));
         }
@@ -362,26 +382,6 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
             bit += 1;
         }
         word
-    }
-
-    /// The first column of `x..=last` in a row whose cell has a shape; beyond `last` where none has. Columns and rows may be beyond the map.
-    #[inline]
-    pub(in crate::world) const fn next_shape(&self, mut x: i32, last: i32, y: i32) -> i32 {
-        if x > last {
-        } else if self.holds(x, y) && self.holds(last, y) {
-            if self.known_empty(x, last, y) {
-                return last.wrapping_add(1);
-            }
-            let mut tile = self.place(x, y);
-            while x <= last && self.kinds.get(self.id_at(tile)).is_empty() {
-                (x, tile) = (x.wrapping_add(1), tile.wrapping_add(1));
-            }
-        } else {
-            while x <= last && self.kind_at(x, y).is_empty() {
-                x = x.wrapping_add(1);
-            }
-        }
-        x
     }
 
     /// Whether all tiles of a row of the map from column `x0` to `x1` are known to be empty.

@@ -15,8 +15,6 @@ pub struct ShapeSurface<const ROUND: bool> {
     index: u8,
     /// Of the vertices among them, the directions in which they are left: a nibble each from index 4 on, index 9 in the last one.
     outs: u32,
-    /// The sides whose faces are asked for, and in the high nibble those whose last corners are.
-    asked: u8,
     /// None before the first.
     tile: Option<Tile>,
 }
@@ -36,7 +34,7 @@ struct Tile {
 const INNER: u8 = 8;
 
 impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
-    const NONE: Self = Self { left: 0, index: 0, outs: 0, asked: 0, tile: None };
+    const NONE: Self = Self { left: 0, index: 0, outs: 0, tile: None };
 
     #[inline]
     fn is_over(&self) -> bool {
@@ -46,20 +44,24 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
     #[inline(never)]
     fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &Look) {
         let CellWalk { x, y, kind, .. } = *walk;
-        let (outline, corners) = (kind.shape.outline(), map.corners(walk));
-        let edges = kind.one_way_side().map_or(outline.edges, |side| 3 << (2 * side));
-        let inner = u16::from(!matches!(outline.inner_kind(), InnerKind::None)) << INNER;
-        self.asked = asked(kind, corners, look);
-        let wanted = u16::from(self.asked | self.asked >> 4) & 15 | 1 << INNER;
-        // Of most cells nothing is wanted, so their neighbours do not matter.
-        self.left = (sides(edges) | inner) & wanted & reached(corners, look.region);
-        if self.left == 0 {
-            return;
-        }
+        let outline = kind.shape.outline();
+        let edges = match kind.one_way_side() {
+            Some(side) => 3 << (2 * side),
+            None => outline.edges,
+        };
         let beside = map.beside(x, y);
         let [up, right, down, left] = beside.map(|shape| shape.outline().covers);
         let faces = edges & !(up & 0x03 | right & 0x0c | down & 0x30 | left & 0xc0);
-        self.left &= sides(faces) | inner;
+        let any = faces | faces >> 1;
+        self.left = u16::from(any & 1 | any >> 1 & 2 | any >> 2 & 4 | any >> 3 & 8);
+        if !matches!(outline.inner_kind(), InnerKind::None) {
+            self.left |= 1 << INNER;
+        }
+        if self.left == 0 {
+            return;
+        }
+        let corners = map.corners(walk);
+        self.left &= reached(corners, look.region);
         (self.index, self.outs) = (0, 0);
         self.tile = Some(Tile { kind, outline, cell: Cell::of(x, y), corners, faces, beside });
     }
@@ -89,8 +91,7 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
         let convex = matches!(inner, InnerKind::Convex);
         let arc_here = ROUND && !matches!(inner, InnerKind::Line);
         let one_way = tile.kind.one_way_side();
-        let side = 1 << (index & 7);
-        let corner = (index == INNER || self.asked >> 4 & side != 0) && meets(look.region, end, end);
+        let corner = meets(look.region, end, end);
         let mut joined = true;
         if one_way.is_none() && (corner || (look.joints && !arc_here && look.opposes(dir))) {
             if let Some(out) = tile.end::<ROUND, _>(map, piece, arc_here && !convex) {
@@ -106,7 +107,7 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
             let arc = arc(tile.kind.shape.form(), convex, tile.corners);
             return if look.opposes_arc(&arc) { Some(tile.feature(index, arc)) } else { None };
         }
-        if !(if index == INNER { look.opposes(dir) } else { self.asked & side != 0 }) {
+        if !look.opposes(dir) {
             return None;
         }
         // One component of a reduced direction is one, so that the other way is the length.
@@ -119,33 +120,6 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
         };
         Some(tile.feature(index, Geometry::Face { a: start.vec2(), dir, len, joined }))
     }
-}
-
-/// The sides of a cell whose faces are asked for, and in the high nibble those whose last corners are.
-fn asked(kind: TileKind, corners: (Raw, Raw), look: &Look) -> u8 {
-    if look.d.is_zero() {
-        return u8::MAX;
-    }
-    // With more solid beside it a corner's cone gets narrower: that of a full tile is in the quadrant across its two sides, and no box lands on it.
-    let ends = match kind.shape {
-        TileShape::Full if look.joints => 0,
-        TileShape::Full => {
-            let ends = look.ends_ahead(corners);
-            ends & (ends << 1 | ends >> 3)
-        }
-        _ => {
-            let (lo, hi) = corners;
-            let middle = Raw { x: along(lo.x, hi.x, 1), y: along(lo.y, hi.y, 1) };
-            look.ends_ahead((middle, middle))
-        }
-    };
-    look.sides_ahead(corners) | ends << 4
-}
-
-/// The sides of which any half is an edge.
-const fn sides(edges: u8) -> u16 {
-    let any = edges | edges >> 1;
-    (any & 1 | any >> 1 & 2 | any >> 2 & 4 | any >> 3 & 8) as u16
 }
 
 /// The indices of vertices.

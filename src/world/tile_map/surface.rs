@@ -38,53 +38,15 @@ pub struct Look {
     pub(super) d: Raw,
     /// Whether the joints of faces matter.
     pub(super) joints: bool,
-    /// The middle of the body at the start, exact for a disc.
-    middle: Raw,
 }
 
 impl Look {
     pub(super) const fn all(region: &Aabb) -> Self {
-        let zero = Raw { x: 0, y: 0 };
-        Self { region: (region.lo(), region.hi()), d: zero, joints: true, middle: zero }
+        Self { region: (region.lo(), region.hi()), d: Raw { x: 0, y: 0 }, joints: true }
     }
 
     pub(super) const fn ahead(way: &Way) -> Self {
-        let (lo, hi, d) = (way.whole.lo(), way.whole.hi(), way.d);
-        // The start's and the end's sum is the region's.
-        let middle = Raw { x: (lo.x + hi.x - d.x) >> 1, y: (lo.y + hi.y - d.y) >> 1 };
-        Self { region: (lo, hi), d, joints: way.joints, middle }
-    }
-
-    /// The sides of a cell, a bit each, whose faces the motion comes to: from the front of their line to beyond it, and of a disc the centre over them.
-    ///
-    /// The region is a raw unit larger than the way.
-    pub(super) fn sides_ahead(&self, (lo, hi): (Raw, Raw)) -> u8 {
-        let (d, (from, to)) = (self.d, self.region);
-        let (over_x, over_y) =
-            (self.is_over(lo.x, hi.x, self.middle.x, d.x), self.is_over(lo.y, hi.y, self.middle.y, d.y));
-        let up = over_x && d.y > 0 && lo.y >= to.y.wrapping_sub(d.y).wrapping_sub(1);
-        let right = over_y && d.x < 0 && hi.x <= from.x.wrapping_sub(d.x).wrapping_add(1);
-        let down = over_x && d.y < 0 && hi.y <= from.y.wrapping_sub(d.y).wrapping_add(1);
-        let left = over_y && d.x > 0 && lo.x >= to.x.wrapping_sub(d.x).wrapping_sub(1);
-        u8::from(up) | u8::from(right) << 1 | u8::from(down) << 2 | u8::from(left) << 3
-    }
-
-    /// Whether a disc's centre is ever between two coordinates or on them; of what meets joints with its whole side nothing is told.
-    fn is_over(&self, lo: i32, hi: i32, c: i32, d: i32) -> bool {
-        self.joints || (c.max(c.wrapping_add(d)) >= lo && c.min(c.wrapping_add(d)) <= hi)
-    }
-
-    /// The sides of a cell, a bit each, whose last corners the body may enter as corners: where its centre comes beyond the side's end. A body that
-    /// meets joints does so with a side of its bounds, where it moves against the side's direction.
-    pub(super) fn ends_ahead(&self, (lo, hi): (Raw, Raw)) -> u8 {
-        let (c, d) = (self.middle, self.d);
-        let (right, below, left, above) = if self.joints {
-            (d.x < 0, d.y < 0, d.x > 0, d.y > 0)
-        } else {
-            let end = c.add(d);
-            (c.x.max(end.x) > hi.x, c.y.max(end.y) > hi.y, c.x.min(end.x) < lo.x, c.y.min(end.y) < lo.y)
-        };
-        u8::from(right) | u8::from(below) << 1 | u8::from(left) << 2 | u8::from(above) << 3
+        Self { region: (way.whole.lo(), way.whole.hi()), d: way.d, joints: way.joints }
     }
 
     /// Whether a face along `dir` is opposed to the motion, or all are asked for.
@@ -248,7 +210,13 @@ impl BlockSurface {
         if d.is_zero() {
             return reached;
         }
-        let faces: Pieces = look.sides_ahead(self.solid).into();
+        // The faces that the motion comes to: not those that its front, up to the raw unit by which the region is larger, is beyond at the start.
+        let ((lo, hi), (from, to)) = (self.solid, look.region);
+        let up = d.y > 0 && lo.y >= to.y.wrapping_sub(d.y).wrapping_sub(1);
+        let right = d.x < 0 && hi.x <= from.x.wrapping_sub(d.x).wrapping_add(1);
+        let down = d.y < 0 && hi.y <= from.y.wrapping_sub(d.y).wrapping_add(1);
+        let left = d.x > 0 && lo.x >= to.x.wrapping_sub(d.x).wrapping_sub(1);
+        let faces = up as Pieces | (right as Pieces) << 1 | (down as Pieces) << 2 | (left as Pieces) << 3;
         if look.joints {
             // What meets the joints of faces meets no corners.
             return faces & reached;
