@@ -62,7 +62,7 @@
 //!
 //! # Features
 //!
-//! None is on by default and none changes a result. `defmt`: compact `Format` for every public type. `libm`: constructors from `f32`.
+//! `defmt` adds a compact `Format` to every public type. It is off by default and changes no result.
 
 #![no_std]
 #![forbid(unsafe_code)]

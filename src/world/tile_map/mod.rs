@@ -49,7 +49,7 @@ pub enum Outside {
 /// origin, rows are consecutive and outside is empty, unless said otherwise:
 ///
 /// ```
-/// use tilesat::{Cell, Fx, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2};
+/// use tilesat::{Cell, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2, fx};
 /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'$', TileKind::EMPTY.with_flags(1));
 /// static MAP: TileMap = match TileMap::from_ascii("\
 /// ....$...
@@ -63,7 +63,7 @@ pub enum Outside {
 ///
 /// // Cells of 8 units around the origin, in a closed room: constant as well.
 /// const ROOM: Result<TileMap, TileMapError> = match MAP_DATA {
-///     Ok(map) => map.with_outside(Outside::Solid).with_cell(Fx::lit("8")),
+///     Ok(map) => map.with_outside(Outside::Solid).with_cell(fx!(8)),
 ///     Err(e) => Err(e),
 /// };
 /// const MAP_DATA: Result<TileMap, TileMapError> = TileMap::new(&[0; 12], 4, 3, &KINDS);
