@@ -5,10 +5,10 @@
 
 use crate::broad::{BroadPhase, BruteForce, Exceptions, LooseGrid, Nearest, PairEvents, SortSweep, SpatialHash, Tag};
 use crate::motion::response::{Particle, Split, Stick, Surface};
-use crate::motion::{BodyHit, Hit, Hits, Moved, Walked, Walker};
+use crate::motion::{Body, BodyHit, Character, Feel, Hit, Hits, Input, Moved, Step, Walked, Walker};
 use crate::num::{Fx, Ratio, Toi, UnitVec2, Vec2};
 use crate::query::{CastHit, Contact, MovingHit};
-use crate::scene::{Scene, Sleep};
+use crate::scene::{Scene, SceneEvent, Sleep};
 use crate::shape::{Aabb, Circle, Segment};
 use crate::world::{
     Features, Grid, Joined, JoinedFeatures, JoinedRayHits, Near, Placed, PlacedFeatures, PlacedRayHits, RayHit,
@@ -70,6 +70,21 @@ impl Format for Circle {
 impl Format for Segment {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Segment {}-{}", self.a(), self.b());
+    }
+}
+
+impl Format for SceneEvent<'_> {
+    fn format(&self, f: Formatter<'_>) {
+        match self {
+            Self::Touch { pair, contact } => write!(f, "Touch {{ pair: {}, contact: {} }}", pair, contact),
+            Self::Meet { pair, toi, axis, speed } => {
+                write!(f, "Meet {{ pair: {}, toi: {}, axis: {}, speed: {} }}", pair, toi, axis, Decimal(*speed));
+            }
+            Self::Level { body, hits, flags } => {
+                write!(f, "Level {{ body: {}, hits: {}, flags: {} }}", body, hits, flags);
+            }
+            Self::Held(error) => write!(f, "Held({})", error),
+        }
     }
 }
 
@@ -145,6 +160,34 @@ impl<B: Format> Format for Walked<B> {
     fn format(&self, f: Formatter<'_>) {
         let (up, down) = (Decimal(self.stepped), Decimal(self.snapped));
         write!(f, "Walked {} on {} stepped {} snapped {}", self.moved, self.floor, up, down);
+    }
+}
+
+impl Format for Input {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Input run {} jump {} drop {}", Decimal(self.run), self.jump, self.drop);
+    }
+}
+
+impl Format for Feel {
+    fn format(&self, f: Formatter<'_>) {
+        let (gravity, jump, snap, step) = (self.gravity, self.jump, self.snap, self.step);
+        let (coyote, buffer) = (self.coyote, self.buffer);
+        write!(f, "Feel gravity {} jump {} ", Decimal(gravity), Decimal(jump));
+        write!(f, "snap {} step {} coyote {} buffer {}", Decimal(snap), Decimal(step), coyote, buffer);
+    }
+}
+
+impl Format for Step {
+    fn format(&self, f: Formatter<'_>) {
+        let (jumped, landed, wall, ceiling) = (self.jumped, self.landed, self.wall, self.ceiling);
+        write!(f, "{} jumped {} landed {} wall {} ceiling {}", self.outcome, jumped, landed, wall, ceiling);
+    }
+}
+
+impl<B: Format + Body> Format for Character<B> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Character {} v {} on {}", self.body(), self.velocity, self.floor());
     }
 }
 

@@ -62,8 +62,8 @@
 //!
 //! # Features
 //!
-//! None is on by default and none changes a result. `defmt`: compact `Format` for every public type. `libm`: constructors from `f32`,
-//! and on x86-64 the processor's root in casts, a quarter of a circle's cast.
+//! None is on by default and none changes a result. `defmt` adds a compact `Format` to every public type. `libm` takes the
+//! processor's square root on x86-64: a circle's cast costs a quarter less.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -98,8 +98,9 @@ pub mod world;
 pub use error::{Quantity, RangeError, Truncated};
 pub use filter::{Filter, LayerMask};
 pub use motion::{
-    Acceleration, Body, BodyHit, Carry, Energy, Hit, Hits, Masses, MoveError, Moved, Mover, Response, Ridden, Ride,
-    SlopeSpeed, Smooth, Speed, StartInside, Stuck, Support, Surface, Walked, Walker, Work,
+    Acceleration, Body, BodyHit, Carry, Character, Energy, Feel, Hit, Hits, Input, Masses, MoveError, Moved, Mover,
+    Outcome, Response, Ridden, Ride, SlopeSpeed, Smooth, Speed, StartInside, Step, Stuck, Support, Surface, Walked,
+    Walker, Work,
 };
 pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
 pub use query::{CastHit, Contact, Inside, MovingHit};

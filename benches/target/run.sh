@@ -113,6 +113,10 @@ programs=(
 games=(
     'game_blocks:33 bodies among blocks, coins, ladders:35000:2400:35000:2400'
     'game_ninja:a ninja among all shapes:34500:64:34500:64'
+    'hero_blocks:a hero among blocks:22500:128:22500:128'
+    'hero_slopes:a hero among slopes:32500:128:32500:128'
+    'hero_blocks_lift:a hero among blocks with a lift:35500:160:35500:160'
+    'hero_slopes_lift:a hero among slopes with a lift:47500:160:47500:160'
     'game_bullets:256 bullets, 32 enemies, pairs and events:58500:13800:58500:13800'
 )
 

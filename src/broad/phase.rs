@@ -382,14 +382,14 @@ pub trait BroadPhase: Spatial {
     /// ```
     /// use heapless::Vec;
     /// use tilesat::broad::{BroadHit, BroadPhase, BruteForce};
-    /// use tilesat::{Aabb, Fx, Vec2};
+    /// use tilesat::{Aabb, Fx, Vec2, fx};
     /// let at = |x, y| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + 8, y + 8));
     /// let mut near = BruteForce::<16>::new();
     /// let (far, close) = (near.insert(&at(88, 0)?, ())?, near.insert(&at(28, 8)?, ())?);
     /// let mut hits = Vec::<BroadHit, 4>::new();
     /// near.cast_shape(&at(0, 0)?, Vec2::from_ints(80, 0), |_, _| true, &mut hits)?;
     /// assert_eq!(hits.iter().map(|hit| (hit.handle, hit.toi.to_fx())).collect::<Vec<_, 4>>(), [
-    ///     (close, Fx::lit("0.25")), // passed along its side
+    ///     (close, fx!(0.25)), // passed along its side
     ///     (far, Fx::ONE), // just reached
     /// ]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

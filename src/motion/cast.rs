@@ -52,12 +52,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// exact overlap tests; [`BodyHit::work`] counts them.
     ///
     /// ```
-    /// use tilesat::{Axis, Circle, Fx, Inside, TileKind, TileKinds, TileMap, Vec2};
+    /// use tilesat::{Axis, Circle, Fx, Inside, TileKind, TileKinds, TileMap, Vec2, fx};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
     /// let level = TileMap::from_ascii("...#\n...#", &KINDS)?; // the wall is at x = 48
     /// let ball = Circle::new(Vec2::from_ints(8, 8), Fx::from_num(4))?;
     /// let found = level.cast_shape(&ball, Vec2::from_ints(72, 18), Inside::Hit)?.unwrap();
-    /// assert_eq!((found.hit.toi.to_fx(), found.hit.axis), (Fx::lit("0.5"), Axis::NEG_X));
+    /// assert_eq!((found.hit.toi.to_fx(), found.hit.axis), (fx!(0.5), Axis::NEG_X));
     /// assert_eq!(found.body.centre(), Vec2::from_ints(44, 17));
     /// assert_eq!(level.cast_shape(&ball, Vec2::from_ints(36, 0), Inside::Hit)?, None); // up to the wall
     /// # Ok::<(), Box<dyn std::error::Error>>(())

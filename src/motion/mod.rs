@@ -88,6 +88,7 @@
 mod blocks;
 mod body;
 mod cast;
+mod character;
 mod inside;
 mod moved;
 mod mover;
@@ -107,6 +108,7 @@ mod walk;
 
 pub use body::Body;
 pub use cast::BodyHit;
+pub use character::{Character, Feel, Input, Outcome, Step};
 
 pub use inside::{StartInside, escape};
 pub use moved::{Hit, Hits, MoveError, Moved, Stuck, Work};

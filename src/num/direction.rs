@@ -1,7 +1,8 @@
-//! Directions: two integers, always exact, or a vector of length one; and vectors of a given length, rounded to the nearest lattice point.
+//! Directions: two integers, always exact, or a vector of length one; vectors of a given length, rounded to the nearest lattice point; and the
+//! pairs of raw integers that kernels compute with.
 
 use super::quotient::{leading_zeros32, rsqrt};
-use super::{Fx, Raw, Vec2, div_sqrt, imul, mul_div_wide, umul, usqr};
+use super::{Fx, SPLIT, Vec2, div_sqrt, imul, mul_div_wide, umul, usqr};
 use core::ops::Neg;
 use fixed::types::I2F30;
 
@@ -165,9 +166,9 @@ impl UnitVec2 {
     /// Never longer than asked by a raw unit or more, and mirrored directions give mirrored bits. Cost: two products, no division.
     ///
     /// ```
-    /// use tilesat::{Axis, Fx, Vec2};
-    /// assert_eq!(Axis::new(3, -4).unit().scaled(Fx::lit("10")), Vec2::from_raw((6 << 16) - 1, -(8 << 16) + 1));
-    /// assert_eq!(Axis::NEG_X.unit().scaled(Fx::lit("2.5")), Vec2::new(Fx::lit("-2.5"), Fx::ZERO));
+    /// use tilesat::{Axis, Fx, Vec2, fx};
+    /// assert_eq!(Axis::new(3, -4).unit().scaled(fx!(10)), Vec2::from_raw((6 << 16) - 1, -(8 << 16) + 1));
+    /// assert_eq!(Axis::NEG_X.unit().scaled(fx!(2.5)), Vec2::new(fx!(-2.5), Fx::ZERO));
     /// ```
     #[must_use]
     pub const fn scaled(self, length: Fx) -> Vec2 {
@@ -280,4 +281,66 @@ pub(crate) const fn toward(v: Raw, r: i32) -> Raw {
     let d = v.len2();
     let (x, y) = (on_circle(v.x.unsigned_abs(), r as u32, d) as i32, on_circle(v.y.unsigned_abs(), r as u32, d) as i32);
     Raw { x: if v.x < 0 { x.wrapping_neg() } else { x }, y: if v.y < 0 { y.wrapping_neg() } else { y } }
+}
+
+/// Raw coordinates, or a difference of two inside the domain: the kernels' operand.
+///
+/// Public in a private module, because methods of sealed traits take it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Raw {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+}
+
+impl Raw {
+    pub(crate) const ZERO: Self = Self { x: 0, y: 0 };
+
+    pub(crate) const fn of(v: Vec2) -> Self {
+        Self { x: v.x.to_bits(), y: v.y.to_bits() }
+    }
+
+    pub(crate) const fn vec2(self) -> Vec2 {
+        Vec2::from_raw(self.x, self.y)
+    }
+
+    pub(crate) const fn add(self, o: Self) -> Self {
+        Self { x: self.x.wrapping_add(o.x), y: self.y.wrapping_add(o.y) }
+    }
+
+    /// Both operands inside the domain: the difference is below 2^30.
+    pub(crate) const fn sub(self, o: Self) -> Self {
+        Self { x: self.x.wrapping_sub(o.x), y: self.y.wrapping_sub(o.y) }
+    }
+
+    pub(crate) const fn reversed(self) -> Self {
+        Self { x: self.x.wrapping_neg(), y: self.y.wrapping_neg() }
+    }
+
+    /// Operands below 2^30: each product is below 2^60, the sum below 2^61.
+    pub(crate) const fn dot(self, o: Self) -> i64 {
+        super::dot(self.x, o.x, self.y, o.y)
+    }
+
+    /// [`dot`](Self::dot) and [`cross`](Self::cross): where a product is a call, three of them do (Gauss). Operands and their sums below 2^31.
+    #[inline]
+    pub(crate) const fn dot_cross(self, o: Self) -> (i64, i64) {
+        if !SPLIT {
+            return (self.dot(o), self.cross(o));
+        }
+        let both = imul(o.x, self.x.wrapping_sub(self.y));
+        let (dot, cross) = (imul(self.y, o.x.wrapping_add(o.y)), imul(self.x, o.y.wrapping_sub(o.x)));
+        (both.wrapping_add(dot), both.wrapping_add(cross))
+    }
+
+    pub(crate) const fn cross(self, o: Self) -> i64 {
+        super::dot(self.x, o.y, self.y.wrapping_neg(), o.x)
+    }
+
+    pub(crate) const fn len2(self) -> u64 {
+        super::norm(self.x, self.y)
+    }
+
+    pub(crate) const fn is_zero(self) -> bool {
+        self.x == 0 && self.y == 0
+    }
 }

@@ -22,15 +22,64 @@ mod vec2;
 mod wide;
 
 pub use direction::{Axis, UnitVec2};
-pub(crate) use direction::{on_circle, scaled, toward, unit_ceil};
+pub(crate) use direction::{Raw, on_circle, scaled, toward, unit_ceil};
 pub(crate) use part::fraction;
 pub use part::{Ratio, Toi};
 pub use quotient::{div_sqrt, isqrt64, isqrt64_ceil, mul_div, mul_div_wide, recip, rsqrt};
 pub(crate) use quotient::{leading_zeros32, leading_zeros64, root128_down, root128_up};
 pub use vec2::{DOMAIN, MOTION, Vec2};
-pub(crate) use vec2::{Raw, check_coordinate, check_length, check_motion, check_radius};
+pub(crate) use vec2::{check_coordinate, check_length, check_motion, check_radius};
 pub(crate) use wide::{LONG, add128, cmp_squares, dot, mul128, norm, square_times, sub128};
 pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split, usqr, usqr_split};
 
 /// The world's scalar: signed 16.16 fixed point. A unit is whatever the game says it is, usually a pixel.
+///
+/// The type is [`FixedI32`](fixed::FixedI32) of the crate [`fixed`]. One raw unit is 1/65536; the largest value is just below 32768.
+/// Write constants with [`fx!`](crate::fx): `fx!(0.25)` is computed by the compiler. `Fx::lit("0.25")` outside of a `const` is parsed
+/// when the program runs (874 instructions on a Cortex-M0, and 3.9 KB of flash).
+///
+/// # Overflow
+///
+/// Nothing in this crate overflows or panics, but the operators of `Fx` belong to `fixed`. They panic in debug builds and **wrap in
+/// release builds**:
+///
+/// | you write | where it fails | instead |
+/// |---|---|---|
+/// | `a + b`, `a - b`, `-a` | beyond ±32768 | `a.saturating_add(b)`, `a.checked_add(b)`, ... |
+/// | `a * b` | beyond ±32768: 182 * 182 does | `a.saturating_mul(b)`, `a.checked_mul(b)` |
+/// | `a / b` | beyond ±32768; `b == 0` panics in every build | `a.checked_div(b)` |
+/// | `Fx::from_num(n)` | `n` beyond ±32768 | `Fx::checked_from_num(n)`, `Fx::saturating_from_num(n)`; `Fx::from(i16)` cannot fail |
+///
+/// Operators of [`Vec2`] saturate. A game that keeps to vectors meets none of these.
 pub type Fx = fixed::types::I16F16;
+
+/// An [`Fx`](crate::Fx) from a literal, always computed by the compiler.
+///
+/// The value is rounded to the nearest raw unit (1/65536), ties to even. It may be negative, and it may be used wherever an expression
+/// may be. Anything that is not a number within 16.16 does not compile.
+///
+/// ```
+/// use tilesat::{Fx, fx};
+/// const GRAVITY: Fx = fx!(0.25);
+/// assert_eq!(GRAVITY.to_bits(), 1 << 14);
+/// assert_eq!(fx!(-1.5) + fx!(2), fx!(0.5));
+/// ```
+///
+/// ```compile_fail
+/// let too_large = tilesat::fx!(40000); // 16.16 ends below 32768
+/// ```
+///
+/// ```compile_fail
+/// let text = tilesat::fx!("0.25");
+/// ```
+///
+/// ```compile_fail
+/// let n = 3;
+/// let not_a_literal = tilesat::fx!(n);
+/// ```
+#[macro_export]
+macro_rules! fx {
+    ($value:literal) => {
+        const { $crate::Fx::lit(::core::stringify!($value)) }
+    };
+}

@@ -1,18 +1,29 @@
 //! Vectors of the world's scalars, and the domain that they keep to: inside it no kernel can wrap, and constructors let nothing else in.
 
-use super::{Fx, imul};
+use super::{Fx, imul, mul_div, umul};
 use crate::error::{Quantity, RangeError};
-use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A position or displacement in units.
 ///
-/// Names are glam's where glam has them. `+`, `-` and negation saturate at the ends of 16.16, far outside of the [domain](super::DOMAIN).
+/// Names are glam's where glam has them. Operators never panic and never wrap: they saturate at the ends of 16.16, far outside of the
+/// [domain](super::DOMAIN). The `checked_` methods return `None` instead.
+///
+/// | operator | rounding | overflow, and division by zero |
+/// |---|---|---|
+/// | `+` `-` negation, `*` with an integer | exact | saturates |
+/// | `*` `/` with an [`Fx`], `/` with an integer | toward zero, so mirrored vectors give mirrored results | saturates toward the sign; `0 / 0` is 0 |
+///
+/// An [`Fx`] by itself is different: [its own operators](Fx#overflow) panic or wrap.
 ///
 /// ```
-/// use tilesat::Vec2;
+/// use tilesat::{Fx, Vec2, fx};
 /// let v = Vec2::from_ints(3, 4);
 /// assert_eq!(v.dot(v), 25 << 32);
 /// assert_eq!(v.length(), 5);
+/// assert_eq!(v * fx!(0.5), Vec2::new(fx!(1.5), fx!(2)));
+/// assert_eq!((2 * v, v / 2), (Vec2::from((6, 8)), Vec2::new(fx!(1.5), fx!(2))));
+/// assert_eq!(v * fx!(20000), Vec2::new(Fx::MAX, Fx::MAX));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Vec2 {
@@ -44,19 +55,37 @@ impl Vec2 {
         Self::from_raw((x as i32) << 16, (y as i32) << 16)
     }
 
-    /// A vector from floating point, each component rounded to nearest; `None` where a component is not finite or does not fit 16.16.
+    /// A vector from floating point, each component rounded to nearest, ties to even; `None` where one is not finite or does not
+    /// fit 16.16.
     ///
-    /// Never used by a query. Needs the feature `libm`.
-    #[cfg(feature = "libm")]
+    /// No query uses it. It computes with integers only, so a chip without an FPU links no floating-point routine.
     #[must_use]
-    #[expect(clippy::float_arithmetic, reason = "this is the conversion from floating point")]
     pub fn from_f32(x: f32, y: f32) -> Option<Self> {
-        // f32 has 24 bits and the scale is a power of two: the product is exact, only `rintf` rounds.
-        let raw = |v: f32| {
-            let scaled = libm::rintf(v * 65536.0);
-            (-2_147_483_648.0..2_147_483_648.0).contains(&scaled).then_some(scaled as i32)
-        };
-        Some(Self::from_raw(raw(x)?, raw(y)?))
+        Some(Self { x: Fx::checked_from_num(x)?, y: Fx::checked_from_num(y)? })
+    }
+
+    /// Both components as floating point, rounded to nearest, ties to even: for drawing.
+    ///
+    /// Exact below 256 units: an `f32` has 24 bits.
+    ///
+    /// ```
+    /// use tilesat::Vec2;
+    /// assert_eq!(Vec2::from_ints(3, -4).to_f32(), (3.0, -4.0));
+    /// ```
+    #[must_use]
+    pub fn to_f32(self) -> (f32, f32) {
+        (self.x.to_num(), self.y.to_num())
+    }
+
+    /// The whole units below, toward negative infinity: the pixel that holds the point.
+    ///
+    /// ```
+    /// use tilesat::{Vec2, fx};
+    /// assert_eq!(Vec2::new(fx!(2.9), fx!(-0.1)).to_ints(), (2, -1));
+    /// ```
+    #[must_use]
+    pub const fn to_ints(self) -> (i32, i32) {
+        (self.x.to_bits() >> 16, self.y.to_bits() >> 16)
     }
 
     /// The bits of both components.
@@ -112,6 +141,96 @@ impl Vec2 {
     pub const fn saturating_add(self, rhs: Self) -> Self {
         Self { x: self.x.saturating_add(rhs.x), y: self.y.saturating_add(rhs.y) }
     }
+
+    /// `self - rhs`, each component saturating; as `-`, usable in constants.
+    #[must_use]
+    pub const fn saturating_sub(self, rhs: Self) -> Self {
+        Self { x: self.x.saturating_sub(rhs.x), y: self.y.saturating_sub(rhs.y) }
+    }
+
+    /// `self * factor`, each component rounded toward zero and saturating; as `*`, usable in constants.
+    #[must_use]
+    pub const fn saturating_mul(self, factor: Fx) -> Self {
+        let (x, y) = self.raw();
+        Self::from_raw(saturated(product(x, factor)), saturated(product(y, factor)))
+    }
+
+    /// `self / divisor`, each component rounded toward zero and saturating; as `/`, usable in constants.
+    ///
+    /// Division by zero saturates as well: toward the sign of the component, and zero stays zero.
+    #[must_use]
+    pub const fn saturating_div(self, divisor: Fx) -> Self {
+        let (x, y) = self.raw();
+        Self::from_raw(saturated(quotient(x, divisor)), saturated(quotient(y, divisor)))
+    }
+
+    /// `self + rhs`; `None` where a component does not fit 16.16.
+    #[must_use]
+    pub const fn checked_add(self, rhs: Self) -> Option<Self> {
+        both(self.x.checked_add(rhs.x), self.y.checked_add(rhs.y))
+    }
+
+    /// `self - rhs`; `None` where a component does not fit 16.16.
+    #[must_use]
+    pub const fn checked_sub(self, rhs: Self) -> Option<Self> {
+        both(self.x.checked_sub(rhs.x), self.y.checked_sub(rhs.y))
+    }
+
+    /// `self * factor`, each component rounded toward zero; `None` where one does not fit 16.16.
+    ///
+    /// ```
+    /// use tilesat::{Vec2, fx};
+    /// assert_eq!(Vec2::from_ints(3, -4).checked_mul(fx!(0.5)), Some(Vec2::new(fx!(1.5), fx!(-2))));
+    /// assert_eq!(Vec2::from_ints(300, 0).checked_mul(fx!(300)), None);
+    /// ```
+    #[must_use]
+    pub const fn checked_mul(self, factor: Fx) -> Option<Self> {
+        let (x, y) = self.raw();
+        both(fitting(product(x, factor)), fitting(product(y, factor)))
+    }
+
+    /// `self / divisor`, each component rounded toward zero; `None` where one does not fit 16.16, or the divisor is zero.
+    #[must_use]
+    pub const fn checked_div(self, divisor: Fx) -> Option<Self> {
+        if divisor.to_bits() == 0 {
+            return None;
+        }
+        let (x, y) = self.raw();
+        both(fitting(quotient(x, divisor)), fitting(quotient(y, divisor)))
+    }
+}
+
+/// Sign and size of a product. The size is below 2^46; what exceeds a word is cut to all ones, which fits no component.
+const fn product(component: i32, factor: Fx) -> (bool, u32) {
+    let factor = factor.to_bits();
+    let size = umul(component.unsigned_abs(), factor.unsigned_abs()) >> 16;
+    ((component < 0) != (factor < 0), if size > u32::MAX as u64 { u32::MAX } else { size as u32 })
+}
+
+/// Sign and size of a quotient, all ones where it exceeds a word or the divisor is zero.
+const fn quotient(component: i32, divisor: Fx) -> (bool, u32) {
+    let divisor = divisor.to_bits();
+    let size = if component == 0 { 0 } else { mul_div(component.unsigned_abs(), 1 << 16, divisor.unsigned_abs()) };
+    ((component < 0) != (divisor < 0), size)
+}
+
+const fn fitting((negative, size): (bool, u32)) -> Option<Fx> {
+    let value = if negative { 0i32.checked_sub_unsigned(size) } else { 0i32.checked_add_unsigned(size) };
+    match value {
+        Some(value) => Some(Fx::from_bits(value)),
+        None => None,
+    }
+}
+
+const fn saturated((negative, size): (bool, u32)) -> i32 {
+    if negative { 0i32.saturating_sub_unsigned(size) } else { 0i32.saturating_add_unsigned(size) }
+}
+
+const fn both(x: Option<Fx>, y: Option<Fx>) -> Option<Vec2> {
+    match (x, y) {
+        (Some(x), Some(y)) => Some(Vec2 { x, y }),
+        _ => None,
+    }
 }
 
 impl Add for Vec2 {
@@ -124,20 +243,72 @@ impl Add for Vec2 {
 impl Sub for Vec2 {
     type Output = Self;
     fn sub(self, rhs: Self) -> Self {
-        Self { x: self.x.saturating_sub(rhs.x), y: self.y.saturating_sub(rhs.y) }
+        self.saturating_sub(rhs)
     }
 }
 
-impl AddAssign for Vec2 {
-    fn add_assign(&mut self, rhs: Self) {
-        *self = *self + rhs;
+impl Mul<Fx> for Vec2 {
+    type Output = Self;
+    fn mul(self, factor: Fx) -> Self {
+        self.saturating_mul(factor)
     }
 }
 
-impl SubAssign for Vec2 {
-    fn sub_assign(&mut self, rhs: Self) {
-        *self = *self - rhs;
+impl Div<Fx> for Vec2 {
+    type Output = Self;
+    fn div(self, divisor: Fx) -> Self {
+        self.saturating_div(divisor)
     }
+}
+
+/// Exact, or saturated.
+impl Mul<i32> for Vec2 {
+    type Output = Self;
+    fn mul(self, factor: i32) -> Self {
+        let (x, y) = self.raw();
+        Self::from_raw(x.saturating_mul(factor), y.saturating_mul(factor))
+    }
+}
+
+/// Rounded toward zero; by zero as [`saturating_div`](Vec2::saturating_div).
+impl Div<i32> for Vec2 {
+    type Output = Self;
+    fn div(self, divisor: i32) -> Self {
+        if divisor == 0 {
+            return self.saturating_div(Fx::ZERO);
+        }
+        let part = |v: i32| v.checked_div(divisor).unwrap_or(i32::MAX); // i32::MIN / -1
+        let (x, y) = self.raw();
+        Self::from_raw(part(x), part(y))
+    }
+}
+
+impl Mul<Vec2> for Fx {
+    type Output = Vec2;
+    fn mul(self, rhs: Vec2) -> Vec2 {
+        rhs * self
+    }
+}
+
+impl Mul<Vec2> for i32 {
+    type Output = Vec2;
+    fn mul(self, rhs: Vec2) -> Vec2 {
+        rhs * self
+    }
+}
+
+macro_rules! assigned {
+    ($($Trait:ident<$Rhs:ty> $method:ident $operator:tt),+) => {
+        $(impl $Trait<$Rhs> for Vec2 {
+            fn $method(&mut self, rhs: $Rhs) {
+                *self = *self $operator rhs;
+            }
+        })+
+    };
+}
+assigned! {
+    AddAssign<Self> add_assign +, SubAssign<Self> sub_assign -,
+    MulAssign<Fx> mul_assign *, DivAssign<Fx> div_assign /, MulAssign<i32> mul_assign *, DivAssign<i32> div_assign /
 }
 
 impl Neg for Vec2 {
@@ -153,77 +324,48 @@ impl From<(Fx, Fx)> for Vec2 {
     }
 }
 
+/// Whole units. Exact.
+impl From<(i16, i16)> for Vec2 {
+    fn from((x, y): (i16, i16)) -> Self {
+        Self::from_ints(x, y)
+    }
+}
+
+/// Whole units, refused where they do not fit 16.16 (-32768 to 32767). The error's value is then the end of the range that was missed.
+///
+/// ```
+/// use tilesat::{Quantity, Vec2};
+/// let at = |x: i32, y: i32| Vec2::try_from((x, y));
+/// assert_eq!(at(3, -4), Ok(Vec2::from_ints(3, -4)));
+/// assert_eq!(at(70_000, 0).unwrap_err().what, Quantity::X); // `70_000_i32 as i16` is 4464
+/// ```
+impl TryFrom<(i32, i32)> for Vec2 {
+    type Error = RangeError;
+    fn try_from((x, y): (i32, i32)) -> Result<Self, RangeError> {
+        let fx = |v: i32, what| {
+            let whole =
+                i16::try_from(v).map_err(|_| RangeError { what, value: if v < 0 { i32::MIN } else { i32::MAX } });
+            whole.map(Fx::from_num)
+        };
+        Ok(Self { x: fx(x, Quantity::X)?, y: fx(y, Quantity::Y)? })
+    }
+}
+
 impl From<[Fx; 2]> for Vec2 {
     fn from([x, y]: [Fx; 2]) -> Self {
         Self { x, y }
     }
 }
 
+impl From<Vec2> for (Fx, Fx) {
+    fn from(v: Vec2) -> Self {
+        (v.x, v.y)
+    }
+}
+
 impl From<Vec2> for [Fx; 2] {
     fn from(v: Vec2) -> Self {
         [v.x, v.y]
-    }
-}
-
-/// Raw coordinates, or a difference of two inside the domain: the kernels' operand.
-///
-/// Public in a private module, because methods of sealed traits take it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Raw {
-    pub(crate) x: i32,
-    pub(crate) y: i32,
-}
-
-impl Raw {
-    pub(crate) const ZERO: Self = Self { x: 0, y: 0 };
-
-    pub(crate) const fn of(v: Vec2) -> Self {
-        Self { x: v.x.to_bits(), y: v.y.to_bits() }
-    }
-
-    pub(crate) const fn vec2(self) -> Vec2 {
-        Vec2::from_raw(self.x, self.y)
-    }
-
-    pub(crate) const fn add(self, o: Self) -> Self {
-        Self { x: self.x.wrapping_add(o.x), y: self.y.wrapping_add(o.y) }
-    }
-
-    /// Both operands inside the domain: the difference is below 2^30.
-    pub(crate) const fn sub(self, o: Self) -> Self {
-        Self { x: self.x.wrapping_sub(o.x), y: self.y.wrapping_sub(o.y) }
-    }
-
-    pub(crate) const fn reversed(self) -> Self {
-        Self { x: self.x.wrapping_neg(), y: self.y.wrapping_neg() }
-    }
-
-    /// Operands below 2^30: each product is below 2^60, the sum below 2^61.
-    pub(crate) const fn dot(self, o: Self) -> i64 {
-        super::dot(self.x, o.x, self.y, o.y)
-    }
-
-    /// [`dot`](Self::dot) and [`cross`](Self::cross): where a product is a call, three of them do (Gauss). Operands and their sums below 2^31.
-    #[inline]
-    pub(crate) const fn dot_cross(self, o: Self) -> (i64, i64) {
-        if !super::SPLIT {
-            return (self.dot(o), self.cross(o));
-        }
-        let both = imul(o.x, self.x.wrapping_sub(self.y));
-        let (dot, cross) = (imul(self.y, o.x.wrapping_add(o.y)), imul(self.x, o.y.wrapping_sub(o.x)));
-        (both.wrapping_add(dot), both.wrapping_add(cross))
-    }
-
-    pub(crate) const fn cross(self, o: Self) -> i64 {
-        super::dot(self.x, o.y, self.y.wrapping_neg(), o.x)
-    }
-
-    pub(crate) const fn len2(self) -> u64 {
-        super::norm(self.x, self.y)
-    }
-
-    pub(crate) const fn is_zero(self) -> bool {
-        self.x == 0 && self.y == 0
     }
 }
 

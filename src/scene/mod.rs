@@ -217,7 +217,6 @@ pub type SceneTag = crate::broad::Keyed<crate::Filter>;
 
 /// What happened in a step, as it happens; in no particular order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum SceneEvent<'a> {
     /// Two bodies, sensors too, touched at the step's start. In every step in which they do and one of them is awake: for begin and end feed `pair` to
     /// [`PairEvents`](crate::broad::PairEvents).

@@ -26,9 +26,9 @@ use crate::shape::{Aabb, Circle};
 /// Cost: that of the level, and a few additions for each call and each feature.
 ///
 /// ```
-/// use tilesat::{Aabb, Fx, Path, PathKind, Placed, Vec2, segment_map};
+/// use tilesat::{Aabb, Path, PathKind, Placed, Vec2, fx, segment_map};
 /// const WEDGE: [Vec2; 3] = [Vec2::from_ints(0, 32), Vec2::from_ints(64, 0), Vec2::from_ints(64, 32)];
-/// segment_map!(static WEDGES: [Path::new(PathKind::Solid, &WEDGE)], Fx::lit("32"));
+/// segment_map!(static WEDGES: [Path::new(PathKind::Solid, &WEDGE)], fx!(32));
 ///
 /// let body = Aabb::new(Vec2::from_ints(30, 0), Vec2::from_ints(40, 10))?;
 /// for frame in 0..4 {

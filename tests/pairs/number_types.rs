@@ -1,7 +1,7 @@
 //! The public numbers against 128-bit arithmetic of the host, and the ends of what shapes are made of.
 
 use tilesat::num::DOMAIN;
-use tilesat::{Aabb, Axis, Circle, Fx, Quantity, RangeError, Segment, Toi, Vec2};
+use tilesat::{Aabb, Axis, Circle, Fx, Quantity, RangeError, Segment, Toi, Vec2, fx};
 use tilesat_judge::Random;
 
 /// Units, ends, zero, and what is beside them; each sign.
@@ -128,4 +128,107 @@ fn shapes_end_at_the_domain() {
     assert_eq!(Aabb::from_centre(at(0, 0), at(most, most)).map(|b| b.size()), Ok(at(2 * most, 2 * most)));
     let odd = Aabb::new(at(-3, -1), at(0, 2)).expect("inside");
     assert_eq!((odd.centre(), odd.union(&b)), (at(-2, 0), Aabb::new(at(-3, -1), at(13, 24)).expect("inside")));
+}
+
+/// Products and quotients of 16.16 in 128 bits, toward zero.
+fn scaled_exactly(v: i32, s: i32) -> i128 {
+    i128::from(v) * i128::from(s) / 65_536
+}
+
+fn fits(v: i128) -> Option<i32> {
+    i32::try_from(v).ok()
+}
+
+fn saturated(v: i128) -> i32 {
+    v.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+}
+
+fn both(v: (Option<i32>, Option<i32>)) -> Option<Vec2> {
+    Some(Vec2::from_raw(v.0?, v.1?))
+}
+
+#[test]
+fn vectors_scale_toward_zero_and_saturate() {
+    let all = pairs();
+    let ends = [(i32::MAX, i32::MIN), (i32::MIN, 1), (-1, i32::MAX), (0, i32::MIN)];
+    let factors = words().into_iter().chain([i32::MAX, i32::MIN, 65_535, -65_537, 196_608]);
+    for s in factors {
+        let fx = Fx::from_bits(s);
+        for &(x, y) in all.iter().step_by(3).chain(&ends) {
+            let v = Vec2::from_raw(x, y);
+            let (px, py) = (scaled_exactly(x, s), scaled_exactly(y, s));
+            let product = Vec2::from_raw(saturated(px), saturated(py));
+            assert_eq!((v * fx, fx * v, v.saturating_mul(fx)), (product, product, product), "{v:?} * {fx}");
+            assert_eq!(v.checked_mul(fx), both((fits(px), fits(py))), "{v:?} * {fx}");
+            let whole = Vec2::from_raw(x.saturating_mul(s), y.saturating_mul(s));
+            assert_eq!((v * s, s * v), (whole, whole), "{v:?} * {s}");
+
+            let exact = |v: i32, up: i128| match (i128::from(v) * up).checked_div(i128::from(s)) {
+                Some(q) => q,
+                None => i128::from(v.signum()) << 40, // by zero: toward the sign
+            };
+            let (qx, qy) = (exact(x, 65_536), exact(y, 65_536));
+            let quotient = Vec2::from_raw(saturated(qx), saturated(qy));
+            assert_eq!((v / fx, v.saturating_div(fx)), (quotient, quotient), "{v:?} / {fx}");
+            let checked = if s == 0 { None } else { both((fits(qx), fits(qy))) };
+            assert_eq!(v.checked_div(fx), checked, "{v:?} / {fx}");
+            assert_eq!(v / s, Vec2::from_raw(saturated(exact(x, 1)), saturated(exact(y, 1))), "{v:?} / {s}");
+
+            let mut assigned = [v; 4];
+            assigned[0] *= fx;
+            assigned[1] /= fx;
+            assigned[2] *= s;
+            assigned[3] /= s;
+            assert_eq!(assigned, [v * fx, v / fx, v * s, v / s]);
+        }
+    }
+    for &(x, y) in all.iter().step_by(2).chain(&ends) {
+        for &(u, w) in all.iter().step_by(5).chain(&ends) {
+            let (a, b) = (Vec2::from_raw(x, y), Vec2::from_raw(u, w));
+            assert_eq!(a.checked_add(b), both((x.checked_add(u), y.checked_add(w))));
+            assert_eq!(a.checked_sub(b), both((x.checked_sub(u), y.checked_sub(w))));
+        }
+    }
+}
+
+#[test]
+fn whole_units_are_never_cut() {
+    for x in [-32_769, -32_768, -1, 0, 1, 32_767, 32_768, 70_000, i32::MIN, i32::MAX] {
+        let fits = (-32_768..=32_767).contains(&x);
+        let refused = |what| RangeError { what, value: if x < 0 { i32::MIN } else { i32::MAX } };
+        let raw = |x: i32| Fx::from_bits(x.wrapping_shl(16));
+        assert_eq!(
+            Vec2::try_from((x, 7)),
+            if fits { Ok(Vec2::new(raw(x), raw(7))) } else { Err(refused(Quantity::X)) }
+        );
+        assert_eq!(
+            Vec2::try_from((7, x)),
+            if fits { Ok(Vec2::new(raw(7), raw(x))) } else { Err(refused(Quantity::Y)) }
+        );
+    }
+    assert_eq!(Vec2::from((3_i16, -4_i16)), Vec2::from_ints(3, -4));
+    assert_eq!(<(Fx, Fx)>::from(Vec2::from_ints(3, -4)), (Fx::from_num(3), Fx::from_num(-4)));
+    for (raw, below) in [(0, 0), (65_535, 0), (65_536, 1), (-1, -1), (-65_536, -1), (i32::MIN, -32_768)] {
+        assert_eq!(Vec2::from_raw(raw, 0).to_ints(), (below, 0));
+    }
+}
+
+#[test]
+fn floating_point_and_back() {
+    for raw in [0, 1, -1, 3, 65_536, -98_304, (1 << 24) - 1, 1 << 30, i32::MIN] {
+        let v = Vec2::from_raw(raw, -(raw / 2));
+        let (x, y) = v.to_f32();
+        assert_eq!(f64::from(x).to_bits(), (f64::from(raw) / 65_536.0).to_bits());
+        assert_eq!(Vec2::from_f32(x, y), Some(v));
+    }
+    // Beyond 24 bits to nearest, ties to even.
+    let (x, y) = Vec2::from_raw((1 << 24) + 1, (1 << 24) + 3).to_f32();
+    assert_eq!(Vec2::from_f32(x, y).map(Vec2::raw), Some((1 << 24, (1 << 24) + 4)));
+}
+
+/// The doc tests show what `fx!` refuses.
+#[test]
+fn literals_are_constants() {
+    const ALL: [Fx; 6] = [fx!(0), fx!(-0.25), fx!(32767.99999), fx!(-32768), fx!(0.1), fx!(1e-3)];
+    assert_eq!(ALL.map(Fx::to_bits), [0, -16_384, i32::MAX, i32::MIN, 6_554, 66]);
 }

@@ -3,6 +3,7 @@
 #![cfg(not(target_os = "none"))]
 
 mod carry;
+mod character;
 mod games;
 mod joints;
 mod placed;

@@ -1,9 +1,10 @@
 //! Constructors, what they refuse, cells and regions of tile maps.
 
 use heapless::Vec;
+use tilesat::world::Set;
 use tilesat::{
-    Aabb, Cell, Circle, Fx, Grid, Outside, Quantity, TileKind, TileKinds, TileMap, TileMapError, TileShape, Truncated,
-    Vec2,
+    Aabb, AllShapes, Blocks, Cell, Circle, Fx, Grid, Outside, Quantity, Slopes, TileKind, TileKinds, TileMap,
+    TileMapError, TileShape, Truncated, Vec2,
 };
 use tilesat_judge::Random;
 use tilesat_judge::blocks::build::CELLS;
@@ -218,4 +219,40 @@ fn points_and_lines() {
     assert!(solid.overlaps(&segment(0, -10, 0, 40)) && solid.overlaps(&point(0, 0)) && !solid.overlaps(&point(16, 32)));
     // One-way tiles are never overlapped nor touched.
     assert!(!map.touches(&segment(20, 36, 28, 44)));
+}
+
+/// A table remembers what it names; a set's definition goes through all ids. Kinds come and are replaced, in any order.
+#[test]
+fn a_table_knows_the_shapes_that_it_names() {
+    fn refused<S: Set>(kinds: &TileKinds) -> Option<u8> {
+        let map = TileMap::<S>::of(&[0], Grid::new(1, 1, Fx::from_num(16), Vec2::ZERO).unwrap(), kinds);
+        map.err().map(|e| if let TileMapError::ShapeNotInSet { id } = e { id } else { unreachable!("{e}") })
+    }
+    fn defined<S: Set>(kinds: &TileKinds) -> Option<u8> {
+        (0..=u8::MAX).find(|&id| S::SHAPES >> kinds.get(id).shape as u64 & 1 == 0)
+    }
+    let mut random = Random::new(77);
+    for _ in 0..200 {
+        let (mut kinds, mut sorted) = (TileKinds::EMPTY, TileKinds::EMPTY);
+        for _ in 0..40 {
+            // Few ids, so that many are replaced; the last one too.
+            let id = [0, 3, 47, 200, 255][random.below(5) as usize];
+            let most = [2, 10, 38][random.below(3) as usize];
+            kinds = kinds.with(id, TileKind::of(TileShape::ALL[random.below(most) as usize]));
+            assert_eq!(refused::<Blocks>(&kinds), defined::<Blocks>(&kinds));
+            assert_eq!(refused::<Slopes>(&kinds), defined::<Slopes>(&kinds));
+            assert_eq!(refused::<AllShapes>(&kinds), None);
+        }
+        for id in 0..=u8::MAX {
+            sorted = sorted.with(id, kinds.get(id));
+        }
+        assert_eq!(kinds, sorted);
+    }
+}
+
+#[test]
+fn bounds_are_those_of_all_cells() {
+    let grid = Grid::new(3, 2, Fx::from_num(8), Vec2::from_ints(-5, 7)).unwrap();
+    let map = TileMap::on_grid(&[0; 6], grid, &KINDS).unwrap();
+    assert_eq!(map.bounds(), Aabb::new(Vec2::from_ints(-5, 7), Vec2::from_ints(19, 23)).unwrap());
 }

@@ -46,11 +46,11 @@ pub use kernel::{CastHit, Inside, MovingHit};
 ///
 /// ```
 /// use tilesat::prelude::*;
-/// use tilesat::{Aabb, Axis, Fx, Inside, Vec2};
+/// use tilesat::{Aabb, Axis, Inside, Vec2, fx};
 /// let player = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(10, 10))?;
 /// let crate_ = Aabb::new(Vec2::from_ints(30, 5), Vec2::from_ints(40, 15))?;
 /// let hit = player.cast_shape(&crate_, Vec2::from_ints(40, 4), Inside::Hit)?.unwrap();
-/// assert_eq!((hit.toi.to_fx(), hit.axis), (Fx::lit("0.5"), Axis::NEG_X));
+/// assert_eq!((hit.toi.to_fx(), hit.axis), (fx!(0.5), Axis::NEG_X));
 /// assert_eq!(hit.displacement, Vec2::from_ints(20, 2));
 /// assert!(!player.translated(hit.displacement)?.overlaps(&crate_));
 ///

@@ -354,17 +354,17 @@ const fn set_raw(out: &mut [u8], at: usize, p: Raw) {
 /// Takes an array of [`Path`](crate::Path)s and the side of a cell, both constant. A path that is refused is a compile error that says which and why.
 ///
 /// ```
-/// use tilesat::{Fx, Path, PathKind, Vec2, segment_map};
+/// use tilesat::{Path, PathKind, Vec2, fx, segment_map};
 /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 32), Vec2::from_ints(128, 64)];
-/// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], Fx::lit("32"));
+/// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], fx!(32));
 /// assert_eq!((LEVEL.count(), LEVEL.width(), LEVEL.height()), (3, 4, 1));
 /// ```
 ///
 /// ```compile_fail
-/// # use tilesat::{Fx, Path, PathKind, Vec2, segment_map};
+/// # use tilesat::{Path, PathKind, Vec2, fx, segment_map};
 /// // path 0, point 1: the same as the next point
 /// const LINE: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 32), Vec2::from_ints(64, 32)];
-/// segment_map!(static LEVEL: [Path::new(PathKind::Wall, &LINE)], Fx::lit("32"));
+/// segment_map!(static LEVEL: [Path::new(PathKind::Wall, &LINE)], fx!(32));
 /// # assert_eq!(LEVEL.count(), 4);
 /// ```
 #[macro_export]

@@ -46,7 +46,7 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 /// give the same bytes. It owns nothing and needs no memory but itself.
 ///
 /// ```
-/// use tilesat::{Fx, Path, PathKind, SegmentMap, Vec2, segment_map};
+/// use tilesat::{Fx, Path, PathKind, SegmentMap, Vec2, fx, segment_map};
 /// const HILL: [Vec2; 4] = [Vec2::from_ints(0, 80), Vec2::from_ints(64, 48), Vec2::from_ints(96, 48), Vec2::from_ints(160, 80)];
 /// const CAVE: [Vec2; 3] = [Vec2::from_ints(64, 56), Vec2::from_ints(96, 56), Vec2::from_ints(80, 72)];
 /// const LEDGE: [Vec2; 2] = [Vec2::from_ints(96, 32), Vec2::from_ints(128, 32)];
@@ -54,7 +54,7 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 ///     Path::new(PathKind::Solid, &HILL),
 ///     Path::new(PathKind::Hole, &CAVE),
 ///     Path::new(PathKind::OneWay, &LEDGE).with_flags(1),
-/// ], Fx::lit("32"));
+/// ], fx!(32));
 /// assert_eq!((LEVEL.count(), LEVEL.width(), LEVEL.height()), (8, 5, 2));
 ///
 /// // The same at run time.

@@ -23,10 +23,10 @@ levels! {
         /// Cost: the segments of the cells under the body, one test each in each cell, until the first hit; one winding number. It cannot fail.
         ///
         /// ```
-        /// use tilesat::{Circle, Fx, Path, PathKind, Vec2, segment_map};
+        /// use tilesat::{Circle, Fx, Path, PathKind, Vec2, fx, segment_map};
         /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 0), Vec2::from_ints(128, 64)];
         /// const DOOR: [Vec2; 2] = [Vec2::from_ints(128, 64), Vec2::from_ints(128, 0)];
-        /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL), Path::new(PathKind::Wall, &DOOR)], Fx::lit("32"));
+        /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL), Path::new(PathKind::Wall, &DOOR)], fx!(32));
         /// let ball = |x, y, r| Circle::new(Vec2::from_ints(x, y), Fx::from_num(r)).unwrap();
         /// assert!(LEVEL.overlaps(&ball(64, 40, 2))); // deep in the hill
         /// assert!(LEVEL.touches(&ball(120, 10, 8)) && !LEVEL.overlaps(&ball(120, 10, 8))); // at the door

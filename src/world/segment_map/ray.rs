@@ -46,9 +46,9 @@ rays! {
         /// Cost: the segments of the cells that the ray comes through, each tested in each of its cells. It needs no division for what it rejects.
         ///
         /// ```
-        /// use tilesat::{Axis, Fx, Inside, Path, PathKind, Vec2, segment_map};
+        /// use tilesat::{Axis, Inside, Path, PathKind, Vec2, fx, segment_map};
         /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 0), Vec2::from_ints(128, 64)];
-        /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], Fx::lit("32"));
+        /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], fx!(32));
         /// let hit = LEVEL.cast_ray(Vec2::from_ints(0, 16), Vec2::from_ints(64, 0), Inside::Ignore)?.unwrap();
         /// assert_eq!((hit.point, hit.axis), (Vec2::from_ints(48, 16), Axis::new(-1, -1)));
         /// # Ok::<(), tilesat::RangeError>(())

@@ -19,9 +19,9 @@ impl SegmentMap<'_> {
     /// Cost: the references of the cells of the region, up to three tests each; for each end without a vertex, the segments of its cell.
     ///
     /// ```
-    /// use tilesat::{Aabb, Fx, Geometry, Path, PathKind, Vec2, segment_map};
+    /// use tilesat::{Aabb, Geometry, Path, PathKind, Vec2, fx, segment_map};
     /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 0), Vec2::from_ints(128, 64)];
-    /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], Fx::lit("32"));
+    /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], fx!(32));
     /// // Around the top: both slopes, and the corner between them.
     /// let region = Aabb::new(Vec2::from_ints(60, 0), Vec2::from_ints(68, 8)).unwrap();
     /// let corners = LEVEL.features(&region).filter(|f| matches!(f.geometry, Geometry::Vertex { .. }));

@@ -100,15 +100,9 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         if let Err(e) = map.check_length() {
             return Err(e);
         }
-        let mut id = 0u8;
-        loop {
-            if S::SHAPES >> kinds.get(id).shape as u64 & 1 == 0 {
-                return Err(TileMapError::ShapeNotInSet { id });
-            }
-            if id == u8::MAX {
-                return Ok(map);
-            }
-            id = id.wrapping_add(1);
+        match kinds.beyond(S::SHAPES) {
+            Some(id) => Err(TileMapError::ShapeNotInSet { id }),
+            None => Ok(map),
         }
     }
 

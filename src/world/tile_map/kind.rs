@@ -224,7 +224,9 @@ pub enum Fill {
     Full,
 }
 
-/// What each of the 256 tile ids is: 512 bytes, usually a `static` in flash, shared by all maps of a game.
+/// What each of the 256 tile ids is: 520 bytes, usually a `static` in flash, shared by all maps of a game.
+///
+/// The table remembers which shapes it names, so that making a map asks once whether its set has them, and not 256 times.
 ///
 /// ```
 /// use tilesat::{TileKind, TileKinds};
@@ -240,19 +242,47 @@ pub struct TileKinds {
     /// Apart, so that a walk over the shapes is one index away from each.
     shapes: [TileShape; 256],
     flags: [u8; 256],
+    /// One bit for each shape of the table, and that of `Empty`.
+    named: u64,
 }
 
 impl TileKinds {
     /// Every id is empty.
-    pub const EMPTY: Self = Self { shapes: [TileShape::Empty; 256], flags: [0; 256] };
+    pub const EMPTY: Self = Self { shapes: [TileShape::Empty; 256], flags: [0; 256], named: 1 };
 
     /// The same table with another kind for one id.
     #[must_use]
     #[expect(clippy::indexing_slicing, reason = "a byte indexes 256 entries")]
     pub const fn with(mut self, id: u8, kind: TileKind) -> Self {
+        let replaced = self.get(id);
         self.shapes[id as usize] = kind.shape;
         self.flags[id as usize] = kind.flags;
+        self.named |= 1 << kind.shape as u64;
+        if !replaced.is_empty() {
+            // Perhaps it was the last one of its shape.
+            self.named = 1;
+            let mut other = 0;
+            while other < self.shapes.len() {
+                self.named |= 1 << self.shapes[other] as u64;
+                other += 1;
+            }
+        }
         self
+    }
+
+    /// The first id whose shape is not among these; a bit for each shape.
+    pub(super) const fn beyond(&self, shapes: u64) -> Option<u8> {
+        if self.named & !shapes == 0 {
+            return None;
+        }
+        let mut id = 0u8;
+        while shapes >> self.get(id).shape as u64 & 1 != 0 {
+            id = match id.checked_add(1) {
+                Some(next) => next,
+                None => return None,
+            };
+        }
+        Some(id)
     }
 
     #[inline]

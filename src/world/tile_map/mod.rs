@@ -19,6 +19,7 @@ use super::grid::Grid;
 use super::sealed::Sealed;
 use super::tile_map::kind::TileShape;
 use crate::num::{Fx, Raw, Vec2};
+use crate::shape::Aabb;
 use core::fmt::Debug;
 use core::marker::PhantomData;
 use kind::{TileKind, TileKinds};
@@ -43,14 +44,14 @@ pub enum Outside {
 /// A level of square tiles, read from where it lies: it owns nothing and needs no memory but itself (60 bytes on a 32-bit core).
 ///
 /// The solid is the union of its tiles' shapes, borders included, and of what is [`Outside`]. Its surface is derived from the tiles when
-/// asked: interior faces do not exist, so nothing can snag on a seam, and a door is one byte written (in memory; then make the map, a
-/// view, anew).
+/// asked: interior faces do not exist, so nothing can snag on a seam. A door is one byte written (in memory): then make the map
+/// again. It is a view, and [`of`](Self::of) with a grid from a constant costs a handful of comparisons.
 ///
 /// `S` says which shapes it can hold ([`Blocks`]), `T` how ids are stored: [`Bytes`] or [`Bits`]. Cells are squares of 16 units from the
 /// origin, rows are consecutive and outside is empty, unless said otherwise:
 ///
 /// ```
-/// use tilesat::{Cell, Fx, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2};
+/// use tilesat::{Cell, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2, fx};
 /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'$', TileKind::EMPTY.with_flags(1));
 /// static MAP: TileMap = match TileMap::from_ascii("\
 /// ....$...
@@ -64,7 +65,7 @@ pub enum Outside {
 ///
 /// // Cells of 8 units around the origin, in a closed room: constant as well.
 /// const ROOM: Result<TileMap, TileMapError> = match MAP_DATA {
-///     Ok(map) => map.with_outside(Outside::Solid).with_cell(Fx::lit("8")),
+///     Ok(map) => map.with_outside(Outside::Solid).with_cell(fx!(8)),
 ///     Err(e) => Err(e),
 /// };
 /// const MAP_DATA: Result<TileMap, TileMapError> = TileMap::new(&[0; 12], 4, 3, &KINDS);
@@ -107,6 +108,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[must_use]
     pub const fn origin(&self) -> Vec2 {
         self.grid.origin()
+    }
+
+    /// The box of all its cells: what a [`Character`](crate::Character) must not leave.
+    #[must_use]
+    pub const fn bounds(&self) -> Aabb {
+        Aabb::from_raw_unchecked(Raw::of(self.grid.origin()), Raw::of(self.grid.end()))
     }
 
     /// Where the cells are.

@@ -4,6 +4,8 @@
 
 #![no_std]
 
+pub mod hero;
+
 use tilesat::Aabb;
 use tilesat::broad::BroadPhase;
 

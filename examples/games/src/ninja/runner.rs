@@ -1,6 +1,6 @@
 //! The ninja: what the keys do to its velocity; the library does the rest.
 
-use tilesat::{Axis, Circle, Fx, MoveError, Mover, RangeError, Vec2, World};
+use tilesat::{Axis, Circle, Fx, MoveError, Mover, RangeError, Vec2, World, fx};
 
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Keys {
@@ -46,7 +46,7 @@ pub struct Ninja {
 
 impl Ninja {
     pub fn new(centre: Vec2) -> Result<Self, RangeError> {
-        let body = Circle::new(centre, Fx::lit("6"))?;
+        let body = Circle::new(centre, fx!(6))?;
         Ok(Self {
             body,
             velocity: Vec2::ZERO,

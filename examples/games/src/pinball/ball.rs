@@ -3,11 +3,11 @@
 use tilesat::motion::Response;
 use tilesat::motion::response::{exchange, separate};
 use tilesat::prelude::*;
-use tilesat::{Axis, Circle, Fx, Masses, MoveError, Mover, RangeError, Ratio, Surface, Vec2, World};
+use tilesat::{Axis, Circle, Fx, Masses, MoveError, Mover, RangeError, Ratio, Surface, Vec2, World, fx};
 
 use super::table::{BUMPER, KICKER};
 
-pub const RADIUS: Fx = Fx::lit("5");
+pub const RADIUS: Fx = fx!(5);
 /// Raw units a frame, or a frame squared.
 const GRAVITY: i32 = 5_000;
 const BUMP: i32 = 90_000;

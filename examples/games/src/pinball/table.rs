@@ -1,7 +1,7 @@
 //! The table: tiles for walls and round bumpers, polygons for what no grid holds.
 
 use tilesat::{
-    AllShapes, Fx, Path, PathKind, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2, segment_map,
+    AllShapes, Path, PathKind, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2, fx, segment_map,
 };
 
 pub const SIZE: (i32, i32) = (22 * 16, 32 * 16);
@@ -86,7 +86,7 @@ segment_map!(
         Path::new(PathKind::Solid, &PEGS[2]),
         Path::new(PathKind::Solid, &PEGS[3]),
     ],
-    Fx::lit("32")
+    fx!(32)
 );
 
 pub fn tiles() -> Result<TileMap<'static, AllShapes>, TileMapError> {

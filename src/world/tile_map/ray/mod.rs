@@ -47,12 +47,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// shapes add two sides and one inner piece for each tile that is not empty, and one root for a hit within an arc.
     ///
     /// ```
-    /// use tilesat::{Axis, Cell, Fx, Inside, TileKind, TileKinds, TileMap, Vec2};
+    /// use tilesat::{Axis, Cell, Inside, TileKind, TileKinds, TileMap, Vec2, fx};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
     /// let map = TileMap::from_ascii("...#\n...#", &KINDS)?;
     /// let hit = map.cast_ray(Vec2::from_ints(8, 8), Vec2::from_ints(80, 20), Inside::Ignore).unwrap().unwrap();
     /// assert_eq!((hit.point, hit.axis, hit.cell), (Vec2::from_ints(48, 18), Axis::NEG_X, Cell::new(3, 1)));
-    /// assert_eq!(hit.toi.to_fx(), Fx::lit("0.5"));
+    /// assert_eq!(hit.toi.to_fx(), fx!(0.5));
     ///
     /// // Exactly to the wall is a hit, one raw unit less is not.
     /// let reach = Vec2::from_ints(40, 0);

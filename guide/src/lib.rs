@@ -1,0 +1,39 @@
+//! A guide to [`tilesat`]: each chapter has one complete program, which is a test.
+//!
+//! | chapter | what you learn |
+//! |---|---|
+//! | [`first_platformer`] | a whole game: run, jump, ride, collect, die |
+//! | [`numbers`] | units, speeds, literals, overflow, conversions |
+//! | [`tile_levels`] | bytes or text, shapes, flags, the outside, doors |
+//! | [`move_and_slide`] | one body, one motion: every field of the answer |
+//! | [`walker`] | slopes, steps, snap, speed on slopes |
+//! | [`moving_platforms`] | lifts, conveyors, crushers, several characters |
+//! | [`coins_and_spikes`] | coins, spikes, ladders, water |
+//! | [`errors`] | each error, its cause, and what a game does |
+//! | [`a_board_from_zero`] | from an empty folder to a program for a Cortex-M0 |
+//! | [`coming_from`] | bump, Godot, rapier, Celeste: their words in ours |
+
+#![allow(
+    clippy::needless_doctest_main,
+    clippy::doc_markdown,
+    reason = "chapters show whole programs, and name other engines"
+)]
+
+macro_rules! chapters {
+    ($($name:ident)+) => {
+        $(#[doc = include_str!(concat!("../", stringify!($name), ".md"))]
+        pub mod $name {})+
+    };
+}
+chapters! {
+    first_platformer
+    numbers
+    tile_levels
+    move_and_slide
+    walker
+    moving_platforms
+    coins_and_spikes
+    errors
+    a_board_from_zero
+    coming_from
+}

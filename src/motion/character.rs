@@ -1,0 +1,426 @@
+//! The hero of a platformer: one call per frame, built from [`Walker`], [`Mover::ride`] and [`Joined`].
+
+use super::{Body, Hits, MoveError, Mover, Ride, SlopeSpeed, Support, Walked, Walker};
+use crate::error::{Quantity, RangeError};
+use crate::num::{Axis, Fx, Vec2};
+use crate::shape::Aabb;
+use crate::world::{Joined, Solid, Solids, World};
+
+/// What the player wants in one frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Input {
+    /// The speed to run at, in units per frame: negative to the left.
+    pub run: Fx,
+    /// Whether the jump button is down. The character notices by itself when it is pressed and released.
+    pub jump: bool,
+    /// Whether to drop through one-way floors in this frame.
+    pub drop: bool,
+}
+
+/// How a [`Character`] moves. Lengths are units, times are frames.
+///
+/// The default suits cells of 16 units at 60 frames per second: a jump 42.75 units high that takes 18 frames to its top. Change what you
+/// like, in any frame:
+///
+/// ```
+/// use tilesat::{Feel, fx};
+/// const MOON: Feel = Feel { gravity: fx!(0.0625), wall_jump: Some(fx!(2.5)), ..Feel::DEFAULT };
+/// # let _ = MOON;
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Feel {
+    /// What the velocity gains per frame. Positive pulls toward larger y, as on a screen; negative pulls the other way, and "up" follows.
+    pub gravity: Fx,
+    /// The fastest fall.
+    pub fall: Fx,
+    /// The speed at which a jump starts. With a gravity of g, a jump of n g rises by g n (n + 1) / 2 in n frames.
+    pub jump: Fx,
+    /// The speed that a rising jump keeps when the button is released. As large as `jump`: all jumps are equally high.
+    pub jump_cut: Fx,
+    /// For so many frames after the body has walked off the floor, or has left a wall, it can still jump.
+    pub coyote: u8,
+    /// A press of the button counts for so many more frames, so that it may come before the landing.
+    pub buffer: u8,
+    /// How much the speed changes per frame on a floor, toward [`Input::run`].
+    pub acceleration: Fx,
+    /// How much the speed changes per frame in the air.
+    pub air_acceleration: Fx,
+    /// How far the body keeps to a falling ground: [`Walker::with_snap`]. One and a half of the running speed is enough for tiles.
+    pub snap: Fx,
+    /// How high a step it climbs: [`Walker::with_step`].
+    pub step: Fx,
+    /// How fast it is on slopes.
+    pub slope_speed: SlopeSpeed,
+    /// The speed away from a wall that a jump off it starts with; no such jumps where `None`.
+    pub wall_jump: Option<Fx>,
+    /// The fastest fall while it runs against a wall; as elsewhere where `None`.
+    pub wall_slide: Option<Fx>,
+}
+
+impl Feel {
+    /// See [`Feel`].
+    pub const DEFAULT: Self = Self {
+        gravity: Fx::from_bits(0x4000), // 0.25
+        fall: Fx::from_bits(6 << 16),
+        jump: Fx::from_bits(0x4_8000),     // 4.5
+        jump_cut: Fx::from_bits(0x1_8000), // 1.5
+        coyote: 5,
+        buffer: 5,
+        acceleration: Fx::from_bits(0x8000),     // 0.5
+        air_acceleration: Fx::from_bits(0x4000), // 0.25
+        snap: Fx::from_bits(5 << 16),
+        step: Fx::from_bits(4 << 16),
+        slope_speed: SlopeSpeed::Constant,
+        wall_jump: None,
+        wall_slide: None,
+    };
+
+    const fn falls_to_larger_y(&self) -> bool {
+        self.gravity.to_bits() >= 0
+    }
+}
+
+impl Default for Feel {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+/// What became of a character in one frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Outcome {
+    /// It moved, or stood.
+    #[default]
+    Moved,
+    /// A solid pressed it against something, and it stayed where it was: see [`Ride::Squashed`].
+    Squashed {
+        /// The key of the solid.
+        by: u16,
+        /// Out of that solid, toward the body.
+        normal: Axis,
+    },
+    /// It overlaps the level, so it did not move: a door closed on it, or a solid that squashed it has not passed yet.
+    Stuck,
+    /// It is entirely below its limits, or beside them. Above them it may fly.
+    OutOfLevel,
+}
+
+/// What happened to a character in one frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[must_use = "the outcome says whether the character lives"]
+#[expect(clippy::struct_excessive_bools, reason = "independent answers, each asked by name")]
+pub struct Step {
+    /// What became of it.
+    pub outcome: Outcome,
+    /// Whether it jumped.
+    pub jumped: bool,
+    /// Whether it came down on a floor.
+    pub landed: bool,
+    /// Whether a wall holds it.
+    pub wall: bool,
+    /// Whether its head hit a ceiling.
+    pub ceiling: bool,
+    /// The flags of all tiles, segments and solids that it ran into, or-ed.
+    pub flags: u8,
+    /// What it ran into.
+    pub hits: Hits,
+}
+
+impl Step {
+    const fn nothing(outcome: Outcome) -> Self {
+        Self { outcome, jumped: false, landed: false, wall: false, ceiling: false, flags: 0, hits: Hits::none() }
+    }
+}
+
+/// The hero of a platformer: it runs, jumps, walks on slopes and steps, drops through platforms and rides on [`Solid`]s.
+///
+/// One call per frame does it all: [`step`](Self::step), or [`step_on`](Self::step_on) where solids move. Each links only what it uses.
+/// `B` is the body: an [`Aabb`] or a [`Circle`](crate::Circle). Plain data: a copy is a snapshot.
+///
+/// ```
+/// use tilesat::{Aabb, Character, Feel, Input, Outcome, TileKind, TileKinds, TileMap, Vec2, fx};
+/// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+/// let level = TileMap::from_ascii("........\n........\n####....", &KINDS)?;
+/// let limits = Aabb::new(level.origin(), level.grid().end())?;
+///
+/// let body = Aabb::new(Vec2::from_ints(20, 10), Vec2::from_ints(30, 24))?;
+/// let mut hero = Character::new(body, limits, Feel::DEFAULT);
+/// let right = Input { run: fx!(2), ..Input::default() };
+/// while hero.step(&level, right)?.outcome == Outcome::Moved {
+///     // It lands, runs to the ledge, and falls.
+/// }
+/// assert!(hero.body().min().y > 48); // the frame in which the whole body is below the level
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// Where you need another rule, call the same pieces yourself: [`Walker::walk`], [`Mover::ride`], [`Solid::move_all`], [`Joined`].
+#[doc(alias = "CharacterBody2D")]
+#[doc(alias = "KinematicCharacterController")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Character<B = Aabb> {
+    /// Units per frame. Change it to throw the character: a spring sets `velocity.y`.
+    pub velocity: Vec2,
+    /// How it moves.
+    pub feel: Feel,
+    body: B,
+    limits: Aabb,
+    floor: Option<Support>,
+    /// Whether the button was down in the last frame.
+    held: bool,
+    /// Whether it rises by a jump of its own.
+    jumps: bool,
+    /// For how many more frames a press counts.
+    wish: u8,
+    /// Frames since it stood; the largest number after a jump.
+    away: u8,
+    /// On which side the last wall was, -1 or 1, and how many frames ago.
+    wall: i8,
+    wall_age: u8,
+}
+
+/// A frame that has been thought of: the velocity, and who walks by it.
+struct Plan {
+    walker: Walker,
+    velocity: Vec2,
+    jumped: bool,
+}
+
+impl<B: Body> Character<B> {
+    /// A character in the air. `limits` is usually the level's box: where the body leaves it at the sides or below, the answer is
+    /// [`Outcome::OutOfLevel`].
+    #[must_use]
+    pub const fn new(body: B, limits: Aabb, feel: Feel) -> Self {
+        Self {
+            velocity: Vec2::ZERO,
+            feel,
+            body,
+            limits,
+            floor: None,
+            held: false,
+            jumps: false,
+            wish: 0,
+            away: u8::MAX,
+            wall: 0,
+            wall_age: u8::MAX,
+        }
+    }
+
+    /// Puts the character elsewhere, in the air and at rest. Checks nothing: the next step is [`Outcome::Stuck`] in the solid.
+    pub fn place(&mut self, body: B) {
+        *self = Self { held: self.held, ..Self::new(body, self.limits, self.feel) };
+    }
+
+    /// Its body.
+    #[must_use]
+    pub const fn body(&self) -> &B {
+        &self.body
+    }
+
+    /// What it stands on.
+    #[must_use]
+    pub const fn floor(&self) -> Option<Support> {
+        self.floor
+    }
+
+    /// Whether it stands.
+    #[doc(alias = "is_on_floor")]
+    #[doc(alias = "grounded")]
+    #[must_use]
+    pub const fn on_floor(&self) -> bool {
+        self.floor.is_some()
+    }
+
+    /// The key of the solid that it stands on.
+    #[must_use]
+    pub const fn ridden(&self) -> Option<u16> {
+        match self.floor {
+            Some(floor) => Solids::key_of(floor.cell),
+            None => None,
+        }
+    }
+
+    /// One frame in a level without moving solids.
+    ///
+    /// Cost: [`Walker::walk`].
+    ///
+    /// # Errors
+    /// [`RangeError`] where a speed is not below 4096 units, or the [`Feel`]'s snap or step or the body's half extent is negative or not
+    /// below that. The character stays as it was.
+    pub fn step<W: World>(&mut self, level: &W, input: Input) -> Result<Step, RangeError> {
+        self.step_carried(level, input, Vec2::ZERO)
+    }
+
+    /// The second half of [`step_on`](Self::step_on), in a level [`Joined`] with the solids at their new places. `carry` is what
+    /// [`ride`](Self::ride) returned.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn step_carried<W: World>(&mut self, level: &W, input: Input, carry: Vec2) -> Result<Step, RangeError> {
+        let mut next = *self;
+        let plan = next.plan(input, carry)?;
+        let walked = plan.walker.walk(level, &next.body, plan.velocity, next.floor);
+        let step = next.settle(&plan, walked)?;
+        *self = next;
+        Ok(step)
+    }
+
+    /// One frame among solids that move: the solids take the character along or push it, go by their
+    /// [motions](Solid::with_motion), and then it walks.
+    ///
+    /// All solids have moved when the call returns, even where it returns an error. With several characters, call [`ride`](Self::ride) for
+    /// each, then [`Solid::move_all`], then [`step_carried`](Self::step_carried) for each.
+    ///
+    /// A jump off a solid adds the solid's motion to the velocity.
+    ///
+    /// Cost: [`Mover::ride`] and [`Walker::walk`] in a [`Joined`] level.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn step_on<W: World>(&mut self, level: &W, solids: &mut [Solid], input: Input) -> Result<Step, RangeError> {
+        let mut next = *self;
+        // One type of level for both: the mover is linked once.
+        let nothing = Solids::new(&[]);
+        let ridden = next.ride(&Joined::new(level, &nothing), solids, input.drop);
+        Solid::move_all(solids);
+        let (outcome, carry) = ridden?;
+        let step = if outcome == Outcome::Moved {
+            next.step_carried(&Joined::new(level, &Solids::new(solids)), input, carry)?
+        } else {
+            Step::nothing(outcome)
+        };
+        *self = next;
+        Ok(step)
+    }
+
+    /// The first half of [`step_on`](Self::step_on): goes where the solids take or push the character. They are still at their old places.
+    ///
+    /// Returns what became of it, and what to add to the velocity of a jump in this frame.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn ride<W: World>(&mut self, level: &W, solids: &[Solid], drop: bool) -> Result<(Outcome, Vec2), RangeError> {
+        let follow = if self.floor.is_some() { self.feel.snap } else { self.falls().saturating_add(self.pull()) };
+        let ridden = self.mover().with_drop_through(drop).ride(level, solids, &self.body, follow.max(Fx::ZERO));
+        match ridden {
+            Ok(ridden) => {
+                self.body = ridden.body;
+                let outcome = match ridden.ride {
+                    Ride::Squashed { by, normal } => Outcome::Squashed { by, normal },
+                    _ => Outcome::Moved,
+                };
+                Ok((outcome, ridden.carry))
+            }
+            Err(e) => Ok((refused(e)?, Vec2::ZERO)),
+        }
+    }
+
+    const fn mover(&self) -> Mover {
+        Mover::platformer(if self.feel.falls_to_larger_y() { Axis::NEG_Y } else { Axis::Y })
+    }
+
+    /// The size of gravity.
+    const fn pull(&self) -> Fx {
+        if self.feel.falls_to_larger_y() { self.feel.gravity } else { self.feel.gravity.saturating_neg() }
+    }
+
+    /// The speed of its fall.
+    const fn falls(&self) -> Fx {
+        if self.feel.falls_to_larger_y() { self.velocity.y } else { self.velocity.y.saturating_neg() }
+    }
+
+    /// Timers, gravity, jumps and running: the velocity of this frame.
+    fn plan(&mut self, input: Input, carry: Vec2) -> Result<Plan, RangeError> {
+        let feel = self.feel;
+        let stands = self.floor.is_some();
+        self.away = if stands { 0 } else { self.away.saturating_add(1) };
+        self.wall_age = self.wall_age.saturating_add(1);
+        self.wish = if input.jump && !self.held { feel.buffer.saturating_add(1) } else { self.wish };
+        self.held = input.jump;
+
+        let rate = if stands { feel.acceleration } else { feel.air_acceleration };
+        let mut run = toward(self.velocity.x, input.run, rate);
+        let against_wall = self.wall_age <= 1 && input.run.signum() == Fx::from(self.wall) && self.wall != 0;
+        let limit = feel.wall_slide.filter(|_| against_wall).map_or(feel.fall, |slide| slide.min(feel.fall));
+        let mut fall = self.falls().saturating_add(self.pull()).min(limit);
+        let (mut gained, mut jumped) = (Vec2::ZERO, false);
+
+        let off_wall = feel.wall_jump.filter(|_| self.wall != 0 && self.wall_age <= feel.coyote.saturating_add(1));
+        let off_floor = stands || self.away <= feel.coyote;
+        if self.wish > 0 && (off_floor || off_wall.is_some()) {
+            fall = feel.jump.saturating_neg();
+            if off_floor {
+                gained = carry;
+            } else if let Some(push) = off_wall {
+                run = if self.wall > 0 { push.saturating_neg() } else { push };
+            }
+            (self.wish, self.away, self.wall, self.jumps, jumped) = (0, u8::MAX, 0, true, true);
+        }
+        self.wish = self.wish.saturating_sub(1);
+        self.jumps &= fall < 0;
+        if self.jumps && !input.jump {
+            fall = fall.max(feel.jump_cut.saturating_neg());
+        }
+        if input.drop {
+            self.away = u8::MAX;
+        }
+
+        let y = if feel.falls_to_larger_y() { fall } else { fall.saturating_neg() };
+        let walker = Walker::new(self.mover().with_drop_through(input.drop)).with_slope_speed(feel.slope_speed);
+        let walker = walker.with_snap(feel.snap)?.with_step(feel.step)?;
+        Ok(Plan { walker, velocity: Vec2::new(run, y) + gained, jumped })
+    }
+
+    /// Takes over where a walk ended.
+    fn settle(&mut self, plan: &Plan, walked: Result<Walked<B>, MoveError>) -> Result<Step, RangeError> {
+        let walked = match walked {
+            Ok(walked) => walked,
+            Err(e) => {
+                let outcome = refused(e)?;
+                (self.velocity, self.floor) = (Vec2::ZERO, None);
+                return Ok(Step::nothing(outcome));
+            }
+        };
+        let moved = &walked.moved;
+        let landed = self.floor.is_none() && walked.floor.is_some();
+        (self.body, self.velocity, self.floor) = (moved.body, moved.velocity, walked.floor);
+        self.jumps &= walked.floor.is_none();
+        if moved.wall {
+            // Steeper than 45 degrees: the mover's limit.
+            let steep = moved.hits.iter().filter(|hit| hit.axis.x.unsigned_abs() > hit.axis.y.unsigned_abs());
+            if let Some(hit) = steep.last() {
+                (self.wall, self.wall_age) = (if hit.axis.x < 0 { 1 } else { -1 }, 0);
+            }
+        }
+        Ok(Step {
+            outcome: if self.is_out() { Outcome::OutOfLevel } else { Outcome::Moved },
+            jumped: plan.jumped,
+            landed,
+            wall: moved.wall,
+            ceiling: moved.ceiling,
+            flags: moved.flags,
+            hits: moved.hits,
+        })
+    }
+
+    fn is_out(&self) -> bool {
+        let (bounds, lo, hi) = (self.body.bounds(), self.limits.lo(), self.limits.hi());
+        let beside = bounds.hi().x < lo.x || bounds.lo().x > hi.x;
+        beside || if self.feel.falls_to_larger_y() { bounds.lo().y > hi.y } else { bounds.hi().y < lo.y }
+    }
+}
+
+/// What a refused motion means; the rest is the caller's error.
+fn refused(e: MoveError) -> Result<Outcome, RangeError> {
+    match e {
+        MoveError::Stuck(_) => Ok(Outcome::Stuck),
+        // The end of the domain.
+        MoveError::Range(RangeError { what: Quantity::X | Quantity::Y, .. }) => Ok(Outcome::OutOfLevel),
+        MoveError::Range(e) => Err(e),
+    }
+}
+
+/// A speed, changed by at most `rate` toward another.
+fn toward(speed: Fx, target: Fx, rate: Fx) -> Fx {
+    if speed < target { speed.saturating_add(rate).min(target) } else { speed.saturating_sub(rate).max(target) }
+}
