@@ -1,4 +1,10 @@
-//! Which of the hits of one motion is the first.
+//! Which of the hits of one motion is the first. The order of visits plays no part; the first of these that tells two hits apart decides:
+//!
+//! 1. The earlier one. A vertex or an arc, whose time is a bound, is before a face where that is so exactly.
+//! 2. A face before a vertex or an arc.
+//! 3. Of two faces, or of two others, what is not met at its end alone; what opposes the motion more; then the normal, by the longer part along x, the longer
+//!    part along y, and +x and +y before -x and -y.
+//! 4. Of one surface what is solid, not one-way; then the level, the row, the column and the index that are less. The flags of both count.
 
 use super::body::{Body, Entry};
 use crate::num::{Axis, Raw, add128, imul, less128, mul_div, mul64, sqr64, umul};

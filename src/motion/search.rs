@@ -33,24 +33,18 @@ impl Around {
         Self { region: Aabb::from_raw_unchecked(Raw { x: 1, y: 1 }, Raw { x: 0, y: 0 }), seen: Seen::NOTHING };
 
     /// Looks at what a body comes through in one of the pieces of a motion, unless that is known already; tells the region.
-    pub(super) fn look<W: World, B: Body>(&mut self, world: &W, body: &B, from: Raw, to: Raw, pieces: u32) -> Aabb {
-        let region = piece_of(&body.bounds(), from, to, pieces);
+    pub(super) fn look<W: World>(&mut self, world: &W, bounds: &Aabb, from: Raw, to: Raw, pieces: u32) -> Aabb {
+        let region = piece_of(bounds, from, to, pieces);
         if !self.has_seen(&region) {
-            self.look_at(world, body, region);
+            self.region = region;
+            world.look(&self.region, None, &mut self.seen);
         }
         region
     }
 
-    #[inline]
-    fn look_at<W: World, B: Body>(&mut self, world: &W, body: &B, region: Aabb) {
-        let bounds = body.bounds();
-        let r = if B::MEETS_CORNERS { bounds.hi().x.wrapping_sub(bounds.lo().x) >> 1 } else { 0 };
-        self.region = region;
-        world.look(&self.region, r, &mut self.seen);
-    }
-
     /// In how many [pieces] the cells under the motion of a call are visited; 0 where a body flies, as most do: where it meets nothing of all that its
-    /// motion comes to, no more is asked.
+    /// motion comes to, no more is asked. Only this first look tells apart the cells that the body passes: in all others it is near what it has met, and
+    /// that took 3 % more instructions than it saved.
     ///
     /// # Errors
     /// Where it comes to too many cells.
@@ -60,7 +54,9 @@ impl Around {
         check_cells(world, &bounds, d)?;
         let pieces = pieces(world, &bounds, d);
         let first = if pieces == 1 { d } else { Raw::ZERO };
-        self.look_at(world, body, piece_of(&bounds, Raw::ZERO, first, pieces));
+        let r = if B::MEETS_CORNERS { bounds.hi().x.wrapping_sub(bounds.lo().x) >> 1 } else { 0 };
+        self.region = piece_of(&bounds, Raw::ZERO, first, pieces);
+        world.look(&self.region, Some(r), &mut self.seen);
         Ok(if pieces == 1 && self.is_empty() && is_inside(&self.region) { 0 } else { pieces })
     }
 
@@ -156,7 +152,7 @@ impl<'a, B: Body> Search<'a, B> {
         let bounds = self.body.bounds();
         match pieces(world, &bounds, d) {
             1 => {
-                let region = self.around.look(world, self.body, Raw::ZERO, d, 1);
+                let region = self.around.look(world, &self.body.bounds(), Raw::ZERO, d, 1);
                 self.meet(world, self.around.held_of(&region).as_ref(), None, d, first);
             }
             pieces => self.find_in_pieces(world, pieces, d, first),
@@ -186,10 +182,11 @@ impl<'a, B: Body> Search<'a, B> {
 
     #[inline(never)]
     fn find_in_pieces<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
+        let bounds = self.body.bounds();
         let (mut from, mut before) = (Raw::ZERO, None);
         for piece in 1..=pieces {
             let to = part(d, piece, pieces);
-            let region = self.around.look(world, self.body, from, to, pieces);
+            let region = self.around.look(world, &bounds, from, to, pieces);
             from = to;
             let held = self.around.held_of(&region);
             self.meet(world, held.as_ref(), before.as_ref(), d, first);

@@ -257,9 +257,9 @@ pub trait World: sealed::Sealed {
         None
     }
 
-    /// Writes what of a region with area a body in it may meet. It fills its bounds, or is the disc of radius `r` in them.
+    /// Writes what of a region with area a body in it may meet: any body, or one that is the disc of radius `r` in its bounds; where that is 0, that fills them.
     #[doc(hidden)]
-    fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) {
+    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
         let _ = r;
         *seen = Seen { held: Some(*region), cells: None };
     }

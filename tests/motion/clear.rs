@@ -118,6 +118,42 @@ fn around_each_shape() {
     assert!(tally.clear > tally.free / 2 && tally.free < tally.frames * 9 / 10, "{tally:?}");
 }
 
+/// Between a way that is free and one that is not, halved down to a raw unit: bounds that are too large by any part of a body are seen there.
+#[test]
+fn within_a_raw_unit_of_each_shape() {
+    let (mut r, mut tally) = (Random::new(6), Tally::default());
+    for id in 2..34 {
+        for cell in [16 << 16, 24 << 16, 256, 100_002] {
+            let level = drawn(&[".....", ".....", "..a..", ".....", "....."], cell, &[('a', id)]);
+            let judge = Judge::new(&level);
+            for _ in 0..tilesat_judge::frames(100_000) / 2000 {
+                let size = |r: &mut Random| if r.one_in(8) { r.below(4) } else { r.within(1, cell) };
+                let body = if r.one_in(3) {
+                    Body::Rect((0, 0), (size(&mut r), size(&mut r)))
+                } else {
+                    Body::Disc((0, 0), size(&mut r))
+                };
+                let short = |r: &mut Random| if r.one_in(2) { r.within(-1, 1) } else { r.around(cell / 2) };
+                let d = (short(&mut r), short(&mut r));
+                let place = |r: &mut Random| (r.within(cell, 4 * cell), r.within(cell, 4 * cell));
+                let (mut free, mut met) = (place(&mut r), place(&mut r));
+                if !judge.is_free(body.at(free), d) || judge.is_free(body.at(met), d) {
+                    continue;
+                }
+                while (free.0 - met.0).abs().max((free.1 - met.1).abs()) > 1 {
+                    let middle = (i64::midpoint(free.0, met.0), i64::midpoint(free.1, met.1));
+                    if judge.is_free(body.at(middle), d) { free = middle } else { met = middle }
+                }
+                for (x, y) in [(0, 0), (1, 0), (-1, 0), (0, 1), (0, -1)] {
+                    frame(&level, &judge, body.at((met.0 + x, met.1 + y)), d, &mut tally);
+                }
+            }
+        }
+    }
+    println!("{tally:?}");
+    assert!(tally.clear > 100, "{tally:?}");
+}
+
 /// As many as `TILESAT_FRAMES` says, 10^7 if it says nothing: `cargo test --test motion clear -- --ignored --nocapture`.
 #[test]
 #[ignore = "minutes"]

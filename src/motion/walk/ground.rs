@@ -58,7 +58,8 @@ impl Mover {
     /// [`RangeError`] where a half extent or radius is not below 2^28 raw, or the body is over more than [`Mover::CELLS`] cells.
     pub fn supported<W: World, B: Body>(&self, world: &W, body: &B) -> Result<Option<Support>, RangeError> {
         body.check_size()?;
-        check_cells(world, &body.bounds(), Raw::ZERO)?;
+        let around = 2 * (CONTACT + 1);
+        check_cells(world, &body.bounds(), Raw { x: around, y: around })?;
         let Some(up) = self.up else { return Ok(None) };
         let mut moved = Moved::freely(*body, Vec2::ZERO, 0);
         let mut around = Around::NOTHING;

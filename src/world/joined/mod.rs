@@ -143,7 +143,7 @@ impl<A: World, B: World> World for Joined<'_, A, B> {
         JoinedFeatures { pair: *self, a: self.a.features_ahead(way), b: self.b.features_ahead(way) }
     }
 
-    fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) {
+    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
         let mut other = Seen::NOTHING;
         self.a.look(region, r, seen);
         self.b.look(region, r, &mut other);

@@ -136,7 +136,7 @@ impl World for Solids<'_> {
         Solids::features(self, way.piece).against(way.d)
     }
 
-    fn look(&self, region: &Aabb, _: i32, seen: &mut Seen) {
+    fn look(&self, region: &Aabb, _: Option<i32>, seen: &mut Seen) {
         let meets = |s: &&Solid| meet::aabb_aabb::<true>(s.lo(), s.hi(), region.lo(), region.hi());
         let all = self.list.iter().filter(meets).map(Solid::shape);
         // A raw unit larger, for one-way faces on its border.

@@ -71,7 +71,7 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     }
 
     #[inline]
-    fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) {
+    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
         TileMap::look(self, region, r, seen);
     }
 
@@ -141,7 +141,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// The cells of a region that a body may meet, and the box around them; see [`World::look`](crate::world::World::look).
     #[inline(never)]
-    pub(in crate::world) fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) {
+    pub(in crate::world) fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
         let found = match self.range_inside(region) {
             Some(range) => self.met(range, Range::NOWHERE, region, r),
             None => self.met_beyond(region, r),
@@ -167,7 +167,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// The same of a region that is not all inside the map.
     #[inline(never)]
-    const fn met_beyond(&self, region: &Aabb, r: i32) -> Range {
+    const fn met_beyond(&self, region: &Aabb, r: Option<i32>) -> Range {
         let range = self.open_range(region.lo(), region.hi());
         match self.outside {
             Outside::Empty => self.met(self.inside(range), Range::NOWHERE, region, r),
@@ -181,7 +181,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 
     /// The cells of a range of the map that a body in the region may meet, and another range with them.
-    const fn met(&self, range: Range, mut found: Range, region: &Aabb, r: i32) -> Range {
+    const fn met(&self, range: Range, mut found: Range, region: &Aabb, r: Option<i32>) -> Range {
         let mut y = range.y0;
         while y <= range.y1 {
             if self.occupied.is_empty() || !self.row_is_empty(range.x0, range.x1, y) {
@@ -202,11 +202,11 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 
     #[inline]
-    const fn may_meet(&self, shape: TileShape, (x, y): (i32, i32), region: &Aabb, r: i32) -> bool {
-        match shape {
-            TileShape::Empty => false,
-            TileShape::Full => true,
-            _ => !S::SHAPED || !is_clear(shape, self.grid.square(x, y), (region.lo(), region.hi()), r),
+    const fn may_meet(&self, shape: TileShape, (x, y): (i32, i32), region: &Aabb, r: Option<i32>) -> bool {
+        match (shape, r) {
+            (TileShape::Empty, _) => false,
+            (TileShape::Full, _) | (_, None) => true,
+            (_, Some(r)) => !S::SHAPED || !is_clear(shape, self.grid.square(x, y), (region.lo(), region.hi()), r),
         }
     }
 
