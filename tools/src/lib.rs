@@ -24,6 +24,7 @@
 #![allow(clippy::must_use_candidate, reason = "nothing here is called but for its answer")]
 
 pub mod bake;
+pub mod build;
 pub mod cli;
 pub mod fail;
 pub mod lint;

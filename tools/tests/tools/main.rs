@@ -5,6 +5,7 @@
 
 mod bake;
 mod baked;
+mod build;
 mod command;
 mod damaged;
 mod hostile;
