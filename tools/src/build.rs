@@ -80,11 +80,7 @@ pub fn folder(from: &Path, out: &Path) -> Result<(), Failed> {
         match source(file) {
             Ok(source) => {
                 // Writing to a string cannot fail.
-                let _ = write!(
-                    text,
-                    "#[allow(dead_code, reason = \"not all of it is needed\")]\npub mod {} {{\n{source}}}\n",
-                    module(file)
-                );
+                let _ = write!(text, "pub mod {} {{\n{UNUSED}\n{source}}}\n", module(file));
             }
             Err(fail) => failed.push(fail),
         }
