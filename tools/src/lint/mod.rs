@@ -17,7 +17,7 @@ pub use scene::{Body, Rules};
 
 use crate::bake::level::Level;
 use crate::fail::{Fail, Result};
-use crate::read::drawing::Drawing;
+use crate::rules::ground::Ground;
 use index::Index;
 use scene::Scene;
 
@@ -28,13 +28,13 @@ const MAX_EDGES: usize = 65_534;
 ///
 /// # Errors
 ///
-/// The rules name no layer of it, or it has more edges or faces than can be compared.
-pub fn check(drawing: &Drawing, rules: &Rules) -> Result<Vec<Finding>> {
+/// It has more edges or faces than can be compared.
+pub fn check(drawing: &Ground, rules: &Rules) -> Result<Vec<Finding>> {
     let edges = edges::of(&drawing.outlines);
     if edges.len() > MAX_EDGES {
         return Err(Fail::new(format!("{} edges; a segment map holds {MAX_EDGES}", edges.len())));
     }
-    let surface = Level::of_drawing(drawing, rules.layer.as_deref())?.map(surface::of).transpose()?;
+    let surface = Level::of(drawing, &[])?.map(surface::of).transpose()?;
     let index = Index::new(&edges);
     let mut scene = Scene { drawing, rules, edges, index, surface, findings: Vec::new() };
     outlines::check(&mut scene);

@@ -4,7 +4,7 @@ use super::finding::{Finding, Severity, Who};
 use super::geometry::{Edge, Point};
 use super::index::Index;
 use super::surface::Surface;
-use crate::read::drawing::Drawing;
+use crate::rules::ground::Ground;
 
 /// What moves through the level, in raw units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,18 +13,16 @@ pub enum Body {
     Circle { radius: i64 },
 }
 
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Rules {
     pub body: Option<Body>,
     /// Edges shorter and polygons thinner than this, raw, are slivers.
     pub small: i64,
-    /// The tile layer that is solid.
-    pub layer: Option<String>,
 }
 
 /// A level as the checks see it.
 pub(crate) struct Scene<'a> {
-    pub drawing: &'a Drawing,
+    pub drawing: &'a Ground,
     pub rules: &'a Rules,
     /// Of outlines, oriented: the solid lies right of the way (y down). No edge without length, none out of the domain.
     pub edges: Vec<Edge>,
