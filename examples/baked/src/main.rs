@@ -10,9 +10,7 @@
 
 use tilesat::{Axis, Circle, Fx, MoveError, Mover, Vec2, World};
 
-mod levels {
-    include!(concat!(env!("OUT_DIR"), "/levels.rs"));
-}
+include!(concat!(env!("OUT_DIR"), "/levels.rs"));
 
 /// A minute.
 const FRAMES: u32 = 3600;

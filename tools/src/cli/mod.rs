@@ -2,9 +2,11 @@
 
 mod args;
 mod bake;
+pub(crate) mod input;
 mod lint;
 pub mod play;
 mod program;
+mod project;
 mod sheet;
 mod tell;
 

@@ -1,8 +1,8 @@
-//! What is drawn as objects in a level, in raw units.
+//! What is solid or one-way by its corners, in raw units: objects, and tiles that are no shape of the library.
 
 use std::fmt;
 
-use crate::rules::kind::Kind;
+use super::kind::Kind;
 
 /// What an object is called.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
