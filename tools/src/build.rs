@@ -97,6 +97,8 @@ pub fn folder(from: &Path, out: &Path) -> Result<Vec<PathBuf>, Failed> {
             failed.extend(refused(&drawn, &settings));
             // Together they may have too many kinds of tiles, though each alone has not.
             failed.extend(result.err().filter(|_| failed.is_empty()));
+            // By file: each line begins with its path.
+            failed.sort_by_key(Fail::to_string);
             return Err(Failed(failed));
         }
     };
