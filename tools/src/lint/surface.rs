@@ -43,7 +43,9 @@ pub(super) fn of(level: Level) -> Result<Surface> {
 impl Surface {
     /// The middle of a tile.
     pub(super) fn middle(&self, (column, row): (u16, u16)) -> Point {
-        let at = |index: u16, origin: i32| (i64::from(index) * 2 + 1) * (i64::from(self.level.tile) << 15) + i64::from(origin);
+        let at = |index: u16, origin: i32| {
+            (i64::from(index) * 2 + 1) * (i64::from(self.level.tile) << 15) + i64::from(origin)
+        };
         (at(column, self.level.origin.0), at(row, self.level.origin.1))
     }
 
