@@ -45,13 +45,17 @@ pub fn bake(maps: &[Map], settings: &Settings) -> Result<Bundle> {
     let mut ids = Ids::default();
     let mut levels = Vec::new();
     for map in maps.iter().filter(|map| !listed(&options.ignored_levels, &map.name)) {
-        let of_level = |fail: Fail| if maps.len() > 1 { Fail::new(format!("level '{}': {fail}", map.name)) } else { fail };
+        let of_level =
+            |fail: Fail| if maps.len() > 1 { Fail::new(format!("level '{}': {fail}", map.name)) } else { fail };
         levels.push(level(map, settings, &mut flags, &mut ids).map_err(of_level)?);
     }
     if levels.is_empty() {
         return Err(Fail::new("every level is left out by --ignore-level"));
     }
-    let table = ids.kinds().iter().zip(0..).fold(TileKinds::EMPTY, |table, (kind, id)| table.with(id, *kind));
+    if levels.iter().all(|level| level.tiles.is_none() && level.objects.is_none()) {
+        return Err(Fail::new("there is nothing solid: nothing is drawn"));
+    }
+    let table = (0..=u8::MAX).zip(ids.kinds()).fold(TileKinds::EMPTY, |table, (id, kind)| table.with(id, *kind));
     for baked in &mut levels {
         baked.kinds = table;
         baked.flags.clone_from(&flags.names);

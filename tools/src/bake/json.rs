@@ -76,7 +76,8 @@ impl Baked {
             }
         }
         let used = self.ground.applied.iter();
-        line.rules = used.map(|used| Used { rule: used.rule.to_string(), what: &used.what, tiles: used.tiles }).collect();
+        line.rules =
+            used.map(|used| Used { rule: used.rule.to_string(), what: &used.what, tiles: used.tiles }).collect();
         serde_json::to_string(&line).map_err(|e| Fail::new(e.to_string()))
     }
 

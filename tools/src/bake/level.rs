@@ -1,9 +1,7 @@
 //! Tile layers in, one byte a tile out.
 
 use tilesat::world::Set;
-use tilesat::{
-    Aabb, AllShapes, Blocks, Feature, Fx, Grid, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2,
-};
+use tilesat::{Aabb, AllShapes, Blocks, Feature, Fx, Grid, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2};
 
 use crate::fail::{Fail, Result};
 use crate::rules::ground::Ground;
@@ -141,4 +139,3 @@ impl Level {
         self.ids[usize::from(id)]
     }
 }
-

@@ -11,7 +11,9 @@ pub(crate) fn modules<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
         let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
         let name: String = name.chars().map(letter).collect();
         let name = name.trim_matches('_');
-        let wrong = name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) || KEYWORDS.contains(&format!(" {name} "));
+        let wrong = name.is_empty()
+            || name.starts_with(|c: char| c.is_ascii_digit())
+            || KEYWORDS.contains(&format!(" {name} "));
         if wrong { format!("level_{name}").trim_matches('_').to_owned() } else { name.to_owned() }
     };
     unique(names.map(plain))

@@ -35,7 +35,10 @@ impl Outputs {
         let places = self.files.iter().map(|(path, _)| place(path)).collect::<Result<Vec<_>>>()?;
         for (i, place) in places.iter().enumerate() {
             if places[..i].contains(place) {
-                return Err(Fail::new(format!("cannot write {}: it would be written twice", self.files[i].0.display())));
+                return Err(Fail::new(format!(
+                    "cannot write {}: it would be written twice",
+                    self.files[i].0.display()
+                )));
             }
             not_read(&self.files[i].0, place, inputs)?;
         }
@@ -65,7 +68,9 @@ fn place(path: &Path) -> Result<PathBuf> {
         Ok(known) if known.is_file() => fs::canonicalize(path).map_err(|e| cannot(path, &e)),
         Ok(_) => Err(Fail::new(format!("cannot write {}: it is there, and not a file", path.display()))),
         Err(_) => {
-            let name = path.file_name().ok_or_else(|| Fail::new(format!("cannot write {}: no name of a file", path.display())))?;
+            let name = path
+                .file_name()
+                .ok_or_else(|| Fail::new(format!("cannot write {}: no name of a file", path.display())))?;
             let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
             Ok(fs::canonicalize(folder).map_err(|e| cannot(path, &e))?.join(name))
         }

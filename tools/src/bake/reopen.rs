@@ -58,12 +58,18 @@ pub fn reopen(path: &Path) -> Result<Vec<Reopened>> {
 /// The source that stands beside `OUT.bin`, `OUT.tiles.bin` or `OUT.segments.bin`.
 fn beside(path: &Path) -> Result<std::path::PathBuf> {
     let stem = path.with_extension("");
-    let whole = stem.extension().filter(|part| *part == "tiles" || *part == "segments").map(|_| stem.with_extension(""));
+    let whole =
+        stem.extension().filter(|part| *part == "tiles" || *part == "segments").map(|_| stem.with_extension(""));
     let places = [Some(stem), whole].into_iter().flatten().flat_map(|stem| {
         let name = stem.file_name().unwrap_or_default().to_string_lossy().into_owned();
         [stem.with_file_name(format!("{name}.bin.rs")), stem.with_file_name(format!("{name}.rs"))]
     });
-    let missing = || Fail::new(format!("{}: the file of the same name in .bin.rs, which says what the bytes are, is not there", path.display()));
+    let missing = || {
+        Fail::new(format!(
+            "{}: the file of the same name in .bin.rs, which says what the bytes are, is not there",
+            path.display()
+        ))
+    };
     places.into_iter().find(|place| place.is_file()).ok_or_else(missing)
 }
 
@@ -71,7 +77,8 @@ fn level(name: &str, shared: &[&str], lines: &[&str], folder: &Path) -> Made<Reo
     let both = || shared.iter().chain(lines).copied();
     let number = |name: &str| constant(lines, name);
     let mut tiles = None;
-    if let (Some(width), Some(height), Some(tile)) = (number("WIDTH: u16"), number("HEIGHT: u16"), number("TILE: u16")) {
+    if let (Some(width), Some(height), Some(tile)) = (number("WIDTH: u16"), number("HEIGHT: u16"), number("TILE: u16"))
+    {
         let bytes = bytes(lines, "pub static TILES: ", folder)?.ok_or("no TILES")?;
         let mut ids = vec![TileKind::EMPTY];
         for (id, kind) in both().filter_map(kind) {
@@ -84,8 +91,13 @@ fn level(name: &str, shared: &[&str], lines: &[&str], folder: &Path) -> Made<Reo
         if !known || bytes.len() != usize::from(width) * usize::from(height) {
             return Err(format!("{} bytes of tiles for {width}x{height}", bytes.len()));
         }
-        let flags = both().filter_map(|line| line.strip_prefix("pub const ")?.split_once(": u8 = ")).map(|(name, _)| name.trim_start_matches("FLAG_").to_owned());
-        let origin = lines.iter().filter(|line| line.contains("Grid::new(")).find_map(|line| pair(line.split_once("Vec2::from_raw(")?.1));
+        let flags = both()
+            .filter_map(|line| line.strip_prefix("pub const ")?.split_once(": u8 = "))
+            .map(|(name, _)| name.trim_start_matches("FLAG_").to_owned());
+        let origin = lines
+            .iter()
+            .filter(|line| line.contains("Grid::new("))
+            .find_map(|line| pair(line.split_once("Vec2::from_raw(")?.1));
         tiles = Some(Level {
             layer: name.to_owned(),
             width,
@@ -156,13 +168,22 @@ fn paths(lines: &[&str]) -> Made<Option<Vec<u8>>> {
     for line in lines {
         if line.starts_with("const POINTS_") {
             shapes.points.push(Vec::new());
-        } else if let (Some((x, y)), Some(points)) = (line.strip_prefix("Vec2::from_ints(").and_then(pair), shapes.points.last_mut()) {
+        } else if let (Some((x, y)), Some(points)) =
+            (line.strip_prefix("Vec2::from_ints(").and_then(pair), shapes.points.last_mut())
+        {
             let whole = |v: i32| i16::try_from(v).map_err(|_| format!("{v} is beyond the domain"));
             points.push(Vec2::from_ints(whole(x)?, whole(y)?));
-        } else if let (Some((x, y)), Some(points)) = (line.strip_prefix("Vec2::from_raw(").and_then(pair), shapes.points.last_mut()) {
+        } else if let (Some((x, y)), Some(points)) =
+            (line.strip_prefix("Vec2::from_raw(").and_then(pair), shapes.points.last_mut())
+        {
             points.push(Vec2::from_raw(x, y));
         } else if let Some(rest) = line.strip_prefix("Path::new(PathKind::") {
-            let kinds = [("Solid", PathKind::Solid), ("Hole", PathKind::Hole), ("Wall", PathKind::Wall), ("OneWay", PathKind::OneWay)];
+            let kinds = [
+                ("Solid", PathKind::Solid),
+                ("Hole", PathKind::Hole),
+                ("Wall", PathKind::Wall),
+                ("OneWay", PathKind::OneWay),
+            ];
             let kind = kinds.iter().find(|(name, _)| rest.starts_with(name)).ok_or("a path of no kind")?;
             let flags = rest.split_once(".with_flags(").and_then(|(_, flags)| flags.split(')').next()?.parse().ok());
             shapes.kinds.push((kind.1, flags.unwrap_or(0)));

@@ -35,7 +35,11 @@ impl Shapes {
             let mut points = Vec::new();
             for (i, &(x, y)) in outline.points.iter().enumerate() {
                 // Far outside of the domain; what is nearer is the library's to refuse.
-                let beyond = |_| of_object(&format!("point {i} is beyond the domain of 8192 pixels; --scale makes everything smaller"));
+                let beyond = |_| {
+                    of_object(&format!(
+                        "point {i} is beyond the domain of 8192 pixels; --scale makes everything smaller"
+                    ))
+                };
                 points.push(Vec2::from_raw(i32::try_from(x).map_err(beyond)?, i32::try_from(y).map_err(beyond)?));
             }
             // A polygon closes itself, a chain does not.

@@ -99,11 +99,17 @@ fn alone(text: &mut String, level: &Baked, flags: &[(String, u8)], from: &Bytes)
 fn rest(text: &mut String, level: &Baked, from: &Bytes) {
     if let Some(place) = level.ground.place {
         let (x, y, width, height) = (place.x, place.y, place.width, place.height);
-        let _ = writeln!(text, "/// Where it lies in its world, in pixels of the map: x, y, width, height.\npub const WORLD: [i32; 4] = [{x}, {y}, {width}, {height}];");
+        let _ = writeln!(
+            text,
+            "/// Where it lies in its world, in pixels of the map: x, y, width, height.\npub const WORLD: [i32; 4] = [{x}, {y}, {width}, {height}];"
+        );
     }
     if level.ground.shift != (0, 0) {
         let (x, y) = level.ground.shift;
-        let _ = writeln!(text, "/// Add this to a place of the map to have it here, in pixels.\npub const SHIFT: [i32; 2] = [{x}, {y}];");
+        let _ = writeln!(
+            text,
+            "/// Add this to a place of the map to have it here, in pixels.\npub const SHIFT: [i32; 2] = [{x}, {y}];"
+        );
     }
     if let Some((shapes, bytes, cell)) = &level.objects {
         let count = bytes.get(6..8).map_or(0, |count| u16::from_le_bytes([count[0], count[1]]));

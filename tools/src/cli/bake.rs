@@ -125,7 +125,10 @@ fn job(job: Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<u8> {
     }
     if let Some(picture) = &job.picture {
         let places = bundle.places(picture, "png");
-        let drawn = levels.maps.iter().filter(|map| !crate::rules::options::listed(&settings.options.ignored_levels, &map.name));
+        let drawn = levels
+            .maps
+            .iter()
+            .filter(|map| !crate::rules::options::listed(&settings.options.ignored_levels, &map.name));
         for (((baked, map), place), lines) in bundle.levels.iter().zip(drawn).zip(places).zip(&lines) {
             let shown = if job.json { &[][..] } else { lines };
             let mut scene = baked.picture(shown)?;
@@ -143,7 +146,11 @@ fn job(job: Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<u8> {
         }
     }
     if !bundle.dropped.is_empty() {
-        list(if job.json { err } else { out }, "dropped", &bundle.dropped.iter().map(|name| format!("flag {name}")).collect::<Vec<_>>());
+        list(
+            if job.json { err } else { out },
+            "dropped",
+            &bundle.dropped.iter().map(|name| format!("flag {name}")).collect::<Vec<_>>(),
+        );
     }
     if !job.json {
         for file in written {
@@ -167,7 +174,8 @@ fn told(baked: &Baked, bundle: &Bundle, lines: &[String], out: &mut dyn Write) {
     for line in lines {
         tell(out, line);
     }
-    let rules: Vec<String> = baked.ground.applied.iter().map(|used| format!("{}  {}: {}", used.rule, used.what, used.tiles)).collect();
+    let rules: Vec<String> =
+        baked.ground.applied.iter().map(|used| format!("{}  {}: {}", used.rule, used.what, used.tiles)).collect();
     list(out, "rule", &rules);
     list(out, "ignored", &baked.ignored());
     list(out, "note", &baked.ground.notes);

@@ -47,9 +47,9 @@ NAME of a tile is its class, a true property, TILESET:ID, an IntGrid value (its
 identifier, its number, or LAYER:NUMBER), in any case. A file tilesat.toml beside
 the level says the same for all levels there: solid = [\"Grass\", \"Ramp=slope-bottom-left\"],
 one-way, empty, flag, solid-layer, ignore-layer, objects, ignore-level (lists), scale = \"1/2\".
-Objects are solid where their class, a true property, their layer (by c) or
---objects says so: rectangles, polygons, ellipses; polylines are walls. Classes and
-the property kind tell solid, hole, wall (a chain that blocks from both sides) and
+Objects are solid where --objects, their class, a true property, their name or their
+layer (by c) says so: rectangles, polygons, ellipses; polylines are walls. A class or
+the property kind tells solid, hole, wall (a chain that blocks from both sides) and
 one-way (a chain that blocks from its left: draw floors to the right).
 ";
 
@@ -65,7 +65,9 @@ impl Input {
     pub(crate) fn take(&mut self, name: &str, parser: &mut Parser) -> Result<bool> {
         let options = &mut self.options;
         match name {
-            "solid" => options.shapes.push(solid(&text(parser, "--solid")?).map_err(|why| Fail::new(format!("--solid {why}")))?),
+            "solid" => options
+                .shapes
+                .push(solid(&text(parser, "--solid")?).map_err(|why| Fail::new(format!("--solid {why}")))?),
             "one-way" => options.shapes.push((text(parser, "--one-way")?, TileShape::OneWayUp)),
             "empty" => options.shapes.push((text(parser, "--empty")?, TileShape::Empty)),
             "flag" => options.flags.push(text(parser, "--flag")?),
@@ -113,7 +115,8 @@ fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String
 /// `NAME` or `NAME=SHAPE`.
 pub(crate) fn solid(text: &str) -> std::result::Result<(String, TileShape), String> {
     let Some((name, shape)) = text.rsplit_once('=') else { return Ok((text.to_owned(), TileShape::Full)) };
-    let known = names::shape(shape.trim()).ok_or_else(|| format!("'{shape}' is no shape, such as slope-bottom-left (see --help)"))?;
+    let known = names::shape(shape.trim())
+        .ok_or_else(|| format!("'{shape}' is no shape, such as slope-bottom-left (see --help)"))?;
     Ok((name.trim().to_owned(), known))
 }
 

@@ -90,7 +90,10 @@ fn arena(path: &Path, input: Input) -> Result<(Arena, Vec<PathBuf>)> {
         let wanted = input.level.as_deref().unwrap_or(names.first().copied().unwrap_or_default());
         let found = levels.iter().find(|level| level.name == wanted);
         let unknown = || Fail::new(format!("no level '{wanted}'; there are: {}", names.join(", ")));
-        return Ok((found.ok_or_else(|| of_file(unknown())).and_then(|level| Arena::reopened(level).map_err(of_file))?, vec![path.to_owned()]));
+        return Ok((
+            found.ok_or_else(|| of_file(unknown())).and_then(|level| Arena::reopened(level).map_err(of_file))?,
+            vec![path.to_owned()],
+        ));
     }
     let (levels, options) = input.load(path)?;
     let first = levels.maps.iter().find(|map| !listed(&options.ignored_levels, &map.name));

@@ -31,9 +31,17 @@ pub struct Map {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Placed {
     Nothing,
-    Tile { tileset: usize, id: u32, flip: Flip },
+    Tile {
+        tileset: usize,
+        id: u32,
+        flip: Flip,
+    },
     /// A value of an `IntGrid` layer.
-    Value { layer: String, number: i64, name: Option<String> },
+    Value {
+        layer: String,
+        number: i64,
+        name: Option<String>,
+    },
 }
 
 /// The room of a level in its world, in pixels.
@@ -86,7 +94,9 @@ impl Tiles {
     /// The cells that something stands in.
     pub fn drawn(&self) -> impl Iterator<Item = (i32, i32, u32)> + '_ {
         let rows = self.cells.chunks(self.width.max(1) as usize).zip(self.at.1..);
-        rows.flat_map(|(row, y)| row.iter().zip(self.at.0..).filter(|(cell, _)| **cell != 0).map(move |(&cell, x)| (x, y, cell)))
+        rows.flat_map(|(row, y)| {
+            row.iter().zip(self.at.0..).filter(|(cell, _)| **cell != 0).map(move |(&cell, x)| (x, y, cell))
+        })
     }
 }
 

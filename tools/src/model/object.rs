@@ -20,6 +20,8 @@ pub enum Form {
     Text,
     /// A picture out of a tileset, on top of the object's own point.
     Tile,
+    /// Made from a template that cannot be read, and why.
+    Missing(String),
 }
 
 /// An object, with its template filled in.

@@ -28,7 +28,8 @@ impl Properties {
 
     /// The names of numbers that are not 0, which some authors write for true.
     pub fn ones(&self) -> impl Iterator<Item = &str> {
-        let is_one = |value: &Value| matches!(value, Value::Number(digits) if digits.parse().is_ok_and(|v: f64| v != 0.0));
+        let is_one =
+            |value: &Value| matches!(value, Value::Number(digits) if digits.parse().is_ok_and(|v: f64| v != 0.0));
         self.0.iter().filter(move |(_, value)| is_one(value)).map(|(name, _)| name.as_str())
     }
 

@@ -23,7 +23,10 @@ pub fn under(scene: &mut Scene, map: &Map, ground: &Ground, scale: Option<(u32, 
     let mut image = Image { width, height, pixels: vec![[0; 4]; width * height] };
     let mut sources = Sources::default();
     // The picture begins with the first cell.
-    let start = (ground.origin.0 as f32 / 65536.0 - ground.shift.0 as f32, ground.origin.1 as f32 / 65536.0 - ground.shift.1 as f32);
+    let start = (
+        ground.origin.0 as f32 / 65536.0 - ground.shift.0 as f32,
+        ground.origin.1 as f32 / 65536.0 - ground.shift.1 as f32,
+    );
     for layer in &map.layers {
         let Some(tiles) = layer.tiles() else { continue };
         let offset = (layer.offset.0.to_f64() as f32, layer.offset.1.to_f64() as f32);
@@ -31,7 +34,8 @@ pub fn under(scene: &mut Scene, map: &Map, ground: &Ground, scale: Option<(u32, 
             let Placed::Tile { tileset, id, flip } = &map.palette[cell as usize] else { continue };
             let Some((source, from, size)) = sources.tile(map, *tileset, *id) else { continue };
             let side = f32::from(tiles.tile);
-            let (wide, high) = if map.tilesets[*tileset].fits_grid { (side, side) } else { (size.0 as f32, size.1 as f32) };
+            let (wide, high) =
+                if map.tilesets[*tileset].fits_grid { (side, side) } else { (size.0 as f32, size.1 as f32) };
             let drawn = map.tilesets[*tileset].offset;
             let left = x as f32 * side + offset.0 + drawn.0 as f32;
             let top = (y + 1) as f32 * side - high + offset.1 + drawn.1 as f32;
@@ -75,7 +79,8 @@ impl Sources {
         if own.is_some() {
             return Some((image, (0, 0), (image.width as u32, image.height as u32)));
         }
-        let along = |index: u32, size: u32| set.margin.saturating_add(index.saturating_mul(size.saturating_add(set.spacing)));
+        let along =
+            |index: u32, size: u32| set.margin.saturating_add(index.saturating_mul(size.saturating_add(set.spacing)));
         let from = (along(id % set.columns, set.size.0), along(id / set.columns, set.size.1));
         Some((image, from, set.size))
     }
@@ -101,19 +106,35 @@ fn read(path: &Path) -> Option<Image> {
 }
 
 /// Draws a part of an image into a box, the nearest pixel each.
-fn blit(to: &mut Image, at: (f32, f32), size: (f32, f32), from: &Image, corner: (u32, u32), part: (u32, u32), flip: Flip) {
-    let span = |at: f32, length: f32, end: usize| (at.round().max(0.0) as usize).min(end)..((at + length).round().max(0.0) as usize).min(end);
+fn blit(
+    to: &mut Image,
+    at: (f32, f32),
+    size: (f32, f32),
+    from: &Image,
+    corner: (u32, u32),
+    part: (u32, u32),
+    flip: Flip,
+) {
+    let span = |at: f32, length: f32, end: usize| {
+        (at.round().max(0.0) as usize).min(end)..((at + length).round().max(0.0) as usize).min(end)
+    };
     for y in span(at.1, size.1, to.height) {
         for x in span(at.0, size.0, to.width) {
-            let (u, v) = (((x as f32 + 0.5 - at.0) / size.0).clamp(0.0, 0.999), ((y as f32 + 0.5 - at.1) / size.1).clamp(0.0, 0.999));
+            let (u, v) = (
+                ((x as f32 + 0.5 - at.0) / size.0).clamp(0.0, 0.999),
+                ((y as f32 + 0.5 - at.1) / size.1).clamp(0.0, 0.999),
+            );
             let u = if flip.horizontal { 0.999 - u } else { u };
             let v = if flip.vertical { 0.999 - v } else { v };
             let (u, v) = if flip.diagonal { (v, u) } else { (u, v) };
-            let (sx, sy) = (corner.0 as usize + (u * part.0 as f32) as usize, corner.1 as usize + (v * part.1 as f32) as usize);
+            let (sx, sy) =
+                (corner.0 as usize + (u * part.0 as f32) as usize, corner.1 as usize + (v * part.1 as f32) as usize);
             if sx < from.width && sy < from.height {
                 let [r, g, b, alpha] = from.pixels[sy * from.width + sx];
                 let below = &mut to.pixels[y * to.width + x];
-                let mix = |below: u8, over: u8| ((u32::from(below) * (255 - u32::from(alpha)) + u32::from(over) * u32::from(alpha)) / 255) as u8;
+                let mix = |below: u8, over: u8| {
+                    ((u32::from(below) * (255 - u32::from(alpha)) + u32::from(over) * u32::from(alpha)) / 255) as u8
+                };
                 *below = [mix(below[0], r), mix(below[1], g), mix(below[2], b), below[3].max(alpha)];
             }
         }

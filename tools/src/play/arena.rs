@@ -77,5 +77,14 @@ fn around(bytes: &[u8]) -> Result<Level> {
     };
     let ((x, width), (y, height)) = (axis(from.0, to.0), axis(from.1, to.1));
     let tiles = vec![0; usize::from(width) * usize::from(height)];
-    Ok(Level { layer: "objects".to_owned(), width, height, tile, origin: (x, y), tiles, ids: vec![TileKind::EMPTY], flags: Vec::new() })
+    Ok(Level {
+        layer: "objects".to_owned(),
+        width,
+        height,
+        tile,
+        origin: (x, y),
+        tiles,
+        ids: vec![TileKind::EMPTY],
+        flags: Vec::new(),
+    })
 }

@@ -92,8 +92,12 @@ fn advance<W: World>(world: &W, actor: &mut Actor, end: (i32, i32), report: &mut
     actor.asked = inside(actor.velocity, end);
     actor.hit = None;
     let moved = match actor.shape {
-        Shape::Box(body) => mover.move_and_slide(world, &body, actor.asked).map(|moved| (Shape::Box(moved.body), moved.velocity, moved.hits)),
-        Shape::Ball(body) => mover.move_and_slide(world, &body, actor.asked).map(|moved| (Shape::Ball(moved.body), moved.velocity, moved.hits)),
+        Shape::Box(body) => mover
+            .move_and_slide(world, &body, actor.asked)
+            .map(|moved| (Shape::Box(moved.body), moved.velocity, moved.hits)),
+        Shape::Ball(body) => mover
+            .move_and_slide(world, &body, actor.asked)
+            .map(|moved| (Shape::Ball(moved.body), moved.velocity, moved.hits)),
     };
     match moved {
         Ok((shape, velocity, hits)) => {
@@ -112,7 +116,11 @@ fn advance<W: World>(world: &W, actor: &mut Actor, end: (i32, i32), report: &mut
 fn inside(velocity: Vec2, end: (i32, i32)) -> Vec2 {
     let room = (DOMAIN - 1 - end.0.abs().max(end.1.abs())).max(0) / 2;
     let (x, y) = velocity.raw();
-    if x.abs() + y.abs() <= room { velocity } else { Vec2::from_raw(x.clamp(-room / 2, room / 2), y.clamp(-room / 2, room / 2)) }
+    if x.abs() + y.abs() <= room {
+        velocity
+    } else {
+        Vec2::from_raw(x.clamp(-room / 2, room / 2), y.clamp(-room / 2, room / 2))
+    }
 }
 
 fn place<W: World>(world: &W, grid: Grid, half: (i32, i32), ball: bool, dice: &mut Dice) -> Option<Shape> {

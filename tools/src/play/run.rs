@@ -104,7 +104,13 @@ fn game<S: Set>(level: &Level, checker: Checker, (frames, seed): (u32, u32), err
 }
 
 /// Boxes and balls alone, in any level.
-fn drift<W: World>(world: &W, grid: Grid, checker: Checker, (frames, seed): (u32, u32), err: &mut dyn Write) -> Result<Run> {
+fn drift<W: World>(
+    world: &W,
+    grid: Grid,
+    checker: Checker,
+    (frames, seed): (u32, u32),
+    err: &mut dyn Write,
+) -> Result<Run> {
     let mut drift = Drift::new(world, grid, seed).ok_or_else(no_room)?;
     let start = Frame { report: FrameReport::default(), actors: *drift.bodies(), hash: drift.hash() };
     Ok(watch(&checker, start, frames, err, || {

@@ -25,7 +25,8 @@ pub(super) struct Walls {
 impl Walls {
     /// Reads the bytes of a segment map, as they are described in the library.
     pub(super) fn new(bytes: &[u8]) -> Self {
-        let word = |at: usize| bytes.get(at..at + 4).and_then(|word| word.try_into().ok()).map_or(0, i32::from_le_bytes);
+        let word =
+            |at: usize| bytes.get(at..at + 4).and_then(|word| word.try_into().ok()).map_or(0, i32::from_le_bytes);
         let count = bytes.get(6..8).map_or(0, |half| usize::from(half[0]) | usize::from(half[1]) << 8);
         let mut walls = Self { side: i64::from(word(16)).max(1 << 16), ..Self::default() };
         for at in (0..count).map(|i| 32 + 24 * i) {
@@ -42,7 +43,8 @@ impl Walls {
 
     fn add(&mut self, edge: Edge) {
         let index = self.edges.len() as u32;
-        let (lo, hi) = ((edge.a.0.min(edge.b.0), edge.a.1.min(edge.b.1)), (edge.a.0.max(edge.b.0), edge.a.1.max(edge.b.1)));
+        let (lo, hi) =
+            ((edge.a.0.min(edge.b.0), edge.a.1.min(edge.b.1)), (edge.a.0.max(edge.b.0), edge.a.1.max(edge.b.1)));
         for square in self.squares_of(lo, hi) {
             self.squares.entry(square).or_default().push(index);
         }

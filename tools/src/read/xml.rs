@@ -113,7 +113,8 @@ impl<'a> Xml<'a> {
             }
             let passed = [("<!--", "-->"), ("<?", "?>")].iter().find(|(begin, _)| rest.starts_with(begin));
             if let Some((begin, end)) = passed {
-                let length = rest[begin.len()..].find(end).ok_or_else(|| self.here("the file ends within a comment"))?;
+                let length =
+                    rest[begin.len()..].find(end).ok_or_else(|| self.here("the file ends within a comment"))?;
                 self.at += begin.len() + length + end.len();
             } else if rest.starts_with("<!") {
                 self.at += self.declaration(rest)?;
@@ -185,7 +186,8 @@ impl<'a> Xml<'a> {
             let length = rest.find(is_end).ok_or_else(|| cut(self))?;
             let (key, after) = rest.split_at(length);
             let after = after.trim_start().strip_prefix('=').map(str::trim_start);
-            let quoted = after.and_then(|after| Some((after.chars().next().filter(|c| "\"'".contains(*c))?, &after[1..])));
+            let quoted =
+                after.and_then(|after| Some((after.chars().next().filter(|c| "\"'".contains(*c))?, &after[1..])));
             let Some((quote, value)) = quoted.filter(|_| !key.is_empty()) else {
                 return Err(self.here(&format!("<{name}> has something that is no attribute")));
             };

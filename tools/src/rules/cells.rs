@@ -65,7 +65,8 @@ impl Lattice {
     /// The column and row of the first cell of a layer on this lattice.
     fn start(self, sheet: &Sheet<'_>) -> (i64, i64) {
         let side = i64::from(self.tile) << 16;
-        let along = |offset: Decimal, phase: i64, at: i32| (Unit::new(None).raw(offset).0 - phase) / side + i64::from(at);
+        let along =
+            |offset: Decimal, phase: i64, at: i32| (Unit::new(None).raw(offset).0 - phase) / side + i64::from(at);
         let (offset, at) = (sheet.layer.offset, sheet.tiles.at);
         (along(offset.0, self.phase.0, at.0), along(offset.1, self.phase.1, at.1))
     }
@@ -75,10 +76,17 @@ impl Lattice {
 pub(super) fn merge(sheets: &[Sheet<'_>], flags: &mut Flags) -> Result<Cells, String> {
     let Some(lattice) = best(sheets) else { return Ok(Cells::default()) };
     let mut cells = Cells { tile: lattice.tile, ..Cells::default() };
-    let on: Vec<&Sheet<'_>> = sheets.iter().filter(|sheet| Lattice::of(sheet) == lattice && !sheet.tiles.cells.is_empty()).collect();
+    let on: Vec<&Sheet<'_>> =
+        sheets.iter().filter(|sheet| Lattice::of(sheet) == lattice && !sheet.tiles.cells.is_empty()).collect();
+    if on.is_empty() {
+        return Ok(cells);
+    }
     let starts = on.iter().map(|sheet| lattice.start(sheet));
     let (left, top) = starts.clone().fold((i64::MAX, i64::MAX), |at, start| (at.0.min(start.0), at.1.min(start.1)));
-    let ends = on.iter().zip(starts).map(|(sheet, at)| (at.0 + i64::from(sheet.tiles.width), at.1 + i64::from(sheet.tiles.height)));
+    let ends = on
+        .iter()
+        .zip(starts)
+        .map(|(sheet, at)| (at.0 + i64::from(sheet.tiles.width), at.1 + i64::from(sheet.tiles.height)));
     let (right, bottom) = ends.fold((left, top), |at, end| (at.0.max(end.0), at.1.max(end.1)));
     let (width, height) = (right - left, bottom - top);
     if width.saturating_mul(height) > MAX_CELLS {
@@ -93,7 +101,9 @@ pub(super) fn merge(sheets: &[Sheet<'_>], flags: &mut Flags) -> Result<Cells, St
         let fits = Lattice::of(sheet) == lattice;
         let start = lattice.start(sheet);
         let from = if fits { (start.0 - left, start.1 - top) } else { (0, 0) };
-        cells.lay(sheet, fits.then_some(from), flags, &mut edges).map_err(|why| format!("layer '{}': {why}", sheet.layer.name))?;
+        cells
+            .lay(sheet, fits.then_some(from), flags, &mut edges)
+            .map_err(|why| format!("layer '{}': {why}", sheet.layer.name))?;
     }
     Ok(cells)
 }
@@ -116,7 +126,13 @@ fn best(sheets: &[Sheet<'_>]) -> Option<Lattice> {
 
 impl Cells {
     /// Lays a sheet on top; `from` is where it begins on the lattice, if it lies on it.
-    fn lay(&mut self, sheet: &Sheet<'_>, from: Option<(i64, i64)>, flags: &mut Flags, edges: &mut usize) -> Result<(), String> {
+    fn lay(
+        &mut self,
+        sheet: &Sheet<'_>,
+        from: Option<(i64, i64)>,
+        flags: &mut Flags,
+        edges: &mut usize,
+    ) -> Result<(), String> {
         let mut masks: HashMap<u32, u8> = HashMap::new();
         // Tiles of a kind lie side by side.
         let (mut last, mut mask, mut piece) = (0, 0, None);
@@ -185,22 +201,38 @@ impl Cells {
     }
 
     /// A tile of a layer that lies between the cells.
-    fn apart(&mut self, sheet: &Sheet<'_>, at: (i32, i32), piece: Option<&Piece>, mask: u8, edges: &mut usize) -> Result<(), String> {
+    fn apart(
+        &mut self,
+        sheet: &Sheet<'_>,
+        at: (i32, i32),
+        piece: Option<&Piece>,
+        mask: u8,
+        edges: &mut usize,
+    ) -> Result<(), String> {
         let tile = sheet.tiles.tile;
         match piece {
             Some(Piece::Shape(shape)) => self.paths(sheet, at, &piece::as_path(*shape, tile), mask, edges),
             Some(Piece::Cells { at: (dx, dy), size }) => {
                 let all = (0..size.1).flat_map(|j| (0..size.0).map(move |i| (i, j)));
                 let full = piece::as_path(TileShape::Full, tile);
-                all.into_iter().try_for_each(|(i, j)| self.paths(sheet, (at.0 + dx + i, at.1 + dy + j), &full, mask, edges))
+                all.into_iter()
+                    .try_for_each(|(i, j)| self.paths(sheet, (at.0 + dx + i, at.1 + dy + j), &full, mask, edges))
             }
             Some(Piece::Paths(paths)) => self.paths(sheet, at, paths, mask, edges),
             None => Ok(()),
         }
     }
 
-    fn paths(&mut self, sheet: &Sheet<'_>, (x, y): (i32, i32), paths: &[Path], flags: u8, edges: &mut usize) -> Result<(), String> {
-        let corner = |offset: Decimal, index: i32| offset + Decimal::whole(i64::from(index) * i64::from(sheet.tiles.tile));
+    fn paths(
+        &mut self,
+        sheet: &Sheet<'_>,
+        (x, y): (i32, i32),
+        paths: &[Path],
+        flags: u8,
+        edges: &mut usize,
+    ) -> Result<(), String> {
+        let corner =
+            |offset: Decimal, index: i32| offset + Decimal::whole(i64::from(index) * i64::from(sheet.tiles.tile));
         let (dx, dy) = (corner(sheet.layer.offset.0, x), corner(sheet.layer.offset.1, y));
         for path in paths {
             *edges += path.points.len();
@@ -228,6 +260,8 @@ impl Cells {
         }
         let (first, last) = (cell(lo), cell((hi.0 - 1, hi.1 - 1)));
         let inside = (0..i64::from(self.width)).contains(&first.0) && (0..i64::from(self.height)).contains(&first.1);
-        first == last && inside && self.kinds[(first.1 * i64::from(self.width) + first.0) as usize].shape == TileShape::Full
+        first == last
+            && inside
+            && self.kinds[(first.1 * i64::from(self.width) + first.0) as usize].shape == TileShape::Full
     }
 }

@@ -43,7 +43,9 @@ impl Flags {
         }
         if !self.chosen {
             let list = self.names.join(", ");
-            return Err(format!("'{name}' would be the ninth flag, after {list}; add --flag NAME for each of those that should stay"));
+            return Err(format!(
+                "'{name}' would be the ninth flag, after {list}; add --flag NAME for each of those that should stay"
+            ));
         }
         if !self.dropped.iter().any(|known| known.eq_ignore_ascii_case(name)) {
             self.dropped.push(name.to_owned());

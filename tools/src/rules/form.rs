@@ -17,12 +17,12 @@ const OFF: f64 = 1.0 / 8.0;
 /// More would not be seen, and cost flash.
 const MOST_CORNERS: u32 = 64;
 
-/// Where an object's corners are; `None` for a point and a text, which have no extent.
+/// Where an object's corners are; `None` for a point and a text, which have no extent, and where nobody knows.
 pub(super) fn corners(object: &Object) -> Option<Corners> {
     let ((w, h), zero) = (object.size, Decimal::ZERO);
     let box_of = |top: Decimal, bottom: Decimal| vec![(zero, top), (w, top), (w, bottom), (zero, bottom)];
     let (points, closed, error) = match &object.form {
-        Form::Point | Form::Text => return None,
+        Form::Point | Form::Text | Form::Missing(_) => return None,
         Form::Rectangle => (box_of(zero, h), true, 0),
         // Tiled puts the lower left corner of a tile on the object's point.
         Form::Tile => (box_of(-h, zero), true, 0),
@@ -63,7 +63,8 @@ fn round((w, h): Spot, (wide, high): Spot) -> (Vec<Spot>, bool, u32) {
         let y = if quarter < 2 { far_y } else { ry };
         // Where one quarter ends, a straight side leads to the next.
         if k * 4 % corners == 0 && k > 0 {
-            let before = (if matches!(quarter, 0 | 1) { far_x } else { rx }, if matches!(quarter, 1 | 2) { far_y } else { ry });
+            let before =
+                (if matches!(quarter, 0 | 1) { far_x } else { rx }, if matches!(quarter, 1 | 2) { far_y } else { ry });
             points.push((Decimal::from_f64(before.0 + rx * cos), Decimal::from_f64(before.1 + ry * sin)));
         }
         points.push((Decimal::from_f64(x + rx * cos), Decimal::from_f64(y + ry * sin)));

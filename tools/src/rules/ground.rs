@@ -94,8 +94,15 @@ impl<'a> Maker<'a> {
 
     fn make(mut self, flags: &mut Flags) -> Made<Ground> {
         self.check_names()?;
-        let layers: Vec<&Layer> = self.map.layers.iter().filter(|layer| !listed(&self.options.ignored_layers, &layer.name)).collect();
-        self.ignored.extend(self.map.layers.iter().filter(|layer| listed(&self.options.ignored_layers, &layer.name)).map(|layer| format!("layer '{}' (--ignore-layer)", layer.name)));
+        let layers: Vec<&Layer> =
+            self.map.layers.iter().filter(|layer| !listed(&self.options.ignored_layers, &layer.name)).collect();
+        self.ignored.extend(
+            self.map
+                .layers
+                .iter()
+                .filter(|layer| listed(&self.options.ignored_layers, &layer.name))
+                .map(|layer| format!("layer '{}' (--ignore-layer)", layer.name)),
+        );
         let mut sheets = Vec::new();
         for layer in &layers {
             match &layer.content {
@@ -105,7 +112,8 @@ impl<'a> Maker<'a> {
             }
         }
         let (mut outlines, mut left_out) = self.objects(&layers, false)?;
-        let nothing = sheets.iter().all(|sheet| sheet.pieces.values().all(|piece| *piece == Piece::Shape(TileShape::Empty)));
+        let nothing =
+            sheets.iter().all(|sheet| sheet.pieces.values().all(|piece| *piece == Piece::Shape(TileShape::Empty)));
         if nothing && outlines.is_empty() {
             for sheet in &mut sheets {
                 self.guess(sheet);
@@ -114,7 +122,8 @@ impl<'a> Maker<'a> {
         }
         let cells = cells::merge(&sheets, flags)?;
         for layer in &cells.lost {
-            self.notes.push(format!("the flags of layer '{layer}' are left out: it lies between the cells of the others"));
+            self.notes
+                .push(format!("the flags of layer '{layer}' are left out: it lies between the cells of the others"));
         }
         let of_tiles = self.of_tiles(&cells, flags)?;
         outlines.splice(0..0, of_tiles);
@@ -176,7 +185,11 @@ impl<'a> Maker<'a> {
         if listed(&self.options.solid_layers, &layer.name) {
             return Some((Rule::Option, what));
         }
-        let says = [&layer.name, &layer.class].into_iter().chain(&layer.marks).chain(&layer.groups).any(|name| words::has(name, COLLISION));
+        let says = [&layer.name, &layer.class]
+            .into_iter()
+            .chain(&layer.marks)
+            .chain(&layer.groups)
+            .any(|name| words::has(name, COLLISION));
         (says && !tiles.derived).then_some((Rule::C, what))
     }
 
@@ -226,7 +239,9 @@ impl<'a> Maker<'a> {
             }
             let before = outlines.len();
             for object in objects {
-                match objects::outline(object, layer, says, self.unit, self.options).map_err(|why| format!("layer '{}': {why}", layer.name))? {
+                match objects::outline(object, layer, says, self.unit, self.options)
+                    .map_err(|why| format!("layer '{}': {why}", layer.name))?
+                {
                     Ok(outline) => outlines.push(outline),
                     Err(object) => left_out.push(object),
                 }
@@ -257,7 +272,14 @@ impl<'a> Maker<'a> {
                     None => polygons.push((placed.flags, vec![raw])),
                 }
             } else {
-                outlines.push(self.outline(placed.path.kind, placed.path.closed, raw, placed.flags, &placed.layer, flags));
+                outlines.push(self.outline(
+                    placed.path.kind,
+                    placed.path.closed,
+                    raw,
+                    placed.flags,
+                    &placed.layer,
+                    flags,
+                ));
             }
         }
         let title = layers.join(" + ");
@@ -273,15 +295,29 @@ impl<'a> Maker<'a> {
         Ok(outlines)
     }
 
-    fn outline(&self, kind: Kind, closed: bool, points: Vec<(i64, i64)>, mask: u8, layer: &str, flags: &Flags) -> Outline {
-        let title = Title { id: 0, name: "tiles".to_owned(), layer: layer.to_owned() };
+    fn outline(
+        &self,
+        kind: Kind,
+        closed: bool,
+        points: Vec<(i64, i64)>,
+        mask: u8,
+        layer: &str,
+        flags: &Flags,
+    ) -> Outline {
+        let title = Title::tiles(layer);
         let rounding = vec![0; points.len()];
         let named = flags.names.iter().enumerate().filter(|(bit, _)| mask >> bit & 1 != 0);
         Outline { title, kind, closed, points, rounding, flags: named.map(|(_, name)| name.clone()).collect() }
     }
 
     /// Puts everything into the library's domain.
-    fn settle(mut self, cells: &Cells, mut outlines: Vec<Outline>, left_out: Vec<LeftOut>, sheets: &[Sheet<'_>]) -> Made<Ground> {
+    fn settle(
+        mut self,
+        cells: &Cells,
+        mut outlines: Vec<Outline>,
+        left_out: Vec<LeftOut>,
+        sheets: &[Sheet<'_>],
+    ) -> Made<Ground> {
         let has_tiles = cells.kinds.iter().any(|kind| *kind != TileKind::EMPTY);
         let any = !outlines.is_empty() || cells.kinds.iter().any(|kind| kind.shape != TileShape::Empty);
         if !any {
@@ -298,7 +334,10 @@ impl<'a> Maker<'a> {
         let (x, y) = (ends(at.0, width), ends(at.1, height));
         let layer = |why: String| match cells.kinds.is_empty() {
             true => why,
-            false => format!("layer '{}' of {width}x{height} tiles of {tile} pixels: {why}", sheets.first().map_or("", |sheet| &sheet.layer.name)),
+            false => format!(
+                "layer '{}' of {width}x{height} tiles of {tile} pixels: {why}",
+                sheets.first().map_or("", |sheet| &sheet.layer.name)
+            ),
         };
         let shift = (place::shift(x.0, x.1, tile).map_err(layer)?, place::shift(y.0, y.1, tile).map_err(layer)?);
         for point in outlines.iter_mut().flat_map(|outline| &mut outline.points) {
@@ -307,10 +346,13 @@ impl<'a> Maker<'a> {
         if shift != (0, 0) {
             self.notes.push(format!("moved by ({}, {}) pixels, so that it lies around the origin", shift.0, shift.1));
         }
-        let mut solid: Vec<&str> = sheets.iter().filter(|sheet| !sheet.pieces.is_empty()).map(|sheet| sheet.layer.name.as_str()).collect();
+        let mut solid: Vec<&str> =
+            sheets.iter().filter(|sheet| !sheet.pieces.is_empty()).map(|sheet| sheet.layer.name.as_str()).collect();
         solid.dedup();
         let first = sheets.first().map(|sheet| sheet.layer.name.clone()).unwrap_or_default();
-        let fit = |count: u32| if has_tiles { u16::try_from(count).map_err(|_| layer(format!("{count} cells"))) } else { Ok(0) };
+        let fit = |count: u32| {
+            if has_tiles { u16::try_from(count).map_err(|_| layer(format!("{count} cells"))) } else { Ok(0) }
+        };
         Ok(Ground {
             name: self.map.name.clone(),
             layer: if solid.is_empty() { first } else { solid.join(" + ") },

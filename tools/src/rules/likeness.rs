@@ -42,7 +42,9 @@ impl Likeness {
     }
 
     fn find(&self, lines: &[Line], wanted: fn(TileShape) -> bool) -> Option<TileShape> {
-        let like = |(shape, outline): &&(TileShape, Vec<Line>)| wanted(*shape) && covers(outline, lines) && covers(lines, outline);
+        let like = |(shape, outline): &&(TileShape, Vec<Line>)| {
+            wanted(*shape) && covers(outline, lines) && covers(lines, outline)
+        };
         self.shapes.iter().find(like).map(|(shape, _)| *shape)
     }
 }

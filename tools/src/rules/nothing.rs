@@ -23,16 +23,23 @@ pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Res
         }
         names.extend(sheet.flags.values().flatten().map(String::as_str));
     }
-    let objects: Vec<String> = map.layers.iter().filter_map(|layer| match &layer.content {
-        Content::Objects(objects) if !objects.is_empty() => Some(format!("'{}' ({} objects)", layer.name, objects.len())),
-        _ => None,
-    }).collect();
+    let objects: Vec<String> = map
+        .layers
+        .iter()
+        .filter_map(|layer| match &layer.content {
+            Content::Objects(objects) if !objects.is_empty() => {
+                Some(format!("'{}' ({} objects)", layer.name, objects.len()))
+            }
+            _ => None,
+        })
+        .collect();
     if tiles.is_empty() && objects.is_empty() && map.values {
         return Ok(());
     }
     let mut why = "there is nothing solid: no tile, no object".to_owned();
     if !tiles.is_empty() {
-        why += &format!("; the tile layers are {}: add --solid-layer NAME where all that is drawn is solid", list(&tiles));
+        why +=
+            &format!("; the tile layers are {}: add --solid-layer NAME where all that is drawn is solid", list(&tiles));
     }
     if !names.is_empty() {
         let names: Vec<String> = names.into_iter().map(|name| format!("'{name}'")).collect();

@@ -28,7 +28,8 @@ pub(super) fn layer_says(layer: &Layer, options: &Options) -> Says {
         return Says::Kind(kind);
     }
     // A layer that is called `Walls` is full of what walls are made of.
-    let by_name = own.iter().find_map(|name| Kind::from_name(name)).filter(|kind| matches!(kind, Kind::Hole | Kind::OneWay));
+    let by_name =
+        own.iter().find_map(|name| Kind::from_name(name)).filter(|kind| matches!(kind, Kind::Hole | Kind::OneWay));
     if let Some(kind) = by_name {
         return Says::Kind(kind);
     }
@@ -38,24 +39,46 @@ pub(super) fn layer_says(layer: &Layer, options: &Options) -> Says {
 }
 
 /// The outline of an object, or why there is none.
-pub(super) fn outline(object: &Object, layer: &Layer, says: Says, unit: Unit, options: &Options) -> Result<Result<Outline, LeftOut>, String> {
+pub(super) fn outline(
+    object: &Object,
+    layer: &Layer,
+    says: Says,
+    unit: Unit,
+    options: &Options,
+) -> Result<Result<Outline, LeftOut>, String> {
     let title = Title { id: object.id, name: object.name.clone(), layer: layer.name.clone() };
     let raw = |(x, y): (Decimal, Decimal)| (unit.raw(x + layer.offset.0).0, unit.raw(y + layer.offset.1).0);
     let at = raw(object.at);
     let left_out = |why: String, suspicious| Ok(Err(LeftOut { title: title.clone(), at, why, suspicious }));
     let Some(corners) = form::corners(object) else {
-        return left_out(if object.form == Form::Text { "a text" } else { "a point" }.to_owned(), false);
+        return match &object.form {
+            Form::Missing(why) => left_out(why.clone(), true),
+            Form::Text => left_out("a text".to_owned(), false),
+            _ => left_out("a point".to_owned(), false),
+        };
     };
+    let flat = object.size.0 == Decimal::ZERO || object.size.1 == Decimal::ZERO;
     let kind = match kind(object, says, options)? {
-        Some(kind) => kind,
-        None if object.form == Form::Tile => return left_out("a tile as an object".to_owned(), false),
-        None => {
+        Some(kind) if object.form != Form::Tile || !flat => kind,
+        _ if object.form == Form::Tile => return left_out("a tile as an object".to_owned(), false),
+        _ => {
             let class = if object.class.is_empty() { &layer.class } else { &object.class };
-            let why = if class.is_empty() { "nothing says that it is solid".to_owned() } else { format!("class '{class}' is for the game") };
+            let why = if class.is_empty() {
+                "nothing says that it is solid".to_owned()
+            } else {
+                format!("class '{class}' is for the game")
+            };
             return left_out(why, false);
         }
     };
-    let mut outline = Outline { title, kind, closed: corners.closed, points: Vec::new(), rounding: Vec::new(), flags: flags(object, options) };
+    let mut outline = Outline {
+        title,
+        kind,
+        closed: corners.closed,
+        points: Vec::new(),
+        rounding: Vec::new(),
+        flags: flags(object, options),
+    };
     for (x, y) in corners.points {
         let ((x, off_x), (y, off_y)) = (unit.raw(x + layer.offset.0), unit.raw(y + layer.offset.1));
         outline.points.push((x, y));
@@ -79,13 +102,16 @@ fn kind(object: &Object, says: Says, options: &Options) -> Result<Option<Kind>, 
         Some((_, shape)) => return Ok(Some(if super::names::is_one_way(shape) { Kind::OneWay } else { by_form })),
         None => {}
     }
-    let mut kinds: Vec<Kind> = own.iter().filter(|name| !options.is_flag(name)).filter_map(|name| Kind::from_name(name)).collect();
+    let mut kinds: Vec<Kind> =
+        own.iter().filter(|name| !options.is_flag(name)).filter_map(|name| Kind::from_name(name)).collect();
     kinds.sort_unstable();
     kinds.dedup();
     if let [a, b, ..] = kinds[..] {
         return Err(format!("{whose} is both {a} and {b}"));
     }
-    let by_name = || Kind::from_name(&object.name).map(|kind| if matches!(kind, Kind::Wall | Kind::Solid) { by_form } else { kind });
+    let by_name = || {
+        Kind::from_name(&object.name).map(|kind| if matches!(kind, Kind::Wall | Kind::Solid) { by_form } else { kind })
+    };
     Ok(kinds.first().copied().or_else(by_name).or(match says {
         Says::Kind(kind) => Some(kind),
         Says::Solid => Some(by_form),

@@ -18,7 +18,10 @@ use crate::model::object::{Form, Object, Spot};
 pub(super) enum Piece {
     Shape(TileShape),
     /// So many columns and rows, from this cell relative to its own.
-    Cells { at: (i32, i32), size: (i32, i32) },
+    Cells {
+        at: (i32, i32),
+        size: (i32, i32),
+    },
     /// Relative to the corner of its cell.
     Paths(Vec<Path>),
 }
@@ -86,7 +89,9 @@ fn stretched(shape: TileShape, frame: Frame) -> Vec<Path> {
     const SIDE: u16 = 64;
     let lines = likeness::outline(shape, SIDE);
     let place = |(x, y): (f64, f64)| {
-        let along = |v: f64, from: i64, length: i64| Decimal::whole(from) + Decimal::from_f64(v * length as f64 / f64::from(SIDE));
+        let along = |v: f64, from: i64, length: i64| {
+            Decimal::whole(from) + Decimal::from_f64(v * length as f64 / f64::from(SIDE))
+        };
         (along(x, frame.x, frame.width), along(y, frame.y, frame.height))
     };
     // The library tells faces in no order that is promised: each begins where another one ends.
@@ -121,8 +126,13 @@ fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option
         // One stands on top of it.
         points.truncate(2);
         closed = false;
-    } else if !closed && kind.has_area() {
-        kind = Kind::Wall;
+    } else if kind.has_area() || kind == Kind::Wall {
+        // What a wall is made of is solid, as far as it has an inside.
+        kind = match kind {
+            Kind::Hole if closed => Kind::Hole,
+            _ if closed => Kind::Solid,
+            _ => Kind::Wall,
+        };
     }
     let (across, down) = if flip.diagonal { (h, w) } else { (w, h) };
     let place = |(x, y): Spot| {
@@ -168,7 +178,8 @@ fn recognised(paths: Vec<Path>, likeness: &Likeness) -> Piece {
         let all: Vec<Vec<(i64, i64)>> = paths.iter().map(|path| raw(&path.points)).collect();
         let parts = boxes(&all).unwrap_or(all);
         if let [only] = &union(&parts)[..] {
-            let points: Vec<(f64, f64)> = only.points.iter().map(|p| (p.0 as f64 / 65536.0, p.1 as f64 / 65536.0)).collect();
+            let points: Vec<(f64, f64)> =
+                only.points.iter().map(|p| (p.0 as f64 / 65536.0, p.1 as f64 / 65536.0)).collect();
             if let Some(shape) = likeness.solid(&points) {
                 return Piece::Shape(shape);
             }
@@ -191,7 +202,9 @@ fn runs_along(points: &[Spot], shape: TileShape) -> bool {
 
 /// Rectangles that may lie over each other as rectangles that do not; `None` where one is no rectangle.
 fn boxes(polygons: &[Vec<(i64, i64)>]) -> Option<Vec<Vec<(i64, i64)>>> {
-    let span = |points: &[(i64, i64)], of: fn(&(i64, i64)) -> i64| Some((points.iter().map(of).min()?, points.iter().map(of).max()?));
+    let span = |points: &[(i64, i64)], of: fn(&(i64, i64)) -> i64| {
+        Some((points.iter().map(of).min()?, points.iter().map(of).max()?))
+    };
     let mut all = Vec::new();
     for points in polygons {
         let ((left, right), (top, bottom)) = (span(points, |p| p.0)?, span(points, |p| p.1)?);

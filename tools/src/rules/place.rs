@@ -59,5 +59,8 @@ pub(super) fn shift(lo: i64, hi: i64, side: u16) -> Result<i64, String> {
     }
     let fits = |d: &i64| side % d == 0 && length / d < 2 * DOMAIN - 2 * side;
     let hint = (2..=side).find(fits).map_or_else(String::new, |d| format!("--scale 1/{d} makes it fit, or "));
-    Err(format!("{length} pixels are beyond the domain: a side must be shorter than {} pixels; {hint}cut it into rooms", 2 * DOMAIN))
+    Err(format!(
+        "{length} pixels are beyond the domain: a side must be shorter than {} pixels; {hint}cut it into rooms",
+        2 * DOMAIN
+    ))
 }

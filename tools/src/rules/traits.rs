@@ -13,11 +13,7 @@ const ONE_WAY: &str = "oneway";
 pub(super) fn shape(name: &str) -> Option<TileShape> {
     let name = plain(name);
     let is = |known: &str| name == known || name.strip_suffix('s') == Some(known);
-    if FULL.into_iter().any(is) {
-        Some(TileShape::Full)
-    } else {
-        is(ONE_WAY).then_some(TileShape::OneWayUp)
-    }
+    if FULL.into_iter().any(is) { Some(TileShape::Full) } else { is(ONE_WAY).then_some(TileShape::OneWayUp) }
 }
 
 /// The shape that one of these names gives, and that name: solid wins over one-way.

@@ -42,7 +42,11 @@ pub(super) fn of(map: &Map, placed: &Placed, options: &Options) -> Result<Meanin
             let set = &*map.tilesets[*tileset];
             let nothing = Tile::default();
             let tile = set.tiles.get(id).unwrap_or(&nothing);
-            tile_of(set, *id, tile, *flip, options).map_err(|why| format!("tile {id} of tileset '{}': {why}", set.name))
+            let meaning = tile_of(set, *id, tile, *flip, options)
+                .map_err(|why| format!("tile {id} of tileset '{}': {why}", set.name));
+            // What LDtk's tiles are tagged with is for its rules of drawing, unless the user says otherwise.
+            let kept = |flag: &String| !map.values || options.is_flag(flag);
+            meaning.map(|meaning| Meaning { flags: meaning.flags.into_iter().filter(kept).collect(), ..meaning })
         }
         Placed::Value { layer, number, name } => value(layer, *number, name.as_deref(), options),
     }
@@ -79,7 +83,11 @@ fn tile_of(set: &Tileset, id: u32, tile: &Tile, flip: Flip, options: &Options) -
     } else if tile.shapes.is_empty() {
         None
     } else {
-        Some(Verdict { rule: Rule::B, what: format!("collision shapes of tileset '{}'", set.name), solid: Solid::Drawn })
+        Some(Verdict {
+            rule: Rule::B,
+            what: format!("collision shapes of tileset '{}'", set.name),
+            solid: Solid::Drawn,
+        })
     };
     Ok(Meaning { verdict, flags })
 }
@@ -93,7 +101,11 @@ fn value(layer: &str, number: i64, name: Option<&str>, options: &Options) -> Res
     let known: Vec<String> = own.chain([number.to_string(), format!("{layer}:{number}")]).collect();
     let title = name.map_or_else(|| format!("value {number}"), |name| format!("value '{name}'"));
     let shaped = |rule, shape, flags| {
-        let verdict = Verdict { rule, what: format!("{title} of layer '{layer}' is {}", names::name(shape)), solid: Solid::Shape(shape) };
+        let verdict = Verdict {
+            rule,
+            what: format!("{title} of layer '{layer}' is {}", names::name(shape)),
+            solid: Solid::Shape(shape),
+        };
         Meaning { verdict: Some(verdict), flags }
     };
     if let Some((_, shape)) = options.shape(&known) {

@@ -35,11 +35,14 @@ pub(super) fn read(bytes: &[u8], level: Option<&str>, path: &Path, files: &mut F
     let tilesets: Vec<Rc<Tileset>> = project.defs.tilesets.iter().map(|set| Rc::new(tileset(set, folder))).collect();
     let definitions = &project.defs;
     let mut reader = Reader { definitions, tilesets, folder, files, cells: 0 };
-    let alone = raw::World { identifier: String::new(), layout: project.layout, levels: project.levels.unwrap_or_default() };
+    let alone =
+        raw::World { identifier: String::new(), layout: project.layout, levels: project.levels.unwrap_or_default() };
     let worlds: Vec<raw::World> = std::iter::once(alone).chain(project.worlds).collect();
     let many = worlds.iter().filter(|world| !world.levels.is_empty()).count() > 1;
     // Worlds may have levels of the same names.
-    let name = |world: &str, level: &str| if many && !world.is_empty() { format!("{world}/{level}") } else { level.to_owned() };
+    let name = |world: &str, level: &str| {
+        if many && !world.is_empty() { format!("{world}/{level}") } else { level.to_owned() }
+    };
     let names: Vec<String> = worlds
         .iter()
         .flat_map(|world| world.levels.iter().map(|level| name(&world.identifier, &level.identifier)))
@@ -110,7 +113,8 @@ impl Reader<'_> {
             let path = self.folder.join(file);
             let of_file = |why: String| format!("{}: {why}", path.display());
             let bytes = self.files.bytes(&path).map_err(of_file)?;
-            let apart: raw::Level = json::parse(&bytes).map_err(|why| of_file(format!("not a level of LDtk: {why}")))?;
+            let apart: raw::Level =
+                json::parse(&bytes).map_err(|why| of_file(format!("not a level of LDtk: {why}")))?;
             level.layer_instances = apart.layer_instances;
         }
         let layers = level.layer_instances.ok_or("its layers are neither here nor in a file of their own")?;
@@ -243,7 +247,8 @@ fn grid(layer: &raw::Layer) -> Result<u16> {
 /// An entity is a rectangle of its name, with its tags.
 fn object(entity: &raw::Entity, id: u32) -> Object {
     let pixels = |value: u32| Decimal::whole(value.into());
-    let corner = |at: i32, size: u32, pivot: f64| Decimal::whole(at.into()) - Decimal::from_f64(f64::from(size) * pivot);
+    let corner =
+        |at: i32, size: u32, pivot: f64| Decimal::whole(at.into()) - Decimal::from_f64(f64::from(size) * pivot);
     let marks = entity.tags.iter().map(|tag| (tag.clone(), crate::model::property::Value::Bool(true)));
     Object {
         id,

@@ -14,7 +14,6 @@ use super::json;
 use crate::model::map::{Content, Layer, Map, Tiles};
 use crate::model::object::Spot;
 use data::{Form, MAX_CELLS};
-use objects::Templates;
 use sets::Sets;
 
 type Result<T> = std::result::Result<T, String>;
@@ -31,7 +30,8 @@ pub(super) fn read(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<Map
     drop(bytes);
     let tile = side(&map)?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    let mut reader = Reader { sets: Sets::new(), templates: Templates::default(), layers: Vec::new(), cells: 0, tile, infinite: map.infinite, folder, files };
+    let mut reader =
+        Reader { sets: Sets::new(), layers: Vec::new(), cells: 0, tile, infinite: map.infinite, folder, files };
     for set in map.tilesets {
         reader.sets.add(set, folder, reader.files)?;
     }
@@ -55,7 +55,9 @@ fn side(map: &raw::Map) -> Result<u16> {
         return Err(match &*map.orientation {
             "" => "not a Tiled map: it has no orientation".to_owned(),
             known @ ("isometric" | "staggered" | "hexagonal" | "oblique") => {
-                format!("the map is {known}, not orthogonal: its cells are no squares, which are all that the library has")
+                format!(
+                    "the map is {known}, not orthogonal: its cells are no squares, which are all that the library has"
+                )
             }
             other => format!("the map is '{other}', not orthogonal"),
         });
@@ -79,7 +81,6 @@ struct Around {
 
 struct Reader<'a> {
     sets: Sets,
-    templates: Templates,
     layers: Vec<Layer>,
     /// In all layers so far.
     cells: u64,
@@ -102,15 +103,22 @@ impl Reader<'_> {
                 let around = Around { offset, says };
                 return layer.layers.into_iter().try_for_each(|inner| self.layer(inner, &around));
             }
-            "tilelayer" => Content::Tiles(self.tiles(layer.data, layer.chunks, &Form {
-                width: layer.width,
-                height: layer.height,
-                encoding: layer.encoding.as_deref(),
-                compression: layer.compression.as_deref(),
-            }).map_err(of_layer)?),
+            "tilelayer" => Content::Tiles(
+                self.tiles(
+                    layer.data,
+                    layer.chunks,
+                    &Form {
+                        width: layer.width,
+                        height: layer.height,
+                        encoding: layer.encoding.as_deref(),
+                        compression: layer.compression.as_deref(),
+                    },
+                )
+                .map_err(of_layer)?,
+            ),
             "objectgroup" => {
                 let objects = layer.objects.into_iter();
-                let read = objects.map(|object| self.templates.object(object, self.folder, self.files));
+                let read = objects.map(|object| self.sets.templates.object(object, self.folder, self.files));
                 Content::Objects(read.collect::<Result<_>>().map_err(of_layer)?)
             }
             "imagelayer" => Content::Image,
@@ -132,16 +140,28 @@ impl Reader<'_> {
             self.count(form.width, form.height)?;
             let data = data.ok_or("it has no data")?;
             let cells = self.places(data, form)?;
-            return Ok(Tiles { tile: self.tile, at: (0, 0), width: form.width, height: form.height, cells, derived: false });
+            return Ok(Tiles {
+                tile: self.tile,
+                at: (0, 0),
+                width: form.width,
+                height: form.height,
+                cells,
+                derived: false,
+            });
         }
         // Chunks may lie over each other, and each of them is unpacked.
-        let all = chunks.iter().fold(0, |all: u64, chunk| all.saturating_add(u64::from(chunk.width) * u64::from(chunk.height)));
+        let all = chunks
+            .iter()
+            .fold(0, |all: u64, chunk| all.saturating_add(u64::from(chunk.width) * u64::from(chunk.height)));
         if all > MAX_CELLS {
             return Err(format!("its chunks have more than {MAX_CELLS} tiles"));
         }
-        let sides = |chunk: &raw::Chunk| (i64::from(chunk.x) + i64::from(chunk.width), i64::from(chunk.y) + i64::from(chunk.height));
+        let sides = |chunk: &raw::Chunk| {
+            (i64::from(chunk.x) + i64::from(chunk.width), i64::from(chunk.y) + i64::from(chunk.height))
+        };
         let (left, top) = chunks.iter().fold((i32::MAX, i32::MAX), |at, chunk| (at.0.min(chunk.x), at.1.min(chunk.y)));
-        let (right, bottom) = chunks.iter().map(sides).fold((i64::MIN, i64::MIN), |at, end| (at.0.max(end.0), at.1.max(end.1)));
+        let (right, bottom) =
+            chunks.iter().map(sides).fold((i64::MIN, i64::MIN), |at, end| (at.0.max(end.0), at.1.max(end.1)));
         let side = |from: i32, to: i64| u32::try_from(to - i64::from(from)).unwrap_or(u32::MAX);
         let (width, height) = (side(left, right), side(top, bottom));
         self.count(width, height)?;

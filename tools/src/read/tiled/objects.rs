@@ -23,7 +23,14 @@ impl Templates {
         let path = folder.join(name);
         if !self.0.contains_key(&path) {
             let of_file = |why: String| format!("object {}: template {}: {why}", object.id, path.display());
-            let bytes = files.bytes(&path).map_err(of_file)?;
+            // Levels are often taken out of their project without what is for the game alone.
+            let bytes = match files.bytes(&path) {
+                Ok(bytes) => bytes,
+                Err(_) => {
+                    let why = format!("made from a template that cannot be read: {name}");
+                    return Ok(Object { form: Form::Missing(why), ..shape(object)? });
+                }
+            };
             let read = if json::is_json(&bytes) { json::parse(&bytes) } else { tags::template(&bytes) };
             let template: raw::Template = read.map_err(|why| of_file(format!("not a template of Tiled: {why}")))?;
             let inner = template.object.ok_or_else(|| of_file("it has no object".to_owned()))?;
@@ -36,7 +43,12 @@ impl Templates {
 /// What the object says, and what its template says about the rest.
 fn filled(own: raw::Object, template: &raw::Object) -> raw::Object {
     let drawn = |object: &raw::Object| {
-        object.point || object.ellipse || object.capsule || object.text || object.polygon.is_some() || object.polyline.is_some()
+        object.point
+            || object.ellipse
+            || object.capsule
+            || object.text
+            || object.polygon.is_some()
+            || object.polyline.is_some()
     };
     let form = if drawn(&own) { &own } else { template }.clone();
     let mut properties = own.properties.0;
@@ -60,8 +72,8 @@ fn filled(own: raw::Object, template: &raw::Object) -> raw::Object {
     }
 }
 
-/// An object without a template: one of a tile's shapes is none.
-pub(super) fn shape(object: raw::Object) -> Result<Object> {
+/// An object that says all of itself.
+fn shape(object: raw::Object) -> Result<Object> {
     let points = |points: Vec<raw::Point>| points.into_iter().map(Into::into).collect();
     let form = match object {
         raw::Object { polygon: Some(list), .. } => Form::Polygon(points(list)),

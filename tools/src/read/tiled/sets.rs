@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use super::objects;
+use super::objects::Templates;
 use super::{raw, tags};
 use crate::model::flip::Flip;
 use crate::model::map::Placed;
@@ -34,6 +34,7 @@ pub(super) struct Sets {
     known: HashMap<PathBuf, usize>,
     places: HashMap<u32, u32>,
     pub(super) palette: Vec<Placed>,
+    pub(super) templates: Templates,
     tiles: usize,
 }
 
@@ -57,7 +58,7 @@ impl Sets {
 
     /// The tileset's number; a tileset file that was read before is not read again.
     pub(super) fn index(&mut self, set: raw::Tileset, folder: &Path, files: &mut Files) -> Result<usize> {
-        let Some(source) = &set.source else { return self.push(set, folder) };
+        let Some(source) = &set.source else { return self.push(set, folder, files) };
         let path = folder.join(source);
         if let Some(&index) = self.known.get(&path) {
             return Ok(index);
@@ -66,12 +67,12 @@ impl Sets {
         let bytes = files.bytes(&path).map_err(of_file)?;
         let read = if json::is_json(&bytes) { json::parse(&bytes) } else { tags::tileset_file(&bytes) };
         let read = read.map_err(|why| of_file(format!("not a tileset of Tiled: {why}")))?;
-        let index = self.push(read, path.parent().unwrap_or(folder)).map_err(of_file)?;
+        let index = self.push(read, path.parent().unwrap_or(folder), files).map_err(of_file)?;
         self.known.insert(path, index);
         Ok(index)
     }
 
-    fn push(&mut self, set: raw::Tileset, folder: &Path) -> Result<usize> {
+    fn push(&mut self, set: raw::Tileset, folder: &Path, files: &mut Files) -> Result<usize> {
         if self.all.len() == MAX_SETS {
             return Err(format!("more than {MAX_SETS} tilesets"));
         }
@@ -79,7 +80,8 @@ impl Sets {
         if self.tiles > MAX_TILES as usize {
             return Err(format!("tilesets that describe more than {MAX_TILES} tiles"));
         }
-        self.all.push(Rc::new(tileset(set, folder)?));
+        let set = tileset(set, folder, &mut self.templates, files)?;
+        self.all.push(Rc::new(set));
         Ok(self.all.len() - 1)
     }
 
@@ -97,11 +99,8 @@ impl Sets {
 
     /// The tileset, the tile of it and its flips; `None` for no tile.
     fn tile(&self, gid: u32) -> Result<Option<(usize, u32, Flip)>> {
-        let flip = Flip {
-            diagonal: gid & DIAGONAL != 0,
-            horizontal: gid & HORIZONTAL != 0,
-            vertical: gid & VERTICAL != 0,
-        };
+        let flip =
+            Flip { diagonal: gid & DIAGONAL != 0, horizontal: gid & HORIZONTAL != 0, vertical: gid & VERTICAL != 0 };
         let gid = gid & !FLIPS;
         if gid == 0 {
             return Ok(None);
@@ -119,7 +118,7 @@ impl Sets {
     }
 }
 
-fn tileset(set: raw::Tileset, folder: &Path) -> Result<Tileset> {
+fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &mut Files) -> Result<Tileset> {
     let name = set.name.clone();
     let of_set = |why: String| format!("tileset '{name}': {why}");
     if set.tilecount.is_some_and(|count| count > MAX_TILES) {
@@ -138,7 +137,10 @@ fn tileset(set: raw::Tileset, folder: &Path) -> Result<Tileset> {
     let mut tiles = HashMap::new();
     for tile in set.tiles.0 {
         let shapes = tile.objectgroup.map_or_else(Vec::new, |group| group.objects);
-        let shapes = shapes.into_iter().map(|shape| objects::shape(shape).map_err(&of_set)).collect::<Result<_>>()?;
+        let shapes = shapes
+            .into_iter()
+            .map(|shape| templates.object(shape, folder, files).map_err(&of_set))
+            .collect::<Result<_>>()?;
         let image = path(tile.image).map(|image| (image, (tile.imagewidth, tile.imageheight)));
         tiles.insert(tile.id, Tile { class: tile.class, properties: tile.properties.0, shapes, image });
     }
