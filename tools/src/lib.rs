@@ -37,5 +37,6 @@ pub mod model;
 pub mod picture;
 pub mod play;
 pub mod read;
+pub mod rooms;
 pub mod rules;
 pub mod sheet;

@@ -74,7 +74,12 @@ pub(crate) fn beside(bundle: &Bundle, level: &Baked, tiles: String, segments: St
 }
 
 fn flags(bundle: &Bundle) -> Vec<(String, u8)> {
-    names::constants(bundle.flags.iter().map(String::as_str)).into_iter().zip((0..8).map(|bit| 1 << bit)).collect()
+    constants(&bundle.flags)
+}
+
+/// The constant of each flag, and its bit.
+pub(crate) fn constants(flags: &[String]) -> Vec<(String, u8)> {
+    names::constants(flags.iter().map(String::as_str)).into_iter().zip((0..8).map(|bit| 1 << bit)).collect()
 }
 
 fn alone(text: &mut String, level: &Baked, flags: &[(String, u8)], from: &Bytes) {
@@ -189,7 +194,7 @@ fn spot(point: Vec2) -> String {
 }
 
 /// Bytes in rows.
-fn bytes(tiles: &[u8], row: usize) -> String {
+pub(crate) fn bytes(tiles: &[u8], row: usize) -> String {
     const DIGITS: &[u8; 16] = b"0123456789abcdef";
     let mut text = String::with_capacity(tiles.len() * 4 + tiles.len() / row.max(1) * 8 + 16);
     text.push_str("b\"\\\n");

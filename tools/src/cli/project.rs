@@ -63,5 +63,6 @@ fn options(text: &str) -> std::result::Result<Options, String> {
         ignored_levels: file.ignore_level,
         layer: file.layer,
         scale: file.scale.map(|text| scale(&text).map_err(|why| format!("scale: {why}"))).transpose()?,
+        rooms: false,
     })
 }

@@ -339,11 +339,12 @@ impl<'a> Maker<'a> {
                 sheets.first().map_or("", |sheet| &sheet.layer.name)
             ),
         };
-        let shift = (place::shift(x.0, x.1, tile).map_err(layer)?, place::shift(y.0, y.1, tile).map_err(layer)?);
+        let shift = |(lo, hi): (i64, i64)| if self.options.rooms { Ok(-lo) } else { place::shift(lo, hi, tile).map_err(layer) };
+        let shift = (shift(x)?, shift(y)?);
         for point in outlines.iter_mut().flat_map(|outline| &mut outline.points) {
             *point = (point.0 + (shift.0 << 16), point.1 + (shift.1 << 16));
         }
-        if shift != (0, 0) {
+        if shift != (0, 0) && !self.options.rooms {
             self.notes.push(format!("moved by ({}, {}) pixels, so that it lies around the origin", shift.0, shift.1));
         }
         let mut solid: Vec<&str> =

@@ -23,6 +23,8 @@ pub struct Options {
     pub layer: Option<String>,
     /// All lengths are multiplied by this fraction.
     pub scale: Option<(u32, u32)>,
+    /// The level is cut into rooms: it may be of any size, and its first cell is at the origin.
+    pub rooms: bool,
 }
 
 impl Options {
@@ -37,6 +39,7 @@ impl Options {
         self.ignored_levels.extend(other.ignored_levels);
         self.layer = other.layer.or(self.layer);
         self.scale = other.scale.or(self.scale);
+        self.rooms |= other.rooms;
         self
     }
 

@@ -16,5 +16,6 @@ mod lint_cases;
 mod lint_geometry;
 mod objects;
 mod play;
+mod rooms;
 mod shapes;
 mod support;
