@@ -41,7 +41,8 @@ pub(crate) fn source(bundle: &Bundle) -> String {
 pub(crate) fn several(bundle: &Bundle) -> String {
     let mut text = format!("use tilesat::{};\n\n", items::imports(&bundle.kinds));
     text += &items::flags(&flags(bundle));
-    text += &format!("/// What the ids of all levels stand for.\n#[rustfmt::skip]\n{}", items::kinds(&bundle.kinds));
+    text += "/// What the ids of all levels stand for.\n#[rustfmt::skip]\n";
+    text += &items::kinds(&bundle.kinds);
     for (level, module) in bundle.levels.iter().zip(modules(bundle)) {
         let title: String = level.ground.name.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
         let _ = writeln!(text, "\n/// {title}\npub mod {module} {{");
@@ -92,7 +93,8 @@ fn alone(text: &mut String, level: &Baked, flags: &[(String, u8)], from: &Bytes)
             Bytes::Files(file, _) => format!("include_bytes!({file:?})"),
         };
         *text += &items::tiles(tiles, &bytes);
-        *text += &format!("#[rustfmt::skip]\n{}", items::kinds(&tiles.ids));
+        *text += "#[rustfmt::skip]\n";
+        *text += &items::kinds(&tiles.ids);
         map(text, tiles);
     } else {
         *text += &items::flags(flags).replace("/// The flag bits of the game's rules.\n", "");

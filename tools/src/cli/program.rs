@@ -110,7 +110,7 @@ impl Program {
                         return Err(unknown(&Long(&name)));
                     }
                 }
-                other => return Err(unknown(&other)),
+                other @ Short(_) => return Err(unknown(&other)),
             }
         }
         let first = || self.levels.first().map(|(_, path)| path.clone());

@@ -54,6 +54,7 @@ impl Decimal {
     }
 
     /// Times a fraction below 2^16, cut off after 26 places. Saturates.
+    #[must_use]
     pub fn scaled(self, numerator: u32, denominator: u32) -> Self {
         let (n, d) = (i128::from(numerator), i128::from(denominator.max(1)));
         let whole = (self.0 / d).saturating_mul(n);

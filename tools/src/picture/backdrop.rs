@@ -60,6 +60,9 @@ pub fn under(scene: &mut Scene, map: &Map, ground: &Ground, scale: Option<(u32, 
     }
 }
 
+/// An image, where a tile begins in it, and how large it is.
+type Part<'a> = (&'a Image, (u32, u32), (u32, u32));
+
 /// The images that were read; none for a file that is no PNG.
 #[derive(Default)]
 struct Sources {
@@ -68,7 +71,7 @@ struct Sources {
 
 impl Sources {
     /// The image of a tile, where it begins there and how large it is.
-    fn tile(&mut self, map: &Map, tileset: usize, id: u32) -> Option<(&Image, (u32, u32), (u32, u32))> {
+    fn tile(&mut self, map: &Map, tileset: usize, id: u32) -> Option<Part<'_>> {
         let set = &map.tilesets[tileset];
         let own = set.tiles.get(&id).and_then(|tile| tile.image.as_ref());
         let path = own.map(|(path, _)| path).or(set.image.as_ref())?;
@@ -87,8 +90,7 @@ impl Sources {
 }
 
 fn read(path: &Path) -> Option<Image> {
-    let known = fs::metadata(path).ok().filter(|known| known.is_file() && known.len() <= MAX_BYTES)?;
-    drop(known);
+    fs::metadata(path).ok().filter(|known| known.is_file() && known.len() <= MAX_BYTES)?;
     let mut decoder = Decoder::new_with_limits(Cursor::new(fs::read(path).ok()?), Limits { bytes: MAX_BYTES as usize });
     decoder.set_transformations(Transformations::normalize_to_color8() | Transformations::ALPHA);
     let mut reader = decoder.read_info().ok()?;

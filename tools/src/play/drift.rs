@@ -69,7 +69,7 @@ impl Drift {
     pub(super) fn step<W: World>(&mut self, world: &W) -> FrameReport {
         let mut report = FrameReport::default();
         for (i, actor) in self.actors.iter_mut().enumerate() {
-            if self.frame.wrapping_add(i as u32 * 37) % 96 == 0 {
+            if self.frame.wrapping_add(i as u32 * 37).is_multiple_of(96) {
                 let most = if self.dice.below(8) == 0 { 2 * self.cell } else { self.cell / 4 };
                 actor.velocity = Vec2::from_raw(self.dice.within(most), self.dice.within(most));
             } else if actor.heavy {
@@ -99,16 +99,13 @@ fn advance<W: World>(world: &W, actor: &mut Actor, end: (i32, i32), report: &mut
             .move_and_slide(world, &body, actor.asked)
             .map(|moved| (Shape::Ball(moved.body), moved.velocity, moved.hits)),
     };
-    match moved {
-        Ok((shape, velocity, hits)) => {
-            report.contacts += hits.len() as u32;
-            actor.hit = hits.first();
-            (actor.shape, actor.velocity) = (shape, velocity);
-        }
-        Err(_) => {
-            report.refused += 1;
-            actor.velocity = Vec2::ZERO;
-        }
+    if let Ok((shape, velocity, hits)) = moved {
+        report.contacts += hits.len() as u32;
+        actor.hit = hits.first();
+        (actor.shape, actor.velocity) = (shape, velocity);
+    } else {
+        report.refused += 1;
+        actor.velocity = Vec2::ZERO;
     }
 }
 

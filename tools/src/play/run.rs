@@ -65,15 +65,15 @@ pub fn play(arena: &Arena, frames: u32, seed: u32, err: &mut dyn Write) -> Resul
         // A level of blocks is played with code for blocks alone, as on a chip.
         if level.origin != (0, 0) {
             let map = TileMap::<AllShapes>::of(&level.tiles, grid, &kinds).map_err(|e| too_large(&e))?;
-            return drift(&map.with_outside(Outside::Solid), grid, checker, (frames, seed), err);
+            return drift(&map.with_outside(Outside::Solid), grid, &checker, (frames, seed), err);
         }
         let run = if level.is_blocks() { game::<Blocks> } else { game::<AllShapes> };
-        return run(level, checker, (frames, seed), err);
+        return run(level, &checker, (frames, seed), err);
     };
     let map = TileMap::<AllShapes>::of(&level.tiles, grid, &kinds).map_err(|e| too_large(&e))?;
     let map = map.with_outside(Outside::Solid);
     let segments = SegmentMap::from_bytes(bytes).map_err(|e| Fail::new(format!("the segments: {e}")))?;
-    drift(&Joined::new(&map, &segments), grid, checker.with_segments(bytes), (frames, seed), err)
+    drift(&Joined::new(&map, &segments), grid, &checker.with_segments(bytes), (frames, seed), err)
 }
 
 /// What a frame left behind.
@@ -84,7 +84,7 @@ struct Frame {
 }
 
 /// The game, which knows tiles alone.
-fn game<S: Set>(level: &Level, checker: Checker, (frames, seed): (u32, u32), err: &mut dyn Write) -> Result<Run> {
+fn game<S: Set>(level: &Level, checker: &Checker, (frames, seed): (u32, u32), err: &mut dyn Write) -> Result<Run> {
     let kinds = level.kinds();
     let map = level
         .grid()
@@ -93,7 +93,7 @@ fn game<S: Set>(level: &Level, checker: Checker, (frames, seed): (u32, u32), err
         .with_outside(Outside::Solid);
     let mut sim = Sim::new(&map, flags::rules(level), seed).map_err(|NoRoom| no_room())?;
     let start = Frame { report: FrameReport::default(), actors: *sim.bodies(), hash: sim.hash() };
-    let mut run = watch(&checker, start, frames, err, || {
+    let mut run = watch(checker, &start, frames, err, || {
         let report = sim.step(&map);
         Frame { report, actors: *sim.bodies(), hash: sim.hash() }
     });
@@ -107,13 +107,13 @@ fn game<S: Set>(level: &Level, checker: Checker, (frames, seed): (u32, u32), err
 fn drift<W: World>(
     world: &W,
     grid: Grid,
-    checker: Checker,
+    checker: &Checker,
     (frames, seed): (u32, u32),
     err: &mut dyn Write,
 ) -> Result<Run> {
     let mut drift = Drift::new(world, grid, seed).ok_or_else(no_room)?;
     let start = Frame { report: FrameReport::default(), actors: *drift.bodies(), hash: drift.hash() };
-    Ok(watch(&checker, start, frames, err, || {
+    Ok(watch(checker, &start, frames, err, || {
         let report = drift.step(world);
         Frame { report, actors: *drift.bodies(), hash: drift.hash() }
     }))
@@ -124,7 +124,7 @@ fn no_room() -> Fail {
 }
 
 /// Every body in every frame, and what became of it.
-fn watch(checker: &Checker, start: Frame, frames: u32, err: &mut dyn Write, mut step: impl FnMut() -> Frame) -> Run {
+fn watch(checker: &Checker, start: &Frame, frames: u32, err: &mut dyn Write, mut step: impl FnMut() -> Frame) -> Run {
     let mut figures = start.actors.map(|a| figure(&a));
     let mut run = Run {
         frames,

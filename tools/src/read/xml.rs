@@ -136,7 +136,6 @@ impl<'a> Xml<'a> {
         for (i, b) in rest.bytes().enumerate() {
             match (quote, b) {
                 (Some(q), _) if q == b => quote = None,
-                (Some(_), _) => {}
                 (None, b'"' | b'\'') => quote = Some(b),
                 (None, b'<') => depth += 1,
                 (None, b'>') => depth -= 1,
@@ -202,7 +201,7 @@ impl<'a> Xml<'a> {
 }
 
 fn line(before: &[u8]) -> usize {
-    1 + before.iter().filter(|&&b| b == b'\n').count()
+    1 + before.split(|&b| b == b'\n').count().saturating_sub(1)
 }
 
 /// Text with its entities resolved; what is no entity stands for itself.

@@ -88,7 +88,10 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
     };
     if let Some(other) = parts.iter().find(|part| part.cell != cell) {
         let why = "rooms of one world have cells of one size";
-        return Err(Fail::new(format!("level '{}' has cells of {} pixels, the first {cell}: {why}", other.name, other.cell)));
+        return Err(Fail::new(format!(
+            "level '{}' has cells of {} pixels, the first {cell}: {why}",
+            other.name, other.cell
+        )));
     }
     let side = Fx::from_num(cell);
     let apron = Room::<AllShapes>::apron_for(side, cut.body.unwrap_or(side), cut.motion.unwrap_or(side));

@@ -42,9 +42,12 @@ impl Part {
         let place = place.map(|place| scaled(place, options, ground.tile)).transpose()?;
         // The ground is moved so that its first cell is at the origin.
         let shift = (i64::from(-ground.shift.0), i64::from(-ground.shift.1));
-        let at = place.map_or((0, 0), |room| (room.0 + cells(shift.0, ground.tile), room.1 + cells(shift.1, ground.tile)));
+        let at =
+            place.map_or((0, 0), |room| (room.0 + cells(shift.0, ground.tile), room.1 + cells(shift.1, ground.tile)));
         if place.is_some() && (shift.0 % i64::from(ground.tile) != 0 || shift.1 % i64::from(ground.tile) != 0) {
-            return Err(Fail::new("its tiles are drawn between the cells of the world: take the offset from its layers"));
+            return Err(Fail::new(
+                "its tiles are drawn between the cells of the world: take the offset from its layers",
+            ));
         }
         let size = level.as_ref().map_or((0, 0), |level| (i64::from(level.width), i64::from(level.height)));
         let covered = (at.0, at.1, size.0, size.1);
@@ -69,10 +72,15 @@ impl Part {
     /// All tiles, for windows of them.
     pub(super) fn whole(&self, room: (u16, u16)) -> Result<Whole> {
         let (.., width, height) = self.room;
-        let count = |cells: i64| u16::try_from(cells).map_err(|_| Fail::new(format!("{cells} cells on a side; a world has at most {}", u16::MAX)));
+        let count = |cells: i64| {
+            u16::try_from(cells)
+                .map_err(|_| Fail::new(format!("{cells} cells on a side; a world has at most {}", u16::MAX)))
+        };
         let (width, height) = (count(width)?, count(height)?);
         if u64::from(width) * u64::from(height) > MAX_TILES {
-            return Err(Fail::new(format!("{width}x{height} cells are more than {MAX_TILES}: no flash has room for them")));
+            return Err(Fail::new(format!(
+                "{width}x{height} cells are more than {MAX_TILES}: no flash has room for them"
+            )));
         }
         Ok(Whole { width, height, tiles: self.within((0, 0, width.into(), height.into())).collect(), room })
     }
@@ -124,7 +132,9 @@ impl Part {
             part.copy_into(&mut tiles, window);
         }
         let coordinate = |cells: i64| i32::try_from(cells).map_err(|_| of_level("lies too far away"));
-        let count = |cells: i64| u16::try_from(cells).ok().filter(|&count| count > 0).ok_or_else(|| of_level("is too large, or empty"));
+        let count = |cells: i64| {
+            u16::try_from(cells).ok().filter(|&count| count > 0).ok_or_else(|| of_level("is too large, or empty"))
+        };
         Ok(Baked {
             name: self.name.clone(),
             first: (coordinate(x)?, coordinate(y)?),
@@ -183,7 +193,11 @@ fn scaled(place: Place, options: &Options, tile: u16) -> Result<Rectangle> {
     let (n, d) = options.scale.unwrap_or((1, 1));
     let whole = |pixels: i64| {
         let (pixels, side) = (pixels * i64::from(n), i64::from(d) * i64::from(tile));
-        let why = || Fail::new(format!("it begins or ends at {pixels} pixels, between cells of {side}: no body can pass there; move it in LDtk"));
+        let why = || {
+            Fail::new(format!(
+                "it begins or ends at {pixels} pixels, between cells of {side}: no body can pass there; move it in LDtk"
+            ))
+        };
         if pixels % side == 0 { Ok(pixels / side) } else { Err(why()) }
     };
     Ok((whole(place.x.into())?, whole(place.y.into())?, whole(place.width.into())?, whole(place.height.into())?))

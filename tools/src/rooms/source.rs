@@ -14,7 +14,8 @@ pub(crate) fn source(world: &World) -> String {
         .to_owned();
     let _ = writeln!(text, "use tilesat::{};\n", items::imports(&world.kinds));
     let _ = writeln!(text, "/// Side of a cell in pixels.\npub const CELL: u16 = {};", world.cell);
-    let _ = writeln!(text, "/// Cells around each room that are its neighbours'.\npub const APRON: u16 = {};", world.apron);
+    let _ =
+        writeln!(text, "/// Cells around each room that are its neighbours'.\npub const APRON: u16 = {};", world.apron);
     text += &items::flags(&constants(&world.flags));
     text += &format!("#[rustfmt::skip]\n{}", items::kinds(&world.kinds));
     let set = if world.is_blocks() { "Blocks" } else { "AllShapes" };

@@ -1,6 +1,7 @@
 //! The tile layers of a map laid over each other: one grid of shapes and flags, and paths for what fits no cell.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use tilesat::{TileKind, TileShape};
 
@@ -138,13 +139,11 @@ impl Cells {
         let (mut last, mut mask, mut piece) = (0, 0, None);
         for (x, y, cell) in sheet.tiles.drawn() {
             if cell != last {
-                mask = match masks.get(&cell) {
-                    Some(mask) => *mask,
-                    None => {
+                mask = match masks.entry(cell) {
+                    Entry::Occupied(known) => *known.get(),
+                    Entry::Vacant(new) => {
                         let names = sheet.flags.get(&cell).map(Vec::as_slice).unwrap_or_default();
-                        let mask = names.iter().try_fold(0, |all, name| Ok::<u8, String>(all | flags.bit(name)?))?;
-                        masks.insert(cell, mask);
-                        mask
+                        *new.insert(names.iter().try_fold(0, |all, name| Ok::<u8, String>(all | flags.bit(name)?))?)
                     }
                 };
                 (last, piece) = (cell, sheet.pieces.get(&cell));

@@ -52,4 +52,10 @@ impl Flags {
         }
         Ok(0)
     }
+
+    /// The names of the bits of a mask.
+    pub(super) fn of(&self, mask: u8) -> Vec<String> {
+        let named = self.names.iter().enumerate().filter(|(bit, _)| mask >> bit & 1 != 0);
+        named.map(|(_, name)| name.clone()).collect()
+    }
 }

@@ -1,6 +1,7 @@
 //! What to tell a user whose level has nothing solid.
 
 use std::collections::BTreeSet;
+use std::fmt::Write;
 
 use super::cells::Sheet;
 use super::options::Options;
@@ -36,17 +37,21 @@ pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Res
     if tiles.is_empty() && objects.is_empty() && map.values {
         return Ok(());
     }
+    // Writing to a string cannot fail.
     let mut why = "there is nothing solid: no tile, no object".to_owned();
     if !tiles.is_empty() {
-        why +=
-            &format!("; the tile layers are {}: add --solid-layer NAME where all that is drawn is solid", list(&tiles));
+        let _ = write!(
+            why,
+            "; the tile layers are {}: add --solid-layer NAME where all that is drawn is solid",
+            list(&tiles)
+        );
     }
     if !names.is_empty() {
         let names: Vec<String> = names.into_iter().map(|name| format!("'{name}'")).collect();
-        why += &format!("; names of tiles are {}: add --solid NAME", list(&names));
+        let _ = write!(why, "; names of tiles are {}: add --solid NAME", list(&names));
     }
     if !objects.is_empty() {
-        why += &format!("; the object layers are {}: add --objects NAME where they are solid", list(&objects));
+        let _ = write!(why, "; the object layers are {}: add --objects NAME where they are solid", list(&objects));
     }
     if map.values && map.palette.iter().any(|placed| matches!(placed, Placed::Value { .. })) {
         why += "; --ignore-level NAME leaves a level out";

@@ -1,4 +1,5 @@
 //! What a placed tile fills: a shape of its cell, several cells, or paths that are no shape of the library.
+#![allow(clippy::cast_precision_loss, reason = "raw coordinates are below 2^53")]
 
 use tilesat::TileShape;
 

@@ -21,7 +21,7 @@ type Carrier = (i64, i64, i128);
 
 /// The borders of these polygons as loops, in an order that does not depend on that of the polygons.
 pub(super) fn union(polygons: &[Vec<Point>]) -> Vec<Loop> {
-    loops(left_over(polygons))
+    loops(&left_over(polygons))
 }
 
 /// Twice the area, above 0 where the points turn right (y down).
@@ -76,13 +76,13 @@ fn gcd(a: u64, b: u64) -> u64 {
 }
 
 /// Edges that lead into each other: as many begin at a point as end there.
-fn loops(edges: Vec<(Point, Point)>) -> Vec<Loop> {
+fn loops(edges: &[(Point, Point)]) -> Vec<Loop> {
     let mut from: HashMap<Point, Vec<Point>> = HashMap::new();
-    for &(a, b) in &edges {
+    for &(a, b) in edges {
         from.entry(a).or_default().push(b);
     }
     let mut found = Vec::new();
-    for &(start, second) in &edges {
+    for &(start, second) in edges {
         let Some(at) = from.get(&start).and_then(|ends| ends.iter().position(|&end| end == second)) else { continue };
         from.entry(start).or_default().swap_remove(at);
         let (mut points, mut before, mut here) = (vec![start], start, second);

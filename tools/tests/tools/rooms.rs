@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use tilesat::world::World as _;
 use tilesat::{
-    AllShapes, Axis, Circle, Fx, Grid, Joined, Mover, Outside, Room, Rooms, SegmentMap, TileKinds, TileMap, TileShape, Vec2,
+    AllShapes, Axis, Circle, Fx, Grid, Joined, Mover, Outside, Room, Rooms, SegmentMap, TileKinds, TileMap, TileShape,
+    Vec2,
 };
 use tilesat_tools::read;
 use tilesat_tools::rooms::{self, Cut, World};
@@ -28,7 +29,8 @@ fn kinds(world: &World) -> TileKinds {
 /// A project of levels `A`, `B` and so on at these places in pixels, each of these rows.
 fn project(levels: &[(i32, i32, &[&str])]) -> String {
     let level = |(number, (x, y, rows)): (u8, &(i32, i32, &[&str]))| {
-        let values: Vec<&str> = rows.iter().flat_map(|row| row.chars().map(|c| if c == '#' { "1" } else { "0" })).collect();
+        let values: Vec<&str> =
+            rows.iter().flat_map(|row| row.chars().map(|c| if c == '#' { "1" } else { "0" })).collect();
         let (width, height) = (rows[0].len(), rows.len());
         format!(
             r#"{{"identifier":"{}","worldX":{x},"worldY":{y},"pxWid":{},"pxHei":{},"layerInstances":[{{"__type":"IntGrid","__identifier":"Solid","__cWid":{width},"__cHei":{height},"__gridSize":16,"__pxTotalOffsetX":0,"__pxTotalOffsetY":0,"layerDefUid":2,"intGridCsv":[{}]}}]}}"#,
@@ -49,8 +51,7 @@ fn project(levels: &[(i32, i32, &[&str])]) -> String {
 #[test]
 fn a_map_of_forty_thousand_pixels() {
     let solid = |x: usize, y: usize| y == 7 || (x * 7 + y * 3) % 11 == 0;
-    let cells: Vec<&str> =
-        (0..8).flat_map(|y| (0..2500).map(move |x| if solid(x, y) { "1" } else { "0" })).collect();
+    let cells: Vec<&str> = (0..8).flat_map(|y| (0..2500).map(move |x| if solid(x, y) { "1" } else { "0" })).collect();
     let file = scratch("rooms", "long.tmx", map(2500, 8, &cells.join(","), ""));
     let world = world(&file, &CUT).unwrap();
     let (whole, kinds) = (world.whole.as_ref().unwrap(), kinds(&world));
@@ -157,8 +158,11 @@ fn polygons_of_every_room() {
     let kinds = kinds(&world);
     let whole = world.whole.as_ref().unwrap();
     let rooms = Rooms::<AllShapes>::of(&whole.tiles, (30, 15), Fx::lit("16"), &kinds, whole.room, world.apron).unwrap();
-    let segments: Vec<Option<SegmentMap<'_>>> =
-        world.rooms.iter().map(|room| room.segments.as_ref().map(|bytes| SegmentMap::from_bytes(bytes).unwrap())).collect();
+    let segments: Vec<Option<SegmentMap<'_>>> = world
+        .rooms
+        .iter()
+        .map(|room| room.segments.as_ref().map(|bytes| SegmentMap::from_bytes(bytes).unwrap()))
+        .collect();
     assert!(segments.iter().any(Option::is_none));
     // The uncut world is a single room.
     let uncut = self::world(&file, &Cut { room: Some((30, 15)), ..CUT }).unwrap();
@@ -182,6 +186,30 @@ fn polygons_of_every_room() {
     assert!(level.overlaps_circle(&Circle::new(Vec2::from_ints(150, 105), Fx::lit("5")).unwrap()));
 }
 
+/// A hill of 40 000 pixels: each room has what is near it.
+#[test]
+fn a_polygon_of_forty_thousand_pixels() {
+    let top: String = (0..=1000).map(|k| format!("{},{} ", 40 * k, 20 + k * 37 % 40)).collect();
+    let list = format!(
+        r#"<object id="3" x="0" y="0"><polygon points="{top}40000,64 0,64"/></object><object id="4" x="0" y="2"><polyline points="40000,0 0,0"/></object>"#
+    );
+    let file = scratch("rooms", "ridge.tmx", map(2500, 4, &vec!["0"; 10_000].join(","), &list));
+    let world = world(&file, &CUT).unwrap();
+    assert_eq!(world.rooms.len(), 500);
+    for room in &world.rooms {
+        let map = SegmentMap::from_bytes(room.segments.as_ref().unwrap()).unwrap();
+        assert!(map.count() < 20, "{}", map.count());
+        let x = i64::from(room.first.0) * 16;
+        for k in (x / 40..=(x + 80) / 40).filter(|k| (1..1000).contains(k)) {
+            // Just below and above each corner that is in the room, and on the wall.
+            let (at, top) = (((k * 40 - x) << 16) as i32, ((20 + k * 37 % 40) << 16) as i32);
+            let probe = |y: i32| map.overlaps_circle(&Circle::new(Vec2::from_raw(at, y), Fx::from_bits(1)).unwrap());
+            assert!(probe(top + 8) && !probe(top - 8) && probe((60 << 16) + 5), "{k}");
+            assert!(map.touches_circle(&Circle::new(Vec2::from_raw(at, 2 << 16), Fx::ZERO).unwrap()));
+        }
+    }
+}
+
 fn run(file: PathBuf, out: &Path, options: &str) -> Ran {
     support::run("rooms", file, &format!("-o {} {options}", out.display()))
 }
@@ -192,7 +220,7 @@ fn refused() {
     let levels: &[(i32, i32, &[&str])] = &[(0, 0, &["##"]), (40, 0, &["##"])];
     let odd = || scratch("rooms", "odd.ldtk", project(levels));
     let linear = || scratch("rooms", "linear.ldtk", project(&[(-1, -1, &["##"]), (-1, -1, &["##"])]));
-    let far = map(2, 2, "1,1,1,1", r#"<object id="7" x="0" y="0"><polyline points="0,0 20000,0"/></object>"#);
+    let far = map(2, 2, "1,1,1,1", r#"<object id="7" x="0" y="0"><polyline points="0,0 20000.00001,10000"/></object>"#);
     let far = || scratch("rooms", "far.tmx", &far);
     let out = support::folder("rooms").join("out.rs");
     let _ = fs::remove_file(&out);
@@ -204,7 +232,7 @@ fn refused() {
         (odd(), "--room 2x2", "--room is for one map: the levels of a project are rooms already"),
         (odd(), "", "level 'B': it begins or ends at 40 pixels, between cells of 16"),
         (linear(), "", "level 'A' has no place: in a linear world levels have no neighbours"),
-        (far(), "--room 2x2", "object 7 of layer 'L'"),
+        (far(), "--room 100x100", "object 7 of layer 'L'"),
     ] {
         let ran = run(file, &out, options);
         assert!(ran.status == 2 && ran.out.is_empty() && ran.err.lines().count() == 1, "{ran:?}");

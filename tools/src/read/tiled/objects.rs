@@ -24,12 +24,9 @@ impl Templates {
         if !self.0.contains_key(&path) {
             let of_file = |why: String| format!("object {}: template {}: {why}", object.id, path.display());
             // Levels are often taken out of their project without what is for the game alone.
-            let bytes = match files.bytes(&path) {
-                Ok(bytes) => bytes,
-                Err(_) => {
-                    let why = format!("made from a template that cannot be read: {name}");
-                    return Ok(Object { form: Form::Missing(why), ..shape(object)? });
-                }
+            let Ok(bytes) = files.bytes(&path) else {
+                let why = format!("made from a template that cannot be read: {name}");
+                return Ok(Object { form: Form::Missing(why), ..shape(object)? });
             };
             let read = if json::is_json(&bytes) { json::parse(&bytes) } else { tags::template(&bytes) };
             let template: raw::Template = read.map_err(|why| of_file(format!("not a template of Tiled: {why}")))?;

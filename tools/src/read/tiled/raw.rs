@@ -98,6 +98,7 @@ pub(super) struct Chunk {
 }
 
 /// All that an object of a map says wins over its template.
+#[allow(clippy::struct_excessive_bools, reason = "they stand side by side in the file")]
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Object {
