@@ -76,20 +76,20 @@ impl<'a, S: Set> Room<'a, S> {
     /// The least apron in cells for bodies whose width and height are at most `body` and whose motion per frame is at most `motion` long.
     /// The step and the snap of a [`Walker`](crate::Walker) add to its motion.
     ///
-    /// A frame reads the tiles that the closed box around the whole motion touches, and their neighbours, which hide faces. The mover looks
-    /// less than a unit further. The place of a body that is in the room is its first corner, or any other point of it. So
-    /// `(apron - 1) cell > body + motion + 1`.
+    /// A frame reads the tiles that the closed box around the whole motion touches, or a box less than a unit larger. The place of a body
+    /// that is in the room is its first corner, or any other point of it. So `apron * cell > body + motion + 1`. With a cell less there
+    /// are bodies that feel the border. A ray wants an apron as long as itself.
     ///
     /// ```
     /// use tilesat::{AllShapes, Fx, Room};
     /// let apron = Room::<AllShapes>::apron_for(Fx::from_num(16), Fx::from_num(20), Fx::from_num(12));
-    /// assert_eq!(apron, 4); // 33 units reach into the third cell
+    /// assert_eq!(apron, 3); // 33 units reach into the third cell
     /// ```
     #[must_use]
     pub const fn apron_for(cell: Fx, body: Fx, motion: Fx) -> u16 {
         let reach = body.to_bits() as i64 + motion.to_bits() as i64 + Fx::ONE.to_bits() as i64;
         match reach.checked_div(cell.to_bits() as i64) {
-            Some(cells) if 0 <= cells && cells < i16::MAX as i64 => cells as u16 + 2,
+            Some(cells) if 0 <= cells && cells < i16::MAX as i64 => cells as u16 + 1,
             _ => u16::MAX,
         }
     }
@@ -299,8 +299,8 @@ impl<'a, S: Set> Rooms<'a, S> {
             return None;
         }
         let (p, cell) = (Raw::of(place), self.pattern.grid.cell);
-        let column = index(room.x, p.x, cell, self.room.0);
-        let row = index(room.y, p.y, cell, self.room.1);
+        let column = index(room.x, p.x, cell, self.world.0, self.room.0);
+        let row = index(room.y, p.y, cell, self.world.1, self.room.1);
         let (Some(column), Some(row)) = (column, row) else { return None };
         match self.room(column, row) {
             Some(next) => match room.way_to((next.x, next.y)) {
@@ -325,6 +325,7 @@ struct Window {
 
 impl Window {
     const fn of(index: u16, room: u16, world: u16, apron: u16) -> Option<Self> {
+        // Below 2^31: a room has at most 32767 cells.
         let (first, world) = (index as i32 * room as i32, world as i32);
         if first >= world {
             return None;
@@ -345,11 +346,11 @@ const fn with_apron(room: u16, apron: u16) -> u16 {
     room.saturating_add(apron).saturating_add(apron)
 }
 
-/// Which room of an axis holds a coordinate of a room with this first cell; `None` before the world, and far beyond it.
-const fn index(first: i32, at: i32, cell: i32, room: u16) -> Option<u16> {
+/// Which room of an axis holds a coordinate of a room with this first cell; `None` outside of the world.
+const fn index(first: i32, at: i32, cell: i32, world: u16, room: u16) -> Option<u16> {
     let Some(cells) = at.checked_div_euclid(cell) else { return None };
     let Some(cell) = first.checked_add(cells) else { return None };
-    if 0 <= cell && cell <= u16::MAX as i32 { Some(quotient(cell as u16, room)) } else { None }
+    if 0 <= cell && cell < world as i32 { Some(quotient(cell as u16, room)) } else { None }
 }
 
 /// A divisor is never 0.

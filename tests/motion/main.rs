@@ -17,6 +17,7 @@ mod response_gravity;
 mod response_mover;
 mod rest;
 mod rest_segments;
+mod rooms;
 mod same;
 mod scenes;
 mod segments;

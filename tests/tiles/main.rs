@@ -10,6 +10,7 @@ mod joined;
 mod map;
 mod mutants;
 mod occupancy;
+mod rooms;
 mod shape_features;
 mod shape_features_views;
 mod shape_overlap;

@@ -4,7 +4,7 @@ use crate::accepted;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tilesat::{AllShapes, Fx, Grid, Inside, SegmentMap, TileMap, Vec2};
+use tilesat::{AllShapes, Fx, Inside, SegmentMap, TileMap, Vec2};
 use tilesat_judge::Random;
 use tilesat_judge::segments::build;
 use tilesat_judge::segments::hostile;
@@ -12,6 +12,9 @@ use tilesat_tools::bake::level::Level;
 use tilesat_tools::bake::segments::Shapes;
 use tilesat_tools::cli;
 use tilesat_tools::read::load;
+use tilesat_tools::rules::flags::Flags;
+use tilesat_tools::rules::ground::Ground;
+use tilesat_tools::rules::options::Options;
 
 /// Bytes as they are, or a level that was built and then damaged where the input says, its checksum right again.
 pub(crate) fn segment_bytes(data: &[u8]) {
@@ -256,22 +259,24 @@ fn read((path, refused): &(PathBuf, bool)) {
     assert!(!refused || loaded.is_err(), "a wrong number of tiles is taken");
     // Unreadable for one is unreadable for all.
     assert!(loaded.is_ok() || *status == 2, "{told:?}");
-    let Ok(drawing) = loaded else { return };
-    if let Ok(Some(level)) = Level::of_drawing(&drawing, None) {
+    let Ok(levels) = loaded else { return };
+    let mut flags = Flags::default();
+    let Some(Ok(ground)) = levels.maps.first().map(|map| Ground::of(map, &Options::default(), &mut flags)) else {
+        return;
+    };
+    if let Ok(Some(level)) = Level::of(&ground, &flags.names) {
         let kinds = level.kinds();
         assert_eq!(level.tiles.len(), usize::from(level.width) * usize::from(level.height));
         assert!(level.tiles.iter().all(|id| usize::from(*id) < level.ids.len()));
         if !level.tiles.is_empty() {
-            let grid = Grid::new(level.width, level.height, Fx::from_num(level.tile), Vec2::ZERO);
-            let grid = grid.expect("what was read is in the domain");
+            let grid = level.grid().expect("what was read is in the domain");
             let map = TileMap::<AllShapes>::of(&level.tiles, grid, &kinds).expect("what was read fits the table");
             let end = grid.end();
             let _ = map.cast_ray(Vec2::ZERO, end, Inside::Hit).expect("inside the domain");
         }
     }
-    let mut flags = Vec::new();
-    if let Ok(shapes) = Shapes::of(&drawing.outlines, &mut flags)
-        && let Ok(bytes) = shapes.build(&drawing.outlines, Fx::from_num(16))
+    if let Ok(shapes) = Shapes::of(&ground.outlines, &mut flags)
+        && let Ok(bytes) = shapes.build(&ground.outlines, Fx::from_num(16))
     {
         let map = SegmentMap::from_bytes(&bytes).expect("what was built is taken");
         let end = Vec2::from_raw(1 << 24, 1 << 24);

@@ -10,6 +10,7 @@ use tilesat_judge::Random;
 use tilesat_judge::rooms::PX;
 use tilesat_judge::shapes::level::Level;
 use tilesat_tools::bake::level::Level as Baked;
+use tilesat_tools::bake::{Settings, bake};
 use tilesat_tools::read::load;
 use tilesat_tools::rules::names;
 
@@ -75,8 +76,10 @@ pub fn level(scratch: &Path, seed: u64, number: u64) -> Tally {
 }
 
 fn read(file: &Path) -> Result<Baked, String> {
-    let drawing = load(file, None).map_err(|e| e.to_string())?;
-    Baked::bake(&drawing.tiles, None).map_err(|e| e.to_string())
+    let levels = load(file, None).map_err(|e| e.to_string())?;
+    let bundle = bake(&levels.maps, &Settings::default()).map_err(|e| e.to_string())?;
+    let first = bundle.levels.into_iter().next().and_then(|level| level.tiles);
+    first.ok_or_else(|| "no tiles".to_owned())
 }
 
 /// The map as an editor writes it: each shape is a tile of its own, named or numbered where it has a number.

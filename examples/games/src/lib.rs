@@ -7,6 +7,7 @@
 //! | [`pinball`] | balls on a table of tiles and polygons: bumpers, slingshots, a kicker |
 //! | [`platformer`] | a scripted player, 16 boxes and 16 balls in a baked level |
 //! | [`platforms`] | a walker on lifts, a conveyor, steps, under a crusher |
+//! | [`scroller`] | a runner in a world of 40 000 pixels, through rooms |
 //! | [`top_down`] | eight directions, no up; slips around corners |
 //!
 //! Integers only, no heap, no panic: the same frames everywhere, to the bit.
@@ -24,4 +25,5 @@ pub mod ninja;
 pub mod pinball;
 pub mod platformer;
 pub mod platforms;
+pub mod scroller;
 pub mod top_down;

@@ -1,17 +1,20 @@
 //! A level in the forms that the library takes.
 
-use tilesat::{AllShapes, Fx, Grid, SegmentMap, TileKinds, TileMap, Vec2};
+use tilesat::{AllShapes, Fx, Grid, SegmentMap, TileKinds, TileMap};
 
 use super::level::Level;
 use super::report::{Owner, Report};
 use super::segments::Shapes;
-use super::{source, view};
+use super::view;
 use crate::fail::{Fail, Result};
 use crate::picture::marks::Scene;
+use crate::rules::ground::Ground;
 
 /// A baked level: tiles, objects, or both.
 #[derive(Debug, Clone)]
 pub struct Baked {
+    /// What it was made of, without its cells.
+    pub ground: Ground,
     /// The solid tile layer, with the flags of all.
     pub tiles: Option<Level>,
     /// What its ids stand for.
@@ -23,12 +26,6 @@ pub struct Baked {
 }
 
 impl Baked {
-    /// Rust source with the statics `MAP` and `SEGMENTS`, which the compiler builds and checks.
-    pub fn source(&self) -> String {
-        let objects = self.objects.as_ref().map(|(shapes, _, cell)| (shapes, *cell));
-        source::source(self.tiles.as_ref(), objects, &self.flags)
-    }
-
     /// The tiles as the library sees them, and their grid.
     ///
     /// # Errors
@@ -36,8 +33,7 @@ impl Baked {
     /// The layer is too large for the library.
     pub fn map(&self) -> Result<Option<(TileMap<'_, AllShapes>, Grid)>> {
         let Some(level) = &self.tiles else { return Ok(None) };
-        let grid = Grid::new(level.width, level.height, Fx::from_num(level.tile), Vec2::ZERO);
-        let map = grid.and_then(|grid| Ok((TileMap::<AllShapes>::of(&level.tiles, grid, &self.kinds)?, grid)));
+        let map = level.grid().and_then(|grid| Ok((TileMap::<AllShapes>::of(&level.tiles, grid, &self.kinds)?, grid)));
         map.map(Some).map_err(|e| Fail::new(format!("layer '{}': {e}", level.layer)))
     }
 

@@ -2,31 +2,47 @@
 
 use std::fmt::Write;
 
-use tilesat::TileShape;
+use tilesat::{TileKind, TileShape};
 
 use super::level::Level;
 
-/// Constants and statics, with the names of flag bits, and the expression that the bytes of the tiles are.
-pub(crate) fn items(level: &Level, flags: &[(String, u8)], bytes: &str) -> String {
+/// What `use` takes for the items of a table.
+pub(crate) fn imports(kinds: &[TileKind]) -> &'static str {
+    let plain = kinds.iter().all(|k| matches!(k.shape, TileShape::Empty | TileShape::Full | TileShape::OneWayUp));
+    if plain { "{TileKind, TileKinds}" } else { "{TileKind, TileKinds, TileShape}" }
+}
+
+/// How many cells, how large, and where.
+pub(crate) fn size(level: &Level) -> String {
     let (width, height, tile) = (level.width, level.height, level.tile);
-    let count = level.tiles.len();
-    let plain = level.ids.iter().all(|k| matches!(k.shape, TileShape::Empty | TileShape::Full | TileShape::OneWayUp));
-    let imports = if plain { "{TileKind, TileKinds}" } else { "{TileKind, TileKinds, TileShape}" };
-    let mut text = format!(
-        "use tilesat::{imports};\n\n\
-         pub const WIDTH: u16 = {width};\n\
+    format!(
+        "pub const WIDTH: u16 = {width};\n\
          pub const HEIGHT: u16 = {height};\n\
          /// Side of a tile in pixels.\n\
          pub const TILE: u16 = {tile};\n"
-    );
+    )
+}
+
+/// The bits of the game's rules.
+pub(crate) fn flags(named: &[(String, u8)]) -> String {
+    let mut text = String::new();
     // Writing to a string cannot fail.
-    for (i, (name, mask)) in flags.iter().enumerate() {
+    for (i, (name, mask)) in named.iter().enumerate() {
         let comment = if i == 0 { "/// The flag bits of the game's rules.\n" } else { "" };
         let _ = writeln!(text, "{comment}pub const {name}: u8 = {mask};");
     }
-    let _ = writeln!(text, "/// Row by row.\npub static TILES: &[u8; {count}] = {bytes};");
-    text.push_str("pub static KINDS: TileKinds = TileKinds::EMPTY");
-    for (id, kind) in level.ids.iter().enumerate().skip(1) {
+    text
+}
+
+/// The tiles, and the expression that their bytes are.
+pub(crate) fn tiles(level: &Level, bytes: &str) -> String {
+    format!("/// Row by row.\npub static TILES: &[u8; {}] = {bytes};\n", level.tiles.len())
+}
+
+/// The table of what the ids stand for.
+pub(crate) fn kinds(ids: &[TileKind]) -> String {
+    let mut text = "pub static KINDS: TileKinds = TileKinds::EMPTY".to_owned();
+    for (id, kind) in ids.iter().enumerate().skip(1) {
         let shape = match kind.shape {
             TileShape::Empty => "EMPTY".to_owned(),
             TileShape::Full => "FULL".to_owned(),

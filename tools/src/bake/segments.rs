@@ -2,10 +2,10 @@
 
 use tilesat::{Fx, Path, PathKind, SegmentMap, SegmentMapError, Vec2};
 
-use super::level::bit;
 use crate::fail::{Fail, Result};
-use crate::read::outline::Outline;
+use crate::rules::flags::Flags;
 use crate::rules::kind::Kind;
+use crate::rules::outline::Outline;
 
 /// More than any flash that this is for.
 const MAX_BYTES: usize = 16 << 20;
@@ -25,7 +25,7 @@ impl Shapes {
     /// # Errors
     ///
     /// One line that names the object that is open, far out of the domain, or has the ninth flag.
-    pub fn of(outlines: &[Outline], flags: &mut Vec<String>) -> Result<Self> {
+    pub fn of(outlines: &[Outline], flags: &mut Flags) -> Result<Self> {
         let mut shapes = Self { points: Vec::new(), kinds: Vec::new() };
         for outline in outlines {
             let of_object = |why: &dyn std::fmt::Display| Fail::new(format!("{}: {why}", outline.title));
@@ -35,7 +35,11 @@ impl Shapes {
             let mut points = Vec::new();
             for (i, &(x, y)) in outline.points.iter().enumerate() {
                 // Far outside of the domain; what is nearer is the library's to refuse.
-                let beyond = |_| of_object(&format!("point {i} is beyond the domain of 8192 pixels"));
+                let beyond = |_| {
+                    of_object(&format!(
+                        "point {i} is beyond the domain of 8192 pixels; --scale makes everything smaller"
+                    ))
+                };
                 points.push(Vec2::from_raw(i32::try_from(x).map_err(beyond)?, i32::try_from(y).map_err(beyond)?));
             }
             // A polygon closes itself, a chain does not.
@@ -44,7 +48,7 @@ impl Shapes {
             }
             let mut mask = 0;
             for name in &outline.flags {
-                mask |= bit(flags, name).map_err(|why| of_object(&why))?;
+                mask |= flags.bit(name).map_err(|why| of_object(&why))?;
             }
             let kind = match outline.kind {
                 Kind::Solid => PathKind::Solid,
@@ -78,12 +82,21 @@ impl Shapes {
                 "the objects take {size} bytes in cells of {cell} px: use larger cells (--cell)"
             )));
         }
-        let mut bytes = vec![0; size];
-        SegmentMap::build_into(&paths, cell, &mut bytes).map_err(named)?;
-        // A firmware will ask the same.
-        SegmentMap::from_bytes(&bytes).map_err(named)?;
-        Ok(bytes)
+        build(&paths, cell).map_err(named)
     }
+}
+
+/// The bytes of a segment map of these paths.
+///
+/// # Errors
+///
+/// What the library says.
+pub(super) fn build(paths: &[Path<'_>], cell: Fx) -> std::result::Result<Vec<u8>, SegmentMapError> {
+    let mut bytes = vec![0; SegmentMap::measure(paths, cell)?.bytes()];
+    SegmentMap::build_into(paths, cell, &mut bytes)?;
+    // A firmware will ask the same.
+    SegmentMap::from_bytes(&bytes)?;
+    Ok(bytes)
 }
 
 /// The library counts paths; the user knows objects.

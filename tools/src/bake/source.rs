@@ -1,67 +1,174 @@
-//! A level as Rust source.
+//! Levels as Rust source.
 
 use std::fmt::Write;
 
-use tilesat::{Fx, Grid, PathKind, Vec2};
+use tilesat::{Fx, PathKind, Vec2};
 
-use super::items::items;
+use super::bundle::Bundle;
 use super::level::Level;
 use super::segments::Shapes;
+use super::{Baked, items, names};
 
-/// Constants, the tiles, and the objects as `segment_map!` takes them, so that the compiler builds and checks the map.
-pub(crate) fn source(level: Option<&Level>, objects: Option<(&Shapes, Fx)>, flags: &[String]) -> String {
-    let mut text = "//! Written by `tilesat bake LEVEL -o OUT.rs`; not edited by hand.\n\
+/// The compiler builds a map of more segments than that for too long: their bytes are included.
+const MOST_BUILT: u16 = 300;
+
+const HEAD: &str = "//! Written by `tilesat bake LEVEL -o OUT.rs`; not edited by hand.\n\
                     #![allow(unreachable_pub, reason = \"a level is a module of a program\")]\n\
-                    #![allow(clippy::unreadable_literal, reason = \"raw coordinates\")]\n\n"
-        .to_owned();
-    let named: Vec<(String, u8)> = flags.iter().enumerate().map(|(bit, name)| (constant(name), 1 << bit)).collect();
-    if let Some(level) = level {
-        let items = items(level, &named, &bytes(&level.tiles, usize::from(level.width)));
-        text += &items.replace("pub static KINDS", "#[rustfmt::skip]\npub static KINDS");
-        text += &map(level);
-    }
-    // Writing to a string cannot fail.
-    if let Some((shapes, cell)) = objects {
-        if level.is_none() {
-            for (name, mask) in &named {
-                let _ = writeln!(text, "pub const {name}: u8 = {mask};");
-            }
-        }
-        segments(&mut text, shapes, cell);
+                    #![allow(clippy::unreadable_literal, reason = \"raw coordinates\")]\n\n";
+
+/// Where bytes come from.
+pub(crate) enum Bytes {
+    /// They stand in the source.
+    Here,
+    /// Of the tiles and of the segments, in files beside the source.
+    Files(String, String),
+}
+
+/// Constants, the tiles, and the objects as `segment_map!` takes them, so that the compiler builds and checks the map. Several levels are
+/// modules, and share the table of kinds.
+pub(crate) fn source(bundle: &Bundle) -> String {
+    let mut text = HEAD.to_owned();
+    let flags = flags(bundle);
+    if let [level] = &bundle.levels[..] {
+        alone(&mut text, level, &flags, &Bytes::Here);
+    } else {
+        text += &several(bundle);
     }
     text
 }
 
-/// The map of the tiles, for levels that fit the library's domain.
-fn map(level: &Level) -> String {
-    let tile = Fx::from_num(level.tile);
-    if Grid::new(level.width, level.height, tile, Vec2::ZERO).is_err() {
-        return String::new();
+/// A module for each level, and what they share; to be put into a module.
+pub(crate) fn several(bundle: &Bundle) -> String {
+    let mut text = format!("use tilesat::{};\n\n", items::imports(&bundle.kinds));
+    text += &items::flags(&flags(bundle));
+    text += "/// What the ids of all levels stand for.\n#[rustfmt::skip]\n";
+    text += &items::kinds(&bundle.kinds);
+    for (level, module) in bundle.levels.iter().zip(modules(bundle)) {
+        let title: String = level.ground.name.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
+        let _ = writeln!(text, "\n/// {title}\npub mod {module} {{");
+        let mut inner = String::new();
+        if let Some(tiles) = &level.tiles {
+            inner += "use super::KINDS;\n\n";
+            inner += &items::size(tiles);
+            inner += &items::tiles(tiles, &bytes(&tiles.tiles, usize::from(tiles.width)));
+            map(&mut inner, tiles);
+        }
+        rest(&mut inner, level, &Bytes::Here);
+        // The lines of a byte string go on whatever white space stands before them.
+        let lines = inner.lines().map(|line| if line.is_empty() { "\n".to_owned() } else { format!("    {line}\n") });
+        text.extend(lines);
+        text += "}\n";
     }
+    text
+}
+
+/// The module of each level.
+pub(crate) fn modules(bundle: &Bundle) -> Vec<String> {
+    names::modules(bundle.levels.iter().map(|level| level.ground.name.as_str()))
+}
+
+/// What the bytes of a level do not say, as source that includes them.
+pub(crate) fn beside(bundle: &Bundle, level: &Baked, tiles: String, segments: String) -> String {
+    let mut text = HEAD.replace("OUT.rs", "OUT.bin");
+    alone(&mut text, level, &flags(bundle), &Bytes::Files(tiles, segments));
+    text
+}
+
+fn flags(bundle: &Bundle) -> Vec<(String, u8)> {
+    constants(&bundle.flags)
+}
+
+/// The constant of each flag, and its bit.
+pub(crate) fn constants(flags: &[String]) -> Vec<(String, u8)> {
+    names::constants(flags.iter().map(String::as_str)).into_iter().zip((0..8).map(|bit| 1 << bit)).collect()
+}
+
+fn alone(text: &mut String, level: &Baked, flags: &[(String, u8)], from: &Bytes) {
+    if let Some(tiles) = &level.tiles {
+        let _ = writeln!(text, "use tilesat::{};\n", items::imports(&tiles.ids));
+        *text += &items::size(tiles);
+        *text += &items::flags(flags);
+        let bytes = match from {
+            Bytes::Here => bytes(&tiles.tiles, usize::from(tiles.width)),
+            Bytes::Files(file, _) => format!("include_bytes!({file:?})"),
+        };
+        *text += &items::tiles(tiles, &bytes);
+        *text += "#[rustfmt::skip]\n";
+        *text += &items::kinds(&tiles.ids);
+        map(text, tiles);
+    } else {
+        *text += &items::flags(flags).replace("/// The flag bits of the game's rules.\n", "");
+    }
+    rest(text, level, from);
+}
+
+/// The place of a level, and its segments.
+fn rest(text: &mut String, level: &Baked, from: &Bytes) {
+    if let Some(place) = level.ground.place {
+        let (x, y, width, height) = (place.x, place.y, place.width, place.height);
+        let _ = writeln!(
+            text,
+            "/// Where it lies in its world, in pixels of the map: x, y, width, height.\npub const WORLD: [i32; 4] = [{x}, {y}, {width}, {height}];"
+        );
+    }
+    if level.ground.shift != (0, 0) {
+        let (x, y) = level.ground.shift;
+        let _ = writeln!(
+            text,
+            "/// Add this to a place of the map to have it here, in pixels.\npub const SHIFT: [i32; 2] = [{x}, {y}];"
+        );
+    }
+    if let Some((shapes, bytes, cell)) = &level.objects {
+        let count = bytes.get(6..8).map_or(0, |count| u16::from_le_bytes([count[0], count[1]]));
+        match from {
+            Bytes::Here if count <= MOST_BUILT => built(text, shapes, *cell),
+            Bytes::Here => included(text, &self::bytes(bytes, 64)),
+            Bytes::Files(_, file) => included(text, &format!("include_bytes!({file:?})")),
+        }
+    }
+}
+
+/// The map of the tiles.
+fn map(text: &mut String, level: &Level) {
+    let tile = Fx::from_num(level.tile);
     let set = if level.is_blocks() { "Blocks" } else { "AllShapes" };
-    format!(
-        "/// The tiles as a level whose first corner is at the origin, with nothing outside.\n\
+    let (origin, place) = match level.origin {
+        (0, 0) => ("tilesat::Vec2::ZERO".to_owned(), "at the origin"),
+        (x, y) => (format!("tilesat::Vec2::from_raw({x}, {y})"), "at this place"),
+    };
+    let _ = write!(
+        text,
+        "/// The tiles as a level whose first corner is {place}, with nothing outside.\n\
          pub static MAP: tilesat::TileMap<tilesat::{set}> =\n    \
-         match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit(\"{tile}\"), tilesat::Vec2::ZERO) {{\n        \
+         match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit(\"{tile}\"), {origin}) {{\n        \
          Ok(grid) => match tilesat::TileMap::of(TILES, grid, &KINDS) {{\n            \
          Ok(map) => map,\n            \
          Err(_) => panic!(\"the tiles do not fit\"),\n        \
          }},\n        \
          Err(_) => panic!(\"the cells do not fit\"),\n    \
          }};\n"
-    )
+    );
 }
 
-fn segments(text: &mut String, shapes: &Shapes, cell: Fx) {
+fn included(text: &mut String, bytes: &str) {
+    let _ = write!(
+        text,
+        "/// Polygons and chains, built beforehand.\n\
+         #[allow(long_running_const_eval, reason = \"it ends: the level is as large as it is\")]\n\
+         #[rustfmt::skip]\n\
+         pub static SEGMENTS: tilesat::SegmentMap = match tilesat::SegmentMap::from_bytes({bytes}) {{\n    \
+         Ok(map) => map,\n    \
+         Err(_) => panic!(\"the segments are damaged\"),\n\
+         }};\n"
+    );
+}
+
+fn built(text: &mut String, shapes: &Shapes, cell: Fx) {
     text.push_str("\nuse tilesat::{Fx, Path, PathKind, Vec2, segment_map};\n\n");
     for (i, points) in shapes.points.iter().enumerate() {
         let _ = writeln!(text, "#[rustfmt::skip]\nconst POINTS_{i}: [Vec2; {}] = [", points.len());
         for point in points {
-            let (x, y) = point.raw();
-            let _ = match (x % 65536, y % 65536) {
-                (0, 0) => writeln!(text, "    Vec2::from_ints({}, {}),", x >> 16, y >> 16),
-                _ => writeln!(text, "    Vec2::from_raw({x}, {y}),"),
-            };
+            let _ = writeln!(text, "    {},", spot(*point));
         }
         text.push_str("];\n");
     }
@@ -80,21 +187,26 @@ fn segments(text: &mut String, shapes: &Shapes, cell: Fx) {
     let _ = writeln!(text, "    ],\n    Fx::lit(\"{cell}\")\n);");
 }
 
+fn spot(point: Vec2) -> String {
+    let (x, y) = point.raw();
+    match (x % 65536, y % 65536) {
+        (0, 0) => format!("Vec2::from_ints({}, {})", x >> 16, y >> 16),
+        _ => format!("Vec2::from_raw({x}, {y})"),
+    }
+}
+
 /// Bytes in rows.
-fn bytes(tiles: &[u8], row: usize) -> String {
-    let mut text = "b\"\\\n".to_owned();
+pub(crate) fn bytes(tiles: &[u8], row: usize) -> String {
+    const DIGITS: &[u8; 16] = b"0123456789abcdef";
+    let mut text = String::with_capacity(tiles.len() * 4 + tiles.len() / row.max(1) * 8 + 16);
+    text.push_str("b\"\\\n");
     for line in tiles.chunks(row.max(1)) {
         text.push_str("    ");
         for id in line {
-            let _ = write!(text, "\\x{id:02x}");
+            let digit = |value: u8| char::from(DIGITS[usize::from(value)]);
+            text.extend(['\\', 'x', digit(id >> 4), digit(id & 15)]);
         }
         text.push_str("\\\n");
     }
     text + "\""
-}
-
-/// `FLAG_` and the name in capitals, with nothing that is no identifier.
-fn constant(name: &str) -> String {
-    let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
-    format!("FLAG_{}", name.chars().map(plain).collect::<String>())
 }

@@ -5,7 +5,7 @@ use std::ffi::OsString;
 use lexopt::{Arg, Parser};
 
 use crate::fail::{Fail, Result};
-use crate::read::decimal::Decimal;
+use crate::model::decimal::Decimal;
 
 /// The next argument.
 pub(crate) fn next(parser: &mut Parser) -> Result<Option<Arg<'_>>> {

@@ -1,7 +1,6 @@
-//! `tilesat bake`: a level in, what a firmware includes out.
+//! `tilesat bake`: levels in, what a firmware includes out.
 
 use std::ffi::{OsStr, OsString};
-use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -9,67 +8,70 @@ use lexopt::Arg::{Long, Short, Value};
 use lexopt::Parser;
 use tilesat::Fx;
 
-use super::args::{length, next, once, path, sides, text, unknown, value};
-use super::tell::{status, tell, usage};
-use crate::bake::{self, Baked, Settings};
+use super::args::{length, next, once, path, sides, unknown, value};
+use super::input::{self, Input};
+use super::tell::{list, status, tell, usage};
+use crate::bake::{self, Baked, Bundle, Outputs, Settings};
 use crate::fail::{Fail, Result};
-use crate::picture::png;
-use crate::read;
+use crate::picture::{backdrop, png};
 
 const USAGE: &str = "\
 usage: tilesat bake LEVEL -o OUT.bin|OUT.rs [options]
 
-Turns a level into what a firmware includes, and reports what it costs there.
-LEVEL is a Tiled map (tile layers, and polygons, polylines and rectangles of
-object layers; tilesat lint --help says how objects are named) or an LDtk project, whose
-IntGrid values are named like shapes, with flags: SlopeTopLeft_Ice, Empty_Coin.
+Turns a level into what a firmware includes, and reports what it costs there. Of a
+project of LDtk all levels are baked together, with one table of tile kinds.
+";
 
-  -o OUT.bin     write bytes: those of SegmentMap::from_bytes for objects, one a
-                 tile for tiles (with both: OUT.segments.bin and OUT.tiles.bin)
-  -o OUT.rs      write Rust source: constants that the compiler builds the level of
-  --cell PX      the side of the cells that objects are sorted into (default: a tile)
+const OPTIONS: &str = "
+  -o OUT.rs      write Rust source: constants that the compiler builds the level of;
+                 of several levels a module for each
+  -o OUT.bin     write bytes: those of SegmentMap::from_bytes for polygons, one a tile
+                 for tiles (with both: OUT.segments.bin and OUT.tiles.bin; of several
+                 levels OUT.LEVEL.bin), and OUT.bin.rs, which says what the bytes are
+  --json         print a line of JSON for each level instead of the report; -o is
+                 not needed then, nor with --picture
+  --picture PNG  draw what is solid over what was drawn
+  --cell PX      the side of the cells that polygons are sorted into (default: a tile)
   --body WxH     the body that the report reckons with (default: a cell)
-  --picture PNG  draw cells, segments with their normals, vertices, and rays
-  --layer NAME   the tile layer that is solid (default: the one with most solid tiles)
-  --level NAME   which level of an LDtk project (default: the first)
   --help         print this
 
+Nothing is written where anything fails, and never over a file that the level is read from.
 Exit status: 0 written, 2 bad arguments or a level that is refused.
 ";
 
-#[derive(Debug, Clone, Copy)]
-enum Format {
-    Bytes,
-    Source,
-}
-
 struct Options {
     file: PathBuf,
-    out: PathBuf,
-    format: Format,
-    settings: Settings,
+    input: Input,
+    out: Option<(PathBuf, Format)>,
+    cell: Option<Fx>,
     /// Raw.
     body: Option<(i32, i32)>,
     picture: Option<PathBuf>,
-    level: Option<String>,
+    json: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Bytes,
+    Source,
 }
 
 /// Runs the subcommand; returns the exit status.
 pub(crate) fn run(args: impl Iterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
     let result = parse(args).and_then(|options| match options {
         None => {
-            usage(out, USAGE);
+            usage(out, &[USAGE, input::LEVEL, OPTIONS, input::OPTIONS].concat());
             Ok(0)
         }
-        Some(options) => job(&options, out),
+        Some(options) => job(options, out, err),
     });
     status("tilesat bake", result, err)
 }
 
 /// `None` where help is asked for.
 fn parse(args: impl Iterator<Item = OsString>) -> Result<Option<Options>> {
-    let (mut file, mut out, mut cell, mut body) = (None, None, None, None);
-    let (mut picture, mut layer, mut level) = (None, None, None);
+    let (mut file, mut out, mut cell, mut body, mut picture, mut json) = (None, None, None, None, None, None);
+    let mut input = Input::default();
     let mut parser = Parser::from_args(args);
     while let Some(arg) = next(&mut parser)? {
         match arg {
@@ -78,17 +80,24 @@ fn parse(args: impl Iterator<Item = OsString>) -> Result<Option<Options>> {
             Long("cell") => once(&mut cell, "--cell", length(&mut parser, "--cell")?)?,
             Long("body") => once(&mut body, "--body", sides(&mut parser, "--body")?)?,
             Long("picture") => once(&mut picture, "--picture", PathBuf::from(value(&mut parser, "--picture")?))?,
-            Long("layer") => once(&mut layer, "--layer", text(&mut parser, "--layer")?)?,
-            Long("level") => once(&mut level, "--level", text(&mut parser, "--level")?)?,
+            Long("json") => once(&mut json, "--json", true)?,
             Value(given) => once(&mut file, "LEVEL", path(given)?)?,
-            other => return Err(unknown(&other)),
+            Long(name) => {
+                let name = name.to_owned();
+                if !input.take(&name, &mut parser)? {
+                    return Err(unknown(&Long(&name)));
+                }
+            }
+            other @ Short(_) => return Err(unknown(&other)),
         }
     }
-    let file = file.ok_or_else(|| Fail::new("no level given (see --help)"))?;
-    let out: PathBuf = out.ok_or_else(|| Fail::new("no -o OUT.bin or -o OUT.rs given (see --help)"))?;
-    let format = format(&out)?;
-    let settings = Settings { layer, cell: cell.map(Fx::from_bits) };
-    Ok(Some(Options { file, out, format, settings, body, picture, level }))
+    let file = input::given(file)?;
+    let json = json.unwrap_or(false);
+    if out.is_none() && picture.is_none() && !json {
+        return Err(Fail::new("no -o OUT.bin or -o OUT.rs given (see --help)"));
+    }
+    let out = out.map(|out: PathBuf| Ok((out.clone(), format(&out)?))).transpose()?;
+    Ok(Some(Options { file, input, out, cell: cell.map(Fx::from_bits), body, picture, json }))
 }
 
 fn format(out: &Path) -> Result<Format> {
@@ -99,39 +108,75 @@ fn format(out: &Path) -> Result<Format> {
     }
 }
 
-fn job(options: &Options, out: &mut dyn Write) -> Result<u8> {
-    let drawing = read::load(&options.file, options.level.as_deref())?;
-    let of_file = |fail: Fail| Fail::new(format!("{}: {fail}", options.file.display()));
-    let baked = bake::bake(&drawing, &options.settings).map_err(of_file)?;
-    for left_out in drawing.left_out.iter().filter(|left_out| left_out.suspicious) {
-        tell(out, &format!("left out {}: {}", left_out.title, left_out.why));
+fn job(job: Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<u8> {
+    let (levels, options) = job.input.load(&job.file)?;
+    let of_file = |fail: Fail| Fail::new(format!("{}: {fail}", job.file.display()));
+    let settings = Settings { options, cell: job.cell };
+    let bundle = bake::bake(&levels.maps, &settings).map_err(of_file)?;
+    let mut outputs = Outputs::default();
+    if let Some((file, format)) = &job.out {
+        for (file, bytes) in bundle.files(file, *format == Format::Source) {
+            outputs.add(file, bytes);
+        }
     }
-    let lines = baked.report(options.body)?;
-    for line in &lines {
-        tell(out, line);
+    let mut lines = Vec::new();
+    for baked in &bundle.levels {
+        lines.push(if job.json { vec![baked.json()?] } else { baked.report(job.body).map_err(of_file)? });
     }
-    for (file, bytes) in files(&baked, options) {
-        fs::write(&file, bytes).map_err(|e| Fail::new(format!("cannot write {}: {e}", file.display())))?;
-        tell(out, &format!("wrote   {}", file.display()));
+    if let Some(picture) = &job.picture {
+        let places = bundle.places(picture, "png");
+        let drawn = levels
+            .maps
+            .iter()
+            .filter(|map| !crate::rules::options::listed(&settings.options.ignored_levels, &map.name));
+        for (((baked, map), place), lines) in bundle.levels.iter().zip(drawn).zip(places).zip(&lines) {
+            let shown = if job.json { &[][..] } else { lines };
+            let mut scene = baked.picture(shown)?;
+            backdrop::under(&mut scene, map, &baked.ground, settings.options.scale);
+            outputs.add(place, png::bytes(&scene)?);
+        }
     }
-    if let Some(file) = &options.picture {
-        png::write(&baked.picture(&lines)?, file)?;
-        tell(out, &format!("picture {}", file.display()));
+    let written = outputs.write(&levels.files)?;
+    for (baked, lines) in bundle.levels.iter().zip(lines) {
+        if job.json {
+            list(err, "note", &baked.ground.notes);
+            tell_whole(out, &lines[0]);
+        } else {
+            told(baked, &bundle, &lines, out);
+        }
+    }
+    if !bundle.dropped.is_empty() {
+        list(
+            if job.json { err } else { out },
+            "dropped",
+            &bundle.dropped.iter().map(|name| format!("flag {name}")).collect::<Vec<_>>(),
+        );
+    }
+    if !job.json {
+        for file in written {
+            let word = if file.extension().is_some_and(|end| end == "png") { "picture" } else { "wrote  " };
+            tell(out, &format!("{word} {}", file.display()));
+        }
     }
     Ok(0)
 }
 
-fn files(baked: &Baked, options: &Options) -> Vec<(PathBuf, Vec<u8>)> {
-    let tiles = baked.tiles.as_ref().map(|level| level.tiles.clone());
-    let objects = baked.objects.as_ref().map(|(_, bytes, _)| bytes.clone());
-    match (options.format, tiles, objects) {
-        (Format::Source, ..) => vec![(options.out.clone(), baked.source().into_bytes())],
-        (Format::Bytes, Some(tiles), Some(objects)) => {
-            let named = |what: &str| options.out.with_extension(format!("{what}.bin"));
-            vec![(named("tiles"), tiles), (named("segments"), objects)]
-        }
-        (Format::Bytes, tiles, objects) => {
-            tiles.or(objects).into_iter().map(|bytes| (options.out.clone(), bytes)).collect()
-        }
+/// A line that a program reads is not shortened; in JSON no control character stands for itself.
+fn tell_whole(out: &mut dyn Write, line: &str) {
+    let _ = writeln!(out, "{line}");
+}
+
+/// What became of a level.
+fn told(baked: &Baked, bundle: &Bundle, lines: &[String], out: &mut dyn Write) {
+    if bundle.levels.len() > 1 {
+        tell(out, &format!("level   {}", baked.ground.name));
     }
+    for line in lines {
+        tell(out, line);
+    }
+    let rules: Vec<String> =
+        baked.ground.applied.iter().map(|used| format!("{}  {}: {}", used.rule, used.what, used.tiles)).collect();
+    list(out, "rule", &rules);
+    list(out, "ignored", &baked.ignored());
+    list(out, "note", &baked.ground.notes);
 }

@@ -2,9 +2,12 @@
 
 mod args;
 mod bake;
+pub(crate) mod input;
 mod lint;
 pub mod play;
 mod program;
+mod project;
+mod rooms;
 mod sheet;
 mod tell;
 
@@ -17,6 +20,7 @@ usage: tilesat COMMAND ...
 Looks after levels of Tiled and LDtk for the crate tilesat.
 
   bake     turn a level into bytes or Rust source for a firmware
+  rooms    cut a world of any size into rooms for a firmware
   lint     look for mistakes in a level
   play     play a level with a scripted player, boxes and balls
   sheet    draw every shape of a tile with its faces, corners and arcs
@@ -32,6 +36,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>, out: &mut dyn Write, err: &
         Some("bake") => bake::run(args, out, err),
         Some("lint") => lint::run(args, out, err),
         Some("play") => play::run(&play::Program::default(), args, out, err),
+        Some("rooms") => rooms::run(args, out, err),
         Some("sheet") => sheet::run(args, out, err),
         Some("--help" | "-h") => {
             tell::usage(out, USAGE);

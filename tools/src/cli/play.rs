@@ -1,21 +1,22 @@
 //! `tilesat play`: a level in, a run and its picture out. The example `platformer` is this with levels of its own.
 
 use std::ffi::OsString;
-use std::fs::File;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use tilesat::TileShape;
+use tilesat::{SegmentMap, TileShape};
 use tilesat_games::platformer::sim::MAX_COINS;
 
+use super::input::Input;
 use super::program::Options;
 pub use super::program::Program;
 use super::tell::{status, tell, usage};
-use crate::bake::level::{self, Level};
+use crate::bake::{self, Outputs, Settings, reopen};
 use crate::fail::{Fail, Result};
 use crate::picture::{png, svg};
-use crate::play::{self, constants};
-use crate::read::tmx;
+use crate::play::{self, Arena, constants};
+use crate::rules::names;
+use crate::rules::options::listed;
 
 /// Runs the program; returns the exit status.
 pub fn run(
@@ -29,27 +30,30 @@ pub fn run(
             usage(out, &program.usage());
             Ok(0)
         }
-        Some(options) => job(program, &options, out, err),
+        Some(options) => job(program, options, out, err),
     });
     status(program.name, result, err)
 }
 
-fn job(program: &Program, options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<u8> {
-    let path = &options.level;
+fn job(program: &Program, options: Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<u8> {
+    let path = options.file;
     let of_file = |fail: Fail| Fail::new(format!("{}: {fail}", path.display()));
-    let level = Level::bake(&tmx::load(path)?, options.layer.as_deref()).map_err(of_file)?;
-    describe(path, &level, out);
+    let (arena, files) = arena(&path, options.input)?;
+    describe(&path, &arena, out);
     if let Some(stem) = &options.bake {
-        for file in constants::write(&level, stem)? {
+        if arena.segments.is_some() {
+            return Err(of_file(Fail::new("this game plays tiles alone; tilesat bake takes polygons too")));
+        }
+        for file in constants::files(&arena.level, stem).write(&files)? {
             tell(out, &format!("wrote   {}", file.display()));
         }
         return Ok(0);
     }
     // Before the run, so that a long one does not end without its picture.
     for file in options.png.iter().chain(&options.svg) {
-        writable(file)?;
+        Outputs::check(file, &files)?;
     }
-    let run = play::play(&level, options.frames, options.seed, err).map_err(of_file)?;
+    let run = play::play(&arena, options.frames, options.seed, err).map_err(of_file)?;
     let s = run.score;
     tell(
         out,
@@ -59,13 +63,15 @@ fn job(program: &Program, options: &Options, out: &mut dyn Write, err: &mut dyn 
         ),
     );
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let scene = play::picture::scene(&level, &run, &name, options.seed);
-    if let Some(file) = &options.png {
-        png::write(&scene, file)?;
-        tell(out, &format!("picture {}", file.display()));
+    let scene = play::picture::scene(&arena, &run, &name, options.seed);
+    let mut outputs = Outputs::default();
+    if let Some(file) = options.png {
+        outputs.add(file, png::bytes(&scene)?);
     }
-    if let Some(file) = &options.svg {
-        svg::write(&scene, file)?;
+    if let Some(file) = options.svg {
+        outputs.add(file, svg::text(&scene).into_bytes());
+    }
+    for file in outputs.write(&files)? {
         tell(out, &format!("picture {}", file.display()));
     }
     if run.refused > 0 {
@@ -75,22 +81,43 @@ fn job(program: &Program, options: &Options, out: &mut dyn Write, err: &mut dyn 
     Ok(u8::from(run.overlaps + run.escaped + run.refused > 0))
 }
 
-fn describe(path: &Path, level: &Level, out: &mut dyn Write) {
+/// The level of a file, drawn or baked, and the files that it came from.
+fn arena(path: &Path, input: Input) -> Result<(Arena, Vec<PathBuf>)> {
+    let of_file = |fail: Fail| Fail::new(format!("{}: {fail}", path.display()));
+    if reopen::is_baked(path) {
+        let levels = reopen::reopen(path)?;
+        let names: Vec<&str> = levels.iter().map(|level| level.name.as_str()).collect();
+        let wanted = input.level.as_deref().unwrap_or(names.first().copied().unwrap_or_default());
+        let found = levels.iter().find(|level| level.name == wanted);
+        let unknown = || Fail::new(format!("no level '{wanted}'; there are: {}", names.join(", ")));
+        return Ok((
+            found.ok_or_else(|| of_file(unknown())).and_then(|level| Arena::reopened(level).map_err(of_file))?,
+            vec![path.to_owned()],
+        ));
+    }
+    let (levels, options) = input.load(path)?;
+    let first = levels.maps.iter().find(|map| !listed(&options.ignored_levels, &map.name));
+    let map = first.ok_or_else(|| of_file(Fail::new("every level is left out by --ignore-level")))?;
+    let bundle = bake::bake(std::slice::from_ref(map), &Settings { options, cell: None }).map_err(of_file)?;
+    let [baked] = &bundle.levels[..] else { return Err(of_file(Fail::new("no level"))) };
+    Ok((Arena::of(baked).map_err(of_file)?, levels.files))
+}
+
+fn describe(path: &Path, arena: &Arena, out: &mut dyn Write) {
+    let level = &arena.level;
     let count =
         |is: fn(TileShape) -> bool| level.tiles.iter().filter(|&&t| is(level.ids[usize::from(t)].shape)).count();
     let (width, height, tile) = (level.width, level.height, level.tile);
     tell(out, &format!("level   {}: {width}x{height} tiles of {tile} px", path.display()));
-    let (solid, one_way) = (count(level::is_solid), count(|shape| shape as u8 >= TileShape::OneWayUp as u8));
+    let (solid, one_way) = (count(names::is_solid), count(names::is_one_way));
     tell(out, &format!("layer   {}: {solid} solid and {one_way} one-way tiles", level.layer));
+    if let Some(map) = arena.segments.as_ref().and_then(|bytes| SegmentMap::from_bytes(bytes).ok()) {
+        tell(out, &format!("objects {} segments", map.count()));
+    }
     let flags: Vec<String> = level.flags.iter().enumerate().map(|(bit, name)| format!("{name} = bit {bit}")).collect();
     let flags = if flags.is_empty() { "none".to_owned() } else { flags.join(", ") };
     tell(out, &format!("flags   {flags}"));
     if play::coins(level).count() > MAX_COINS as usize {
         tell(out, &format!("note    only the first {MAX_COINS} coins can be taken"));
     }
-}
-
-fn writable(path: &Path) -> Result<()> {
-    let file = File::options().write(true).create(true).truncate(false).open(path);
-    file.map(drop).map_err(|e| Fail::new(format!("cannot write {}: {e}", path.display())))
 }

@@ -8,6 +8,7 @@ use lexopt::Parser;
 use tilesat_games::platformer::sim::SEED;
 
 use super::args::{next, number, once, path, text, unknown, value};
+use super::input::{self, Input};
 use crate::fail::{Fail, Result};
 
 /// A program that plays levels.
@@ -32,36 +33,26 @@ const ABOUT: &str = "
 Plays a level with one scripted player and 32 boxes and balls, and checks every
 body in every frame against an independent exact overlap test.
 
-  LEVEL.tmx      a finite orthogonal Tiled map
 ";
 
-const OPTIONS: &str = "  --layer NAME   the tile layer that is solid (default: the one with most solid tiles)
-  --frames N     how long to play (default: 3600)
+const BAKED: &str = "It may also be a file that tilesat bake has written (.rs, .bin). Of several levels
+the first is played, or the one of --level.
+";
+
+const OPTIONS: &str = "  --frames N     how long to play (default: 3600)
   --seed N       where the bodies start and how they move (default: 11)
   --svg FILE     write the picture as SVG
   --bake STEM    write STEM.bin and STEM.rs, the level as this game includes it, and stop
   --help         print this
 
-What a tile is, in Tiled:
-  class          Collision or Solid: full; OneWay: one-way-up; every other class
-                 is a flag. A true boolean property counts as a class.
-  shape          a string property: empty, full,
-                 half-top, half-right, half-bottom, half-left,
-                 slope-*, convex-*, concave-*, mild-low-*, mild-high-*,
-                 steep-low-*, steep-high-*  where * is the solid corner, one of
-                 top-left, top-right, bottom-right, bottom-left;
-                 one-way-up, one-way-right, one-way-down, one-way-left
-  npp            an integer property: the shape's number in N++, 0 to 33
-shape and npp win over the class. Flipped and turned tiles have flipped and
-turned shapes.
 The last line is  frames=N bodies=N contacts=N overlaps=N escaped=N hash=XXXXXXXX
 Exit status: 0 all is well, 1 an overlap or an escape, 2 bad arguments or a bad file.
 ";
 
 /// What is to be done.
 pub(super) struct Options {
-    pub(super) level: PathBuf,
-    pub(super) layer: Option<String>,
+    pub(super) file: PathBuf,
+    pub(super) input: Input,
     pub(super) frames: u32,
     pub(super) seed: u32,
     pub(super) png: Option<PathBuf>,
@@ -72,14 +63,15 @@ pub(super) struct Options {
 impl Program {
     pub(super) fn usage(&self) -> String {
         let mut own = String::new();
-        let mut level = "LEVEL.tmx";
+        let mut level = "LEVEL";
         if let [(first, _), ..] = &self.levels[..] {
             own = format!("  --level NAME   a level of the example: {} (default: {first})\n", self.names());
-            level = "[LEVEL.tmx]";
+            level = "[LEVEL]";
         }
         let default = self.picture.as_ref().map(|file| format!(" (default: {})", file.display())).unwrap_or_default();
         let png = format!("  --png FILE     write the picture there{default}\n");
-        format!("usage: {} {level} [options]\n{ABOUT}{own}{png}{OPTIONS}", self.name)
+        let (about, options) = (input::LEVEL, input::OPTIONS);
+        format!("usage: {} {level} [options]\n{ABOUT}{about}{BAKED}\n{own}{png}{OPTIONS}{options}", self.name)
     }
 
     fn names(&self) -> String {
@@ -94,8 +86,9 @@ impl Program {
 
     /// `None` where help is asked for.
     pub(super) fn parse(&self, args: impl IntoIterator<Item = OsString>) -> Result<Option<Options>> {
-        let place = if self.levels.is_empty() { "LEVEL.tmx" } else { "LEVEL.tmx or --level" };
-        let (mut level, mut layer, mut frames, mut seed) = (None, None, None, None);
+        let place = if self.levels.is_empty() { "LEVEL" } else { "LEVEL or --level" };
+        let (mut level, mut frames, mut seed) = (None, None, None);
+        let mut input = Input::default();
         let (mut png, mut svg, mut bake) = (None, None, None);
         let mut parser = Parser::from_args(args);
         while let Some(arg) = next(&mut parser)? {
@@ -105,14 +98,19 @@ impl Program {
                     let path = self.own(&text(&mut parser, "--level")?)?;
                     once(&mut level, place, path)?;
                 }
-                Long("layer") => once(&mut layer, "--layer", text(&mut parser, "--layer")?)?,
                 Long("frames") => once(&mut frames, "--frames", number(&mut parser, "--frames")?)?,
                 Long("seed") => once(&mut seed, "--seed", number(&mut parser, "--seed")?)?,
                 Long("png") => once(&mut png, "--png", PathBuf::from(value(&mut parser, "--png")?))?,
                 Long("svg") => once(&mut svg, "--svg", PathBuf::from(value(&mut parser, "--svg")?))?,
                 Long("bake") => once(&mut bake, "--bake", PathBuf::from(value(&mut parser, "--bake")?))?,
                 Value(given) => once(&mut level, place, path(given)?)?,
-                other => return Err(unknown(&other)),
+                Long(name) => {
+                    let name = name.to_owned();
+                    if !input.take(&name, &mut parser)? {
+                        return Err(unknown(&Long(&name)));
+                    }
+                }
+                other @ Short(_) => return Err(unknown(&other)),
             }
         }
         let first = || self.levels.first().map(|(_, path)| path.clone());
@@ -121,6 +119,6 @@ impl Program {
             png.clone_from(&self.picture);
         }
         let (frames, seed) = (frames.unwrap_or(3600), seed.unwrap_or(SEED));
-        Ok(Some(Options { level, layer, frames, seed, png, svg, bake }))
+        Ok(Some(Options { file: level, input, frames, seed, png, svg, bake }))
     }
 }

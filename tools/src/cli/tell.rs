@@ -21,3 +21,16 @@ pub(crate) fn status(program: &str, result: Result<u8>, err: &mut dyn Write) -> 
         2
     })
 }
+
+/// Lines of one kind that are shown.
+const MOST: usize = 50;
+
+/// Lines of one kind, each with the word before it; where there are many, the rest is counted.
+pub(crate) fn list(to: &mut dyn Write, word: &str, lines: &[String]) {
+    for line in lines.iter().take(MOST) {
+        tell(to, &format!("{word:<7} {line}"));
+    }
+    if lines.len() > MOST {
+        tell(to, &format!("{word:<7} and {} more", lines.len() - MOST));
+    }
+}

@@ -1,8 +1,8 @@
 //! Outlines as edges that know where the solid is.
 
 use super::geometry::{Edge, Point, Side, doubled_area};
-use crate::read::outline::Outline;
 use crate::rules::kind::Kind;
+use crate::rules::outline::Outline;
 
 /// Contract C1: coordinates are below 2^29 raw.
 pub(super) fn in_domain(p: Point) -> bool {

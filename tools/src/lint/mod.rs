@@ -19,7 +19,7 @@ pub use scene::{Body, Rules};
 
 use crate::bake::level::Level;
 use crate::fail::{Fail, Result};
-use crate::read::drawing::Drawing;
+use crate::rules::ground::Ground;
 use scene::Scene;
 
 /// As many edges as a segment map can hold.
@@ -32,13 +32,13 @@ const MAX_EDGES: usize = 65_534;
 ///
 /// # Errors
 ///
-/// The rules name no layer of it, or it has more edges or faces than can be compared.
-pub fn check(drawing: &Drawing, rules: &Rules) -> Result<Findings> {
+/// It has more edges or faces than can be compared.
+pub fn check(drawing: &Ground, rules: &Rules) -> Result<Findings> {
     let edges = edges::of(&drawing.outlines);
     if edges.len() > MAX_EDGES {
         return Err(Fail::new(format!("{} edges; a segment map holds {MAX_EDGES}", edges.len())));
     }
-    let surface = Level::of_drawing(drawing, rules.layer.as_deref())?.map(surface::of).transpose()?;
+    let surface = Level::of(drawing, &[])?.map(surface::of).transpose()?;
     let mut scene = Scene::new(drawing, rules, edges, surface);
     outlines::check(&mut scene);
     let crossed = crossings::check(&mut scene);

@@ -5,7 +5,7 @@ use super::finding::Severity::{Error, Note, Warning};
 use super::finding::{Who, pixels};
 use super::geometry::{Point, doubled_area};
 use super::scene::Scene;
-use crate::read::outline::Outline;
+use crate::rules::outline::Outline;
 
 pub(super) fn check(scene: &mut Scene<'_>) {
     for left_out in &scene.drawing.left_out {

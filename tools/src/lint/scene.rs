@@ -8,8 +8,8 @@ use super::findings::Findings;
 use super::geometry::{Edge, Point, doubled_area};
 use super::index::Index;
 use super::surface::Surface;
-use crate::read::drawing::Drawing;
-use crate::read::outline::Outline;
+use crate::rules::ground::Ground;
+use crate::rules::outline::Outline;
 
 /// What moves through the level, in raw units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,18 +18,16 @@ pub enum Body {
     Circle { radius: i64 },
 }
 
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Rules {
     pub body: Option<Body>,
     /// Edges shorter and polygons thinner than this, raw, are slivers.
     pub small: i64,
-    /// The tile layer that is solid.
-    pub layer: Option<String>,
 }
 
 /// A level as the checks see it.
 pub(crate) struct Scene<'a> {
-    pub drawing: &'a Drawing,
+    pub drawing: &'a Ground,
     pub rules: &'a Rules,
     /// Of outlines, oriented: the solid lies right of the way (y down). No edge without length, none out of the domain.
     pub edges: Vec<Edge>,
@@ -44,7 +42,7 @@ pub(crate) struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    pub(super) fn new(drawing: &'a Drawing, rules: &'a Rules, edges: Vec<Edge>, surface: Option<Surface>) -> Self {
+    pub(super) fn new(drawing: &'a Ground, rules: &'a Rules, edges: Vec<Edge>, surface: Option<Surface>) -> Self {
         let outlines = &drawing.outlines;
         let titles = outlines.iter().map(|outline| outline.title.to_string().into()).collect();
         let inside =

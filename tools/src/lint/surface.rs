@@ -43,10 +43,13 @@ pub(super) fn of(level: Level) -> Result<Surface> {
     let bare = |&(x, y): &(u16, u16)| {
         level.kind(x, y).shape as u8 >= TileShape::OneWayUp as u8 && !one_ways.contains(&(x as i16, y as i16))
     };
+    let origin = (i64::from(level.origin.0), i64::from(level.origin.1));
+    let place = |p: Point| (p.0 + origin.0, p.1 + origin.1);
+    let moved = |edge: Edge| Edge { a: place(edge.a), b: place(edge.b), ..edge };
     let scale = (i64::from(level.tile) << 16) / i64::from(CELL);
     Ok(Surface {
         layer: level.layer.clone(),
-        edges: joined(features.iter().flat_map(|feature| pieces(feature, scale)).collect()),
+        edges: joined(features.iter().flat_map(|feature| pieces(feature, scale)).map(moved).collect()),
         hidden: cells.filter(bare).collect(),
         level,
     })
@@ -55,14 +58,17 @@ pub(super) fn of(level: Level) -> Result<Surface> {
 impl Surface {
     /// The middle of a tile.
     pub(super) fn middle(&self, (column, row): (u16, u16)) -> Point {
-        let at = |index: u16| (i64::from(index) * 2 + 1) * (i64::from(self.level.tile) << 15);
-        (at(column), at(row))
+        let at = |index: u16, origin: i32| {
+            (i64::from(index) * 2 + 1) * (i64::from(self.level.tile) << 15) + i64::from(origin)
+        };
+        (at(column, self.level.origin.0), at(row, self.level.origin.1))
     }
 
     /// Whether a point of doubled coordinates lies in a full tile or on its edge.
     pub(super) fn is_full(&self, (x, y): Point) -> bool {
         let tile = i64::from(self.level.tile) << 17;
-        let (column, row) = (x.div_euclid(tile), y.div_euclid(tile));
+        let from = |at: i64, origin: i32| (at - 2 * i64::from(origin)).div_euclid(tile);
+        let (column, row) = (from(x, self.level.origin.0), from(y, self.level.origin.1));
         let within = |index: i64, count: u16| (0..i64::from(count)).contains(&index);
         within(column, self.level.width)
             && within(row, self.level.height)

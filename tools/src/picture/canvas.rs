@@ -1,7 +1,7 @@
 //! A small anti-aliasing rasteriser: coverage from distances, straight alpha blending.
 
 use super::ink::Ink;
-use super::marks::Spot;
+use super::marks::{Image, Spot};
 
 pub(super) struct Canvas {
     pub width: usize,
@@ -12,6 +12,15 @@ pub(super) struct Canvas {
 impl Canvas {
     pub(super) fn new(width: usize, height: usize, fill: Ink) -> Self {
         Self { width, height, pixels: vec![fill.rgb; width * height] }
+    }
+
+    /// Puts an image at the upper left corner.
+    pub(super) fn image(&mut self, image: &Image) {
+        for (row, line) in image.pixels.chunks(image.width.max(1)).enumerate().take(self.height) {
+            for (x, &[r, g, b, alpha]) in line.iter().enumerate().take(self.width) {
+                self.blend(x, row, Ink { rgb: [r, g, b], alpha: 1.0 }, f32::from(alpha) / 255.0);
+            }
+        }
     }
 
     pub(super) fn rect(&mut self, at: Spot, size: Spot, fill: Ink) {

@@ -55,6 +55,16 @@ pub struct Scene {
     /// A sixteenth of a tile, what line widths go by.
     pub unit: f32,
     pub marks: Vec<Mark>,
+    /// Lies below all marks, pixel for output pixel; only in a PNG.
+    pub backdrop: Option<Image>,
+}
+
+/// Colours with their opacity, row by row.
+#[derive(Debug, Clone, Default)]
+pub struct Image {
+    pub width: usize,
+    pub height: usize,
+    pub pixels: Vec<[u8; 4]>,
 }
 
 impl Scene {
@@ -63,7 +73,7 @@ impl Scene {
 
     /// An empty picture of a level of this size, without a footer.
     pub fn new(width: f32, height: f32, scale: f32, unit: f32) -> Self {
-        Self { level: (width, height), size: (width, height), scale, unit, marks: Vec::new() }
+        Self { level: (width, height), size: (width, height), scale, unit, marks: Vec::new(), backdrop: None }
     }
 
     /// Adds a filled box.

@@ -1,8 +1,7 @@
 //! The picture as PNG, with the letters of embedded-graphics.
 
 use std::convert::Infallible;
-use std::fs::File;
-use std::io::BufWriter;
+use std::fs;
 use std::path::Path;
 
 use embedded_graphics::mono_font::MonoTextStyle;
@@ -24,10 +23,22 @@ use crate::fail::{Fail, Result};
 ///
 /// The file cannot be written.
 pub fn write(scene: &Scene, path: &Path) -> Result<()> {
+    fs::write(path, bytes(scene)?).map_err(|e| Fail::new(format!("cannot write {}: {e}", path.display())))
+}
+
+/// The bytes of a picture's file.
+///
+/// # Errors
+///
+/// It is too large for one.
+pub fn bytes(scene: &Scene) -> Result<Vec<u8>> {
     let s = scene.scale;
     let at = |p: &Spot| (p.0 * s, p.1 * s);
     let size = at(&scene.size);
     let mut canvas = Canvas::new(size.0.ceil() as usize, size.1.ceil() as usize, PAPER);
+    if let Some(image) = &scene.backdrop {
+        canvas.image(image);
+    }
     for mark in &scene.marks {
         match mark {
             Mark::Rect { at: corner, size, fill } => canvas.rect(at(corner), at(size), *fill),
@@ -53,16 +64,18 @@ pub fn write(scene: &Scene, path: &Path) -> Result<()> {
             let Ok(_) = Text::new(text, Point::new(x as i32, y as i32), style).draw(&mut canvas);
         }
     }
-    save(&canvas, path).map_err(|e| Fail::new(format!("cannot write {}: {e}", path.display())))
+    encoded(&canvas).map_err(|e| Fail::new(format!("cannot draw: {e}")))
 }
 
-fn save(canvas: &Canvas, path: &Path) -> std::result::Result<(), png::EncodingError> {
-    let mut encoder = Encoder::new(BufWriter::new(File::create(path)?), canvas.width as u32, canvas.height as u32);
+fn encoded(canvas: &Canvas) -> std::result::Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = Encoder::new(&mut bytes, canvas.width as u32, canvas.height as u32);
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
     let mut image = encoder.write_header()?;
     image.write_image_data(canvas.pixels.as_flattened())?;
-    image.finish()
+    image.finish()?;
+    Ok(bytes)
 }
 
 impl OriginDimensions for Canvas {

@@ -1,27 +1,15 @@
 //! The picture as SVG.
 
 use std::fmt::Write;
-use std::fs;
-use std::path::Path;
 
 use super::ink::{Ink, PAPER};
 use super::marks::{Mark, Scene, Spot};
-use crate::fail::{Fail, Result};
 
 /// A fading line is written as so many pieces of rising opacity.
 const PIECES: usize = 6;
 
-/// Writes a picture.
-///
-/// # Errors
-///
-/// The file cannot be written.
-pub fn write(scene: &Scene, path: &Path) -> Result<()> {
-    let cannot = |e| Fail::new(format!("cannot write {}: {e}", path.display()));
-    fs::write(path, text(scene)).map_err(cannot)
-}
-
-fn text(scene: &Scene) -> String {
+/// The text of a picture's file.
+pub fn text(scene: &Scene) -> String {
     let (w, h, s) = (scene.size.0, scene.size.1, scene.scale);
     let (wide, high, letter) = (w * s, h * s, Scene::LETTER.1 / s);
     let mut out = format!(

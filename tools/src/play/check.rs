@@ -6,6 +6,7 @@
 use super::figure::Figure;
 use super::meets::meets;
 use super::outline::Outline;
+use super::walls::Walls;
 use crate::bake::level::Level;
 
 /// What a body did wrong in one frame.
@@ -28,10 +29,13 @@ pub struct Checker {
     width: i64,
     height: i64,
     cell: i64,
+    /// Where the first cell begins.
+    origin: (i64, i64),
+    walls: Walls,
 }
 
 impl Checker {
-    /// Reads the bytes of a level.
+    /// Reads the bytes of a level's tiles.
     pub fn new(level: &Level) -> Self {
         let solid: Vec<Outline> = level.ids.iter().map(|kind| Outline::of(kind.shape)).collect();
         let area = areas(&level.tiles, &solid, usize::from(level.width));
@@ -42,7 +46,15 @@ impl Checker {
             width: i64::from(level.width),
             height: i64::from(level.height),
             cell: i64::from(level.tile) << 16,
+            origin: (level.origin.0.into(), level.origin.1.into()),
+            walls: Walls::default(),
         }
+    }
+
+    /// With the bytes of its segments.
+    #[must_use]
+    pub fn with_segments(self, bytes: &[u8]) -> Self {
+        Self { walls: Walls::new(bytes), ..self }
     }
 
     /// Checks a body that moved from `before` to `now` with at most `velocity` in this frame.
@@ -57,6 +69,10 @@ impl Checker {
 
     /// Whether the interiors of the body and of any solid tile meet.
     pub fn overlaps(&self, figure: &Figure) -> bool {
+        if self.walls.overlap(figure) {
+            return true;
+        }
+        let figure = &figure.seen_from(self.origin);
         let (min, max) = figure.extent();
         let span =
             |lo: i64, hi: i64, count: i64| lo.div_euclid(self.cell).max(0)..=hi.div_euclid(self.cell).min(count - 1);
@@ -70,11 +86,12 @@ impl Checker {
 
     /// Whether no part of the body is out of the map.
     pub fn inside(&self, figure: &Figure) -> bool {
-        let (min, max) = figure.extent();
+        let (min, max) = figure.seen_from(self.origin).extent();
         min.0 >= 0 && min.1 >= 0 && max.0 <= self.width * self.cell && max.1 <= self.height * self.cell
     }
 
     fn area_at(&self, at: (i64, i64)) -> Option<u32> {
+        let at = (at.0 - self.origin.0, at.1 - self.origin.1);
         let (x, y) = (at.0.div_euclid(self.cell), at.1.div_euclid(self.cell));
         let inside = (0..self.width).contains(&x) && (0..self.height).contains(&y);
         inside.then(|| self.area[(y * self.width + x) as usize])

@@ -1,26 +1,21 @@
 //! A level as a firmware of this game includes it: the tile bytes, and the constants that go with them.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::flags;
-use crate::bake::items::items;
 use crate::bake::level::Level;
-use crate::fail::{Fail, Result};
+use crate::bake::{Outputs, items};
 
-/// Writes `STEM.bin` and `STEM.rs`.
-///
-/// # Errors
-///
-/// A file cannot be written.
-pub fn write(level: &Level, stem: &Path) -> Result<[PathBuf; 2]> {
+/// `STEM.bin` and `STEM.rs`.
+pub fn files(level: &Level, stem: &Path) -> Outputs {
     let files = [stem.with_extension("bin"), stem.with_extension("rs")];
-    let name = files[0].file_name().unwrap_or_default().to_string_lossy();
+    let name = files[0].file_name().unwrap_or_default().to_string_lossy().into_owned();
     let constants = constants(level, &name);
-    for (file, bytes) in files.iter().zip([&level.tiles[..], constants.as_bytes()]) {
-        fs::write(file, bytes).map_err(|e| Fail::new(format!("cannot write {}: {e}", file.display())))?;
-    }
-    Ok(files)
+    let mut outputs = Outputs::default();
+    let [bin, source] = files;
+    outputs.add(bin, level.tiles.clone());
+    outputs.add(source, constants.into_bytes());
+    outputs
 }
 
 /// The Rust source that stands beside the bytes in the file `bin`.
@@ -30,5 +25,7 @@ pub fn constants(level: &Level, bin: &str) -> String {
     let rules = flags::rules(level);
     let flags = [("COIN", rules.coin), ("KILL", rules.kill), ("WIN", rules.win), ("LADDER", rules.ladder)];
     let flags = flags.map(|(name, mask)| (name.to_owned(), mask));
-    head.to_owned() + &items(level, &flags, &format!("include_bytes!({bin:?})"))
+    let (imports, size, flags) = (items::imports(&level.ids), items::size(level), items::flags(&flags));
+    let (tiles, kinds) = (items::tiles(level, &format!("include_bytes!({bin:?})")), items::kinds(&level.ids));
+    format!("{head}use tilesat::{imports};\n\n{size}{flags}{tiles}{kinds}")
 }

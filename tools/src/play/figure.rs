@@ -16,6 +16,15 @@ impl Figure {
         }
     }
 
+    /// The same with this place as the origin.
+    pub(crate) fn seen_from(&self, origin: (i64, i64)) -> Self {
+        let from = |p: (i64, i64)| (p.0 - origin.0, p.1 - origin.1);
+        match *self {
+            Self::Box { min, max } => Self::Box { min: from(min), max: from(max) },
+            Self::Disc { centre, radius } => Self::Disc { centre: from(centre), radius },
+        }
+    }
+
     pub(crate) fn middle(&self) -> (i64, i64) {
         match *self {
             Self::Box { min, max } => ((min.0 + max.0) >> 1, (min.1 + max.1) >> 1),

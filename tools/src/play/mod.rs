@@ -2,8 +2,10 @@
 //!
 //! What moves the bodies is the game itself, [`tilesat_games::platformer`]; everything here only looks.
 
+mod arena;
 pub mod check;
 pub mod constants;
+mod drift;
 mod figure;
 mod flags;
 mod meets;
@@ -11,7 +13,9 @@ mod outline;
 pub mod picture;
 mod run;
 mod trail;
+mod walls;
 
+pub use arena::Arena;
 pub use figure::Figure;
 pub use flags::{coins, rules};
 pub use run::{Run, play};

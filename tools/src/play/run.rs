@@ -4,12 +4,14 @@ use std::collections::{HashSet, VecDeque};
 use std::io::Write;
 use std::time::{Duration, Instant};
 
-use tilesat::world::{Grid, Outside, Set, TileMap};
-use tilesat::{AllShapes, Blocks, Fx, Vec2};
+use tilesat::world::{Grid, Outside, Set, TileMap, World};
+use tilesat::{AllShapes, Blocks, Joined, SegmentMap};
 
-use tilesat_games::platformer::sim::{Actor, BODIES, NoRoom, Score, Shape, Sim};
+use tilesat_games::platformer::sim::{Actor, BODIES, FrameReport, NoRoom, Score, Shape, Sim};
 
+use super::arena::Arena;
 use super::check::Checker;
+use super::drift::Drift;
 use super::figure::Figure;
 use super::flags;
 use super::trail::Point;
@@ -53,39 +55,95 @@ impl Run {
 /// # Errors
 ///
 /// The level has no free cell, or the library does not take it.
-pub fn play(level: &Level, frames: u32, seed: u32, err: &mut dyn Write) -> Result<Run> {
-    // A level of blocks is played with code for blocks alone, as on a chip.
-    if level.is_blocks() { run::<Blocks>(level, frames, seed, err) } else { run::<AllShapes>(level, frames, seed, err) }
+pub fn play(arena: &Arena, frames: u32, seed: u32, err: &mut dyn Write) -> Result<Run> {
+    let level = &arena.level;
+    let kinds = level.kinds();
+    let too_large = |e: &dyn std::fmt::Display| Fail::new(format!("the map does not fit: {e}"));
+    let grid = level.grid().map_err(|e| too_large(&e))?;
+    let checker = Checker::new(level);
+    let Some(bytes) = &arena.segments else {
+        // A level of blocks is played with code for blocks alone, as on a chip.
+        if level.origin != (0, 0) {
+            let map = TileMap::<AllShapes>::of(&level.tiles, grid, &kinds).map_err(|e| too_large(&e))?;
+            return drift(&map.with_outside(Outside::Solid), grid, &checker, (frames, seed), err);
+        }
+        let run = if level.is_blocks() { game::<Blocks> } else { game::<AllShapes> };
+        return run(level, &checker, (frames, seed), err);
+    };
+    let map = TileMap::<AllShapes>::of(&level.tiles, grid, &kinds).map_err(|e| too_large(&e))?;
+    let map = map.with_outside(Outside::Solid);
+    let segments = SegmentMap::from_bytes(bytes).map_err(|e| Fail::new(format!("the segments: {e}")))?;
+    drift(&Joined::new(&map, &segments), grid, &checker.with_segments(bytes), (frames, seed), err)
 }
 
-fn run<S: Set>(level: &Level, frames: u32, seed: u32, err: &mut dyn Write) -> Result<Run> {
+/// What a frame left behind.
+struct Frame {
+    report: FrameReport,
+    actors: [Actor; BODIES],
+    hash: u32,
+}
+
+/// The game, which knows tiles alone.
+fn game<S: Set>(level: &Level, checker: &Checker, (frames, seed): (u32, u32), err: &mut dyn Write) -> Result<Run> {
     let kinds = level.kinds();
-    let map = Grid::new(level.width, level.height, Fx::from_num(level.tile), Vec2::ZERO)
+    let map = level
+        .grid()
         .and_then(|grid| TileMap::<S>::of(&level.tiles, grid, &kinds))
         .map_err(|e| Fail::new(format!("the map does not fit: {e}")))?
         .with_outside(Outside::Solid);
-    let mut sim = Sim::new(&map, flags::rules(level), seed)
-        .map_err(|NoRoom| Fail::new("no room for the bodies: the level has no free cell"))?;
-    let checker = Checker::new(level);
-    let mut figures = sim.bodies().map(|a| figure(&a));
+    let mut sim = Sim::new(&map, flags::rules(level), seed).map_err(|NoRoom| no_room())?;
+    let start = Frame { report: FrameReport::default(), actors: *sim.bodies(), hash: sim.hash() };
+    let mut run = watch(checker, &start, frames, err, || {
+        let report = sim.step(&map);
+        Frame { report, actors: *sim.bodies(), hash: sim.hash() }
+    });
+    run.score = sim.score();
+    let coins = flags::coins(level).zip(0..);
+    run.taken = coins.filter(|&(_, coin)| sim.collected(coin)).map(|(cell, _)| cell).collect();
+    Ok(run)
+}
+
+/// Boxes and balls alone, in any level.
+fn drift<W: World>(
+    world: &W,
+    grid: Grid,
+    checker: &Checker,
+    (frames, seed): (u32, u32),
+    err: &mut dyn Write,
+) -> Result<Run> {
+    let mut drift = Drift::new(world, grid, seed).ok_or_else(no_room)?;
+    let start = Frame { report: FrameReport::default(), actors: *drift.bodies(), hash: drift.hash() };
+    Ok(watch(checker, &start, frames, err, || {
+        let report = drift.step(world);
+        Frame { report, actors: *drift.bodies(), hash: drift.hash() }
+    }))
+}
+
+fn no_room() -> Fail {
+    Fail::new("no room for the bodies: the level has no free cell")
+}
+
+/// Every body in every frame, and what became of it.
+fn watch(checker: &Checker, start: &Frame, frames: u32, err: &mut dyn Write, mut step: impl FnMut() -> Frame) -> Run {
+    let mut figures = start.actors.map(|a| figure(&a));
     let mut run = Run {
         frames,
         contacts: 0,
         overlaps: figures.iter().filter(|f| checker.overlaps(f)).count() as u64,
         escaped: figures.iter().filter(|f| !checker.inside(f)).count() as u64,
         refused: 0,
-        hash: sim.hash(),
-        score: sim.score(),
-        actors: Vec::new(),
+        hash: start.hash,
+        score: Score::default(),
+        actors: start.actors.to_vec(),
         trails: vec![VecDeque::new(); BODIES],
         taken: HashSet::new(),
     };
     let mut clock = Instant::now();
     for frame in 0..frames {
-        let report = sim.step(&map);
+        let Frame { report, actors, hash } = step();
         run.contacts += u64::from(report.contacts);
         run.refused += u64::from(report.refused);
-        for (i, (actor, before)) in sim.bodies().iter().zip(&mut figures).enumerate() {
+        for (i, (actor, before)) in actors.iter().zip(&mut figures).enumerate() {
             let now = figure(actor);
             let fresh = i == 0 && report.respawned;
             let (x, y) = actor.asked.raw();
@@ -103,17 +161,13 @@ fn run<S: Set>(level: &Level, frames: u32, seed: u32, err: &mut dyn Write) -> Re
                 run.trails[i].extend(contact.into_iter().chain([point]));
             }
         }
+        (run.hash, run.actors) = (hash, actors.to_vec());
         if frame % 256 == 0 && clock.elapsed() > Duration::from_secs(1) {
             clock = Instant::now();
             let _ = writeln!(err, "frame {frame} of {frames}");
         }
     }
-    run.hash = sim.hash();
-    run.score = sim.score();
-    run.actors = sim.bodies().to_vec();
-    let coins = flags::coins(level).zip(0..);
-    run.taken = coins.filter(|&(_, coin)| sim.collected(coin)).map(|(cell, _)| cell).collect();
-    Ok(run)
+    run
 }
 
 fn figure(actor: &Actor) -> Figure {

@@ -1,22 +1,49 @@
-//! Files of a bearable size.
+//! Files of a bearable size, and which of them were read.
 
-use std::fs::File;
-use std::io::{Error, ErrorKind, Read, Result};
-use std::path::Path;
+use std::fs::{self, File};
+use std::io::Read;
+use std::path::{Path, PathBuf};
 
-const MAX_BYTES: u64 = 64 << 20;
+/// A map of 4096 x 4096 tiles as a list of numbers of five digits fits.
+const MAX_BYTES: u64 = 112 << 20;
+/// In all files of a level together.
+const MAX_TOTAL: u64 = 160 << 20;
 
-/// All bytes of a file; [`ErrorKind::InvalidData`] where there are too many.
-pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    File::open(path)?.take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > MAX_BYTES {
-        return Err(Error::new(ErrorKind::InvalidData, format!("larger than {} MiB", MAX_BYTES >> 20)));
-    }
-    Ok(bytes)
+/// The files of a level.
+#[derive(Debug, Default)]
+pub(crate) struct Files {
+    /// Outputs must not be among them.
+    pub(crate) read: Vec<PathBuf>,
+    total: u64,
 }
 
-/// What an error of [`bytes`] is to the user.
-pub(crate) fn why(error: &Error) -> String {
-    if error.kind() == ErrorKind::InvalidData { error.to_string() } else { format!("cannot read: {error}") }
+impl Files {
+    /// All bytes of a file, or why it cannot be read. What is no file, such as a pipe, could keep its reader waiting.
+    pub(crate) fn bytes(&mut self, path: &Path) -> Result<Vec<u8>, String> {
+        let cannot = |e: std::io::Error| format!("cannot read: {e}");
+        if !fs::metadata(path).map_err(cannot)?.is_file() {
+            return Err("cannot read: it is not a file".to_owned());
+        }
+        let most = MAX_BYTES.min(MAX_TOTAL.saturating_sub(self.total));
+        let mut bytes = Vec::new();
+        let file = File::open(path).map_err(cannot)?;
+        if file.metadata().map_err(cannot)?.len() > most {
+            return Err(self.too_large());
+        }
+        file.take(most + 1).read_to_end(&mut bytes).map_err(cannot)?;
+        if bytes.len() as u64 > most {
+            return Err(self.too_large());
+        }
+        self.total += bytes.len() as u64;
+        self.read.push(path.to_owned());
+        Ok(bytes)
+    }
+
+    fn too_large(&self) -> String {
+        if self.total == 0 {
+            format!("larger than {} MiB", MAX_BYTES >> 20)
+        } else {
+            format!("the files of the level are larger than {} MiB together", MAX_TOTAL >> 20)
+        }
+    }
 }

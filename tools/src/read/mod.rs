@@ -1,34 +1,62 @@
-//! Levels as they were drawn: each format has a reader, and all readers make the same [`Drawing`].
+//! Level files: each format has a reader, and all readers make the same [`Map`].
 
-pub mod decimal;
-pub mod drawing;
 mod file;
+mod json;
 mod ldtk;
-pub mod outline;
-pub mod tmx;
+mod tiled;
+mod xml;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::fail::{Fail, Result};
-use drawing::Drawing;
+use crate::model::map::Map;
+use file::Files;
 
-/// Reads a TMX or an `LDtk` file; of several `LDtk` levels the named one, or the first.
+/// The levels of a file.
+#[derive(Debug, Clone)]
+pub struct Levels {
+    pub maps: Vec<Map>,
+    /// The file, and those that it names: tilesets, templates, levels in files of their own.
+    pub files: Vec<PathBuf>,
+}
+
+/// Reads a map of Tiled (XML or JSON) or a project of `LDtk`; of several levels the named one, or all.
 ///
 /// # Errors
 ///
 /// One line that names the file and says why it cannot be read, or what in it is no level.
-pub fn load(path: &Path, level: Option<&str>) -> Result<Drawing> {
-    let of_file = |why: String| Fail::new(format!("{}: {why}", path.display()));
-    let bytes = file::bytes(path).map_err(|e| of_file(file::why(&e)))?;
-    if bytes.trim_ascii_start().starts_with(b"{") {
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let tiles = ldtk::read(&bytes, level, folder).map_err(of_file)?;
-        return Ok(Drawing { tiles, outlines: Vec::new(), left_out: Vec::new() });
+pub fn load(path: &Path, level: Option<&str>) -> Result<Levels> {
+    let mut files = Files::default();
+    let maps = maps(path, level, &mut files).map_err(|why| Fail::new(format!("{}: {why}", path.display())))?;
+    Ok(Levels { maps, files: files.read })
+}
+
+/// A file of the user's that is no level.
+///
+/// # Errors
+///
+/// One line that names the file and says why it cannot be read.
+pub fn text(path: &Path) -> Result<String> {
+    String::from_utf8(bytes(path)?).map_err(|_| Fail::new(format!("{}: not UTF-8 text", path.display())))
+}
+
+/// The same as bytes.
+///
+/// # Errors
+///
+/// As [`text`].
+pub fn bytes(path: &Path) -> Result<Vec<u8>> {
+    Files::default().bytes(path).map_err(|why| Fail::new(format!("{}: {why}", path.display())))
+}
+
+fn maps(path: &Path, level: Option<&str>, files: &mut Files) -> std::result::Result<Vec<Map>, String> {
+    let bytes = files.bytes(path)?;
+    if json::is_json(&bytes) && ldtk::is_project(&bytes) {
+        return ldtk::read(&bytes, level, path, files);
     }
-    if level.is_some() {
-        return Err(of_file("a Tiled map is one level; --level is for LDtk".to_owned()));
+    let map = tiled::read(bytes, path, files)?;
+    match level {
+        Some(name) if name != map.name => Err(format!("no level '{name}': a Tiled map is one level, '{}'", map.name)),
+        _ => Ok(vec![map]),
     }
-    let tiles = tmx::load(path)?;
-    let (outlines, left_out) = tmx::objects(&bytes).map_err(of_file)?;
-    Ok(Drawing { tiles, outlines, left_out })
 }

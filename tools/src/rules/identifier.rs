@@ -1,28 +1,31 @@
 //! What the identifier of an `LDtk` value means: the name of a shape, then the names of flags, joined by
-//! underscores: `Full`, `SlopeTopLeft_Ice`, `slope_top_left`, `Empty_Coin`.
+//! underscores: `Full`, `SlopeTopLeft_Ice`, `slope_top_left`, `Empty_Coin`; else by the words in it.
 
 use tilesat::TileShape;
 
-use super::traits::Traits;
+use super::words::{self, COLLISION, VALUE};
+use super::{Rule, traits};
 
-type Result<T> = std::result::Result<T, String>;
-
-/// The shape and the flags in an identifier: as many words as name a shape, then flags.
-pub(crate) fn meaning(identifier: &str) -> Result<Traits> {
-    let words: Vec<&str> = identifier.split('_').collect();
-    for count in (1..=words.len()).rev() {
-        let (name, flags) = words.split_at(count);
-        if let Some(shape) = shape(&name.concat()) {
-            let flags = Traits::from_names(flags).flags;
-            return Ok(Traits { shape, flags });
+/// The shape and the flags in an identifier: as many words as name a shape, then flags; `None` where it is a flag itself.
+pub(super) fn meaning(identifier: &str) -> Option<(Rule, TileShape, Vec<String>)> {
+    let parts: Vec<&str> = identifier.split('_').collect();
+    for count in (1..=parts.len()).rev() {
+        let (name, flags) = parts.split_at(count);
+        let name = name.concat();
+        let plain = |shape: &TileShape| name.eq_ignore_ascii_case(&format!("{shape:?}"));
+        if let Some(shape) = TileShape::ALL.into_iter().find(plain) {
+            return Some((Rule::A, shape, owned(flags)));
+        }
+        // `Wall` is among the words below, too: they are what values are usually called.
+        let short = if words::has(&name, VALUE) { None } else { traits::shape(&name) };
+        if let Some(shape) = short {
+            return Some((Rule::A, shape, owned(flags)));
         }
     }
-    Err(format!("'{identifier}' does not begin with the name of a shape; 'Empty_{identifier}' would be a flag alone"))
+    let by_word = [(Rule::D, VALUE), (Rule::C, COLLISION)].into_iter().find(|(_, list)| words::has(identifier, list));
+    by_word.map(|(rule, _)| (rule, TileShape::Full, Vec::new()))
 }
 
-/// The shape of this name in the library, `Solid` and `OneWay`, without regard to case.
-fn shape(name: &str) -> Option<TileShape> {
-    let plain = |shape: &TileShape| name.eq_ignore_ascii_case(&format!("{shape:?}"));
-    let short = Traits::from_names(&[name]).shape;
-    TileShape::ALL.into_iter().find(plain).or((short != TileShape::Empty).then_some(short))
+fn owned(flags: &[&str]) -> Vec<String> {
+    flags.iter().filter(|flag| !flag.is_empty()).map(|flag| (*flag).to_owned()).collect()
 }

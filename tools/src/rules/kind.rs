@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use super::words::plain;
+
 /// What an outline is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
@@ -16,11 +18,11 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Compared without regard to case, hyphens and underscores.
+    /// Compared without regard to case, hyphens, underscores and a plural.
     pub fn from_name(name: &str) -> Option<Self> {
-        let plain: String = name.chars().filter(|c| !"-_ ".contains(*c)).collect();
-        Some(match plain.to_ascii_lowercase().as_str() {
-            "solid" | "collision" => Self::Solid,
+        let name = plain(name);
+        Some(match name.strip_suffix('s').unwrap_or(&name) {
+            "solid" | "collision" | "collide" | "collidable" | "blocked" => Self::Solid,
             "hole" => Self::Hole,
             "wall" => Self::Wall,
             "oneway" => Self::OneWay,

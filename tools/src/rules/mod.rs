@@ -1,7 +1,26 @@
-//! What the names that people give to tiles and objects mean to the library.
+//! What of a level is solid: by the names that people give to tiles, layers and objects, and by what a user says.
 
-pub mod flip;
-pub mod identifier;
+mod cells;
+pub mod flags;
+mod form;
+pub mod ground;
+mod identifier;
 pub mod kind;
+mod layers;
+mod likeness;
 pub mod names;
-pub mod traits;
+mod nothing;
+mod objects;
+pub mod options;
+pub mod outline;
+mod paths;
+mod piece;
+mod place;
+mod report;
+mod traits;
+mod union;
+mod verdict;
+mod words;
+
+pub use report::{Applied, Rule};
+pub(crate) use words::same;

@@ -14,6 +14,16 @@ pub fn name(shape: TileShape) -> String {
     name
 }
 
+/// Whether it has an inside; one-way edges have none.
+pub(crate) fn is_solid(shape: TileShape) -> bool {
+    (1..TileShape::OneWayUp as u8).contains(&(shape as u8))
+}
+
+/// Whether it is one edge that blocks from one side.
+pub(crate) fn is_one_way(shape: TileShape) -> bool {
+    shape as u8 >= TileShape::OneWayUp as u8
+}
+
 /// The shape of this name, without regard to case.
 pub fn shape(text: &str) -> Option<TileShape> {
     TileShape::ALL.into_iter().find(|&s| name(s).eq_ignore_ascii_case(text))

@@ -1,55 +1,46 @@
-//! What a tile's class and properties say about it.
+//! What the names and properties of a tile say about it.
 
 use tilesat::TileShape;
 
 use super::names;
+use super::words::plain;
 
-/// Its shape, and the names of its flags in the order of the tileset.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Traits {
-    pub shape: TileShape,
-    pub flags: Vec<String>,
+/// The names that make a tile full, and those that make it one-way.
+const FULL: [&str; 6] = ["collision", "solid", "collides", "collidable", "wall", "blocked"];
+const ONE_WAY: &str = "oneway";
+
+/// What a class or the name of a true property says: the shape of a tile, or nothing that is known.
+pub(super) fn shape(name: &str) -> Option<TileShape> {
+    let name = plain(name);
+    let is = |known: &str| name == known || name.strip_suffix('s') == Some(known);
+    if FULL.into_iter().any(is) { Some(TileShape::Full) } else { is(ONE_WAY).then_some(TileShape::OneWayUp) }
 }
 
-impl Traits {
-    /// From the class and the names of the true properties: solid wins over one-way, all other names are flags. Names are compared
-    /// without regard to case; empty ones say nothing.
-    pub fn from_names(names: &[&str]) -> Self {
-        let mut traits = Self::default();
-        for name in names.iter().map(|n| n.trim()).filter(|n| !n.is_empty()) {
-            match name.to_ascii_lowercase().as_str() {
-                "collision" | "solid" => traits.shape = TileShape::Full,
-                "oneway" if traits.shape == TileShape::Full => {}
-                "oneway" => traits.shape = TileShape::OneWayUp,
-                _ if traits.flags.iter().any(|f| f.eq_ignore_ascii_case(name)) => {}
-                _ => traits.flags.push((*name).to_owned()),
-            }
-        }
-        traits
-    }
+/// The shape that one of these names gives, and that name: solid wins over one-way.
+pub(super) fn named<'a>(names: impl Iterator<Item = &'a str>) -> Option<(&'a str, TileShape)> {
+    let known = names.filter_map(|name| Some((name, shape(name)?)));
+    known.min_by_key(|(_, shape)| *shape != TileShape::Full)
+}
 
-    /// With the shape that the properties `shape` and `npp` name, which wins over the class's.
-    ///
-    /// # Errors
-    ///
-    /// One of them names no shape, or the two name different ones.
-    pub fn with_properties(mut self, shape: Option<&str>, npp: Option<&str>) -> Result<Self, String> {
-        let shape = shape.map(str::trim).filter(|text| !text.is_empty());
-        let named = shape.map(|text| {
-            names::shape(text)
-                .ok_or_else(|| format!("property shape '{text}' is no shape, such as slope-bottom-left (see --help)"))
-        });
-        let numbered = npp.map(str::trim).map(|text| {
-            names::npp(text).ok_or_else(|| format!("property npp '{text}' is no shape of N++, a number from 0 to 33"))
-        });
-        self.shape = match (named.transpose()?, numbered.transpose()?) {
-            (Some(a), Some(b)) if a != b => {
-                let (name, other) = (names::name(a), names::name(b));
-                return Err(format!("property shape '{name}' and property npp '{}' ({other}) differ", b as u8));
-            }
-            (Some(shape), _) | (None, Some(shape)) => shape,
-            (None, None) => self.shape,
-        };
-        Ok(self)
+/// The shape that the properties `shape` and `npp` name.
+///
+/// # Errors
+///
+/// One of them names no shape, or the two name different ones.
+pub(super) fn by_property(shape: Option<&str>, npp: Option<&str>) -> Result<Option<TileShape>, String> {
+    let shape = shape.map(str::trim).filter(|text| !text.is_empty());
+    let named = shape.map(|text| {
+        names::shape(text)
+            .ok_or_else(|| format!("property shape '{text}' is no shape, such as slope-bottom-left (see --help)"))
+    });
+    let numbered = npp.map(str::trim).map(|text| {
+        names::npp(text).ok_or_else(|| format!("property npp '{text}' is no shape of N++, a number from 0 to 33"))
+    });
+    match (named.transpose()?, numbered.transpose()?) {
+        (Some(a), Some(b)) if a != b => {
+            let (name, other) = (names::name(a), names::name(b));
+            Err(format!("property shape '{name}' and property npp '{}' ({other}) differ", b as u8))
+        }
+        (a, b) => Ok(a.or(b)),
     }
 }

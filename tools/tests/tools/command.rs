@@ -29,8 +29,8 @@ fn commands() {
 fn play_takes_any_level() {
     let level = own("platformer/levels/ninja.tmx");
     refused(&tilesat(["play"]), "tilesat play: no level given");
-    refused(&tilesat(["play", "--level", "ninja"]), "unknown argument --level");
-    refused(&tilesat(["play", "a.tmx", "b.tmx"]), "LEVEL.tmx is given twice");
+    refused(&tilesat(["play", "--level", "ninja"]), "no level given");
+    refused(&tilesat(["play", "a.tmx", "b.tmx"]), "LEVEL is given twice");
     let args = ["play".as_ref(), level.as_os_str(), "--frames".as_ref(), "600".as_ref()];
     let ran = tilesat(args);
     assert!(ran.status == 0 && ran.err.is_empty() && !ran.out.contains("picture"), "{ran:?}");

@@ -5,12 +5,11 @@ use tilesat_games::platformer::{meadow, sim};
 use tilesat_tools::bake::level::Level;
 use tilesat_tools::play::check::{Checker, Fault};
 use tilesat_tools::play::{self, Figure, constants};
-use tilesat_tools::read::drawing::{TileLayer, TileLayers};
-use tilesat_tools::read::tmx;
-use tilesat_tools::rules::traits::Traits;
+
+use crate::support::{self, scratch};
 
 fn own() -> Level {
-    Level::bake(&tmx::load(&crate::support::own("platformer/levels/meadow.tmx")).unwrap(), None).unwrap()
+    support::level(&support::own("platformer/levels/meadow.tmx")).unwrap()
 }
 
 const HINT: &str = "bake it: cargo run --example platformer -- --bake examples/games/src/platformer/meadow";
@@ -34,7 +33,7 @@ fn firmware_and_desktop_agree() {
     for _ in 0..sim::FIRMWARE_FRAMES {
         assert_eq!(state.step(&map).refused, 0);
     }
-    let run = play::play(&own(), sim::FIRMWARE_FRAMES, sim::SEED, &mut std::io::sink()).unwrap();
+    let run = play::play(&own().into(), sim::FIRMWARE_FRAMES, sim::SEED, &mut std::io::sink()).unwrap();
     assert_eq!((run.overlaps, run.escaped, run.refused), (0, 0, 0));
     assert_eq!(run.hash, state.hash());
     println!("{} of {} bytes", run.line(), size_of::<sim::Sim>());
@@ -44,7 +43,7 @@ fn firmware_and_desktop_agree() {
 /// The level shows every trick within the default run.
 #[test]
 fn the_player_plays() {
-    let run = play::play(&own(), 3600, sim::SEED, &mut std::io::sink()).unwrap();
+    let run = play::play(&own().into(), 3600, sim::SEED, &mut std::io::sink()).unwrap();
     let s = run.score;
     assert!(s.coins > 0 && s.deaths > 0 && s.wins > 0 && s.bumps > 0 && s.landings > 0, "{s:?}");
 }
@@ -53,48 +52,75 @@ fn the_player_plays() {
 fn many_seeds() {
     let level = own();
     for seed in 100..120 {
-        let run = play::play(&level, 1200, seed, &mut std::io::sink()).unwrap();
+        let run = play::play(&level.clone().into(), 1200, seed, &mut std::io::sink()).unwrap();
         assert_eq!((run.overlaps, run.escaped, run.refused), (0, 0, 0), "seed {seed}");
     }
 }
 
-fn layer(name: &str, cells: &[u32]) -> TileLayer {
-    TileLayer { name: name.into(), width: cells.len() as u16, height: 1, cells: cells.to_vec() }
+/// A level of these layers, by rows of so many columns; tile `n` has the class and the true properties at `n - 1`.
+fn drawn(
+    name: &str,
+    tiles: &[&[&str]],
+    columns: usize,
+    layers: &[(&str, &[u32])],
+) -> tilesat_tools::fail::Result<Level> {
+    let property = |name: &&str| format!(r#"<property name="{name}" type="bool" value="true"/>"#);
+    let tile = |(id, names): (usize, &&[&str])| {
+        let (class, rest) = names.split_first().unwrap();
+        let properties = rest.iter().map(property).collect::<String>();
+        format!(r#"<tile id="{id}" type="{class}"><properties>{properties}</properties></tile>"#)
+    };
+    let tiles: String = tiles.iter().enumerate().map(tile).collect();
+    let layer = |(name, cells): &(&str, &[u32])| {
+        let csv = cells.iter().map(u32::to_string).collect::<Vec<_>>().join(",");
+        let rows = cells.len() / columns;
+        format!(r#"<layer name="{name}" width="{columns}" height="{rows}"><data encoding="csv">{csv}</data></layer>"#)
+    };
+    let layers: String = layers.iter().map(layer).collect();
+    let text = format!(
+        r#"<map orientation="orthogonal" width="{columns}" height="1" tilewidth="16" tileheight="16">
+        <tileset firstgid="1" name="t" tilewidth="16" tileheight="16" tilecount="99">{tiles}</tileset>{layers}</map>"#
+    );
+    support::level(&scratch("level", &format!("{name}.tmx"), text))
 }
 
-fn tiles_of(palette: &[&[&str]], layers: Vec<TileLayer>) -> TileLayers {
-    let named = palette.iter().map(|names| Traits::from_names(names));
-    TileLayers { tile: 16, layers, palette: [Traits::default()].into_iter().chain(named).collect() }
+fn shapes(level: &Level) -> Vec<TileShape> {
+    level.tiles.iter().map(|&id| level.ids[usize::from(id)].shape).collect()
 }
+
+const FULL: TileShape = TileShape::Full;
+const NONE: TileShape = TileShape::Empty;
+const ONE_WAY: TileShape = TileShape::OneWayUp;
 
 #[test]
 fn names_of_tiles() {
-    for name in ["Collision", "Solid", "COLLISION", "solid"] {
-        assert_eq!(Traits::from_names(&["", name]), Traits { shape: TileShape::Full, ..Traits::default() });
+    for name in ["Collision", "Solid", "COLLISIONS", "solid", "Collides", "collidable", "Walls", "Blocked"] {
+        for tiles in [&[name][..], &["", name]] {
+            assert_eq!(shapes(&drawn("names", &[tiles], 2, &[("a", &[1, 0])]).unwrap()), [FULL, NONE], "{name}");
+        }
     }
-    assert_eq!(Traits::from_names(&["OneWay"]).shape, TileShape::OneWayUp);
-    assert_eq!(Traits::from_names(&["OneWay", "Solid", "oneway"]).shape, TileShape::Full);
-    assert_eq!(Traits::from_names(&["Kill", "kill", "Ice"]).flags, ["Kill", "Ice"]);
+    for name in ["OneWay", "one-way", "One_Ways"] {
+        assert_eq!(shapes(&drawn("names", &[&[name]], 1, &[("a", &[1])]).unwrap()), [ONE_WAY], "{name}");
+    }
+    assert_eq!(shapes(&drawn("names", &[&["OneWay", "Solid", "oneway"]], 1, &[("a", &[1])]).unwrap()), [FULL]);
+    let flags = drawn("names", &[&["Kill", "kill", "Ice", "Solid"]], 1, &[("a", &[1])]).unwrap().flags;
+    assert_eq!(flags, ["Kill", "Ice"]);
 }
 
 #[test]
-fn default_layer_has_most_solid_tiles() {
-    let palette: &[&[&str]] = &[&["Solid"]];
-    let chosen = |layers| Level::bake(&tiles_of(palette, layers), None).unwrap().layer;
-    assert_eq!(chosen(vec![layer("a", &[1, 0, 0]), layer("b", &[1, 1, 0])]), "b");
-    assert_eq!(chosen(vec![layer("a", &[0, 1, 1]), layer("b", &[1, 1, 0])]), "a", "the lower one on a tie");
-    let named = Level::bake(&tiles_of(palette, vec![layer("a", &[1, 0, 0]), layer("b", &[1, 1, 0])]), Some("a"));
-    assert_eq!(named.unwrap().tiles, [1, 0, 0]);
+fn solids_come_from_all_layers() {
+    let tiles: &[&[&str]] = &[&["Solid"], &["OneWay"]];
+    let level = drawn("both", tiles, 3, &[("a", &[1, 0, 2]), ("b", &[2, 1, 0])]).unwrap();
+    assert_eq!((shapes(&level), level.layer.as_str()), (vec![FULL, FULL, ONE_WAY], "a + b"));
 }
 
 #[test]
-fn flags_come_from_all_layers_and_solids_from_one() {
-    let palette: &[&[&str]] = &[&["Solid"], &["Kill"], &["OneWay", "Ice"], &["Solid", "Kill"]];
-    let other = vec![layer("high", &[2, 4, 3, 0]), layer("world", &[1, 0, 3, 1]), layer("short", &[2])];
-    let level = Level::bake(&tiles_of(palette, other), None).unwrap();
+fn flags_come_from_all_layers() {
+    let tiles: &[&[&str]] = &[&["Solid"], &["Kill"], &["OneWay", "Ice"], &["Solid", "Kill"]];
+    let level = drawn("flags", tiles, 4, &[("high", &[2, 4, 3, 0]), ("world", &[1, 0, 3, 1])]).unwrap();
     assert_eq!(level.flags, ["Kill", "Ice"]);
     let cells: Vec<(TileShape, u8)> = (0..4).map(|x| (level.kind(x, 0).shape, level.kind(x, 0).flags)).collect();
-    assert_eq!(cells, [(TileShape::Full, 1), (TileShape::Empty, 1), (TileShape::OneWayUp, 2), (TileShape::Full, 0)]);
+    assert_eq!(cells, [(FULL, 1), (FULL, 1), (ONE_WAY, 2), (FULL, 0)]);
     assert_eq!(play::rules(&level), sim::Rules { coin: 0, kill: 1, win: 0, ladder: 0 });
 }
 
@@ -102,20 +128,17 @@ fn flags_come_from_all_layers_and_solids_from_one() {
 fn eight_flags_and_no_more() {
     let names: Vec<String> = (0..9).map(|i| format!("f{i}")).collect();
     let tiles: Vec<Vec<&str>> = names.iter().map(|name| vec![name.as_str()]).collect();
-    let palette: Vec<&[&str]> = [&["Solid"][..]].into_iter().chain(tiles.iter().map(Vec::as_slice)).collect();
-    let eight = Level::bake(&tiles_of(&palette, vec![layer("a", &[1, 2, 3, 4, 5, 6, 7, 8, 9])]), None).unwrap();
-    assert_eq!(eight.flags.len(), 8);
-    let nine = Level::bake(&tiles_of(&palette, vec![layer("a", &[1, 2, 3, 4, 5, 6, 7, 8, 9, 10])]), None);
-    assert!(nine.unwrap_err().to_string().contains("'f8' would be the ninth"));
+    let tiles: Vec<&[&str]> = [&["Solid"][..]].into_iter().chain(tiles.iter().map(Vec::as_slice)).collect();
+    let all: Vec<u32> = (1..=10).collect();
+    assert_eq!(drawn("eight", &tiles, 9, &[("a", &all[..9])]).unwrap().flags.len(), 8);
+    let nine = drawn("nine", &tiles, 10, &[("a", &all)]).unwrap_err().to_string();
+    assert!(nine.contains("'f8' would be the ninth") && nine.contains("--flag"), "{nine}");
 }
 
 /// 4 x 3 cells of 16: a wall in column 2 with no way round it.
 fn walled() -> Checker {
-    let solid: &[&[&str]] = &[&["Solid"]];
-    let mut drawn = tiles_of(solid, vec![layer("a", &[0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0])]);
-    drawn.layers[0].width = 4;
-    drawn.layers[0].height = 3;
-    Checker::new(&Level::bake(&drawn, None).unwrap())
+    let wall = [0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0];
+    Checker::new(&drawn("walled", &[&["Solid"]], 4, &[("a", &wall)]).unwrap())
 }
 
 const PX: i64 = 1 << 16;
@@ -142,8 +165,7 @@ fn the_check_is_strict_and_exact() {
         assert_eq!(check.overlaps(&figure), overlaps, "{figure:?}");
     }
     // A 3-4-5 corner: the disc touches it exactly.
-    let solid: &[&[&str]] = &[&["Solid"]];
-    let corner = Checker::new(&Level::bake(&tiles_of(solid, vec![layer("a", &[1, 0])]), None).unwrap());
+    let corner = Checker::new(&drawn("corner", &[&["Solid"]], 2, &[("a", &[1, 0])]).unwrap());
     assert!(!corner.overlaps(&ball(19 * PX, 20 * PX)));
     assert!(corner.overlaps(&ball(19 * PX - 1, 20 * PX)));
     assert!(corner.overlaps(&ball(19 * PX, 20 * PX - 1)));

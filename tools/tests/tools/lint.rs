@@ -125,7 +125,7 @@ fn bad_arguments() {
         ("--circle 4 --body 3x3", "twice"),
         ("--small -1", "--small needs pixels above 0 and below 8192, got -1"),
         ("--layer Nowhere", "no tile layer 'Nowhere'; there are: World"),
-        ("--level Somewhere", "--level is for LDtk"),
+        ("--level Somewhere", "a Tiled map is one level"),
         ("other.tmx", "twice"),
     ];
     for (options, word) in cases {

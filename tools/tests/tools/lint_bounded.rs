@@ -2,18 +2,38 @@
 
 use std::collections::HashSet;
 
-use tilesat::TileShape;
+use tilesat::TileKind;
 use tilesat_tools::lint::geometry::{Edge, Meeting, Point, Side, doubled_area, meet, orient, winding};
 use tilesat_tools::lint::{self, Rules, SHOWN, Severity};
-use tilesat_tools::read::drawing::{Drawing, TileLayer, TileLayers};
-use tilesat_tools::read::outline::{Outline, Title};
+use tilesat_tools::rules::ground::Ground;
 use tilesat_tools::rules::kind::Kind;
-use tilesat_tools::rules::traits::Traits;
+use tilesat_tools::rules::outline::{Outline, Title};
 
-const RULES: Rules = Rules { body: None, small: 1 << 16, layer: None };
+const RULES: Rules = Rules { body: None, small: 1 << 16 };
+
+/// A level of these tiles of 16 pixels.
+fn tiles(width: u16, height: u16, cells: Vec<TileKind>) -> Ground {
+    Ground {
+        name: "level".into(),
+        layer: "World".into(),
+        layers: 1,
+        tile: 16,
+        origin: (0, 0),
+        width,
+        height,
+        cells,
+        outlines: Vec::new(),
+        left_out: Vec::new(),
+        applied: Vec::new(),
+        ignored: Vec::new(),
+        notes: Vec::new(),
+        place: None,
+        shift: (0, 0),
+    }
+}
 
 /// A level of polygons, in pixels.
-fn polygons(list: impl IntoIterator<Item = Vec<Point>>) -> Drawing {
+fn polygons(list: impl IntoIterator<Item = Vec<Point>>) -> Ground {
     let outline = |(id, points): (u32, Vec<Point>)| Outline {
         title: Title { id, name: String::new(), layer: "L".into() },
         kind: Kind::Solid,
@@ -22,8 +42,7 @@ fn polygons(list: impl IntoIterator<Item = Vec<Point>>) -> Drawing {
         points: points.into_iter().map(|(x, y)| (x << 16, y << 16)).collect(),
         flags: Vec::new(),
     };
-    let tiles = TileLayers { tile: 16, layers: Vec::new(), palette: vec![Traits::default()] };
-    Drawing { tiles, outlines: (1..).zip(list).map(outline).collect(), left_out: Vec::new() }
+    Ground { outlines: (1..).zip(list).map(outline).collect(), ..tiles(0, 0, Vec::new()) }
 }
 
 fn rectangle(x: i64, y: i64, width: i64, height: i64) -> Vec<Point> {
@@ -85,16 +104,12 @@ fn many_things_are_looked_at() {
 /// A level far beyond the coordinates of the library, without a face within.
 #[test]
 fn sixteen_million_solid_tiles() {
-    let layer = TileLayer { name: "World".into(), width: 4000, height: 4000, cells: vec![1; 16_000_000] };
-    let solid = Traits { shape: TileShape::Full, ..Traits::default() };
-    let tiles = TileLayers { tile: 16, layers: vec![layer], palette: vec![Traits::default(), solid] };
-    let mut drawing = Drawing { tiles, outlines: Vec::new(), left_out: Vec::new() };
-    assert_eq!(lint::check(&drawing, &RULES).unwrap().lines(), [""; 0]);
+    let mut level = tiles(4000, 4000, vec![TileKind::FULL; 16_000_000]);
+    assert_eq!(lint::check(&level, &RULES).unwrap().lines(), [""; 0]);
 
     // Every second one: more faces than are compared.
-    let cells = &mut drawing.tiles.layers[0].cells;
-    cells.iter_mut().step_by(2).for_each(|cell| *cell = 0);
-    let refused = lint::check(&drawing, &RULES).unwrap_err().to_string();
+    level.cells.iter_mut().step_by(2).for_each(|cell| *cell = TileKind::EMPTY);
+    let refused = lint::check(&level, &RULES).unwrap_err().to_string();
     assert_eq!(refused, "layer 'World' has more faces and corners than can be compared, which is 1048576");
 }
 

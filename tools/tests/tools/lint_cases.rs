@@ -318,13 +318,12 @@ pub(crate) const CASES: &[Case] = &[
     ),
     (
         "other",
-        r#"<object id="3" x="0" y="0" width="32" height="32"><ellipse/></object><object id="4" gid="3" x="0" y="0"/><object id="5" template="a.tx" x="3"/><object id="6" type="Exit" x="1" y="2" width="3" height="4"/>"#,
+        r#"<object id="1" width="32" height="32"/><object id="3" x="1" y="2" width="32" height="32"><text/></object><object id="4" gid="3" x="0" y="0"/><object id="5" template="a.tx" x="3"/>"#,
         "",
         &[
-            "warning left-out at (0, 0): object 3 of layer 'L': an ellipse: draw it as a polygon; nothing collides with it",
-            "warning left-out at (3, 0): object 5 of layer 'L': made from a template: detach it in Tiled; nothing collides with it",
+            "warning left-out at (3, 0): object 5 of layer 'L': made from a template that cannot be read: a.tx; nothing collides with it",
+            "note left-out at (1, 2): object 3 of layer 'L': a text; nothing collides with it",
             "note left-out at (0, 0): object 4 of layer 'L': a tile as an object; nothing collides with it",
-            "note left-out at (1, 2): object 6 of layer 'L': class 'Exit' is for the game; nothing collides with it",
         ],
     ),
 ];

@@ -5,6 +5,7 @@
 
 mod bake;
 mod baked;
+mod build;
 mod command;
 mod damaged;
 mod hostile;
@@ -15,5 +16,6 @@ mod lint_cases;
 mod lint_geometry;
 mod objects;
 mod play;
+mod rooms;
 mod shapes;
 mod support;

@@ -1,13 +1,18 @@
 //! What objects of a map become: kinds by name, places by offsets and turns.
 
-use tilesat_tools::read::drawing::Drawing;
 use tilesat_tools::read::load;
+use tilesat_tools::rules::flags::Flags;
+use tilesat_tools::rules::ground::Ground;
 use tilesat_tools::rules::kind::Kind;
+use tilesat_tools::rules::options::Options;
 
 use crate::support::{objects, scratch};
 
-fn drawing(name: &str, text: &str) -> Drawing {
-    load(&scratch("objects", &format!("{name}.tmx"), text), None).unwrap()
+/// What of a map is solid; there is a solid tile somewhere.
+fn drawing(name: &str, text: &str) -> Ground {
+    let text = text.replacen(">0</data>", ">1</data>", 1);
+    let levels = load(&scratch("objects", &format!("{name}.tmx"), text), None).unwrap();
+    Ground::of(&levels.maps[0], &Options::default(), &mut Flags::default()).unwrap()
 }
 
 /// The points of the only outline in whole pixels.
@@ -64,17 +69,21 @@ fn names_of_objects() {
     let kind = |what: &str, layer: &str, shape: &str| {
         let (attributes, properties) = what.split_once('|').unwrap_or((what, ""));
         let list = format!(r#"<object id="1" {attributes}><properties>{properties}</properties>{shape}</object>"#);
-        let map = objects(&list).replace("name=\"L\"", &format!("name=\"L\" class=\"{layer}\""));
+        let map = objects(&list).replace("name=\"L\" class=\"Solid\"", &format!("name=\"L\" class=\"{layer}\""));
         drawing("names", &map).outlines.first().map(|outline| (outline.kind, outline.closed, outline.flags.clone()))
     };
     let (polygon, chain) = (r#"<polygon points="0,0 9,0 0,9"/>"#, r#"<polyline points="0,0 9,0 0,9"/>"#);
     let plain = |kind, closed| Some((kind, closed, Vec::<String>::new()));
     let yes = |name: &str| format!("|<property name=\"{name}\" type=\"bool\" value=\"true\"/>");
-    // By form, where nothing has a name.
-    assert_eq!(kind("", "", polygon), plain(Kind::Solid, true));
-    assert_eq!(kind("", "", ""), plain(Kind::Solid, true));
-    assert_eq!(kind("", "", chain), plain(Kind::Wall, false));
-    assert_eq!(kind("", "", r#"<polyline points="0,0 9,0 0,9 0,0"/>"#), plain(Kind::Wall, true));
+    // By form, where only the layer says that it is solid; not at all where nothing does.
+    for layer in ["Solid", "collisions", "Solid Objects", "colliderLayer"] {
+        assert_eq!(kind("", layer, polygon), plain(Kind::Solid, true));
+        assert_eq!(kind("", layer, ""), plain(Kind::Solid, true));
+        assert_eq!(kind("", layer, chain), plain(Kind::Wall, false));
+        assert_eq!(kind("", layer, r#"<polyline points="0,0 9,0 0,9 0,0"/>"#), plain(Kind::Wall, true));
+    }
+    assert_eq!(kind("", "", polygon), None);
+    assert_eq!(kind("", "Not Solid", polygon), None);
     // By class, of the object before that of the layer.
     assert_eq!(kind(r#"class="collision""#, "", polygon), plain(Kind::Solid, true));
     assert_eq!(kind(r#"type="HOLE""#, "", polygon), plain(Kind::Hole, true));
@@ -89,10 +98,10 @@ fn names_of_objects() {
     let ice = yes("Ice") + &yes("ice")[1..] + &yes("Solid")[1..] + &yes("A &amp; B&#33;")[1..];
     assert_eq!(kind(&ice, "", chain), Some((Kind::Solid, false, vec!["Ice".into(), "A & B!".into()])));
     // A false property says nothing, and neither does one within another.
-    assert_eq!(kind(&yes("Hole").replace("true", "false"), "", polygon), plain(Kind::Solid, true));
+    assert_eq!(kind(&yes("Hole").replace("true", "false"), "Solid", polygon), plain(Kind::Solid, true));
     let inner =
         r#"|<property name="c" type="class"><properties><property name="kind" value="hole"/></properties></property>"#;
-    assert_eq!(kind(inner, "", polygon), plain(Kind::Solid, true));
+    assert_eq!(kind(inner, "Solid", polygon), plain(Kind::Solid, true));
 }
 
 /// The collision shapes that tiles have in a tileset are no objects of the level.

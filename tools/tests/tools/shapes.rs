@@ -4,16 +4,13 @@
 
 use std::path::PathBuf;
 
-use tilesat::{Aabb, AllShapes, Circle, Fx, Grid, Outside, TileMap, TileShape, Vec2};
+use tilesat::{Aabb, AllShapes, Circle, Fx, Grid, Outside, TileKind, TileMap, TileShape, Vec2};
 use tilesat_games::platformer::{ninja, sim};
 use tilesat_tools::bake::level::Level;
+use tilesat_tools::model::flip::Flip;
 use tilesat_tools::play::check::Checker;
 use tilesat_tools::play::{self, Figure, constants};
-use tilesat_tools::read::drawing::{TileLayer, TileLayers};
-use tilesat_tools::read::tmx;
-use tilesat_tools::rules::flip::Flip;
 use tilesat_tools::rules::names;
-use tilesat_tools::rules::traits::Traits;
 
 use crate::support;
 
@@ -122,14 +119,30 @@ fn names_and_numbers() {
 
 #[test]
 fn properties_win_over_the_class() {
-    let of = |names: &[&str], shape, npp| Traits::from_names(names).with_properties(shape, npp);
-    let slope = Traits { shape: TileShape::SlopeBottomLeft, flags: vec!["Ice".into()] };
-    for names in [&["Solid", "Ice"][..], &["OneWay", "Ice"], &["Ice"]] {
+    let of = |names: &[&str], shape: Option<&str>, npp: Option<&str>| {
+        let property = |name: &str, value: &str| format!(r#"<property name="{name}" value="{value}"/>"#);
+        let (class, ice) =
+            (names[0], names[1..].iter().map(|name| format!(r#"<property name="{name}" type="bool" value="true"/>"#)));
+        let given = shape.map(|v| property("shape", v)).into_iter().chain(npp.map(|v| property("npp", v))).chain(ice);
+        let tile = format!(
+            r#"<tile id="0" type="{class}"><properties>{}</properties></tile><tile id="1" type="Solid"/>"#,
+            given.collect::<String>()
+        );
+        let level = support::level(&map("properties", &tile, &[1, 2, 0, 0, 0, 0, 0, 0]))?;
+        Ok((level.kind(0, 0).shape, level.flags)) as tilesat_tools::fail::Result<_>
+    };
+    let ice = vec!["Ice".to_owned()];
+    for (names, own) in [
+        (&["Solid", "Ice"][..], TileShape::Full),
+        (&["OneWay", "Ice"], TileShape::OneWayUp),
+        (&["Ice"], TileShape::Empty),
+    ] {
+        let slope = (TileShape::SlopeBottomLeft, ice.clone());
         assert_eq!(of(names, Some("slope-bottom-left"), None).as_ref(), Ok(&slope));
         assert_eq!(of(names, Some(" Slope-Bottom-Left "), Some("9")).as_ref(), Ok(&slope));
         assert_eq!(of(names, None, Some("9")).as_ref(), Ok(&slope));
-        assert_eq!(of(names, Some("empty"), Some("0")).unwrap().shape, TileShape::Empty);
-        assert_eq!(of(names, Some(""), None).unwrap().shape, Traits::from_names(names).shape);
+        assert_eq!(of(names, Some("empty"), Some("0")).unwrap().0, TileShape::Empty);
+        assert_eq!(of(names, Some(""), None), Ok((own, ice.clone())));
     }
     for (shape, npp, words) in [
         (Some("slop"), None, ["shape", "'slop'"]),
@@ -137,7 +150,7 @@ fn properties_win_over_the_class() {
         (None, Some(""), ["npp", "''"]),
         (Some("full"), Some("2"), ["'full'", "'2' (half-top)"]),
     ] {
-        let error = of(&["Solid"], shape, npp).unwrap_err();
+        let error = of(&["Solid"], shape, npp).unwrap_err().to_string();
         assert!(words.iter().all(|word| error.contains(word)), "{error}");
     }
 }
@@ -175,7 +188,7 @@ fn a_map_of_all_flips() {
     let by_name: String = TileShape::ALL.into_iter().map(name).collect();
     let by_number: String = TileShape::ALL.into_iter().map(number).collect();
     for (file, tiles) in [("by_name", by_name), ("by_number", by_number)] {
-        let level = Level::bake(&tmx::load(&map(file, &tiles, &gids)).unwrap(), None).unwrap();
+        let level = support::level(&map(file, &tiles, &gids)).unwrap();
         assert!(!level.is_blocks());
         for (y, shape) in TileShape::ALL.into_iter().enumerate() {
             for (x, flip) in flips().enumerate() {
@@ -192,7 +205,7 @@ fn errors_name_tile_property_and_value() {
     let solid = "<tile id=\"0\" type=\"Solid\"/>";
     let error = |name: &str, property: &str| {
         let path = map(name, &(solid.to_owned() + &tile(7, property)), &gids);
-        tmx::load(&path).unwrap_err().to_string()
+        support::level(&path).unwrap_err().to_string()
     };
     for (name, property, value) in [
         ("unknown", "name=\"shape\" value=\"slope-left\"", "property shape 'slope-left'"),
@@ -208,22 +221,27 @@ fn errors_name_tile_property_and_value() {
     }
     // A tile that no layer uses may say what it likes.
     let path = map("unused", &(solid.to_owned() + &tile(9, "name=\"npp\" value=\"99\"")), &gids);
-    assert!(tmx::load(&path).is_ok());
+    assert!(support::level(&path).is_ok());
 }
 
 #[test]
 fn more_than_256_kinds_are_refused() {
-    let kinds: Vec<Traits> =
-        TileShape::ALL.into_iter().take(34).map(|shape| Traits { shape, flags: Vec::new() }).collect();
-    let flags: Vec<Traits> = (0..8).map(|i| Traits { shape: TileShape::Empty, flags: vec![format!("f{i}")] }).collect();
-    let palette: Vec<Traits> = kinds.into_iter().chain(flags).collect();
-    let layer =
-        |name: &str, cells: Vec<u32>| TileLayer { name: name.into(), width: cells.len() as u16, height: 1, cells };
+    let shape = |id: u8| tile(id, &format!("name=\"npp\" type=\"int\" value=\"{id}\""));
+    let flag = |id: u8| format!("<tile id=\"{id}\" type=\"f{id}\"/>");
+    let tiles: String = (0..34).map(shape).chain((34..42).map(flag)).collect();
     let bake = |count: u32| {
-        let world = layer("world", (0..count).map(|i| i % 34).collect());
-        let flags = layer("flags", (0..count).map(|i| 34 + i / 34).collect());
-        let drawn = TileLayers { tile: 8, layers: vec![world, flags], palette: palette.clone() };
-        Level::bake(&drawn, Some("world"))
+        let list = |of: &dyn Fn(u32) -> u32| {
+            (0..264).map(|i| if i < count { of(i).to_string() } else { "0".to_owned() }).collect::<Vec<_>>().join(",")
+        };
+        let path = map("kinds", &tiles, &[0; 264]);
+        let text = std::fs::read_to_string(&path).unwrap();
+        let flags = format!(
+            "<layer name=\"flags\" width=\"8\" height=\"33\"><data encoding=\"csv\">{}</data></layer></map>",
+            list(&|i| 35 + i / 34)
+        );
+        let zeros = vec!["0"; 264].join(",");
+        let text = text.replace(&zeros, &list(&|i| 1 + i % 34)).replace("</map>", &flags);
+        support::level(&support::scratch("shapes", "kinds.tmx", text))
     };
     // Nothing at all is a kind too, of id 0, whether a cell has it or not.
     assert_eq!(bake(255).unwrap().ids.len(), 256);
@@ -238,10 +256,16 @@ fn the_check_and_the_library_agree() {
     let lattice: Vec<i64> = (0..=12).map(|i| i * quarter).chain((3..=12).map(|i| i * cell / 5)).collect();
     let mut met = 0;
     for shape in TileShape::ALL {
-        let palette = vec![Traits::default(), Traits { shape, flags: Vec::new() }];
-        let cells = vec![0, 0, 0, 0, 1, 0, 0, 0, 0];
-        let layers = vec![TileLayer { name: "a".into(), width: 3, height: 3, cells }];
-        let Ok(level) = Level::bake(&TileLayers { tile: 10, layers, palette }, None) else { continue };
+        let level = Level {
+            layer: "a".into(),
+            width: 3,
+            height: 3,
+            tile: 10,
+            origin: (0, 0),
+            tiles: vec![0, 0, 0, 0, 1, 0, 0, 0, 0],
+            ids: vec![TileKind::EMPTY, TileKind::of(shape)],
+            flags: Vec::new(),
+        };
         let (check, kinds) = (Checker::new(&level), level.kinds());
         let grid = Grid::new(3, 3, Fx::from_num(10), Vec2::ZERO).unwrap();
         let map = TileMap::<AllShapes>::of(&level.tiles, grid, &kinds).unwrap();
@@ -265,7 +289,7 @@ fn the_check_and_the_library_agree() {
 }
 
 fn own() -> Level {
-    Level::bake(&tmx::load(&support::own("platformer/levels/ninja.tmx")).unwrap(), None).unwrap()
+    support::level(&support::own("platformer/levels/ninja.tmx")).unwrap()
 }
 
 const HINT: &str =
@@ -299,10 +323,10 @@ fn ninja_plays() {
         assert_eq!(state.step(&map).refused, 0);
     }
     let level = own();
-    let run = play::play(&level, 600, sim::SEED, &mut std::io::sink()).unwrap();
+    let run = play::play(&level.clone().into(), 600, sim::SEED, &mut std::io::sink()).unwrap();
     assert_eq!((run.overlaps, run.escaped, run.refused, run.hash), (0, 0, 0, state.hash()));
     for seed in 200..208 {
-        let run = play::play(&level, 600, seed, &mut std::io::sink()).unwrap();
+        let run = play::play(&level.clone().into(), 600, seed, &mut std::io::sink()).unwrap();
         assert_eq!((run.overlaps, run.escaped, run.refused), (0, 0, 0), "seed {seed}");
     }
 }
@@ -311,7 +335,8 @@ fn ninja_plays() {
 #[test]
 fn the_player_plays_ninja() {
     let level = own();
-    let scores = [12, 14, 19, 33].map(|seed| play::play(&level, 3600, seed, &mut std::io::sink()).unwrap().score);
+    let scores =
+        [12, 14, 19, 33].map(|seed| play::play(&level.clone().into(), 3600, seed, &mut std::io::sink()).unwrap().score);
     let sum = |of: fn(&sim::Score) -> u32| scores.iter().map(of).sum::<u32>();
     let tricks = [sum(|s| s.coins), sum(|s| s.deaths), sum(|s| s.wins), sum(|s| s.bumps), sum(|s| s.landings)];
     assert!(tricks.iter().all(|&count| count > 0), "{scores:?}");
@@ -320,7 +345,7 @@ fn the_player_plays_ninja() {
 /// A level of blocks gives the same run whichever set it is played with.
 #[test]
 fn blocks_play_the_same_in_every_set() {
-    let level = Level::bake(&tmx::load(&support::own("platformer/levels/meadow.tmx")).unwrap(), None).unwrap();
+    let level = support::level(&support::own("platformer/levels/meadow.tmx")).unwrap();
     assert!(level.is_blocks());
     let kinds = level.kinds();
     let grid = Grid::new(level.width, level.height, Fx::from_num(level.tile), Vec2::ZERO).unwrap();

@@ -5,7 +5,10 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use tilesat_tools::cli;
+use tilesat_tools::bake::level::Level;
+use tilesat_tools::bake::{self, Settings};
+use tilesat_tools::fail::{Fail, Result};
+use tilesat_tools::{cli, read};
 
 /// What a run of a program leaves behind.
 #[derive(Debug)]
@@ -46,6 +49,14 @@ pub(crate) fn own(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples").join(path)
 }
 
+/// The tiles of a level file.
+pub(crate) fn level(path: &Path) -> Result<Level> {
+    let levels = read::load(path, None)?;
+    let bundle = bake::bake(&levels.maps, &Settings::default())?;
+    let first = bundle.levels.into_iter().next().and_then(|level| level.tiles);
+    first.ok_or_else(|| Fail::new("no tiles"))
+}
+
 /// A folder of this test alone: tests run side by side, and each in a thread of its name.
 pub(crate) fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
@@ -62,7 +73,7 @@ pub(crate) fn scratch(folder: &str, name: &str, content: impl AsRef<[u8]>) -> Pa
     path
 }
 
-/// A map of these objects in the layer `L`, and no tiles.
+/// A map of these objects in the layer `L`, whose class says that they are solid, and no tiles.
 pub(crate) fn objects(list: &str) -> String {
     map(1, 1, "0", list)
 }
@@ -86,7 +97,7 @@ pub(crate) fn map(width: usize, height: usize, csv: &str, list: &str) -> String 
   <tile id="0" type="Solid"/><tile id="1" type="OneWay"/><tile id="2" type="Kill"/>
  </tileset>
  <layer id="1" name="World" width="{width}" height="{height}"><data encoding="csv">{csv}</data></layer>
- <objectgroup id="2" name="L">{list}</objectgroup>
+ <objectgroup id="2" name="L" class="Solid">{list}</objectgroup>
 </map>"#
     )
 }

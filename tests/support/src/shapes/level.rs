@@ -20,7 +20,7 @@ const fn kinds(shapes: u64) -> TileKinds {
     kinds
 }
 
-static KINDS: TileKinds = kinds(AllShapes::SHAPES);
+pub static KINDS: TileKinds = kinds(AllShapes::SHAPES);
 static BLOCKS: TileKinds = kinds(Blocks::SHAPES);
 
 #[derive(Clone, Debug)]

@@ -5,15 +5,16 @@ mod bodies;
 mod footer;
 mod tiles;
 
+use super::arena::Arena;
 use super::run::Run;
-use crate::bake::level::Level;
 use crate::picture::marks::Scene;
 
 /// Longest side that a picture aims at, in output pixels.
 const AIM: f32 = 2000.0;
 
 /// The level, the ways of its bodies and what they met, and the counts below.
-pub fn scene(level: &Level, run: &Run, name: &str, seed: u32) -> Scene {
+pub fn scene(arena: &Arena, run: &Run, name: &str, seed: u32) -> Scene {
+    let level = &arena.level;
     let tile = f32::from(level.tile);
     let (width, height) = (f32::from(level.width) * tile, f32::from(level.height) * tile);
     let fits = |scale: &&f32| width.max(height) * **scale <= AIM;

@@ -2,7 +2,7 @@
 
 use tilesat::TileShape;
 
-use crate::bake::level::{self, Level};
+use crate::bake::level::Level;
 use crate::picture::ink::{
     COIN, EARTH, EARTH_DARK, Ink, KILL, LADDER, NIGHT, NIGHT_LOW, OTHER, PLANK, TEXT, WATER, WIN,
 };
@@ -11,6 +11,7 @@ use crate::picture::surface;
 use crate::play::flags;
 use crate::play::outline::Outline;
 use crate::play::run::Run;
+use crate::rules::names;
 
 /// Cells that are drawn one by one; larger levels are drawn by blocks of cells, so that no picture has more marks than this.
 const MOST: u32 = 1 << 16;
@@ -44,7 +45,7 @@ fn blocks(scene: &mut Scene, level: &Level, k: u16) {
     for y in (0..level.height).step_by(usize::from(k)) {
         for x in (0..level.width).step_by(usize::from(k)) {
             let cells = (y..level.height.min(y + k)).flat_map(|y| (x..level.width.min(x + k)).map(move |x| (x, y)));
-            let solid = cells.filter(|&(x, y)| level::is_solid(level.kind(x, y).shape)).count();
+            let solid = cells.filter(|&(x, y)| names::is_solid(level.kind(x, y).shape)).count();
             if solid > 0 {
                 let at = (f32::from(x) * f32::from(level.tile), f32::from(y) * f32::from(level.tile));
                 scene.rect(at, (side, side), EARTH.alpha(solid as f32 / (f32::from(k) * f32::from(k))));

@@ -58,3 +58,5 @@ pub static MAP: tilesat::TileMap<tilesat::AllShapes> =
         },
         Err(_) => panic!("the cells do not fit"),
     };
+/// Where it lies in its world, in pixels of the map: x, y, width, height.
+pub const WORLD: [i32; 4] = [0, 0, 384, 224];

@@ -3,7 +3,7 @@
 //! Readers of levels commonly hold coordinates as `f32`, whose 24 bits are fewer than the 29 of a
 //! raw coordinate. Whether a point lies on the raw lattice, and how far from it, needs all digits.
 
-use std::ops::{Add, Neg};
+use std::ops::{Add, Neg, Sub};
 
 /// A count of 1e-26 pixels. Values below 1e6 pixels, scaled by 2^16, stay below 2^123.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -48,14 +48,27 @@ impl Decimal {
         (value < LIMIT).then_some(Self(if negative { -value } else { value }))
     }
 
+    /// A whole number of pixels. Saturates.
+    pub fn whole(value: i64) -> Self {
+        Self(i128::from(value).saturating_mul(ONE).clamp(-LIMIT, LIMIT))
+    }
+
+    /// Times a fraction below 2^16, cut off after 26 places. Saturates.
+    #[must_use]
+    pub fn scaled(self, numerator: u32, denominator: u32) -> Self {
+        let (n, d) = (i128::from(numerator), i128::from(denominator.max(1)));
+        let whole = (self.0 / d).saturating_mul(n);
+        Self(whole.saturating_add(self.0 % d * n / d).clamp(-LIMIT, LIMIT))
+    }
+
     /// For what is no decimal: a point of a rotated object. Saturates.
     #[allow(clippy::cast_precision_loss, reason = "sines are not decimals")]
     pub fn from_f64(value: f64) -> Self {
         Self(((value * ONE as f64) as i128).clamp(-LIMIT, LIMIT))
     }
 
-    #[allow(clippy::cast_precision_loss, reason = "sines are not decimals")]
     /// The nearest float.
+    #[allow(clippy::cast_precision_loss, reason = "sines are not decimals")]
     pub fn to_f64(self) -> f64 {
         self.0 as f64 / ONE as f64
     }
@@ -78,6 +91,13 @@ impl Add for Decimal {
     type Output = Self;
     fn add(self, rhs: Self) -> Self {
         Self((self.0 + rhs.0).clamp(-LIMIT, LIMIT))
+    }
+}
+
+impl Sub for Decimal {
+    type Output = Self;
+    fn sub(self, rhs: Self) -> Self {
+        self + -rhs
     }
 }
 

@@ -1,8 +1,8 @@
-//! What is drawn as objects in a level, in raw units.
+//! What is solid or one-way by its corners, in raw units: objects, and tiles that are no shape of the library.
 
 use std::fmt;
 
-use crate::rules::kind::Kind;
+use super::kind::Kind;
 
 /// What an object is called.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -12,9 +12,19 @@ pub struct Title {
     pub layer: String,
 }
 
+impl Title {
+    /// Of what is made of the tiles of a layer.
+    pub fn tiles(layer: &str) -> Self {
+        Self { id: u32::MAX, name: String::new(), layer: layer.to_owned() }
+    }
+}
+
 impl fmt::Display for Title {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "object {}", self.id)?;
+        match self.id {
+            u32::MAX => write!(f, "the tiles")?,
+            id => write!(f, "object {id}")?,
+        }
         if !self.name.is_empty() {
             write!(f, " '{}'", self.name)?;
         }

@@ -16,10 +16,10 @@ pub(super) enum Packing {
 }
 
 /// Memory that a zstd stream may ask for: what the largest layer that is read unpacks to.
-const ZSTD_WINDOW: u64 = 1 << 24;
+const ZSTD_WINDOW: u64 = 1 << 26;
 
-/// The bytes in base64 again, without the compression; `None` where there are more than `most`.
-pub(super) fn unpack(text: &[u8], packing: Packing, most: u64) -> Result<Option<String>> {
+/// The bytes that stand in base64; `None` where there are more than `most`.
+pub(super) fn unpack(text: &[u8], packing: Packing, most: u64) -> Result<Option<Vec<u8>>> {
     let packed = STANDARD.decode(text.trim_ascii()).map_err(invalid)?;
     let limit = most.saturating_add(1);
     let mut bytes = Vec::new();
@@ -29,7 +29,7 @@ pub(super) fn unpack(text: &[u8], packing: Packing, most: u64) -> Result<Option<
         Packing::Gzip => GzDecoder::new(&packed[..]).take(limit).read_to_end(&mut bytes)?,
         Packing::Zstd => zstd(&packed, limit, &mut bytes)?,
     };
-    Ok((bytes.len() as u64 <= most).then(|| STANDARD.encode(bytes)))
+    Ok((bytes.len() as u64 <= most).then_some(bytes))
 }
 
 /// Frame after frame, as one stream may hold several; returns how many bytes there are, or the limit.

@@ -1,0 +1,119 @@
+//! The levels of a project, baked together: one table of tile kinds and one list of flags for all of them.
+
+use std::path::{Path, PathBuf};
+
+use tilesat::{Fx, TileKind, TileKinds};
+
+use super::level::{Ids, Level};
+use super::segments::Shapes;
+use super::{Baked, source};
+use crate::fail::{Fail, Result};
+use crate::model::map::Map;
+use crate::rules::flags::Flags;
+use crate::rules::ground::Ground;
+use crate::rules::options::{Options, listed};
+
+/// What a project does not say.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Settings {
+    /// What is solid.
+    pub options: Options,
+    /// Side of the cells that objects are sorted into; that of a tile where it is not said.
+    pub cell: Option<Fx>,
+}
+
+/// Baked levels.
+#[derive(Debug, Clone)]
+pub struct Bundle {
+    pub levels: Vec<Baked>,
+    /// What the ids of all levels stand for.
+    pub kinds: Vec<TileKind>,
+    /// The name of each flag bit, bit 0 first.
+    pub flags: Vec<String>,
+    /// Flags that are not among the eight that the user has chosen.
+    pub dropped: Vec<String>,
+}
+
+/// Bakes levels, the tiles and the objects of each.
+///
+/// # Errors
+///
+/// A level has nothing solid, or one line that names the layer or object that the library does not take, and says why.
+pub fn bake(maps: &[Map], settings: &Settings) -> Result<Bundle> {
+    let options = &settings.options;
+    let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
+    let mut ids = Ids::default();
+    let mut levels = Vec::new();
+    for map in maps.iter().filter(|map| !listed(&options.ignored_levels, &map.name)) {
+        let of_level =
+            |fail: Fail| if maps.len() > 1 { Fail::new(format!("level '{}': {fail}", map.name)) } else { fail };
+        levels.push(level(map, settings, &mut flags, &mut ids).map_err(of_level)?);
+    }
+    if levels.is_empty() {
+        return Err(Fail::new("every level is left out by --ignore-level"));
+    }
+    if levels.iter().all(|level| level.tiles.is_none() && level.objects.is_none()) {
+        return Err(Fail::new("there is nothing solid: nothing is drawn"));
+    }
+    let table = (0..=u8::MAX).zip(ids.kinds()).fold(TileKinds::EMPTY, |table, (id, kind)| table.with(id, *kind));
+    for baked in &mut levels {
+        baked.kinds = table;
+        baked.flags.clone_from(&flags.names);
+        if let Some(tiles) = &mut baked.tiles {
+            tiles.ids = ids.kinds().to_vec();
+            tiles.flags.clone_from(&flags.names);
+        }
+    }
+    Ok(Bundle { levels, kinds: ids.kinds().to_vec(), flags: flags.names, dropped: flags.dropped })
+}
+
+fn level(map: &Map, settings: &Settings, flags: &mut Flags, ids: &mut Ids) -> Result<Baked> {
+    let mut ground = Ground::of(map, &settings.options, flags)?;
+    let tiles = Level::with(&ground, &flags.names, ids)?;
+    let mut objects = None;
+    if !ground.outlines.is_empty() {
+        let cell = settings.cell.unwrap_or(Fx::from_num(ground.tile));
+        let shapes = Shapes::of(&ground.outlines, flags)?;
+        let bytes = shapes.build(&ground.outlines, cell)?;
+        objects = Some((shapes, bytes, cell));
+    }
+    // They are in the level's tiles now, one byte each instead of two.
+    ground.cells = Vec::new();
+    Ok(Baked { ground, tiles, kinds: TileKinds::EMPTY, objects, flags: Vec::new() })
+}
+
+impl Bundle {
+    /// Rust source: of one level its constants and statics, of several a module for each and a table for all.
+    pub fn source(&self) -> String {
+        source::source(self)
+    }
+
+    /// The files for this place: source, or bytes and the source that says what they are.
+    pub fn files(&self, out: &Path, as_source: bool) -> Vec<(PathBuf, Vec<u8>)> {
+        if as_source {
+            return vec![(out.to_owned(), self.source().into_bytes())];
+        }
+        let mut files = Vec::new();
+        for (level, place) in self.levels.iter().zip(self.places(out, "bin")) {
+            let tiles = level.tiles.as_ref().map(|level| level.tiles.clone());
+            let segments = level.objects.as_ref().map(|(_, bytes, _)| bytes.clone());
+            let both = tiles.is_some() && segments.is_some();
+            let named = |what: &str| if both { place.with_extension(format!("{what}.bin")) } else { place.clone() };
+            let (at_tiles, at_segments) = (named("tiles"), named("segments"));
+            let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let beside = source::beside(self, level, name(&at_tiles), name(&at_segments));
+            files.extend(tiles.map(|bytes| (at_tiles, bytes)));
+            files.extend(segments.map(|bytes| (at_segments, bytes)));
+            files.push((place.with_extension("bin.rs"), beside.into_bytes()));
+        }
+        files
+    }
+
+    /// A place for each level: that of the output, or one of several with their names.
+    pub fn places(&self, out: &Path, extension: &str) -> Vec<PathBuf> {
+        if self.levels.len() == 1 {
+            return vec![out.to_owned()];
+        }
+        source::modules(self).iter().map(|module| out.with_extension(format!("{module}.{extension}"))).collect()
+    }
+}

@@ -1,0 +1,96 @@
+//! What a baked level is, for programs: one line of JSON.
+
+use std::collections::{BTreeMap, HashSet};
+
+use serde::{Serialize, Serializer};
+use tilesat::{TileKinds, TileShape};
+
+use super::Baked;
+use crate::fail::{Fail, Result};
+use crate::rules::names;
+
+#[derive(Serialize)]
+struct Line<'a> {
+    level: &'a str,
+    cell: u16,
+    width: u16,
+    height: u16,
+    solid: u64,
+    one_way: u64,
+    shapes: BTreeMap<String, u64>,
+    segments: u16,
+    /// Tiles of each flag, bit 0 first.
+    #[serde(serialize_with = "in_order")]
+    flags: Vec<(&'a str, u64)>,
+    rules: Vec<Used<'a>>,
+    ignored: Vec<String>,
+    flash_bytes: usize,
+}
+
+#[derive(Serialize)]
+struct Used<'a> {
+    rule: String,
+    what: &'a str,
+    tiles: u64,
+}
+
+fn in_order<S: Serializer>(flags: &[(&str, u64)], to: S) -> std::result::Result<S::Ok, S::Error> {
+    to.collect_map(flags.iter().copied())
+}
+
+impl Baked {
+    /// The level in one line: what is solid, and why.
+    ///
+    /// # Errors
+    ///
+    /// As [`segments`](Self::segments).
+    pub fn json(&self) -> Result<String> {
+        let mut by_id = [0u64; 256];
+        for &id in self.tiles.iter().flat_map(|level| &level.tiles) {
+            by_id[usize::from(id)] += 1;
+        }
+        let (width, height) = self.tiles.as_ref().map_or((0, 0), |level| (level.width, level.height));
+        let mut line = Line {
+            level: &self.ground.name,
+            cell: self.ground.tile,
+            width,
+            height,
+            solid: 0,
+            one_way: 0,
+            shapes: BTreeMap::new(),
+            segments: self.segments()?.map_or(0, |map| map.count()),
+            flags: self.flags.iter().map(|name| (name.as_str(), 0)).collect(),
+            rules: Vec::new(),
+            ignored: self.ignored(),
+            flash_bytes: self.flash(),
+        };
+        let kinds = self.tiles.iter().flat_map(|level| &level.ids);
+        for (kind, count) in kinds.zip(by_id).filter(|(_, count)| *count > 0) {
+            if kind.shape != TileShape::Empty {
+                *line.shapes.entry(names::name(kind.shape)).or_default() += count;
+                let slot = if names::is_solid(kind.shape) { &mut line.solid } else { &mut line.one_way };
+                *slot += count;
+            }
+            for (bit, (_, tiles)) in line.flags.iter_mut().enumerate() {
+                *tiles += count * u64::from(kind.flags >> bit & 1);
+            }
+        }
+        let used = self.ground.applied.iter();
+        line.rules =
+            used.map(|used| Used { rule: used.rule.to_string(), what: &used.what, tiles: used.tiles }).collect();
+        serde_json::to_string(&line).map_err(|e| Fail::new(e.to_string()))
+    }
+
+    /// What was drawn and is no part of the level.
+    pub fn ignored(&self) -> Vec<String> {
+        let mut seen = HashSet::new();
+        let objects = self.ground.left_out.iter().map(|object| format!("{}: {}", object.title, object.why));
+        self.ground.ignored.iter().cloned().chain(objects).filter(|line| seen.insert(line.clone())).collect()
+    }
+
+    /// Bytes of tiles, of the table of kinds and of segments.
+    fn flash(&self) -> usize {
+        let tiles = self.tiles.as_ref().map_or(0, |level| level.tiles.len() + size_of::<TileKinds>());
+        tiles + self.objects.as_ref().map_or(0, |(_, bytes, _)| bytes.len())
+    }
+}

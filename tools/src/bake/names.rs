@@ -1,0 +1,41 @@
+//! Names of a level file as names of Rust.
+
+/// Words that no item can have.
+const KEYWORDS: &str = " as break const continue crate dyn else enum extern false fn for if impl in let loop match mod move mut pub ref \
+                        return self static struct super trait true type unsafe use where while async await abstract become box do \
+                        final gen macro override priv try typeof unsized virtual yield ";
+
+/// A module for each level: small letters, digits and underscores, each one different.
+pub(crate) fn modules<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let plain = |name: &str| {
+        let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+        let name: String = name.chars().map(letter).collect();
+        let name = name.trim_matches('_');
+        let wrong = name.is_empty()
+            || name.starts_with(|c: char| c.is_ascii_digit())
+            || KEYWORDS.contains(&format!(" {name} "));
+        if wrong { format!("level_{name}").trim_matches('_').to_owned() } else { name.to_owned() }
+    };
+    unique(names.map(plain))
+}
+
+/// A constant for each flag: `FLAG_` and the name in capitals, each one different.
+pub(crate) fn constants<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
+    unique(names.map(|name| format!("FLAG_{}", name.chars().map(plain).collect::<String>())))
+}
+
+/// A name that was there before takes a number.
+fn unique(names: impl Iterator<Item = String>) -> Vec<String> {
+    let mut taken: Vec<String> = Vec::new();
+    for name in names {
+        let mut free = name.clone();
+        let mut number = 2;
+        while taken.contains(&free) {
+            free = format!("{name}_{number}");
+            number += 1;
+        }
+        taken.push(free);
+    }
+    taken
+}

@@ -1,0 +1,136 @@
+//! Files that are written together: all of them or none, and never over what was read.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::fail::{Fail, Result};
+
+/// Files to be written.
+#[derive(Debug, Default)]
+pub struct Outputs {
+    files: Vec<(PathBuf, Vec<u8>)>,
+}
+
+impl Outputs {
+    /// Whether a file could be written, before the work is done.
+    ///
+    /// # Errors
+    ///
+    /// As [`write`](Self::write), as far as it can be told.
+    pub fn check(path: &Path, inputs: &[PathBuf]) -> Result<()> {
+        not_read(path, &place(path)?, inputs)
+    }
+
+    /// Adds a file.
+    pub fn add(&mut self, path: PathBuf, bytes: Vec<u8>) {
+        self.files.push((path, bytes));
+    }
+
+    /// Writes all files, first beside their places and then into them; returns where they are.
+    ///
+    /// # Errors
+    ///
+    /// A file cannot be written, is no file, is written twice, or is one of those that were read. Nothing has changed then.
+    pub fn write(&self, inputs: &[PathBuf]) -> Result<Vec<PathBuf>> {
+        let places = self.files.iter().map(|(path, _)| place(path)).collect::<Result<Vec<_>>>()?;
+        for (i, place) in places.iter().enumerate() {
+            if places[..i].contains(place) {
+                return Err(Fail::new(format!(
+                    "cannot write {}: it would be written twice",
+                    self.files[i].0.display()
+                )));
+            }
+            not_read(&self.files[i].0, place, inputs)?;
+        }
+        let mut moves = Moves::default();
+        for ((path, bytes), place) in self.files.iter().zip(&places) {
+            moves.prepare(place, bytes).map_err(|e| cannot(path, &e))?;
+        }
+        moves.finish().map_err(|(at, e)| cannot(&self.files[at].0, &e))?;
+        Ok(self.files.iter().map(|(path, _)| path.clone()).collect())
+    }
+}
+
+fn not_read(path: &Path, place: &Path, inputs: &[PathBuf]) -> Result<()> {
+    if inputs.iter().any(|input| is_same(input, place)) {
+        return Err(Fail::new(format!("cannot write {}: it is a file that the level is read from", path.display())));
+    }
+    Ok(())
+}
+
+fn cannot(path: &Path, error: &std::io::Error) -> Fail {
+    Fail::new(format!("cannot write {}: {error}", path.display()))
+}
+
+/// Where a file really is: a link is followed, and stays one.
+fn place(path: &Path) -> Result<PathBuf> {
+    match fs::metadata(path) {
+        Ok(known) if known.is_file() => fs::canonicalize(path).map_err(|e| cannot(path, &e)),
+        Ok(_) => Err(Fail::new(format!("cannot write {}: it is there, and not a file", path.display()))),
+        Err(_) => {
+            let name = path
+                .file_name()
+                .ok_or_else(|| Fail::new(format!("cannot write {}: no name of a file", path.display())))?;
+            let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            Ok(fs::canonicalize(folder).map_err(|e| cannot(path, &e))?.join(name))
+        }
+    }
+}
+
+/// Whether two paths lead to one file, by another name too.
+fn is_same(input: &Path, output: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        if let (Ok(a), Ok(b)) = (fs::metadata(input), fs::metadata(output)) {
+            return (a.dev(), a.ino()) == (b.dev(), b.ino());
+        }
+    }
+    fs::canonicalize(input).is_ok_and(|input| input == output)
+}
+
+/// Files beside their places.
+#[derive(Default)]
+struct Moves {
+    /// The new file, its place, and what was there before, moved aside.
+    files: Vec<(PathBuf, PathBuf, PathBuf)>,
+}
+
+impl Moves {
+    fn prepare(&mut self, place: &Path, bytes: &[u8]) -> std::io::Result<()> {
+        let name = place.file_name().unwrap_or_default().to_string_lossy();
+        let beside = |what: &str| place.with_file_name(format!(".{name}.{}.{what}", std::process::id()));
+        let (new, old) = (beside("new"), beside("old"));
+        self.files.push((new.clone(), place.to_owned(), old));
+        fs::write(&new, bytes)
+    }
+
+    /// Puts all files into their places, or all back.
+    fn finish(self) -> std::result::Result<(), (usize, std::io::Error)> {
+        for (i, (new, place, old)) in self.files.iter().enumerate() {
+            let aside = if place.exists() { fs::rename(place, old) } else { Ok(()) };
+            if let Err(e) = aside.and_then(|()| fs::rename(new, place)) {
+                for (_, place, old) in self.files[..=i].iter().rev() {
+                    if old.exists() {
+                        // Nothing better can be done about a second failure.
+                        let _ = fs::rename(old, place);
+                    } else if *place != self.files[i].1 {
+                        let _ = fs::remove_file(place);
+                    }
+                }
+                return Err((i, e));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Moves {
+    /// What is still beside its place is not needed.
+    fn drop(&mut self) {
+        for (new, _, old) in &self.files {
+            let _ = fs::remove_file(new);
+            let _ = fs::remove_file(old);
+        }
+    }
+}

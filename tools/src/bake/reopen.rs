@@ -1,0 +1,202 @@
+//! Levels out of what the baker has written: Rust source, or bytes with the source beside them.
+
+use std::path::Path;
+
+use tilesat::{Fx, PathKind, TileKind, TileShape, Vec2};
+
+use super::level::Level;
+use super::segments::{Shapes, build};
+use crate::fail::{Fail, Result};
+use crate::read;
+
+/// A level as a firmware has it.
+#[derive(Debug, Clone)]
+pub struct Reopened {
+    /// Its module, where it is one of several.
+    pub name: String,
+    pub tiles: Option<Level>,
+    /// The bytes of a segment map.
+    pub segments: Option<Vec<u8>>,
+}
+
+type Made<T> = std::result::Result<T, String>;
+
+/// Whether a file may be one of the baker's.
+pub fn is_baked(path: &Path) -> bool {
+    path.extension().is_some_and(|end| end == "rs" || end == "bin")
+}
+
+/// The levels of a file.
+///
+/// # Errors
+///
+/// It is not what the baker writes.
+pub fn reopen(path: &Path) -> Result<Vec<Reopened>> {
+    let source = if path.extension().is_some_and(|end| end == "bin") { beside(path)? } else { path.to_owned() };
+    let text = read::text(&source)?;
+    let of_file = |why: String| Fail::new(format!("{}: {why}", source.display()));
+    let mut parts: Vec<(String, Vec<&str>)> = vec![(String::new(), Vec::new())];
+    for line in text.lines().map(str::trim) {
+        let module = line.strip_prefix("pub mod ").and_then(|rest| rest.strip_suffix(" {"));
+        if let Some(name) = module {
+            parts.push((name.to_owned(), Vec::new()));
+        } else if let Some((_, lines)) = parts.last_mut() {
+            lines.push(line);
+        }
+    }
+    // What stands before the modules is for all of them.
+    let shared = if parts.len() > 1 { parts.remove(0).1 } else { Vec::new() };
+    let folder = source.parent().unwrap_or(Path::new(""));
+    let read = parts.iter().map(|(name, lines)| level(name, &shared, lines, folder).map_err(of_file));
+    let levels = read.collect::<Result<Vec<_>>>()?;
+    if levels.iter().all(|level| level.tiles.is_none() && level.segments.is_none()) {
+        return Err(of_file("no level that tilesat bake has written".to_owned()));
+    }
+    Ok(levels)
+}
+
+/// The source that stands beside `OUT.bin`, `OUT.tiles.bin` or `OUT.segments.bin`.
+fn beside(path: &Path) -> Result<std::path::PathBuf> {
+    let stem = path.with_extension("");
+    let whole =
+        stem.extension().filter(|part| *part == "tiles" || *part == "segments").map(|_| stem.with_extension(""));
+    let places = [Some(stem), whole].into_iter().flatten().flat_map(|stem| {
+        let name = stem.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        [stem.with_file_name(format!("{name}.bin.rs")), stem.with_file_name(format!("{name}.rs"))]
+    });
+    let missing = || {
+        Fail::new(format!(
+            "{}: the file of the same name in .bin.rs, which says what the bytes are, is not there",
+            path.display()
+        ))
+    };
+    places.into_iter().find(|place| place.is_file()).ok_or_else(missing)
+}
+
+fn level(name: &str, shared: &[&str], lines: &[&str], folder: &Path) -> Made<Reopened> {
+    let both = || shared.iter().chain(lines).copied();
+    let number = |name: &str| constant(lines, name);
+    let mut tiles = None;
+    if let (Some(width), Some(height), Some(tile)) = (number("WIDTH: u16"), number("HEIGHT: u16"), number("TILE: u16"))
+    {
+        let bytes = bytes(lines, "pub static TILES: ", folder)?.ok_or("no TILES")?;
+        let mut ids = vec![TileKind::EMPTY];
+        for (id, kind) in both().filter_map(kind) {
+            if id != ids.len() {
+                return Err("the table of kinds is not what the baker writes".to_owned());
+            }
+            ids.push(kind);
+        }
+        let known = bytes.iter().all(|id| usize::from(*id) < ids.len());
+        if !known || bytes.len() != usize::from(width) * usize::from(height) {
+            return Err(format!("{} bytes of tiles for {width}x{height}", bytes.len()));
+        }
+        let flags = both()
+            .filter_map(|line| line.strip_prefix("pub const ")?.split_once(": u8 = "))
+            .map(|(name, _)| name.trim_start_matches("FLAG_").to_owned());
+        let origin = lines
+            .iter()
+            .filter(|line| line.contains("Grid::new("))
+            .find_map(|line| pair(line.split_once("Vec2::from_raw(")?.1));
+        tiles = Some(Level {
+            layer: name.to_owned(),
+            width,
+            height,
+            tile,
+            origin: origin.unwrap_or((0, 0)),
+            tiles: bytes,
+            ids,
+            flags: flags.collect(),
+        });
+    }
+    let segments = match bytes(lines, "pub static SEGMENTS: ", folder)? {
+        Some(bytes) => Some(bytes),
+        None => paths(lines)?,
+    };
+    Ok(Reopened { name: name.to_owned(), tiles, segments })
+}
+
+fn constant(lines: &[&str], name: &str) -> Option<u16> {
+    let start = format!("pub const {name} = ");
+    lines.iter().find_map(|line| line.strip_prefix(&start)?.strip_suffix(';')?.parse().ok())
+}
+
+/// `.with(3, TileKind::of(TileShape::HalfTop).with_flags(2))`
+fn kind(line: &str) -> Option<(usize, TileKind)> {
+    let (id, rest) = line.strip_prefix(".with(")?.split_once(", TileKind::")?;
+    let named = |shape: &TileShape| rest.starts_with(&format!("of(TileShape::{shape:?})"));
+    let shape = match rest {
+        _ if rest.starts_with("EMPTY") => TileShape::Empty,
+        _ if rest.starts_with("FULL") => TileShape::Full,
+        _ if rest.starts_with("ONE_WAY_UP") => TileShape::OneWayUp,
+        _ => TileShape::ALL.into_iter().find(named)?,
+    };
+    let flags = rest.split_once(".with_flags(").and_then(|(_, flags)| flags.split(')').next()?.parse().ok());
+    Some((id.parse().ok()?, TileKind::of(shape).with_flags(flags.unwrap_or(0))))
+}
+
+/// `1, 2)` and what follows.
+fn pair(text: &str) -> Option<(i32, i32)> {
+    let (x, y) = text.split(')').next()?.split_once(", ")?;
+    Some((x.parse().ok()?, y.parse().ok()?))
+}
+
+/// The bytes of an item: in the source, or in a file beside it.
+fn bytes(lines: &[&str], item: &str, folder: &Path) -> Made<Option<Vec<u8>>> {
+    let Some(start) = lines.iter().position(|line| line.starts_with(item)) else { return Ok(None) };
+    let first = lines[start];
+    if let Some((_, rest)) = first.split_once("include_bytes!(\"") {
+        let path = folder.join(rest.split('"').next().unwrap_or_default());
+        return read::bytes(&path).map(Some).map_err(|fail| fail.to_string());
+    }
+    if !first.ends_with("b\"\\") {
+        return Ok(None);
+    }
+    let mut bytes = Vec::new();
+    for line in lines[start + 1..].iter().take_while(|line| !line.starts_with('"')) {
+        for byte in line.trim_end_matches('\\').split("\\x").skip(1) {
+            bytes.push(u8::from_str_radix(byte, 16).map_err(|_| format!("'{byte}' is no byte"))?);
+        }
+    }
+    Ok(Some(bytes))
+}
+
+/// The points and paths of a map that the compiler builds.
+fn paths(lines: &[&str]) -> Made<Option<Vec<u8>>> {
+    let mut shapes = Shapes { points: Vec::new(), kinds: Vec::new() };
+    let mut cell = None;
+    for line in lines {
+        if line.starts_with("const POINTS_") {
+            shapes.points.push(Vec::new());
+        } else if let (Some((x, y)), Some(points)) =
+            (line.strip_prefix("Vec2::from_ints(").and_then(pair), shapes.points.last_mut())
+        {
+            let whole = |v: i32| i16::try_from(v).map_err(|_| format!("{v} is beyond the domain"));
+            points.push(Vec2::from_ints(whole(x)?, whole(y)?));
+        } else if let (Some((x, y)), Some(points)) =
+            (line.strip_prefix("Vec2::from_raw(").and_then(pair), shapes.points.last_mut())
+        {
+            points.push(Vec2::from_raw(x, y));
+        } else if let Some(rest) = line.strip_prefix("Path::new(PathKind::") {
+            let kinds = [
+                ("Solid", PathKind::Solid),
+                ("Hole", PathKind::Hole),
+                ("Wall", PathKind::Wall),
+                ("OneWay", PathKind::OneWay),
+            ];
+            let kind = kinds.iter().find(|(name, _)| rest.starts_with(name)).ok_or("a path of no kind")?;
+            let flags = rest.split_once(".with_flags(").and_then(|(_, flags)| flags.split(')').next()?.parse().ok());
+            shapes.kinds.push((kind.1, flags.unwrap_or(0)));
+        } else if let Some(rest) = line.strip_prefix("Fx::lit(\"") {
+            cell = rest.split('"').next().and_then(|text| text.parse::<Fx>().ok());
+        }
+    }
+    if shapes.kinds.is_empty() {
+        return Ok(None);
+    }
+    if shapes.kinds.len() != shapes.points.len() {
+        return Err("points without a path".to_owned());
+    }
+    let cell = cell.ok_or("segments without a cell")?;
+    build(&shapes.paths(), cell).map(Some).map_err(|e| e.to_string())
+}

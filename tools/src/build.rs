@@ -1,0 +1,147 @@
+//! Levels in a build script: a folder of them becomes Rust source, with a module for each.
+//!
+//! The build script is three lines, with this package among the `[build-dependencies]`:
+//!
+//! ```no_run
+//! fn main() -> Result<(), tilesat_tools::build::Failed> {
+//!     tilesat_tools::build::levels("levels")
+//! }
+//! ```
+//!
+//! And a line of the program names them, here `levels::cave::MAP` of `levels/cave.tmx`:
+//!
+//! ```ignore
+//! include!(concat!(env!("OUT_DIR"), "/levels.rs"));
+//! ```
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::{env, fmt, fs};
+
+use crate::bake::{self, Outputs, Settings, names, source};
+use crate::cli::input::Input;
+use crate::fail::Fail;
+use crate::model::map::Map;
+use crate::rules::options::Options;
+
+/// What is wrong with a folder of levels: a line for each that is refused.
+///
+/// Where `main` returns it, the program exits with 1 and Cargo shows the lines.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Failed(pub Vec<Fail>);
+
+impl fmt::Display for Failed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines: Vec<String> = self.0.iter().map(Fail::to_string).collect();
+        f.write_str(&lines.join("\n"))
+    }
+}
+
+/// As `main` shows it, after `Error: `.
+impl fmt::Debug for Failed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "no levels\n{self}")
+    }
+}
+
+impl std::error::Error for Failed {}
+
+impl From<Fail> for Failed {
+    fn from(fail: Fail) -> Self {
+        Self(vec![fail])
+    }
+}
+
+/// Bakes all levels of a folder of the package into a file of the folder's name with `.rs` in Cargo's `OUT_DIR`, and has Cargo ask again
+/// when one of them changes, or a file that one of them names.
+///
+/// # Errors
+///
+/// As [`folder`], or this is no build script.
+pub fn levels(from: impl AsRef<Path>) -> Result<(), Failed> {
+    let from = from.as_ref();
+    println!("cargo:rerun-if-changed={}", from.display());
+    let out = env::var_os("OUT_DIR").ok_or_else(|| Fail::new("there is no OUT_DIR: this is for build scripts"))?;
+    let name = from.file_name().ok_or_else(|| Fail::new(format!("{} names no folder", from.display())))?;
+    for file in folder(from, &Path::new(&out).join(name).with_extension("rs"))? {
+        println!("cargo:rerun-if-changed={}", file.display());
+    }
+    Ok(())
+}
+
+/// Bakes all levels of a folder, maps of Tiled and projects of `LDtk`, into a file of Rust source. It is one module of the folder's
+/// name, with a module for each level and one table of tile kinds for all. A `tilesat.toml` in the folder is heeded.
+///
+/// Returns the files that were read.
+///
+/// # Errors
+///
+/// A line for each level that cannot be read or is refused. Nothing is written then.
+pub fn folder(from: &Path, out: &Path) -> Result<Vec<PathBuf>, Failed> {
+    let (mut drawn, mut options, mut read, mut failed) = (Vec::new(), Options::default(), Vec::new(), Vec::new());
+    for file in files(from)? {
+        match Input::default().load(&file) {
+            Ok((levels, said)) => {
+                options = said;
+                drawn.extend(levels.maps.into_iter().map(|map| (file.clone(), map)));
+                read.extend(levels.files);
+            }
+            Err(fail) => failed.push(fail),
+        }
+    }
+    let settings = Settings { options, cell: None };
+    let maps: Vec<Map> = drawn.iter().map(|(_, map)| map.clone()).collect();
+    let bundle = match bake::bake(&maps, &settings) {
+        Ok(bundle) if failed.is_empty() => bundle,
+        result => {
+            failed.extend(refused(&drawn, &settings));
+            // Together they may have too many kinds of tiles, though each alone has not.
+            failed.extend(result.err().filter(|_| failed.is_empty()));
+            // By file: each line begins with its path.
+            failed.sort_by_key(Fail::to_string);
+            return Err(Failed(failed));
+        }
+    };
+    let name = names::modules([from.file_name().unwrap_or_default().to_string_lossy().as_ref()].into_iter()).concat();
+    let text = format!(
+        "/// Baked levels.\npub mod {name} {{\n\
+         #![allow(dead_code, reason = \"there may be more than is needed\")]\n\
+         #![allow(unreachable_pub, reason = \"a level is a module of a program\")]\n\
+         #![allow(clippy::unreadable_literal, reason = \"raw coordinates\")]\n\n{}}}\n",
+        source::several(&bundle)
+    );
+    let mut outputs = Outputs::default();
+    outputs.add(out.to_owned(), text.into_bytes());
+    outputs.write(&read)?;
+    Ok(read)
+}
+
+/// What is said of each level that is refused.
+fn refused(drawn: &[(PathBuf, Map)], settings: &Settings) -> Vec<Fail> {
+    let alone = |(file, map): &(PathBuf, Map)| {
+        let fail = bake::bake(std::slice::from_ref(map), settings).err()?;
+        let others = drawn.iter().filter(|(other, _)| other == file).count() > 1;
+        let level = if others { format!("level '{}': ", map.name) } else { String::new() };
+        Some(Fail::new(format!("{}: {level}{fail}", file.display())))
+    };
+    drawn.iter().filter_map(alone).collect()
+}
+
+/// The level files of a folder, in the order of their names.
+fn files(folder: &Path) -> Result<Vec<PathBuf>, Failed> {
+    let of_folder = |e: std::io::Error| Fail::new(format!("cannot read the folder {}: {e}", folder.display()));
+    let entries: Result<Vec<_>, _> = fs::read_dir(folder).map_err(of_folder)?.collect();
+    let paths = entries.map_err(of_folder)?.into_iter().map(|entry| entry.path());
+    let known = |path: &PathBuf| path.extension().and_then(OsStr::to_str).is_some_and(|end| ENDS.contains(&end));
+    let mut files: Vec<PathBuf> = paths.filter(known).collect();
+    files.sort();
+    if files.is_empty() {
+        return Err(
+            Fail::new(format!("{} has no level: no file ends in .{}", folder.display(), ENDS.join(", ."))).into()
+        );
+    }
+    Ok(files)
+}
+
+/// What the names of level files end in.
+const ENDS: [&str; 3] = ["tmx", "tmj", "ldtk"];

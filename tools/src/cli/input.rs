@@ -1,0 +1,145 @@
+//! The level that a subcommand works on, and what is solid in it: arguments that all of them share, and the file of the project.
+
+use std::path::{Path, PathBuf};
+
+use lexopt::Parser;
+use tilesat::TileShape;
+
+use super::args::{once, text};
+use super::project;
+use crate::fail::{Fail, Result};
+use crate::read::{self, Levels};
+use crate::rules::names;
+use crate::rules::options::Options;
+
+/// What the usage of each subcommand says about it.
+pub(crate) const LEVEL: &str = "
+LEVEL is a map of Tiled (.tmx, .tmj; finite or infinite, in any encoding) or a
+project of LDtk (.ldtk).
+";
+
+/// The same for the options.
+pub(crate) const OPTIONS: &str = "
+What is solid, of each tile the first that says something:
+  a  its class or a true property: Collision, Solid, Collides, Collidable, Wall,
+     Blocked; OneWay; or a property shape (full, one-way-up, slope-bottom-left, ..,
+     as tilesat sheet draws them) or npp (its number in N++, 0 to 33)
+  b  its shapes of Tiled's collision editor
+  c  its layer: a name, class or true property with the word collision, collider
+     or solid: every tile that is drawn there is full
+  d  where nothing is solid so far, its layer: wall, ground, terrain, platform,
+     block, obstacle. Values of an LDtk IntGrid go by these words too, by dirt,
+     stone, rock, brick, earth, and by names of shapes, with flags: SlopeTopLeft_Ice
+All other classes and true properties are flags, at most eight. Options on top:
+  --solid NAME[=SHAPE]  tiles of this name are full, or of this shape
+  --one-way NAME        they are one-way from above
+  --empty NAME          they are nothing
+  --flag NAME           the name is a flag and nothing else; where there are more
+                        than eight, those named so stay
+  --solid-layer NAME    every tile that is drawn in the layer is full
+  --ignore-layer NAME   the layer is not there
+  --objects NAME        the objects of the layer are solid
+  --ignore-level NAME   the level of a project is not there
+  --layer NAME          the only tile layer that is looked at for solids
+  --level NAME          the level of a project (default: bake and lint take all)
+  --scale N/D           all lengths are multiplied by this
+NAME of a tile is its class, a true property, TILESET:ID, an IntGrid value (its
+identifier, its number, or LAYER:NUMBER), in any case. A file tilesat.toml beside
+the level says the same for all levels there: solid = [\"Grass\", \"Ramp=slope-bottom-left\"],
+one-way, empty, flag, solid-layer, ignore-layer, objects, ignore-level (lists), scale = \"1/2\".
+Objects are solid where --objects, their class, a true property, their name or their
+layer (by c) says so: rectangles, polygons, ellipses; polylines are walls. A class or
+the property kind tells solid, hole, wall (a chain that blocks from both sides) and
+one-way (a chain that blocks from its left: draw floors to the right).
+";
+
+/// A level file, and what the user says about it.
+#[derive(Debug, Default)]
+pub(crate) struct Input {
+    pub(crate) level: Option<String>,
+    pub(crate) options: Options,
+}
+
+impl Input {
+    /// Takes an argument that all subcommands have; `false` for another one.
+    pub(crate) fn take(&mut self, name: &str, parser: &mut Parser) -> Result<bool> {
+        let options = &mut self.options;
+        match name {
+            "solid" => options
+                .shapes
+                .push(solid(&text(parser, "--solid")?).map_err(|why| Fail::new(format!("--solid {why}")))?),
+            "one-way" => options.shapes.push((text(parser, "--one-way")?, TileShape::OneWayUp)),
+            "empty" => options.shapes.push((text(parser, "--empty")?, TileShape::Empty)),
+            "flag" => options.flags.push(text(parser, "--flag")?),
+            "solid-layer" => options.solid_layers.push(text(parser, "--solid-layer")?),
+            "ignore-layer" => options.ignored_layers.push(text(parser, "--ignore-layer")?),
+            "objects" => options.objects.push(text(parser, "--objects")?),
+            "ignore-level" => options.ignored_levels.push(text(parser, "--ignore-level")?),
+            "layer" => once(&mut options.layer, "--layer", text(parser, "--layer")?)?,
+            "level" => once(&mut self.level, "--level", text(parser, "--level")?)?,
+            "scale" => {
+                let fraction = scale(&text(parser, "--scale")?).map_err(|why| Fail::new(format!("--scale {why}")))?;
+                once(&mut options.scale, "--scale", fraction)?;
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// The levels of a file, with what the project file beside it says.
+    pub(crate) fn load(self, path: &Path) -> Result<(Levels, Options)> {
+        let mut levels = read::load(path, self.level.as_deref())?;
+        let (options, file) = project::beside(path)?;
+        levels.files.extend(file);
+        let options = options.then(self.options);
+        unknown(&levels, &options).map_err(|why| Fail::new(format!("{}: {why}", path.display())))?;
+        Ok((levels, options))
+    }
+}
+
+/// Layers of options that no level has, which are hardly what is meant.
+fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String> {
+    let named = [("--solid-layer", &options.solid_layers), ("--objects", &options.objects)];
+    for (option, name) in named.iter().flat_map(|(option, names)| names.iter().map(move |name| (option, name))) {
+        let layers = || levels.maps.iter().flat_map(|map| &map.layers).map(|layer| layer.name.as_str());
+        if levels.files.len() > 1 && levels.maps.len() > 1 || layers().any(|layer| crate::rules::same(layer, name)) {
+            continue;
+        }
+        let mut known: Vec<&str> = layers().collect();
+        known.dedup();
+        return Err(format!("{option} {name}: no layer is called so; there are: {}", known.join(", ")));
+    }
+    Ok(())
+}
+
+/// `NAME` or `NAME=SHAPE`.
+pub(crate) fn solid(text: &str) -> std::result::Result<(String, TileShape), String> {
+    let Some((name, shape)) = text.rsplit_once('=') else { return Ok((text.to_owned(), TileShape::Full)) };
+    let known = names::shape(shape.trim())
+        .ok_or_else(|| format!("'{shape}' is no shape, such as slope-bottom-left (see --help)"))?;
+    Ok((name.trim().to_owned(), known))
+}
+
+/// `1/2`, `2` or `0.5`.
+pub(crate) fn scale(text: &str) -> std::result::Result<(u32, u32), String> {
+    let wrong = || format!("needs a fraction such as 1/2, got {text}");
+    let number = |text: &str| text.trim().parse::<u32>().ok().filter(|n| (1..=10_000).contains(n)).ok_or_else(wrong);
+    if let Some((n, d)) = text.split_once('/') {
+        return Ok((number(n)?, number(d)?));
+    }
+    match text.trim().split_once('.') {
+        None => Ok((number(text)?, 1)),
+        Some((whole, digits)) if digits.len() <= 4 => {
+            let unit = 10u32.pow(digits.len() as u32);
+            let whole = if whole.is_empty() || whole == "0" { 0 } else { number(whole)? };
+            let rest: u32 = if digits.is_empty() { 0 } else { digits.parse().map_err(|_| wrong())? };
+            Some((whole * unit + rest, unit)).filter(|(n, _)| *n > 0).ok_or_else(wrong)
+        }
+        Some(_) => Err(wrong()),
+    }
+}
+
+/// The file that `LEVEL` is.
+pub(crate) fn given(file: Option<PathBuf>) -> Result<PathBuf> {
+    file.ok_or_else(|| Fail::new("no level given (see --help)"))
+}

@@ -1,0 +1,114 @@
+//! A level: its layers, and what the numbers in them mean.
+
+use std::rc::Rc;
+
+use super::decimal::Decimal;
+use super::flip::Flip;
+use super::object::{Object, Spot};
+use super::tileset::Tileset;
+
+/// A level as it was drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Map {
+    /// What `LDtk` calls the level; of Tiled's maps the name of the file.
+    pub name: String,
+    /// Side of a cell in pixels.
+    pub tile: u16,
+    /// Columns and rows, where layers have none.
+    pub size: (u32, u32),
+    pub tilesets: Vec<Rc<Tileset>>,
+    /// What the numbers in the layers mean; 0 is nothing.
+    pub palette: Vec<Placed>,
+    /// The lowest first; groups are flattened.
+    pub layers: Vec<Layer>,
+    /// Where it lies among the levels of its world.
+    pub place: Option<Place>,
+    /// Whether its name and classes come from `LDtk`, which names values and not layers.
+    pub values: bool,
+}
+
+/// What stands in a cell.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Placed {
+    Nothing,
+    Tile {
+        tileset: usize,
+        id: u32,
+        flip: Flip,
+    },
+    /// A value of an `IntGrid` layer.
+    Value {
+        layer: String,
+        number: i64,
+        name: Option<String>,
+    },
+}
+
+/// The room of a level in its world, in pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Place {
+    pub x: i32,
+    pub y: i32,
+    pub width: u32,
+    pub height: u32,
+}
+
+/// A layer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layer {
+    pub name: String,
+    pub class: String,
+    /// The names of its true properties.
+    pub marks: Vec<String>,
+    /// Names, classes and true properties of the groups around it.
+    pub groups: Vec<String>,
+    /// Of it and the groups around it, in pixels.
+    pub offset: Spot,
+    pub content: Content,
+}
+
+/// What a layer holds.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Content {
+    Tiles(Tiles),
+    Objects(Vec<Object>),
+    /// A picture.
+    Image,
+}
+
+/// The cells of a tile layer, from the column and row `at` on.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Tiles {
+    /// Side of a cell in pixels; the layers of an `LDtk` level may differ.
+    pub tile: u16,
+    pub at: (i32, i32),
+    pub width: u32,
+    pub height: u32,
+    /// Row by row, as places in the palette.
+    pub cells: Vec<u32>,
+    /// Whether the editor has drawn it after another layer, so that its name says nothing.
+    pub derived: bool,
+}
+
+impl Tiles {
+    /// The cells that something stands in.
+    pub fn drawn(&self) -> impl Iterator<Item = (i32, i32, u32)> + '_ {
+        let rows = self.cells.chunks(self.width.max(1) as usize).zip(self.at.1..);
+        rows.flat_map(|(row, y)| {
+            row.iter().zip(self.at.0..).filter(|(cell, _)| **cell != 0).map(move |(&cell, x)| (x, y, cell))
+        })
+    }
+}
+
+impl Layer {
+    /// A layer of a format that knows neither classes nor groups.
+    pub fn plain(name: &str, offset: (i64, i64), content: Content) -> Self {
+        let offset = (Decimal::whole(offset.0), Decimal::whole(offset.1));
+        Self { name: name.to_owned(), class: String::new(), marks: Vec::new(), groups: Vec::new(), offset, content }
+    }
+
+    /// The tiles, where it has them.
+    pub fn tiles(&self) -> Option<&Tiles> {
+        if let Content::Tiles(tiles) = &self.content { Some(tiles) } else { None }
+    }
+}

@@ -1,0 +1,8 @@
+//! Levels as they were drawn, in the one form that all formats are read into. Nothing here knows what is solid.
+
+pub mod decimal;
+pub mod flip;
+pub mod map;
+pub mod object;
+pub mod property;
+pub mod tileset;

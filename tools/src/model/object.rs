@@ -1,0 +1,39 @@
+//! An object of an object layer, or a shape of the collision editor.
+
+use super::decimal::Decimal;
+use super::property::Properties;
+
+/// A point in pixels.
+pub type Spot = (Decimal, Decimal);
+
+/// What an object is drawn as.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Form {
+    Rectangle,
+    Ellipse,
+    Capsule,
+    /// Closed; relative to the object.
+    Polygon(Vec<Spot>),
+    /// Open; relative to the object.
+    Polyline(Vec<Spot>),
+    Point,
+    Text,
+    /// A picture out of a tileset, on top of the object's own point.
+    Tile,
+    /// Made from a template that cannot be read, and why.
+    Missing(String),
+}
+
+/// An object, with its template filled in.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Object {
+    pub id: u32,
+    pub name: String,
+    pub class: String,
+    pub properties: Properties,
+    pub at: Spot,
+    pub size: Spot,
+    /// Degrees, clockwise where y grows downward.
+    pub rotation: Decimal,
+    pub form: Form,
+}

@@ -1,0 +1,53 @@
+//! The tiles that a level is drawn with.
+
+use std::collections::HashMap;
+use std::path::PathBuf;
+
+use super::object::Object;
+use super::property::Properties;
+
+/// Tiles of one picture, or of a picture each.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Tileset {
+    pub name: String,
+    /// Of a tile, in pixels.
+    pub size: (u32, u32),
+    /// Tiles in a row of the picture.
+    pub columns: u32,
+    /// Ids are below this; `None` where the file does not say.
+    pub count: Option<u32>,
+    /// Around the tiles of the picture, and between them.
+    pub margin: u32,
+    pub spacing: u32,
+    /// How far tiles are drawn from their place.
+    pub offset: (i32, i32),
+    /// Whether tiles are drawn as large as a cell, whatever their size.
+    pub fits_grid: bool,
+    pub image: Option<PathBuf>,
+    /// Those of which more is known than their picture.
+    pub tiles: HashMap<u32, Tile>,
+}
+
+/// What is known of a tile.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Tile {
+    pub class: String,
+    pub properties: Properties,
+    /// Drawn in the collision editor.
+    pub shapes: Vec<Object>,
+    /// A picture of its own, and its size.
+    pub image: Option<(PathBuf, (u32, u32))>,
+}
+
+impl Tileset {
+    /// Whether there is such a tile.
+    pub fn has(&self, id: u32) -> bool {
+        self.count.is_none_or(|count| id < count) || self.tiles.contains_key(&id)
+    }
+
+    /// The size of a tile in pixels.
+    pub fn size_of(&self, id: u32) -> (u32, u32) {
+        let own = self.tiles.get(&id).and_then(|tile| tile.image.as_ref());
+        own.map_or(self.size, |(_, size)| *size)
+    }
+}

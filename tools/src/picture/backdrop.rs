@@ -1,0 +1,144 @@
+//! A level as it was drawn, below a picture of what is solid in it: the images of its tiles, where they are there.
+
+use std::collections::HashMap;
+use std::fs;
+use std::io::Cursor;
+use std::path::{Path, PathBuf};
+
+use png::{Decoder, Limits, Transformations};
+
+use super::ink::{EARTH, KILL, NIGHT};
+use super::marks::{Image, Mark, Scene};
+use crate::model::flip::Flip;
+use crate::model::map::{Map, Placed};
+use crate::rules::ground::Ground;
+
+/// Of an image file, and of what it unpacks to.
+const MAX_BYTES: u64 = 64 << 20;
+
+/// Draws the tiles of a map below a picture of its ground.
+pub fn under(scene: &mut Scene, map: &Map, ground: &Ground, scale: Option<(u32, u32)>) {
+    let zoom = scale.map_or(1.0, |(n, d)| n as f32 / d as f32) * scene.scale;
+    let (width, height) = ((scene.level.0 * scene.scale) as usize, (scene.level.1 * scene.scale) as usize);
+    let mut image = Image { width, height, pixels: vec![[0; 4]; width * height] };
+    let mut sources = Sources::default();
+    // The picture begins with the first cell.
+    let start = (
+        ground.origin.0 as f32 / 65536.0 - ground.shift.0 as f32,
+        ground.origin.1 as f32 / 65536.0 - ground.shift.1 as f32,
+    );
+    for layer in &map.layers {
+        let Some(tiles) = layer.tiles() else { continue };
+        let offset = (layer.offset.0.to_f64() as f32, layer.offset.1.to_f64() as f32);
+        for (x, y, cell) in tiles.drawn() {
+            let Placed::Tile { tileset, id, flip } = &map.palette[cell as usize] else { continue };
+            let Some((source, from, size)) = sources.tile(map, *tileset, *id) else { continue };
+            let side = f32::from(tiles.tile);
+            let (wide, high) =
+                if map.tilesets[*tileset].fits_grid { (side, side) } else { (size.0 as f32, size.1 as f32) };
+            let drawn = map.tilesets[*tileset].offset;
+            let left = x as f32 * side + offset.0 + drawn.0 as f32;
+            let top = (y + 1) as f32 * side - high + offset.1 + drawn.1 as f32;
+            let place = |v: f32, start: f32| v * zoom - start * scene.scale;
+            let at = (place(left, start.0), place(top, start.1));
+            blit(&mut image, at, (wide * zoom, high * zoom), source, from, size, *flip);
+        }
+    }
+    if sources.images.values().all(Option::is_none) {
+        return;
+    }
+    scene.backdrop = Some(image);
+    // What is solid lets the drawing through.
+    for mark in &mut scene.marks {
+        if let Mark::Rect { fill, .. } = mark {
+            *fill = match *fill {
+                NIGHT => NIGHT.alpha(0.0),
+                EARTH => KILL.alpha(0.45),
+                other => other,
+            };
+        }
+    }
+}
+
+/// An image, where a tile begins in it, and how large it is.
+type Part<'a> = (&'a Image, (u32, u32), (u32, u32));
+
+/// The images that were read; none for a file that is no PNG.
+#[derive(Default)]
+struct Sources {
+    images: HashMap<PathBuf, Option<Image>>,
+}
+
+impl Sources {
+    /// The image of a tile, where it begins there and how large it is.
+    fn tile(&mut self, map: &Map, tileset: usize, id: u32) -> Option<Part<'_>> {
+        let set = &map.tilesets[tileset];
+        let own = set.tiles.get(&id).and_then(|tile| tile.image.as_ref());
+        let path = own.map(|(path, _)| path).or(set.image.as_ref())?;
+        if !self.images.contains_key(path) {
+            self.images.insert(path.clone(), read(path));
+        }
+        let image = self.images.get(path)?.as_ref()?;
+        if own.is_some() {
+            return Some((image, (0, 0), (image.width as u32, image.height as u32)));
+        }
+        let along =
+            |index: u32, size: u32| set.margin.saturating_add(index.saturating_mul(size.saturating_add(set.spacing)));
+        let from = (along(id % set.columns, set.size.0), along(id / set.columns, set.size.1));
+        Some((image, from, set.size))
+    }
+}
+
+fn read(path: &Path) -> Option<Image> {
+    fs::metadata(path).ok().filter(|known| known.is_file() && known.len() <= MAX_BYTES)?;
+    let mut decoder = Decoder::new_with_limits(Cursor::new(fs::read(path).ok()?), Limits { bytes: MAX_BYTES as usize });
+    decoder.set_transformations(Transformations::normalize_to_color8() | Transformations::ALPHA);
+    let mut reader = decoder.read_info().ok()?;
+    let size = reader.output_buffer_size().filter(|size| *size as u64 <= MAX_BYTES)?;
+    let mut bytes = vec![0; size];
+    let info = reader.next_frame(&mut bytes).ok()?;
+    let samples = info.color_type.samples();
+    let pixel = |p: &[u8]| match *p {
+        [v, a] => [v, v, v, a],
+        [r, g, b, a] => [r, g, b, a],
+        _ => [0; 4],
+    };
+    let pixels = bytes[..info.buffer_size()].chunks_exact(samples).map(pixel).collect();
+    Some(Image { width: info.width as usize, height: info.height as usize, pixels })
+}
+
+/// Draws a part of an image into a box, the nearest pixel each.
+fn blit(
+    to: &mut Image,
+    at: (f32, f32),
+    size: (f32, f32),
+    from: &Image,
+    corner: (u32, u32),
+    part: (u32, u32),
+    flip: Flip,
+) {
+    let span = |at: f32, length: f32, end: usize| {
+        (at.round().max(0.0) as usize).min(end)..((at + length).round().max(0.0) as usize).min(end)
+    };
+    for y in span(at.1, size.1, to.height) {
+        for x in span(at.0, size.0, to.width) {
+            let (u, v) = (
+                ((x as f32 + 0.5 - at.0) / size.0).clamp(0.0, 0.999),
+                ((y as f32 + 0.5 - at.1) / size.1).clamp(0.0, 0.999),
+            );
+            let u = if flip.horizontal { 0.999 - u } else { u };
+            let v = if flip.vertical { 0.999 - v } else { v };
+            let (u, v) = if flip.diagonal { (v, u) } else { (u, v) };
+            let (sx, sy) =
+                (corner.0 as usize + (u * part.0 as f32) as usize, corner.1 as usize + (v * part.1 as f32) as usize);
+            if sx < from.width && sy < from.height {
+                let [r, g, b, alpha] = from.pixels[sy * from.width + sx];
+                let below = &mut to.pixels[y * to.width + x];
+                let mix = |below: u8, over: u8| {
+                    ((u32::from(below) * (255 - u32::from(alpha)) + u32::from(over) * u32::from(alpha)) / 255) as u8
+                };
+                *below = [mix(below[0], r), mix(below[1], g), mix(below[2], b), below[3].max(alpha)];
+            }
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! What is played in: tiles, and segments where there are some.
+
+use tilesat::{Fx, SegmentMap};
+
+use crate::bake::Baked;
+use crate::bake::level::Level;
+use crate::bake::reopen::Reopened;
+use crate::fail::{Fail, Result};
+use tilesat::TileKind;
+
+/// A level to be played.
+#[derive(Debug, Clone)]
+pub struct Arena {
+    /// Of a level without tiles the empty cells around its segments.
+    pub level: Level,
+    /// The bytes of a segment map.
+    pub segments: Option<Vec<u8>>,
+}
+
+impl From<Level> for Arena {
+    fn from(level: Level) -> Self {
+        Self { level, segments: None }.at_origin()
+    }
+}
+
+impl Arena {
+    /// Of a level that was baked.
+    ///
+    /// # Errors
+    ///
+    /// There is nothing in it, or the library does not take it.
+    pub fn of(baked: &Baked) -> Result<Self> {
+        let segments = baked.objects.as_ref().map(|(_, bytes, _)| bytes.clone());
+        Self::new(baked.tiles.clone(), segments)
+    }
+
+    /// Of a level that a file of the baker's holds.
+    ///
+    /// # Errors
+    ///
+    /// As [`of`](Self::of).
+    pub fn reopened(level: &Reopened) -> Result<Self> {
+        Self::new(level.tiles.clone(), level.segments.clone())
+    }
+
+    fn new(tiles: Option<Level>, segments: Option<Vec<u8>>) -> Result<Self> {
+        let level = match (tiles, &segments) {
+            (Some(level), _) => level,
+            (None, Some(bytes)) => around(bytes)?,
+            (None, None) => return Err(Fail::new("it is empty")),
+        };
+        Ok(Self { level, segments }.at_origin())
+    }
+
+    /// The game counts from the first cell; where a level lies matters to nothing but segments and the domain.
+    fn at_origin(mut self) -> Self {
+        let fits = |count: u16| u32::from(count) * u32::from(self.level.tile) < 8192;
+        if self.segments.is_none() && fits(self.level.width) && fits(self.level.height) {
+            self.level.origin = (0, 0);
+        }
+        self
+    }
+}
+
+/// Empty tiles as large as a segment map and a little more, so that bodies have room around it.
+fn around(bytes: &[u8]) -> Result<Level> {
+    let map = SegmentMap::from_bytes(bytes).map_err(|e| Fail::new(format!("the segments: {e}")))?;
+    let grid = map.grid();
+    let whole = grid.cell().to_num::<u32>().clamp(1, 256);
+    let tile = (whole + whole % 2).min(256) as u16;
+    let side = Fx::from_num(tile).to_bits();
+    let (from, to) = (grid.origin().raw(), grid.end().raw());
+    let axis = |from: i32, to: i32| {
+        let first = (from.div_euclid(side) - 4).max(-(1 << 29) / side + 1);
+        let last = (to.div_euclid(side) + 5).min((1 << 29) / side - 1);
+        (first * side, (last - first).clamp(1, 32767) as u16)
+    };
+    let ((x, width), (y, height)) = (axis(from.0, to.0), axis(from.1, to.1));
+    let tiles = vec![0; usize::from(width) * usize::from(height)];
+    Ok(Level {
+        layer: "objects".to_owned(),
+        width,
+        height,
+        tile,
+        origin: (x, y),
+        tiles,
+        ids: vec![TileKind::EMPTY],
+        flags: Vec::new(),
+    })
+}

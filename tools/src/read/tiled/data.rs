@@ -1,0 +1,73 @@
+//! The numbers of a tile layer, out of any of the forms that Tiled writes them in.
+
+use super::raw::Data;
+use super::unpack::{Packing, unpack};
+
+/// In all layers of a map together: 4096 x 4096.
+pub(super) const MAX_CELLS: u64 = 1 << 24;
+
+/// How many numbers, and how they are written.
+pub(super) struct Form<'a> {
+    pub(super) width: u32,
+    pub(super) height: u32,
+    pub(super) encoding: Option<&'a str>,
+    pub(super) compression: Option<&'a str>,
+}
+
+/// As many numbers as there are cells.
+pub(super) fn gids(data: Data, form: &Form<'_>) -> Result<Vec<u32>, String> {
+    let cells = u64::from(form.width) * u64::from(form.height);
+    let gids = match data {
+        Data::List(gids) => gids,
+        Data::Text(text) => match form.encoding {
+            Some("csv") => numbers(&text, cells)?,
+            // JSON says nothing where a text is in base64 without compression in old versions.
+            Some("base64") | None => bytes(&text, packing(form.compression)?, cells)?,
+            Some(other) => return Err(format!("encoding '{other}' is not known")),
+        },
+    };
+    match (gids.len() as u64).cmp(&cells) {
+        std::cmp::Ordering::Equal => Ok(gids),
+        std::cmp::Ordering::Less => Err(format!("{} tiles, less than its width and height say", gids.len())),
+        std::cmp::Ordering::Greater => Err(too_long()),
+    }
+}
+
+fn too_long() -> String {
+    "it holds more than its width and height say".to_owned()
+}
+
+fn packing(name: Option<&str>) -> Result<Packing, String> {
+    match name {
+        None | Some("") => Ok(Packing::None),
+        Some("zlib") => Ok(Packing::Zlib),
+        Some("gzip") => Ok(Packing::Gzip),
+        Some("zstd") => Ok(Packing::Zstd),
+        Some(other) => Err(format!("compression '{other}' is not known")),
+    }
+}
+
+fn numbers(text: &str, cells: u64) -> Result<Vec<u32>, String> {
+    let mut gids = Vec::new();
+    let text = text.trim().trim_end_matches(',');
+    if text.is_empty() {
+        return Ok(gids);
+    }
+    for number in text.split(',') {
+        if gids.len() as u64 == cells {
+            return Err(too_long());
+        }
+        let number = number.trim();
+        gids.push(number.parse().map_err(|_| format!("'{number}' is no tile"))?);
+    }
+    Ok(gids)
+}
+
+fn bytes(text: &str, packing: Packing, cells: u64) -> Result<Vec<u32>, String> {
+    let bytes = unpack(text.as_bytes(), packing, cells.saturating_mul(4)).map_err(|e| format!("cannot unpack: {e}"))?;
+    let bytes = bytes.ok_or_else(too_long)?;
+    if bytes.len() % 4 != 0 {
+        return Err("its bytes end within a tile".to_owned());
+    }
+    Ok(bytes.chunks_exact(4).map(|word| word.iter().rev().fold(0, |all, &byte| all << 8 | u32::from(byte))).collect())
+}

@@ -1,0 +1,203 @@
+//! Maps of Tiled, in XML and in JSON: both are read into the same [`raw`] form, and this makes a level of it.
+
+mod data;
+mod objects;
+mod raw;
+mod sets;
+mod tags;
+mod unpack;
+
+use std::path::Path;
+
+use super::file::Files;
+use super::json;
+use crate::model::map::{Content, Layer, Map, Tiles};
+use crate::model::object::Spot;
+use data::{Form, MAX_CELLS};
+use sets::Sets;
+
+type Result<T> = std::result::Result<T, String>;
+
+/// Sides of a cell that the library takes, in pixels.
+const SIDES: std::ops::RangeInclusive<u32> = 1..=256;
+/// In a map, with those of groups.
+const MAX_LAYERS: usize = 1000;
+
+/// Reads the bytes of a map in this file.
+pub(super) fn read(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<Map> {
+    let map: raw::Map = if json::is_json(&bytes) { json::parse(&bytes) } else { tags::map(&bytes) }
+        .map_err(|why| format!("not a Tiled map: {why}"))?;
+    drop(bytes);
+    let tile = side(&map)?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut reader =
+        Reader { sets: Sets::new(), layers: Vec::new(), cells: 0, tile, infinite: map.infinite, folder, files };
+    for set in map.tilesets {
+        reader.sets.add(set, folder, reader.files)?;
+    }
+    for layer in map.layers {
+        reader.layer(layer, &Around::default())?;
+    }
+    Ok(Map {
+        name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+        tile,
+        size: (map.width, map.height),
+        tilesets: reader.sets.all,
+        palette: reader.sets.palette,
+        layers: reader.layers,
+        place: None,
+        values: false,
+    })
+}
+
+fn side(map: &raw::Map) -> Result<u16> {
+    if map.orientation != "orthogonal" {
+        return Err(match &*map.orientation {
+            "" => "not a Tiled map: it has no orientation".to_owned(),
+            known @ ("isometric" | "staggered" | "hexagonal" | "oblique") => {
+                format!(
+                    "the map is {known}, not orthogonal: its cells are no squares, which are all that the library has"
+                )
+            }
+            other => format!("the map is '{other}', not orthogonal"),
+        });
+    }
+    let (width, height) = (map.tilewidth, map.tileheight);
+    if width != height {
+        return Err(format!("tiles of {width}x{height} pixels are not square, which are all that the library has"));
+    }
+    if !SIDES.contains(&width) {
+        return Err(format!("tiles of {width} pixels; the library takes 1 to 256"));
+    }
+    Ok(width as u16)
+}
+
+/// What the groups around a layer say.
+#[derive(Default)]
+struct Around {
+    offset: Spot,
+    says: Vec<String>,
+}
+
+struct Reader<'a> {
+    sets: Sets,
+    layers: Vec<Layer>,
+    /// In all layers so far.
+    cells: u64,
+    tile: u16,
+    infinite: bool,
+    folder: &'a Path,
+    files: &'a mut Files,
+}
+
+impl Reader<'_> {
+    fn layer(&mut self, layer: raw::Layer, around: &Around) -> Result<()> {
+        let name = layer.name.clone();
+        let of_layer = |why: String| format!("layer '{name}': {why}");
+        let offset = (around.offset.0 + layer.offsetx.0, around.offset.1 + layer.offsety.0);
+        let marks: Vec<String> = layer.properties.0.marks().map(str::to_owned).collect();
+        let content = match &*layer.form {
+            "group" => {
+                let own = [&layer.name, &layer.class].into_iter().chain(&marks).filter(|name| !name.is_empty());
+                let says = around.says.iter().chain(own).cloned().collect();
+                let around = Around { offset, says };
+                return layer.layers.into_iter().try_for_each(|inner| self.layer(inner, &around));
+            }
+            "tilelayer" => Content::Tiles(
+                self.tiles(
+                    layer.data,
+                    layer.chunks,
+                    &Form {
+                        width: layer.width,
+                        height: layer.height,
+                        encoding: layer.encoding.as_deref(),
+                        compression: layer.compression.as_deref(),
+                    },
+                )
+                .map_err(of_layer)?,
+            ),
+            "objectgroup" => {
+                let objects = layer.objects.into_iter();
+                let read = objects.map(|object| self.sets.templates.object(object, self.folder, self.files));
+                Content::Objects(read.collect::<Result<_>>().map_err(of_layer)?)
+            }
+            "imagelayer" => Content::Image,
+            other => return Err(of_layer(format!("a layer of the type '{other}'"))),
+        };
+        if self.layers.len() == MAX_LAYERS {
+            return Err(format!("more than {MAX_LAYERS} layers"));
+        }
+        let groups = around.says.clone();
+        self.layers.push(Layer { name: layer.name, class: layer.class, marks, groups, offset, content });
+        Ok(())
+    }
+
+    fn tiles(&mut self, data: Option<raw::Data>, chunks: Vec<raw::Chunk>, form: &Form<'_>) -> Result<Tiles> {
+        if chunks.is_empty() && self.infinite {
+            return Ok(Tiles { tile: self.tile, ..Tiles::default() });
+        }
+        if chunks.is_empty() {
+            self.count(form.width, form.height)?;
+            let data = data.ok_or("it has no data")?;
+            let cells = self.places(data, form)?;
+            return Ok(Tiles {
+                tile: self.tile,
+                at: (0, 0),
+                width: form.width,
+                height: form.height,
+                cells,
+                derived: false,
+            });
+        }
+        // Chunks may lie over each other, and each of them is unpacked.
+        let all = chunks
+            .iter()
+            .fold(0, |all: u64, chunk| all.saturating_add(u64::from(chunk.width) * u64::from(chunk.height)));
+        if all > MAX_CELLS {
+            return Err(format!("its chunks have more than {MAX_CELLS} tiles"));
+        }
+        let sides = |chunk: &raw::Chunk| {
+            (i64::from(chunk.x) + i64::from(chunk.width), i64::from(chunk.y) + i64::from(chunk.height))
+        };
+        let (left, top) = chunks.iter().fold((i32::MAX, i32::MAX), |at, chunk| (at.0.min(chunk.x), at.1.min(chunk.y)));
+        let (right, bottom) =
+            chunks.iter().map(sides).fold((i64::MIN, i64::MIN), |at, end| (at.0.max(end.0), at.1.max(end.1)));
+        let side = |from: i32, to: i64| u32::try_from(to - i64::from(from)).unwrap_or(u32::MAX);
+        let (width, height) = (side(left, right), side(top, bottom));
+        self.count(width, height)?;
+        let mut cells = vec![0; width as usize * height as usize];
+        for chunk in chunks {
+            let form = Form { width: chunk.width, height: chunk.height, ..*form };
+            let of_chunk = |why: String| format!("the chunk at ({}, {}): {why}", chunk.x, chunk.y);
+            let data = chunk.data.ok_or_else(|| of_chunk("it has no data".to_owned()))?;
+            let places = self.places(data, &form).map_err(of_chunk)?;
+            let (x, y) = ((chunk.x - left) as usize, (chunk.y - top) as usize);
+            for (row, line) in places.chunks(chunk.width.max(1) as usize).enumerate() {
+                let from = (y + row) * width as usize + x;
+                cells[from..from + line.len()].copy_from_slice(line);
+            }
+        }
+        Ok(Tiles { tile: self.tile, at: (left, top), width, height, cells, derived: false })
+    }
+
+    /// Refuses more cells than a map may have.
+    fn count(&mut self, width: u32, height: u32) -> Result<()> {
+        self.cells = self.cells.saturating_add(u64::from(width) * u64::from(height));
+        if self.cells > MAX_CELLS {
+            return Err(format!("with it the layers have more than {MAX_CELLS} tiles"));
+        }
+        Ok(())
+    }
+
+    fn places(&mut self, data: raw::Data, form: &Form<'_>) -> Result<Vec<u32>> {
+        let mut cells = data::gids(data, form)?;
+        let mut last = (0, 0);
+        for cell in &mut cells {
+            if *cell != last.0 {
+                last = (*cell, self.sets.place(*cell)?);
+            }
+            *cell = last.1;
+        }
+        Ok(cells)
+    }
+}

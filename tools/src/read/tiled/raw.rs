@@ -1,0 +1,274 @@
+//! What stands in a file of Tiled, XML or JSON, before anything is looked up or checked. JSON is read into it by name.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use serde::de::{Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+
+use crate::model::decimal::Decimal;
+use crate::model::object::Spot;
+use crate::model::property::{Properties, Value};
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Map {
+    pub(super) orientation: String,
+    pub(super) width: u32,
+    pub(super) height: u32,
+    pub(super) tilewidth: u32,
+    pub(super) tileheight: u32,
+    pub(super) infinite: bool,
+    pub(super) tilesets: Vec<Tileset>,
+    pub(super) layers: Vec<Layer>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Tileset {
+    pub(super) firstgid: u32,
+    pub(super) source: Option<String>,
+    pub(super) name: String,
+    pub(super) tilewidth: u32,
+    pub(super) tileheight: u32,
+    pub(super) tilecount: Option<u32>,
+    pub(super) columns: u32,
+    pub(super) margin: u32,
+    pub(super) spacing: u32,
+    pub(super) image: Option<String>,
+    pub(super) imagewidth: u32,
+    pub(super) imageheight: u32,
+    pub(super) tileoffset: Offset,
+    pub(super) tilerendersize: String,
+    pub(super) tiles: Tiles,
+    /// Properties and classes stood apart from the tiles before Tiled 1.2.
+    pub(super) tileproperties: BTreeMap<u32, Listed>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Offset {
+    pub(super) x: i32,
+    pub(super) y: i32,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Tile {
+    pub(super) id: u32,
+    #[serde(alias = "type")]
+    pub(super) class: String,
+    pub(super) properties: Listed,
+    pub(super) objectgroup: Option<Box<Layer>>,
+    pub(super) image: Option<String>,
+    #[serde(alias = "width")]
+    pub(super) imagewidth: u32,
+    #[serde(alias = "height")]
+    pub(super) imageheight: u32,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Layer {
+    #[serde(rename = "type")]
+    pub(super) form: String,
+    pub(super) name: String,
+    pub(super) class: String,
+    pub(super) offsetx: Number,
+    pub(super) offsety: Number,
+    pub(super) width: u32,
+    pub(super) height: u32,
+    pub(super) encoding: Option<String>,
+    pub(super) compression: Option<String>,
+    pub(super) data: Option<Data>,
+    pub(super) chunks: Vec<Chunk>,
+    pub(super) objects: Vec<Object>,
+    pub(super) layers: Vec<Layer>,
+    pub(super) properties: Listed,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Chunk {
+    pub(super) x: i32,
+    pub(super) y: i32,
+    pub(super) width: u32,
+    pub(super) height: u32,
+    pub(super) data: Option<Data>,
+}
+
+/// All that an object of a map says wins over its template.
+#[allow(clippy::struct_excessive_bools, reason = "they stand side by side in the file")]
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Object {
+    pub(super) id: u32,
+    pub(super) name: Option<String>,
+    #[serde(alias = "type")]
+    pub(super) class: Option<String>,
+    pub(super) x: Number,
+    pub(super) y: Number,
+    pub(super) width: Option<Number>,
+    pub(super) height: Option<Number>,
+    pub(super) rotation: Option<Number>,
+    pub(super) gid: Option<u32>,
+    pub(super) point: bool,
+    pub(super) ellipse: bool,
+    pub(super) capsule: bool,
+    pub(super) polygon: Option<Vec<Point>>,
+    pub(super) polyline: Option<Vec<Point>>,
+    #[serde(deserialize_with = "whether")]
+    pub(super) text: bool,
+    pub(super) template: Option<String>,
+    pub(super) properties: Listed,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Template {
+    pub(super) tileset: Option<Tileset>,
+    pub(super) object: Option<Object>,
+}
+
+#[derive(Debug, Clone, Copy, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Point {
+    x: Number,
+    y: Number,
+}
+
+impl From<Point> for Spot {
+    fn from(point: Point) -> Self {
+        (point.x.0, point.y.0)
+    }
+}
+
+impl From<Spot> for Point {
+    fn from((x, y): Spot) -> Self {
+        Self { x: Number(x), y: Number(y) }
+    }
+}
+
+/// The numbers of a layer, or the text that they are packed in.
+#[derive(Debug)]
+pub(super) enum Data {
+    List(Vec<u32>),
+    Text(String),
+}
+
+/// A decimal as it is written.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Number(pub(super) Decimal);
+
+impl<'de> Deserialize<'de> for Number {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let number = serde_json::Number::deserialize(from)?;
+        let far = || D::Error::custom(format!("{number} is no number below a million"));
+        Decimal::parse(number.to_string().as_bytes()).map(Self).ok_or_else(far)
+    }
+}
+
+impl<'de> Deserialize<'de> for Data {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        struct Any;
+        impl<'de> Visitor<'de> for Any {
+            type Value = Data;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a list of tiles or a text")
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<Data, E> {
+                Ok(Data::Text(text.to_owned()))
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Data, A::Error> {
+                let mut gids = Vec::new();
+                while let Some(gid) = list.next_element()? {
+                    gids.push(gid);
+                }
+                Ok(Data::List(gids))
+            }
+        }
+        from.deserialize_any(Any)
+    }
+}
+
+/// Properties: a list of names, types and values, or before Tiled 1.2 names with values.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Listed(pub(super) Properties);
+
+#[derive(Deserialize)]
+struct Property {
+    name: String,
+    value: serde_json::Value,
+}
+
+fn value(value: &serde_json::Value) -> Value {
+    match value {
+        serde_json::Value::Bool(is) => Value::Bool(*is),
+        serde_json::Value::Number(number) => Value::Number(number.to_string()),
+        serde_json::Value::String(text) => Value::Text(text.clone()),
+        _ => Value::Other,
+    }
+}
+
+impl<'de> Deserialize<'de> for Listed {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = Listed;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("properties")
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Listed, A::Error> {
+                let mut all = Vec::new();
+                while let Some(property) = list.next_element::<Property>()? {
+                    all.push((property.name, value(&property.value)));
+                }
+                Ok(Listed(Properties(all)))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Listed, A::Error> {
+                let mut all = Vec::new();
+                while let Some((name, given)) = map.next_entry::<String, serde_json::Value>()? {
+                    all.push((name, value(&given)));
+                }
+                Ok(Listed(Properties(all)))
+            }
+        }
+        from.deserialize_any(Either)
+    }
+}
+
+/// The tiles of a tileset: a list, or before Tiled 1.2 by their ids.
+#[derive(Debug, Default)]
+pub(super) struct Tiles(pub(super) Vec<Tile>);
+
+impl<'de> Deserialize<'de> for Tiles {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = Tiles;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("tiles")
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Tiles, A::Error> {
+                let mut all = Vec::new();
+                while let Some(tile) = list.next_element()? {
+                    all.push(tile);
+                }
+                Ok(Tiles(all))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Tiles, A::Error> {
+                let mut all = Vec::new();
+                while let Some((id, tile)) = map.next_entry::<u32, Tile>()? {
+                    all.push(Tile { id, ..tile });
+                }
+                Ok(Tiles(all))
+            }
+        }
+        from.deserialize_any(Either)
+    }
+}
+
+/// Whether something stands there at all.
+fn whether<'de, D: Deserializer<'de>>(from: D) -> Result<bool, D::Error> {
+    Option::<IgnoredAny>::deserialize(from).map(|it| it.is_some())
+}

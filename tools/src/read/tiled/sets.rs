@@ -1,0 +1,162 @@
+//! The tilesets of a map, and which tile a number means.
+
+use std::collections::{BTreeMap, HashMap};
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use super::objects::Templates;
+use super::{raw, tags};
+use crate::model::flip::Flip;
+use crate::model::map::Placed;
+use crate::model::tileset::{Tile, Tileset};
+use crate::read::file::Files;
+use crate::read::json;
+
+type Result<T> = std::result::Result<T, String>;
+
+/// Of a map.
+const MAX_SETS: usize = 1000;
+/// Ids of tiles; and of which more is known, in all tilesets of a map.
+const MAX_TILES: u32 = 1 << 20;
+
+const HORIZONTAL: u32 = 1 << 31;
+const VERTICAL: u32 = 1 << 30;
+const DIAGONAL: u32 = 1 << 29;
+/// Hexagonal maps turn tiles by this one.
+const FLIPS: u32 = HORIZONTAL | VERTICAL | DIAGONAL | 1 << 28;
+
+/// The tilesets, and the numbers that were met.
+#[derive(Debug, Default)]
+pub(super) struct Sets {
+    pub(super) all: Vec<Rc<Tileset>>,
+    /// Where each begins.
+    first: BTreeMap<u32, usize>,
+    known: HashMap<PathBuf, usize>,
+    places: HashMap<u32, u32>,
+    pub(super) palette: Vec<Placed>,
+    pub(super) templates: Templates,
+    tiles: usize,
+}
+
+impl Sets {
+    pub(super) fn new() -> Self {
+        Self { palette: vec![Placed::Nothing], places: HashMap::from([(0, 0)]), ..Self::default() }
+    }
+
+    /// A tileset of a file in this folder; one that stands in a file of its own is read.
+    pub(super) fn add(&mut self, set: raw::Tileset, folder: &Path, files: &mut Files) -> Result<()> {
+        let first = set.firstgid;
+        if first == 0 {
+            return Err(format!("tileset '{}' has no firstgid", set.source.as_deref().unwrap_or(&set.name)));
+        }
+        let index = self.index(set, folder, files)?;
+        match self.first.insert(first, index) {
+            None => Ok(()),
+            Some(_) => Err(format!("two tilesets begin at tile {first}")),
+        }
+    }
+
+    /// The tileset's number; a tileset file that was read before is not read again.
+    pub(super) fn index(&mut self, set: raw::Tileset, folder: &Path, files: &mut Files) -> Result<usize> {
+        let Some(source) = &set.source else { return self.push(set, folder, files) };
+        let path = folder.join(source);
+        if let Some(&index) = self.known.get(&path) {
+            return Ok(index);
+        }
+        let of_file = |why: String| format!("tileset {}: {why}", path.display());
+        let bytes = files.bytes(&path).map_err(of_file)?;
+        let read = if json::is_json(&bytes) { json::parse(&bytes) } else { tags::tileset_file(&bytes) };
+        let read = read.map_err(|why| of_file(format!("not a tileset of Tiled: {why}")))?;
+        let index = self.push(read, path.parent().unwrap_or(folder), files).map_err(of_file)?;
+        self.known.insert(path, index);
+        Ok(index)
+    }
+
+    fn push(&mut self, set: raw::Tileset, folder: &Path, files: &mut Files) -> Result<usize> {
+        if self.all.len() == MAX_SETS {
+            return Err(format!("more than {MAX_SETS} tilesets"));
+        }
+        self.tiles = self.tiles.saturating_add(set.tiles.0.len());
+        if self.tiles > MAX_TILES as usize {
+            return Err(format!("tilesets that describe more than {MAX_TILES} tiles"));
+        }
+        let set = tileset(set, folder, &mut self.templates, files)?;
+        self.all.push(Rc::new(set));
+        Ok(self.all.len() - 1)
+    }
+
+    /// The place in the palette of what a number in a layer means.
+    pub(super) fn place(&mut self, gid: u32) -> Result<u32> {
+        if let Some(&place) = self.places.get(&gid) {
+            return Ok(place);
+        }
+        let tile = self.tile(gid)?;
+        let place = self.palette.len() as u32;
+        self.palette.push(tile.map_or(Placed::Nothing, |(tileset, id, flip)| Placed::Tile { tileset, id, flip }));
+        self.places.insert(gid, place);
+        Ok(place)
+    }
+
+    /// The tileset, the tile of it and its flips; `None` for no tile.
+    fn tile(&self, gid: u32) -> Result<Option<(usize, u32, Flip)>> {
+        let flip =
+            Flip { diagonal: gid & DIAGONAL != 0, horizontal: gid & HORIZONTAL != 0, vertical: gid & VERTICAL != 0 };
+        let gid = gid & !FLIPS;
+        if gid == 0 {
+            return Ok(None);
+        }
+        let Some((&first, &index)) = self.first.range(..=gid).next_back() else {
+            return Err(format!("tile {gid} is of no tileset"));
+        };
+        let (set, id) = (&self.all[index], gid - first);
+        if set.has(id) {
+            Ok(Some((index, id, flip)))
+        } else {
+            let count = set.count.unwrap_or(0);
+            Err(format!("tile {gid} is of no tileset: it would be tile {id} of '{}', which has {count}", set.name))
+        }
+    }
+}
+
+fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &mut Files) -> Result<Tileset> {
+    let name = set.name.clone();
+    let of_set = |why: String| format!("tileset '{name}': {why}");
+    if set.tilecount.is_some_and(|count| count > MAX_TILES) {
+        return Err(of_set(format!("more than {MAX_TILES} tiles")));
+    }
+    let path = |image: Option<String>| image.filter(|image| !image.is_empty()).map(|image| folder.join(image));
+    let along = |length: u32, tile: u32| {
+        let step = u64::from(tile) + u64::from(set.spacing);
+        let room = (u64::from(length) + u64::from(set.spacing)).saturating_sub(2 * u64::from(set.margin));
+        room.checked_div(step).unwrap_or(0) as u32
+    };
+    let columns = if set.columns > 0 { set.columns } else { along(set.imagewidth, set.tilewidth) };
+    // Old files do not say how many there are.
+    let counted = u64::from(columns) * u64::from(along(set.imageheight, set.tileheight));
+    let count = set.tilecount.or(u32::try_from(counted).ok().filter(|&count| count > 0));
+    let mut tiles = HashMap::new();
+    for tile in set.tiles.0 {
+        let shapes = tile.objectgroup.map_or_else(Vec::new, |group| group.objects);
+        let shapes = shapes
+            .into_iter()
+            .map(|shape| templates.object(shape, folder, files).map_err(&of_set))
+            .collect::<Result<_>>()?;
+        let image = path(tile.image).map(|image| (image, (tile.imagewidth, tile.imageheight)));
+        tiles.insert(tile.id, Tile { class: tile.class, properties: tile.properties.0, shapes, image });
+    }
+    for (id, properties) in set.tileproperties {
+        tiles.entry(id).or_default().properties.0.extend(properties.0.0);
+    }
+    Ok(Tileset {
+        name: set.name,
+        size: (set.tilewidth, set.tileheight),
+        columns: columns.max(1),
+        count,
+        margin: set.margin,
+        spacing: set.spacing,
+        offset: (set.tileoffset.x, set.tileoffset.y),
+        fits_grid: set.tilerendersize == "grid",
+        image: path(set.image),
+        tiles,
+    })
+}

@@ -1,0 +1,161 @@
+//! Worlds that are larger than the coordinates of the library, in rooms whose borders no body feels.
+//!
+//! A map is cut into equal rooms, which are windows of its tiles ([`tilesat::Rooms`]). The levels of an `LDtk` project are rooms where
+//! they lie in its world, each with an apron of its neighbours' tiles ([`tilesat::Room`]). Polygons are given whole to every room that they
+//! reach: cut ones would have corners that nobody drew.
+
+mod part;
+mod segments;
+mod source;
+
+use tilesat::world::Set;
+use tilesat::{AllShapes, Blocks, Fx, Grid, Room, Rooms, TileKind, TileKinds, TileMap, TileMapError, Vec2};
+
+use crate::bake::level::Ids;
+use crate::fail::{Fail, Result};
+use crate::model::map::Map;
+use crate::rules::flags::Flags;
+use crate::rules::options::{Options, listed};
+use part::Part;
+
+/// How a world is cut, and for whom.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Cut {
+    /// Columns and rows of a room, for a map; the levels of a project are rooms already.
+    pub room: Option<(u16, u16)>,
+    /// The longer side of the largest body; a cell where it is not said.
+    pub body: Option<Fx>,
+    /// The longest motion of a frame, with a walker's step and snap; a cell where it is not said.
+    pub motion: Option<Fx>,
+}
+
+/// A world in rooms, baked.
+#[derive(Debug, Clone)]
+pub struct World {
+    /// Side of a cell in pixels.
+    pub cell: u16,
+    /// In cells.
+    pub apron: u16,
+    pub kinds: Vec<TileKind>,
+    pub flags: Vec<String>,
+    pub rooms: Vec<Baked>,
+    /// What the rooms are windows of, where they are.
+    pub whole: Option<Whole>,
+}
+
+/// The tiles of a world of equal rooms.
+#[derive(Debug, Clone)]
+pub struct Whole {
+    pub width: u16,
+    pub height: u16,
+    pub tiles: Vec<u8>,
+    /// Columns and rows of a room.
+    pub room: (u16, u16),
+}
+
+/// A room.
+#[derive(Debug, Clone)]
+pub struct Baked {
+    pub name: String,
+    /// Its first cell in the world.
+    pub first: (i32, i32),
+    pub size: (u16, u16),
+    /// With the apron, row by row; empty where the room is a window.
+    pub tiles: Vec<u8>,
+    /// The bytes of its polygons.
+    pub segments: Option<Vec<u8>>,
+}
+
+/// Bakes maps as rooms of one world.
+///
+/// # Errors
+///
+/// One line that names the level or the object that does not fit, and says what would settle it.
+pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
+    if cut.room.is_some() && maps.len() > 1 {
+        return Err(Fail::new("--room is for one map: the levels of a project are rooms already"));
+    }
+    let options = Options { rooms: true, ..options.clone() };
+    let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
+    let mut ids = Ids::default();
+    let mut parts = Vec::new();
+    for map in maps.iter().filter(|map| !listed(&options.ignored_levels, &map.name)) {
+        let of_level = |fail: Fail| Fail::new(format!("level '{}': {fail}", map.name));
+        parts.push(Part::of(map, &options, &mut flags, &mut ids).map_err(of_level)?);
+    }
+    let Some(cell) = parts.first().map(|part| part.cell) else {
+        return Err(Fail::new("every level is left out by --ignore-level"));
+    };
+    if let Some(other) = parts.iter().find(|part| part.cell != cell) {
+        let why = "rooms of one world have cells of one size";
+        return Err(Fail::new(format!(
+            "level '{}' has cells of {} pixels, the first {cell}: {why}",
+            other.name, other.cell
+        )));
+    }
+    let side = Fx::from_num(cell);
+    let apron = Room::<AllShapes>::apron_for(side, cut.body.unwrap_or(side), cut.motion.unwrap_or(side));
+    let (rooms, whole) = match (&parts[..], cut.room) {
+        ([part], Some(room)) => {
+            let whole = part.whole(room)?;
+            (part.equal(room)?, Some(whole))
+        }
+        ([part], None) if !part.placed => {
+            return Err(Fail::new("how large is a room? --room WxH says it, in cells"));
+        }
+        (parts, _) => (parts.iter().map(|part| part.alone(parts, apron)).collect::<Result<_>>()?, None),
+    };
+    let mut world = World { cell, apron, kinds: ids.kinds().to_vec(), flags: Vec::new(), rooms, whole };
+    for room in &mut world.rooms {
+        let of_room = |fail: Fail| Fail::new(format!("room '{}': {fail}", room.name));
+        room.segments = segments::of(&parts, room, cell, apron, &mut flags).map_err(of_room)?;
+    }
+    world.flags = flags.names;
+    world.check()?;
+    Ok(world)
+}
+
+impl World {
+    /// Whether the library needs nothing but blocks for it.
+    pub fn is_blocks(&self) -> bool {
+        self.kinds.iter().all(|kind| Blocks::SHAPES >> kind.shape as u8 & 1 != 0)
+    }
+
+    /// What the compiler would say of the source, said now.
+    fn check(&self) -> Result<()> {
+        let kinds = self.kinds.iter().zip(0..).fold(TileKinds::EMPTY, |kinds, (kind, id)| kinds.with(id, *kind));
+        let cell = Fx::from_num(self.cell);
+        let said = |e: TileMapError| Fail::new(format!("a room with its apron of {} cells: {e}", self.apron));
+        if let Some(Whole { width, height, tiles, room }) = &self.whole {
+            Rooms::<AllShapes>::of(tiles, (*width, *height), cell, &kinds, *room, self.apron).map_err(said)?;
+        }
+        for room in self.rooms.iter().filter(|_| self.whole.is_none()) {
+            let side = |cells: u16| cells.saturating_add(self.apron).saturating_add(self.apron);
+            let grid = Grid::new(side(room.size.0), side(room.size.1), cell, Vec2::ZERO).map_err(said)?;
+            let map = TileMap::<AllShapes>::of(&room.tiles, grid, &kinds).map_err(said)?;
+            Room::new(map, room.first.0, room.first.1, self.apron).map_err(said)?;
+        }
+        Ok(())
+    }
+
+    /// Rust source: the static `ROOMS`, the table of kinds for all rooms, and their polygons.
+    pub fn source(&self) -> String {
+        source::source(self)
+    }
+
+    /// What it costs, line by line.
+    pub fn report(&self) -> Vec<String> {
+        let tiles = self.whole.as_ref().map_or(0, |whole| whole.tiles.len());
+        let tiles = tiles + self.rooms.iter().map(|room| room.tiles.len()).sum::<usize>();
+        let with = self.rooms.iter().filter_map(|room| room.segments.as_ref());
+        let (count, bytes) = with.fold((0, 0), |(count, bytes), of_room| (count + 1, bytes + of_room.len()));
+        let mut lines = vec![
+            format!("rooms   {} of cells of {} px, with an apron of {} cells", self.rooms.len(), self.cell, self.apron),
+            format!("flash   {tiles} bytes of tiles, {} of kinds", size_of::<tilesat::TileKinds>()),
+        ];
+        if count > 0 {
+            lines.push(format!("objects in {count} rooms, {bytes} bytes"));
+        }
+        lines
+    }
+}

@@ -1,0 +1,204 @@
+//! A level of a world: where it lies, its tiles, and the rooms that it is.
+
+use super::{Baked, Whole};
+use crate::bake::level::{Ids, Level};
+use crate::fail::{Fail, Result};
+use crate::model::map::{Map, Place};
+use crate::rules::flags::Flags;
+use crate::rules::ground::Ground;
+use crate::rules::options::Options;
+use crate::rules::outline::Outline;
+
+/// The library's domain in pixels (contract C1).
+const DOMAIN: i64 = 8192;
+/// Of a world, a byte each.
+const MAX_TILES: u64 = 1 << 26;
+const MAX_ROOMS: usize = 1 << 16;
+
+/// Cells: the first ones, columns and rows.
+type Rectangle = (i64, i64, i64, i64);
+
+pub(super) struct Part {
+    pub name: String,
+    /// In pixels.
+    pub cell: u16,
+    /// Whether it has a place among others.
+    pub placed: bool,
+    /// The room, in cells of the world.
+    room: Rectangle,
+    /// The cells that its tiles cover, which may be others.
+    covered: Rectangle,
+    tiles: Vec<u8>,
+    /// In raw units of the world.
+    pub outlines: Vec<Outline>,
+}
+
+impl Part {
+    pub(super) fn of(map: &Map, options: &Options, flags: &mut Flags, ids: &mut Ids) -> Result<Self> {
+        let mut ground = Ground::of(map, options, flags)?;
+        let level = Level::with(&ground, &flags.names, ids)?;
+        // In a linear world LDtk has all levels at (-1, -1).
+        let place = map.place.filter(|place| (place.x, place.y) != (-1, -1));
+        let place = place.map(|place| scaled(place, options, ground.tile)).transpose()?;
+        // The ground is moved so that its first cell is at the origin.
+        let shift = (i64::from(-ground.shift.0), i64::from(-ground.shift.1));
+        let at =
+            place.map_or((0, 0), |room| (room.0 + cells(shift.0, ground.tile), room.1 + cells(shift.1, ground.tile)));
+        if place.is_some() && (shift.0 % i64::from(ground.tile) != 0 || shift.1 % i64::from(ground.tile) != 0) {
+            return Err(Fail::new(
+                "its tiles are drawn between the cells of the world: take the offset from its layers",
+            ));
+        }
+        let size = level.as_ref().map_or((0, 0), |level| (i64::from(level.width), i64::from(level.height)));
+        let covered = (at.0, at.1, size.0, size.1);
+        let side = i64::from(ground.tile) << 16;
+        for point in ground.outlines.iter_mut().flat_map(|outline| &mut outline.points) {
+            *point = (point.0 + at.0 * side, point.1 + at.1 * side);
+        }
+        // A map without tiles says itself how large it is.
+        let drawn = if level.is_some() { (0, 0) } else { (map.size.0.into(), map.size.1.into()) };
+        let extent = extent(&ground.outlines, side, drawn);
+        Ok(Self {
+            name: ground.name,
+            cell: ground.tile,
+            placed: place.is_some(),
+            room: place.unwrap_or((0, 0, size.0.max(extent.0), size.1.max(extent.1))),
+            covered,
+            tiles: level.map_or_else(Vec::new, |level| level.tiles),
+            outlines: ground.outlines,
+        })
+    }
+
+    /// All tiles, for windows of them.
+    pub(super) fn whole(&self, room: (u16, u16)) -> Result<Whole> {
+        let (.., width, height) = self.room;
+        let count = |cells: i64| {
+            u16::try_from(cells)
+                .map_err(|_| Fail::new(format!("{cells} cells on a side; a world has at most {}", u16::MAX)))
+        };
+        let (width, height) = (count(width)?, count(height)?);
+        if u64::from(width) * u64::from(height) > MAX_TILES {
+            return Err(Fail::new(format!(
+                "{width}x{height} cells are more than {MAX_TILES}: no flash has room for them"
+            )));
+        }
+        Ok(Whole { width, height, tiles: self.within((0, 0, width.into(), height.into())).collect(), room })
+    }
+
+    /// Its rooms of one size, row after row, without tiles.
+    ///
+    /// # Errors
+    ///
+    /// There are too many.
+    pub(super) fn equal(&self, (width, height): (u16, u16)) -> Result<Vec<Baked>> {
+        let (.., columns, rows) = self.room;
+        let count = (columns as usize).div_ceil(step(width)) * (rows as usize).div_ceil(step(height));
+        if count > MAX_ROOMS {
+            return Err(Fail::new(format!("{count} rooms of {width}x{height} cells: larger ones make fewer")));
+        }
+        let mut rooms = Vec::new();
+        for (row, y) in (0..rows).step_by(step(height)).enumerate() {
+            for (column, x) in (0..columns).step_by(step(width)).enumerate() {
+                rooms.push(Baked {
+                    name: format!("{column} {row}"),
+                    // A world has at most 65535 cells on a side.
+                    first: (x as i32, y as i32),
+                    size: ((columns - x).min(width.into()) as u16, (rows - y).min(height.into()) as u16),
+                    tiles: Vec::new(),
+                    segments: None,
+                });
+            }
+        }
+        Ok(rooms)
+    }
+
+    /// The room that it is, with an apron of the tiles of all.
+    pub(super) fn alone(&self, all: &[Self], apron: u16) -> Result<Baked> {
+        let of_level = |why: &str| Fail::new(format!("level '{}' {why}", self.name));
+        if !self.placed {
+            return Err(of_level("has no place: in a linear world levels have no neighbours, so bake them instead"));
+        }
+        let (x, y, width, height) = self.room;
+        let apron = i64::from(apron);
+        let side = (width.max(height) + 2 * apron) * i64::from(self.cell);
+        if side >= DOMAIN || apron * i64::from(self.cell) >= DOMAIN {
+            let why = format!("and an apron of {apron} cells are {side} pixels; a room has less than {DOMAIN}");
+            return Err(of_level(&why));
+        }
+        let window = (x - apron, y - apron, width + 2 * apron, height + 2 * apron);
+        let mut tiles: Vec<u8> = vec![0; (window.2 * window.3) as usize];
+        // Its own tiles last: where levels lie over each other each has its own.
+        for part in all.iter().filter(|part| !std::ptr::eq(*part, self)).chain([self]) {
+            part.copy_into(&mut tiles, window);
+        }
+        let coordinate = |cells: i64| i32::try_from(cells).map_err(|_| of_level("lies too far away"));
+        let count = |cells: i64| {
+            u16::try_from(cells).ok().filter(|&count| count > 0).ok_or_else(|| of_level("is too large, or empty"))
+        };
+        Ok(Baked {
+            name: self.name.clone(),
+            first: (coordinate(x)?, coordinate(y)?),
+            size: (count(width)?, count(height)?),
+            tiles,
+            segments: None,
+        })
+    }
+
+    /// Its tiles in a window, nothing where it has none.
+    fn within(&self, (x, y, width, height): Rectangle) -> impl Iterator<Item = u8> + '_ {
+        let (x0, y0, columns, rows) = self.covered;
+        let tile = move |x: i64, y: i64| {
+            let (x, y) = (x - x0, y - y0);
+            let inside = (0..columns).contains(&x) && (0..rows).contains(&y);
+            if inside { self.tiles[(y * columns + x) as usize] } else { 0 }
+        };
+        (y..y + height).flat_map(move |y| (x..x + width).map(move |x| tile(x, y)))
+    }
+
+    /// Puts its tiles into a window, those of its room.
+    fn copy_into(&self, tiles: &mut [u8], window: Rectangle) {
+        let (from_x, to_x) = common((window.0, window.2), (self.room.0, self.room.2));
+        let (from_y, to_y) = common((window.1, window.3), (self.room.1, self.room.3));
+        for y in from_y..to_y {
+            let row = self.within((from_x, y, (to_x - from_x).max(0), 1));
+            let place = ((y - window.1) * window.2 + from_x - window.0) as usize;
+            row.zip(&mut tiles[place..]).for_each(|(tile, into)| *into = tile);
+        }
+    }
+}
+
+/// A step is not 0.
+fn step(cells: u16) -> usize {
+    usize::from(cells.max(1))
+}
+
+/// Where two ranges, from and how long, are both.
+fn common(a: (i64, i64), b: (i64, i64)) -> (i64, i64) {
+    (a.0.max(b.0), (a.0 + a.1).min(b.0 + b.1))
+}
+
+fn cells(pixels: i64, tile: u16) -> i64 {
+    pixels.div_euclid(tile.into())
+}
+
+/// The cells up to the last point, or so many.
+fn extent(outlines: &[Outline], side: i64, least: (i64, i64)) -> (i64, i64) {
+    let cells = |raw: i64| (raw + side - 1).div_euclid(side);
+    let points = outlines.iter().flat_map(|outline| &outline.points);
+    points.fold(least, |most, p| (most.0.max(cells(p.0)), most.1.max(cells(p.1))))
+}
+
+/// A place in cells.
+fn scaled(place: Place, options: &Options, tile: u16) -> Result<Rectangle> {
+    let (n, d) = options.scale.unwrap_or((1, 1));
+    let whole = |pixels: i64| {
+        let (pixels, side) = (pixels * i64::from(n), i64::from(d) * i64::from(tile));
+        let why = || {
+            Fail::new(format!(
+                "it begins or ends at {pixels} pixels, between cells of {side}: no body can pass there; move it in LDtk"
+            ))
+        };
+        if pixels % side == 0 { Ok(pixels / side) } else { Err(why()) }
+    };
+    Ok((whole(place.x.into())?, whole(place.y.into())?, whole(place.width.into())?, whole(place.height.into())?))
+}

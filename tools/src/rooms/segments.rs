@@ -1,0 +1,126 @@
+//! The polygons that a room needs: those that reach it or its apron, with the edges there as they are drawn.
+
+use tilesat::Fx;
+
+use super::Baked;
+use super::part::Part;
+use crate::bake::segments::Shapes;
+use crate::fail::Result;
+use crate::lint::geometry::doubled_area;
+use crate::rules::flags::Flags;
+use crate::rules::kind::Kind;
+use crate::rules::outline::Outline;
+
+type Point = (i64, i64);
+
+/// The bytes of a room's segment map, by the coordinates of the room; `None` where nothing reaches it.
+pub(super) fn of(parts: &[Part], room: &Baked, cell: u16, apron: u16, flags: &mut Flags) -> Result<Option<Vec<u8>>> {
+    let side = i64::from(cell) << 16;
+    let first = (i64::from(room.first.0) * side, i64::from(room.first.1) * side);
+    let margin = i64::from(apron) * side;
+    let end = (i64::from(room.size.0) * side + margin, i64::from(room.size.1) * side + margin);
+    let window = [(-1, 0, -margin), (1, 0, end.0), (0, -1, -margin), (0, 1, end.1)];
+    let outlines = parts.iter().flat_map(|part| &part.outlines);
+    let near = outlines.filter_map(|outline| near(moved(outline, first), window.map(Beyond::from))).collect::<Vec<_>>();
+    if near.is_empty() {
+        return Ok(None);
+    }
+    Shapes::of(&near, flags)?.build(&near, Fx::from_num(cell)).map(Some)
+}
+
+fn moved(outline: &Outline, by: Point) -> Outline {
+    let points = outline.points.iter().map(|p| (p.0 - by.0, p.1 - by.1)).collect();
+    Outline { points, ..outline.clone() }
+}
+
+/// What lies strictly beyond a side of a window.
+#[derive(Clone, Copy)]
+struct Beyond {
+    /// Along x or y, outward.
+    out: Point,
+    /// Where the side is.
+    at: i64,
+}
+
+impl From<(i64, i64, i64)> for Beyond {
+    fn from((x, y, at): (i64, i64, i64)) -> Self {
+        Self { out: (x, y), at: if x + y < 0 { -at } else { at } }
+    }
+}
+
+impl Beyond {
+    fn along(&self, p: Point) -> i64 {
+        p.0 * self.out.0 + p.1 * self.out.1
+    }
+
+    fn holds(&self, p: Point) -> bool {
+        self.along(p) > self.at
+    }
+}
+
+/// An outline without what is far from a window; `None` where nothing of it is near.
+///
+/// Edges are cut beyond the window, at a raw point that lies on them exactly where there is one. Then of points one after another beyond
+/// a side the first and the last stay, with a straight way between them. So what reaches the window is as it was drawn, and what winds
+/// around a point of it does so as often: all that changed is beyond a side.
+fn near(outline: Outline, window: [Beyond; 4]) -> Option<Outline> {
+    if window.iter().any(|side| outline.points.iter().all(|&p| side.holds(p))) {
+        return None;
+    }
+    let mut short = outline.clone();
+    for side in window {
+        short.points = without_runs(&cut(&short.points, outline.closed, side), outline.closed, side);
+    }
+    short.rounding = vec![0; short.points.len()];
+    let area = |outline: &Outline| doubled_area(&outline.points) != 0;
+    match outline.kind {
+        Kind::Wall | Kind::OneWay => Some(short).filter(|short| short.points.len() > 1),
+        // Nothing but a way there and back.
+        Kind::Solid | Kind::Hole if short.points.len() < 3 => None,
+        // The library wants an area; the halves of a figure of eight may cancel.
+        Kind::Solid | Kind::Hole => Some(if area(&short) { short } else { outline }),
+    }
+}
+
+/// With a point on each edge that leaves through a side, as soon behind it as there is one.
+fn cut(points: &[Point], closed: bool, side: Beyond) -> Vec<Point> {
+    let mut all = Vec::with_capacity(points.len());
+    for (i, &a) in points.iter().enumerate() {
+        all.push(a);
+        let next = if closed { points.get((i + 1) % points.len()) } else { points.get(i + 1) };
+        let Some(&b) = next.filter(|&&b| side.holds(a) != side.holds(b)) else { continue };
+        let (inner, outer) = if side.holds(b) { (a, b) } else { (b, a) };
+        let way = (outer.0 - inner.0, outer.1 - inner.1);
+        let count = gcd(way.0.unsigned_abs(), way.1.unsigned_abs()) as i64;
+        let step = (way.0 / count, way.1 / count);
+        // Outward, as one end is beyond the side and the other is not.
+        let steps = (side.at - side.along(inner)).div_euclid(side.along(step)) + 1;
+        if steps < count {
+            all.push((inner.0 + step.0 * steps, inner.1 + step.1 * steps));
+        }
+    }
+    all
+}
+
+fn gcd(a: u64, b: u64) -> u64 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+fn without_runs(points: &[Point], closed: bool, side: Beyond) -> Vec<Point> {
+    let beyond = |i: usize| points.get(i).is_none_or(|&p| side.holds(p));
+    let count = points.len();
+    // Before the first point of a chain and after the last one nothing is near.
+    let (before, after) = if closed { (count - 1, 0) } else { (count, count) };
+    let goes = |i: usize| {
+        let last = if i == 0 { before } else { i - 1 };
+        let next = if i + 1 == count { after } else { i + 1 };
+        beyond(last) && beyond(i) && beyond(next)
+    };
+    let mut kept: Vec<Point> = (0..count).filter(|&i| !goes(i)).map(|i| points[i]).collect();
+    kept.dedup();
+    // A polygon closes itself.
+    if closed && kept.len() > 1 && kept.first() == kept.last() {
+        kept.pop();
+    }
+    kept
+}

@@ -1,0 +1,123 @@
+//! A world as Rust source.
+
+use std::fmt::Write;
+
+use super::{Baked, Whole, World};
+use crate::bake::source::{bytes, constants};
+use crate::bake::{items, names};
+
+/// The tiles, the table of rooms, and the segments of those that have some.
+pub(crate) fn source(world: &World) -> String {
+    let mut text = "//! Written by `tilesat rooms LEVEL -o OUT.rs`; not edited by hand.\n\
+                    #![allow(unreachable_pub, reason = \"a world is a module of a program\")]\n\
+                    #![allow(clippy::unreadable_literal, reason = \"raw coordinates\")]\n\n"
+        .to_owned();
+    let _ = writeln!(text, "use tilesat::{};\n", items::imports(&world.kinds));
+    let _ = writeln!(text, "/// Side of a cell in pixels.\npub const CELL: u16 = {};", world.cell);
+    let _ =
+        writeln!(text, "/// Cells around each room that are its neighbours'.\npub const APRON: u16 = {};", world.apron);
+    text += &items::flags(&constants(&world.flags));
+    text += &format!("#[rustfmt::skip]\n{}", items::kinds(&world.kinds));
+    let set = if world.is_blocks() { "Blocks" } else { "AllShapes" };
+    match &world.whole {
+        Some(whole) => windows(&mut text, world, whole, set),
+        None => table(&mut text, world, set),
+    }
+    segments(&mut text, world);
+    text
+}
+
+fn windows(text: &mut String, world: &World, whole: &Whole, set: &str) {
+    let Whole { width, height, tiles, room: (columns, rows) } = whole;
+    let _ = writeln!(
+        text,
+        "/// The whole world, row by row.\npub static TILES: &[u8; {}] = {};",
+        tiles.len(),
+        bytes(tiles, usize::from(*width))
+    );
+    let _ = writeln!(
+        text,
+        "/// {width} x {height} cells in rooms of {columns} x {rows}.\n\
+         pub static ROOMS: tilesat::Rooms<'static, tilesat::{set}> =\n    \
+         match tilesat::Rooms::of(TILES, ({width}, {height}), tilesat::Fx::lit(\"{}\"), &KINDS, ({columns}, {rows}), APRON) {{\n        \
+         Ok(rooms) => rooms,\n        \
+         Err(_) => panic!(\"the rooms do not fit\"),\n    \
+         }};",
+        world.cell
+    );
+}
+
+fn table(text: &mut String, world: &World, set: &str) {
+    let modules = names::modules(world.rooms.iter().map(|room| room.name.as_str()));
+    let _ = writeln!(
+        text,
+        "/// All rooms; `next_of` finds the one that a body goes over to.\n\
+         pub static ROOMS: [tilesat::Room<'static, tilesat::{set}>; {}] = [",
+        world.rooms.len()
+    );
+    for (room, module) in world.rooms.iter().zip(&modules) {
+        let (x, y) = room.first;
+        let side = |cells: u16| u32::from(cells) + 2 * u32::from(world.apron);
+        let (width, height) = (side(room.size.0), side(room.size.1));
+        let _ = writeln!(text, "    room({module}::TILES, {width}, {height}, {x}, {y}),");
+    }
+    let _ = writeln!(
+        text,
+        "];\n\
+         const fn room(tiles: &'static [u8], width: u16, height: u16, x: i32, y: i32) -> tilesat::Room<'static, tilesat::{set}> {{\n    \
+         match tilesat::Grid::new(width, height, tilesat::Fx::lit(\"{}\"), tilesat::Vec2::ZERO) {{\n        \
+         Ok(grid) => match tilesat::TileMap::of(tiles, grid, &KINDS) {{\n            \
+         Ok(map) => match tilesat::Room::new(map, x, y, APRON) {{\n                \
+         Ok(room) => room,\n                \
+         Err(_) => panic!(\"a room does not fit\"),\n            \
+         }},\n            \
+         Err(_) => panic!(\"the tiles do not fit\"),\n        \
+         }},\n        \
+         Err(_) => panic!(\"the cells do not fit\"),\n    \
+         }}\n\
+         }}",
+        world.cell
+    );
+    for (index, (room, module)) in world.rooms.iter().zip(&modules).enumerate() {
+        let title: String = room.name.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
+        let row = usize::from(room.size.0) + 2 * usize::from(world.apron);
+        let _ = writeln!(
+            text,
+            "\n/// {title}\npub mod {module} {{\n/// In the table of rooms.\npub const INDEX: usize = {index};\n\
+             /// With the apron, row by row.\npub static TILES: &[u8; {}] = {};\n}}",
+            room.tiles.len(),
+            bytes(&room.tiles, row)
+        );
+    }
+}
+
+/// A map of segments for each room that has some.
+fn segments(text: &mut String, world: &World) {
+    if world.rooms.iter().all(|room| room.segments.is_none()) {
+        return;
+    }
+    let count = world.rooms.len();
+    let _ = writeln!(
+        text,
+        "\n/// The polygons of each room, in the order of the rooms, row after row.\n\
+         #[allow(long_running_const_eval, reason = \"it ends: the level is as large as it is\")]\n\
+         #[rustfmt::skip]\n\
+         pub static SEGMENTS: [Option<tilesat::SegmentMap<'static>>; {count}] = ["
+    );
+    for Baked { segments, .. } in &world.rooms {
+        let _ = match segments {
+            None => writeln!(text, "None,"),
+            Some(segments) => writeln!(text, "Some(segments({})),", bytes(segments, 64)),
+        };
+    }
+    let _ = writeln!(
+        text,
+        "];\n\
+         const fn segments(bytes: &'static [u8]) -> tilesat::SegmentMap<'static> {{\n    \
+         match tilesat::SegmentMap::from_bytes(bytes) {{\n        \
+         Ok(map) => map,\n        \
+         Err(_) => panic!(\"the segments are damaged\"),\n    \
+         }}\n\
+         }}"
+    );
+}

@@ -1,0 +1,266 @@
+//! The tile layers of a map laid over each other: one grid of shapes and flags, and paths for what fits no cell.
+
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+use tilesat::{TileKind, TileShape};
+
+use super::flags::Flags;
+use super::kind::Kind;
+use super::piece::{self, Path, Piece};
+use super::place::Unit;
+use crate::model::decimal::Decimal;
+use crate::model::map::{Layer, Tiles};
+
+/// More edges than that are no level: a segment map holds 32768 segments.
+const MAX_EDGES: usize = 1 << 19;
+/// In the grid.
+const MAX_CELLS: i64 = 1 << 24;
+
+/// What a layer adds: of each entry of the palette that it uses.
+pub(super) struct Sheet<'a> {
+    pub(super) layer: &'a Layer,
+    pub(super) tiles: &'a Tiles,
+    pub(super) pieces: HashMap<u32, Piece>,
+    pub(super) flags: HashMap<u32, Vec<String>>,
+}
+
+/// A grid in pixels of the map: where its cells begin, and how large they are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+struct Lattice {
+    tile: u16,
+    /// Raw, below a cell.
+    phase: (i64, i64),
+}
+
+/// The cells, row by row, from the column and row `at` on.
+#[derive(Debug, Default)]
+pub(super) struct Cells {
+    pub(super) tile: u16,
+    /// Raw, of the map: where the first cell begins.
+    pub(super) at: (i64, i64),
+    pub(super) width: u32,
+    pub(super) height: u32,
+    /// None where no tile means anything.
+    pub(super) kinds: Vec<TileKind>,
+    pub(super) paths: Vec<Placed>,
+    /// Layers whose flags lie between the cells.
+    pub(super) lost: Vec<String>,
+}
+
+/// A path of a tile where it lies, in pixels of the map.
+#[derive(Debug)]
+pub(super) struct Placed {
+    pub(super) path: Path,
+    pub(super) flags: u8,
+    pub(super) layer: String,
+}
+
+impl Lattice {
+    fn of(sheet: &Sheet<'_>) -> Self {
+        let side = i64::from(sheet.tiles.tile) << 16;
+        let phase = |offset: Decimal| Unit::new(None).raw(offset).0.rem_euclid(side);
+        Self { tile: sheet.tiles.tile, phase: (phase(sheet.layer.offset.0), phase(sheet.layer.offset.1)) }
+    }
+
+    /// The column and row of the first cell of a layer on this lattice.
+    fn start(self, sheet: &Sheet<'_>) -> (i64, i64) {
+        let side = i64::from(self.tile) << 16;
+        let along =
+            |offset: Decimal, phase: i64, at: i32| (Unit::new(None).raw(offset).0 - phase) / side + i64::from(at);
+        let (offset, at) = (sheet.layer.offset, sheet.tiles.at);
+        (along(offset.0, self.phase.0, at.0), along(offset.1, self.phase.1, at.1))
+    }
+}
+
+/// Lays the sheets over each other, the lowest first.
+pub(super) fn merge(sheets: &[Sheet<'_>], flags: &mut Flags) -> Result<Cells, String> {
+    let Some(lattice) = best(sheets) else { return Ok(Cells::default()) };
+    let mut cells = Cells { tile: lattice.tile, ..Cells::default() };
+    let on: Vec<&Sheet<'_>> =
+        sheets.iter().filter(|sheet| Lattice::of(sheet) == lattice && !sheet.tiles.cells.is_empty()).collect();
+    if on.is_empty() {
+        return Ok(cells);
+    }
+    let starts = on.iter().map(|sheet| lattice.start(sheet));
+    let (left, top) = starts.clone().fold((i64::MAX, i64::MAX), |at, start| (at.0.min(start.0), at.1.min(start.1)));
+    let ends = on
+        .iter()
+        .zip(starts)
+        .map(|(sheet, at)| (at.0 + i64::from(sheet.tiles.width), at.1 + i64::from(sheet.tiles.height)));
+    let (right, bottom) = ends.fold((left, top), |at, end| (at.0.max(end.0), at.1.max(end.1)));
+    let (width, height) = (right - left, bottom - top);
+    if width.saturating_mul(height) > MAX_CELLS {
+        return Err(format!("the tile layers cover {width}x{height} cells together; there can be {MAX_CELLS}"));
+    }
+    (cells.width, cells.height) = (width as u32, height as u32);
+    let side = i64::from(lattice.tile) << 16;
+    cells.at = (left * side + lattice.phase.0, top * side + lattice.phase.1);
+    cells.kinds = vec![TileKind::EMPTY; (width * height) as usize];
+    let mut edges = 0;
+    for sheet in sheets {
+        let fits = Lattice::of(sheet) == lattice;
+        let start = lattice.start(sheet);
+        let from = if fits { (start.0 - left, start.1 - top) } else { (0, 0) };
+        cells
+            .lay(sheet, fits.then_some(from), flags, &mut edges)
+            .map_err(|why| format!("layer '{}': {why}", sheet.layer.name))?;
+    }
+    Ok(cells)
+}
+
+/// The lattice with most tiles that are solid or have flags; else that of the first layer.
+fn best(sheets: &[Sheet<'_>]) -> Option<Lattice> {
+    let mut count: Vec<(Lattice, usize)> = Vec::new();
+    for sheet in sheets {
+        let lattice = Lattice::of(sheet);
+        let shapes = |cell: &&u32| matches!(sheet.pieces.get(cell), Some(Piece::Shape(_) | Piece::Cells { .. }));
+        let solid = sheet.tiles.cells.iter().filter(shapes).count();
+        match count.iter_mut().find(|(known, _)| *known == lattice) {
+            Some((_, all)) => *all += solid,
+            None => count.push((lattice, solid)),
+        }
+    }
+    // `max_by_key` keeps the last of equals, and the first layer counts.
+    count.into_iter().rev().max_by_key(|(_, solid)| *solid).map(|(lattice, _)| lattice)
+}
+
+impl Cells {
+    /// Lays a sheet on top; `from` is where it begins on the lattice, if it lies on it.
+    fn lay(
+        &mut self,
+        sheet: &Sheet<'_>,
+        from: Option<(i64, i64)>,
+        flags: &mut Flags,
+        edges: &mut usize,
+    ) -> Result<(), String> {
+        let mut masks: HashMap<u32, u8> = HashMap::new();
+        // Tiles of a kind lie side by side.
+        let (mut last, mut mask, mut piece) = (0, 0, None);
+        for (x, y, cell) in sheet.tiles.drawn() {
+            if cell != last {
+                mask = match masks.entry(cell) {
+                    Entry::Occupied(known) => *known.get(),
+                    Entry::Vacant(new) => {
+                        let names = sheet.flags.get(&cell).map(Vec::as_slice).unwrap_or_default();
+                        *new.insert(names.iter().try_fold(0, |all, name| Ok::<u8, String>(all | flags.bit(name)?))?)
+                    }
+                };
+                (last, piece) = (cell, sheet.pieces.get(&cell));
+            }
+            let Some(from) = from else {
+                if mask != 0 && !self.lost.contains(&sheet.layer.name) {
+                    self.lost.push(sheet.layer.name.clone());
+                }
+                self.apart(sheet, (x, y), piece, mask, edges)?;
+                continue;
+            };
+            let at = (from.0 + i64::from(x - sheet.tiles.at.0), from.1 + i64::from(y - sheet.tiles.at.1));
+            if mask != 0 {
+                if let Some(kind) = self.kind(at) {
+                    *kind = TileKind::of(kind.shape).with_flags(kind.flags | mask);
+                }
+            }
+            match piece {
+                Some(Piece::Shape(shape)) => {
+                    if let Some(rest) = self.put(at, *shape) {
+                        self.paths(sheet, (x, y), &piece::as_path(rest, self.tile), mask, edges)?;
+                    }
+                }
+                Some(Piece::Cells { at: (dx, dy), size }) => {
+                    for (i, j) in (0..size.1).flat_map(|j| (0..size.0).map(move |i| (i, j))) {
+                        self.put((at.0 + i64::from(dx + i), at.1 + i64::from(dy + j)), TileShape::Full);
+                    }
+                }
+                Some(Piece::Paths(paths)) => self.paths(sheet, (x, y), paths, mask, edges)?,
+                None => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn kind(&mut self, (x, y): (i64, i64)) -> Option<&mut TileKind> {
+        let inside = (0..i64::from(self.width)).contains(&x) && (0..i64::from(self.height)).contains(&y);
+        if inside { self.kinds.get_mut((y * i64::from(self.width) + x) as usize) } else { None }
+    }
+
+    /// Puts a shape into a cell; returns it where another one is there and neither holds the other.
+    fn put(&mut self, at: (i64, i64), shape: TileShape) -> Option<TileShape> {
+        let kind = self.kind(at)?;
+        let flags = kind.flags;
+        match (kind.shape, shape) {
+            (_, TileShape::Empty) => None,
+            (a, b) if a == b || a == TileShape::Full => None,
+            (TileShape::Empty, _) | (_, TileShape::Full) => {
+                *kind = TileKind::of(shape).with_flags(flags);
+                None
+            }
+            _ => Some(shape),
+        }
+    }
+
+    /// A tile of a layer that lies between the cells.
+    fn apart(
+        &mut self,
+        sheet: &Sheet<'_>,
+        at: (i32, i32),
+        piece: Option<&Piece>,
+        mask: u8,
+        edges: &mut usize,
+    ) -> Result<(), String> {
+        let tile = sheet.tiles.tile;
+        match piece {
+            Some(Piece::Shape(shape)) => self.paths(sheet, at, &piece::as_path(*shape, tile), mask, edges),
+            Some(Piece::Cells { at: (dx, dy), size }) => {
+                let all = (0..size.1).flat_map(|j| (0..size.0).map(move |i| (i, j)));
+                let full = piece::as_path(TileShape::Full, tile);
+                all.into_iter()
+                    .try_for_each(|(i, j)| self.paths(sheet, (at.0 + dx + i, at.1 + dy + j), &full, mask, edges))
+            }
+            Some(Piece::Paths(paths)) => self.paths(sheet, at, paths, mask, edges),
+            None => Ok(()),
+        }
+    }
+
+    fn paths(
+        &mut self,
+        sheet: &Sheet<'_>,
+        (x, y): (i32, i32),
+        paths: &[Path],
+        flags: u8,
+        edges: &mut usize,
+    ) -> Result<(), String> {
+        let corner =
+            |offset: Decimal, index: i32| offset + Decimal::whole(i64::from(index) * i64::from(sheet.tiles.tile));
+        let (dx, dy) = (corner(sheet.layer.offset.0, x), corner(sheet.layer.offset.1, y));
+        for path in paths {
+            *edges += path.points.len();
+            if *edges > MAX_EDGES {
+                return Err(format!(
+                    "more than {MAX_EDGES} edges of tiles that are no shape of the library; --solid NAME makes tiles of a name full"
+                ));
+            }
+            let points = path.points.iter().map(|&(px, py)| (px + dx, py + dy)).collect();
+            let path = Path { points, ..path.clone() };
+            self.paths.push(Placed { path, flags, layer: sheet.layer.name.clone() });
+        }
+        Ok(())
+    }
+
+    /// Whether a polygon's box lies in one full cell, whose solid has it already.
+    pub(super) fn hides(&self, path: &Path) -> bool {
+        let side = i64::from(self.tile) << 16;
+        let cell = |(x, y): (i64, i64)| ((x - self.at.0).div_euclid(side), (y - self.at.1).div_euclid(side));
+        let raw: Vec<(i64, i64)> = path.points.iter().map(|(x, y)| (x.raw(), y.raw())).collect();
+        let lo = raw.iter().fold((i64::MAX, i64::MAX), |at, p| (at.0.min(p.0), at.1.min(p.1)));
+        let hi = raw.iter().fold((i64::MIN, i64::MIN), |at, p| (at.0.max(p.0), at.1.max(p.1)));
+        if raw.is_empty() || self.kinds.is_empty() || path.kind == Kind::Hole {
+            return false;
+        }
+        let (first, last) = (cell(lo), cell((hi.0 - 1, hi.1 - 1)));
+        let inside = (0..i64::from(self.width)).contains(&first.0) && (0..i64::from(self.height)).contains(&first.1);
+        first == last
+            && inside
+            && self.kinds[(first.1 * i64::from(self.width) + first.0) as usize].shape == TileShape::Full
+    }
+}

@@ -1,0 +1,98 @@
+//! The corners of what is drawn as an object.
+
+use crate::model::decimal::Decimal;
+use crate::model::object::{Form, Object, Spot};
+
+/// The corners, and whether the last one joins the first.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Corners {
+    pub(super) points: Vec<Spot>,
+    pub(super) closed: bool,
+    /// For what is round: by how many thousandths of a pixel the polygon lies within it at most.
+    pub(super) error: u32,
+}
+
+/// What round things may be off, in pixels.
+const OFF: f64 = 1.0 / 8.0;
+/// More would not be seen, and cost flash.
+const MOST_CORNERS: u32 = 64;
+
+/// Where an object's corners are; `None` for a point and a text, which have no extent, and where nobody knows.
+pub(super) fn corners(object: &Object) -> Option<Corners> {
+    let ((w, h), zero) = (object.size, Decimal::ZERO);
+    let box_of = |top: Decimal, bottom: Decimal| vec![(zero, top), (w, top), (w, bottom), (zero, bottom)];
+    let (points, closed, error) = match &object.form {
+        Form::Point | Form::Text | Form::Missing(_) => return None,
+        Form::Rectangle => (box_of(zero, h), true, 0),
+        // Tiled puts the lower left corner of a tile on the object's point.
+        Form::Tile => (box_of(-h, zero), true, 0),
+        Form::Ellipse => round(object.size, object.size),
+        Form::Capsule => {
+            let side = w.min(h);
+            round(object.size, (side, side))
+        }
+        Form::Polygon(points) => (points.clone(), true, 0),
+        Form::Polyline(points) => {
+            // A chain that ends where it began is a loop.
+            let joined = points.len() > 3 && points.first() == points.last();
+            let end = points.len() - usize::from(joined);
+            (points[..end].to_vec(), joined, 0)
+        }
+    };
+    let place = |&point: &Spot| {
+        let (x, y) = turned(point, object.rotation);
+        (object.at.0 + x, object.at.1 + y)
+    };
+    Some(Corners { points: points.iter().map(place).collect(), closed, error })
+}
+
+/// A box of this size whose corners are quarters of an ellipse of that size.
+fn round((w, h): Spot, (wide, high): Spot) -> (Vec<Spot>, bool, u32) {
+    let half = |v: Decimal| v.to_f64() / 2.0;
+    let (rx, ry) = (half(wide), half(high));
+    let radius = rx.max(ry);
+    let off = |corners: u32| radius * (1.0 - (std::f64::consts::PI / f64::from(corners)).cos());
+    let corners = (2..=MOST_CORNERS / 4).map(|k| 4 * k).find(|&k| off(k) <= OFF).unwrap_or(MOST_CORNERS);
+    let (far_x, far_y) = (w.to_f64() - rx, h.to_f64() - ry);
+    let mut points: Vec<Spot> = Vec::new();
+    for k in 0..corners {
+        let quarter = 4 * k / corners;
+        let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / f64::from(corners)).sin_cos();
+        // The quarters lie around the lower right, lower left, upper left and upper right.
+        let x = if matches!(quarter, 0 | 3) { far_x } else { rx };
+        let y = if quarter < 2 { far_y } else { ry };
+        // Where one quarter ends, a straight side leads to the next.
+        if k * 4 % corners == 0 && k > 0 {
+            let before =
+                (if matches!(quarter, 0 | 1) { far_x } else { rx }, if matches!(quarter, 1 | 2) { far_y } else { ry });
+            points.push((Decimal::from_f64(before.0 + rx * cos), Decimal::from_f64(before.1 + ry * sin)));
+        }
+        points.push((Decimal::from_f64(x + rx * cos), Decimal::from_f64(y + ry * sin)));
+    }
+    points.push((Decimal::from_f64(far_x + rx), Decimal::from_f64(ry)));
+    points.dedup_by_key(|(x, y)| (x.raw(), y.raw()));
+    if points.first().map(|(x, y)| (x.raw(), y.raw())) == points.last().map(|(x, y)| (x.raw(), y.raw())) {
+        points.pop();
+    }
+    (points, true, (off(corners) * 1000.0).ceil() as u32)
+}
+
+/// Around the object's own point; exact for right angles.
+fn turned((x, y): Spot, degrees: Decimal) -> Spot {
+    let right_angles = [
+        (0, (x, y)),
+        (90, (-y, x)),
+        (180, (-x, -y)),
+        (270, (y, -x)),
+        (-90, (y, -x)),
+        (-180, (-x, -y)),
+        (-270, (-y, x)),
+        (360, (x, y)),
+    ];
+    if let Some((_, exact)) = right_angles.iter().find(|(angle, _)| Decimal::whole(*angle) == degrees) {
+        return *exact;
+    }
+    let (sin, cos) = degrees.to_f64().to_radians().sin_cos();
+    let (x, y) = (x.to_f64(), y.to_f64());
+    (Decimal::from_f64(x * cos - y * sin), Decimal::from_f64(x * sin + y * cos))
+}

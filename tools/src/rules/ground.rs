@@ -1,0 +1,168 @@
+//! A level as it is solid, made of one as it was drawn.
+//!
+//! Of each placed tile the first of these says what it is:
+//!
+//! 1. `option`: the user, by [`Options`].
+//! 2. `a`: its class or a true property is called `Collision`, `Solid`, `Collides`, `Collidable`, `Wall`, `Blocked` or
+//!    `OneWay`, or the properties `shape` and `npp` name its shape.
+//! 3. `b`: it has shapes of Tiled's collision editor. What is a shape of the library within 1/8 pixel becomes that one;
+//!    all else becomes polygons beside the tiles.
+//! 4. `c`: its layer or a group around it has a name, a class or a true property with the word collision, collider or solid.
+//! 5. `d`: where nothing of the map is solid so far, its layer has a name with the word wall, ground, terrain, platform,
+//!    block or obstacle. Values of `LDtk` go by the same words, and by dirt, stone, rock, brick and earth.
+
+use tilesat::{TileKind, TileShape};
+
+use super::cells::{self, Cells, Sheet};
+use super::flags::Flags;
+use super::layers::Layers;
+use super::options::Options;
+use super::outline::{LeftOut, Outline};
+use super::piece::Piece;
+use super::place::{self, Unit};
+use super::report::Applied;
+use super::{nothing, paths};
+use crate::fail::{Fail, Result};
+use crate::model::map::{Content, Map, Place};
+
+/// What of a level is solid.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Ground {
+    pub name: String,
+    /// The layers whose tiles are solid.
+    pub layer: String,
+    /// All tile layers.
+    pub layers: usize,
+    /// Side of a cell in pixels.
+    pub tile: u16,
+    /// Raw: where the first cell begins.
+    pub origin: (i32, i32),
+    pub width: u16,
+    pub height: u16,
+    /// Row by row; empty where no tile means anything.
+    pub cells: Vec<TileKind>,
+    /// Polygons and chains: of tiles, then of objects.
+    pub outlines: Vec<Outline>,
+    pub left_out: Vec<LeftOut>,
+    /// The rules that made something solid.
+    pub applied: Vec<Applied>,
+    /// What was drawn and is no part of the level.
+    pub ignored: Vec<String>,
+    /// What else the user should know.
+    pub notes: Vec<String>,
+    pub place: Option<Place>,
+    /// Pixels from where the map has a thing to where the level has it, after scaling.
+    pub shift: (i32, i32),
+}
+
+impl Ground {
+    /// What of a map is solid; new flags take the bits that are left.
+    ///
+    /// # Errors
+    ///
+    /// One line that says what the library does not take, and which option would settle it.
+    pub fn of(map: &Map, options: &Options, flags: &mut Flags) -> Result<Self> {
+        make(map, options, flags).map_err(Fail::new)
+    }
+}
+
+type Made<T> = std::result::Result<T, String>;
+
+fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
+    let unit = Unit::new(options.scale);
+    let mut layers = Layers::new(map, options, unit)?;
+    let mut sheets = Vec::new();
+    for layer in layers.all.clone() {
+        match &layer.content {
+            Content::Tiles(tiles) => sheets.push(layers.sheet(layer, tiles)?),
+            Content::Objects(_) => {}
+            Content::Image => layers.ignored.push(format!("image layer '{}'", layer.name)),
+        }
+    }
+    let (mut outlines, mut left_out) = layers.objects(false)?;
+    let empty = |piece: &Piece| *piece == Piece::Shape(TileShape::Empty);
+    if outlines.is_empty() && sheets.iter().all(|sheet| sheet.pieces.values().all(empty)) {
+        for sheet in &mut sheets {
+            layers.guess(sheet);
+        }
+        (outlines, left_out) = layers.objects(true)?;
+    }
+    let cells = cells::merge(&sheets, flags)?;
+    for layer in &cells.lost {
+        layers
+            .notes
+            .push(format!("the flags of layer '{layer}' are left out: it lies between the cells of the others"));
+    }
+    let of_tiles = paths::outlines(&cells, unit, flags, &mut layers.notes);
+    outlines.splice(0..0, of_tiles);
+    if outlines.is_empty() && cells.kinds.iter().all(|kind| kind.shape == TileShape::Empty) {
+        nothing::explain(map, &sheets, options)?;
+        layers.notes.push("it is empty: nothing is drawn".to_owned());
+    }
+    let Layers { ledger, ignored, notes, .. } = layers;
+    let solid = names(&sheets);
+    let mut ground = settled(map, cells, outlines, (unit, options.rooms), &solid)?;
+    ground.layers = sheets.len();
+    ground.left_out = left_out;
+    ground.applied = ledger.0;
+    ground.ignored = ignored;
+    ground.notes.splice(0..0, notes);
+    Ok(ground)
+}
+
+/// The layers whose tiles are solid; the first one where there are none.
+fn names(sheets: &[Sheet<'_>]) -> String {
+    let mut solid: Vec<&str> =
+        sheets.iter().filter(|sheet| !sheet.pieces.is_empty()).map(|sheet| sheet.layer.name.as_str()).collect();
+    solid.dedup();
+    let first = || sheets.first().map(|sheet| sheet.layer.name.clone()).unwrap_or_default();
+    if solid.is_empty() { first() } else { solid.join(" + ") }
+}
+
+/// Puts everything into the library's domain.
+fn settled(
+    map: &Map,
+    cells: Cells,
+    mut outlines: Vec<Outline>,
+    (unit, rooms): (Unit, bool),
+    solid: &str,
+) -> Made<Ground> {
+    let tile = unit.side(if cells.tile == 0 { map.tile } else { cells.tile })?;
+    let side = i64::from(tile) << 16;
+    // Without tiles the map itself says how large the level is.
+    let (width, height) = if cells.kinds.is_empty() { map.size } else { (cells.width, cells.height) };
+    let at = (unit.raw_of_raw(cells.at.0), unit.raw_of_raw(cells.at.1));
+    let ends = |from: i64, count: u32| (from >> 16, (from + side * i64::from(count) + 65535) >> 16);
+    let (x, y) = (ends(at.0, width), ends(at.1, height));
+    let of_layer = |why: String| format!("layer '{solid}' of {width}x{height} tiles of {tile} pixels: {why}");
+    let shift = |(lo, hi): (i64, i64)| if rooms { Ok(-lo) } else { place::shift(lo, hi, tile).map_err(of_layer) };
+    let shift = (shift(x)?, shift(y)?);
+    for point in outlines.iter_mut().flat_map(|outline| &mut outline.points) {
+        *point = (point.0 + (shift.0 << 16), point.1 + (shift.1 << 16));
+    }
+    let mut notes = Vec::new();
+    if shift != (0, 0) && !rooms {
+        notes.push(format!("moved by ({}, {}) pixels, so that it lies around the origin", shift.0, shift.1));
+    }
+    let has_tiles = cells.kinds.iter().any(|kind| *kind != TileKind::EMPTY);
+    let fit = |count: u32| {
+        if has_tiles { u16::try_from(count).map_err(|_| of_layer(format!("{count} cells"))) } else { Ok(0) }
+    };
+    Ok(Ground {
+        name: map.name.clone(),
+        layer: solid.to_owned(),
+        layers: 0,
+        tile,
+        origin: ((at.0 + (shift.0 << 16)) as i32, (at.1 + (shift.1 << 16)) as i32),
+        width: fit(width)?,
+        height: fit(height)?,
+        cells: if has_tiles { cells.kinds } else { Vec::new() },
+        outlines,
+        left_out: Vec::new(),
+        applied: Vec::new(),
+        ignored: Vec::new(),
+        notes,
+        place: map.place,
+        shift: (shift.0 as i32, shift.1 as i32),
+    })
+}

@@ -1,0 +1,173 @@
+//! The rules, layer by layer: what its tiles and its objects are.
+
+use std::collections::HashMap;
+
+use tilesat::TileShape;
+
+use super::cells::Sheet;
+use super::likeness::Likeness;
+use super::objects::{self, Says};
+use super::options::{Options, listed};
+use super::outline::{LeftOut, Outline};
+use super::piece;
+use super::place::Unit;
+use super::report::{Ledger, Rule};
+use super::verdict::{self, Meaning, Solid};
+use super::words::{self, COLLISION, GUESS};
+use crate::model::map::{Content, Layer, Map, Placed, Tiles};
+
+type Made<T> = std::result::Result<T, String>;
+
+/// The layers of a map, and what is known of them so far.
+pub(super) struct Layers<'a> {
+    map: &'a Map,
+    options: &'a Options,
+    unit: Unit,
+    likeness: Likeness,
+    meanings: HashMap<u32, Meaning>,
+    /// Those that the user does not leave out.
+    pub(super) all: Vec<&'a Layer>,
+    pub(super) ledger: Ledger,
+    pub(super) ignored: Vec<String>,
+    pub(super) notes: Vec<String>,
+}
+
+impl<'a> Layers<'a> {
+    /// Refuses an option for a layer that is not there.
+    pub(super) fn new(map: &'a Map, options: &'a Options, unit: Unit) -> Made<Self> {
+        if let Some(name) = &options.layer {
+            let tiles = map.layers.iter().filter(|layer| layer.tiles().is_some());
+            let mut names: Vec<&str> = tiles.map(|layer| layer.name.as_str()).collect();
+            names.dedup();
+            if !names.contains(&name.as_str()) {
+                return Err(format!("no tile layer '{name}'; there are: {}", names.join(", ")));
+            }
+        }
+        let is_ignored = |layer: &&Layer| listed(&options.ignored_layers, &layer.name);
+        let (out, all): (Vec<&Layer>, Vec<&Layer>) = map.layers.iter().partition(is_ignored);
+        Ok(Self {
+            map,
+            options,
+            unit,
+            likeness: Likeness::new(map.tile),
+            meanings: HashMap::new(),
+            all,
+            ledger: Ledger::default(),
+            ignored: out.iter().map(|layer| format!("layer '{}' (--ignore-layer)", layer.name)).collect(),
+            notes: Vec::new(),
+        })
+    }
+
+    /// What the tiles of a layer are, all rules but the guess.
+    pub(super) fn sheet(&mut self, layer: &'a Layer, tiles: &'a Tiles) -> Made<Sheet<'a>> {
+        let mut counts: HashMap<u32, u64> = HashMap::new();
+        for line in tiles.cells.chunk_by(|a, b| a == b).filter(|line| line[0] != 0) {
+            *counts.entry(line[0]).or_default() += line.len() as u64;
+        }
+        let mut used: Vec<(u32, u64)> = counts.into_iter().collect();
+        used.sort_unstable();
+        let by_layer = self.layer_rule(layer, tiles);
+        let only_flags = self.options.layer.as_ref().is_some_and(|name| *name != layer.name);
+        let mut sheet = Sheet { layer, tiles, pieces: HashMap::new(), flags: HashMap::new() };
+        for (entry, count) in used {
+            if !self.meanings.contains_key(&entry) {
+                let meaning = verdict::of(self.map, &self.map.palette[entry as usize], self.options)?;
+                self.meanings.insert(entry, meaning);
+            }
+            let meaning = &self.meanings[&entry];
+            if !meaning.flags.is_empty() {
+                sheet.flags.insert(entry, meaning.flags.clone());
+            }
+            let value = matches!(self.map.palette[entry as usize], Placed::Value { .. });
+            let by_layer = by_layer.as_ref().filter(|(rule, _)| !value || *rule == Rule::Option);
+            let (rule, what, solid) = match (&meaning.verdict, by_layer) {
+                (Some(verdict), _) => (verdict.rule, &verdict.what, verdict.solid),
+                (None, Some((rule, what))) => (*rule, what, Solid::Shape(TileShape::Full)),
+                (None, None) => continue,
+            };
+            if only_flags {
+                continue;
+            }
+            self.ledger.add(rule, what, count);
+            let piece = piece::of(self.map, &self.map.palette[entry as usize], solid, tiles.tile, &self.likeness);
+            sheet.pieces.insert(entry, piece);
+        }
+        Ok(sheet)
+    }
+
+    /// Why all tiles of a layer are full, if they are.
+    fn layer_rule(&self, layer: &Layer, tiles: &Tiles) -> Option<(Rule, String)> {
+        let what = format!("layer '{}' is full", layer.name);
+        if listed(&self.options.solid_layers, &layer.name) {
+            return Some((Rule::Option, what));
+        }
+        let says = [&layer.name, &layer.class]
+            .into_iter()
+            .chain(&layer.marks)
+            .chain(&layer.groups)
+            .any(|name| words::has(name, COLLISION));
+        (says && !tiles.derived).then_some((Rule::C, what))
+    }
+
+    /// Rule d for a layer.
+    pub(super) fn guess(&mut self, sheet: &mut Sheet<'_>) {
+        let layer = sheet.layer;
+        let says = [&layer.name, &layer.class].into_iter().chain(&layer.marks).any(|name| words::has(name, GUESS));
+        let other = self.options.layer.as_ref().is_some_and(|name| *name != layer.name);
+        if !says || sheet.tiles.derived || other {
+            return;
+        }
+        let mut count = 0;
+        for (_, _, entry) in sheet.tiles.drawn() {
+            let known = self.meanings.get(&entry).is_some_and(|meaning| meaning.verdict.is_some());
+            let value = matches!(self.map.palette[entry as usize], Placed::Value { .. });
+            if known || value {
+                continue;
+            }
+            count += 1;
+            sheet.pieces.entry(entry).or_insert_with(|| {
+                let solid = Solid::Shape(TileShape::Full);
+                piece::of(self.map, &self.map.palette[entry as usize], solid, sheet.tiles.tile, &self.likeness)
+            });
+        }
+        if count > 0 {
+            self.ledger.add(Rule::D, &format!("layer '{}' is full", layer.name), count);
+            self.guessed(&layer.name, &format!("--solid-layer '{}'", layer.name));
+        }
+    }
+
+    fn guessed(&mut self, layer: &str, option: &str) {
+        self.notes.push(format!(
+            "GUESS: nothing says what is solid, so layer '{layer}' is, for its name; {option} says so, --ignore-layer '{layer}' says no"
+        ));
+    }
+
+    /// The objects of all layers; where the layer's name is guessed by, those of layers that it is a guess for.
+    pub(super) fn objects(&mut self, guess: bool) -> Made<(Vec<Outline>, Vec<LeftOut>)> {
+        let (mut outlines, mut left_out) = (Vec::new(), Vec::new());
+        for layer in self.all.clone() {
+            let Content::Objects(objects) = &layer.content else { continue };
+            let mut says = objects::layer_says(layer, self.options);
+            // Entities of LDtk are for the game.
+            let guessed = guess && says == Says::Nothing && !self.map.values && words::has(&layer.name, GUESS);
+            if guessed {
+                says = Says::Solid;
+            }
+            let before = outlines.len();
+            for object in objects {
+                match objects::outline(object, layer, says, self.unit, self.options)
+                    .map_err(|why| format!("layer '{}': {why}", layer.name))?
+                {
+                    Ok(outline) => outlines.push(outline),
+                    Err(object) => left_out.push(object),
+                }
+            }
+            let count = (outlines.len() - before) as u64;
+            if guessed && count > 0 {
+                self.ledger.add(Rule::D, &format!("objects of layer '{}'", layer.name), count);
+                self.guessed(&layer.name, &format!("--objects '{}'", layer.name));
+            }
+        }
+        Ok((outlines, left_out))
+    }
+}

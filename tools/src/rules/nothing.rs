@@ -1,0 +1,65 @@
+//! What to tell a user whose level has nothing solid.
+
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+use super::cells::Sheet;
+use super::options::Options;
+use crate::model::map::{Content, Map, Placed};
+
+/// At most this many names are listed.
+const MOST: usize = 20;
+
+/// An error that names the layers, their counts and the option to add; none where a level of `LDtk` has nothing drawn at all.
+pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Result<(), String> {
+    if let Some(layer) = &options.layer {
+        return Err(format!("layer '{layer}' has no solid tile; --solid-layer '{layer}' makes every tile of it full"));
+    }
+    let mut tiles: Vec<String> = Vec::new();
+    let mut names: BTreeSet<&str> = BTreeSet::new();
+    for sheet in sheets {
+        let count = sheet.tiles.drawn().count();
+        if count > 0 {
+            tiles.push(format!("'{}' ({count} tiles)", sheet.layer.name));
+        }
+        names.extend(sheet.flags.values().flatten().map(String::as_str));
+    }
+    let objects: Vec<String> = map
+        .layers
+        .iter()
+        .filter_map(|layer| match &layer.content {
+            Content::Objects(objects) if !objects.is_empty() => {
+                Some(format!("'{}' ({} objects)", layer.name, objects.len()))
+            }
+            _ => None,
+        })
+        .collect();
+    if tiles.is_empty() && objects.is_empty() && map.values {
+        return Ok(());
+    }
+    // Writing to a string cannot fail.
+    let mut why = "there is nothing solid: no tile, no object".to_owned();
+    if !tiles.is_empty() {
+        let _ = write!(
+            why,
+            "; the tile layers are {}: add --solid-layer NAME where all that is drawn is solid",
+            list(&tiles)
+        );
+    }
+    if !names.is_empty() {
+        let names: Vec<String> = names.into_iter().map(|name| format!("'{name}'")).collect();
+        let _ = write!(why, "; names of tiles are {}: add --solid NAME", list(&names));
+    }
+    if !objects.is_empty() {
+        let _ = write!(why, "; the object layers are {}: add --objects NAME where they are solid", list(&objects));
+    }
+    if map.values && map.palette.iter().any(|placed| matches!(placed, Placed::Value { .. })) {
+        why += "; --ignore-level NAME leaves a level out";
+    }
+    Err(why)
+}
+
+fn list(names: &[String]) -> String {
+    let shown = names[..names.len().min(MOST)].join(", ");
+    if names.len() > MOST { format!("{shown} and {} more", names.len() - MOST) } else { shown }
+}

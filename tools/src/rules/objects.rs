@@ -1,0 +1,136 @@
+//! Which objects are solid: those that say so, or whose layer does.
+
+use super::form;
+use super::kind::Kind;
+use super::options::{Options, listed};
+use super::outline::{LeftOut, Outline, Title};
+use super::place::Unit;
+use super::traits;
+use super::words::{self, COLLISION};
+use crate::model::decimal::Decimal;
+use crate::model::map::Layer;
+use crate::model::object::{Form, Object};
+use tilesat::TileShape;
+
+/// What a layer says about its objects: a kind, or that they are solid as they are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Says {
+    Kind(Kind),
+    Solid,
+    Nothing,
+}
+
+/// What the names of a layer of objects say.
+pub(super) fn layer_says(layer: &Layer, options: &Options) -> Says {
+    let own: Vec<&str> = [&layer.name, &layer.class].into_iter().chain(&layer.marks).map(String::as_str).collect();
+    let by_option = listed(&options.objects, &layer.name) || listed(&options.solid_layers, &layer.name);
+    if let Some(kind) = Kind::from_name(&layer.class).filter(|kind| *kind != Kind::Solid) {
+        return Says::Kind(kind);
+    }
+    // A layer that is called `Walls` is full of what walls are made of.
+    let by_name =
+        own.iter().find_map(|name| Kind::from_name(name)).filter(|kind| matches!(kind, Kind::Hole | Kind::OneWay));
+    if let Some(kind) = by_name {
+        return Says::Kind(kind);
+    }
+    let around = layer.groups.iter().map(String::as_str);
+    let says = |name: &str| words::has(name, COLLISION) || traits::shape(name) == Some(TileShape::Full);
+    if by_option || own.iter().copied().chain(around).any(says) { Says::Solid } else { Says::Nothing }
+}
+
+/// The outline of an object, or why there is none.
+pub(super) fn outline(
+    object: &Object,
+    layer: &Layer,
+    says: Says,
+    unit: Unit,
+    options: &Options,
+) -> Result<Result<Outline, LeftOut>, String> {
+    let title = Title { id: object.id, name: object.name.clone(), layer: layer.name.clone() };
+    let raw = |(x, y): (Decimal, Decimal)| (unit.raw(x + layer.offset.0).0, unit.raw(y + layer.offset.1).0);
+    let at = raw(object.at);
+    let left_out = |why: String, suspicious| Ok(Err(LeftOut { title: title.clone(), at, why, suspicious }));
+    let Some(corners) = form::corners(object) else {
+        return match &object.form {
+            Form::Missing(why) => left_out(why.clone(), true),
+            Form::Text => left_out("a text".to_owned(), false),
+            _ => left_out("a point".to_owned(), false),
+        };
+    };
+    let flat = object.size.0 == Decimal::ZERO || object.size.1 == Decimal::ZERO;
+    let kind = match kind(object, says, options)? {
+        Some(kind) if object.form != Form::Tile || !flat => kind,
+        _ if object.form == Form::Tile => return left_out("a tile as an object".to_owned(), false),
+        _ => {
+            let class = if object.class.is_empty() { &layer.class } else { &object.class };
+            let why = if class.is_empty() {
+                "nothing says that it is solid".to_owned()
+            } else {
+                format!("class '{class}' is for the game")
+            };
+            return left_out(why, false);
+        }
+    };
+    let mut outline = Outline {
+        title,
+        kind,
+        closed: corners.closed,
+        points: Vec::new(),
+        rounding: Vec::new(),
+        flags: flags(object, options),
+    };
+    for (x, y) in corners.points {
+        let ((x, off_x), (y, off_y)) = (unit.raw(x + layer.offset.0), unit.raw(y + layer.offset.1));
+        outline.points.push((x, y));
+        outline.rounding.push(off_x.max(off_y));
+    }
+    Ok(Ok(outline))
+}
+
+/// What an object is by its property `kind`, its names, its layer; without a name of its own what it is drawn as.
+fn kind(object: &Object, says: Says, options: &Options) -> Result<Option<Kind>, String> {
+    let whose = format!("object {}", object.id);
+    let by_form = if matches!(object.form, Form::Polyline(_)) { Kind::Wall } else { Kind::Solid };
+    if let Some(name) = object.properties.text("kind") {
+        let kind = Kind::from_name(&name);
+        let known = "there are solid, hole, wall and one-way";
+        return kind.map(Some).ok_or_else(|| format!("{whose} has the kind '{name}'; {known}"));
+    }
+    let own: Vec<String> = names(object).map(str::to_owned).collect();
+    match options.shape(&own) {
+        Some((_, TileShape::Empty)) => return Ok(None),
+        Some((_, shape)) => return Ok(Some(if super::names::is_one_way(shape) { Kind::OneWay } else { by_form })),
+        None => {}
+    }
+    let mut kinds: Vec<Kind> =
+        own.iter().filter(|name| !options.is_flag(name)).filter_map(|name| Kind::from_name(name)).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    if let [a, b, ..] = kinds[..] {
+        return Err(format!("{whose} is both {a} and {b}"));
+    }
+    let by_name = || {
+        Kind::from_name(&object.name).map(|kind| if matches!(kind, Kind::Wall | Kind::Solid) { by_form } else { kind })
+    };
+    Ok(kinds.first().copied().or_else(by_name).or(match says {
+        Says::Kind(kind) => Some(kind),
+        Says::Solid => Some(by_form),
+        Says::Nothing => None,
+    }))
+}
+
+fn names(object: &Object) -> impl Iterator<Item = &str> {
+    let own = [object.class.as_str()].into_iter().chain(object.properties.marks());
+    own.map(str::trim).filter(|name| !name.is_empty())
+}
+
+fn flags(object: &Object, options: &Options) -> Vec<String> {
+    let mut flags: Vec<String> = Vec::new();
+    for name in names(object).filter(|name| options.is_flag(name) || Kind::from_name(name).is_none()) {
+        let given = !options.is_flag(name) && options.shape(&[name.to_owned()]).is_some();
+        if !given && !flags.iter().any(|f| f.eq_ignore_ascii_case(name)) {
+            flags.push(name.to_owned());
+        }
+    }
+    flags
+}

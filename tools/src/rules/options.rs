@@ -1,0 +1,60 @@
+//! What a user says about a project where its names do not say it.
+
+use tilesat::TileShape;
+
+use super::words::same;
+
+/// Names of tiles are classes, true properties, values of an `IntGrid` (`NAME`, `2`, `LAYER:2`) and `TILESET:ID`.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Options {
+    /// The shape of tiles of a name. Of two for a tile the later one counts.
+    pub shapes: Vec<(String, TileShape)>,
+    /// Names that are flags, whatever else they would be. Where there are more than eight flags, these are the ones that stay.
+    pub flags: Vec<String>,
+    /// Layers in which every drawn tile is full.
+    pub solid_layers: Vec<String>,
+    /// Layers that are not there.
+    pub ignored_layers: Vec<String>,
+    /// Layers whose objects are solid.
+    pub objects: Vec<String>,
+    /// Levels of a project that are left out.
+    pub ignored_levels: Vec<String>,
+    /// The only tile layer that is looked at for solids.
+    pub layer: Option<String>,
+    /// All lengths are multiplied by this fraction.
+    pub scale: Option<(u32, u32)>,
+    /// The level is cut into rooms: it may be of any size, and its first cell is at the origin.
+    pub rooms: bool,
+}
+
+impl Options {
+    /// With what another user says, who has the last word.
+    #[must_use]
+    pub fn then(mut self, other: Self) -> Self {
+        self.shapes.extend(other.shapes);
+        self.flags.extend(other.flags);
+        self.solid_layers.extend(other.solid_layers);
+        self.ignored_layers.extend(other.ignored_layers);
+        self.objects.extend(other.objects);
+        self.ignored_levels.extend(other.ignored_levels);
+        self.layer = other.layer.or(self.layer);
+        self.scale = other.scale.or(self.scale);
+        self.rooms |= other.rooms;
+        self
+    }
+
+    /// The shape that is given to one of these names, and that name as the user wrote it.
+    pub(super) fn shape(&self, names: &[String]) -> Option<(&str, TileShape)> {
+        let given = self.shapes.iter().rev().find(|(name, _)| names.iter().any(|own| same(own, name)));
+        given.map(|(name, shape)| (name.as_str(), *shape))
+    }
+
+    pub(super) fn is_flag(&self, name: &str) -> bool {
+        listed(&self.flags, name)
+    }
+}
+
+/// Whether a list has this name.
+pub(crate) fn listed(list: &[String], name: &str) -> bool {
+    list.iter().any(|listed| same(listed, name))
+}

@@ -1,0 +1,234 @@
+//! What a placed tile fills: a shape of its cell, several cells, or paths that are no shape of the library.
+#![allow(clippy::cast_precision_loss, reason = "raw coordinates are below 2^53")]
+
+use tilesat::TileShape;
+
+use super::form;
+use super::kind::Kind;
+use super::likeness::{self, Likeness};
+use super::names;
+use super::union::{doubled_area, union};
+use super::verdict::Solid;
+use crate::model::decimal::Decimal;
+use crate::model::flip::Flip;
+use crate::model::map::{Map, Placed};
+use crate::model::object::{Form, Object, Spot};
+
+/// What a tile fills.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Piece {
+    Shape(TileShape),
+    /// So many columns and rows, from this cell relative to its own.
+    Cells {
+        at: (i32, i32),
+        size: (i32, i32),
+    },
+    /// Relative to the corner of its cell.
+    Paths(Vec<Path>),
+}
+
+/// A polygon or a chain in pixels of the map.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Path {
+    pub(super) kind: Kind,
+    pub(super) closed: bool,
+    pub(super) points: Vec<Spot>,
+    /// In thousandths of a pixel; see [`form::Corners`].
+    pub(super) error: u32,
+}
+
+/// Where a tile is drawn, in pixels from the corner of its cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Frame {
+    x: i64,
+    y: i64,
+    width: i64,
+    height: i64,
+}
+
+/// What a tile of a layer with cells of `tile` pixels fills.
+pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: &Likeness) -> Piece {
+    let side = i64::from(tile);
+    let cell = Frame { x: 0, y: 0, width: side, height: side };
+    let &Placed::Tile { tileset, id, flip } = placed else {
+        return if let Solid::Shape(shape) = solid { Piece::Shape(shape) } else { Piece::Paths(Vec::new()) };
+    };
+    let set = &map.tilesets[tileset];
+    let (w, h) = set.size_of(id);
+    let own = (i64::from(w), i64::from(h));
+    let fits = map.values || set.fits_grid || w == 0 || h == 0;
+    let (width, height) = if flip.diagonal { (own.1, own.0) } else { own };
+    // Tiled draws tiles upward from the lower left corner of their cell.
+    let frame = Frame { x: set.offset.0.into(), y: side - height + i64::from(set.offset.1), width, height };
+    let frame = if fits { cell } else { frame };
+    match solid {
+        Solid::Shape(shape) if frame == cell => Piece::Shape(shape),
+        Solid::Shape(TileShape::Full) if [frame.x, frame.y, width, height].iter().all(|v| v % side == 0) => {
+            let cells = |v: i64| (v / side) as i32;
+            Piece::Cells { at: (cells(frame.x), cells(frame.y)), size: (cells(width), cells(height)) }
+        }
+        Solid::Shape(shape) => Piece::Paths(stretched(shape, frame)),
+        Solid::Drawn => {
+            let shapes = set.tiles.get(&id).map(|tile| tile.shapes.as_slice()).unwrap_or_default();
+            // A tile that is drawn as large as a cell takes its shapes with it.
+            let size = if w == 0 || h == 0 { (side, side) } else { own };
+            let paths: Vec<Path> = shapes.iter().filter_map(|shape| path(shape, size, flip, frame)).collect();
+            if frame == cell { recognised(paths, likeness) } else { Piece::Paths(paths) }
+        }
+    }
+}
+
+/// A shape of the library as a path.
+pub(super) fn as_path(shape: TileShape, tile: u16) -> Vec<Path> {
+    let side = i64::from(tile);
+    stretched(shape, Frame { x: 0, y: 0, width: side, height: side })
+}
+
+/// A shape of the library in a box; arcs become chords.
+fn stretched(shape: TileShape, frame: Frame) -> Vec<Path> {
+    // Exact for all corners, which are at halves of a cell.
+    const SIDE: u16 = 64;
+    let lines = likeness::outline(shape, SIDE);
+    let place = |(x, y): (f64, f64)| {
+        let along = |v: f64, from: i64, length: i64| {
+            Decimal::whole(from) + Decimal::from_f64(v * length as f64 / f64::from(SIDE))
+        };
+        (along(x, frame.x, frame.width), along(y, frame.y, frame.height))
+    };
+    // The library tells faces in no order that is promised: each begins where another one ends.
+    let mut rest = lines;
+    let Some(first) = rest.pop() else { return Vec::new() };
+    let (mut points, mut end) = (vec![first.0], first.1);
+    while let Some(next) = rest.iter().position(|line| near(line.0, end) || near(line.1, end)) {
+        let line = rest.swap_remove(next);
+        points.push(end);
+        end = if near(line.0, end) { line.1 } else { line.0 };
+    }
+    let closed = !names::is_one_way(shape);
+    if !closed {
+        points.push(end);
+    }
+    let kind = if closed { Kind::Solid } else { Kind::OneWay };
+    vec![Path { kind, closed, points: points.into_iter().map(place).collect(), error: 0 }]
+}
+
+fn near(a: (f64, f64), b: (f64, f64)) -> bool {
+    (a.0 - b.0).abs() + (a.1 - b.1).abs() < 1e-6
+}
+
+/// A shape of the collision editor, drawn on a tile of this size, in the frame that the tile is placed in.
+fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option<Path> {
+    let corners = form::corners(object)?;
+    let says = |name: &str| Kind::from_name(name);
+    let own = [object.class.as_str(), object.name.as_str()].into_iter().chain(object.properties.marks());
+    let kind = own.into_iter().find_map(says).unwrap_or(Kind::Solid);
+    let (mut points, mut closed, mut kind) = (corners.points, corners.closed, kind);
+    if kind == Kind::OneWay && closed && object.form == Form::Rectangle {
+        // One stands on top of it.
+        points.truncate(2);
+        closed = false;
+    } else if kind.has_area() || kind == Kind::Wall {
+        // What a wall is made of is solid, as far as it has an inside.
+        kind = match kind {
+            Kind::Hole if closed => Kind::Hole,
+            _ if closed => Kind::Solid,
+            _ => Kind::Wall,
+        };
+    }
+    let (across, down) = if flip.diagonal { (h, w) } else { (w, h) };
+    let place = |(x, y): Spot| {
+        let (x, y) = if flip.diagonal { (y, x) } else { (x, y) };
+        let x = if flip.horizontal { Decimal::whole(across) - x } else { x };
+        let y = if flip.vertical { Decimal::whole(down) - y } else { y };
+        let fit = |v: Decimal, from: i64, to: i64| if from == to { v } else { v.scaled(to as u32, from.max(1) as u32) };
+        (Decimal::whole(frame.x) + fit(x, across, frame.width), Decimal::whole(frame.y) + fit(y, down, frame.height))
+    };
+    points = points.into_iter().map(place).collect();
+    // A mirrored chain would block from its other side.
+    if flip.diagonal ^ flip.horizontal ^ flip.vertical {
+        points.reverse();
+    }
+    Some(Path { kind, closed, points, error: corners.error })
+}
+
+/// A tile of more corners is no shape of the library.
+const MOST_CORNERS: usize = 128;
+
+/// What the shapes of a tile are together.
+fn recognised(paths: Vec<Path>, likeness: &Likeness) -> Piece {
+    if paths.iter().map(|path| path.points.len()).sum::<usize>() > MOST_CORNERS {
+        return Piece::Paths(paths);
+    }
+    let pixels = |points: &[Spot]| points.iter().map(|(x, y)| (x.to_f64(), y.to_f64())).collect::<Vec<_>>();
+    let solid = |path: &Path| path.kind == Kind::Solid && path.closed;
+    if paths.iter().any(|path| solid(path) && likeness.solid(&pixels(&path.points)) == Some(TileShape::Full)) {
+        return Piece::Shape(TileShape::Full);
+    }
+    if let [path] = &paths[..] {
+        let shape = if solid(path) {
+            likeness.solid(&pixels(&path.points))
+        } else if path.kind == Kind::OneWay && !path.closed {
+            likeness.one_way(&pixels(&path.points)).filter(|shape| runs_along(&path.points, *shape))
+        } else {
+            None
+        };
+        return shape.map_or(Piece::Paths(paths), Piece::Shape);
+    }
+    if !paths.is_empty() && paths.iter().all(solid) {
+        let raw = |points: &[Spot]| points.iter().map(|(x, y)| (x.raw(), y.raw())).collect::<Vec<_>>();
+        let all: Vec<Vec<(i64, i64)>> = paths.iter().map(|path| raw(&path.points)).collect();
+        let parts = boxes(&all).unwrap_or(all);
+        if let [only] = &union(&parts)[..] {
+            let points: Vec<(f64, f64)> =
+                only.points.iter().map(|p| (p.0 as f64 / 65536.0, p.1 as f64 / 65536.0)).collect();
+            if let Some(shape) = likeness.solid(&points) {
+                return Piece::Shape(shape);
+            }
+        }
+    }
+    Piece::Paths(paths)
+}
+
+/// Whether a chain on an edge of the cell is drawn so that it blocks from outside.
+fn runs_along(points: &[Spot], shape: TileShape) -> bool {
+    let (Some(first), Some(last)) = (points.first(), points.last()) else { return false };
+    let (x, y) = (last.0 - first.0, last.1 - first.1);
+    match shape {
+        TileShape::OneWayUp => x > Decimal::ZERO,
+        TileShape::OneWayRight => y > Decimal::ZERO,
+        TileShape::OneWayDown => x < Decimal::ZERO,
+        _ => y < Decimal::ZERO,
+    }
+}
+
+/// Rectangles that may lie over each other as rectangles that do not; `None` where one is no rectangle.
+fn boxes(polygons: &[Vec<(i64, i64)>]) -> Option<Vec<Vec<(i64, i64)>>> {
+    let span = |points: &[(i64, i64)], of: fn(&(i64, i64)) -> i64| {
+        Some((points.iter().map(of).min()?, points.iter().map(of).max()?))
+    };
+    let mut all = Vec::new();
+    for points in polygons {
+        let ((left, right), (top, bottom)) = (span(points, |p| p.0)?, span(points, |p| p.1)?);
+        let area = i128::from(right - left) * i128::from(bottom - top);
+        if points.len() != 4 || doubled_area(points).abs() != 2 * area {
+            return None;
+        }
+        all.push((left, right, top, bottom));
+    }
+    let sorted = |of: fn(&(i64, i64, i64, i64)) -> [i64; 2]| {
+        let mut values: Vec<i64> = all.iter().flat_map(of).collect();
+        values.sort_unstable();
+        values.dedup();
+        values
+    };
+    let (columns, rows) = (sorted(|b| [b.0, b.1]), sorted(|b| [b.2, b.3]));
+    let mut parts = Vec::new();
+    for y in rows.windows(2) {
+        for x in columns.windows(2) {
+            if all.iter().any(|b| b.0 <= x[0] && x[1] <= b.1 && b.2 <= y[0] && y[1] <= b.3) {
+                parts.push(vec![(x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1])]);
+            }
+        }
+    }
+    Some(parts)
+}

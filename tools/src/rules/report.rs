@@ -1,0 +1,53 @@
+//! Which rule made what solid.
+
+use std::fmt;
+
+/// The first rule that says something of a tile counts; see [`ground`](super::ground).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Rule {
+    /// The user says it.
+    Option,
+    /// The tile's class, a true property, `shape` or `npp`.
+    A,
+    /// Its shapes of the collision editor.
+    B,
+    /// Its layer is one of collisions.
+    C,
+    /// A guess by the name of the layer, or the name of an `LDtk` value.
+    D,
+}
+
+impl fmt::Display for Rule {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Option => "option",
+            Self::A => "a",
+            Self::B => "b",
+            Self::C => "c",
+            Self::D => "d",
+        })
+    }
+}
+
+/// A rule that was used.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Applied {
+    pub rule: Rule,
+    /// The name that it went by, and what became of the tiles.
+    pub what: String,
+    /// Tiles that were placed, or objects.
+    pub tiles: u64,
+}
+
+/// The rules that were used so far.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Ledger(pub(super) Vec<Applied>);
+
+impl Ledger {
+    pub(super) fn add(&mut self, rule: Rule, what: &str, tiles: u64) {
+        match self.0.iter_mut().find(|known| known.rule == rule && known.what == what) {
+            Some(known) => known.tiles += tiles,
+            None => self.0.push(Applied { rule, what: what.to_owned(), tiles }),
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Polygons of neighbouring tiles as few large ones: what two of them have in common of a border is gone.
+//!
+//! The borders of all polygons are summed up, each with its solid on the right (y down). Where two run against each other they
+//! cancel, and how often a point is surrounded stays the same. What is left is loops again: those that run like a polygon are solid,
+//! those that run against it are holes.
+
+use std::collections::{BTreeMap, HashMap};
+
+/// Raw.
+type Point = (i64, i64);
+
+/// A loop: its corners, and whether it is a hole.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Loop {
+    pub(super) points: Vec<Point>,
+    pub(super) hole: bool,
+}
+
+/// A line that edges lie on: its direction, reduced and pointing right or straight down, and how far it is from the origin.
+type Carrier = (i64, i64, i128);
+
+/// The borders of these polygons as loops, in an order that does not depend on that of the polygons.
+pub(super) fn union(polygons: &[Vec<Point>]) -> Vec<Loop> {
+    loops(&left_over(polygons))
+}
+
+/// Twice the area, above 0 where the points turn right (y down).
+pub(super) fn doubled_area(points: &[Point]) -> i128 {
+    let next = points.iter().skip(1).chain(points.first());
+    points.iter().zip(next).map(|(a, b)| cross(*a, *b)).sum()
+}
+
+fn cross(a: Point, b: Point) -> i128 {
+    i128::from(a.0) * i128::from(b.1) - i128::from(a.1) * i128::from(b.0)
+}
+
+/// What does not cancel, as directed edges.
+fn left_over(polygons: &[Vec<Point>]) -> Vec<(Point, Point)> {
+    // Of each line: where the number of edges over it changes, and by how much.
+    let mut lines: BTreeMap<Carrier, BTreeMap<Point, i32>> = BTreeMap::new();
+    for points in polygons {
+        let right = doubled_area(points) > 0;
+        for (&a, &b) in points.iter().zip(points.iter().skip(1).chain(points.first())).filter(|(a, b)| a != b) {
+            let (from, to) = if right { (a, b) } else { (b, a) };
+            let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+            let divisor = gcd(dx.unsigned_abs(), dy.unsigned_abs()) as i64;
+            let forward = (dx, dy) > (0, 0);
+            let sign = if forward { 1 } else { -1 };
+            let dir = (sign * dx / divisor, sign * dy / divisor);
+            let line = lines.entry((dir.0, dir.1, cross(dir, from))).or_default();
+            // Points on a line that points right or down are sorted as they lie on it.
+            *line.entry(from.min(to)).or_default() += sign as i32;
+            *line.entry(from.max(to)).or_default() -= sign as i32;
+        }
+    }
+    let mut edges = Vec::new();
+    for line in lines.into_values() {
+        let (mut count, mut start) = (0, None);
+        for (point, change) in line {
+            if change == 0 {
+                continue;
+            }
+            if let Some(start) = start.filter(|_| count != 0) {
+                let edge = if count > 0 { (start, point) } else { (point, start) };
+                edges.extend(std::iter::repeat_n(edge, i32::unsigned_abs(count) as usize));
+            }
+            count += change;
+            start = Some(point);
+        }
+    }
+    edges
+}
+
+fn gcd(a: u64, b: u64) -> u64 {
+    if b == 0 { a.max(1) } else { gcd(b, a % b) }
+}
+
+/// Edges that lead into each other: as many begin at a point as end there.
+fn loops(edges: &[(Point, Point)]) -> Vec<Loop> {
+    let mut from: HashMap<Point, Vec<Point>> = HashMap::new();
+    for &(a, b) in edges {
+        from.entry(a).or_default().push(b);
+    }
+    let mut found = Vec::new();
+    for &(start, second) in edges {
+        let Some(at) = from.get(&start).and_then(|ends| ends.iter().position(|&end| end == second)) else { continue };
+        from.entry(start).or_default().swap_remove(at);
+        let (mut points, mut before, mut here) = (vec![start], start, second);
+        while here != start {
+            points.push(here);
+            let ends = from.entry(here).or_default();
+            // The sharpest turn to the solid's side keeps polygons apart that only meet in a corner.
+            let turn = |end: &Point| right_turn(before, here, *end);
+            let next = ends.iter().enumerate().max_by(|a, b| turn(a.1).total_cmp(&turn(b.1))).map(|(i, _)| i);
+            let Some(next) = next else { break };
+            before = here;
+            here = ends.swap_remove(next);
+        }
+        let points = straight(points);
+        let area = doubled_area(&points);
+        if area != 0 {
+            found.push(Loop { points, hole: area < 0 });
+        }
+    }
+    found
+}
+
+/// By how much a way turns right at `b`, in radians.
+#[allow(clippy::cast_precision_loss, reason = "two ways of nearly the same turn are either order's")]
+fn right_turn(a: Point, b: Point, c: Point) -> f64 {
+    let (d, e) = ((b.0 - a.0, b.1 - a.1), (c.0 - b.0, c.1 - b.1));
+    let dot = i128::from(d.0) * i128::from(e.0) + i128::from(d.1) * i128::from(e.1);
+    (cross(d, e) as f64).atan2(dot as f64)
+}
+
+/// Without the points that its way leads straight through.
+fn straight(points: Vec<Point>) -> Vec<Point> {
+    let count = points.len();
+    let is_corner = |i: usize| {
+        let (a, b, c) = (points[(i + count - 1) % count], points[i], points[(i + 1) % count]);
+        cross((b.0 - a.0, b.1 - a.1), (c.0 - b.0, c.1 - b.1)) != 0
+    };
+    let corners: Vec<Point> = (0..count).filter(|&i| is_corner(i)).map(|i| points[i]).collect();
+    if corners.len() < 3 { points } else { corners }
+}

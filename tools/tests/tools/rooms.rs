@@ -1,0 +1,246 @@
+//! Worlds of any size in rooms: maps that are cut, projects whose levels are rooms, and bodies that feel none of it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use tilesat::world::World as _;
+use tilesat::{
+    AllShapes, Axis, Circle, Fx, Grid, Joined, Mover, Outside, Room, Rooms, SegmentMap, TileKinds, TileMap, TileShape,
+    Vec2,
+};
+use tilesat_tools::read;
+use tilesat_tools::rooms::{self, Cut, World};
+use tilesat_tools::rules::options::Options;
+
+use crate::support::{self, Ran, map, scratch};
+
+/// Rooms of 5 x 4 cells for bodies of 10 and motions of 12 pixels.
+const CUT: Cut = Cut { room: Some((5, 4)), body: Some(Fx::lit("10")), motion: Some(Fx::lit("12")) };
+
+fn world(file: &Path, cut: &Cut) -> Result<World, String> {
+    let levels = read::load(file, None).map_err(|fail| fail.to_string())?;
+    rooms::bake(&levels.maps, &Options::default(), cut).map_err(|fail| fail.to_string())
+}
+
+fn kinds(world: &World) -> TileKinds {
+    (0..).zip(&world.kinds).fold(TileKinds::EMPTY, |kinds, (id, kind)| kinds.with(id, *kind))
+}
+
+/// A project of levels `A`, `B` and so on at these places in pixels, each of these rows.
+fn project(levels: &[(i32, i32, &[&str])]) -> String {
+    let level = |(number, (x, y, rows)): (u8, &(i32, i32, &[&str]))| {
+        let values: Vec<&str> =
+            rows.iter().flat_map(|row| row.chars().map(|c| if c == '#' { "1" } else { "0" })).collect();
+        let (width, height) = (rows[0].len(), rows.len());
+        format!(
+            r#"{{"identifier":"{}","worldX":{x},"worldY":{y},"pxWid":{},"pxHei":{},"layerInstances":[{{"__type":"IntGrid","__identifier":"Solid","__cWid":{width},"__cHei":{height},"__gridSize":16,"__pxTotalOffsetX":0,"__pxTotalOffsetY":0,"layerDefUid":2,"intGridCsv":[{}]}}]}}"#,
+            char::from(b'A' + number),
+            16 * width,
+            16 * height,
+            values.join(",")
+        )
+    };
+    let levels: Vec<String> = (0..).zip(levels).map(level).collect();
+    format!(
+        r#"{{"__header__":{{"app":"LDtk"}},"worldLayout":"GridVania","defs":{{"layers":[{{"uid":2,"intGridValues":[{{"value":1,"identifier":"Full"}}]}}]}},"levels":[{}]}}"#,
+        levels.join(",")
+    )
+}
+
+/// 40 000 pixels: the rooms have the tiles of the map, each cell of the world one of them.
+#[test]
+fn a_map_of_forty_thousand_pixels() {
+    let solid = |x: usize, y: usize| y == 7 || (x * 7 + y * 3) % 11 == 0;
+    let cells: Vec<&str> = (0..8).flat_map(|y| (0..2500).map(move |x| if solid(x, y) { "1" } else { "0" })).collect();
+    let file = scratch("rooms", "long.tmx", map(2500, 8, &cells.join(","), ""));
+    let world = world(&file, &CUT).unwrap();
+    let (whole, kinds) = (world.whole.as_ref().unwrap(), kinds(&world));
+    assert_eq!((whole.width, whole.height, world.rooms.len(), world.apron), (2500, 8, 1000, 2));
+    let rooms =
+        Rooms::<AllShapes>::of(&whole.tiles, (2500, 8), Fx::lit("16"), &kinds, whole.room, world.apron).unwrap();
+    for (column, row) in (0..500).flat_map(|c| [(c, 0), (c, 1)]) {
+        let room = rooms.room(column, row).unwrap();
+        assert_eq!(room.first(), world.rooms[usize::from(row * 500 + column)].first);
+        for (x, y) in (0..5).flat_map(|x| (0..4).map(move |y| (x, y))) {
+            let kind = room.map().kind(room.map().cell_at(Vec2::from_ints(16 * x + 8, 16 * y + 8)));
+            let (x, y) = (usize::from(column) * 5 + x as usize, usize::from(row) * 4 + y as usize);
+            assert_eq!(kind.shape == TileShape::Full, solid(x, y), "{x} {y}");
+        }
+    }
+}
+
+/// The way of a ball in the world and in the rooms that it goes through; how often it goes over.
+fn ways<'a>(
+    world: &dyn Fn(&Circle, Vec2) -> tilesat::Moved<Circle>,
+    there: &dyn Fn(&Room<'a>, &Circle, Vec2) -> tilesat::Moved<Circle>,
+    next: &dyn Fn(&Room<'a>, Vec2) -> Option<(Room<'a>, Vec2)>,
+    (first, ball): (Room<'a>, Circle),
+) -> u32 {
+    let place = |room: &Room<'_>| Vec2::from_ints(room.first().0 as i16 * 16, room.first().1 as i16 * 16);
+    let (mut room, mut a, mut v, mut over) = (first, ball, Vec2::ZERO, 0);
+    let mut b = a.translated(-place(&room)).unwrap();
+    for frame in 0..600 {
+        if frame % 40 == 0 {
+            v = Vec2::from_raw((frame * 7919 % 1201 - 600) * 800, -(frame * 104_729 % 601) * 800);
+        }
+        v += Vec2::from_raw(0, 16_384);
+        let (moved, double) = (world(&a, v), there(&room, &b, v));
+        let bits = |m: &tilesat::Moved<Circle>| (m.velocity, m.remaining, m.floor, m.wall, m.ceiling, m.flags);
+        assert_eq!(bits(&moved), bits(&double), "frame {frame}");
+        assert_eq!(moved.body.centre(), double.body.centre() + place(&room), "frame {frame}");
+        (a, b, v) = (moved.body, double.body, moved.velocity);
+        if let Some((entered, by)) = next(&room, b.centre()) {
+            (room, b, over) = (entered, b.translated(by).unwrap(), over + 1);
+        }
+    }
+    over
+}
+
+/// Levels of one project: each has its neighbours' tiles around it.
+#[test]
+fn levels_of_a_project_are_rooms() {
+    let hall: &[&str] = &["##########", "#.........", "#.........", "#...##....", "##########"];
+    let tower: &[&str] = &["#####", "....#", "....#", "....#", "##..#", "#...#", "#..##", "#####"];
+    let cave: &[&str] = &["##########", "..........", "#....#....", "##########"];
+    let levels = [(-160, 32, hall), (0, 32, tower), (-160, 112, cave)];
+    let file = scratch("rooms", "world.ldtk", project(&levels));
+    let world = world(&file, &Cut { room: None, ..CUT }).unwrap();
+    let kinds = kinds(&world);
+    let rooms: Vec<Room<'_>> = world
+        .rooms
+        .iter()
+        .map(|room| {
+            let side = |cells: u16| cells + 2 * world.apron;
+            let grid = Grid::new(side(room.size.0), side(room.size.1), Fx::lit("16"), Vec2::ZERO).unwrap();
+            let map = TileMap::<AllShapes>::of(&room.tiles, grid, &kinds).unwrap();
+            Room::new(map, room.first.0, room.first.1, world.apron).unwrap()
+        })
+        .collect();
+    // The same world in one map; nothing where no level is.
+    let mut all = vec![0; 40 * 40];
+    for (x, y, rows) in levels {
+        for (row, line) in rows.iter().enumerate() {
+            for (column, c) in line.chars().enumerate() {
+                let at = (y / 16 + row as i32) * 40 + x / 16 + 15 + column as i32;
+                all[at as usize] = u8::from(c == '#');
+            }
+        }
+    }
+    let grid = Grid::new(40, 40, Fx::lit("16"), Vec2::from_ints(-240, 0)).unwrap();
+    let whole = TileMap::<AllShapes>::of(&all, grid, &kinds).unwrap().with_outside(Outside::Empty);
+    for room in &rooms {
+        let (width, height) = (i16::from(room.map().width() as u8), i16::from(room.map().height() as u8));
+        for cell in (0..width).flat_map(|x| (0..height).map(move |y| tilesat::Cell::new(x, y))) {
+            let (x, y) = room.in_world(cell);
+            assert_eq!(room.map().kind(cell), whole.kind(tilesat::Cell::new(x as i16 + 15, y as i16)), "{x} {y}");
+        }
+    }
+    let mover = Mover::platformer(Axis::NEG_Y).with_response(tilesat::Response::Bounce);
+    let limited = |v: Vec2| Vec2::new(v.x.clamp(Fx::lit("-8"), Fx::lit("8")), v.y.clamp(Fx::lit("-8"), Fx::lit("8")));
+    let over = ways(
+        &|ball, v| mover.move_and_slide(&whole, ball, limited(v)).unwrap(),
+        &|room, ball, v| mover.move_and_slide(room.map(), ball, limited(v)).unwrap(),
+        &|room, place| room.next_of(&rooms, place).map(|(room, by)| (*room, by)).filter(|_| !room.holds(place)),
+        (rooms[0], Circle::new(Vec2::from_ints(-100, 60), Fx::lit("5")).unwrap()),
+    );
+    assert!(over > 4, "{over}");
+}
+
+/// Polygons over several rooms.
+#[test]
+fn polygons_of_every_room() {
+    let list = r#"<object id="3" x="0" y="0"><polygon points="0,200 120,200 220,150 330,190 480,170 480,240 0,240"/></object>
+        <object id="4" x="100" y="100" width="90" height="10"/><object id="5" x="0" y="0"><polyline points="470,20 470,170"/></object>
+        <object id="6" x="0" y="0"><polyline points="10,20 10,200"/></object>"#;
+    let cells = vec!["0"; 30 * 15].join(",");
+    let file = scratch("rooms", "hills.tmx", map(30, 15, &cells, list));
+    let world = world(&file, &CUT).unwrap();
+    let kinds = kinds(&world);
+    let whole = world.whole.as_ref().unwrap();
+    let rooms = Rooms::<AllShapes>::of(&whole.tiles, (30, 15), Fx::lit("16"), &kinds, whole.room, world.apron).unwrap();
+    let segments: Vec<Option<SegmentMap<'_>>> = world
+        .rooms
+        .iter()
+        .map(|room| room.segments.as_ref().map(|bytes| SegmentMap::from_bytes(bytes).unwrap()))
+        .collect();
+    assert!(segments.iter().any(Option::is_none));
+    // The uncut world is a single room.
+    let uncut = self::world(&file, &Cut { room: Some((30, 15)), ..CUT }).unwrap();
+    let level = SegmentMap::from_bytes(uncut.rooms[0].segments.as_ref().unwrap()).unwrap();
+    let mover = Mover::platformer(Axis::NEG_Y);
+    let limited = |v: Vec2| Vec2::new(v.x.clamp(Fx::lit("-8"), Fx::lit("8")), v.y.clamp(Fx::lit("-8"), Fx::lit("8")));
+    let over = ways(
+        &|ball, v| mover.move_and_slide(&level, ball, limited(v)).unwrap(),
+        &|room, ball, v| {
+            let (x, y) = room.first();
+            let index = (y / 4 * 6 + x / 5) as usize;
+            match &segments[index] {
+                Some(map) => mover.move_and_slide(&Joined::new(room.map(), map), ball, limited(v)).unwrap(),
+                None => mover.move_and_slide(room.map(), ball, limited(v)).unwrap(),
+            }
+        },
+        &|room, place| rooms.next(room, place),
+        (rooms.room(1, 0).unwrap(), Circle::new(Vec2::from_ints(100, 40), Fx::lit("5")).unwrap()),
+    );
+    assert!(over > 10, "{over}");
+    assert!(level.overlaps_circle(&Circle::new(Vec2::from_ints(150, 105), Fx::lit("5")).unwrap()));
+}
+
+/// A hill of 40 000 pixels: each room has what is near it.
+#[test]
+fn a_polygon_of_forty_thousand_pixels() {
+    let top: String = (0..=1000).map(|k| format!("{},{} ", 40 * k, 20 + k * 37 % 40)).collect();
+    let list = format!(
+        r#"<object id="3" x="0" y="0"><polygon points="{top}40000,64 0,64"/></object><object id="4" x="0" y="2"><polyline points="40000,0 0,0"/></object>"#
+    );
+    let file = scratch("rooms", "ridge.tmx", map(2500, 4, &vec!["0"; 10_000].join(","), &list));
+    let world = world(&file, &CUT).unwrap();
+    assert_eq!(world.rooms.len(), 500);
+    for room in &world.rooms {
+        let map = SegmentMap::from_bytes(room.segments.as_ref().unwrap()).unwrap();
+        assert!(map.count() < 20, "{}", map.count());
+        let x = i64::from(room.first.0) * 16;
+        for k in (x / 40..=(x + 80) / 40).filter(|k| (1..1000).contains(k)) {
+            // Just below and above each corner that is in the room, and on the wall.
+            let (at, top) = (((k * 40 - x) << 16) as i32, ((20 + k * 37 % 40) << 16) as i32);
+            let probe = |y: i32| map.overlaps_circle(&Circle::new(Vec2::from_raw(at, y), Fx::from_bits(1)).unwrap());
+            assert!(probe(top + 8) && !probe(top - 8) && probe((60 << 16) + 5), "{k}");
+            assert!(map.touches_circle(&Circle::new(Vec2::from_raw(at, 2 << 16), Fx::ZERO).unwrap()));
+        }
+    }
+}
+
+fn run(file: PathBuf, out: &Path, options: &str) -> Ran {
+    support::run("rooms", file, &format!("-o {} {options}", out.display()))
+}
+
+#[test]
+fn refused() {
+    let small = || scratch("rooms", "small.tmx", support::rows(&["##", "##"]));
+    let levels: &[(i32, i32, &[&str])] = &[(0, 0, &["##"]), (40, 0, &["##"])];
+    let odd = || scratch("rooms", "odd.ldtk", project(levels));
+    let linear = || scratch("rooms", "linear.ldtk", project(&[(-1, -1, &["##"]), (-1, -1, &["##"])]));
+    let far = map(2, 2, "1,1,1,1", r#"<object id="7" x="0" y="0"><polyline points="0,0 20000.00001,10000"/></object>"#);
+    let far = || scratch("rooms", "far.tmx", &far);
+    let out = support::folder("rooms").join("out.rs");
+    let _ = fs::remove_file(&out);
+    for (file, options, word) in [
+        (small(), "", "how large is a room? --room WxH says it, in cells"),
+        (small(), "--room 0x3", "--room needs columns and rows, such as 20x15, got 0x3"),
+        (small(), "--room 2x2 --motion 8000", "a room with its apron of 502 cells"),
+        (small(), "--room 2x2 --fps 3", "unknown argument --fps"),
+        (odd(), "--room 2x2", "--room is for one map: the levels of a project are rooms already"),
+        (odd(), "", "level 'B': it begins or ends at 40 pixels, between cells of 16"),
+        (linear(), "", "level 'A' has no place: in a linear world levels have no neighbours"),
+        (far(), "--room 100x100", "object 7 of layer 'L'"),
+    ] {
+        let ran = run(file, &out, options);
+        assert!(ran.status == 2 && ran.out.is_empty() && ran.err.lines().count() == 1, "{ran:?}");
+        assert!(ran.err.starts_with("tilesat rooms: ") && ran.err.contains(word), "{word:?} is not in {ran:?}");
+    }
+    assert!(!out.exists());
+    let ran = support::run("rooms", small(), "-o out.txt");
+    assert!(ran.status == 2 && ran.err.contains("does not end in .rs"), "{ran:?}");
+    let help = support::run("rooms", "--help", "");
+    assert!(help.status == 0 && help.out.starts_with("usage: tilesat rooms "), "{help:?}");
+}
