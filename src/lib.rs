@@ -1,8 +1,11 @@
-//! Exact, heap-free, fixed-point 2D collision for tile levels on microcontrollers and handheld consoles.
+//! Exact, heap-free, fixed-point 2D collision for tile levels on microcontrollers and handheld
+//! consoles.
 //!
-//! A level is bytes in flash, one byte (or bit) per tile. Bodies are boxes and circles. You ask: do they overlap, how deep and which way
-//! out, what does this ray see, and where does this body end up when it slides along the level. Every yes/no is exact, every rounding has a
-//! declared direction, every loop has a bound, and nothing panics. The crate needs no FPU, no heap and no 64-bit multiply.
+//! A level is bytes in flash, one byte (or bit) per tile. Bodies are boxes and circles. You ask: do
+//! they overlap, how deep and which way out, what does this ray see, and where does this body end
+//! up when it slides along the level. Every yes/no is exact, every rounding has a declared
+//! direction, every loop has a bound, and nothing panics. The crate needs no FPU, no heap and no
+//! 64-bit multiply.
 //!
 //! It is not a physics engine: there are no joints, rotating bodies or forces.
 //!
@@ -48,15 +51,21 @@
 //!
 //! # Conventions
 //!
-//! - **Numbers**: lengths are [`Fx`], 16.16, and literals are [`fx!`]; *raw* is one unit of the last place. Coordinates stay below 8192 units
-//!   ([`num::DOMAIN`]); constructors refuse the rest, so kernels cannot wrap.
-//! - **Touching is not overlapping.** `overlaps` is strict, `touches` is closed, both exact ([`query`]).
-//! - **Normals** of contacts point from A to B, those of casts and rays out of what was hit; they are exact integers ([`Axis`]); the unit vector is computed when asked for.
-//! - **Rounding** is safe: depths up, push-outs away, distances and times of impact down; what is moved never ends inside.
-//! - **The y axis**: row 0 of a [`TileMap`] has the smallest y, and "up" in a tile's name is toward row 0. On a screen (y down) "up" is
-//!   [`Axis::NEG_Y`]. With y up, pass [`Axis::Y`] and store the rows bottom first.
+//! - **Numbers**: lengths are [`Fx`], 16.16, and literals are [`fx!`]; *raw* is one unit of the
+//!   last place. Coordinates stay below 8192 units ([`num::DOMAIN`]); constructors refuse the rest,
+//!   so kernels cannot wrap.
+//! - **Touching is not overlapping.** `overlaps` is strict, `touches` is closed, both exact
+//!   ([`query`]).
+//! - **Normals** of contacts point from A to B, those of casts and rays out of what was hit; they
+//!   are exact integers ([`Axis`]); the unit vector is computed when asked for.
+//! - **Rounding** is safe: depths up, push-outs away, distances and times of impact down; what is
+//!   moved never ends inside.
+//! - **The y axis**: row 0 of a [`TileMap`] has the smallest y, and "up" in a tile's name is toward
+//!   row 0. On a screen (y down) "up" is [`Axis::NEG_Y`]. With y up, pass [`Axis::Y`] and store the
+//!   rows bottom first.
 //! - **Units are per frame**: a velocity is the motion of one call.
-//! - **Overflow**: nothing in here overflows, and [`Vec2`] saturates. Your own arithmetic on single [`Fx`] values can: see [`Fx`](Fx#overflow).
+//! - **Overflow**: nothing in here overflows, and [`Vec2`] saturates. Your own arithmetic on single
+//!   [`Fx`] values can: see [`Fx`](Fx#overflow).
 //!
 //! # Map
 //!
@@ -74,7 +83,8 @@
 //!
 //! # Features
 //!
-//! `defmt` adds a compact `Format` to every public type. It is off by default and changes no result.
+//! `defmt` adds a compact `Format` to every public type. It is off by default and changes no
+//! result.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -117,7 +127,8 @@ pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
 pub use query::{CastHit, Contact, Inside, MovingHit};
 pub use scene::{Scene, SceneBody, SceneError};
 pub use shape::{Aabb, Circle, Segment};
-/// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types come from the crate's root.
+/// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types
+/// come from the crate's root.
 pub mod prelude {
     pub use crate::broad::BroadPhase;
     pub use crate::query::{CastShape, ClosestPoint, Contacts, Contains, Distance, Overlaps, Touches};
