@@ -1,50 +1,71 @@
-//! Exact, heap-free, fixed-point 2D collision for tile levels on microcontrollers and handheld consoles.
+//! Exact, heap-free, fixed-point 2D collision for tile levels on microcontrollers and handheld
+//! consoles.
 //!
-//! A level is bytes in flash, one byte (or bit) a tile. Bodies are boxes and circles. The crate answers: do they overlap, how deep and
-//! which way out, what does this ray see, and where does this body end up when it slides along the level. Every yes/no is exact,
-//! every rounding has a declared direction, every loop has a bound, and nothing panics. It needs no FPU, no heap, no 64-bit multiply.
-//!
-//! Tiles can be blocks, halves, slopes and quarter arcs ([`TileShape`]); polygons, walls and one-way chains that no grid holds are a [`SegmentMap`]
-//! (built by the compiler with [`segment_map!`]), and [`Joined`] makes one level of two. Platforms, doors and crushers are [`Solids`].
-//!
-//! Which of many bodies meet is a [`BroadPhase`](broad::BroadPhase)'s to say, and [`Scene`] ties all of it together.
+//! A level is bytes in flash, one byte (or bit) per tile. Bodies are boxes and circles. You ask: do
+//! they overlap, how deep and which way out, what does this ray see, and where does this body end
+//! up when it slides along the level. Every yes/no is exact, every rounding has a declared
+//! direction, every loop has a bound, and nothing panics. The crate needs no FPU, no heap and no
+//! 64-bit multiply.
 //!
 //! It is not a physics engine: there are no joints, rotating bodies or forces.
 //!
+//! A platformer's hero is one type, [`Character`], and one call per frame:
+//!
 //! ```
-//! use tilesat::prelude::*;
-//! use tilesat::{Aabb, Axis, Circle, Fx, Inside, Mover, TileKind, TileKinds, TileMap, Vec2};
+//! use tilesat::{Aabb, Character, Feel, Input, Outcome, TileKind, TileKinds, TileMap, Vec2, fx};
 //!
 //! // The characters of the text are the tile ids; the table says what they are.
 //! static KINDS: TileKinds = TileKinds::EMPTY
 //!     .with(b'#', TileKind::FULL)
 //!     .with(b'=', TileKind::ONE_WAY_UP)
 //!     .with(b'o', TileKind::EMPTY.with_flags(1));
-//! let rows = "..o.....\n...===..\n........\n########\n"; // cells of 16 x 16 units, rows downward
+//! let rows = "........\n...==...\n.....o..\n########\n"; // cells of 16 x 16 units, rows downward
 //! let level = TileMap::from_ascii(rows, &KINDS)?;
 //!
-//! let player = Aabb::new(Vec2::from_ints(20, 20), Vec2::from_ints(30, 34))?;
-//! let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&level, &player, Vec2::from_ints(2, 30))?;
-//! assert!(moved.floor); // landed on row 3, whose top is at y = 48
-//! assert_eq!(moved.body.max().y, 48);
-//!
-//! let ray = level.cast_ray(Vec2::from_ints(4, 4), Vec2::from_ints(0, 90), Inside::Hit)?;
-//! assert_eq!(ray.map(|hit| hit.point), Some(Vec2::from_ints(4, 48)));
-//!
-//! let ball = Circle::new(Vec2::from_ints(30, 40), Fx::from_num(8))?;
-//! assert!(ball.touches(&moved.body) && level.flags_touched(&ball) == 0);
+//! let body = Aabb::new(Vec2::from_ints(4, 20), Vec2::from_ints(14, 34))?;
+//! let mut hero = Character::new(body, level.bounds(), Feel::DEFAULT);
+//! let mut flags = 0;
+//! while hero.body().max().x < 100 {
+//!     let step = hero.step(&level, Input { run: fx!(1.5), jump: false, drop: false })?;
+//!     assert_eq!(step.outcome, Outcome::Moved);
+//!     flags |= level.flags_touched(hero.body());
+//! }
+//! assert_eq!(flags, 1); // it fell, ran, and took the coin
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # Which type do I need?
+//!
+//! | you want | type |
+//! |---|---|
+//! | the hero of a platformer | [`Character`] |
+//! | a character with rules of your own | [`Walker`], [`Mover::ride`] |
+//! | anything that moves and hits | [`Mover::move_and_slide`] |
+//! | lifts, doors, crushers | [`Solid`], [`Solids`] |
+//! | a level of tiles: blocks, halves, slopes, quarter arcs | [`TileMap`], [`TileKinds`], [`TileShape`] |
+//! | a level of polygons, walls, one-way chains | [`SegmentMap`], built by the compiler with [`segment_map!`] |
+//! | two levels as one | [`Joined`] |
+//! | which of many bodies are close to each other | a [`BroadPhase`](broad::BroadPhase) |
+//! | level, broad phase and bodies in one call per frame | [`Scene`] |
+//! | overlaps, contacts, casts and rays of shapes | [`prelude`], [`query`] |
+//!
 //! # Conventions
 //!
-//! - **Numbers**: lengths are [`Fx`], 16.16; *raw* is one unit of its last place. Coordinates stay below 8192 units
-//!   ([`num::DOMAIN`]); constructors refuse the rest, so kernels cannot wrap.
-//! - **Touching is not overlapping.** `overlaps` is strict, `touches` is closed, both exact ([`query`]).
-//! - **Normals** of contacts point from A to B, those of casts and rays out of what was hit; they are exact integers ([`Axis`]); the unit vector is computed when asked for.
-//! - **Rounding** is safe: depths up, push-outs away, distances and times of impact down; what is moved never ends inside.
-//! - **Directions**: y grows as the caller likes. Rows of a [`TileMap`] follow y, and "up" in a tile's name is toward row 0.
+//! - **Numbers**: lengths are [`Fx`], 16.16, and literals are [`fx!`]; *raw* is one unit of the
+//!   last place. Coordinates stay below 8192 units ([`num::DOMAIN`]); constructors refuse the rest,
+//!   so kernels cannot wrap.
+//! - **Touching is not overlapping.** `overlaps` is strict, `touches` is closed, both exact
+//!   ([`query`]).
+//! - **Normals** of contacts point from A to B, those of casts and rays out of what was hit; they
+//!   are exact integers ([`Axis`]); the unit vector is computed when asked for.
+//! - **Rounding** is safe: depths up, push-outs away, distances and times of impact down; what is
+//!   moved never ends inside.
+//! - **The y axis**: row 0 of a [`TileMap`] has the smallest y, and "up" in a tile's name is toward
+//!   row 0. On a screen (y down) "up" is [`Axis::NEG_Y`]. With y up, pass [`Axis::Y`] and store the
+//!   rows bottom first.
 //! - **Units are per frame**: a velocity is the motion of one call.
+//! - **Overflow**: nothing in here overflows, and [`Vec2`] saturates. Your own arithmetic on single
+//!   [`Fx`] values can: see [`Fx`](Fx#overflow).
 //!
 //! # Map
 //!
@@ -52,18 +73,19 @@
 //! |---|---|
 //! | [`num`] | scalars, vectors, wide products, roots |
 //! | [`shape`] | [`Aabb`], [`Circle`], [`Segment`] |
-//! | [`query`] | one trait a verb, for each pair of shapes: overlaps, contacts, distances, casts |
+//! | [`query`] | one trait per verb, for each pair of shapes: overlaps, contacts, distances, casts |
 //! | [`world`] | [`TileMap`], [`SegmentMap`], [`Solids`], [`Joined`], [`Rooms`]: surfaces, overlaps, contacts, rays |
 //! | [`broad`] | [`BroadPhase`](broad::BroadPhase): which of many bodies are near each other; events of pairs |
-//! | [`scene`] | [`Scene`]: level, broad phase and bodies by one call a frame |
-//! | [`motion`] | [`Mover::move_and_slide`], [`Walker`], [`Mover::ride`] on moving [`Solid`]s, responses, casts through levels |
+//! | [`scene`] | [`Scene`]: level, broad phase and bodies by one call per frame |
+//! | [`motion`] | [`Character`], [`Mover::move_and_slide`], [`Walker`], [`Mover::ride`] on moving [`Solid`]s, responses, casts through levels |
 //! | [`error`] | what can be refused |
-//! | [`boards`] | notes for real boards: targets, manifests, frame budgets |
+//! | [`boards`] | what it costs; notes for real boards: targets, manifests, frame budgets |
 //!
 //! # Features
 //!
-//! None is on by default and none changes a result. `defmt` adds a compact `Format` to every public type. `libm` takes the
-//! processor's square root on x86-64: a circle's cast costs a quarter less.
+//! None is on by default and none changes a result. `defmt` adds a compact `Format` to every
+//! public type. `libm` takes the processor's square root on x86-64: a circle's cast costs a
+//! quarter less.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -106,7 +128,8 @@ pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
 pub use query::{CastHit, Contact, Inside, MovingHit};
 pub use scene::{Scene, SceneBody, SceneError};
 pub use shape::{Aabb, Circle, Segment};
-/// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types come from the crate's root.
+/// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types
+/// come from the crate's root.
 pub mod prelude {
     pub use crate::broad::BroadPhase;
     pub use crate::query::{CastShape, ClosestPoint, Contacts, Contains, Distance, Overlaps, Touches};

@@ -2,7 +2,7 @@
 # All others stay in counts.txt; those of broad phases are in a table of their own (bodies.awk).
 BEGIN {
     FS = "|"
-    # section, row = what the README calls it = the flash program that holds it
+    # section, row = what the page calls it = the flash program that holds it
     add("kernel", "AABB-AABB overlaps, hit", "two boxes overlap", "AABB-AABB overlaps")
     add("kernel", "circle-circle overlaps, near", "two circles, near, overlap", "circle-circle overlaps")
     add("kernel", "circle-AABB overlaps, near", "circle and box, near, overlap", "circle-AABB overlaps")
@@ -37,6 +37,7 @@ function trim(s) { gsub(/^ +| +$/, "", s); return s }
 function shown(where) { return where in value ? sprintf("%.0f", value[where]) : "" }
 # 1234567 as 1 234 567.
 function spaced(n, s) {
+    if (n == "") return ""
     n += 0
     for (s = ""; n >= 1000; n = int(n / 1000)) s = sprintf(" %03d", n % 1000) s
     return n s

@@ -3,8 +3,8 @@
 # stack (by the linker's output), and compares all with the reviewed tables of counts.txt.
 #
 #   run.sh                 print and compare; exit 1 where a number is over budget or moved by more than 2 %
-#   run.sh --accept        print, make these the reviewed tables, and write them into the README and the guide to broad phases
-#   run.sh --readme        only write the reviewed tables into the README and the guide
+#   run.sh --accept        print, make these the reviewed tables, and write them into the README, src/boards.md and src/broad/guide.md
+#   run.sh --readme        only write the reviewed tables there
 #   run.sh --symbols BIN   what the flash program BIN links (src/bin), with sizes, on both cores
 #   run.sh --short         all tables, but of the Cortex-M0 alone: print and compare
 #   run.sh --core CORE     only queries, motion and scenes, and only on this core (M0, M3, M4F, M33, RV32): print and compare
@@ -46,7 +46,7 @@ while (($#)); do
 done
 
 # file : mark : what makes a table of counts.txt. The file's table is between two marks.
-tables=(README.md:counts:readme.awk src/broad/guide.md:bodies:bodies.awk)
+tables=(README.md:short:short.awk src/boards.md:counts:readme.awk src/broad/guide.md:bodies:bodies.awk)
 root=$(cd ../.. && pwd)
 with_table() {
     awk -v begin="<!-- $2:begin" -v end="<!-- $2:end" -v table="awk -f $3 counts.txt" '
@@ -333,7 +333,7 @@ if ((accept)); then
     ((counts)) && [[ -z $without$only_core ]] || { echo "run.sh: --accept needs all counts, there are none of: ${without:-any core}" >&2; exit 2; }
     cp "$fresh" counts.txt
     write_tables
-    echo "counts.txt, the README's table and the guide's are now this: review the difference before it is committed"
+    echo "counts.txt and the pages' tables are now this: review the difference before it is committed"
 fi
 only=''
 ((counts)) || only='flash;game flash;RAM;bound'

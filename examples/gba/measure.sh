@@ -4,7 +4,7 @@
 #
 #   measure.sh            print and compare; exit 1 where a mean has moved by more than 2 %, 3 where there is no emulator
 #   measure.sh --short    the same, but in Thumb state alone
-#   measure.sh --accept   print, make this the reviewed table, write it into the README, and the last picture to gba.png
+#   measure.sh --accept   print, make this the reviewed table, write it into README.md beside it, and the last picture to gba.png
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -60,8 +60,8 @@ if ((accept)); then
             inside = 1
         }
         /<!-- gba:end/ { inside = 0 }
-        !inside' README.md >"$out/README.md"
-    cat "$out/README.md" >README.md
+        !inside' "$here/README.md" >"$out/README.md"
+    cat "$out/README.md" >"$here/README.md"
     echo "$here/cycles.txt, gba.png and the README's table are now this: review the difference before it is committed"
 fi
 

@@ -9,6 +9,11 @@
 //! | [`walker`] | slopes, steps, snap, speed on slopes |
 //! | [`moving_platforms`] | lifts, conveyors, crushers, several characters |
 //! | [`coins_and_spikes`] | coins, spikes, ladders, water |
+//! | [`top_down`] | games without an "up" |
+//! | [`segment_levels`] | polygons, walls, two levels as one |
+//! | [`many_bodies`] | broad phases, pairs, scenes |
+//! | [`rays_and_casts`] | lasers, guards, ledges |
+//! | [`drawing_and_replays`] | interpolation, slow motion, replays, rollback |
 //! | [`errors`] | each error, its cause, and what a game does |
 //! | [`a_board_from_zero`] | from an empty folder to a program for a Cortex-M0 |
 //! | [`coming_from`] | bump, Godot, rapier, Celeste: their words in ours |
@@ -33,6 +38,11 @@ chapters! {
     walker
     moving_platforms
     coins_and_spikes
+    top_down
+    segment_levels
+    many_bodies
+    rays_and_casts
+    drawing_and_replays
     errors
     a_board_from_zero
     coming_from

@@ -1,4 +1,5 @@
-//! The hero of a platformer: one call per frame, built from [`Walker`], [`Mover::ride`] and [`Joined`].
+//! The hero of a platformer: one call per frame, built from [`Walker`], [`Mover::ride`] and
+//! [`Joined`].
 
 use super::{Body, Hits, MoveError, Mover, Ride, SlopeSpeed, Support, Walked, Walker};
 use crate::error::{Quantity, RangeError};
@@ -11,7 +12,8 @@ use crate::world::{Joined, Solid, Solids, World};
 pub struct Input {
     /// The speed to run at, in units per frame: negative to the left.
     pub run: Fx,
-    /// Whether the jump button is down. The character notices by itself when it is pressed and released.
+    /// Whether the jump button is down. The character notices by itself when it is pressed and
+    /// released.
     pub jump: bool,
     /// Whether to drop through one-way floors in this frame.
     pub drop: bool,
@@ -19,8 +21,8 @@ pub struct Input {
 
 /// How a [`Character`] moves. Lengths are units, times are frames.
 ///
-/// The default suits cells of 16 units at 60 frames per second: a jump 42.75 units high that takes 18 frames to its top. Change what you
-/// like, in any frame:
+/// The default suits cells of 16 units at 60 frames per second: a jump 42.75 units high that takes
+/// 18 frames to its top. Change what you like, in any frame:
 ///
 /// ```
 /// use tilesat::{Feel, fx};
@@ -29,23 +31,29 @@ pub struct Input {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Feel {
-    /// What the velocity gains per frame. Positive pulls toward larger y, as on a screen; negative pulls the other way, and "up" follows.
+    /// What the velocity gains per frame. Positive pulls toward larger y, as on a screen; negative
+    /// pulls the other way, and "up" follows.
     pub gravity: Fx,
     /// The fastest fall.
     pub fall: Fx,
-    /// The speed at which a jump starts. With a gravity of g, a jump of n g rises by g n (n + 1) / 2 in n frames.
+    /// The speed at which a jump starts. With a gravity of g, a jump of n g rises by g n (n + 1) /
+    /// 2 in n frames.
     pub jump: Fx,
-    /// The speed that a rising jump keeps when the button is released. As large as `jump`: all jumps are equally high.
+    /// The speed that a rising jump keeps when the button is released. As large as `jump`: all
+    /// jumps are equally high.
     pub jump_cut: Fx,
-    /// For so many frames after the body has walked off the floor, or has left a wall, it can still jump.
+    /// For so many frames after the body has walked off the floor, or has left a wall, it can still
+    /// jump.
     pub coyote: u8,
-    /// A press of the button counts for so many more frames, so that it may come before the landing.
+    /// A press of the button counts for so many more frames, so that it may come before the
+    /// landing.
     pub buffer: u8,
     /// How much the speed changes per frame on a floor, toward [`Input::run`].
     pub acceleration: Fx,
     /// How much the speed changes per frame in the air.
     pub air_acceleration: Fx,
-    /// How far the body keeps to a falling ground: [`Walker::with_snap`]. One and a half of the running speed is enough for tiles.
+    /// How far the body keeps to a falling ground: [`Walker::with_snap`]. One and a half of the
+    /// running speed is enough for tiles.
     pub snap: Fx,
     /// How high a step it climbs: [`Walker::with_step`].
     pub step: Fx,
@@ -100,7 +108,8 @@ pub enum Outcome {
         /// Out of that solid, toward the body.
         normal: Axis,
     },
-    /// It overlaps the level, so it did not move: a door closed on it, or a solid that squashed it has not passed yet.
+    /// It overlaps the level, so it did not move: a door closed on it, or a solid that squashed it
+    /// has not passed yet.
     Stuck,
     /// It is entirely below its limits, or beside them. Above them it may fly.
     OutOfLevel,
@@ -133,10 +142,12 @@ impl Step {
     }
 }
 
-/// The hero of a platformer: it runs, jumps, walks on slopes and steps, drops through platforms and rides on [`Solid`]s.
+/// The hero of a platformer: it runs, jumps, walks on slopes and steps, drops through platforms and
+/// rides on [`Solid`]s.
 ///
-/// One call per frame does it all: [`step`](Self::step), or [`step_on`](Self::step_on) where solids move. Each links only what it uses.
-/// `B` is the body: an [`Aabb`] or a [`Circle`](crate::Circle). Plain data: a copy is a snapshot.
+/// One call per frame does it all: [`step`](Self::step), or [`step_on`](Self::step_on) where solids
+/// move. Each links only what it uses. `B` is the body: an [`Aabb`] or a [`Circle`](crate::Circle).
+/// Plain data: a copy is a snapshot.
 ///
 /// ```
 /// use tilesat::{Aabb, Character, Feel, Input, Outcome, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -154,7 +165,8 @@ impl Step {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Where you need another rule, call the same pieces yourself: [`Walker::walk`], [`Mover::ride`], [`Solid::move_all`], [`Joined`].
+/// Where you need another rule, call the same pieces yourself: [`Walker::walk`], [`Mover::ride`],
+/// [`Solid::move_all`], [`Joined`].
 #[doc(alias = "CharacterBody2D")]
 #[doc(alias = "KinematicCharacterController")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -187,8 +199,8 @@ struct Plan {
 }
 
 impl<B: Body> Character<B> {
-    /// A character in the air. `limits` is usually the level's box: where the body leaves it at the sides or below, the answer is
-    /// [`Outcome::OutOfLevel`].
+    /// A character in the air. `limits` is usually the level's box: where the body leaves it at the
+    /// sides or below, the answer is [`Outcome::OutOfLevel`].
     #[must_use]
     pub const fn new(body: B, limits: Aabb, feel: Feel) -> Self {
         Self {
@@ -206,7 +218,8 @@ impl<B: Body> Character<B> {
         }
     }
 
-    /// Puts the character elsewhere, in the air and at rest. Checks nothing: the next step is [`Outcome::Stuck`] in the solid.
+    /// Puts the character elsewhere, in the air and at rest. Checks nothing: the next step is
+    /// [`Outcome::Stuck`] in the solid.
     pub fn place(&mut self, body: B) {
         *self = Self { held: self.held, ..Self::new(body, self.limits, self.feel) };
     }
@@ -245,14 +258,14 @@ impl<B: Body> Character<B> {
     /// Cost: [`Walker::walk`].
     ///
     /// # Errors
-    /// [`RangeError`] where a speed is not below 4096 units, or the [`Feel`]'s snap or step or the body's half extent is negative or not
-    /// below that. The character stays as it was.
+    /// [`RangeError`] where a speed is not below 4096 units, or the [`Feel`]'s snap or step or the
+    /// body's half extent is negative or not below that. The character stays as it was.
     pub fn step<W: World>(&mut self, level: &W, input: Input) -> Result<Step, RangeError> {
         self.step_carried(level, input, Vec2::ZERO)
     }
 
-    /// The second half of [`step_on`](Self::step_on), in a level [`Joined`] with the solids at their new places. `carry` is what
-    /// [`ride`](Self::ride) returned.
+    /// The second half of [`step_on`](Self::step_on), in a level [`Joined`] with the solids at
+    /// their new places. `carry` is what [`ride`](Self::ride) returned.
     ///
     /// # Errors
     /// As [`step`](Self::step).
@@ -265,11 +278,12 @@ impl<B: Body> Character<B> {
         Ok(step)
     }
 
-    /// One frame among solids that move: the solids take the character along or push it, go by their
-    /// [motions](Solid::with_motion), and then it walks.
+    /// One frame among solids that move: the solids take the character along or push it, go by
+    /// their [motions](Solid::with_motion), and then it walks.
     ///
-    /// All solids have moved when the call returns, even where it returns an error. With several characters, call [`ride`](Self::ride) for
-    /// each, then [`Solid::move_all`], then [`step_carried`](Self::step_carried) for each.
+    /// All solids have moved when the call returns, even where it returns an error. With several
+    /// characters, call [`ride`](Self::ride) for each, then [`Solid::move_all`], then
+    /// [`step_carried`](Self::step_carried) for each.
     ///
     /// A jump off a solid adds the solid's motion to the velocity.
     ///
@@ -293,7 +307,8 @@ impl<B: Body> Character<B> {
         Ok(step)
     }
 
-    /// The first half of [`step_on`](Self::step_on): goes where the solids take or push the character. They are still at their old places.
+    /// The first half of [`step_on`](Self::step_on): goes where the solids take or push the
+    /// character. They are still at their old places.
     ///
     /// Returns what became of it, and what to add to the velocity of a jump in this frame.
     ///

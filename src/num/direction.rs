@@ -1,5 +1,5 @@
-//! Directions: two integers, always exact, or a vector of length one; vectors of a given length, rounded to the nearest lattice point; and the
-//! pairs of raw integers that kernels compute with.
+//! Directions: two integers, always exact, or a vector of length one; vectors of a given length,
+//! rounded to the nearest lattice point; and the pairs of raw integers that kernels compute with.
 
 use super::quotient::{leading_zeros32, rsqrt};
 use super::{Fx, SPLIT, Vec2, div_sqrt, imul, mul_div_wide, umul, usqr};
@@ -8,8 +8,9 @@ use fixed::types::I2F30;
 
 /// An exact direction: two integers of any common scale.
 ///
-/// Contacts and faces carry their normals this way, because a unit vector cannot be exact: `(1, 2)` is the direction of a
-/// slope, `(1, 2)/sqrt(5)` is not on any lattice. [`Axis::unit`] rounds it when a unit vector is wanted.
+/// Contacts and faces carry their normals this way, because a unit vector cannot be exact: `(1, 2)`
+/// is the direction of a slope, `(1, 2)/sqrt(5)` is not on any lattice. [`Axis::unit`] rounds it
+/// when a unit vector is wanted.
 ///
 /// ```
 /// use tilesat::Axis;
@@ -42,7 +43,8 @@ impl Axis {
         Self { x, y }
     }
 
-    /// The dot product; exact where the components are below 2^31 in size and their products' sum fits 63 bits, as all axes of this crate do.
+    /// The dot product; exact where the components are below 2^31 in size and their products' sum
+    /// fits 63 bits, as all axes of this crate do.
     #[must_use]
     pub const fn dot(self, rhs: Self) -> i64 {
         // Across a face along an axis: one product, or none.
@@ -92,10 +94,11 @@ impl Axis {
         self.x == 0 && self.y == 0
     }
 
-    /// The unit vector of this direction, within 1.5 raw units of 2^-30 per component; the zero axis gives +x.
+    /// The unit vector of this direction, within 1.5 raw units of 2^-30 per component; the zero
+    /// axis gives +x.
     ///
-    /// Mirrored axes give mirrored bits, parallels to x or y are exact. Cost: one reciprocal root, no division; about 250
-    /// instructions on a Cortex-M0.
+    /// Mirrored axes give mirrored bits, parallels to x or y are exact. Cost: one reciprocal root,
+    /// no division; about 250 instructions on a Cortex-M0.
     #[must_use]
     pub const fn unit(self) -> UnitVec2 {
         unit_nearest(self)
@@ -127,8 +130,8 @@ impl Neg for Axis {
 
 /// A direction of length one, rounded: signed 2.30 components.
 ///
-/// Each component is within 1.5 raw (2^-30) of the exact value, so the length is within 3 parts in 10^9 of one.
-/// Parallels to x and y are exact.
+/// Each component is within 1.5 raw (2^-30) of the exact value, so the length is within 3 parts in
+/// 10^9 of one. Parallels to x and y are exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct UnitVec2 {
     x: I2F30,
@@ -161,9 +164,11 @@ impl UnitVec2 {
         (self.x.to_bits(), self.y.to_bits())
     }
 
-    /// A vector of this direction and a length, each component rounded toward zero; a negative length reverses it.
+    /// A vector of this direction and a length, each component rounded toward zero; a negative
+    /// length reverses it.
     ///
-    /// Never longer than asked by a raw unit or more, and mirrored directions give mirrored bits. Cost: two products, no division.
+    /// Never longer than asked by a raw unit or more, and mirrored directions give mirrored bits.
+    /// Cost: two products, no division.
     ///
     /// ```
     /// use tilesat::{Axis, Fx, Vec2, fx};
@@ -177,7 +182,8 @@ impl UnitVec2 {
     }
 }
 
-/// `unit * length / 2^30`, toward zero: |unit| is at most 2^30, so it is as large as the length at most, 2^31; that saturates where it is positive.
+/// `unit * length / 2^30`, toward zero: |unit| is at most 2^30, so it is as large as the length at
+/// most, 2^31; that saturates where it is positive.
 const fn part(unit: i32, length: i32) -> i32 {
     let size = (umul(unit.unsigned_abs(), length.unsigned_abs()) >> 30) as u32;
     if (unit < 0) != (length < 0) {
@@ -198,7 +204,8 @@ pub(super) struct Normalised {
     pub(super) halve: bool,
 }
 
-/// Needs a nonzero axis. Inlined: as a call it costs 20 instructions more on a Cortex-M0, a fourteenth of the whole.
+/// Needs a nonzero axis. Inlined: as a call it costs 20 instructions more on a Cortex-M0, a
+/// fourteenth of the whole.
 #[inline(always)]
 const fn normalise(axis: Axis) -> Normalised {
     let (x, y) = (axis.x.unsigned_abs(), axis.y.unsigned_abs());
@@ -215,7 +222,8 @@ const fn normalise(axis: Axis) -> Normalised {
     Normalised { x, y, recip: rsqrt(h), halve }
 }
 
-/// Both components rounded to nearest; the root's error adds up to one unit to the half of rounding.
+/// Both components rounded to nearest; the root's error adds up to one unit to the half of
+/// rounding.
 #[inline(never)]
 pub(super) const fn unit_nearest(axis: Axis) -> UnitVec2 {
     if axis.y == 0 {
@@ -237,7 +245,8 @@ pub(crate) const fn unit_ceil(axis: Axis) -> (u32, u32) {
 }
 
 impl Normalised {
-    /// `component * recip` shifted right by 32 or 33, to nearest. In words: a shift of a double word by a variable is a call on `ARMv6-M`.
+    /// `component * recip` shifted right by 32 or 33, to nearest. In words: a shift of a double
+    /// word by a variable is a call on `ARMv6-M`.
     #[inline]
     pub(super) const fn nearest(&self, component: u32) -> u32 {
         let product = umul(component, self.recip);
@@ -247,8 +256,9 @@ impl Normalised {
 
     /// An upper bound of the same with the exact reciprocal, at most 3 units above it.
     ///
-    /// recip is at most 1.53 below the exact one (dropping the square's low bits only raised it), which is less than 2^32 / 2^31
-    /// here: the exact product is below `hi + 2`, so half of it is at most `(hi + 3) >> 1`.
+    /// recip is at most 1.53 below the exact one (dropping the square's low bits only raised it),
+    /// which is less than 2^32 / 2^31 here: the exact product is below `hi + 2`, so half of it is
+    /// at most `(hi + 3) >> 1`.
     #[inline]
     const fn ceil(&self, component: u32) -> u32 {
         let hi = (umul(component, self.recip) >> 32) as u32;
@@ -256,9 +266,11 @@ impl Normalised {
     }
 }
 
-/// `n * s / d` to nearest, halves toward zero; for `|s| < 2^63`, `d > 0` below 2^63 and a result below 2^32 in size.
+/// `n * s / d` to nearest, halves toward zero; for `|s| < 2^63`, `d > 0` below 2^63 and a result
+/// below 2^32 in size.
 ///
-/// The result is taken modulo 2^32: it may be added to a coordinate that is farther away than an `i32` says.
+/// The result is taken modulo 2^32: it may be added to a coordinate that is farther away than an
+/// `i32` says.
 pub(crate) const fn scaled(n: i32, s: i64, d: u64) -> i32 {
     let (k, a) = (n.unsigned_abs(), s.unsigned_abs());
     let floor = mul_div_wide(a, k, d);
@@ -268,9 +280,11 @@ pub(crate) const fn scaled(n: i32, s: i64, d: u64) -> i32 {
     if (n < 0) == (s < 0) { nearest } else { nearest.wrapping_neg() }
 }
 
-/// `v r / |v|` to nearest, for one magnitude `v` of a vector with the square `d > 0`, and a radius `r` below 2^29.
+/// `v r / |v|` to nearest, for one magnitude `v` of a vector with the square `d > 0`, and a radius
+/// `r` below 2^29.
 ///
-/// There are no halves: 2 v r / |v| is odd for no integers, because a primitive Pythagorean triple has an odd hypotenuse.
+/// There are no halves: 2 v r / |v| is odd for no integers, because a primitive Pythagorean triple
+/// has an odd hypotenuse.
 pub(crate) const fn on_circle(v: u32, r: u32, d: u64) -> u32 {
     // 2x + 1 rounded down and halved is x to nearest; |v| <= 2^32 and r < 2^29 keep the product below 2^63.
     div_sqrt(umul(v, r) << 1, d).wrapping_add(1) >> 1
@@ -321,7 +335,8 @@ impl Raw {
         super::dot(self.x, o.x, self.y, o.y)
     }
 
-    /// [`dot`](Self::dot) and [`cross`](Self::cross): where a product is a call, three of them do (Gauss). Operands and their sums below 2^31.
+    /// [`dot`](Self::dot) and [`cross`](Self::cross): where a product is a call, three of them do
+    /// (Gauss). Operands and their sums below 2^31.
     #[inline]
     pub(crate) const fn dot_cross(self, o: Self) -> (i64, i64) {
         if !SPLIT {

@@ -1,4 +1,5 @@
-//! Numbers: the public scalar and vectors, and the wide integer arithmetic that every query is built from.
+//! Numbers: the public scalar and vectors, and the wide integer arithmetic that every query is
+//! built from.
 //!
 //! | | what | exact? |
 //! |---|---|---|
@@ -10,8 +11,9 @@
 //! | [`umul`] [`usqr`] [`imul`] [`mul64`] [`sqr64`] | wide products | exact |
 //! | [`isqrt64`] [`mul_div`] [`div_sqrt`] | roots and quotients without division | exact floor |
 //!
-//! "raw" is one unit of the integer lattice: the bits of an `Fx`, 1/65536 of a unit. Kernels see raw integers only and never the
-//! binary point, so other formats may be fed by their bits ([`Vec2::from_raw`]).
+//! "raw" is one unit of the integer lattice: the bits of an `Fx`, 1/65536 of a unit. Kernels see
+//! raw integers only and never the binary point, so other formats may be fed by their bits
+//! ([`Vec2::from_raw`]).
 
 mod direction;
 mod part;
@@ -32,16 +34,18 @@ pub(crate) use vec2::{check_coordinate, check_length, check_motion, check_radius
 pub(crate) use wide::{LONG, add128, cmp_squares, dot, mul128, norm, square_times, sub128};
 pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split, usqr, usqr_split};
 
-/// The world's scalar: signed 16.16 fixed point. A unit is whatever the game says it is, usually a pixel.
+/// The world's scalar: signed 16.16 fixed point. A unit is whatever the game says it is, usually a
+/// pixel.
 ///
-/// The type is [`FixedI32`](fixed::FixedI32) of the crate [`fixed`]. One raw unit is 1/65536; the largest value is just below 32768.
-/// Write constants with [`fx!`](crate::fx): `fx!(0.25)` is computed by the compiler. `Fx::lit("0.25")` outside of a `const` is parsed
-/// when the program runs (874 instructions on a Cortex-M0, and 3.9 KB of flash).
+/// The type is [`FixedI32`](fixed::FixedI32) of the crate [`fixed`]. One raw unit is 1/65536; the
+/// largest value is just below 32768. Write constants with [`fx!`](crate::fx): `fx!(0.25)` is
+/// computed by the compiler. `Fx::lit("0.25")` outside of a `const` is parsed when the program runs
+/// (874 instructions on a Cortex-M0, and 3.9 KB of flash).
 ///
 /// # Overflow
 ///
-/// Nothing in this crate overflows or panics, but the operators of `Fx` belong to `fixed`. They panic in debug builds and **wrap in
-/// release builds**:
+/// Nothing in this crate overflows or panics, but the operators of `Fx` belong to `fixed`. They
+/// panic in debug builds and **wrap in release builds**:
 ///
 /// | you write | where it fails | instead |
 /// |---|---|---|
@@ -55,8 +59,9 @@ pub type Fx = fixed::types::I16F16;
 
 /// An [`Fx`](crate::Fx) from a literal, always computed by the compiler.
 ///
-/// The value is rounded to the nearest raw unit (1/65536), ties to even. It may be negative, and it may be used wherever an expression
-/// may be. Anything that is not a number within 16.16 does not compile.
+/// The value is rounded to the nearest raw unit (1/65536), ties to even. It may be negative, and it
+/// may be used wherever an expression may be. Anything that is not a number within 16.16 does not
+/// compile.
 ///
 /// ```
 /// use tilesat::{Fx, fx};

@@ -1,4 +1,5 @@
-//! Vectors of the world's scalars, and the domain that they keep to: inside it no kernel can wrap, and constructors let nothing else in.
+//! Vectors of the world's scalars, and the domain that they keep to: inside it no kernel can wrap,
+//! and constructors let nothing else in.
 
 use super::{Fx, imul, mul_div, umul};
 use crate::error::{Quantity, RangeError};
@@ -6,8 +7,9 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 /// A position or displacement in units.
 ///
-/// Names are glam's where glam has them. Operators never panic and never wrap: they saturate at the ends of 16.16, far outside of the
-/// [domain](super::DOMAIN). The `checked_` methods return `None` instead.
+/// Names are glam's where glam has them. Operators never panic and never wrap: they saturate at the
+/// ends of 16.16, far outside of the [domain](super::DOMAIN). The `checked_` methods return `None`
+/// instead.
 ///
 /// | operator | rounding | overflow, and division by zero |
 /// |---|---|---|
@@ -43,7 +45,8 @@ impl Vec2 {
         Self { x, y }
     }
 
-    /// A vector from the bits of its components: any fixed-point format may be fed this way, with results in the same format.
+    /// A vector from the bits of its components: any fixed-point format may be fed this way, with
+    /// results in the same format.
     #[must_use]
     pub const fn from_raw(x: i32, y: i32) -> Self {
         Self { x: Fx::from_bits(x), y: Fx::from_bits(y) }
@@ -55,10 +58,11 @@ impl Vec2 {
         Self::from_raw((x as i32) << 16, (y as i32) << 16)
     }
 
-    /// A vector from floating point, each component rounded to nearest, ties to even; `None` where one is not finite or does not
-    /// fit 16.16.
+    /// A vector from floating point, each component rounded to nearest, ties to even; `None` where
+    /// one is not finite or does not fit 16.16.
     ///
-    /// No query uses it. It computes with integers only, so a chip without an FPU links no floating-point routine.
+    /// No query uses it. It computes with integers only, so a chip without an FPU links no
+    /// floating-point routine.
     #[must_use]
     pub fn from_f32(x: f32, y: f32) -> Option<Self> {
         Some(Self { x: Fx::checked_from_num(x)?, y: Fx::checked_from_num(y)? })
@@ -94,13 +98,15 @@ impl Vec2 {
         (self.x.to_bits(), self.y.to_bits())
     }
 
-    /// The dot product in square raw units, exact in 64 bits where both vectors are differences inside the domain.
+    /// The dot product in square raw units, exact in 64 bits where both vectors are differences
+    /// inside the domain.
     #[must_use]
     pub const fn dot(self, rhs: Self) -> i64 {
         imul(self.x.to_bits(), rhs.x.to_bits()).wrapping_add(imul(self.y.to_bits(), rhs.y.to_bits()))
     }
 
-    /// The perpendicular dot product `x1 y2 - y1 x2` in square raw units; positive where `rhs` is counter-clockwise of `self` (y up).
+    /// The perpendicular dot product `x1 y2 - y1 x2` in square raw units; positive where `rhs` is
+    /// counter-clockwise of `self` (y up).
     #[must_use]
     pub const fn perp_dot(self, rhs: Self) -> i64 {
         imul(self.x.to_bits(), rhs.y.to_bits()).wrapping_sub(imul(self.y.to_bits(), rhs.x.to_bits()))
@@ -148,14 +154,16 @@ impl Vec2 {
         Self { x: self.x.saturating_sub(rhs.x), y: self.y.saturating_sub(rhs.y) }
     }
 
-    /// `self * factor`, each component rounded toward zero and saturating; as `*`, usable in constants.
+    /// `self * factor`, each component rounded toward zero and saturating; as `*`, usable in
+    /// constants.
     #[must_use]
     pub const fn saturating_mul(self, factor: Fx) -> Self {
         let (x, y) = self.raw();
         Self::from_raw(saturated(product(x, factor)), saturated(product(y, factor)))
     }
 
-    /// `self / divisor`, each component rounded toward zero and saturating; as `/`, usable in constants.
+    /// `self / divisor`, each component rounded toward zero and saturating; as `/`, usable in
+    /// constants.
     ///
     /// Division by zero saturates as well: toward the sign of the component, and zero stays zero.
     #[must_use]
@@ -189,7 +197,8 @@ impl Vec2 {
         both(fitting(product(x, factor)), fitting(product(y, factor)))
     }
 
-    /// `self / divisor`, each component rounded toward zero; `None` where one does not fit 16.16, or the divisor is zero.
+    /// `self / divisor`, each component rounded toward zero; `None` where one does not fit 16.16,
+    /// or the divisor is zero.
     #[must_use]
     pub const fn checked_div(self, divisor: Fx) -> Option<Self> {
         if divisor.to_bits() == 0 {
@@ -200,7 +209,8 @@ impl Vec2 {
     }
 }
 
-/// Sign and size of a product. The size is below 2^46; what exceeds a word is cut to all ones, which fits no component.
+/// Sign and size of a product. The size is below 2^46; what exceeds a word is cut to all ones,
+/// which fits no component.
 const fn product(component: i32, factor: Fx) -> (bool, u32) {
     let factor = factor.to_bits();
     let size = umul(component.unsigned_abs(), factor.unsigned_abs()) >> 16;
@@ -331,7 +341,8 @@ impl From<(i16, i16)> for Vec2 {
     }
 }
 
-/// Whole units, refused where they do not fit 16.16 (-32768 to 32767). The error's value is then the end of the range that was missed.
+/// Whole units, refused where they do not fit 16.16 (-32768 to 32767). The error's value is then
+/// the end of the range that was missed.
 ///
 /// ```
 /// use tilesat::{Quantity, Vec2};
@@ -369,13 +380,15 @@ impl From<Vec2> for [Fx; 2] {
     }
 }
 
-/// Every coordinate, radius and half extent has a raw absolute value below this, 2^29: 8192 units in 16.16.
+/// Every coordinate, radius and half extent has a raw absolute value below this, 2^29: 8192 units
+/// in 16.16.
 ///
-/// Differences then need 31 bits, products of differences 62, and every predicate fits a signed 64-bit or one
-/// unsigned 128-bit comparison.
+/// Differences then need 31 bits, products of differences 62, and every predicate fits a signed
+/// 64-bit or one unsigned 128-bit comparison.
 pub const DOMAIN: i32 = 1 << 29;
 
-/// A motion call takes components, and bodies with extents, below this raw value, 2^28: 4096 units in 16.16.
+/// A motion call takes components, and bodies with extents, below this raw value, 2^28: 4096 units
+/// in 16.16.
 pub const MOTION: i32 = 1 << 28;
 
 pub(crate) const fn check_coordinate(v: Vec2) -> Result<(), RangeError> {
