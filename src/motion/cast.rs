@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::run::{Run, check_inside};
-use super::search::{Around, check_cells};
+use super::search::Around;
 use super::{Hit, Moved, Work};
 use crate::error::RangeError;
 use crate::num::{MOTION, Raw, Toi, Vec2, check_motion, mul_div};
@@ -48,8 +48,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///   +---+---+---+---+
     /// ```
     ///
-    /// Cost: one sweep over the cells under the motion, in pieces as long as a cell or the body, so linear in its length, and one or two
-    /// exact overlap tests; [`BodyHit::work`] counts them.
+    /// Cost: a look at the cells under the motion where it meets none. Else one sweep over them, in pieces as long as a cell or the body, so linear in
+    /// its length, and one or two exact overlap tests; [`BodyHit::work`] counts them.
     ///
     /// ```
     /// use tilesat::{Axis, Circle, Fx, Inside, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -124,9 +124,11 @@ fn cast<W: World, B: Body>(
     body.check_size()?;
     let d = Raw::of(motion);
     check_inside(&body.bounds(), d)?;
-    check_cells(world, &body.bounds(), d)?;
-    let mut moved = Moved::freely(*body, motion, 0);
     let mut around = Around::NOTHING;
+    if around.begin(world, body, d)? == 0 {
+        return Ok(None);
+    }
+    let mut moved = Moved::freely(*body, motion, 0);
     let mut run = Run::new(&mut moved, &mut around);
     run.pass_one_way = !rules.one_way;
     run.inside = run.overlaps(world, body);

@@ -53,9 +53,10 @@ fn both<A: World, B: World, C: Body + PartialEq + std::fmt::Debug>(
     body: &C,
     v: Vec2,
 ) {
-    // A placed level may be solid beyond its domain, so that its ends are checked where a built one's are certain.
+    // A placed level may be solid beyond its domain, so that its ends are checked where a built one's are certain; and full cells that a map knows are
+    // met by their features.
     let seen = |moved: Result<Moved<C>, MoveError>| {
-        moved.map(|moved| Moved { work: Work { checks: 0, ..moved.work }, ..moved })
+        moved.map(|moved| Moved { work: Work { checks: 0, features: 0, ..moved.work }, ..moved })
     };
     assert_eq!(seen(m.move_and_slide(placed, body, v)), seen(m.move_and_slide(built, body, v)), "{body:?} {v:?}");
 }
