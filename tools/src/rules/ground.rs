@@ -128,7 +128,8 @@ fn settled(map: &Map, cells: Cells, mut outlines: Vec<Outline>, unit: Unit, soli
     let at = (unit.raw_of_raw(cells.at.0), unit.raw_of_raw(cells.at.1));
     let ends = |from: i64, count: u32| (from >> 16, (from + side * i64::from(count) + 65535) >> 16);
     let (x, y) = (ends(at.0, width), ends(at.1, height));
-    let of_layer = |why: String| format!("layer '{solid}' of {width}x{height} tiles of {tile} pixels: {why}");
+    let whose = if solid.is_empty() { "the level".to_owned() } else { format!("layer '{solid}'") };
+    let of_layer = |why: String| format!("{whose} of {width}x{height} tiles of {tile} pixels: {why}");
     let shift = (place::shift(x.0, x.1, tile).map_err(of_layer)?, place::shift(y.0, y.1, tile).map_err(of_layer)?);
     for point in outlines.iter_mut().flat_map(|outline| &mut outline.points) {
         *point = (point.0 + (shift.0 << 16), point.1 + (shift.1 << 16));
