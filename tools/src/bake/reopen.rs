@@ -5,7 +5,7 @@ use std::path::Path;
 use tilesat::{Fx, PathKind, TileKind, TileShape, Vec2};
 
 use super::level::Level;
-use super::segments::{Shapes, build};
+use super::segments::Shapes;
 use crate::fail::{Fail, Result};
 use crate::read;
 
@@ -99,7 +99,7 @@ fn level(name: &str, shared: &[&str], lines: &[&str], folder: &Path) -> Made<Reo
             .filter(|line| line.contains("Grid::new("))
             .find_map(|line| pair(line.split_once("Vec2::from_raw(")?.1));
         tiles = Some(Level {
-            layer: name.to_owned(),
+            layer: if name.is_empty() { "tiles".to_owned() } else { name.to_owned() },
             width,
             height,
             tile,
@@ -198,5 +198,5 @@ fn paths(lines: &[&str]) -> Made<Option<Vec<u8>>> {
         return Err("points without a path".to_owned());
     }
     let cell = cell.ok_or("segments without a cell")?;
-    build(&shapes.paths(), cell).map(Some).map_err(|e| e.to_string())
+    shapes.build(&[], cell).map(Some).map_err(|fail| fail.to_string())
 }

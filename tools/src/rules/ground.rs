@@ -134,7 +134,8 @@ fn settled(
     let at = (unit.raw_of_raw(cells.at.0), unit.raw_of_raw(cells.at.1));
     let ends = |from: i64, count: u32| (from >> 16, (from + side * i64::from(count) + 65535) >> 16);
     let (x, y) = (ends(at.0, width), ends(at.1, height));
-    let of_layer = |why: String| format!("layer '{solid}' of {width}x{height} tiles of {tile} pixels: {why}");
+    let whose = if solid.is_empty() { "the level".to_owned() } else { format!("layer '{solid}'") };
+    let of_layer = |why: String| format!("{whose} of {width}x{height} tiles of {tile} pixels: {why}");
     let shift = |(lo, hi): (i64, i64)| if rooms { Ok(-lo) } else { place::shift(lo, hi, tile).map_err(of_layer) };
     let shift = (shift(x)?, shift(y)?);
     for point in outlines.iter_mut().flat_map(|outline| &mut outline.points) {
@@ -145,9 +146,7 @@ fn settled(
         notes.push(format!("moved by ({}, {}) pixels, so that it lies around the origin", shift.0, shift.1));
     }
     let has_tiles = cells.kinds.iter().any(|kind| *kind != TileKind::EMPTY);
-    let fit = |count: u32| {
-        if has_tiles { u16::try_from(count).map_err(|_| of_layer(format!("{count} cells"))) } else { Ok(0) }
-    };
+    let fit = |count: u32| u16::try_from(count).map_err(|_| of_layer(format!("{count} cells")));
     Ok(Ground {
         name: map.name.clone(),
         layer: solid.to_owned(),

@@ -1,4 +1,5 @@
-//! What `tilesat bake` writes of the levels in `examples/levels`.
+//! What `tilesat bake` writes of the levels in `examples/levels`, and of a world in the corpus.
 
 pub(crate) mod quarry;
 pub(crate) mod steps;
+pub(crate) mod world;
