@@ -7,8 +7,11 @@ use super::report::{Owner, Report};
 use super::segments::Shapes;
 use super::view;
 use crate::fail::{Fail, Result};
-use crate::picture::marks::Scene;
+use crate::picture::marks::{Image, Scene, Spot};
 use crate::rules::ground::Ground;
+
+/// Cells that the report looks at; to ask about more takes too long.
+const MOST_COUNTED: usize = 1 << 20;
 
 /// A baked level: tiles, objects, or both.
 #[derive(Debug, Clone)]
@@ -59,8 +62,12 @@ impl Baked {
             let (width, height, side) = (level.width, level.height, level.tile);
             lines.push(format!("tiles   layer '{}': {width}x{height} of {side} px", level.layer));
             lines.push(format!("flash   {} bytes of tiles, {} of kinds", level.tiles.len(), size_of::<TileKinds>()));
-            let report = Report::of(&map, grid, Owner::Tile, body(&grid));
-            lines.extend(report.lines(body(&grid)));
+            if level.tiles.len() > MOST_COUNTED {
+                lines.push(format!("cells   not looked at one by one: more than {MOST_COUNTED}"));
+            } else {
+                let report = Report::of(&map, grid, Owner::Tile, body(&grid));
+                lines.extend(report.lines(body(&grid)));
+            }
         }
         if let (Some(map), Some((shapes, bytes, cell))) = (self.segments()?, &self.objects) {
             let (count, paths) = (map.count(), shapes.kinds.len());
@@ -68,8 +75,12 @@ impl Baked {
             lines.push(format!("objects {paths} in {count} segments, {width}x{height} cells of {cell} px"));
             lines.push(format!("flash   {} bytes", bytes.len()));
             let grid = map.grid();
-            let report = Report::of(&map, grid, Owner::Square, body(&grid));
-            lines.extend(report.lines(body(&grid)));
+            if usize::from(width) * usize::from(height) > MOST_COUNTED {
+                lines.push(format!("cells   not looked at one by one: more than {MOST_COUNTED}"));
+            } else {
+                let report = Report::of(&map, grid, Owner::Square, body(&grid));
+                lines.extend(report.lines(body(&grid)));
+            }
         }
         let flags: Vec<String> =
             self.flags.iter().enumerate().map(|(bit, name)| format!("{name} = bit {bit}")).collect();
@@ -79,12 +90,13 @@ impl Baked {
         Ok(lines)
     }
 
-    /// Cells, segments with their normals, vertices and rays, with lines of text below.
+    /// Cells, segments with their normals and vertices, over an image of what was drawn; with rays where there is none. Lines of text stand
+    /// below.
     ///
     /// # Errors
     ///
     /// As [`map`](Self::map).
-    pub fn picture(&self, lines: &[String]) -> Result<Scene> {
-        Ok(view::scene(self.map()?, self.segments()?, lines))
+    pub fn picture(&self, lines: &[String], drawn: &dyn Fn(&Scene, Spot) -> Option<Image>) -> Result<Scene> {
+        Ok(view::scene(self.map()?, self.segments()?, lines, drawn))
     }
 }

@@ -1,5 +1,6 @@
 //! The levels of a project, baked together: one table of tile kinds and one list of flags for all of them.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use tilesat::{Fx, TileKind, TileKinds};
@@ -11,7 +12,10 @@ use crate::fail::{Fail, Result};
 use crate::model::map::Map;
 use crate::rules::flags::Flags;
 use crate::rules::ground::Ground;
+use crate::rules::kind::Kind;
 use crate::rules::options::{Options, listed};
+use crate::rules::outline::Outline;
+use crate::rules::union;
 
 /// What a project does not say.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -72,14 +76,44 @@ fn level(map: &Map, settings: &Settings, flags: &mut Flags, ids: &mut Ids) -> Re
     let tiles = Level::with(&ground, &flags.names, ids)?;
     let mut objects = None;
     if !ground.outlines.is_empty() {
-        let cell = settings.cell.unwrap_or(Fx::from_num(ground.tile));
-        let shapes = Shapes::of(&ground.outlines, flags)?;
-        let bytes = shapes.build(&ground.outlines, cell)?;
+        let outlines = distinct(&ground.outlines);
+        let twice = ground.outlines.len() - outlines.len();
+        if twice > 0 {
+            ground.notes.push(format!("{twice} polygons are left out: each is another one once more"));
+        }
+        if pile(&outlines) > MOST_PILED {
+            return Err(Fail::new(format!("more than {MOST_PILED} polygons lie over each other")));
+        }
+        let shapes = Shapes::of(&outlines, flags)?;
+        let cell = settings.cell.unwrap_or_else(|| shapes.cell(ground.tile));
+        let bytes = shapes.build(&outlines, cell)?;
         objects = Some((shapes, bytes, cell));
     }
     // They are in the level's tiles now, one byte each instead of two.
     ground.cells = Vec::new();
     Ok(Baked { ground, tiles, kinds: TileKinds::EMPTY, objects, flags: Vec::new() })
+}
+
+/// The library counts how many polygons are around a point, in a byte.
+const MOST_PILED: u32 = 127;
+
+/// The outlines without polygons that are another one once more.
+fn distinct(outlines: &[Outline]) -> Vec<Outline> {
+    let mut seen = HashSet::new();
+    let mut kept = Vec::new();
+    for outline in outlines {
+        let key = (outline.kind, outline.points.as_slice(), outline.flags.as_slice());
+        if !outline.kind.has_area() || seen.insert(key) {
+            kept.push(outline.clone());
+        }
+    }
+    kept
+}
+
+/// How many solids have a border on one line at one place, at most; the library would find out by comparing all of them.
+fn pile(outlines: &[Outline]) -> u32 {
+    let solid = outlines.iter().filter(|outline| outline.kind == Kind::Solid && outline.closed);
+    union::depth(&solid.map(|outline| outline.points.clone()).collect::<Vec<_>>())
 }
 
 impl Bundle {

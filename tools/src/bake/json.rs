@@ -49,12 +49,11 @@ impl Baked {
         for &id in self.tiles.iter().flat_map(|level| &level.tiles) {
             by_id[usize::from(id)] += 1;
         }
-        let (width, height) = self.tiles.as_ref().map_or((0, 0), |level| (level.width, level.height));
         let mut line = Line {
             level: &self.ground.name,
             cell: self.ground.tile,
-            width,
-            height,
+            width: self.ground.width,
+            height: self.ground.height,
             solid: 0,
             one_way: 0,
             shapes: BTreeMap::new(),

@@ -7,7 +7,7 @@ use crate::rules::flags::Flags;
 use crate::rules::kind::Kind;
 use crate::rules::outline::Outline;
 
-/// More than any flash that this is for.
+/// Of cells: more than any flash that this is for.
 const MAX_BYTES: usize = 16 << 20;
 
 /// Outlines in the form of the library.
@@ -74,26 +74,73 @@ impl Shapes {
     ///
     /// What the library says, with the object that it is about.
     pub fn build(&self, outlines: &[Outline], cell: Fx) -> Result<Vec<u8>> {
-        let paths = self.paths();
-        let named = |error| Fail::new(named(&error, outlines));
-        let size = SegmentMap::measure(&paths, cell).map_err(named)?.bytes();
-        if size > MAX_BYTES {
-            return Err(Fail::new(format!(
-                "the objects take {size} bytes in cells of {cell} px: use larger cells (--cell)"
-            )));
+        if self.cells(cell) * 3 > MAX_BYTES as u64 {
+            return Err(Fail::new(format!("the objects take too many cells of {cell} px: use larger cells (--cell)")));
         }
-        build(&paths, cell).map_err(named)
+        build(&self.paths(), cell, self.cells(cell)).map_err(|error| Fail::new(named(&error, outlines)))
+    }
+
+    /// The side of cells from `tile` pixels on with which a map can name all segments of each cell.
+    pub fn cell(&self, tile: u16) -> Fx {
+        let sides = (0..8).map(|k| u32::from(tile) << k).filter(|side| *side <= 256);
+        let fits = |side: &u32| {
+            let side = Fx::from_num(*side);
+            self.references(side) < MOST_REFERENCES && self.cells(side) < MOST_CELLS
+        };
+        Fx::from_num(sides.clone().find(fits).or(sides.last()).unwrap_or(256))
+    }
+
+    /// At most so many pairs of a segment and a cell.
+    fn references(&self, cell: Fx) -> u64 {
+        let side = i64::from(cell.to_bits().max(1));
+        let along = |a: i32, b: i32| (i64::from(a).div_euclid(side) - i64::from(b).div_euclid(side)).unsigned_abs() + 2;
+        let mut all = 0;
+        for (points, (kind, _)) in self.points.iter().zip(&self.kinds) {
+            let faces = if *kind == PathKind::Wall { 2 } else { 1 };
+            for (a, b) in points.iter().zip(points.iter().skip(1).chain(points.first())) {
+                let ((ax, ay), (bx, by)) = (a.raw(), b.raw());
+                // A line that is not level meets about as many cells as its box has on both sides.
+                let (wide, high) = (along(ax, bx), along(ay, by));
+                all += faces * if wide == 2 || high == 2 { wide * high / 2 } else { wide + high };
+            }
+        }
+        all
+    }
+
+    /// The cells of a map around all points.
+    fn cells(&self, cell: Fx) -> u64 {
+        let side = i64::from(cell.to_bits().max(1));
+        let span = |of: fn(&Vec2) -> i32| {
+            let all = self.points.iter().flatten().map(|p| i64::from(of(p)));
+            let (lo, hi) = all.fold((i64::MAX, i64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
+            if lo > hi { 0 } else { ((hi - lo) / side + 2) as u64 }
+        };
+        span(|p| p.raw().0).saturating_mul(span(|p| p.raw().1))
     }
 }
 
-/// The bytes of a segment map of these paths.
+/// A map holds 65535 pairs of a segment and a cell.
+const MOST_REFERENCES: u64 = 60_000;
+/// Three bytes each.
+const MOST_CELLS: u64 = 1 << 18;
+
+/// The bytes of a segment map of these paths, which has so many cells at most.
 ///
 /// # Errors
 ///
 /// What the library says.
-pub(super) fn build(paths: &[Path<'_>], cell: Fx) -> std::result::Result<Vec<u8>, SegmentMapError> {
-    let mut bytes = vec![0; SegmentMap::measure(paths, cell)?.bytes()];
-    SegmentMap::build_into(paths, cell, &mut bytes)?;
+fn build(paths: &[Path<'_>], cell: Fx, cells: u64) -> std::result::Result<Vec<u8>, SegmentMapError> {
+    // To measure takes half as long as to build: there is room for the most that a map can hold.
+    let segments = paths.iter().map(|path| 4 * path.points.len() + 4).sum::<usize>().min(1 << 15);
+    let mut bytes = vec![0; 64 + 24 * segments + 2 * (1 << 16) + 3 * (cells as usize + 2)];
+    let used = match SegmentMap::build_into(paths, cell, &mut bytes) {
+        Err(SegmentMapError::TooSmall { .. }) => {
+            bytes = vec![0; SegmentMap::measure(paths, cell)?.bytes()];
+            SegmentMap::build_into(paths, cell, &mut bytes)?
+        }
+        used => used?,
+    };
+    bytes.truncate(used);
     // A firmware will ask the same.
     SegmentMap::from_bytes(&bytes)?;
     Ok(bytes)

@@ -4,12 +4,17 @@ use tilesat::{AllShapes, Grid, Inside, Joined, RangeError, RayHit, SegmentMap, T
 
 use super::picture;
 use super::report::Owner;
-use crate::picture::marks::Scene;
+use crate::picture::ink::{EARTH, KILL, NIGHT};
+use crate::picture::marks::{Image, Mark, Scene, Spot};
+
+/// The image of what was drawn, for a picture that begins at this place.
+pub(crate) type Drawn<'a> = dyn Fn(&Scene, Spot) -> Option<Image> + 'a;
 
 pub(crate) fn scene(
     tiles: Option<(TileMap<'_, AllShapes>, Grid)>,
     segments: Option<SegmentMap<'_>>,
     lines: &[String],
+    drawn: &Drawn<'_>,
 ) -> Scene {
     let grids: Vec<Grid> = tiles.iter().map(|(_, grid)| *grid).chain(segments.iter().map(SegmentMap::grid)).collect();
     let (mut scene, origin) = picture::scene(&grids);
@@ -19,23 +24,49 @@ pub(crate) fn scene(
     if let Some(map) = &segments {
         picture::cells(&mut scene, map, map.grid(), Owner::Square);
     }
+    scene.backdrop = drawn(&scene, origin);
+    let plain = scene.backdrop.is_some();
+    if plain {
+        let_through(&mut scene);
+    }
     let point = |hit: Result<Option<RayHit>, RangeError>| hit.ok().flatten().map(|hit| hit.point);
     match (&tiles, &segments) {
         (Some((a, grid)), Some(b)) => {
             let both = Joined::new(a, b);
             picture::faces(&mut scene, &both, &grids);
-            picture::rays(&mut scene, &both, *grid, |from, motion| point(both.cast_ray(from, motion, Inside::Hit)));
+            if !plain {
+                picture::rays(&mut scene, &both, *grid, |from, motion| point(both.cast_ray(from, motion, Inside::Hit)));
+            }
         }
         (Some((map, grid)), None) => {
             picture::faces(&mut scene, map, &grids);
-            picture::rays(&mut scene, map, *grid, |from, motion| point(map.cast_ray(from, motion, Inside::Hit)));
+            if !plain {
+                picture::rays(&mut scene, map, *grid, |from, motion| point(map.cast_ray(from, motion, Inside::Hit)));
+            }
         }
         (None, Some(map)) => {
             picture::faces(&mut scene, map, &grids);
-            picture::rays(&mut scene, map, map.grid(), |from, motion| point(map.cast_ray(from, motion, Inside::Hit)));
+            if !plain {
+                picture::rays(&mut scene, map, map.grid(), |from, motion| {
+                    point(map.cast_ray(from, motion, Inside::Hit))
+                });
+            }
         }
         (None, None) => {}
     }
     picture::finish(&mut scene, origin, lines);
     scene
+}
+
+/// What is solid lets the drawing below it through.
+fn let_through(scene: &mut Scene) {
+    for mark in &mut scene.marks {
+        if let Mark::Rect { fill, .. } = mark {
+            *fill = match *fill {
+                NIGHT => NIGHT.alpha(0.0),
+                EARTH => KILL.alpha(0.45),
+                other => other,
+            };
+        }
+    }
 }

@@ -13,6 +13,7 @@ use super::input::{self, Input};
 use super::tell::{list, status, tell, usage};
 use crate::bake::{self, Baked, Bundle, Outputs, Settings};
 use crate::fail::{Fail, Result};
+use crate::picture::marks::Scene;
 use crate::picture::{backdrop, png};
 
 const USAGE: &str = "\
@@ -131,8 +132,9 @@ fn job(job: Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<u8> {
             .filter(|map| !crate::rules::options::listed(&settings.options.ignored_levels, &map.name));
         for (((baked, map), place), lines) in bundle.levels.iter().zip(drawn).zip(places).zip(&lines) {
             let shown = if job.json { &[][..] } else { lines };
-            let mut scene = baked.picture(shown)?;
-            backdrop::under(&mut scene, map, &baked.ground, settings.options.scale);
+            let scale = settings.options.scale;
+            let drawn = |scene: &Scene, corner| backdrop::image(scene, corner, map, &baked.ground, scale);
+            let scene = baked.picture(shown, &drawn)?;
             outputs.add(place, png::bytes(&scene)?);
         }
     }

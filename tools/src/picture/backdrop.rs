@@ -7,8 +7,7 @@ use std::path::{Path, PathBuf};
 
 use png::{Decoder, Limits, Transformations};
 
-use super::ink::{EARTH, KILL, NIGHT};
-use super::marks::{Image, Mark, Scene};
+use super::marks::{Image, Scene, Spot};
 use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
 use crate::rules::ground::Ground;
@@ -16,17 +15,13 @@ use crate::rules::ground::Ground;
 /// Of an image file, and of what it unpacks to.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// Draws the tiles of a map below a picture of its ground.
-pub fn under(scene: &mut Scene, map: &Map, ground: &Ground, scale: Option<(u32, u32)>) {
+/// The tiles of a map for a picture that begins at this place of its ground; `None` where there are no images.
+pub fn image(scene: &Scene, corner: Spot, map: &Map, ground: &Ground, scale: Option<(u32, u32)>) -> Option<Image> {
     let zoom = scale.map_or(1.0, |(n, d)| n as f32 / d as f32) * scene.scale;
     let (width, height) = ((scene.level.0 * scene.scale) as usize, (scene.level.1 * scene.scale) as usize);
     let mut image = Image { width, height, pixels: vec![[0; 4]; width * height] };
     let mut sources = Sources::default();
-    // The picture begins with the first cell.
-    let start = (
-        ground.origin.0 as f32 / 65536.0 - ground.shift.0 as f32,
-        ground.origin.1 as f32 / 65536.0 - ground.shift.1 as f32,
-    );
+    let start = (corner.0 - ground.shift.0 as f32, corner.1 - ground.shift.1 as f32);
     for layer in &map.layers {
         let Some(tiles) = layer.tiles() else { continue };
         let offset = (layer.offset.0.to_f64() as f32, layer.offset.1.to_f64() as f32);
@@ -44,20 +39,7 @@ pub fn under(scene: &mut Scene, map: &Map, ground: &Ground, scale: Option<(u32, 
             blit(&mut image, at, (wide * zoom, high * zoom), source, from, size, *flip);
         }
     }
-    if sources.images.values().all(Option::is_none) {
-        return;
-    }
-    scene.backdrop = Some(image);
-    // What is solid lets the drawing through.
-    for mark in &mut scene.marks {
-        if let Mark::Rect { fill, .. } = mark {
-            *fill = match *fill {
-                NIGHT => NIGHT.alpha(0.0),
-                EARTH => KILL.alpha(0.45),
-                other => other,
-            };
-        }
-    }
+    sources.images.values().any(Option::is_some).then_some(image)
 }
 
 /// An image, where a tile begins in it, and how large it is.

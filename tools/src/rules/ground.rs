@@ -145,9 +145,7 @@ fn settled(
         notes.push(format!("moved by ({}, {}) pixels, so that it lies around the origin", shift.0, shift.1));
     }
     let has_tiles = cells.kinds.iter().any(|kind| *kind != TileKind::EMPTY);
-    let fit = |count: u32| {
-        if has_tiles { u16::try_from(count).map_err(|_| of_layer(format!("{count} cells"))) } else { Ok(0) }
-    };
+    let fit = |count: u32| u16::try_from(count).map_err(|_| of_layer(format!("{count} cells")));
     Ok(Ground {
         name: map.name.clone(),
         layer: solid.to_owned(),

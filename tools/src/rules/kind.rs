@@ -5,7 +5,7 @@ use std::fmt;
 use super::words::plain;
 
 /// What an outline is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// Solid within.
     Solid,

@@ -144,7 +144,7 @@ impl<'a> Layers<'a> {
 
     /// The objects of all layers; where the layer's name is guessed by, those of layers that it is a guess for.
     pub(super) fn objects(&mut self, guess: bool) -> Made<(Vec<Outline>, Vec<LeftOut>)> {
-        let (mut outlines, mut left_out) = (Vec::new(), Vec::new());
+        let (mut outlines, mut left_out, mut found) = (Vec::new(), Vec::new(), Vec::new());
         for layer in self.all.clone() {
             let Content::Objects(objects) = &layer.content else { continue };
             let mut says = objects::layer_says(layer, self.options);
@@ -163,10 +163,24 @@ impl<'a> Layers<'a> {
                 }
             }
             let count = (outlines.len() - before) as u64;
+            if count > 0 && !guessed {
+                let rule = if listed(&self.options.objects, &layer.name) {
+                    Rule::Option
+                } else if says == Says::Nothing {
+                    Rule::A
+                } else {
+                    Rule::C
+                };
+                found.push((rule, format!("objects of layer '{}'", layer.name), count));
+            }
             if guessed && count > 0 {
                 self.ledger.add(Rule::D, &format!("objects of layer '{}'", layer.name), count);
                 self.guessed(&layer.name, &format!("--objects '{}'", layer.name));
             }
+        }
+        // Where it is guessed, this is the second time.
+        for (rule, what, count) in if guess { Vec::new() } else { found } {
+            self.ledger.add(rule, &what, count);
         }
         Ok((outlines, left_out))
     }

@@ -18,7 +18,7 @@ mod piece;
 mod place;
 mod report;
 mod traits;
-mod union;
+pub(crate) mod union;
 mod verdict;
 mod words;
 

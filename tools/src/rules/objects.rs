@@ -57,6 +57,11 @@ pub(super) fn outline(
             _ => left_out("a point".to_owned(), false),
         };
     };
+    if matches!(object.form, Form::Rectangle | Form::Ellipse | Form::Capsule)
+        && object.size == (Decimal::ZERO, Decimal::ZERO)
+    {
+        return left_out("it has no size".to_owned(), true);
+    }
     let flat = object.size.0 == Decimal::ZERO || object.size.1 == Decimal::ZERO;
     let kind = match kind(object, says, options)? {
         Some(kind) if object.form != Form::Tile || !flat => kind,

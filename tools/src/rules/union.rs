@@ -34,8 +34,23 @@ fn cross(a: Point, b: Point) -> i128 {
     i128::from(a.0) * i128::from(b.1) - i128::from(a.1) * i128::from(b.0)
 }
 
+/// How many more polygons have a border one way than the other, at one place of a line, at most.
+pub(crate) fn depth(polygons: &[Vec<Point>]) -> u32 {
+    let edges = runs(polygons).map(|(_, count)| count.unsigned_abs());
+    edges.max().unwrap_or(0)
+}
+
 /// What does not cancel, as directed edges.
 fn left_over(polygons: &[Vec<Point>]) -> Vec<(Point, Point)> {
+    let directed = |((start, end), count): ((Point, Point), i32)| {
+        let edge = if count > 0 { (start, end) } else { (end, start) };
+        std::iter::repeat_n(edge, count.unsigned_abs() as usize)
+    };
+    runs(polygons).flat_map(directed).collect()
+}
+
+/// Parts of lines, and how many more edges run over them forward than backward.
+fn runs(polygons: &[Vec<Point>]) -> impl Iterator<Item = ((Point, Point), i32)> {
     // Of each line: where the number of edges over it changes, and by how much.
     let mut lines: BTreeMap<Carrier, BTreeMap<Point, i32>> = BTreeMap::new();
     for points in polygons {
@@ -44,8 +59,7 @@ fn left_over(polygons: &[Vec<Point>]) -> Vec<(Point, Point)> {
             let (from, to) = if right { (a, b) } else { (b, a) };
             let (dx, dy) = (to.0 - from.0, to.1 - from.1);
             let divisor = gcd(dx.unsigned_abs(), dy.unsigned_abs()) as i64;
-            let forward = (dx, dy) > (0, 0);
-            let sign = if forward { 1 } else { -1 };
+            let sign = if (dx, dy) > (0, 0) { 1 } else { -1 };
             let dir = (sign * dx / divisor, sign * dy / divisor);
             let line = lines.entry((dir.0, dir.1, cross(dir, from))).or_default();
             // Points on a line that points right or down are sorted as they lie on it.
@@ -53,22 +67,16 @@ fn left_over(polygons: &[Vec<Point>]) -> Vec<(Point, Point)> {
             *line.entry(from.max(to)).or_default() -= sign as i32;
         }
     }
-    let mut edges = Vec::new();
-    for line in lines.into_values() {
+    lines.into_values().flat_map(|line| {
         let (mut count, mut start) = (0, None);
-        for (point, change) in line {
-            if change == 0 {
-                continue;
-            }
-            if let Some(start) = start.filter(|_| count != 0) {
-                let edge = if count > 0 { (start, point) } else { (point, start) };
-                edges.extend(std::iter::repeat_n(edge, i32::unsigned_abs(count) as usize));
-            }
+        let mut parts = Vec::new();
+        for (point, change) in line.into_iter().filter(|(_, change)| *change != 0) {
+            parts.extend(start.filter(|_| count != 0).map(|start| ((start, point), count)));
             count += change;
             start = Some(point);
         }
-    }
-    edges
+        parts
+    })
 }
 
 fn gcd(a: u64, b: u64) -> u64 {

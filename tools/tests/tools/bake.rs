@@ -85,7 +85,7 @@ fn values_of_a_grid_are_shapes() {
     assert_eq!(at(13, 3), (TileShape::Empty, steps::FLAG_COIN));
     assert_eq!(at(22, 8), (TileShape::Empty, steps::FLAG_LADDER));
     assert_eq!(at(22, 10), (TileShape::Empty, steps::FLAG_WATER));
-    assert_eq!(steps::TILE, 16);
+    assert_eq!((steps::TILE, steps::WORLD), (16, [0, 0, 384, 224]));
 }
 
 #[test]
@@ -254,7 +254,7 @@ fn bad_arguments() {
         assert!(ran.status == 2 && ran.err.contains(word), "{word:?} is not in {ran:?}");
     }
     let odd = scratch("bake", "odd.tmx", objects(r#"<object id="1" width="9" height="9"/>"#));
-    refused(baked(odd, "odd.bin", "--cell 0.00002"), "the objects: ");
+    refused(baked(odd, "odd.bin", "--cell 0.00002"), "too many cells of 0.00002 px: use larger cells");
     let vast = scratch("bake", "vast.tmx", objects(r#"<object id="1" width="8000" height="8000"/>"#));
     refused(baked(vast, "vast.bin", "--cell 1"), "use larger cells");
     let help = support::run("bake", "--help", "");

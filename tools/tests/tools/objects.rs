@@ -68,7 +68,9 @@ fn turned_and_moved() {
 fn names_of_objects() {
     let kind = |what: &str, layer: &str, shape: &str| {
         let (attributes, properties) = what.split_once('|').unwrap_or((what, ""));
-        let list = format!(r#"<object id="1" {attributes}><properties>{properties}</properties>{shape}</object>"#);
+        let list = format!(
+            r#"<object id="1" width="9" height="9" {attributes}><properties>{properties}</properties>{shape}</object>"#
+        );
         let map = objects(&list).replace("name=\"L\" class=\"Solid\"", &format!("name=\"L\" class=\"{layer}\""));
         drawing("names", &map).outlines.first().map(|outline| (outline.kind, outline.closed, outline.flags.clone()))
     };

@@ -175,7 +175,7 @@ fn bad_files() {
         ("isometric", small.replace("orthogonal", "isometric"), "isometric"),
         ("oblong", small.replacen("tileheight=\"8\"", "tileheight=\"16\"", 1), "not square"),
         ("zero", small.replace("=\"8\"", "=\"0\""), "pixels"),
-        ("wide", map(2048, 1, 8, &["1"; 2048].join(",")), "beyond the domain"),
+        ("wide", map(2048, 1, 8, &vec!["1"; 2048].join(",")), "beyond the domain"),
         ("huge", map(4_000_000_000, 4_000_000_000, 8, "1"), "more than 16777216 tiles"),
         ("short", map(12, 20, 8, "1,1,1,0"), "4 tiles, less than its width and height say"),
         ("letters", map(3, 1, 8, "1,x,1"), "layer 'World': 'x' is no tile"),

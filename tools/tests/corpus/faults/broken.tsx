@@ -1,0 +1,1 @@
+<tileset name="x"><tile id="0"

@@ -1,0 +1,112 @@
+//! Files that could take any time or memory: each ends in one line, at once.
+
+use std::fs;
+use std::io::Write;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
+
+use crate::support::{self, folder, rows, scratch};
+
+/// More than any of them takes, on a busy machine and without optimisation.
+const SOON: Duration = Duration::from_secs(5);
+
+fn refused(path: PathBuf, word: &str) {
+    let start = Instant::now();
+    let ran = support::run("bake", path, "-o never.rs");
+    assert!(start.elapsed() < SOON, "{word}: {:?}", start.elapsed());
+    assert!(ran.status == 2 && ran.err.lines().count() == 1 && ran.err.contains(word), "{word:?} is not in {ran:?}");
+}
+
+#[test]
+fn tilesets_and_attributes() {
+    let set = |i: u32| {
+        let first = 1 + i * (1 << 20);
+        format!(
+            r#"<tileset firstgid="{first}" name="t{i}" tilewidth="16" tileheight="16" tilecount="1048576" columns="1024"/>"#
+        )
+    };
+    let level = rows(&["##"]);
+    let many = |count: u32| level.replacen(" <layer", &((1..count).map(set).collect::<String>() + " <layer"), 1);
+    let start = Instant::now();
+    let ran = support::run(
+        "bake",
+        scratch("limits", "sets.tmx", many(500).replacen("tilecount=\"4\"", "tilecount=\"1048576\"", 1)),
+        "--json",
+    );
+    assert!(ran.status == 0 && start.elapsed() < SOON, "{ran:?}");
+    let more = level.replacen("tilecount=\"4\"", "tilecount=\"1048577\"", 1);
+    refused(scratch("limits", "tiles.tmx", more), "tileset 't': more than 1048576 tiles");
+    let attributes: String = (0..100_000).map(|i| format!(" a{i}=\"\"")).collect();
+    let wide = level.replacen("<tile id=\"0\"", &format!("<tile id=\"0\"{attributes}"), 1);
+    refused(scratch("limits", "attributes.tmx", wide), "<tile> has more than 500 attributes");
+    let sets: String =
+        (1..1200).map(|i| format!(r#"<tileset firstgid="{}" name="t" tilecount="1"/>"#, 4 + i)).collect();
+    refused(
+        scratch("limits", "many.tmx", level.replacen(" <layer", &(sets + " <layer"), 1)),
+        "more than 1000 tilesets",
+    );
+    refused(
+        scratch("limits", "deep.tmx", "<map>".to_owned() + &"<group>".repeat(200_000)),
+        "nested more than 100 deep",
+    );
+}
+
+#[test]
+fn bombs() {
+    // 4 GiB of zeros.
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::fast());
+    let zeros = vec![0u8; 1 << 24];
+    for _ in 0..256 {
+        encoder.write_all(&zeros).unwrap();
+    }
+    let packed = STANDARD.encode(encoder.finish().unwrap());
+    let map = |width: u32, height: u32| {
+        let level = rows(&["#"]).replace("width=\"1\" height=\"1\"", &format!("width=\"{width}\" height=\"{height}\""));
+        level.replace("encoding=\"csv\">1<", &format!("encoding=\"base64\" compression=\"zlib\">{packed}<"))
+    };
+    refused(scratch("limits", "bomb.tmx", map(2, 2)), "holds more than its width and height say");
+    refused(scratch("limits", "large.tmx", map(4096, 4096)), "holds more than its width and height say");
+    refused(scratch("limits", "vast.tmx", map(65535, 65535)), "more than 16777216 tiles");
+    // Chunks over each other, each of them as large as a map may be.
+    let chunk = format!(r#"<chunk x="0" y="0" width="4096" height="4096">{packed}</chunk>"#);
+    let level = map(2, 2).replace("infinite=\"0\"", "infinite=\"1\"").replace(&packed, &chunk.repeat(3));
+    refused(scratch("limits", "chunks.tmx", level), "its chunks have more than 16777216 tiles");
+}
+
+#[test]
+fn no_files() {
+    let sparse = folder("limits").join("sparse.tmx");
+    fs::File::create(&sparse).unwrap().set_len(4 << 30).unwrap();
+    refused(sparse.clone(), "larger than 112 MiB");
+    fs::remove_file(sparse).unwrap();
+    refused(folder("limits"), "it is not a file");
+    #[cfg(unix)]
+    {
+        let pipe = folder("limits").join("pipe.tmx");
+        let _ = fs::remove_file(&pipe);
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+        if made.is_ok_and(|made| made.success()) {
+            refused(pipe.clone(), "it is not a file");
+            let level = rows(&["##"]).replacen(" <layer", r#"<tileset firstgid="9" source="pipe.tmx"/> <layer"#, 1);
+            refused(scratch("limits", "piped.tmx", level), "pipe.tmx: cannot read: it is not a file");
+        }
+        refused("/dev/zero".into(), "it is not a file");
+    }
+}
+
+/// Objects and tiles as many as a map of segments can hold.
+#[test]
+fn many_rectangles() {
+    let object =
+        |i: u32| format!(r#"<object id="{i}" x="{}" y="{}" width="31.5" height="17.25"/>"#, i % 100 * 60, i / 100 * 60);
+    let list: String = (0..2000).map(object).collect();
+    let start = Instant::now();
+    let ran = support::run("bake", scratch("limits", "objects.tmx", support::objects(&list)), "--json");
+    assert!(ran.status == 0 && ran.out.contains("\"segments\":8000"), "{ran:?}");
+    println!("2000 rectangles in {:?}", start.elapsed());
+}
