@@ -74,7 +74,7 @@ fn parse(args: impl Iterator<Item = OsString>) -> Result<Option<Options>> {
                     return Err(unknown(&Long(&name)));
                 }
             }
-            other => return Err(unknown(&other)),
+            other @ Short(_) => return Err(unknown(&other)),
         }
     }
     let file = input::given(file)?;

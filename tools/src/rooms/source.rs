@@ -17,7 +17,8 @@ pub(crate) fn source(world: &World) -> String {
     let _ =
         writeln!(text, "/// Cells around each room that are its neighbours'.\npub const APRON: u16 = {};", world.apron);
     text += &items::flags(&constants(&world.flags));
-    text += &format!("#[rustfmt::skip]\n{}", items::kinds(&world.kinds));
+    text += "#[rustfmt::skip]\n";
+    text += &items::kinds(&world.kinds);
     let set = if world.is_blocks() { "Blocks" } else { "AllShapes" };
     match &world.whole {
         Some(whole) => windows(&mut text, world, whole, set),
@@ -52,6 +53,7 @@ fn table(text: &mut String, world: &World, set: &str) {
     let _ = writeln!(
         text,
         "/// All rooms; `next_of` finds the one that a body goes over to.\n\
+         #[rustfmt::skip]\n\
          pub static ROOMS: [tilesat::Room<'static, tilesat::{set}>; {}] = [",
         world.rooms.len()
     );
@@ -64,6 +66,7 @@ fn table(text: &mut String, world: &World, set: &str) {
     let _ = writeln!(
         text,
         "];\n\
+         #[rustfmt::skip]\n\
          const fn room(tiles: &'static [u8], width: u16, height: u16, x: i32, y: i32) -> tilesat::Room<'static, tilesat::{set}> {{\n    \
          match tilesat::Grid::new(width, height, tilesat::Fx::lit(\"{}\"), tilesat::Vec2::ZERO) {{\n        \
          Ok(grid) => match tilesat::TileMap::of(tiles, grid, &KINDS) {{\n            \
@@ -83,8 +86,8 @@ fn table(text: &mut String, world: &World, set: &str) {
         let row = usize::from(room.size.0) + 2 * usize::from(world.apron);
         let _ = writeln!(
             text,
-            "\n/// {title}\npub mod {module} {{\n/// In the table of rooms.\npub const INDEX: usize = {index};\n\
-             /// With the apron, row by row.\npub static TILES: &[u8; {}] = {};\n}}",
+            "\n/// {title}\n#[rustfmt::skip]\npub mod {module} {{\n    /// In the table of rooms.\n    pub const INDEX: usize = {index};\n    \
+             /// With the apron, row by row.\n    pub static TILES: &[u8; {}] = {};\n}}",
             room.tiles.len(),
             bytes(&room.tiles, row)
         );

@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 
 use tilesat::world::World as _;
 use tilesat::{
-    AllShapes, Axis, Circle, Fx, Grid, Joined, Mover, Outside, Room, Rooms, SegmentMap, TileKinds, TileMap, TileShape,
-    Vec2,
+    AllShapes, Axis, Cell, Circle, Fx, Grid, Joined, Mover, Outside, Room, Rooms, SegmentMap, TileKinds, TileMap,
+    TileShape, Vec2,
 };
 use tilesat_tools::read;
 use tilesat_tools::rooms::{self, Cut, World};
 use tilesat_tools::rules::options::Options;
 
+use crate::baked::{quarry, quarry_rooms, steps_rooms};
 use crate::support::{self, Ran, map, scratch};
 
 /// Rooms of 5 x 4 cells for bodies of 10 and motions of 12 pixels.
@@ -50,7 +51,7 @@ fn project(levels: &[(i32, i32, &[&str])]) -> String {
 /// 40 000 pixels: the rooms have the tiles of the map, each cell of the world one of them.
 #[test]
 fn a_map_of_forty_thousand_pixels() {
-    let solid = |x: usize, y: usize| y == 7 || (x * 7 + y * 3) % 11 == 0;
+    let solid = |x: usize, y: usize| y == 7 || (x * 7 + y * 3).is_multiple_of(11);
     let cells: Vec<&str> = (0..8).flat_map(|y| (0..2500).map(move |x| if solid(x, y) { "1" } else { "0" })).collect();
     let file = scratch("rooms", "long.tmx", map(2500, 8, &cells.join(","), ""));
     let world = world(&file, &CUT).unwrap();
@@ -69,11 +70,14 @@ fn a_map_of_forty_thousand_pixels() {
     }
 }
 
+/// The room that a ball goes over to.
+type Next<'n, 'a> = dyn Fn(&Room<'a>, Vec2) -> Option<(Room<'a>, Vec2)> + 'n;
+
 /// The way of a ball in the world and in the rooms that it goes through; how often it goes over.
 fn ways<'a>(
     world: &dyn Fn(&Circle, Vec2) -> tilesat::Moved<Circle>,
     there: &dyn Fn(&Room<'a>, &Circle, Vec2) -> tilesat::Moved<Circle>,
-    next: &dyn Fn(&Room<'a>, Vec2) -> Option<(Room<'a>, Vec2)>,
+    next: &Next<'_, 'a>,
     (first, ball): (Room<'a>, Circle),
 ) -> u32 {
     let place = |room: &Room<'_>| Vec2::from_ints(room.first().0 as i16 * 16, room.first().1 as i16 * 16);
@@ -189,9 +193,10 @@ fn polygons_of_every_room() {
 /// A hill of 40 000 pixels: each room has what is near it.
 #[test]
 fn a_polygon_of_forty_thousand_pixels() {
-    let top: String = (0..=1000).map(|k| format!("{},{} ", 40 * k, 20 + k * 37 % 40)).collect();
+    let top: Vec<String> = (0..=1000).map(|k| format!("{},{}", 40 * k, 20 + k * 37 % 40)).collect();
+    let top = top.join(" ");
     let list = format!(
-        r#"<object id="3" x="0" y="0"><polygon points="{top}40000,64 0,64"/></object><object id="4" x="0" y="2"><polyline points="40000,0 0,0"/></object>"#
+        r#"<object id="3" x="0" y="0"><polygon points="{top} 40000,64 0,64"/></object><object id="4" x="0" y="2"><polyline points="40000,0 0,0"/></object>"#
     );
     let file = scratch("rooms", "ridge.tmx", map(2500, 4, &vec!["0"; 10_000].join(","), &list));
     let world = world(&file, &CUT).unwrap();
@@ -243,4 +248,37 @@ fn refused() {
     assert!(ran.status == 2 && ran.err.contains("does not end in .rs"), "{ran:?}");
     let help = support::run("rooms", "--help", "");
     assert!(help.status == 0 && help.out.starts_with("usage: tilesat rooms "), "{help:?}");
+}
+
+/// What the compiler makes of the source is what was drawn.
+#[test]
+fn source_equals_the_worlds() {
+    for (level, options, source) in [
+        ("levels/quarry.tmx", "--room 12x12 --body 14 --motion 10", include_str!("baked/quarry_rooms.rs")),
+        ("levels/steps.ldtk", "", include_str!("baked/steps_rooms.rs")),
+    ] {
+        let out = support::folder("rooms").join("own.rs");
+        let ran = run(support::own(level), &out, options);
+        assert!(ran.status == 0 && ran.err.is_empty(), "{ran:?}");
+        let hint = "tilesat rooms examples/levels/NAME -o tools/tests/tools/baked/NAME_rooms.rs";
+        assert!(fs::read_to_string(out).unwrap() == source, "write it anew: {hint} {options}");
+    }
+    let rooms = &quarry_rooms::ROOMS;
+    let count = usize::from(rooms.columns() * rooms.rows());
+    assert_eq!((count, quarry_rooms::APRON, quarry_rooms::CELL), (quarry_rooms::SEGMENTS.len(), 2, 16));
+    for (x, y) in (0..quarry::WIDTH).flat_map(|x| (0..quarry::HEIGHT).map(move |y| (x, y))) {
+        let room = rooms.room(x / 12, y / 12).unwrap();
+        let inside = Vec2::from_ints(16 * (x % 12) as i16 + 8, 16 * (y % 12) as i16 + 8);
+        let kind = quarry::MAP.kind(Cell::new(x as i16, y as i16));
+        assert_eq!(room.map().kind(room.map().cell_at(inside)), kind, "{x} {y}");
+        // A disc in the middle of each cell.
+        let segments = quarry_rooms::SEGMENTS[usize::from(y / 12 * rooms.columns() + x / 12)];
+        let by = Vec2::from_ints(16 * room.first().0 as i16, 16 * room.first().1 as i16);
+        let disc = |at| Circle::new(at, Fx::lit("7")).unwrap();
+        let there = segments.is_some_and(|map| map.overlaps_circle(&disc(inside)));
+        assert_eq!(there, quarry::SEGMENTS.overlaps_circle(&disc(inside + by)), "{x} {y}");
+    }
+    let [steps] = &steps_rooms::ROOMS;
+    assert_eq!((steps_rooms::steps::INDEX, steps_rooms::steps::TILES.len(), steps.first()), (0, 600, (0, 0)));
+    assert_eq!((steps.width(), steps.height()), (24, 14));
 }
