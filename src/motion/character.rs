@@ -258,8 +258,8 @@ impl<B: Body> Character<B> {
     /// Cost: [`Walker::walk`].
     ///
     /// # Errors
-    /// [`RangeError`] where a speed is not below 4096 units, or the [`Feel`]'s snap or step or the
-    /// body's half extent is negative or not below that. The character stays as it was.
+    /// [`RangeError`] where a speed or the body's half extent is not below 4096 units, or the
+    /// [`Feel`]'s snap or step is negative or not below that. The character stays as it was.
     pub fn step<W: World>(&mut self, level: &W, input: Input) -> Result<Step, RangeError> {
         self.step_carried(level, input, Vec2::ZERO)
     }

@@ -2,8 +2,8 @@
 
 use crate::tell;
 use tilesat::{
-    Aabb, Axis, Circle, Fx, Inside, Mover, Response, SlopeSpeed, Solid, StartInside, TileKind, TileKinds, TileMap,
-    Vec2, Walker,
+    Aabb, Axis, Character, Circle, Feel, Fx, Input, Inside, Mover, Response, SlopeSpeed, Solid, StartInside, TileKind,
+    TileKinds, TileMap, Vec2, Walker, fx,
 };
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL.with_flags(8));
@@ -41,4 +41,13 @@ pub(crate) fn tell_all() {
     let ridden = mover.ride(&level, &[lift.with_motion(Vec2::from_ints(1, -2)).unwrap()], &body, Fx::ONE).unwrap();
     tell(&ridden);
     tell(&ridden.ride);
+
+    let mut hero = Character::new(body, level.bounds(), Feel::DEFAULT);
+    let input = Input { run: fx!(1.5), jump: false, drop: false };
+    let step = hero.step(&level, input).unwrap();
+    tell(&hero.feel);
+    tell(&input);
+    tell(&step);
+    tell(&step.outcome);
+    tell(&hero);
 }

@@ -7,8 +7,8 @@ use tilesat::motion::response::{
 use tilesat::motion::{Hit, Hits, Walked, escape};
 use tilesat::world::{AllShapes, Bits, Blocks, Joined, Placed, SegmentMap, Slopes, Solid, Solids, TileMap};
 use tilesat::{
-    Aabb, Acceleration, Axis, Carry, Circle, Contact, Energy, Fx, Masses, Moved, Mover, Ratio, Response, SlopeSpeed,
-    Speed, StartInside, Support, Surface, Vec2, Walker,
+    Aabb, Acceleration, Axis, Carry, Character, Circle, Contact, Energy, Feel, Fx, Input, Masses, Moved, Mover, Ratio,
+    Response, SlopeSpeed, Speed, StartInside, Support, Surface, Vec2, Walker,
 };
 use tilesat_flash::keep;
 
@@ -24,6 +24,8 @@ macro_rules! moves {
             |m: &Mover<Surface>, l: &$level, solids: &[Solid], b: &$body, follow: Fx| m.ride(l, solids, b, follow);
             |m: &Mover, l: &$level, b: &$body| m.supported(l, b);
             |w: &Walker, l: &$level, b: &$body, v: Vec2, floor: Option<Support>| w.walk(l, b, v, floor);
+            |c: &mut Character<$body>, l: &$level, i: Input| c.step(l, i);
+            |c: &mut Character<$body>, l: &$level, solids: &mut [Solid], i: Input| c.step_on(l, solids, i);
             |l: &$level, b: &$body| escape(l, b);
         })+
     };
@@ -68,6 +70,9 @@ fn movers() {
         |w: Walker, height: Fx| w.with_step(height);
         |w: Walker, speed: SlopeSpeed, on: bool| w.with_slope_speed(speed).with_drop_through(on);
         |w: &Walked<Aabb>| w.on_floor();
+        |b: Aabb, limits: Aabb, feel: Feel| Character::new(b, limits, feel);
+        |c: &mut Character, b: Aabb| c.place(b);
+        |c: &Character| (c.body(), c.floor(), c.on_floor(), c.ridden());
         |hit: Hit| Support::from(hit);
         |m: &Moved<Aabb>| m.position();
         |m: &Moved<Circle>| m.position();
