@@ -101,10 +101,18 @@ pub trait Exact {
 const FINE: i64 = 512;
 
 /// To the nearest, halves away from zero.
-fn fine<S: Scalar>(v: S) -> i64 {
-    let parts = v.px() * (FINE << 16) as f64;
+fn nearest(parts: f64) -> i64 {
     let whole = parts as i64;
     whole + ((parts - whole as f64) * 2.0) as i64
+}
+
+fn fine<S: Scalar>(v: S) -> i64 {
+    nearest(v.px() * (FINE << 16) as f64)
+}
+
+/// What the host judges a box at.
+fn even<S: Scalar>(v: S) -> i64 {
+    2 * nearest(v.px() * (FINE << 15) as f64)
 }
 
 impl Exact for tilesat::Circle {
@@ -127,7 +135,7 @@ impl<S: Scalar> Exact for Circle<S> {
 
 impl<S: Scalar> Exact for Aabb<S> {
     fn exact(&self) -> [i64; 4] {
-        [self.lo.x, self.lo.y, self.hi.x, self.hi.y].map(fine)
+        [self.lo.x, self.lo.y, self.hi.x, self.hi.y].map(even)
     }
 }
 
@@ -146,6 +154,7 @@ macro_rules! each_move {
         each_move! { own $each $workload, "box", $set, Aabb }
         each_move! { book $each $workload, "naive Q16.16", Q16, $boxes }
         each_move! { book $each $workload, "textbook f32", f32, $boxes }
+        each_move! { book $each $workload, "textbook f64", f64, $boxes }
     };
     (own $each:ident $workload:literal, $kind:literal, $set:ident, $body:ident) => {
         $each! { $workload, $kind, "tilesat", tilesat::TileMap<'static, tilesat::$set>, tilesat::$body, tilesat::Vec2,
