@@ -203,10 +203,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     #[inline]
     const fn may_meet(&self, shape: TileShape, (x, y): (i32, i32), region: &Aabb, r: Option<i32>) -> bool {
-        match (shape, r) {
-            (TileShape::Empty, _) => false,
-            (TileShape::Full, _) | (_, None) => true,
-            (_, Some(r)) => !S::SHAPED || !is_clear(shape, self.grid.square(x, y), (region.lo(), region.hi()), r),
+        match shape {
+            TileShape::Empty => false,
+            TileShape::Full => true,
+            _ => match r {
+                Some(r) if S::SHAPED => !is_clear(shape, self.grid.square(x, y), (region.lo(), region.hi()), r),
+                _ => true,
+            },
         }
     }
 
