@@ -1,4 +1,5 @@
-//! The first hit in a level that is a grid of tiles: full cells straight from the grid, of which only those features are made that a motion comes to.
+//! The first hit in a level that is a grid of tiles: full cells straight from the grid, of which
+//! only those features are made that a motion comes to.
 
 use super::body::{Body, Entry};
 use super::order::First;
@@ -37,7 +38,8 @@ struct Sweep<'a, W, B> {
 }
 
 impl<B: Body> Search<'_, B> {
-    /// Takes the hits of some cells, less those that were visited `before`; each full one counts as a feature.
+    /// Takes the hits of some cells, less those that were visited `before`; each full one counts as
+    /// a feature.
     #[inline(never)]
     pub(super) fn meet_cells<W: World>(
         &mut self,
@@ -206,7 +208,8 @@ impl<W: World, B: Body> Sweep<'_, W, B> {
         }
     }
 
-    /// Whether nothing beside a full cell covers its side; of what covers it in part the features tell.
+    /// Whether nothing beside a full cell covers its side; of what covers it in part the features
+    /// tell.
     fn is_free(&mut self, block: &Block, x: i32, y: i32) -> bool {
         let fill = self.world.fill(block.x.wrapping_add(x), block.y.wrapping_add(y));
         self.is_odd |= !W::BLOCKS && fill == Fill::Part;

@@ -48,8 +48,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///   +---+---+---+---+
     /// ```
     ///
-    /// Cost: a look at the cells under the motion where it meets none. Else one sweep over them, in pieces as long as a cell or the body, so linear in
-    /// its length, and one or two exact overlap tests; [`BodyHit::work`] counts them.
+    /// Cost: a look at the cells under the motion where it meets none. Else one sweep over them, in
+    /// pieces as long as a cell or the body, so linear in its length, and one or two exact overlap
+    /// tests; [`BodyHit::work`] counts them.
     ///
     /// ```
     /// use tilesat::{Axis, Circle, Fx, Inside, TileKind, TileKinds, TileMap, Vec2, fx};

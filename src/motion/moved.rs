@@ -85,7 +85,8 @@ pub struct Stuck {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum MoveError {
-    /// The velocity or the body is too large, for numbers or for the level's cells, or the motion would leave the domain.
+    /// The velocity or the body is too large, for numbers or for the level's cells, or the motion
+    /// would leave the domain.
     Range(RangeError),
     /// The body overlaps the level already.
     Stuck(Stuck),

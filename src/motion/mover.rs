@@ -61,8 +61,10 @@ impl Mover {
     /// The most pieces that one motion is made of.
     pub const ITERATIONS: u32 = 4;
 
-    /// The most cells that one motion may come to, counted for each of its [pieces](Self::move_and_slide): longer ones, and those of larger bodies, are
-    /// refused. A square of 512 cells a side, or 4096 units a call for a body of one cell where that is a unit.
+    /// The most cells that one motion may come to, counted for each of its
+    /// [pieces](Self::move_and_slide): longer ones, and those of larger bodies, are refused. A
+    /// square of 512 cells a side, or 4096 units a call for a body of one cell where that is a
+    /// unit.
     pub const CELLS: u32 = 1 << 18;
 
     /// A mover without an "up", for games that are seen from above: every hit is a wall.

@@ -1,4 +1,5 @@
-//! Which of the hits of one motion is the first. The order of visits plays no part; the first of these that tells two hits apart decides:
+//! Which of the hits of one motion is the first. The order of visits plays no part; the first of
+//! these that tells two hits apart decides:
 //!
 //! 1. The earlier one. A vertex or an arc, whose time is a bound, is before a face where that is so exactly.
 //! 2. A face before a vertex or an arc.
@@ -127,7 +128,8 @@ fn is_past(m: Raw, r: i32, leaves: bool, d: Raw, at: &Entry) -> bool {
     less128(square, rim) || toward <= 0 || !less128(mul64(d.len2(), at.num.into()), mul64(toward as u64, at.den.into()))
 }
 
-/// Two features that are one surface at the moment of the hit: the solid one stands for both, else the first row by row, with the flags of both.
+/// Two features that are one surface at the moment of the hit: the solid one stands for both, else
+/// the first row by row, with the flags of both.
 fn merge(into: &mut Feature, other: &Feature) {
     let flags = into.flags | other.flags;
     let key = |f: &Feature| (f.one_way, f.source, f.cell.y, f.cell.x, f.index);

@@ -12,8 +12,8 @@ use crate::world::{Cells, Geometry, Seen, Way, World};
 
 /// A region that was looked at, and what of it a body may meet.
 ///
-/// Most starts, ends and slides need no more than comparisons with the box that holds that. Bodies without area have no inside: theirs are [grown](hull)
-/// by a raw unit.
+/// Most starts, ends and slides need no more than comparisons with the box that holds that. Bodies
+/// without area have no inside: theirs are [grown](hull) by a raw unit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Around {
     region: Aabb,
@@ -32,7 +32,8 @@ impl Around {
     pub(super) const NOTHING: Self =
         Self { region: Aabb::from_raw_unchecked(Raw { x: 1, y: 1 }, Raw { x: 0, y: 0 }), seen: Seen::NOTHING };
 
-    /// Looks at what a body comes through in one of the pieces of a motion, unless that is known already; tells the region.
+    /// Looks at what a body comes through in one of the pieces of a motion, unless that is known
+    /// already; tells the region.
     pub(super) fn look<W: World>(&mut self, world: &W, bounds: &Aabb, from: Raw, to: Raw, pieces: u32) -> Aabb {
         let region = piece_of(bounds, from, to, pieces);
         if !self.has_seen(&region) {
@@ -42,9 +43,10 @@ impl Around {
         region
     }
 
-    /// In how many [pieces] the cells under the motion of a call are visited; 0 where a body flies, as most do: where it meets nothing of all that its
-    /// motion comes to, no more is asked. Only this first look tells apart the cells that the body passes: in all others it is near what it has met, and
-    /// that took 3 % more instructions than it saved.
+    /// In how many [pieces] the cells under the motion of a call are visited; 0 where a body flies,
+    /// as most do: where it meets nothing of all that its motion comes to, no more is asked. Only
+    /// this first look tells apart the cells that the body passes: in all others it is near what it
+    /// has met, and that took 3 % more instructions than it saved.
     ///
     /// # Errors
     /// Where it comes to too many cells.
@@ -284,7 +286,8 @@ pub(super) fn pieces<W: World>(world: &W, bounds: &Aabb, d: Raw) -> u32 {
 
 /// Refuses a motion that comes to more than [`Mover::CELLS`] cells.
 ///
-/// A hull of up to 256 cells a side never does: in one piece it meets 258 squared at most, in pieces longer than the body fewer.
+/// A hull of up to 256 cells a side never does: in one piece it meets 258 squared at most, in
+/// pieces longer than the body fewer.
 #[inline]
 pub(super) fn check_cells<W: World>(world: &W, bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
     let side = Raw::of(bounds.size());

@@ -155,7 +155,8 @@ impl Grid {
         if d >= span.size as u32 { span.count as i32 } else { self.quotient(d) as i32 }
     }
 
-    /// The last cell that begins before a distance from the origin, not less than the `first`; stepped, because as a rule it is near.
+    /// The last cell that begins before a distance from the origin, not less than the `first`;
+    /// stepped, because as a rule it is near.
     #[inline]
     pub(super) const fn last_before(&self, distance: i32, first: i32) -> i32 {
         let (mut index, mut end) = (first, self.line(first.wrapping_add(1)));
@@ -195,7 +196,8 @@ impl Grid {
         index
     }
 
-    /// How many cells a box may meet with its inside, those beyond the map included: less than 2^31.
+    /// How many cells a box may meet with its inside, those beyond the map included: less than
+    /// 2^31.
     pub(super) const fn most_cells(&self, width: u32, height: u32) -> u32 {
         self.most_along(width, &self.x).wrapping_mul(self.most_along(height, &self.y))
     }

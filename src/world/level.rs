@@ -160,7 +160,8 @@ pub struct Way<'a> {
 /// Public in a private module, because a sealed trait's method writes it.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
-    /// A body meets and overlaps nothing with its inside while its bounds are in the region and out of this box, one-way faces included.
+    /// A body meets and overlaps nothing with its inside while its bounds are in the region and out
+    /// of this box, one-way faces included.
     pub(crate) held: Option<Aabb>,
     /// Where there is a box, the cells that it is around, if the level is one of cells.
     pub(crate) cells: Option<Cells>,
@@ -207,7 +208,8 @@ pub trait World: sealed::Sealed {
     #[doc(hidden)]
     const CERTAIN: bool = Self::BLOCKS;
 
-    /// Whether the level is a grid of tiles and nothing else: then the surface of its full cells is known from [`fill`](Self::fill).
+    /// Whether the level is a grid of tiles and nothing else: then the surface of its full cells is
+    /// known from [`fill`](Self::fill).
     #[doc(hidden)]
     const GRID: bool = false;
 
@@ -257,7 +259,8 @@ pub trait World: sealed::Sealed {
         None
     }
 
-    /// Writes what of a region with area a body in it may meet: any body, or one that is the disc of radius `r` in its bounds; where that is 0, that fills them.
+    /// Writes what of a region with area a body in it may meet: any body, or one that is the disc
+    /// of radius `r` in its bounds; where that is 0, that fills them.
     #[doc(hidden)]
     fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
         let _ = r;
@@ -267,7 +270,8 @@ pub trait World: sealed::Sealed {
     /// The side of a cell, raw and not zero: longer motions are enumerated in pieces of about this length.
     fn cell_size(&self) -> u32;
 
-    /// How many cells a box of this size may meet with its inside, in raw units below 2^30; 1 where there are none.
+    /// How many cells a box of this size may meet with its inside, in raw units below 2^30; 1 where
+    /// there are none.
     #[doc(hidden)]
     fn most_cells(&self, width: u32, height: u32) -> u32 {
         let _ = (width, height);

@@ -1,6 +1,8 @@
-//! What a call takes for free without a sweep is free all the way: judged by convex sets, which share nothing with the library.
+//! What a call takes for free without a sweep is free all the way: judged by convex sets, which
+//! share nothing with the library.
 //!
-//! Each frame that did no work but to look is held against all of the level. `TILESAT_FRAMES` sets the number of frames (default 100 000).
+//! Each frame that did no work but to look is held against all of the level. `TILESAT_FRAMES` sets
+//! the number of frames (default 100 000).
 
 use std::time::{Duration, Instant};
 use tilesat::{Axis, Mover, TileShape, Work};
@@ -94,7 +96,8 @@ fn what_is_not_swept_is_free() {
     }
 }
 
-/// Around each shape, on a lattice and just beside it: where bodies touch, pass by a raw unit, or are within one.
+/// Around each shape, on a lattice and just beside it: where bodies touch, pass by a raw unit, or
+/// are within one.
 #[test]
 fn around_each_shape() {
     const CELL: i64 = 256;
@@ -118,7 +121,8 @@ fn around_each_shape() {
     assert!(tally.clear > tally.free / 2 && tally.free < tally.frames * 9 / 10, "{tally:?}");
 }
 
-/// Between a way that is free and one that is not, halved down to a raw unit: bounds that are too large by any part of a body are seen there.
+/// Between a way that is free and one that is not, halved down to a raw unit: bounds that are too
+/// large by any part of a body are seen there.
 #[test]
 fn within_a_raw_unit_of_each_shape() {
     let (mut r, mut tally) = (Random::new(6), Tally::default());
@@ -154,7 +158,8 @@ fn within_a_raw_unit_of_each_shape() {
     assert!(tally.clear > 100, "{tally:?}");
 }
 
-/// As many as `TILESAT_FRAMES` says, 10^7 if it says nothing: `cargo test --test motion clear -- --ignored --nocapture`.
+/// As many as `TILESAT_FRAMES` says, 10^7 if it says nothing: `cargo test --test motion clear --
+/// --ignored --nocapture`.
 #[test]
 #[ignore = "minutes"]
 fn in_ten_million_frames() {

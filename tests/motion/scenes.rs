@@ -158,12 +158,14 @@ fn what_is_out_of_range() {
     assert_eq!(refused(&level, near, (0, -px(50) - 1)), RangeError { what: Quantity::Y, value: -(1 << 29) });
 }
 
-/// One raw unit of way or of body more is a cell more: over cells of 2^8 raw on both axes, beyond the map's border on one, and in pieces.
+/// One raw unit of way or of body more is a cell more: over cells of 2^8 raw on both axes, beyond
+/// the map's border on one, and in pieces.
 #[test]
 fn what_comes_to_too_many_cells() {
     let cells = i64::from(Mover::CELLS);
     let level = Level::new(&[".".repeat(1000).as_str(); 1000], 256);
-    // A look meets up to two cells more than a length has, and is a raw unit larger on each side where it is one of several, and one for the rounding.
+    // A look meets up to two cells more than a length has, and is a raw unit larger on each side
+    // where it is one of several, and one for the rounding.
     let most = 511 * 256 - 5;
     let square = |side: i64| Body::rect((300, 300), (side, side));
     assert_eq!(go(&level, Response::Slide, square(most), (1, 1)).body, square(most).moved((1, 1)));

@@ -53,8 +53,8 @@ fn both<A: World, B: World, C: Body + PartialEq + std::fmt::Debug>(
     body: &C,
     v: Vec2,
 ) {
-    // A placed level may be solid beyond its domain, so that its ends are checked where a built one's are certain; and full cells that a map knows are
-    // met by their features.
+    // A placed level may be solid beyond its domain, so that its ends are checked where a built
+    // one's are certain; and full cells that a map knows are met by their features.
     let seen = |moved: Result<Moved<C>, MoveError>| {
         moved.map(|moved| Moved { work: Work { checks: 0, features: 0, ..moved.work }, ..moved })
     };

@@ -1,4 +1,5 @@
-//! Which tiles a body is clear of wherever it is in a region: one half-plane or one disc a tile, in words alone.
+//! Which tiles a body is clear of wherever it is in a region: one half-plane or one disc a tile, in
+//! words alone.
 
 use super::outline::FormKind;
 use crate::num::{Raw, leading_zeros32};
@@ -7,13 +8,16 @@ use crate::world::tile_map::kind::TileShape;
 /// Farther from a tile's corner than this nothing is told: so all sums below fit a word.
 const FAR: i32 = 1 << 27;
 
-/// Whether no body in a region has a point in the inside of a tile's solid: none that fills its bounds, and no disc of radius `r`.
+/// Whether no body in a region has a point in the inside of a tile's solid: none that fills its
+/// bounds, and no disc of radius `r`.
 ///
-/// It may say no where that is so; it says yes only then. The inside of the region meets that of the tile's square.
+/// It may say no where that is so; it says yes only then. The inside of the region meets that of
+/// the tile's square.
 ///
-/// In the frame of the solid corner (see [`Form`](super::outline::Form)) `u` and `v` are the region's least coordinates: bounds with their
-/// nearest corner there are nearer to the solid than all others in the region. A disc leaves that corner of its bounds free, and is
-/// farther from a line than the corner by r (p + q - |(p, q)|).
+/// In the frame of the solid corner (see [`Form`](super::outline::Form)) `u` and `v` are the
+/// region's least coordinates: bounds with their nearest corner there are nearer to the solid than
+/// all others in the region. A disc leaves that corner of its bounds free, and is farther from a
+/// line than the corner by r (p + q - |(p, q)|).
 #[inline(never)]
 pub(super) const fn is_clear(shape: TileShape, (at, end): (Raw, Raw), (lo, hi): (Raw, Raw), r: i32) -> bool {
     let (form, side) = (shape.form(), end.x - at.x);
@@ -50,7 +54,8 @@ const fn spared(r: i32, p: i32, q: i32) -> i32 {
     }
 }
 
-/// Whether a point is at least `reach` from the origin; it may say no within one part in 2^14 of that.
+/// Whether a point is at least `reach` from the origin; it may say no within one part in 2^14 of
+/// that.
 const fn is_beyond(x: i32, y: i32, reach: i32) -> bool {
     if x >= reach || y >= reach {
         return true;
@@ -60,7 +65,8 @@ const fn is_beyond(x: i32, y: i32, reach: i32) -> bool {
     x * x + y * y >= reach * reach
 }
 
-/// Whether a point is at most `reach` from the origin; it may say no within one part in 2^14 of that.
+/// Whether a point is at most `reach` from the origin; it may say no within one part in 2^14 of
+/// that.
 const fn is_within(x: i32, y: i32, reach: i32) -> bool {
     if x >= reach || y >= reach {
         return false;
@@ -70,7 +76,8 @@ const fn is_within(x: i32, y: i32, reach: i32) -> bool {
     x * x + y * y <= reach * reach
 }
 
-/// What leaves 15 bits of a length: squares of two such numbers, one of them a unit larger, add up below 2^32.
+/// What leaves 15 bits of a length: squares of two such numbers, one of them a unit larger, add up
+/// below 2^32.
 const fn shift(reach: i32) -> u32 {
     17u32.saturating_sub(leading_zeros32(reach as u32))
 }

@@ -139,7 +139,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         BlockSurface::one_way(self, block.x, block.y)
     }
 
-    /// The cells of a region that a body may meet, and the box around them; see [`World::look`](crate::world::World::look).
+    /// The cells of a region that a body may meet, and the box around them; see
+    /// [`World::look`](crate::world::World::look).
     #[inline(never)]
     pub(in crate::world) fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
         let found = match self.range_inside(region) {
@@ -180,7 +181,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// The cells of a range of the map that a body in the region may meet, and another range with them.
+    /// The cells of a range of the map that a body in the region may meet, and another range with
+    /// them.
     const fn met(&self, range: Range, mut found: Range, region: &Aabb, r: Option<i32>) -> Range {
         let mut y = range.y0;
         while y <= range.y1 {
@@ -203,10 +205,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     #[inline]
     const fn may_meet(&self, shape: TileShape, (x, y): (i32, i32), region: &Aabb, r: Option<i32>) -> bool {
-        match (shape, r) {
-            (TileShape::Empty, _) => false,
-            (TileShape::Full, _) | (_, None) => true,
-            (_, Some(r)) => !S::SHAPED || !is_clear(shape, self.grid.square(x, y), (region.lo(), region.hi()), r),
+        match shape {
+            TileShape::Empty => false,
+            TileShape::Full => true,
+            _ => match r {
+                Some(r) if S::SHAPED => !is_clear(shape, self.grid.square(x, y), (region.lo(), region.hi()), r),
+                _ => true,
+            },
         }
     }
 

@@ -1,4 +1,5 @@
-//! Whether a body meets a region anywhere on a straight way, exactly: the places of a way are a convex set, so no moment has to be found.
+//! Whether a body meets a region anywhere on a straight way, exactly: the places of a way are a
+//! convex set, so no moment has to be found.
 
 use super::P;
 use super::body::Body;
@@ -24,7 +25,8 @@ fn cross(a: Point, b: Point) -> i128 {
     a.0 * b.1 - a.1 * b.0
 }
 
-/// Whether a body that moves by `d` has a point in the inside of a region at some moment. One without area is a raw unit larger on every side.
+/// Whether a body that moves by `d` has a point in the inside of a region at some moment. One
+/// without area is a raw unit larger on every side.
 pub fn meets(region: &Region, body: Body, d: P) -> bool {
     let (a, d) = (body.bounds(), wide(d));
     match (region, body) {
@@ -56,7 +58,8 @@ fn swept(lo: Point, hi: Point, d: Point) -> Vec<Point> {
     [lo, (hi.0, lo.1), hi, (lo.0, hi.1)].into_iter().flat_map(|p| [p, add(p, d)]).collect()
 }
 
-/// The frame in which an arc's centre is the origin and its cell the square from there to (side, side).
+/// The frame in which an arc's centre is the origin and its cell the square from there to (side,
+/// side).
 fn frame(centre: Point, far: Point) -> (impl Fn(Point, Point) -> Point, i128) {
     let q = sub(far, centre);
     (move |p: Point, from: Point| ((p.0 - from.0) * q.0.signum(), (p.1 - from.1) * q.1.signum()), q.0.abs())
@@ -66,7 +69,8 @@ fn edges(points: &[Point]) -> impl Iterator<Item = (Point, Point)> + '_ {
     points.iter().zip(points.iter().cycle().skip(1)).map(|(&a, &b)| (a, b))
 }
 
-/// A direction across which two convex sets are at least `gap` apart, of those across the polygon's edges and across `ways`.
+/// A direction across which two convex sets are at least `gap` apart, of those across the polygon's
+/// edges and across `ways`.
 fn apart_at(polygon: &[Point], other: &[Point], ways: &[Point], gap: i128) -> Option<Point> {
     let normals = edges(polygon).map(|(a, b)| sub(b, a)).chain(ways.iter().copied()).map(|e| (-e.1, e.0));
     let span = |set: &[Point], n: Point| {
@@ -115,9 +119,11 @@ fn place(c: Point, d: Point, (num, den): (i128, i128)) -> Point {
     (c.0 * den + d.0 * num, c.1 * den + d.1 * num)
 }
 
-/// Whether a way comes nearer than `r` to the quarter disc of radius `side`, or to what is outside of it in its square.
+/// Whether a way comes nearer than `r` to the quarter disc of radius `side`, or to what is outside
+/// of it in its square.
 ///
-/// From a point in the quarter the arc is as far as along the radius; from all others a straight side, ends included, is nearer.
+/// From a point in the quarter the arc is as far as along the radius; from all others a straight
+/// side, ends included, is nearer.
 fn near_arc(c: Point, d: Point, r: i128, side: i128, outside: bool) -> bool {
     let corner = if outside { (side, side) } else { (0, 0) };
     let straight = [(side, 0), (0, side)].map(|end| vec![corner, end]);
@@ -142,9 +148,11 @@ fn near_arc(c: Point, d: Point, r: i128, side: i128, outside: bool) -> bool {
     turn || there.into_iter().any(|(p, den)| length(p) < ((side + r) * den).pow(2))
 }
 
-/// Whether a moving box has a point in the inside of the quarter disc, or of what is outside of it in its square.
+/// Whether a moving box has a point in the inside of the quarter disc, or of what is outside of it
+/// in its square.
 ///
-/// Between two moments at which a side of the box passes one of the square, its nearest and its farthest corner in the square go straight.
+/// Between two moments at which a side of the box passes one of the square, its nearest and its
+/// farthest corner in the square go straight.
 fn box_in_arc(lo: Point, hi: Point, d: Point, side: i128, outside: bool) -> bool {
     let mut all: Vec<_> = moments(lo, d, side).into_iter().chain(moments(hi, d, side)).collect();
     all.sort_by(|a, b| (a.0 * b.1).cmp(&(b.0 * a.1)));
