@@ -8,6 +8,7 @@ use tilesat::TileShape;
 use super::args::{once, text};
 use super::project;
 use crate::fail::{Fail, Result};
+use crate::model::map::{Content, Placed};
 use crate::read::{self, Levels};
 use crate::rules::names;
 use crate::rules::options::Options;
@@ -91,25 +92,63 @@ impl Input {
         let mut levels = read::load(path, self.level.as_deref())?;
         let (options, file) = project::beside(path)?;
         levels.files.extend(file);
+        // What a project says of all levels need not be in each of them.
+        unknown(&levels, &self.options).map_err(|why| Fail::new(format!("{}: {why}", path.display())))?;
         let options = options.then(self.options);
-        unknown(&levels, &options).map_err(|why| Fail::new(format!("{}: {why}", path.display())))?;
         Ok((levels, options))
     }
 }
 
-/// Layers of options that no level has, which are hardly what is meant.
+/// Layers and names of options that no level has, which are hardly what is meant.
 fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String> {
-    let named = [("--solid-layer", &options.solid_layers), ("--objects", &options.objects)];
-    for (option, name) in named.iter().flat_map(|(option, names)| names.iter().map(move |name| (option, name))) {
-        let layers = || levels.maps.iter().flat_map(|map| &map.layers).map(|layer| layer.name.as_str());
-        if levels.files.len() > 1 && levels.maps.len() > 1 || layers().any(|layer| crate::rules::same(layer, name)) {
-            continue;
+    let all = || levels.maps.iter().flat_map(|map| &map.layers);
+    let layers: Vec<&str> = all().map(|layer| layer.name.as_str()).collect();
+    let of_layers = [
+        ("--solid-layer", &options.solid_layers),
+        ("--ignore-layer", &options.ignored_layers),
+        ("--objects", &options.objects),
+    ];
+    for (option, name) in of_layers.iter().flat_map(|(option, names)| names.iter().map(move |name| (option, name))) {
+        if !layers.iter().any(|layer| crate::rules::same(layer, name)) {
+            return Err(format!("{option} {name}: no layer is called so; there are: {}", shown(&layers)));
         }
-        let mut known: Vec<&str> = layers().collect();
-        known.dedup();
-        return Err(format!("{option} {name}: no layer is called so; there are: {}", known.join(", ")));
     }
-    Ok(())
+    let mut names: Vec<&str> = Vec::new();
+    for tile in levels.maps.iter().flat_map(|map| &map.tilesets).flat_map(|set| set.tiles.values()) {
+        names.extend([tile.class.as_str()].into_iter().chain(tile.properties.marks()).chain(tile.properties.ones()));
+    }
+    for placed in levels.maps.iter().flat_map(|map| &map.palette) {
+        if let Placed::Value { name: Some(name), .. } = placed {
+            names.push(name);
+        }
+    }
+    for layer in all() {
+        if let Content::Objects(objects) = &layer.content {
+            names.extend(
+                objects.iter().flat_map(|object| [object.class.as_str()].into_iter().chain(object.properties.marks())),
+            );
+        }
+    }
+    names.retain(|name| !name.trim().is_empty());
+    names.sort_unstable();
+    // `TILESET:ID`, `LAYER:VALUE` and a value's number are places, which need not be used.
+    let is_place = |name: &str| name.contains(':') || name.bytes().all(|b| b.is_ascii_digit());
+    let given = options.shapes.iter().map(|(name, _)| name).chain(&options.flags);
+    match given.into_iter().find(|name| !is_place(name) && !names.iter().any(|known| crate::rules::same(known, name))) {
+        Some(name) => Err(format!("no tile, object or value is called '{name}'; there are: {}", shown(&names))),
+        None => Ok(()),
+    }
+}
+
+/// Names, each once, and not too many.
+fn shown(names: &[&str]) -> String {
+    let mut seen: Vec<&str> = Vec::new();
+    for name in names {
+        if !seen.contains(name) && seen.len() < 20 {
+            seen.push(name);
+        }
+    }
+    if seen.is_empty() { "none".to_owned() } else { seen.join(", ") }
 }
 
 /// `NAME` or `NAME=SHAPE`.

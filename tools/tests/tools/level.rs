@@ -184,3 +184,29 @@ fn the_check_sees_escapes() {
     assert_eq!(moved(ball(20 * PX, 42 * PX), ball(20 * PX, 43 * PX + 1), (2 * PX, 0)), escape, "out of the map");
     assert_eq!(moved(square(0, 0), square(50 * PX, 0), (60 * PX, 0)), escape, "through the wall");
 }
+
+/// Polygons are solid to the check as far as their borders, holes are not, and a body within one of them overlaps it too.
+#[test]
+fn the_check_sees_polygons() {
+    let list = r#"<object id="1" x="32" y="32" width="64" height="64"/><object id="2" type="Hole" x="48" y="48" width="32" height="32"/>"#;
+    let file = scratch("level", "polygons.tmx", support::objects(list));
+    let levels = tilesat_tools::read::load(&file, None).unwrap();
+    let bundle = tilesat_tools::bake::bake(&levels.maps, &tilesat_tools::bake::Settings::default()).unwrap();
+    let arena = play::Arena::of(&bundle.levels[0]).unwrap();
+    let check = Checker::new(&arena.level).with_segments(arena.segments.as_deref().unwrap());
+    for (figure, overlaps) in [
+        (square(24 * PX, 40 * PX), false),
+        (square(24 * PX + 1, 40 * PX), true),
+        (square(36 * PX, 36 * PX), true),
+        (square(60 * PX, 60 * PX), false),
+        (square(48 * PX, 48 * PX), false),
+        (square(48 * PX - 1, 60 * PX), true),
+        (ball(27 * PX, 64 * PX), false),
+        (ball(27 * PX + 1, 64 * PX), true),
+        (ball(64 * PX, 64 * PX), false),
+        (ball(29 * PX, 28 * PX), false),
+        (ball(29 * PX, 28 * PX + 1), true),
+    ] {
+        assert_eq!(check.overlaps(&figure), overlaps, "{figure:?}");
+    }
+}

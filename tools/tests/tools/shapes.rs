@@ -199,6 +199,41 @@ fn a_map_of_all_flips() {
     }
 }
 
+/// A shape of the collision editor that is none of the library, in every flip: solid exactly where Tiled draws it.
+#[test]
+fn drawn_shapes_in_all_flips() {
+    let corners: [Point; 3] = [(8, 12), (76, 20), (16, 88)];
+    let list: Vec<String> = corners.iter().map(|(x, y)| format!("{},{}", x / 4, y / 4)).collect();
+    let polygon = format!("<polygon points=\"{}\"/>", list.join(" "));
+    let tile = format!("<tile id=\"0\"><objectgroup><object id=\"1\">{polygon}</object></objectgroup></tile>");
+    let gids: Vec<u32> =
+        (0..8u32).map(|bits| 1 | (bits & 1) << 29 | (bits >> 1 & 1) << 31 | (bits >> 2) << 30).collect();
+    let path = map("drawn", &tile, &gids);
+    let levels = tilesat_tools::read::load(&path, None).unwrap();
+    let bundle = tilesat_tools::bake::bake(&levels.maps, &tilesat_tools::bake::Settings::default()).unwrap();
+    let segments = bundle.levels[0].segments().unwrap().unwrap();
+    let inside = |p: Point| {
+        let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+        edges.map(|(a, b)| ((b.0 - a.0) * (p.1 - a.1) - (b.1 - a.1) * (p.0 - a.0)).signum()).sum::<i32>().abs() == 3
+    };
+    let mut solid = 0;
+    for (x, flip) in flips().enumerate() {
+        for p in points() {
+            // On a side of the polygon nothing is said.
+            let from = source(flip, p);
+            let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+            if edges.clone().any(|(a, b)| (b.0 - a.0) * (from.1 - a.1) == (b.1 - a.1) * (from.0 - a.0)) {
+                continue;
+            }
+            let at = Vec2::from_raw(((x as i32 * 96 + p.0) << 16) / 4, (p.1 << 16) / 4);
+            let found = segments.overlaps(&Aabb::new(at, at).unwrap());
+            assert_eq!(found, inside(from), "{flip:?} at {p:?}");
+            solid += usize::from(found);
+        }
+    }
+    assert!(solid > 100);
+}
+
 #[test]
 fn errors_name_tile_property_and_value() {
     let gids = [8, 1, 1, 1, 1, 1, 1, 1];
