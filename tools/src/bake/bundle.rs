@@ -122,6 +122,11 @@ impl Bundle {
         source::source(self)
     }
 
+    /// The same for `include!`, within a module: what a build script writes to `OUT_DIR`.
+    pub fn items(&self) -> String {
+        source::items(self)
+    }
+
     /// The files for this place: source, or bytes and the source that says what they are.
     pub fn files(&self, out: &Path, as_source: bool) -> Vec<(PathBuf, Vec<u8>)> {
         if as_source {

@@ -99,7 +99,7 @@ fn level(name: &str, shared: &[&str], lines: &[&str], folder: &Path) -> Made<Reo
             .filter(|line| line.contains("Grid::new("))
             .find_map(|line| pair(line.split_once("Vec2::from_raw(")?.1));
         tiles = Some(Level {
-            layer: name.to_owned(),
+            layer: if name.is_empty() { "tiles".to_owned() } else { name.to_owned() },
             width,
             height,
             tile,

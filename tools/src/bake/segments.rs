@@ -87,7 +87,7 @@ impl Shapes {
             let side = Fx::from_num(*side);
             self.references(side) < MOST_REFERENCES && self.cells(side) < MOST_CELLS
         };
-        Fx::from_num(sides.clone().find(fits).or(sides.last()).unwrap_or(256))
+        Fx::from_num(sides.clone().find(fits).or(sides.max()).unwrap_or(256))
     }
 
     /// At most so many pairs of a segment and a cell.

@@ -14,6 +14,7 @@ const MOST_BUILT: u16 = 300;
 
 const HEAD: &str = "//! Written by `tilesat bake LEVEL -o OUT.rs`; not edited by hand.\n\
                     #![allow(unreachable_pub, reason = \"a level is a module of a program\")]\n\
+                    #![allow(dead_code, reason = \"a game uses what it needs\")]\n\
                     #![allow(clippy::unreadable_literal, reason = \"raw coordinates\")]\n\n";
 
 /// Where bytes come from.
@@ -27,7 +28,12 @@ pub(crate) enum Bytes {
 /// Constants, the tiles, and the objects as `segment_map!` takes them, so that the compiler builds and checks the map. Several levels are
 /// modules, and share the table of kinds.
 pub(crate) fn source(bundle: &Bundle) -> String {
-    let mut text = HEAD.to_owned();
+    HEAD.to_owned() + &items(bundle)
+}
+
+/// The same without the attributes that only the beginning of a file can have.
+pub(crate) fn items(bundle: &Bundle) -> String {
+    let mut text = String::new();
     let flags = flags(bundle);
     if let [level] = &bundle.levels[..] {
         alone(&mut text, level, &flags, &Bytes::Here);

@@ -9,7 +9,7 @@ use lexopt::Parser;
 
 use super::args::{length, next, once, path, sides, unknown};
 use super::input::{self, Input};
-use super::tell::{status, tell, usage};
+use super::tell::{list, status, tell, usage};
 use crate::fail::{Fail, Result};
 use crate::lint::{self, Body, Rules, Severity};
 use crate::rules::flags::Flags;
@@ -98,6 +98,7 @@ fn job(job: Options, out: &mut dyn Write) -> Result<u8> {
         if levels.maps.len() > 1 {
             tell(out, &format!("level {}", map.name));
         }
+        list(out, "note", &ground.notes);
         for line in findings.lines() {
             tell(out, &line);
         }

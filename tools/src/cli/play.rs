@@ -10,7 +10,7 @@ use tilesat_games::platformer::sim::MAX_COINS;
 use super::input::Input;
 use super::program::Options;
 pub use super::program::Program;
-use super::tell::{status, tell, usage};
+use super::tell::{list, status, tell, usage};
 use crate::bake::{self, Outputs, Settings, reopen};
 use crate::fail::{Fail, Result};
 use crate::picture::{png, svg};
@@ -38,8 +38,9 @@ pub fn run(
 fn job(program: &Program, options: Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<u8> {
     let path = options.file;
     let of_file = |fail: Fail| Fail::new(format!("{}: {fail}", path.display()));
-    let (arena, files) = arena(&path, options.input)?;
+    let (arena, files, notes) = arena(&path, options.input)?;
     describe(&path, &arena, out);
+    list(out, "note", &notes);
     if let Some(stem) = &options.bake {
         if arena.segments.is_some() {
             return Err(of_file(Fail::new("this game plays tiles alone; tilesat bake takes polygons too")));
@@ -81,8 +82,11 @@ fn job(program: &Program, options: Options, out: &mut dyn Write, err: &mut dyn W
     Ok(u8::from(run.overlaps + run.escaped + run.refused > 0))
 }
 
-/// The level of a file, drawn or baked, and the files that it came from.
-fn arena(path: &Path, input: Input) -> Result<(Arena, Vec<PathBuf>)> {
+/// A level, the files that it came from, and what the user should know.
+type Drawn = (Arena, Vec<PathBuf>, Vec<String>);
+
+/// The level of a file, drawn or baked.
+fn arena(path: &Path, input: Input) -> Result<Drawn> {
     let of_file = |fail: Fail| Fail::new(format!("{}: {fail}", path.display()));
     if reopen::is_baked(path) {
         let levels = reopen::reopen(path)?;
@@ -93,6 +97,7 @@ fn arena(path: &Path, input: Input) -> Result<(Arena, Vec<PathBuf>)> {
         return Ok((
             found.ok_or_else(|| of_file(unknown())).and_then(|level| Arena::reopened(level).map_err(of_file))?,
             vec![path.to_owned()],
+            Vec::new(),
         ));
     }
     let (levels, options) = input.load(path)?;
@@ -100,7 +105,7 @@ fn arena(path: &Path, input: Input) -> Result<(Arena, Vec<PathBuf>)> {
     let map = first.ok_or_else(|| of_file(Fail::new("every level is left out by --ignore-level")))?;
     let bundle = bake::bake(std::slice::from_ref(map), &Settings { options, cell: None }).map_err(of_file)?;
     let [baked] = &bundle.levels[..] else { return Err(of_file(Fail::new("no level"))) };
-    Ok((Arena::of(baked).map_err(of_file)?, levels.files))
+    Ok((Arena::of(baked).map_err(of_file)?, levels.files, baked.ground.notes.clone()))
 }
 
 fn describe(path: &Path, arena: &Arena, out: &mut dyn Write) {

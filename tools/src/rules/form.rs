@@ -46,6 +46,11 @@ pub(super) fn corners(object: &Object) -> Option<Corners> {
     Some(Corners { points: points.iter().map(place).collect(), closed, error })
 }
 
+/// By how many thousandths of a pixel the polygon of a round object lies within it at most.
+pub(super) fn error(object: &Object) -> Option<u32> {
+    corners(object).map(|corners| corners.error).filter(|error| *error > 0)
+}
+
 /// A box of this size whose corners are quarters of an ellipse of that size.
 fn round((w, h): Spot, (wide, high): Spot) -> (Vec<Spot>, bool, u32) {
     let half = |v: Decimal| v.to_f64() / 2.0;

@@ -5,11 +5,13 @@ use std::collections::HashMap;
 use tilesat::TileShape;
 
 use super::cells::Sheet;
+use super::form;
 use super::likeness::Likeness;
+use super::names;
 use super::objects::{self, Says};
 use super::options::{Options, listed};
 use super::outline::{LeftOut, Outline};
-use super::piece;
+use super::piece::{self, Piece};
 use super::place::Unit;
 use super::report::{Ledger, Rule};
 use super::verdict::{self, Meaning, Solid};
@@ -88,8 +90,9 @@ impl<'a> Layers<'a> {
             if only_flags {
                 continue;
             }
-            self.ledger.add(rule, what, count);
             let piece = piece::of(self.map, &self.map.palette[entry as usize], solid, tiles.tile, &self.likeness);
+            let what = if solid == Solid::Drawn { format!("{what} are {}", became(&piece)) } else { what.clone() };
+            self.ledger.add(rule, &what, count);
             sheet.pieces.insert(entry, piece);
         }
         Ok(sheet)
@@ -144,7 +147,7 @@ impl<'a> Layers<'a> {
 
     /// The objects of all layers; where the layer's name is guessed by, those of layers that it is a guess for.
     pub(super) fn objects(&mut self, guess: bool) -> Made<(Vec<Outline>, Vec<LeftOut>)> {
-        let (mut outlines, mut left_out, mut found) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut outlines, mut left_out, mut found, mut rounded) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for layer in self.all.clone() {
             let Content::Objects(objects) = &layer.content else { continue };
             let mut says = objects::layer_says(layer, self.options);
@@ -158,7 +161,16 @@ impl<'a> Layers<'a> {
                 match objects::outline(object, layer, says, self.unit, self.options)
                     .map_err(|why| format!("layer '{}': {why}", layer.name))?
                 {
-                    Ok(outline) => outlines.push(outline),
+                    Ok(outline) => {
+                        rounded.extend(form::error(object).map(|error| {
+                            format!(
+                                "{} is a polygon of {} corners within it, off by at most 0.{error:03} px",
+                                outline.title,
+                                outline.points.len()
+                            )
+                        }));
+                        outlines.push(outline);
+                    }
                     Err(object) => left_out.push(object),
                 }
             }
@@ -178,10 +190,20 @@ impl<'a> Layers<'a> {
                 self.guessed(&layer.name, &format!("--objects '{}'", layer.name));
             }
         }
-        // Where it is guessed, this is the second time.
+        // Where it is guessed, this is the second time, and nothing was found in the first.
+        self.notes.extend(rounded);
         for (rule, what, count) in if guess { Vec::new() } else { found } {
             self.ledger.add(rule, &what, count);
         }
         Ok((outlines, left_out))
+    }
+}
+
+/// What drawn shapes are to the library.
+fn became(piece: &Piece) -> String {
+    match piece {
+        Piece::Shape(shape) => names::name(*shape),
+        Piece::Paths(paths) if paths.is_empty() => "nothing".to_owned(),
+        Piece::Cells { .. } | Piece::Paths(_) => "polygons".to_owned(),
     }
 }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use tilesat::world::World;
 use tilesat::{Aabb, AllShapes, Feature, Fx, Grid, SegmentMap, TileKinds, TileMap, TileShape, Vec2};
 
-use crate::baked::{quarry, steps};
+use crate::baked::{quarry, steps, world};
 use crate::support::{self, Ran, ldtk, objects, own, rows, scratch};
 
 /// Bakes a level file of the examples or of a test; returns the run and the file it was to write.
@@ -25,9 +25,11 @@ const HINT: &str =
 
 #[test]
 fn source_equals_the_levels() {
-    for (level, source) in
-        [("levels/quarry.tmx", include_str!("baked/quarry.rs")), ("levels/steps.ldtk", include_str!("baked/steps.rs"))]
-    {
+    for (level, source) in [
+        ("levels/quarry.tmx", include_str!("baked/quarry.rs")),
+        ("levels/steps.ldtk", include_str!("baked/steps.rs")),
+        ("../tools/tests/corpus/ldtk/grid_vania.ldtk", include_str!("baked/world.rs")),
+    ] {
         let (ran, out) = baked(own(level), "own.rs", "");
         fine(&ran);
         assert!(fs::read_to_string(out).unwrap() == source, "{HINT}");
@@ -86,6 +88,17 @@ fn values_of_a_grid_are_shapes() {
     assert_eq!(at(22, 8), (TileShape::Empty, steps::FLAG_LADDER));
     assert_eq!(at(22, 10), (TileShape::Empty, steps::FLAG_WATER));
     assert_eq!((steps::TILE, steps::WORLD), (16, [0, 0, 384, 224]));
+}
+
+/// Each level of a world is a module, knows its place, and uses the table of all.
+#[test]
+fn worlds() {
+    let places = [world::cave_1::WORLD, world::cave_1_2::WORLD, world::hall::WORLD];
+    assert_eq!(places, [[0, 0, 128, 96], [128, 0, 128, 96], [-128, 96, 128, 96]]);
+    let full = |map: &TileMap<'_, tilesat::Blocks>| everything(map).iter().all(|feature| !feature.one_way);
+    assert!([world::cave_1::MAP, world::cave_1_2::MAP, world::hall::MAP].iter().all(full));
+    let water = world::hall::TILES.iter().filter(|&&id| world::KINDS.get(id).flag(world::FLAG_WATER)).count();
+    assert_eq!((water, world::FLAG_LADDER), (8, 1));
 }
 
 #[test]

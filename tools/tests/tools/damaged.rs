@@ -2,6 +2,8 @@
 
 use std::fs;
 use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use crate::support::{self, ldtk, own, scratch};
 
@@ -135,4 +137,61 @@ fn ldtk_projects() {
     torture("steps.ldtk", &level, 3);
     let small = ldtk(&["Full", "SlopeTopLeft_Ice", "Empty_Coin"], 4, 2, "1,0,3,1,2,2,0,1");
     assert!(torture("small.ldtk", small.as_bytes(), 4) > 0);
+}
+
+fn copied(from: &Path, to: &Path, files: &mut Vec<PathBuf>) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap() {
+        let (from, to) = (entry.as_ref().unwrap().path(), to.join(entry.unwrap().file_name()));
+        if from.is_dir() {
+            copied(&from, &to, files);
+        } else {
+            fs::copy(&from, &to).unwrap();
+            files.push(to);
+        }
+    }
+}
+
+/// A thousand kinds of damage, each to one of the files of the corpus: the level that reads it, where that is not itself, is baked.
+#[test]
+fn the_corpus() {
+    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus");
+    let (home, mut files) = (support::folder("corpus").join("files"), Vec::new());
+    copied(&corpus, &home, &mut files);
+    files.retain(|file| !file.ends_with("expected.txt") && !file.ends_with("others.txt"));
+    files.sort();
+    let reader = |file: &Path| match file.extension().and_then(|end| end.to_str()) {
+        Some("tsx") => Some("encodings/outside.tmx"),
+        Some("tsj") => Some("encodings/outside.tmj"),
+        Some("ldtkl") => Some("ldtk/outside.ldtk"),
+        Some("tx") => Some(if file.ends_with("box.tx") { "shapes/template.tmx" } else { "objects/template.tmx" }),
+        Some("toml") => Some("project/level.tmx"),
+        _ => None,
+    };
+    let out = home.join("out");
+    fs::create_dir_all(&out).unwrap();
+    let mut random = Random(5);
+    let (mut taken, mut longest) = (0, Duration::ZERO);
+    for case in 0..1000 {
+        let file = &files[case % files.len()];
+        let before = fs::read(file).unwrap();
+        fs::write(file, damaged(&before, &mut random)).unwrap();
+        let level = reader(file).map_or_else(|| file.clone(), |level| home.join(level));
+        let end = ["rs", "bin"][case % 2];
+        let start = Instant::now();
+        let ran = support::run("bake", &level, &format!("-o {}", out.join(format!("a.{end}")).display()));
+        longest = longest.max(start.elapsed());
+        let written: Vec<PathBuf> = fs::read_dir(&out).unwrap().map(|entry| entry.unwrap().path()).collect();
+        let fine = ran.status == 0 && ran.err.is_empty() && !written.is_empty();
+        let refused = ran.status == 2 && ran.err.lines().count() == 1 && written.is_empty();
+        assert!(fine || refused, "case {case}: {} {ran:?} {written:?}", file.display());
+        assert!(!ran.err.trim_end().contains(char::is_control), "case {case}: {ran:?}");
+        taken += usize::from(fine);
+        for file in written {
+            fs::remove_file(file).unwrap();
+        }
+        fs::write(file, before).unwrap();
+    }
+    println!("{taken} of 1000 are still levels; the longest took {longest:?}");
+    assert!((50..900).contains(&taken) && longest < Duration::from_secs(10));
 }

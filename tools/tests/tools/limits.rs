@@ -41,11 +41,11 @@ fn tilesets_and_attributes() {
     assert!(ran.status == 0 && start.elapsed() < SOON, "{ran:?}");
     let more = level.replacen("tilecount=\"4\"", "tilecount=\"1048577\"", 1);
     refused(scratch("limits", "tiles.tmx", more), "tileset 't': more than 1048576 tiles");
-    let attributes: String = (0..100_000).map(|i| format!(" a{i}=\"\"")).collect();
+    let attributes = (0..100_000).map(|i| format!(" a{i}=\"\"")).collect::<Vec<_>>().concat();
     let wide = level.replacen("<tile id=\"0\"", &format!("<tile id=\"0\"{attributes}"), 1);
     refused(scratch("limits", "attributes.tmx", wide), "<tile> has more than 500 attributes");
-    let sets: String =
-        (1..1200).map(|i| format!(r#"<tileset firstgid="{}" name="t" tilecount="1"/>"#, 4 + i)).collect();
+    let set = |i: u32| format!(r#"<tileset firstgid="{}" name="t" tilecount="1"/>"#, 4 + i);
+    let sets = (1..1200).map(set).collect::<Vec<_>>().concat();
     refused(
         scratch("limits", "many.tmx", level.replacen(" <layer", &(sets + " <layer"), 1)),
         "more than 1000 tilesets",

@@ -1,0 +1,106 @@
+//! Written by `tilesat bake LEVEL -o OUT.rs`; not edited by hand.
+#![allow(unreachable_pub, reason = "a level is a module of a program")]
+#![allow(dead_code, reason = "a game uses what it needs")]
+#![allow(clippy::unreadable_literal, reason = "raw coordinates")]
+
+use tilesat::{TileKind, TileKinds};
+
+/// The flag bits of the game's rules.
+pub const FLAG_LADDER: u8 = 1;
+pub const FLAG_WATER: u8 = 2;
+/// What the ids of all levels stand for.
+#[rustfmt::skip]
+pub static KINDS: TileKinds = TileKinds::EMPTY
+    .with(1, TileKind::FULL)
+    .with(2, TileKind::EMPTY.with_flags(1))
+    .with(3, TileKind::EMPTY.with_flags(2));
+
+/// Cave 1
+pub mod cave_1 {
+    use super::KINDS;
+
+    pub const WIDTH: u16 = 8;
+    pub const HEIGHT: u16 = 6;
+    /// Side of a tile in pixels.
+    pub const TILE: u16 = 16;
+    /// Row by row.
+    pub static TILES: &[u8; 48] = b"\
+        \x01\x00\x00\x00\x00\x00\x00\x01\
+        \x01\x00\x00\x00\x00\x00\x00\x01\
+        \x01\x00\x00\x02\x02\x00\x00\x01\
+        \x01\x00\x00\x00\x00\x00\x00\x01\
+        \x01\x03\x00\x00\x00\x00\x00\x01\
+        \x01\x01\x01\x01\x01\x01\x01\x01\
+    ";
+    /// The tiles as a level whose first corner is at the origin, with nothing outside.
+    pub static MAP: tilesat::TileMap<tilesat::Blocks> =
+        match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+            Ok(grid) => match tilesat::TileMap::of(TILES, grid, &KINDS) {
+                Ok(map) => map,
+                Err(_) => panic!("the tiles do not fit"),
+            },
+            Err(_) => panic!("the cells do not fit"),
+        };
+    /// Where it lies in its world, in pixels of the map: x, y, width, height.
+    pub const WORLD: [i32; 4] = [0, 0, 128, 96];
+}
+
+/// Cave-1
+pub mod cave_1_2 {
+    use super::KINDS;
+
+    pub const WIDTH: u16 = 8;
+    pub const HEIGHT: u16 = 6;
+    /// Side of a tile in pixels.
+    pub const TILE: u16 = 16;
+    /// Row by row.
+    pub static TILES: &[u8; 48] = b"\
+        \x01\x01\x01\x01\x01\x01\x01\x01\
+        \x01\x01\x01\x01\x01\x01\x01\x01\
+        \x01\x01\x01\x01\x01\x01\x01\x01\
+        \x01\x01\x01\x01\x01\x01\x01\x01\
+        \x01\x01\x01\x01\x01\x01\x01\x01\
+        \x01\x01\x01\x01\x01\x01\x01\x01\
+    ";
+    /// The tiles as a level whose first corner is at the origin, with nothing outside.
+    pub static MAP: tilesat::TileMap<tilesat::Blocks> =
+        match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+            Ok(grid) => match tilesat::TileMap::of(TILES, grid, &KINDS) {
+                Ok(map) => map,
+                Err(_) => panic!("the tiles do not fit"),
+            },
+            Err(_) => panic!("the cells do not fit"),
+        };
+    /// Where it lies in its world, in pixels of the map: x, y, width, height.
+    pub const WORLD: [i32; 4] = [128, 0, 128, 96];
+}
+
+/// Hall
+pub mod hall {
+    use super::KINDS;
+
+    pub const WIDTH: u16 = 8;
+    pub const HEIGHT: u16 = 6;
+    /// Side of a tile in pixels.
+    pub const TILE: u16 = 16;
+    /// Row by row.
+    pub static TILES: &[u8; 48] = b"\
+        \x03\x03\x03\x03\x03\x03\x03\x03\
+        \x00\x00\x00\x00\x00\x00\x00\x00\
+        \x00\x00\x00\x00\x00\x00\x00\x00\
+        \x00\x00\x00\x00\x00\x00\x00\x00\
+        \x00\x00\x00\x00\x00\x00\x00\x00\
+        \x01\x01\x01\x01\x01\x01\x01\x01\
+    ";
+    /// The tiles as a level whose first corner is at the origin, with nothing outside.
+    pub static MAP: tilesat::TileMap<tilesat::Blocks> =
+        match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+            Ok(grid) => match tilesat::TileMap::of(TILES, grid, &KINDS) {
+                Ok(map) => map,
+                Err(_) => panic!("the tiles do not fit"),
+            },
+            Err(_) => panic!("the cells do not fit"),
+        };
+    /// Where it lies in its world, in pixels of the map: x, y, width, height.
+    pub const WORLD: [i32; 4] = [-128, 96, 128, 96];
+}
