@@ -10,6 +10,7 @@ use crate::bake::{items, names};
 pub(crate) fn source(world: &World) -> String {
     let mut text = "//! Written by `tilesat rooms LEVEL -o OUT.rs`; not edited by hand.\n\
                     #![allow(unreachable_pub, reason = \"a world is a module of a program\")]\n\
+                    #![allow(dead_code, reason = \"a game uses what it needs\")]\n\
                     #![allow(clippy::unreadable_literal, reason = \"raw coordinates\")]\n\n"
         .to_owned();
     let _ = writeln!(text, "use tilesat::{};\n", items::imports(&world.kinds));

@@ -136,8 +136,8 @@ fn settled(
     let (x, y) = (ends(at.0, width), ends(at.1, height));
     let whose = if solid.is_empty() { "the level".to_owned() } else { format!("layer '{solid}'") };
     let of_layer = |why: String| format!("{whose} of {width}x{height} tiles of {tile} pixels: {why}");
-    let shift = |(lo, hi): (i64, i64)| if rooms { Ok(-lo) } else { place::shift(lo, hi, tile).map_err(of_layer) };
-    let shift = (shift(x)?, shift(y)?);
+    let along = |(lo, hi): (i64, i64)| if rooms { Ok(-lo) } else { place::shift(lo, hi, tile).map_err(of_layer) };
+    let shift = (along(x)?, along(y)?);
     for point in outlines.iter_mut().flat_map(|outline| &mut outline.points) {
         *point = (point.0 + (shift.0 << 16), point.1 + (shift.1 << 16));
     }

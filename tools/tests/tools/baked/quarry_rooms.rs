@@ -1,5 +1,6 @@
 //! Written by `tilesat rooms LEVEL -o OUT.rs`; not edited by hand.
 #![allow(unreachable_pub, reason = "a world is a module of a program")]
+#![allow(dead_code, reason = "a game uses what it needs")]
 #![allow(clippy::unreadable_literal, reason = "raw coordinates")]
 
 use tilesat::{TileKind, TileKinds};
