@@ -265,6 +265,10 @@ where
         }
         for (at, from) in [(a, one), (b, other)] {
             if let Some(slot) = self.slots.get_mut(at.slot()) {
+                // What has made its step already does not fall asleep at the end of this one.
+                if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
+                    slot.quiet = 0;
+                }
                 (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
             }
         }
@@ -272,8 +276,7 @@ where
 
     /// Tells of the sensors on a way that ends at a time.
     fn sense(&mut self, handle: Handle, slot: &Slot, until: Toi) {
-        let each = &mut *self.each;
-        let counts = &mut *self.counts;
+        let (each, counts) = (&mut *self.each, &mut *self.counts);
         each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
             if !slot.body.filter.sensor() && !at.body.filter.sensor() {
                 return;
