@@ -85,8 +85,7 @@ where
     fn run(&mut self) {
         self.launch();
         while let Some(handle) = self.earliest() {
-            let Some(way) = self.slots.get(handle.slot()).map(|slot| slot.way) else { return };
-            match way.end.1 {
+            match self.slots.get(handle.slot()).map_or(End::Step, |slot| slot.way.end.1) {
                 End::Step => break,
                 End::Level => self.bounce(handle),
                 End::Body(with) => self.clash(handle, with),
