@@ -85,8 +85,7 @@ where
     fn run(&mut self) {
         self.launch();
         while let Some(handle) = self.earliest() {
-            let Some(way) = self.slots.get(handle.slot()).map(|slot| slot.way) else { return };
-            match way.end.1 {
+            match self.slots.get(handle.slot()).map_or(End::Step, |slot| slot.way.end.1) {
                 End::Step => break,
                 End::Level => self.bounce(handle),
                 End::Body(with) => self.clash(handle, with),
@@ -265,6 +264,10 @@ where
         }
         for (at, from) in [(a, one), (b, other)] {
             if let Some(slot) = self.slots.get_mut(at.slot()) {
+                // What has made its step already does not fall asleep at the end of this one.
+                if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
+                    slot.quiet = 0;
+                }
                 (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
             }
         }
@@ -272,8 +275,7 @@ where
 
     /// Tells of the sensors on a way that ends at a time.
     fn sense(&mut self, handle: Handle, slot: &Slot, until: Toi) {
-        let each = &mut *self.each;
-        let counts = &mut *self.counts;
+        let (each, counts) = (&mut *self.each, &mut *self.counts);
         each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
             if !slot.body.filter.sensor() && !at.body.filter.sensor() {
                 return;

@@ -196,7 +196,7 @@ fn corridors(from: u64, wanted: u64, told: u64) {
     while made < wanted {
         let (more, passes) = corridor(case, case % 2 == 0, 120);
         (made, passed, case) = (made + more, passed + passes, case + 1);
-        if (case - from) % told == 0 {
+        if (case - from).is_multiple_of(told) {
             eprintln!("{made} of {wanted} ways, {passed} passes");
         }
     }
@@ -338,7 +338,7 @@ fn two_meet_where_their_ways_do() {
         let (time, ends) = (told[0].1, (a.shape.position().raw(), b.shape.position().raw()));
         // Where the second one is when they meet, and the way of the first one as seen from it, before and after.
         let at = |from: Vec2, v: (i32, i32)| {
-            let part = |v: i32| i64::from(v) * i64::from(time.raw()) >> 30;
+            let part = |v: i32| (i64::from(v) * i64::from(time.raw())) >> 30;
             (i128::from(from.raw().0) + i128::from(part(v.0)), i128::from(from.raw().1) + i128::from(part(v.1)))
         };
         let (p, q) = (at(one.position(), v), at(two.position(), w));
@@ -472,7 +472,7 @@ fn the_level_and_bodies_come_in_one_order() {
         let mut told = Vec::new();
         let stepped = scene.step(&map, Vec2::ZERO, |event| match event {
             SceneEvent::Meet { pair, toi, speed, .. } => {
-                told.push((toi.to_fx().to_num::<f64>(), Some((pair.a.slot(), pair.b.slot(), speed))))
+                told.push((toi.to_fx().to_num::<f64>(), Some((pair.a.slot(), pair.b.slot(), speed))));
             }
             SceneEvent::Level { hits, .. } => told.push((hits.first().unwrap().toi.to_fx().to_num(), None)),
             _ => {}
