@@ -10,6 +10,7 @@
 //!   Chipmunk2D has none. On microcontrollers bodies are moved and pairs of boxes told by what runs without an allocator: ours and the textbook's.
 //! - Lengths are raw integers, 65 536 a pixel. A float gets the nearest value to each, so an f32 loses digits far from the origin, as in a game.
 //! - Bodies that move are judged where they are, as what their numbers mean exactly, and so each has its own way through a level (`moves/truth.rs`).
+//! - A time is that of the thread, and is thrown away where it strays (`run.rs`, `stray.rs`); one whose code has another count since is, too.
 //! - Of pairs of boxes, one that overlaps and is not told is wrong; what only touches may be told or not (`broad/truth.rs`).
 //! - A query's cost is that of one call from a loop: operands in memory, the whole answer stored. Libraries differ in what they return.
 
@@ -18,16 +19,20 @@ mod callgrind;
 mod casts;
 mod goals;
 mod job;
+mod levels;
 mod micro;
 mod moves;
 mod pairs;
 mod peers;
 mod plot;
+mod question;
 mod rays;
+mod readme;
 mod record;
 mod run;
 mod show;
 mod soak;
+mod stray;
 mod tables;
 
 use record::Row;
@@ -35,9 +40,9 @@ use run::Sizes;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-const USAGE: &str = "tilesat-precision COMMAND [--quick] [--out FILE]
-  measure [PART..] judges and times, and writes the rows
-  count [PART..]   counts instructions under callgrind, and adds them to the rows; parts are pairs, rays, casts, moves and broad
+const USAGE: &str = "tilesat-precision COMMAND [--quick] [--untimed] [--out FILE]
+  measure [PART..] judges and times, and writes the rows; --untimed judges only
+  count [PART..]   counts instructions under callgrind, and adds them to the rows; parts are pairs, rays, casts, moves, levels and broad
   inputs FOLDER    writes the inputs that microcontrollers get
   add CORE FILE    adds what a microcontroller printed (m0, m4f) or a linker (flash_m0, flash_m4f)
   soak N [--state FILE]
@@ -46,6 +51,7 @@ const USAGE: &str = "tilesat-precision COMMAND [--quick] [--out FILE]
 
 struct Options {
     quick: bool,
+    untimed: bool,
     out: PathBuf,
     state: PathBuf,
 }
@@ -55,10 +61,11 @@ fn main() -> ExitCode {
     let command = arguments.next().unwrap_or_default();
     let own = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut words: Vec<String> = Vec::new();
-    let mut options = Options { quick: false, out: own.join("results.csv"), state: "soak.txt".into() };
+    let mut options = Options { quick: false, untimed: false, out: own.join("results.csv"), state: "soak.txt".into() };
     while let Some(argument) = arguments.next() {
         match argument.as_str() {
             "--quick" => options.quick = true,
+            "--untimed" => options.untimed = true,
             "--out" => match arguments.next() {
                 Some(file) => options.out = file.into(),
                 None => return usage(),
@@ -100,7 +107,8 @@ fn usage() -> ExitCode {
 }
 
 fn sizes(options: &Options) -> Sizes {
-    if options.quick { Sizes::QUICK } else { Sizes::FULL }
+    let sizes = if options.quick { Sizes::QUICK } else { Sizes::FULL };
+    if options.untimed { Sizes { passes: 0, ..sizes } } else { sizes }
 }
 
 pub fn read_rows(file: &Path) -> Result<Vec<Row>, String> {
@@ -119,7 +127,8 @@ pub fn write(file: &Path, text: &str) -> Result<(), String> {
 
 /// Rows join those of the file, which is written again.
 fn join(options: &Options, rows: impl IntoIterator<Item = Row>) -> Result<(), String> {
-    let all = record::join(read_rows(&options.out)?.into_iter().chain(rows));
+    let mut all = record::join(read_rows(&options.out)?.into_iter().chain(rows));
+    stray::remove(&mut all);
     write(&options.out, &record::to_csv(&all))
 }
 
@@ -135,11 +144,12 @@ struct Part {
     count: fn(&Sizes),
 }
 
-const PARTS: [Part; 5] = [
+const PARTS: [Part; 6] = [
     Part { name: "pairs", measure: pairs::measure, count: pairs::count },
     Part { name: "rays", measure: rays::measure, count: rays::count },
     Part { name: "casts", measure: casts::measure, count: casts::count },
     Part { name: "moves", measure: moves::measure, count: moves::count },
+    Part { name: "levels", measure: levels::measure, count: levels::count },
     Part { name: "broad", measure: broad::measure, count: broad::count },
 ];
 

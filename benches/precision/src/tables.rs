@@ -1,8 +1,7 @@
-//! Tables, as Markdown.
+//! Tables of the page, as Markdown: a line a question, a column a backend. All classes are in the rows' own file.
 
+use crate::question::{Question, usual_class};
 use crate::record::Row;
-use crate::show::workloads;
-use std::cmp::Ordering::Equal;
 use std::fmt::Write;
 
 /// Three digits are enough to read.
@@ -16,197 +15,157 @@ pub fn short(v: f64) -> String {
     }
 }
 
-fn classes<'a>(rows: &[&'a Row]) -> Vec<&'a str> {
-    let mut names: Vec<&str> = Vec::new();
-    for row in rows {
-        if !names.contains(&row.class()) && row.get("host").is_some() {
-            names.push(row.class());
-        }
-    }
-    names
+/// Columns: of a library with several ways to ask, the best for a question.
+const COLUMNS: [(&str, &[&str]); 12] = [
+    ("tilesat", &["tilesat"]),
+    ("textbook f64", &["textbook f64"]),
+    ("textbook f32", &["textbook f32"]),
+    ("naive Q16.16", &["naive Q16.16"]),
+    ("wide Q16.16", &["wide Q16.16"]),
+    ("plain integers", &["exact (no filters)", "plain integer DDA"]),
+    ("parry2d, rapier2d", &["parry2d", "parry2d (special)", "parry2d Voxels", "parry2d Compound", "rapier2d"]),
+    ("parry2d-f64", &["parry2d-f64", "parry2d-f64 (special)", "parry2d-f64 Voxels", "parry2d-f64 Compound"]),
+    ("Box2D", &["Box2D"]),
+    ("Chipmunk2D", &["Chipmunk2D"]),
+    ("ncollide2d", &["ncollide2d I16F16"]),
+    ("broccoli", &["broccoli"]),
+];
+
+fn head(out: &mut String, first: &str, columns: impl ExactSizeIterator<Item = &'static str>) {
+    let lines = "--:|".repeat(columns.len());
+    let names = columns.collect::<Vec<_>>().join(" | ");
+    let _ = writeln!(out, "\n| {first} | {names} |\n|---|{lines}");
 }
 
-/// A table of one figure: a row a backend and question, a column a class.
-fn table(title: &str, rows: &[&Row], cell: impl Fn(&Row) -> Option<String>) -> String {
-    let classes = classes(rows);
-    let mut out = format!("\n**{title}**\n\n| |");
-    for class in &classes {
-        let _ = write!(out, " {class} |");
+/// A line of cells, one a column, unless all are empty.
+fn line(out: &mut String, name: &str, cells: &[Option<String>]) {
+    if cells.iter().any(Option::is_some) {
+        let cells: Vec<&str> = cells.iter().map(|c| c.as_deref().unwrap_or("")).collect();
+        let _ = writeln!(out, "| {name} | {} |", cells.join(" | "));
     }
-    let _ = writeln!(out, "\n|---|{}", "--:|".repeat(classes.len()));
+}
+
+/// The row of each column that answers a question in a class.
+fn answers<'a>(rows: &'a [Row], question: Question<'a>, class: &str) -> [Option<&'a Row>; 12] {
+    COLUMNS.map(|(_, backends)| question.best(rows, class, |r| backends.contains(&r.backend())))
+}
+
+/// What it costs and what is wrong; and the class where it is wrong most often, if that is another one.
+fn cost(rows: &[Row], question: Question<'_>, row: &Row) -> Option<String> {
+    let ns = row.get("ns").map(|ns| format!(" / {}", short(ns))).unwrap_or_default();
+    let wrong = row.wrong_per_million()?;
+    let worst = question.worst(rows, row).filter(|worst| worst.1 > wrong);
+    let worst = worst.map(|(class, n)| format!("; {} {class}", short(n))).unwrap_or_default();
+    Some(format!("{}{ns}; {}{worst}", short(row.get("host")?), short(wrong)))
+}
+
+/// The usual class of each question, and for each backend the one where it is wrong most often.
+pub fn summary(rows: &[Row]) -> String {
+    let mut out = String::new();
+    head(&mut out, "usual class", COLUMNS.iter().map(|c| c.0));
+    for question in Question::all(rows) {
+        let class = usual_class(question.workload);
+        let cells = answers(rows, question, class).map(|r| cost(rows, question, r?));
+        line(&mut out, &format!("**{}**: {class}", question.name()), &cells);
+    }
+    out
+}
+
+/// The largest error of all classes, and of times how many are late.
+pub fn errors(rows: &[Row]) -> String {
+    let mut out = String::new();
+    head(&mut out, "px; late in a hundred hits", COLUMNS.iter().map(|c| c.0));
+    for question in Question::all(rows).into_iter().filter(|q| !["overlaps", "pairs", "build"].contains(&q.asked)) {
+        let cells = answers(rows, question, usual_class(question.workload)).map(|usual| {
+            let usual = usual?;
+            let same =
+                |r: &&Row| (r.workload(), r.backend(), r.asked()) == (usual.workload(), usual.backend(), usual.asked());
+            let largest = |value: fn(&Row) -> Option<f64>| rows.iter().filter(same).filter_map(value).reduce(f64::max);
+            let late = largest(|r| Some(r.get("late")? * 100.0 / r.get("hits").filter(|n| *n > 0.0)?));
+            let late = late.map(|share| format!("; {}", short(share))).unwrap_or_default();
+            Some(format!("{}{late}", short(largest(|r| r.get("max_px"))?)))
+        });
+        line(&mut out, &question.name(), &cells);
+    }
+    out
+}
+
+/// Frames of bodies that move: how many end in the solid, by how much, and what else goes wrong.
+pub fn frames(rows: &[Row]) -> String {
+    let movers = [
+        ("tilesat", "move"),
+        ("textbook f64", "move"),
+        ("textbook f64", "move (columns)"),
+        ("textbook f32", "move"),
+        ("textbook f32", "move (columns)"),
+        ("naive Q16.16", "move"),
+        ("naive Q16.16", "move (columns)"),
+        ("rapier2d", "move"),
+        ("Box2D", "move"),
+    ];
+    let names =
+        ["tilesat", "f64", "f64 (columns)", "f32", "f32 (columns)", "naive", "naive (columns)", "rapier2d", "Box2D"];
+    let mut out = String::new();
+    head(&mut out, "any / > 1/64 px / > 1 px / tunnels / stuck", names.into_iter());
     let mut seen: Vec<(&str, &str)> = Vec::new();
-    for row in rows {
-        let key = (row.backend(), row.asked());
+    for row in rows.iter().filter(|r| r.get("tunnels").is_some()) {
+        let key = (row.workload(), row.class());
         if seen.contains(&key) {
             continue;
         }
         seen.push(key);
-        let of = |class: &&str| rows.iter().find(|r| (r.backend(), r.asked()) == key && r.class() == *class);
-        let cells: Vec<Option<String>> = classes.iter().map(|c| of(c).and_then(|r| cell(r))).collect();
-        if cells.iter().all(Option::is_none) {
-            continue;
-        }
-        let _ = write!(out, "| {}: {} |", key.0, key.1);
-        for cell in cells {
-            let _ = write!(out, " {} |", cell.unwrap_or_default());
-        }
-        out.push('\n');
+        let cells = movers.map(|(backend, asked)| {
+            let of = |r: &&Row| (r.workload(), r.class()) == key && (r.backend(), r.asked()) == (backend, asked);
+            let row = rows.iter().find(of)?;
+            let share = |name| row.get(name).map_or("-".to_owned(), |n| share(row, n));
+            Some(["wrong", "deep", "lost", "tunnels", "stuck"].map(share).join(" / "))
+        });
+        line(&mut out, &format!("{}, {}", key.0, key.1), &cells);
     }
     out
 }
 
-/// All of a workload.
-pub fn workload(rows: &[&Row]) -> String {
-    let mut out = table("Wrong in a million", rows, |r| {
-        let mark = if r.is_closed() { " c" } else { "" };
-        Some(format!("{}{mark}", short(r.wrong_per_million()?)))
-    });
-    out += &table("Instructions / ns", rows, |r| {
-        let ns = r.get("ns").map(short).unwrap_or_default();
-        Some(format!("{} / {ns}", short(r.get("host")?)))
-    });
-    if rows.iter().any(|r| r.get("max_px").is_some()) {
-        out += &table("Error in px: largest / mean", rows, |r| {
-            Some(format!("{} / {}", short(r.get("max_px")?), short(r.get("mean_px")?)))
+fn share(row: &Row, n: f64) -> String {
+    row.get("queries").map_or_else(String::new, |all| short(n * 1e6 / all))
+}
+
+/// All classes of a workload that has few rows of its own: bodies among bodies, or what only ours does.
+pub fn classes(rows: &[Row], workload: &str) -> String {
+    let mut out = String::new();
+    let question = Question { workload, asked: crate::question::first_asked(workload) };
+    head(&mut out, workload, COLUMNS.iter().map(|c| c.0));
+    for class in question.classes(rows) {
+        let cells = answers(rows, question, class).map(|row| {
+            let row = row?;
+            let wrong = row.wrong_per_million().filter(|n| *n > 0.0);
+            let wrong = wrong.map(|n| format!("; {} wrong", short(n))).unwrap_or_default();
+            Some(format!("{}: {}{wrong}", short(row.get("host")?), row.asked()))
         });
-        out += &table("Error in units of the last place of the answer: largest / mean", rows, |r| {
-            Some(format!("{} / {}", short(r.get("max_ulp")?), short(r.get("mean_ulp")?)))
-        });
-    }
-    if rows.iter().any(|r| r.get("tunnels").is_some()) {
-        out +=
-            &table("Ends in the solid / of them by over 1/64 px / tunnels / stuck, in a million frames", rows, |r| {
-                let share = |name| Some(short(r.get(name)? * 1e6 / r.get("queries")?));
-                Some([share("wrong")?, share("deep")?, share("tunnels")?, share("stuck")?].join(" / "))
-            });
-        out += &table("Deepest px / raw units", rows, |r| {
-            let px = r.get("deepest_px")?;
-            Some(format!("{} / {}", short(px), short(px * 65536.0)))
-        });
-    }
-    if rows.iter().any(|r| r.get("extra").is_some()) {
-        out += &table("Pairs told that do not touch, in a million pairs", rows, |r| {
-            Some(short(r.get("extra")? * 1e6 / r.get("queries").filter(|n| *n > 0.0)?))
-        });
-    }
-    if rows.iter().any(|r| r.get("late").is_some()) {
-        out += &table("Late in a hundred hits / deepest px", rows, |r| {
-            let share = r.get("late")? * 100.0 / r.get("hits").filter(|n| *n > 0.0)?;
-            Some(format!("{} / {}", short(share), r.get("deepest_px").map(short).unwrap_or_default()))
-        });
-    }
-    if is_framed(rows) && rows.iter().any(|r| r.get("m0").is_some()) {
-        out += &table("Instructions on Cortex-M0 / on Cortex-M4F", rows, |r| {
-            let count = |core| r.get(core).map_or_else(|| "-".to_owned(), short);
-            r.get("m4f").map(|_| format!("{} / {}", count("m0"), count("m4f")))
-        });
+        line(&mut out, class, &cells);
     }
     out
 }
 
-/// Whether what is asked is a frame, not one query.
-pub fn is_framed(rows: &[&Row]) -> bool {
-    rows.iter().any(|r| r.get("tunnels").or(r.get("extra")).is_some())
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// Other people's libraries, unlike textbook code.
-pub fn is_library(backend: &str) -> bool {
-    ["parry2d", "ncollide2d", "Box2D", "Chipmunk2D", "rapier2d", "broccoli"].iter().any(|l| backend.starts_with(l))
-}
-
-/// What ours says first: the cheapest answer of a workload.
-pub fn first_asked(workload: &str) -> &'static str {
-    if workload.starts_with("rays") {
-        "ray"
-    } else if workload.starts_with("cast") {
-        "cast"
-    } else if workload.starts_with("move") {
-        "move"
-    } else {
-        "overlaps"
+    #[test]
+    fn a_question_has_its_usual_and_its_worst_class() {
+        let row = |backend, class, host, wrong| {
+            let mut row = Row::new("circle-circle", class, backend, "overlaps");
+            row.set("queries", 1e6).set("host", host).set("wrong", wrong);
+            row
+        };
+        let rows = [
+            row("tilesat", "uniform 50 % hits", 24.0, 0.0),
+            row("textbook f64", "uniform 50 % hits", 18.0, 0.0),
+            row("textbook f64", "far", 18.0, 480.0),
+        ];
+        let summary = summary(&rows);
+        assert!(
+            summary.contains("| **circle-circle**: uniform 50 % hits | 24.0; 0 | 18.0; 0; 480 far |  |"),
+            "{summary}"
+        );
     }
-}
-
-/// Whether it tells pairs of many boxes: ours are several, and a game takes the one that suits its number of bodies.
-pub fn is_broad(workload: &str) -> bool {
-    workload.starts_with("pairs of boxes")
-}
-
-/// The least cost of those rows that are asked for.
-pub fn cheapest<'a>(rows: impl Iterator<Item = &'a Row>, column: &str) -> Option<&'a Row> {
-    rows.filter(|r| r.get(column).is_some()).min_by(|a, b| a.get(column).partial_cmp(&b.get(column)).unwrap_or(Equal))
-}
-
-/// The class of a workload by which costs are told.
-pub fn usual_class(workload: &str) -> &'static str {
-    if workload.starts_with("rays") {
-        "generic"
-    } else if workload.starts_with("move") {
-        "circle up to 4 px"
-    } else if is_broad(workload) {
-        "256 boxes"
-    } else {
-        "uniform 50 % hits"
-    }
-}
-
-/// The most wrong answers in a million, of all classes.
-fn worst(rows: &[Row], workload: &str, backend: &str, asked: &str) -> Option<f64> {
-    let of = |r: &&Row| (r.workload(), r.backend(), r.asked()) == (workload, backend, asked) && r.class() != "soak";
-    rows.iter().filter(of).filter_map(Row::wrong_per_million).reduce(f64::max)
-}
-
-/// The short table.
-pub fn readme(rows: &[Row]) -> String {
-    let mut out = String::from(
-        "<!-- precision:begin -->\n| yes or no, rays, casts, moves, pairs of boxes | tilesat | textbook f32 | naive Q16.16 | fastest library | Cortex-M0: tilesat, f32, parry2d |\n\
-         |---|--:|--:|--:|--:|--:|\n",
-    );
-    for workload in workloads(rows) {
-        line(&mut out, rows, workload, usual_class(workload));
-        if is_broad(workload) {
-            line(&mut out, rows, workload, "4096 boxes");
-        }
-    }
-    out += "\nInstructions on x86-64 and on a Cortex-M0, half of the pairs hit; wrong in a million in the worst class of inputs, by the convention that suits each best.\n\
-            Of moves, instructions a frame of a circle that goes up to 4 px, and frames that end in the solid, however little, or beyond it. Of pairs of boxes, instructions\n\
-            a frame in which all of them move, and pairs that are missing.\n<!-- precision:end -->\n";
-    out
-}
-
-fn line(out: &mut String, rows: &[Row], workload: &str, class: &str) {
-    let at = |r: &&Row| r.workload() == workload && r.class() == class;
-    let broad = is_broad(workload);
-    let asked = |r: &&Row| broad || r.asked() == first_asked(workload);
-    let said = |row: &Row| {
-        let wrong = worst(rows, workload, row.backend(), row.asked())?;
-        Some(format!("{}; {} wrong", short(row.get("host")?), short(wrong)))
-    };
-    let cell = |backend: &str| {
-        let of = rows.iter().filter(at).filter(asked).filter(|r| r.backend() == backend);
-        said(cheapest(of, "host")?)
-    };
-    let Some(ours) = cell("tilesat") else { return };
-    let peer = cheapest(rows.iter().filter(at).filter(|r| is_library(r.backend())), "host");
-    let peer = peer.and_then(|r| Some(format!("{}, {}", said(r)?, r.backend())));
-    // The fastest of a library's functions that say the same.
-    let m0 = |of: &dyn Fn(&str) -> bool| {
-        let of = rows.iter().filter(at).filter(asked).filter(|r| of(r.backend()));
-        of.filter_map(|r| r.get("m0")).reduce(f64::min).map(short)
-    };
-    let cores = [m0(&|b| b == "tilesat"), m0(&|b| b == "textbook f32"), m0(&|b| b.starts_with("parry2d"))];
-    let cores = if cores.iter().all(Option::is_none) {
-        String::new()
-    } else {
-        cores.map(|count| count.unwrap_or_else(|| "-".to_owned())).join(", ")
-    };
-    let name = if broad { format!("{workload}: {class}") } else { workload.to_owned() };
-    let _ = writeln!(
-        out,
-        "| {name} | {ours} | {} | {} | {} | {} |",
-        cell("textbook f32").unwrap_or_default(),
-        cell("naive Q16.16").unwrap_or_default(),
-        peer.unwrap_or_default(),
-        cores
-    );
 }

@@ -8,7 +8,7 @@ mod truth;
 use crate::callgrind;
 use crate::job::{Job, List};
 use crate::record::Row;
-use crate::run::{Sizes, fastest};
+use crate::run::{Sizes, time};
 use scenes::{CLASSES, Class, Frame};
 use truth::{Answer, Truth, judge};
 
@@ -17,7 +17,8 @@ pub const NAME: &str = "pairs of boxes";
 pub fn backends(class: Class) -> List<Frame, Answer> {
     let mut list = List(Vec::new());
     phases::library(&mut list, class);
-    phases::textbook(&mut list);
+    phases::textbook::<f32>(&mut list);
+    phases::textbook::<f64>(&mut list);
     engines::all(&mut list);
     list
 }
@@ -37,9 +38,7 @@ pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
             jobs.push(job);
             rows.push(row);
         }
-        for (row, ns) in rows[from..].iter_mut().zip(fastest(&mut jobs, sizes)) {
-            row.set("ns", ns);
-        }
+        time(&mut rows[from..], &mut jobs, 1, sizes);
     }
 }
 

@@ -4,8 +4,9 @@ use super::scenes::{Bounds, Class, Frame};
 use super::truth::Answer;
 use crate::job::{Backend, Format, Job, List};
 use crate::peers::ours;
-use crate::peers::textbook::vector;
+use crate::peers::textbook::{Named, vector};
 use std::hint::black_box;
+use std::marker::PhantomData;
 use std::rc::Rc;
 use tilesat::broad::{BruteForce, LooseGrid, SortSweep, SpatialHash};
 use tilesat::prelude::*;
@@ -122,39 +123,38 @@ pub fn library(list: &mut List<Frame, Answer>, class: Class) {
     }
 }
 
-struct Brute;
+/// A number format's boxes, all against all.
+struct Brute<S>(PhantomData<S>);
 
-fn book(bounds: &Bounds) -> Book<f32> {
-    Book { lo: vector(bounds.lo), hi: vector(bounds.hi) }
-}
+impl<S: Named> Phase for Brute<S> {
+    type Box = Book<S>;
 
-impl Phase for Brute {
-    type Box = Book<f32>;
-
-    fn boxed(bounds: &Bounds) -> Book<f32> {
-        book(bounds)
+    fn boxed(bounds: &Bounds) -> Book<S> {
+        Book { lo: vector(bounds.lo), hi: vector(bounds.hi) }
     }
 
-    fn frame(&mut self, boxes: &[Book<f32>], pairs: &mut Answer) {
+    fn frame(&mut self, boxes: &[Book<S>], pairs: &mut Answer) {
         broad::brute(boxes, |a, b| pairs.push((a, b)));
     }
 }
 
-struct Sweep(Vec<u32>);
+/// The same, sorted along x.
+struct Sweep<S>(Vec<u32>, PhantomData<S>);
 
-impl Phase for Sweep {
-    type Box = Book<f32>;
+impl<S: Named> Phase for Sweep<S> {
+    type Box = Book<S>;
 
-    fn boxed(bounds: &Bounds) -> Book<f32> {
-        book(bounds)
+    fn boxed(bounds: &Bounds) -> Book<S> {
+        Brute::boxed(bounds)
     }
 
-    fn frame(&mut self, boxes: &[Book<f32>], pairs: &mut Answer) {
+    fn frame(&mut self, boxes: &[Book<S>], pairs: &mut Answer) {
         broad::sweep(&mut self.0, boxes, |a, b| pairs.push((a, b)));
     }
 }
 
-pub fn textbook(list: &mut List<Frame, Answer>) {
-    add(list, ("textbook f32", "sweep", Format::F32), |boxes| Sweep((0..boxes.len() as u32).collect()));
-    add(list, ("textbook f32", "brute", Format::F32), |_| Brute);
+pub fn textbook<S: Named>(list: &mut List<Frame, Answer>) {
+    let sorted = |boxes: &[Book<S>]| Sweep::<S>((0..boxes.len() as u32).collect(), PhantomData);
+    add(list, (S::NAME, "sweep", S::FORMAT), sorted);
+    add(list, (S::NAME, "brute", S::FORMAT), |_| Brute::<S>(PhantomData));
 }

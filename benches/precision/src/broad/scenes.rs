@@ -15,8 +15,10 @@ pub type Frame = Vec<Bounds>;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Anywhere in a square of 64 x 64 pixels for each; up to 2 pixels a frame, and three in a hundred jump anywhere.
+    /// Anywhere in a square of 64 x 64 pixels for each; up to 2 pixels a frame.
     Scattered,
+    /// The same, and three in a hundred jump anywhere.
+    Leaping,
     /// 32 on top of each other, within 2 raw units of touching; the columns sway.
     Columns,
 }
@@ -33,13 +35,18 @@ const fn class(kind: Kind, bodies: usize, origin: i64) -> Class {
     Class { kind, bodies, origin }
 }
 
-pub const CLASSES: [Class; 8] = [
+pub const CLASSES: [Class; 13] = [
     class(Kind::Scattered, 8, 0),
     class(Kind::Scattered, 64, 0),
     class(Kind::Scattered, 256, 0),
     class(Kind::Scattered, 1024, 0),
     class(Kind::Scattered, 4096, 0),
     class(Kind::Scattered, 1024, 6000),
+    class(Kind::Leaping, 8, 0),
+    class(Kind::Leaping, 64, 0),
+    class(Kind::Leaping, 256, 0),
+    class(Kind::Leaping, 1024, 0),
+    class(Kind::Leaping, 4096, 0),
     class(Kind::Columns, 256, 0),
     class(Kind::Columns, 256, 7000),
 ];
@@ -49,7 +56,11 @@ const HIGH: usize = 32;
 
 impl Class {
     pub fn name(self) -> String {
-        let what = if self.kind == Kind::Scattered { "boxes" } else { "boxes in columns" };
+        let what = match self.kind {
+            Kind::Scattered => "boxes",
+            Kind::Leaping => "boxes that leap",
+            Kind::Columns => "boxes in columns",
+        };
         let place = if self.origin > 0 { format!(" {} px from the origin", self.origin) } else { String::new() };
         format!("{} {what}{place}", self.bodies)
     }
@@ -67,7 +78,7 @@ impl Class {
     pub fn frames(self, n: usize) -> Vec<Frame> {
         let mut r = Random::new(0xb0c5 + self.bodies as u64);
         let frames = match self.kind {
-            Kind::Scattered => self.scattered(&mut r, n),
+            Kind::Scattered | Kind::Leaping => self.scattered(&mut r, n),
             Kind::Columns => self.columns(&mut r, n),
         };
         let by = self.origin * UNIT;
@@ -91,7 +102,7 @@ impl Class {
             })
             .collect();
         let mut step = |b: &mut Moving| {
-            if r.below(100) < 3 {
+            if self.kind == Kind::Leaping && r.below(100) < 3 {
                 b.at = (r.within(0, side - b.size.0), r.within(0, side - b.size.1));
                 return;
             }

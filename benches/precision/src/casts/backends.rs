@@ -13,15 +13,16 @@ use std::ptr;
 use tilesat::prelude::*;
 use tilesat::{CastHit, Inside, RangeError};
 use tilesat_judge::oracle::figure::{Figure, Kind};
-use tilesat_textbook::shape::{Aabb, Circle, Vector};
+use tilesat_textbook::shape::{Aabb, Circle, Segment, Vector};
 use tilesat_textbook::{Q16, Wide, cast};
 
 pub fn all(kinds: (Kind, Kind)) -> List<Case, Answer> {
     let mut list = List(Vec::new());
     {
-        use tilesat::{Aabb, Circle};
+        use tilesat::{Aabb, Circle, Segment};
         match kinds {
             (Kind::Circle, Kind::Circle) => library::<Circle, Circle>(&mut list),
+            (Kind::Circle, Kind::Segment) => library::<Circle, Segment>(&mut list),
             (Kind::Circle, _) => library::<Circle, Aabb>(&mut list),
             _ => library::<Aabb, Aabb>(&mut list),
         }
@@ -74,6 +75,7 @@ fn told<S: Named, A: Book, B: Book>(
 fn textbook<S: Named>(list: &mut List<Case, Answer>, kinds: (Kind, Kind)) {
     match kinds {
         (Kind::Circle, Kind::Circle) => told::<S, Circle<S>, Circle<S>>(list, cast::circle_circle),
+        (Kind::Circle, Kind::Segment) => told::<S, Circle<S>, Segment<S>>(list, cast::circle_segment),
         (Kind::Circle, _) => told::<S, Circle<S>, Aabb<S>>(list, cast::circle_aabb),
         _ => told::<S, Aabb<S>, Aabb<S>>(list, cast::aabb_aabb),
     }
@@ -89,7 +91,7 @@ macro_rules! parry {
             use tilesat_judge::oracle::figure::Kind;
             use $parry::math::Vector;
             use $parry::query::{ShapeCastHit, ShapeCastOptions, cast_shapes};
-            use $parry::shape::{Ball, Cuboid};
+            use $parry::shape::{Ball, Cuboid, Segment};
 
             fn of<A: Placed, B: Placed>(list: &mut List<Case, Answer>) {
                 list.add(
@@ -109,6 +111,7 @@ macro_rules! parry {
             pub fn casts(list: &mut List<Case, Answer>, kinds: (Kind, Kind)) {
                 match kinds {
                     (Kind::Circle, Kind::Circle) => of::<Ball, Ball>(list),
+                    (Kind::Circle, Kind::Segment) => of::<Ball, Segment>(list),
                     (Kind::Circle, _) => of::<Ball, Cuboid>(list),
                     _ => of::<Cuboid, Cuboid>(list),
                 }
@@ -128,7 +131,10 @@ fn proxy(figure: &Figure) -> (b2Vec2, b2ShapeProxy) {
             let (w, h) = (max.0 - min.0, max.1 - min.1);
             (vec![(-w, -h), (w, -h), (w, h), (-w, h)], (min.0 + max.0, min.1 + max.1), 0)
         }
-        Figure::Segment { .. } => panic!("no such cast"),
+        Figure::Segment { a, b } => {
+            let (w, h) = (b.0 - a.0, b.1 - a.1);
+            (vec![(-w, -h), (w, h)], (a.0 + b.0, a.1 + b.1), 0)
+        }
     };
     let halved = |(x, y): (i64, i64)| b2Vec2 { x: box2d::length(x as f64 / 2.0), y: box2d::length(y as f64 / 2.0) };
     let points: Vec<b2Vec2> = points.into_iter().map(halved).collect();

@@ -19,7 +19,7 @@ pub enum Class {
     Uniform,
     /// Toward the middle.
     HeadOn,
-    /// Past a corner or a side of the circle, within 2 raw units of touching it.
+    /// Past a corner, an end or a side of the circle, within 2 raw units of touching it.
     Grazing,
     /// The same, 8000 pixels from the origin.
     Far,
@@ -27,8 +27,8 @@ pub enum Class {
 
 pub const CLASSES: [Class; 4] = [Class::Uniform, Class::HeadOn, Class::Grazing, Class::Far];
 
-pub const KINDS: [(Kind, Kind); 3] =
-    [(Kind::Circle, Kind::Circle), (Kind::Circle, Kind::Aabb), (Kind::Aabb, Kind::Aabb)];
+pub const KINDS: [(Kind, Kind); 4] =
+    [(Kind::Circle, Kind::Circle), (Kind::Circle, Kind::Aabb), (Kind::Circle, Kind::Segment), (Kind::Aabb, Kind::Aabb)];
 
 impl Class {
     pub fn name(self) -> &'static str {
@@ -82,6 +82,10 @@ fn around(r: &mut Random, kind: Kind, c: Point) -> (Figure, Point) {
         return (Figure::Circle { centre: c, radius }, (radius, radius));
     }
     let (w, h) = (half(r), half(r));
+    if kind == Kind::Segment {
+        let up = r.sign();
+        return (Figure::Segment { a: (c.0 - w, c.1 - up * h), b: (c.0 + w, c.1 + up * h) }, (w, h));
+    }
     (Figure::Aabb { min: (c.0 - w, c.1 - h), max: (c.0 + w, c.1 + h) }, (w, h))
 }
 
@@ -118,9 +122,10 @@ fn grazing(r: &mut Random, kinds: (Kind, Kind)) -> Option<Case> {
     let steps = r.within(4 * UNIT / h, 16 * UNIT / h);
     let radius = steps * h;
     let across = (n.0 * steps, n.1 * steps);
-    // A box behind its corner at the origin, as seen across the way.
+    // A box behind its corner at the origin, as seen across the way, and a segment behind its end.
+    let back_of = |r: &mut Random| (-n.0.signum() * half(r), -n.1.signum() * half(r));
     let behind = |r: &mut Random| {
-        let corner = (-n.0.signum() * half(r), -n.1.signum() * half(r));
+        let corner = back_of(r);
         Figure::Aabb { min: (corner.0.min(0), corner.1.min(0)), max: (corner.0.max(0), corner.1.max(0)) }
     };
     let (a, b) = match kinds {
@@ -128,6 +133,9 @@ fn grazing(r: &mut Random, kinds: (Kind, Kind)) -> Option<Case> {
             let part = r.within(1, radius - 1);
             let a = Figure::Circle { centre: start(across), radius: part };
             (a, Figure::Circle { centre: (0, 0), radius: radius - part })
+        }
+        (Kind::Circle, Kind::Segment) => {
+            (Figure::Circle { centre: start(across), radius }, Figure::Segment { a: (0, 0), b: back_of(r) })
         }
         (Kind::Circle, _) => (Figure::Circle { centre: start(across), radius }, behind(r)),
         _ => {

@@ -1,8 +1,8 @@
 //! When a motion first makes two shapes overlap, exactly enough.
 //!
 //! Whether it does is one question about the polygon of all differences: the way of the one shape, grown by the other one, holds the
-//! origin inside. When is the first moment in one of the pieces that the grown shape is made of: two boxes and four discs. Each piece is
-//! entered at a fraction, or at a root without cancellation, so 15 digits are right.
+//! origin inside. When is the first moment in one of the pieces that the grown shape is made of: two boxes and four discs, of a segment a
+//! strip and two discs. Each piece is entered at a fraction, or at a root without cancellation, so 15 digits are right.
 
 use super::classes::Case;
 use crate::job::Format;
@@ -20,43 +20,73 @@ pub struct Truth {
     length: f64,
 }
 
-/// A point that moves, and what it may not enter: a box or a point, grown by a radius.
+/// A point that moves, and what it may not enter: a box, a point or a segment from one to the other end, grown by a radius.
 struct Relative {
     p: Point,
     lo: Point,
     hi: Point,
     r: i64,
+    is_segment: bool,
 }
 
 fn relative(case: &Case) -> Relative {
     match (case.a, case.b) {
         (Figure::Circle { centre, radius }, Figure::Circle { centre: c, radius: s }) => {
-            Relative { p: centre, lo: c, hi: c, r: radius + s }
+            Relative { p: centre, lo: c, hi: c, r: radius + s, is_segment: false }
         }
         (Figure::Circle { centre, radius }, Figure::Aabb { min, max }) => {
-            Relative { p: centre, lo: min, hi: max, r: radius }
+            Relative { p: centre, lo: min, hi: max, r: radius, is_segment: false }
+        }
+        (Figure::Circle { centre, radius }, Figure::Segment { a, b }) => {
+            Relative { p: centre, lo: a, hi: b, r: radius, is_segment: true }
         }
         (Figure::Aabb { min, max }, Figure::Aabb { min: lo, max: hi }) => {
-            Relative { p: min, lo: (lo.0 - (max.0 - min.0), lo.1 - (max.1 - min.1)), hi, r: 0 }
+            let lo = (lo.0 - (max.0 - min.0), lo.1 - (max.1 - min.1));
+            Relative { p: min, lo, hi, r: 0, is_segment: false }
         }
         _ => panic!("no such cast"),
     }
 }
 
 impl Truth {
+    /// Of a question without a motion: overlapping is at once.
+    pub fn at_once(overlaps: bool, touches: bool) -> Self {
+        Self { toi: overlaps.then_some(0.0), touches, length: 0.0 }
+    }
+
+    pub fn is_free(&self) -> bool {
+        self.toi.is_none()
+    }
+
+    /// Of one motion toward several shapes: the first of them.
+    pub fn first(all: impl IntoIterator<Item = Self>) -> Self {
+        let none = Self::at_once(false, false);
+        all.into_iter().fold(none, |a, b| Self {
+            toi: a.toi.into_iter().chain(b.toi).reduce(f64::min),
+            touches: a.touches || b.touches,
+            length: b.length,
+        })
+    }
+
     pub fn starts_apart(case: &Case) -> bool {
         !Measure::new(&case.a, &case.b).overlaps()
     }
 
     /// Of a case that starts apart.
     pub fn new(case: &Case) -> Self {
-        let Relative { p, lo, hi, r } = relative(case);
+        let Relative { p, lo, hi, r, is_segment } = relative(case);
         let d = case.d;
         let way = Figure::Segment { a: p, b: (p.0 + d.0, p.1 + d.1) };
-        let mut sum = Sum::new(&way, &Figure::Aabb { min: lo, max: hi });
+        let core = if is_segment { Figure::Segment { a: lo, b: hi } } else { Figure::Aabb { min: lo, max: hi } };
+        let mut sum = Sum::new(&way, &core);
         sum.radius = r;
         let exact = Measure::of(&sum);
         let toi = exact.overlaps().then(|| {
+            if is_segment {
+                let ends = [lo, hi].map(|c| enters_disc((p.0 - c.0, p.1 - c.1), d, r));
+                let first = ends.into_iter().chain([enters_strip(p, d, lo, hi, r)]).flatten().reduce(f64::min);
+                return first.expect("what is entered is entered by a piece");
+            }
             let wide = enters_box(p, d, (lo.0 - r, lo.1), (hi.0 + r, hi.1));
             let high = enters_box(p, d, (lo.0, lo.1 - r), (hi.0, hi.1 + r));
             let discs = [lo, (hi.0, lo.1), (lo.0, hi.1), hi].map(|c| enters_disc((p.0 - c.0, p.1 - c.1), d, r));
@@ -85,6 +115,23 @@ fn enters_box(p: Point, d: Point, lo: Point, hi: Point) -> Option<f64> {
         to = if less(leave, to) { leave } else { to };
     }
     less(from, to).then(|| from.0 as f64 / from.1 as f64)
+}
+
+/// When a point comes as near as `r` to a segment's line, if that is beside the segment; there it comes from outside.
+fn enters_strip(p: Point, d: Point, a: Point, b: Point, r: i64) -> Option<f64> {
+    let (e, m) = ((b.0 - a.0, b.1 - a.1), (p.0 - a.0, p.1 - a.1));
+    let cross = |p: Point, q: Point| i128::from(p.0) * i128::from(q.1) - i128::from(p.1) * i128::from(q.0);
+    let dot = |p: Point, q: Point| i128::from(p.0) * i128::from(q.0) + i128::from(p.1) * i128::from(q.1);
+    let (aside, toward, square) = (cross(e, m), cross(e, d), dot(e, e));
+    let gap = aside * aside - i128::from(r) * i128::from(r) * square;
+    if gap < 0 || aside.signum() * toward.signum() >= 0 {
+        return None;
+    }
+    // (|aside| - r |e|) / |toward|: nothing cancels.
+    let root = r as f64 * (square as f64).sqrt();
+    let t = gap as f64 / (toward.unsigned_abs() as f64 * (aside.unsigned_abs() as f64 + root));
+    let along = dot(m, e) as f64 + dot(d, e) as f64 * t;
+    ((0.0..=square as f64).contains(&along) && t < 1.0).then_some(t)
 }
 
 /// When a point that is `m` from the centre, and not inside, enters an open disc.
@@ -150,7 +197,16 @@ mod tests {
 
     /// The square of the distance from the moving point to the box, less the square of the radius.
     fn beyond(case: &Case, t: &Q) -> Q {
-        let Relative { p, lo, hi, r } = relative(case);
+        let Relative { p, lo, hi, r, is_segment } = relative(case);
+        let at = |i: usize, t: &Q| q([p.0, p.1][i]) + q([case.d.0, case.d.1][i]) * t;
+        if is_segment {
+            // The nearest of its points: where along it, from 0 to 1.
+            let (e, m) = ([q(hi.0 - lo.0), q(hi.1 - lo.1)], [at(0, t) - q(lo.0), at(1, t) - q(lo.1)]);
+            let along = (&m[0] * &e[0] + &m[1] * &e[1]) / (&e[0] * &e[0] + &e[1] * &e[1]);
+            let along = along.clamp(q(0), q(1));
+            let (x, y) = (&m[0] - &e[0] * &along, &m[1] - &e[1] * &along);
+            return &x * &x + &y * &y - q(r) * q(r);
+        }
         let off = |p: i64, d: i64, lo: i64, hi: i64| {
             let at = q(p) + q(d) * t;
             if at < q(lo) {

@@ -105,7 +105,8 @@ mod tests {
     /// The goals that are about some rows: their texts' last words, and what misses them.
     fn missed(rows: &[Row]) -> Vec<(&'static str, Vec<String>)> {
         let told = goals(rows).into_iter().filter(|g| g.rows > 0);
-        told.map(|g| (g.text.rsplit(" on ").next().unwrap_or_default(), g.missed)).collect()
+        let texts = |g: Goal| g.missed.into_iter().map(|m| format!("{}: {}", m.question, m.text)).collect();
+        told.map(|g| (g.text.rsplit(" on ").next().unwrap_or_default(), texts(g))).collect()
     }
 
     #[test]
@@ -114,14 +115,14 @@ mod tests {
         let ours = |hit| cells(key("tilesat"), &[("m0_hit", hit)]);
         let parry = cells(key("parry2d"), &[("m0_hit", 120.0)]);
         assert_eq!(missed(&[ours(20.0), parry.clone()]), [("Cortex-M0: hits, yes or no", vec![])]);
-        let line = "circle-circle, near, overlaps: 21.0 against 120 of parry2d: overlaps".to_owned();
+        let line = "circle-circle, overlaps: near: 21.0 against 120 of parry2d".to_owned();
         assert_eq!(missed(&[ours(21.0), parry]), [("Cortex-M0: hits, yes or no", vec![line])]);
     }
 
     #[test]
     fn moves_are_held_to_the_textbook() {
         let row = |backend, m0, m4f| cells(["move: level", "circle", backend, "move"], &[("m0", m0), ("m4f", m4f)]);
-        let line = "move: level, circle, move: 60.0 against 50.0 of textbook f32: move".to_owned();
+        let line = "move: level, move: circle: 60.0 against 50.0 of textbook f32".to_owned();
         let rows = [row("tilesat", 500.0, 60.0), row("textbook f32", 500.0, 50.0), row("naive Q16.16", 1.0, 1.0)];
         assert_eq!(missed(&rows), [("Cortex-M0: moves", vec![]), ("Cortex-M4F: moves", vec![line])]);
     }
@@ -132,7 +133,7 @@ mod tests {
         let others = [row("textbook f32", "sweep", 50.0), row("textbook f32", "brute", 70.0)];
         let rows = |best| [&[row("tilesat", "grid", 90.0), row("tilesat", "sweep", best)], &others[..]].concat();
         assert_eq!(missed(&rows(50.0))[0].1, [""; 0]);
-        let line = "pairs of boxes, 8 boxes, sweep: 51.0 against 50.0 of textbook f32: sweep";
+        let line = "pairs of boxes, sweep: 8 boxes: 51.0 against 50.0 of textbook f32";
         assert_eq!(missed(&rows(51.0))[0].1, [line]);
     }
 }

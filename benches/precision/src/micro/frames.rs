@@ -20,7 +20,7 @@ fn frames_of(bodies: usize) -> usize {
 
 /// Those that run without an allocator.
 fn fit<I, A>(list: &List<I, A>) -> Vec<&Backend<I, A>> {
-    let named = |b: &&Backend<I, A>| ["tilesat", "naive Q16.16", "textbook f32"].contains(&b.name);
+    let named = |b: &&Backend<I, A>| ["tilesat", "naive Q16.16", "textbook f32", "textbook f64"].contains(&b.name);
     list.0.iter().filter(named).collect()
 }
 

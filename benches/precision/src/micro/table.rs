@@ -1,76 +1,63 @@
-//! The microcontrollers' tables, as Markdown.
+//! The microcontrollers' table, as Markdown.
 
+use crate::question::{Question, is_broad, is_move, usual_class};
 use crate::record::Row;
-use crate::tables::{is_broad, short, usual_class};
+use crate::tables::short;
 use std::fmt::Write;
 
-const QUERIES: &str = "
+const HEAD: &str = "
 ## Microcontrollers
 
-Instructions of hits / of misses, half of the pairs and casts hit, generic rays; bytes of flash at opt-level \"s\" of the \
-query with all that it pulls in, without a ray's cells. Of each class 64 of the host's inputs, 32 rays. Other classes are in `results.csv`.
+Instructions on Cortex-M0 / on Cortex-M4F in the usual class: a query, or a frame of a body that moves or of all boxes and their pairs; of tilesat \
+and of the best of parry2d also the bytes of flash on the M0 at opt-level \"s\", with all that the question pulls in, without a level's cells and \
+tiles. Of each class 64 of the host's inputs, 32 rays, 16 sequences, or 8 frames of boxes or more. Hits and misses, other classes and other bytes \
+are in `results.csv`.
 
-| | Cortex-M0 | Cortex-M4F | flash M0 | flash M4F |
-|---|--:|--:|--:|--:|
+| | tilesat | bytes | naive Q16.16 | textbook f32 | textbook f64 | parry2d | bytes |
+|---|--:|--:|--:|--:|--:|--:|--:|
 ";
 
-const FRAMES: &str = "
-Instructions of a frame of bodies that move, or of all boxes and their pairs; bytes as above, of 64 boxes, without a level's cells and tiles. \
-Of each class 16 of the host's sequences, or 8 frames of boxes or more; every answer of every backend is the host's, bit by bit. The M0 has the \
-numbers of boxes that 16 KB of RAM hold. Other classes are below, each at its workload.
-
-| | Cortex-M0 | Cortex-M4F | flash M0 | flash M4F |
-|---|--:|--:|--:|--:|
-";
-
-/// The classes whose frames are told.
-const FRAMED: [&str; 5] = ["circle up to 4 px", "box up to 4 px", "8 boxes", "64 boxes", "256 boxes"];
-
-fn cell(row: &Row, name: &str) -> String {
-    row.get(name).map(short).unwrap_or_default()
-}
+/// The classes whose frames are told beside the usual one.
+const FRAMED: [&str; 4] = ["circle up to 4 px", "box up to 4 px", "64 boxes", "256 boxes"];
 
 /// Bytes of the function that serves the row's class.
-fn flash(rows: &[Row], row: &Row, name: &str) -> String {
+fn flash(rows: &[Row], row: &Row) -> Option<f64> {
     let same = |r: &&Row| {
         (r.workload(), r.backend(), r.asked()) == (row.workload(), row.backend(), row.asked())
             && row.class().starts_with(r.class())
     };
-    rows.iter().filter(same).find_map(|r| r.get(name)).map(short).unwrap_or_default()
+    rows.iter().filter(same).find_map(|r| r.get("flash_m0"))
 }
 
-/// A row of a table, from its name and two counts.
-fn line(out: &mut String, rows: &[Row], row: &Row, name: &str, [m0, m4f]: [String; 2]) {
-    let _ = write!(out, "| {name}, {}: {} | {m0} | {m4f} ", row.backend(), row.asked());
-    let _ = writeln!(out, "| {} | {} |", flash(rows, row, "flash_m0"), flash(rows, row, "flash_m4f"));
+/// The instructions of the best of some backends, and its bytes.
+fn cells(rows: &[Row], question: Question<'_>, class: &str, of: &str) -> [String; 2] {
+    let named = |r: &&Row| {
+        question.is_of(r) && r.class() == class && r.backend().starts_with(of) && !r.backend().contains("-f64")
+    };
+    let counted = rows.iter().filter(named).filter_map(|r| Some((r, r.get("m0").or(r.get("m4f"))?)));
+    let Some((row, _)) = counted.min_by(|a, b| a.1.total_cmp(&b.1)) else { return Default::default() };
+    let cell = |name| row.get(name).map_or_else(|| "-".to_owned(), short);
+    [format!("{} / {}", cell("m0"), cell("m4f")), flash(rows, row).map(short).unwrap_or_default()]
 }
 
-/// The usual class of each workload, and some classes of frames.
+/// The usual class of each question, and some classes of frames.
 pub fn page(rows: &[Row]) -> String {
-    let (mut queries, mut frames) = (String::new(), String::new());
-    for row in rows.iter().filter(|r| r.get("m0").is_some()) {
-        let (workload, class) = (row.workload(), row.class());
-        if workload.starts_with("move") || is_broad(workload) {
-            if FRAMED.contains(&class) {
-                let name = format!("{workload}, {class}");
-                line(&mut frames, rows, row, &name, ["m0", "m4f"].map(|core| cell(row, core)));
+    let mut lines = String::new();
+    for question in Question::all(rows) {
+        let framed = is_move(question.workload) || is_broad(question.workload);
+        let classes = if framed { &FRAMED[..] } else { &[usual_class(question.workload)] };
+        for class in classes {
+            let of = |backend| cells(rows, question, class, backend);
+            let ([ours, bytes], [parry, theirs]) = (of("tilesat"), of("parry2d"));
+            if ours.is_empty() {
+                continue;
             }
-        } else if class == usual_class(workload) {
-            let counts = ["m0", "m4f"].map(|core| {
-                let of = |which: &str| cell(row, &format!("{core}_{which}"));
-                format!("{} / {}", of("hit"), of("miss"))
-            });
-            line(&mut queries, rows, row, workload, counts);
+            let [naive, f32, f64] = ["naive Q16.16", "textbook f32", "textbook f64"].map(|b| of(b)[0].clone());
+            let name = if framed { format!("{}, {class}", question.workload) } else { question.name() };
+            let _ = writeln!(lines, "| {name} | {ours} | {bytes} | {naive} | {f32} | {f64} | {parry} | {theirs} |");
         }
     }
-    let mut out = String::new();
-    for (head, lines) in [(QUERIES, queries), (FRAMES, frames)] {
-        if !lines.is_empty() {
-            out += head;
-            out += &lines;
-        }
-    }
-    out
+    if lines.is_empty() { lines } else { format!("{HEAD}{lines}") }
 }
 
 #[cfg(test)]
@@ -86,27 +73,27 @@ mod tests {
     }
 
     #[test]
-    fn queries_have_hits_and_misses_and_frames_have_one_count() {
+    fn queries_have_a_line_and_frames_have_one_a_class() {
         let rows = [
-            row(
-                ["circle-circle", "uniform 50 % hits", "b", "overlaps"],
-                &[("m0", 3.0), ("m0_hit", 4.0), ("m0_miss", 2.0)],
-            ),
-            row(["circle-circle", "", "b", "overlaps"], &[("flash_m0", 70.0)]),
-            row(["move: level", "circle up to 4 px", "b", "move"], &[("m0", 500.0), ("m4f", 50.0)]),
-            row(["move: level", "box up to 4 px", "b", "move"], &[("m0", 400.0)]),
-            row(["move: level", "box up to 30 px", "b", "move"], &[("m0", 300.0)]),
-            row(["move: level", "circle", "b", "move"], &[("flash_m0", 90.0), ("flash_m4f", 91.0)]),
-            row(["move: level", "box", "b", "move"], &[("flash_m0", 80.0)]),
+            row(["circle-circle", "uniform 50 % hits", "tilesat", "overlaps"], &[("m0", 3.0), ("m4f", 2.0)]),
+            row(["circle-circle", "uniform 50 % hits", "textbook f64", "overlaps"], &[("m0", 900.0)]),
+            row(["circle-circle", "", "tilesat", "overlaps"], &[("flash_m0", 70.0)]),
+            row(["move: level", "circle up to 4 px", "tilesat", "move"], &[("m0", 500.0), ("m4f", 50.0)]),
+            row(["move: level", "box up to 4 px", "tilesat", "move"], &[("m0", 400.0)]),
+            row(["move: level", "box up to 30 px", "tilesat", "move"], &[("m0", 300.0)]),
+            row(["move: level", "circle", "tilesat", "move"], &[("flash_m0", 90.0)]),
         ];
         let page = page(&rows);
-        let lines: Vec<&str> = page.lines().filter(|line| line.contains(", b: ")).collect();
+        let lines: Vec<&str> = page
+            .lines()
+            .filter(|line| line.contains(", ") && line.starts_with("| ") || line.contains("circle-circle"))
+            .collect();
         assert_eq!(
             lines,
             [
-                "| circle-circle, b: overlaps | 4.00 / 2.00 |  /  | 70.0 |  |",
-                "| move: level, circle up to 4 px, b: move | 500 | 50.0 | 90.0 | 91.0 |",
-                "| move: level, box up to 4 px, b: move | 400 |  | 80.0 |  |",
+                "| circle-circle | 3.00 / 2.00 | 70.0 |  |  | 900 / - |  |  |",
+                "| move: level, circle up to 4 px | 500 / 50.0 | 90.0 |  |  |  |  |  |",
+                "| move: level, box up to 4 px | 400 / - |  |  |  |  |  |  |",
             ]
         );
     }

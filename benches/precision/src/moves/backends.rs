@@ -29,6 +29,7 @@ pub fn all(room: &Room, kind: Kind) -> List<Case, Answer> {
     }
     textbook::<Q16>(&mut list, level, kind);
     textbook::<f32>(&mut list, level, kind);
+    textbook::<f64>(&mut list, level, kind);
     engines::rapier(&mut list, level);
     if kind == Kind::Circle {
         engines::box2d(&mut list, level);
@@ -68,7 +69,9 @@ impl<S: Named> Exact for Circle<S> {
 
 impl<S: Named> Exact for Aabb<S> {
     fn exact(&self) -> Body {
-        let point = |p: Vector<S>| (fine(p.x.px()), fine(p.y.px()));
+        // Boxes are judged at even places: the nearest one, where a format is finer than that.
+        let even = |v: S| 2 * fine(v.px() / 2.0);
+        let point = |p: Vector<S>| (even(p.x), even(p.y));
         Body::Box { lo: point(self.lo), hi: point(self.hi) }
     }
 }
@@ -127,7 +130,7 @@ fn raw(kind: i32, corners: usize, vectors: &[(i64, i64)]) -> RawTile {
     raw
 }
 
-/// Boxes among blocks by axes; all else in steps.
+/// Boxes among blocks by axes, to where they go and along all that they cross; all else in steps.
 fn textbook<S: Named>(list: &mut List<Case, Answer>, level: &'static Level, kind: Kind) {
     let cell = level.cell >> 16;
     let world = walk::Level {
@@ -139,20 +142,22 @@ fn textbook<S: Named>(list: &mut List<Case, Answer>, level: &'static Level, kind
         tiles: Box::leak(Box::new(tiles(cell).map(|raw| tile::<S>(&raw)))),
     };
     if kind == Kind::Circle {
-        walked::<S, Circle<S>>(list, move |body, d| walk::by_steps(&world, body, d));
+        walked::<S, Circle<S>>(list, "move", move |body, d| walk::by_steps(&world, body, d));
     } else if level.blocks().is_some() {
-        walked::<S, Aabb<S>>(list, move |body, d| walk::by_axes(&world, body, d));
+        walked::<S, Aabb<S>>(list, "move", move |body, d| walk::by_axes(&world, body, d));
+        walked::<S, Aabb<S>>(list, "move (columns)", move |body, d| walk::by_columns(&world, body, d));
     } else {
-        walked::<S, Aabb<S>>(list, move |body, d| walk::by_steps(&world, body, d));
+        walked::<S, Aabb<S>>(list, "move", move |body, d| walk::by_steps(&world, body, d));
     }
 }
 
 fn walked<S: Named, B: Book + Pushed<S> + Exact>(
     list: &mut List<Case, Answer>,
+    asked: &'static str,
     go: impl Fn(&B, Vector<S>) -> B + Copy + 'static,
 ) {
     list.add(
-        (S::NAME, "move", S::FORMAT),
+        (S::NAME, asked, S::FORMAT),
         |c: &Case| (B::of(&c.start), c.motions.map(vector::<S>)),
         move |(body, motions)| {
             let mut body = *body;

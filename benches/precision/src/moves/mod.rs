@@ -10,7 +10,7 @@ pub mod truth;
 use crate::callgrind;
 use crate::job::Job;
 use crate::record::Row;
-use crate::run::{Sizes, fastest};
+use crate::run::{Sizes, time};
 use classes::{CLASSES, Class, FRAMES};
 use room::{MAPS, Map, Room};
 use truth::{Answer, Verdict};
@@ -44,9 +44,7 @@ pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
                 jobs.push((backend.make)(&cases[..cases.len().min(sizes.timed / FRAMES)]));
                 rows.push(row);
             }
-            for (row, ns) in rows[from..].iter_mut().zip(fastest(&mut jobs, sizes)) {
-                row.set("ns", ns / FRAMES as f64);
-            }
+            time(&mut rows[from..], &mut jobs, FRAMES, sizes);
         }
     }
 }

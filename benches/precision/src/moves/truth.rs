@@ -23,6 +23,8 @@ pub struct Verdict {
     pub overlaps: u64,
     /// Of them, those by more than a 64th of a pixel.
     pub deep: u64,
+    /// By more than a pixel, which ends the sequence.
+    pub lost: u64,
     pub tunnels: u64,
     pub stuck: u64,
     /// In fine units.
@@ -52,6 +54,7 @@ impl Verdict {
             self.deep += u64::from(depth > FINE_PIXEL / 64);
             self.deepest = self.deepest.max(depth);
             if depth > FINE_PIXEL {
+                self.lost += 1;
                 return;
             }
             if tunnels(room, &before, end, wanted) {
@@ -66,7 +69,10 @@ impl Verdict {
     pub fn set(&self, row: &mut Row) {
         row.set("queries", self.frames as f64).set("wrong", self.overlaps as f64);
         row.set("deepest_px", self.deepest as f64 / FINE_PIXEL as f64);
-        row.set("deep", self.deep as f64).set("tunnels", self.tunnels as f64).set("stuck", self.stuck as f64);
+        row.set("deep", self.deep as f64)
+            .set("lost", self.lost as f64)
+            .set("tunnels", self.tunnels as f64)
+            .set("stuck", self.stuck as f64);
     }
 }
 
@@ -202,7 +208,7 @@ mod tests {
         assert_eq!((told.overlaps, told.frames, told.tunnels), (FRAMES as u64, FRAMES as u64, 0));
         assert!((told.deepest - FINE_PIXEL).abs() <= 2, "{told:?}");
         let told = judged(&room(false), (50, 20), (30, 0), (58, 20));
-        assert_eq!((told.overlaps, told.frames), (1, 1));
+        assert_eq!((told.overlaps, told.deep, told.lost, told.frames), (1, 1, 1, 1));
     }
 
     #[test]

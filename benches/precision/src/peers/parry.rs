@@ -1,4 +1,5 @@
-//! parry2d, in both precisions: by its general queries, as its users do, and by the special functions beneath them.
+//! parry2d, in both precisions: by its general queries, as its users do, and by the special functions beneath them, which get the one
+//! place relative to the other as a difference: nothing is turned.
 
 /// What both precisions share: the modules below differ in the crate and its number.
 macro_rules! parry {
@@ -95,6 +96,11 @@ macro_rules! parry {
                 );
             }
 
+            /// Nothing is turned: the place of A seen from B is a plain difference.
+            fn seen(p: &Pose, q: &Pose) -> Pose {
+                Pose::from_translation(p.translation - q.translation)
+            }
+
             fn direct<A: Placed, B: Placed>(
                 list: &mut List<Pair, Answer>,
                 overlaps: impl Fn(&Pose, &A, &B) -> bool + Copy + 'static,
@@ -103,13 +109,13 @@ macro_rules! parry {
                 list.add(
                     ($direct, "overlaps", FORMAT),
                     shapes::<A, B>,
-                    move |((p, a), (q, b))| overlaps(&p.inv_mul(q), a, b),
+                    move |((p, a), (q, b))| overlaps(&seen(p, q), a, b),
                     of_yes,
                 );
                 list.add(
                     ($direct, "contact", FORMAT),
                     shapes::<A, B>,
-                    move |((p, a), (q, b))| contact(&p.inv_mul(q), a, b),
+                    move |((p, a), (q, b))| contact(&seen(p, q), a, b),
                     of_contact,
                 );
             }
@@ -148,23 +154,23 @@ macro_rules! parry {
                         direct::<Ball, Ball>(
                             list,
                             |p, a, b| details::intersection_test_ball_ball(p.translation, a, b),
-                            |p, a, b| details::contact_ball_ball(p, a, b, 0.0),
+                            |p, a, b| details::contact_ball_ball(p, b, a, 0.0),
                         );
                     }
                     (Kind::Circle, Kind::Aabb) => {
                         general::<Ball, Cuboid>(list);
                         direct::<Ball, Cuboid>(
                             list,
-                            |p, a, b| details::intersection_test_ball_point_query(p, a, b).intersecting,
-                            |p, a, b| details::contact_ball_convex_polyhedron(p, a, b, 0.0),
+                            |p, a, b| details::intersection_test_point_query_ball(p, b, a).intersecting,
+                            |p, a, b| details::contact_convex_polyhedron_ball(p, b, a, 0.0),
                         );
                     }
                     (Kind::Circle, Kind::Segment) => {
                         general::<Ball, Segment>(list);
                         direct::<Ball, Segment>(
                             list,
-                            |p, a, b| details::intersection_test_ball_point_query(p, a, b).intersecting,
-                            |p, a, b| details::contact_ball_convex_polyhedron(p, a, b, 0.0),
+                            |p, a, b| details::intersection_test_point_query_ball(p, b, a).intersecting,
+                            |p, a, b| details::contact_convex_polyhedron_ball(p, b, a, 0.0),
                         );
                     }
                     (Kind::Aabb, Kind::Aabb) => {

@@ -9,7 +9,7 @@ pub mod truth;
 use crate::callgrind;
 use crate::job::Job;
 use crate::record::Row;
-use crate::run::{Sizes, fastest};
+use crate::run::{Sizes, time};
 use classes::CLASSES;
 use level::{Level, MAPS, Map};
 use std::rc::Rc;
@@ -37,9 +37,7 @@ pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
                 jobs.push(job);
                 rows.push(row);
             }
-            for (row, ns) in rows[from..].iter_mut().zip(fastest(&mut jobs, sizes)) {
-                row.set("ns", ns);
-            }
+            time(&mut rows[from..], &mut jobs, 1, sizes);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Motions: the time at which a shape first meets another one, as a fraction of the motion.
 
 use crate::Scalar;
-use crate::shape::{Aabb, Circle, Vector};
+use crate::shape::{Aabb, Circle, Segment, Vector};
 
 /// The first root of the quadratic for a point `m` from the centre of a disc, moved by `d`.
 #[inline]
@@ -46,6 +46,34 @@ fn enter<S: Scalar>(p: Vector<S>, d: Vector<S>, lo: Vector<S>, hi: Vector<S>) ->
 #[inline]
 pub fn aabb_aabb<S: Scalar>(a: &Aabb<S>, b: &Aabb<S>, d: Vector<S>) -> Option<S> {
     enter(a.lo, d, b.lo - (a.hi - a.lo), b.hi)
+}
+
+/// The side that is faced, moved out by the radius; beside its ends the discs around them.
+#[inline]
+pub fn circle_segment<S: Scalar>(a: &Circle<S>, b: &Segment<S>, d: Vector<S>) -> Option<S> {
+    let (e, m) = (b.b - b.a, a.c - b.a);
+    let (aside, toward, square) = (e.cross(m), e.cross(d), e.dot(e));
+    let off = a.r * square.root();
+    let gap = aside.magnitude() - off;
+    if gap >= S::ZERO {
+        let speed = if aside > S::ZERO { -toward } else { toward };
+        if speed <= S::ZERO {
+            return None;
+        }
+        let t = gap / speed;
+        if t >= S::ONE {
+            return None;
+        }
+        let along = (m + d * t).dot(e);
+        if along >= S::ZERO && along <= square {
+            return Some(t);
+        }
+    }
+    let (first, second) = (disc(m, d, a.r), disc(a.c - b.b, d, a.r));
+    match (first, second) {
+        (Some(t), Some(u)) => Some(t.least(u)),
+        _ => first.or(second),
+    }
 }
 
 /// The box grown by the radius; where its corner is met, the disc around the box's own corner.

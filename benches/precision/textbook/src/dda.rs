@@ -3,22 +3,24 @@
 use crate::Scalar;
 use crate::shape::Vector;
 
-/// Cells of 16 pixels, one byte each: not zero is solid. Outside of it a ray ends.
+/// Square cells of so many pixels, a power of two, one byte each: not zero is solid. Outside of it a ray ends.
 #[derive(Clone, Copy, Debug)]
-pub struct Grid<'a> {
+pub struct Grid<'a, const SIDE: i32 = CELL> {
     pub cells: &'a [u8],
     pub width: i32,
     pub height: i32,
 }
 
-/// A cell in raw units, as a power of two and in pixels.
-pub const SHIFT: u32 = 20;
-const CELL: i32 = 16;
+/// A cell as most levels have it, in pixels.
+pub const CELL: i32 = 16;
 
-impl Grid<'_> {
+impl<const SIDE: i32> Grid<'_, SIDE> {
+    /// A cell in raw units, as a power of two.
+    const SHIFT: u32 = 16 + SIDE.trailing_zeros();
+
     /// `None` outside.
     #[inline]
-    fn solid(&self, x: i32, y: i32) -> Option<bool> {
+    pub(crate) fn solid(&self, x: i32, y: i32) -> Option<bool> {
         if x < 0 || y < 0 || x >= self.width || y >= self.height {
             return None;
         }
@@ -38,21 +40,21 @@ pub struct Hit<S> {
 
 /// One axis of the walk: the time of its next line, the time from line to line, the step.
 #[inline]
-fn axis<S: Scalar>(o: S, d: S, cell: i32) -> (S, S, i32) {
-    let size = S::of_int(CELL);
+fn axis<S: Scalar, const SIDE: i32>(o: S, d: S, cell: i32) -> (S, S, i32) {
+    let size = S::of_int(SIDE);
     if d > S::ZERO {
-        ((S::of_int((cell + 1) * CELL) - o) / d, size / d, 1)
+        ((S::of_int((cell + 1) * SIDE) - o) / d, size / d, 1)
     } else if d < S::ZERO {
-        ((S::of_int(cell * CELL) - o) / d, size / -d, -1)
+        ((S::of_int(cell * SIDE) - o) / d, size / -d, -1)
     } else {
         (S::NEVER, S::NEVER, 0)
     }
 }
 
-pub fn cast<S: Scalar>(grid: &Grid<'_>, o: Vector<S>, d: Vector<S>) -> Option<Hit<S>> {
-    let (mut x, mut y) = (o.x.floor() >> 4, o.y.floor() >> 4);
-    let (mut next_x, each_x, step_x) = axis(o.x, d.x, x);
-    let (mut next_y, each_y, step_y) = axis(o.y, d.y, y);
+pub fn cast<S: Scalar, const SIDE: i32>(grid: &Grid<'_, SIDE>, o: Vector<S>, d: Vector<S>) -> Option<Hit<S>> {
+    let (mut x, mut y) = (o.x.floor().div_euclid(SIDE), o.y.floor().div_euclid(SIDE));
+    let (mut next_x, each_x, step_x) = axis::<S, SIDE>(o.x, d.x, x);
+    let (mut next_y, each_y, step_y) = axis::<S, SIDE>(o.y, d.y, y);
     loop {
         let across_x = next_x < next_y;
         let t = if across_x { next_x } else { next_y };
@@ -82,19 +84,21 @@ pub struct ExactHit {
 
 /// The way to the next line, the way that the motion has, and the step.
 #[inline]
-fn exact_axis(o: i32, d: i32) -> (i32, i32, i32) {
-    let low = o & ((1 << SHIFT) - 1);
-    if d < 0 { (low, -d, -1) } else { ((1 << SHIFT) - low, d, 1) }
+fn exact_axis<const SIDE: i32>(o: i32, d: i32) -> (i32, i32, i32) {
+    let cell = 1 << Grid::<SIDE>::SHIFT;
+    let low = o & (cell - 1);
+    if d < 0 { (low, -d, -1) } else { (cell - low, d, 1) }
 }
 
 /// Lines are ordered by comparing products; through a corner it steps to the opposite cell. Motions are below 2^30.
-pub fn cast_exact(grid: &Grid<'_>, o: (i32, i32), d: (i32, i32)) -> Option<ExactHit> {
-    let (mut x, mut y) = (o.0 >> SHIFT, o.1 >> SHIFT);
-    let (mut way_x, w, step_x) = exact_axis(o.0, d.0);
-    let (mut way_y, h, step_y) = exact_axis(o.1, d.1);
+pub fn cast_exact<const SIDE: i32>(grid: &Grid<'_, SIDE>, o: (i32, i32), d: (i32, i32)) -> Option<ExactHit> {
+    let shift = Grid::<SIDE>::SHIFT;
+    let (mut x, mut y) = (o.0 >> shift, o.1 >> shift);
+    let (mut way_x, w, step_x) = exact_axis::<SIDE>(o.0, d.0);
+    let (mut way_y, h, step_y) = exact_axis::<SIDE>(o.1, d.1);
     // The sign of (time of the next line of x) - (that of y), times w h.
     let mut order = i64::from(way_x) * i64::from(h) - i64::from(way_y) * i64::from(w);
-    let (each_x, each_y) = (i64::from(h) << SHIFT, i64::from(w) << SHIFT);
+    let (each_x, each_y) = (i64::from(h) << shift, i64::from(w) << shift);
     loop {
         let (across_x, across_y) = (order <= 0, order >= 0);
         let (num, den) = if across_x && w != 0 { (way_x, w) } else { (way_y, h) };
@@ -103,12 +107,12 @@ pub fn cast_exact(grid: &Grid<'_>, o: (i32, i32), d: (i32, i32)) -> Option<Exact
         }
         if across_x {
             x += step_x;
-            way_x += 1 << SHIFT;
+            way_x += 1 << shift;
             order += each_x;
         }
         if across_y {
             y += step_y;
-            way_y += 1 << SHIFT;
+            way_y += 1 << shift;
             order -= each_y;
         }
         if grid.solid(x, y)? {

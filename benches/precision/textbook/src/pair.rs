@@ -1,4 +1,5 @@
-//! Pairs: whether they overlap, and how.
+//! Pairs: whether they overlap, and how. Where a circle may be a point or a segment has no length, touching is overlapping: strictly, they would
+//! overlap nothing.
 
 use crate::Scalar;
 use crate::shape::{Aabb, Circle, Contact, Segment, Vector};
@@ -6,13 +7,13 @@ use crate::shape::{Aabb, Circle, Contact, Segment, Vector};
 #[inline]
 pub fn circle_circle<S: Scalar>(a: &Circle<S>, b: &Circle<S>) -> bool {
     let (d, r) = (b.c - a.c, a.r + b.r);
-    d.dot(d) < r * r
+    d.dot(d) <= r * r
 }
 
 #[inline]
 pub fn circle_aabb<S: Scalar>(a: &Circle<S>, b: &Aabb<S>) -> bool {
     let d = a.c.clamped(b.lo, b.hi) - a.c;
-    d.dot(d) < a.r * a.r
+    d.dot(d) <= a.r * a.r
 }
 
 /// The point of a segment that is nearest to `p`.
@@ -32,7 +33,7 @@ fn nearest<S: Scalar>(p: Vector<S>, s: &Segment<S>) -> Vector<S> {
 #[inline]
 pub fn circle_segment<S: Scalar>(a: &Circle<S>, b: &Segment<S>) -> bool {
     let d = nearest(a.c, b) - a.c;
-    d.dot(d) < a.r * a.r
+    d.dot(d) <= a.r * a.r
 }
 
 #[inline]
@@ -47,7 +48,7 @@ pub fn aabb_segment<S: Scalar>(a: &Aabb<S>, b: &Segment<S>) -> bool {
     let (e, d) = ((a.hi - a.lo) * half, (b.b - b.a) * half);
     let m = (b.a + b.b) * half - (a.lo + a.hi) * half;
     let (w, h) = (d.x.magnitude(), d.y.magnitude());
-    m.x.magnitude() < e.x + w && m.y.magnitude() < e.y + h && m.cross(d).magnitude() < e.x * h + e.y * w
+    m.x.magnitude() <= e.x + w && m.y.magnitude() <= e.y + h && m.cross(d).magnitude() <= e.x * h + e.y * w
 }
 
 #[inline]

@@ -1,4 +1,5 @@
-//! A body that goes through a level of tiles and slides: by one axis after the other, or in small steps and out again.
+//! A body that goes through a level of tiles and slides: by one axis after the other, to where it goes or along all that it crosses, or in
+//! small steps and out again.
 
 use crate::Scalar;
 use crate::shape::{Aabb, Vector};
@@ -30,6 +31,15 @@ impl<S: Scalar> Level<'_, S> {
 
     fn row(&self, y: S) -> i32 {
         (y - self.origin.y).floor().div_euclid(self.cell)
+    }
+
+    /// The last column that holds something before `x`.
+    fn last_column(&self, x: S) -> i32 {
+        -(self.origin.x - x).floor().div_euclid(self.cell) - 1
+    }
+
+    fn last_row(&self, y: S) -> i32 {
+        -(self.origin.y - y).floor().div_euclid(self.cell) - 1
     }
 
     fn id(&self, column: i32, row: i32) -> u8 {
@@ -77,6 +87,35 @@ pub fn by_axes<S: Scalar>(level: &Level<'_, S>, body: &Aabb<S>, motion: Vector<S
         if level.is_solid(columns, (row, row)) {
             lo.y = level.corner(0, row + 1).y;
         }
+    }
+    Aabb { lo, hi: lo + size }
+}
+
+/// Of blocks: x first, then y, and all columns and rows on the way are looked at. No slack: a body that stands on a line is beside it.
+pub fn by_columns<S: Scalar>(level: &Level<'_, S>, body: &Aabb<S>, motion: Vector<S>) -> Aabb<S> {
+    let size = body.hi - body.lo;
+    let mut lo = body.lo;
+    let rows = (level.row(lo.y), level.last_row(lo.y + size.y));
+    let to = lo.x + motion.x;
+    if motion.x > S::ZERO {
+        let mut columns = level.last_column(lo.x + size.x) + 1..=level.last_column(to + size.x);
+        let wall = columns.find(|&column| level.is_solid((column, column), rows));
+        lo.x = wall.map_or(to, |column| level.corner(column, 0).x - size.x);
+    } else if motion.x < S::ZERO {
+        let mut columns = (level.column(to)..level.column(lo.x)).rev();
+        let wall = columns.find(|&column| level.is_solid((column, column), rows));
+        lo.x = wall.map_or(to, |column| level.corner(column + 1, 0).x);
+    }
+    let columns = (level.column(lo.x), level.last_column(lo.x + size.x));
+    let to = lo.y + motion.y;
+    if motion.y > S::ZERO {
+        let mut rows = level.last_row(lo.y + size.y) + 1..=level.last_row(to + size.y);
+        let wall = rows.find(|&row| level.is_solid(columns, (row, row)));
+        lo.y = wall.map_or(to, |row| level.corner(0, row).y - size.y);
+    } else if motion.y < S::ZERO {
+        let mut rows = (level.row(to)..level.row(lo.y)).rev();
+        let wall = rows.find(|&row| level.is_solid(columns, (row, row)));
+        lo.y = wall.map_or(to, |row| level.corner(0, row + 1).y);
     }
     Aabb { lo, hi: lo + size }
 }

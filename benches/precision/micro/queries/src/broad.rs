@@ -1,9 +1,10 @@
 //! Broad phases: a frame moves all boxes and tells all pairs.
 
 use crate::{Shape, book};
+use core::marker::PhantomData;
 use tilesat::broad::{BroadPhase, BruteForce, LooseGrid, SortSweep, SpatialHash};
 use tilesat::{Aabb, Fx, Vec2};
-use tilesat_textbook::broad;
+use tilesat_textbook::{Scalar, broad};
 
 /// Where the boxes are.
 #[derive(Clone, Copy)]
@@ -103,13 +104,13 @@ impl<B: Own, const N: usize> Phase<N> for B {
 }
 
 /// The textbook's, all against all.
-pub struct All;
+pub struct All<S>(PhantomData<S>);
 
-impl<const N: usize> Phase<N> for All {
-    type Box = book::Aabb<f32>;
+impl<S: Scalar, const N: usize> Phase<N> for All<S> {
+    type Box = book::Aabb<S>;
 
     fn start(_: &[Self::Box; N], _: Area) -> Self {
-        Self
+        Self(PhantomData)
     }
 
     fn frame(&mut self, boxes: &[Self::Box; N], mut each: impl FnMut(usize, usize)) {
@@ -118,13 +119,13 @@ impl<const N: usize> Phase<N> for All {
 }
 
 /// The textbook's, sorted along x.
-pub struct Sorted<const N: usize>([u32; N]);
+pub struct Sorted<S, const N: usize>([u32; N], PhantomData<S>);
 
-impl<const N: usize> Phase<N> for Sorted<N> {
-    type Box = book::Aabb<f32>;
+impl<S: Scalar, const N: usize> Phase<N> for Sorted<S, N> {
+    type Box = book::Aabb<S>;
 
     fn start(_: &[Self::Box; N], _: Area) -> Self {
-        Self(core::array::from_fn(|i| i as u32))
+        Self(core::array::from_fn(|i| i as u32), PhantomData)
     }
 
     fn frame(&mut self, boxes: &[Self::Box; N], mut each: impl FnMut(usize, usize)) {
@@ -140,7 +141,7 @@ macro_rules! each_broad {
         $each! { "pairs of boxes", "tilesat", "grid", $n, LooseGrid<$blocks, $n> }
         $each! { "pairs of boxes", "tilesat", "hash", $n, SpatialHash<$buckets, $n> }
         $each! { "pairs of boxes", "tilesat", "brute", $n, BruteForce<$n> }
-        $each! { "pairs of boxes", "textbook f32", "sweep", $n, Sorted<$n> }
-        $each! { "pairs of boxes", "textbook f32", "brute", $n, All }
+        $each! { "pairs of boxes", "textbook f32", "sweep", $n, Sorted<f32, $n> }
+        $each! { "pairs of boxes", "textbook f32", "brute", $n, All<f32> }
     };
 }

@@ -30,6 +30,7 @@ macro_rules! each_cast {
     ($each:ident) => {
         each_cast! { $each "cast: circle-circle", Circle, Circle, cast::circle_circle }
         each_cast! { $each "cast: circle-AABB", Circle, Aabb, cast::circle_aabb }
+        each_cast! { $each "cast: circle-segment", Circle, Segment, cast::circle_segment }
         each_cast! { $each "cast: AABB-AABB", Aabb, Aabb, cast::aabb_aabb }
         // Without a heap it casts no boxes.
         $each! { "cast: circle-circle", "parry2d", "cast", Cast<At<Ball>, At<Ball>, PVector>, Option<ShapeCastHit>,
@@ -49,6 +50,7 @@ macro_rules! each_cast {
         each_cast! { book $each $workload, "naive Q16.16", $a, $b, Q16, $ask }
         each_cast! { book $each $workload, "wide Q16.16", $a, $b, Wide, $ask }
         each_cast! { book $each $workload, "textbook f32", $a, $b, f32, $ask }
+        each_cast! { book $each $workload, "textbook f64", $a, $b, f64, $ask }
     };
     (book $each:ident $workload:literal, $backend:literal, $a:ident, $b:ident, $s:ty, $ask:expr) => {
         $each! { $workload, $backend, "cast", Cast<book::$a<$s>, book::$b<$s>, book::Vector<$s>>, Option<$s>,

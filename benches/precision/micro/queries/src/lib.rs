@@ -11,7 +11,7 @@ mod rays;
 pub use broad::{All, Area, Phase, Scene, Sorted};
 pub use casts::{Cast, sweep};
 pub use moves::{Exact, Level, MOVER, Room, Step};
-pub use pairs::{meets, touching};
+pub use pairs::{meets, seen, touching};
 pub use parry2d::bounding_volume::{Aabb as PAabb, BoundingVolume};
 use parry2d::math::Pose;
 pub use parry2d::math::Vector as PVector;

@@ -1,6 +1,7 @@
 //! Pairs of shapes.
 
 use crate::At;
+use parry2d::math::Pose;
 use parry2d::query::{self, Contact};
 
 /// The general query: what its users call.
@@ -10,6 +11,11 @@ pub fn meets<A: parry2d::shape::Shape, B: parry2d::shape::Shape>(p: &(At<A>, At<
 
 pub fn touching<A: parry2d::shape::Shape, B: parry2d::shape::Shape>(p: &(At<A>, At<B>)) -> Option<Contact> {
     query::contact(&p.0.0, &p.0.1, &p.1.0, &p.1.1, 0.0).ok().flatten()
+}
+
+/// The place of the first seen from the second: nothing is turned.
+pub fn seen<A, B>(p: &(At<A>, At<B>)) -> Pose {
+    Pose::from_translation(p.0.0.translation - p.1.0.translation)
 }
 
 /// Calls a macro for each query of a pair: the row's keys, its input and answer, how it is asked, and whether the answer is yes.
@@ -32,13 +38,17 @@ macro_rules! each_pair {
         each_pair! { general $each "circle-AABB", Ball, Cuboid }
         each_pair! { general $each "circle-segment", Ball, PSegment }
         $each! { "circle-circle", "parry2d (special)", "overlaps", (At<Ball>, At<Ball>), bool,
-            |p| details::intersection_test_ball_ball(p.0.0.inv_mul(&p.1.0).translation, &p.0.1, &p.1.1), |o| *o }
+            |p| details::intersection_test_ball_ball(seen(p).translation, &p.0.1, &p.1.1), |o| *o }
         $each! { "circle-circle", "parry2d (special)", "contact", (At<Ball>, At<Ball>), Option<Contact>,
-            |p| details::contact_ball_ball(&p.0.0.inv_mul(&p.1.0), &p.0.1, &p.1.1, 0.0), |o| o.is_some() }
+            |p| details::contact_ball_ball(&seen(p), &p.1.1, &p.0.1, 0.0), |o| o.is_some() }
+        $each! { "circle-AABB", "parry2d (special)", "overlaps", (At<Ball>, At<Cuboid>), bool,
+            |p| details::intersection_test_point_query_ball(&seen(p), &p.1.1, &p.0.1).intersecting, |o| *o }
         $each! { "circle-AABB", "parry2d (special)", "contact", (At<Ball>, At<Cuboid>), Option<Contact>,
-            |p| details::contact_ball_convex_polyhedron(&p.0.0.inv_mul(&p.1.0), &p.0.1, &p.1.1, 0.0), |o| o.is_some() }
+            |p| details::contact_convex_polyhedron_ball(&seen(p), &p.1.1, &p.0.1, 0.0), |o| o.is_some() }
+        $each! { "circle-segment", "parry2d (special)", "overlaps", (At<Ball>, At<PSegment>), bool,
+            |p| details::intersection_test_point_query_ball(&seen(p), &p.1.1, &p.0.1).intersecting, |o| *o }
         $each! { "circle-segment", "parry2d (special)", "contact", (At<Ball>, At<PSegment>), Option<Contact>,
-            |p| details::contact_ball_convex_polyhedron(&p.0.0.inv_mul(&p.1.0), &p.0.1, &p.1.1, 0.0), |o| o.is_some() }
+            |p| details::contact_convex_polyhedron_ball(&seen(p), &p.1.1, &p.0.1, 0.0), |o| o.is_some() }
         $each! { "AABB-AABB", "parry2d (special)", "overlaps", (PAabb, PAabb), bool,
             |p| p.0.intersects(&p.1), |o| *o }
         $each! { "segment-AABB", "parry2d (special)", "overlaps", (At<PSegment>, PAabb), bool,
@@ -56,6 +66,7 @@ macro_rules! each_pair {
         $each! { $workload, "naive Q16.16", "overlaps", (book::$a<Q16>, book::$b<Q16>), bool, |p| { let ($p, $q) = (&p.0, &p.1); $ask }, |o| *o }
         $each! { $workload, "wide Q16.16", "overlaps", (book::$a<Wide>, book::$b<Wide>), bool, |p| { let ($p, $q) = (&p.0, &p.1); $ask }, |o| *o }
         $each! { $workload, "textbook f32", "overlaps", (book::$a<f32>, book::$b<f32>), bool, |p| { let ($p, $q) = (&p.0, &p.1); $ask }, |o| *o }
+        $each! { $workload, "textbook f64", "overlaps", (book::$a<f64>, book::$b<f64>), bool, |p| { let ($p, $q) = (&p.0, &p.1); $ask }, |o| *o }
         $each! { $workload, "parry2d", "overlaps", (At<$c>, At<$d>), bool, |p| meets(p), |o| *o }
     };
     (contact $each:ident $workload:literal, $a:ident, $b:ident, |$p:ident, $q:ident| $ask:expr) => {
@@ -64,6 +75,8 @@ macro_rules! each_pair {
         $each! { $workload, "wide Q16.16", "contact", (book::$a<Wide>, book::$b<Wide>), Option<book::Contact<Wide>>,
             |p| { let ($p, $q) = (&p.0, &p.1); $ask }, |o| o.is_some() }
         $each! { $workload, "textbook f32", "contact", (book::$a<f32>, book::$b<f32>), Option<book::Contact<f32>>,
+            |p| { let ($p, $q) = (&p.0, &p.1); $ask }, |o| o.is_some() }
+        $each! { $workload, "textbook f64", "contact", (book::$a<f64>, book::$b<f64>), Option<book::Contact<f64>>,
             |p| { let ($p, $q) = (&p.0, &p.1); $ask }, |o| o.is_some() }
     };
     (general $each:ident $workload:literal, $c:ident, $d:ident) => {

@@ -53,6 +53,7 @@ macro_rules! each_ray {
         each_ray! { book $each $workload, "naive Q16.16", Q16 }
         each_ray! { book $each $workload, "wide Q16.16", Wide }
         each_ray! { book $each $workload, "textbook f32", f32 }
+        each_ray! { book $each $workload, "textbook f64", f64 }
     };
     (book $each:ident $workload:literal, $backend:literal, $s:ty) => {
         $each! { $workload, $backend, dda::Grid<'static>, book::Vector<$s>, Option<dda::Hit<$s>>, |r| dda::cast(r.map, r.o, r.d), |o| o.is_some() }

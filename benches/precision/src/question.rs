@@ -1,0 +1,152 @@
+//! A workload's question, and whose answers to it are compared.
+
+use crate::record::Row;
+use crate::show::workloads;
+
+/// A workload and what is asked of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Question<'a> {
+    pub workload: &'a str,
+    pub asked: &'static str,
+}
+
+/// Other people's libraries, unlike textbook code.
+pub fn is_library(backend: &str) -> bool {
+    ["parry2d", "ncollide2d", "Box2D", "Chipmunk2D", "rapier2d", "broccoli"].iter().any(|l| backend.starts_with(l))
+}
+
+/// Whether it tells pairs of many boxes: ours are several, and a game takes the one that suits its number of bodies.
+pub fn is_broad(workload: &str) -> bool {
+    workload.starts_with("pairs of boxes")
+}
+
+/// Whether it moves bodies.
+pub fn is_move(workload: &str) -> bool {
+    workload.starts_with("move")
+}
+
+/// What ours says first: the cheapest answer of a workload. Of pairs of boxes each backend has answers of its own.
+pub fn first_asked(workload: &str) -> &'static str {
+    let starts = ["rays", "cast", "move", "pairs of boxes", "tiles: cast", "building"];
+    let asked = ["ray", "cast", "move", "pairs", "cast", "build"];
+    starts.iter().zip(asked).find(|(start, _)| workload.starts_with(**start)).map_or("overlaps", |(_, asked)| asked)
+}
+
+/// The class of a workload by which costs are told.
+pub fn usual_class(workload: &str) -> &'static str {
+    match first_asked(workload) {
+        "ray" if workload.ends_with("empty map") => "1024 x 1024 cells",
+        "ray" => "generic",
+        "move" => "circle up to 4 px",
+        "pairs" => "256 boxes",
+        "build" => "1000 segments",
+        _ if workload.starts_with("tiles") => "platformer 20 %",
+        _ => "uniform 50 % hits",
+    }
+}
+
+impl<'a> Question<'a> {
+    /// All that ours answers, the cheapest answer of each workload first; what is only part of another answer is not told.
+    pub fn all(rows: &'a [Row]) -> Vec<Self> {
+        let mut all = Vec::new();
+        for workload in workloads(rows) {
+            all.push(Self { workload, asked: first_asked(workload) });
+            let is_contact = |r: &&Row| (r.workload(), r.backend(), r.asked()) == (workload, "tilesat", "contact");
+            if rows.iter().any(|r| is_contact(&r)) {
+                all.push(Self { workload, asked: "contact" });
+            }
+        }
+        all
+    }
+
+    /// Whether a row answers it. A library's contact says yes or no as well.
+    pub fn is_of(self, row: &Row) -> bool {
+        row.workload() == self.workload
+            && !row.class().is_empty()
+            && match self.asked {
+                "pairs" => true,
+                "overlaps" => row.asked() == "overlaps" || (is_library(row.backend()) && row.asked() == "contact"),
+                "move" => row.asked().starts_with("move"),
+                asked => row.asked() == asked,
+            }
+    }
+
+    /// The classes in which somebody answers it.
+    pub fn classes(self, rows: &'a [Row]) -> Vec<&'a str> {
+        let mut classes: Vec<&str> = Vec::new();
+        for row in rows.iter().filter(|r| self.is_of(r)) {
+            if !classes.contains(&row.class()) {
+                classes.push(row.class());
+            }
+        }
+        classes
+    }
+
+    pub fn name(self) -> String {
+        match (self.asked, first_asked(self.workload)) {
+            (asked, first) if asked == first => self.workload.to_owned(),
+            (asked, _) => format!("{}, {asked}", self.workload),
+        }
+    }
+
+    /// The row of some backends that answers it in a class: the cheapest that is right there, or else the cheapest.
+    pub fn best(self, rows: &'a [Row], class: &str, of: impl Fn(&Row) -> bool) -> Option<&'a Row> {
+        let all = || rows.iter().filter(|r| self.is_of(r) && r.class() == class && of(r));
+        cheapest(all().filter(|r| is_right(r)), "host").or_else(|| cheapest(all(), "host"))
+    }
+
+    /// Where the same backend's answer is wrong most often: the class, and how often in a million.
+    pub fn worst(self, rows: &'a [Row], row: &Row) -> Option<(&'a str, f64)> {
+        let same = |r: &&Row| {
+            (r.workload(), r.backend(), r.asked()) == (row.workload(), row.backend(), row.asked())
+                && r.class() != "soak"
+                && is_alike(r.class(), row.class())
+        };
+        let wrong = rows.iter().filter(same).filter_map(|r| Some((r.class(), r.wrong_per_million()?)));
+        wrong.reduce(|most, other| if other.1 > most.1 { other } else { most })
+    }
+}
+
+/// Boxes that move are another function than circles that do; columns of boxes are another scene than boxes that are scattered.
+fn is_alike(a: &str, b: &str) -> bool {
+    ["box up", "boxes in columns"].iter().all(|other| a.contains(other) == b.contains(other))
+}
+
+/// Whether nothing is wrong in its class.
+pub fn is_right(row: &Row) -> bool {
+    row.wrong_per_million() == Some(0.0)
+}
+
+/// The least cost of those rows that have one.
+pub fn cheapest<'a>(rows: impl Iterator<Item = &'a Row>, column: &str) -> Option<&'a Row> {
+    let costs = rows.filter_map(|r| Some((r, r.get(column)?)));
+    costs.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(row, _)| row)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(backend: &str, class: &str, asked: &str, host: f64, wrong: f64) -> Row {
+        let mut row = Row::new("circle-circle", class, backend, asked);
+        row.set("queries", 1e6).set("host", host).set("wrong", wrong);
+        row
+    }
+
+    #[test]
+    fn the_cheapest_that_is_right_comes_first_and_its_worst_class_is_told() {
+        let rows = [
+            row("tilesat", "plain", "overlaps", 20.0, 0.0),
+            row("tilesat", "plain", "contact", 90.0, 0.0),
+            row("Box2D", "plain", "contact", 9.0, 1.0),
+            row("parry2d", "plain", "overlaps", 30.0, 0.0),
+            row("parry2d", "far", "overlaps", 30.0, 7.0),
+        ];
+        let all = Question::all(&rows);
+        assert_eq!(all.iter().map(|q| q.name()).collect::<Vec<_>>(), ["circle-circle", "circle-circle, contact"]);
+        let best = all[0].best(&rows, "plain", |r| is_library(r.backend())).unwrap();
+        assert_eq!(best.backend(), "parry2d");
+        assert_eq!(all[0].worst(&rows, best), Some(("far", 7.0)));
+        assert_eq!(all[1].best(&rows, "plain", |r| is_library(r.backend())).unwrap().backend(), "Box2D");
+    }
+}
