@@ -1,6 +1,5 @@
 //! Counting instructions: the program runs itself under callgrind, which counts around single passes only.
 
-use std::collections::HashMap;
 use std::ffi::CString;
 use std::path::Path;
 use std::process::{Command, ExitStatus};
@@ -56,16 +55,17 @@ pub fn run(arguments: &[String], dumps: &Path) -> std::io::Result<ExitStatus> {
         .status()
 }
 
-/// Instructions by label.
-pub fn read(dumps: &str) -> HashMap<String, u64> {
-    let (mut counts, mut label) = (HashMap::new(), None);
+/// Labels with their instructions, in the order of the dumps.
+pub fn read(dumps: &str) -> Vec<(String, u64)> {
+    let (mut counts, mut label) = (Vec::<(String, u64)>::new(), None);
     for line in dumps.lines() {
         if let Some(trigger) = line.strip_prefix("desc: Trigger: ") {
             label = trigger.strip_prefix("Client Request: ").map(str::to_owned);
         } else if let Some(total) = line.strip_prefix("totals: ").or_else(|| line.strip_prefix("summary: "))
             && let (Some(label), Ok(n)) = (label.clone(), total.trim().parse())
         {
-            counts.insert(label, n);
+            counts.retain(|count| count.0 != label);
+            counts.push((label, n));
         }
     }
     counts
@@ -80,7 +80,6 @@ mod tests {
         let dumps = "desc: Trigger: Client Request: a|b\nevents: Ir\nsummary: 12\ntotals: 12\n\
                      desc: Trigger: Client Request: c\nsummary: 7\n\ndesc: Trigger: Program termination\ntotals: 99\n";
         let counts = read(dumps);
-        assert_eq!(counts.len(), 2);
-        assert_eq!((counts["a|b"], counts["c"]), (12, 7));
+        assert_eq!(counts, [("a|b".to_owned(), 12), ("c".to_owned(), 7)]);
     }
 }

@@ -45,13 +45,13 @@ pub fn all(results: &Path) -> Result<(), String> {
     let machine = results.with_file_name("machine.md");
     page.push_str(&std::fs::read_to_string(&machine).map_err(|e| format!("{}: {e}", machine.display()))?);
     page.push_str(&goals::page(&rows));
-    page.push_str("\n## Cost and what is wrong\n\nInstructions / ns; wrong in a million. The worst class is the one in which that answer is wrong most often.\n");
+    page.push_str("\n## Cost and what is wrong\n\nInstructions / ns; wrong in a million; and how many in the class in which that answer is wrong most often, where that is another one.\n");
     page.push_str(&tables::summary(&rows));
     page.push_str("\n## Errors of depths and times\n\nThe largest of all classes in px, and of times how many in a hundred hits are late where most are.\n");
     page.push_str(&tables::errors(&rows));
     page.push_str("\n## Frames of bodies that move\n\nIn a million frames.\n");
     page.push_str(&tables::frames(&rows));
-    page.push_str("\n## Workloads by class\n\nInstructions, and which answer.\n");
+    page.push_str("\n## Workloads by class\n\nInstructions, which answer, and what is wrong in a million.\n");
     for workload in workloads(&rows).into_iter().filter(|w| is_broad(w) || w.contains("map") || w.starts_with("tiles"))
     {
         page.push_str(&tables::classes(&rows, workload));

@@ -1,4 +1,4 @@
-//! Tables of the page, as Markdown: a line or two a question, a column a backend. All classes are in the rows' own file.
+//! Tables of the page, as Markdown: a line a question, a column a backend. All classes are in the rows' own file.
 
 use crate::question::{Question, usual_class};
 use crate::record::Row;
@@ -50,24 +50,23 @@ fn answers<'a>(rows: &'a [Row], question: Question<'a>, class: &str) -> [Option<
     COLUMNS.map(|(_, backends)| question.best(rows, class, |r| backends.contains(&r.backend())))
 }
 
-fn cost(row: &Row) -> Option<String> {
+/// What it costs and what is wrong; and the class where it is wrong most often, if that is another one.
+fn cost(rows: &[Row], question: Question<'_>, row: &Row) -> Option<String> {
     let ns = row.get("ns").map(|ns| format!(" / {}", short(ns))).unwrap_or_default();
-    Some(format!("{}{ns}; {}", short(row.get("host")?), short(row.wrong_per_million()?)))
+    let wrong = row.wrong_per_million()?;
+    let worst = question.worst(rows, row).filter(|worst| worst.1 > wrong);
+    let worst = worst.map(|(class, n)| format!("; {} {class}", short(n))).unwrap_or_default();
+    Some(format!("{}{ns}; {}{worst}", short(row.get("host")?), short(wrong)))
 }
 
 /// The usual class of each question, and for each backend the one where it is wrong most often.
 pub fn summary(rows: &[Row]) -> String {
     let mut out = String::new();
-    head(&mut out, "class", COLUMNS.iter().map(|c| c.0));
+    head(&mut out, "usual class", COLUMNS.iter().map(|c| c.0));
     for question in Question::all(rows) {
         let class = usual_class(question.workload);
-        let usual = answers(rows, question, class);
-        line(&mut out, &format!("**{}**: {class}", question.name()), &usual.map(|r| cost(r?)));
-        let worst = usual.map(|r| {
-            let (class, wrong) = question.worst(rows, r?)?;
-            Some(if wrong > 0.0 { format!("{}: {class}", short(wrong)) } else { "0".to_owned() })
-        });
-        line(&mut out, "worst class", &worst);
+        let cells = answers(rows, question, class).map(|r| cost(rows, question, r?));
+        line(&mut out, &format!("**{}**: {class}", question.name()), &cells);
     }
     out
 }
@@ -136,8 +135,13 @@ pub fn classes(rows: &[Row], workload: &str) -> String {
     let question = Question { workload, asked: crate::question::first_asked(workload) };
     head(&mut out, workload, COLUMNS.iter().map(|c| c.0));
     for class in question.classes(rows) {
-        let best = answers(rows, question, class);
-        line(&mut out, class, &best.map(|r| Some(format!("{}: {}", short(r?.get("host")?), r?.asked()))));
+        let cells = answers(rows, question, class).map(|row| {
+            let row = row?;
+            let wrong = row.wrong_per_million().filter(|n| *n > 0.0);
+            let wrong = wrong.map(|n| format!("; {} wrong", short(n))).unwrap_or_default();
+            Some(format!("{}: {}{wrong}", short(row.get("host")?), row.asked()))
+        });
+        line(&mut out, class, &cells);
     }
     out
 }
@@ -159,7 +163,9 @@ mod tests {
             row("textbook f64", "far", 18.0, 480.0),
         ];
         let summary = summary(&rows);
-        assert!(summary.contains("| **circle-circle**: uniform 50 % hits | 24.0; 0 | 18.0; 0 |  |"), "{summary}");
-        assert!(summary.contains("| worst class | 0 | 480: far |"), "{summary}");
+        assert!(
+            summary.contains("| **circle-circle**: uniform 50 % hits | 24.0; 0 | 18.0; 0; 480 far |  |"),
+            "{summary}"
+        );
     }
 }
