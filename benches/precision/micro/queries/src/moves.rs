@@ -154,7 +154,6 @@ macro_rules! each_move {
         each_move! { own $each $workload, "box", $set, Aabb }
         each_move! { book $each $workload, "naive Q16.16", Q16, $boxes }
         each_move! { book $each $workload, "textbook f32", f32, $boxes }
-        each_move! { book $each $workload, "textbook f64", f64, $boxes }
     };
     (own $each:ident $workload:literal, $kind:literal, $set:ident, $body:ident) => {
         $each! { $workload, $kind, "tilesat", tilesat::TileMap<'static, tilesat::$set>, tilesat::$body, tilesat::Vec2,
