@@ -88,6 +88,7 @@
 mod blocks;
 mod body;
 mod cast;
+mod contact;
 mod inside;
 mod moved;
 mod mover;
@@ -96,6 +97,7 @@ mod plane;
 pub mod response;
 mod run;
 mod search;
+mod slide;
 mod solids;
 mod sweep_box;
 mod sweep_circle;
@@ -103,8 +105,8 @@ mod sweep_round;
 mod sweep_slope;
 #[cfg(all(test, not(target_os = "none")))]
 mod tests;
-mod touch;
 mod walk;
+mod ways;
 
 pub use body::Body;
 pub use cast::BodyHit;

@@ -37,8 +37,11 @@ fn joined_levels_are_one() {
         for _ in 0..6 {
             let half = [cell / 2, cell / 4, cell / 8, cell * 3 / 16, cell / 3][r.below(5) as usize];
             let at = (r.within(cell, 6 * cell), r.within(cell, 6 * cell));
-            let mut body =
-                if r.one_in(2) { Body::Disc(at, half) } else { Body::Rect((at.0 - half, at.1 - half), (2 * half, 2 * half)) };
+            let mut body = if r.one_in(2) {
+                Body::Disc(at, half)
+            } else {
+                Body::Rect((at.0 - half, at.1 - half), (2 * half, 2 * half))
+            };
             if room.overlaps(body, (0, 0), 0) {
                 continue;
             }

@@ -4,7 +4,6 @@
 //! from its end, which finds where the floor bends downward. In the air it moves as its mover does, up to the first floor.
 
 mod ground;
-mod step;
 mod stride;
 mod walker;
 
