@@ -1,5 +1,7 @@
 //! Bodies driven by a constant input in small levels: where one stays for good, no way of free places leads on (L6).
 
+#![allow(clippy::cast_precision_loss, reason = "directions and lengths below 2^30")]
+
 use std::collections::HashSet;
 use tilesat::{Axis, Mover};
 use tilesat_judge::Random;

@@ -1,5 +1,7 @@
 //! Random levels of all shapes: a call that ends without velocity ends where there is no way on (L1).
 
+#![allow(clippy::cast_precision_loss, reason = "directions and lengths below 2^30")]
+
 use tilesat::{Axis, Mover};
 use tilesat_judge::Random;
 use tilesat_judge::rooms::body::{Body, Outcome};
