@@ -73,7 +73,8 @@ type Said<B> = (B, Vec<(u32, Axis, (i32, i32), u16, u8, bool)>, [Vec2; 2], [bool
 fn said<B: Guest>(moved: &Moved<B>, by: Vec2, place: impl Fn(Cell) -> (i32, i32)) -> Said<B> {
     let hits = moved.hits.iter().map(|h| (h.toi.raw(), h.axis, place(h.cell), h.index, h.flags, h.one_way)).collect();
     let (velocities, sides) = ([moved.velocity, moved.remaining], [moved.floor, moved.wall, moved.ceiling]);
-    (moved.body.to(by), hits, velocities, sides, moved.flags, moved.work)
+    // How many features were read is left out: what lies beyond a map is one block, and a window has another beyond.
+    (moved.body.to(by), hits, velocities, sides, moved.flags, tilesat::Work { features: 0, ..moved.work })
 }
 
 fn here(cell: Cell) -> (i32, i32) {

@@ -109,7 +109,7 @@ fn report_and_picture() {
     fine(&ran);
     let expected = [
         "tiles   layer 'Ground': 30x17 of 16 px",
-        "flash   510 bytes of tiles, 512 of kinds",
+        "flash   510 bytes of tiles, 520 of kinds",
         "objects 7 in 37 segments, 25x12 cells of 16 px",
         "flash   2166 bytes",
         "flags   Coin = bit 0, Ladder = bit 1, Ice = bit 2",

@@ -151,7 +151,7 @@ fn json() {
          \"rules\":[{\"rule\":\"a\",\"what\":\"class Solid is full\",\"tiles\":4},\
          {\"rule\":\"a\",\"what\":\"class OneWay is one-way-up\",\"tiles\":1},\
          {\"rule\":\"c\",\"what\":\"objects of layer 'L'\",\"tiles\":1}],\
-         \"ignored\":[\"object 2 'start' of layer 'Spots': a point\"],\"flash_bytes\":659}\n"
+         \"ignored\":[\"object 2 'start' of layer 'Spots': a point\"],\"flash_bytes\":667}\n"
     );
 }
 
