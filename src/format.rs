@@ -12,8 +12,8 @@ use crate::scene::{Scene, SceneEvent, Sleep};
 use crate::shape::{Aabb, Circle, Segment};
 use crate::world::{
     Features, Grid, Joined, JoinedFeatures, JoinedRayHits, Near, Placed, PlacedFeatures, PlacedRayHits, RayHit,
-    RayWorld, SegmentFeatures, SegmentMap, SegmentRayHits, Set, Size, SolidFeatures, SolidRayHits, Solids, Store,
-    TileKinds, TileMap, TileShape, Tiles, World, WorldContact,
+    RayWorld, Room, Rooms, SegmentFeatures, SegmentMap, SegmentRayHits, Set, Size, SolidFeatures, SolidRayHits, Solids,
+    Store, TileKinds, TileMap, TileShape, Tiles, World, WorldContact,
 };
 use defmt::{Format, Formatter, write};
 
@@ -232,6 +232,27 @@ impl Format for TileKinds {
 impl<S: Set, T: Store> Format for TileMap<'_, S, T> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "TileMap {} outside {}", self.grid(), self.outside());
+    }
+}
+
+impl<S: Set> Format for Room<'_, S> {
+    fn format(&self, f: Formatter<'_>) {
+        let (x, y) = self.first();
+        write!(
+            f,
+            "Room {=u16} x {=u16} cells from cell ({=i32}, {=i32}) of {}",
+            self.width(),
+            self.height(),
+            x,
+            y,
+            self.map()
+        );
+    }
+}
+
+impl<S: Set> Format for Rooms<'_, S> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Rooms {=u16} x {=u16}", self.columns(), self.rows());
     }
 }
 

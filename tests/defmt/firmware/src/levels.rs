@@ -4,8 +4,8 @@ use crate::tell;
 use tilesat::heapless::Vec;
 use tilesat::{
     Aabb, AllShapes, Bits, Blocks, Bytes, Cell, Circle, Fx, Geometry, Grid, Inside, Joined, OneWay, Outside, Path,
-    PathKind, Placed, RayRules, SegmentFault, SegmentMap, SegmentMapError, Side, Slopes, Solid, Solids, TileKind,
-    TileKinds, TileMap, TileMapError, TileShape, Vec2, WorldContact, segment_map,
+    PathKind, Placed, RayRules, Room, Rooms, SegmentFault, SegmentMap, SegmentMapError, Side, Slopes, Solid, Solids,
+    TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2, WorldContact, segment_map,
 };
 
 static KINDS: TileKinds = TileKinds::EMPTY
@@ -30,6 +30,11 @@ pub(crate) fn tell_all() {
     tell(&solids);
     tell(&joined);
     tell(&placed);
+
+    let rooms = Rooms::<AllShapes>::of(b"  # # ##", (4, 2), Fx::from_num(16), &KINDS, (2, 2), 1).unwrap();
+    tell(&rooms);
+    let room: Room<'_> = rooms.room(1, 0).unwrap();
+    tell(&room);
 
     let ball = Circle::new(Vec2::from_ints(56, 27), Fx::from_num(5)).unwrap();
     let region = ball.aabb();
