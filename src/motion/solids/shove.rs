@@ -1,7 +1,7 @@
 //! A displacement that something forces on a body: what the solids leave of it, and the way through the level.
 
 use crate::motion::body::Body;
-use crate::motion::plane::{NEAR, into, way};
+use crate::motion::plane::{Bend, NEAR, Planes, way};
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
 use crate::motion::{MoveError, Moved, Stuck, Work};
@@ -104,10 +104,9 @@ impl Shove {
         if run.is_stuck(level) {
             return Err(MoveError::Stuck(Stuck { at: body.position().raw() }));
         }
-        // What has pressed it at this place.
-        let mut planes = [None; PIECES as usize];
+        let mut planes = Planes::NONE;
         let mut pressed = 0;
-        for piece in 0..PIECES as usize {
+        for _ in 0..PIECES {
             check_inside(&run.moved.body.bounds(), d)?;
             run.moved.work.iterations += 1;
             let Some((entry, _)) = run.first_hit(level, d) else {
@@ -119,17 +118,15 @@ impl Shove {
             if way(made) <= NEAR.max(way(d) >> 3) {
                 pressed += 1;
             } else {
-                (planes, pressed) = ([None; PIECES as usize], 0);
+                (planes, pressed) = (Planes::NONE, 0);
             }
-            if let Some(plane) = planes.get_mut(piece) {
-                *plane = Some(entry.normal);
-            }
+            planes.push(entry.normal, Bend::Flat);
             d = yielding(rest, entry.normal, self.held);
             // A tangent of a quarter pipe leads into it again: the body takes a steeper way, through the inside of the pipe.
             if W::ROUND && pressed > 0 && entry.step.is_some() {
                 d = steeper(d, rest, entry.normal, pressed);
             }
-            if d.is_zero() || planes.iter().flatten().any(|&n| into(d, n) < 0) {
+            if d.is_zero() || !planes.allow(d) {
                 break;
             }
         }
