@@ -82,6 +82,7 @@ where
     C: FnMut(Pair) -> bool,
     E: FnMut(SceneEvent<'_>),
 {
+    // Calls, not one function: the mover goes some 2 KB deeper from here, and a call's own stack is free again when it returns.
     fn run(&mut self) {
         self.launch();
         while let Some(handle) = self.earliest() {
@@ -98,6 +99,7 @@ where
     }
 
     /// What pushes a body is a part of its way: there may be somebody on it.
+    #[inline(never)]
     fn launch(&mut self) {
         for handle in self.movers {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
@@ -151,6 +153,7 @@ where
     }
 
     /// What ends a body's way first; of bodies met at one time the one with the smaller key, then slot.
+    #[inline(never)]
     fn look(&mut self, handle: Handle, slot: &Slot) -> Result<(Toi, End), SceneFault> {
         let since = slot.way.since;
         let touched = self.trip.touch(&slot.body.shape, slot.way.left(since))?;
@@ -173,6 +176,7 @@ where
     }
 
     /// The level answers.
+    #[inline(never)]
     fn bounce(&mut self, handle: Handle) {
         let Some(slot) = self.slots.get(handle.slot()).copied() else { return };
         let (time, _) = slot.way.end;
@@ -194,6 +198,7 @@ where
     }
 
     /// Two meet.
+    #[inline(never)]
     fn clash(&mut self, handle: Handle, with: u16) {
         let slots = &*self.slots;
         let (Some(slot), Some(other)) = (slots.get(handle.slot()), slots.get(usize::from(with))) else { return };
@@ -213,6 +218,7 @@ where
         self.look_again(|other, end| [at, with].contains(&other) || end == End::Body(at) || end == End::Body(with));
     }
 
+    #[inline(never)]
     fn meet(&mut self, met: &Met) {
         let Pair { a, b } = met.pair;
         for (at, place) in [(a, met.place_a), (b, met.place_b)] {
@@ -274,6 +280,7 @@ where
     }
 
     /// Tells of the sensors on a way that ends at a time.
+    #[inline(never)]
     fn sense(&mut self, handle: Handle, slot: &Slot, until: Toi) {
         let (each, counts) = (&mut *self.each, &mut *self.counts);
         each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
@@ -290,6 +297,7 @@ where
     }
 
     /// Nothing ends its way but the step.
+    #[inline(never)]
     fn land(&mut self, handle: Handle) {
         let swept = |slot: &&Slot| slot.way.pace == Pace::Swept;
         let Some(slot) = self.slots.get(handle.slot()).filter(swept).copied() else { return };
@@ -325,6 +333,7 @@ struct Met {
 
 impl Met {
     /// In the order of the pair, so that it does not matter who asks. From when on both are on these ways: what was before is over.
+    #[inline(never)]
     fn of(one: (Handle, &Slot), other: (Handle, &Slot)) -> Option<Self> {
         let pair = pair(one, other);
         let (a, b) = if pair.a == one.0 { (one.1, other.1) } else { (other.1, one.1) };
