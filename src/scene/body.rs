@@ -169,6 +169,13 @@ impl Way {
         self.turns >= TURNS
     }
 
+    /// It is held: nothing that it is hit by moves it in this step.
+    pub(super) const HELD: u8 = u8::MAX;
+
+    pub(super) fn is_held(&self) -> bool {
+        self.turns == Self::HELD
+    }
+
     /// Whether it may be led elsewhere.
     pub(super) fn goes(&self) -> bool {
         self.pace == Pace::Swept && !self.waits()

@@ -313,7 +313,7 @@ pub(super) fn hold(
 ) {
     slot.body.velocity = Vec2::ZERO;
     (slot.support, slot.quiet) = (ALOFT, slot.quiet.saturating_add(1));
-    slot.way = Way::REST;
+    slot.way = Way { turns: Way::HELD, ..Way::REST };
     stepped.held += 1;
     each(SceneEvent::Held(SceneError::of(handle, fault)));
 }

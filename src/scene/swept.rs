@@ -144,7 +144,7 @@ where
                 Ok(end) => slot.way.end = end,
                 Err(fault) => {
                     (slot.body.velocity, slot.way.rate) = (Vec2::ZERO, Vec2::ZERO);
-                    (slot.way.turns, slot.way.end) = (TURNS, (Toi::ONE, End::Step));
+                    (slot.way.turns, slot.way.end) = (Way::HELD, (Toi::ONE, End::Step));
                     self.stepped.held += 1;
                     (self.each)(SceneEvent::Held(SceneError::of(handle, fault)));
                 }
@@ -241,13 +241,16 @@ where
             rouse(self.slots, self.room, &mut self.woken, b);
             if let Some(meeting) = Meeting::of(&one, &other, met.axis, self.trip.gravity) {
                 let (by_a, by_b) = meeting.kicks(1);
-                one.body.velocity += by_a;
-                other.body.velocity += by_b;
+                for (slot, by) in [(&mut one, by_a), (&mut other, by_b)] {
+                    if !slot.way.is_held() {
+                        slot.body.velocity += by;
+                    }
+                }
             }
         }
         for (slot, with) in [(&mut one, b), (&mut other, a)] {
             if slot.way.pace == Pace::Swept {
-                slot.way.turns = slot.way.turns.saturating_add(1);
+                slot.way.turns += u8::from(slot.way.turns < TURNS);
                 if !again {
                     slot.way.note(with);
                 }
