@@ -165,7 +165,7 @@ pub trait BroadPhase: Spatial {
     ///
     /// # Errors
     /// [`BudgetExceeded`](PairsError::BudgetExceeded) and [`Full`](PairsError::Full): there is more, or may be; [`Changed`](PairsError::Changed): bodies came or moved, so
-    /// it begins anew.
+    /// it begins again.
     fn pairs_from(&mut self, cursor: &mut PairCursor, budget: u32, out: &mut VecView<Pair>) -> Result<(), PairsError> {
         cursor.resume(self.slots().epoch())?;
         self.walk(cursor, &mut Budget(budget), |pair| out.push(pair).is_ok())

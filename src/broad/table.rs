@@ -335,7 +335,7 @@ pub(super) fn square(centre: Raw, reach: i32) -> Aabb {
 ///
 /// It belongs to one broad phase, and to its snapshots only with a copy of the cursor made at the same time: where a snapshot is put back without that,
 /// begin with a new one, or pairs may be missed. Bodies may be removed in between; where one is inserted or moved the next call says
-/// [`Changed`](PairsError::Changed), once, and the call after that begins anew.
+/// [`Changed`](PairsError::Changed), once, and the call after that begins again.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PairCursor {

@@ -5,7 +5,7 @@ use crate::broad::{Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::response::exchange;
 use crate::motion::{Masses, Surface};
-use crate::num::{Axis, Ratio, Raw, Toi, Vec2, mul_div};
+use crate::num::{Axis, Fx, Ratio, Raw, Toi, Vec2, mul_div};
 use crate::shape::Aabb;
 use core::num::NonZeroU8;
 
@@ -388,4 +388,17 @@ fn part(v: Vec2, n: u16) -> Vec2 {
     };
     let (x, y) = v.raw();
     Vec2::from_raw(of(x), of(y))
+}
+
+/// A part of what is left of the step from a time on, as a time of the step, rounded down.
+pub(super) fn later(from: Toi, part: Toi) -> Toi {
+    let left = Toi::ONE.raw().wrapping_sub(from.raw());
+    Toi::clamped(from.raw().wrapping_add(part.of_raw(left as i32) as u32))
+}
+
+/// How fast the ends of a normal come nearer, to nearest.
+pub(super) fn approach(axis: Axis, velocity: Vec2) -> Fx {
+    let ((x, y), Raw { x: vx, y: vy }) = (axis.unit().raw(), Raw::of(velocity));
+    let sum = i64::from(x) * i64::from(vx) + i64::from(y) * i64::from(vy);
+    Fx::from_bits(((sum + (1 << 29)) >> 30).clamp(0, i32::MAX.into()) as i32)
 }

@@ -4,7 +4,7 @@
 //! changed looks again. What is slow has made its step before, and counts as on the straight way from where it was: hit, it has another velocity, but keeps that way, and
 //! what hit it goes on so that it does not come into it. Two that meet again in the step are led along each other; their velocities meet in the next one.
 
-use super::body::{End, Meeting, Mode, Pace, Slot, TURNS, Way};
+use super::body::{End, Meeting, Mode, Pace, Slot, TURNS, Way, approach, later};
 use super::set::rouse;
 use super::step::{Touched, Trip, hold};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Shape, Stepped};
@@ -12,7 +12,7 @@ use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
 use crate::motion::response::exchange;
 use crate::motion::{Hit, Hits, Masses, Surface};
-use crate::num::{Axis, DOMAIN, Fx, Raw, Toi, Vec2};
+use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2};
 use crate::query::{CastShape, Contacts, Inside, MovingHit};
 use crate::shape::Aabb;
 use crate::world::World;
@@ -446,17 +446,4 @@ fn around(bounds: &Aabb, by: u32) -> Aabb {
     let least = |c: i32| c.saturating_sub(by).max(1 - DOMAIN);
     let most = |c: i32| c.saturating_add(by).min(DOMAIN - 1);
     Aabb::from_raw_unchecked(Raw { x: least(lo.x), y: least(lo.y) }, Raw { x: most(hi.x), y: most(hi.y) })
-}
-
-/// A part of what is left of the step from a time on, as a time of the step, rounded down.
-fn later(from: Toi, part: Toi) -> Toi {
-    let left = Toi::ONE.raw().wrapping_sub(from.raw());
-    Toi::clamped(from.raw().wrapping_add(part.of_raw(left as i32) as u32))
-}
-
-/// How fast the ends of a normal come nearer, to nearest.
-fn approach(axis: Axis, velocity: Vec2) -> Fx {
-    let ((x, y), Raw { x: vx, y: vy }) = (axis.unit().raw(), Raw::of(velocity));
-    let sum = i64::from(x) * i64::from(vx) + i64::from(y) * i64::from(vy);
-    Fx::from_bits(((sum + (1 << 29)) >> 30).clamp(0, i32::MAX.into()) as i32)
 }

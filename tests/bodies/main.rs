@@ -18,3 +18,4 @@ mod scene_rules;
 mod scene_sleep;
 mod sort_sweep;
 mod swept;
+mod swept_pairs;

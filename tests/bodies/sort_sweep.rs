@@ -162,7 +162,7 @@ fn enumerations_in_parts() {
     in_parts(|| Near::new(SortSweep::<N>::new()));
 }
 
-/// Said once, to each that is under way; then it begins anew and finds all.
+/// Said once, to each that is under way; then it begins again and finds all.
 fn changes(new: fn() -> Near<()>) {
     let changes: [fn(&mut Near<()>, Handle); 3] = [
         |near, body| near.move_to(body, &boxed([0, 0, 9, 9])).unwrap(),

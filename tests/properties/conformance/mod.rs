@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! cargo test --test properties conformance                     the files are what the judges make, and the library answers every row
-//! TILESAT_WRITE=1 cargo test --test properties conformance     writes them anew
+//! TILESAT_WRITE=1 cargo test --test properties conformance     writes them again
 //! ```
 
 mod ask;

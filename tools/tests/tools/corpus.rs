@@ -1,7 +1,7 @@
 //! Small projects of our own, one for each convention, encoding and fault, with what becomes of them in a table that people review:
 //! `corpus/expected.txt`. The same for the projects of others beside this repository, where they are there: `corpus/others.txt`.
 //!
-//! Set `TILESAT_BLESS` to write the tables anew. `TILESAT_FRAMES` is how long each baked level is played.
+//! Set `TILESAT_BLESS` to write the tables again. `TILESAT_FRAMES` is how long each baked level is played.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;

@@ -261,7 +261,7 @@ fn source_equals_the_worlds() {
         let ran = run(support::own(level), &out, options);
         assert!(ran.status == 0 && ran.err.is_empty(), "{ran:?}");
         let hint = "tilesat rooms examples/levels/NAME -o tools/tests/tools/baked/NAME_rooms.rs";
-        assert!(fs::read_to_string(out).unwrap() == source, "write it anew: {hint} {options}");
+        assert!(fs::read_to_string(out).unwrap() == source, "write it again: {hint} {options}");
     }
     let rooms = &quarry_rooms::ROOMS;
     let count = usize::from(rooms.columns() * rooms.rows());

@@ -1,0 +1,128 @@
+//! Two bodies, of which one is fast, in one step: an exact swept test of its own judges them, in `i128`.
+
+use super::swept::{NOWHERE, PX, ball, body_of, boxed, launch, level, meetings, scene, vec2};
+use tilesat::Vec2;
+use tilesat::scene::{SceneBody, Shape};
+use tilesat_judge::{Random, cases};
+
+/// Exact: whether a point that moves from `p` by `d` comes into a box, borders not included.
+fn enters_box(p: (i128, i128), d: (i128, i128), lo: (i128, i128), hi: (i128, i128)) -> bool {
+    // Times in which it is between the sides, as fractions of one denominator.
+    let (wide, high) = (d.0.abs().max(1), d.1.abs().max(1));
+    let span = |p: i128, d: i128, lo: i128, hi: i128, scale: i128| match d.signum() {
+        0 => (lo < p && p < hi).then_some((0, wide * high)),
+        1 => Some(((lo - p) * scale, (hi - p) * scale)),
+        _ => Some(((p - hi) * scale, (p - lo) * scale)),
+    };
+    let (Some(x), Some(y)) = (span(p.0, d.0, lo.0, hi.0, high), span(p.1, d.1, lo.1, hi.1, wide)) else { return false };
+    x.0.max(y.0).max(0) < x.1.min(y.1).min(wide * high)
+}
+
+/// The same for a disc.
+fn enters_disc(p: (i128, i128), d: (i128, i128), c: (i128, i128), r: i128) -> bool {
+    let (m, rr, dd) = ((p.0 - c.0, p.1 - c.1), r * r, d.0 * d.0 + d.1 * d.1);
+    let end = (m.0 + d.0, m.1 + d.1);
+    let (along, cross) = (-(m.0 * d.0 + m.1 * d.1), m.0 * d.1 - m.1 * d.0);
+    let within = |v: (i128, i128)| v.0 * v.0 + v.1 * v.1 < rr;
+    within(m) || within(end) || (0 < along && along < dd && cross * cross < rr * dd)
+}
+
+/// Whether a shape that moves by `d` overlaps another one on its way: the Minkowski sum, in its parts.
+fn sweeps(a: &Shape, d: (i128, i128), b: &Shape) -> bool {
+    let wide = |v: Vec2| (i128::from(v.raw().0), i128::from(v.raw().1));
+    let parts = |shape: &Shape| match shape {
+        Shape::Aabb(aabb) => (wide(aabb.min()), wide(aabb.max()), 0),
+        Shape::Circle(circle) => (wide(circle.centre()), wide(circle.centre()), i128::from(circle.radius().to_bits())),
+    };
+    let ((alo, ahi, ar), (blo, bhi, br)) = (parts(a), parts(b));
+    // The corner `alo` of the one moves, the other has grown by the first one's size.
+    let (lo, hi, r) = ((blo.0 - (ahi.0 - alo.0), blo.1 - (ahi.1 - alo.1)), bhi, ar + br);
+    enters_box(alo, d, (lo.0 - r, lo.1), (hi.0 + r, hi.1))
+        || enters_box(alo, d, (lo.0, lo.1 - r), (hi.0, hi.1 + r))
+        || [lo, hi, (lo.0, hi.1), (hi.0, lo.1)].iter().any(|&corner| enters_disc(alo, d, corner, r))
+}
+
+/// One step of two, of which one is fast: they meet exactly where the judge says so, once, and neither ends in or beyond the other.
+#[test]
+fn two_meet_where_their_ways_do() {
+    let map = level(NOWHERE);
+    let (mut met, mut missed) = (0, 0);
+    for case in 0..30_000 * cases(1) {
+        let mut r = Random::new(9000 + case);
+        let any = |r: &mut Random, x: i64, y: i64| -> Shape {
+            let size = r.within(PX / 8, 20 * PX) & !1;
+            if r.one_in(2) { ball(x, y, size / 2).into() } else { boxed(x, y, size, r.within(PX / 8, 20 * PX)).into() }
+        };
+        let (one, two) = (any(&mut r, 0, 0), {
+            let at = (r.around(200 * PX), r.around(200 * PX));
+            any(&mut r, at.0, at.1)
+        });
+        let toward = two.position().raw();
+        let aim = |r: &mut Random, c: i32| i64::from(c) * r.within(1, 30) / 10 + r.around(10 * PX);
+        let velocity = vec2(aim(&mut r, toward.0), aim(&mut r, toward.1));
+        let floats =
+            |shape: Shape, key: u32, velocity: Vec2| SceneBody { floats: true, velocity, ..SceneBody::new(shape, key) };
+        let (keys, slow) = (if r.one_in(2) { (1, 2) } else { (2, 1) }, vec2(r.around(4 * PX), r.around(4 * PX)));
+        let first = SceneBody { fast: true, ..floats(one, keys.0, velocity) };
+        let second = match r.below(3) {
+            0 => SceneBody::fixed(two, keys.1),
+            1 => floats(two, keys.1, slow),
+            _ => SceneBody { fast: true, ..floats(two, keys.1, launch(&mut r, 20 * PX)) },
+        };
+        let mut scene = scene(&[first, second]);
+        let (v, w) = (first.velocity.raw(), if second.mass.is_some() { second.velocity.raw() } else { (0, 0) });
+        let apart = (i128::from(v.0) - i128::from(w.0), i128::from(v.1) - i128::from(w.1));
+        if sweeps(&one, (0, 0), &two) {
+            continue;
+        }
+        let meets = sweeps(&one, apart, &two);
+        let (stepped, told) = meetings(&mut scene, &map, Vec2::ZERO);
+        assert_eq!((stepped.held, told.len()), (0, usize::from(meets)), "{case}: {first:?} {second:?} {told:?}");
+        (met, missed) = (met + u32::from(meets), missed + u32::from(!meets));
+        let (a, b) = (body_of(&scene, keys.0), body_of(&scene, keys.1));
+        if !meets {
+            assert_eq!((a.shape.position(), b.velocity), (one.position() + first.velocity, second.velocity));
+            continue;
+        }
+        let (time, ends) = (told[0].1, (a.shape.position().raw(), b.shape.position().raw()));
+        // Where the second one is when they meet, and the way of the first one as seen from it, before and after.
+        let at = |from: Vec2, v: (i32, i32)| {
+            let part = |v: i32| (i64::from(v) * i64::from(time.raw())) >> 30;
+            (i128::from(from.raw().0) + i128::from(part(v.0)), i128::from(from.raw().1) + i128::from(part(v.1)))
+        };
+        let (p, q) = (at(one.position(), v), at(two.position(), w));
+        let meeting = (p.0 - q.0, p.1 - q.1);
+        let start = (one.position() - two.position()).raw();
+        let end = (i128::from(ends.0.0) - i128::from(ends.1.0), i128::from(ends.0.1) - i128::from(ends.1.1));
+        let core = match two {
+            Shape::Aabb(b) => {
+                let (w, h) = b.size().raw();
+                if w < 17 || h < 17 {
+                    continue;
+                }
+                Shape::from(boxed(
+                    i64::from(b.min().raw().0) + 8,
+                    i64::from(b.min().raw().1) + 8,
+                    i64::from(w) - 16,
+                    i64::from(h) - 16,
+                ))
+            }
+            Shape::Circle(c) => {
+                ball(c.centre().raw().0.into(), c.centre().raw().1.into(), i64::from(c.radius().to_bits()) - 8).into()
+            }
+        };
+        let moved = |by: (i128, i128)| (by.0 - i128::from(start.0), by.1 - i128::from(start.1));
+        let place = moved(meeting);
+        assert!(!sweeps(&one, place, &core), "{case}: they meet too late");
+        let there = match one {
+            Shape::Aabb(b) => Shape::from(b.translated(vec2(place.0 as i64, place.1 as i64)).unwrap()),
+            Shape::Circle(c) => c.translated(vec2(place.0 as i64, place.1 as i64)).unwrap().into(),
+        };
+        assert!(
+            !sweeps(&there, (end.0 - meeting.0, end.1 - meeting.1), &core),
+            "{case}: one goes through the other\n{first:?}\n{second:?}\n{a:?}\n{b:?}"
+        );
+    }
+    println!("{met} met, {missed} did not");
+    assert!(met > 5_000 && missed > 5_000);
+}
