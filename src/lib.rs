@@ -120,9 +120,9 @@ pub mod world;
 pub use error::{Quantity, RangeError, Truncated};
 pub use filter::{Filter, LayerMask};
 pub use motion::{
-    Acceleration, Body, BodyHit, Carry, Character, Energy, Feel, Hit, Hits, Input, Masses, MoveError, Moved, Mover,
-    Outcome, Response, Ridden, Ride, SlopeSpeed, Smooth, Speed, StartInside, Step, Stuck, Support, Surface, Walked,
-    Walker, Work,
+    Acceleration, Body, BodyHit, Carry, Character, Energy, Feel, Hit, Hits, Input, Masses, Memo, MoveError, Moved,
+    Mover, Outcome, Response, Ridden, Ride, SlopeSpeed, Smooth, Speed, StartInside, Step, Stuck, Support, Surface,
+    Walked, Walker, Work,
 };
 pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
 pub use query::{CastHit, Contact, Inside, MovingHit};

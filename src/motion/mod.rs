@@ -90,6 +90,7 @@ mod body;
 mod cast;
 mod character;
 mod inside;
+mod memo;
 mod moved;
 mod mover;
 mod order;
@@ -127,6 +128,7 @@ pub use cast::BodyHit;
 pub use character::{Character, Feel, Input, Outcome, Step};
 
 pub use inside::{StartInside, escape};
+pub use memo::Memo;
 pub use moved::{Hit, Hits, MoveError, Moved, Stuck, Work};
 pub use mover::{Mover, Response};
 pub use response::{Acceleration, Carry, Energy, Masses, Smooth, Speed, Surface};

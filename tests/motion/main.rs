@@ -7,6 +7,7 @@ mod floor;
 mod inside;
 mod invariants;
 mod long_runs;
+mod memo;
 mod mutants;
 mod one_way;
 mod one_way_bridge;

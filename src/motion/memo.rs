@@ -1,0 +1,115 @@
+//! Calls that repeat the last one of their body, answered without a look at the level.
+
+use super::response::{Law, Smooth};
+use super::{Body, MoveError, Moved, Mover, Work};
+use crate::num::Vec2;
+use crate::world::World;
+
+/// The last call of a body that it left where it was, and the answer.
+///
+/// A body at rest makes the same call in each frame: the same place, the same velocity (gravity's
+/// first step), the same mover. A memo answers such a call by comparing them, whatever holds the
+/// body: a floor, a V, two domes. The answer is that of [`Mover::move_and_slide`], bit for bit, but
+/// for [`Moved::work`], which is zero.
+///
+/// One memo belongs to one body. It is plain data: a copy is a snapshot.
+///
+/// ```
+/// use tilesat::{Aabb, Axis, Memo, Mover, TileKind, TileKinds, TileMap, Vec2};
+///
+/// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+/// let map = TileMap::from_ascii("  \n##\n", &KINDS)?; // the floor is at y = 16
+/// let (mover, mut memo) = (Mover::platformer(Axis::NEG_Y), Memo::new());
+/// let mut body = Aabb::new(Vec2::from_ints(4, 6), Vec2::from_ints(12, 16))?;
+/// let gravity = Vec2::from_raw(0, 16_384);
+///
+/// for frame in 0..10 {
+///     let moved = memo.move_and_slide(&mover, &map, 0, &body, gravity)?;
+///     body = moved.body;
+///     assert!(moved.floor);
+///     assert_eq!(moved.work.iterations, u32::from(frame == 0)); // one look in ten frames
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Memo<B, S = Smooth> {
+    last: Option<Last<B, S>>,
+}
+
+/// A call and its answer; the body is in the answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+struct Last<B, S> {
+    mover: Mover<S>,
+    version: u32,
+    velocity: Vec2,
+    answer: Moved<B>,
+}
+
+impl<B, S> Memo<B, S> {
+    /// A memo of nothing.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { last: None }
+    }
+
+    /// Forgets the last call.
+    pub fn clear(&mut self) {
+        self.last = None;
+    }
+}
+
+impl<B, S> Default for Memo<B, S> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<B: Body + PartialEq, S: Law + PartialEq> Memo<B, S> {
+    /// Moves a body as [`Mover::move_and_slide`] does, or gives the last answer again.
+    ///
+    /// `version` stands for the level. Give another number whenever its answers may have changed:
+    /// a door opened, a [`Solid`](crate::Solid) moved, another room. A number that you count up is
+    /// enough, and one number serves all bodies.
+    ///
+    /// Cost: a repeated call is one comparison of the memo with the arguments and one copy of the
+    /// answer. Any other costs what `move_and_slide` does, and a copy where the body stays.
+    ///
+    /// # Errors
+    /// Those of `move_and_slide`. The memo then holds nothing.
+    ///
+    /// # Panics
+    /// In builds with debug assertions a repeated call is made as well, and a level that changed
+    /// without another version is found out.
+    pub fn move_and_slide<W: World>(
+        &mut self,
+        mover: &Mover<S>,
+        world: &W,
+        version: u32,
+        body: &B,
+        velocity: Vec2,
+    ) -> Result<Moved<B>, MoveError> {
+        if let Some(last) = &self.last {
+            if last.answer.body == *body && last.velocity == velocity && last.version == version && last.mover == *mover
+            {
+                debug_assert!(
+                    mover.move_and_slide(world, body, velocity).map(without_work) == Ok(last.answer),
+                    "the level changed, but not its version"
+                );
+                return Ok(last.answer);
+            }
+        }
+        self.last = None;
+        let moved = mover.move_and_slide(world, body, velocity)?;
+        if moved.body == *body {
+            let answer = without_work(moved);
+            self.last = Some(Last { mover: *mover, version, velocity, answer });
+        }
+        Ok(moved)
+    }
+}
+
+fn without_work<B>(moved: Moved<B>) -> Moved<B> {
+    Moved { work: Work::default(), ..moved }
+}
