@@ -1,7 +1,7 @@
 //! Rows of motion in levels of blocks: a quarter of the cells are full, at random, in a closed room; and a body at rest.
 
 use core::mem::MaybeUninit;
-use tilesat::motion::{Body, MoveError, Moved, Mover};
+use tilesat::motion::{Body, Memo, MoveError, Moved, Mover};
 use tilesat::{Aabb, Axis, Circle, Fx, Grid, Outside, TileKind, TileKinds, TileMap, Vec2};
 use tilesat_counts::inputs::{Random, UNIT, circle, vec};
 use tilesat_counts::measure::{Query, Table, load};
@@ -38,8 +38,10 @@ pub fn rows(table: &mut Table) {
         moves(table, map, names.0, speed, ball);
         moves(table, map, names.1, speed, player);
     }
-    at_rest(table, map, ("blocks: circle rests on a floor", "blocks: circle, velocity zero"), ball);
-    at_rest(table, map, ("blocks: box rests on a floor", "blocks: box, velocity zero"), player);
+    let circle = ("blocks: circle rests on a floor", "blocks: circle rests, memo", "blocks: circle, velocity zero");
+    let boxed = ("blocks: box rests on a floor", "blocks: box rests, memo", "blocks: box, velocity zero");
+    at_rest(table, map, circle, ball);
+    at_rest(table, map, boxed, player);
 }
 
 /// A point of the map, a cell away from its border.
@@ -74,11 +76,17 @@ fn moves<B: Body>(table: &mut Table, map: Map, name: &str, speed: i32, body: fn(
     table.row(name, None, step, loads, next, Result::is_ok);
 }
 
-/// On a floor where it has fallen to: with a quarter unit of gravity, and without.
-fn at_rest<B: Body>(
+/// The memo's copy is counted too.
+fn again<B: Body + PartialEq>((body, velocity): &(B, Vec2), (map, memo): &(Map, Memo<B>)) -> MaybeUninit<Step<B>> {
+    let (mover, mut memo) = (Mover::platformer(Axis::NEG_Y), *memo);
+    MaybeUninit::new(memo.move_and_slide(&mover, map, 0, body, *velocity))
+}
+
+/// On a floor where it has fallen to: with a quarter unit of gravity, with a memo of that, and without gravity.
+fn at_rest<B: Body + PartialEq>(
     table: &mut Table,
     map: Map,
-    (rests, asleep): (&str, &str),
+    (rests, remembers, asleep): (&str, &str, &str),
     body: fn(&mut Random, &Map) -> Option<B>,
 ) {
     let mover = Mover::platformer(Axis::NEG_Y);
@@ -89,5 +97,11 @@ fn at_rest<B: Body>(
     let gravity = vec((0, UNIT / 4));
     let rested = |m: &Step<B>| m.as_ref().is_ok_and(|m| m.floor && m.velocity == Vec2::ZERO);
     table.row(rests, None, step, loads, move |r| Some(((landed(r)?, gravity), map)), rested);
+    let remembered = move |r: &mut Random| {
+        let (body, mut memo) = (landed(r)?, Memo::new());
+        memo.move_and_slide(&mover, &map, 0, &body, gravity).ok()?;
+        Some(((body, gravity), (map, memo)))
+    };
+    table.row(remembers, None, again, |_, _| load::<_, _, _, 5, 0>, remembered, rested);
     table.row(asleep, None, step, loads, move |r| Some(((landed(r)?, Vec2::ZERO), map)), Result::is_ok);
 }
