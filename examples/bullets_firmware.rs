@@ -1,5 +1,5 @@
-//! The bullets on a chip: 256 bullets, 32 enemies and a player on the level in flash, and the hash of 600 frames and of
-//! 10 000.
+//! The bullets on a chip: 256 bullets, 32 enemies and a player on the level in flash, and the hash
+//! of 600 frames and of 10 000.
 //!
 //! ```text
 //! cargo run --release --example bullets_firmware                               this computer

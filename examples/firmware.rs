@@ -1,4 +1,5 @@
-//! The platformer's player, boxes and balls on a chip: 600 frames on the level in flash, then 10 000, and each time the hash of all of them.
+//! The platformer's player, boxes and balls on a chip: 600 frames on the level in flash, then
+//! 10 000, and each time the hash of all of them.
 //!
 //! ```text
 //! cargo run --release --example firmware                               this computer

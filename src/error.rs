@@ -59,7 +59,8 @@ impl fmt::Display for RangeError {
 
 impl core::error::Error for RangeError {}
 
-/// A result was cut off because the room for it was full; what is kept comes first in the documented order.
+/// A result was cut off because the room for it was full; what is kept comes first in the
+/// documented order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Truncated {

@@ -20,7 +20,8 @@ impl LayerMask {
     /// Every layer.
     pub const ALL: Self = Self(0xffff);
 
-    /// The layer of an index from 0 to 15; beyond that they begin anew, and `layer(16)` is `layer(0)`.
+    /// The layer of an index from 0 to 15; beyond that they begin anew, and `layer(16)` is
+    /// `layer(0)`.
     #[must_use]
     pub const fn layer(index: u8) -> Self {
         Self(1 << (index & 15))
@@ -63,11 +64,13 @@ impl Not for LayerMask {
 /// Which bodies a body pairs with.
 ///
 /// Two bodies pair where each one's `mask` has a layer that the other is on, unless
-/// - both are of one `group` that is not 0: a positive group pairs always, a negative one never (parts of one figure), or
+/// - both are of one `group` that is not 0: a positive group pairs always, a negative one never
+///   (parts of one figure), or
 /// - both are [still](Self::still): walls, and what sleeps, or
 /// - both are [sensors](Self::sensor).
 ///
-/// 8 bytes. Cost on a Cortex-M0, in line: 9 instructions where the first one's mask refuses, 17 where they pair.
+/// 8 bytes. Cost on a Cortex-M0, in line: 9 instructions where the first one's mask refuses, 17
+/// where they pair.
 ///
 /// ```
 /// use tilesat::{Filter, LayerMask};
@@ -142,7 +145,8 @@ impl Filter {
         Self { flags: if on { self.flags | flag } else { self.flags & !flag }, ..self }
     }
 
-    // Layers first: they part most of what is near each other, and then the sign of one group is all that is left to ask.
+    // Layers first: they part most of what is near each other, and then the sign of one group is
+    // all that is left to ask.
     #[inline]
     pub(crate) const fn lets_pair(self, other: Self) -> bool {
         let flags = self.flags & other.flags;

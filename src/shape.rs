@@ -1,4 +1,5 @@
-//! Shapes: small `Copy` values with private fields, built by checked constructors, so that a shape that exists is inside the domain.
+//! Shapes: small `Copy` values with private fields, built by checked constructors, so that a shape
+//! that exists is inside the domain.
 
 use crate::error::{Quantity, RangeError};
 use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
@@ -29,7 +30,8 @@ impl Aabb {
     /// A box from its corner with the smaller coordinates to the one with the larger ones.
     ///
     /// # Errors
-    /// [`RangeError`] where a coordinate is outside of the [domain](crate::num::DOMAIN) or `min` is beyond `max`.
+    /// [`RangeError`] where a coordinate is outside of the [domain](crate::num::DOMAIN) or `min` is
+    /// beyond `max`.
     pub const fn new(min: Vec2, max: Vec2) -> Result<Self, RangeError> {
         if let Err(e) = check_coordinate(min) {
             return Err(e);
@@ -50,7 +52,8 @@ impl Aabb {
     /// A box from its centre and half its size; exact.
     ///
     /// # Errors
-    /// [`RangeError`] where a half extent is negative or a corner is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] where a half extent is negative or a corner is outside of the
+    /// [domain](crate::num::DOMAIN).
     pub const fn from_centre(centre: Vec2, half: Vec2) -> Result<Self, RangeError> {
         if let Err(e) = check_coordinate(centre) {
             return Err(e);
@@ -88,7 +91,8 @@ impl Aabb {
         self.hi().sub(self.lo()).vec2()
     }
 
-    /// The middle; where a side is an odd number of raw units, the half unit is dropped toward the smaller coordinate.
+    /// The middle; where a side is an odd number of raw units, the half unit is dropped toward the
+    /// smaller coordinate.
     #[must_use]
     pub const fn centre(&self) -> Vec2 {
         let (lo, hi) = (self.lo(), self.hi());
@@ -150,8 +154,8 @@ impl Circle {
     /// A circle from its centre and radius.
     ///
     /// # Errors
-    /// [`RangeError`] where the radius is negative, or the centre, the radius or a point of the circle is outside of the
-    /// [domain](crate::num::DOMAIN).
+    /// [`RangeError`] where the radius is negative, or the centre, the radius or a point of the
+    /// circle is outside of the [domain](crate::num::DOMAIN).
     pub const fn new(centre: Vec2, radius: Fx) -> Result<Self, RangeError> {
         if let Err(e) = check_coordinate(centre) {
             return Err(e);
@@ -211,7 +215,8 @@ impl Circle {
 
 /// A line segment between two points; it has no inside and no side.
 ///
-/// Equal ends are legal and act as a point. Reversing the ends changes no result, save the documented degenerate axes.
+/// Equal ends are legal and act as a point. Reversing the ends changes no result, save the
+/// documented degenerate axes.
 ///
 /// ```
 /// use tilesat::{Segment, Vec2};

@@ -1,9 +1,11 @@
-//! Which pairs begin, stay and end from frame to frame, and which are ignored for a while: both in ascending order, in fixed arrays.
+//! Which pairs begin, stay and end from frame to frame, and which are ignored for a while: both in
+//! ascending order, in fixed arrays.
 
 use super::{BroadError, Handle, Pair};
 use crate::error::Truncated;
 
-/// Of whole words: a small core moves it in a few registers, and would call a routine for memory of any alignment otherwise.
+/// Of whole words: a small core moves it in a few registers, and would call a routine for memory of
+/// any alignment otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(align(4))]
 pub(in crate::broad) struct Entry<K, V>(pub(in crate::broad) Option<(K, V)>);
@@ -29,7 +31,8 @@ pub(in crate::broad) fn count<K, V>(entries: &[Entry<K, V>]) -> usize {
     entries.partition_point(|entry| entry.0.is_some())
 }
 
-/// Puts an entry before those of a part of the array and moves them up by one; the last of the part, of a free place nothing, is dropped.
+/// Puts an entry before those of a part of the array and moves them up by one; the last of the
+/// part, of a free place nothing, is dropped.
 pub(in crate::broad) fn insert<K: Copy, V: Copy>(part: &mut [Entry<K, V>], key: K, value: V) {
     let mut places = part.iter_mut().rev();
     let Some(mut to) = places.next() else { return };
@@ -67,7 +70,8 @@ pub enum PairEvent<P = Pair> {
     Begin(P),
     /// It was, and is.
     Stay(P),
-    /// It is not there any more: the bodies parted, or one was removed; its handle is the old one then.
+    /// It is not there any more: the bodies parted, or one was removed; its handle is the old one
+    /// then.
     End(P),
 }
 
@@ -91,23 +95,32 @@ enum Mark {
     Both,
 }
 
-/// The pairs of the last frame, at most M of them, and what has changed since: begin, stay and end of contacts and of visits to sensors.
+/// The pairs of the last frame, at most M of them, and what has changed since: begin, stay and end
+/// of contacts and of visits to sensors.
 ///
-/// In each frame [`feed`](Self::feed) takes the pairs that count, in any order, each once or more often; those are what the game's own test of the shapes
-/// leaves of what the broad phase found. [`finish`](Self::finish) ends the frame, and [`iter`](Self::iter) then tells what became of each pair, in ascending order of
-/// pairs, as often as it is asked, until the next frame is fed.
+/// In each frame [`feed`](Self::feed) takes the pairs that count, in any order, each once or more
+/// often; those are what the game's own test of the shapes leaves of what the broad phase found.
+/// [`finish`](Self::finish) ends the frame, and [`iter`](Self::iter) then tells what became of each
+/// pair, in ascending order of pairs, as often as it is asked, until the next frame is fed.
 ///
-/// Any `P` that is `Copy + Ord` is a pair: `(Handle, Cell)`-like tuples for tiles that trigger, or the keys of two bodies, where the order of events shall not
-/// depend on the order of insertion as that of handles does. `(a, b)` and `(b, a)` are two pairs; a broad phase gives only one of them.
+/// Any `P` that is `Copy + Ord` is a pair: `(Handle, Cell)`-like tuples for tiles that trigger, or
+/// the keys of two bodies, where the order of events shall not depend on the order of insertion as
+/// that of handles does. `(a, b)` and `(b, a)` are two pairs; a broad phase gives only one of them.
 ///
-/// - **Bodies at rest**: two [still](crate::Filter::still) bodies are no pair of a broad phase, and what fell asleep in a trigger is in it all the same: `finish` asks `held` about
-///   each pair that did not come. Let bodies fall asleep after `finish`, so that the frame in which they moved is judged by where they are.
-/// - **More than M pairs**: those of the last frame stay until they end, and of the new ones the smallest fit; `finish` says
-///   [`Truncated`]. What did not fit was not begun, has no end, and begins as soon as there is room. There is none too few where M is the number of pairs of two successive frames together.
+/// - **Bodies at rest**: two [still](crate::Filter::still) bodies are no pair of a broad phase, and
+///   what fell asleep in a trigger is in it all the same: `finish` asks `held` about each pair that
+///   did not come. Let bodies fall asleep after `finish`, so that the frame in which they moved is
+///   judged by where they are.
+/// - **More than M pairs**: those of the last frame stay until they end, and of the new ones the
+///   smallest fit; `finish` says [`Truncated`]. What did not fit was not begun, has no end, and
+///   begins as soon as there is room. There is none too few where M is the number of pairs of two
+///   successive frames together.
 ///
-/// Plain data, a copy is a snapshot; for [`Pair`]s 12 bytes each. Cost: of a pair known since the last frame a binary search, of a new one also the moves of all
-/// greater ones, so M new pairs at once are M^2 / 2 moves at worst; a frame is two passes over the pairs. With 64 pairs on a
-/// Cortex-M0: 310 instructions a pair that is known, 590 a new one where they come the greatest first.
+/// Plain data, a copy is a snapshot; for [`Pair`]s 12 bytes each. Cost: of a pair known since the
+/// last frame a binary search, of a new one also the moves of all greater ones, so M new pairs at
+/// once are M^2 / 2 moves at worst; a frame is two passes over the pairs. With 64 pairs on a
+/// Cortex-M0: 310 instructions a pair that is known, 590 a new one where they come the greatest
+/// first.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, BruteForce, PairEvent, PairEvents};
@@ -170,16 +183,19 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
 
     /// Ends the frame.
     ///
-    /// `held` is asked about every pair of the last frame that did not come, whether it is there all the same, because its bodies rest; it must say no where one
-    /// was removed. `|_| false` where nothing rests.
+    /// `held` is asked about every pair of the last frame that did not come, whether it is there
+    /// all the same, because its bodies rest; it must say no where one was removed. `|_| false`
+    /// where nothing rests.
     ///
     /// # Errors
-    /// [`Truncated`] where there were more than M pairs: the events are those of the M that were kept. A pair that was fed twice is seen twice.
+    /// [`Truncated`] where there were more than M pairs: the events are those of the M that were
+    /// kept. A pair that was fed twice is seen twice.
     pub fn finish(&mut self, held: impl FnMut(&P) -> bool) -> Result<(), Truncated> {
         finish(&mut self.entries, &mut self.frame, held)
     }
 
-    /// What became of each pair in the frame that ended last, in ascending order of pairs; nothing where the next one is being fed already.
+    /// What became of each pair in the frame that ended last, in ascending order of pairs; nothing
+    /// where the next one is being fed already.
     pub fn iter(&self) -> impl Iterator<Item = PairEvent<P>> {
         let told: &[Entry<P, Mark>] = if self.frame.over { &self.entries } else { &[] };
         told.iter().filter_map(|entry| entry.0).map(|(pair, mark)| match mark {
@@ -189,7 +205,8 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
         })
     }
 
-    /// Takes back what was fed since the last `finish`, for an enumeration that has to begin anew ([`Changed`](crate::broad::PairsError::Changed)).
+    /// Takes back what was fed since the last `finish`, for an enumeration that has to begin anew
+    /// ([`Changed`](crate::broad::PairsError::Changed)).
     pub fn cancel(&mut self) {
         if !self.frame.over {
             retain(&mut self.entries, |_, mark| core::mem::replace(mark, Mark::Old) != Mark::New);
@@ -236,8 +253,8 @@ fn feed<P: Copy + Ord>(entries: &mut [Entry<P, Mark>], frame: &mut Frame, pair: 
     }
     let mut end = count(entries);
     if end == entries.len() {
-        // The greatest new pair makes way, or this one is it; pairs that were told never do. So those of the new ones that stay are the smallest of all
-        // that came, in whichever order.
+        // The greatest new pair makes way, or this one is it; pairs that were told never do. So
+        // those of the new ones that stay are the smallest of all that came, in whichever order.
         frame.lost = true;
         let Some(last) = entries.iter().rposition(|entry| matches!(entry, Entry(Some((_, Mark::New))))) else { return };
         end = last;
@@ -271,7 +288,8 @@ fn finish<P: Copy>(
 pub enum Ignore {
     /// In the next frame in which it comes, then no more.
     Once,
-    /// Until a frame ends in which it did not come, the frame in which this is said not counted: a bullet that starts within its shooter.
+    /// Until a frame ends in which it did not come, the frame in which this is said not counted: a
+    /// bullet that starts within its shooter.
     UntilApart,
     /// Until one of the bodies is removed: a shield and its bearer.
     UntilRemoved,
@@ -279,11 +297,14 @@ pub enum Ignore {
 
 /// Up to M pairs of bodies that are to be ignored, each for a while of its own.
 ///
-/// [`passes`](Self::passes) says of each pair of a frame whether it counts; [`finish`](Self::finish) at the frame's end forgets what is over, and bodies that are gone. Behind
-/// the game's own test of the shapes, "apart" is of the shapes; before it, of the boxes. A pair that is not to count is not fed to
-/// [`PairEvents`](crate::broad::PairEvents): where it had begun, it ends.
+/// [`passes`](Self::passes) says of each pair of a frame whether it counts;
+/// [`finish`](Self::finish) at the frame's end forgets what is over, and bodies that are gone.
+/// Behind the game's own test of the shapes, "apart" is of the shapes; before it, of the boxes. A
+/// pair that is not to count is not fed to [`PairEvents`](crate::broad::PairEvents): where it had
+/// begun, it ends.
 ///
-/// The two handles may be given in either order. Plain data, a copy is a snapshot; 12 bytes a pair. Cost: a binary search a pair, one pass a frame.
+/// The two handles may be given in either order. Plain data, a copy is a snapshot; 12 bytes a pair.
+/// Cost: a binary search a pair, one pass a frame.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, BruteForce, Exceptions, Ignore};
@@ -337,7 +358,8 @@ impl<const M: usize> Exceptions<M> {
     /// Ignores a pair from now on; what was said of it before is replaced.
     ///
     /// # Errors
-    /// [`Full`](BroadError::Full): there are M others. Nothing was changed then. Those of removed bodies make room in [`finish`](Self::finish).
+    /// [`Full`](BroadError::Full): there are M others. Nothing was changed then. Those of removed
+    /// bodies make room in [`finish`](Self::finish).
     pub fn ignore(&mut self, a: Handle, b: Handle, ignore: Ignore) -> Result<(), BroadError> {
         put(&mut self.entries, sorted(a, b), Term { ignore, came: ignore == Ignore::UntilApart })
     }
@@ -364,7 +386,9 @@ impl<const M: usize> Exceptions<M> {
 
     /// Ends the frame: forgets what is over.
     ///
-    /// `present` says whether a body is still here; `held`, as in [`PairEvents::finish`](crate::broad::PairEvents::finish), whether two that did not come are together because they rest.
+    /// `present` says whether a body is still here; `held`, as in
+    /// [`PairEvents::finish`](crate::broad::PairEvents::finish), whether two that did not come are
+    /// together because they rest.
     pub fn finish(&mut self, present: impl FnMut(Handle) -> bool, held: impl FnMut(&Pair) -> bool) {
         expire(&mut self.entries, present, held);
     }

@@ -1,4 +1,5 @@
-//! What a broad phase keeps of a body beside its box, its name and a tag (nothing, a filter, a key); and what it refuses.
+//! What a broad phase keeps of a body beside its box, its name and a tag (nothing, a filter, a
+//! key); and what it refuses.
 
 use crate::error::{RangeError, Truncated};
 use crate::filter::{Filter, LayerMask};
@@ -8,8 +9,10 @@ use core::fmt;
 
 /// The name of one body in one broad phase: a slot, and which of its tenants is meant.
 ///
-/// A slot that is freed and given away again has another generation, so an old handle is told ([`BroadError::Stale`](super::BroadError::Stale)) and never
-/// means the new body; after 32768 tenants of one slot generations begin anew. It does not say which broad phase it is of: keep the handles of two apart. 4 bytes.
+/// A slot that is freed and given away again has another generation, so an old handle is told
+/// ([`BroadError::Stale`](super::BroadError::Stale)) and never means the new body; after 32768
+/// tenants of one slot generations begin anew. It does not say which broad phase it is of: keep the
+/// handles of two apart. 4 bytes.
 ///
 /// ```
 /// use tilesat::{Aabb, Vec2};
@@ -74,7 +77,8 @@ impl PartialOrd for Handle {
     }
 }
 
-/// Two bodies whose boxes touch: what `overlaps`, `touches` and `contact` of the shapes in them need to be asked about.
+/// Two bodies whose boxes touch: what `overlaps`, `touches` and `contact` of the shapes in them
+/// need to be asked about.
 ///
 /// `a` is the one with the smaller [key](super::Tag::key), at equal keys with the smaller slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -141,10 +145,12 @@ impl PartialOrd for Pair {
     }
 }
 
-/// What a body carries in a broad phase: whom it pairs with, and where it stands in canonical order.
+/// What a body carries in a broad phase: whom it pairs with, and where it stands in canonical
+/// order.
 ///
-/// Asked only about two whose boxes touch. `()` pairs with all and costs nothing, [`Filter`](crate::Filter) has layers, [`Keyed`] adds a key; a rule of a game's own is a
-/// type of its own:
+/// Asked only about two whose boxes touch. `()` pairs with all and costs nothing,
+/// [`Filter`](crate::Filter) has layers, [`Keyed`] adds a key; a rule of a game's own is a type of
+/// its own:
 ///
 /// ```
 /// use tilesat::broad::Tag;
@@ -170,7 +176,8 @@ pub trait Tag: Copy {
         true
     }
 
-    /// The body's place in canonical order, which does not depend on the order of insertion; unique where that matters.
+    /// The body's place in canonical order, which does not depend on the order of insertion; unique
+    /// where that matters.
     #[inline]
     #[must_use]
     fn key(&self) -> u32 {
@@ -191,7 +198,8 @@ impl Tag for Filter {
     }
 }
 
-/// A tag with a key given by the caller: pairs sorted by it are the same in whichever order bodies were inserted.
+/// A tag with a key given by the caller: pairs sorted by it are the same in whichever order bodies
+/// were inserted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Keyed<T = ()> {
@@ -227,8 +235,9 @@ pub enum BroadError {
     },
     /// The handle's body was removed.
     ///
-    /// Of another broad phase a handle is told only where its slot has no body here, or one of another generation: there may be a body of the
-    /// same name, and which of the two is meant cannot be told.
+    /// Of another broad phase a handle is told only where its slot has no body here, or one of
+    /// another generation: there may be a body of the same name, and which of the two is meant
+    /// cannot be told.
     Stale(Handle),
     /// The box is wider or higher than a cell of the grid, in raw units.
     TooLarge {

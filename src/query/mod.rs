@@ -1,4 +1,5 @@
-//! Pair queries: one trait a verb, one implementation a pair, so that a scene links the pairs that it uses and no others.
+//! Pair queries: one trait a verb, one implementation a pair, so that a scene links the pairs that
+//! it uses and no others.
 //!
 //! | verb | asks | answer | rounding |
 //! |---|---|---|---|
@@ -10,9 +11,12 @@
 //! | [`ClosestPoint`] | which points are nearest? | `Option<(Vec2, Vec2)>` | nearest, `None` where they touch |
 //! | [`CastShape`] | when does this motion first hit? | `Option<`[`CastHit`]`>` | yes or no exact, time down |
 //!
-//! All are implemented for every ordered pair of [`Aabb`](crate::Aabb), [`Circle`](crate::Circle) and [`Segment`](crate::Segment);
-//! `Contains` and `Distance` for a point ([`Vec2`](crate::Vec2)) as B, too, `CastShape` for a point as A against boxes and circles. `closest_point` and
-//! `cast_ray` are methods of each shape. None of them can loop without a bound or divide, and none can fail but casts, which refuse what is out of range. Results depend on differences only: a translated scene gives the same bits, a mirrored one mirrored bits.
+//! All are implemented for every ordered pair of [`Aabb`](crate::Aabb), [`Circle`](crate::Circle)
+//! and [`Segment`](crate::Segment); `Contains` and `Distance` for a point ([`Vec2`](crate::Vec2))
+//! as B, too, `CastShape` for a point as A against boxes and circles. `closest_point` and
+//! `cast_ray` are methods of each shape. None of them can loop without a bound or divide, and none
+//! can fail but casts, which refuse what is out of range. Results depend on differences only: a
+//! translated scene gives the same bits, a mirrored one mirrored bits.
 //!
 //! # Degenerate cases
 //!
@@ -42,9 +46,10 @@
 //! | crossing segments: both halves equal | yes | yes | `(-e.y, e.x)`, degenerate |
 //! | crossing segments: exits over both lines equal | yes | yes | x before y before the smaller normal, degenerate |
 //!
-//! `e` is the edge of the segment from its lexicographically smaller end (smaller x, then smaller y) to the other; parallels to x and
-//! y have axes of length one. Moving A against the axis of a degenerate contact ends the overlap as any other does. In the order (B, A)
-//! that axis is the same where its sign is a convention, and reversed where only the choice between two axes is one.
+//! `e` is the edge of the segment from its lexicographically smaller end (smaller x, then smaller
+//! y) to the other; parallels to x and y have axes of length one. Moving A against the axis of a
+//! degenerate contact ends the overlap as any other does. In the order (B, A) that axis is the same
+//! where its sign is a convention, and reversed where only the choice between two axes is one.
 //! Distances of shapes less than one raw unit apart are 0, and `touches` is then false.
 
 pub(crate) mod cast;

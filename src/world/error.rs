@@ -15,7 +15,8 @@ pub enum TileMapError {
     TooManyCells(u16),
     /// The side of a cell, in raw, is odd or outside of 2^8..=2^24.
     Cell(i32),
-    /// The map does not fit the [domain](crate::num::DOMAIN): which axis, and the raw coordinate of its end.
+    /// The map does not fit the [domain](crate::num::DOMAIN): which axis, and the raw coordinate of
+    /// its end.
     OutOfDomain {
         /// [`Quantity::X`] or [`Quantity::Y`].
         what: Quantity,
@@ -52,12 +53,14 @@ pub enum TileMapError {
         /// The row, from 0.
         row: u32,
     },
-    /// The table names a shape that the map's [`Set`](crate::world::Set) does not have, for this id.
+    /// The table names a shape that the map's [`Set`](crate::world::Set) does not have, for this
+    /// id.
     ShapeNotInSet {
         /// The first such id.
         id: u8,
     },
-    /// The bits of [`with_occupancy`](crate::world::TileMap::with_occupancy) are too few, or not those of the tiles.
+    /// The bits of [`with_occupancy`](crate::world::TileMap::with_occupancy) are too few, or not
+    /// those of the tiles.
     Occupancy {
         /// The first row that is missing or wrong.
         row: u16,
@@ -101,7 +104,8 @@ impl core::error::Error for TileMapError {}
 pub enum SegmentMapError {
     /// There is not a single point.
     Empty,
-    /// A polygon of fewer than three points, or a chain of fewer than two: nothing that could be closed, or drawn.
+    /// A polygon of fewer than three points, or a chain of fewer than two: nothing that could be
+    /// closed, or drawn.
     TooFewPoints {
         /// The path.
         path: u32,
@@ -218,7 +222,8 @@ pub enum SegmentFault {
     OffGrid,
     /// An attribute that does not exist, or joints that contradict each other.
     Attributes,
-    /// The segment after the vertex at its end does not exist, does not leave from there, or the vertex is not convex.
+    /// The segment after the vertex at its end does not exist, does not leave from there, or the
+    /// vertex is not convex.
     Next,
 }
 
@@ -258,7 +263,8 @@ impl fmt::Display for SegmentMapError {
 impl core::error::Error for SegmentMapError {}
 
 impl SegmentMapError {
-    /// For [`segment_map!`] alone: what [`Display`](core::fmt::Display) says of a level's paths, in a constant.
+    /// For [`segment_map!`] alone: what [`Display`](core::fmt::Display) says of a level's paths, in
+    /// a constant.
     #[doc(hidden)]
     #[must_use]
     pub const fn __text(&self) -> Text {

@@ -15,11 +15,13 @@
 //! | what is the nearest point of the surface? | [`closest_point`](TileMap::closest_point) | exact order; inside or outside |
 //! | which faces, arcs and vertices are near? | [`features`](TileMap::features) | the surface of the solid, and one-way edges |
 //!
-//! A [`SegmentMap`] reads a level of free line segments, polygons and chains, from bytes too, and answers the same questions, but for the
-//! tiles. A [`Joined`] pair of levels, of either kind, is one level without a seam. Platforms and doors that move are [`Solids`], joined to a level; a level that moves is
-//! [`Placed`]. Rays see these too, and [`Solids::key_of`] tells whom they met.
+//! A [`SegmentMap`] reads a level of free line segments, polygons and chains, from bytes too, and
+//! answers the same questions, but for the tiles. A [`Joined`] pair of levels, of either kind, is
+//! one level without a seam. Platforms and doors that move are [`Solids`], joined to a level; a
+//! level that moves is [`Placed`]. Rays see these too, and [`Solids::key_of`] tells whom they met.
 //!
-//! A world that is larger than the coordinates allow is cut into [`Rooms`], with borders that no body feels.
+//! A world that is larger than the coordinates allow is cut into [`Rooms`], with borders that no
+//! body feels.
 //!
 //! Movers see a level through [`World`] and nothing else.
 

@@ -52,8 +52,9 @@ impl From<Fail> for Failed {
     }
 }
 
-/// Bakes all levels of a folder of the package into a file of the folder's name with `.rs` in Cargo's `OUT_DIR`, and has Cargo ask again
-/// when one of them changes, or a file that one of them names.
+/// Bakes all levels of a folder of the package into a file of the folder's name with `.rs` in
+/// Cargo's `OUT_DIR`, and has Cargo ask again when one of them changes, or a file that one of them
+/// names.
 ///
 /// # Errors
 ///
@@ -69,8 +70,9 @@ pub fn levels(from: impl AsRef<Path>) -> Result<(), Failed> {
     Ok(())
 }
 
-/// Bakes all levels of a folder, maps of Tiled and projects of `LDtk`, into a file of Rust source. It is one module of the folder's
-/// name, with a module for each level and one table of tile kinds for all. A `tilesat.toml` in the folder is heeded.
+/// Bakes all levels of a folder, maps of Tiled and projects of `LDtk`, into a file of Rust source.
+/// It is one module of the folder's name, with a module for each level and one table of tile kinds
+/// for all. A `tilesat.toml` in the folder is heeded.
 ///
 /// Returns the files that were read.
 ///

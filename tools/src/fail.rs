@@ -26,8 +26,8 @@ impl fmt::Display for Fail {
 /// The longest line that is shown.
 const LONGEST: usize = 1000;
 
-/// Text as it can stand on a line of a terminal: names out of a file may hold line breaks, escape codes, marks that turn the
-/// direction of writing, and be of any length.
+/// Text as it can stand on a line of a terminal: names out of a file may hold line breaks, escape
+/// codes, marks that turn the direction of writing, and be of any length.
 pub(crate) fn one_line(text: &str) -> String {
     let unseen = |c: char| {
         c.is_control()

@@ -60,7 +60,8 @@ pub trait InCells: Sized {
     /// See [`Spatial::visit`].
     fn touching(&self, region: &Aabb, each: impl FnMut(usize));
 
-    /// All bodies of cells that are in no ring before ring `r` around a cell; asked only where rings have no end.
+    /// All bodies of cells that are in no ring before ring `r` around a cell; asked only where
+    /// rings have no end.
     fn rest(&self, r: i32, centre: At, each: impl FnMut(usize));
 }
 

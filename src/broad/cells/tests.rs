@@ -30,7 +30,8 @@ impl Random {
     }
 }
 
-/// When a box on its way first touches another one, in parts of 2^30 rounded down; closed at both ends.
+/// When a box on its way first touches another one, in parts of 2^30 rounded down; closed at both
+/// ends.
 fn touched(start: &Aabb, motion: Raw, body: &Aabb) -> Option<u32> {
     // The latest entry and the earliest leave, as fractions with a positive denominator.
     let (mut enter, mut leave): (Fractions, Fractions) = ((0, 1), (1, 1));
@@ -172,7 +173,8 @@ mod lattice {
 mod hash {
     use crate::broad::cells::hash::factor;
 
-    /// The claim, for every distance: two cells with a list in common are in one column or row at a multiple of all buckets, or else far apart.
+    /// The claim, for every distance: two cells with a list in common are in one column or row at a
+    /// multiple of all buckets, or else far apart.
     #[test]
     fn cells_that_share_a_list_are_far_apart() {
         for log in 6..=15 {

@@ -9,7 +9,8 @@ use crate::world::cell::Cell;
 use crate::world::grid::Grid;
 use crate::world::level::{Feature, Geometry, World, face_against};
 
-/// A level that can be asked for the hits of a ray with their exact moments. Public in a private module, because [`Joined`] needs it of both.
+/// A level that can be asked for the hits of a ray with their exact moments. Public in a private
+/// module, because [`Joined`] needs it of both.
 pub trait RayWorld: World {
     /// The cursor.
     type Scan<'w>: RayScan
@@ -44,11 +45,13 @@ pub(in crate::world) trait RayLevel: RayPieces {
         Walk::new(grid.ray_lane(&grid.x, o.x, d.x), grid.ray_lane(&grid.y, o.y, d.y), grid.cell as u32)
     }
 
-    /// Goes on from a step that has been looked at over cells that have no pieces, as far as that is faster than step by step.
+    /// Goes on from a step that has been looked at over cells that have no pieces, as far as that
+    /// is faster than step by step.
     fn skip(&self, _: &mut Walk) {}
 
-    /// All pieces that have a point in the closed cell or, where each has a cell of its own, those of this one. Those that the motion `d` does not
-    /// oppose may be left out. `None` where there are none, told as fast as it can be, and for cells beyond the bands.
+    /// All pieces that have a point in the closed cell or, where each has a cell of its own, those
+    /// of this one. Those that the motion `d` does not oppose may be left out. `None` where there
+    /// are none, told as fast as it can be, and for cells beyond the bands.
     fn pieces(&self, x: i32, y: i32, d: Raw) -> Option<Self::Pieces<'_>>;
 
     /// Whether the start of a walk is strictly inside the solid.
@@ -133,8 +136,9 @@ impl<'w, L: RayLevel> Scan<'w, L> {
 
     /// The next hit.
     ///
-    /// A piece is met in a cell that the ray has entered by then, so what is met before the next line is final. What is met on that line is not: the
-    /// cells behind it may have something better.
+    /// A piece is met in a cell that the ray has entered by then, so what is met before the next
+    /// line is final. What is met on that line is not: the cells behind it may have something
+    /// better.
     pub(in crate::world) fn advance(&mut self) -> Option<RayHit> {
         if self.stage == Stage::Start {
             self.stage = Stage::Look;
@@ -196,7 +200,8 @@ impl<'w, L: RayLevel> Scan<'w, L> {
                     continue;
                 }
                 let Some(touch) = &meet::<L>(self.o, self.d, piece) else { continue };
-                // At the start, solid pieces are met only where the ray goes into the solid: it may also leave, pass or slide along their ends.
+                // At the start, solid pieces are met only where the ray goes into the solid: it may
+                // also leave, pass or slide along their ends.
                 let at_start = touch.time.is_some_and(|time| time.num == 0) && !piece.one_way;
                 if !at_start || self.level.enters(self.o, self.d, &self.walk) {
                     self.consider(piece, touch);
@@ -284,8 +289,8 @@ pub(in crate::world) fn hit_of(feature: &Feature, (toi, at, axis): (Toi, Raw, Ax
     }
 }
 
-/// The time and the way of a hit at a fraction of the motion, exactly rounded: a coordinate toward the start, or toward the end where that is the
-/// normal's side.
+/// The time and the way of a hit at a fraction of the motion, exactly rounded: a coordinate toward
+/// the start, or toward the end where that is the normal's side.
 pub(in crate::world) fn straight<L: RayPieces>(d: Raw, time: Time, normal: Axis) -> (Toi, Raw, Axis) {
     let toi = Toi::clamped(part::<L>(Toi::ONE.raw(), time).0);
     let by = Raw { x: signed::<L>(d.x, normal.x, time), y: signed::<L>(d.y, normal.y, time) };
@@ -316,10 +321,11 @@ fn signed<L: RayPieces>(d: i32, normal: i32, time: Time) -> i32 {
     if d < 0 { part.wrapping_neg() } else { part }
 }
 
-/// What a ray along a grid line meets at the last line that it has crossed, or at its start on one, where it comes out of the open and goes into the
-/// solid and no piece opposes it.
+/// What a ray along a grid line meets at the last line that it has crossed, or at its start on one,
+/// where it comes out of the open and goes into the solid and no piece opposes it.
 ///
-/// That is between a convex arc and the surface that it touches: both are tangent to the ray, and what is behind the point has no face there.
+/// That is between a convex arc and the surface that it touches: both are tangent to the ray, and
+/// what is behind the point has no face there.
 ///
 /// ```text
 ///       ....                  The arc ends at P with the ray's direction; the floor below goes on behind P, and so does the solid

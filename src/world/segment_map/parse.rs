@@ -27,7 +27,8 @@ impl Size {
         self.grid
     }
 
-    /// Segments: the edges of polygons less what they share, two for an edge of a wall, one for an edge of a one-way chain.
+    /// Segments: the edges of polygons less what they share, two for an edge of a wall, one for an
+    /// edge of a one-way chain.
     #[must_use]
     pub const fn segments(&self) -> u16 {
         self.segments
@@ -78,11 +79,14 @@ impl Size {
 impl<'a> SegmentMap<'a> {
     /// A view of a level in its byte form, as [`build_into`](Self::build_into) writes it.
     ///
-    /// Nothing is copied: `include_bytes!` is enough, at any alignment. All that queries rely on is checked, so that no bytes can make them panic or
-    /// loop: that the level is one that could have been built, with all that meets each cell, and every winding number. (Whether the polygons
-    /// close is not.) Usable in constants, where a damaged file is a compile error and the program pays nothing.
+    /// Nothing is copied: `include_bytes!` is enough, at any alignment. All that queries rely on is
+    /// checked, so that no bytes can make them panic or loop: that the level is one that could have
+    /// been built, with all that meets each cell, and every winding number. (Whether the polygons
+    /// close is not.) Usable in constants, where a damaged file is a compile error and the program
+    /// pays nothing.
     ///
-    /// Cost: each byte for the checksum, each reference twice (to find it among those of its cell, and for the winding numbers).
+    /// Cost: each byte for the checksum, each reference twice (to find it among those of its cell,
+    /// and for the winding numbers).
     ///
     /// # Errors
     /// [`SegmentMapError`]: what is wrong and where. Any change of a single byte and any other length is refused.
@@ -193,7 +197,8 @@ impl SegmentMap<'_> {
     const fn verify_joints(&self, index: u16) -> Result<(), SegmentFault> {
         let seg = self.segment(index);
         let one_way = matches!(seg.kind, Kind::OneWay);
-        // One-way chains are joined at their vertices; all others have one where they are not joined.
+        // One-way chains are joined at their vertices; all others have one where they are not
+        // joined.
         let Some(next) = seg.next else {
             return if one_way || seg.end_joined { Ok(()) } else { Err(SegmentFault::Attributes) };
         };
@@ -256,8 +261,9 @@ impl SegmentMap<'_> {
         true
     }
 
-    /// Each segment is in all cells that it meets, and the references are no more than that. Ends at the first cell where it is not, so that the
-    /// work is bounded by the references, whatever the segments are.
+    /// Each segment is in all cells that it meets, and the references are no more than that. Ends
+    /// at the first cell where it is not, so that the work is bounded by the references, whatever
+    /// the segments are.
     const fn verify_refs(&self) -> Result<(), SegmentMapError> {
         let (mut index, mut needed) = (0u16, 0u32);
         while index < self.count() {

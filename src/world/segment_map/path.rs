@@ -1,4 +1,5 @@
-//! What a segment map is built from: polygons and chains of points, their edges, and what is left where polygons share one.
+//! What a segment map is built from: polygons and chains of points, their edges, and what is left
+//! where polygons share one.
 
 use crate::error::Quantity;
 use crate::num::{Axis, DOMAIN, Fx, Raw, Vec2};
@@ -18,14 +19,17 @@ use crate::world::grid::Grid;
 pub enum PathKind {
     /// A closed polygon, in either winding, that is solid inside.
     Solid,
-    /// A closed polygon, in either winding, that takes its inside out of the solids that it lies in. A part in the open has edges with
-    /// nothing behind them, and so have parts of polygons that cross or touch themselves: bodies pass those from behind and stay there. The
-    /// example `lint` finds them.
+    /// A closed polygon, in either winding, that takes its inside out of the solids that it lies
+    /// in. A part in the open has edges with nothing behind them, and so have parts of polygons
+    /// that cross or touch themselves: bodies pass those from behind and stay there. The example
+    /// `lint` finds them.
     Hole,
-    /// An open chain without thickness that blocks from both sides. Where the last point is the first, it is a loop.
+    /// An open chain without thickness that blocks from both sides. Where the last point is the
+    /// first, it is a loop.
     Wall,
-    /// An open chain whose faces block only what comes from their front, `(dir.y, -dir.x)`, around the chain's convex corners too. A free end carries by
-    /// its face alone, with nothing around it: a body over the upper end of a slope falls past it, so end a slope with a level piece.
+    /// An open chain whose faces block only what comes from their front, `(dir.y, -dir.x)`, around
+    /// the chain's convex corners too. A free end carries by its face alone, with nothing around
+    /// it: a body over the upper end of a slope falls past it, so end a slope with a level piece.
     OneWay,
 }
 
@@ -120,8 +124,8 @@ pub(super) const fn edges(path: &Path<'_>) -> usize {
 
 /// The sign of a polygon's signed area: 1 where the inside is on the left.
 ///
-/// The triangles of the first point and an edge are below 2^61 (twice their area), and fewer than 2^31: the sum is kept as two, one of the
-/// low words and one of the high.
+/// The triangles of the first point and an edge are below 2^61 (twice their area), and fewer than
+/// 2^31: the sum is kept as two, one of the low words and one of the high.
 pub(super) const fn area_sign(path: &Path<'_>) -> i32 {
     let first = point(path, 0);
     let (mut high, mut low) = (0i64, 0i64);
@@ -188,7 +192,8 @@ const fn outside(p: Raw) -> Option<(Quantity, i32)> {
     }
 }
 
-/// The cells of side `cell` that hold a box: from its first corner on, save where they would leave the domain.
+/// The cells of side `cell` that hold a box: from its first corner on, save where they would leave
+/// the domain.
 pub(super) const fn grid(lo: Raw, hi: Raw, cell: Fx) -> Result<Grid, SegmentMapError> {
     // The side is checked before it divides.
     if let Err(e) = Grid::new(1, 1, cell, Vec2::ZERO) {
@@ -201,7 +206,8 @@ pub(super) const fn grid(lo: Raw, hi: Raw, cell: Fx) -> Result<Grid, SegmentMapE
     }
 }
 
-/// The origin and the count, at least 1, along an axis; a count that is too large for any grid saturates.
+/// The origin and the count, at least 1, along an axis; a count that is too large for any grid
+/// saturates.
 const fn axis(lo: i32, hi: i32, cell: i32) -> (i32, u16) {
     let size = hi.wrapping_sub(lo) as u32;
     let count = match size.wrapping_add(cell as u32).wrapping_sub(1).checked_div(cell as u32) {
@@ -240,7 +246,8 @@ pub(super) struct Place {
     pub(super) point: usize,
 }
 
-/// Up to where, in multiples of the edge's direction from `t` on, nothing changes, and whether the edge is left there.
+/// Up to where, in multiples of the edge's direction from `t` on, nothing changes, and whether the
+/// edge is left there.
 ///
 /// ```text
 ///   edge      ------------------------->      Of m edges one way and n the other, the first min(m, n) of each are cancelled:

@@ -4,7 +4,8 @@ use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw, Vec2, check_motion};
 use crate::shape::Aabb;
 
-/// The side of a one-way [`Solid`] that blocks. "Up" is the side of the smaller y, as in [`TileShape`](crate::TileShape)'s names.
+/// The side of a one-way [`Solid`] that blocks. "Up" is the side of the smaller y, as in
+/// [`TileShape`](crate::TileShape)'s names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Side {
@@ -41,8 +42,9 @@ impl Side {
 ///                  motion: from where it is to where it will be after this tick
 /// ```
 ///
-/// A list of them is a level, [`Solids`](crate::world::Solids), and [`Mover::ride`](crate::Mover::ride) carries and pushes bodies with them.
-/// Solids do not push each other, and nothing stops them: a platform on a platform is given the same motion by the game.
+/// A list of them is a level, [`Solids`](crate::world::Solids), and
+/// [`Mover::ride`](crate::Mover::ride) carries and pushes bodies with them. Solids do not push each
+/// other, and nothing stops them: a platform on a platform is given the same motion by the game.
 ///
 /// ```
 /// use tilesat::{Aabb, Fx, Solid, Vec2};
@@ -63,7 +65,8 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// A box at rest, solid from all sides. The `key` is the game's name for it: results carry it, and ties go to the smaller one.
+    /// A box at rest, solid from all sides. The `key` is the game's name for it: results carry it,
+    /// and ties go to the smaller one.
     ///
     /// # Errors
     /// [`RangeError`] where the box has no width or no height: nothing could overlap it.
@@ -84,7 +87,8 @@ impl Solid {
         Self { flags, ..self }
     }
 
-    /// The same as a one-way platform: it blocks, carries and pushes only what is entirely in front of that side.
+    /// The same as a one-way platform: it blocks, carries and pushes only what is entirely in front
+    /// of that side.
     #[must_use]
     pub const fn with_one_way(self, side: Side) -> Self {
         Self { side: Some(side), ..self }
@@ -93,7 +97,8 @@ impl Solid {
     /// The same with a conveyor: the motion that it adds in each tick to what stands on it.
     ///
     /// # Errors
-    /// [`RangeError`] where the conveyor, or its sum with the motion of this tick, has a component of [`MOTION`] or more.
+    /// [`RangeError`] where the conveyor, or its sum with the motion of this tick, has a component
+    /// of [`MOTION`] or more.
     pub const fn with_conveyor(self, conveyor: Vec2) -> Result<Self, RangeError> {
         Self { conveyor, ..self }.checked()
     }
@@ -101,8 +106,8 @@ impl Solid {
     /// The same with the motion of this tick, from where it is now.
     ///
     /// # Errors
-    /// [`RangeError`] where the motion, or its sum with the conveyor, has a component of [`MOTION`] or more, or would take the box out of
-    /// the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] where the motion, or its sum with the conveyor, has a component of [`MOTION`]
+    /// or more, or would take the box out of the [domain](crate::num::DOMAIN).
     pub const fn with_motion(self, motion: Vec2) -> Result<Self, RangeError> {
         Self { motion, ..self }.checked()
     }
@@ -131,8 +136,8 @@ impl Solid {
         Self { shape, motion: Vec2::ZERO, ..self }
     }
 
-    /// Takes all solids of a list to their new places at once; call it after all bodies were asked where they
-    /// [ride](crate::Mover::ride), before they move by themselves.
+    /// Takes all solids of a list to their new places at once; call it after all bodies were asked
+    /// where they [ride](crate::Mover::ride), before they move by themselves.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Fx, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};

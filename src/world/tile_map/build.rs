@@ -13,8 +13,9 @@ const CELL: Fx = Fx::from_bits(16 << 16);
 impl<'a> TileMap<'a, Blocks, Bytes> {
     /// A map of one byte a tile, row after row.
     ///
-    /// The data may be longer than the map, for [`with_stride`](Self::with_stride). Maps of more than 511 cells a side do not fit the domain with
-    /// cells of 16 units: [`on_grid`](Self::on_grid) takes the cell at once.
+    /// The data may be longer than the map, for [`with_stride`](Self::with_stride). Maps of more
+    /// than 511 cells a side do not fit the domain with cells of 16 units:
+    /// [`on_grid`](Self::on_grid) takes the cell at once.
     ///
     /// # Errors
     /// [`TileMapError`]: no cells, too many, not enough data, or a shape that is not in the set.
@@ -35,8 +36,8 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
 }
 
 impl<'a> TileMap<'a, Blocks, Bits> {
-    /// A map of one bit a tile, row after row without gaps, the least significant bit of each byte first: a clear bit is id 0, a set one
-    /// id 1.
+    /// A map of one bit a tile, row after row without gaps, the least significant bit of each byte
+    /// first: a clear bit is id 0, a set one id 1.
     ///
     /// ```
     /// use tilesat::{Cell, TileKind, TileKinds, TileMap};
@@ -118,11 +119,12 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(())
     }
 
-    /// The same tiles, each row `stride` tiles after the one before: a window into a wider level, or rows with padding; without
-    /// [occupancy](Self::with_occupancy).
+    /// The same tiles, each row `stride` tiles after the one before: a window into a wider level,
+    /// or rows with padding; without [occupancy](Self::with_occupancy).
     ///
     /// # Errors
-    /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] where the data ends before the last tile.
+    /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] where the data ends
+    /// before the last tile.
     pub const fn with_stride(mut self, stride: u16) -> Result<Self, TileMapError> {
         if stride < self.grid.x.count {
             return Err(TileMapError::Stride(stride));
@@ -147,7 +149,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// The same map with cells of another size.
     ///
     /// # Errors
-    /// [`TileMapError::Cell`] where it is odd or not in 2^8..=2^24 raw, [`TileMapError::OutOfDomain`].
+    /// [`TileMapError::Cell`] where it is odd or not in 2^8..=2^24 raw,
+    /// [`TileMapError::OutOfDomain`].
     pub const fn with_cell(self, cell: Fx) -> Result<Self, TileMapError> {
         self.with_grid(Grid::new(self.grid.x.count, self.grid.y.count, cell, self.grid.origin()))
     }
@@ -190,11 +193,13 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
 }
 
 impl<'a> TileMap<'a, Blocks, Bytes> {
-    /// A map from lines of text of one length, one character a tile; the characters are the ids. A line feed may end the last row too.
+    /// A map from lines of text of one length, one character a tile; the characters are the ids. A
+    /// line feed may end the last row too.
     ///
-    /// Nothing is copied: the map reads the text, stepping over the line feeds. Usable in constants, so that a mistake in a level is a
-    /// compile error; the compiler does some 10 steps a character, and up to about 100 000 characters stay within its limit on
-    /// constant evaluation.
+    /// Nothing is copied: the map reads the text, stepping over the line feeds. Usable in
+    /// constants, so that a mistake in a level is a compile error; the compiler does some 10 steps
+    /// a character, and up to about 100 000 characters stay within its limit on constant
+    /// evaluation.
     ///
     /// ```
     /// use tilesat::{Cell, TileKind, TileKinds, TileMap, TileMapError};

@@ -44,7 +44,8 @@ const fn positive(v: i32) -> i32 {
 
 /// At most `r (p + q - sqrt(p p + q q))`, for r below 2^28.
 ///
-/// 2 - sqrt 2 > 1/2 + 1/16 + 1/64 + 1/128 - 1/4096, and 3 - sqrt 5 > 3/4 + 1/64 - 1/512; what is subtracted is rounded up.
+/// 2 - sqrt 2 > 1/2 + 1/16 + 1/64 + 1/128 - 1/4096, and 3 - sqrt 5 > 3/4 + 1/64 - 1/512; what is
+/// subtracted is rounded up.
 const fn spared(r: i32, p: i32, q: i32) -> i32 {
     match p + q {
         _ if r == 0 => 0,

@@ -2,9 +2,10 @@
 
 /// The solid part of a tile.
 ///
-/// Lines end in corners and in the middles of sides, so that mild and steep slopes go on from tile to tile; arcs have a radius of one cell, and
-/// their tangents continue the sides of the cell. Slopes and arcs come in fours, solid at the top left, top right, bottom right and bottom
-/// left ("top" is toward row 0); those at the bottom right are:
+/// Lines end in corners and in the middles of sides, so that mild and steep slopes go on from tile
+/// to tile; arcs have a radius of one cell, and their tangents continue the sides of the cell.
+/// Slopes and arcs come in fours, solid at the top left, top right, bottom right and bottom left
+/// ("top" is toward row 0); those at the bottom right are:
 ///
 /// ```text
 ///   Slope       MildLow     MildHigh    SteepLow    SteepHigh   Convex      Concave
@@ -31,7 +32,8 @@ pub enum TileShape {
     HalfBottom = 4,
     /// The half toward smaller x.
     HalfLeft = 5,
-    /// Half of the cell, cut from corner to corner; each slope and arc is named by the corner where it is solid.
+    /// Half of the cell, cut from corner to corner; each slope and arc is named by the corner where
+    /// it is solid.
     SlopeTopLeft = 6,
     /// As [`SlopeTopLeft`](Self::SlopeTopLeft), at another corner.
     SlopeTopRight = 7,
@@ -63,7 +65,8 @@ pub enum TileShape {
     MildLowBottomRight = 20,
     /// As [`MildLowTopLeft`](Self::MildLowTopLeft), at another corner.
     MildLowBottomLeft = 21,
-    /// The same slope raised by half a cell: a whole side high at its corner, half a side at the other.
+    /// The same slope raised by half a cell: a whole side high at its corner, half a side at the
+    /// other.
     MildHighTopLeft = 22,
     /// As [`MildHighTopLeft`](Self::MildHighTopLeft), at another corner.
     MildHighTopRight = 23,
@@ -79,7 +82,8 @@ pub enum TileShape {
     SteepLowBottomRight = 28,
     /// As [`SteepLowTopLeft`](Self::SteepLowTopLeft), at another corner.
     SteepLowBottomLeft = 29,
-    /// The same slope moved by half a cell: a whole side wide at its corner, half a side at the other.
+    /// The same slope moved by half a cell: a whole side wide at its corner, half a side at the
+    /// other.
     SteepHighTopLeft = 30,
     /// As [`SteepHighTopLeft`](Self::SteepHighTopLeft), at another corner.
     SteepHighTopRight = 31,
@@ -87,8 +91,9 @@ pub enum TileShape {
     SteepHighBottomRight = 32,
     /// As [`SteepHighTopLeft`](Self::SteepHighTopLeft), at another corner.
     SteepHighBottomLeft = 33,
-    /// Only the edge toward row 0 blocks, and only what is entirely in front of it and moves in. It has no inside: it is never overlapped. Its ends
-    /// are no corners: a circle whose centre is beyond an end that nothing continues passes it.
+    /// Only the edge toward row 0 blocks, and only what is entirely in front of it and moves in. It
+    /// has no inside: it is never overlapped. Its ends are no corners: a circle whose centre is
+    /// beyond an end that nothing continues passes it.
     OneWayUp = 34,
     /// As [`OneWayUp`](Self::OneWayUp), the edge toward larger x.
     OneWayRight = 35,
@@ -144,7 +149,8 @@ impl TileShape {
 
 /// A shape and eight flags that mean what the game likes: coin, ladder, deadly, ...
 ///
-/// Flags of tiles that are not solid count too: see [`TileMap::flags_touched`](crate::world::TileMap::flags_touched).
+/// Flags of tiles that are not solid count too: see
+/// [`TileMap::flags_touched`](crate::world::TileMap::flags_touched).
 ///
 /// ```
 /// use tilesat::TileKind;
@@ -224,9 +230,11 @@ pub enum Fill {
     Full,
 }
 
-/// What each of the 256 tile ids is: 520 bytes, usually a `static` in flash, shared by all maps of a game.
+/// What each of the 256 tile ids is: 520 bytes, usually a `static` in flash, shared by all maps of
+/// a game.
 ///
-/// The table remembers which shapes it names, so that making a map asks once whether its set has them, and not 256 times.
+/// The table remembers which shapes it names, so that making a map asks once whether its set has
+/// them, and not 256 times.
 ///
 /// ```
 /// use tilesat::{TileKind, TileKinds};

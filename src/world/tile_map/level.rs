@@ -1,4 +1,5 @@
-//! A tile map as a level: its cells, which of them a box of coordinates reaches, and where there is anything at all.
+//! A tile map as a level: its cells, which of them a box of coordinates reaches, and where there is
+//! anything at all.
 //!
 //! Rows that are known to be empty are passed over: one bit a tile in the caller's storage.
 
@@ -172,7 +173,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         let range = self.open_range(region.lo(), region.hi());
         match self.outside {
             Outside::Empty => self.met(self.inside(range), Range::NOWHERE, region, r),
-            // Blocks at the border stand for what is beyond it; a region that holds only that has no cell inside.
+            // Blocks at the border stand for what is beyond it; a region that holds only that has
+            // no cell inside.
             Outside::Edge if !S::SHAPED => self.met(self.solid_range(range), Range::NOWHERE, region, r),
             Outside::Solid | Outside::Edge => {
                 let inside = self.inside(range);
@@ -224,7 +226,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 }
 
-/// The cells of a range that are beyond the map: one row or column on each side, and what is between them.
+/// The cells of a range that are beyond the map: one row or column on each side, and what is
+/// between them.
 const fn beyond(range: Range, inside: Range) -> Range {
     let (left, right) = (range.x0 < inside.x0, range.x1 > inside.x1);
     let (top, bottom) = (range.y0 < inside.y0, range.y1 > inside.y1);
@@ -242,7 +245,8 @@ const fn beyond(range: Range, inside: Range) -> Range {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The cells whose closed square meets the closed box: `ceil(lo / cell) - 1` is the column of `lo - 1`.
+    /// The cells whose closed square meets the closed box: `ceil(lo / cell) - 1` is the column of
+    /// `lo - 1`.
     pub(in crate::world) const fn closed_range(&self, lo: Raw, hi: Raw) -> Range {
         let one = Raw { x: 1, y: 1 };
         self.open_range(lo.sub(one), hi.add(one))
@@ -267,8 +271,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// The cells of a range that can hold solid: where the border is repeated, border blocks stand for the bands beyond them, shaped ones
-    /// have bands of their own; there is nothing outside where that is empty.
+    /// The cells of a range that can hold solid: where the border is repeated, border blocks stand
+    /// for the bands beyond them, shaped ones have bands of their own; there is nothing outside
+    /// where that is empty.
     pub(in crate::world) const fn solid_range(&self, r: Range) -> Range {
         match self.outside {
             Outside::Solid => r,
@@ -289,7 +294,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 }
 
 impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
-    /// The words that [`fill_occupancy`](Self::fill_occupancy) needs: one for each 32 columns begun, for every row.
+    /// The words that [`fill_occupancy`](Self::fill_occupancy) needs: one for each 32 columns
+    /// begun, for every row.
     #[must_use]
     pub const fn occupancy_words(&self) -> usize {
         self.words_a_row() as usize * self.grid.y.count as usize
@@ -299,7 +305,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         (self.grid.x.count as u32).div_ceil(32)
     }
 
-    /// Writes one bit a tile, set where its shape is not empty: bit `x % 32` of word `x / 32` of each row. Words beyond are left alone.
+    /// Writes one bit a tile, set where its shape is not empty: bit `x % 32` of word `x / 32` of
+    /// each row. Words beyond are left alone.
     ///
     /// # Errors
     /// [`TileMapError::Occupancy`] where the words are too few; nothing is written then.
@@ -322,10 +329,11 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(())
     }
 
-    /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy) at hand: the same answers, faster where rows of cells are empty.
+    /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy) at hand: the same
+    /// answers, faster where rows of cells are empty.
     ///
-    /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the compiler for a `const` map. After a tile is written, fill
-    /// them again.
+    /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the
+    /// compiler for a `const` map. After a tile is written, fill them again.
     ///
     /// ```
     /// use tilesat::{Cell, TileKind, TileKinds, TileMap, TileMapError};
@@ -369,7 +377,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(self)
     }
 
-    /// The row of the first word that is missing. A row has at least one word, so the division is by no zero.
+    /// The row of the first word that is missing. A row has at least one word, so the division is
+    /// by no zero.
     const fn too_few(&self, found: usize) -> TileMapError {
         let row = match (found as u32).checked_div(self.words_a_row()) {
             Some(row) => row as u16,

@@ -1,4 +1,5 @@
-//! A level of tiles: borrowed bytes, a grid, a table of kinds, and what lies outside; its type says which shapes it can hold, and how ids are stored.
+//! A level of tiles: borrowed bytes, a grid, a table of kinds, and what lies outside; its type says
+//! which shapes it can hold, and how ids are stored.
 
 mod build;
 mod clear;
@@ -36,19 +37,23 @@ pub enum Outside {
     Empty,
     /// Solid: the map is a closed room.
     Solid,
-    /// The border, continued to the end of the domain: what is solid on the map's outer edge is solid beyond it, so half an edge gives half a
-    /// band. A one-way edge goes on along its own line only: one that blocks from above is not repeated above and below the map.
+    /// The border, continued to the end of the domain: what is solid on the map's outer edge is
+    /// solid beyond it, so half an edge gives half a band. A one-way edge goes on along its own
+    /// line only: one that blocks from above is not repeated above and below the map.
     Edge,
 }
 
-/// A level of square tiles, read from where it lies: it owns nothing and needs no memory but itself (60 bytes on a 32-bit core).
+/// A level of square tiles, read from where it lies: it owns nothing and needs no memory but itself
+/// (60 bytes on a 32-bit core).
 ///
-/// The solid is the union of its tiles' shapes, borders included, and of what is [`Outside`]. Its surface is derived from the tiles when
-/// asked: interior faces do not exist, so nothing can snag on a seam. A door is one byte written (in memory): then make the map
-/// again. It is a view, and [`of`](Self::of) with a grid from a constant costs a handful of comparisons.
+/// The solid is the union of its tiles' shapes, borders included, and of what is [`Outside`]. Its
+/// surface is derived from the tiles when asked: interior faces do not exist, so nothing can snag
+/// on a seam. A door is one byte written (in memory): then make the map again. It is a view, and
+/// [`of`](Self::of) with a grid from a constant costs a handful of comparisons.
 ///
-/// `S` says which shapes it can hold ([`Blocks`]), `T` how ids are stored: [`Bytes`] or [`Bits`]. Cells are squares of 16 units from the
-/// origin, rows are consecutive and outside is empty, unless said otherwise:
+/// `S` says which shapes it can hold ([`Blocks`]), `T` how ids are stored: [`Bytes`] or [`Bits`].
+/// Cells are squares of 16 units from the origin, rows are consecutive and outside is empty, unless
+/// said otherwise:
 ///
 /// ```
 /// use tilesat::{Cell, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2, fx};
@@ -209,7 +214,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.kind_at(x, y).is_full()
     }
 
-    /// The corners of a cell: where the border is repeated and only blocks are, border cells reach to the end of the domain.
+    /// The corners of a cell: where the border is repeated and only blocks are, border cells reach
+    /// to the end of the domain.
     #[inline]
     pub(in crate::world) const fn extent(&self, x: i32, y: i32) -> (Raw, Raw) {
         self.extent_between((x, y), (x, y))
@@ -260,9 +266,11 @@ pub(in crate::world) const fn merged(index: i32, count: u16) -> i32 {
     }
 }
 
-/// Which shapes a [`TileMap`](crate::world::TileMap) can hold, so that a level of blocks links no code for anything else.
+/// Which shapes a [`TileMap`](crate::world::TileMap) can hold, so that a level of blocks links no
+/// code for anything else.
 ///
-/// Sealed; the markers are types such as [`Blocks`]. A table that names another shape is refused by the constructors.
+/// Sealed; the markers are types such as [`Blocks`]. A table that names another shape is refused by
+/// the constructors.
 pub trait Set: Sealed + Copy + Debug + Eq + 'static {
     /// One bit for each discriminant of [`TileShape`] that is allowed.
     const SHAPES: u64;

@@ -1,4 +1,5 @@
-//! Which tiles lie in a region, and which flags a shape touches: for coins, ladders and spikes, solid or not.
+//! Which tiles lie in a region, and which flags a shape touches: for coins, ladders and spikes,
+//! solid or not.
 
 use super::{Set, Store, TileMap};
 use crate::error::{RangeError, Truncated};
@@ -52,8 +53,9 @@ impl<S: Set, T: Store> Iterator for Tiles<'_, S, T> {
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The tiles whose inside meets the region: a region that is exactly one tile gives that tile.
     ///
-    /// Every tile of the map counts, solid or not; what is outside of the map is not reported. Where the region has no width and lies
-    /// on a line between two columns it gives both (and likewise for rows): nothing that a point touches is missed.
+    /// Every tile of the map counts, solid or not; what is outside of the map is not reported.
+    /// Where the region has no width and lies on a line between two columns it gives both (and
+    /// likewise for rows): nothing that a point touches is missed.
     ///
     /// Cost: one look-up a tile. It cannot fail.
     ///
@@ -83,7 +85,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Writes the tiles of [`tiles_in`](Self::tiles_in) to `out`, which is cleared first.
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the first ones, and the error says how many there are.
+    /// [`Truncated`] where they do not fit: `out` then holds the first ones, and the error says how
+    /// many there are.
     pub fn collect_tiles(&self, region: &Aabb, out: &mut VecView<TileAt>) -> Result<(), Truncated> {
         out.clear();
         let (mut seen, mut kept) = (0u32, 0);
@@ -96,10 +99,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if kept == seen { Ok(()) } else { Err(Truncated { seen, kept }) }
     }
 
-    /// The flags, joined by or, of all tiles that a box, circle or point has a point in common with: solid or not, borders included.
+    /// The flags, joined by or, of all tiles that a box, circle or point has a point in common
+    /// with: solid or not, borders included.
     ///
-    /// Borders count: a body that stands exactly beside a deadly tile touches it. For tiles that must be entered use
-    /// [`tiles_in`](Self::tiles_in). What is outside of the map has no flags. Exact. Cost: as [`touches`](Self::touches), but it always looks at every cell.
+    /// Borders count: a body that stands exactly beside a deadly tile touches it. For tiles that
+    /// must be entered use [`tiles_in`](Self::tiles_in). What is outside of the map has no flags.
+    /// Exact. Cost: as [`touches`](Self::touches), but it always looks at every cell.
     ///
     /// ```
     /// use tilesat::{Circle, Fx, TileKind, TileKinds, TileMap, Vec2};
@@ -120,10 +125,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.flags_of(lo, hi, |cell| shape.reaches(cell))
     }
 
-    /// The flags, joined by or, of all tiles that a box, circle or point has a point in common with anywhere on a straight way: what a fast body passes
-    /// over in one frame, coins and spikes, is not missed. Borders count, as in [`flags_touched`](Self::flags_touched); exact.
+    /// The flags, joined by or, of all tiles that a box, circle or point has a point in common with
+    /// anywhere on a straight way: what a fast body passes over in one frame, coins and spikes, is
+    /// not missed. Borders count, as in [`flags_touched`](Self::flags_touched); exact.
     ///
-    /// A body that slid has gone a bent way. Its first piece ends where the first hit says, and with at most one hit the rest is straight too:
+    /// A body that slid has gone a bent way. Its first piece ends where the first hit says, and
+    /// with at most one hit the rest is straight too:
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Vec2};
@@ -142,10 +149,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Cost: one look-up for each cell of the bounding box of the way; a few exact tests for those that have a flag which is new.
+    /// Cost: one look-up for each cell of the bounding box of the way; a few exact tests for those
+    /// that have a flag which is new.
     ///
     /// # Errors
-    /// [`RangeError`] where a component of the motion is not below 2^28 raw, or it leads out of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] where a component of the motion is not below 2^28 raw, or it leads out of the
+    /// [domain](crate::num::DOMAIN).
     pub fn flags_swept<B: Probe>(&self, shape: &B, motion: Vec2) -> Result<u8, RangeError> {
         check_motion(motion, MOTION)?;
         let (d, (lo, hi)) = (Raw::of(motion), shape.bounds());

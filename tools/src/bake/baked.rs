@@ -50,7 +50,8 @@ impl Baked {
         SegmentMap::from_bytes(bytes).map(Some).map_err(|e| Fail::new(format!("the objects: {e}")))
     }
 
-    /// What the level costs, line by line, for a body of these sides in raw units; for one of a cell where none are given.
+    /// What the level costs, line by line, for a body of these sides in raw units; for one of a
+    /// cell where none are given.
     ///
     /// # Errors
     ///
@@ -90,8 +91,8 @@ impl Baked {
         Ok(lines)
     }
 
-    /// Cells, segments with their normals and vertices, over an image of what was drawn; with rays where there is none. Lines of text stand
-    /// below.
+    /// Cells, segments with their normals and vertices, over an image of what was drawn; with rays
+    /// where there is none. Lines of text stand below.
     ///
     /// # Errors
     ///

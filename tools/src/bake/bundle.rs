@@ -1,4 +1,5 @@
-//! The levels of a project, baked together: one table of tile kinds and one list of flags for all of them.
+//! The levels of a project, baked together: one table of tile kinds and one list of flags for all
+//! of them.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -42,7 +43,8 @@ pub struct Bundle {
 ///
 /// # Errors
 ///
-/// A level has nothing solid, or one line that names the layer or object that the library does not take, and says why.
+/// A level has nothing solid, or one line that names the layer or object that the library does not
+/// take, and says why.
 pub fn bake(maps: &[Map], settings: &Settings) -> Result<Bundle> {
     let options = &settings.options;
     let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
@@ -110,14 +112,16 @@ fn distinct(outlines: &[Outline]) -> Vec<Outline> {
     kept
 }
 
-/// How many solids have a border on one line at one place, at most; the library would find out by comparing all of them.
+/// How many solids have a border on one line at one place, at most; the library would find out by
+/// comparing all of them.
 fn pile(outlines: &[Outline]) -> u32 {
     let solid = outlines.iter().filter(|outline| outline.kind == Kind::Solid && outline.closed);
     union::depth(&solid.map(|outline| outline.points.clone()).collect::<Vec<_>>())
 }
 
 impl Bundle {
-    /// Rust source: of one level its constants and statics, of several a module for each and a table for all.
+    /// Rust source: of one level its constants and statics, of several a module for each and a
+    /// table for all.
     pub fn source(&self) -> String {
         source::source(self)
     }

@@ -117,7 +117,8 @@ impl Level {
         self.ids.iter().all(|kind| Blocks::SHAPES >> kind.shape as u8 & 1 != 0)
     }
 
-    /// The surface as the library derives it: the pieces of the level's own cells, in a closed room.
+    /// The surface as the library derives it: the pieces of the level's own cells, in a closed
+    /// room.
     pub fn features(&self) -> Vec<Feature> {
         let kinds = self.kinds();
         let grid = self.grid();

@@ -30,7 +30,8 @@ impl Outputs {
     ///
     /// # Errors
     ///
-    /// A file cannot be written, is no file, is written twice, or is one of those that were read. Nothing has changed then.
+    /// A file cannot be written, is no file, is written twice, or is one of those that were read.
+    /// Nothing has changed then.
     pub fn write(&self, inputs: &[PathBuf]) -> Result<Vec<PathBuf>> {
         let places = self.files.iter().map(|(path, _)| place(path)).collect::<Result<Vec<_>>>()?;
         for (i, place) in places.iter().enumerate() {

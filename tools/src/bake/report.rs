@@ -26,8 +26,8 @@ pub(crate) struct Report {
     pub walked: usize,
 }
 
-/// Which pieces count as a cell's: those that it owns, as a tile does, or all that have a point in its closed square, which is what a
-/// segment map stores.
+/// Which pieces count as a cell's: those that it owns, as a tile does, or all that have a point in
+/// its closed square, which is what a segment map stores.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Owner {
     Tile,

@@ -25,8 +25,8 @@ pub(crate) enum Bytes {
     Files(String, String),
 }
 
-/// Constants, the tiles, and the objects as `segment_map!` takes them, so that the compiler builds and checks the map. Several levels are
-/// modules, and share the table of kinds.
+/// Constants, the tiles, and the objects as `segment_map!` takes them, so that the compiler builds
+/// and checks the map. Several levels are modules, and share the table of kinds.
 pub(crate) fn source(bundle: &Bundle) -> String {
     HEAD.to_owned() + &items(bundle)
 }

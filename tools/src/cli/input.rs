@@ -1,4 +1,5 @@
-//! The level that a subcommand works on, and what is solid in it: arguments that all of them share, and the file of the project.
+//! The level that a subcommand works on, and what is solid in it: arguments that all of them share,
+//! and the file of the project.
 
 use std::path::{Path, PathBuf};
 

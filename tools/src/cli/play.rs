@@ -1,4 +1,5 @@
-//! `tilesat play`: a level in, a run and its picture out. The example `platformer` is this with levels of its own.
+//! `tilesat play`: a level in, a run and its picture out. The example `platformer` is this with
+//! levels of its own.
 
 use std::ffi::OsString;
 use std::io::Write;

@@ -29,7 +29,8 @@ pub struct Rules {
 pub(crate) struct Scene<'a> {
     pub drawing: &'a Ground,
     pub rules: &'a Rules,
-    /// Of outlines, oriented: the solid lies right of the way (y down). No edge without length, none out of the domain.
+    /// Of outlines, oriented: the solid lies right of the way (y down). No edge without length,
+    /// none out of the domain.
     pub edges: Vec<Edge>,
     /// Which edges are near each other.
     pub index: Index,

@@ -17,7 +17,8 @@ const LIMIT: i128 = 1_000_000 * ONE;
 impl Decimal {
     pub const ZERO: Self = Self(0);
 
-    /// `-12.5`, `3`, `.5`, `1.2e-05`. Digits beyond 26 places are cut off; `None` for anything else and from a million on.
+    /// `-12.5`, `3`, `.5`, `1.2e-05`. Digits beyond 26 places are cut off; `None` for anything else
+    /// and from a million on.
     pub fn parse(text: &[u8]) -> Option<Self> {
         let text = std::str::from_utf8(text).ok()?.trim();
         let (number, exponent) = match text.split_once(['e', 'E']) {

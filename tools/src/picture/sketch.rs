@@ -66,7 +66,8 @@ impl Sketch {
         self.scene.disc(self.spot(at), 4.0, ink);
     }
 
-    /// Writes the picture, with lines of text below it, to the target folder or to the file that the first argument names.
+    /// Writes the picture, with lines of text below it, to the target folder or to the file that
+    /// the first argument names.
     ///
     /// # Errors
     ///

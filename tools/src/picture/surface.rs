@@ -1,4 +1,5 @@
-//! The surface of a level: exactly the faces and arcs that a body can meet, as the library tells them.
+//! The surface of a level: exactly the faces and arcs that a body can meet, as the library tells
+//! them.
 
 use tilesat::{Axis, Feature, Geometry, Vec2};
 

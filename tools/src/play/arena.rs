@@ -52,7 +52,8 @@ impl Arena {
         Ok(Self { level, segments }.at_origin())
     }
 
-    /// The game counts from the first cell; where a level lies matters to nothing but segments and the domain.
+    /// The game counts from the first cell; where a level lies matters to nothing but segments and
+    /// the domain.
     fn at_origin(mut self) -> Self {
         let fits = |count: u16| u32::from(count) * u32::from(self.level.tile) < 8192;
         if self.segments.is_none() && fits(self.level.width) && fits(self.level.height) {

@@ -24,7 +24,8 @@ pub struct Checker {
     tiles: Vec<u8>,
     /// What each id fills of its cell.
     solid: Vec<Outline>,
-    /// Which of the areas that walls separate a cell's free part belongs to; 0 for cells without one.
+    /// Which of the areas that walls separate a cell's free part belongs to; 0 for cells without
+    /// one.
     area: Vec<u32>,
     width: i64,
     height: i64,
@@ -106,14 +107,15 @@ fn further(moved: (i64, i64), velocity: (i64, i64)) -> bool {
     square(moved) > length * length
 }
 
-/// Numbers the connected groups of cells; cells are neighbours when a half of the side between them is free. The free part of every
-/// shape is in one piece.
+/// Numbers the connected groups of cells; cells are neighbours when a half of the side between them
+/// is free. The free part of every shape is in one piece.
 fn areas(tiles: &[u8], solid: &[Outline], width: usize) -> Vec<u32> {
     // Of each id, the halves of its sides that are free, two bits a side; none of a full cell.
     let halves = |o: &Outline| (0..8).filter(|&bit| !o.covers(bit / 2, bit % 2)).fold(0u8, |all, bit| all | 1 << bit);
     let free: Vec<u8> = solid.iter().map(halves).collect();
     let side = |cell: usize, side: usize| free[usize::from(tiles[cell])] >> (2 * side) & 3;
-    // The halves of a side turn right in both cells, so from the other cell their order is reversed.
+    // The halves of a side turn right in both cells, so from the other cell their order is
+    // reversed.
     let open = |from: usize, at: usize, to: usize| {
         let there = side(to, (at + 2) % 4);
         side(from, at) & (there >> 1 | there << 1) != 0

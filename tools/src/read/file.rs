@@ -18,7 +18,8 @@ pub(crate) struct Files {
 }
 
 impl Files {
-    /// All bytes of a file, or why it cannot be read. What is no file, such as a pipe, could keep its reader waiting.
+    /// All bytes of a file, or why it cannot be read. What is no file, such as a pipe, could keep
+    /// its reader waiting.
     pub(crate) fn bytes(&mut self, path: &Path) -> Result<Vec<u8>, String> {
         let cannot = |e: std::io::Error| format!("cannot read: {e}");
         if !fs::metadata(path).map_err(cannot)?.is_file() {

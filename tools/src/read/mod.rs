@@ -20,7 +20,8 @@ pub struct Levels {
     pub files: Vec<PathBuf>,
 }
 
-/// Reads a map of Tiled (XML or JSON) or a project of `LDtk`; of several levels the named one, or all.
+/// Reads a map of Tiled (XML or JSON) or a project of `LDtk`; of several levels the named one, or
+/// all.
 ///
 /// # Errors
 ///

@@ -1,6 +1,7 @@
 //! Just enough XML for the files of Tiled, read tag by tag, with limits on all that could grow.
 //!
-//! There are no namespaces and no entities but the five of XML and numbers. A document type is passed over.
+//! There are no namespaces and no entities but the five of XML and numbers. A document type is
+//! passed over.
 
 use std::borrow::Cow;
 

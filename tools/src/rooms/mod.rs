@@ -1,8 +1,10 @@
-//! Worlds that are larger than the coordinates of the library, in rooms whose borders no body feels.
+//! Worlds that are larger than the coordinates of the library, in rooms whose borders no body
+//! feels.
 //!
-//! A map is cut into equal rooms, which are windows of its tiles ([`tilesat::Rooms`]). The levels of an `LDtk` project are rooms where
-//! they lie in its world, each with an apron of its neighbours' tiles ([`tilesat::Room`]). Polygons are given whole to every room that they
-//! reach: cut ones would have corners that nobody drew.
+//! A map is cut into equal rooms, which are windows of its tiles ([`tilesat::Rooms`]). The levels
+//! of an `LDtk` project are rooms where they lie in its world, each with an apron of its
+//! neighbours' tiles ([`tilesat::Room`]). Polygons are given whole to every room that they reach:
+//! cut ones would have corners that nobody drew.
 
 mod part;
 mod segments;

@@ -1,4 +1,5 @@
-//! The tile layers of a map laid over each other: one grid of shapes and flags, and paths for what fits no cell.
+//! The tile layers of a map laid over each other: one grid of shapes and flags, and paths for what
+//! fits no cell.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;

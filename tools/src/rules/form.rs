@@ -17,7 +17,8 @@ const OFF: f64 = 1.0 / 8.0;
 /// More would not be seen, and cost flash.
 const MOST_CORNERS: u32 = 64;
 
-/// Where an object's corners are; `None` for a point and a text, which have no extent, and where nobody knows.
+/// Where an object's corners are; `None` for a point and a text, which have no extent, and where
+/// nobody knows.
 pub(super) fn corners(object: &Object) -> Option<Corners> {
     let ((w, h), zero) = (object.size, Decimal::ZERO);
     let box_of = |top: Decimal, bottom: Decimal| vec![(zero, top), (w, top), (w, bottom), (zero, bottom)];

@@ -3,13 +3,15 @@
 //! Of each placed tile the first of these says what it is:
 //!
 //! 1. `option`: the user, by [`Options`].
-//! 2. `a`: its class or a true property is called `Collision`, `Solid`, `Collides`, `Collidable`, `Wall`, `Blocked` or
-//!    `OneWay`, or the properties `shape` and `npp` name its shape.
-//! 3. `b`: it has shapes of Tiled's collision editor. What is a shape of the library within 1/8 pixel becomes that one;
-//!    all else becomes polygons beside the tiles.
-//! 4. `c`: its layer or a group around it has a name, a class or a true property with the word collision, collider or solid.
-//! 5. `d`: where nothing of the map is solid so far, its layer has a name with the word wall, ground, terrain, platform,
-//!    block or obstacle. Values of `LDtk` go by the same words, and by dirt, stone, rock, brick and earth.
+//! 2. `a`: its class or a true property is called `Collision`, `Solid`, `Collides`, `Collidable`,
+//!    `Wall`, `Blocked` or `OneWay`, or the properties `shape` and `npp` name its shape.
+//! 3. `b`: it has shapes of Tiled's collision editor. What is a shape of the library within 1/8
+//!    pixel becomes that one; all else becomes polygons beside the tiles.
+//! 4. `c`: its layer or a group around it has a name, a class or a true property with the word
+//!    collision, collider or solid.
+//! 5. `d`: where nothing of the map is solid so far, its layer has a name with the word wall,
+//!    ground, terrain, platform, block or obstacle. Values of `LDtk` go by the same words, and by
+//!    dirt, stone, rock, brick and earth.
 
 use tilesat::{TileKind, TileShape};
 

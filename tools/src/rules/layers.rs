@@ -145,7 +145,8 @@ impl<'a> Layers<'a> {
         ));
     }
 
-    /// The objects of all layers; where the layer's name is guessed by, those of layers that it is a guess for.
+    /// The objects of all layers; where the layer's name is guessed by, those of layers that it is
+    /// a guess for.
     pub(super) fn objects(&mut self, guess: bool) -> Made<(Vec<Outline>, Vec<LeftOut>)> {
         let (mut outlines, mut left_out, mut found, mut rounded) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for layer in self.all.clone() {

@@ -4,12 +4,14 @@ use tilesat::TileShape;
 
 use super::words::same;
 
-/// Names of tiles are classes, true properties, values of an `IntGrid` (`NAME`, `2`, `LAYER:2`) and `TILESET:ID`.
+/// Names of tiles are classes, true properties, values of an `IntGrid` (`NAME`, `2`, `LAYER:2`) and
+/// `TILESET:ID`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Options {
     /// The shape of tiles of a name. Of two for a tile the later one counts.
     pub shapes: Vec<(String, TileShape)>,
-    /// Names that are flags, whatever else they would be. Where there are more than eight flags, these are the ones that stay.
+    /// Names that are flags, whatever else they would be. Where there are more than eight flags,
+    /// these are the ones that stay.
     pub flags: Vec<String>,
     /// Layers in which every drawn tile is full.
     pub solid_layers: Vec<String>,

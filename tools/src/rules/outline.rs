@@ -1,4 +1,5 @@
-//! What is solid or one-way by its corners, in raw units: objects, and tiles that are no shape of the library.
+//! What is solid or one-way by its corners, in raw units: objects, and tiles that are no shape of
+//! the library.
 
 use std::fmt;
 

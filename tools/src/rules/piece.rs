@@ -1,4 +1,5 @@
-//! What a placed tile fills: a shape of its cell, several cells, or paths that are no shape of the library.
+//! What a placed tile fills: a shape of its cell, several cells, or paths that are no shape of the
+//! library.
 #![allow(clippy::cast_precision_loss, reason = "raw coordinates are below 2^53")]
 
 use tilesat::TileShape;
@@ -116,7 +117,8 @@ fn near(a: (f64, f64), b: (f64, f64)) -> bool {
     (a.0 - b.0).abs() + (a.1 - b.1).abs() < 1e-6
 }
 
-/// A shape of the collision editor, drawn on a tile of this size, in the frame that the tile is placed in.
+/// A shape of the collision editor, drawn on a tile of this size, in the frame that the tile is
+/// placed in.
 fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option<Path> {
     let corners = form::corners(object)?;
     let says = |name: &str| Kind::from_name(name);
@@ -201,7 +203,8 @@ fn runs_along(points: &[Spot], shape: TileShape) -> bool {
     }
 }
 
-/// Rectangles that may lie over each other as rectangles that do not; `None` where one is no rectangle.
+/// Rectangles that may lie over each other as rectangles that do not; `None` where one is no
+/// rectangle.
 fn boxes(polygons: &[Vec<(i64, i64)>]) -> Option<Vec<Vec<(i64, i64)>>> {
     let span = |points: &[(i64, i64)], of: fn(&(i64, i64)) -> i64| {
         Some((points.iter().map(of).min()?, points.iter().map(of).max()?))

@@ -44,7 +44,8 @@ pub(super) fn of(map: &Map, placed: &Placed, options: &Options) -> Result<Meanin
             let tile = set.tiles.get(id).unwrap_or(&nothing);
             let meaning = tile_of(set, *id, tile, *flip, options)
                 .map_err(|why| format!("tile {id} of tileset '{}': {why}", set.name));
-            // What LDtk's tiles are tagged with is for its rules of drawing, unless the user says otherwise.
+            // What LDtk's tiles are tagged with is for its rules of drawing, unless the user says
+            // otherwise.
             let kept = |flag: &String| !map.values || options.is_flag(flag);
             meaning.map(|meaning| Meaning { flags: meaning.flags.into_iter().filter(kept).collect(), ..meaning })
         }

@@ -1,4 +1,5 @@
-//! What the program writes: all of it or nothing, never over what it reads, under names that do not collide.
+//! What the program writes: all of it or nothing, never over what it reads, under names that do not
+//! collide.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -175,7 +176,8 @@ fn picture_of_what_was_drawn() {
     let info = reader.next_frame(&mut pixels).unwrap();
     let scale = 8;
     let at = |x: usize, y: usize| &pixels[(y * scale * info.width as usize + x * scale) * 3..][..3];
-    // Green shows through what is solid, and is plain where it is one-way; elsewhere nothing is drawn.
+    // Green shows through what is solid, and is plain where it is one-way; elsewhere nothing is
+    // drawn.
     assert!(at(3, 5)[1] > 90 && at(3, 5)[0] > 60, "{:?}", at(3, 5));
     assert!(at(20, 27)[1] > 180 && at(20, 27)[0] < 40, "{:?}", at(20, 27));
     assert!(at(37, 5)[1] < 90, "{:?}", at(37, 5));

@@ -1,4 +1,5 @@
-//! Worlds of any size in rooms: maps that are cut, projects whose levels are rooms, and bodies that feel none of it.
+//! Worlds of any size in rooms: maps that are cut, projects whose levels are rooms, and bodies that
+//! feel none of it.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -16,7 +16,8 @@ fn rest(near: &impl BroadPhase<Tag = Filter>, pair: Pair) -> bool {
 }
 
 impl<B: BroadPhase<Tag = Filter>> Game<B> {
-    /// Finds the pairs that touch, tells what became of those that did, and lets it have its effect.
+    /// Finds the pairs that touch, tells what became of those that did, and lets it have its
+    /// effect.
     #[inline(never)]
     pub fn meet(&mut self) {
         let mut cursor = PairCursor::new();
@@ -118,7 +119,8 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
         }
     }
 
-    /// Turns a shot round at a turret, with which it has no more to do until it is away: whether that could be done.
+    /// Turns a shot round at a turret, with which it has no more to do until it is away: whether
+    /// that could be done.
     fn reflect(&mut self, shot: (Handle, Body), turret: Handle) -> bool {
         let (Some(a), Some(b)) = (self.circle(turret), self.circle(shot.0)) else { return false };
         let Some(contact) = a.contact(&b) else { return false };

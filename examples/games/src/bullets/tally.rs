@@ -72,7 +72,8 @@ impl Tally {
 }
 
 impl<B: BroadPhase<Tag = Filter>> Game<B> {
-    /// Adds where everybody is to the hash; the sum of what each body gives does not depend on the order in which they are visited.
+    /// Adds where everybody is to the hash; the sum of what each body gives does not depend on the
+    /// order in which they are visited.
     pub(super) fn fold(&mut self) {
         let Some(all) = level::bounds() else { return };
         let (near, bodies) = (&self.near, &self.bodies);

@@ -44,7 +44,8 @@ impl Ball {
         Ok(())
     }
 
-    /// Two balls that overlap part, half the way each as far as the table lets them, and exchange their speeds along the line between them.
+    /// Two balls that overlap part, half the way each as far as the table lets them, and exchange
+    /// their speeds along the line between them.
     pub fn meet(&mut self, other: &mut Self, table: &impl World) -> Result<bool, MoveError> {
         let Some(contact) = self.body.contact(&other.body) else { return Ok(false) };
         let (push, other_push) = separate(&contact, Ratio::HALF);

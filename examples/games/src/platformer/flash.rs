@@ -1,4 +1,5 @@
-//! The platformer's bodies on its level as a chip has them: some frames on the level in flash, and the hash of all of them.
+//! The platformer's bodies on its level as a chip has them: some frames on the level in flash, and
+//! the hash of all of them.
 
 use core::fmt;
 

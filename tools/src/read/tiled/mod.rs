@@ -1,4 +1,5 @@
-//! Maps of Tiled, in XML and in JSON: both are read into the same [`raw`] form, and this makes a level of it.
+//! Maps of Tiled, in XML and in JSON: both are read into the same [`raw`] form, and this makes a
+//! level of it.
 
 mod data;
 mod objects;

@@ -1,4 +1,5 @@
-//! What stands in a file of Tiled, XML or JSON, before anything is looked up or checked. JSON is read into it by name.
+//! What stands in a file of Tiled, XML or JSON, before anything is looked up or checked. JSON is
+//! read into it by name.
 
 use std::collections::BTreeMap;
 use std::fmt;

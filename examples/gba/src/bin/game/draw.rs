@@ -1,4 +1,5 @@
-//! The level as tiles, the bodies as sprites, and the time that a frame took as a bar. Pixels are two units wide.
+//! The level as tiles, the bodies as sprites, and the time that a frame took as a bar. Pixels are
+//! two units wide.
 
 use tilesat::{Aabb, Cell, TileShape, Vec2};
 use tilesat_gba::cycles::FRAME;
@@ -139,7 +140,8 @@ fn corner(centre: Vec2) -> (i32, i32) {
     (((x + (1 << 16)) >> 17) - 4, ((y + (1 << 16)) >> 17) - 4)
 }
 
-/// Green for the collision, blue for the rest of the work, red for what is over a frame; the number of bodies, and percent of a frame.
+/// Green for the collision, blue for the rest of the work, red for what is over a frame; the number
+/// of bodies, and percent of a frame.
 pub fn bar(collision: u32, all: u32, count: usize) {
     let pixels = |cycles: u32| (cycles.min(2 * FRAME) * BAR_WIDTH).div_ceil(FRAME).min(BAR_WIDTH);
     let (first, second) = (pixels(collision), pixels(all));

@@ -1,6 +1,7 @@
 //! A ninja among boxes and balls on one screen of all shapes.
 //!
-//! Left and right run, A jumps; Select held at power-on doubles the bodies to 64; Start ends the game with what it cost.
+//! Left and right run, A jumps; Select held at power-on doubles the bodies to 64; Start ends the
+//! game with what it cost.
 #![no_std]
 #![no_main]
 
