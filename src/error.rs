@@ -34,7 +34,7 @@ pub enum Quantity {
     Length,
     /// How high a walker steps.
     StepHeight,
-    /// The cells of a level that a motion comes to: their number, not a length.
+    /// The number of cells of a level that a motion would visit, not a length.
     Cells,
 }
 
@@ -59,8 +59,8 @@ impl fmt::Display for RangeError {
 
 impl core::error::Error for RangeError {}
 
-/// A result was cut off because the room for it was full; what is kept comes first in the
-/// documented order.
+/// A result was cut off because the list was full. The kept results come first in the documented
+/// order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Truncated {

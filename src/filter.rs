@@ -20,8 +20,7 @@ impl LayerMask {
     /// Every layer.
     pub const ALL: Self = Self(0xffff);
 
-    /// The layer of an index from 0 to 15; beyond that they begin anew, and `layer(16)` is
-    /// `layer(0)`.
+    /// The layer of an index from 0 to 15. Larger indices wrap around: `layer(16)` is `layer(0)`.
     #[must_use]
     pub const fn layer(index: u8) -> Self {
         Self(1 << (index & 15))
@@ -33,7 +32,7 @@ impl LayerMask {
         self.0 & other.0 != 0
     }
 
-    /// The layers of both, in `const`.
+    /// The layers of both masks, in `const`.
     #[must_use]
     pub const fn with(self, other: Self) -> Self {
         Self(self.0 | other.0)
@@ -123,7 +122,7 @@ impl Filter {
         self.with_flag(STILL, still)
     }
 
-    /// The same as a sensor or not: it is told of bodies, and nothing is to be pushed by it.
+    /// The same as a sensor or not. A sensor reports bodies, and pushes none.
     #[must_use]
     pub const fn with_sensor(self, sensor: bool) -> Self {
         self.with_flag(SENSOR, sensor)
@@ -145,8 +144,8 @@ impl Filter {
         Self { flags: if on { self.flags | flag } else { self.flags & !flag }, ..self }
     }
 
-    // Layers first: they part most of what is near each other, and then the sign of one group is
-    // all that is left to ask.
+    // Layers first: they separate most of the bodies that are near each other. Then only the sign
+    // of one group remains to be tested.
     #[inline]
     pub(crate) const fn lets_pair(self, other: Self) -> bool {
         let flags = self.flags & other.flags;

@@ -1,5 +1,5 @@
-//! Shapes: small `Copy` values with private fields, built by checked constructors, so that a shape
-//! that exists is inside the domain.
+//! Shapes: small `Copy` values with private fields and checked constructors. A shape that exists is
+//! inside the domain.
 
 use crate::error::{Quantity, RangeError};
 use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
@@ -215,7 +215,7 @@ impl Circle {
 
 /// A line segment between two points; it has no inside and no side.
 ///
-/// Equal ends are legal and act as a point. Reversing the ends changes no result, save the
+/// Equal ends are legal and act as a point. Reversing the ends changes no result, except the
 /// documented degenerate axes.
 ///
 /// ```

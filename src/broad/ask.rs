@@ -65,8 +65,8 @@ fn heap<T: Copy>(items: &mut [T], before: &impl Fn(&T, &T) -> bool) {
 
 /// Puts an item where none below it goes after it.
 ///
-/// First all the way down, the later one of two moving up, and then up again to its place, which
-/// mostly is near the bottom: half the comparisons of looking for it from the top.
+/// First all the way down, the later one of two moving up. Then up again to its place, which mostly
+/// is near the bottom: half the comparisons of a search from the top.
 #[inline(never)]
 fn sink<T: Copy>(items: &mut [T], top: usize, before: &impl Fn(&T, &T) -> bool) {
     let Some(&item) = items.get(top) else { return };
@@ -245,7 +245,7 @@ pub struct BroadHit {
     pub toi: Toi,
 }
 
-/// The closed counterparts of what casts ask of their spans.
+/// The closed counterparts of the spans of casts.
 impl Span {
     const fn meets(self) -> bool {
         self.gap <= self.speed && self.leave >= 0
@@ -314,7 +314,7 @@ fn visit_way<S: Spatial>(phase: &S, start: &Aabb, d: Raw, mut each: impl FnMut(H
     });
 }
 
-/// Apart from what is wanted, so that all casts of a broad phase sort by the same code.
+/// Separate from the choice of bodies: all casts of a broad phase sort by the same code.
 fn earlier<T: Tag>(bodies: Bodies<'_, T>) -> impl Fn(&BroadHit, &BroadHit) -> bool {
     let order = move |hit: &BroadHit| (hit.toi, bodies.rank(hit.handle));
     move |a, b| order(a) < order(b)
@@ -339,9 +339,9 @@ pub(in crate::broad) fn cast<S: Spatial>(
     Ok(first.sort()?)
 }
 
-/// How far a body steps aside along y while the others are asked: out of the domain, so that
-/// nothing in it touches the box, and back without a rounding. Coordinates below 2^29 become ones
-/// in 2^29..2^31; x, and with it an order by x, stays.
+/// How far a body steps aside along y while the others are asked: out of the domain. Nothing in it
+/// then touches the box, and the way back needs no rounding. Coordinates below 2^29 become ones in
+/// 2^29..2^31; x, and with it an order by x, stays.
 const ASIDE: i32 = DOMAIN << 1;
 
 /// Every pair with one of the movers, once: whom a mover met it is not met by, because it stands

@@ -95,32 +95,33 @@ enum Mark {
     Both,
 }
 
-/// The pairs of the last frame, at most M of them, and what has changed since: begin, stay and end
-/// of contacts and of visits to sensors.
+/// The pairs of the last frame, at most M of them, and the changes since: contacts and visits to
+/// sensors that begin, stay and end.
 ///
-/// In each frame [`feed`](Self::feed) takes the pairs that count, in any order, each once or more
-/// often; those are what the game's own test of the shapes leaves of what the broad phase found.
-/// [`finish`](Self::finish) ends the frame, and [`iter`](Self::iter) then tells what became of each
-/// pair, in ascending order of pairs, as often as it is asked, until the next frame is fed.
+/// In each frame, [`feed`](Self::feed) it the pairs that count, in any order, each once or more
+/// often. Those are the pairs of the broad phase that pass your own test of the shapes.
+/// [`finish`](Self::finish) ends the frame. [`iter`](Self::iter) then lists what became of each
+/// pair, in ascending order of pairs, as often as you like, until you feed the next frame.
 ///
 /// Any `P` that is `Copy + Ord` is a pair: `(Handle, Cell)`-like tuples for tiles that trigger, or
-/// the keys of two bodies, where the order of events shall not depend on the order of insertion as
-/// that of handles does. `(a, b)` and `(b, a)` are two pairs; a broad phase gives only one of them.
+/// the keys of two bodies. Use keys where the order of events must not depend on the order of
+/// insertion, as that of handles does. `(a, b)` and `(b, a)` are two pairs; a broad phase gives
+/// only one of them.
 ///
-/// - **Bodies at rest**: two [still](crate::Filter::still) bodies are no pair of a broad phase, and
-///   what fell asleep in a trigger is in it all the same: `finish` asks `held` about each pair that
-///   did not come. Let bodies fall asleep after `finish`, so that the frame in which they moved is
-///   judged by where they are.
+/// - **Bodies at rest**: two [still](crate::Filter::still) bodies are no pair of a broad phase, but
+///   a body that fell asleep in a trigger is still in it. `finish` therefore asks `held` about each
+///   pair that did not come. Let bodies fall asleep after `finish`: the frame in which they moved
+///   is then judged by where they are.
 /// - **More than M pairs**: those of the last frame stay until they end, and of the new ones the
 ///   smallest fit; `finish` says [`Truncated`]. What did not fit was not begun, has no end, and
 ///   begins as soon as there is room. There is none too few where M is the number of pairs of two
 ///   successive frames together.
 ///
-/// Plain data, a copy is a snapshot; for [`Pair`]s 12 bytes each. Cost: of a pair known since the
-/// last frame a binary search, of a new one also the moves of all greater ones, so M new pairs at
-/// once are M^2 / 2 moves at worst; a frame is two passes over the pairs. With 64 pairs on a
-/// Cortex-M0: 310 instructions a pair that is known, 590 a new one where they come the greatest
-/// first.
+/// Plain data: a copy is a snapshot. For [`Pair`]s it takes 12 bytes each. Cost: a binary search
+/// for a pair known since the last frame, and for a new one also the moves of all greater ones. M
+/// new pairs at once are M^2 / 2 moves at worst. Each frame takes two passes over the pairs. With
+/// 64 pairs on a Cortex-M0: 310 instructions per known pair, 590 per new one where the greatest
+/// come first.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, BruteForce, PairEvent, PairEvents};
@@ -205,7 +206,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
         })
     }
 
-    /// Takes back what was fed since the last `finish`, for an enumeration that has to begin anew
+    /// Discards everything fed since the last `finish`, for an enumeration that has to begin again
     /// ([`Changed`](crate::broad::PairsError::Changed)).
     pub fn cancel(&mut self) {
         if !self.frame.over {
@@ -253,8 +254,8 @@ fn feed<P: Copy + Ord>(entries: &mut [Entry<P, Mark>], frame: &mut Frame, pair: 
     }
     let mut end = count(entries);
     if end == entries.len() {
-        // The greatest new pair makes way, or this one is it; pairs that were told never do. So
-        // those of the new ones that stay are the smallest of all that came, in whichever order.
+        // The greatest new pair makes way, or this one is it; pairs already reported never do. The
+        // new ones that stay are the smallest of all that came, in any order.
         frame.lost = true;
         let Some(last) = entries.iter().rposition(|entry| matches!(entry, Entry(Some((_, Mark::New))))) else { return };
         end = last;
@@ -288,23 +289,23 @@ fn finish<P: Copy>(
 pub enum Ignore {
     /// In the next frame in which it comes, then no more.
     Once,
-    /// Until a frame ends in which it did not come, the frame in which this is said not counted: a
-    /// bullet that starts within its shooter.
+    /// Until the first frame in which the pair did not come. The frame in which you set it does not
+    /// count: a bullet that starts within its shooter.
     UntilApart,
     /// Until one of the bodies is removed: a shield and its bearer.
     UntilRemoved,
 }
 
-/// Up to M pairs of bodies that are to be ignored, each for a while of its own.
+/// Up to M pairs of bodies to ignore, each for its own time.
 ///
-/// [`passes`](Self::passes) says of each pair of a frame whether it counts;
-/// [`finish`](Self::finish) at the frame's end forgets what is over, and bodies that are gone.
-/// Behind the game's own test of the shapes, "apart" is of the shapes; before it, of the boxes. A
-/// pair that is not to count is not fed to [`PairEvents`](crate::broad::PairEvents): where it had
+/// [`passes`](Self::passes) decides for each pair of a frame whether it counts.
+/// [`finish`](Self::finish) at the frame's end forgets pairs whose time is over, and bodies that
+/// are gone. Called behind your own test of the shapes, "apart" means the shapes; before it, the
+/// boxes. Do not feed an ignored pair to [`PairEvents`](crate::broad::PairEvents): where it had
 /// begun, it ends.
 ///
-/// The two handles may be given in either order. Plain data, a copy is a snapshot; 12 bytes a pair.
-/// Cost: a binary search a pair, one pass a frame.
+/// You may pass the two handles in either order. Plain data: a copy is a snapshot, 12 bytes per
+/// pair. Cost: a binary search per pair, one pass per frame.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, BruteForce, Exceptions, Ignore};
@@ -355,7 +356,7 @@ impl<const M: usize> Exceptions<M> {
         Self { entries: [Entry(None); M] }
     }
 
-    /// Ignores a pair from now on; what was said of it before is replaced.
+    /// Ignores a pair from now on, and replaces any earlier rule for it.
     ///
     /// # Errors
     /// [`Full`](BroadError::Full): there are M others. Nothing was changed then. Those of removed
@@ -364,7 +365,7 @@ impl<const M: usize> Exceptions<M> {
         put(&mut self.entries, sorted(a, b), Term { ignore, came: ignore == Ignore::UntilApart })
     }
 
-    /// Ignores a pair no longer; what was said of it, if anything was.
+    /// No longer ignores a pair, if it was ignored.
     pub fn allow(&mut self, a: Handle, b: Handle) -> Option<Ignore> {
         let (pair, mut found) = (sorted(a, b), None);
         retain(&mut self.entries, |known, term| {
@@ -384,7 +385,7 @@ impl<const M: usize> Exceptions<M> {
         self.entries.first().is_none_or(|entry| entry.0.is_none()) || passes(&mut self.entries, pair)
     }
 
-    /// Ends the frame: forgets what is over.
+    /// Ends the frame: forgets the rules whose time is over.
     ///
     /// `present` says whether a body is still here; `held`, as in
     /// [`PairEvents::finish`](crate::broad::PairEvents::finish), whether two that did not come are

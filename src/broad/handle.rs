@@ -9,10 +9,10 @@ use core::fmt;
 
 /// The name of one body in one broad phase: a slot, and which of its tenants is meant.
 ///
-/// A slot that is freed and given away again has another generation, so an old handle is told
-/// ([`BroadError::Stale`](super::BroadError::Stale)) and never means the new body; after 32768
-/// tenants of one slot generations begin anew. It does not say which broad phase it is of: keep the
-/// handles of two apart. 4 bytes.
+/// A slot that is freed and used again has another generation. An old handle is then refused
+/// ([`BroadError::Stale`](super::BroadError::Stale)) and never means the new body. After 32768
+/// tenants of one slot generations repeat. A handle does not say which broad phase it belongs to:
+/// keep the handles of two apart. 4 bytes.
 ///
 /// ```
 /// use tilesat::{Aabb, Vec2};
@@ -148,9 +148,8 @@ impl PartialOrd for Pair {
 /// What a body carries in a broad phase: whom it pairs with, and where it stands in canonical
 /// order.
 ///
-/// Asked only about two whose boxes touch. `()` pairs with all and costs nothing,
-/// [`Filter`](crate::Filter) has layers, [`Keyed`] adds a key; a rule of a game's own is a type of
-/// its own:
+/// Called only for two whose boxes touch. `()` pairs with all and costs nothing,
+/// [`Filter`](crate::Filter) has layers, [`Keyed`] adds a key. For your own rule, write a type:
 ///
 /// ```
 /// use tilesat::broad::Tag;
@@ -235,9 +234,8 @@ pub enum BroadError {
     },
     /// The handle's body was removed.
     ///
-    /// Of another broad phase a handle is told only where its slot has no body here, or one of
-    /// another generation: there may be a body of the same name, and which of the two is meant
-    /// cannot be told.
+    /// A handle of another broad phase is refused only where its slot has no body here, or one of
+    /// another generation. If there is a body of the same name, nothing tells the two apart.
     Stale(Handle),
     /// The box is wider or higher than a cell of the grid, in raw units.
     TooLarge {
@@ -304,7 +302,7 @@ impl core::error::Error for PairsError {}
 pub enum QueryError {
     /// It was not asked: an argument is out of range. The buffer is empty.
     Range(RangeError),
-    /// The buffer is full of what comes first; the rest did not fit.
+    /// The buffer is full of the first results; the rest did not fit.
     Truncated(Truncated),
 }
 

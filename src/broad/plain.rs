@@ -159,11 +159,11 @@ impl<'a> EachScan<'a> {
 }
 
 impl Scan for EachScan<'_> {
-    /// Goes on to two boxes that touch. Apart from what is done with them, so that the box of the
-    /// row stays in registers.
+    /// Continues to two boxes that touch. Separate from the use of the pair: the box of the row
+    /// stays in registers.
     #[inline(never)]
     fn next<M: Meter>(&mut self, meter: &mut M) -> Step {
-        // Written back only where it ends, so that they are in registers until then.
+        // Written back only at the end: they are in registers until then.
         let Self { mut row, ref rows, ref later } = *self;
         let (mut rows, mut later) = (rows.clone(), later.clone());
         let step = 'found: loop {
@@ -213,14 +213,14 @@ impl Scan for EachScan<'_> {
 ///         +---+
 /// ```
 ///
-/// Cost of an enumeration: the shifts that put the order right, one for each two bodies that
-/// changed places; after 8 N shifts, as where bodies were put anywhere, a heap sort of N log N
-/// steps (a frame of 256 bodies takes a Cortex-M0 some 40 000 instructions, one in which all were
-/// thrown about 190 000). Then a test of boxes for every two that touch in x, and for one more a
-/// body; N (N - 1) / 2 where all touch in x. Nothing is sorted where nothing moved, and where an
-/// enumeration [goes on](crate::broad::BroadPhase::pairs_from). An insertion or a move is a store.
-/// A query of a region or a point tests every body's box. RAM: 2 bytes a body, beside box, tag and
-/// the generation's 2 bytes.
+/// Cost of an enumeration: the shifts that restore the order, one for each two bodies that changed
+/// places. After 8 N shifts, as where bodies were put anywhere, it runs a heap sort of N log N
+/// steps. A frame of 256 bodies takes a Cortex-M0 some 40 000 instructions, one in which all were
+/// thrown about 190 000. Then comes a test of boxes for every two that touch in x, and one more per
+/// body: N (N - 1) / 2 where all touch in x. Nothing is sorted where nothing moved, and where an
+/// enumeration [continues](crate::broad::BroadPhase::pairs_from). An insertion or a move is a
+/// store. A query of a region or a point tests every body's box. RAM: 2 bytes per body, beside box,
+/// tag and the generation's 2 bytes.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, SortSweep};
@@ -282,8 +282,8 @@ impl<const N: usize, T: Tag> Spatial for SortSweep<N, T> {
         self.stale = true;
     }
 
-    /// A free slot keeps its place in the order, and its left side: an enumeration that is under
-    /// way finds the others where they were.
+    /// A free slot keeps its position in the order, and its left side: a running enumeration finds
+    /// the others where they were.
     fn unlink(&mut self, _: usize) {
         self.stale = true;
     }
@@ -342,15 +342,15 @@ impl<'a> OrderedScan<'a> {
 }
 
 impl Scan for OrderedScan<'_> {
-    /// Goes on to two boxes that touch. Apart from what is done with them, so that the box of the
-    /// row stays in registers.
+    /// Continues to two boxes that touch. Separate from the use of the pair: the box of the row
+    /// stays in registers.
     ///
-    /// What follows begins at or beyond the row's left side, so it touches the row in x where it
-    /// begins before the row's right side. That of a free slot is before everything, and as a later
-    /// one such a slot fails in y.
+    /// The next boxes begin at or beyond the row's left side. Each touches the row in x where it
+    /// begins before the row's right side. The right side of a free slot is before everything, and
+    /// as a later one a free slot fails in y.
     #[inline(never)]
     fn next<M: Meter>(&mut self, meter: &mut M) -> Step {
-        // Written back only where it ends, so that they are in registers until then.
+        // Written back only at the end: they are in registers until then.
         let Self { order, bounds, mut row, ref rows, ref later } = *self;
         let (mut rows, mut later) = (rows.clone(), later.clone());
         let step = 'found: loop {

@@ -1,4 +1,4 @@
-//! Names, order and what is kept where room is short.
+//! Names, order, and the bodies that are kept where room is short.
 
 #[allow(clippy::indexing_slicing, reason = "a test may panic")]
 mod handle {

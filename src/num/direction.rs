@@ -158,7 +158,7 @@ impl UnitVec2 {
         self.y
     }
 
-    /// The bits of both components: 2^30 is one.
+    /// The bits of the two components: 2^30 is one.
     #[must_use]
     pub const fn raw(self) -> (i32, i32) {
         (self.x.to_bits(), self.y.to_bits())

@@ -4,7 +4,7 @@ use super::{Fx, LONG, Raw, SPLIT, Vec2, mul_div, mul64, umul};
 
 /// A fraction of a motion: 0 at its start, 1 at its end, in steps of 2^-30.
 ///
-/// Rounded down, so that acting on it is never late.
+/// Rounded down: a body that moves by it is never late.
 ///
 /// ```
 /// use tilesat::Toi;
@@ -64,8 +64,8 @@ impl Toi {
         if d < 0 { part.wrapping_neg() } else { part }
     }
 
-    /// This part of a component `d`, rounded so that `m` plus it is no nearer to zero than the
-    /// exact sum where `away`, else no farther.
+    /// This part of a component `d`, rounded. `m` plus it is no nearer to zero than the exact sum
+    /// where `away`, else no farther.
     ///
     /// While the sum is still on the side that `d` comes from, rounding toward zero keeps it away;
     /// on zero and beyond it is one more that does.
@@ -83,10 +83,10 @@ impl Toi {
 /// A number from 0 to 1 in steps of 2^-30: friction, restitution, drag, or who takes which share of
 /// a push.
 ///
-/// `new` rounds to the nearest step, so a ratio is off by at most 2^-31; 0, 1 and fractions of
-/// powers of two are exact, and `new(a, c)` and `new(b, c)` with a + b = c < 2^31 are each other's
-/// [`complement`](Self::complement). What a ratio is *of* is rounded toward zero, the same for both
-/// signs.
+/// `new` rounds to the nearest step: a ratio is off by at most 2^-31. 0, 1 and fractions of powers
+/// of two are exact. `new(a, c)` and `new(b, c)` with a + b = c < 2^31 are each other's
+/// [`complement`](Self::complement). A number multiplied by a ratio is rounded toward zero, the
+/// same for both signs.
 ///
 /// ```
 /// use tilesat::{Fx, Ratio};

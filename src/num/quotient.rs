@@ -2,8 +2,8 @@
 
 use super::wide::{LONG, less128, mul64, umul};
 
-/// `round(256 / sqrt((i + 32.5) / 128)) - 256` for i in 0..96, at most 255; padded to a power of
-/// two so that a mask bounds the index.
+/// `round(256 / sqrt((i + 32.5) / 128)) - 256` for i in 0..96, at most 255. It is padded to a power
+/// of two, and a mask bounds the index.
 const RSQRT_TABLE: [u8; 128] = rsqrt_table();
 
 /// Twice the nearest integer decision of `256 / sqrt(u)`, `u = (2i + 65) / 256`: the largest t with

@@ -4,7 +4,7 @@
 mod parts {
     use crate::num::part::Ratio;
 
-    /// 0, powers of two and what is beside them, and all ones.
+    /// 0, powers of two and their neighbours, and all ones.
     fn near_powers(bits: u32) -> impl Iterator<Item = u64> {
         (0..bits).flat_map(|k| [(1 << k) - 1, 1 << k, (1u64 << k).wrapping_add(1)]).chain([u64::MAX >> (64 - bits)])
     }

@@ -92,7 +92,7 @@ impl Vec2 {
         (self.x.to_bits() >> 16, self.y.to_bits() >> 16)
     }
 
-    /// The bits of both components.
+    /// The bits of the two components.
     #[must_use]
     pub const fn raw(self) -> (i32, i32) {
         (self.x.to_bits(), self.y.to_bits())

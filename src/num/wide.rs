@@ -77,8 +77,7 @@ const fn norm_words(a: i32, b: i32) -> u64 {
     usqr(a.unsigned_abs()).wrapping_add(usqr(b.unsigned_abs()))
 }
 
-/// [`umul`] from four 16-bit products; what `ARMv6-M` runs, callable everywhere so that tests reach
-/// it.
+/// [`umul`] from four 16-bit products. `ARMv6-M` runs it; the tests call it everywhere.
 #[inline(never)]
 #[must_use]
 pub const fn umul_split(a: u32, b: u32) -> u64 {
@@ -115,8 +114,8 @@ pub const fn usqr_split(a: u32) -> u64 {
 /// The 128-bit product of two unsigned double words, as `(high, low)`; such pairs compare as
 /// numbers.
 ///
-/// Exact for all inputs. Delivered as a pair so that no 128-bit routine of the compiler is linked.
-/// 128 instructions on a Cortex-M0, out of line there; 15 on a Cortex-M3.
+/// Exact for all inputs. The result is a pair, so no 128-bit routine of the compiler is linked. 128
+/// instructions on a Cortex-M0, out of line there; 15 on a Cortex-M3.
 #[inline]
 #[must_use]
 pub const fn mul64(a: u64, b: u64) -> (u64, u64) {

@@ -264,9 +264,9 @@ impl Square {
 
 /// The distance between two shapes, or to a point.
 ///
-/// The exact distance rounded down to a raw unit; zero where they touch or overlap, and where they
-/// are less than a raw unit apart ([`touches`](super::Touches::touches) tells these cases apart).
-/// `a.distance(&b)` is `b.distance(&a)`.
+/// The exact distance rounded down to a raw unit. It is zero where they touch or overlap, and where
+/// they are less than a raw unit apart; [`touches`](super::Touches::touches) distinguishes these
+/// cases. `a.distance(&b)` is `b.distance(&a)`.
 ///
 /// Cost: at most one square root, about 300 instructions on a Cortex-M0 (500 to 950 for a sloped
 /// segment); four to six times that for a sloped segment against a box or a segment. It cannot

@@ -9,7 +9,7 @@ const fn below<const CLOSED: bool>(a: i32, b: i32) -> bool {
 }
 
 /// Whether two intervals meet. Strict comparison is right for intervals of no length too: they meet
-/// what has the point inside.
+/// an interval that has the point inside.
 #[inline]
 const fn intervals<const CLOSED: bool>(alo: i32, ahi: i32, blo: i32, bhi: i32) -> bool {
     if CLOSED { alo <= bhi && blo <= ahi } else { alo < bhi && blo < ahi }
@@ -19,7 +19,7 @@ const fn intervals<const CLOSED: bool>(alo: i32, ahi: i32, blo: i32, bhi: i32) -
 #[inline]
 pub(crate) const fn aabb_aabb<const CLOSED: bool>(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw) -> bool {
     if LONG {
-        // Four comparisons without a branch; callgrind: 15 instructions in place of 20.
+        // Four comparisons without a branch; callgrind: 15 instructions instead of 20.
         return (below::<CLOSED>(alo.x, bhi.x) & below::<CLOSED>(blo.x, ahi.x))
             & (below::<CLOSED>(alo.y, bhi.y) & below::<CLOSED>(blo.y, ahi.y));
     }
@@ -63,13 +63,13 @@ pub(super) const fn by_squares<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bo
     square < limit || (CLOSED && square == limit)
 }
 
-/// A call, so that the frequent cases need no registers saved.
+/// A call: the frequent cases then need no registers saved.
 #[inline(never)]
 const fn squares_out_of_line<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
     by_squares::<CLOSED>(x, y, r)
 }
 
-/// Circle against circle: the point `b - a` against a disc of both radii.
+/// Circle against circle: the point `b - a` against a disc of the sum of the radii.
 #[inline]
 pub(crate) const fn circle_circle<const CLOSED: bool>(a: Raw, b: Raw, r: i32) -> bool {
     if LONG {

@@ -1,5 +1,5 @@
-//! Pair queries: one trait a verb, one implementation a pair, so that a scene links the pairs that
-//! it uses and no others.
+//! Pair queries: one trait per verb, one implementation per pair. A game links only the pairs that
+//! it uses.
 //!
 //! | verb | asks | answer | rounding |
 //! |---|---|---|---|
@@ -12,11 +12,11 @@
 //! | [`CastShape`] | when does this motion first hit? | `Option<`[`CastHit`]`>` | yes or no exact, time down |
 //!
 //! All are implemented for every ordered pair of [`Aabb`](crate::Aabb), [`Circle`](crate::Circle)
-//! and [`Segment`](crate::Segment); `Contains` and `Distance` for a point ([`Vec2`](crate::Vec2))
-//! as B, too, `CastShape` for a point as A against boxes and circles. `closest_point` and
-//! `cast_ray` are methods of each shape. None of them can loop without a bound or divide, and none
-//! can fail but casts, which refuse what is out of range. Results depend on differences only: a
-//! translated scene gives the same bits, a mirrored one mirrored bits.
+//! and [`Segment`](crate::Segment). `Contains` and `Distance` also take a point
+//! ([`Vec2`](crate::Vec2)) as B, and `CastShape` a point as A against boxes and circles.
+//! `closest_point` and `cast_ray` are methods of each shape. None of them loops without a bound or
+//! divides. Only casts can fail: they refuse inputs out of range. Results depend on differences
+//! only: a translated scene gives the same bits, a mirrored one mirrored bits.
 //!
 //! # Degenerate cases
 //!

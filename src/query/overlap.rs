@@ -7,10 +7,10 @@ use crate::shape::{Aabb, Circle, Segment};
 
 /// Whether the interiors of two shapes meet: exact, and strict.
 ///
-/// Precisely: whether the origin is interior to the Minkowski sum A + (-B), so that moving A a
-/// little in any direction keeps the overlap. Shapes that only touch do not overlap; a point or a
-/// segment overlaps a box or a circle whose inside it reaches; two segments overlap only where they
-/// cross properly; a circle of radius zero overlaps only what has area. The table of [degenerate
+/// Precisely: whether the origin is interior to the Minkowski sum A + (-B). Moving A a little in
+/// any direction then keeps the overlap. Shapes that only touch do not overlap. A point or a
+/// segment overlaps a box or a circle whose inside it reaches. Two segments overlap only where they
+/// cross properly. A circle of radius zero overlaps only shapes with area. The table of [degenerate
 /// cases](crate::query#degenerate-cases) has one line for each of the rest.
 ///
 /// `a.overlaps(&b)` is `b.overlaps(&a)`, and is true exactly where

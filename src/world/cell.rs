@@ -86,7 +86,7 @@ pub struct Block {
     pub(crate) kind: TileKind,
 }
 
-/// The place of a walk over such cells: the next one to look at.
+/// The next cell of a walk over such cells.
 #[derive(Clone, Copy, Debug)]
 pub struct Cells {
     pub(in crate::world) range: Range,

@@ -21,7 +21,7 @@ pub enum OneWay {
     /// They are not there.
     #[default]
     Ignore,
-    /// They are surface for what is in front of them.
+    /// They are surface only for points in front of them.
     Include,
 }
 
@@ -60,9 +60,9 @@ closest_point_of! {
     /// The point of the surface that is nearest to `p` and at most `within` away, seen from outside
     /// and from inside of the solid.
     ///
-    /// The order of distances is exact. In a tie a face or arc with the foot of `p` on it goes
-    /// before a corner, that before the end of a face, and then the piece with the smaller
-    /// coordinates; tie or not, the answer depends on the level and the point only.
+    /// Distances are compared exactly. In a tie, a face or arc with the foot of `p` on it comes
+    /// first. A corner comes next, then the end of a face, then the piece with the smaller
+    /// coordinates. The answer depends only on the level and the point.
     ///
     /// Cost: the features of squares around `p` whose half side doubles from one cell until the
     /// nearest point is found, at the last `within`: at most twice the features of the last one,
@@ -145,8 +145,8 @@ fn search<W: World>(world: &W, p: Raw, limit: i32, one_way: OneWay, inside: bool
     }
 }
 
-/// Finds the nearest of what is in a region, or neither of the two; returns at how much it has
-/// looked.
+/// Finds the nearest feature of a region, or neither of the two. Returns the number of features
+/// that it examined.
 #[inline(never)]
 fn find_nearest<W: World>(
     world: &W,
@@ -216,7 +216,7 @@ impl Spot {
                 } else if along > raw(dir).dot(b.sub(a)) {
                     end(b)
                 } else if front != 0 && !feature.one_way && (front < 0) != inside {
-                    // From its wrong side a face is no nearer than what is before it.
+                    // From its wrong side a face is no nearer than the surface in front of it.
                     None
                 } else {
                     found(Measure::height(front.unsigned_abs(), dir.length_squared()), Place::Foot)

@@ -44,15 +44,15 @@ impl WorldContact {
         self.contact.depth()
     }
 
-    /// Whether another way out of this feature is as short (or the body's middle is an arc's
-    /// centre), so that the normal is a convention: x before y, + before -. Features that are
-    /// equally deep are contacts of their own, in the order that `contacts` documents.
+    /// Whether another way out of this feature is as short, or the body's middle is an arc's
+    /// centre. The normal is then a convention: x before y, + before -. Features that are equally
+    /// deep are separate contacts, in the order that `contacts` documents.
     #[must_use]
     pub const fn is_degenerate(&self) -> bool {
         self.contact.is_degenerate()
     }
 
-    /// A displacement of the body after which it does not overlap this feature, at most 4 raw units
+    /// A displacement after which the body does not overlap this feature. It is at most 4 raw units
     /// longer than the least one along the normal.
     ///
     /// Each component is rounded away from the surface. One case has no such displacement: a
@@ -142,8 +142,8 @@ impl Found<'_> {
     }
 }
 
-/// What the component `v` of a vector with the square `d` misses of its place on a circle of radius
-/// `room`, rounded down in size.
+/// By how much the component `v` of a vector with the square `d` misses a circle of radius `room`,
+/// rounded down in size.
 const fn inward(v: i32, room: u32, d: u64) -> i32 {
     let at = div_sqrt(umul(v.unsigned_abs(), room), d) as i32;
     (if v < 0 { at.wrapping_neg() } else { at }).wrapping_sub(v)
@@ -176,20 +176,23 @@ contacts_of! {
     /// Writes the features that a box or circle overlaps to `out`, which is cleared first: each
     /// once, the nearest first.
     ///
-    /// A feature counts where the body is in its region: a circle's centre before or behind a face
-    /// or an arc, or in the cone of a corner (where it has none of these, right behind a concave
-    /// corner, the faces whose ends it covers and is behind of); a box's deepest corner before or
-    /// behind a slope or arc, its side against a face along x or y or the corner that it faces
-    /// (where a box has none of these, the nearest slope that it meets at all). What is seen from
-    /// behind counts only while the body's middle is in the solid: the far side of a thin wall is
-    /// not a way out. Circles are told the feature first whose distance from the centre is least,
-    /// boxes the shortest way out; ties go as in [`closest_point`](Self::closest_point). A body
-    /// that reaches no surface, such as one deep in the solid or a point, has no contacts.
+    /// A feature counts where the body is in its region. For a circle, the centre must be before or
+    /// behind a face or an arc, or in the cone of a corner. Right behind a concave corner it has
+    /// none of these; the faces count whose ends it covers and is behind of. For a box, the deepest
+    /// corner must be before or behind a slope or arc. A side of the box counts against a face
+    /// along x or y, or against the corner that it faces. A box that has none of these has the
+    /// nearest slope that it meets at all.
     ///
-    /// The result says how many features were looked at. Cost: those of the body's bounding box, at
-    /// most 10 a cell and `(width / cell + 2) (height / cell + 2)` cells, one exact test each, and
-    /// for each that is kept a comparison with those before it: some 7000 instructions on a
-    /// Cortex-M0 for a ball of 10 units that overlaps shapes of 24.
+    /// Features seen from behind count only while the body's middle is in the solid: the far side
+    /// of a thin wall is not a way out. Circles list the feature first whose distance from the
+    /// centre is least, boxes the shortest way out. Ties go as in
+    /// [`closest_point`](Self::closest_point). A body that reaches no surface, such as one deep in
+    /// the solid or a point, has no contacts.
+    ///
+    /// The result is the number of features examined. Cost: the features of the body's bounding
+    /// box, at most 10 per cell in `(width / cell + 2) (height / cell + 2)` cells. Each takes one
+    /// exact test, and each that is kept a comparison with those before it. A ball of 10 units that
+    /// overlaps shapes of 24 takes some 7000 instructions on a Cortex-M0.
     ///
     /// ```
     /// use tilesat::{Axis, Circle, Fx, OneWay, TileKind, TileKinds, TileMap, Vec2};
@@ -222,7 +225,7 @@ contacts_of! {
 
 contacts_of! {
     /// Writes the features of both levels that a box or circle overlaps to `out`, which is cleared
-    /// first: each once, the nearest first; as [`TileMap::contacts`].
+    /// first. Each comes once, the nearest first, as in [`TileMap::contacts`].
     ///
     /// # Errors
     /// [`Truncated`] where they do not fit: `out` then holds the nearest.
@@ -238,8 +241,8 @@ pub(crate) fn contacts<W: World, B: Pushable>(
 ) -> Result<u32, Truncated> {
     out.clear();
     let bounds = body.bounds();
-    // The raw units around the middle: a point, where the sides are even. Not on the surface by
-    // rounding, so that what is before it is in sight.
+    // The raw units around the middle: a point, where the sides are even. Rounding must not put it
+    // on the surface, where it would not see the features before it.
     let (lo, hi) = (bounds.lo(), bounds.hi());
     let last = Raw { x: (lo.x + hi.x + 1) >> 1, y: (lo.y + hi.y + 1) >> 1 };
     let behind = world.overlaps_aabb(&Aabb::from_raw_unchecked(Raw::of(bounds.centre()), last));

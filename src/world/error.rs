@@ -41,7 +41,7 @@ pub enum TileMapError {
         /// The characters of this one.
         found: u32,
     },
-    /// A character of the text is not ASCII, so that bytes would not be tiles.
+    /// A character of the text is not ASCII, so it is not one byte.
     NotAscii {
         /// The row, from 0.
         row: u32,

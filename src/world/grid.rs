@@ -49,8 +49,9 @@ impl Grid {
     /// `origin`.
     ///
     /// # Errors
-    /// [`TileMapError`] where a count is 0 or above 32767, the cell is odd or not in 2^8..=2^24 raw
-    /// (1/256 to 256 units), or an end of the grid is outside of the [domain](crate::num::DOMAIN).
+    /// [`TileMapError`] where a count is 0 or above 32767, or the cell is odd or not in 2^8..=2^24
+    /// raw (1/256 to 256 units). Also where an end of the grid is outside of the
+    /// [domain](crate::num::DOMAIN).
     pub const fn new(width: u16, height: u16, cell: Fx, origin: Vec2) -> Result<Self, TileMapError> {
         if width == 0 || height == 0 {
             return Err(TileMapError::EmptyMap);
@@ -188,9 +189,9 @@ impl Grid {
 
     /// The same for indices below 2^15 without a long product.
     ///
-    /// d / 2^(log - 1) is below 2^17 and the magic's upper half at most 2^15: the product is below
-    /// 2^32, the first loses less than 1 of it, which is half a cell, and the second less than
-    /// 2^17 / 2^16 cells.
+    /// d / 2^(log - 1) is below 2^17, and the magic's upper half at most 2^15: the product is below
+    /// 2^32. The first quotient loses less than 1 of it, which is half a cell, and the second less
+    /// than 2^17 / 2^16 cells.
     pub(super) const fn quotient_by_words(&self, d: u32) -> u32 {
         let mut index = (d >> (self.log.wrapping_sub(1) & 31)).wrapping_mul(self.magic >> 16) >> 16;
         let mut rest = d.wrapping_sub(index.wrapping_mul(self.cell as u32));
@@ -276,7 +277,7 @@ const fn magic(cell: u32) -> (u32, u8) {
     if cell.is_power_of_two() {
         return (0, log);
     }
-    // The floor of 2^(31 + log) / cell, a bit a step, without a 64-bit division: the remainder
+    // The floor of 2^(31 + log) / cell, one bit per step, without a 64-bit division: the remainder
     // stays below the cell.
     let (mut floor, mut rem, mut step) = (0u32, 1 << log, 0);
     while step < 31 {

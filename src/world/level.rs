@@ -21,14 +21,14 @@ pub struct Feature {
     pub geometry: Geometry,
     /// The cell whose solid it bounds.
     pub cell: Cell,
-    /// Which piece. Of a tile: 0..=3 the faces on its sides, 4..=7 their vertices, counted from the
-    /// side toward row 0, turning right, bottom, left (a vertex follows the face that ends in it);
-    /// 8 the slope, arc or inner face, 9 its vertex. Of a segment map: twice the segment's index,
-    /// plus one for the vertex at its end.
+    /// Which piece. Of a tile, 0..=3 are the faces on its sides and 4..=7 their vertices, counted
+    /// from the side toward row 0, then right, bottom, left. A vertex follows the face that ends in
+    /// it. 8 is the slope, arc or inner face, 9 its vertex. Of a segment map: twice the segment's
+    /// index, plus one for the vertex at its end.
     pub index: u16,
     /// The user flags of the cell's tile.
     pub flags: u8,
-    /// Whether it blocks only what comes from entirely in front.
+    /// Whether it blocks only bodies that come from entirely in front.
     pub one_way: bool,
     /// Which level of a `Joined` pair it is from: 0 for the first, and for a level alone.
     pub source: u8,
@@ -60,8 +60,8 @@ pub enum Geometry {
         /// Length in multiples of `dir`, raw; 0 only where a map that ends with the domain goes on
         /// beyond it.
         len: i32,
-        /// Whether the solid goes on beyond the start and the end (flat or concave joint), so that
-        /// the end point itself blocks.
+        /// Whether the solid continues beyond the start and the end (a flat or concave joint). The
+        /// end point itself then blocks.
         joined: [bool; 2],
     },
     /// A strictly convex corner of the solid.
@@ -214,8 +214,8 @@ pub trait World: sealed::Sealed {
         self.features(way.piece)
     }
 
-    /// Whether the surface and the overlap tests are two views of one solid wherever a body can be,
-    /// so that the end of a motion that meets nothing needs no test.
+    /// Whether the surface and the overlap tests are two views of one solid wherever a body can be.
+    /// The end of a motion that meets nothing then needs no test.
     #[doc(hidden)]
     const CERTAIN: bool = Self::BLOCKS;
 

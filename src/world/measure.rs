@@ -1,6 +1,6 @@
 //! A body against one feature: how far, how deep, which way out.
 //!
-//! Distances are exact, for comparison: roots, heights over lines, and what is between a point and
+//! Distances are exact, for comparison: roots, heights over lines, and the gap between a point and
 //! a circle.
 
 use super::level::{Feature, Geometry, World, ends, in_quadrant, normal, raw};
@@ -103,7 +103,7 @@ fn free_line(w: u64, c: u64, f: u64, d: u64) -> Ordering {
     product(x, x).cmp(&product(ff, mul64(c, d)))
 }
 
-/// The product of two numbers below 2^124, high words first, so that it compares as a number.
+/// The product of two numbers below 2^124, high words first, which compares as a number.
 #[inline(never)]
 fn product(a: (u64, u64), b: (u64, u64)) -> ((u64, u64), (u64, u64)) {
     let (low, high) = (mul64(a.1, b.1), mul64(a.0, b.0));
@@ -368,8 +368,8 @@ fn out_of_disc(core: Raw, m: Raw, quadrant: Axis) -> Contact {
     Contact::radial(core, Raw { x: m.x.wrapping_neg(), y: m.y.wrapping_neg() })
 }
 
-/// A contact with what is around a hollow disc: the core is `m` from the centre, as deep as the sum
-/// of its length and the other radii.
+/// A contact with the solid around a hollow disc. The core is `m` from the centre, as deep as the
+/// sum of its length and the other radii.
 pub(in crate::world) fn into_disc(core: Raw, m: Raw, quadrant: Axis) -> Contact {
     if m.is_zero() {
         return Contact::new(Axis::new(quadrant.x, 0), 0, core).with_degenerate(true);

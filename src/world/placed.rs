@@ -21,10 +21,9 @@ use crate::shape::{Aabb, Circle};
 /// stops rays; to carry and to push is what boxes do, see [`Mover::ride`](crate::Mover::ride). A
 /// body that overlaps it at the new place is stuck until the game has moved it out.
 ///
-/// Results are those of a level that is built there, bit for bit, as all kernels work on
-/// differences. Where a tile map goes on beyond its cells ([`Outside`](crate::Outside)), its
-/// surface does so up to the end of its own domain; a body that is farther off is stopped by what
-/// is solid there, but not led along it.
+/// Results are those of a level built there, bit for bit, because all kernels work on differences.
+/// A tile map that continues beyond its cells ([`Outside`](crate::Outside)) has a surface up to the
+/// end of its domain. Solid beyond that still stops a body, but does not lead it along.
 ///
 /// Cost: that of the level, and a few additions for each call and each feature.
 ///
@@ -55,7 +54,7 @@ impl<W> Clone for Placed<'_, W> {
 impl<W> Copy for Placed<'_, W> {}
 
 impl<'a, W: World> Placed<'a, W> {
-    /// The level, shifted: what is at `p` in it is at `p + offset` here.
+    /// The level, shifted: a point `p` of it is at `p + offset` here.
     ///
     /// # Errors
     /// [`RangeError`] where a component of the offset is not below [`MOTION`] (4096 units):

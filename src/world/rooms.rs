@@ -1,5 +1,5 @@
-//! Worlds larger than the coordinates allow: rooms, each with coordinates of its own, and the way
-//! from one to the next.
+//! Worlds larger than the coordinates allow: rooms with separate coordinates, and the way from one
+//! to the next.
 
 use super::cell::Cell;
 use super::error::TileMapError;
@@ -8,8 +8,8 @@ use super::tile_map::kind::TileKinds;
 use super::tile_map::{AllShapes, Outside, Set, TileMap};
 use crate::num::{DOMAIN, Fx, Raw, Vec2};
 
-/// A part of a world, as a level with coordinates of its own: its tiles, and around them an apron,
-/// which is tiles of its neighbours.
+/// A part of a world, as a level with its own coordinates: its tiles, and around them an apron of
+/// its neighbours' tiles.
 ///
 /// ```text
 ///      apron
@@ -23,8 +23,8 @@ use crate::num::{DOMAIN, Fx, Raw, Vec2};
 /// ```
 ///
 /// No body feels the border. Where the apron is [wide enough](Self::apron_for), a motion in the
-/// room's map has the bits that it would have in a map of the whole world. So it does not matter in
-/// which frame a body goes over to the next room, as long as the apron holds it.
+/// room's map gives the same bits as in a map of the whole world. A body may move to the next room
+/// in any frame in which the apron still holds it.
 ///
 /// The rooms of a [`Rooms`] are equal, and are made when asked for. Rooms of any rectangles are a
 /// table:
@@ -60,7 +60,8 @@ impl<'a, S: Set> Room<'a, S> {
     /// A room of a map that has an apron of so many cells on each side; its first cell is the cell
     /// (`x`, `y`) of a world.
     ///
-    /// The map's own origin does not count. Where the world ends, the apron is what lies beyond it.
+    /// The map's own origin does not count. Where the world ends, the apron is filled by
+    /// [`Outside`].
     ///
     /// # Errors
     /// [`TileMapError::EmptyMap`] where the apron leaves nothing, [`TileMapError::OutOfDomain`]
@@ -83,10 +84,10 @@ impl<'a, S: Set> Room<'a, S> {
     /// motion per frame is at most `motion` long. The step and the snap of a
     /// [`Walker`](crate::Walker) add to its motion.
     ///
-    /// A frame reads the tiles that the closed box around the whole motion touches, or a box less
-    /// than a unit larger. The place of a body that is in the room is its first corner, or any
-    /// other point of it. So `apron * cell > body + motion + 1`. With a cell less there are bodies
-    /// that feel the border. A ray wants an apron as long as itself.
+    /// In a frame you read the tiles that the closed box around the whole motion touches, or a box
+    /// less than a unit larger. The position of a body in the room is its first corner, or any
+    /// other point of it. So `apron * cell > body + motion + 1`. With one cell less, some bodies
+    /// feel the border. A ray needs an apron as long as itself.
     ///
     /// ```
     /// use tilesat::{AllShapes, Fx, Room};
@@ -146,8 +147,8 @@ impl<'a, S: Set> Room<'a, S> {
         (self.x.wrapping_add(cell.x as i32 - left), self.y.wrapping_add(cell.y as i32 - above))
     }
 
-    /// The room of a table that holds a place of this one, and what to add to the place there: to
-    /// all positions of what goes over.
+    /// The room of a table that holds a point of this one, and the vector that you add to all
+    /// positions of the body that moves over.
     ///
     /// `None` where the world has no room there. The first of several rooms that hold it; so keep
     /// on until [`holds`](Self::holds) is false. Cost: two products and four comparisons per room
@@ -160,8 +161,8 @@ impl<'a, S: Set> Room<'a, S> {
         })
     }
 
-    /// What to add to a place of this room to have it in one with this first cell; `None` where no
-    /// coordinate can be that far.
+    /// The vector to add to a point of this room to have it in one with this first cell. `None`
+    /// where no coordinate can be that far.
     const fn way_to(&self, first: (i32, i32)) -> Option<Vec2> {
         match (apart(self.x, first.0, self.map.grid.cell), apart(self.y, first.1, self.map.grid.cell)) {
             (Some(x), Some(y)) => Some(Vec2::from_raw(x, y)),
@@ -180,8 +181,8 @@ const fn apart(from: i32, to: i32, cell: i32) -> Option<i32> {
 /// A world of tiles that is cut into equal rooms: one array of tiles, row after row, of up to 65535
 /// columns and rows.
 ///
-/// A [`Room`] is a window of that array, so its apron costs nothing: neither flash nor memory. What
-/// lies [outside](Outside) of the world is as in a map of the whole.
+/// A [`Room`] is a window of that array: its apron costs no flash and no memory. [Outside](Outside)
+/// of the world it is as in a map of the whole.
 ///
 /// ```
 /// use tilesat::{Aabb, Axis, Blocks, Fx, Mover, Room, Rooms, TileKind, TileKinds, Vec2};
@@ -228,8 +229,8 @@ impl<'a, S: Set> Rooms<'a, S> {
     /// and of a column may be smaller. See [`Room::apron_for`] for the apron, which is in cells.
     ///
     /// # Errors
-    /// [`TileMapError`]: no cells, not enough tiles, a cell or a shape that a map cannot have, or a room that does not fit the
-    /// [domain](crate::num::DOMAIN) together with its apron.
+    /// [`TileMapError`]: no cells, not enough tiles, a cell or a shape that a map cannot have. Also
+    /// a room that does not fit the [domain](crate::num::DOMAIN) together with its apron.
     pub const fn of(
         tiles: &'a [u8],
         world: (u16, u16),
@@ -278,7 +279,7 @@ impl<'a, S: Set> Rooms<'a, S> {
         quotient(self.world.1 - 1, self.room.1) + 1
     }
 
-    /// A room by its place among the rooms; `None` beyond the world.
+    /// A room by its index among the rooms; `None` beyond the world.
     ///
     /// Cost: that of [`Grid::new`]. Keep it while the body is in it: it is 72 bytes on a 32-bit
     /// core.
@@ -303,8 +304,8 @@ impl<'a, S: Set> Rooms<'a, S> {
         }
     }
 
-    /// The room that holds a place which is no longer in one of these rooms, and what to add to the
-    /// place there: to all positions of what goes over. `None` where it is still in the room, and
+    /// The room that holds a point which has left these rooms, and the vector that you add to all
+    /// positions of the body that moves over. `None` while the point is still in the room, and
     /// where the world ends.
     ///
     /// Cost: four comparisons where it is still in the room. Else four 32-bit divisions and a

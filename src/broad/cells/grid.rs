@@ -32,17 +32,17 @@ pub enum Border {
 /// rows +----+----+----+----+--
 /// ```
 ///
-/// `BLOCKS` blocks have 32 cells each: a world of 2048 x 1024 units in cells of 32 has 64 columns
-/// and 32 rows, 2048 cells, 64 blocks, as [`blocks_for`](LooseGrid::blocks_for) says. With `LARGE`,
-/// bodies with longer sides than a cell are taken as well, into a list of their own: each of them
-/// is tested against all bodies. Without, they are refused as [`TooLarge`](BroadError::TooLarge).
+/// `BLOCKS` blocks have 32 cells each. A world of 2048 x 1024 units in cells of 32 has 64 columns
+/// and 32 rows: 2048 cells, 64 blocks, as [`blocks_for`](LooseGrid::blocks_for) computes. With
+/// `LARGE`, bodies with longer sides than a cell go into a separate list, and each of them is
+/// tested against all bodies. Without it, they are refused as [`TooLarge`](BroadError::TooLarge).
 ///
 /// Cost: an insertion, a removal and a move are O(1); a move within a cell is little more than the
-/// store of the box. For pairs a body is tested against five lists: the rest of its own cell's and
-/// those of half of the neighbours. The worst case is all bodies in one cell: N (N - 1) / 2 tests,
-/// as of [`BruteForce`](crate::broad::BruteForce); `pairs_from` has a budget for that. Queries look
-/// at 32 empty cells at once; rays and casts follow their way. RAM: 6 bytes a body and 2.125 a cell
-/// (68 a block), beside box, tag and the generation's 2 bytes.
+/// store of the box. For pairs, a body is tested against five lists: the rest of its own cell's
+/// list, and those of half of the neighbours. The worst case is all bodies in one cell: N (N - 1) /
+/// 2 tests, as with [`BruteForce`](crate::broad::BruteForce); `pairs_from` has a budget for that.
+/// Queries look at 32 empty cells at once; rays and casts follow their way. RAM: 6 bytes per body
+/// and 2.125 per cell (68 per block), beside box, tag and the generation's 2 bytes.
 ///
 /// ```
 /// use tilesat::broad::{BroadError, BroadPhase, LooseGrid};
@@ -76,7 +76,7 @@ pub struct LooseGrid<const BLOCKS: usize, const N: usize, T = (), const LARGE: b
 impl LooseGrid<1, 1> {
     /// How many blocks the cells of a world take: all in one unit, whichever it is.
     ///
-    /// The columns are `width / cell` rounded up to a power of two of at least 4, the rows
+    /// The columns are `width / cell` rounded up to a power of two of at least 4. The rows are
     /// `height / cell` rounded up, and a block has 32 cells. Where that is none, as with a `cell`
     /// of 0, or more than 2047, the compiler refuses such a grid.
     ///
@@ -197,7 +197,7 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for
     #[inline]
     fn number(&self, bounds: &Aabb) -> Result<u16, BroadError> {
         let (mut at, last) = (self.lattice.at(bounds), self.rows.last());
-        // One comparison an axis: what is negative is a large number.
+        // One comparison per axis: negative numbers become large ones.
         if at.x as u32 > last.x as u32 || at.y as u32 > last.y as u32 {
             at = self.beyond(at, bounds)?;
         }

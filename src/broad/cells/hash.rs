@@ -11,17 +11,16 @@ use crate::shape::Aabb;
 /// Up to N bodies in square cells of which there is no end, each in the cell of its centre; cells
 /// share BUCKETS lists.
 ///
-/// For worlds that are much wider than what is in them. Cell (x, y) has list `x + K y`, of BUCKETS
-/// as the last bits say, a power of two from 64 to 32768, with a factor K for each such that no two
-/// cells of a window of w x h cells share a list where `(w - 1) (h - 1)` is at most a quarter of
-/// the buckets, and w and h at most all of them: in what a screen shows nothing collides, and never
-/// do a cell and its neighbours. What shares a list costs tests of boxes, and answers stay the
-/// same.
+/// For worlds that are much wider than the bodies in them. Cell (x, y) has list `x + K y`, modulo
+/// BUCKETS, a power of two from 64 to 32768. The factor K is such that no two cells of a window of
+/// w x h cells share a list where `(w - 1) (h - 1)` is at most a quarter of the buckets, and w and
+/// h at most all of them. Within a screen nothing collides, and a cell never collides with its
+/// neighbours. Cells that share a list cost tests of boxes; answers stay the same.
 ///
-/// Bodies with longer sides than a cell are refused as [`TooLarge`](BroadError::TooLarge), or with
-/// `LARGE` kept in a list of their own, as by a [`LooseGrid`](crate::broad::LooseGrid), which also
-/// says the costs. Queries of regions look at each cell or at each body, whichever are fewer. RAM:
-/// 6 bytes a body and 2 a bucket, beside box, tag and the generation's 2 bytes.
+/// Bodies with longer sides than a cell are refused as [`TooLarge`](BroadError::TooLarge). With
+/// `LARGE` they go into a separate list, as in a [`LooseGrid`](crate::broad::LooseGrid), which also
+/// documents the costs. Queries of regions look at each cell or at each body, whichever are fewer.
+/// RAM: 6 bytes per body and 2 per bucket, beside box, tag and the generation's 2 bytes.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, SpatialHash};

@@ -268,7 +268,7 @@ const MOST_PARTS: u32 = 15;
 /// ```
 ///
 /// `clip` moves sides of windows into a grid, and must keep their order. `each` answers which part
-/// of the way still matters: what is touched only later does not come any more.
+/// of the way still matters: bodies that are touched only later do not come any more.
 #[inline]
 pub(in crate::broad) fn along(
     lattice: &Lattice,

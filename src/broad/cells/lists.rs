@@ -1,5 +1,5 @@
-//! Lists of the bodies of each cell, in arrays, and all pairs of bodies in them: 6 bytes a body, 2
-//! a cell, and a bit a cell that tells whether it has bodies.
+//! Lists of the bodies of each cell, in arrays, and all pairs of bodies in them. 6 bytes per body,
+//! 2 per cell, and one bit per cell: whether it has bodies.
 //!
 //! The bodies of a cell are tested against five lists: what follows them in their own, and the
 //! whole lists of half of the eight neighbours. Of two neighbours one has the other in its half, so
@@ -219,7 +219,7 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
         (mut i, mut lane, mut from): (usize, usize, usize),
     ) -> Result<(), Stop> {
         let bounds = self.bodies.bounds;
-        // As long as the boxes, so that one comparison is enough for both.
+        // As long as the boxes: one comparison is enough for both.
         let Some(next) = self.lists.next.get(..bounds.len()) else { return Ok(()) };
         let head = |step| self.lists.head((cell + step) & near.mask);
         // The three of the next row are beside each other, but for a few cells at the end.

@@ -70,7 +70,7 @@ fn is_body(bounds: &Aabb) -> bool {
 
 fn path<B: BroadPhase<Tag = ()>>(near: &B, start: &Aabb, motion: Raw) {
     let bounds = near.table().bounds;
-    // All of the way, then up to what is touched first of all that came.
+    // All of the way, then up to the body touched first among all that came.
     for stop in [false, true] {
         let (mut came, mut until) = ([false; BODIES], Toi::ONE);
         near.visit_path(start, motion, |slot| {

@@ -175,8 +175,8 @@ impl Gate {
     }
 }
 
-/// Where a circle that moves by `d` can start to overlap a box, where it does not overlap already:
-/// a call of its own, whose stack is free again when a disc is tested.
+/// Where a circle that moves by `d` can start to overlap a box that it does not overlap already. A
+/// separate call: its stack is free again when a disc is tested.
 #[inline(never)]
 pub(super) fn gate(circle: &Circle, b: &Aabb, d: Raw) -> Option<Gate> {
     gate_here(circle, b, d)

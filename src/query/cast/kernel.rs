@@ -10,7 +10,8 @@ pub trait Moment: Copy {
     /// The exact floor of the moment, in parts of the motion.
     fn exact_toi(&self, d: Raw) -> Toi;
     /// A lower bound of the moment (where it is a fraction, the exact floor), the displacement up
-    /// to it, rounded so that the shapes do not overlap there, and the normal toward what moves.
+    /// to it, and the normal toward the moving shape. The displacement is rounded to where the
+    /// shapes do not overlap.
     fn contact(&self, d: Raw) -> (Toi, Raw, Axis);
 }
 
@@ -71,7 +72,7 @@ pub trait InDomain {
     }
 }
 
-/// A moving shape and what it is cast against.
+/// A moving shape and the shape that it is cast against.
 pub trait Enter<B: ?Sized>: InDomain {
     /// How the boundary of `b`, grown by this shape, may be met.
     type Moment: Moment;
@@ -116,11 +117,11 @@ pub struct CastHit {
     /// circle that meets a side along x or y; of other circles a lower bound, early by less than a
     /// raw unit of way. [`exact_toi`](super::CastShape::exact_toi) is exact for all.
     pub toi: Toi,
-    /// The normal of what was hit: out of B, toward A, against the motion; never zero, of length
+    /// The normal at the hit, from B toward A, against the motion. It is never zero, and has length
     /// one where it is parallel to x or y. Of straight sides it is exact. Of two circles, or of a
-    /// corner that a circle hits, it is the way from the one centre, or the corner, to the other
-    /// centre where that is placed now: as fine as the radius is large, and in the closest graze
-    /// across the motion, give or take that rounding.
+    /// corner that a circle hits, it leads from the one centre, or the corner, to the other centre
+    /// at its position now. It is as fine as the radius is large. In the closest graze it is across
+    /// the motion, give or take that rounding.
     pub axis: Axis,
     /// How far A goes until the hit: `position + displacement` touches B, or is less than 2 raw
     /// units short of it, and does not overlap it.
@@ -137,7 +138,7 @@ pub struct CastHit {
 /// What the cast of two shapes met that both move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MovingHit {
-    /// When, as [`CastHit::toi`], in parts of both motions.
+    /// When, as [`CastHit::toi`], in parts of either motion.
     pub toi: Toi,
     /// The exact normal, out of B toward A.
     pub axis: Axis,

@@ -25,9 +25,9 @@ pub use kernel::{CastHit, Inside, MovingHit};
 /// Moving a shape until it hits another one.
 ///
 /// A hit is where the motion starts an overlap, in the strict sense of
-/// [`Overlaps`](super::Overlaps); whether there is one is exact. So a shape that touches and moves
-/// in hits at 0, and one that slides along, moves away, only grazes, or comes to touch at the very
-/// end does not hit. No motion hits nothing.
+/// [`Overlaps`](super::Overlaps); whether there is one is exact. A shape that touches and moves in
+/// hits at 0. One that slides along, moves away, only grazes, or touches at the very end does not
+/// hit. Without motion there is no hit.
 ///
 /// Shapes that overlap before the motion are the caller's choice: [`Inside::Ignore`] lets A leave B
 /// without a hit, [`Inside::Hit`] is a hit at 0. The normal is that of
@@ -45,9 +45,9 @@ pub use kernel::{CastHit, Inside, MovingHit};
 /// displacement reversed; mirrored scenes give mirrored bits, translated ones the same.
 ///
 /// Cost on a Cortex-M0, in instructions, of a yes and of a whole hit: boxes 160 and 335, circles
-/// 300 and 1290, a circle and a box 480 and 1100, a circle and a segment 1600 and 2830, a box and a
-/// segment 1210 and 2190. One root where a circle meets a circle, a corner or a slanted side, else
-/// none; no division instruction.
+/// 300 and 1290, a circle and a box 480 and 1100. A circle and a segment take 1600 and 2830, a box
+/// and a segment 1210 and 2190. There is one root where a circle meets a circle, a corner or a
+/// slanted side, else none, and no division instruction.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -98,9 +98,9 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
 
     /// The exact floor of the time of the hit, in 2^-30 of the motion.
     ///
-    /// Another [`CastHit::toi`] is this already, save for circles that meet circles, corners and
-    /// slanted segments: those settle it by exact comparisons, some 400 instructions on a Cortex-M0
-    /// for each bit that the bound is short.
+    /// Any other [`CastHit::toi`] is exact already. Circles that meet circles, corners and slanted
+    /// segments settle it by exact comparisons: some 400 instructions on a Cortex-M0 for each bit
+    /// that the bound is short.
     ///
     /// ```
     /// use tilesat::prelude::*;
@@ -197,8 +197,8 @@ fn check<S: InDomain + ?Sized>(shape: &S, motion: Vec2) -> Result<(), RangeError
     if fits(x) && fits(y) { Ok(()) } else { check_motion(motion, MOTION) }
 }
 
-/// One ordered pair and its kernel, and another one for a yes or no: a call, where it is not small,
-/// so that what it takes of stack and flash is not the caller's.
+/// One ordered pair and its kernel, and another one for a yes or no. Large kernels are calls, which
+/// keeps their stack and flash out of the caller.
 macro_rules! casts {
     ($a:ty, $b:ty, $moment:ty, |$x:ident, $y:ident, $d:ident| $course:expr $(, #[$call:meta] $hits:expr)?) => {
         impl Enter<$b> for $a {

@@ -1,4 +1,4 @@
-//! When a moving point enters a disc, or comes to the flat side of a grown segment or slope.
+//! When a moving point enters a disc, or reaches the flat side of a grown segment or slope.
 //!
 //! Moments that are no fractions of integers are lower bounds in parts of 2^30, never late.
 
@@ -41,8 +41,8 @@ pub(crate) fn exit_time(inner: u64, b: i64, a: u64, rra: (u64, u64), cross: i64)
 /// for gap^2 >= reach and a result up to one.
 ///
 /// As `(gap^2 - reach) / ((gap + sqrt(reach)) into)`, which has no cancellation either. Everything
-/// is scaled to the full width first, so that each rounding is one of 31 bits: below a raw unit of
-/// way for motions up to 2^27 raw.
+/// is scaled to the full width first. Each rounding is then one of 31 bits: below a raw unit of way
+/// for motions up to 2^27 raw.
 #[inline(never)]
 pub(crate) fn gap_time(gap: u64, into: u64, reach: (u64, u64)) -> Toi {
     // Below 2^61; the square of the gap, and the reach with it, below 2^122.
@@ -53,7 +53,7 @@ pub(crate) fn gap_time(gap: u64, into: u64, reach: (u64, u64)) -> Toi {
         return Toi::ZERO;
     }
     let ((sum, a), (into, b)) = (word_up(gap.wrapping_add(root128_up(reach))), word_up(into));
-    // The quotient is below one, so what is left of the numerator fits the 62 bits of the product.
+    // The quotient is below one, so the rest of the numerator fits the 62 bits of the product.
     let shift = a + b;
     let num = if shift == 0 { num.1 } else { (num.0 << (64 - shift)) | (num.1 >> shift) };
     ratio(num, umul(sum, into))
@@ -182,7 +182,7 @@ enum Pass {
     At { cross: i64, du: i64 },
 }
 
-/// Where the multiplications are calls, one of its own, whose stack is free again when squares are
+/// Where the multiplications are calls, a separate one: its stack is free again when squares are
 /// compared.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]

@@ -14,11 +14,11 @@ impl Aabb {
     /// The first point of the closed box that a ray from `origin` along `motion` meets, or `None`
     /// where it ends before.
     ///
-    /// Exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray): a side is hit by a
-    /// ray that moves against its normal, ends and the very end of the motion included, so that
-    /// touching a corner is a hit; of both sides at a corner the x one. A start on the border is
-    /// not inside: moving in hits at 0; leaving, passing a corner and sliding along do not. A box
-    /// without width or height is met from on it, too, by a ray that leaves its line.
+    /// Exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray). A ray that moves
+    /// against the normal of a side hits it, ends and the very end of the motion included. Touching
+    /// a corner is a hit; of the two sides at a corner the x one. A start on the border is not
+    /// inside: a ray that moves in hits at 0. Leaving, passing a corner and sliding along are no
+    /// hits. A ray that starts on a box without width or height, and leaves its line, hits it too.
     ///
     /// [`CastHit::displacement`] is the way from `origin` to the point: exact along the axis,
     /// rounded toward the start along the side.
@@ -53,8 +53,9 @@ impl Circle {
     /// moving in hits at 0. A circle of radius zero is a point, which the ray hits where it comes
     /// through it.
     ///
-    /// The time is a lower bound, early by less than a raw unit of way for motions up to 4096 units
-    /// and by less than four for any; the point is outside of the circle, less than 2 raw from it.
+    /// The time is a lower bound, early by less than a raw unit of way for motions up to 4096
+    /// units, and by less than four for any. The point is outside of the circle, less than 2 raw
+    /// from it.
     ///
     /// ```
     /// use tilesat::{Axis, Circle, Fx, Inside, Vec2};
@@ -93,8 +94,8 @@ impl Segment {
     /// unless the ray runs along it.
     ///
     /// The point is rounded to the side that the ray comes from, each coordinate by less than one
-    /// raw; exact along a segment's axis that is parallel to x or y. Cost: two or three long
-    /// divisions, save for segments along x and y.
+    /// raw unit. It is exact along a segment's axis that is parallel to x or y. Cost: two or three
+    /// long divisions, none for segments along x and y.
     ///
     /// ```
     /// use tilesat::{Segment, Vec2};

@@ -31,8 +31,9 @@ impl Contact {
     /// rounded away from zero.
     ///
     /// Exact where the axis is parallel to x or y. Else a component is at most 4 raw units longer
-    /// than the exact least exit needs, 5 where the depth or the sum of radii is above 8192 units.
-    /// The result may lead out of the [domain](crate::num::DOMAIN): `translated` says so.
+    /// than the exact least exit needs, or 5 where the depth or the sum of radii is above 8192
+    /// units. The result may lead out of the [domain](crate::num::DOMAIN); `translated` then
+    /// returns an error.
     ///
     /// Cost on a Cortex-M0: 30 instructions along x and y, 310 for circles, 1050 beside sloped
     /// segments, where the depth is computed first.
@@ -48,7 +49,7 @@ impl Contact {
         // side and B on the other, and convex shapes that a line separates do not overlap.
         let (ux, uy) = unit_ceil(self.axis);
         // Radial: the cores are `axis` apart and have to be radii / |axis| times as far. The
-        // difference of both has the right sign.
+        // difference of the two has the right sign.
         let (length, from) =
             if self.radial { (self.radii(), Raw { x, y }) } else { (self.depth_raw(), Raw { x: 0, y: 0 }) };
         let (px, py) = (times_unit_up(ux, length), times_unit_up(uy, length));
@@ -153,8 +154,8 @@ impl Contacts<Aabb> for Aabb {
 
 /// The least exit along one axis: its length, its sign, and whether both directions are as short.
 ///
-/// `prefer` is the sign to take in a tie: -1 where the caller will exchange A and B, so that the
-/// final axis is the positive one.
+/// `prefer` is the sign to take in a tie. It is -1 where the caller will exchange A and B, which
+/// makes the final axis positive.
 #[inline]
 const fn exit(alo: i32, ahi: i32, blo: i32, bhi: i32, prefer: i32) -> (i32, i32, bool) {
     let (positive, negative) = (ahi.wrapping_sub(blo), bhi.wrapping_sub(alo));
@@ -296,7 +297,7 @@ impl Contacts<Segment> for Segment {
     }
 }
 
-/// The ends in lexicographic order, so that reversing a segment changes nothing.
+/// The ends in lexicographic order: reversing a segment changes nothing.
 const fn ordered(a: Raw, b: Raw) -> (Raw, Raw) {
     if b.x < a.x || (b.x == a.x && b.y < a.y) { (b, a) } else { (a, b) }
 }

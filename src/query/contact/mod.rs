@@ -6,8 +6,8 @@ use crate::num::{Axis, Raw, UnitVec2};
 
 /// How two shapes overlap.
 ///
-/// The contact keeps what is exact, and computes rounded results only when they are asked for. It
-/// is about the *least exit*: the shortest way to move A so that the two do not overlap any more.
+/// The contact keeps exact values, and computes rounded results only when you ask for them. It
+/// describes the *least exit*: the shortest way to move A until the two do not overlap any more.
 ///
 /// ```text
 ///        A                      axis() points from A to B
@@ -73,8 +73,7 @@ impl Contact {
         self.axis.unit()
     }
 
-    /// Whether there was more than one least exit, so that the axis is a convention and not
-    /// geometry.
+    /// Whether there was more than one least exit. The axis is then a convention, not geometry.
     ///
     /// The convention: x before y before the normal of a segment, and the positive direction of x
     /// and y; for a segment the normal `(-e.y, e.x)` of its edge `e` from the lexicographically
@@ -126,7 +125,7 @@ impl Contact {
     }
 }
 
-/// A direction as an axis; parallels to x and y get length one, so that everything about them is
+/// A direction as an axis. Parallels to x and y get length one, which makes everything about them
 /// exact. Zero gives +x.
 const fn parallel_to_unit(v: Raw) -> Axis {
     if v.y == 0 {
@@ -140,10 +139,10 @@ const fn parallel_to_unit(v: Raw) -> Axis {
 
 /// How two shapes overlap, where they do.
 ///
-/// `Some` exactly where [`overlaps`](super::Overlaps::overlaps) is true. Exact; rounding happens in
-/// the methods of [`Contact`]. Cost on a Cortex-M0: about 130 instructions for boxes and circles,
-/// 550 for a circle and a segment, some hundred more for a segment against a box or a segment. No
-/// root, no division. It cannot fail.
+/// `Some` exactly where [`overlaps`](super::Overlaps::overlaps) is true. Exact; the methods of
+/// [`Contact`] round. Cost on a Cortex-M0: about 130 instructions for boxes and circles, 550 for a
+/// circle and a segment, and some hundred more for a segment against a box or a segment. There is
+/// no root and no division. It cannot fail.
 ///
 /// ```
 /// use tilesat::prelude::*;

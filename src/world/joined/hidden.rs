@@ -39,7 +39,7 @@ pub(in crate::world) fn shown<W: World>(mut feature: Feature, other: &W, first: 
             }
             *joined = [joined[0] || goes_on(edge.a, *dir, 1, other), joined[1] || goes_on(edge.b, *dir, -1, other)];
         }
-        // Its corners are vertices of their own; the arc itself stays, covered or not.
+        // Its corners are separate vertices; the arc itself stays, covered or not.
         Geometry::Arc { .. } => {}
     }
     Some(feature)
@@ -176,7 +176,7 @@ enum Front {
 /// face of the other that runs against this one.
 fn covered<W: World>(edge: &Edge, other: &W) -> bool {
     let points = [edge.a, edge.b, edge.middle];
-    // Most faces are told from far by their first end.
+    // For most faces the first end, far away, already decides.
     if !points.iter().all(|&p| touched(other, p)) {
         return false;
     }
@@ -220,7 +220,8 @@ fn front_of_end<W: World>(p: Raw, along: Axis, n: Axis, other: &W) -> Option<boo
         if edge.in_front(p) != 0 {
             continue;
         }
-        // What leaves `p` has its solid on the left, what comes there on the right of the way back.
+        // A segment that leaves `p` has its solid on the left, one that arrives there on the right
+        // of the way back.
         for (there, dir, solid) in
             [(edge.a == p || edge.spans(p), edge.dir, false), (edge.b == p || edge.spans(p), edge.dir.reversed(), true)]
         {

@@ -13,11 +13,11 @@ use hidden::{hides, shown};
 
 /// Two levels used as one: tiles and segments, or a level and its neighbour. Copies nothing.
 ///
-/// What is solid in either is solid. Where the two meet there is no seam: a corner that lies in the
-/// other level's solid is no corner, save where both together have one, and a face whose front the
-/// other solid covers from end to end is not there. So a floor of tiles that goes on as a floor of
-/// segments is one floor, for a mover too. A face that is covered in part stays as it is, and so do
-/// arcs.
+/// A point that is solid in either level is solid. Where the two meet there is no seam. A corner
+/// that lies in the other level's solid is hidden, except where both together form a corner. A face
+/// is hidden whose front the other solid covers from end to end. A floor of tiles that continues as
+/// a floor of segments is one floor, for a mover too. Faces that are covered in part stay whole,
+/// and so do arcs.
 ///
 /// A pair is a level itself: more than two are pairs of pairs. Of a [`Feature::source`] the lowest
 /// bit says which of the pair it is from, 0 for the first; the other bits are what the source was
@@ -76,8 +76,8 @@ impl<'a, A: World, B: World> Joined<'a, A, B> {
         self.b
     }
 
-    /// The pieces of both surfaces that have a point in the closed region and are not hidden by the
-    /// other level: first the one's, then the other's.
+    /// The pieces of both surfaces that have a point in the closed region and that the other level
+    /// does not hide. The first level's pieces come first.
     ///
     /// A corner's directions are those of both solids together. Pieces near the region may come
     /// too. Cost: see [`Joined`].
@@ -224,10 +224,10 @@ rays! {
         /// The first point of either level's solid that a ray meets, or `None` where it ends
         /// before.
         ///
-        /// By the rules of the levels' own `cast_ray`, for the faces that
-        /// [`features`](Self::features) shows: a ray along a floor that goes on from level to level
-        /// meets nothing. A ray along the very line between two solids that meet flush is in
-        /// neither: it is stopped where it comes to that line, but one that starts there is not.
+        /// It follows the rules of the levels' own `cast_ray`, for the faces that
+        /// [`features`](Self::features) shows. A ray along a floor that continues from level to
+        /// level meets nothing. A ray along the very line between two solids that meet flush is in
+        /// neither. It stops where it reaches that line, but not if it starts there.
         ///
         /// Cost: both levels' cost, and for each hit a look at the other level along the face.
         /// [`RayHit::cells`] counts those of the level that was hit.

@@ -1,5 +1,4 @@
-//! Rays through any level: what is asked, what is answered, and how a ray meets one piece of a
-//! surface.
+//! Rays through any level: questions, answers, and how a ray meets one piece of a surface.
 //!
 //! Whether it is met is exact, without root or division; when is an exact fraction, or within an
 //! arc a bound from below. Beside this: the walk over the cells, and the engine that finds the hits
@@ -47,8 +46,8 @@ pub struct RayHit {
     /// When: the exact floor in 2^-30 of the fraction of the motion, for straight faces and ends of
     /// arcs.
     ///
-    /// Within an arc a lower bound, early by less than one raw of way for motions up to 4096 units,
-    /// and by less than four for any.
+    /// Within an arc it is a lower bound. It is early by less than one raw unit of way for motions
+    /// up to 4096 units, and by less than four for any.
     pub toi: Toi,
     /// Where, rounded to the free side of the piece that was hit.
     ///

@@ -9,8 +9,8 @@ use crate::world::cell::Cell;
 use crate::world::grid::Grid;
 use crate::world::level::{Feature, Geometry, World, face_against};
 
-/// A level that can be asked for the hits of a ray with their exact moments. Public in a private
-/// module, because [`Joined`] needs it of both.
+/// A level that lists the hits of a ray with their exact moments. Public in a private module,
+/// because [`Joined`] needs it of both levels.
 pub trait RayWorld: World {
     /// The cursor.
     type Scan<'w>: RayScan
@@ -45,8 +45,8 @@ pub(in crate::world) trait RayLevel: RayPieces {
         Walk::new(grid.ray_lane(&grid.x, o.x, d.x), grid.ray_lane(&grid.y, o.y, d.y), grid.cell as u32)
     }
 
-    /// Goes on from a step that has been looked at over cells that have no pieces, as far as that
-    /// is faster than step by step.
+    /// Continues from an examined step over cells without pieces, as far as that is faster than
+    /// single steps.
     fn skip(&self, _: &mut Walk) {}
 
     /// All pieces that have a point in the closed cell or, where each has a cell of its own, those
@@ -60,7 +60,7 @@ pub(in crate::world) trait RayLevel: RayPieces {
     /// Whether a ray that starts on the border of the solid is strictly inside just after.
     fn enters(&self, o: Raw, d: Raw, walk: &Walk) -> bool;
 
-    /// The user's flags of what is solid in a cell.
+    /// The user's flags of the solid in a cell.
     fn flags(&self, x: i32, y: i32) -> u8;
 }
 
@@ -129,7 +129,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
         }
     }
 
-    /// The next hit, with what was met.
+    /// The next hit, with the feature that it met.
     pub(in crate::world) fn find(&mut self) -> Option<Found> {
         self.advance().map(|hit| Found { hit, met: self.best })
     }
@@ -218,7 +218,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
         }
     }
 
-    /// Keeps what is later than the last hit and better than the best.
+    /// Keeps a hit that is later than the last one and better than the best.
     #[inline(never)]
     fn consider(&mut self, feature: &Feature, touch: &Touch) {
         if let (Some(time), Some(after)) = (touch.time, self.after) {
@@ -300,7 +300,7 @@ pub(in crate::world) fn straight<L: RayPieces>(d: Raw, time: Time, normal: Axis)
 /// The floor of `size num / den`, and whether something is left over.
 fn part<L: RayPieces>(size: u32, time: Time) -> (u32, bool) {
     if L::WIDE {
-        // Below 2^62 the remainder is told by its low bits alone.
+        // Below 2^62 the low bits alone give the remainder.
         let part = mul_div_wide(time.num, size, time.den);
         let rest = time.num.wrapping_mul(u64::from(size)).wrapping_sub(time.den.wrapping_mul(u64::from(part)));
         (part, rest != 0)

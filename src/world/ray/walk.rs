@@ -35,9 +35,9 @@ impl Lane {
         Self { cell: self.ahead(self.cell, n), near, lines: self.lines.wrapping_sub(n as i32), ..self }
     }
 
-    /// At the start, and always where there is no motion: whether that is on a line, so that it
-    /// touches the cell before the first one too. True for some starts in a band as well, where
-    /// both cells are beyond the map.
+    /// At the start, and always without motion: whether the start is on a line, where it touches
+    /// the cell before the first one too. True for some starts in a band as well, where both cells
+    /// are beyond the map.
     #[inline]
     pub(in crate::world) fn on_line(&self, cell: u32) -> bool {
         self.near == cell
@@ -56,7 +56,7 @@ pub(in crate::world) fn lead(x: &Lane, y: &Lane) -> i64 {
     umul(x.near, y.size).wrapping_sub(umul(y.near, x.size)) as i64
 }
 
-/// Axes on whose lines the ray runs, so that it is in two cells at any time.
+/// Axes on whose lines the ray runs: it is in two cells at any time.
 #[inline]
 pub(in crate::world) fn along(x: &Lane, y: &Lane, cell: u32) -> Axes {
     let columns = if x.size == 0 && x.on_line(cell) { X } else { 0 };
@@ -68,7 +68,7 @@ pub(in crate::world) fn along(x: &Lane, y: &Lane, cell: u32) -> Axes {
 pub(in crate::world) enum Beyond {
     /// Nothing is beyond: the walk ends where it leaves the grid.
     Nothing,
-    /// The bands around the grid are cells of their own, -1 and the count.
+    /// The bands around the grid are separate cells, -1 and the count.
     Bands,
     /// The bands are part of the border cells.
     Merged,
@@ -199,9 +199,8 @@ impl Walk {
         }
     }
 
-    /// The cell of the step by its number, below 4: 0 is the one ahead, 1 and 2 are beside it (at a
-    /// corner the one that is across rows alone, and the one across columns alone), 3 is behind
-    /// both lines.
+    /// The cell of the step by its number, below 4. 0 is the one ahead, 1 and 2 are beside it, 3 is
+    /// behind both lines. At a corner, 1 is across rows alone and 2 across columns alone.
     #[inline]
     pub(in crate::world) fn cell(&self, number: u32) -> Option<(i32, i32)> {
         if number == X | Y && !self.back { None } else { self.neighbour(number, self.wide) }

@@ -106,7 +106,7 @@ impl<'a> SegmentMap<'a> {
             return Err(SegmentMapError::TooSmall { needed: clamped(size.bytes()), found: clamped(out.capacity()) });
         }
         out.clear();
-        // There is room, so that this cannot fail.
+        // There is room, so this cannot fail.
         let _ = out.resize(size.bytes(), 0);
         let out = out.as_mut_slice();
         build(paths, &size, out)?;
@@ -252,7 +252,7 @@ const fn head(size: &Size, out: &mut [u8]) {
     set_word(out, at::CHECKSUM, checksum(out));
 }
 
-/// Takes segments: the first pass gives no room, so that both passes are the same code.
+/// Takes segments. The first pass gives no room: both passes are the same code.
 #[derive(Debug)]
 pub(super) struct Sink<'o> {
     pub(super) grid: Grid,
@@ -262,8 +262,8 @@ pub(super) struct Sink<'o> {
 }
 
 impl Sink<'_> {
-    /// The segments of all paths, in the order of the paths and their points; of a cancelled edge
-    /// what is left.
+    /// The segments of all paths, in the order of the paths and their points. Of a cancelled edge
+    /// only the rest.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
     pub(super) const fn take(&mut self, paths: &[Path<'_>]) -> Result<(), SegmentMapError> {
         let mut i = 0;

@@ -70,10 +70,9 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 ///
 /// # What is solid
 ///
-/// A point is solid where more solids than holes are around it. Polygons may lie over each other;
-/// where two of them share an edge, or a part of one, it is gone, so that nothing can snag there.
-/// What a hole takes must lie in a solid: the edges of one that does not are thin walls in the
-/// open.
+/// A point is solid where more solids than holes are around it. Polygons may overlap. Where two of
+/// them share an edge, or a part of one, that part is removed, and nothing can snag there. A hole
+/// must lie in a solid: the edges of one that does not are thin walls in the open.
 ///
 /// ```text
 ///   +------------+           Solids less holes: solid where the number is above 0. Each polygon may run either way
@@ -86,7 +85,7 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 /// # Where the boundary goes on
 ///
 /// At the end of a segment there is a vertex only where the free angle is more than half a turn.
-/// All segments through the point count, those that neither start nor end there, too:
+/// All segments through the point count, also those that only pass through it:
 ///
 /// ```text
 ///            o  wall                      o a vertex: around the end of the wall, from one face to the other
@@ -100,10 +99,10 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 /// larger cells make fewer. Of `n` edges of polygons, building compares each with each, and needs
 /// no memory but the bytes.
 ///
-/// The compiler builds about 300 segments before its limit on constants (the lint
-/// `long_running_const_eval`), which a level of some 1000 may be allowed to exceed, at the price of
-/// tens of seconds: `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Larger
-/// levels are built on the host, and their bytes are included.
+/// The compiler builds about 300 segments before it reaches its limit on constants (the lint
+/// `long_running_const_eval`). You may allow a level of some 1000 to exceed it, at the price of
+/// tens of seconds: `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Build
+/// larger levels on the host, and include their bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct SegmentMap<'a> {
     grid: Grid,
@@ -169,9 +168,9 @@ impl<'a> SegmentMap<'a> {
         Refs { all: self.refs, at: half(self.offsets, at), end: half(self.offsets, at.wrapping_add(2)) }
     }
 
-    /// How many solids (less holes) contain the reference point of a cell: its corner with the
-    /// smaller coordinates, moved into the cell by an infinitesimal along x and a much smaller one
-    /// along y. 0 beyond the grid.
+    /// How many solids (less holes) contain the reference point of a cell. That is the corner with
+    /// the smaller coordinates, moved into the cell by an infinitesimal along x and a much smaller
+    /// one along y. 0 beyond the grid.
     #[inline]
     #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
     pub(super) const fn winding(&self, x: i32, y: i32) -> i8 {
@@ -181,7 +180,7 @@ impl<'a> SegmentMap<'a> {
         }
     }
 
-    /// The place of a cell in the tables.
+    /// The index of a cell in the tables.
     const fn place(&self, x: i32, y: i32) -> Option<usize> {
         if x as u32 >= self.grid.x.count as u32 || y as u32 >= self.grid.y.count as u32 {
             return None;
@@ -231,7 +230,7 @@ pub(in crate::world) enum Kind {
     Solid,
     /// One face of a wall; another one runs the other way.
     Wall,
-    /// Blocks what comes from its outward normal's side.
+    /// Blocks bodies from its outward normal's side.
     OneWay,
 }
 
@@ -271,7 +270,7 @@ pub(super) const NEXT_AT: usize = 20;
 pub(super) const ATTR_AT: usize = 22;
 
 impl Seg {
-    /// The end: inside the domain, so that nothing wraps.
+    /// The end: inside the domain, so nothing wraps.
     pub(in crate::world) const fn b(&self) -> Raw {
         Raw {
             x: self.a.x.wrapping_add(self.dir.x.wrapping_mul(self.len)),
@@ -387,8 +386,8 @@ pub(super) const fn set_byte(data: &mut [u8], at: usize, value: u8) {
     }
 }
 
-/// 32-bit FNV-1a with the checksum's own field as zero: each step is one-to-one in the state and in
-/// the byte, so that no change of a single byte goes unseen.
+/// 32-bit FNV-1a with the checksum's own field as zero. Each step is one-to-one in the state and in
+/// the byte, so no change of a single byte goes unseen.
 #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
 pub(super) const fn checksum(data: &[u8]) -> u32 {
     let (mut hash, mut i) = (0x811c_9dc5u32, 0);

@@ -1,5 +1,4 @@
-//! Overlap with what is solid in a segment map (strict) and touch (closed); points, and boxes
-//! without area.
+//! Strict overlap and closed touch with the solid of a segment map; points, and boxes without area.
 //!
 //! A query that has met no segment of the boundary asks for one point of the body only: the stored
 //! winding number of its cell, and what is crossed on the way from there. So that no case is left
@@ -20,9 +19,9 @@ levels! {
         /// reaches its inside, or it lies within a polygon.
         ///
         /// Strict and exact: a body that touches a wall or fills a gap exactly does not overlap. A
-        /// wall has no thickness, and is overlapped by what it crosses; a body without area (a
-        /// circle of radius 0, a box of no width or height) overlaps only what has area. One-way
-        /// segments are never overlapped. Outside of the grid nothing is solid.
+        /// wall has no thickness: shapes that it crosses overlap it. A body without area (a circle
+        /// of radius 0, a box of no width or height) overlaps only polygons. One-way segments never
+        /// overlap anything. Outside of the grid nothing is solid.
         ///
         /// Cost: the segments of the cells under the body, one test each in each cell, until the
         /// first hit; one winding number. It cannot fail.
@@ -83,8 +82,8 @@ impl SegmentMap<'_> {
         false
     }
 
-    /// Whether a body meets a segment that blocks from both sides, or a point of it that is on no
-    /// such segment is in a polygon.
+    /// Whether a body meets a segment that blocks from both sides, or has a point in a polygon that
+    /// is on no such segment.
     fn meets(&self, range: Range, inner: Raw, test: impl Fn(Raw, Raw) -> bool) -> bool {
         self.any(range, |seg| seg.kind != Kind::OneWay && test(seg.a, seg.b())) || self.winding_beside(inner) > 0
     }

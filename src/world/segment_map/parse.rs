@@ -1,6 +1,6 @@
 //! From bytes to a map: how large it is, and everything that queries rely on, checked once.
 //!
-//! No step of the checks, and none of a query, depends on what has not been checked before.
+//! No step of the checks, and none of a query, depends on bytes that were not checked before.
 
 use super::raster::Rows;
 use super::{
@@ -79,17 +79,18 @@ impl Size {
 impl<'a> SegmentMap<'a> {
     /// A view of a level in its byte form, as [`build_into`](Self::build_into) writes it.
     ///
-    /// Nothing is copied: `include_bytes!` is enough, at any alignment. All that queries rely on is
-    /// checked, so that no bytes can make them panic or loop: that the level is one that could have
-    /// been built, with all that meets each cell, and every winding number. (Whether the polygons
-    /// close is not.) Usable in constants, where a damaged file is a compile error and the program
-    /// pays nothing.
+    /// Nothing is copied: `include_bytes!` is enough, at any alignment. All promises that queries
+    /// rely on are checked, and no bytes can make them panic or loop. The level must be one that
+    /// could have been built: its cells list all segments that meet them, and every winding number
+    /// is right. Whether the polygons close is not checked. In a constant, a damaged file is a
+    /// compile error and the program pays nothing.
     ///
     /// Cost: each byte for the checksum, each reference twice (to find it among those of its cell,
     /// and for the winding numbers).
     ///
     /// # Errors
-    /// [`SegmentMapError`]: what is wrong and where. Any change of a single byte and any other length is refused.
+    /// [`SegmentMapError`] says what is wrong and where. Any change of a single byte and any other
+    /// length is refused.
     pub const fn from_bytes(data: &'a [u8]) -> Result<Self, SegmentMapError> {
         let size = match header(data) {
             Ok(size) => size,
@@ -261,9 +262,9 @@ impl SegmentMap<'_> {
         true
     }
 
-    /// Each segment is in all cells that it meets, and the references are no more than that. Ends
-    /// at the first cell where it is not, so that the work is bounded by the references, whatever
-    /// the segments are.
+    /// Each segment is in all cells that it meets, and there are no other references. The check
+    /// ends at the first cell where this fails. The references bound its work, whatever the
+    /// segments are.
     const fn verify_refs(&self) -> Result<(), SegmentMapError> {
         let (mut index, mut needed) = (0u16, 0u32);
         while index < self.count() {

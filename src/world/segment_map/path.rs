@@ -1,5 +1,5 @@
-//! What a segment map is built from: polygons and chains of points, their edges, and what is left
-//! where polygons share one.
+//! The input of a segment map: polygons and chains of points, their edges, and the rest where
+//! polygons share one.
 
 use crate::error::Quantity;
 use crate::num::{Axis, DOMAIN, Fx, Raw, Vec2};
@@ -27,9 +27,9 @@ pub enum PathKind {
     /// An open chain without thickness that blocks from both sides. Where the last point is the
     /// first, it is a loop.
     Wall,
-    /// An open chain whose faces block only what comes from their front, `(dir.y, -dir.x)`, around
-    /// the chain's convex corners too. A free end carries by its face alone, with nothing around
-    /// it: a body over the upper end of a slope falls past it, so end a slope with a level piece.
+    /// An open chain whose faces block only bodies from their front, `(dir.y, -dir.x)`, around the
+    /// chain's convex corners too. A free end carries by its face alone: a body over the upper end
+    /// of a slope falls past it. End a slope with a level piece.
     OneWay,
 }
 
@@ -58,7 +58,7 @@ impl<'a> Path<'a> {
         Self { points, kind, flags: 0 }
     }
 
-    /// The same path with these flags instead of its own.
+    /// The same path with these flags.
     #[must_use]
     pub const fn with_flags(self, flags: u8) -> Self {
         Self { flags, ..self }
@@ -140,7 +140,7 @@ pub(super) const fn area_sign(path: &Path<'_>) -> i32 {
     if high != 0 { high.signum() as i32 } else { (low as u32 != 0) as i32 }
 }
 
-/// Whether the segments of a path run against its points, so that the solid is on their left.
+/// Whether the segments of a path run against its points, which puts the solid on their left.
 pub(super) const fn reversed(path: &Path<'_>) -> bool {
     match path.kind {
         PathKind::Solid => area_sign(path) < 0,
@@ -192,8 +192,8 @@ const fn outside(p: Raw) -> Option<(Quantity, i32)> {
     }
 }
 
-/// The cells of side `cell` that hold a box: from its first corner on, save where they would leave
-/// the domain.
+/// The cells of side `cell` that hold a box, from its first corner on, except where they would
+/// leave the domain.
 pub(super) const fn grid(lo: Raw, hi: Raw, cell: Fx) -> Result<Grid, SegmentMapError> {
     // The side is checked before it divides.
     if let Err(e) = Grid::new(1, 1, cell, Vec2::ZERO) {

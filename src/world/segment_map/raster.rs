@@ -40,7 +40,7 @@ pub(super) struct Rows {
     /// The column of the end.
     end: i32,
     /// `((first + 1) cell - u0) q - (row cell - v0) p`: not negative where the first column is
-    /// right. A distance and a direction below 2^30 each, so that the difference is below 2^61.
+    /// right. A distance and a direction are below 2^30 each, and the difference below 2^61.
     enter: i64,
     /// `((last + 1) cell - u0) q - ((row + 1) cell - v0) p`: positive where the next column is not
     /// met yet.

@@ -63,8 +63,8 @@ rays! {
         /// [`RangeError`] where the start or the end is outside of the
         /// [domain](crate::num::DOMAIN).
         cast_ray,
-        /// Whether the straight line from `a` to `b` meets no boundary and no wall, as a ray from
-        /// `a` sees it, and does not start inside.
+        /// Whether the straight line from `a` to `b` meets no boundary and no wall and does not
+        /// start inside. A ray from `a` decides it.
         ///
         /// # Errors
         /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).

@@ -14,9 +14,9 @@ impl SegmentMap<'_> {
     /// The segments that may have a point in the closed region as faces, each followed by the
     /// vertex at its end, if that is in the region.
     ///
-    /// Each comes once. They come in the order of the region's cells, row after row, and within a
-    /// cell by index; faces near the region may come too. The boundary of a polygon is one face a
-    /// segment, a wall has one on each side, a one-way segment one on its outward normal's side. A
+    /// Each comes once, in the order of the region's cells, row after row, and within a cell by
+    /// index. Faces near the region may come too. The boundary of a polygon is one face per
+    /// segment. A wall has one on each side, a one-way segment one on its outward normal's side. A
     /// feature's cell is the one that holds its start, or its corner.
     ///
     /// Cost: the references of the cells of the region, up to three tests each; for each end
@@ -60,7 +60,7 @@ pub struct SegmentFeatures<'w> {
     lo: Raw,
     hi: Raw,
     range: Range,
-    /// The cell and what is left of it.
+    /// The cell and the rest of it.
     x: i32,
     y: i32,
     refs: Refs<'w>,
@@ -343,8 +343,9 @@ struct Branch {
 }
 
 impl SegmentMap<'_> {
-    /// Whether the solid goes on from the end `p` of a face so that `p` blocks what is in front:
-    /// `along` leads from `p` along the face, and `left` says on which side of that the front is.
+    /// Whether the solid continues from the end `p` of a face, where `p` itself then blocks the
+    /// front. `along` leads from `p` along the face, and `left` says on which side of that the
+    /// front is.
     ///
     /// It does where the surface goes on straight, or turns toward the front and is solid as far as
     /// beyond `p`. It does not where the face meets a wall or a spike from below, or the surface of

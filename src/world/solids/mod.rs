@@ -38,9 +38,9 @@ use solid::{Side, Solid};
 ///   ####|  a  |  b   |                                   ####         (no face between a and b, no corner at their joint)
 /// ```
 ///
-/// The order of the list changes no result; of solids that say the same, the ids of a hit may be
-/// either one's. [One-way](Solid::with_one_way) solids are one face each, which blocks what comes
-/// from entirely in front, and no part of `overlaps` and `touches`. A feature's
+/// The order of the list changes no result. Where several solids give the same answer, the ids of a
+/// hit may be any one's. A [one-way](Solid::with_one_way) solid is a single face, which blocks
+/// bodies from entirely in front. It takes no part in `overlaps` and `touches`. A feature's
 /// [`cell`](crate::Feature::cell) holds the key: see [`Solids::key_of`].
 ///
 /// The boxes are asked one by one, so a point (a body without area) on the line between two flush
@@ -83,8 +83,8 @@ impl<'a> Solids<'a> {
     /// The key of the solid that a feature, a contact, a floor or a hit names by its cell; `None`
     /// where it is a tile's or a segment's.
     ///
-    /// So it can be asked of whatever a [joined](crate::Joined) level reports. The keys of two
-    /// lists that are joined are told apart by the [`source`](crate::Feature::source).
+    /// You can pass it whatever a [joined](crate::Joined) level reports. The
+    /// [`source`](crate::Feature::source) tells apart the keys of two joined lists.
     ///
     /// ```
     /// use tilesat::{Aabb, Cell, Fx, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};

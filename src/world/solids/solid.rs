@@ -1,4 +1,4 @@
-//! One box that moves: what it is, and where it goes in this tick.
+//! One box that moves: its shape, and its motion in this tick.
 
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw, Vec2, check_motion};
@@ -9,13 +9,13 @@ use crate::shape::Aabb;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Side {
-    /// Blocks what comes from the smaller y.
+    /// Blocks bodies from the smaller y.
     Up,
-    /// Blocks what comes from the larger x.
+    /// Blocks bodies from the larger x.
     Right,
-    /// Blocks what comes from the larger y.
+    /// Blocks bodies from the larger y.
     Down,
-    /// Blocks what comes from the smaller x.
+    /// Blocks bodies from the smaller x.
     Left,
 }
 
@@ -87,8 +87,8 @@ impl Solid {
         Self { flags, ..self }
     }
 
-    /// The same as a one-way platform: it blocks, carries and pushes only what is entirely in front
-    /// of that side.
+    /// The same as a one-way platform: it blocks, carries and pushes only bodies that are entirely
+    /// in front of that side.
     #[must_use]
     pub const fn with_one_way(self, side: Side) -> Self {
         Self { side: Some(side), ..self }
@@ -107,7 +107,7 @@ impl Solid {
     ///
     /// # Errors
     /// [`RangeError`] where the motion, or its sum with the conveyor, has a component of [`MOTION`]
-    /// or more, or would take the box out of the [domain](crate::num::DOMAIN).
+    /// or more. Also where it would take the box out of the [domain](crate::num::DOMAIN).
     pub const fn with_motion(self, motion: Vec2) -> Result<Self, RangeError> {
         Self { motion, ..self }.checked()
     }

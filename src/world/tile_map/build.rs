@@ -1,4 +1,4 @@
-//! The constructors of maps: bytes, bits or text; every one checks what it is given.
+//! The constructors of maps from bytes, bits or text. Each checks its input.
 
 use super::{Bits, Blocks, Bytes, Outside, Set, Store, TileMap};
 use crate::num::{Fx, Vec2};
@@ -196,10 +196,9 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
     /// A map from lines of text of one length, one character a tile; the characters are the ids. A
     /// line feed may end the last row too.
     ///
-    /// Nothing is copied: the map reads the text, stepping over the line feeds. Usable in
-    /// constants, so that a mistake in a level is a compile error; the compiler does some 10 steps
-    /// a character, and up to about 100 000 characters stay within its limit on constant
-    /// evaluation.
+    /// Nothing is copied: the map reads the text, stepping over the line feeds. In a constant, a
+    /// mistake in a level is a compile error. The compiler does some 10 steps per character. Up to
+    /// about 100 000 characters stay within its limit on constant evaluation.
     ///
     /// ```
     /// use tilesat::{Cell, TileKind, TileKinds, TileMap, TileMapError};
@@ -213,8 +212,8 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
     /// ```
     ///
     /// # Errors
-    /// [`TileMapError`]: no cells, too many, rows of different lengths, a character that is not ASCII, or a carriage return (as an editor or a
-    /// checkout on Windows may add).
+    /// [`TileMapError`]: no cells, too many, rows of different lengths, or a character that is not
+    /// ASCII. Also a carriage return, which an editor or a checkout on Windows may add.
     pub const fn from_ascii(text: &'a str, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
         Self::of_ascii(text, kinds)
     }

@@ -5,7 +5,7 @@ use super::outline::FormKind;
 use crate::num::{Raw, leading_zeros32};
 use crate::world::tile_map::kind::TileShape;
 
-/// Farther from a tile's corner than this nothing is told: so all sums below fit a word.
+/// Farther from a tile's corner than this there is no answer: all sums below fit a word.
 const FAR: i32 = 1 << 27;
 
 /// Whether no body in a region has a point in the inside of a tile's solid: none that fills its

@@ -16,16 +16,16 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///   it; a slope; or the inner side of a half tile.
     /// - An arc is that of a round tile.
     /// - A vertex is where the solid around a point is a wedge of less than half a turn, tiles that
-    ///   continue each other taken together. So there is none on a flat line, where an arc leaves a
-    ///   line smoothly, and in concave corners. Two wedges that meet in one point have one each.
-    ///   The edge of an arc is its tangent; the thin end of a quarter pipe is a wedge of no angle,
+    ///   continue each other taken together. There is none on a flat line, where an arc leaves a
+    ///   line smoothly, or in a concave corner. Two wedges that meet in one point have one each.
+    ///   The edge of an arc is its tangent. The thin end of a quarter pipe is a wedge of no angle,
     ///   with `e_out == -e_in`.
     /// - A one-way tile has its edge alone, less what the tile before it covers.
     ///
-    /// What is [`Outside`](crate::world::Outside) counts: in a closed room the solid cells around
-    /// the map have faces inward. Where the border is repeated, faces reach to the end of the
-    /// domain: those of the border's cells where there are only [`Blocks`](crate::world::Blocks),
-    /// else those of cells of their own beyond it.
+    /// [`Outside`](crate::world::Outside) counts: in a closed room the solid cells around the map
+    /// have faces inward. Where the border is repeated, faces reach to the end of the domain. With
+    /// [`Blocks`](crate::world::Blocks) alone they belong to the border's cells, else to separate
+    /// cells beyond it.
     ///
     /// ```text
     ///   7          4                                    0..=3 sides, 4..=7 the vertices where they

@@ -2,10 +2,10 @@
 
 /// The solid part of a tile.
 ///
-/// Lines end in corners and in the middles of sides, so that mild and steep slopes go on from tile
-/// to tile; arcs have a radius of one cell, and their tangents continue the sides of the cell.
-/// Slopes and arcs come in fours, solid at the top left, top right, bottom right and bottom left
-/// ("top" is toward row 0); those at the bottom right are:
+/// Lines end in corners and in the middles of sides, and mild and steep slopes continue from tile
+/// to tile. Arcs have a radius of one cell, and their tangents continue the sides of the cell.
+/// Slopes and arcs come in fours, solid at the top left, top right, bottom right and bottom left.
+/// "Top" is toward row 0. Those at the bottom right are:
 ///
 /// ```text
 ///   Slope       MildLow     MildHigh    SteepLow    SteepHigh   Convex      Concave
@@ -91,9 +91,9 @@ pub enum TileShape {
     SteepHighBottomRight = 32,
     /// As [`SteepHighTopLeft`](Self::SteepHighTopLeft), at another corner.
     SteepHighBottomLeft = 33,
-    /// Only the edge toward row 0 blocks, and only what is entirely in front of it and moves in. It
-    /// has no inside: it is never overlapped. Its ends are no corners: a circle whose centre is
-    /// beyond an end that nothing continues passes it.
+    /// Only the edge toward row 0 blocks, and only bodies that are entirely in front of it and move
+    /// in. It has no inside, so nothing overlaps it. Its ends are not corners: a circle whose
+    /// centre is beyond an end that nothing continues passes it.
     OneWayUp = 34,
     /// As [`OneWayUp`](Self::OneWayUp), the edge toward larger x.
     OneWayRight = 35,
@@ -181,7 +181,7 @@ impl TileKind {
         Self { shape, flags: 0 }
     }
 
-    /// The same shape with these flags instead of its own.
+    /// The same shape with these flags.
     #[must_use]
     pub const fn with_flags(self, flags: u8) -> Self {
         Self { shape: self.shape, flags }
@@ -221,7 +221,7 @@ impl TileKind {
 
 /// How much of a cell is solid.
 ///
-/// Public in a private module, because a sealed trait's method tells it.
+/// Public in a private module, because a sealed trait's method returns it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fill {
     /// Nothing; it may have a one-way face.
@@ -233,8 +233,8 @@ pub enum Fill {
 /// What each of the 256 tile ids is: 520 bytes, usually a `static` in flash, shared by all maps of
 /// a game.
 ///
-/// The table remembers which shapes it names, so that making a map asks once whether its set has
-/// them, and not 256 times.
+/// The table remembers which shapes it names. Making a map then asks once whether its set has them,
+/// not 256 times.
 ///
 /// ```
 /// use tilesat::{TileKind, TileKinds};
@@ -247,7 +247,7 @@ pub enum Fill {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct TileKinds {
-    /// Apart, so that a walk over the shapes is one index away from each.
+    /// A separate array: a walk over the shapes is one index away from each.
     shapes: [TileShape; 256],
     flags: [u8; 256],
     /// One bit for each shape of the table, and that of `Empty`.

@@ -173,7 +173,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         let range = self.open_range(region.lo(), region.hi());
         match self.outside {
             Outside::Empty => self.met(self.inside(range), Range::NOWHERE, region, r),
-            // Blocks at the border stand for what is beyond it; a region that holds only that has
+            // Blocks at the border stand for everything beyond it. A region entirely beyond it has
             // no cell inside.
             Outside::Edge if !S::SHAPED => self.met(self.solid_range(range), Range::NOWHERE, region, r),
             Outside::Solid | Outside::Edge => {
@@ -226,7 +226,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 }
 
-/// The cells of a range that are beyond the map: one row or column on each side, and what is
+/// The cells of a range that are beyond the map: one row or column on each side, and the cells
 /// between them.
 const fn beyond(range: Range, inside: Range) -> Range {
     let (left, right) = (range.x0 < inside.x0, range.x1 > inside.x1);
@@ -271,8 +271,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// The cells of a range that can hold solid: where the border is repeated, border blocks stand
-    /// for the bands beyond them, shaped ones have bands of their own; there is nothing outside
+    /// The cells of a range that can hold solid. Where the border is repeated, border blocks stand
+    /// for the bands beyond them, and shaped ones have separate bands. There is nothing outside
     /// where that is empty.
     pub(in crate::world) const fn solid_range(&self, r: Range) -> Range {
         match self.outside {
@@ -332,8 +332,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy) at hand: the same
     /// answers, faster where rows of cells are empty.
     ///
-    /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the
-    /// compiler for a `const` map. After a tile is written, fill them again.
+    /// The bits are compared with the tiles, so a map cannot lie. That is one look-up per tile, in
+    /// the compiler for a `const` map. After you write a tile, fill them again.
     ///
     /// ```
     /// use tilesat::{Cell, TileKind, TileKinds, TileMap, TileMapError};

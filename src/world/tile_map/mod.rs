@@ -1,5 +1,5 @@
-//! A level of tiles: borrowed bytes, a grid, a table of kinds, and what lies outside; its type says
-//! which shapes it can hold, and how ids are stored.
+//! A level of tiles: borrowed bytes, a grid, a table of kinds, and its outside. Its type says which
+//! shapes it can hold, and how ids are stored.
 
 mod build;
 mod clear;
@@ -32,13 +32,13 @@ use surface::{BlockSurface, Surface};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Outside {
-    /// Nothing: bodies leave the map and fall for ever.
+    /// Nothing: bodies leave the map and fall without end.
     #[default]
     Empty,
     /// Solid: the map is a closed room.
     Solid,
-    /// The border, continued to the end of the domain: what is solid on the map's outer edge is
-    /// solid beyond it, so half an edge gives half a band. A one-way edge goes on along its own
+    /// The border, continued to the end of the domain. Where the map's outer edge is solid, so is
+    /// everything beyond it; half an edge gives half a band. A one-way edge continues along its own
     /// line only: one that blocks from above is not repeated above and below the map.
     Edge,
 }
@@ -46,9 +46,9 @@ pub enum Outside {
 /// A level of square tiles, read from where it lies: it owns nothing and needs no memory but itself
 /// (60 bytes on a 32-bit core).
 ///
-/// The solid is the union of its tiles' shapes, borders included, and of what is [`Outside`]. Its
-/// surface is derived from the tiles when asked: interior faces do not exist, so nothing can snag
-/// on a seam. A door is one byte written (in memory): then make the map again. It is a view, and
+/// The solid is the union of its tiles' shapes, borders included, and of [`Outside`]. Its surface
+/// is derived from the tiles when you ask. Interior faces do not exist, so nothing can snag on a
+/// seam. To open a door, write one byte (in memory) and make the map again. It is a view, and
 /// [`of`](Self::of) with a grid from a constant costs a handful of comparisons.
 ///
 /// `S` says which shapes it can hold ([`Blocks`]), `T` how ids are stored: [`Bytes`] or [`Bits`].
@@ -115,7 +115,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.grid.origin()
     }
 
-    /// The box of all its cells: what a [`Character`](crate::Character) must not leave.
+    /// The box of all its cells: the limits of a [`Character`](crate::Character).
     #[must_use]
     pub const fn bounds(&self) -> Aabb {
         Aabb::from_raw_unchecked(Raw::of(self.grid.origin()), Raw::of(self.grid.end()))
@@ -162,13 +162,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.id_at(self.place(x, y))
     }
 
-    /// The place of a tile of the map in the data.
+    /// The index of a tile of the map in the data.
     #[inline]
     pub(in crate::world) const fn place(&self, x: i32, y: i32) -> u32 {
         (y as u32).wrapping_mul(self.stride as u32).wrapping_add(x as u32)
     }
 
-    /// The id of a tile by its place in the data.
+    /// The id of a tile by its index in the data.
     #[inline]
     #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
     pub(in crate::world) const fn id_at(&self, tile: u32) -> u8 {
@@ -266,8 +266,8 @@ pub(in crate::world) const fn merged(index: i32, count: u16) -> i32 {
     }
 }
 
-/// Which shapes a [`TileMap`](crate::world::TileMap) can hold, so that a level of blocks links no
-/// code for anything else.
+/// Which shapes a [`TileMap`](crate::world::TileMap) can hold. A level of blocks links no code for
+/// other shapes.
 ///
 /// Sealed; the markers are types such as [`Blocks`]. A table that names another shape is refused by
 /// the constructors.

@@ -18,10 +18,10 @@ levels! {
         /// Whether a box or circle overlaps the solid: whether it reaches the inside of the union
         /// of all tiles' solids.
         ///
-        /// Strict and exact, for slopes and arcs too, and without a root: a body that touches a
+        /// Strict and exact, for slopes and arcs too, and without a root. A body that touches a
         /// wall or fills a gap exactly does not overlap. A body without area (a circle of radius 0,
-        /// a box of no width or height) overlaps where it meets the inside of the union, so also on
-        /// the line between two full cells. One-way tiles are never overlapped. What is
+        /// a box of no width or height) overlaps where it meets the inside of the union, also on
+        /// the line between two full cells. One-way tiles never overlap anything.
         /// [`Outside`](crate::world::Outside) counts.
         ///
         /// Cost: the cells that the body's bounding box overlaps, one look-up each, until the first
@@ -44,8 +44,8 @@ levels! {
         overlaps,
         /// Whether a box or circle has a point in common with the solid, borders included.
         ///
-        /// Exact. One-way tiles are not solid; what is [`Outside`](crate::world::Outside) counts.
-        /// Cost: as [`overlaps`](Self::overlaps), one more cell on each side that lies on a cell's
+        /// Exact. One-way tiles are not solid; [`Outside`](crate::world::Outside) counts. Cost: as
+        /// [`overlaps`](Self::overlaps), and one more cell on each side that lies on a cell's
         /// border.
         touches,
     }
@@ -179,8 +179,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 let y = self.grid.y.origin.wrapping_add(middle);
                 (lo.y < y, y < hi.y, Raw { x: lo.x, y })
             };
-            // Cells take from a half what lies in them. Where nothing of it is left it is not asked
-            // for.
+            // Cells take from a half only the part that lies in them. Without such a part it is not
+            // tested.
             if (before && self.all_hold(cells, lo, if after { end } else { hi }))
                 || (after && self.all_hold(cells, if before { end } else { lo }, hi))
             {

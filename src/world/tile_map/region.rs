@@ -10,7 +10,7 @@ use crate::world::cell::{Cell, Range};
 use crate::world::tile_map::kind::TileKind;
 use heapless::VecView;
 
-/// A tile of a map and its place.
+/// A tile of a map and its cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TileAt {
@@ -53,9 +53,9 @@ impl<S: Set, T: Store> Iterator for Tiles<'_, S, T> {
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The tiles whose inside meets the region: a region that is exactly one tile gives that tile.
     ///
-    /// Every tile of the map counts, solid or not; what is outside of the map is not reported.
-    /// Where the region has no width and lies on a line between two columns it gives both (and
-    /// likewise for rows): nothing that a point touches is missed.
+    /// Every tile of the map counts, solid or not; cells outside of the map are not reported. A
+    /// region without width on a line between two columns gives both, and likewise for rows: it
+    /// misses nothing that a point touches.
     ///
     /// Cost: one look-up a tile. It cannot fail.
     ///

@@ -112,7 +112,7 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
         if !look.opposes(dir) {
             return None;
         }
-        // One component of a reduced direction is one, so that the other way is the length.
+        // One component of a reduced direction is one: the other way is the length.
         let way = end.sub(start);
         let len = if dir.x & 1 != 0 { way.x } else { way.y }.wrapping_abs();
         let joined = match one_way {

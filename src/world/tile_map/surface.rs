@@ -1,4 +1,4 @@
-//! How tiles give their surface: what is asked of a cell, and the answer of blocks, whole sides of
+//! How tiles give their surface: the questions to a cell, and the answers of blocks, whole sides of
 //! cells and their corners.
 
 use crate::num::{Axis, DOMAIN, Raw};
@@ -110,7 +110,7 @@ pub trait Surface: Clone + Debug {
     /// before is over.
     fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &Look);
 
-    /// The next of what is left, if it is asked for.
+    /// The next of the remaining ones, if it is wanted.
     fn take<M: TileSource>(&mut self, map: &M, look: &Look) -> Option<Feature>;
 }
 
@@ -215,8 +215,8 @@ impl BlockSurface {
         if d.is_zero() {
             return reached;
         }
-        // The faces that the motion comes to: not those that its front, up to the raw unit by which
-        // the region is larger, is beyond at the start.
+        // The faces that the motion can reach: not those that its front, up to the raw unit by
+        // which the region is larger, is beyond at the start.
         let ((lo, hi), (from, to)) = (self.solid, look.region);
         let up = d.y > 0 && lo.y >= to.y.wrapping_sub(d.y).wrapping_sub(1);
         let right = d.x < 0 && hi.x <= from.x.wrapping_sub(d.x).wrapping_add(1);
@@ -291,8 +291,8 @@ fn surface<M: TileSource>(map: &M, x: i32, y: i32) -> Pieces {
     faces | (faces & (faces >> 1 | faces << 3) & 0xf) << 4
 }
 
-/// Whether something that blocks from the same side lies beside a one-way face: a full cell, or
-/// such a one-way one that has its face.
+/// Whether a full cell, or a one-way cell with the same face, lies beside a one-way face and blocks
+/// from the same side.
 fn goes_on<M: TileSource>(map: &M, x: i32, y: i32, side: u8) -> bool {
     let kind = map.kind_at(x, y);
     let (dx, dy) = across(side);

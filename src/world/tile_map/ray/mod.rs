@@ -1,4 +1,4 @@
-//! Rays through tiles: what is asked, and what is answered.
+//! Rays through tiles: questions and answers.
 
 mod blocks;
 mod shapes;
@@ -20,12 +20,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///
     /// Every decision is exact, for any direction and length inside the domain:
     ///
-    /// - A straight face is hit by a ray that moves against its normal, ends included: touching a
-    ///   corner is a hit, no ray passes between two diagonal solids, and a ray along a grid line is
-    ///   stopped by the first face that stands in its way on either side of the line.
+    /// - A straight face is hit by a ray that moves against its normal, ends included. Touching a
+    ///   corner is a hit, and no ray passes between two diagonal solids. A ray along a grid line
+    ///   stops at the first face in its way on either side of the line.
     /// - A convex arc is hit by a ray that enters its disc on it, a concave one by a ray that
-    ///   leaves the disc on it, ends included. What slides along a face or is a tangent hits
-    ///   nothing, but one that goes on into the solid beside the end of a concave arc.
+    ///   leaves the disc on it, ends included. A ray that slides along a face or is a tangent hits
+    ///   nothing, except one that continues into the solid beside the end of a concave arc.
     /// - A face is hit at the very end of the motion too; one raw unit short is a miss.
     /// - Of faces that are hit at one moment the one whose normal is more along x wins (of blocks:
     ///   toward x), then the one that opposes the motion more, then +x, then +y, then a straight
@@ -46,13 +46,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///   +---+---+---+---+
     /// ```
     ///
-    /// Cost: one look-up a cell, at most width + height + 4 cells, the area beyond the map included
-    /// ([`RayHit::cells`] counts them). In [`Blocks`](crate::world::Blocks) a hit in the 17th cell
-    /// takes about 850 instructions on a Cortex-M0, 560 on a Cortex-M3, toi and point included; no
-    /// division and no root. Rays that start in the solid or beyond the map, or go on in a band
-    /// beyond the map look at the four cells around each crossing: about 150 instructions a cell.
-    /// Other shapes add two sides and one inner piece for each tile that is not empty, and one root
-    /// for a hit within an arc.
+    /// Cost: one look-up per cell, at most width + height + 4 cells, the area beyond the map
+    /// included ([`RayHit::cells`] counts them). In [`Blocks`](crate::world::Blocks) a hit in the
+    /// 17th cell takes about 850 instructions on a Cortex-M0, 560 on a Cortex-M3, time and point
+    /// included. There is no division and no root. Rays that start in the solid or beyond the map,
+    /// or continue in a band beyond it, examine the four cells around each crossing: about 150
+    /// instructions per cell. Other shapes add two sides and one inner piece for each tile that is
+    /// not empty, and one root for a hit within an arc.
     ///
     /// ```
     /// use tilesat::{Axis, Cell, Inside, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -194,10 +194,11 @@ rays! {
         /// closed solid.
         ///
         /// Exact, by the rules of [`cast_ray`](Self::cast_ray) with
-        /// [`Inside::Hit`](crate::world::Inside::Hit): a start inside sees nothing, a corner that
-        /// is touched blocks, a line that slides along a wall does not, one-way edges do not. On
-        /// the surface `a` and `b` are not the same: a point on a wall sees what is in front of it,
-        /// and is not seen, as the line ends in a hit. Cost: as [`cast_ray`](Self::cast_ray).
+        /// [`Inside::Hit`](crate::world::Inside::Hit). A start inside sees nothing, a corner that
+        /// is touched blocks, a line that slides along a wall does not, and one-way edges do not.
+        /// On the surface `a` and `b` differ: a point on a wall sees the points in front of it. It
+        /// is not seen from there, because the line ends in a hit. Cost: as
+        /// [`cast_ray`](Self::cast_ray).
         ///
         /// ```
         /// use tilesat::{TileKind, TileKinds, TileMap, Vec2};

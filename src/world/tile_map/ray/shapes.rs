@@ -95,7 +95,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Whether the start of a walk is strictly inside the solid.
     ///
     /// It is where the inequality of each shape that it touches holds strictly. Where one is an
-    /// equality, the shape's line or arc ends on the border of its cell, so that points of the cell
+    /// equality, the shape's line or arc ends on the border of its cell, and points of the cell
     /// nearby are not in it.
     pub(in crate::world) fn start_is_inside(&self, o: Raw, walk: &Walk) -> bool {
         walk.all_at_start(false, self.grid.cell as u32, |x, y| self.holds_just_after(o, NONE, x, y))
@@ -225,7 +225,7 @@ impl<'w, S: Set, T: Store> TilePieces<'w, S, T> {
                     Raw { x: along_side(corners.0.x, corners.1.x, i), y: along_side(corners.0.y, corners.1.y, j) }
                 };
                 let (a, dir) = (node(piece.start), direction(piece.dir));
-                // One component of a reduced direction is one, so that the other way is the length.
+                // One component of a reduced direction is one: the other way is the length.
                 let way = node(piece.end).sub(a);
                 let len = if dir.x.unsigned_abs() == 1 { way.x } else { way.y }.wrapping_abs();
                 Some(Geometry::Face { a: a.vec2(), dir, len, joined: [false; 2] })
