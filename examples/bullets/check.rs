@@ -20,8 +20,7 @@ pub fn everybody(near: &Near) -> Vec<Handle> {
     all
 }
 
-/// A body as whole numbers: twice its centre and its width, in raw units, so that nothing is
-/// rounded.
+/// A body as whole numbers: twice its centre and its width, in raw units. Nothing is rounded.
 #[derive(Clone, Copy)]
 struct Plain {
     handle: Handle,
@@ -140,7 +139,7 @@ impl Judge {
         Ok(())
     }
 
-    /// All pairs, by every two bodies, and what was told of them.
+    /// All pairs, by every two bodies, and the events that the game reported of them.
     pub fn meetings(&mut self, flown: &Game, met: &Game) -> Result<(), String> {
         let bodies = Plain::all(flown);
         let (mut near, mut touching) = (BTreeSet::new(), BTreeSet::new());

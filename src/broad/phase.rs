@@ -282,7 +282,7 @@ pub trait BroadPhase: Spatial {
     ///
     /// Cost: without cells every body; with them the cells of a square that shrinks to the nearest
     /// found. At the worst all bodies, and a root. Of 512 bodies in 1024 x 768 units 1 850
-    /// instructions on a Cortex-M0 in a grid, 100 a body without cells.
+    /// instructions on a Cortex-M0 in a grid, 100 per body without cells.
     ///
     /// ```
     /// use tilesat::broad::{BroadPhase, BruteForce};

@@ -270,7 +270,7 @@ const fn span(origin: i32, count: u16, cell: i32, what: Quantity) -> Result<Span
     }
 }
 
-/// The multiplier of [`Grid::quotient`] and the log2, for `2^8 <= cell <= 2^24`. Runs once a map;
+/// The multiplier of [`Grid::quotient`] and the log2, for `2^8 <= cell <= 2^24`. Runs once per map;
 /// mostly in the compiler.
 const fn magic(cell: u32) -> (u32, u8) {
     let log = 31 - cell.leading_zeros() as u8;

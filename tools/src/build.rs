@@ -53,8 +53,8 @@ impl From<Fail> for Failed {
 }
 
 /// Bakes all levels of a folder of the package into a file of the folder's name with `.rs` in
-/// Cargo's `OUT_DIR`, and has Cargo ask again when one of them changes, or a file that one of them
-/// names.
+/// Cargo's `OUT_DIR`. Cargo runs the build script again when one of the levels changes, or a file
+/// that one of them names.
 ///
 /// # Errors
 ///
@@ -118,7 +118,7 @@ pub fn folder(from: &Path, out: &Path) -> Result<Vec<PathBuf>, Failed> {
     Ok(read)
 }
 
-/// What is said of each level that is refused.
+/// The message about each refused level.
 fn refused(drawn: &[(PathBuf, Map)], settings: &Settings) -> Vec<Fail> {
     let alone = |(file, map): &(PathBuf, Map)| {
         let fail = bake::bake(std::slice::from_ref(map), settings).err()?;

@@ -1,4 +1,4 @@
-//! Reads, checks and bakes levels of Tiled and `LDtk` for [`tilesat`], and draws what comes of it.
+//! Reads, checks and bakes levels of Tiled and `LDtk` for [`tilesat`], and draws the results.
 //!
 //! A level goes through these rooms, and each knows only those before it:
 //!

@@ -77,7 +77,7 @@ pub trait Enter<B: ?Sized>: InDomain {
     /// How the boundary of `b`, grown by this shape, may be met.
     type Moment: Moment;
 
-    /// What the motion `d` meets, below 2^29 a component; its end needs not be in the domain.
+    /// What the motion `d` meets, below 2^29 per component; its end needs not be in the domain.
     fn enter(&self, b: &B, d: Raw) -> Course<Self::Moment>;
 
     /// The same without what times are computed from.

@@ -5,10 +5,10 @@
 //! | bytes | what |
 //! |---|---|
 //! | 32 | header |
-//! | 24 a segment | segments |
-//! | 2 a cell, and 2 | offsets into the references, row after row |
-//! | 2 a reference | segment indices, ascending within a cell |
-//! | 1 a cell | winding numbers of the reference points, signed |
+//! | 24 per segment | segments |
+//! | 2 per cell, and 2 | offsets into the references, row after row |
+//! | 2 per reference | segment indices, ascending within a cell |
+//! | 1 per cell | winding numbers of the reference points, signed |
 //!
 //! | header at | type | what |
 //! |---|---|---|
@@ -106,13 +106,13 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 #[derive(Clone, Copy, Debug)]
 pub struct SegmentMap<'a> {
     grid: Grid,
-    /// 24 bytes a segment.
+    /// 24 bytes per segment.
     segments: &'a [u8],
-    /// Two bytes a cell and two more: where the cell's references start.
+    /// Two bytes per cell and two more: where the cell's references start.
     offsets: &'a [u8],
-    /// Two bytes a reference.
+    /// Two bytes per reference.
     refs: &'a [u8],
-    /// A byte a cell.
+    /// A byte per cell.
     winding: &'a [u8],
 }
 

@@ -40,7 +40,7 @@ impl Size {
         self.refs
     }
 
-    /// Bytes of the whole: 34, and 24 a segment, 2 a reference, 3 a cell.
+    /// Bytes of the whole: 34, and 24 per segment, 2 per reference, 3 per cell.
     ///
     /// Below 2^32, as there are fewer than 2^30 cells.
     #[must_use]

@@ -11,10 +11,10 @@ use core::marker::PhantomData;
 const CELL: Fx = Fx::from_bits(16 << 16);
 
 impl<'a> TileMap<'a, Blocks, Bytes> {
-    /// A map of one byte a tile, row after row.
+    /// A map of one byte per tile, row after row.
     ///
     /// The data may be longer than the map, for [`with_stride`](Self::with_stride). Maps of more
-    /// than 511 cells a side do not fit the domain with cells of 16 units:
+    /// than 511 cells per side do not fit the domain with cells of 16 units:
     /// [`on_grid`](Self::on_grid) takes the cell at once.
     ///
     /// # Errors
@@ -26,7 +26,7 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
         }
     }
 
-    /// A map of one byte a tile, row after row, on a grid.
+    /// A map of one byte per tile, row after row, on a grid.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -36,7 +36,7 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
 }
 
 impl<'a> TileMap<'a, Blocks, Bits> {
-    /// A map of one bit a tile, row after row without gaps, the least significant bit of each byte
+    /// A map of one bit per tile, row after row without gaps, the least significant bit of each byte
     /// first: a clear bit is id 0, a set one id 1.
     ///
     /// ```
@@ -65,7 +65,7 @@ impl<'a> TileMap<'a, Blocks, Bits> {
 }
 
 impl<'a, S: Set> TileMap<'a, S, Bytes> {
-    /// A map of one byte a tile, row after row, on a grid, that can hold the shapes of any [`Set`].
+    /// A map of one byte per tile, row after row, on a grid, that can hold the shapes of any [`Set`].
     ///
     /// ```
     /// use tilesat::{AllShapes, Circle, Fx, Grid, Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2};

@@ -74,7 +74,7 @@ pub enum TileShape {
     MildHighBottomRight = 24,
     /// As [`MildHighTopLeft`](Self::MildHighTopLeft), at another corner.
     MildHighBottomLeft = 25,
-    /// A slope of two cells a cell: half a side wide at its corner, nothing at the other.
+    /// A slope of two cells per cell: half a side wide at its corner, nothing at the other.
     SteepLowTopLeft = 26,
     /// As [`SteepLowTopLeft`](Self::SteepLowTopLeft), at another corner.
     SteepLowTopRight = 27,

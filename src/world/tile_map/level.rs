@@ -1,7 +1,7 @@
 //! A tile map as a level: its cells, which of them a box of coordinates reaches, and where there is
 //! anything at all.
 //!
-//! Rows that are known to be empty are passed over: one bit a tile in the caller's storage.
+//! Rows that are known to be empty are passed over: one bit per tile in the caller's storage.
 
 use super::clear::is_clear;
 use super::surface::BlockSurface;
@@ -305,7 +305,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         (self.grid.x.count as u32).div_ceil(32)
     }
 
-    /// Writes one bit a tile, set where its shape is not empty: bit `x % 32` of word `x / 32` of
+    /// Writes one bit per tile, set where its shape is not empty: bit `x % 32` of word `x / 32` of
     /// each row. Words beyond are left alone.
     ///
     /// # Errors

@@ -334,7 +334,7 @@ pub trait Store: Sealed + Copy + Debug + Eq + 'static {
     const BITS: u32;
 }
 
-/// One byte a tile: 256 ids.
+/// One byte per tile: 256 ids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bytes;
@@ -344,7 +344,7 @@ impl Store for Bytes {
     const BITS: u32 = 8;
 }
 
-/// One bit a tile, the least significant bit of a byte first: ids 0 and 1.
+/// One bit per tile, the least significant bit of a byte first: ids 0 and 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bits;

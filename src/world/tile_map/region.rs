@@ -57,7 +57,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// region without width on a line between two columns gives both, and likewise for rows: it
     /// misses nothing that a point touches.
     ///
-    /// Cost: one look-up a tile. It cannot fail.
+    /// Cost: one look-up per tile. It cannot fail.
     ///
     /// ```
     /// use tilesat::{Aabb, Cell, TileKind, TileKinds, TileMap, Vec2};

@@ -91,8 +91,8 @@ impl Baked {
         Ok(lines)
     }
 
-    /// Cells, segments with their normals and vertices, over an image of what was drawn; with rays
-    /// where there is none. Lines of text stand below.
+    /// Cells, segments with their normals and vertices, over an image of the drawn level; without
+    /// one, with rays. Lines of text stand below.
     ///
     /// # Errors
     ///

@@ -81,7 +81,7 @@ fn level(map: &Map, settings: &Settings, flags: &mut Flags, ids: &mut Ids) -> Re
         let outlines = distinct(&ground.outlines);
         let twice = ground.outlines.len() - outlines.len();
         if twice > 0 {
-            ground.notes.push(format!("{twice} polygons are left out: each is another one once more"));
+            ground.notes.push(format!("{twice} polygons are left out: each repeats another one"));
         }
         if pile(&outlines) > MOST_PILED {
             return Err(Fail::new(format!("more than {MOST_PILED} polygons lie over each other")));

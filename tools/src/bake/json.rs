@@ -39,7 +39,7 @@ fn in_order<S: Serializer>(flags: &[(&str, u64)], to: S) -> std::result::Result<
 }
 
 impl Baked {
-    /// The level in one line: what is solid, and why.
+    /// The level in one line: its solid, and the rules behind it.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! Tile layers in, one byte a tile out.
+//! Tile layers in, one byte per tile out.
 
 use tilesat::world::Set;
 use tilesat::{Aabb, AllShapes, Blocks, Feature, Fx, Grid, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2};
@@ -103,7 +103,7 @@ impl Level {
         Grid::new(self.width, self.height, Fx::from_num(self.tile), origin)
     }
 
-    /// The table that tells the library what each id is.
+    /// The table that gives the library the kind of each id.
     pub fn kinds(&self) -> TileKinds {
         let mut kinds = TileKinds::EMPTY;
         for (id, &kind) in self.ids.iter().enumerate() {
@@ -112,7 +112,7 @@ impl Level {
         kinds
     }
 
-    /// Whether the library needs nothing but blocks for it: such a level plays with less code.
+    /// Whether the library needs nothing but blocks for the level, which then plays with less code.
     pub fn is_blocks(&self) -> bool {
         self.ids.iter().all(|kind| Blocks::SHAPES >> kind.shape as u8 & 1 != 0)
     }

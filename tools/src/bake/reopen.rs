@@ -66,7 +66,7 @@ fn beside(path: &Path) -> Result<std::path::PathBuf> {
     });
     let missing = || {
         Fail::new(format!(
-            "{}: the file of the same name in .bin.rs, which says what the bytes are, is not there",
+            "{}: the file of the same name in .bin.rs, which describes the bytes, is missing",
             path.display()
         ))
     };

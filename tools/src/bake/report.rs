@@ -47,7 +47,7 @@ impl Report {
             }
             most = most.max(own);
             pieces += own;
-            // Every place of the body whose corner lies in this cell is in this region.
+            // Every position of the body whose corner lies in this cell is in this region.
             let (x, y) = square.max().raw();
             let end = Vec2::from_raw(clamped(x.saturating_add(body.0)), clamped(y.saturating_add(body.1)));
             if let Ok(region) = Aabb::new(square.min(), end) {

@@ -34,7 +34,7 @@ impl Shapes {
             }
             let mut points = Vec::new();
             for (i, &(x, y)) in outline.points.iter().enumerate() {
-                // Far outside of the domain; what is nearer is the library's to refuse.
+                // Far outside of the domain; the library refuses points that are nearer.
                 let beyond = |_| {
                     of_object(&format!(
                         "point {i} is beyond the domain of 8192 pixels; --scale makes everything smaller"

@@ -25,8 +25,8 @@ pub(crate) enum Bytes {
     Files(String, String),
 }
 
-/// Constants, the tiles, and the objects as `segment_map!` takes them, so that the compiler builds
-/// and checks the map. Several levels are modules, and share the table of kinds.
+/// Constants, the tiles, and the objects as `segment_map!` takes them: the compiler builds and
+/// checks the map. Several levels are modules, and share the table of kinds.
 pub(crate) fn source(bundle: &Bundle) -> String {
     HEAD.to_owned() + &items(bundle)
 }
@@ -108,7 +108,7 @@ fn alone(text: &mut String, level: &Baked, flags: &[(String, u8)], from: &Bytes)
     rest(text, level, from);
 }
 
-/// The place of a level, and its segments.
+/// The position of a level, and its segments.
 fn rest(text: &mut String, level: &Baked, from: &Bytes) {
     if let Some(place) = level.ground.place {
         let (x, y, width, height) = (place.x, place.y, place.width, place.height);

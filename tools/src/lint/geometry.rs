@@ -1,7 +1,7 @@
 //! How two edges meet, exactly.
 //!
-//! Raw coordinates of a file stay below 2^37 (a million pixels and offsets), so products are below
-//! 2^76 and everything here is far from the ends of `i128`.
+//! Raw coordinates of a file stay below 2^37 (a million pixels and offsets). Products stay below
+//! 2^76, and everything here is far from the ends of `i128`.
 
 pub type Point = (i64, i64);
 
@@ -56,7 +56,7 @@ impl Edge {
 /// How two edges meet that have a length each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Meeting {
-    /// Not at all, or in an end of both.
+    /// Not at all, or in a common end.
     Apart,
     SharedEnd(Point),
     /// In one point within both; rounded to raw.

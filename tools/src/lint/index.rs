@@ -43,8 +43,8 @@ impl Bounds {
     }
 }
 
-/// How many boxes a check may look at: enough for any level that is drawn with care, and n log n of
-/// them where things lie over each other, so that all pairs are too many.
+/// How many boxes a check may look at: enough for any level that is drawn with care. Where things
+/// lie over each other, all pairs are too many; then n log n of them.
 #[derive(Debug)]
 pub(super) struct Work(u64);
 

@@ -26,7 +26,7 @@ pub(super) fn check(scene: &mut Scene<'_>, crossing: &HashSet<usize>) {
         match (scene.drawing.outlines[i].kind, around) {
             (Kind::Hole, ..=0) => {
                 let what = "a hole outside of any solid";
-                scene.say((Error, "hole-outside"), who, at, what, "its edge blocks what comes from within");
+                scene.say((Error, "hole-outside"), who, at, what, "its edge blocks bodies from within");
             }
             (Kind::Hole, 2..) => {
                 let what = format!("a hole where {around} solids lie on each other");

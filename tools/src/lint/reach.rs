@@ -64,7 +64,7 @@ fn blocked(scene: &Scene<'_>, edge: &Edge, blockers: &[Edge], index: &Index, wor
 fn room(body: Option<Body>, edge: &Edge) -> (i64, i128) {
     let (x, y) = edge.normal();
     match body {
-        // Only what lies on the edge itself.
+        // Only points on the edge itself.
         None => (0, 1),
         Some(Body::Box { width, height }) => {
             (width + height, i128::from(width) * x.abs() + i128::from(height) * y.abs())

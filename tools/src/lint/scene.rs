@@ -66,7 +66,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// Says that a check ended at an edge, because what is left is too much.
+    /// Reports that a check ended at an edge, because the rest is too much.
     pub(super) fn say_unfinished(&mut self, at: &Edge, what: &'static str) {
         let why = "so much lies over each other here that what else is wrong is not known";
         self.say((Severity::Warning, "unfinished"), vec![self.who(at)], at.a, what, why);

@@ -86,7 +86,7 @@ pub struct Tiles {
     pub height: u32,
     /// Row by row, as places in the palette.
     pub cells: Vec<u32>,
-    /// Whether the editor has drawn it after another layer, so that its name says nothing.
+    /// Whether the editor has drawn it after another layer. Its name then says nothing.
     pub derived: bool,
 }
 

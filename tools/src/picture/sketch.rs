@@ -45,7 +45,7 @@ impl Sketch {
         sketch
     }
 
-    /// Where a place of the level is in the picture.
+    /// Where a point of the level is in the picture.
     pub fn spot(&self, p: Vec2) -> Spot {
         (p.x.to_num::<f32>() * self.scale, p.y.to_num::<f32>() * self.scale)
     }
@@ -81,7 +81,7 @@ impl Sketch {
         self.scene.size.1 = y - 4.0;
         let target = || Some(env::current_exe().ok()?.ancestors().nth(3)?.join(name));
         let file = env::args_os().nth(1).map(PathBuf::from).or_else(target);
-        let file = file.ok_or_else(|| Fail::new("where should the picture go?"))?;
+        let file = file.ok_or_else(|| Fail::new("the picture has no file name: add one ending in .png"))?;
         png::write(&self.scene, &file)?;
         println!("picture {}", file.display());
         Ok(())

@@ -8,8 +8,7 @@ use super::marks::{Scene, Spot};
 /// Points a pixel on each axis.
 const FINE: i32 = 4;
 
-/// Fills what is solid of the first `size` pixels of a level, drawn at `at`; `scale` pixels to a
-/// unit.
+/// Fills the solid of the first `size` pixels of a level, drawn at `at`; `scale` pixels per unit.
 pub fn fill(scene: &mut Scene, map: &impl World, at: Spot, size: (i32, i32), scale: i32, ink: Ink) {
     for y in 0..size.1 {
         let mut x = 0;

@@ -1,4 +1,4 @@
-//! The surface of a level: exactly the faces and arcs that a body can meet, as the library tells
+//! The surface of a level: exactly the faces and arcs that a body can meet, as the library reports
 //! them.
 
 use tilesat::{Axis, Feature, Geometry, Vec2};
@@ -6,7 +6,7 @@ use tilesat::{Axis, Feature, Geometry, Vec2};
 use super::ink::{EDGE, Ink, TOP};
 use super::marks::{Scene, Spot};
 
-/// Pieces that an arc is drawn in, each with the colour of its own slope.
+/// Pieces in which an arc is drawn, each coloured by its slope.
 const PIECES: u8 = 12;
 
 pub fn draw(scene: &mut Scene, features: &[Feature], tile: f32) {

@@ -63,7 +63,7 @@ impl Arena {
     }
 }
 
-/// Empty tiles as large as a segment map and a little more, so that bodies have room around it.
+/// Empty tiles as large as a segment map and a little more: bodies have room around it.
 fn around(bytes: &[u8]) -> Result<Level> {
     let map = SegmentMap::from_bytes(bytes).map_err(|e| Fail::new(format!("the segments: {e}")))?;
     let grid = map.grid();

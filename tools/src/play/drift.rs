@@ -15,7 +15,7 @@ const TRIES: u32 = 400;
 /// What it becomes at last, in sixteenths of a cell: a dot.
 const SMALLEST: i32 = 1;
 
-/// The bodies, and what chance comes to.
+/// The bodies, and the sum of chance.
 #[derive(Debug)]
 pub(super) struct Drift {
     actors: [Actor; BODIES],
@@ -110,7 +110,7 @@ fn advance<W: World>(world: &W, actor: &mut Actor, end: (i32, i32), report: &mut
     }
 }
 
-/// A velocity that no body in the level can leave the domain by: the library refuses such a motion,
+/// A velocity at which no body in the level can leave the domain. The library refuses faster ones,
 /// even before a wall.
 fn inside(velocity: Vec2, end: (i32, i32)) -> Vec2 {
     let room = (DOMAIN - 1 - end.0.abs().max(end.1.abs())).max(0) / 2;

@@ -76,7 +76,7 @@ pub fn play(arena: &Arena, frames: u32, seed: u32, err: &mut dyn Write) -> Resul
     drift(&Joined::new(&map, &segments), grid, &checker.with_segments(bytes), (frames, seed), err)
 }
 
-/// What a frame left behind.
+/// The traces of one frame.
 struct Frame {
     report: FrameReport,
     actors: [Actor; BODIES],

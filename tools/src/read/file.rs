@@ -12,7 +12,7 @@ const MAX_TOTAL: u64 = 160 << 20;
 /// The files of a level.
 #[derive(Debug, Default)]
 pub(crate) struct Files {
-    /// Outputs must not be among them.
+    /// No output may be one of them.
     pub(crate) read: Vec<PathBuf>,
     total: u64,
 }

@@ -16,7 +16,7 @@ use file::Files;
 #[derive(Debug, Clone)]
 pub struct Levels {
     pub maps: Vec<Map>,
-    /// The file, and those that it names: tilesets, templates, levels in files of their own.
+    /// The file, and those that it names: tilesets, templates, levels in separate files.
     pub files: Vec<PathBuf>,
 }
 

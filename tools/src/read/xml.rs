@@ -57,7 +57,7 @@ impl<'a> Xml<'a> {
         Ok(Self { text, at: 0, open: Vec::new(), empty: false })
     }
 
-    /// The line that is being read, before what is wrong there.
+    /// The line that is being read, in front of the message.
     pub(super) fn here(&self, why: &str) -> String {
         format!("line {}: {why}", line(&self.text.as_bytes()[..self.at.min(self.text.len())]))
     }
@@ -205,7 +205,7 @@ fn line(before: &[u8]) -> usize {
     1 + before.split(|&b| b == b'\n').count().saturating_sub(1)
 }
 
-/// Text with its entities resolved; what is no entity stands for itself.
+/// Text with its entities resolved; unknown ones stay as they are.
 fn resolved(raw: &str) -> Cow<'_, str> {
     if !raw.contains('&') {
         return Cow::Borrowed(raw);

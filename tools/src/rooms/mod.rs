@@ -27,7 +27,7 @@ pub struct Cut {
     pub room: Option<(u16, u16)>,
     /// The longer side of the largest body; a cell where it is not said.
     pub body: Option<Fx>,
-    /// The longest motion of a frame, with a walker's step and snap; a cell where it is not said.
+    /// The longest motion per frame, with a walker's step and snap; a cell by default.
     pub motion: Option<Fx>,
 }
 
@@ -103,7 +103,7 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
             (part.equal(room)?, Some(whole))
         }
         ([part], None) if !part.placed => {
-            return Err(Fail::new("how large is a room? --room WxH says it, in cells"));
+            return Err(Fail::new("the size of a room is missing: add --room WxH, in cells"));
         }
         (parts, _) => (parts.iter().map(|part| part.alone(parts, apron)).collect::<Result<_>>()?, None),
     };

@@ -60,7 +60,7 @@ impl Beyond {
     }
 }
 
-/// An outline without what is far from a window; `None` where nothing of it is near.
+/// An outline without the parts far from a window; `None` where no part is near.
 ///
 /// Edges are cut beyond the window, at a raw point that lies on them exactly where there is one.
 /// Then of points one after another beyond a side the first and the last stay, with a straight way

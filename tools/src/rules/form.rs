@@ -1,4 +1,4 @@
-//! The corners of what is drawn as an object.
+//! The corners of drawn objects.
 
 use crate::model::decimal::Decimal;
 use crate::model::object::{Form, Object, Spot};
@@ -8,7 +8,8 @@ use crate::model::object::{Form, Object, Spot};
 pub(super) struct Corners {
     pub(super) points: Vec<Spot>,
     pub(super) closed: bool,
-    /// For what is round: by how many thousandths of a pixel the polygon lies within it at most.
+    /// For round forms: how far within the form the polygon lies, in thousandths of a pixel at
+    /// most.
     pub(super) error: u32,
 }
 

@@ -1,6 +1,6 @@
 //! A level as it is solid, made of one as it was drawn.
 //!
-//! Of each placed tile the first of these says what it is:
+//! The first of these rules that applies to a placed tile decides:
 //!
 //! 1. `option`: the user, by [`Options`].
 //! 2. `a`: its class or a true property is called `Collision`, `Solid`, `Collides`, `Collidable`,

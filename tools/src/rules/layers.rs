@@ -20,7 +20,7 @@ use crate::model::map::{Content, Layer, Map, Placed, Tiles};
 
 type Made<T> = std::result::Result<T, String>;
 
-/// The layers of a map, and what is known of them so far.
+/// The layers of a map, and the rules found for them so far.
 pub(super) struct Layers<'a> {
     map: &'a Map,
     options: &'a Options,
@@ -141,7 +141,7 @@ impl<'a> Layers<'a> {
 
     fn guessed(&mut self, layer: &str, option: &str) {
         self.notes.push(format!(
-            "GUESS: nothing says what is solid, so layer '{layer}' is, for its name; {option} says so, --ignore-layer '{layer}' says no"
+            "GUESS: nothing marks solid tiles, so layer '{layer}' is solid for its name; {option} confirms it, --ignore-layer '{layer}' refuses it"
         ));
     }
 

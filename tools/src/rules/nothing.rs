@@ -1,4 +1,4 @@
-//! What to tell a user whose level has nothing solid.
+//! The advice to a user whose level has nothing solid.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;

@@ -92,8 +92,8 @@ pub(super) fn outline(
     Ok(Ok(outline))
 }
 
-/// What an object is by its property `kind`, its names, its layer; without a name of its own what
-/// it is drawn as.
+/// The kind of an object: by its property `kind`, its names, its layer; without a name, by its
+/// form.
 fn kind(object: &Object, says: Says, options: &Options) -> Result<Option<Kind>, String> {
     let whose = format!("object {}", object.id);
     let by_form = if matches!(object.form, Form::Polyline(_)) { Kind::Wall } else { Kind::Solid };

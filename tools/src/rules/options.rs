@@ -19,7 +19,7 @@ pub struct Options {
     pub ignored_layers: Vec<String>,
     /// Layers whose objects are solid.
     pub objects: Vec<String>,
-    /// Levels of a project that are left out.
+    /// Levels of a project to skip.
     pub ignored_levels: Vec<String>,
     /// The only tile layer that is looked at for solids.
     pub layer: Option<String>,

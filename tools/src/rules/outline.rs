@@ -14,7 +14,7 @@ pub struct Title {
 }
 
 impl Title {
-    /// Of what is made of the tiles of a layer.
+    /// Made of the tiles of a layer.
     pub fn tiles(layer: &str) -> Self {
         Self { id: u32::MAX, name: String::new(), layer: layer.to_owned() }
     }

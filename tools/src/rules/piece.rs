@@ -96,7 +96,7 @@ fn stretched(shape: TileShape, frame: Frame) -> Vec<Path> {
         };
         (along(x, frame.x, frame.width), along(y, frame.y, frame.height))
     };
-    // The library tells faces in no order that is promised: each begins where another one ends.
+    // The library promises no order of faces: each begins where another one ends.
     let mut rest = lines;
     let Some(first) = rest.pop() else { return Vec::new() };
     let (mut points, mut end) = (vec![first.0], first.1);
@@ -191,7 +191,7 @@ fn recognised(paths: Vec<Path>, likeness: &Likeness) -> Piece {
     Piece::Paths(paths)
 }
 
-/// Whether a chain on an edge of the cell is drawn so that it blocks from outside.
+/// Whether a chain on an edge of the cell is drawn in the direction that blocks from outside.
 fn runs_along(points: &[Spot], shape: TileShape) -> bool {
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return false };
     let (x, y) = (last.0 - first.0, last.1 - first.1);

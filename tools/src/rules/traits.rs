@@ -30,11 +30,13 @@ pub(super) fn named<'a>(names: impl Iterator<Item = &'a str>) -> Option<(&'a str
 pub(super) fn by_property(shape: Option<&str>, npp: Option<&str>) -> Result<Option<TileShape>, String> {
     let shape = shape.map(str::trim).filter(|text| !text.is_empty());
     let named = shape.map(|text| {
-        names::shape(text)
-            .ok_or_else(|| format!("property shape '{text}' is no shape, such as slope-bottom-left (see --help)"))
+        names::shape(text).ok_or_else(|| {
+            format!("property shape '{text}' is not a shape; name one such as slope-bottom-left (see --help)")
+        })
     });
     let numbered = npp.map(str::trim).map(|text| {
-        names::npp(text).ok_or_else(|| format!("property npp '{text}' is no shape of N++, a number from 0 to 33"))
+        names::npp(text)
+            .ok_or_else(|| format!("property npp '{text}' is not a shape of N++; give a number from 0 to 33"))
     });
     match (named.transpose()?, numbered.transpose()?) {
         (Some(a), Some(b)) if a != b => {

@@ -38,7 +38,7 @@ fn cross(a: Point, b: Point) -> i128 {
     i128::from(a.0) * i128::from(b.1) - i128::from(a.1) * i128::from(b.0)
 }
 
-/// How many more polygons have a border one way than the other, at one place of a line, at most.
+/// How many more polygons have a border one way than the other, at one point of a line, at most.
 pub(crate) fn depth(polygons: &[Vec<Point>]) -> u32 {
     let edges = runs(polygons).map(|(_, count)| count.unsigned_abs());
     edges.max().unwrap_or(0)

@@ -58,7 +58,7 @@ fn tile_of(set: &Tileset, id: u32, tile: &Tile, flip: Flip, options: &Options) -
     let text = |name| properties.text(name);
     let by_property = traits::by_property(text(SHAPE).as_deref(), text(NPP).as_deref())?;
     let class = Some(tile.class.trim()).filter(|class| !class.is_empty());
-    // Sorted, so that the order of flags does not depend on that of the file.
+    // Sorted: the order of flags does not depend on that of the file.
     let mut marks: Vec<&str> = properties.marks().map(str::trim).filter(|name| !name.is_empty()).collect();
     marks.sort_unstable();
     let own: Vec<&str> = class.into_iter().chain(marks).collect();

@@ -51,7 +51,7 @@ fn all_files_or_none() {
     // One of the files cannot be written: there is a folder.
     fs::create_dir(home.join("a.bin.rs")).unwrap();
     let ran = bake(&[&level, Path::new("-o"), &home.join("a.bin")]);
-    assert!(ran.status == 2 && ran.err.contains("a.bin.rs: it is there, and not a file"), "{ran:?}");
+    assert!(ran.status == 2 && ran.err.contains("a.bin.rs: it exists and is not a file"), "{ran:?}");
     assert_eq!(files(&home), ["a.bin.rs", "a.segments.bin", "a.tmx"]);
     assert_eq!(fs::read_to_string(home.join("a.segments.bin")).unwrap(), "before");
     // A level that is refused writes nothing, whatever is asked for.

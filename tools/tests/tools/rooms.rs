@@ -231,7 +231,7 @@ fn refused() {
     let out = support::folder("rooms").join("out.rs");
     let _ = fs::remove_file(&out);
     for (file, options, word) in [
-        (small(), "", "how large is a room? --room WxH says it, in cells"),
+        (small(), "", "the size of a room is missing: add --room WxH, in cells"),
         (small(), "--room 0x3", "--room needs columns and rows, such as 20x15, got 0x3"),
         (small(), "--room 2x2 --motion 8000", "a room with its apron of 502 cells"),
         (small(), "--room 2x2 --fps 3", "unknown argument --fps"),

@@ -89,7 +89,7 @@ impl Body {
         matches!(self.kind, Kind::Patrol) && self.clock % 256 >= 160
     }
 
-    /// Flies for a frame: its new box.
+    /// Flies for one frame: its new box.
     pub fn fly(&mut self, level: &Level, bounds: &Aabb, flight: &mut Flight) -> Aabb {
         let response = match self.kind {
             Kind::Zone | Kind::Turret | Kind::Spinner => return *bounds,

@@ -1,9 +1,9 @@
 //! A game of many bullets.
 //!
-//! A frame is three steps, so that a desktop can look in between: [`Game::fly`] moves every body
+//! A frame is three steps, and a desktop can look in between. [`Game::fly`] moves every body
 //! through the level, [`Game::meet`] finds who is hit, [`Game::fire`] lets everybody shoot. A body
-//! is a slot of the broad phase, which keeps its box and its filter, and an entry of the game's own
-//! at the same place.
+//! is a slot of the broad phase, which keeps its box and its filter, and an entry of the game's
+//! table at the same index.
 
 mod aim;
 mod body;

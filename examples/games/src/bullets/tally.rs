@@ -27,7 +27,7 @@ pub struct Tally {
     pub crowded: u32,
     /// Motions that the library refused; none are expected.
     pub refused: u32,
-    /// The most bodies at a time.
+    /// The most bodies at once.
     pub most: u32,
     pub hash: u32,
 }

@@ -8,7 +8,7 @@ use tilesat::{Axis, Circle, Fx, Masses, MoveError, Mover, RangeError, Ratio, Sur
 use super::table::{BUMPER, KICKER};
 
 pub const RADIUS: Fx = fx!(5);
-/// Raw units a frame, or a frame squared.
+/// Raw units per frame, or per frame squared.
 const GRAVITY: i32 = 5_000;
 const BUMP: i32 = 90_000;
 const KICK: i32 = 560_000;

@@ -2,7 +2,7 @@
 
 use tilesat::Vec2;
 
-/// A machine's box in pixels, how far it goes down or up (negative) and back, a pixel per frame,
+/// A machine's box in pixels, how far it goes down or up (negative) and back at a pixel per frame,
 /// and how long it rests at both ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine {

@@ -2,7 +2,7 @@
 
 use tilesat::{Aabb, Axis, Fx, MoveError, Mover, RangeError, Vec2, World};
 
-/// Raw units a frame.
+/// Raw units per frame.
 const SPEED: i32 = 98_304;
 const PIXEL: i32 = 65_536;
 

@@ -174,7 +174,7 @@ impl Reader<'_> {
         Ok(Layer::plain(&layer.name, (layer.x.into(), layer.y.into()), content))
     }
 
-    /// The place of a value in the palette.
+    /// The index of a value in the palette.
     fn value(&self, layer: &raw::Layer, number: i64, palette: &mut Palette) -> Result<u32> {
         if let Some(&place) = palette.values.get(&(layer.name.clone(), number)) {
             return Ok(place);

@@ -23,7 +23,8 @@ impl Templates {
         let path = folder.join(name);
         if !self.0.contains_key(&path) {
             let of_file = |why: String| format!("object {}: template {}: {why}", object.id, path.display());
-            // Levels are often taken out of their project without what is for the game alone.
+            // Levels are often taken out of their project without the files that only the game
+            // needs.
             let Ok(bytes) = files.bytes(&path) else {
                 let why = format!("made from a template that cannot be read: {name}");
                 return Ok(Object { form: Form::Missing(why), ..shape(object)? });
