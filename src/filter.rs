@@ -12,6 +12,7 @@ use core::ops::{BitAnd, BitOr, Not};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("collision_layer", "collision_mask", "InteractionGroups"))]
 pub struct LayerMask(pub u16);
 
 impl LayerMask {
@@ -83,6 +84,7 @@ impl Not for LayerMask {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("collision layers", "categoryBits", "maskBits"))]
 pub struct Filter {
     /// The layers that the body is on.
     pub layers: LayerMask,
@@ -124,6 +126,7 @@ impl Filter {
 
     /// The same as a sensor or not. A sensor reports bodies, and pushes none.
     #[must_use]
+    #[doc(alias("trigger", "Area2D", "isSensor"))]
     pub const fn with_sensor(self, sensor: bool) -> Self {
         self.with_flag(SENSOR, sensor)
     }

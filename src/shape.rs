@@ -21,6 +21,7 @@ use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("AABB", "Rect", "bounding box", "Cuboid"))]
 pub struct Aabb {
     min: Vec2,
     max: Vec2,
@@ -145,6 +146,7 @@ impl Aabb {
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("Ball", "Disc"))]
 pub struct Circle {
     centre: Vec2,
     radius: Fx,
@@ -225,6 +227,7 @@ impl Circle {
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("Line", "Edge"))]
 pub struct Segment {
     a: Vec2,
     b: Vec2,

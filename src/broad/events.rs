@@ -149,6 +149,7 @@ enum Mark {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("on_collision_enter", "body_entered", "beginContact"))]
 pub struct PairEvents<const M: usize, P = Pair> {
     entries: [Entry<P, Mark>; M],
     frame: Frame,

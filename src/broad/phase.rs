@@ -45,6 +45,7 @@ use heapless::VecView;
 /// [`pairs_from`](Self::pairs_from) appends.
 ///
 /// Sealed: implemented by the types of this module alone.
+#[doc(alias("AABB tree", "BVH", "quadtree", "DynamicTree", "World"))]
 pub trait BroadPhase: Spatial {
     /// Takes a body in.
     ///
@@ -159,6 +160,7 @@ pub trait BroadPhase: Spatial {
     /// Every pair of bodies whose tags let them pair and whose boxes touch, once, in no particular
     /// order.
     #[inline]
+    #[doc(alias = "updatePairs")]
     fn pairs(&mut self, mut each: impl FnMut(Pair)) {
         // With no budget and no pair refused nothing stops it before its end.
         let _ = self.walk(&mut PairCursor::new(), &mut Unlimited, |pair| {
@@ -248,6 +250,7 @@ pub trait BroadPhase: Spatial {
     /// Every body whose box touches a region, once, in no particular order. The box of a body's own
     /// is one of them.
     #[inline]
+    #[doc(alias("queryRect", "overlapAABB"))]
     fn in_region(&self, region: &Aabb, mut each: impl FnMut(Handle)) {
         let bodies = self.table();
         self.visit(region, |slot| each(bodies.handle(slot)));

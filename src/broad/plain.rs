@@ -241,6 +241,7 @@ impl Scan for EachScan<'_> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("sweep and prune", "SAP"))]
 pub struct SortSweep<const N: usize, T = ()> {
     table: Table<T, N>,
     /// Every slot once; those that were in use when it was last sorted are the first.

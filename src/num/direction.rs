@@ -20,6 +20,7 @@ use fixed::types::I2F30;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("normal", "direction"))]
 pub struct Axis {
     /// Horizontal component.
     pub x: i32,
@@ -133,6 +134,7 @@ impl Neg for Axis {
 /// Each component is within 1.5 raw (2^-30) of the exact value, so the length is within 3 parts in
 /// 10^9 of one. Parallels to x and y are exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("normalized", "unit vector"))]
 pub struct UnitVec2 {
     x: I2F30,
     y: I2F30,

@@ -13,6 +13,7 @@ use super::{Fx, LONG, Raw, SPLIT, Vec2, mul_div, mul64, umul};
 /// assert_eq!(Toi::from_raw((1 << 30) + 1), None);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[doc(alias("TOI", "time of impact", "fraction"))]
 pub struct Toi(u32);
 
 impl Toi {

@@ -285,6 +285,7 @@ impl Square {
 pub trait Distance<B: ?Sized> {
     /// The distance to `b`, rounded down; zero where the two touch.
     #[must_use]
+    #[doc(alias = "separation")]
     fn distance(&self, b: &B) -> Fx;
 }
 

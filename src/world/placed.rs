@@ -40,6 +40,7 @@ use crate::shape::{Aabb, Circle};
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Debug)]
+#[doc(alias("offset", "transform"))]
 pub struct Placed<'a, W> {
     world: &'a W,
     offset: Raw,

@@ -63,6 +63,7 @@ pub enum Border {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("uniform grid", "spatial partition"))]
 pub struct LooseGrid<const BLOCKS: usize, const N: usize, T = (), const LARGE: bool = false> {
     table: Table<T, N>,
     lattice: Lattice,

@@ -37,6 +37,7 @@ use crate::shape::Aabb;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("hash grid", "spatial hashing"))]
 pub struct SpatialHash<const BUCKETS: usize, const N: usize, T = (), const LARGE: bool = false> {
     table: Table<T, N>,
     lattice: Lattice,

@@ -76,6 +76,7 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
     /// # Errors
     /// See the trait.
     #[inline]
+    #[doc(alias("sweep", "swept AABB", "shapecast", "time_of_impact"))]
     fn cast_shape(&self, b: &B, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
         check(self, motion)?;
         Ok(first(self, b, Raw::of(motion), inside))
@@ -87,6 +88,7 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
     /// # Errors
     /// See the trait.
     #[inline]
+    #[doc(alias = "test_move")]
     fn would_hit(&self, b: &B, motion: Vec2, inside: Inside) -> Result<bool, RangeError> {
         check(self, motion)?;
         Ok(match self.hits(b, Raw::of(motion)) {
@@ -140,6 +142,7 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
     ///
     /// # Errors
     /// See the trait.
+    #[doc(alias("swept", "relative velocity"))]
     fn cast_moving(&self, motion: Vec2, b: &B, motion_b: Vec2, inside: Inside) -> Result<Option<MovingHit>, RangeError>
     where
         B: Enter<Self>,

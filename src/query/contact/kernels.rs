@@ -23,6 +23,7 @@ impl Contact {
     /// # Ok::<(), tilesat::RangeError>(())
     /// ```
     #[must_use]
+    #[doc(alias = "penetration")]
     pub const fn depth(&self) -> Fx {
         Fx::from_bits(self.depth_raw())
     }
@@ -38,6 +39,7 @@ impl Contact {
     /// Cost on a Cortex-M0: 30 instructions along x and y, 310 for circles, 1050 beside sloped
     /// segments, where the depth is computed first.
     #[must_use]
+    #[doc(alias("MTV", "minimum translation vector", "separation"))]
     pub const fn push_out(&self) -> Vec2 {
         let Axis { x, y } = self.axis;
         if self.is_parallel() {

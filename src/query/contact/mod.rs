@@ -36,6 +36,7 @@ use crate::num::{Axis, Raw, UnitVec2};
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(alias("Manifold", "collision"))]
 pub struct Contact {
     /// From A to B, not zero; of length one where it is parallel to x or y.
     pub(crate) axis: Axis,
@@ -160,5 +161,6 @@ const fn parallel_to_unit(v: Raw) -> Axis {
 pub trait Contacts<B: ?Sized> {
     /// How this shape (A) overlaps `b` (B); `None` where it does not.
     #[must_use]
+    #[doc(alias("collide", "manifold"))]
     fn contact(&self, b: &B) -> Option<Contact>;
 }

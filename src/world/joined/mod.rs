@@ -44,6 +44,7 @@ use hidden::{hides, shown};
 /// # Ok::<(), tilesat::TileMapError>(())
 /// ```
 #[derive(Debug)]
+#[doc(alias("composite", "union"))]
 pub struct Joined<'a, A, B> {
     a: &'a A,
     b: &'a B,

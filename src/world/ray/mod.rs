@@ -120,6 +120,7 @@ macro_rules! rays {
     };
     (@cast_ray $(#[$doc:meta])*) => {
         $(#[$doc])*
+        #[doc(alias("raycast", "linecast"))]
         pub fn cast_ray(
             &self,
             origin: $crate::Vec2,
@@ -131,6 +132,7 @@ macro_rules! rays {
     };
     (@line_of_sight $(#[$doc:meta])*) => {
         $(#[$doc])*
+        #[doc(alias("linecast", "visibility"))]
         pub fn line_of_sight(&self, a: $crate::Vec2, b: $crate::Vec2) -> Result<bool, $crate::RangeError> {
             let (from, to) = ($crate::num::Raw::of(a), $crate::num::Raw::of(b));
             Ok(self.cast_ray(a, to.sub(from).vec2(), $crate::world::Inside::Hit)?.is_none())

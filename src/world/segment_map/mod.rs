@@ -104,6 +104,7 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 /// tens of seconds: `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Build
 /// larger levels on the host, and include their bytes.
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("ChainShape", "polyline", "EdgeShape"))]
 pub struct SegmentMap<'a> {
     grid: Grid,
     /// 24 bytes per segment.

@@ -55,6 +55,7 @@ impl Side {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("AnimatableBody2D", "moving platform", "kinematic body"))]
 pub struct Solid {
     shape: Aabb,
     motion: Vec2,

@@ -173,6 +173,7 @@ impl TileKind {
     /// A solid cell.
     pub const FULL: Self = Self::of(TileShape::Full);
     /// A platform that can be entered from below.
+    #[doc(alias("one way platform", "jump-through", "JumpThru", "one_way_collision"))]
     pub const ONE_WAY_UP: Self = Self::of(TileShape::OneWayUp);
 
     /// A shape without flags.

@@ -79,6 +79,7 @@ pub enum Outside {
 /// # Ok::<(), TileMapError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("TileMapLayer", "grid collision"))]
 pub struct TileMap<'a, S: Set = Blocks, T: Store = Bytes> {
     pub(in crate::world) data: &'a [u8],
     pub(in crate::world) kinds: &'a TileKinds,

@@ -69,6 +69,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// assert_eq!(coins, [Cell::new(2, 0)]);
     /// # Ok::<(), tilesat::TileMapError>(())
     /// ```
+    #[doc(alias("queryRect", "Area2D"))]
     pub const fn tiles_in(&self, region: &Aabb) -> Tiles<'_, S, T> {
         let (lo, hi) = (region.lo(), region.hi());
         let (mut range, closed) = (self.open_range(lo, hi), self.closed_range(lo, hi));

@@ -237,7 +237,7 @@ fn refused() {
         (small(), "--room 2x2 --fps 3", "unknown argument --fps"),
         (odd(), "--room 2x2", "--room is for one map: the levels of a project are rooms already"),
         (odd(), "", "level 'B': it begins or ends at 40 pixels, between cells of 16"),
-        (linear(), "", "level 'A' has no place: in a linear world levels have no neighbours"),
+        (linear(), "", "level 'A' has no position: in a linear world levels have no neighbours"),
         (far(), "--room 100x100", "object 7 of layer 'L'"),
     ] {
         let ran = run(file, &out, options);

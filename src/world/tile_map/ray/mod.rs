@@ -72,6 +72,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// # Errors
     /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
     #[inline]
+    #[doc(alias("raycast", "linecast", "RayCast2D", "DDA"))]
     pub fn cast_ray(
         &self,
         origin: Vec2,
