@@ -50,10 +50,22 @@ pub struct RangeError {
 
 impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.what {
-            Quantity::Cells => write!(f, "a motion comes to too many cells: {} or more", self.value),
-            what => write!(f, "{what:?} is out of range: {} ({} raw)", Fx::from_bits(self.value), self.value),
-        }
+        let (what, value) = (self.what, self.value);
+        let settle = match what {
+            Quantity::X | Quantity::Y => "positions stay below 8192 units on each side of the origin",
+            Quantity::Radius | Quantity::HalfExtent | Quantity::Length => "it must be from 0 to below 8192 units",
+            Quantity::Width | Quantity::Height => "the second corner must be beyond the first",
+            Quantity::MotionX | Quantity::MotionY => "shorten the motion, or begin it nearer to the origin",
+            Quantity::BodySize => "a body that moves is below 8192 units wide and high",
+            Quantity::Snap | Quantity::Follow | Quantity::StepHeight => "it must be from 0 to below 4096 units",
+            Quantity::Cells => {
+                return write!(
+                    f,
+                    "the motion visits too many cells, {value} or more: shorten it, or enlarge the cells"
+                );
+            }
+        };
+        write!(f, "{what:?} is out of range: {} ({value} raw); {settle}", Fx::from_bits(value))
     }
 }
 
@@ -72,7 +84,7 @@ pub struct Truncated {
 
 impl fmt::Display for Truncated {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "only {} of {} results fit", self.kept, self.seen)
+        write!(f, "only {} of {} results fit into the list: enlarge it", self.kept, self.seen)
     }
 }
 

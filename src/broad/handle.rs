@@ -256,15 +256,27 @@ pub enum BroadError {
 impl fmt::Display for BroadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Full { capacity } => write!(f, "all {capacity} slots are taken"),
+            Self::Full { capacity } => {
+                write!(f, "all {capacity} slots are taken: remove a body, or raise the capacity")
+            }
             Self::Stale(handle) => {
-                write!(f, "no body with slot {} and generation {}", handle.slot(), handle.generation())
+                write!(f, "no body has slot {} and generation {}: it was removed", handle.slot(), handle.generation())
             }
             Self::TooLarge { size, limit } => {
-                write!(f, "a side of {} is longer than {}", Fx::from_bits(size), Fx::from_bits(limit))
+                write!(
+                    f,
+                    "a side of {} is longer than {}: enlarge the cells, or set LARGE",
+                    Fx::from_bits(size),
+                    Fx::from_bits(limit)
+                )
             }
             Self::OutOfWorld { x, y } => {
-                write!(f, "a centre at ({}, {}) is outside of the grid", Fx::from_bits(x), Fx::from_bits(y))
+                write!(
+                    f,
+                    "a centre at ({}, {}) is outside of the grid: use another `Border`",
+                    Fx::from_bits(x),
+                    Fx::from_bits(y)
+                )
             }
         }
     }
@@ -287,9 +299,11 @@ pub enum PairsError {
 impl fmt::Display for PairsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::BudgetExceeded => "the budget of tests is spent before all pairs were found",
-            Self::Full => "there is no more room for pairs",
-            Self::Changed => "bodies were inserted or moved during the enumeration",
+            Self::BudgetExceeded => {
+                "the budget of tests is spent before all pairs were found: call again with the same cursor"
+            }
+            Self::Full => "there is no more room for pairs: take them out, and call again with the same cursor",
+            Self::Changed => "bodies were inserted or moved during the enumeration: begin again",
         })
     }
 }
@@ -357,11 +371,11 @@ impl fmt::Display for GridError {
                 // The powers of two on both sides of it, from 2 raw to 2^28.
                 let log = side.checked_ilog2().unwrap_or(1).clamp(1, 27);
                 let (below, above) = (Fx::from_bits(1 << log), Fx::from_bits(2 << log));
-                write!(f, "a cell of {} is no power of two: {below} or {above} would do", Fx::from_bits(side))
+                write!(f, "a cell of {} is not a power of two: use {below} or {above}", Fx::from_bits(side))
             }
             Self::Columns { columns, cells } => {
                 let most = 1u32 << cells.trailing_zeros();
-                write!(f, "{columns} columns do not fit {} blocks: a power of two from 4 to {most} would", cells >> 5)?;
+                write!(f, "{columns} columns do not fit {} blocks: use a power of two from 4 to {most}", cells >> 5)?;
                 match columns >> 5 {
                     blocks if blocks > 1 && columns.is_power_of_two() => {
                         write!(f, ", or a multiple of {blocks} blocks")
@@ -369,7 +383,7 @@ impl fmt::Display for GridError {
                     _ => Ok(()),
                 }
             }
-            Self::Origin(error) => write!(f, "the origin: {error}"),
+            Self::Origin(error) => write!(f, "the grid's origin: {error}"),
         }
     }
 }
