@@ -73,8 +73,7 @@ impl Not for LayerMask {
 /// where they pair.
 ///
 /// ```
-/// use tilesat::{Filter, LayerMask};
-/// use tilesat::broad::Tag;
+/// use tilesat::{Filter, LayerMask, broad::Tag};
 /// const SHIP: LayerMask = LayerMask::layer(0);
 /// const BULLET: LayerMask = LayerMask::layer(1);
 /// let ship = Filter::new(SHIP, SHIP | BULLET);
@@ -106,25 +105,26 @@ impl Default for Filter {
 }
 
 impl Filter {
-    /// On these layers, with those.
+    /// A body on `layers` that pairs with bodies on the layers of `mask`.
     #[must_use]
     pub const fn new(layers: LayerMask, mask: LayerMask) -> Self {
         Self { layers, mask, group: 0, flags: 0 }
     }
 
-    /// The same in a group.
+    /// Sets the group: bodies of the same group pair always if it is positive, never if it is
+    /// negative. 0 is no group.
     #[must_use]
     pub const fn with_group(self, group: i16) -> Self {
         Self { group, ..self }
     }
 
-    /// The same, at rest or not: two that do not move never pair.
+    /// Sets whether the body is at rest: two that do not move never pair.
     #[must_use]
     pub const fn with_still(self, still: bool) -> Self {
         self.with_flag(STILL, still)
     }
 
-    /// The same as a sensor or not. A sensor reports bodies, and pushes none.
+    /// Sets whether the body is a sensor. A sensor reports bodies, and pushes none.
     #[must_use]
     #[doc(alias("trigger", "Area2D", "isSensor"))]
     pub const fn with_sensor(self, sensor: bool) -> Self {

@@ -33,6 +33,14 @@ impl Aabb {
     /// # Errors
     /// [`RangeError`] where a coordinate is outside of the [domain](crate::num::DOMAIN) or `min` is
     /// beyond `max`.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Quantity, Vec2};
+    /// let hero = Aabb::new(Vec2::from_ints(4, 30), Vec2::from_ints(14, 44))?;
+    /// let swapped = Aabb::new(Vec2::from_ints(14, 30), Vec2::from_ints(4, 44));
+    /// assert_eq!(swapped.unwrap_err().what, Quantity::Width);
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     pub const fn new(min: Vec2, max: Vec2) -> Result<Self, RangeError> {
         if let Err(e) = check_coordinate(min) {
             return Err(e);
@@ -55,6 +63,13 @@ impl Aabb {
     /// # Errors
     /// [`RangeError`] where a half extent is negative or a corner is outside of the
     /// [domain](crate::num::DOMAIN).
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2};
+    /// let chest = Aabb::from_centre(Vec2::from_ints(50, 50), Vec2::from_ints(5, 4))?;
+    /// assert_eq!((chest.min(), chest.max()), (Vec2::from_ints(45, 46), Vec2::from_ints(55, 54)));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     pub const fn from_centre(centre: Vec2, half: Vec2) -> Result<Self, RangeError> {
         if let Err(e) = check_coordinate(centre) {
             return Err(e);
@@ -121,6 +136,13 @@ impl Aabb {
     }
 
     /// The bounding box of two boxes.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2};
+    /// let unit = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 1, 1));
+    /// assert_eq!(unit(0)?.union(&unit(7)?).size(), Vec2::from_ints(8, 1));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     #[must_use]
     pub const fn union(&self, other: &Self) -> Self {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }

@@ -100,6 +100,11 @@ impl Axis {
     ///
     /// Mirrored axes give mirrored bits, parallels to x or y are exact. Cost: one reciprocal root,
     /// no division; about 250 instructions on a Cortex-M0.
+    ///
+    /// ```
+    /// use tilesat::{Axis, Vec2, fx};
+    /// assert_eq!(Axis::new(0, -3).unit().scaled(fx!(1.5)), Vec2::new(fx!(0), fx!(-1.5)));
+    /// ```
     #[must_use]
     pub const fn unit(self) -> UnitVec2 {
         unit_nearest(self)

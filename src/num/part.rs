@@ -122,6 +122,12 @@ impl Ratio {
     }
 
     /// Hundredths, to nearest; `None` above 100.
+    ///
+    /// ```
+    /// use tilesat::{Ratio, fx};
+    /// assert_eq!(Ratio::percent(25).map(|quarter| quarter.of(fx!(8))), Some(fx!(2)));
+    /// assert_eq!(Ratio::percent(101), None);
+    /// ```
     #[must_use]
     pub const fn percent(hundredths: u8) -> Option<Self> {
         Self::new(hundredths as u32, 100)

@@ -164,7 +164,7 @@ pub enum SegmentMapError {
         /// The point where the segment starts that is too much.
         point: u32,
     },
-    /// The cells are refused: their size, their number, or their place.
+    /// The cells are refused: their size, their number, or their position.
     Grid(TileMapError),
     /// More than 127 solids, or holes outside of solids, lie over each other in a cell.
     TooDeep(Cell),

@@ -107,6 +107,14 @@ impl Grid {
     ///
     /// Exact for every `p`; beyond the map, -1 or the width (the height). Cost: about 40
     /// instructions on a Cortex-M0, twice that where the cell is no power of two; no division.
+    ///
+    /// ```
+    /// use tilesat::{Cell, Grid, Vec2, fx};
+    /// let grid = Grid::new(20, 15, fx!(16), Vec2::ZERO)?;
+    /// assert_eq!(grid.cell_at(Vec2::from_ints(31, 32)), Cell::new(1, 2));
+    /// assert_eq!(grid.cell_at(Vec2::from_ints(-5, 0)), Cell::new(-1, 0)); // left of the grid
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
     #[must_use]
     pub const fn cell_at(&self, p: Vec2) -> Cell {
         let p = Raw::of(p);

@@ -21,10 +21,10 @@ pub struct Feature {
     pub geometry: Geometry,
     /// The cell whose solid it bounds.
     pub cell: Cell,
-    /// Which piece. Of a tile, 0..=3 are the faces on its sides and 4..=7 their vertices, counted
-    /// from the side toward row 0, then right, bottom, left. A vertex follows the face that ends in
-    /// it. 8 is the slope, arc or inner face, 9 its vertex. Of a segment map: twice the segment's
-    /// index, plus one for the vertex at its end.
+    /// Which piece. Of a tile, 0..=3 are the faces on its sides: toward row 0, right, bottom, left.
+    /// 4..=7 are their vertices; a vertex follows the face that ends in it. 8 is the slope, arc or
+    /// inner face, 9 its vertex. Of a segment map: twice the segment's index, plus one for the
+    /// vertex at its end.
     pub index: u16,
     /// The user flags of the cell's tile.
     pub flags: u8,

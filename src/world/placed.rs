@@ -1,4 +1,4 @@
-//! A level at another place: its surface, and rays against it.
+//! A level at another position: its surface, and rays against it.
 
 use super::level::{Feature, Seen, Way, World, levels, meets_as_world, sealed};
 use super::ray::scan::{Found, RayScan, RayWorld};
@@ -80,7 +80,7 @@ impl<'a, W: World> Placed<'a, W> {
         self.offset.vec2()
     }
 
-    /// The level's features near a region, at the places where they are here.
+    /// The level's features near a region, at their shifted positions.
     pub fn features(&self, region: &Aabb) -> PlacedFeatures<'_, W> {
         PlacedFeatures { features: self.world.features(&self.seen(region)), offset: self.offset }
     }

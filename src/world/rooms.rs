@@ -84,8 +84,8 @@ impl<'a, S: Set> Room<'a, S> {
     /// motion per frame is at most `motion` long. The step and the snap of a
     /// [`Walker`](crate::Walker) add to its motion.
     ///
-    /// In a frame you read the tiles that the closed box around the whole motion touches, or a box
-    /// less than a unit larger. The position of a body in the room is its first corner, or any
+    /// In a frame, a body reads the tiles that the closed box around its whole motion touches, or a
+    /// box less than a unit larger. The position of a body in the room is its first corner, or any
     /// other point of it. So `apron * cell > body + motion + 1`. With one cell less, some bodies
     /// feel the border. A ray needs an apron as long as itself.
     ///
@@ -127,8 +127,8 @@ impl<'a, S: Set> Room<'a, S> {
         self.height
     }
 
-    /// Whether a place is in the room, not in its apron: left and upper borders belong to it, right
-    /// and lower ones to the next room.
+    /// Whether a point is in the room, not in its apron. Left and upper borders belong to the room,
+    /// right and lower ones to the next.
     #[must_use]
     pub const fn holds(&self, place: Vec2) -> bool {
         let (p, cell) = (Raw::of(place), self.map.grid.cell);
@@ -147,8 +147,8 @@ impl<'a, S: Set> Room<'a, S> {
         (self.x.wrapping_add(cell.x as i32 - left), self.y.wrapping_add(cell.y as i32 - above))
     }
 
-    /// The room of a table that holds a point of this one, and the vector that you add to all
-    /// positions of the body that moves over.
+    /// The room of a table that holds a point of this one. Also the vector to add to all positions
+    /// of the body that moves over.
     ///
     /// `None` where the world has no room there. The first of several rooms that hold it; so keep
     /// on until [`holds`](Self::holds) is false. Cost: two products and four comparisons per room
@@ -261,7 +261,7 @@ impl<'a, S: Set> Rooms<'a, S> {
         }
     }
 
-    /// The same world with another outside; it is empty at first.
+    /// Sets the outside of the world, which is empty at first.
     #[must_use]
     pub const fn with_outside(self, outside: Outside) -> Self {
         Self { pattern: self.pattern.with_outside(outside), ..self }
@@ -304,7 +304,7 @@ impl<'a, S: Set> Rooms<'a, S> {
         }
     }
 
-    /// The room that holds a point which has left these rooms, and the vector that you add to all
+    /// The room that holds a point which has left the given room. Also the vector to add to all
     /// positions of the body that moves over. `None` while the point is still in the room, and
     /// where the world ends.
     ///

@@ -147,7 +147,7 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
         })
     }
 
-    /// The same with another rule for bodies outside, from the next insertion or move on.
+    /// Sets the rule for bodies outside, from the next insertion or move on.
     #[must_use]
     pub const fn with_border(self, border: Border) -> Self {
         Self { border, ..self }

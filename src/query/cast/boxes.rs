@@ -123,7 +123,7 @@ impl Side {
     /// `d * gap / speed`, rounded toward zero.
     ///
     /// The product with the floored time is that or one less, since |d| is below 2^30: the
-    /// remainder, below twice the speed, tells.
+    /// remainder, below twice the speed, decides.
     const fn part(&self, d: i32, toi: Toi) -> i32 {
         let size = d.unsigned_abs();
         let part = (umul(size, toi.raw()) >> 30) as u32;

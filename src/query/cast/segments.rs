@@ -74,9 +74,9 @@ fn enter<const N: usize>(strips: [Strip; N]) -> Course<Edge> {
 }
 
 impl Edge {
-    /// Of two entries the later one; at one moment the one that opposes the motion more, then the
-    /// one more along x, then the one that is on a definite side of the motion, which exchanging
-    /// the shapes does not change.
+    /// Of two entries the later one. At one moment, the one that opposes the motion more, then the
+    /// one more along x. Last, the one on a definite side of the motion, which exchanging the
+    /// shapes does not change.
     fn later(self, b: Self) -> Self {
         match mul64(self.gap, b.speed).cmp(&mul64(b.gap, self.speed)) {
             Ordering::Less => b,
@@ -291,7 +291,7 @@ impl Slope {
     /// is at most 2 g, so in parts of 2^60 all sides are below 2^123.
     fn exact_toi(&self) -> Toi {
         last_before(self.bound(), |t| {
-            // into * T in parts of 2^30: into below 2^61, split so that the whole part comes out.
+            // into * T in parts of 2^30: into is below 2^61, and split to leave the whole part.
             let (high, low) = mul64(self.into, u64::from(t));
             let (whole, part) = ((high << 34) | (low >> 30), (low & ((1 << 30) - 1)) as u32);
             let (g, f) = if part == 0 {

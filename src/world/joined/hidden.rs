@@ -7,12 +7,12 @@
 //! of a flat point one ray, of anything more solid nothing. All rules follow:
 //!
 //! - A vertex in the other solid is touched within both cones only. Where the other level has no
-//!   corner there, that is one ray at most, along a face of it. Where it has, the first level shows
-//!   the common part of both cones, the second nothing; a common part that is a ray is the normal
-//!   of a face that one of them shows.
+//!   corner there, that is one ray at most, along a face of it. Where it has one, the first level
+//!   shows the common part of both cones, the second nothing. A common part that is a ray is the
+//!   normal of a face that one of them shows.
 //! - A face is touched from its front. Where the points just in front of it are in the other solid,
-//!   nothing gets there but to its ends, and what is touched at an end belongs to a face with a
-//!   free front, or to a corner. So it goes only where its front is covered from end to end.
+//!   a body reaches only its ends. A touch there belongs to a face with a free front, or to a
+//!   corner. The face is hidden only where its front is covered from end to end.
 //!
 //! Differences are below 2^30 and reduced directions too: sums of two products are below 2^61.
 
@@ -171,9 +171,9 @@ enum Front {
 
 /// Whether the points just in front of a face are in the other solid, from end to end.
 ///
-/// If nothing of the other surface meets the face's inside from the front, they are all in the
-/// other solid or all outside: one place tells. That is a point of the face inside the solid, or a
-/// face of the other that runs against this one.
+/// If nothing of the other surface meets the face's inside from the front, all its points are in
+/// the other solid or all outside: one point decides. That is a point of the face inside the solid,
+/// or a face of the other that runs against this one.
 fn covered<W: World>(edge: &Edge, other: &W) -> bool {
     let points = [edge.a, edge.b, edge.middle];
     // For most faces the first end, far away, already decides.
@@ -256,11 +256,11 @@ fn ends_at(p: Raw, centre: Raw, radius: i32, quadrant: Axis) -> bool {
 /// Whether the solid goes on beyond the end `p` of a face that runs along `dir`; `inward` is 1 for
 /// its start, -1 for its end.
 ///
-/// It does where the points in front of the face's end are free, the cones of the other level's
-/// corners there leave out the normals next to the face's own, which are those of the corner at its
-/// end, and nothing gets to `p` from beyond it but along a face on the same line. (Above a thin
-/// wall or a spike that ends in the face, a body comes as far as `p`, and would be stopped by what
-/// is below.)
+/// It does where three conditions hold. The points in front of the face's end are free. The cones
+/// of the other level's corners there omit the normals next to the face's own, which are those of
+/// the corner at its end. A body reaches `p` from beyond it only along a face on the same line.
+/// (Above a thin wall or a spike that ends in the face, a body comes as far as `p`, and the solid
+/// below would stop it.)
 fn goes_on<W: World>(p: Raw, dir: Axis, inward: i32, other: &W) -> bool {
     let n = normal(dir);
     let along = Axis::new(dir.x.wrapping_mul(inward), dir.y.wrapping_mul(inward));

@@ -160,7 +160,7 @@ impl<A: World, B: World> World for Joined<'_, A, B> {
         };
     }
 
-    /// The shorter of both: a piece of a motion then reaches few cells of either level.
+    /// The shorter of the two: a piece of a motion then reaches few cells of either level.
     fn cell_size(&self) -> u32 {
         self.a.cell_size().min(self.b.cell_size())
     }
@@ -251,8 +251,8 @@ rays! {
         /// [`RangeError`] where the start or the end is outside of the
         /// [domain](crate::num::DOMAIN).
         cast_ray,
-        /// Whether the straight line from `a` to `b` is free of both levels, as a ray from `a` sees
-        /// it, and does not start inside.
+        /// Whether the straight line from `a` to `b` is free of both levels, and does not start
+        /// inside. A ray from `a` decides it.
         ///
         /// # Errors
         /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).

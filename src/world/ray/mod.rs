@@ -191,10 +191,10 @@ impl Touch {
     /// Whether a ray by `d` meets the piece `of` so before another one, or at the same moment and
     /// this is to be reported instead.
     ///
-    /// A point within an arc is later than any fraction that a ray meets in the same step: the
-    /// tile's other pieces are on the border of its cell, and what is met on the border is met
-    /// where the ray comes in. (A face on the border opposes rays that come in across it, so one
-    /// that is met where the ray leaves is met by a ray that has a single point in the cell.)
+    /// A point within an arc is later than any fraction that a ray meets in the same step. The
+    /// tile's other pieces are on the border of its cell, and the ray meets them where it comes in.
+    /// (A face on the border opposes rays that come in across it. One that is met where the ray
+    /// leaves is met by a ray that has a single point in the cell.)
     pub(in crate::world) fn precedes<L: RayPieces>(&self, of: &Feature, other: &Met, d: Raw) -> bool {
         let (Some(a), Some(b)) = (self.time, other.touch.time) else { return self.time.is_some() };
         if a.before::<L>(b) {
@@ -270,8 +270,8 @@ fn meet_face(w: Raw, d: Raw, dir: Axis, len: i32) -> Option<Touch> {
 /// How a ray from `m` (relative to the centre) by `d` meets the closed quarter in the quadrant of
 /// `q` from its free side: the entry into the disc where it is `convex`, else the exit from it.
 ///
-/// Tangents do not meet a convex arc. They leave a concave one where they start on it, and where
-/// they come along the line on which it ends and go on into its cell.
+/// Tangents do not meet a convex arc. They leave a concave one where they start on it. They also
+/// leave it where they come along the line on which it ends and continue into its cell.
 ///
 /// Radii are at most 2^24, components below 2^30: squares of cross products, and r^2 |d|^2, are
 /// below 2^122.
@@ -380,8 +380,8 @@ fn sign_at(u0: i32, p: i32, q: i32, cross: i64, r: i32, entry: bool) -> i32 {
     if p > 0 { after } else { -after }
 }
 
-/// When and where a ray meets an arc within it, if [`meet_arc`] says that it does: a lower bound of
-/// the time, and the way from the start, rounded so that it ends on the free side.
+/// When and where a ray meets an arc within it, if [`meet_arc`] says that it does. The time is a
+/// lower bound; the way from the start is rounded to the free side.
 #[inline(never)]
 pub(in crate::world) fn arc_contact(m: Raw, d: Raw, radius: i32, convex: bool) -> (Toi, Raw) {
     let toi = time(m, d, radius as u32, convex);

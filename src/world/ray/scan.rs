@@ -49,9 +49,9 @@ pub(in crate::world) trait RayLevel: RayPieces {
     /// single steps.
     fn skip(&self, _: &mut Walk) {}
 
-    /// All pieces that have a point in the closed cell or, where each has a cell of its own, those
-    /// of this one. Those that the motion `d` does not oppose may be left out. `None` where there
-    /// are none, told as fast as it can be, and for cells beyond the bands.
+    /// All pieces that have a point in the closed cell. Where each piece has one cell, those of
+    /// this one. Those that the motion `d` does not oppose may be missing. `None` where there are
+    /// none, as early as possible, and for cells beyond the bands.
     fn pieces(&self, x: i32, y: i32, d: Raw) -> Option<Self::Pieces<'_>>;
 
     /// Whether the start of a walk is strictly inside the solid.
@@ -136,9 +136,8 @@ impl<'w, L: RayLevel> Scan<'w, L> {
 
     /// The next hit.
     ///
-    /// A piece is met in a cell that the ray has entered by then, so what is met before the next
-    /// line is final. What is met on that line is not: the cells behind it may have something
-    /// better.
+    /// A piece is met in a cell that the ray has entered by then: a hit before the next line is
+    /// final. A hit on that line is not: the cells behind it may have something better.
     pub(in crate::world) fn advance(&mut self) -> Option<RayHit> {
         if self.stage == Stage::Start {
             self.stage = Stage::Look;
@@ -321,11 +320,11 @@ fn signed<L: RayPieces>(d: i32, normal: i32, time: Time) -> i32 {
     if d < 0 { part.wrapping_neg() } else { part }
 }
 
-/// What a ray along a grid line meets at the last line that it has crossed, or at its start on one,
-/// where it comes out of the open and goes into the solid and no piece opposes it.
+/// The hit of a ray along a grid line at the last line that it has crossed, or at its start on one.
+/// There it comes out of the open and goes into the solid, and no piece opposes it.
 ///
-/// That is between a convex arc and the surface that it touches: both are tangent to the ray, and
-/// what is behind the point has no face there.
+/// That is between a convex arc and the surface that it touches. Both are tangent to the ray, and
+/// the solid behind the point has no face there.
 ///
 /// ```text
 ///       ....                  The arc ends at P with the ray's direction; the floor below goes on behind P, and so does the solid

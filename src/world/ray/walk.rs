@@ -129,8 +129,8 @@ impl Grid {
                 0 => X | Y,
                 _ => Y,
             };
-        // The motion ends before the next line, or leaves the grid; or the last column reaches to
-        // the end of the domain, so that only rows change from here (or the other way round).
+        // The motion ends before the next line, or leaves the grid. Or the last column reaches to
+        // the end of the domain, and only rows change from here (or the other way round).
         if over == 0 && !matches!(beyond, Beyond::Nothing) { lines } else { over }
     }
 }
@@ -153,9 +153,8 @@ fn leads_on(side: &Lane, count: u16, beyond: Beyond) -> bool {
 ///        c | c               |                a/  | b            | c
 /// ```
 ///
-/// The cells of a step (`c`, and `b` at a corner) are those that the ray has a point in common with
-/// from now on and had not before. At the start that includes those behind a line on which it
-/// starts.
+/// The cells of a step (`c`, and `b` at a corner) are those in which the ray has a point from now
+/// on and had none before. At the start that includes those behind a line on which it starts.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::world) struct Walk {
     pub(in crate::world) x: Lane,

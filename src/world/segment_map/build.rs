@@ -44,7 +44,7 @@ impl<'a> SegmentMap<'a> {
         }
     }
 
-    /// The same on a given grid, which may be larger than the paths.
+    /// Measures on a given grid, which may be larger than the paths.
     ///
     /// # Errors
     /// As [`measure`](Self::measure), and [`SegmentMapError::OutsideGrid`].
@@ -74,7 +74,7 @@ impl<'a> SegmentMap<'a> {
         }
     }
 
-    /// The same on a given grid.
+    /// Builds on a given grid.
     ///
     /// # Errors
     /// As [`build_into`](Self::build_into), and [`SegmentMapError::OutsideGrid`].

@@ -1,9 +1,9 @@
 //! Strict overlap and closed touch with the solid of a segment map; points, and boxes without area.
 //!
-//! A query that has met no segment of the boundary asks for one point of the body only: the stored
-//! winding number of its cell, and what is crossed on the way from there. So that no case is left
-//! out, that point is moved by an infinitesimal `e` along x and by `e^2` along y, as the reference
-//! points of the cells are: then it is on no segment.
+//! A query that has met no segment of the boundary tests one point of the body only. It takes the
+//! stored winding number of its cell, and the segments crossed on the way from there. That point is
+//! moved by an infinitesimal `e` along x and by `e^2` along y, as the reference points of the cells
+//! are. It is then on no segment, and no case is missed.
 
 use super::{Kind, Seg, SegmentMap};
 use crate::num::{Raw, imul, less128, mul64};
@@ -335,7 +335,7 @@ impl Cut {
 }
 
 impl Frame {
-    /// An exchange of coordinates is a mirror: the segment is reversed, so that its solid is on the
+    /// An exchange of coordinates is a mirror: the segment is reversed, which puts its solid on the
     /// left again.
     fn edge(&self, seg: &Seg) -> FramedEdge {
         let (a, b, dir) =

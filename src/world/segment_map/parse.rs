@@ -91,6 +91,17 @@ impl<'a> SegmentMap<'a> {
     /// # Errors
     /// [`SegmentMapError`] says what is wrong and where. Any change of a single byte and any other
     /// length is refused.
+    ///
+    /// ```
+    /// use tilesat::{Path, PathKind, SegmentMap, SegmentMapError, Vec2, fx};
+    /// let hill = [Vec2::from_ints(0, 0), Vec2::from_ints(40, 0), Vec2::from_ints(20, -9)];
+    /// let mut room = [0; 512];
+    /// let used = SegmentMap::build_into(&[Path::new(PathKind::Solid, &hill)], fx!(32), &mut room)?;
+    /// assert_eq!(SegmentMap::from_bytes(&room[..used])?.count(), 3);
+    /// room[40] ^= 1; // a damaged file
+    /// assert!(matches!(SegmentMap::from_bytes(&room[..used]), Err(SegmentMapError::Checksum { .. })));
+    /// # Ok::<(), SegmentMapError>(())
+    /// ```
     pub const fn from_bytes(data: &'a [u8]) -> Result<Self, SegmentMapError> {
         let size = match header(data) {
             Ok(size) => size,

@@ -58,7 +58,7 @@ impl<'a> Path<'a> {
         Self { points, kind, flags: 0 }
     }
 
-    /// The same path with these flags.
+    /// Sets the flags that all segments of the path report.
     #[must_use]
     pub const fn with_flags(self, flags: u8) -> Self {
         Self { flags, ..self }

@@ -27,9 +27,9 @@ pub(super) struct Row {
 /// ```
 ///
 /// Read from the end with the smaller y, in the mirror where x falls: from `(u0, v0)` both
-/// coordinates grow, in the ratio of `p` and `q`. Row after row, the first column is the first one
-/// whose far side is not left of where the segment enters the row, and the last is the last one
-/// whose near side is not right of where it leaves; neither falls.
+/// coordinates grow, in the ratio of `p` and `q`. In each row, the first column is the first one
+/// whose far side is not left of where the segment enters. The last is the last one whose near side
+/// is not right of where it leaves. Neither falls from row to row.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rows {
     row: i32,
@@ -123,9 +123,9 @@ const fn at_most(grid: &Grid, d: i32, count: i32) -> i32 {
 }
 
 impl SegmentMap<'_> {
-    /// The cells that hold the points of a closed box, each point in one: where
-    /// [`Grid::cell_at`](crate::Grid::cell_at) has it, and in the last cells what is on the far
-    /// borders of the grid.
+    /// The cells that hold the points of a closed box, each point in one. That is the cell of
+    /// [`Grid::cell_at`](crate::Grid::cell_at); points on the far borders of the grid are in the
+    /// last cells.
     ///
     /// That is enough to find what meets the box: a segment is referred to by every cell whose
     /// closed square it meets.
@@ -174,12 +174,12 @@ impl SegmentMap<'_> {
         before.wrapping_add(self.passed(cell, y, left)).wrapping_sub(self.passed(cell, y, start))
     }
 
-    /// What the winding number changes by at segments of a cell that cross the height of `r` at `r`
+    /// The change of the winding number at segments of a cell that cross the height of `r` at `r`
     /// or before it, from left to right.
     ///
     /// Just above `r`, segments that end at its height from below are gone, and those that start
     /// there upward have begun. The slope of a segment moves its crossing by a part of the smaller
-    /// infinitesimal only, so that one exactly at `r` has been passed.
+    /// infinitesimal only: one exactly at `r` has been passed.
     const fn passed(&self, x: i32, y: i32, r: Raw) -> i32 {
         let mut sum = 0i32;
         let mut refs = self.refs(x, y);

@@ -11,8 +11,8 @@ use crate::world::cell::{Cell, Range};
 use crate::world::level::{Feature, Geometry, World, sealed};
 
 impl SegmentMap<'_> {
-    /// The segments that may have a point in the closed region as faces, each followed by the
-    /// vertex at its end, if that is in the region.
+    /// The segments that may have a point in the closed region as faces. The vertex at its end
+    /// follows each, if it is in the region.
     ///
     /// Each comes once, in the order of the region's cells, row after row, and within a cell by
     /// index. Faces near the region may come too. The boundary of a polygon is one face per
@@ -107,9 +107,9 @@ impl SegmentFeatures<'_> {
 
     /// Whether the segment has been in no cell of the range before this one, which it meets.
     ///
-    /// What it has in common with the range's part of a row is one piece, and so is what it has in
-    /// common with the columns of the range: if it was in an earlier row it was in the last one, if
-    /// in an earlier cell of this row it was in the last one.
+    /// Its part in the range's part of a row is one piece, and so is its part in the columns of the
+    /// range. If it was in an earlier row, it was in the last one. If it was in an earlier cell of
+    /// this row, it was in the last one.
     fn is_first(&self, a: Raw, b: Raw) -> bool {
         let (x, y, range) = (self.x, self.y, &self.range);
         let meets = |x0: i32, x1: i32, y: i32| {
@@ -248,8 +248,8 @@ impl SegmentMap<'_> {
     /// ```
     ///
     /// The free side of a direction is on its right, where y grows up: from the end one turns left
-    /// there, from the start right. Segments that block from one side only are no part of the
-    /// solid, so that only their own kind sees them.
+    /// there, from the start right. Segments that block from one side only are not part of the
+    /// solid: only their own kind sees them.
     const fn turn(&self, seg: &Seg, at_end: bool) -> Turn {
         let (p, base) = if at_end { (seg.b(), seg.dir.reversed()) } else { (seg.a, seg.dir) };
         let one_way = matches!(seg.kind, Kind::OneWay);
@@ -284,7 +284,7 @@ impl SegmentMap<'_> {
     }
 }
 
-/// Of a one-way face: whether what is next blocks a body on the face, too. Its own kind does around
+/// Of a one-way face: whether the next one blocks a body on the face, too. Its own kind does around
 /// a corner as well.
 const fn goes_on(ray: &Turn) -> bool {
     ray.sector <= HALF || ray.sector == MORE && ray.one_way
@@ -336,9 +336,9 @@ const fn same(p: Raw, q: Raw) -> bool {
 #[derive(Clone, Copy)]
 struct Branch {
     dir: Axis,
-    /// Whether what comes after it, on the way around, is solid by one of them.
+    /// Whether the part after it, on the way around, is solid by one of them.
     after: bool,
-    /// Whether what comes before it is.
+    /// Whether the part before it is.
     before: bool,
 }
 

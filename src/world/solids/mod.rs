@@ -12,9 +12,8 @@
 //!    3 | 2
 //! ```
 //!
-//! So the corner of a union is convex where nothing is in c + 1 and c + 3, and face c goes on
-//! beyond its start, which is corner c, where something is in c + 3 and nothing in c + 1, before
-//! it.
+//! So the corner of a union is convex where nothing is in c + 1 and c + 3. Face c continues beyond
+//! its start, which is corner c, where something is in c + 3 and nothing in c + 1, before it.
 
 pub(super) mod ray;
 pub(super) mod solid;
@@ -26,7 +25,7 @@ use crate::query::meet;
 use crate::shape::{Aabb, Circle};
 use solid::{Side, Solid};
 
-/// Moving boxes as a level, at the places where they are now. Borrows the list, needs no memory.
+/// Moving boxes as a level, at their present positions. It borrows the list and needs no memory.
 ///
 /// [`Joined::new(&level, &solids)`](crate::Joined) is the level with its platforms and doors in it.
 /// A platform that lies flush with a floor, or with another platform, is one floor with it: no seam

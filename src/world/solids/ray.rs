@@ -1,8 +1,8 @@
 //! Rays against a list of boxes.
 //!
 //! Each hit is a look at all boxes for the earliest face after the last hit. A face shows where the
-//! points just in front of it are in no other box, ends included, so that a ray meets the surface
-//! of the union; the crossing is a fraction, compared by products.
+//! points just in front of it are in no other box, ends included: a ray meets the surface of the
+//! union. The crossing is a fraction, compared by products.
 
 use super::solid::Solid;
 use super::{Bits, Solids, faces_against, full, in_front, quadrants, quadrants_of};

@@ -82,20 +82,20 @@ impl Solid {
         Ok(Self { shape, motion: Vec2::ZERO, conveyor: Vec2::ZERO, key, flags: 0, side: None })
     }
 
-    /// The same with user flags, which are reported with what hits it as those of a tile are.
+    /// Sets the user flags. Hits report them as those of a tile.
     #[must_use]
     pub const fn with_flags(self, flags: u8) -> Self {
         Self { flags, ..self }
     }
 
-    /// The same as a one-way platform: it blocks, carries and pushes only bodies that are entirely
-    /// in front of that side.
+    /// Makes it a one-way platform: it blocks, carries and pushes only bodies that are entirely in
+    /// front of that side.
     #[must_use]
     pub const fn with_one_way(self, side: Side) -> Self {
         Self { side: Some(side), ..self }
     }
 
-    /// The same with a conveyor: the motion that it adds in each tick to what stands on it.
+    /// Adds a conveyor: a motion that it gives per tick to the bodies that stand on it.
     ///
     /// # Errors
     /// [`RangeError`] where the conveyor, or its sum with the motion of this tick, has a component
@@ -104,11 +104,20 @@ impl Solid {
         Self { conveyor, ..self }.checked()
     }
 
-    /// The same with the motion of this tick, from where it is now.
+    /// Sets the motion of this tick, from its present position.
     ///
     /// # Errors
     /// [`RangeError`] where the motion, or its sum with the conveyor, has a component of [`MOTION`]
     /// or more. Also where it would take the box out of the [domain](crate::num::DOMAIN).
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Solid, Vec2};
+    /// let lift = Solid::new(Aabb::new(Vec2::from_ints(0, 64), Vec2::from_ints(32, 70))?, 1)?;
+    /// let mut lifts = [lift.with_motion(Vec2::from_ints(0, -2))?];
+    /// Solid::move_all(&mut lifts);
+    /// assert_eq!(lifts[0].shape().min(), Vec2::from_ints(0, 62));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     pub const fn with_motion(self, motion: Vec2) -> Result<Self, RangeError> {
         Self { motion, ..self }.checked()
     }
@@ -129,7 +138,7 @@ impl Solid {
         }
     }
 
-    /// The same after this tick: at its new place, without a motion.
+    /// The solid after this tick: at its new position, without a motion.
     #[must_use]
     pub const fn moved(self) -> Self {
         let d = Raw::of(self.motion);

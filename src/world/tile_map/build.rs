@@ -19,6 +19,16 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
     ///
     /// # Errors
     /// [`TileMapError`]: no cells, too many, not enough data, or a shape that is not in the set.
+    ///
+    /// ```
+    /// use tilesat::{TileKind, TileKinds, TileMap, TileMapError};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
+    /// let level = TileMap::new(&[0, 0, 1, 1], 2, 2, &KINDS)?;
+    /// assert_eq!(level.bounds().max(), tilesat::Vec2::from_ints(32, 32));
+    /// let short = TileMap::new(&[0, 0, 1], 2, 2, &KINDS);
+    /// assert_eq!(short.unwrap_err(), TileMapError::TooShort { needed: 4, found: 3 });
+    /// # Ok::<(), TileMapError>(())
+    /// ```
     pub const fn new(tiles: &'a [u8], width: u16, height: u16, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
         match Grid::new(width, height, CELL, Vec2::ZERO) {
             Ok(grid) => Self::build(tiles, grid, width, kinds),
@@ -119,8 +129,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(())
     }
 
-    /// The same tiles, each row `stride` tiles after the one before: a window into a wider level,
-    /// or rows with padding; without [occupancy](Self::with_occupancy).
+    /// Sets the stride: each row begins `stride` tiles after the one before. The map is then a window
+    /// into a wider level, or has padded rows. It loses its [occupancy](Self::with_occupancy).
     ///
     /// # Errors
     /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] where the data ends
@@ -138,7 +148,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         }
     }
 
-    /// The same map with its first corner elsewhere.
+    /// Moves the map's first corner to `origin`.
     ///
     /// # Errors
     /// [`TileMapError::OutOfDomain`].
@@ -146,7 +156,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         self.with_grid(Grid::new(self.grid.x.count, self.grid.y.count, self.grid.cell(), origin))
     }
 
-    /// The same map with cells of another size.
+    /// Sets the side of the cells.
     ///
     /// # Errors
     /// [`TileMapError::Cell`] where it is odd or not in 2^8..=2^24 raw,
@@ -165,7 +175,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         }
     }
 
-    /// The same tiles with another table, which may hold the shapes of another [`Set`].
+    /// Replaces the table of kinds by one that may hold the shapes of another [`Set`].
     ///
     /// ```
     /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileShape};
@@ -184,7 +194,15 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         }
     }
 
-    /// The same map with something else outside.
+    /// Sets the outside of the map.
+    ///
+    /// ```
+    /// use tilesat::{Outside, TileKinds, TileMap, Vec2, prelude::*};
+    /// let open = TileMap::new(&[0; 4], 2, 2, &TileKinds::EMPTY)?;
+    /// let beyond = tilesat::Aabb::new(Vec2::from_ints(-9, 0), Vec2::from_ints(-1, 8))?;
+    /// assert!(!open.overlaps(&beyond) && open.with_outside(Outside::Solid).overlaps(&beyond));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     #[must_use]
     pub const fn with_outside(mut self, outside: Outside) -> Self {
         self.outside = outside;
@@ -220,7 +238,7 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
 }
 
 impl<'a, S: Set> TileMap<'a, S, Bytes> {
-    /// The same for the shapes of any [`Set`].
+    /// Reads a map of any [`Set`] from text.
     ///
     /// ```
     /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape};

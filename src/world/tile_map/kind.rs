@@ -182,7 +182,7 @@ impl TileKind {
         Self { shape, flags: 0 }
     }
 
-    /// The same shape with these flags.
+    /// Sets the flags.
     #[must_use]
     pub const fn with_flags(self, flags: u8) -> Self {
         Self { shape: self.shape, flags }
@@ -259,7 +259,7 @@ impl TileKinds {
     /// Every id is empty.
     pub const EMPTY: Self = Self { shapes: [TileShape::Empty; 256], flags: [0; 256], named: 1 };
 
-    /// The same table with another kind for one id.
+    /// Sets the kind of one id.
     #[must_use]
     #[expect(clippy::indexing_slicing, reason = "a byte indexes 256 entries")]
     pub const fn with(mut self, id: u8, kind: TileKind) -> Self {

@@ -141,6 +141,15 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 
     /// The id of a tile; `None` outside of the map.
+    ///
+    /// ```
+    /// use tilesat::{Cell, TileKind, TileKinds, TileMap};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii(".#\n##\n", &KINDS)?;
+    /// assert_eq!(level.tile(Cell::new(1, 0)), Some(b'#'));
+    /// assert_eq!(level.tile(Cell::new(2, 0)), None);
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
     #[must_use]
     pub const fn tile(&self, cell: Cell) -> Option<u8> {
         if self.holds(cell.x as i32, cell.y as i32) { Some(self.id(cell.x as i32, cell.y as i32)) } else { None }

@@ -75,8 +75,8 @@ impl TileShape {
 ///
 /// Eight nodes lie around a cell, counted with its sides. Around any node there are sixteen
 /// directions, those of all lines that tiles have, and sixteen sectors between them: sector d from
-/// direction d to d + 1. To each direction the opposite one is there too, so that eight sectors in
-/// a row are exactly half a turn: whether a corner is convex is a matter of counting.
+/// direction d to d + 1. Each direction has an opposite one, and eight sectors in a row are exactly
+/// half a turn. Whether a corner is convex is a matter of counting.
 ///
 /// ```text
 ///   0---1---2  --> x             12
@@ -101,7 +101,7 @@ pub(in crate::world) struct Outline {
     last: u8,
     /// Nibble k: which of the sectors 4k to 4k + 3 are solid at corner k (node 2k). Nibble 4 + k:
     /// bit 0 where an arc ends there and leaves the line of side k, bit 1 where it leaves that of
-    /// the side before: what is solid across that line is not joined to this tile.
+    /// the side before. Solid across that line is not joined to this tile.
     corners: u32,
     /// Byte k: which of the sectors 4k to 4k + 7 are solid at the middle of side k (node 2k + 1).
     middles: u32,
@@ -228,7 +228,7 @@ pub(in crate::world) const fn place(node: u8) -> (u8, u8) {
 }
 
 /// A point in quarters of a cell against the inequality of a form: below 0 inside, above outside.
-/// On the border (0), the second number tells whether the direction leads in or out.
+/// On the border (0), the second number is the direction's: in or out.
 const fn side_of(form: Form, x: i32, y: i32, (dx, dy): (i32, i32)) -> (i32, i32) {
     let (u, du) = if form.right { (4 - x, -dx) } else { (x, dx) };
     let (v, dv) = if form.bottom { (4 - y, -dy) } else { (y, dy) };

@@ -19,9 +19,9 @@ levels! {
         /// of all tiles' solids.
         ///
         /// Strict and exact, for slopes and arcs too, and without a root. A body that touches a
-        /// wall or fills a gap exactly does not overlap. A body without area (a circle of radius 0,
-        /// a box of no width or height) overlaps where it meets the inside of the union, also on
-        /// the line between two full cells. One-way tiles never overlap anything.
+        /// wall or fills a gap exactly does not overlap. A body without area is a circle of radius
+        /// 0, or a box of no width or height. It overlaps where it meets the inside of the union,
+        /// also on the line between two full cells. One-way tiles never overlap anything.
         /// [`Outside`](crate::world::Outside) counts.
         ///
         /// Cost: the cells that the body's bounding box overlaps, one look-up each, until the first

@@ -14,7 +14,7 @@ use heapless::VecView;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TileAt {
-    /// Its place.
+    /// The cell that it is in.
     pub cell: Cell,
     /// Its id.
     pub id: u8,

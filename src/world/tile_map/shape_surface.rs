@@ -196,8 +196,8 @@ impl Tile {
     /// The direction in which the vertex at the end of a piece is left; none where it is joined, as
     /// above from the opposite direction backward.
     ///
-    /// A gap in the direction of a face itself does not matter, its solid is on this side. That of
-    /// a concave arc (`cusp`) is nothing but the line itself there, so that it does.
+    /// A gap in the direction of a face itself does not matter: its solid is on this side. At a
+    /// concave arc (`cusp`) there is nothing but the line itself, and it does matter.
     fn end<const ROUND: bool, M: TileSource>(&self, map: &M, piece: Piece, cusp: bool) -> Option<u8> {
         let (solid, gaps) = self.sectors::<ROUND, _>(map, piece.end);
         let back = piece.dir.wrapping_add(8) & 15;

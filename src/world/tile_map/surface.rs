@@ -66,9 +66,9 @@ impl Look {
         out.x.wrapping_mul(self.d.x) < 0 || out.y.wrapping_mul(self.d.y) < 0 || self.d.is_zero()
     }
 
-    /// The same of the corner between two edges: some normal of a corner is opposed to the motion
-    /// only where that of an edge is, but for a wedge of no angle, which has all normals of half a
-    /// turn.
+    /// As above, of the corner between two edges. Some normal of a corner is opposed to the motion
+    /// only where that of an edge is. A wedge of no angle is the exception: it has all normals of
+    /// half a turn.
     pub(super) const fn opposes_corner(&self, e_in: Axis, e_out: Axis) -> bool {
         self.opposes(e_in) || self.opposes(e_out) || (e_in.x == -e_out.x && e_in.y == -e_out.y)
     }
@@ -114,7 +114,7 @@ pub trait Surface: Clone + Debug {
     fn take<M: TileSource>(&mut self, map: &M, look: &Look) -> Option<Feature>;
 }
 
-/// The cell whose features are handed out, the corners of its solid, its tile's flags, all its
+/// The cell whose features are handed out. The corners of its solid, its tile's flags, all its
 /// features as a mask of indices, and those left to give.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockSurface {

@@ -66,13 +66,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             && !self.kinds.get(self.id(x.cell, y.cell)).is_full()
     }
 
-    /// Walks to the next full cell, or where `ANY` to the next that is not empty; one look-up a
-    /// cell. Where the next line leads out of the map, or the motion is over, it ends, save with a
-    /// corner ahead: `met` is 0 then, and so it is where it cannot tell what is next.
+    /// Walks to the next full cell, or where `ANY` to the next that is not empty; one look-up per
+    /// cell. It ends where the next line leads out of the map, or the motion is over, except with a
+    /// corner ahead. `met` is 0 then, and also where the next cell is unknown.
     ///
-    /// The [lead] is divided by the cell, so that a crossing moves it by the other size. Divided
-    /// evenly, 0 is both lines at once: then the cells beside the corner come first, x before y.
-    /// Else a floor of 0 is more than 0.
+    /// The [lead] is divided by the cell: a crossing moves it by the other size. Divided evenly, 0
+    /// is both lines at once: then the cells beside the corner come first, x before y. Else a floor
+    /// of 0 is more than 0.
     #[inline(always)]
     pub(in crate::world) fn run<const ANY: bool>(&self, x: &Lane, y: &Lane) -> Run {
         let Some((mut e, even)) = self.divided(lead(x, y)) else { return Run { met: 0, id: 0, kx: 0, ky: 0 } };
@@ -178,7 +178,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if q < 3 << 30 { Some((q.wrapping_sub(1 << 30) as i32, rest == 0)) } else { None }
     }
 
-    /// [`run`](Self::run) along a line that has cells of the map on both sides; two look-ups a
+    /// [`run`](Self::run) along a line that has cells of the map on both sides; two look-ups per
     /// step. `None` for other rays and, unless `ANY`, where the cell at the start is full.
     ///
     /// A face is met where a full cell follows one that is not, on the same side of the line: a

@@ -23,9 +23,10 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// - A straight face is hit by a ray that moves against its normal, ends included. Touching a
     ///   corner is a hit, and no ray passes between two diagonal solids. A ray along a grid line
     ///   stops at the first face in its way on either side of the line.
-    /// - A convex arc is hit by a ray that enters its disc on it, a concave one by a ray that
-    ///   leaves the disc on it, ends included. A ray that slides along a face or is a tangent hits
-    ///   nothing, except one that continues into the solid beside the end of a concave arc.
+    /// - A convex arc is hit by a ray that enters its disc on it, ends included. A concave one is
+    ///   hit by a ray that leaves the disc on it, ends included. A ray that slides along a face or
+    ///   is a tangent hits nothing. The exception continues into the solid beside the end of a
+    ///   concave arc.
     /// - A face is hit at the very end of the motion too; one raw unit short is a miss.
     /// - Of faces that are hit at one moment the one whose normal is more along x wins (of blocks:
     ///   toward x), then the one that opposes the motion more, then +x, then +y, then a straight
@@ -132,7 +133,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if num != 0 {
             toi = fraction(num, den);
             // floor(size num / den) is the product with the floored time, or one more: the
-            // remainder, below 2 den < 2^31, tells.
+            // remainder, below 2 den < 2^31, decides.
             part = (umul(size, toi) >> 30) as u32;
             let rest = size.wrapping_mul(num).wrapping_sub(part.wrapping_mul(den));
             part = part.wrapping_add((rest >= den) as u32);

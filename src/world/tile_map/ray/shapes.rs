@@ -146,9 +146,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 }
 
-/// Cursor over the pieces of a cell, as [`features`](TileMap::features) has them, less vertices,
-/// sides that the motion does not oppose, and the marks of joints: a ray has no use for those, and
-/// they are most of the work.
+/// Cursor over the pieces of a cell, as [`features`](TileMap::features) has them. It omits
+/// vertices, sides that the motion does not oppose, and the marks of joints: a ray has no use for
+/// those, and they are most of the work.
 #[derive(Clone, Debug)]
 pub(in crate::world) struct TilePieces<'w, S: Set, T: Store> {
     map: &'w TileMap<'w, S, T>,
