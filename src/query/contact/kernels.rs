@@ -40,11 +40,11 @@ impl Contact {
     /// segments, where the depth is computed first.
     ///
     /// ```
-    /// use tilesat::{Aabb, Vec2, prelude::*};
+    /// use tilesat::{Aabb, Vec2, fx, prelude::*};
     /// let unit = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 10, 10));
     /// let (a, b) = (unit(0)?, unit(7)?);
     /// let contact = a.contact(&b).expect("they overlap by 3");
-    /// assert_eq!((contact.depth(), contact.push_out()), (3.into(), Vec2::from_ints(-3, 0)));
+    /// assert_eq!((contact.depth(), contact.push_out()), (fx!(3), Vec2::from_ints(-3, 0)));
     /// assert!(!a.translated(contact.push_out())?.overlaps(&b));
     /// # Ok::<(), tilesat::RangeError>(())
     /// ```
