@@ -211,8 +211,9 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
 }
 
 impl<'a> TileMap<'a, Blocks, Bytes> {
-    /// A map from lines of text of one length, one character a tile; the characters are the ids. A
-    /// line feed may end the last row too.
+    /// A map from lines of text of one length, one character per tile; the characters are the ids.
+    /// A line feed may end the last row too. One at the start would be an empty row: open a literal
+    /// that begins on the next line with `"\`.
     ///
     /// Nothing is copied: the map reads the text, stepping over the line feeds. In a constant, a
     /// mistake in a level is a compile error. The compiler does some 10 steps per character. Up to
