@@ -60,18 +60,19 @@ pub(in crate::broad) fn retain<K: Copy, V: Copy>(
     }
 }
 
-/// What became of a pair in one frame.
+/// The fate of a pair in one frame. Each pair gives `Begin`, then `Stay` in each later frame, then
+/// `End`, once.
 ///
 /// Of every pair comes `Begin`, then `Stay` in each later frame, then `End`, once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PairEvent<P = Pair> {
-    /// It was not there in the frame before.
+    /// The pair was not there in the last frame.
     Begin(P),
-    /// It was, and is.
+    /// The pair was there, and still is.
     Stay(P),
-    /// It is not there any more: the bodies parted, or one was removed; its handle is the old one
-    /// then.
+    /// The pair is not there any more: the bodies parted, or one was removed. Its handle is then
+    /// the old one.
     End(P),
 }
 
@@ -171,22 +172,21 @@ impl<const M: usize, P: Copy + Ord> Default for PairEvents<M, P> {
 }
 
 impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
-    /// Without any pair; may be a `static`.
+    /// An empty list, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
         Self { entries: [Entry(None); M], frame: Frame { fed: 0, lost: false, over: true } }
     }
 
-    /// This pair is there in the frame under way.
+    /// Reports that a pair is there in the current frame.
     #[inline]
     pub fn feed(&mut self, pair: P) {
         feed(&mut self.entries, &mut self.frame, &pair);
     }
 
     /// Ends the frame.
-    ///
-    /// `held` is asked about every pair of the last frame that did not come, whether it is there
-    /// all the same, because its bodies rest; it must say no where one was removed. `|_| false`
+    /// `held` answers, for each pair of the last frame that did not come, whether it is still there
+    /// because its bodies rest. It must be false for a pair with a removed body. Pass `|_| false`
     /// where nothing rests.
     ///
     /// # Errors
@@ -351,7 +351,7 @@ impl<const M: usize> Default for Exceptions<M> {
 }
 
 impl<const M: usize> Exceptions<M> {
-    /// Without any; may be a `static`.
+    /// An empty list, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
         Self { entries: [Entry(None); M] }

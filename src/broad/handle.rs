@@ -7,7 +7,7 @@ use crate::num::Fx;
 use core::cmp::Ordering;
 use core::fmt;
 
-/// The name of one body in one broad phase: a slot, and which of its tenants is meant.
+/// The name of one body in one broad phase: a slot, and the generation of its tenant.
 ///
 /// A slot that is freed and used again has another generation. An old handle is then refused
 /// ([`BroadError::Stale`](super::BroadError::Stale)) and never means the new body. After 32768
@@ -43,13 +43,13 @@ impl Handle {
         self.generation & 1 == 1
     }
 
-    /// The slot, below the capacity: an index into arrays of the game's own, one entry a body.
+    /// The slot, below the capacity: an index into your own arrays, with one entry per body.
     #[must_use]
     pub const fn slot(self) -> usize {
         self.slot as usize
     }
 
-    /// Which tenant of the slot; odd.
+    /// The generation of the slot's tenant; odd.
     #[must_use]
     pub const fn generation(self) -> u16 {
         self.generation
@@ -77,8 +77,7 @@ impl PartialOrd for Handle {
     }
 }
 
-/// Two bodies whose boxes touch: what `overlaps`, `touches` and `contact` of the shapes in them
-/// need to be asked about.
+/// Two bodies whose boxes touch. Test their shapes with `overlaps`, `touches` or `contact`.
 ///
 /// `a` is the one with the smaller [key](super::Tag::key), at equal keys with the smaller slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -98,7 +97,7 @@ impl Pair {
         self.a.word() == body.word() || self.b.word() == body.word()
     }
 
-    /// The one that a body is near; `None` where it is not of this pair.
+    /// The other body; `None` if `body` is not of this pair.
     ///
     /// ```
     /// use tilesat::broad::{BroadPhase, BruteForce};
@@ -145,8 +144,8 @@ impl PartialOrd for Pair {
     }
 }
 
-/// What a body carries in a broad phase: whom it pairs with, and where it stands in canonical
-/// order.
+/// The value that a body carries in a broad phase. It decides which bodies it pairs with, and its
+/// position in canonical order.
 ///
 /// Called only for two whose boxes touch. `()` pairs with all and costs nothing,
 /// [`Filter`](crate::Filter) has layers, [`Keyed`] adds a key. For your own rule, write a type:
@@ -197,14 +196,13 @@ impl Tag for Filter {
     }
 }
 
-/// A tag with a key given by the caller: pairs sorted by it are the same in whichever order bodies
-/// were inserted.
+/// A tag with a key that you choose: pairs sorted by it are the same in every order of insertion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Keyed<T = ()> {
     /// Unique among the bodies.
     pub key: u32,
-    /// Whom it pairs with.
+    /// The tag that decides which bodies it pairs with.
     pub tag: T,
 }
 
@@ -222,7 +220,7 @@ impl<T: Tag> Tag for Keyed<T> {
     }
 }
 
-/// Why a body was not taken, moved or found; the broad phase is as it was.
+/// Why the broad phase did not take, move or find a body. It is as it was before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -284,13 +282,13 @@ impl fmt::Display for BroadError {
 
 impl core::error::Error for BroadError {}
 
-/// Why an enumeration of pairs stopped before its end; nothing is lost.
+/// Why an enumeration of pairs stopped before its end. Nothing is lost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PairsError {
-    /// The budget of tests is spent: the next call goes on from here.
+    /// The budget of tests is spent: the next call continues from here.
     BudgetExceeded,
-    /// There is no more room for pairs: take them out, and the next call goes on from here.
+    /// There is no more room for pairs: take them out, and the next call continues from here.
     Full,
     /// A body was inserted or moved since the enumeration began: the cursor is at the start again.
     Changed,
@@ -314,7 +312,7 @@ impl core::error::Error for PairsError {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum QueryError {
-    /// It was not asked: an argument is out of range. The buffer is empty.
+    /// An argument is out of range. The buffer is empty.
     Range(RangeError),
     /// The buffer is full of the first results; the rest did not fit.
     Truncated(Truncated),
@@ -343,7 +341,7 @@ impl fmt::Display for QueryError {
 
 impl core::error::Error for QueryError {}
 
-/// Why there is no such grid.
+/// Why a grid was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

@@ -83,8 +83,8 @@ fn pairs<T: Tag, M: Meter>(
     Ok(())
 }
 
-/// Up to N bodies, each tested against each: the fastest for a dozen, and the definition of what
-/// the others must find.
+/// Up to N bodies, each tested against each. It is the fastest for a dozen, and defines the answers
+/// of the others.
 ///
 /// Cost: N (N - 1) / 2 tests of boxes, most of them two comparisons; an insertion or a move is a
 /// store. RAM: box, tag and the generation's 2 bytes.
@@ -112,7 +112,7 @@ pub struct BruteForce<const N: usize, T = ()> {
 }
 
 impl<const N: usize, T: Tag> BruteForce<N, T> {
-    /// An empty one; may be a `static`.
+    /// An empty broad phase, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
         Self { table: Table::new() }
@@ -255,7 +255,7 @@ pub struct SortSweep<const N: usize, T = ()> {
 }
 
 impl<const N: usize, T: Tag> SortSweep<N, T> {
-    /// An empty one; may be a `static`.
+    /// An empty broad phase, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
         let mut order = [0; N];

@@ -35,7 +35,7 @@ impl Axis {
     pub const Y: Self = Self::new(0, 1);
     /// To the left.
     pub const NEG_X: Self = Self::new(-1, 0);
-    /// Against y: upwards on a screen.
+    /// Against y: up on a screen.
     pub const NEG_Y: Self = Self::new(0, -1);
 
     /// A direction from its components.

@@ -81,8 +81,7 @@ impl Toi {
     }
 }
 
-/// A number from 0 to 1 in steps of 2^-30: friction, restitution, drag, or who takes which share of
-/// a push.
+/// A number from 0 to 1 in steps of 2^-30: friction, restitution, drag, or the shares of a push.
 ///
 /// `new` rounds to the nearest step: a ratio is off by at most 2^-31. 0, 1 and fractions of powers
 /// of two are exact. `new(a, c)` and `new(b, c)` with a + b = c < 2^31 are each other's

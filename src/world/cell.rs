@@ -13,8 +13,8 @@ use super::tile_map::kind::TileKind;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cell {
-    /// Column; -1 and the map's width stand for everything left and right of it. Of a
-    /// [solid](super::Solids) its key, in a row that no map has: see
+    /// Column. -1 and the map's width stand for everything left and right of it. For a
+    /// [solid](super::Solids) it is the key, in a row that no map has: see
     /// [`Solids::key_of`](super::Solids::key_of).
     pub x: i16,
     /// Row; -1 and the map's height stand for everything beyond the first and the last row.

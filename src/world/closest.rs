@@ -18,7 +18,7 @@ use core::cmp::Ordering;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum OneWay {
-    /// They are not there.
+    /// They are ignored.
     #[default]
     Ignore,
     /// They are surface only for points in front of them.
@@ -35,12 +35,11 @@ pub struct Near {
     /// Out of the solid at that point: a face's normal, or along the line between the two points.
     /// Not zero.
     pub axis: Axis,
-    /// Whether the point that was asked for is in the inside of the solid; on the surface it is
-    /// not.
+    /// Whether the given point is in the inside of the solid; on the surface it is not.
     pub inside: bool,
     /// The piece of the surface: a face or an arc where the point is on it, a corner in its cone.
     pub feature: Feature,
-    /// How many features were looked at.
+    /// How many features were examined.
     pub features: u32,
 }
 

@@ -317,7 +317,7 @@ fn insert<W: World>(out: &mut VecView<WorldContact>, new: Found<'_>) {
     }
 }
 
-/// What [`TileMap::contacts`] takes: a box or a circle. Sealed.
+/// A shape that [`TileMap::contacts`] takes: a box or a circle. Sealed.
 pub trait Pushable: kernel::Kernel {}
 
 impl Pushable for Aabb {}

@@ -4,7 +4,7 @@ use super::cell::Cell;
 use crate::error::Quantity;
 use core::fmt;
 
-/// A level that was refused, and why.
+/// Why a level was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -105,15 +105,14 @@ impl fmt::Display for TileMapError {
 
 impl core::error::Error for TileMapError {}
 
-/// A segment map that was refused, and why. Paths, points and segments are counted from 0.
+/// Why a segment map was refused. Paths, points and segments are counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SegmentMapError {
-    /// There is not a single point.
+    /// There is no point at all.
     Empty,
-    /// A polygon of fewer than three points, or a chain of fewer than two: nothing that could be
-    /// closed, or drawn.
+    /// A polygon has fewer than three points, or a chain fewer than two.
     TooFewPoints {
         /// The path.
         path: u32,
@@ -150,14 +149,14 @@ pub enum SegmentMapError {
         /// The path.
         path: u32,
     },
-    /// More than 32768 segments, in this one of this path.
+    /// There are more than 32768 segments; this is the first one too many.
     TooManySegments {
         /// The path.
         path: u32,
         /// The point where the segment starts that is too much.
         point: u32,
     },
-    /// More than 65535 pairs of a segment and a cell that it meets: larger cells are needed.
+    /// More than 65535 pairs of a segment and a cell that it meets: use larger cells.
     TooManyRefs {
         /// The path.
         path: u32,
@@ -168,7 +167,7 @@ pub enum SegmentMapError {
     Grid(TileMapError),
     /// More than 127 solids, or holes outside of solids, lie over each other in a cell.
     TooDeep(Cell),
-    /// The room for the bytes is too small.
+    /// The buffer is too small.
     TooSmall {
         /// The bytes that are needed.
         needed: u32,
@@ -195,14 +194,14 @@ pub enum SegmentMapError {
         /// The one that the bytes have.
         computed: u32,
     },
-    /// A segment is not one.
+    /// A segment is invalid.
     Segment {
         /// Its index.
         index: u16,
         /// What is wrong.
         fault: SegmentFault,
     },
-    /// The references of a cell are not those of the segments that meet it.
+    /// A cell does not list the segments that meet it.
     Refs(Cell),
     /// The references are not as many as the segments have, or as the offsets say.
     RefCount {
@@ -215,7 +214,7 @@ pub enum SegmentMapError {
     Winding(Cell),
 }
 
-/// What is wrong with a segment of a byte form.
+/// The fault of a segment in its byte form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

@@ -13,7 +13,7 @@ pub(crate) mod sealed {
     pub trait Sealed {}
 }
 
-/// One piece of a level's surface, with what its tile says about it.
+/// One piece of a level's surface, with the properties of its tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Feature {
@@ -177,7 +177,7 @@ impl Seen {
     pub(crate) const NOTHING: Self = Self { held: None, cells: None };
 }
 
-/// What a [mover](crate::motion::Mover) needs of a level: its surface near a box, and two exact
+/// The requirements of a [mover](crate::motion::Mover): a level's surface near a box, and two exact
 /// overlap tests.
 ///
 /// Sealed: that a mover never ends in the solid rests on `features` and the tests being two views

@@ -7,8 +7,8 @@ use crate::error::RangeError;
 use crate::num::{DOMAIN, MOTION, Raw, Vec2, check_motion};
 use crate::shape::{Aabb, Circle};
 
-/// A level shifted by an offset, a level itself: a polygon that moves, a room that slides in.
-/// Copies nothing.
+/// A level shifted by an offset, and itself a level: a polygon that moves, a room that slides in.
+/// It copies nothing.
 ///
 /// ```text
 ///    the level's own origin      here

@@ -12,8 +12,8 @@ use crate::shape::Aabb;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Border {
-    /// It belongs to the nearest cell of the border. All answers stay the same; only many bodies
-    /// outside are as dear as many in one cell.
+    /// It belongs to the nearest cell of the border. All answers stay the same, but many bodies
+    /// outside cost as much as many in one cell.
     #[default]
     Clamp,
     /// It is refused: [`OutOfWorld`](BroadError::OutOfWorld).
@@ -104,11 +104,13 @@ impl LooseGrid<1, 1> {
 
 impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<BLOCKS, N, T, LARGE> {
     /// An empty grid, which may be a `static`: the corner with the smallest coordinates, the side
-    /// of a cell, the number of columns.
+    /// An empty grid, which may be a `static`. Pass the corner with the smallest coordinates, the
+    /// side of a cell, and the number of columns.
     ///
     /// The side is a power of two of raw units (so of units as well), that no index is found by
-    /// dividing; the columns are a power of two for the same reason, and the rows what the blocks
-    /// have cells for. What is outside is [clamped](Border::Clamp).
+    /// The side is a power of two of raw units (so of units as well), and the columns are a power
+    /// of two: no index needs a division. The blocks give the number of rows. Bodies outside are
+    /// [clamped](Border::Clamp).
     ///
     /// # Errors
     /// [`GridError`].

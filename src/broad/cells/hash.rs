@@ -8,7 +8,7 @@ use crate::broad::{BroadError, GridError, Tag};
 use crate::num::{Fx, Vec2};
 use crate::shape::Aabb;
 
-/// Up to N bodies in square cells of which there is no end, each in the cell of its centre; cells
+/// Up to N bodies in an endless grid of square cells, each in the cell of its centre. The cells
 /// share BUCKETS lists.
 ///
 /// For worlds that are much wider than the bodies in them. Cell (x, y) has list `x + K y`, modulo
@@ -48,8 +48,8 @@ pub struct SpatialHash<const BUCKETS: usize, const N: usize, T = (), const LARGE
 impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> SpatialHash<BUCKETS, N, T, LARGE> {
     const FACTOR: u16 = factor(BUCKETS);
 
-    /// An empty one, which may be a `static`, with the side of its cells: a power of two of raw
-    /// units (so of units as well), from 2 raw to 4096 units.
+    /// An empty broad phase, which may be a `static`, with the side of its cells: a power of two of
+    /// raw units (so of units as well), from 2 raw to 4096 units.
     ///
     /// # Errors
     /// [`GridError::Cell`].

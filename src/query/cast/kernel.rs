@@ -60,7 +60,7 @@ impl<M> Course<M> {
     }
 }
 
-/// A shape with a place.
+/// A shape with a position.
 pub trait InDomain {
     /// Refuses a shape that no constructor has checked.
     ///
@@ -98,19 +98,19 @@ impl InDomain for Aabb {}
 impl InDomain for Circle {}
 impl InDomain for Segment {}
 
-/// What a cast does that starts inside: a ray in the solid, a shape that overlaps the other one. On
-/// the border is not inside.
+/// The answer to a cast that starts inside: a ray in the solid, or a shape that overlaps the other
+/// one. The border is not inside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Inside {
-    /// It passes through to the first free place, and may hit after that.
+    /// It passes through to the first free position, and may hit after that.
     #[default]
     Ignore,
     /// It hits at once.
     Hit,
 }
 
-/// What the cast of a shape or a ray against a shape met.
+/// The hit of a shape or a ray on a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CastHit {
     /// When: a fraction of the motion. The exact floor in 2^-30 where straight sides meet, and of a
@@ -135,7 +135,7 @@ pub struct CastHit {
     pub inside: bool,
 }
 
-/// What the cast of two shapes met that both move.
+/// The hit of two moving shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MovingHit {
     /// When, as [`CastHit::toi`], in parts of either motion.

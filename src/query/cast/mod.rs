@@ -22,7 +22,7 @@ pub(crate) use moment as side;
 pub(crate) use boxes::Span;
 pub use kernel::{CastHit, Inside, MovingHit};
 
-/// Moving a shape until it hits another one.
+/// Moves a shape until it hits another one.
 ///
 /// A hit is where the motion starts an overlap, in the strict sense of
 /// [`Overlaps`](super::Overlaps); whether there is one is exact. A shape that touches and moves in

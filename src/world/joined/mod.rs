@@ -11,7 +11,7 @@ use crate::world::ray::scan::{Found, RayScan, RayWorld};
 use core::cmp::Ordering;
 use hidden::{hides, shown};
 
-/// Two levels used as one: tiles and segments, or a level and its neighbour. Copies nothing.
+/// Two levels used as one: tiles and segments, or a level and its neighbour. It copies nothing.
 ///
 /// A point that is solid in either level is solid. Where the two meet there is no seam. A corner
 /// that lies in the other level's solid is hidden, except where both together form a corner. A face
@@ -59,7 +59,7 @@ impl<A, B> Clone for Joined<'_, A, B> {
 impl<A, B> Copy for Joined<'_, A, B> {}
 
 impl<'a, A: World, B: World> Joined<'a, A, B> {
-    /// Both levels as one.
+    /// Joins two levels.
     #[must_use]
     pub const fn new(a: &'a A, b: &'a B) -> Self {
         Self { a, b }

@@ -18,7 +18,7 @@ use crate::num::{
     Axis, DOMAIN, Raw, Toi, Vec2, imul, less128, mul_div, mul64, root128_down, root128_up, sqr64, sub128, umul, usqr,
 };
 
-/// What a ray meets. Made from an [`Inside`] alone, it passes one-way edges.
+/// The rules of a ray. Made from an [`Inside`] alone, it passes one-way edges.
 ///
 /// ```
 /// use tilesat::{Inside, RayRules};
@@ -27,10 +27,10 @@ use crate::num::{
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RayRules {
-    /// What a start inside the solid does.
+    /// The answer to a start inside the solid.
     pub inside: Inside,
-    /// Whether a one-way edge is met by a ray that moves against its normal, ends included and from
-    /// on it too. From behind it is always passed.
+    /// Whether a ray that moves against its normal meets a one-way edge, ends included, and also
+    /// when it starts on it. From behind it always passes.
     pub one_way: bool,
 }
 
@@ -40,7 +40,7 @@ impl From<Inside> for RayRules {
     }
 }
 
-/// What a ray met.
+/// The hit of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RayHit {
     /// When: the exact floor in 2^-30 of the fraction of the motion, for straight faces and ends of

@@ -57,7 +57,7 @@ pub enum TileShape {
     ConcaveBottomRight = 16,
     /// As [`ConcaveTopLeft`](Self::ConcaveTopLeft), at another corner.
     ConcaveBottomLeft = 17,
-    /// A slope of one half cell a cell: half a side high at its corner, nothing at the other.
+    /// A slope of one half cell per cell: half a side high at its corner, nothing at the other.
     MildLowTopLeft = 18,
     /// As [`MildLowTopLeft`](Self::MildLowTopLeft), at another corner.
     MildLowTopRight = 19,
@@ -147,7 +147,7 @@ impl TileShape {
     ];
 }
 
-/// A shape and eight flags that mean what the game likes: coin, ladder, deadly, ...
+/// A shape and eight flags whose meaning you choose: coin, ladder, deadly, ...
 ///
 /// Flags of tiles that are not solid count too: see
 /// [`TileMap::flags_touched`](crate::world::TileMap::flags_touched).
@@ -231,8 +231,8 @@ pub enum Fill {
     Full,
 }
 
-/// What each of the 256 tile ids is: 520 bytes, usually a `static` in flash, shared by all maps of
-/// a game.
+/// The kinds of the 256 tile ids: 520 bytes, usually a `static` in flash, shared by all maps of a
+/// game.
 ///
 /// The table remembers which shapes it names. Making a map then asks once whether its set has them,
 /// not 256 times.

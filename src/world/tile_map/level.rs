@@ -294,8 +294,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 }
 
 impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
-    /// The words that [`fill_occupancy`](Self::fill_occupancy) needs: one for each 32 columns
-    /// begun, for every row.
+    /// How many words [`fill_occupancy`](Self::fill_occupancy) needs: one for each 32 columns or
+    /// part of them, for every row.
     #[must_use]
     pub const fn occupancy_words(&self) -> usize {
         self.words_a_row() as usize * self.grid.y.count as usize
@@ -306,7 +306,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     }
 
     /// Writes one bit per tile, set where its shape is not empty: bit `x % 32` of word `x / 32` of
-    /// each row. Words beyond are left alone.
+    /// each row. Further words stay as they are.
     ///
     /// # Errors
     /// [`TileMapError::Occupancy`] where the words are too few; nothing is written then.
@@ -329,8 +329,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(())
     }
 
-    /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy) at hand: the same
-    /// answers, faster where rows of cells are empty.
+    /// Uses the bits of [`fill_occupancy`](Self::fill_occupancy). Answers stay the same, and are
+    /// faster where rows of cells are empty.
     ///
     /// The bits are compared with the tiles, so a map cannot lie. That is one look-up per tile, in
     /// the compiler for a `const` map. After you write a tile, fill them again.

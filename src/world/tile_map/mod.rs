@@ -128,7 +128,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.grid
     }
 
-    /// What lies outside.
+    /// The outside of the map.
     #[must_use]
     pub const fn outside(&self) -> Outside {
         self.outside
@@ -155,7 +155,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if self.holds(cell.x as i32, cell.y as i32) { Some(self.id(cell.x as i32, cell.y as i32)) } else { None }
     }
 
-    /// The kind of a cell, outside of the map too, as [`Outside`] has it.
+    /// The kind of a cell, also outside of the map, as [`Outside`] defines.
     #[must_use]
     pub const fn kind(&self, cell: Cell) -> TileKind {
         self.kind_at(cell.x as i32, cell.y as i32)

@@ -18,7 +18,7 @@ pub struct TileAt {
     pub cell: Cell,
     /// Its id.
     pub id: u8,
-    /// What the map's table says of the id.
+    /// Its kind in the map's table.
     pub kind: TileKind,
 }
 
@@ -186,7 +186,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 }
 
-/// What [`TileMap::flags_touched`] takes: a box, a circle or a point. Sealed.
+/// A shape that [`TileMap::flags_touched`] takes: a box, a circle or a point. Sealed.
 pub trait Probe: probe::Probe {}
 
 impl Probe for Aabb {}
