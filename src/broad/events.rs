@@ -185,6 +185,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     }
 
     /// Ends the frame.
+    ///
     /// `held` answers, for each pair of the last frame that did not come, whether it is still there
     /// because its bodies rest. It must be false for a pair with a removed body. Pass `|_| false`
     /// where nothing rests.

@@ -103,11 +103,9 @@ impl LooseGrid<1, 1> {
 }
 
 impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<BLOCKS, N, T, LARGE> {
-    /// An empty grid, which may be a `static`: the corner with the smallest coordinates, the side
     /// An empty grid, which may be a `static`. Pass the corner with the smallest coordinates, the
     /// side of a cell, and the number of columns.
     ///
-    /// The side is a power of two of raw units (so of units as well), that no index is found by
     /// The side is a power of two of raw units (so of units as well), and the columns are a power
     /// of two: no index needs a division. The blocks give the number of rows. Bodies outside are
     /// [clamped](Border::Clamp).
