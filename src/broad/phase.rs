@@ -9,8 +9,8 @@ use crate::num::{Fx, Raw, Toi, Vec2};
 use crate::shape::Aabb;
 use heapless::VecView;
 
-/// Boxes of bodies, and which of them are near each other: one interface, four ways to find them,
-/// the same answers.
+/// Finds which bodies are near each other, by their boxes. One interface, four implementations, the
+/// same answers.
 ///
 /// Boxes that only touch count ("near" is closed). It misses nothing that `overlaps`, `touches` or
 /// `contact` of the shapes would find. Insert a circle by its [`aabb`](crate::Circle::aabb), a fast

@@ -362,7 +362,7 @@ pub struct PairCursor {
 }
 
 impl PairCursor {
-    /// At the start.
+    /// A cursor at the start.
     #[must_use]
     pub const fn new() -> Self {
         Self { epoch: 0, under_way: false, row: 0, a: 0, b: 0, lane: 0 }

@@ -57,7 +57,7 @@ pub struct Room<'a, S: Set = AllShapes> {
 }
 
 impl<'a, S: Set> Room<'a, S> {
-    /// A room of a map that has an apron of so many cells on each side; its first cell is the cell
+    /// A room of a map with an apron of that many cells on each side. Its first cell is the cell
     /// (`x`, `y`) of a world.
     ///
     /// The map's own origin does not count. Where the world ends, the apron is filled by
@@ -137,7 +137,7 @@ impl<'a, S: Set> Room<'a, S> {
         0 <= p.x && p.x < width && 0 <= p.y && p.y < height
     }
 
-    /// The cell of the world that a cell of the room's [map](Self::map) is, such as that of a hit.
+    /// The world's cell for a cell of the room's [map](Self::map), such as that of a hit.
     #[must_use]
     pub const fn in_world(&self, cell: Cell) -> (i32, i32) {
         // The origin is not above 0 and not below the domain.
@@ -178,7 +178,7 @@ const fn apart(from: i32, to: i32, cell: i32) -> Option<i32> {
     if -2 * (DOMAIN as i64) < raw && raw < 2 * DOMAIN as i64 { Some(raw as i32) } else { None }
 }
 
-/// A world of tiles that is cut into equal rooms: one array of tiles, row after row, of up to 65535
+/// A world of tiles, cut into equal rooms: one array of tiles, row after row, of up to 65535
 /// columns and rows.
 ///
 /// A [`Room`] is a window of that array: its apron costs no flash and no memory. [Outside](Outside)
@@ -225,8 +225,8 @@ pub struct Rooms<'a, S: Set = AllShapes> {
 }
 
 impl<'a, S: Set> Rooms<'a, S> {
-    /// A world of so many columns and rows of cells, in rooms of so many; the last room of a row
-    /// and of a column may be smaller. See [`Room::apron_for`] for the apron, which is in cells.
+    /// A world of that many columns and rows of cells, in rooms of that many. The last room of a
+    /// row and of a column may be smaller.
     ///
     /// # Errors
     /// [`TileMapError`]: no cells, not enough tiles, a cell or a shape that a map cannot have. Also

@@ -14,7 +14,7 @@ use crate::world::grid::Grid;
 use heapless::VecView;
 
 impl<'a> SegmentMap<'a> {
-    /// What the level of these paths takes, on cells of side `cell` that cover them.
+    /// The size of the level of these paths, on cells of side `cell` that cover them.
     ///
     /// The first cell starts at the smallest coordinates of any point; where the last one would
     /// leave the domain, all are moved.
@@ -58,8 +58,8 @@ impl<'a> SegmentMap<'a> {
         }
     }
 
-    /// Writes the level of these paths to the start of `out`, and says how many bytes it is: what
-    /// [`from_bytes`](Self::from_bytes) takes.
+    /// Writes the level of these paths to the start of `out`, and returns its number of bytes.
+    /// [`from_bytes`](Self::from_bytes) reads them.
     ///
     /// Cost: [`measure`](Self::measure) and as much again. Each edge of a polygon is compared with
     /// all others, each end of a segment with the segments of its cell.
@@ -85,8 +85,7 @@ impl<'a> SegmentMap<'a> {
         }
     }
 
-    /// Writes the level of these paths to `out`, whose contents it replaces, and gives the view of
-    /// it.
+    /// Replaces the contents of `out` by the level of these paths, and returns a view of it.
     ///
     /// ```
     /// use heapless::Vec;

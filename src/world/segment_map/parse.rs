@@ -12,7 +12,7 @@ use crate::world::cell::Cell;
 use crate::world::error::{SegmentFault, SegmentMapError};
 use crate::world::grid::Grid;
 
-/// What a level takes: cells, segments, references, bytes. From [`SegmentMap::measure`].
+/// The size of a level: cells, segments, references, bytes. [`SegmentMap::measure`] computes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Size {
     pub(super) grid: Grid,
@@ -27,8 +27,8 @@ impl Size {
         self.grid
     }
 
-    /// Segments: the edges of polygons less what they share, two for an edge of a wall, one for an
-    /// edge of a one-way chain.
+    /// The number of segments. Edges that polygons share are not counted; an edge of a wall counts
+    /// two, of a one-way chain one.
     #[must_use]
     pub const fn segments(&self) -> u16 {
         self.segments

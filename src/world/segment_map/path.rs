@@ -6,7 +6,7 @@ use crate::num::{Axis, DOMAIN, Fx, Raw, Vec2};
 use crate::world::error::SegmentMapError;
 use crate::world::grid::Grid;
 
-/// What a [`Path`] is.
+/// The kinds of a [`Path`].
 ///
 /// ```text
 ///   Solid, either way round     Wall             OneWay, y down as on a screen
@@ -45,7 +45,7 @@ impl PathKind {
 pub struct Path<'a> {
     /// The corners. The last one of a polygon joins the first, which is not repeated.
     pub points: &'a [Vec2],
-    /// What it is.
+    /// Its kind.
     pub kind: PathKind,
     /// The user's flags.
     pub flags: u8,

@@ -67,7 +67,7 @@ pub struct Solids<'a> {
 }
 
 impl<'a> Solids<'a> {
-    /// All boxes of a list.
+    /// A level of all boxes of a list.
     #[must_use]
     pub const fn new(list: &'a [Solid]) -> Self {
         Self { list }
@@ -79,8 +79,8 @@ impl<'a> Solids<'a> {
         self.list
     }
 
-    /// The key of the solid that a feature, a contact, a floor or a hit names by its cell; `None`
-    /// where it is a tile's or a segment's.
+    /// The key of the solid that a feature, a contact, a floor or a hit names by its cell. `None`
+    /// for the cell of a tile or a segment.
     ///
     /// You can pass it whatever a [joined](crate::Joined) level reports. The
     /// [`source`](crate::Feature::source) tells apart the keys of two joined lists.

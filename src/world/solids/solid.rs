@@ -146,8 +146,8 @@ impl Solid {
         Self { shape, motion: Vec2::ZERO, ..self }
     }
 
-    /// Takes all solids of a list to their new places at once; call it after all bodies were asked
-    /// where they [ride](crate::Mover::ride), before they move by themselves.
+    /// Moves all solids of a list at once. Call it after you have asked where the bodies
+    /// [ride](crate::Mover::ride), and before they move by themselves.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Fx, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
@@ -174,13 +174,13 @@ impl Solid {
         }
     }
 
-    /// Where it is.
+    /// Its box.
     #[must_use]
     pub const fn shape(&self) -> Aabb {
         self.shape
     }
 
-    /// The game's name for it.
+    /// Your key for it.
     #[must_use]
     pub const fn key(&self) -> u16 {
         self.key
@@ -198,7 +198,7 @@ impl Solid {
         self.side
     }
 
-    /// What it adds to the motion of what stands on it.
+    /// The motion that it adds to the bodies that stand on it.
     #[must_use]
     pub const fn conveyor(&self) -> Vec2 {
         self.conveyor

@@ -28,7 +28,7 @@ use outline::beyond;
 use shape_surface::ShapeSurface;
 use surface::{BlockSurface, Surface};
 
-/// What lies beyond the cells of a [`TileMap`].
+/// The solid beyond the cells of a [`TileMap`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Outside {
@@ -43,8 +43,7 @@ pub enum Outside {
     Edge,
 }
 
-/// A level of square tiles, read from where it lies: it owns nothing and needs no memory but itself
-/// (60 bytes on a 32-bit core).
+/// A level of square tiles: a view that owns nothing, of 60 bytes on a 32-bit core.
 ///
 /// The solid is the union of its tiles' shapes, borders included, and of [`Outside`]. Its surface
 /// is derived from the tiles when you ask. Interior faces do not exist, so nothing can snag on a
