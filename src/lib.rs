@@ -130,7 +130,7 @@ pub use query::{CastHit, Contact, Inside, MovingHit};
 pub use scene::{Scene, SceneBody, SceneError};
 pub use shape::{Aabb, Circle, Segment};
 /// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types
-/// come from the crate's root.
+/// come from the crate's root, and cursors and parts of results from the modules.
 pub mod prelude {
     pub use crate::broad::BroadPhase;
     pub use crate::query::{CastShape, ClosestPoint, Contacts, Contains, Distance, Overlaps, Touches};
