@@ -57,13 +57,14 @@ impl fmt::Display for RangeError {
             Quantity::Width | Quantity::Height => "the second corner must be beyond the first",
             Quantity::MotionX | Quantity::MotionY => "shorten the motion, or begin it nearer to the origin",
             Quantity::BodySize => "a body that moves is below 8192 units wide and high",
-            Quantity::Snap | Quantity::Follow | Quantity::StepHeight => "it must be from 0 to below 4096 units",
             Quantity::Cells => {
                 return write!(
                     f,
                     "the motion visits too many cells, {value} or more: shorten it, or enlarge the cells"
                 );
             }
+            // The settings of walkers and riders.
+            _ => "it must be from 0 to below 4096 units",
         };
         write!(f, "{what:?} is out of range: {} ({value} raw); {settle}", Fx::from_bits(value))
     }
