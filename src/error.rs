@@ -34,7 +34,7 @@ pub enum Quantity {
     Length,
     /// How high a walker steps.
     StepHeight,
-    /// The number of cells of a level that a motion would visit, not a length.
+    /// The cells of a level that a motion comes to: their number, not a length.
     Cells,
 }
 

@@ -246,8 +246,7 @@ pub(super) struct Place {
     pub(super) point: usize,
 }
 
-/// Up to where, in multiples of the edge's direction from `t` on, nothing changes, and whether the
-/// edge is left there.
+/// Up to where, in multiples of the edge's direction from `t` on, nothing changes, and whether the edge is left there.
 ///
 /// ```text
 ///   edge      ------------------------->      Of m edges one way and n the other, the first min(m, n) of each are cancelled:

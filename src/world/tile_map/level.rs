@@ -1,7 +1,6 @@
-//! A tile map as a level: its cells, which of them a box of coordinates reaches, and where there is
-//! anything at all.
+//! A tile map as a level: its cells, which of them a box of coordinates reaches, and where there is anything at all.
 //!
-//! Rows that are known to be empty are passed over: one bit per tile in the caller's storage.
+//! Rows that are known to be empty are passed over: one bit a tile in the caller's storage.
 
 use super::clear::is_clear;
 use super::surface::BlockSurface;
@@ -294,8 +293,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 }
 
 impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
-    /// How many words [`fill_occupancy`](Self::fill_occupancy) needs: one for each 32 columns or
-    /// part of them, for every row.
+    /// The words that [`fill_occupancy`](Self::fill_occupancy) needs: one for each 32 columns begun, for every row.
     #[must_use]
     pub const fn occupancy_words(&self) -> usize {
         self.words_a_row() as usize * self.grid.y.count as usize
@@ -305,8 +303,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         (self.grid.x.count as u32).div_ceil(32)
     }
 
-    /// Writes one bit per tile, set where its shape is not empty: bit `x % 32` of word `x / 32` of
-    /// each row. Further words stay as they are.
+    /// Writes one bit a tile, set where its shape is not empty: bit `x % 32` of word `x / 32` of each row. Words beyond are left alone.
     ///
     /// # Errors
     /// [`TileMapError::Occupancy`] where the words are too few; nothing is written then.
@@ -329,11 +326,10 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(())
     }
 
-    /// Uses the bits of [`fill_occupancy`](Self::fill_occupancy). Answers stay the same, and are
-    /// faster where rows of cells are empty.
+    /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy) at hand: the same answers, faster where rows of cells are empty.
     ///
-    /// The bits are compared with the tiles, so a map cannot lie. That is one look-up per tile, in
-    /// the compiler for a `const` map. After you write a tile, fill them again.
+    /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the compiler for a `const` map. After a tile is written, fill
+    /// them again.
     ///
     /// ```
     /// use tilesat::{Cell, TileKind, TileKinds, TileMap, TileMapError};
@@ -377,8 +373,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(self)
     }
 
-    /// The row of the first word that is missing. A row has at least one word, so the division is
-    /// by no zero.
+    /// The row of the first word that is missing. A row has at least one word, so the division is by no zero.
     const fn too_few(&self, found: usize) -> TileMapError {
         let row = match (found as u32).checked_div(self.words_a_row()) {
             Some(row) => row as u16,

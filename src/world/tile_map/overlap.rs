@@ -64,8 +64,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     const fn box_overlaps_blocks(&self, lo: Raw, hi: Raw) -> bool {
         let mut range = self.open_range(lo, hi);
-        // A side of no length on a cell's border is inside the solid only where the cells on both
-        // sides are full: then the open range is reversed, and starts at the first of the two.
+        // A side of no length on a cell's border is inside the solid only where the cells on both sides are full: then the open range is
+        // reversed, and starts at the first of the two.
         let (mut pair_x, mut pair_y) = (0, 0);
         if lo.x == hi.x {
             pair_x = range.x0.wrapping_sub(range.x1);
