@@ -20,7 +20,7 @@
 
 use tilesat_games::platformer::{flash, sim};
 
-/// What the desktop example plays by default, and the run of the golden hashes.
+/// The run of the desktop example by default, and the run of the golden hashes.
 const RUNS: [u32; 2] = [sim::FIRMWARE_FRAMES, 10_000];
 
 #[cfg(not(target_os = "none"))]

@@ -1,4 +1,4 @@
-//! What can be wrong with an input: small values that say what and where.
+//! The errors that several modules share: small values that say what and where.
 
 use crate::num::Fx;
 use core::fmt;

@@ -90,7 +90,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
-// What could panic, or would be floating point, is refused in the library; tests and examples are
+// Panics and floating point are refused in the library; tests and examples are
 // free.
 #![warn(
     clippy::expect_used,

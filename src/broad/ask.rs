@@ -1,5 +1,5 @@
-//! What a broad phase is asked beside its pairs: bodies near a point, on a way, in order; the pairs
-//! of a few.
+//! The queries of a broad phase, beside its pairs: bodies near a point, on a way, in order; the
+//! pairs of a few.
 //!
 //! Answers are in canonical order, the first of them where room is short.
 

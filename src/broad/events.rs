@@ -16,7 +16,7 @@ pub(in crate::broad) fn place<K: Ord, V>(entries: &[Entry<K, V>], key: &K) -> us
     entries.partition_point(|entry| matches!(entry, Entry(Some((k, _))) if k < key))
 }
 
-/// What is kept under a key whose place was asked for.
+/// The value under a key that was searched for.
 #[inline]
 pub(in crate::broad) fn known<'a, K: Eq, V>(entries: &'a mut [Entry<K, V>], at: usize, key: &K) -> Option<&'a mut V> {
     match entries.get_mut(at) {
@@ -197,7 +197,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
         finish(&mut self.entries, &mut self.frame, held)
     }
 
-    /// What became of each pair in the frame that ended last, in ascending order of pairs; nothing
+    /// The fate of each pair in the frame that ended last, in ascending order of pairs; nothing
     /// where the next one is being fed already.
     pub fn iter(&self) -> impl Iterator<Item = PairEvent<P>> {
         let told: &[Entry<P, Mark>] = if self.frame.over { &self.entries } else { &[] };

@@ -1,4 +1,4 @@
-//! What all broad phases have in common.
+//! The calls that all broad phases have in common.
 
 use super::ask::{along, cast, nearest, neighbours, pairs_of, sorted_pairs, sorted_region};
 use super::table::Spatial;
@@ -24,7 +24,7 @@ use heapless::VecView;
 /// | who is nearest? | | [`nearest`](Self::nearest), [`neighbours`](Self::neighbours) |
 /// | who is on the way? | [`along`](Self::along) | [`cast_ray`](Self::cast_ray), [`cast_shape`](Self::cast_shape) |
 ///
-/// What is written for all of them names what bodies carry:
+/// Code for all of them names the tag that bodies carry:
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, LooseGrid, SortSweep};
@@ -109,7 +109,7 @@ pub trait BroadPhase: Spatial {
         bodies.bounds.get(slot).copied().ok_or(BroadError::Stale(handle))
     }
 
-    /// What a body carries.
+    /// The tag of a body.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).

@@ -7,7 +7,7 @@ use super::{BroadError, Handle, Pair, PairCursor, PairsError, Tag};
 use crate::shape::Aabb;
 use core::slice::Iter;
 
-/// What both do the same: they take any box, and a query tests each.
+/// The common part of both: they take any box, and a query tests each.
 macro_rules! any_box {
     () => {
         type Tag = T;

@@ -243,7 +243,7 @@ impl<T: Tag> Slots<'_, T> {
 /// Sealed: nothing outside of the crate implements it or needs to name it. The public face is
 /// [`BroadPhase`](super::BroadPhase), which has its [`Tag`](Self::Tag).
 pub trait Spatial: Sized {
-    /// What bodies carry.
+    /// The tag that bodies carry.
     type Tag: Tag;
     /// Where a box belongs.
     type Place: Copy;
@@ -354,7 +354,7 @@ pub(super) fn square(centre: Raw, reach: i32) -> Aabb {
 pub struct PairCursor {
     pub(super) epoch: u32,
     pub(super) under_way: bool,
-    /// What is left to do of the present row or cell, as each broad phase sees it.
+    /// The rest of the present row or cell, as each broad phase sees it.
     pub(super) row: u16,
     pub(super) a: u16,
     pub(super) b: u16,

@@ -20,7 +20,8 @@
 //!
 //! # Degenerate cases
 //!
-//! What is decided by convention or is easily guessed wrong; "point" means a shape of no size.
+//! Cases that are decided by convention, or are easily guessed wrong; "point" means a shape of no
+//! size.
 //!
 //! | case | `overlaps` | `touches` | `contact` |
 //! |---|---|---|---|

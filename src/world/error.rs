@@ -1,4 +1,4 @@
-//! What can be wrong with a level: of tiles, and of segments.
+//! The errors of levels: of tiles, and of segments.
 
 use super::cell::Cell;
 use crate::error::Quantity;
@@ -198,7 +198,7 @@ pub enum SegmentMapError {
     Segment {
         /// Its index.
         index: u16,
-        /// What is wrong.
+        /// Its fault.
         fault: SegmentFault,
     },
     /// A cell does not list the segments that meet it.

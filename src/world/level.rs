@@ -1,4 +1,4 @@
-//! What a level is: the faces and vertices of its surface, which are all that motion ever sees of
+//! A level: the faces and vertices of its surface, which are all that motion ever sees of
 //! it; the trait that movers see it through; and the methods that every kind of level has.
 
 use super::cell::{Block, Cell, Cells};
@@ -153,7 +153,7 @@ pub struct Way<'a> {
     pub(crate) cells: Option<Cells>,
     /// The same of the piece before.
     pub(crate) before: Option<&'a Aabb>,
-    /// What they cover in the whole motion, a raw unit larger on every side.
+    /// The box that they cover in the whole motion, a raw unit larger on every side.
     pub(crate) whole: Aabb,
     /// The whole motion, not zero.
     pub(crate) d: Raw,
@@ -161,7 +161,7 @@ pub struct Way<'a> {
     pub(crate) joints: bool,
 }
 
-/// What a look at a region found.
+/// The result of a look at a region.
 ///
 /// Public in a private module, because a sealed trait's method writes it.
 #[derive(Clone, Copy, Debug)]

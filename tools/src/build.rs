@@ -24,7 +24,7 @@ use crate::fail::Fail;
 use crate::model::map::Map;
 use crate::rules::options::Options;
 
-/// What is wrong with a folder of levels: a line for each that is refused.
+/// The errors of a folder of levels: a line for each that is refused.
 ///
 /// Where `main` returns it, the program exits with 1 and Cargo shows the lines.
 #[derive(Clone, PartialEq, Eq)]
@@ -145,5 +145,5 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>, Failed> {
     Ok(files)
 }
 
-/// What the names of level files end in.
+/// The endings of level files.
 const ENDS: [&str; 3] = ["tmx", "tmj", "ldtk"];

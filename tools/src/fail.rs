@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What went wrong, to be shown on one line.
+/// An error that is shown on one line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fail(String);
 

@@ -8,7 +8,7 @@ use crate::broad::{BroadError, GridError, Tag};
 use crate::num::{Fx, Vec2, check_coordinate};
 use crate::shape::Aabb;
 
-/// What a [`LooseGrid`] does with a body whose centre is outside of its cells.
+/// How a [`LooseGrid`] treats a body whose centre is outside of its cells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Border {

@@ -335,14 +335,15 @@ fn log_parts(lattice: &Lattice, motion: Raw) -> u32 {
     (32 - leading_zeros32(most)).saturating_sub(lattice.log()).min(MOST_PARTS)
 }
 
-/// What a window has that the one before did not have: whole rows, and the rest of the other rows.
+/// The cells of a window that the one before did not have: whole rows, and the rest of the other
+/// rows.
 fn fresh(now: Window, before: Option<Window>) -> [Window; 2] {
     const NONE: Run = Run { lo: 0, hi: -1 };
     let Some(before) = before else { return [now, Window { x: NONE, y: NONE }] };
     [Window { x: now.x, y: beyond(now.y, before.y) }, Window { x: beyond(now.x, before.x), y: now.y.and(before.y) }]
 }
 
-/// What a run has that another has not, which is at one of its sides.
+/// The part of a run that another has not, which is at one of its sides.
 fn beyond(now: Run, before: Run) -> Run {
     if now.hi > before.hi {
         Run { lo: now.lo.max(before.hi + 1), hi: now.hi }

@@ -45,7 +45,7 @@ pub trait InCells: Sized {
     /// `OutOfWorld`.
     fn number(&self, bounds: &Aabb) -> Result<u16, BroadError>;
 
-    /// What a move of all bodies has to do with.
+    /// The data that a move of all bodies touches.
     fn moving(&mut self) -> Moving<'_, Self::Tag, impl Fn(u16, &Aabb) -> bool>;
 
     /// How the lists of neighbours are named.

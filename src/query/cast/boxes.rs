@@ -51,7 +51,7 @@ impl Span {
     }
 }
 
-/// What the box `alo..ahi` that moves by `d` meets of the box `blo..bhi`.
+/// The side of the box `blo..bhi` that the box `alo..ahi` meets when it moves by `d`.
 ///
 /// Before a motion boxes overlap where they are within both spans; then no motion leaves one
 /// without a part of it inside.
@@ -156,7 +156,7 @@ pub(super) enum Gate {
 }
 
 impl Gate {
-    /// What a circle that moves by `d` meets of it.
+    /// The part of it that a circle meets when it moves by `d`.
     #[inline]
     pub(super) fn enter(self, circle: &Circle, d: Raw) -> Option<Rounded> {
         match self {

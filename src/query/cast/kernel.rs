@@ -1,4 +1,4 @@
-//! What a cast is asked and answers, and what a pair provides of [`CastShape`](super::CastShape);
+//! The arguments and answers of a cast, and each pair's part of [`CastShape`](super::CastShape);
 //! public in a private module.
 
 use crate::error::RangeError;
@@ -32,7 +32,7 @@ impl<M: Moment> Moment for Exchanged<M> {
     }
 }
 
-/// What becomes of a motion.
+/// The fate of a motion.
 #[derive(Clone, Copy, Debug)]
 pub enum Course<M> {
     /// It starts no overlap.

@@ -74,8 +74,9 @@ fn enter<const N: usize>(strips: [Strip; N]) -> Course<Edge> {
 }
 
 impl Edge {
-    /// Of two entries the later one; at one moment the one that opposes the motion more, then the one more along x, then the one that is
-    /// on a definite side of the motion, which exchanging the shapes does not change.
+    /// Of two entries the later one; at one moment the one that opposes the motion more, then the
+    /// one more along x, then the one that is on a definite side of the motion, which exchanging
+    /// the shapes does not change.
     fn later(self, b: Self) -> Self {
         match mul64(self.gap, b.speed).cmp(&mul64(b.gap, self.speed)) {
             Ordering::Less => b,
@@ -129,7 +130,7 @@ impl Moment for Edge {
     }
 }
 
-/// What the box `lo..hi` that moves by `d` meets of the segment from `a` to `b`.
+/// The side of the segment from `a` to `b` that the box `lo..hi` meets when it moves by `d`.
 ///
 /// Strips across x, y and the segment: products of differences below 2^30, so below 2^61, and
 /// speeds below 2^60.
@@ -198,7 +199,7 @@ pub(super) enum Gate {
 }
 
 impl Gate {
-    /// What a circle that moves by `d` meets of it.
+    /// The part of it that a circle meets when it moves by `d`.
     #[inline]
     pub(super) fn enter(self, circle: &Circle, d: Raw) -> Option<Capsule> {
         match self {
@@ -284,9 +285,10 @@ fn enter_strip(circle: &Circle, (a, b): (Raw, Raw), d: Raw) -> Option<Slope> {
 impl Slope {
     /// The exact floor.
     ///
-    /// At a moment T, in parts of 2^30, the height is g + f / 2^30 with g the whole part of `gap - into T / 2^30`. It is below the
-    /// root of the reach where g^2 + 2 g f / 2^30 + f^2 / 2^60 is below the reach: where not already its whole parts tell, what is left of
-    /// the reach is at most 2 g, so in parts of 2^60 all sides are below 2^123.
+    /// At a moment T, in parts of 2^30, the height is g + f / 2^30 with g the whole part of
+    /// `gap - into T / 2^30`. It is below the root of the reach where g^2 + 2 g f / 2^30 + f^2 /
+    /// 2^60 is below the reach: where not already its whole parts tell, what is left of the reach
+    /// is at most 2 g, so in parts of 2^60 all sides are below 2^123.
     fn exact_toi(&self) -> Toi {
         last_before(self.bound(), |t| {
             // into * T in parts of 2^30: into is below 2^61, and split to leave the whole part.

@@ -1,4 +1,4 @@
-//! What a contact says, rounded when asked, and how each pair of shapes makes one.
+//! The answers of a contact, rounded on request, and how each pair of shapes makes one.
 
 use super::{Contact, Contacts, parallel_to_unit};
 use crate::num::{Axis, Fx, Raw, Vec2, div_sqrt, isqrt64, less128, mul64, scaled, sqr64, umul, unit_ceil, usqr};

@@ -1,4 +1,4 @@
-//! What a level still shows where another level covers it: the rules of
+//! The surface that a level still shows where another level covers it: the rules of
 //! [`Joined`](crate::world::Joined).
 //!
 //! A body with area that is outside of both solids and touches both at a point `p` has a tangent
@@ -21,7 +21,7 @@ use crate::query::meet;
 use crate::shape::Aabb;
 use crate::world::level::{Feature, Geometry, World, normal};
 
-/// What is left of a feature beside the other level; `first` says whose corner stands for both
+/// The rest of a feature beside the other level; `first` says whose corner stands for both
 /// where both have one.
 pub(in crate::world) fn shown<W: World>(mut feature: Feature, other: &W, first: bool) -> Option<Feature> {
     match &mut feature.geometry {
@@ -125,7 +125,7 @@ impl Edge {
         along(self.a) > 0 && along(self.b) < 0
     }
 
-    /// What another level's face says about the points just in front of this one.
+    /// The information of another level's face about the points just in front of this one.
     fn beside(&self, o: &Self) -> Front {
         let (from, to) = (self.in_front(o.a), self.in_front(o.b));
         let bared = match (from.signum(), to.signum()) {
@@ -160,7 +160,7 @@ impl Edge {
     }
 }
 
-/// What is just in front of a face.
+/// The points just in front of a face.
 enum Front {
     /// Somewhere nothing.
     Bare,

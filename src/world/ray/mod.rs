@@ -141,7 +141,7 @@ macro_rules! rays {
 }
 pub(in crate::world) use rays;
 
-/// What the pieces of a level can be.
+/// The kinds of pieces that a level can have.
 pub(in crate::world) trait RayPieces {
     /// Whether times of faces can be fractions of more than words; see [`Time`].
     const WIDE: bool;

@@ -63,7 +63,7 @@ pub(in crate::world) fn along(x: &Lane, y: &Lane, cell: u32) -> Axes {
     columns | if y.size == 0 && y.on_line(cell) { Y } else { 0 }
 }
 
-/// What a walk does at the border of a grid.
+/// How a walk treats the border of a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::world) enum Beyond {
     /// Nothing is beyond: the walk ends where it leaves the grid.

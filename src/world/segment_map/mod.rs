@@ -224,7 +224,7 @@ impl Iterator for Refs<'_> {
     }
 }
 
-/// What a segment is.
+/// The kind of a segment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::world) enum Kind {
     /// The boundary of a solid, which lies on the left of its direction.
@@ -258,7 +258,7 @@ pub(in crate::world) struct Seg {
 /// Segments are fewer than this: twice an index, and one for the vertex, is the index of a feature.
 pub(super) const MOST: u16 = 1 << 15;
 
-/// What `next` holds where there is no vertex.
+/// The value of `next` where there is no vertex.
 pub(super) const NONE: u16 = u16::MAX;
 
 /// The bits of the attribute byte.

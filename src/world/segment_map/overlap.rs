@@ -205,7 +205,7 @@ fn side(seg: &Seg, q: Raw) -> i64 {
 #[derive(Clone, Copy)]
 pub(super) struct Spoke {
     pub(super) dir: Raw,
-    /// What the winding number changes by from its right to its left.
+    /// The change of the winding number from its right to its left.
     pub(super) change: i32,
 }
 
@@ -322,7 +322,7 @@ struct FramedEdge {
 struct Cut {
     num: u64,
     den: u32,
-    /// What the winding numbers change by.
+    /// The change of the winding numbers.
     above: i32,
     below: i32,
 }

@@ -1,4 +1,4 @@
-//! What the tiles of a level are: shapes, user flags, and the table from ids to both.
+//! The tiles of a level: shapes, user flags, and the table from ids to both.
 
 /// The solid part of a tile.
 ///

@@ -1,4 +1,4 @@
-//! What each shape does in its cell: the part that it fills, as one inequality, and all that joins
+//! Each shape in its cell: the part that it fills, as one inequality, and all that joins
 //! its border to its neighbours.
 
 use crate::num::Axis;

@@ -28,7 +28,7 @@ pub struct CellWalk {
     pub(super) seen: Range,
 }
 
-/// What of a cell's surface is asked for.
+/// The wanted part of a cell's surface.
 ///
 /// Public in a private module, because a sealed trait names it.
 #[derive(Clone, Copy, Debug)]

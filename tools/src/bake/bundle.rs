@@ -18,10 +18,10 @@ use crate::rules::options::{Options, listed};
 use crate::rules::outline::Outline;
 use crate::rules::union;
 
-/// What a project does not say.
+/// The settings that a project does not give.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Settings {
-    /// What is solid.
+    /// The solid.
     pub options: Options,
     /// Side of the cells that objects are sorted into; that of a tile where it is not said.
     pub cell: Option<Fx>,
@@ -31,7 +31,7 @@ pub struct Settings {
 #[derive(Debug, Clone)]
 pub struct Bundle {
     pub levels: Vec<Baked>,
-    /// What the ids of all levels stand for.
+    /// The meaning of the ids of all levels.
     pub kinds: Vec<TileKind>,
     /// The name of each flag bit, bit 0 first.
     pub flags: Vec<String>,

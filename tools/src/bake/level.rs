@@ -19,7 +19,7 @@ pub struct Level {
     pub origin: (i32, i32),
     /// One id a tile, row by row.
     pub tiles: Vec<u8>,
-    /// What each id stands for; id 0 is nothing at all.
+    /// The meaning of each id; id 0 is empty.
     pub ids: Vec<TileKind>,
     /// The name of each flag bit, bit 0 first.
     pub flags: Vec<String>,
@@ -55,7 +55,7 @@ impl Ids {
         Ok(id)
     }
 
-    /// What each id stands for.
+    /// The meaning of each id.
     pub fn kinds(&self) -> &[TileKind] {
         &self.kinds
     }
@@ -134,7 +134,7 @@ impl Level {
         self.flags.iter().position(|f| f.eq_ignore_ascii_case(name)).map_or(0, |bit| 1 << bit)
     }
 
-    /// What a cell is.
+    /// The content of a cell.
     pub fn kind(&self, x: u16, y: u16) -> TileKind {
         let id = self.tiles[usize::from(y) * usize::from(self.width) + usize::from(x)];
         self.ids[usize::from(id)]

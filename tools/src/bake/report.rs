@@ -1,10 +1,10 @@
-//! What a level costs: bytes, cells, and the pieces of surface that a query meets.
+//! The costs of a level: bytes, cells, and the pieces of surface that a query meets.
 
 use tilesat::prelude::*;
 use tilesat::world::World;
 use tilesat::{Aabb, Cell, Feature, Fx, Geometry, Grid, Segment, Vec2};
 
-/// What a cell is to a query.
+/// The role of a cell in a query.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Class {
     Empty,

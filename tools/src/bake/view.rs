@@ -58,7 +58,7 @@ pub(crate) fn scene(
     scene
 }
 
-/// What is solid lets the drawing below it through.
+/// The solid lets the drawing below it through.
 fn let_through(scene: &mut Scene) {
     for mark in &mut scene.marks {
         if let Mark::Rect { fill, .. } = mark {

@@ -168,7 +168,7 @@ fn tell_whole(out: &mut dyn Write, line: &str) {
     let _ = writeln!(out, "{line}");
 }
 
-/// What became of a level.
+/// The result for a level.
 fn told(baked: &Baked, bundle: &Bundle, lines: &[String], out: &mut dyn Write) {
     if bundle.levels.len() > 1 {
         tell(out, &format!("level   {}", baked.ground.name));

@@ -14,7 +14,7 @@ use crate::read::{self, Levels};
 use crate::rules::names;
 use crate::rules::options::Options;
 
-/// What the usage of each subcommand says about it.
+/// The text about it in the usage of each subcommand.
 pub(crate) const LEVEL: &str = "
 LEVEL is a map of Tiled (.tmx, .tmj; finite or infinite, in any encoding) or a
 project of LDtk (.ldtk).

@@ -14,7 +14,7 @@ use crate::fail::{Fail, Result};
 /// A program that plays levels.
 #[derive(Debug, Clone)]
 pub struct Program {
-    /// What its usage and its errors begin with.
+    /// The beginning of its usage and its errors.
     pub name: &'static str,
     /// Levels that `--level` knows by name, the first being played where no level is given.
     pub levels: Vec<(&'static str, PathBuf)>,
@@ -49,7 +49,7 @@ The last line is  frames=N bodies=N contacts=N overlaps=N escaped=N hash=XXXXXXX
 Exit status: 0 no error, 1 an overlap or an escape, 2 bad arguments or a bad file.
 ";
 
-/// What is to be done.
+/// The job.
 pub(super) struct Options {
     pub(super) file: PathBuf,
     pub(super) input: Input,

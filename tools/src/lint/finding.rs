@@ -1,4 +1,4 @@
-//! What the linter says.
+//! The linter's messages.
 
 use std::fmt;
 use std::rc::Rc;

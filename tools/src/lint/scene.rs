@@ -11,7 +11,7 @@ use super::surface::Surface;
 use crate::rules::ground::Ground;
 use crate::rules::outline::Outline;
 
-/// What moves through the level, in raw units.
+/// The body that moves through the level, in raw units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Body {
     Box { width: i64, height: i64 },
@@ -36,7 +36,7 @@ pub(crate) struct Scene<'a> {
     pub index: Index,
     pub surface: Option<Surface>,
     pub findings: Findings,
-    /// What each outline is called.
+    /// The name of each outline.
     titles: Vec<Rc<str>>,
     /// Whether each outline has an inside.
     insides: Vec<bool>,

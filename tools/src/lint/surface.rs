@@ -33,7 +33,7 @@ pub(super) fn of(level: Level) -> Result<Surface> {
     let map = map.map_err(|e| of_layer(&format!("cannot be compared: {e}")))?.with_outside(Outside::Solid);
     let whole = Aabb::new(map.grid().origin(), map.grid().end()).map_err(|e| of_layer(&e))?;
 
-    // What the outside adds is no part of the level.
+    // The outside is not part of the level.
     let features = map.features(&whole).filter(|feature| map.tile(feature.cell).is_some());
     let features: Vec<Feature> = features.take(MAX_FEATURES + 1).collect();
     if features.len() > MAX_FEATURES {

@@ -14,7 +14,7 @@ pub struct Flip {
 }
 
 impl Flip {
-    /// What the tile is after the flip.
+    /// The tile after the flip.
     ///
     /// After empty and full come groups of four that turn right: halves and one-way edges by side,
     /// from the top; all others by corner, from the top left. The diagonal keeps the corners on it

@@ -28,7 +28,7 @@ pub struct Tileset {
     pub tiles: HashMap<u32, Tile>,
 }
 
-/// What is known of a tile.
+/// The known facts of a tile.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Tile {
     pub class: String,

@@ -1,4 +1,4 @@
-//! What the small games draw: the solid of a level, ways through it, and the file.
+//! The drawings of the small games: the solid of a level, ways through it, and the file.
 
 use std::env;
 use std::path::PathBuf;

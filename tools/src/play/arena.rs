@@ -1,4 +1,4 @@
-//! What is played in: tiles, and segments where there are some.
+//! The level that is played: tiles, and segments where there are some.
 
 use tilesat::{Fx, SegmentMap};
 

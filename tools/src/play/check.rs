@@ -9,7 +9,7 @@ use super::outline::Outline;
 use super::walls::Walls;
 use crate::bake::level::Level;
 
-/// What a body did wrong in one frame.
+/// The fault of a body in one frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Fault {
     /// Its interior meets the interior of a solid tile.
@@ -22,7 +22,7 @@ pub struct Fault {
 #[derive(Debug, Clone)]
 pub struct Checker {
     tiles: Vec<u8>,
-    /// What each id fills of its cell.
+    /// The part of its cell that each id fills.
     solid: Vec<Outline>,
     /// Which of the areas that walls separate a cell's free part belongs to; 0 for cells without
     /// one.

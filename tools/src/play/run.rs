@@ -22,7 +22,7 @@ use crate::fail::{Fail, Result};
 const PLAYER_TRAIL: usize = 2400;
 const TRAIL: usize = 180;
 
-/// What a run left behind.
+/// The traces of a run.
 #[derive(Debug, Clone)]
 pub struct Run {
     pub frames: u32,

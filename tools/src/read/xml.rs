@@ -12,7 +12,7 @@ const MAX_ATTRIBUTES: usize = 500;
 
 type Result<T> = std::result::Result<T, String>;
 
-/// What comes next in an element.
+/// The next part of an element.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Event<'a> {
     /// A child begins; its own events come before those of the element around it.

@@ -123,7 +123,7 @@ impl World {
         self.kinds.iter().all(|kind| Blocks::SHAPES >> kind.shape as u8 & 1 != 0)
     }
 
-    /// What the compiler would say of the source, said now.
+    /// The compiler's errors about the source, reported early.
     fn check(&self) -> Result<()> {
         let kinds = self.kinds.iter().zip(0..).fold(TileKinds::EMPTY, |kinds, (kind, id)| kinds.with(id, *kind));
         let cell = Fx::from_num(self.cell);
@@ -145,7 +145,7 @@ impl World {
         source::source(self)
     }
 
-    /// What it costs, line by line.
+    /// Its cost, line by line.
     pub fn report(&self) -> Vec<String> {
         let tiles = self.whole.as_ref().map_or(0, |whole| whole.tiles.len());
         let tiles = tiles + self.rooms.iter().map(|room| room.tiles.len()).sum::<usize>();

@@ -35,7 +35,7 @@ fn moved(outline: &Outline, by: Point) -> Outline {
     Outline { points, ..outline.clone() }
 }
 
-/// What lies strictly beyond a side of a window.
+/// The points strictly beyond a side of a window.
 #[derive(Clone, Copy)]
 struct Beyond {
     /// Along x or y, outward.

@@ -13,7 +13,7 @@ pub(super) struct Corners {
     pub(super) error: u32,
 }
 
-/// What round things may be off, in pixels.
+/// The tolerance of round forms, in pixels.
 const OFF: f64 = 1.0 / 8.0;
 /// More would not be seen, and cost flash.
 const MOST_CORNERS: u32 = 64;

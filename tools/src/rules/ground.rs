@@ -27,7 +27,7 @@ use super::{nothing, paths};
 use crate::fail::{Fail, Result};
 use crate::model::map::{Content, Map, Place};
 
-/// What of a level is solid.
+/// The solid of a level.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Ground {
     pub name: String,
@@ -48,9 +48,9 @@ pub struct Ground {
     pub left_out: Vec<LeftOut>,
     /// The rules that made something solid.
     pub applied: Vec<Applied>,
-    /// What was drawn and is no part of the level.
+    /// Drawings that are not part of the level.
     pub ignored: Vec<String>,
-    /// What else the user should know.
+    /// Further notes for the user.
     pub notes: Vec<String>,
     pub place: Option<Place>,
     /// Pixels from where the map has a thing to where the level has it, after scaling.
@@ -58,7 +58,7 @@ pub struct Ground {
 }
 
 impl Ground {
-    /// What of a map is solid; new flags take the bits that are left.
+    /// The solid of a map; new flags take the bits that are left.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! What the identifier of an `LDtk` value means: the name of a shape, then the names of flags,
+//! The meaning of the identifier of an `LDtk` value: the name of a shape, then the names of flags,
 //! joined by underscores: `Full`, `SlopeTopLeft_Ice`, `slope_top_left`, `Empty_Coin`; else by the
 //! words in it.
 

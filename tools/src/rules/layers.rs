@@ -60,7 +60,7 @@ impl<'a> Layers<'a> {
         })
     }
 
-    /// What the tiles of a layer are, all rules but the guess.
+    /// The kinds of the tiles of a layer, by all rules except the guess.
     pub(super) fn sheet(&mut self, layer: &'a Layer, tiles: &'a Tiles) -> Made<Sheet<'a>> {
         let mut counts: HashMap<u32, u64> = HashMap::new();
         for line in tiles.cells.chunk_by(|a, b| a == b).filter(|line| line[0] != 0) {
@@ -200,7 +200,7 @@ impl<'a> Layers<'a> {
     }
 }
 
-/// What drawn shapes are to the library.
+/// The library's shapes for drawn ones.
 fn became(piece: &Piece) -> String {
     match piece {
         Piece::Shape(shape) => names::name(*shape),

@@ -12,7 +12,7 @@ use crate::model::map::Layer;
 use crate::model::object::{Form, Object};
 use tilesat::TileShape;
 
-/// What a layer says about its objects: a kind, or that they are solid as they are drawn.
+/// A layer's setting for its objects: a kind, or that they are solid as they are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Says {
     Kind(Kind),
@@ -20,7 +20,7 @@ pub(super) enum Says {
     Nothing,
 }
 
-/// What the names of a layer of objects say.
+/// The settings in the names of a layer of objects.
 pub(super) fn layer_says(layer: &Layer, options: &Options) -> Says {
     let own: Vec<&str> = [&layer.name, &layer.class].into_iter().chain(&layer.marks).map(String::as_str).collect();
     let by_option = listed(&options.objects, &layer.name) || listed(&options.solid_layers, &layer.name);

@@ -1,4 +1,4 @@
-//! What a user says about a project where its names do not say it.
+//! A user's options for a project whose names do not say enough.
 
 use tilesat::TileShape;
 

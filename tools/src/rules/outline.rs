@@ -5,7 +5,7 @@ use std::fmt;
 
 use super::kind::Kind;
 
-/// What an object is called.
+/// The name of an object.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Title {
     pub id: u32,

@@ -1,5 +1,5 @@
-//! What a placed tile fills: a shape of its cell, several cells, or paths that are no shape of the
-//! library.
+//! The area that a placed tile fills: a shape of its cell, several cells, or paths that are no
+//! shape of the library.
 #![allow(clippy::cast_precision_loss, reason = "raw coordinates are below 2^53")]
 
 use tilesat::TileShape;
@@ -15,7 +15,7 @@ use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
 use crate::model::object::{Form, Object, Spot};
 
-/// What a tile fills.
+/// The area that a tile fills.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Piece {
     Shape(TileShape),
@@ -47,7 +47,7 @@ struct Frame {
     height: i64,
 }
 
-/// What a tile of a layer with cells of `tile` pixels fills.
+/// The area that a tile of a layer with cells of `tile` pixels fills.
 pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: &Likeness) -> Piece {
     let side = i64::from(tile);
     let cell = Frame { x: 0, y: 0, width: side, height: side };
@@ -130,7 +130,7 @@ fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option
         points.truncate(2);
         closed = false;
     } else if kind.has_area() || kind == Kind::Wall {
-        // What a wall is made of is solid, as far as it has an inside.
+        // A wall's own area is solid, as far as it has an inside.
         kind = match kind {
             Kind::Hole if closed => Kind::Hole,
             _ if closed => Kind::Solid,
@@ -156,7 +156,7 @@ fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option
 /// A tile of more corners is no shape of the library.
 const MOST_CORNERS: usize = 128;
 
-/// What the shapes of a tile are together.
+/// The union of the shapes of a tile.
 fn recognised(paths: Vec<Path>, likeness: &Likeness) -> Piece {
     if paths.iter().map(|path| path.points.len()).sum::<usize>() > MOST_CORNERS {
         return Piece::Paths(paths);

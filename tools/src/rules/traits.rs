@@ -1,4 +1,4 @@
-//! What the names and properties of a tile say about it.
+//! The traits of a tile, from its names and properties.
 
 use tilesat::TileShape;
 
@@ -9,7 +9,8 @@ use super::words::plain;
 const FULL: [&str; 6] = ["collision", "solid", "collides", "collidable", "wall", "blocked"];
 const ONE_WAY: &str = "oneway";
 
-/// What a class or the name of a true property says: the shape of a tile, or nothing that is known.
+/// The trait of a class or of the name of a true property: the shape of a tile, or nothing that is
+/// known.
 pub(super) fn shape(name: &str) -> Option<TileShape> {
     let name = plain(name);
     let is = |known: &str| name == known || name.strip_suffix('s') == Some(known);

@@ -44,7 +44,7 @@ pub(crate) fn depth(polygons: &[Vec<Point>]) -> u32 {
     edges.max().unwrap_or(0)
 }
 
-/// What does not cancel, as directed edges.
+/// The edges that do not cancel, directed.
 fn left_over(polygons: &[Vec<Point>]) -> Vec<(Point, Point)> {
     let directed = |((start, end), count): ((Point, Point), i32)| {
         let edge = if count > 0 { (start, end) } else { (end, start) };

@@ -1,4 +1,4 @@
-//! What a placed tile is by itself, wherever it lies.
+//! The kind of a placed tile, wherever it lies.
 
 use tilesat::TileShape;
 
@@ -8,7 +8,7 @@ use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
 use crate::model::tileset::{Tile, Tileset};
 
-/// What something is, and which rule says so.
+/// A kind, and the rule that gave it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Verdict {
     pub(super) rule: Rule,
@@ -23,7 +23,7 @@ pub(super) enum Solid {
     Drawn,
 }
 
-/// What is known of an entry of the palette.
+/// The known facts of an entry of the palette.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Meaning {
     pub(super) verdict: Option<Verdict>,

@@ -53,7 +53,7 @@ pub struct Game<B = Near> {
     pub exceptions: Exceptions<48>,
     /// The enemies', the player's and the zone's.
     pub posts: [Post; ENEMIES + 2],
-    /// What the player makes for, and for how long already.
+    /// The player's goal, and for how long already.
     goal: (u8, u16),
     pub frame: u32,
     pub tally: Tally,

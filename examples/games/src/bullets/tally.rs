@@ -1,4 +1,4 @@
-//! What has happened so far, and the hash by which runs are compared.
+//! The events so far, and the hash by which runs are compared.
 
 use core::fmt;
 use tilesat::broad::{BroadPhase, Pair, PairEvent};

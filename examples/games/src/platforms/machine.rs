@@ -1,4 +1,4 @@
-//! What moves by itself, in the order in which the game holds it.
+//! Machines that move by themselves, in the order in which the game holds them.
 
 use tilesat::Vec2;
 

@@ -1,4 +1,4 @@
-//! What the core asks of its front end. The interface has no user data, so the state is global.
+//! The callbacks of the core. The interface has no user data, so the state is global.
 
 use std::ffi::{CStr, c_char, c_uint, c_void};
 use std::sync::Mutex;

@@ -2,7 +2,7 @@
 
 const BASE: usize = 0x0800_0000;
 const LARGEST: usize = 32 << 20;
-/// What the header's checksum covers, and where it is.
+/// The bytes that the header's checksum covers, and where it is.
 const CHECKED: std::ops::Range<usize> = 0xa0..CHECKSUM;
 const CHECKSUM: usize = 0xbd;
 const LOAD: u32 = 1;

@@ -47,7 +47,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if before { band.wrapping_neg() } else { last.wrapping_add(band) }
     }
 
-    /// What a walk finds beyond the map.
+    /// The tiles that a walk finds beyond the map.
     #[inline]
     pub(in crate::world) fn outer(&self) -> Beyond {
         match self.outside {
@@ -302,7 +302,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         met
     }
 
-    /// What is met at the start, where the cell ahead is full.
+    /// The hit at the start, where the cell ahead is full.
     #[inline]
     fn depart(&self, w: &mut Detour, hits_inside: bool) -> Stop {
         let cell = self.grid.cell as u32;

@@ -99,7 +99,7 @@ struct Reader<'a> {
     cells: u64,
 }
 
-/// What the numbers of a level's layers mean, as it grows.
+/// The meaning of the numbers of a level's layers, as it grows.
 #[derive(Default)]
 struct Palette {
     all: Vec<Placed>,

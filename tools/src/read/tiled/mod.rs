@@ -73,7 +73,7 @@ fn side(map: &raw::Map) -> Result<u16> {
     Ok(width as u16)
 }
 
-/// What the groups around a layer say.
+/// The settings of the groups around a layer.
 #[derive(Default)]
 struct Around {
     offset: Spot,

@@ -38,7 +38,7 @@ impl Templates {
     }
 }
 
-/// What the object says, and what its template says about the rest.
+/// The properties of the object, and those of its template for the rest.
 fn filled(own: raw::Object, template: &raw::Object) -> raw::Object {
     let drawn = |object: &raw::Object| {
         object.point

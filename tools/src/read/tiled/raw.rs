@@ -1,4 +1,4 @@
-//! What stands in a file of Tiled, XML or JSON, before anything is looked up or checked. JSON is
+//! The content of a Tiled file, XML or JSON, before anything is looked up or checked. JSON is
 //! read into it by name.
 
 use std::collections::BTreeMap;

@@ -37,7 +37,7 @@ pub struct Actor {
     pub hit: Option<Hit>,
 }
 
-/// What an actor needs to know about its last motion.
+/// The facts that an actor needs about its last motion.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Outcome {
     pub floor: bool,

@@ -17,7 +17,7 @@ use tilesat_gba::{entry, println, screen, stack};
 
 entry!(main);
 
-/// What the frames so far took.
+/// The cost of the frames so far.
 #[derive(Default)]
 struct Cost {
     frames: u32,
