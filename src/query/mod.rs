@@ -11,12 +11,9 @@
 //! | [`ClosestPoint`] | which points are nearest? | `Option<(Vec2, Vec2)>` | nearest, `None` where they touch |
 //! | [`CastShape`] | when does this motion first hit? | `Option<`[`CastHit`]`>` | yes or no exact, time down |
 //!
-//! All are implemented for every ordered pair of [`Aabb`](crate::Aabb), [`Circle`](crate::Circle)
-//! and [`Segment`](crate::Segment). `Contains` and `Distance` also take a point
-//! ([`Vec2`](crate::Vec2)) as B, and `CastShape` a point as A against boxes and circles.
-//! `closest_point` and `cast_ray` are methods of each shape. None of them loops without a bound or
-//! divides. Only casts can fail: they refuse inputs out of range. Results depend on differences
-//! only: a translated scene gives the same bits, a mirrored one mirrored bits.
+//! All are implemented for every ordered pair of [`Aabb`](crate::Aabb), [`Circle`](crate::Circle) and [`Segment`](crate::Segment);
+//! `Contains` and `Distance` for a point ([`Vec2`](crate::Vec2)) as B, too, `CastShape` for a point as A against boxes and circles. `closest_point` and
+//! `cast_ray` are methods of each shape. None of them can loop without a bound or divide, and none can fail but casts, which refuse what is out of range. Results depend on differences only: a translated scene gives the same bits, a mirrored one mirrored bits.
 //!
 //! # Degenerate cases
 //!

@@ -74,9 +74,8 @@ fn enter<const N: usize>(strips: [Strip; N]) -> Course<Edge> {
 }
 
 impl Edge {
-    /// Of two entries the later one; at one moment the one that opposes the motion more, then the
-    /// one more along x, then the one that is on a definite side of the motion, which exchanging
-    /// the shapes does not change.
+    /// Of two entries the later one; at one moment the one that opposes the motion more, then the one more along x, then the one that is
+    /// on a definite side of the motion, which exchanging the shapes does not change.
     fn later(self, b: Self) -> Self {
         match mul64(self.gap, b.speed).cmp(&mul64(b.gap, self.speed)) {
             Ordering::Less => b,
@@ -285,10 +284,9 @@ fn enter_strip(circle: &Circle, (a, b): (Raw, Raw), d: Raw) -> Option<Slope> {
 impl Slope {
     /// The exact floor.
     ///
-    /// At a moment T, in parts of 2^30, the height is g + f / 2^30 with g the whole part of
-    /// `gap - into T / 2^30`. It is below the root of the reach where g^2 + 2 g f / 2^30 + f^2 /
-    /// 2^60 is below the reach: where not already its whole parts tell, what is left of the reach
-    /// is at most 2 g, so in parts of 2^60 all sides are below 2^123.
+    /// At a moment T, in parts of 2^30, the height is g + f / 2^30 with g the whole part of `gap - into T / 2^30`. It is below the
+    /// root of the reach where g^2 + 2 g f / 2^30 + f^2 / 2^60 is below the reach: where not already its whole parts tell, what is left of
+    /// the reach is at most 2 g, so in parts of 2^60 all sides are below 2^123.
     fn exact_toi(&self) -> Toi {
         last_before(self.bound(), |t| {
             // into * T in parts of 2^30: into is below 2^61, and split to leave the whole part.
