@@ -95,14 +95,12 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 ///
 /// # Bounds
 ///
-/// At most 32768 segments, and 65535 pairs of a segment and a cell whose closed square it meets:
-/// larger cells make fewer. Of `n` edges of polygons, building compares each with each, and needs
-/// no memory but the bytes.
+/// At most 32768 segments, and 65535 pairs of a segment and a cell whose closed square it meets: larger cells make fewer. Of `n` edges of
+/// polygons, building compares each with each, and needs no memory but the bytes.
 ///
-/// The compiler builds about 300 segments before it reaches its limit on constants (the lint
-/// `long_running_const_eval`). You may allow a level of some 1000 to exceed it, at the price of
-/// tens of seconds: `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Build
-/// larger levels on the host, and include their bytes.
+/// The compiler builds about 300 segments before its limit on constants (the lint `long_running_const_eval`), which a level of some 1000 may be
+/// allowed to exceed, at the price of tens of seconds: `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Larger levels are
+/// built on the host, and their bytes are included.
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("ChainShape", "polyline", "EdgeShape"))]
 pub struct SegmentMap<'a> {
