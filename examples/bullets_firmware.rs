@@ -1,5 +1,5 @@
-//! The bullets on a chip: 256 bullets, 32 enemies and a player on the level in flash, and the hash of 600 frames and of
-//! 10 000.
+//! The bullets on a chip: 256 bullets, 32 enemies and a player on the level in flash, and the hash
+//! of 600 frames and of 10 000.
 //!
 //! ```text
 //! cargo run --release --example bullets_firmware                               this computer
@@ -19,7 +19,7 @@
 use tilesat::TileMapError;
 use tilesat_games::bullets::{FRAMES, Game, Near, level};
 
-/// What the desktop example plays, and the run of the golden hashes.
+/// The run of the desktop example, and the run of the golden hashes.
 const RUNS: [u32; 2] = [FRAMES, 10_000];
 
 /// Runs all frames; `tell` is given the game after each of the runs.

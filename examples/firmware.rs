@@ -1,4 +1,5 @@
-//! The platformer's player, boxes and balls on a chip: 600 frames on the level in flash, then 10 000, and each time the hash of all of them.
+//! The platformer's player, boxes and balls on a chip: 600 frames on the level in flash, then
+//! 10 000, and each time the hash of all of them.
 //!
 //! ```text
 //! cargo run --release --example firmware                               this computer
@@ -19,7 +20,7 @@
 
 use tilesat_games::platformer::{flash, sim};
 
-/// What the desktop example plays by default, and the run of the golden hashes.
+/// The run of the desktop example by default, and the run of the golden hashes.
 const RUNS: [u32; 2] = [sim::FIRMWARE_FRAMES, 10_000];
 
 #[cfg(not(target_os = "none"))]

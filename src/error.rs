@@ -1,4 +1,4 @@
-//! What can be wrong with an input: small values that say what and where.
+//! The errors that several modules share: small values that say what and where.
 
 use crate::num::Fx;
 use core::fmt;
@@ -50,16 +50,30 @@ pub struct RangeError {
 
 impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.what {
-            Quantity::Cells => write!(f, "a motion comes to too many cells: {} or more", self.value),
-            what => write!(f, "{what:?} is out of range: {} ({} raw)", Fx::from_bits(self.value), self.value),
-        }
+        let (what, value) = (self.what, self.value);
+        let settle = match what {
+            Quantity::X | Quantity::Y => "positions stay below 8192 units on each side of the origin",
+            Quantity::Radius | Quantity::HalfExtent | Quantity::Length => "it must be from 0 to below 8192 units",
+            Quantity::Width | Quantity::Height => "the second corner must be beyond the first",
+            Quantity::MotionX | Quantity::MotionY => "shorten the motion, or begin it nearer to the origin",
+            Quantity::BodySize => "a body that moves is below 8192 units wide and high",
+            Quantity::Cells => {
+                return write!(
+                    f,
+                    "the motion visits too many cells, {value} or more: shorten it, or enlarge the cells"
+                );
+            }
+            // The settings of walkers and riders.
+            _ => "it must be from 0 to below 4096 units",
+        };
+        write!(f, "{what:?} is out of range: {} ({value} raw); {settle}", Fx::from_bits(value))
     }
 }
 
 impl core::error::Error for RangeError {}
 
-/// A result was cut off because the room for it was full; what is kept comes first in the documented order.
+/// A result was cut off because the list was full. The kept results come first in the documented
+/// order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Truncated {
@@ -71,7 +85,7 @@ pub struct Truncated {
 
 impl fmt::Display for Truncated {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "only {} of {} results fit", self.kept, self.seen)
+        write!(f, "only {} of {} results fit into the list: enlarge it", self.kept, self.seen)
     }
 }
 

@@ -12,6 +12,7 @@ use core::ops::{BitAnd, BitOr, Not};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("collision_layer", "collision_mask", "InteractionGroups"))]
 pub struct LayerMask(pub u16);
 
 impl LayerMask {
@@ -20,7 +21,7 @@ impl LayerMask {
     /// Every layer.
     pub const ALL: Self = Self(0xffff);
 
-    /// The layer of an index from 0 to 15; beyond that they begin anew, and `layer(16)` is `layer(0)`.
+    /// The layer of an index from 0 to 15. Larger indices wrap around: `layer(16)` is `layer(0)`.
     #[must_use]
     pub const fn layer(index: u8) -> Self {
         Self(1 << (index & 15))
@@ -32,7 +33,7 @@ impl LayerMask {
         self.0 & other.0 != 0
     }
 
-    /// The layers of both, in `const`.
+    /// The layers of both masks, in `const`.
     #[must_use]
     pub const fn with(self, other: Self) -> Self {
         Self(self.0 | other.0)
@@ -63,15 +64,16 @@ impl Not for LayerMask {
 /// Which bodies a body pairs with.
 ///
 /// Two bodies pair where each one's `mask` has a layer that the other is on, unless
-/// - both are of one `group` that is not 0: a positive group pairs always, a negative one never (parts of one figure), or
+/// - both are of one `group` that is not 0: a positive group pairs always, a negative one never
+///   (parts of one figure), or
 /// - both are [still](Self::still): walls, and what sleeps, or
 /// - both are [sensors](Self::sensor).
 ///
-/// 8 bytes. Cost on a Cortex-M0, in line: 9 instructions where the first one's mask refuses, 17 where they pair.
+/// 8 bytes. Cost on a Cortex-M0, in line: 9 instructions where the first one's mask refuses, 17
+/// where they pair.
 ///
 /// ```
-/// use tilesat::{Filter, LayerMask};
-/// use tilesat::broad::Tag;
+/// use tilesat::{Filter, LayerMask, broad::Tag};
 /// const SHIP: LayerMask = LayerMask::layer(0);
 /// const BULLET: LayerMask = LayerMask::layer(1);
 /// let ship = Filter::new(SHIP, SHIP | BULLET);
@@ -81,6 +83,7 @@ impl Not for LayerMask {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("collision layers", "categoryBits", "maskBits"))]
 pub struct Filter {
     /// The layers that the body is on.
     pub layers: LayerMask,
@@ -102,26 +105,28 @@ impl Default for Filter {
 }
 
 impl Filter {
-    /// On these layers, with those.
+    /// A body on `layers` that pairs with bodies on the layers of `mask`.
     #[must_use]
     pub const fn new(layers: LayerMask, mask: LayerMask) -> Self {
         Self { layers, mask, group: 0, flags: 0 }
     }
 
-    /// The same in a group.
+    /// Sets the group: bodies of the same group pair always if it is positive, never if it is
+    /// negative. 0 is no group.
     #[must_use]
     pub const fn with_group(self, group: i16) -> Self {
         Self { group, ..self }
     }
 
-    /// The same, at rest or not: two that do not move never pair.
+    /// Sets whether the body is at rest: two that do not move never pair.
     #[must_use]
     pub const fn with_still(self, still: bool) -> Self {
         self.with_flag(STILL, still)
     }
 
-    /// The same as a sensor or not: it is told of bodies, and nothing is to be pushed by it.
+    /// Sets whether the body is a sensor. A sensor reports bodies, and pushes none.
     #[must_use]
+    #[doc(alias("trigger", "Area2D", "isSensor"))]
     pub const fn with_sensor(self, sensor: bool) -> Self {
         self.with_flag(SENSOR, sensor)
     }
@@ -142,7 +147,8 @@ impl Filter {
         Self { flags: if on { self.flags | flag } else { self.flags & !flag }, ..self }
     }
 
-    // Layers first: they part most of what is near each other, and then the sign of one group is all that is left to ask.
+    // Layers first: they separate most of the bodies that are near each other. Then only the sign
+    // of one group remains to be tested.
     #[inline]
     pub(crate) const fn lets_pair(self, other: Self) -> bool {
         let flags = self.flags & other.flags;

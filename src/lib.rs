@@ -56,10 +56,10 @@
 //!   so kernels cannot wrap.
 //! - **Touching is not overlapping.** `overlaps` is strict, `touches` is closed, both exact
 //!   ([`query`]).
-//! - **Normals** of contacts point from A to B, those of casts and rays out of what was hit; they
-//!   are exact integers ([`Axis`]); the unit vector is computed when asked for.
-//! - **Rounding** is safe: depths up, push-outs away, distances and times of impact down; what is
-//!   moved never ends inside.
+//! - **Normals** of contacts point from A to B. Those of casts and rays point out of the shape that
+//!   was hit. They are exact integers ([`Axis`]), and you compute the unit vector when you need it.
+//! - **Rounding** is safe: depths up, push-outs away, distances and times of impact down. A body
+//!   that you move by a result never ends inside.
 //! - **The y axis**: row 0 of a [`TileMap`] has the smallest y, and "up" in a tile's name is toward
 //!   row 0. On a screen (y down) "up" is [`Axis::NEG_Y`]. With y up, pass [`Axis::Y`] and store the
 //!   rows bottom first.
@@ -78,7 +78,7 @@
 //! | [`broad`] | [`BroadPhase`](broad::BroadPhase): which of many bodies are near each other; events of pairs |
 //! | [`scene`] | [`Scene`]: level, broad phase and bodies by one call per frame |
 //! | [`motion`] | [`Character`], [`Mover::move_and_slide`], [`Walker`], [`Mover::ride`] on moving [`Solid`]s, responses, casts through levels |
-//! | [`error`] | what can be refused |
+//! | [`error`] | errors that several modules share |
 //! | [`boards`] | what it costs; notes for real boards: targets, manifests, frame budgets |
 //!
 //! # Features
@@ -90,7 +90,8 @@
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
-// What could panic, or would be floating point, is refused in the library; tests and examples are free.
+// Panics and floating point are refused in the library; tests and examples are
+// free.
 #![warn(
     clippy::expect_used,
     clippy::float_arithmetic,
@@ -129,7 +130,7 @@ pub use query::{CastHit, Contact, Inside, MovingHit};
 pub use scene::{Scene, SceneBody, SceneError};
 pub use shape::{Aabb, Circle, Segment};
 /// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types
-/// come from the crate's root.
+/// come from the crate's root, and cursors and parts of results from the modules.
 pub mod prelude {
     pub use crate::broad::BroadPhase;
     pub use crate::query::{CastShape, ClosestPoint, Contacts, Contains, Distance, Overlaps, Touches};

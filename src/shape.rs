@@ -1,4 +1,5 @@
-//! Shapes: small `Copy` values with private fields, built by checked constructors, so that a shape that exists is inside the domain.
+//! Shapes: small `Copy` values with private fields and checked constructors. A shape that exists is
+//! inside the domain.
 
 use crate::error::{Quantity, RangeError};
 use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
@@ -20,6 +21,7 @@ use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("AABB", "Rect", "bounding box", "Cuboid"))]
 pub struct Aabb {
     min: Vec2,
     max: Vec2,
@@ -29,7 +31,16 @@ impl Aabb {
     /// A box from its corner with the smaller coordinates to the one with the larger ones.
     ///
     /// # Errors
-    /// [`RangeError`] where a coordinate is outside of the [domain](crate::num::DOMAIN) or `min` is beyond `max`.
+    /// [`RangeError`] where a coordinate is outside of the [domain](crate::num::DOMAIN) or `min` is
+    /// beyond `max`.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Quantity, Vec2};
+    /// let hero = Aabb::new(Vec2::from_ints(4, 30), Vec2::from_ints(14, 44))?;
+    /// let swapped = Aabb::new(Vec2::from_ints(14, 30), Vec2::from_ints(4, 44));
+    /// assert_eq!(swapped.unwrap_err().what, Quantity::Width);
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     pub const fn new(min: Vec2, max: Vec2) -> Result<Self, RangeError> {
         if let Err(e) = check_coordinate(min) {
             return Err(e);
@@ -50,7 +61,15 @@ impl Aabb {
     /// A box from its centre and half its size; exact.
     ///
     /// # Errors
-    /// [`RangeError`] where a half extent is negative or a corner is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] where a half extent is negative or a corner is outside of the
+    /// [domain](crate::num::DOMAIN).
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2};
+    /// let chest = Aabb::from_centre(Vec2::from_ints(50, 50), Vec2::from_ints(5, 4))?;
+    /// assert_eq!((chest.min(), chest.max()), (Vec2::from_ints(45, 46), Vec2::from_ints(55, 54)));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     pub const fn from_centre(centre: Vec2, half: Vec2) -> Result<Self, RangeError> {
         if let Err(e) = check_coordinate(centre) {
             return Err(e);
@@ -88,7 +107,8 @@ impl Aabb {
         self.hi().sub(self.lo()).vec2()
     }
 
-    /// The middle; where a side is an odd number of raw units, the half unit is dropped toward the smaller coordinate.
+    /// The middle; where a side is an odd number of raw units, the half unit is dropped toward the
+    /// smaller coordinate.
     #[must_use]
     pub const fn centre(&self) -> Vec2 {
         let (lo, hi) = (self.lo(), self.hi());
@@ -116,6 +136,13 @@ impl Aabb {
     }
 
     /// The bounding box of two boxes.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2};
+    /// let unit = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 1, 1));
+    /// assert_eq!(unit(0)?.union(&unit(7)?).size(), Vec2::from_ints(8, 1));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     #[must_use]
     pub const fn union(&self, other: &Self) -> Self {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
@@ -141,6 +168,7 @@ impl Aabb {
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("Ball", "Disc"))]
 pub struct Circle {
     centre: Vec2,
     radius: Fx,
@@ -150,8 +178,8 @@ impl Circle {
     /// A circle from its centre and radius.
     ///
     /// # Errors
-    /// [`RangeError`] where the radius is negative, or the centre, the radius or a point of the circle is outside of the
-    /// [domain](crate::num::DOMAIN).
+    /// [`RangeError`] where the radius is negative, or the centre, the radius or a point of the
+    /// circle is outside of the [domain](crate::num::DOMAIN).
     pub const fn new(centre: Vec2, radius: Fx) -> Result<Self, RangeError> {
         if let Err(e) = check_coordinate(centre) {
             return Err(e);
@@ -211,7 +239,8 @@ impl Circle {
 
 /// A line segment between two points; it has no inside and no side.
 ///
-/// Equal ends are legal and act as a point. Reversing the ends changes no result, save the documented degenerate axes.
+/// Equal ends are legal and act as a point. Reversing the ends changes no result, except the
+/// documented degenerate axes.
 ///
 /// ```
 /// use tilesat::{Segment, Vec2};
@@ -220,6 +249,7 @@ impl Circle {
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("Line", "Edge"))]
 pub struct Segment {
     a: Vec2,
     b: Vec2,

@@ -1,4 +1,5 @@
-//! Every frame once more, by other means: all pairs of all bodies, what they begin and end, and the ways of all that flies.
+//! Every frame once more, by other means: all pairs of all bodies, what they begin and end, and the
+//! ways of all that flies.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -19,7 +20,7 @@ pub fn everybody(near: &Near) -> Vec<Handle> {
     all
 }
 
-/// A body as whole numbers: twice its centre and its width, in raw units, so that nothing is rounded.
+/// A body as whole numbers: twice its centre and its width, in raw units. Nothing is rounded.
 #[derive(Clone, Copy)]
 struct Plain {
     handle: Handle,
@@ -83,7 +84,8 @@ pub struct Judge {
     room_of: BTreeMap<Handle, u8>,
     /// Pairs that have begun.
     last: BTreeSet<Names>,
-    /// Pairs that are ignored until they are apart, and whether that was said after the last frame's pairs.
+    /// Pairs that are ignored until they are apart, and whether that was said after the last
+    /// frame's pairs.
     ignored: BTreeMap<Names, bool>,
     straight: u32,
     bent: u32,
@@ -137,7 +139,7 @@ impl Judge {
         Ok(())
     }
 
-    /// All pairs, by every two bodies, and what was told of them.
+    /// All pairs, by every two bodies, and the events that the game reported of them.
     pub fn meetings(&mut self, flown: &Game, met: &Game) -> Result<(), String> {
         let bodies = Plain::all(flown);
         let (mut near, mut touching) = (BTreeSet::new(), BTreeSet::new());
@@ -213,7 +215,8 @@ fn spot(p: Vec2) -> (f64, f64) {
     (p.x.to_num(), p.y.to_num())
 }
 
-/// The first place on a leg where the circle, less a hair, is in the solid: its middle and 16 points of its rim, four times a unit.
+/// The first place on a leg where the circle, less a hair, is in the solid: its middle and 16
+/// points of its rim, four times a unit.
 fn blocked((from, to): ((f64, f64), (f64, f64)), radius: f64) -> Option<(f64, f64)> {
     let steps = ((to.0 - from.0).hypot(to.1 - from.1) * 4.0).ceil() as u32;
     (0..=steps).find_map(|step| {

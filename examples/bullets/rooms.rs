@@ -1,8 +1,10 @@
-//! Where the solid is, from the level's letters and the shapes' definitions, and which places are one room.
+//! Where the solid is, from the level's letters and the shapes' definitions, and which places are
+//! one room.
 
 use tilesat_games::bullets::{ROWS, SIZE};
 
-/// Whether a place is in the solid; `u` and `v` are where it is in its cell, from its top left corner.
+/// Whether a place is in the solid; `u` and `v` are where it is in its cell, from its top left
+/// corner.
 pub fn solid(x: f64, y: f64) -> bool {
     let (column, row) = ((x / 16.0).floor(), (y / 16.0).floor());
     if column < 0.0 || row < 0.0 || column >= f64::from(SIZE.0) || row >= f64::from(SIZE.1) {

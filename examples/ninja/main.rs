@@ -1,7 +1,8 @@
-//! A round ninja runs up slopes and quarter pipes, slides down walls and jumps from them: `cargo run --release --example ninja [-- FILE.png]`.
+//! A round ninja runs up slopes and quarter pipes, slides down walls and jumps from them:
+//! `cargo run --release --example ninja [-- FILE.png]`.
 //!
-//! `tilesat_games::ninja` is the game: one circle, a few numbers, and `Mover::move_and_slide`; its level, and what the player presses.
-//! The rest draws the way to `target/ninja.png`.
+//! `tilesat_games::ninja` is the game: one circle, a few numbers, and `Mover::move_and_slide`; its
+//! level, and what the player presses. The rest draws the way to `target/ninja.png`.
 #![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
 #![allow(
     clippy::std_instead_of_core,

@@ -1,7 +1,9 @@
-//! Balls on a pinball table: bumpers, slingshots, a kicker: `cargo run --release --example pinball [-- FILE.png]`.
+//! Balls on a pinball table: bumpers, slingshots, a kicker:
+//! `cargo run --release --example pinball [-- FILE.png]`.
 //!
-//! `tilesat_games::pinball` is the game. Its table is tiles, and polygons joined to them; its balls fall, bounce on a surface that loses a little,
-//! and are pushed by the bumpers. The picture shows the ways of five balls in twenty seconds: `target/pinball.png`.
+//! `tilesat_games::pinball` is the game. Its table is tiles, and polygons joined to them; its balls
+//! fall, bounce on a surface that loses a little, and are pushed by the bumpers. The picture shows
+//! the ways of five balls in twenty seconds: `target/pinball.png`.
 #![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
 #![allow(
     clippy::std_instead_of_core,

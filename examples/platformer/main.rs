@@ -1,7 +1,8 @@
 //! A character plays through a Tiled level, together with 32 boxes and balls.
 //!
-//! `cargo run --release --example platformer -- --help` says what it takes. The game is `tilesat_games::platformer::sim`, and runs
-//! unchanged on a microcontroller (`examples/firmware.rs`). `tilesat_tools` reads the level, checks every body in every frame
+//! `cargo run --release --example platformer -- --help` says what it takes. The game is
+//! `tilesat_games::platformer::sim`, and runs unchanged on a microcontroller
+//! (`examples/firmware.rs`). `tilesat_tools` reads the level, checks every body in every frame
 //! (`tools/src/play`) and draws the picture; `tilesat play` does the same with any level.
 #![allow(clippy::std_instead_of_core, reason = "this part runs on a desktop")]
 

@@ -1,7 +1,9 @@
 //! A character among moving platforms: `cargo run --release --example platforms [-- FILE.png]`.
 //!
-//! It walks over steps and slopes, is conveyed over a pit, waits for a crusher, takes a lift, jumps through a one-way lift, rides up and drops
-//! through the ledge there. `tilesat_games::platforms` is the game, its level and the script; this draws the picture, `target/platforms.png`.
+//! It walks over steps and slopes, is conveyed over a pit, waits for a crusher and takes a lift. It
+//! jumps through a one-way lift, rides up and drops through the ledge there.
+//! `tilesat_games::platforms` is the game, its level and the script; this draws the picture,
+//! `target/platforms.png`.
 #![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
 #![allow(
     clippy::std_instead_of_core,

@@ -1,7 +1,9 @@
-//! A game seen from above: no gravity, no "up", eight directions, doors that pull: `cargo run --release --example top_down [-- FILE.png]`.
+//! A game seen from above: no gravity, no "up", eight directions, doors that pull:
+//! `cargo run --release --example top_down [-- FILE.png]`.
 //!
-//! Two heroes get the same keys. One just slides along what it meets; the other one also slips around corners that it barely catches
-//! (`tilesat_games::top_down`). The picture shows where that leads: `target/top_down.png`.
+//! Two heroes get the same keys. One just slides along what it meets; the other one also slips
+//! around corners that it barely catches (`tilesat_games::top_down`). The picture shows where that
+//! leads: `target/top_down.png`.
 #![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
 #![allow(
     clippy::std_instead_of_core,

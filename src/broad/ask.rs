@@ -1,4 +1,5 @@
-//! What a broad phase is asked beside its pairs: bodies near a point, on a way, in order; the pairs of a few.
+//! The queries of a broad phase, beside its pairs: bodies near a point, on a way, in order; the
+//! pairs of a few.
 //!
 //! Answers are in canonical order, the first of them where room is short.
 
@@ -13,8 +14,9 @@ use heapless::{Vec, VecView};
 
 /// The first ones, in an order, of items that come one after the other.
 ///
-/// While there is room they are only stored. Where it ends they become a heap with the last one on top, which each one that goes before it replaces. Of n
-/// items, k of them kept, that takes 2 n log2 k comparisons at most and sorting as many for the k: both bounded, in place.
+/// While there is room they are only stored. Where it ends they become a heap with the last one on
+/// top, which each one that goes before it replaces. Of n items, k of them kept, that takes 2 n
+/// log2 k comparisons at most and sorting as many for the k: both bounded, in place.
 pub(in crate::broad) struct First<'a, T, F> {
     out: &'a mut VecView<T>,
     /// A strict total order.
@@ -63,8 +65,8 @@ fn heap<T: Copy>(items: &mut [T], before: &impl Fn(&T, &T) -> bool) {
 
 /// Puts an item where none below it goes after it.
 ///
-/// First all the way down, the later one of two moving up, and then up again to its place, which mostly is near the bottom: half the comparisons of
-/// looking for it from the top.
+/// First all the way down, the later one of two moving up. Then up again to its place, which mostly
+/// is near the bottom: half the comparisons of a search from the top.
 #[inline(never)]
 fn sink<T: Copy>(items: &mut [T], top: usize, before: &impl Fn(&T, &T) -> bool) {
     let Some(&item) = items.get(top) else { return };
@@ -102,7 +104,8 @@ impl<T: Tag> Bodies<'_, T> {
     }
 }
 
-/// The pairs come in batches, because their keys cannot be asked for while the structure is being walked.
+/// The pairs come in batches, because their keys cannot be asked for while the structure is being
+/// walked.
 pub(in crate::broad) fn sorted_pairs<S: Spatial>(phase: &mut S, out: &mut VecView<Pair>) -> Result<(), Truncated> {
     out.clear();
     let (mut cursor, mut batch) = (PairCursor::new(), Vec::<Pair, 16>::new());
@@ -146,7 +149,8 @@ pub(in crate::broad) fn sorted_region<S: Spatial>(
 pub struct Nearest {
     /// The body.
     pub handle: Handle,
-    /// From the point to the nearest point of the body's box, rounded down; 0 where the box holds it.
+    /// From the point to the nearest point of the body's box, rounded down; 0 where the box holds
+    /// it.
     pub distance: Fx,
 }
 
@@ -168,7 +172,8 @@ fn distance(square: u64) -> Fx {
     Fx::from_bits(isqrt64(square) as i32)
 }
 
-/// No two points of the domain are as far apart as the largest length, 2^30.5 < 2^31 raw: every length is taken, and none wraps.
+/// No two points of the domain are as far apart as the largest length, 2^30.5 < 2^31 raw: every
+/// length is taken, and none wraps.
 fn checked_point(point: Vec2, within: Fx) -> Result<(Raw, i32), RangeError> {
     check_coordinate(point)?;
     let reach = within.to_bits();
@@ -240,14 +245,15 @@ pub struct BroadHit {
     pub toi: Toi,
 }
 
-/// The closed counterparts of what casts ask of their spans.
+/// The closed counterparts of the spans of casts.
 impl Span {
     const fn meets(self) -> bool {
         self.gap <= self.speed && self.leave >= 0
     }
 
-    /// Whether this is left when the other one is entered or after that: `leave / speed >= gap / speed` of the other. Products below 2^60; none where
-    /// the motion ends first.
+    /// Whether this is left when the other one is entered or after that:
+    /// `leave / speed >= gap / speed` of the other. Products below 2^60; none where the motion ends
+    /// first.
     const fn lasts_until(self, other: Self) -> bool {
         other.gap <= 0
             || self.leave >= self.speed
@@ -260,13 +266,14 @@ impl Span {
     }
 }
 
-/// When the box `a` that moves by `d` first has a point in common with the box `b`: the closed counterpart of a cast, which is a hit only where the motion
-/// starts to overlap.
+/// When the box `a` that moves by `d` first has a point in common with the box `b`: the closed
+/// counterpart of a cast, which is a hit only where the motion starts to overlap.
 fn touched(a: &Aabb, d: Raw, b: &Aabb) -> Option<Toi> {
     let (alo, ahi, blo, bhi) = (a.lo(), a.hi(), b.lo(), b.hi());
     let x = Span::new(alo.x, ahi.x, blo.x, bhi.x, d.x);
     let y = Span::new(alo.y, ahi.y, blo.y, bhi.y, d.y);
-    // Both intervals of time meet, each is closed, and rounding down keeps the order of the entries.
+    // Both intervals of time meet, each is closed, and rounding down keeps the order of the
+    // entries.
     (x.meets() && y.meets() && x.lasts_until(y) && y.lasts_until(x)).then(|| x.entry().max(y.entry()))
 }
 
@@ -307,7 +314,7 @@ fn visit_way<S: Spatial>(phase: &S, start: &Aabb, d: Raw, mut each: impl FnMut(H
     });
 }
 
-/// Apart from what is wanted, so that all casts of a broad phase sort by the same code.
+/// Separate from the choice of bodies: all casts of a broad phase sort by the same code.
 fn earlier<T: Tag>(bodies: Bodies<'_, T>) -> impl Fn(&BroadHit, &BroadHit) -> bool {
     let order = move |hit: &BroadHit| (hit.toi, bodies.rank(hit.handle));
     move |a, b| order(a) < order(b)
@@ -332,12 +339,14 @@ pub(in crate::broad) fn cast<S: Spatial>(
     Ok(first.sort()?)
 }
 
-/// How far a body steps aside along y while the others are asked: out of the domain, so that nothing in it touches the box, and back without
-/// a rounding. Coordinates below 2^29 become ones in 2^29..2^31; x, and with it an order by x, stays.
+/// How far a body steps aside along y while the others are asked: out of the domain. Nothing in it
+/// then touches the box, and the way back needs no rounding. Coordinates below 2^29 become ones in
+/// 2^29..2^31; x, and with it an order by x, stays.
 const ASIDE: i32 = DOMAIN << 1;
 
-/// Every pair with one of the movers, once: whom a mover met it is not met by, because it stands aside from then on. That takes no memory and asks for no
-/// order, and a mover that is named twice is aside the second time.
+/// Every pair with one of the movers, once: whom a mover met it is not met by, because it stands
+/// aside from then on. That takes no memory and asks for no order, and a mover that is named twice
+/// is aside the second time.
 pub(in crate::broad) fn pairs_of<S: Spatial>(
     phase: &mut S,
     movers: &[Handle],

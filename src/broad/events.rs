@@ -1,9 +1,11 @@
-//! Which pairs begin, stay and end from frame to frame, and which are ignored for a while: both in ascending order, in fixed arrays.
+//! Which pairs begin, stay and end from frame to frame, and which are ignored for a while: both in
+//! ascending order, in fixed arrays.
 
 use super::{BroadError, Handle, Pair};
 use crate::error::Truncated;
 
-/// Of whole words: a small core moves it in a few registers, and would call a routine for memory of any alignment otherwise.
+/// Of whole words: a small core moves it in a few registers, and would call a routine for memory of
+/// any alignment otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(align(4))]
 pub(in crate::broad) struct Entry<K, V>(pub(in crate::broad) Option<(K, V)>);
@@ -14,7 +16,7 @@ pub(in crate::broad) fn place<K: Ord, V>(entries: &[Entry<K, V>], key: &K) -> us
     entries.partition_point(|entry| matches!(entry, Entry(Some((k, _))) if k < key))
 }
 
-/// What is kept under a key whose place was asked for.
+/// The value under a key that was searched for.
 #[inline]
 pub(in crate::broad) fn known<'a, K: Eq, V>(entries: &'a mut [Entry<K, V>], at: usize, key: &K) -> Option<&'a mut V> {
     match entries.get_mut(at) {
@@ -29,7 +31,8 @@ pub(in crate::broad) fn count<K, V>(entries: &[Entry<K, V>]) -> usize {
     entries.partition_point(|entry| entry.0.is_some())
 }
 
-/// Puts an entry before those of a part of the array and moves them up by one; the last of the part, of a free place nothing, is dropped.
+/// Puts an entry before those of a part of the array and moves them up by one; the last of the
+/// part, of a free place nothing, is dropped.
 pub(in crate::broad) fn insert<K: Copy, V: Copy>(part: &mut [Entry<K, V>], key: K, value: V) {
     let mut places = part.iter_mut().rev();
     let Some(mut to) = places.next() else { return };
@@ -57,17 +60,19 @@ pub(in crate::broad) fn retain<K: Copy, V: Copy>(
     }
 }
 
-/// What became of a pair in one frame.
+/// The fate of a pair in one frame. Each pair gives `Begin`, then `Stay` in each later frame, then
+/// `End`, once.
 ///
 /// Of every pair comes `Begin`, then `Stay` in each later frame, then `End`, once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PairEvent<P = Pair> {
-    /// It was not there in the frame before.
+    /// The pair was not there in the last frame.
     Begin(P),
-    /// It was, and is.
+    /// The pair was there, and still is.
     Stay(P),
-    /// It is not there any more: the bodies parted, or one was removed; its handle is the old one then.
+    /// The pair is not there any more: the bodies parted, or one was removed. Its handle is then
+    /// the old one.
     End(P),
 }
 
@@ -91,23 +96,33 @@ enum Mark {
     Both,
 }
 
-/// The pairs of the last frame, at most M of them, and what has changed since: begin, stay and end of contacts and of visits to sensors.
+/// The pairs of the last frame, at most M of them, and the changes since: contacts and visits to
+/// sensors that begin, stay and end.
 ///
-/// In each frame [`feed`](Self::feed) takes the pairs that count, in any order, each once or more often; those are what the game's own test of the shapes
-/// leaves of what the broad phase found. [`finish`](Self::finish) ends the frame, and [`iter`](Self::iter) then tells what became of each pair, in ascending order of
-/// pairs, as often as it is asked, until the next frame is fed.
+/// In each frame, [`feed`](Self::feed) it the pairs that count, in any order, each once or more
+/// often. Those are the pairs of the broad phase that pass your own test of the shapes.
+/// [`finish`](Self::finish) ends the frame. [`iter`](Self::iter) then lists what became of each
+/// pair, in ascending order of pairs, as often as you like, until you feed the next frame.
 ///
-/// Any `P` that is `Copy + Ord` is a pair: `(Handle, Cell)`-like tuples for tiles that trigger, or the keys of two bodies, where the order of events shall not
-/// depend on the order of insertion as that of handles does. `(a, b)` and `(b, a)` are two pairs; a broad phase gives only one of them.
+/// Any `P` that is `Copy + Ord` is a pair: `(Handle, Cell)`-like tuples for tiles that trigger, or
+/// the keys of two bodies. Use keys where the order of events must not depend on the order of
+/// insertion, as that of handles does. `(a, b)` and `(b, a)` are two pairs; a broad phase gives
+/// only one of them.
 ///
-/// - **Bodies at rest**: two [still](crate::Filter::still) bodies are no pair of a broad phase, and what fell asleep in a trigger is in it all the same: `finish` asks `held` about
-///   each pair that did not come. Let bodies fall asleep after `finish`, so that the frame in which they moved is judged by where they are.
-/// - **More than M pairs**: those of the last frame stay until they end, and of the new ones the smallest fit; `finish` says
-///   [`Truncated`]. What did not fit was not begun, has no end, and begins as soon as there is room. There is none too few where M is the number of pairs of two successive frames together.
+/// - **Bodies at rest**: two [still](crate::Filter::still) bodies are no pair of a broad phase, but
+///   a body that fell asleep in a trigger is still in it. `finish` therefore asks `held` about each
+///   pair that did not come. Let bodies fall asleep after `finish`: the frame in which they moved
+///   is then judged by where they are.
+/// - **More than M pairs**: those of the last frame stay until they end, and of the new ones the
+///   smallest fit; `finish` says [`Truncated`]. What did not fit was not begun, has no end, and
+///   begins as soon as there is room. There is none too few where M is the number of pairs of two
+///   successive frames together.
 ///
-/// Plain data, a copy is a snapshot; for [`Pair`]s 12 bytes each. Cost: of a pair known since the last frame a binary search, of a new one also the moves of all
-/// greater ones, so M new pairs at once are M^2 / 2 moves at worst; a frame is two passes over the pairs. With 64 pairs on a
-/// Cortex-M0: 310 instructions a pair that is known, 590 a new one where they come the greatest first.
+/// Plain data: a copy is a snapshot. For [`Pair`]s it takes 12 bytes each. Cost: a binary search
+/// for a pair known since the last frame, and for a new one also the moves of all greater ones. M
+/// new pairs at once are M^2 / 2 moves at worst. Each frame takes two passes over the pairs. With
+/// 64 pairs on a Cortex-M0: 310 instructions per known pair, 590 per new one where the greatest
+/// come first.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, BruteForce, PairEvent, PairEvents};
@@ -135,6 +150,7 @@ enum Mark {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("on_collision_enter", "body_entered", "beginContact"))]
 pub struct PairEvents<const M: usize, P = Pair> {
     entries: [Entry<P, Mark>; M],
     frame: Frame,
@@ -156,13 +172,13 @@ impl<const M: usize, P: Copy + Ord> Default for PairEvents<M, P> {
 }
 
 impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
-    /// Without any pair; may be a `static`.
+    /// An empty list, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
         Self { entries: [Entry(None); M], frame: Frame { fed: 0, lost: false, over: true } }
     }
 
-    /// This pair is there in the frame under way.
+    /// Reports that a pair is there in the current frame.
     #[inline]
     pub fn feed(&mut self, pair: P) {
         feed(&mut self.entries, &mut self.frame, &pair);
@@ -170,16 +186,19 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
 
     /// Ends the frame.
     ///
-    /// `held` is asked about every pair of the last frame that did not come, whether it is there all the same, because its bodies rest; it must say no where one
-    /// was removed. `|_| false` where nothing rests.
+    /// `held` answers, for each pair of the last frame that did not come, whether it is still there
+    /// because its bodies rest. It must be false for a pair with a removed body. Pass `|_| false`
+    /// where nothing rests.
     ///
     /// # Errors
-    /// [`Truncated`] where there were more than M pairs: the events are those of the M that were kept. A pair that was fed twice is seen twice.
+    /// [`Truncated`] where there were more than M pairs: the events are those of the M that were
+    /// kept. A pair that was fed twice is seen twice.
     pub fn finish(&mut self, held: impl FnMut(&P) -> bool) -> Result<(), Truncated> {
         finish(&mut self.entries, &mut self.frame, held)
     }
 
-    /// What became of each pair in the frame that ended last, in ascending order of pairs; nothing where the next one is being fed already.
+    /// The fate of each pair in the frame that ended last, in ascending order of pairs; nothing
+    /// where the next one is being fed already.
     pub fn iter(&self) -> impl Iterator<Item = PairEvent<P>> {
         let told: &[Entry<P, Mark>] = if self.frame.over { &self.entries } else { &[] };
         told.iter().filter_map(|entry| entry.0).map(|(pair, mark)| match mark {
@@ -189,7 +208,8 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
         })
     }
 
-    /// Takes back what was fed since the last `finish`, for an enumeration that has to begin anew ([`Changed`](crate::broad::PairsError::Changed)).
+    /// Discards everything fed since the last `finish`, for an enumeration that has to begin again
+    /// ([`Changed`](crate::broad::PairsError::Changed)).
     pub fn cancel(&mut self) {
         if !self.frame.over {
             retain(&mut self.entries, |_, mark| core::mem::replace(mark, Mark::Old) != Mark::New);
@@ -236,8 +256,8 @@ fn feed<P: Copy + Ord>(entries: &mut [Entry<P, Mark>], frame: &mut Frame, pair: 
     }
     let mut end = count(entries);
     if end == entries.len() {
-        // The greatest new pair makes way, or this one is it; pairs that were told never do. So those of the new ones that stay are the smallest of all
-        // that came, in whichever order.
+        // The greatest new pair makes way, or this one is it; pairs already reported never do. The
+        // new ones that stay are the smallest of all that came, in any order.
         frame.lost = true;
         let Some(last) = entries.iter().rposition(|entry| matches!(entry, Entry(Some((_, Mark::New))))) else { return };
         end = last;
@@ -271,19 +291,23 @@ fn finish<P: Copy>(
 pub enum Ignore {
     /// In the next frame in which it comes, then no more.
     Once,
-    /// Until a frame ends in which it did not come, the frame in which this is said not counted: a bullet that starts within its shooter.
+    /// Until the first frame in which the pair did not come. The frame in which you set it does not
+    /// count: a bullet that starts within its shooter.
     UntilApart,
     /// Until one of the bodies is removed: a shield and its bearer.
     UntilRemoved,
 }
 
-/// Up to M pairs of bodies that are to be ignored, each for a while of its own.
+/// Up to M pairs of bodies to ignore, each for its own time.
 ///
-/// [`passes`](Self::passes) says of each pair of a frame whether it counts; [`finish`](Self::finish) at the frame's end forgets what is over, and bodies that are gone. Behind
-/// the game's own test of the shapes, "apart" is of the shapes; before it, of the boxes. A pair that is not to count is not fed to
-/// [`PairEvents`](crate::broad::PairEvents): where it had begun, it ends.
+/// [`passes`](Self::passes) decides for each pair of a frame whether it counts.
+/// [`finish`](Self::finish) at the frame's end forgets pairs whose time is over, and bodies that
+/// are gone. Called behind your own test of the shapes, "apart" means the shapes; before it, the
+/// boxes. Do not feed an ignored pair to [`PairEvents`](crate::broad::PairEvents): where it had
+/// begun, it ends.
 ///
-/// The two handles may be given in either order. Plain data, a copy is a snapshot; 12 bytes a pair. Cost: a binary search a pair, one pass a frame.
+/// You may pass the two handles in either order. Plain data: a copy is a snapshot, 12 bytes per
+/// pair. Cost: a binary search per pair, one pass per frame.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, BruteForce, Exceptions, Ignore};
@@ -328,21 +352,22 @@ impl<const M: usize> Default for Exceptions<M> {
 }
 
 impl<const M: usize> Exceptions<M> {
-    /// Without any; may be a `static`.
+    /// An empty list, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
         Self { entries: [Entry(None); M] }
     }
 
-    /// Ignores a pair from now on; what was said of it before is replaced.
+    /// Ignores a pair from now on, and replaces any earlier rule for it.
     ///
     /// # Errors
-    /// [`Full`](BroadError::Full): there are M others. Nothing was changed then. Those of removed bodies make room in [`finish`](Self::finish).
+    /// [`Full`](BroadError::Full): there are M others. Nothing was changed then. Those of removed
+    /// bodies make room in [`finish`](Self::finish).
     pub fn ignore(&mut self, a: Handle, b: Handle, ignore: Ignore) -> Result<(), BroadError> {
         put(&mut self.entries, sorted(a, b), Term { ignore, came: ignore == Ignore::UntilApart })
     }
 
-    /// Ignores a pair no longer; what was said of it, if anything was.
+    /// No longer ignores a pair, if it was ignored.
     pub fn allow(&mut self, a: Handle, b: Handle) -> Option<Ignore> {
         let (pair, mut found) = (sorted(a, b), None);
         retain(&mut self.entries, |known, term| {
@@ -362,9 +387,11 @@ impl<const M: usize> Exceptions<M> {
         self.entries.first().is_none_or(|entry| entry.0.is_none()) || passes(&mut self.entries, pair)
     }
 
-    /// Ends the frame: forgets what is over.
+    /// Ends the frame: forgets the rules whose time is over.
     ///
-    /// `present` says whether a body is still here; `held`, as in [`PairEvents::finish`](crate::broad::PairEvents::finish), whether two that did not come are together because they rest.
+    /// `present` says whether a body is still here; `held`, as in
+    /// [`PairEvents::finish`](crate::broad::PairEvents::finish), whether two that did not come are
+    /// together because they rest.
     pub fn finish(&mut self, present: impl FnMut(Handle) -> bool, held: impl FnMut(&Pair) -> bool) {
         expire(&mut self.entries, present, held);
     }

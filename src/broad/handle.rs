@@ -1,4 +1,5 @@
-//! What a broad phase keeps of a body beside its box, its name and a tag (nothing, a filter, a key); and what it refuses.
+//! What a broad phase keeps of a body beside its box, its name and a tag (nothing, a filter, a
+//! key); and what it refuses.
 
 use crate::error::{RangeError, Truncated};
 use crate::filter::{Filter, LayerMask};
@@ -6,10 +7,12 @@ use crate::num::Fx;
 use core::cmp::Ordering;
 use core::fmt;
 
-/// The name of one body in one broad phase: a slot, and which of its tenants is meant.
+/// The name of one body in one broad phase: a slot, and the generation of its tenant.
 ///
-/// A slot that is freed and given away again has another generation, so an old handle is told ([`BroadError::Stale`](super::BroadError::Stale)) and never
-/// means the new body; after 32768 tenants of one slot generations begin anew. It does not say which broad phase it is of: keep the handles of two apart. 4 bytes.
+/// A slot that is freed and used again has another generation. An old handle is then refused
+/// ([`BroadError::Stale`](super::BroadError::Stale)) and never means the new body. After 32768
+/// tenants of one slot generations repeat. A handle does not say which broad phase it belongs to:
+/// keep the handles of two apart. 4 bytes.
 ///
 /// ```
 /// use tilesat::{Aabb, Vec2};
@@ -40,13 +43,13 @@ impl Handle {
         self.generation & 1 == 1
     }
 
-    /// The slot, below the capacity: an index into arrays of the game's own, one entry a body.
+    /// The slot, below the capacity: an index into your own arrays, with one entry per body.
     #[must_use]
     pub const fn slot(self) -> usize {
         self.slot as usize
     }
 
-    /// Which tenant of the slot; odd.
+    /// The generation of the slot's tenant; odd.
     #[must_use]
     pub const fn generation(self) -> u16 {
         self.generation
@@ -74,7 +77,7 @@ impl PartialOrd for Handle {
     }
 }
 
-/// Two bodies whose boxes touch: what `overlaps`, `touches` and `contact` of the shapes in them need to be asked about.
+/// Two bodies whose boxes touch. Test their shapes with `overlaps`, `touches` or `contact`.
 ///
 /// `a` is the one with the smaller [key](super::Tag::key), at equal keys with the smaller slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -94,7 +97,7 @@ impl Pair {
         self.a.word() == body.word() || self.b.word() == body.word()
     }
 
-    /// The one that a body is near; `None` where it is not of this pair.
+    /// The other body; `None` if `body` is not of this pair.
     ///
     /// ```
     /// use tilesat::broad::{BroadPhase, BruteForce};
@@ -141,10 +144,11 @@ impl PartialOrd for Pair {
     }
 }
 
-/// What a body carries in a broad phase: whom it pairs with, and where it stands in canonical order.
+/// The value that a body carries in a broad phase. It decides which bodies it pairs with, and its
+/// position in canonical order.
 ///
-/// Asked only about two whose boxes touch. `()` pairs with all and costs nothing, [`Filter`](crate::Filter) has layers, [`Keyed`] adds a key; a rule of a game's own is a
-/// type of its own:
+/// Called only for two whose boxes touch. `()` pairs with all and costs nothing,
+/// [`Filter`](crate::Filter) has layers, [`Keyed`] adds a key. For your own rule, write a type:
 ///
 /// ```
 /// use tilesat::broad::Tag;
@@ -170,7 +174,8 @@ pub trait Tag: Copy {
         true
     }
 
-    /// The body's place in canonical order, which does not depend on the order of insertion; unique where that matters.
+    /// The body's place in canonical order, which does not depend on the order of insertion; unique
+    /// where that matters.
     #[inline]
     #[must_use]
     fn key(&self) -> u32 {
@@ -191,13 +196,13 @@ impl Tag for Filter {
     }
 }
 
-/// A tag with a key given by the caller: pairs sorted by it are the same in whichever order bodies were inserted.
+/// A tag with a key that you choose: pairs sorted by it are the same in every order of insertion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Keyed<T = ()> {
     /// Unique among the bodies.
     pub key: u32,
-    /// Whom it pairs with.
+    /// The tag that decides which bodies it pairs with.
     pub tag: T,
 }
 
@@ -215,7 +220,7 @@ impl<T: Tag> Tag for Keyed<T> {
     }
 }
 
-/// Why a body was not taken, moved or found; the broad phase is as it was.
+/// Why the broad phase did not take, move or find a body. It is as it was before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -227,8 +232,8 @@ pub enum BroadError {
     },
     /// The handle's body was removed.
     ///
-    /// Of another broad phase a handle is told only where its slot has no body here, or one of another generation: there may be a body of the
-    /// same name, and which of the two is meant cannot be told.
+    /// A handle of another broad phase is refused only where its slot has no body here, or one of
+    /// another generation. If there is a body of the same name, nothing tells the two apart.
     Stale(Handle),
     /// The box is wider or higher than a cell of the grid, in raw units.
     TooLarge {
@@ -249,15 +254,27 @@ pub enum BroadError {
 impl fmt::Display for BroadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Full { capacity } => write!(f, "all {capacity} slots are taken"),
+            Self::Full { capacity } => {
+                write!(f, "all {capacity} slots are taken: remove a body, or raise the capacity")
+            }
             Self::Stale(handle) => {
-                write!(f, "no body with slot {} and generation {}", handle.slot(), handle.generation())
+                write!(f, "no body has slot {} and generation {}: it was removed", handle.slot(), handle.generation())
             }
             Self::TooLarge { size, limit } => {
-                write!(f, "a side of {} is longer than {}", Fx::from_bits(size), Fx::from_bits(limit))
+                write!(
+                    f,
+                    "a side of {} is longer than {}: enlarge the cells, or set LARGE",
+                    Fx::from_bits(size),
+                    Fx::from_bits(limit)
+                )
             }
             Self::OutOfWorld { x, y } => {
-                write!(f, "a centre at ({}, {}) is outside of the grid", Fx::from_bits(x), Fx::from_bits(y))
+                write!(
+                    f,
+                    "a centre at ({}, {}) is outside of the grid: use another `Border`",
+                    Fx::from_bits(x),
+                    Fx::from_bits(y)
+                )
             }
         }
     }
@@ -265,13 +282,13 @@ impl fmt::Display for BroadError {
 
 impl core::error::Error for BroadError {}
 
-/// Why an enumeration of pairs stopped before its end; nothing is lost.
+/// Why an enumeration of pairs stopped before its end. Nothing is lost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PairsError {
-    /// The budget of tests is spent: the next call goes on from here.
+    /// The budget of tests is spent: the next call continues from here.
     BudgetExceeded,
-    /// There is no more room for pairs: take them out, and the next call goes on from here.
+    /// There is no more room for pairs: take them out, and the next call continues from here.
     Full,
     /// A body was inserted or moved since the enumeration began: the cursor is at the start again.
     Changed,
@@ -280,9 +297,11 @@ pub enum PairsError {
 impl fmt::Display for PairsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::BudgetExceeded => "the budget of tests is spent before all pairs were found",
-            Self::Full => "there is no more room for pairs",
-            Self::Changed => "bodies were inserted or moved during the enumeration",
+            Self::BudgetExceeded => {
+                "the budget of tests is spent before all pairs were found: call again with the same cursor"
+            }
+            Self::Full => "there is no more room for pairs: take them out, and call again with the same cursor",
+            Self::Changed => "bodies were inserted or moved during the enumeration: begin again",
         })
     }
 }
@@ -293,9 +312,9 @@ impl core::error::Error for PairsError {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum QueryError {
-    /// It was not asked: an argument is out of range. The buffer is empty.
+    /// An argument is out of range. The buffer is empty.
     Range(RangeError),
-    /// The buffer is full of what comes first; the rest did not fit.
+    /// The buffer is full of the first results; the rest did not fit.
     Truncated(Truncated),
 }
 
@@ -322,7 +341,7 @@ impl fmt::Display for QueryError {
 
 impl core::error::Error for QueryError {}
 
-/// Why there is no such grid.
+/// Why a grid was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -350,11 +369,11 @@ impl fmt::Display for GridError {
                 // The powers of two on both sides of it, from 2 raw to 2^28.
                 let log = side.checked_ilog2().unwrap_or(1).clamp(1, 27);
                 let (below, above) = (Fx::from_bits(1 << log), Fx::from_bits(2 << log));
-                write!(f, "a cell of {} is no power of two: {below} or {above} would do", Fx::from_bits(side))
+                write!(f, "a cell of {} is not a power of two: use {below} or {above}", Fx::from_bits(side))
             }
             Self::Columns { columns, cells } => {
                 let most = 1u32 << cells.trailing_zeros();
-                write!(f, "{columns} columns do not fit {} blocks: a power of two from 4 to {most} would", cells >> 5)?;
+                write!(f, "{columns} columns do not fit {} blocks: use a power of two from 4 to {most}", cells >> 5)?;
                 match columns >> 5 {
                     blocks if blocks > 1 && columns.is_power_of_two() => {
                         write!(f, ", or a multiple of {blocks} blocks")
@@ -362,7 +381,7 @@ impl fmt::Display for GridError {
                     _ => Ok(()),
                 }
             }
-            Self::Origin(error) => write!(f, "the origin: {error}"),
+            Self::Origin(error) => write!(f, "the grid's origin: {error}"),
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Many bodies: which of them are near each other, in fixed memory.
 //!
-//! A broad phase keeps a box for each body and finds those whose boxes touch, so that the exact queries are asked about few pairs. It says who is near a point, in a region, on a
-//! ray or in the way of a box, too. [`BroadPhase`] is the interface; what a body carries beside its box is its [`Tag`].
+//! A broad phase keeps a box for each body and finds those whose boxes touch. You then run the
+//! exact queries on few pairs. It also finds the bodies near a point, in a region, on a ray or in
+//! the way of a box. [`BroadPhase`] is the interface; beside its box, each body carries a [`Tag`].
 //!
 //! ```
 //! use tilesat::broad::SortSweep;

@@ -4,7 +4,8 @@ use super::Handle;
 use crate::shape::Aabb;
 use core::cell::Cell;
 
-/// Puts the slots that are in use first, in the order that they have, the free ones behind, and counts them.
+/// Puts the slots that are in use first, in the order that they have, the free ones behind, and
+/// counts them.
 pub(in crate::broad) fn compact(order: &mut [u16], generations: &[u16]) -> u16 {
     let order = Cell::from_mut(order).as_slice_of_cells();
     let mut used = 0;
@@ -19,7 +20,8 @@ pub(in crate::broad) fn compact(order: &mut [u16], generations: &[u16]) -> u16 {
     used
 }
 
-/// Sorts by left sides: by insertion, which is fast where little has changed, until that took 8 shifts a slot; then by a heap.
+/// Sorts by left sides: by insertion, which is fast where little has changed, until that took 8
+/// shifts a slot; then by a heap.
 #[inline(never)]
 pub(in crate::broad) fn sort(order: &mut [u16], bounds: &[Aabb]) {
     let order = Cell::from_mut(order).as_slice_of_cells();
@@ -39,7 +41,8 @@ pub(in crate::broad) fn sort(order: &mut [u16], bounds: &[Aabb]) {
     }
 }
 
-/// Puts the last slot, whose key is given, where it belongs among the others: past how many of them.
+/// Puts the last slot, whose key is given, where it belongs among the others: past how many of
+/// them.
 #[inline(never)]
 pub(in crate::broad) fn insert(order: &[Cell<u16>], bounds: &[Aabb], key: i32) -> usize {
     let Some((last, mut below)) = order.split_last() else { return 0 };

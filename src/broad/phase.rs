@@ -1,4 +1,4 @@
-//! What all broad phases have in common.
+//! The calls that all broad phases have in common.
 
 use super::ask::{along, cast, nearest, neighbours, pairs_of, sorted_pairs, sorted_region};
 use super::table::Spatial;
@@ -9,10 +9,12 @@ use crate::num::{Fx, Raw, Toi, Vec2};
 use crate::shape::Aabb;
 use heapless::VecView;
 
-/// Boxes of bodies, and which of them are near each other: one interface, four ways to find them, the same answers.
+/// Finds which bodies are near each other, by their boxes. One interface, four implementations, the
+/// same answers.
 ///
-/// Boxes that only touch count ("near" is closed), so that nothing is missed that `overlaps`, `touches` or `contact` of the shapes would find. A circle goes in
-/// by its [`aabb`](crate::Circle::aabb), a fast body by the box of its whole way.
+/// Boxes that only touch count ("near" is closed). It misses nothing that `overlaps`, `touches` or
+/// `contact` of the shapes would find. Insert a circle by its [`aabb`](crate::Circle::aabb), a fast
+/// body by the box of its whole way.
 ///
 /// | question | closure, no order | in order, into a buffer |
 /// |---|---|---|
@@ -22,7 +24,7 @@ use heapless::VecView;
 /// | who is nearest? | | [`nearest`](Self::nearest), [`neighbours`](Self::neighbours) |
 /// | who is on the way? | [`along`](Self::along) | [`cast_ray`](Self::cast_ray), [`cast_shape`](Self::cast_shape) |
 ///
-/// What is written for all of them names what bodies carry:
+/// Code for all of them names the tag that bodies carry:
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, LooseGrid, SortSweep};
@@ -39,14 +41,17 @@ use heapless::VecView;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Where there is a buffer `out` it is emptied first, also where the question is refused; only [`pairs_from`](Self::pairs_from) appends.
+/// Where there is a buffer `out` it is emptied first, also where the question is refused; only
+/// [`pairs_from`](Self::pairs_from) appends.
 ///
 /// Sealed: implemented by the types of this module alone.
+#[doc(alias("AABB tree", "BVH", "quadtree", "DynamicTree", "World"))]
 pub trait BroadPhase: Spatial {
     /// Takes a body in.
     ///
     /// # Errors
-    /// [`Full`](BroadError::Full); grids also refuse what is [`TooLarge`](BroadError::TooLarge) or [`OutOfWorld`](BroadError::OutOfWorld). Nothing was changed then.
+    /// [`Full`](BroadError::Full); grids also return [`TooLarge`](BroadError::TooLarge) or
+    /// [`OutOfWorld`](BroadError::OutOfWorld). Nothing was changed then.
     fn insert(&mut self, bounds: &Aabb, tag: Self::Tag) -> Result<Handle, BroadError> {
         let place = self.admit(bounds)?;
         let handle = self.slots().insert(bounds, tag)?;
@@ -57,7 +62,8 @@ pub trait BroadPhase: Spatial {
     /// Gives a body another box: it moved, or changed its size.
     ///
     /// # Errors
-    /// [`Stale`](BroadError::Stale), and those of [`insert`](Self::insert) but `Full`. Nothing was changed then.
+    /// [`Stale`](BroadError::Stale), and those of [`insert`](Self::insert) but `Full`. Nothing was
+    /// changed then.
     #[inline]
     fn move_to(&mut self, handle: Handle, bounds: &Aabb) -> Result<(), BroadError> {
         let slot = self.table().slot(handle)?;
@@ -67,10 +73,12 @@ pub trait BroadPhase: Spatial {
         Ok(())
     }
 
-    /// Moves every body: `to` gets its name and its box and says the new box. One call a frame is cheaper than one a body.
+    /// Moves every body: `to` gets its name and its box and returns the new box. One call per frame
+    /// is cheaper than one per body.
     ///
     /// # Errors
-    /// The first refusal, as of [`move_to`](Self::move_to), with the body: it stays where it was, and the others move.
+    /// The first refusal, as of [`move_to`](Self::move_to), with the body: it stays where it was,
+    /// and the others move.
     #[inline]
     fn move_each(&mut self, to: impl FnMut(Handle, &Aabb) -> Aabb) -> Result<(), (Handle, BroadError)> {
         self.move_all(to)
@@ -101,7 +109,7 @@ pub trait BroadPhase: Spatial {
         bodies.bounds.get(slot).copied().ok_or(BroadError::Stale(handle))
     }
 
-    /// What a body carries.
+    /// The tag of a body.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -149,8 +157,10 @@ pub trait BroadPhase: Spatial {
         self.table().iter()
     }
 
-    /// Every pair of bodies whose tags let them pair and whose boxes touch, once, in no particular order.
+    /// Every pair of bodies whose tags let them pair and whose boxes touch, once, in no particular
+    /// order.
     #[inline]
+    #[doc(alias = "updatePairs")]
     fn pairs(&mut self, mut each: impl FnMut(Pair)) {
         // With no budget and no pair refused nothing stops it before its end.
         let _ = self.walk(&mut PairCursor::new(), &mut Unlimited, |pair| {
@@ -159,23 +169,28 @@ pub trait BroadPhase: Spatial {
         });
     }
 
-    /// Some more pairs, appended to what is in `out`: as many as it takes and as `budget` tests of two boxes find. Call it again with the same cursor until it is `Ok`.
+    /// Some more pairs, appended to `out`: as many as it takes and as `budget` tests of two boxes
+    /// find. Call it again with the same cursor until it is `Ok`.
     ///
-    /// Bodies may be removed between two calls: they are in no later pair, though perhaps in one that is already in `out`.
+    /// Bodies may be removed between two calls: they are in no later pair, though perhaps in one
+    /// that is already in `out`.
     ///
     /// # Errors
-    /// [`BudgetExceeded`](PairsError::BudgetExceeded) and [`Full`](PairsError::Full): there is more, or may be; [`Changed`](PairsError::Changed): bodies came or moved, so
-    /// it begins again.
+    /// [`BudgetExceeded`](PairsError::BudgetExceeded) and [`Full`](PairsError::Full): there is
+    /// more, or may be; [`Changed`](PairsError::Changed): bodies came or moved, so it begins again.
     fn pairs_from(&mut self, cursor: &mut PairCursor, budget: u32, out: &mut VecView<Pair>) -> Result<(), PairsError> {
         cursor.resume(self.slots().epoch())?;
         self.walk(cursor, &mut Budget(budget), |pair| out.push(pair).is_ok())
     }
 
-    /// All pairs in canonical order, in place of what is in `out`: by the [key](super::Tag::key) of the first body, then by that of the second, then by slots. With keys that are unique the
-    /// answer does not depend on the order of insertion, nor on the kind of broad phase.
+    /// Replaces the contents of `out` by all pairs in canonical order: by the
+    /// [key](super::Tag::key) of the first body, then by that of the second, then by slots. With
+    /// unique keys the answer depends neither on the order of insertion nor on the kind of broad
+    /// phase.
     ///
-    /// Cost: beside [`pairs`](Self::pairs), at most 4 log2 k comparisons for each of the pairs, where k of them are kept; 164 pairs among 512 bodies take some 130 000
-    /// instructions on a Cortex-M0.
+    /// Cost: beside [`pairs`](Self::pairs), at most 4 log2 k comparisons for each of the pairs,
+    /// where k of them are kept; 164 pairs among 512 bodies take some 130 000 instructions on a
+    /// Cortex-M0.
     ///
     /// # Errors
     /// [`Truncated`] where they do not fit: `out` then holds the first ones.
@@ -199,14 +214,18 @@ pub trait BroadPhase: Spatial {
         sorted_pairs(self, out)
     }
 
-    /// Every pair with at least one of the `movers`, once, in no particular order: for games where few of many bodies move, as two that rest need not be
-    /// asked about again. What is not near a mover costs nothing.
+    /// Every pair with at least one of the `movers`, once, in no particular order. It suits games
+    /// where few of many bodies move: two that rest do not have to be tested again. Bodies far from
+    /// all movers cost nothing.
     ///
-    /// The movers may come in any order, also more than once. Tags count as in [`pairs`](Self::pairs), of which these are a part: with all bodies as movers it
-    /// is the same, only dearer.
+    /// The movers may come in any order, also more than once. Tags count as in
+    /// [`pairs`](Self::pairs), of which these are a part: with all bodies as movers it is the same,
+    /// only dearer.
     ///
-    /// Cost: one region query a mover, of its box; no memory. Of 512 bodies in 1024 x 768 units a mover takes about 720 instructions on a Cortex-M0 in a grid, where
-    /// all pairs take 250 a body; it pays where less than a third of the bodies move. Without cells a mover takes 13 a body: it pays for few.
+    /// Cost: one region query per mover, of its box; no memory. Of 512 bodies in 1024 x 768 units a
+    /// mover takes about 720 instructions on a Cortex-M0 in a grid, where all pairs take 250 per
+    /// body. It pays where less than a third of the bodies move. Without cells a mover takes 13 per
+    /// body: it pays for few.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale), before any pair.
@@ -228,8 +247,10 @@ pub trait BroadPhase: Spatial {
         pairs_of(self, movers, each)
     }
 
-    /// Every body whose box touches a region, once, in no particular order. The box of a body's own is one of them.
+    /// Every body whose box touches a region, once, in no particular order. The box of a body's own
+    /// is one of them.
     #[inline]
+    #[doc(alias("queryRect", "overlapAABB"))]
     fn in_region(&self, region: &Aabb, mut each: impl FnMut(Handle)) {
         let bodies = self.table();
         self.visit(region, |slot| each(bodies.handle(slot)));
@@ -244,9 +265,11 @@ pub trait BroadPhase: Spatial {
         self.in_region(&Aabb::from_raw_unchecked(p, p), each);
     }
 
-    /// Every body whose box touches a region, in canonical order, in place of what is in `out`: by key, then by slot.
+    /// Replaces the contents of `out` by every body whose box touches a region, in canonical order:
+    /// by key, then by slot.
     ///
-    /// Cost: beside [`in_region`](Self::in_region), at most 4 log2 k comparisons for each body found, where k are kept.
+    /// Cost: beside [`in_region`](Self::in_region), at most 4 log2 k comparisons for each body
+    /// found, where k are kept.
     ///
     /// # Errors
     /// [`Truncated`] where they do not fit: `out` then holds the first ones.
@@ -254,12 +277,15 @@ pub trait BroadPhase: Spatial {
         sorted_region(self, region, out)
     }
 
-    /// Of the `wanted` bodies the one whose box is nearest to a point and at most `within` away; of equally near ones the one with the smaller key, then slot.
+    /// Of the `wanted` bodies the one whose box is nearest to a point and at most `within` away; of
+    /// equally near ones the one with the smaller key, then slot.
     ///
-    /// With [`Fx::MAX`] there is no limit. Distances are compared by their exact squares. `wanted` is asked of no body twice, and not of those that would not be nearest.
+    /// With [`Fx::MAX`] there is no limit. Distances are compared by their exact squares. `wanted`
+    /// is called once per body at most, and not for those that would not be nearest.
     ///
-    /// Cost: without cells every body; with them the cells of a square that shrinks to the nearest found. At the worst all bodies, and a root. Of 512 bodies in
-    /// 1024 x 768 units 1 850 instructions on a Cortex-M0 in a grid, 100 a body without cells.
+    /// Cost: without cells every body; with them the cells of a square that shrinks to the nearest
+    /// found. At the worst all bodies, and a root. Of 512 bodies in 1024 x 768 units 1 850
+    /// instructions on a Cortex-M0 in a grid, 100 per body without cells.
     ///
     /// ```
     /// use tilesat::broad::{BroadPhase, BruteForce};
@@ -277,7 +303,8 @@ pub trait BroadPhase: Spatial {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the point is outside of the [domain](crate::num::DOMAIN), or `within` is negative.
+    /// [`RangeError`] where the point is outside of the [domain](crate::num::DOMAIN), or `within`
+    /// is negative.
     fn nearest(
         &self,
         point: Vec2,
@@ -287,12 +314,16 @@ pub trait BroadPhase: Spatial {
         nearest(self, point, within, wanted)
     }
 
-    /// All `wanted` bodies whose boxes are at most `within` away from a point, the nearest first, in the order of [`nearest`](Self::nearest) and in place of what is in `out`.
+    /// Replaces the contents of `out` by all `wanted` bodies whose boxes are at most `within` away
+    /// from a point, the nearest first. The order is that of [`nearest`](Self::nearest).
     ///
-    /// Cost: a region query of the square around; sorting k that are kept takes at most 4 log2 k comparisons for each one found, and a root for each that is kept.
+    /// Cost: a region query of the square around; sorting k that are kept takes at most 4 log2 k
+    /// comparisons for each one found, and a root for each that is kept.
     ///
     /// # Errors
-    /// [`Range`](QueryError::Range) as `nearest`: `out` is empty then; [`Truncated`](QueryError::Truncated) where they do not fit: `out` then holds the nearest ones.
+    /// [`Range`](QueryError::Range) as `nearest`: `out` is empty then;
+    /// [`Truncated`](QueryError::Truncated) where they do not fit: `out` then holds the nearest
+    /// ones.
     fn neighbours(
         &self,
         point: Vec2,
@@ -303,14 +334,17 @@ pub trait BroadPhase: Spatial {
         neighbours(self, point, within, wanted, out)
     }
 
-    /// Every body whose box is touched by a box on its way along `motion`, once, in no particular order, with the [time](BroadHit::toi) of the first touch.
+    /// Every body whose box a box touches on its way along `motion`, once, in no particular order,
+    /// with the [time](BroadHit::toi) of the first touch.
     ///
-    /// Closed and exact, in contrast to casts of shapes: both ends of the way and the borders count, so that nothing is missed that a cast or a ray
-    /// would hit. `each` answers how much of the motion still matters. Bodies that are touched later do not come any more, and are not even looked at where the
-    /// broad phase walks along the way: answer [`Toi::ONE`] to see all, or the time of the earliest exact hit so far to find the first one.
+    /// Closed and exact, in contrast to casts of shapes: both ends of the way and the borders
+    /// count. It misses nothing that a cast or a ray would hit. `each` answers how much of the
+    /// motion still matters. Bodies that are touched later do not come any more, and a broad phase
+    /// that walks along the way does not even look at them. Answer [`Toi::ONE`] to see all, or the
+    /// time of the earliest exact hit so far to find the first one.
     ///
-    /// Cost: without cells every body, with them the bodies of the cells on the way and beside it. A box that is not touched takes no division. At the
-    /// worst all bodies.
+    /// Cost: without cells every body, with them the bodies of the cells on the way and beside it.
+    /// A box that is not touched takes no division. At the worst all bodies.
     ///
     /// ```
     /// use tilesat::broad::{BroadPhase, BruteForce};
@@ -347,12 +381,15 @@ pub trait BroadPhase: Spatial {
         along(self, start, motion, each)
     }
 
-    /// All `wanted` bodies whose boxes a ray from `origin` along `motion` touches, the earliest first; of those at one time (in parts of 2^30) the one with the
-    /// smaller key, then slot. In place of what is in `out`.
+    /// Replaces the contents of `out` by all `wanted` bodies whose boxes a ray from `origin` along
+    /// `motion` touches, the earliest first. Of those at one time (in parts of 2^30) the one with
+    /// the smaller key comes first, then the smaller slot.
     ///
-    /// Closed and exact: a box that holds the start is touched at 0, also from its border, one that is only grazed counts, and so does the very end.
+    /// Closed and exact. A box that holds the start is touched at 0, also from its border. A box
+    /// that is only grazed counts, and so does the very end.
     ///
-    /// Cost: as of [`along`](Self::along), and for each hit at most 4 log2 k comparisons where k are kept.
+    /// Cost: as of [`along`](Self::along), and for each hit at most 4 log2 k comparisons where k
+    /// are kept.
     ///
     /// ```text
     ///         +---+
@@ -364,8 +401,9 @@ pub trait BroadPhase: Spatial {
     /// ```
     ///
     /// # Errors
-    /// [`Range`](QueryError::Range) where an end of the ray is outside of the [domain](crate::num::DOMAIN): `out` is empty then; [`Truncated`](QueryError::Truncated) where they do not
-    /// fit: `out` then holds the earliest ones.
+    /// [`Range`](QueryError::Range) where an end of the ray is outside of the
+    /// [domain](crate::num::DOMAIN): `out` is empty then; [`Truncated`](QueryError::Truncated)
+    /// where they do not fit: `out` then holds the earliest ones.
     fn cast_ray(
         &self,
         origin: Vec2,
@@ -377,7 +415,8 @@ pub trait BroadPhase: Spatial {
         cast(self, &Aabb::new(origin, origin)?, motion, wanted, out)
     }
 
-    /// The same for a box that moves, in place of what is in `out`: what a body could run into.
+    /// The same for a box that moves: replaces the contents of `out` by the bodies that it could
+    /// run into.
     ///
     /// ```
     /// use heapless::Vec;

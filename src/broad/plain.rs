@@ -7,7 +7,7 @@ use super::{BroadError, Handle, Pair, PairCursor, PairsError, Tag};
 use crate::shape::Aabb;
 use core::slice::Iter;
 
-/// What both do the same: they take any box, and a query tests each.
+/// The common part of both: they take any box, and a query tests each.
 macro_rules! any_box {
     () => {
         type Tag = T;
@@ -42,7 +42,8 @@ macro_rules! any_box {
 trait Scan {
     fn next<M: Meter>(&mut self, meter: &mut M) -> Step;
 
-    /// How many rows are left after this one, and how many bodies it has still to be tested against.
+    /// How many rows are left after this one, and how many bodies it has still to be tested
+    /// against.
     fn left(&self) -> (usize, usize);
 
     /// The slots of this row and of a later place.
@@ -82,9 +83,11 @@ fn pairs<T: Tag, M: Meter>(
     Ok(())
 }
 
-/// Up to N bodies, each tested against each: the fastest for a dozen, and the definition of what the others must find.
+/// Up to N bodies, each tested against each. It is the fastest for a dozen, and defines the answers
+/// of the others.
 ///
-/// Cost: N (N - 1) / 2 tests of boxes, most of them two comparisons; an insertion or a move is a store. RAM: box, tag and the generation's 2 bytes.
+/// Cost: N (N - 1) / 2 tests of boxes, most of them two comparisons; an insertion or a move is a
+/// store. RAM: box, tag and the generation's 2 bytes.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, BruteForce};
@@ -109,7 +112,7 @@ pub struct BruteForce<const N: usize, T = ()> {
 }
 
 impl<const N: usize, T: Tag> BruteForce<N, T> {
-    /// An empty one; may be a `static`.
+    /// An empty broad phase, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
         Self { table: Table::new() }
@@ -156,10 +159,11 @@ impl<'a> EachScan<'a> {
 }
 
 impl Scan for EachScan<'_> {
-    /// Goes on to two boxes that touch. Apart from what is done with them, so that the box of the row stays in registers.
+    /// Continues to two boxes that touch. Separate from the use of the pair: the box of the row
+    /// stays in registers.
     #[inline(never)]
     fn next<M: Meter>(&mut self, meter: &mut M) -> Step {
-        // Written back only where it ends, so that they are in registers until then.
+        // Written back only at the end: they are in registers until then.
         let Self { mut row, ref rows, ref later } = *self;
         let (mut rows, mut later) = (rows.clone(), later.clone());
         let step = 'found: loop {
@@ -193,10 +197,12 @@ impl Scan for EachScan<'_> {
     }
 }
 
-/// Up to N bodies, sorted by their left sides: the fastest from a dozen to some hundreds of them, however large.
+/// Up to N bodies, sorted by their left sides: the fastest from a dozen to some hundreds of them,
+/// however large.
 ///
-/// A body is tested against those that begin where it reaches in x. The order is kept from one enumeration to the next, and bodies that move a little change it
-/// a little. A world that is higher than wide, or whose bodies fall in columns, is better given in with x and y exchanged.
+/// A body is tested against those that begin where it reaches in x. The order is kept from one
+/// enumeration to the next, and bodies that move a little change it a little. A world that is
+/// higher than wide, or whose bodies fall in columns, is better given in with x and y exchanged.
 ///
 /// ```text
 ///  a +-----+          order of left sides: a b c d
@@ -207,11 +213,14 @@ impl Scan for EachScan<'_> {
 ///         +---+
 /// ```
 ///
-/// Cost of an enumeration: the shifts that put the order right, one for each two bodies that changed places; after 8 N shifts, as where bodies were put
-/// anywhere, a heap sort of N log N steps (a frame of 256 bodies takes a Cortex-M0 some 40 000 instructions, one in which all were thrown about 190 000). Then a test of
-/// boxes for every two that touch in x, and for one more a body; N (N - 1) / 2 where all touch in x.
-/// Nothing is sorted where nothing moved, and where an enumeration [goes on](crate::broad::BroadPhase::pairs_from). An insertion or a move is a store.
-/// A query of a region or a point tests every body's box. RAM: 2 bytes a body, beside box, tag and the generation's 2 bytes.
+/// Cost of an enumeration: the shifts that restore the order, one for each two bodies that changed
+/// places. After 8 N shifts, as where bodies were put anywhere, it runs a heap sort of N log N
+/// steps. A frame of 256 bodies takes a Cortex-M0 some 40 000 instructions, one in which all were
+/// thrown about 190 000. Then comes a test of boxes for every two that touch in x, and one more per
+/// body: N (N - 1) / 2 where all touch in x. Nothing is sorted where nothing moved, and where an
+/// enumeration [continues](crate::broad::BroadPhase::pairs_from). An insertion or a move is a
+/// store. A query of a region or a point tests every body's box. RAM: 2 bytes per body, beside box,
+/// tag and the generation's 2 bytes.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, SortSweep};
@@ -232,6 +241,7 @@ impl Scan for EachScan<'_> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("sweep and prune", "SAP"))]
 pub struct SortSweep<const N: usize, T = ()> {
     table: Table<T, N>,
     /// Every slot once; those that were in use when it was last sorted are the first.
@@ -245,7 +255,7 @@ pub struct SortSweep<const N: usize, T = ()> {
 }
 
 impl<const N: usize, T: Tag> SortSweep<N, T> {
-    /// An empty one; may be a `static`.
+    /// An empty broad phase, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
         let mut order = [0; N];
@@ -273,7 +283,8 @@ impl<const N: usize, T: Tag> Spatial for SortSweep<N, T> {
         self.stale = true;
     }
 
-    /// A free slot keeps its place in the order, and its left side: an enumeration that is under way finds the others where they were.
+    /// A free slot keeps its position in the order, and its left side: a running enumeration finds
+    /// the others where they were.
     fn unlink(&mut self, _: usize) {
         self.stale = true;
     }
@@ -294,7 +305,8 @@ impl<const N: usize, T: Tag> Spatial for SortSweep<N, T> {
 }
 
 impl<const N: usize, T: Tag> SortSweep<N, T> {
-    /// Sorts, unless nothing came or moved since: then an enumeration may be under way, and the order has to stay as it is.
+    /// Sorts, unless nothing came or moved since: then an enumeration may be under way, and the
+    /// order has to stay as it is.
     #[inline]
     fn put_right(&mut self) {
         let epoch = self.table.slots().epoch();
@@ -331,13 +343,15 @@ impl<'a> OrderedScan<'a> {
 }
 
 impl Scan for OrderedScan<'_> {
-    /// Goes on to two boxes that touch. Apart from what is done with them, so that the box of the row stays in registers.
+    /// Continues to two boxes that touch. Separate from the use of the pair: the box of the row
+    /// stays in registers.
     ///
-    /// What follows begins at or beyond the row's left side, so it touches the row in x where it begins before the row's right side. That of a free slot is
-    /// before everything, and as a later one such a slot fails in y.
+    /// The next boxes begin at or beyond the row's left side. Each touches the row in x where it
+    /// begins before the row's right side. The right side of a free slot is before everything, and
+    /// as a later one a free slot fails in y.
     #[inline(never)]
     fn next<M: Meter>(&mut self, meter: &mut M) -> Step {
-        // Written back only where it ends, so that they are in registers until then.
+        // Written back only at the end: they are in registers until then.
         let Self { order, bounds, mut row, ref rows, ref later } = *self;
         let (mut rows, mut later) = (rows.clone(), later.clone());
         let step = 'found: loop {

@@ -1,4 +1,5 @@
-//! The bodies of a broad phase by slot: boxes, tags and generations; and what each broad phase does with them in its own way.
+//! The bodies of a broad phase by slot: boxes, tags and generations; and what each broad phase does
+//! with them in its own way.
 //!
 //! Where an enumeration of pairs stands, and what it may still spend.
 
@@ -25,14 +26,16 @@ pub(super) struct State {
     pub(super) len: u16,
     /// A body came or moved in this epoch.
     moved: bool,
-    /// Counts what disturbs an enumeration. It steps at most once an enumeration, so it does not come round while one is under way.
+    /// Counts what disturbs an enumeration. It steps at most once an enumeration, so it does not
+    /// come round while one is under way.
     epoch: u32,
 }
 
 /// No slot.
 pub(super) const NIL: u16 = u16::MAX;
 
-/// A slot that nobody has: no box touches it. The left side is kept, which leaves an order by it as it is; the last word is the next free slot.
+/// A slot that nobody has: no box touches it. The left side is kept, which leaves an order by it as
+/// it is; the last word is the next free slot.
 const fn dead(left: i32, next: u16) -> Aabb {
     Aabb::from_raw_unchecked(Raw { x: left, y: i32::MAX }, Raw { x: i32::MIN, y: next as i32 })
 }
@@ -131,10 +134,12 @@ impl<T: Tag> Bodies<'_, T> {
         }
     }
 
-    /// The bodies of two slots as a pair, if they may be one: the smaller key first, then the smaller slot.
+    /// The bodies of two slots as a pair, if they may be one: the smaller key first, then the
+    /// smaller slot.
     ///
-    /// To be asked after the boxes. A frame of 64 bodies, each against each, takes a Cortex-M0 31 600 instructions that way round, whatever the masks are; with
-    /// masks before boxes it is 69 300 where all may pair and 45 100 where none may, since a test of boxes mostly ends at its first comparison.
+    /// Test the boxes first. A frame of 64 bodies, each against each, then takes a Cortex-M0 31 600
+    /// instructions, whatever the masks are. With masks before boxes it is 69 300 where all may
+    /// pair and 45 100 where none may, because a test of boxes mostly ends at its first comparison.
     #[inline]
     pub(super) fn pair(&self, i: usize, j: usize) -> Option<Pair> {
         let (Some(a), Some(b)) = (self.tags.get(i), self.tags.get(j)) else { return None };
@@ -191,7 +196,8 @@ impl<T: Tag> Slots<'_, T> {
         self.set_while(0, to, |_, _| true);
     }
 
-    /// Gives bodies other boxes, from a slot on and as long as `keep` takes them: the first that it does not take is left to the caller.
+    /// Gives bodies other boxes, from a slot on and as long as `keep` takes them: the first that it
+    /// does not take is left to the caller.
     #[inline]
     pub(super) fn set_while(
         &mut self,
@@ -234,10 +240,10 @@ impl<T: Tag> Slots<'_, T> {
 
 /// How bodies are found, each broad phase in its own way.
 ///
-/// Sealed: nothing outside of the crate implements it or needs to name it. The public face is [`BroadPhase`](super::BroadPhase), which has its
-/// [`Tag`](Self::Tag).
+/// Sealed: nothing outside of the crate implements it or needs to name it. The public face is
+/// [`BroadPhase`](super::BroadPhase), which has its [`Tag`](Self::Tag).
 pub trait Spatial: Sized {
-    /// What bodies carry.
+    /// The tag that bodies carry.
     type Tag: Tag;
     /// Where a box belongs.
     type Place: Copy;
@@ -289,7 +295,8 @@ pub trait Spatial: Sized {
     /// All pairs from the cursor on, each once. Where `each` has no room the pair comes again.
     ///
     /// # Errors
-    /// `BudgetExceeded` and `Full`, with the cursor where it has to go on; at the end it is at the start.
+    /// `BudgetExceeded` and `Full`, with the cursor where it has to go on; at the end it is at the
+    /// start.
     fn walk<M: Meter>(
         &mut self,
         cursor: &mut PairCursor,
@@ -299,13 +306,16 @@ pub trait Spatial: Sized {
 
     /// The slots of all bodies whose boxes touch a region, each once, in any order.
     ///
-    /// Boxes in the table may lie outside of the domain for a while ([`pairs_of`](super::BroadPhase::pairs_of)): they touch no region.
+    /// Boxes in the table may lie outside of the domain for a while
+    /// ([`pairs_of`](super::BroadPhase::pairs_of)): they touch no region.
     fn visit(&self, region: &Aabb, each: impl FnMut(usize));
 
-    /// The slots of all bodies whose boxes a box touches on its way, borders and both ends included, each once, in any order; other bodies may
-    /// come, too. The box may be a point. Both ends of the way are in the domain.
+    /// The slots of all bodies whose boxes a box touches on its way, borders and both ends
+    /// included, each once, in any order; other bodies may come, too. The box may be a point. Both
+    /// ends of the way are in the domain.
     ///
-    /// `each` answers which part of the way still matters: a body that is touched later than the last answer, in whole parts of 2^30, need not come.
+    /// `each` answers which part of the way still matters: a body that is touched later than the
+    /// last answer, in whole parts of 2^30, may be skipped.
     fn visit_path(&self, start: &Aabb, motion: Raw, mut each: impl FnMut(usize) -> Toi) {
         let end = Aabb::from_raw_unchecked(start.lo().add(motion), start.hi().add(motion));
         self.visit(&start.union(&end), |slot| {
@@ -313,10 +323,12 @@ pub trait Spatial: Sized {
         });
     }
 
-    /// The slots of all bodies whose boxes touch the square around a point that reaches so far to each side, each once, in any order; other
-    /// bodies may come, too. The point is in the domain and `reach` is not negative.
+    /// The slots of all bodies whose boxes touch the square around a point that reaches so far to
+    /// each side, each once, in any order; other bodies may come, too. The point is in the domain
+    /// and `reach` is not negative.
     ///
-    /// `each` answers how far the square that still matters reaches: what touches only the rest need not come.
+    /// `each` answers how far the square that still matters reaches: bodies that touch only the
+    /// rest may be skipped.
     fn visit_near(&self, point: Raw, reach: i32, mut each: impl FnMut(usize) -> i32) {
         self.visit(&square(point, reach), |slot| {
             each(slot);
@@ -333,15 +345,16 @@ pub(super) fn square(centre: Raw, reach: i32) -> Aabb {
 
 /// Where an enumeration of pairs stands between two calls; plain data, at the start by default.
 ///
-/// It belongs to one broad phase, and to its snapshots only with a copy of the cursor made at the same time: where a snapshot is put back without that,
-/// begin with a new one, or pairs may be missed. Bodies may be removed in between; where one is inserted or moved the next call says
+/// It belongs to one broad phase, and to its snapshots only with a copy of the cursor made at the
+/// same time: where a snapshot is put back without that, begin with a new one, or pairs may be
+/// missed. Bodies may be removed in between; where one is inserted or moved the next call says
 /// [`Changed`](PairsError::Changed), once, and the call after that begins again.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PairCursor {
     pub(super) epoch: u32,
     pub(super) under_way: bool,
-    /// What is left to do of the present row or cell, as each broad phase sees it.
+    /// The rest of the present row or cell, as each broad phase sees it.
     pub(super) row: u16,
     pub(super) a: u16,
     pub(super) b: u16,
@@ -349,7 +362,7 @@ pub struct PairCursor {
 }
 
 impl PairCursor {
-    /// At the start.
+    /// A cursor at the start.
     #[must_use]
     pub const fn new() -> Self {
         Self { epoch: 0, under_way: false, row: 0, a: 0, b: 0, lane: 0 }

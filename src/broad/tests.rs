@@ -1,4 +1,4 @@
-//! Names, order and what is kept where room is short.
+//! Names, order, and the bodies that are kept where room is short.
 
 #[allow(clippy::indexing_slicing, reason = "a test may panic")]
 mod handle {
@@ -38,7 +38,8 @@ mod ask {
     use crate::error::Truncated;
     use heapless::Vec;
 
-    /// Every sequence of up to six of five numbers, told apart by their places, into room for none to seven.
+    /// Every sequence of up to six of five numbers, told apart by their places, into room for none
+    /// to seven.
     #[test]
     fn keeps_the_first_ones_sorted() {
         for len in 0..=6u32 {
@@ -109,7 +110,8 @@ mod order {
         }
     }
 
-    /// Where it has to give up in the middle, where it has not, and at the border: i shifts for the i-th slot.
+    /// Where it has to give up in the middle, where it has not, and at the border: i shifts for the
+    /// i-th slot.
     #[test]
     fn backwards() {
         for n in [1, 2, 16, 17, 18, 19, 40, 1000] {

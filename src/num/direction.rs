@@ -20,6 +20,7 @@ use fixed::types::I2F30;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("normal", "direction"))]
 pub struct Axis {
     /// Horizontal component.
     pub x: i32,
@@ -34,7 +35,7 @@ impl Axis {
     pub const Y: Self = Self::new(0, 1);
     /// To the left.
     pub const NEG_X: Self = Self::new(-1, 0);
-    /// Against y: upwards on a screen.
+    /// Against y: up on a screen.
     pub const NEG_Y: Self = Self::new(0, -1);
 
     /// A direction from its components.
@@ -99,6 +100,11 @@ impl Axis {
     ///
     /// Mirrored axes give mirrored bits, parallels to x or y are exact. Cost: one reciprocal root,
     /// no division; about 250 instructions on a Cortex-M0.
+    ///
+    /// ```
+    /// use tilesat::{Axis, Vec2, fx};
+    /// assert_eq!(Axis::new(0, -3).unit().scaled(fx!(1.5)), Vec2::new(fx!(0), fx!(-1.5)));
+    /// ```
     #[must_use]
     pub const fn unit(self) -> UnitVec2 {
         unit_nearest(self)
@@ -133,6 +139,7 @@ impl Neg for Axis {
 /// Each component is within 1.5 raw (2^-30) of the exact value, so the length is within 3 parts in
 /// 10^9 of one. Parallels to x and y are exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("normalized", "unit vector"))]
 pub struct UnitVec2 {
     x: I2F30,
     y: I2F30,
@@ -158,7 +165,7 @@ impl UnitVec2 {
         self.y
     }
 
-    /// The bits of both components: 2^30 is one.
+    /// The bits of the two components: 2^30 is one.
     #[must_use]
     pub const fn raw(self) -> (i32, i32) {
         (self.x.to_bits(), self.y.to_bits())
@@ -209,13 +216,15 @@ pub(super) struct Normalised {
 #[inline(always)]
 const fn normalise(axis: Axis) -> Normalised {
     let (x, y) = (axis.x.unsigned_abs(), axis.y.unsigned_abs());
-    // The larger magnitude goes to [2^30, 2^31); 2^31 itself (i32::MIN) is halved, which keeps the direction to 2^-31.
+    // The larger magnitude goes to [2^30, 2^31); 2^31 itself (i32::MIN) is halved, which keeps the
+    // direction to 2^-31.
     let zeros = leading_zeros32(x | y);
     let (x, y) = if zeros == 0 { (x >> 1, y >> 1) } else { (x << (zeros - 1), y << (zeros - 1)) };
     let square = usqr(x).wrapping_add(usqr(y));
-    // square is in [2^60, 2^63): a shift by 0 or 2 brings its top word into [2^30, 2^32). With h that word,
-    // 1/sqrt(square) = recip / 2^63, or recip / 2^62 after the shift (recip = 2^47 / sqrt h).
-    // In words, because a shift of a double word by one of two distances is compiled as one by a variable.
+    // square is in [2^60, 2^63): a shift by 0 or 2 brings its top word into [2^30, 2^32). With h
+    // that word, 1/sqrt(square) = recip / 2^63, or recip / 2^62 after the shift (recip = 2^47 /
+    // sqrt h). In words, because a shift of a double word by one of two distances is compiled as
+    // one by a variable.
     let (hi, lo) = ((square >> 32) as u32, square as u32);
     let halve = hi >> 30 != 0;
     let h = if halve { hi } else { (hi << 2) | (lo >> 30) };
@@ -286,7 +295,8 @@ pub(crate) const fn scaled(n: i32, s: i64, d: u64) -> i32 {
 /// There are no halves: 2 v r / |v| is odd for no integers, because a primitive Pythagorean triple
 /// has an odd hypotenuse.
 pub(crate) const fn on_circle(v: u32, r: u32, d: u64) -> u32 {
-    // 2x + 1 rounded down and halved is x to nearest; |v| <= 2^32 and r < 2^29 keep the product below 2^63.
+    // 2x + 1 rounded down and halved is x to nearest; |v| <= 2^32 and r < 2^29 keep the product
+    // below 2^63.
     div_sqrt(umul(v, r) << 1, d).wrapping_add(1) >> 1
 }
 

@@ -55,6 +55,7 @@ pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split,
 /// | `Fx::from_num(n)` | `n` beyond ±32768 | `Fx::checked_from_num(n)`, `Fx::saturating_from_num(n)`; `Fx::from(i16)` cannot fail |
 ///
 /// Operators of [`Vec2`] saturate. A game that keeps to vectors meets none of these.
+#[doc(alias("fixed point", "Q16.16", "Fixed"))]
 pub type Fx = fixed::types::I16F16;
 
 /// An [`Fx`](crate::Fx) from a literal, always computed by the compiler.

@@ -4,7 +4,7 @@ use super::{Fx, LONG, Raw, SPLIT, Vec2, mul_div, mul64, umul};
 
 /// A fraction of a motion: 0 at its start, 1 at its end, in steps of 2^-30.
 ///
-/// Rounded down, so that acting on it is never late.
+/// Rounded down: a body that moves by it is never late.
 ///
 /// ```
 /// use tilesat::Toi;
@@ -13,6 +13,7 @@ use super::{Fx, LONG, Raw, SPLIT, Vec2, mul_div, mul64, umul};
 /// assert_eq!(Toi::from_raw((1 << 30) + 1), None);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[doc(alias("TOI", "time of impact", "fraction"))]
 pub struct Toi(u32);
 
 impl Toi {
@@ -64,9 +65,11 @@ impl Toi {
         if d < 0 { part.wrapping_neg() } else { part }
     }
 
-    /// This part of a component `d`, rounded so that `m` plus it is no nearer to zero than the exact sum where `away`, else no farther.
+    /// This part of a component `d`, rounded. `m` plus it is no nearer to zero than the exact sum
+    /// where `away`, else no farther.
     ///
-    /// While the sum is still on the side that `d` comes from, rounding toward zero keeps it away; on zero and beyond it is one more that does.
+    /// While the sum is still on the side that `d` comes from, rounding toward zero keeps it away;
+    /// on zero and beyond it is one more that does.
     pub(crate) const fn of_raw_beside(self, m: i32, d: i32, away: bool) -> i32 {
         let product = super::umul(d.unsigned_abs(), self.0);
         let part = (product >> 30) as i32;
@@ -78,10 +81,11 @@ impl Toi {
     }
 }
 
-/// A number from 0 to 1 in steps of 2^-30: friction, restitution, drag, or who takes which share of a push.
+/// A number from 0 to 1 in steps of 2^-30: friction, restitution, drag, or the shares of a push.
 ///
-/// `new` rounds to the nearest step, so a ratio is off by at most 2^-31; 0, 1 and fractions of powers of two are exact, and
-/// `new(a, c)` and `new(b, c)` with a + b = c < 2^31 are each other's [`complement`](Self::complement). What a ratio is *of* is rounded toward zero, the
+/// `new` rounds to the nearest step: a ratio is off by at most 2^-31. 0, 1 and fractions of powers
+/// of two are exact. `new(a, c)` and `new(b, c)` with a + b = c < 2^31 are each other's
+/// [`complement`](Self::complement). A number multiplied by a ratio is rounded toward zero, the
 /// same for both signs.
 ///
 /// ```
@@ -117,6 +121,12 @@ impl Ratio {
     }
 
     /// Hundredths, to nearest; `None` above 100.
+    ///
+    /// ```
+    /// use tilesat::{Ratio, fx};
+    /// assert_eq!(Ratio::percent(25).map(|quarter| quarter.of(fx!(8))), Some(fx!(2)));
+    /// assert_eq!(Ratio::percent(101), None);
+    /// ```
     #[must_use]
     pub const fn percent(hundredths: u8) -> Option<Self> {
         Self::new(hundredths as u32, 100)
@@ -177,9 +187,10 @@ pub(crate) fn fraction(num: u32, den: u32) -> u32 {
     if LONG { (u64::from(num) << 30).checked_div(u64::from(den)).unwrap_or(0) as u32 } else { by_digits(num, den) }
 }
 
-/// Long division in three digits of ten bits, each from a 16-bit reciprocal that is never too large. A digit is short by less than
-/// 0.11 before it is floored, as each of its three factors adds: the remainder without its low 15 bits 2^-5, the divisor so 2^-5, the reciprocal
-/// 2^10 times 2^-14.4. So it is right or one too small, and the remainder, below `2 den`, tells.
+/// Long division in three digits of ten bits, each from a 16-bit reciprocal that is never too
+/// large. A digit is short by less than 0.11 before it is floored, as each of its three factors
+/// adds: the remainder without its low 15 bits 2^-5, the divisor so 2^-5, the reciprocal 2^10 times
+/// 2^-14.4. So it is right or one too small, and the remainder, below `2 den`, tells.
 #[inline]
 pub(super) fn by_digits(num: u32, den: u32) -> u32 {
     let (mut rest, mut den) = (num, den);
@@ -194,7 +205,8 @@ pub(super) fn by_digits(num: u32, den: u32) -> u32 {
         den <<= shift;
         rest <<= shift;
     }
-    // 2^31 / d for d in 2^15..=2^16: the line 48/17 - 32/17 d is off by 1/17 at most, and each step of Newton squares that.
+    // 2^31 / d for d in 2^15..=2^16: the line 48/17 - 32/17 d is off by 1/17 at most, and each step
+    // of Newton squares that.
     let d = (den >> 15).wrapping_add(1);
     let r = 92_521u32.wrapping_sub(d.wrapping_mul(61_681) >> 16);
     let e = (1u32 << 31).wrapping_sub(d.wrapping_mul(r)) as i32;

@@ -2,10 +2,12 @@
 
 use super::wide::{LONG, less128, mul64, umul};
 
-/// `round(256 / sqrt((i + 32.5) / 128)) - 256` for i in 0..96, at most 255; padded to a power of two so that a mask bounds the index.
+/// `round(256 / sqrt((i + 32.5) / 128)) - 256` for i in 0..96, at most 255. It is padded to a power
+/// of two, and a mask bounds the index.
 const RSQRT_TABLE: [u8; 128] = rsqrt_table();
 
-/// Twice the nearest integer decision of `256 / sqrt(u)`, `u = (2i + 65) / 256`: the largest t with (2t - 1)^2 u <= 512^2.
+/// Twice the nearest integer decision of `256 / sqrt(u)`, `u = (2i + 65) / 256`: the largest t with
+/// (2t - 1)^2 u <= 512^2.
 #[expect(clippy::indexing_slicing, reason = "bounded by the loop; runs in the compiler")]
 const fn rsqrt_table() -> [u8; 128] {
     let mut table = [0u8; 128];
@@ -22,7 +24,8 @@ const fn rsqrt_table() -> [u8; 128] {
     table
 }
 
-/// `2^15 / sqrt(h / 2^32)` for h in `[2^30, 2^32)`, relative error below 2^-12.9; other inputs give some number.
+/// `2^15 / sqrt(h / 2^32)` for h in `[2^30, 2^32)`, relative error below 2^-12.9; other inputs give
+/// some number.
 #[inline]
 #[expect(clippy::indexing_slicing, reason = "the index is masked to the table's length")]
 const fn rsqrt_seed(h: u32) -> u32 {
@@ -37,7 +40,8 @@ const fn rsqrt_seed(h: u32) -> u32 {
 
 /// The reciprocal square root `2^31 / sqrt(h / 2^32)` of a normalised word.
 ///
-/// `h` must be in `[2^30, 2^32)`. The error is within -1.53 and +2.00, checked for every `h`. A call where the multiplications are calls as well.
+/// `h` must be in `[2^30, 2^32)`. The error is within -1.53 and +2.00, checked for every `h`. A
+/// call where the multiplications are calls as well.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 #[must_use]
@@ -60,7 +64,8 @@ pub const fn rsqrt(h: u32) -> u32 {
 
 /// The exact floor of the square root of a double word.
 ///
-/// Exact for all 2^64 inputs; no division. About 270 instructions on a Cortex-M0, 135 on a Cortex-M3.
+/// Exact for all 2^64 inputs; no division. About 270 instructions on a Cortex-M0, 135 on a
+/// Cortex-M3.
 #[inline(never)]
 #[must_use]
 pub const fn isqrt64(n: u64) -> u32 {
@@ -78,16 +83,19 @@ pub(super) const fn isqrt_words(n: u64) -> u32 {
     isqrt_norm((m >> 32) as u32, m as u32) >> (shift >> 1)
 }
 
-/// [`isqrt64`] at run time: with the feature `libm` by the processor's own root, where `libm` uses that.
+/// [`isqrt64`] at run time: with the feature `libm` by the processor's own root, where `libm` uses
+/// that.
 ///
-/// On x86-64 a cast of a circle against a circle takes 122 instructions with it, 168 without (20 000 casts, half of them hits).
+/// On x86-64 a cast of a circle against a circle takes 122 instructions with it, 168 without
+/// (20 000 casts, half of them hits).
 #[cfg(all(feature = "libm", target_arch = "x86_64", not(tilesat_split)))]
 #[expect(clippy::cast_precision_loss, reason = "what the rounding does is derived below")]
 #[inline]
 pub(crate) fn root64(n: u64) -> u32 {
-    // With k the exact floor: for k < 2^26.5 only the root rounds. Above, k^2 as an `f64` is short by 2^10 at most, its root by
-    // 2^-22, half of the last place of k: that rounds back to k. So the candidate is never short; it is 1 too large at most,
-    // where n rounds up to the next square.
+    // With k the exact floor: for k < 2^26.5 only the root rounds. Above, k^2 as an `f64` is short
+    // by 2^10 at most, its root by 2^-22, half of the last place of k: that rounds back to k. So
+    // the candidate is never short; it is 1 too large at most, where n rounds up to the next
+    // square.
     let candidate = libm::sqrt(n as f64) as i64 as u64;
     candidate.wrapping_sub(u64::from(candidate >> 32 != 0 || candidate.wrapping_mul(candidate) > n)) as u32
 }
@@ -109,7 +117,8 @@ pub const fn isqrt64_ceil(n: u64) -> u32 {
     if super::wide::usqr(s) == n { s } else { s.saturating_add(1) }
 }
 
-/// An upper bound of the square root of a number below 2^124, within one part in 2^31 (exact ceiling below 2^64).
+/// An upper bound of the square root of a number below 2^124, within one part in 2^31 (exact
+/// ceiling below 2^64).
 pub(crate) fn root128_up(n: (u64, u64)) -> u64 {
     let (top, shift) = top_word(n);
     let (word, root) = if shift == 0 {
@@ -160,7 +169,8 @@ const fn isqrt_norm(h: u32, lo: u32) -> u32 {
         r = r.wrapping_sub((2 * s + 1) as i32);
         s += 1;
     }
-    // s is the root of the high word and r its remainder; the low half of the root is about r * 2^16 / (2 s).
+    // s is the root of the high word and r its remainder; the low half of the root is about r *
+    // 2^16 / (2 s).
     let e = 0x8000_0000u32.wrapping_sub(s.wrapping_mul(y)) as i32;
     let y = min32((y as i32).wrapping_add((y as i32 >> 3).wrapping_mul(e >> 5) >> 23) as u32, 65536);
     let q = if r as u32 >= 0x1_ffff { 65535 } else { min32((r as u32 >> 1).wrapping_mul(y) >> 15, 65535) };
@@ -178,7 +188,8 @@ const fn isqrt_norm(h: u32, lo: u32) -> u32 {
     root as u32
 }
 
-/// Leading zeros of a double word; the 64-bit builtin costs 78 instructions on `ARMv6-M`, two words of the 32-bit one less.
+/// Leading zeros of a double word; the 64-bit builtin costs 78 instructions on `ARMv6-M`, two words
+/// of the 32-bit one less.
 #[inline]
 #[must_use]
 pub(crate) const fn leading_zeros64(n: u64) -> u32 {
@@ -256,7 +267,8 @@ pub const fn recip(d: u32) -> u32 {
 
 /// The exact floor of `a * b / d`; `u32::MAX` where that does not fit, or `d` is zero.
 ///
-/// No division on chips: about 150 instructions on a Cortex-M0 where the compiler's 64-bit division takes 450.
+/// No division on chips: about 150 instructions on a Cortex-M0 where the compiler's 64-bit division
+/// takes 450.
 #[inline(never)]
 #[must_use]
 pub const fn mul_div(a: u32, b: u32, d: u32) -> u32 {
@@ -289,18 +301,20 @@ const fn divided(n: u64, d: u64) -> u32 {
 pub(super) const fn by_reciprocal(n: u64, d: u32) -> u32 {
     let shift = leading_zeros32(d);
     if d & d.wrapping_sub(1) == 0 {
-        // A power of two, as where a time is in parts of 2^30: a shift, in words. The high one is below d.
+        // A power of two, as where a time is in parts of 2^30: a shift, in words. The high one is
+        // below d.
         let log = 31 - shift;
         return ((n >> 32) as u32) << ((32 - log) & 31) | n as u32 >> log;
     }
-    // With D = d * 2^shift >= 2^31: n / d = (n * 2^shift / 2^32) * (2^32 / D), and recip(D) / 2^31 <= 2^32 / D.
-    // The quotient fits a word, so n < d * 2^32 and n * 2^shift < 2^64.
+    // With D = d * 2^shift >= 2^31: n / d = (n * 2^shift / 2^32) * (2^32 / D), and recip(D) /
+    // 2^31 <= 2^32 / D. The quotient fits a word, so n < d * 2^32 and n * 2^shift < 2^64.
     let scaled = n << shift;
     let y = recip(d << shift);
     let hi = umul((scaled >> 32) as u32, y);
     let lo = umul(scaled as u32, y) >> 32;
     let mut q = (hi.wrapping_add(lo) >> 31) as u32;
-    // Never above the exact quotient; below it by at most 26.5 parts in 2^31 (53 units) and a truncation: at most 7 rounds by 8.
+    // Never above the exact quotient; below it by at most 26.5 parts in 2^31 (53 units) and a
+    // truncation: at most 7 rounds by 8.
     let mut rem = n.wrapping_sub(umul(q, d));
     let mut step = d as u64 * 8;
     let mut weight = 8;
@@ -316,10 +330,12 @@ pub(super) const fn by_reciprocal(n: u64, d: u32) -> u32 {
     q
 }
 
-/// The exact floor of `a * k / n`, for `n <= 2^63`; `u32::MAX` where it does not fit, or `n` is zero.
+/// The exact floor of `a * k / n`, for `n <= 2^63`; `u32::MAX` where it does not fit, or `n` is
+/// zero.
 ///
-/// As fast as [`mul_div`] where `a` and `n` are words, else some 700 instructions on a Cortex-M0. Used where a result must be exact and is asked for
-/// rarely: points on segments, replies of velocities.
+/// As fast as [`mul_div`] where `a` and `n` are words, else some 700 instructions on a Cortex-M0.
+/// Used where a result must be exact and is asked for rarely: points on segments, replies of
+/// velocities.
 #[inline(never)]
 #[must_use]
 pub const fn mul_div_wide(a: u64, k: u32, n: u64) -> u32 {
@@ -334,19 +350,23 @@ pub const fn mul_div_wide(a: u64, k: u32, n: u64) -> u32 {
     if LONG && hi == 0 { divided(lo, n) } else { by_wide_reciprocal((top, lo), n) }
 }
 
-/// The floor of a product of 96 bits, by its top 64 and its low 64, with `n`, which is above the top.
+/// The floor of a product of 96 bits, by its top 64 and its low 64, with `n`, which is above the
+/// top.
 #[inline(always)]
 pub(super) const fn by_wide_reciprocal((top, lo): (u64, u64), n: u64) -> u32 {
-    // With N = n 2^shift >= 2^63 and P = a k 2^shift < 2^32 N: P / N from the top 64 bits of the 96 of P and the top 32 of N.
+    // With N = n 2^shift >= 2^63 and P = a k 2^shift < 2^32 N: P / N from the top 64 bits of the 96
+    // of P and the top 32 of N.
     let shift = leading_zeros64(n);
     let top = if shift < 32 { (top << shift) | ((lo as u32 as u64) << shift >> 32) } else { lo << (shift - 32) };
     let (nh, nl) = ((n << shift >> 32) as u32, (n << shift) as u32);
     let y = recip(nh);
     let sum = umul((top >> 32) as u32, y).wrapping_add(umul(top as u32, y) >> 32);
-    // The low half of N makes that too large by at most 2 and a fraction; the reciprocal's 26.5 parts in 2^32 of 2 and two truncations make it
-    // too small by at most 55. So what is short, from 3 less, is below 64.
+    // The low half of N makes that too large by at most 2 and a fraction; the reciprocal's 26.5
+    // parts in 2^32 of 2 and two truncations make it too small by at most 55. So what is short,
+    // from 3 less, is below 64.
     let mut q = (sum >> 31).saturating_sub(3) as u32;
-    // The remainder and N in units of 2^32, a little too small and too large: q stays no more than exact, and ends at most 1 short.
+    // The remainder and N in units of 2^32, a little too small and too large: q stays no more than
+    // exact, and ends at most 1 short.
     let mut rem = top.wrapping_sub(umul(q, nh)).wrapping_sub(umul(q, nl) >> 32).saturating_sub(1);
     let unit = nh as u64 + 1;
     let mut step = unit << 5;
@@ -363,10 +383,12 @@ pub(super) const fn by_wide_reciprocal((top, lo): (u64, u64), n: u64) -> u32 {
     q.wrapping_add((lo.wrapping_sub(n.wrapping_mul(q as u64)) >= n) as u32)
 }
 
-/// The exact floor of `s / sqrt(n)`, for quotients below 2^31; `u32::MAX` for others, or where `n` is zero.
+/// The exact floor of `s / sqrt(n)`, for quotients below 2^31; `u32::MAX` for others, or where `n`
+/// is zero.
 ///
-/// Starts from the reciprocal square root and settles by comparing `q^2 n` with `s^2` in 128 bits: one comparison more than
-/// the candidate is short, at most 9, and at most 1 for quotients below 2^27.
+/// Starts from the reciprocal square root and settles by comparing `q^2 n` with `s^2` in 128 bits:
+/// one comparison more than the candidate is short, at most 9, and at most 1 for quotients below
+/// 2^27.
 #[inline(never)]
 #[must_use]
 pub const fn div_sqrt(s: u64, n: u64) -> u32 {
@@ -377,8 +399,9 @@ pub const fn div_sqrt(s: u64, n: u64) -> u32 {
     }
     let half_shift = leading_zeros64(n) >> 1;
     let h = ((n << (2 * half_shift)) >> 32) as u32;
-    // 1/sqrt(n) = 2^half_shift y / 2^63 with y = 2^47/sqrt(h'), h <= h' < h + 1. rsqrt is less than 2 above its value at h, and
-    // that is at most 2 above the one at h': y - 4 never exceeds the exact factor, and is at most 8 below it.
+    // 1/sqrt(n) = 2^half_shift y / 2^63 with y = 2^47/sqrt(h'), h <= h' < h + 1. rsqrt is less than
+    // 2 above its value at h, and that is at most 2 above the one at h': y - 4 never exceeds the
+    // exact factor, and is at most 8 below it.
     let y = rsqrt(h).saturating_sub(4);
     let product = umul((s >> 32) as u32, y).wrapping_add(umul(s as u32, y) >> 32);
     let mut q = (product >> (31 - half_shift)) as u32;

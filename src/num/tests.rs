@@ -4,7 +4,7 @@
 mod parts {
     use crate::num::part::Ratio;
 
-    /// 0, powers of two and what is beside them, and all ones.
+    /// 0, powers of two and their neighbours, and all ones.
     fn near_powers(bits: u32) -> impl Iterator<Item = u64> {
         (0..bits).flat_map(|k| [(1 << k) - 1, 1 << k, (1u64 << k).wrapping_add(1)]).chain([u64::MAX >> (64 - bits)])
     }
@@ -79,7 +79,8 @@ mod unit {
 mod roots {
     use crate::num::quotient::{isqrt_words, isqrt64, root128_down, root128_up};
 
-    /// Around squares of every size: bounds on their sides, exact below 2^64, else within a part in 2^31.
+    /// Around squares of every size: bounds on their sides, exact below 2^64, else within a part in
+    /// 2^31.
     #[test]
     fn roots_of_double_words_are_bounds() {
         for bits in 0..62 {
@@ -198,8 +199,8 @@ mod fraction {
         assert_eq!((u64::from(fraction(num, den)), u64::from(by_digits(num, den))), (floor, floor), "{num} / {den}");
     }
 
-    /// All small fractions; all divisors that differ in the bits that the reciprocal sees, and those next to them, with numerators that leave
-    /// remainders close to 0 and to the divisor.
+    /// All small fractions; all divisors that differ in the bits that the reciprocal sees, and
+    /// those next to them, with numerators that leave remainders close to 0 and to the divisor.
     #[test]
     fn is_the_exact_floor() {
         for den in 1..600 {
@@ -228,7 +229,8 @@ mod fraction {
 mod roots_at_run_time {
     use crate::num::quotient::{isqrt64, root64};
 
-    /// Beside squares, where floors change, from roots near powers of two and from a walk over all sizes.
+    /// Beside squares, where floors change, from roots near powers of two and from a walk over all
+    /// sizes.
     #[test]
     fn they_are_those_of_constants() {
         let walked = (0..200_000u64).map(|k| k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (32 + k % 24));

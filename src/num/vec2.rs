@@ -28,10 +28,11 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 /// assert_eq!(v * fx!(20000), Vec2::new(Fx::MAX, Fx::MAX));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[doc(alias("vector", "Point"))]
 pub struct Vec2 {
     /// Horizontal component; grows to the right.
     pub x: Fx,
-    /// Vertical component; grows as the caller likes (rows of a tile map follow it).
+    /// Vertical component. You choose whether it grows down or up; rows of a tile map follow it.
     pub y: Fx,
 }
 
@@ -45,8 +46,8 @@ impl Vec2 {
         Self { x, y }
     }
 
-    /// A vector from the bits of its components: any fixed-point format may be fed this way, with
-    /// results in the same format.
+    /// A vector from the bits of its components. You may pass the bits of any fixed-point format;
+    /// results are then in that format.
     #[must_use]
     pub const fn from_raw(x: i32, y: i32) -> Self {
         Self { x: Fx::from_bits(x), y: Fx::from_bits(y) }
@@ -92,7 +93,7 @@ impl Vec2 {
         (self.x.to_bits() >> 16, self.y.to_bits() >> 16)
     }
 
-    /// The bits of both components.
+    /// The bits of the two components.
     #[must_use]
     pub const fn raw(self) -> (i32, i32) {
         (self.x.to_bits(), self.y.to_bits())
@@ -387,8 +388,8 @@ impl From<Vec2> for [Fx; 2] {
 /// 64-bit or one unsigned 128-bit comparison.
 pub const DOMAIN: i32 = 1 << 29;
 
-/// A motion call takes components, and bodies with extents, below this raw value, 2^28: 4096 units
-/// in 16.16.
+/// A motion's components and a moving body's extents stay below this raw value, 2^28: 4096 units in
+/// 16.16.
 pub const MOTION: i32 = 1 << 28;
 
 pub(crate) const fn check_coordinate(v: Vec2) -> Result<(), RangeError> {

@@ -1,21 +1,26 @@
-//! Products wider than a register, from 32-bit multiplications alone where the core has no long multiply.
+//! Products wider than a register, from 32-bit multiplications alone where the core has no long
+//! multiply.
 
 use core::cmp::Ordering;
 
-/// True where the core has no 32x32 -> 64 multiply: `ARMv6-M`, `ARMv4T` and `ARMv5TE` in Thumb state.
+/// True where the core has no 32x32 -> 64 multiply: `ARMv6-M`, `ARMv4T` and `ARMv5TE` in Thumb
+/// state.
 ///
-/// Stable Rust sets no `target_feature` that tells `ARMv6-M` from `ARMv7-M`, but every 32-bit Arm target with `UMULL` in
-/// all its instruction states has atomic compare-and-swap, and those without do not (`ARMv8-M` baseline is the one
-/// exception: it takes the compiler's call, slower, same bits). So no build script is needed. `--cfg tilesat_split` sets it anywhere, so
-/// that the host's tests can run what those cores run.
+/// Stable Rust sets no `target_feature` that tells `ARMv6-M` from `ARMv7-M`, but every 32-bit Arm
+/// target with `UMULL` in all its instruction states has atomic compare-and-swap, and those without
+/// do not (`ARMv8-M` baseline is the one exception: it takes the compiler's call, slower, same
+/// bits). So no build script is needed. `--cfg tilesat_split` sets it anywhere, so that the host's
+/// tests can run what those cores run.
 pub const SPLIT: bool = cfg!(any(tilesat_split, all(target_arch = "arm", not(target_has_atomic = "32"))));
 
-/// True where a register holds a double word: there products and comparisons cost less than the branches that save them.
+/// True where a register holds a double word: there products and comparisons cost less than the
+/// branches that save them.
 pub(crate) const LONG: bool = cfg!(all(target_pointer_width = "64", not(tilesat_split)));
 
 /// The 64-bit product of two unsigned words.
 ///
-/// Exact for all inputs. 18 instructions on a Cortex-M0 (the compiler's call takes 36), one on cores with a long multiply.
+/// Exact for all inputs. 18 instructions on a Cortex-M0 (the compiler's call takes 36), one on
+/// cores with a long multiply.
 #[inline]
 #[must_use]
 pub const fn umul(a: u32, b: u32) -> u64 {
@@ -72,7 +77,7 @@ const fn norm_words(a: i32, b: i32) -> u64 {
     usqr(a.unsigned_abs()).wrapping_add(usqr(b.unsigned_abs()))
 }
 
-/// [`umul`] from four 16-bit products; what `ARMv6-M` runs, callable everywhere so that tests reach it.
+/// [`umul`] from four 16-bit products. `ARMv6-M` runs it; the tests call it everywhere.
 #[inline(never)]
 #[must_use]
 pub const fn umul_split(a: u32, b: u32) -> u64 {
@@ -84,7 +89,8 @@ pub const fn umul_split(a: u32, b: u32) -> u64 {
     ((hi as u64) << 32) | lo as u64
 }
 
-/// [`imul`] from [`umul_split`]: a is its bits less 2^32 where it is negative, so the high word is less by b then, and likewise by a.
+/// [`imul`] from [`umul_split`]: a is its bits less 2^32 where it is negative, so the high word is
+/// less by b then, and likewise by a.
 #[inline]
 #[must_use]
 pub const fn imul_split(a: i32, b: i32) -> i64 {
@@ -105,10 +111,11 @@ pub const fn usqr_split(a: u32) -> u64 {
     ((hi as u64) << 32) | lo as u64
 }
 
-/// The 128-bit product of two unsigned double words, as `(high, low)`; such pairs compare as numbers.
+/// The 128-bit product of two unsigned double words, as `(high, low)`; such pairs compare as
+/// numbers.
 ///
-/// Exact for all inputs. Delivered as a pair so that no 128-bit routine of the compiler is linked. 128 instructions on a Cortex-M0,
-/// out of line there; 15 on a Cortex-M3.
+/// Exact for all inputs. The result is a pair, so no 128-bit routine of the compiler is linked. 128
+/// instructions on a Cortex-M0, out of line there; 15 on a Cortex-M3.
 #[inline]
 #[must_use]
 pub const fn mul64(a: u64, b: u64) -> (u64, u64) {
@@ -187,7 +194,8 @@ pub(crate) const fn square_times(a: u64, b: u64) -> (u64, u64, u64) {
     mul128(sqr64(a), b)
 }
 
-/// The product of a 128-bit and a 64-bit number, high word first; such triples compare as numbers. For products below 2^192.
+/// The product of a 128-bit and a 64-bit number, high word first; such triples compare as numbers.
+/// For products below 2^192.
 #[inline]
 pub(crate) const fn mul128(a: (u64, u64), b: u64) -> (u64, u64, u64) {
     let (low, high) = (mul64(a.1, b), mul64(a.0, b));
@@ -213,6 +221,7 @@ pub(crate) const fn sub128(a: (u64, u64), b: (u64, u64)) -> (u64, u64) {
 #[inline]
 #[must_use]
 pub const fn less128(a: (u64, u64), b: (u64, u64)) -> bool {
-    // One chain of subtractions; joining words is free, and no 128-bit routine of the compiler is called.
+    // One chain of subtractions; joining words is free, and no 128-bit routine of the compiler is
+    // called.
     ((a.0 as u128) << 64 | a.1 as u128) < ((b.0 as u128) << 64 | b.1 as u128)
 }

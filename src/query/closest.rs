@@ -8,14 +8,17 @@ use crate::shape::{Aabb, Circle, Segment};
 
 /// The nearest points of two shapes that are apart.
 ///
-/// `Some((a, b))`: a point of A and one of B whose distance is the distance of the shapes, each component rounded to nearest: a point
-/// may be half a raw unit off its shape. `None` where the shapes touch or overlap; ask
-/// [`contact`](super::Contacts::contact) then. In the order (B, A) the same two points are given, exchanged.
+/// `Some((a, b))`: a point of A and one of B whose distance is the distance of the shapes, each
+/// component rounded to nearest: a point may be half a raw unit off its shape. `None` where the
+/// shapes touch or overlap; ask [`contact`](super::Contacts::contact) then. In the order (B, A) the
+/// same two points are given, exchanged.
 ///
-/// Where two parallel sides make many pairs as near: between boxes (and segments along x or y) the middle of what faces each
-/// other, half a raw unit rounded down; between sloped segments the end that comes first lexicographically and its opposite.
+/// Where two parallel sides make many pairs as near: between boxes (and segments along x or y) the
+/// middle of what faces each other, half a raw unit rounded down; between sloped segments the end
+/// that comes first lexicographically and its opposite.
 ///
-/// Cost: a cold path, a few thousand instructions on a Cortex-M0 for circles and sloped segments, comparisons for boxes. It cannot fail.
+/// Cost: a cold path, a few thousand instructions on a Cortex-M0 for circles and sloped segments,
+/// comparisons for boxes. It cannot fail.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -27,7 +30,8 @@ use crate::shape::{Aabb, Circle, Segment};
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 pub trait ClosestPoint<B: ?Sized> {
-    /// A point of this shape and one of `b` that are as near as the shapes are; `None` where those touch.
+    /// A point of this shape and one of `b` that are as near as the shapes are; `None` where those
+    /// touch.
     #[must_use]
     fn closest_points(&self, b: &B) -> Option<(Vec2, Vec2)>;
 }
@@ -44,7 +48,8 @@ pub(crate) const fn on_segment(p: Raw, a: Raw, b: Raw) -> Raw {
     }
 }
 
-/// The foot of `p` on a line with direction `e`: `p` less the normal `(-e.y, e.x)` times `cross / len2`.
+/// The foot of `p` on a line with direction `e`: `p` less the normal `(-e.y, e.x)` times
+/// `cross / len2`.
 const fn foot(p: Raw, e: Raw, cross: i64, len2: u64) -> Raw {
     Raw { x: p.x.wrapping_add(scaled(e.y, cross, len2)), y: p.y.wrapping_sub(scaled(e.x, cross, len2)) }
 }
@@ -124,7 +129,8 @@ impl Candidate {
         Self { vertex, square: Square { num: (0, clamp(vertex, lo, hi).sub(vertex).len2()), den: 1 }, of_first }
     }
 
-    /// The nearer one; in a tie, which is either the same pair of points or one of many between parallels, the first lexicographically.
+    /// The nearer one; in a tie, which is either the same pair of points or one of many between
+    /// parallels, the first lexicographically.
     fn or(self, other: Self) -> Self {
         let first = (self.vertex.x, self.vertex.y) <= (other.vertex.x, other.vertex.y);
         if self.square.less(other.square) || (first && !other.square.less(self.square)) { self } else { other }
@@ -200,8 +206,9 @@ closest_both!(Segment, Aabb, |a, b| segment_and_box(a.ra(), a.rb(), b.lo(), b.hi
 impl Circle {
     /// The point of the disc that is nearest to `p`: `p` itself where it is inside.
     ///
-    /// Each component is the exact one rounded to nearest, so the point may be half a raw unit outside of the circle; mirrored points
-    /// give mirrored bits. `p` may be anywhere. Cost: two quotients by a root, some 1150 instructions on a Cortex-M0.
+    /// Each component is the exact one rounded to nearest, so the point may be half a raw unit
+    /// outside of the circle; mirrored points give mirrored bits. `p` may be anywhere. Cost: two
+    /// quotients by a root, some 1150 instructions on a Cortex-M0.
     ///
     /// ```
     /// use tilesat::{Circle, Fx, Vec2};
@@ -218,9 +225,10 @@ impl Circle {
 impl Segment {
     /// The point of the segment that is nearest to `p`.
     ///
-    /// Each component is the exact one rounded to nearest, halves toward `p`, so the point may be half a raw unit off the segment. Reversing the
-    /// segment changes nothing, mirrored points give mirrored bits. `p` may be anywhere. Exact and cheap for segments along x or
-    /// y and where an end is nearest; else two long divisions, some 2050 instructions on a Cortex-M0.
+    /// Each component is the exact one rounded to nearest, halves toward `p`, so the point may be
+    /// half a raw unit off the segment. Reversing the segment changes nothing, mirrored points give
+    /// mirrored bits. `p` may be anywhere. Exact and cheap for segments along x or y and where an
+    /// end is nearest; else two long divisions, some 2050 instructions on a Cortex-M0.
     ///
     /// ```
     /// use tilesat::{Segment, Vec2};
@@ -256,12 +264,14 @@ impl Square {
 
 /// The distance between two shapes, or to a point.
 ///
-/// The exact distance rounded down to a raw unit; zero where they touch or overlap, and where they are less than a raw unit apart
-/// ([`touches`](super::Touches::touches) tells these cases apart). `a.distance(&b)` is `b.distance(&a)`.
+/// The exact distance rounded down to a raw unit. It is zero where they touch or overlap, and where
+/// they are less than a raw unit apart; [`touches`](super::Touches::touches) distinguishes these
+/// cases. `a.distance(&b)` is `b.distance(&a)`.
 ///
-/// Cost: at most one square root, about 300 instructions on a Cortex-M0 (500 to 950 for a sloped segment); four to six times that for a
-/// sloped segment against a box or a segment. It cannot fail. Points may be anywhere: only to one outside of the
-/// [domain](crate::num::DOMAIN) can the distance exceed `Fx`, and it is then `Fx::MAX`.
+/// Cost: at most one square root, about 300 instructions on a Cortex-M0 (500 to 950 for a sloped
+/// segment); four to six times that for a sloped segment against a box or a segment. It cannot
+/// fail. Points may be anywhere: only to one outside of the [domain](crate::num::DOMAIN) can the
+/// distance exceed `Fx`, and it is then `Fx::MAX`.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -275,6 +285,7 @@ impl Square {
 pub trait Distance<B: ?Sized> {
     /// The distance to `b`, rounded down; zero where the two touch.
     #[must_use]
+    #[doc(alias = "separation")]
     fn distance(&self, b: &B) -> Fx;
 }
 
@@ -291,7 +302,8 @@ const fn apart(alo: i32, ahi: i32, blo: i32, bhi: i32) -> u32 {
 
 /// The length of a vector of magnitudes, rounded down.
 ///
-/// One is a shape's coordinate less any `i32` at most, below 2^31 + 2^29: the sum of squares is below 2^64.
+/// One is a shape's coordinate less any `i32` at most, below 2^31 + 2^29: the sum of squares is
+/// below 2^64.
 const fn hypot(x: u32, y: u32) -> u32 {
     if y == 0 {
         x
@@ -333,7 +345,8 @@ const fn min(a: u32, b: u32) -> u32 {
     if a < b { a } else { b }
 }
 
-/// Where they do not touch, one end or corner realises the distance. The least of rounded values is the rounded least.
+/// Where they do not touch, one end or corner realises the distance. The least of rounded values is
+/// the rounded least.
 const fn segment_box(s: &Segment, lo: Raw, hi: Raw) -> u32 {
     let (a, b) = (s.ra(), s.rb());
     if meet::segment_aabb::<true>(a, b, lo, hi) {

@@ -8,7 +8,8 @@ const fn below<const CLOSED: bool>(a: i32, b: i32) -> bool {
     if CLOSED { a <= b } else { a < b }
 }
 
-/// Whether two intervals meet. Strict comparison is right for intervals of no length too: they meet what has the point inside.
+/// Whether two intervals meet. Strict comparison is right for intervals of no length too: they meet
+/// an interval that has the point inside.
 #[inline]
 const fn intervals<const CLOSED: bool>(alo: i32, ahi: i32, blo: i32, bhi: i32) -> bool {
     if CLOSED { alo <= bhi && blo <= ahi } else { alo < bhi && blo < ahi }
@@ -18,14 +19,15 @@ const fn intervals<const CLOSED: bool>(alo: i32, ahi: i32, blo: i32, bhi: i32) -
 #[inline]
 pub(crate) const fn aabb_aabb<const CLOSED: bool>(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw) -> bool {
     if LONG {
-        // Four comparisons without a branch; callgrind: 15 instructions in place of 20.
+        // Four comparisons without a branch; callgrind: 15 instructions instead of 20.
         return (below::<CLOSED>(alo.x, bhi.x) & below::<CLOSED>(blo.x, ahi.x))
             & (below::<CLOSED>(alo.y, bhi.y) & below::<CLOSED>(blo.y, ahi.y));
     }
     intervals::<CLOSED>(alo.x, ahi.x, blo.x, bhi.x) && intervals::<CLOSED>(alo.y, ahi.y, blo.y, bhi.y)
 }
 
-/// Whether `(x, y)` lies in the disc of radius `r` (below 2^30) around the origin; the coordinates are magnitudes of any size.
+/// Whether `(x, y)` lies in the disc of radius `r` (below 2^30) around the origin; the coordinates
+/// are magnitudes of any size.
 #[inline]
 pub(crate) const fn in_disc<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
     let beyond = if CLOSED { x > r || y > r } else { x >= r || y >= r };
@@ -38,10 +40,12 @@ const fn in_square<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
     if SPLIT { by_octagons::<CLOSED>(x, y, r) } else { by_squares::<CLOSED>(x, y, r) }
 }
 
-/// An octagon around the circle and one inside it settle 85 % of the square by shifts; for cores whose long product is a call.
+/// An octagon around the circle and one inside it settle 85 % of the square by shifts; for cores
+/// whose long product is a call.
 #[inline]
 pub(super) const fn by_octagons<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
-    // With c = 7/16 > sqrt(2) - 1 and x >= y, |v| <= x + c y; the shifts drop fractions that are subtracted, so `above` is not below that.
+    // With c = 7/16 > sqrt(2) - 1 and x >= y, |v| <= x + c y; the shifts drop fractions that are
+    // subtracted, so `above` is not below that.
     let (sum, min) = (x.wrapping_add(y), if x < y { x } else { y });
     let above = sum.wrapping_sub(min >> 1).wrapping_sub(min >> 4);
     if above < r || (CLOSED && above == r) {
@@ -59,13 +63,13 @@ pub(super) const fn by_squares<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bo
     square < limit || (CLOSED && square == limit)
 }
 
-/// A call, so that the frequent cases need no registers saved.
+/// A call: the frequent cases then need no registers saved.
 #[inline(never)]
 const fn squares_out_of_line<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
     by_squares::<CLOSED>(x, y, r)
 }
 
-/// Circle against circle: the point `b - a` against a disc of both radii.
+/// Circle against circle: the point `b - a` against a disc of the sum of the radii.
 #[inline]
 pub(crate) const fn circle_circle<const CLOSED: bool>(a: Raw, b: Raw, r: i32) -> bool {
     if LONG {
@@ -131,8 +135,8 @@ pub(crate) const fn corners(a: Raw, b: Raw) -> (Raw, Raw) {
     (Raw { x: lx, y: ly }, Raw { x: hx, y: hy })
 }
 
-/// The middle of what two intervals have in common. The half raw unit that an odd sum leaves is dropped downwards: this is the one
-/// value that a mirrored scene does not mirror.
+/// The middle of what two intervals have in common. The half raw unit that an odd sum leaves is
+/// dropped downwards: this is the one value that a mirrored scene does not mirror.
 #[inline]
 pub(crate) const fn middle(alo: i32, ahi: i32, blo: i32, bhi: i32) -> i32 {
     let (lo, hi) = (if alo > blo { alo } else { blo }, if ahi < bhi { ahi } else { bhi });
@@ -147,7 +151,8 @@ pub(crate) const fn clamp(p: Raw, lo: Raw, hi: Raw) -> Raw {
     Raw { x: if x > hi.x { hi.x } else { x }, y: if y > hi.y { hi.y } else { y } }
 }
 
-/// The least and the largest cross product of `e` (not axis-parallel) with the corners of a box, seen from `a`.
+/// The least and the largest cross product of `e` (not axis-parallel) with the corners of a box,
+/// seen from `a`.
 #[inline]
 pub(crate) const fn cross_range(a: Raw, e: Raw, lo: Raw, hi: Raw) -> (i64, i64) {
     // e.x y - e.y x grows with y where e.x > 0 and falls with x where e.y > 0.
@@ -167,12 +172,14 @@ pub(crate) const fn segment_aabb<const CLOSED: bool>(a: Raw, b: Raw, lo: Raw, hi
     if e.x == 0 || e.y == 0 {
         return true;
     }
-    // A box of no size gives min = max, and a strict test that no value passes: its sum with a segment has no inside.
+    // A box of no size gives min = max, and a strict test that no value passes: its sum with a
+    // segment has no inside.
     let (min, max) = cross_range(a, e, lo, hi);
     if CLOSED { min <= 0 && max >= 0 } else { min < 0 && max > 0 }
 }
 
-/// Segment against segment. Strict: a proper crossing. Closed: the axes x and y are needed for collinear segments only.
+/// Segment against segment. Strict: a proper crossing. Closed: the axes x and y are needed for
+/// collinear segments only.
 #[inline]
 pub(crate) const fn segment_segment<const CLOSED: bool>(a0: Raw, a1: Raw, b0: Raw, b1: Raw) -> bool {
     // What crosses properly needs no look at the boxes: it only saves products.
@@ -185,7 +192,8 @@ pub(crate) const fn segment_segment<const CLOSED: bool>(a0: Raw, a1: Raw, b0: Ra
     straddles::<CLOSED>(a0, a1, b0, b1) && straddles::<CLOSED>(b0, b1, a0, a1)
 }
 
-/// Whether `p` and `q` are on different sides of the line through `a` and `b`; one call where a product is one already.
+/// Whether `p` and `q` are on different sides of the line through `a` and `b`; one call where a
+/// product is one already.
 #[inline(always)]
 const fn straddles<const CLOSED: bool>(a: Raw, b: Raw, p: Raw, q: Raw) -> bool {
     if LONG { on_both_sides::<CLOSED>(a, b, p, q) } else { straddles_call::<CLOSED>(a, b, p, q) }
@@ -210,20 +218,24 @@ pub(crate) enum Region {
     End(Raw),
     /// A point between the ends.
     Line {
-        /// The cross product of the edge with the vector from its first end to the point: distance times length, positive on the left (y up).
+        /// The cross product of the edge with the vector from its first end to the point: distance
+        /// times length, positive on the left (y up).
         cross: i64,
         /// The square of the edge's length, not zero.
         len2: u64,
     },
 }
 
-/// The region of `p` before the segment from `a` to `b`, which is not a point where `inside` is set.
+/// The region of `p` before the segment from `a` to `b`, which is not a point where `inside` is
+/// set.
 ///
-/// `FAR` allows any `p`; otherwise it must be inside the domain. The products with `p` itself are below 2^62, those with `a` below
-/// 2^60, so the difference is exact in 64 bits even where `p - a` needs 33.
+/// `FAR` allows any `p`; otherwise it must be inside the domain. The products with `p` itself are
+/// below 2^62, those with `a` below 2^60, so the difference is exact in 64 bits even where `p - a`
+/// needs 33.
 ///
-/// `inside` says that `p` is known to be in the segment's bounding box. Then both products of the dot product have the sign of a square, and
-/// none exceeds that square: the foot is between the ends, at most at one of them.
+/// `inside` says that `p` is known to be in the segment's bounding box. Then both products of the
+/// dot product have the sign of a square, and none exceeds that square: the foot is between the
+/// ends, at most at one of them.
 #[inline]
 pub(crate) const fn region<const FAR: bool>(p: Raw, a: Raw, b: Raw, inside: bool) -> Region {
     let e = b.sub(a);

@@ -1,4 +1,5 @@
-//! Pair queries: one trait a verb, one implementation a pair, so that a scene links the pairs that it uses and no others.
+//! Pair queries: one trait per verb, one implementation per pair. A game links only the pairs that
+//! it uses.
 //!
 //! | verb | asks | answer | rounding |
 //! |---|---|---|---|
@@ -16,7 +17,8 @@
 //!
 //! # Degenerate cases
 //!
-//! What is decided by convention or is easily guessed wrong; "point" means a shape of no size.
+//! Cases that are decided by convention, or are easily guessed wrong; "point" means a shape of no
+//! size.
 //!
 //! | case | `overlaps` | `touches` | `contact` |
 //! |---|---|---|---|
@@ -42,9 +44,10 @@
 //! | crossing segments: both halves equal | yes | yes | `(-e.y, e.x)`, degenerate |
 //! | crossing segments: exits over both lines equal | yes | yes | x before y before the smaller normal, degenerate |
 //!
-//! `e` is the edge of the segment from its lexicographically smaller end (smaller x, then smaller y) to the other; parallels to x and
-//! y have axes of length one. Moving A against the axis of a degenerate contact ends the overlap as any other does. In the order (B, A)
-//! that axis is the same where its sign is a convention, and reversed where only the choice between two axes is one.
+//! `e` is the edge of the segment from its lexicographically smaller end (smaller x, then smaller
+//! y) to the other; parallels to x and y have axes of length one. Moving A against the axis of a
+//! degenerate contact ends the overlap as any other does. In the order (B, A) that axis is the same
+//! where its sign is a convention, and reversed where only the choice between two axes is one.
 //! Distances of shapes less than one raw unit apart are 0, and `touches` is then false.
 
 pub(crate) mod cast;

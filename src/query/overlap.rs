@@ -7,14 +7,16 @@ use crate::shape::{Aabb, Circle, Segment};
 
 /// Whether the interiors of two shapes meet: exact, and strict.
 ///
-/// Precisely: whether the origin is interior to the Minkowski sum A + (-B), so that moving A a little in any direction keeps the overlap.
-/// Shapes that only touch do not overlap; a point or a segment overlaps a box or a circle whose inside it reaches; two
-/// segments overlap only where they cross properly; a circle of radius zero overlaps only what has area.
-/// The table of [degenerate cases](crate::query#degenerate-cases) has one line for each of the rest.
+/// Precisely: whether the origin is interior to the Minkowski sum A + (-B). Moving A a little in
+/// any direction then keeps the overlap. Shapes that only touch do not overlap. A point or a
+/// segment overlaps a box or a circle whose inside it reaches. Two segments overlap only where they
+/// cross properly. A circle of radius zero overlaps only shapes with area. The table of [degenerate
+/// cases](crate::query#degenerate-cases) has one line for each of the rest.
 ///
-/// `a.overlaps(&b)` is `b.overlaps(&a)`, and is true exactly where [`contact`](super::Contacts::contact) is `Some`.
-/// Cost on a Cortex-M0, in instructions: boxes 20; circles, and a circle and a box, 20 apart, 35 near, 85 within a rounding error of
-/// touching; a circle and a segment 55 apart, 500 near. No root, no division. It cannot fail.
+/// `a.overlaps(&b)` is `b.overlaps(&a)`, and is true exactly where
+/// [`contact`](super::Contacts::contact) is `Some`. Cost on a Cortex-M0, in instructions: boxes 20;
+/// circles, and a circle and a box, 20 apart, 35 near, 85 within a rounding error of touching; a
+/// circle and a segment 55 apart, 500 near. No root, no division. It cannot fail.
 ///
 /// ```text
 ///   +----+            +----+----+          +------+
@@ -35,6 +37,7 @@ use crate::shape::{Aabb, Circle, Segment};
 /// ```
 pub trait Overlaps<B: ?Sized> {
     /// Whether this shape overlaps `b`; strict and exact.
+    #[doc(alias("intersects", "collides", "intersection_test"))]
     fn overlaps(&self, b: &B) -> bool;
 }
 
@@ -53,6 +56,7 @@ pub trait Overlaps<B: ?Sized> {
 /// ```
 pub trait Touches<B: ?Sized> {
     /// Whether this shape and `b` have a point in common; closed and exact.
+    #[doc(alias = "intersects")]
     fn touches(&self, b: &B) -> bool;
 }
 
@@ -98,9 +102,10 @@ meets_both!(Segment, Aabb, |a, b, CLOSED| meet::segment_aabb::<CLOSED>(a.ra(), a
 
 /// Whether all of another shape, or a point, lies in this one, borders included: exact.
 ///
-/// Both are closed sets: a shape contains itself, its corners and its border. A segment contains only points, segments along it, and
-/// boxes and circles that are as thin. Cost: comparisons for boxes, two or three squares for a circle, two products an end for a segment.
-/// It cannot fail; points outside of the [domain](crate::num::DOMAIN) are in no shape.
+/// Both are closed sets: a shape contains itself, its corners and its border. A segment contains
+/// only points, segments along it, and boxes and circles that are as thin. Cost: comparisons for
+/// boxes, two or three squares for a circle, two products an end for a segment. It cannot fail;
+/// points outside of the [domain](crate::num::DOMAIN) are in no shape.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -130,7 +135,8 @@ impl Contains<Vec2> for Aabb {
     }
 }
 
-/// A box is convex with sides along the axes: it contains a shape where it contains the bounding box.
+/// A box is convex with sides along the axes: it contains a shape where it contains the bounding
+/// box.
 macro_rules! by_bounding_box {
     ($($shape:ty),*) => {$(
         impl Contains<$shape> for Aabb {
@@ -145,7 +151,8 @@ macro_rules! by_bounding_box {
 
 by_bounding_box!(Aabb, Circle, Segment);
 
-/// The distances to the farthest coordinates of a box, against a disc. A point is a box; any point is allowed.
+/// The distances to the farthest coordinates of a box, against a disc. A point is a box; any point
+/// is allowed.
 const fn box_in_disc(c: Raw, r: i32, lo: Raw, hi: Raw) -> bool {
     let (x, y) = (farthest(c.x, lo.x, hi.x), farthest(c.y, lo.y, hi.y));
     in_disc::<true>(x, y, r as u32)
@@ -186,7 +193,8 @@ impl Contains<Segment> for Circle {
     }
 }
 
-/// Whether `p` is on the segment. Beyond the bounding box nothing is multiplied, so any point is allowed.
+/// Whether `p` is on the segment. Beyond the bounding box nothing is multiplied, so any point is
+/// allowed.
 fn on_segment(s: &Segment, p: Raw) -> bool {
     let (lo, hi) = corners(s.ra(), s.rb());
     box_in_box(lo, hi, p, p) && s.edge().cross(p.sub(s.ra())) == 0

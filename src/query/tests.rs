@@ -23,7 +23,8 @@ mod meet {
                 }
             }
         }
-        // Around the border of large discs, in all directions: y is the root that x leaves, give or take a unit.
+        // Around the border of large discs, in all directions: y is the root that x leaves, give or
+        // take a unit.
         for r in [1 << 16, (1 << 24) + 12_345, (1 << 30) - 1] {
             for step in 0..1000 {
                 let x = r / 1000 * step;

@@ -13,8 +13,9 @@ use super::tile_map::kind::TileKind;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cell {
-    /// Column; -1 and the map's width stand for everything left and right of it. Of a [solid](super::Solids) its key, in a row that no map has:
-    /// see [`Solids::key_of`](super::Solids::key_of).
+    /// Column. -1 and the map's width stand for everything left and right of it. For a
+    /// [solid](super::Solids) it is the key, in a row that no map has: see
+    /// [`Solids::key_of`](super::Solids::key_of).
     pub x: i16,
     /// Row; -1 and the map's height stand for everything beyond the first and the last row.
     pub y: i16,
@@ -85,7 +86,7 @@ pub struct Block {
     pub(crate) kind: TileKind,
 }
 
-/// The place of a walk over such cells: the next one to look at.
+/// The next cell of a walk over such cells.
 #[derive(Clone, Copy, Debug)]
 pub struct Cells {
     pub(in crate::world) range: Range,

@@ -18,10 +18,10 @@ use core::cmp::Ordering;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum OneWay {
-    /// They are not there.
+    /// They are ignored.
     #[default]
     Ignore,
-    /// They are surface for what is in front of them.
+    /// They are surface only for points in front of them.
     Include,
 }
 
@@ -32,13 +32,14 @@ pub struct Near {
     pub point: Vec2,
     /// How far away it is, rounded down.
     pub distance: Fx,
-    /// Out of the solid at that point: a face's normal, or along the line between the two points. Not zero.
+    /// Out of the solid at that point: a face's normal, or along the line between the two points.
+    /// Not zero.
     pub axis: Axis,
-    /// Whether the point that was asked for is in the inside of the solid; on the surface it is not.
+    /// Whether the given point is in the inside of the solid; on the surface it is not.
     pub inside: bool,
     /// The piece of the surface: a face or an arc where the point is on it, a corner in its cone.
     pub feature: Feature,
-    /// How many features were looked at.
+    /// How many features were examined.
     pub features: u32,
 }
 
@@ -55,14 +56,18 @@ macro_rules! closest_point_of {
 }
 
 closest_point_of! {
-    /// The point of the surface that is nearest to `p` and at most `within` away, seen from outside and from inside of the solid.
+    /// The point of the surface that is nearest to `p` and at most `within` away, seen from outside
+    /// and from inside of the solid.
     ///
-    /// The order of distances is exact. In a tie a face or arc with the foot of `p` on it goes before a corner, that before the end of a face, and
-    /// then the piece with the smaller coordinates; tie or not, the answer depends on the level and the point only.
+    /// Distances are compared exactly. In a tie, a face or arc with the foot of `p` on it comes
+    /// first. A corner comes next, then the end of a face, then the piece with the smaller
+    /// coordinates. The answer depends only on the level and the point.
     ///
-    /// Cost: the features of squares around `p` whose half side doubles from one cell until the nearest point is found, at the last `within`:
-    /// at most twice the features of the last one, which has `(2 within / cell + 3)` squared cells at most. [`Near::features`] counts them. Within a
-    /// cell of 24 units, of which a quarter hold a shape, some 13000 instructions on a Cortex-M0.
+    /// Cost: the features of squares around `p` whose half side doubles from one cell until the
+    /// nearest point is found, at the last `within`: at most twice the features of the last one,
+    /// which has `(2 within / cell + 3)` squared cells at most. [`Near::features`] counts them.
+    /// Within a cell of 24 units, of which a quarter hold a shape, some 13000 instructions on a
+    /// Cortex-M0.
     ///
     /// ```
     /// use tilesat::{AllShapes, Axis, Fx, Grid, OneWay, TileKind, TileKinds, TileMap, TileShape, Vec2};
@@ -77,14 +82,17 @@ closest_point_of! {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where `p` or `within` is outside of the [domain](crate::num::DOMAIN), or `within` is negative.
+    /// [`RangeError`] where `p` or `within` is outside of the [domain](crate::num::DOMAIN), or
+    /// `within` is negative.
     [S: Set, T: Store] TileMap<'_, S, T>
 }
 
 closest_point_of! {
-    /// The point of the surface that is nearest to `p` and at most `within` away; as [`TileMap::closest_point`].
+    /// The point of the surface that is nearest to `p` and at most `within` away; as
+    /// [`TileMap::closest_point`].
     ///
-    /// Walls are surface, seen from outside. From inside of polygons that overlap, the edges of one that lie in the other are surface too.
+    /// Walls are surface, seen from outside. From inside of polygons that overlap, the edges of one
+    /// that lie in the other are surface too.
     ///
     /// # Errors
     /// As [`TileMap::closest_point`].
@@ -92,9 +100,11 @@ closest_point_of! {
 }
 
 closest_point_of! {
-    /// The point of both surfaces that is nearest to `p` and at most `within` away; as [`TileMap::closest_point`].
+    /// The point of both surfaces that is nearest to `p` and at most `within` away; as
+    /// [`TileMap::closest_point`].
     ///
-    /// Seen from inside of the solid, faces and arcs that the other level covers in part are surface as a whole.
+    /// Seen from inside of the solid, faces and arcs that the other level covers in part are
+    /// surface as a whole.
     ///
     /// # Errors
     /// As [`TileMap::closest_point`].
@@ -134,7 +144,8 @@ fn search<W: World>(world: &W, p: Raw, limit: i32, one_way: OneWay, inside: bool
     }
 }
 
-/// Finds the nearest of what is in a region, or neither of the two; returns at how much it has looked.
+/// Finds the nearest feature of a region, or neither of the two. Returns the number of features
+/// that it examined.
 #[inline(never)]
 fn find_nearest<W: World>(
     world: &W,
@@ -204,7 +215,7 @@ impl Spot {
                 } else if along > raw(dir).dot(b.sub(a)) {
                     end(b)
                 } else if front != 0 && !feature.one_way && (front < 0) != inside {
-                    // From its wrong side a face is no nearer than what is before it.
+                    // From its wrong side a face is no nearer than the surface in front of it.
                     None
                 } else {
                     found(Measure::height(front.unsigned_abs(), dir.length_squared()), Place::Foot)
@@ -245,7 +256,8 @@ impl Spot {
         }
     }
 
-    /// Whether it is no farther than the sides of a square: all that is nearer than these has been seen.
+    /// Whether it is no farther than the sides of a square: all that is nearer than these has been
+    /// seen.
     #[inline(never)]
     fn is_within<W: World>(&self, reach: i32) -> bool {
         self.measure.order::<W>(&Measure::root(usqr(reach as u32))) != Ordering::Greater

@@ -29,7 +29,8 @@ impl WorldContact {
         self.feature
     }
 
-    /// The normal as exact integers, out of the solid; never zero. Parallels to x and y have length one.
+    /// The normal as exact integers, out of the solid; never zero. Parallels to x and y have length
+    /// one.
     #[must_use]
     pub const fn axis(&self) -> Axis {
         self.contact.axis.reversed()
@@ -43,18 +44,20 @@ impl WorldContact {
         self.contact.depth()
     }
 
-    /// Whether another way out of this feature is as short (or the body's middle is an arc's centre), so that the normal is a convention: x before
-    /// y, + before -. Features that are equally deep are contacts of their own, in the order that `contacts` documents.
+    /// Whether another way out of this feature is as short, or the body's middle is an arc's
+    /// centre. The normal is then a convention: x before y, + before -. Features that are equally
+    /// deep are separate contacts, in the order that `contacts` documents.
     #[must_use]
     pub const fn is_degenerate(&self) -> bool {
         self.contact.is_degenerate()
     }
 
-    /// A displacement of the body after which it does not overlap this feature, at most 4 raw units longer than the least one along the
-    /// normal.
+    /// A displacement after which the body does not overlap this feature. It is at most 4 raw units
+    /// longer than the least one along the normal.
     ///
-    /// Each component is rounded away from the surface. One case has no such displacement: a quarter pipe is not left by a circle that is larger
-    /// than it; the push then leads toward the arc's centre, and its ends are in charge. The result may lead out of the
+    /// Each component is rounded away from the surface. One case has no such displacement: a
+    /// quarter pipe is not left by a circle that is larger than it; the push then leads toward the
+    /// arc's centre, and its ends are in charge. The result may lead out of the
     /// [domain](crate::num::DOMAIN): `translated` says so.
     #[must_use]
     pub const fn push_out(&self) -> Vec2 {
@@ -63,7 +66,8 @@ impl WorldContact {
             return self.contact.push_out();
         }
         match self.feature.geometry {
-            // Toward the centre of a hollow disc: to the last place whose both components are not beyond the exact one's.
+            // Toward the centre of a hollow disc: to the last place whose both components are not
+            // beyond the exact one's.
             Geometry::Arc { radius, convex: false, .. } if self.contact.radius_a <= radius => {
                 let (room, d) = (radius.wrapping_sub(self.contact.radius_a) as u32, self.contact.axis.length_squared());
                 Vec2::from_raw(inward(x, room, d), inward(y, room, d))
@@ -77,7 +81,8 @@ impl WorldContact {
         }
     }
 
-    /// The point of the feature that is nearest to a circle's centre or a box's deepest point, each component rounded to nearest.
+    /// The point of the feature that is nearest to a circle's centre or a box's deepest point, each
+    /// component rounded to nearest.
     ///
     /// Where a side of a box is as deep along a face: the middle of what they share.
     #[must_use]
@@ -112,7 +117,8 @@ impl Found<'_> {
         WorldContact { contact: *self.contact, feature: *self.feature }
     }
 
-    /// Exact, for the order: of a circle how far its centre is from the feature, of a box the depth.
+    /// Exact, for the order: of a circle how far its centre is from the feature, of a box the
+    /// depth.
     #[inline(never)]
     const fn measure(self) -> Measure {
         let Contact { axis, overlap, radius_b, .. } = *self.contact;
@@ -136,7 +142,8 @@ impl Found<'_> {
     }
 }
 
-/// What the component `v` of a vector with the square `d` misses of its place on a circle of radius `room`, rounded down in size.
+/// By how much the component `v` of a vector with the square `d` misses a circle of radius `room`,
+/// rounded down in size.
 const fn inward(v: i32, room: u32, d: u64) -> i32 {
     let at = div_sqrt(umul(v.unsigned_abs(), room), d) as i32;
     (if v < 0 { at.wrapping_neg() } else { at }).wrapping_sub(v)
@@ -166,19 +173,26 @@ macro_rules! contacts_of {
 }
 
 contacts_of! {
-    /// Writes the features that a box or circle overlaps to `out`, which is cleared first: each once, the nearest first.
+    /// Writes the features that a box or circle overlaps to `out`, which is cleared first: each
+    /// once, the nearest first.
     ///
-    /// A feature counts where the body is in its region: a circle's centre before or behind a face or an arc, or in the cone of a corner (where it
-    /// has none of these, right behind a concave corner, the faces whose ends it covers and is behind of); a
-    /// box's deepest corner before or behind a slope or arc, its side against a face along x or y or the corner that it faces (where a box has
-    /// none of these, the nearest slope that it meets at all).
-    /// What is seen from behind counts only while the body's middle is in the solid: the far side of a thin wall is not a way out.
-    /// Circles are told the feature first whose distance from the centre is least, boxes the shortest way out; ties go as in
-    /// [`closest_point`](Self::closest_point). A body that reaches no surface, such as one deep in the solid or a point, has no contacts.
+    /// A feature counts where the body is in its region. For a circle, the centre must be before or
+    /// behind a face or an arc, or in the cone of a corner. Right behind a concave corner it has
+    /// none of these; the faces count whose ends it covers and is behind of. For a box, the deepest
+    /// corner must be before or behind a slope or arc. A side of the box counts against a face
+    /// along x or y, or against the corner that it faces. A box that has none of these has the
+    /// nearest slope that it meets at all.
     ///
-    /// The result says how many features were looked at. Cost: those of the body's bounding box, at most 10 a cell and
-    /// `(width / cell + 2) (height / cell + 2)` cells, one exact test each, and for each that is kept a comparison with those before it: some
-    /// 7000 instructions on a Cortex-M0 for a ball of 10 units that overlaps shapes of 24.
+    /// Features seen from behind count only while the body's middle is in the solid: the far side
+    /// of a thin wall is not a way out. Circles list the feature first whose distance from the
+    /// centre is least, boxes the shortest way out. Ties go as in
+    /// [`closest_point`](Self::closest_point). A body that reaches no surface, such as one deep in
+    /// the solid or a point, has no contacts.
+    ///
+    /// The result is the number of features examined. Cost: the features of the body's bounding
+    /// box, at most 10 per cell in `(width / cell + 2) (height / cell + 2)` cells. Each takes one
+    /// exact test, and each that is kept a comparison with those before it. A ball of 10 units that
+    /// overlaps shapes of 24 takes some 7000 instructions on a Cortex-M0.
     ///
     /// ```
     /// use tilesat::{Axis, Circle, Fx, OneWay, TileKind, TileKinds, TileMap, Vec2};
@@ -199,8 +213,8 @@ contacts_of! {
 }
 
 contacts_of! {
-    /// Writes the features that a box or circle overlaps to `out`, which is cleared first: each once, the nearest first; as
-    /// [`TileMap::contacts`].
+    /// Writes the features that a box or circle overlaps to `out`, which is cleared first: each
+    /// once, the nearest first; as [`TileMap::contacts`].
     ///
     /// A wall that a body crosses pushes to the side on which the body's middle is.
     ///
@@ -210,8 +224,8 @@ contacts_of! {
 }
 
 contacts_of! {
-    /// Writes the features of both levels that a box or circle overlaps to `out`, which is cleared first: each once, the nearest first; as
-    /// [`TileMap::contacts`].
+    /// Writes the features of both levels that a box or circle overlaps to `out`, which is cleared
+    /// first. Each comes once, the nearest first, as in [`TileMap::contacts`].
     ///
     /// # Errors
     /// [`Truncated`] where they do not fit: `out` then holds the nearest.
@@ -227,7 +241,8 @@ pub(crate) fn contacts<W: World, B: Pushable>(
 ) -> Result<u32, Truncated> {
     out.clear();
     let bounds = body.bounds();
-    // The raw units around the middle: a point, where the sides are even. Not on the surface by rounding, so that what is before it is in sight.
+    // The raw units around the middle: a point, where the sides are even. Rounding must not put it
+    // on the surface, where it would not see the features before it.
     let (lo, hi) = (bounds.lo(), bounds.hi());
     let last = Raw { x: (lo.x + hi.x + 1) >> 1, y: (lo.y + hi.y + 1) >> 1 };
     let behind = world.overlaps_aabb(&Aabb::from_raw_unchecked(Raw::of(bounds.centre()), last));
@@ -302,7 +317,7 @@ fn insert<W: World>(out: &mut VecView<WorldContact>, new: Found<'_>) {
     }
 }
 
-/// What [`TileMap::contacts`] takes: a box or a circle. Sealed.
+/// A shape that [`TileMap::contacts`] takes: a box or a circle. Sealed.
 pub trait Pushable: kernel::Kernel {}
 
 impl Pushable for Aabb {}
@@ -315,11 +330,13 @@ mod kernel {
     use crate::world::measure::{boxed, circle};
 
     pub trait Kernel {
-        /// Whether all contacts count where none is in its region, not the least alone: they are ties often, and then none goes before the other.
+        /// Whether all contacts count where none is in its region, not the least alone: they are
+        /// ties often, and then none goes before the other.
         const ROUND: bool;
         /// The bounding box, with the same middle.
         fn bounds(&self) -> Aabb;
-        /// The contact with a feature, from behind as well where that is allowed, and whether it is in the feature's region.
+        /// The contact with a feature, from behind as well where that is allowed, and whether it is
+        /// in the feature's region.
         fn meet<W: World>(&self, feature: &Feature, behind: bool) -> Option<(Contact, bool)>;
     }
 

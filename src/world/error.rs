@@ -1,10 +1,10 @@
-//! What can be wrong with a level: of tiles, and of segments.
+//! The errors of levels: of tiles, and of segments.
 
 use super::cell::Cell;
 use crate::error::Quantity;
 use core::fmt;
 
-/// A level that was refused, and why.
+/// Why a level was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -15,7 +15,8 @@ pub enum TileMapError {
     TooManyCells(u16),
     /// The side of a cell, in raw, is odd or outside of 2^8..=2^24.
     Cell(i32),
-    /// The map does not fit the [domain](crate::num::DOMAIN): which axis, and the raw coordinate of its end.
+    /// The map does not fit the [domain](crate::num::DOMAIN): which axis, and the raw coordinate of
+    /// its end.
     OutOfDomain {
         /// [`Quantity::X`] or [`Quantity::Y`].
         what: Quantity,
@@ -40,7 +41,7 @@ pub enum TileMapError {
         /// The characters of this one.
         found: u32,
     },
-    /// A character of the text is not ASCII, so that bytes would not be tiles.
+    /// A character of the text is not ASCII, so it is not one byte.
     NotAscii {
         /// The row, from 0.
         row: u32,
@@ -52,12 +53,14 @@ pub enum TileMapError {
         /// The row, from 0.
         row: u32,
     },
-    /// The table names a shape that the map's [`Set`](crate::world::Set) does not have, for this id.
+    /// The table names a shape that the map's [`Set`](crate::world::Set) does not have, for this
+    /// id.
     ShapeNotInSet {
         /// The first such id.
         id: u8,
     },
-    /// The bits of [`with_occupancy`](crate::world::TileMap::with_occupancy) are too few, or not those of the tiles.
+    /// The bits of [`with_occupancy`](crate::world::TileMap::with_occupancy) are too few, or not
+    /// those of the tiles.
     Occupancy {
         /// The first row that is missing or wrong.
         row: u16,
@@ -67,26 +70,34 @@ pub enum TileMapError {
 impl fmt::Display for TileMapError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::EmptyMap => write!(f, "the map has no cells"),
-            Self::TooManyCells(n) => write!(f, "{n} cells on a side are more than 32767"),
-            Self::Cell(raw) => write!(f, "a cell of {raw} raw is odd or not in 256..=16777216 (256 units)"),
-            Self::OutOfDomain { what, value } => write!(f, "the map ends at {what:?} = {value} raw, out of range"),
-            Self::Stride(stride) => write!(f, "a stride of {stride} is less than the width"),
-            Self::TooShort { needed, found } => write!(f, "{found} bytes of tiles where {needed} are needed"),
+            Self::EmptyMap => write!(f, "the map has no cells: width and height must be at least 1"),
+            Self::TooManyCells(n) => write!(f, "{n} cells on a side are more than 32767: cut the world into rooms"),
+            Self::Cell(raw) => {
+                write!(f, "a cell of {raw} raw is refused: its side must be even, from 256 to 16777216 raw (256 units)")
+            }
+            Self::OutOfDomain { what, value } => {
+                write!(f, "the map ends at {what:?} = {value} raw, out of range: move its origin, or cut it into rooms")
+            }
+            Self::Stride(stride) => write!(f, "a stride of {stride} is less than the width: rows would overlap"),
+            Self::TooShort { needed, found } => write!(f, "{found} bytes of tiles where the map needs {needed}"),
             Self::RowLength { row, expected, found } => {
-                write!(f, "row {row} has {found} characters where the first has {expected}")
+                write!(f, "row {row} has {found} characters where row 0 has {expected}: make them equal")
             }
-            Self::NotAscii { row, column } => write!(f, "the character at row {row}, column {column} is not ASCII"),
+            Self::NotAscii { row, column } => {
+                write!(f, "the character at row {row}, column {column} is not ASCII: use one byte per tile")
+            }
             Self::CarriageReturn { row } => {
-                write!(f, "row {row} has a carriage return; rows end with line feeds alone")
+                write!(f, "row {row} has a carriage return: end rows with line feeds alone")
             }
-            Self::Occupancy { row } => write!(f, "the occupancy of row {row} is missing or not that of its tiles"),
+            Self::Occupancy { row } => {
+                write!(f, "the occupancy of row {row} is missing or not that of its tiles: call `fill_occupancy` again")
+            }
             Self::ShapeNotInSet { id } => {
                 write!(f, "the table gives tile {id}")?;
                 if id.is_ascii_graphic() {
                     write!(f, " '{}'", char::from(id))?;
                 }
-                f.write_str(" a shape that is not in the map's set: a map of another set is made by `of` or `of_ascii`")
+                f.write_str(" a shape that is not in the map's set: choose another set with `of` or `of_ascii`")
             }
         }
     }
@@ -94,14 +105,14 @@ impl fmt::Display for TileMapError {
 
 impl core::error::Error for TileMapError {}
 
-/// A segment map that was refused, and why. Paths, points and segments are counted from 0.
+/// Why a segment map was refused. Paths, points and segments are counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SegmentMapError {
-    /// There is not a single point.
+    /// There is no point at all.
     Empty,
-    /// A polygon of fewer than three points, or a chain of fewer than two: nothing that could be closed, or drawn.
+    /// A polygon has fewer than three points, or a chain fewer than two.
     TooFewPoints {
         /// The path.
         path: u32,
@@ -138,25 +149,25 @@ pub enum SegmentMapError {
         /// The path.
         path: u32,
     },
-    /// More than 32768 segments, in this one of this path.
+    /// There are more than 32768 segments; this is the first one too many.
     TooManySegments {
         /// The path.
         path: u32,
         /// The point where the segment starts that is too much.
         point: u32,
     },
-    /// More than 65535 pairs of a segment and a cell that it meets: larger cells are needed.
+    /// More than 65535 pairs of a segment and a cell that it meets: use larger cells.
     TooManyRefs {
         /// The path.
         path: u32,
         /// The point where the segment starts that is too much.
         point: u32,
     },
-    /// The cells are refused: their size, their number, or their place.
+    /// The cells are refused: their size, their number, or their position.
     Grid(TileMapError),
     /// More than 127 solids, or holes outside of solids, lie over each other in a cell.
     TooDeep(Cell),
-    /// The room for the bytes is too small.
+    /// The buffer is too small.
     TooSmall {
         /// The bytes that are needed.
         needed: u32,
@@ -183,14 +194,14 @@ pub enum SegmentMapError {
         /// The one that the bytes have.
         computed: u32,
     },
-    /// A segment is not one.
+    /// A segment is invalid.
     Segment {
         /// Its index.
         index: u16,
-        /// What is wrong.
+        /// Its fault.
         fault: SegmentFault,
     },
-    /// The references of a cell are not those of the segments that meet it.
+    /// A cell does not list the segments that meet it.
     Refs(Cell),
     /// The references are not as many as the segments have, or as the offsets say.
     RefCount {
@@ -203,7 +214,7 @@ pub enum SegmentMapError {
     Winding(Cell),
 }
 
-/// What is wrong with a segment of a byte form.
+/// The fault of a segment in its byte form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -218,38 +229,49 @@ pub enum SegmentFault {
     OffGrid,
     /// An attribute that does not exist, or joints that contradict each other.
     Attributes,
-    /// The segment after the vertex at its end does not exist, does not leave from there, or the vertex is not convex.
+    /// The segment after the vertex at its end does not exist, does not leave from there, or the
+    /// vertex is not convex.
     Next,
 }
 
 impl fmt::Display for SegmentMapError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Empty => write!(f, "there are no points"),
-            Self::TooFewPoints { path, points } => write!(f, "path {path} has {points} points, too few for its kind"),
-            Self::ZeroLength { path, point } => write!(f, "path {path}: point {point} is the same as the next"),
-            Self::OutOfDomain { path, point, what, value } => {
-                write!(f, "path {path}, point {point}: {what:?} = {value} raw is out of range")
+            Self::Empty => write!(f, "there are no points: a map needs one path at least"),
+            Self::TooFewPoints { path, points } => {
+                write!(f, "path {path} has {points} points: a polygon needs 3, a chain 2")
             }
-            Self::OutsideGrid { path, point } => write!(f, "path {path}, point {point} is outside of the grid"),
-            Self::NoArea { path } => write!(f, "path {path} is a polygon without area"),
+            Self::ZeroLength { path, point } => {
+                write!(f, "path {path}: point {point} is the same as the next: remove one of them")
+            }
+            Self::OutOfDomain { path, point, what, value } => {
+                write!(f, "path {path}, point {point}: {what:?} = {value} raw is out of range (8192 units)")
+            }
+            Self::OutsideGrid { path, point } => {
+                write!(f, "path {path}, point {point} is outside of the grid: enlarge the grid")
+            }
+            Self::NoArea { path } => write!(f, "path {path} is a polygon without area: draw it as a wall"),
             Self::TooManySegments { path, point } => {
-                write!(f, "more than 32768 segments at path {path}, point {point}")
+                write!(f, "more than 32768 segments at path {path}, point {point}: cut the level in two")
             }
             Self::TooManyRefs { path, point } => {
                 write!(f, "more than 65535 segments in cells at path {path}, point {point}: use larger cells")
             }
             Self::Grid(e) => e.fmt(f),
-            Self::TooDeep(cell) => write!(f, "more than 127 polygons lie over each other in cell {cell:?}"),
-            Self::TooSmall { needed, found } => write!(f, "room for {found} bytes where {needed} are needed"),
-            Self::NotSegments => write!(f, "the bytes are no segment map"),
-            Self::Version(version) => write!(f, "version {version} of the format is not known"),
-            Self::Reserved => write!(f, "a part of the header that must be zero is not"),
-            Self::Length { needed, found } => write!(f, "{found} bytes where the header needs {needed}"),
-            Self::Checksum { stored, computed } => write!(f, "the checksum is {computed:#x}, not {stored:#x}"),
+            Self::TooDeep(cell) => write!(f, "more than 127 polygons lie over each other in cell {cell:?}: merge some"),
+            Self::TooSmall { needed, found } => write!(f, "room for {found} bytes where the map needs {needed}"),
+            Self::NotSegments => write!(f, "the bytes are not a segment map: they do not begin with TSEG"),
+            Self::Version(version) => write!(f, "version {version} of the format is unknown: bake the level again"),
+            Self::Reserved => write!(f, "a reserved part of the header is not zero: bake the level again"),
+            Self::Length { needed, found } => {
+                write!(f, "{found} bytes where the header says {needed}: the file is cut or has grown")
+            }
+            Self::Checksum { stored, computed } => {
+                write!(f, "the checksum is {computed:#x}, not {stored:#x}: the bytes have changed")
+            }
             Self::Segment { index, fault } => write!(f, "segment {index}: {fault:?}"),
-            Self::Refs(cell) => write!(f, "the segments of cell {cell:?} are not those that meet it"),
-            Self::RefCount { needed, found } => write!(f, "{found} references where {needed} are needed"),
+            Self::Refs(cell) => write!(f, "cell {cell:?} does not list the segments that meet it"),
+            Self::RefCount { needed, found } => write!(f, "{found} references where the segments need {needed}"),
             Self::Winding(cell) => write!(f, "the winding number of cell {cell:?} is wrong"),
         }
     }
@@ -258,7 +280,8 @@ impl fmt::Display for SegmentMapError {
 impl core::error::Error for SegmentMapError {}
 
 impl SegmentMapError {
-    /// For [`segment_map!`] alone: what [`Display`](core::fmt::Display) says of a level's paths, in a constant.
+    /// For [`segment_map!`] alone: what [`Display`](core::fmt::Display) says of a level's paths, in
+    /// a constant.
     #[doc(hidden)]
     #[must_use]
     pub const fn __text(&self) -> Text {

@@ -45,11 +45,13 @@ pub(super) struct Span {
 }
 
 impl Grid {
-    /// A grid of `width` x `height` cells of side `cell`, the first corner of the first cell at `origin`.
+    /// A grid of `width` x `height` cells of side `cell`, the first corner of the first cell at
+    /// `origin`.
     ///
     /// # Errors
-    /// [`TileMapError`] where a count is 0 or above 32767, the cell is odd or not in 2^8..=2^24 raw (1/256 to 256 units), or an end of
-    /// the grid is outside of the [domain](crate::num::DOMAIN).
+    /// [`TileMapError`] where a count is 0 or above 32767, or the cell is odd or not in 2^8..=2^24
+    /// raw (1/256 to 256 units). Also where an end of the grid is outside of the
+    /// [domain](crate::num::DOMAIN).
     pub const fn new(width: u16, height: u16, cell: Fx, origin: Vec2) -> Result<Self, TileMapError> {
         if width == 0 || height == 0 {
             return Err(TileMapError::EmptyMap);
@@ -100,17 +102,27 @@ impl Grid {
         Vec2::from_raw(self.x.origin.wrapping_add(self.x.size), self.y.origin.wrapping_add(self.y.size))
     }
 
-    /// The cell that holds a point: left and upper borders belong to it, right and lower ones to the next.
+    /// The cell that holds a point: left and upper borders belong to it, right and lower ones to
+    /// the next.
     ///
-    /// Exact for every `p`; beyond the map, -1 or the width (the height). Cost: about 40 instructions on a Cortex-M0, twice that
-    /// where the cell is no power of two; no division.
+    /// Exact for every `p`; beyond the map, -1 or the width (the height). Cost: about 40
+    /// instructions on a Cortex-M0, twice that where the cell is no power of two; no division.
+    ///
+    /// ```
+    /// use tilesat::{Cell, Grid, Vec2, fx};
+    /// let grid = Grid::new(20, 15, fx!(16), Vec2::ZERO)?;
+    /// assert_eq!(grid.cell_at(Vec2::from_ints(31, 32)), Cell::new(1, 2));
+    /// assert_eq!(grid.cell_at(Vec2::from_ints(-5, 0)), Cell::new(-1, 0)); // left of the grid
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
     #[must_use]
     pub const fn cell_at(&self, p: Vec2) -> Cell {
         let p = Raw::of(p);
         Cell::of(self.column(p.x), self.row(p.y))
     }
 
-    /// The column that holds `x` as [`cell_at`](Self::cell_at) has it; of `x - 1`, the column that `x` is entered from on the right.
+    /// The column that holds `x` as [`cell_at`](Self::cell_at) has it; of `x - 1`, the column that
+    /// `x` is entered from on the right.
     pub(super) const fn column(&self, x: i32) -> i32 {
         self.index(x, &self.x)
     }
@@ -168,8 +180,9 @@ impl Grid {
 
     /// `d / cell` for `d < 2^30`.
     ///
-    /// Granlund and Montgomery: with `l = log + 1` and `2^(30 + l) <= m cell < 2^(30 + l) + cell`, `m d / 2^(30 + l)` exceeds `d / cell` by less than
-    /// `d / 2^(30 + l) <= 1 / cell`, which cannot reach the next multiple. `m <= 2^31`, as `cell > 2^(l - 1)`.
+    /// Granlund and Montgomery: with `l = log + 1` and `2^(30 + l) <= m cell < 2^(30 + l) + cell`,
+    /// `m d / 2^(30 + l)` exceeds `d / cell` by less than `d / 2^(30 + l) <= 1 / cell`, which
+    /// cannot reach the next multiple. `m <= 2^31`, as `cell > 2^(l - 1)`.
     #[inline]
     pub(super) const fn quotient(&self, d: u32) -> u32 {
         // Of the shift by 31 + log, 32 is the high word of the product.
@@ -184,8 +197,9 @@ impl Grid {
 
     /// The same for indices below 2^15 without a long product.
     ///
-    /// d / 2^(log - 1) is below 2^17 and the magic's upper half at most 2^15: the product is below 2^32, the first loses less than 1 of it, which is
-    /// half a cell, and the second less than 2^17 / 2^16 cells.
+    /// d / 2^(log - 1) is below 2^17, and the magic's upper half at most 2^15: the product is below
+    /// 2^32. The first quotient loses less than 1 of it, which is half a cell, and the second less
+    /// than 2^17 / 2^16 cells.
     pub(super) const fn quotient_by_words(&self, d: u32) -> u32 {
         let mut index = (d >> (self.log.wrapping_sub(1) & 31)).wrapping_mul(self.magic >> 16) >> 16;
         let mut rest = d.wrapping_sub(index.wrapping_mul(self.cell as u32));
@@ -207,7 +221,8 @@ impl Grid {
         if most < all { most } else { all }
     }
 
-    /// The smaller coordinate of a column's side, as a distance from the origin. For columns 0..=width.
+    /// The smaller coordinate of a column's side, as a distance from the origin. For columns
+    /// 0..=width.
     #[inline]
     pub(super) const fn line(&self, index: i32) -> i32 {
         index.wrapping_mul(self.cell)
@@ -263,13 +278,15 @@ const fn span(origin: i32, count: u16, cell: i32, what: Quantity) -> Result<Span
     }
 }
 
-/// The multiplier of [`Grid::quotient`] and the log2, for `2^8 <= cell <= 2^24`. Runs once a map; mostly in the compiler.
+/// The multiplier of [`Grid::quotient`] and the log2, for `2^8 <= cell <= 2^24`. Runs once per map;
+/// mostly in the compiler.
 const fn magic(cell: u32) -> (u32, u8) {
     let log = 31 - cell.leading_zeros() as u8;
     if cell.is_power_of_two() {
         return (0, log);
     }
-    // The floor of 2^(31 + log) / cell, a bit a step, without a 64-bit division: the remainder stays below the cell.
+    // The floor of 2^(31 + log) / cell, one bit per step, without a 64-bit division: the remainder
+    // stays below the cell.
     let (mut floor, mut rem, mut step) = (0u32, 1 << log, 0);
     while step < 31 {
         rem <<= 1;

@@ -1,5 +1,5 @@
-//! What a level is: the faces and vertices of its surface, which are all that motion ever sees of it; the trait that movers see it through; and the
-//! methods that every kind of level has.
+//! A level: the faces and vertices of its surface, which are all that motion ever sees of
+//! it; the trait that movers see it through; and the methods that every kind of level has.
 
 use super::cell::{Block, Cell, Cells};
 use super::tile_map::kind::Fill;
@@ -13,7 +13,7 @@ pub(crate) mod sealed {
     pub trait Sealed {}
 }
 
-/// One piece of a level's surface, with what its tile says about it.
+/// One piece of a level's surface, with the properties of its tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Feature {
@@ -21,13 +21,14 @@ pub struct Feature {
     pub geometry: Geometry,
     /// The cell whose solid it bounds.
     pub cell: Cell,
-    /// Which piece. Of a tile: 0..=3 the faces on its sides, 4..=7 their vertices, counted from the side toward row 0, turning right,
-    /// bottom, left (a vertex follows the face that ends in it); 8 the slope, arc or inner face, 9 its vertex. Of a segment map: twice the
-    /// segment's index, plus one for the vertex at its end.
+    /// Which piece. Of a tile, 0..=3 are the faces on its sides: toward row 0, right, bottom, left.
+    /// 4..=7 are their vertices; a vertex follows the face that ends in it. 8 is the slope, arc or
+    /// inner face, 9 its vertex. Of a segment map: twice the segment's index, plus one for the
+    /// vertex at its end.
     pub index: u16,
     /// The user flags of the cell's tile.
     pub flags: u8,
-    /// Whether it blocks only what comes from entirely in front.
+    /// Whether it blocks only bodies that come from entirely in front.
     pub one_way: bool,
     /// Which level of a `Joined` pair it is from: 0 for the first, and for a level alone.
     pub source: u8,
@@ -35,7 +36,8 @@ pub struct Feature {
 
 /// The shape of a [`Feature`]. Directions are reduced: one slope has one direction.
 ///
-/// Where a vertex ends an arc, its edge is the arc's tangent there. A cusp (the end of a quarter pipe or of a wall) has `e_out == -e_in`.
+/// Where a vertex ends an arc, its edge is the arc's tangent there. A cusp (the end of a quarter
+/// pipe or of a wall) has `e_out == -e_in`.
 ///
 /// ```text
 ///             n = (dir.y, -dir.x)            e_in     p
@@ -48,15 +50,18 @@ pub struct Feature {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Geometry {
-    /// A straight one-sided edge from `a` to `a + dir * len`; its outward normal is `(dir.y, -dir.x)`.
+    /// A straight one-sided edge from `a` to `a + dir * len`; its outward normal is
+    /// `(dir.y, -dir.x)`.
     Face {
         /// Start.
         a: Vec2,
         /// Reduced direction.
         dir: Axis,
-        /// Length in multiples of `dir`, raw; 0 only where a map that ends with the domain goes on beyond it.
+        /// Length in multiples of `dir`, raw; 0 only where a map that ends with the domain goes on
+        /// beyond it.
         len: i32,
-        /// Whether the solid goes on beyond the start and the end (flat or concave joint), so that the end point itself blocks.
+        /// Whether the solid continues beyond the start and the end (a flat or concave joint). The
+        /// end point itself then blocks.
         joined: [bool; 2],
     },
     /// A strictly convex corner of the solid.
@@ -84,7 +89,8 @@ pub enum Geometry {
         radius: i32,
         /// Both components 1 or -1: from the centre toward the arc.
         quadrant: Axis,
-        /// Whether the solid is on the centre's side; its normal points away from the centre then, else toward it.
+        /// Whether the solid is on the centre's side; its normal points away from the centre then,
+        /// else toward it.
         convex: bool,
     },
 }
@@ -147,7 +153,7 @@ pub struct Way<'a> {
     pub(crate) cells: Option<Cells>,
     /// The same of the piece before.
     pub(crate) before: Option<&'a Aabb>,
-    /// What they cover in the whole motion, a raw unit larger on every side.
+    /// The box that they cover in the whole motion, a raw unit larger on every side.
     pub(crate) whole: Aabb,
     /// The whole motion, not zero.
     pub(crate) d: Raw,
@@ -155,7 +161,7 @@ pub struct Way<'a> {
     pub(crate) joints: bool,
 }
 
-/// What a look at a region found.
+/// The result of a look at a region.
 ///
 /// Public in a private module, because a sealed trait's method writes it.
 #[derive(Clone, Copy, Debug)]
@@ -171,11 +177,14 @@ impl Seen {
     pub(crate) const NOTHING: Self = Self { held: None, cells: None };
 }
 
-/// What a [mover](crate::motion::Mover) needs of a level: its surface near a box, and two exact overlap tests.
+/// The requirements of a [mover](crate::motion::Mover): a level's surface near a box, and two exact
+/// overlap tests.
 ///
-/// Sealed: that a mover never ends in the solid rests on `features` and the tests being two views of one set of points.
+/// Sealed: that a mover never ends in the solid rests on `features` and the tests being two views
+/// of one set of points.
 pub trait World: sealed::Sealed {
-    /// Whether all faces are along x or y and all corners a block's: then a mover links no code for others.
+    /// Whether all faces are along x or y and all corners a block's: then a mover links no code for
+    /// others.
     #[doc(hidden)]
     const BLOCKS: bool;
 
@@ -192,19 +201,21 @@ pub trait World: sealed::Sealed {
     where
         Self: 'w;
 
-    /// Every face and vertex of the surface that has a point in the closed region, in an order that depends on the level only.
+    /// Every face and vertex of the surface that has a point in the closed region, in an order that
+    /// depends on the level only.
     ///
     /// Pieces near the region may come too.
     fn features(&self, region: &Aabb) -> Self::Features<'_>;
 
-    /// Those of the features that a piece of a motion could run into and the piece before could not: not less, but more may come.
+    /// Those of the features that a piece of a motion could run into and the piece before could
+    /// not: not less, but more may come.
     #[doc(hidden)]
     fn features_ahead(&self, way: &Way) -> Self::Features<'_> {
         self.features(way.piece)
     }
 
-    /// Whether the surface and the overlap tests are two views of one solid wherever a body can be, so that the end of a motion that meets nothing
-    /// needs no test.
+    /// Whether the surface and the overlap tests are two views of one solid wherever a body can be.
+    /// The end of a motion that meets nothing then needs no test.
     #[doc(hidden)]
     const CERTAIN: bool = Self::BLOCKS;
 
@@ -213,7 +224,8 @@ pub trait World: sealed::Sealed {
     #[doc(hidden)]
     const GRID: bool = false;
 
-    /// A walk over the cells of a grid that hold something and whose inside meets a region, row after row.
+    /// A walk over the cells of a grid that hold something and whose inside meets a region, row
+    /// after row.
     #[doc(hidden)]
     fn cells(&self, region: &Aabb) -> Cells {
         let _ = region;
@@ -267,7 +279,8 @@ pub trait World: sealed::Sealed {
         *seen = Seen { held: Some(*region), cells: None };
     }
 
-    /// The side of a cell, raw and not zero: longer motions are enumerated in pieces of about this length.
+    /// The side of a cell, raw and not zero: longer motions are enumerated in pieces of about this
+    /// length.
     fn cell_size(&self) -> u32;
 
     /// How many cells a box of this size may meet with its inside, in raw units below 2^30; 1 where
@@ -291,7 +304,8 @@ pub trait World: sealed::Sealed {
     fn touches_circle(&self, c: &Circle) -> bool;
 }
 
-/// Methods by name, after the documentation of each: `levels! { [parameters] type { /// ... overlaps, ... } }`.
+/// Methods by name, after the documentation of each:
+/// `levels! { [parameters] type { /// ... overlaps, ... } }`.
 macro_rules! levels {
     ([$($parameters:tt)*] $level:ty { $($(#[$doc:meta])* $verb:ident,)* }) => {
         impl<$($parameters)*> $level {

@@ -1,6 +1,7 @@
 //! A body against one feature: how far, how deep, which way out.
 //!
-//! Distances are exact, for comparison: roots, heights over lines, and what is between a point and a circle.
+//! Distances are exact, for comparison: roots, heights over lines, and the gap between a point and
+//! a circle.
 
 use super::level::{Feature, Geometry, World, ends, in_quadrant, normal, raw};
 use crate::num::{Axis, Raw, add128, cmp_squares, less128, mul64, sqr64, sub128, usqr};
@@ -13,8 +14,8 @@ use core::cmp::Ordering;
 pub(in crate::world) enum Measure {
     /// `sqrt(square)`, `square` below 2^61.
     Point { square: u64 },
-    /// `front / sqrt(den)`, the height over a line whose direction has the square `den`: both below 2^61, `den` above 1. Of the slopes of tiles `den` is
-    /// 2 or 5, and `front` at most 3 * 2^30.
+    /// `front / sqrt(den)`, the height over a line whose direction has the square `den`: both below
+    /// 2^61, `den` above 1. Of the slopes of tiles `den` is 2 or 5, and `front` at most 3 * 2^30.
     Line { front: u64, den: u64 },
     /// `|sqrt(square) - radius|`, `square` below 2^61, the radius at most 2^24.
     Ring { square: u64, radius: u32 },
@@ -26,13 +27,14 @@ impl Measure {
         Self::Point { square }
     }
 
-    /// The distance from a line, by its product with the length of the line's direction, which has the square `den`.
+    /// The distance from a line, by its product with the length of the line's direction, which has
+    /// the square `den`.
     pub(in crate::world) const fn height(front: u64, den: u64) -> Self {
         if den == 1 { Self::Point { square: usqr(front as u32) } } else { Self::Line { front, den } }
     }
 
-    /// Exact. Two or three products of double words where slopes or arcs are compared; ten where an arc is compared with a free segment. A
-    /// level links what it has features for.
+    /// Exact. Two or three products of double words where slopes or arcs are compared; ten where an
+    /// arc is compared with a free segment. A level links what it has features for.
     #[inline(never)]
     pub(in crate::world) fn order<W: World>(&self, other: &Self) -> Ordering {
         match (self, other) {
@@ -67,9 +69,11 @@ fn line_and_point(f: u64, d: u64, n: u64) -> Ordering {
 
 /// `|sqrt(a) - r|` against `t`, which is a root or a height.
 ///
-/// Outside, `sqrt(a) < r + t` is `a - r^2 - t^2 < 2 r t`; inside, `r < sqrt(a) + t` is `r^2 - a - t^2 < 2 sqrt(a) t`. Both are, with `w = |a - r^2|` and
-/// `k` the lesser of the squares, `w - t^2 < 2 sqrt(k) t`; for `t = f / sqrt(d)` that is `w d - f^2 < 2 f sqrt(k d)`: true where the left side
-/// is negative, else by its square. `k` is at most 2^48; a root and a tile's slope have `w d` and `f^2` below 2^64, and `4 k d` below 2^53.
+/// Outside, `sqrt(a) < r + t` is `a - r^2 - t^2 < 2 r t`; inside, `r < sqrt(a) + t` is
+/// `r^2 - a - t^2 < 2 sqrt(a) t`. Both are, with `w = |a - r^2|` and `k` the lesser of the squares,
+/// `w - t^2 < 2 sqrt(k) t`; for `t = f / sqrt(d)` that is `w d - f^2 < 2 f sqrt(k d)`: true where
+/// the left side is negative, else by its square. `k` is at most 2^48; a root and a tile's slope
+/// have `w d` and `f^2` below 2^64, and `4 k d` below 2^53.
 #[inline(never)]
 fn ring_and_line<W: World>(a: u64, r: u32, line: &Measure) -> Ordering {
     let rr = usqr(r);
@@ -99,7 +103,7 @@ fn free_line(w: u64, c: u64, f: u64, d: u64) -> Ordering {
     product(x, x).cmp(&product(ff, mul64(c, d)))
 }
 
-/// The product of two numbers below 2^124, high words first, so that it compares as a number.
+/// The product of two numbers below 2^124, high words first, which compares as a number.
 #[inline(never)]
 fn product(a: (u64, u64), b: (u64, u64)) -> ((u64, u64), (u64, u64)) {
     let (low, high) = (mul64(a.1, b.1), mul64(a.0, b.0));
@@ -143,12 +147,14 @@ fn roots_together(a: u64, b: u64, sum: u32) -> Ordering {
     mul64(a << 2, b).cmp(&sqr64(square.wrapping_sub(both)))
 }
 
-/// The contact of a box with a feature that it overlaps: its corner with a slope or arc, its side with a corner or with a face along x or y.
+/// The contact of a box with a feature that it overlaps: its corner with a slope or arc, its side
+/// with a corner or with a face along x or y.
 ///
-/// `c` is its middle. `behind` says whether the back of the feature counts: where the middle is in the solid. With it, whether the box is in the
-/// feature's region.
+/// `c` is its middle. `behind` says whether the back of the feature counts: where the middle is in
+/// the solid. With it, whether the box is in the feature's region.
 ///
-/// The way from a middle outside of the solid to a point of the box in it leads in through a face or arc: that one has a contact, in its region or not.
+/// The way from a middle outside of the solid to a point of the box in it leads in through a face
+/// or arc: that one has a contact, in its region or not.
 #[inline(never)]
 pub(in crate::world) fn boxed<W: World>(
     lo: Raw,
@@ -207,7 +213,8 @@ pub(in crate::world) fn boxed<W: World>(
     }
 }
 
-/// The coordinate of a box that is deepest behind a face with the normal's component `n`; the middle of what they share where all are.
+/// The coordinate of a box that is deepest behind a face with the normal's component `n`; the
+/// middle of what they share where all are.
 const fn deepest(n: i32, lo: i32, hi: i32, a: i32, b: i32) -> i32 {
     if n > 0 {
         lo
@@ -258,7 +265,8 @@ struct Frame {
 }
 
 impl Frame {
-    /// The corner of a box that has the coordinates of `plus` on axes that are not turned, else those of `minus`.
+    /// The corner of a box that has the coordinates of `plus` on axes that are not turned, else
+    /// those of `minus`.
     const fn enter(&self, plus: Raw, minus: Raw) -> Raw {
         let (p, m) = (plus.sub(self.centre), minus.sub(self.centre));
         Raw {
@@ -272,8 +280,8 @@ impl Frame {
         Raw { x: v.x.wrapping_mul(self.quadrant.x), y: v.y.wrapping_mul(self.quadrant.y) }
     }
 
-    /// The exit from a solid disc: along the line from its centre to the box's corner `near`; where a side of the box is before the centre, that
-    /// side leaves the arc's end.
+    /// The exit from a solid disc: along the line from its centre to the box's corner `near`; where
+    /// a side of the box is before the centre, that side leaves the arc's end.
     fn convex(&self, near: Raw, radius: i32) -> Contact {
         if near.x > 0 && near.y > 0 {
             let core = self.centre.add(self.turn(near));
@@ -297,10 +305,12 @@ impl Frame {
     }
 }
 
-/// The contact of a circle with a feature that it overlaps, and whether the feature's normal passes its centre.
+/// The contact of a circle with a feature that it overlaps, and whether the feature's normal passes
+/// its centre.
 ///
-/// `behind` says whether the back of the feature counts: where the centre is in the solid. Only there does a face count whose normal does not pass
-/// the centre: right behind a concave corner there is none whose does.
+/// `behind` says whether the back of the feature counts: where the centre is in the solid. Only
+/// there does a face count whose normal does not pass the centre: right behind a concave corner
+/// there is none whose does.
 #[inline(never)]
 pub(in crate::world) fn circle<W: World>(c: Raw, r: i32, feature: &Feature, behind: bool) -> Option<(Contact, bool)> {
     if let Geometry::Face { a, dir, len, .. } = feature.geometry {
@@ -358,7 +368,8 @@ fn out_of_disc(core: Raw, m: Raw, quadrant: Axis) -> Contact {
     Contact::radial(core, Raw { x: m.x.wrapping_neg(), y: m.y.wrapping_neg() })
 }
 
-/// A contact with what is around a hollow disc: the core is `m` from the centre, as deep as the sum of its length and the other radii.
+/// A contact with the solid around a hollow disc. The core is `m` from the centre, as deep as the
+/// sum of its length and the other radii.
 pub(in crate::world) fn into_disc(core: Raw, m: Raw, quadrant: Axis) -> Contact {
     if m.is_zero() {
         return Contact::new(Axis::new(quadrant.x, 0), 0, core).with_degenerate(true);

@@ -1,4 +1,4 @@
-//! Levels: what is solid, what it is made of, and what a ray or a body meets there.
+//! Levels: the solid, the surface that it has, and the answers to rays and bodies.
 //!
 //! A [`TileMap`] reads a level from the bytes that it is stored as, usually in flash. It answers:
 //!
@@ -12,14 +12,17 @@
 //! | what does this ray see? | [`cast_ray`](TileMap::cast_ray), [`cast_ray_all`](TileMap::cast_ray_all) | solids are closed; one-way edges by an option |
 //! | does this point see that one? | [`line_of_sight`](TileMap::line_of_sight) | solids are closed |
 //! | what of the surface does this body overlap, how deep, which way out? | [`contacts`](TileMap::contacts) | nearest first, each once |
-//! | what is the nearest point of the surface? | [`closest_point`](TileMap::closest_point) | exact order; inside or outside |
+//! | which point of the surface is nearest? | [`closest_point`](TileMap::closest_point) | exact order; inside or outside |
 //! | which faces, arcs and vertices are near? | [`features`](TileMap::features) | the surface of the solid, and one-way edges |
 //!
-//! A [`SegmentMap`] reads a level of free line segments, polygons and chains, from bytes too, and answers the same questions, but for the
-//! tiles. A [`Joined`] pair of levels, of either kind, is one level without a seam. Platforms and doors that move are [`Solids`], joined to a level; a level that moves is
-//! [`Placed`]. Rays see these too, and [`Solids::key_of`] tells whom they met.
+//! A [`SegmentMap`] reads a level of free line segments, polygons and chains, from bytes too. It
+//! answers the same questions, except those about tiles. A [`Joined`] pair of levels, of either
+//! kind, is one level without a seam. Platforms and doors that move are [`Solids`], which you join
+//! to a level. A level that moves is [`Placed`]. Rays see these too, and [`Solids::key_of`] names
+//! the one that they met.
 //!
-//! A world that is larger than the coordinates allow is cut into [`Rooms`], with borders that no body feels.
+//! A world that is larger than the coordinates allow is cut into [`Rooms`], with borders that no
+//! body feels.
 //!
 //! Movers see a level through [`World`] and nothing else.
 

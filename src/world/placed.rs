@@ -1,4 +1,4 @@
-//! A level at another place: its surface, and rays against it.
+//! A level at another position: its surface, and rays against it.
 
 use super::level::{Feature, Seen, Way, World, levels, meets_as_world, sealed};
 use super::ray::scan::{Found, RayScan, RayWorld};
@@ -7,7 +7,8 @@ use crate::error::RangeError;
 use crate::num::{DOMAIN, MOTION, Raw, Vec2, check_motion};
 use crate::shape::{Aabb, Circle};
 
-/// A level shifted by an offset, a level itself: a polygon that moves, a room that slides in. Copies nothing.
+/// A level shifted by an offset, and itself a level: a polygon that moves, a room that slides in.
+/// It copies nothing.
 ///
 /// ```text
 ///    the level's own origin      here
@@ -16,12 +17,13 @@ use crate::shape::{Aabb, Circle};
 ///      v /__\                           /__\
 /// ```
 ///
-/// Give it another offset in each frame and [join](crate::Joined) it with the rest. It blocks, and stops rays; to carry and to push is what boxes do, see
-/// [`Mover::ride`](crate::Mover::ride). A body that overlaps it at the new place is stuck until the game has moved it out.
+/// Give it another offset in each frame and [join](crate::Joined) it with the rest. It blocks, and
+/// stops rays; to carry and to push is what boxes do, see [`Mover::ride`](crate::Mover::ride). A
+/// body that overlaps it at the new place is stuck until the game has moved it out.
 ///
-/// Results are those of a level that is built there, bit for bit, as all kernels work on differences. Where a tile map goes on beyond its cells
-/// ([`Outside`](crate::Outside)), its surface does so up to the end of its own domain; a body that is farther off is stopped by what is solid there, but
-/// not led along it.
+/// Results are those of a level built there, bit for bit, because all kernels work on differences.
+/// A tile map that continues beyond its cells ([`Outside`](crate::Outside)) has a surface up to the
+/// end of its domain. Solid beyond that still stops a body, but does not lead it along.
 ///
 /// Cost: that of the level, and a few additions for each call and each feature.
 ///
@@ -38,6 +40,7 @@ use crate::shape::{Aabb, Circle};
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Debug)]
+#[doc(alias("offset", "transform"))]
 pub struct Placed<'a, W> {
     world: &'a W,
     offset: Raw,
@@ -52,11 +55,12 @@ impl<W> Clone for Placed<'_, W> {
 impl<W> Copy for Placed<'_, W> {}
 
 impl<'a, W: World> Placed<'a, W> {
-    /// The level, shifted: what is at `p` in it is at `p + offset` here.
+    /// The level, shifted: a point `p` of it is at `p + offset` here.
     ///
     /// # Errors
-    /// [`RangeError`] where a component of the offset is not below [`MOTION`] (4096 units): coordinates seen from the level stay below 2^29 + 2^28,
-    /// and differences below 2^31 with products below 2^62, which all kernels take.
+    /// [`RangeError`] where a component of the offset is not below [`MOTION`] (4096 units):
+    /// coordinates seen from the level stay below 2^29 + 2^28, and differences below 2^31 with
+    /// products below 2^62, which all kernels take.
     pub const fn new(world: &'a W, offset: Vec2) -> Result<Self, RangeError> {
         match check_motion(offset, MOTION) {
             Ok(()) => Ok(Self { world, offset: Raw::of(offset) }),
@@ -76,7 +80,7 @@ impl<'a, W: World> Placed<'a, W> {
         self.offset.vec2()
     }
 
-    /// The level's features near a region, at the places where they are here.
+    /// The level's features near a region, at their shifted positions.
     pub fn features(&self, region: &Aabb) -> PlacedFeatures<'_, W> {
         PlacedFeatures { features: self.world.features(&self.seen(region)), offset: self.offset }
     }
@@ -186,7 +190,8 @@ const fn is_inside(p: Raw) -> bool {
 meets_as_world! { [W: World] Placed<'_, W> }
 
 impl<W: RayWorld> Placed<'_, W> {
-    /// All hits of a ray in order, as if it went on through what it hits. Of hits at one moment there is one.
+    /// All hits of a ray in order, as if it went on through what it hits. Of hits at one moment
+    /// there is one.
     ///
     /// # Errors
     /// As [`cast_ray`](Self::cast_ray).
@@ -204,9 +209,11 @@ impl<W: RayWorld> Placed<'_, W> {
 
 rays! {
     [W: RayWorld] Placed<'_, W> {
-        /// The first point of the level that a ray from `origin` along `motion` meets, or `None` where it ends before.
+        /// The first point of the level that a ray from `origin` along `motion` meets, or `None`
+        /// where it ends before.
         ///
-        /// By the rules of the level's own `cast_ray`, of which it is the result, bit for bit, shifted.
+        /// By the rules of the level's own `cast_ray`, of which it is the result, bit for bit,
+        /// shifted.
         ///
         /// ```
         /// use tilesat::{Axis, Inside, Placed, TileKind, TileKinds, TileMap, Vec2};
@@ -219,9 +226,11 @@ rays! {
         /// ```
         ///
         /// # Errors
-        /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN), here or as the level sees it: less the offset.
+        /// [`RangeError`] where the start or the end is outside of the
+        /// [domain](crate::num::DOMAIN), here or as the level sees it: less the offset.
         cast_ray,
-        /// Whether the straight line from `a` to `b` is free of the level, as a ray from `a` sees it, and does not start inside.
+        /// Whether the straight line from `a` to `b` is free of the level, as a ray from `a` sees
+        /// it, and does not start inside.
         ///
         /// # Errors
         /// As [`cast_ray`](Self::cast_ray).

@@ -1,4 +1,5 @@
-//! Worlds larger than the coordinates allow: rooms, each with coordinates of its own, and the way from one to the next.
+//! Worlds larger than the coordinates allow: rooms with separate coordinates, and the way from one
+//! to the next.
 
 use super::cell::Cell;
 use super::error::TileMapError;
@@ -7,7 +8,8 @@ use super::tile_map::kind::TileKinds;
 use super::tile_map::{AllShapes, Outside, Set, TileMap};
 use crate::num::{DOMAIN, Fx, Raw, Vec2};
 
-/// A part of a world, as a level with coordinates of its own: its tiles, and around them an apron, which is tiles of its neighbours.
+/// A part of a world, as a level with its own coordinates: its tiles, and around them an apron of
+/// its neighbours' tiles.
 ///
 /// ```text
 ///      apron
@@ -20,10 +22,12 @@ use crate::num::{DOMAIN, Fx, Raw, Vec2};
 ///    +---------------------+
 /// ```
 ///
-/// No body feels the border. Where the apron is [wide enough](Self::apron_for), a motion in the room's map has the bits that it would have
-/// in a map of the whole world. So it does not matter in which frame a body goes over to the next room, as long as the apron holds it.
+/// No body feels the border. Where the apron is [wide enough](Self::apron_for), a motion in the
+/// room's map gives the same bits as in a map of the whole world. A body may move to the next room
+/// in any frame in which the apron still holds it.
 ///
-/// The rooms of a [`Rooms`] are equal, and are made when asked for. Rooms of any rectangles are a table:
+/// The rooms of a [`Rooms`] are equal, and are made when asked for. Rooms of any rectangles are a
+/// table:
 ///
 /// ```
 /// use tilesat::{AllShapes, Fx, Grid, Room, TileKind, TileKinds, TileMap, TileMapError, Vec2};
@@ -53,12 +57,15 @@ pub struct Room<'a, S: Set = AllShapes> {
 }
 
 impl<'a, S: Set> Room<'a, S> {
-    /// A room of a map that has an apron of so many cells on each side; its first cell is the cell (`x`, `y`) of a world.
+    /// A room of a map with an apron of that many cells on each side. Its first cell is the cell
+    /// (`x`, `y`) of a world.
     ///
-    /// The map's own origin does not count. Where the world ends, the apron is what lies beyond it.
+    /// The map's own origin does not count. Where the world ends, the apron is filled by
+    /// [`Outside`].
     ///
     /// # Errors
-    /// [`TileMapError::EmptyMap`] where the apron leaves nothing, [`TileMapError::OutOfDomain`] where the map is too large.
+    /// [`TileMapError::EmptyMap`] where the apron leaves nothing, [`TileMapError::OutOfDomain`]
+    /// where the map is too large.
     pub const fn new(map: TileMap<'a, S>, x: i32, y: i32, apron: u16) -> Result<Self, TileMapError> {
         let twice = 2 * apron as u32;
         if map.width() as u32 <= twice || map.height() as u32 <= twice {
@@ -73,12 +80,14 @@ impl<'a, S: Set> Room<'a, S> {
         }
     }
 
-    /// The least apron in cells for bodies whose width and height are at most `body` and whose motion per frame is at most `motion` long.
-    /// The step and the snap of a [`Walker`](crate::Walker) add to its motion.
+    /// The least apron in cells for bodies whose width and height are at most `body` and whose
+    /// motion per frame is at most `motion` long. The step and the snap of a
+    /// [`Walker`](crate::Walker) add to its motion.
     ///
-    /// A frame reads the tiles that the closed box around the whole motion touches, or a box less than a unit larger. The place of a body
-    /// that is in the room is its first corner, or any other point of it. So `apron * cell > body + motion + 1`. With a cell less there
-    /// are bodies that feel the border. A ray wants an apron as long as itself.
+    /// In a frame, a body reads the tiles that the closed box around its whole motion touches, or a
+    /// box less than a unit larger. The position of a body in the room is its first corner, or any
+    /// other point of it. So `apron * cell > body + motion + 1`. With one cell less, some bodies
+    /// feel the border. A ray needs an apron as long as itself.
     ///
     /// ```
     /// use tilesat::{AllShapes, Fx, Room};
@@ -118,7 +127,8 @@ impl<'a, S: Set> Room<'a, S> {
         self.height
     }
 
-    /// Whether a place is in the room, not in its apron: left and upper borders belong to it, right and lower ones to the next room.
+    /// Whether a point is in the room, not in its apron. Left and upper borders belong to the room,
+    /// right and lower ones to the next.
     #[must_use]
     pub const fn holds(&self, place: Vec2) -> bool {
         let (p, cell) = (Raw::of(place), self.map.grid.cell);
@@ -127,7 +137,7 @@ impl<'a, S: Set> Room<'a, S> {
         0 <= p.x && p.x < width && 0 <= p.y && p.y < height
     }
 
-    /// The cell of the world that a cell of the room's [map](Self::map) is, such as that of a hit.
+    /// The world's cell for a cell of the room's [map](Self::map), such as that of a hit.
     #[must_use]
     pub const fn in_world(&self, cell: Cell) -> (i32, i32) {
         // The origin is not above 0 and not below the domain.
@@ -137,10 +147,12 @@ impl<'a, S: Set> Room<'a, S> {
         (self.x.wrapping_add(cell.x as i32 - left), self.y.wrapping_add(cell.y as i32 - above))
     }
 
-    /// The room of a table that holds a place of this one, and what to add to the place there: to all positions of what goes over.
+    /// The room of a table that holds a point of this one. Also the vector to add to all positions
+    /// of the body that moves over.
     ///
-    /// `None` where the world has no room there. The first of several rooms that hold it; so keep on until [`holds`](Self::holds) is false.
-    /// Cost: two products and four comparisons per room of the table; no division.
+    /// `None` where the world has no room there. The first of several rooms that hold it; so keep
+    /// on until [`holds`](Self::holds) is false. Cost: two products and four comparisons per room
+    /// of the table; no division.
     #[must_use]
     pub fn next_of<'r>(&self, rooms: &'r [Self], place: Vec2) -> Option<(&'r Self, Vec2)> {
         rooms.iter().find_map(|room| {
@@ -149,7 +161,8 @@ impl<'a, S: Set> Room<'a, S> {
         })
     }
 
-    /// What to add to a place of this room to have it in one with this first cell; `None` where no coordinate can be that far.
+    /// The vector to add to a point of this room to have it in one with this first cell. `None`
+    /// where no coordinate can be that far.
     const fn way_to(&self, first: (i32, i32)) -> Option<Vec2> {
         match (apart(self.x, first.0, self.map.grid.cell), apart(self.y, first.1, self.map.grid.cell)) {
             (Some(x), Some(y)) => Some(Vec2::from_raw(x, y)),
@@ -165,10 +178,11 @@ const fn apart(from: i32, to: i32, cell: i32) -> Option<i32> {
     if -2 * (DOMAIN as i64) < raw && raw < 2 * DOMAIN as i64 { Some(raw as i32) } else { None }
 }
 
-/// A world of tiles that is cut into equal rooms: one array of tiles, row after row, of up to 65535 columns and rows.
+/// A world of tiles, cut into equal rooms: one array of tiles, row after row, of up to 65535
+/// columns and rows.
 ///
-/// A [`Room`] is a window of that array, so its apron costs nothing: neither flash nor memory. What lies [outside](Outside) of the world is
-/// as in a map of the whole.
+/// A [`Room`] is a window of that array: its apron costs no flash and no memory. [Outside](Outside)
+/// of the world it is as in a map of the whole.
 ///
 /// ```
 /// use tilesat::{Aabb, Axis, Blocks, Fx, Mover, Room, Rooms, TileKind, TileKinds, Vec2};
@@ -211,12 +225,12 @@ pub struct Rooms<'a, S: Set = AllShapes> {
 }
 
 impl<'a, S: Set> Rooms<'a, S> {
-    /// A world of so many columns and rows of cells, in rooms of so many; the last room of a row and of a column may be smaller.
-    /// See [`Room::apron_for`] for the apron, which is in cells.
+    /// A world of that many columns and rows of cells, in rooms of that many. The last room of a
+    /// row and of a column may be smaller.
     ///
     /// # Errors
-    /// [`TileMapError`]: no cells, not enough tiles, a cell or a shape that a map cannot have, or a room that does not fit the
-    /// [domain](crate::num::DOMAIN) together with its apron.
+    /// [`TileMapError`]: no cells, not enough tiles, a cell or a shape that a map cannot have. Also
+    /// a room that does not fit the [domain](crate::num::DOMAIN) together with its apron.
     pub const fn of(
         tiles: &'a [u8],
         world: (u16, u16),
@@ -247,7 +261,7 @@ impl<'a, S: Set> Rooms<'a, S> {
         }
     }
 
-    /// The same world with another outside; it is empty at first.
+    /// Sets the outside of the world, which is empty at first.
     #[must_use]
     pub const fn with_outside(self, outside: Outside) -> Self {
         Self { pattern: self.pattern.with_outside(outside), ..self }
@@ -265,9 +279,10 @@ impl<'a, S: Set> Rooms<'a, S> {
         quotient(self.world.1 - 1, self.room.1) + 1
     }
 
-    /// A room by its place among the rooms; `None` beyond the world.
+    /// A room by its index among the rooms; `None` beyond the world.
     ///
-    /// Cost: that of [`Grid::new`]. Keep it while the body is in it: it is 72 bytes on a 32-bit core.
+    /// Cost: that of [`Grid::new`]. Keep it while the body is in it: it is 72 bytes on a 32-bit
+    /// core.
     #[must_use]
     pub const fn room(&self, column: u16, row: u16) -> Option<Room<'a, S>> {
         let x = Window::of(column, self.room.0, self.world.0, self.apron);
@@ -289,10 +304,12 @@ impl<'a, S: Set> Rooms<'a, S> {
         }
     }
 
-    /// The room that holds a place which is no longer in one of these rooms, and what to add to the place there: to all positions of what
-    /// goes over. `None` where it is still in the room, and where the world ends.
+    /// The room that holds a point which has left the given room. Also the vector to add to all
+    /// positions of the body that moves over. `None` while the point is still in the room, and
+    /// where the world ends.
     ///
-    /// Cost: four comparisons where it is still in the room. Else four 32-bit divisions and a [`room`](Self::room), however large the world is.
+    /// Cost: four comparisons where it is still in the room. Else four 32-bit divisions and a
+    /// [`room`](Self::room), however large the world is.
     #[must_use]
     pub const fn next(&self, room: &Room<'_, S>, place: Vec2) -> Option<(Room<'a, S>, Vec2)> {
         if room.holds(place) {
@@ -346,7 +363,8 @@ const fn with_apron(room: u16, apron: u16) -> u16 {
     room.saturating_add(apron).saturating_add(apron)
 }
 
-/// Which room of an axis holds a coordinate of a room with this first cell; `None` outside of the world.
+/// Which room of an axis holds a coordinate of a room with this first cell; `None` outside of the
+/// world.
 const fn index(first: i32, at: i32, cell: i32, world: u16, room: u16) -> Option<u16> {
     let Some(cells) = at.checked_div_euclid(cell) else { return None };
     let Some(cell) = first.checked_add(cells) else { return None };

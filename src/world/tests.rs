@@ -19,7 +19,8 @@ mod measure {
         order
     }
 
-    /// All small measures, compared by their values where those are apart, and as equal where they are so by construction.
+    /// All small measures, compared by their values where those are apart, and as equal where they
+    /// are so by construction.
     #[test]
     #[allow(
         clippy::cast_precision_loss,
@@ -93,7 +94,8 @@ mod grid {
     use crate::num::{Fx, Vec2};
     use crate::world::grid::Grid;
 
-    /// What cores without a long product run, at both sides of every line that a domain has room for.
+    /// What cores without a long product run, at both sides of every line that a domain has room
+    /// for.
     #[test]
     fn quotients_by_words() {
         for cell in [258, 1000, 70_002, (1 << 17) - 2, 1_572_864, (1 << 24) - 2] {

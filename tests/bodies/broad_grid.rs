@@ -334,22 +334,22 @@ fn constructors_refuse_what_has_no_cells() {
 #[test]
 fn refusals_say_what_would_do() {
     let cell = |side| GridError::Cell { side }.to_string();
-    assert_eq!(cell(24 << 16), "a cell of 24 is no power of two: 16 or 32 would do");
-    assert_eq!(cell(3), "a cell of 0.00005 is no power of two: 0.00003 or 0.00006 would do");
+    assert_eq!(cell(24 << 16), "a cell of 24 is not a power of two: use 16 or 32");
+    assert_eq!(cell(3), "a cell of 0.00005 is not a power of two: use 0.00003 or 0.00006");
     for side in [i32::MIN, -8, 0, 1, (1 << 28) + 1, 1 << 30, i32::MAX] {
-        let end = if side < 2 { "0.00003 or 0.00006 would do" } else { "2048 or 4096 would do" };
+        let end = if side < 2 { "use 0.00003 or 0.00006" } else { "use 2048 or 4096" };
         assert!(cell(side).ends_with(end), "{}", cell(side));
     }
     let columns = |columns, cells| GridError::Columns { columns, cells }.to_string();
-    assert_eq!(columns(24, 96), "24 columns do not fit 3 blocks: a power of two from 4 to 32 would");
-    assert_eq!(columns(2, 128), "2 columns do not fit 4 blocks: a power of two from 4 to 128 would");
+    assert_eq!(columns(24, 96), "24 columns do not fit 3 blocks: use a power of two from 4 to 32");
+    assert_eq!(columns(2, 128), "2 columns do not fit 4 blocks: use a power of two from 4 to 128");
     assert_eq!(
         columns(64, 96),
-        "64 columns do not fit 3 blocks: a power of two from 4 to 32 would, or a multiple of 2 blocks"
+        "64 columns do not fit 3 blocks: use a power of two from 4 to 32, or a multiple of 2 blocks"
     );
     assert_eq!(
         columns(1 << 15, 96),
-        "32768 columns do not fit 3 blocks: a power of two from 4 to 32 would, or a multiple of 1024 blocks"
+        "32768 columns do not fit 3 blocks: use a power of two from 4 to 32, or a multiple of 1024 blocks"
     );
     // Fields are public: no message panics.
     assert!(!columns(u16::MAX, 0).is_empty() && !columns(0, u16::MAX).is_empty());

@@ -159,7 +159,7 @@ fn a_length_that_is_none_is_called_one() {
         assert_eq!((Stick::new(Fx::from_bits(value)), Stick::rope(Fx::from_bits(value))), (refused, refused));
     }
     let error = Stick::rope(Fx::from_num(-1)).unwrap_err();
-    assert_eq!(error.to_string(), "Length is out of range: -1 (-65536 raw)");
+    assert_eq!(error.to_string(), "Length is out of range: -1 (-65536 raw); it must be from 0 to below 8192 units");
 }
 
 /// A pendulum on a nailed end: its rope never gives more than the rounding.

@@ -203,7 +203,10 @@ fn a_refused_change_changes_nothing() {
         *body = SceneBody { velocity: Vec2::from_ints(0, -4096), ..SceneBody::fixed(boxed(0, 0, 5, 5), 9) };
     };
     let error = scene.alter(handle, fast).unwrap_err();
-    assert_eq!(error.to_string(), "body 0 (generation 1): MotionY is out of range: -4096 (-268435456 raw)");
+    assert_eq!(
+        error.to_string(),
+        "body 0 (generation 1): MotionY is out of range: -4096 (-268435456 raw); shorten the motion, or begin it nearer to the origin"
+    );
     assert_eq!(format!("{scene:?}"), before);
     scene.remove(handle).unwrap();
     let stale = SceneError { body: Some(handle), fault: SceneFault::Broad(BroadError::Stale(handle)) };

@@ -350,7 +350,10 @@ fn refusals_change_nothing() {
     let before = format!("{small:?}");
     let fault = small.step(&map, fast, |_| panic!("nothing happens")).unwrap_err();
     assert!(fault.body.is_none() && format!("{small:?}") == before);
-    assert_eq!(fault.to_string(), "MotionX is out of range: 4096 (268435456 raw)");
+    assert_eq!(
+        fault.to_string(),
+        "MotionX is out of range: 4096 (268435456 raw); shorten the motion, or begin it nearer to the origin"
+    );
 }
 
 #[test]

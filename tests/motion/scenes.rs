@@ -179,7 +179,10 @@ fn what_comes_to_too_many_cells() {
     let error = refused(&flat, square(256), (long, 0));
     assert!(error.what == Quantity::Cells && i64::from(error.value) > cells, "{error}");
     assert_eq!(go(&flat, Response::Slide, square(256), (1 << 22, 0)).work.iterations, 1);
-    assert_eq!(error.to_string(), format!("a motion comes to too many cells: {} or more", error.value));
+    assert_eq!(
+        error.to_string(),
+        format!("the motion visits too many cells, {} or more: shorten it, or enlarge the cells", error.value)
+    );
 
     let (map, mover) = (level.map(), PLAYER);
     let large = Aabb::new(Vec2::from_raw(300, 300), Vec2::from_raw(301 + most as i32, 301 + most as i32)).unwrap();

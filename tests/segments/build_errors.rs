@@ -129,12 +129,15 @@ fn too_little_room() {
 #[test]
 fn errors_say_what_and_where() {
     let text = |e: SegmentMapError| e.to_string();
-    assert_eq!(text(SegmentMapError::ZeroLength { path: 2, point: 9 }), "path 2: point 9 is the same as the next");
-    assert_eq!(text(SegmentMapError::NoArea { path: 3 }), "path 3 is a polygon without area");
+    assert_eq!(
+        text(SegmentMapError::ZeroLength { path: 2, point: 9 }),
+        "path 2: point 9 is the same as the next: remove one of them"
+    );
+    assert_eq!(text(SegmentMapError::NoArea { path: 3 }), "path 3 is a polygon without area: draw it as a wall");
     let e = SegmentMapError::OutOfDomain { path: 1, point: 2, what: Quantity::X, value: 1 << 29 };
-    assert_eq!(text(e), "path 1, point 2: X = 536870912 raw is out of range");
+    assert_eq!(text(e), "path 1, point 2: X = 536870912 raw is out of range (8192 units)");
     assert_eq!(e.__text().as_str(), "path 1, point 2: out of the domain");
     let e = SegmentMapError::TooFewPoints { path: 4_294_967_295, points: 1 };
     assert_eq!(e.__text().as_str(), "path 4294967295: too few points for its kind");
-    assert_eq!(text(SegmentMapError::TooSmall { needed: 9, found: 8 }), "room for 8 bytes where 9 are needed");
+    assert_eq!(text(SegmentMapError::TooSmall { needed: 9, found: 8 }), "room for 8 bytes where the map needs 9");
 }

@@ -102,25 +102,34 @@ fn hostile_sizes() {
 #[test]
 fn errors_say_what_and_where() {
     let text = |e: TileMapError| e.to_string();
-    assert_eq!(text(TileMapError::EmptyMap), "the map has no cells");
-    assert_eq!(text(TileMapError::TooManyCells(40_000)), "40000 cells on a side are more than 32767");
-    assert_eq!(text(TileMapError::Cell(3)), "a cell of 3 raw is odd or not in 256..=16777216 (256 units)");
-    assert_eq!(text(TileMapError::Stride(2)), "a stride of 2 is less than the width");
-    assert_eq!(text(TileMapError::TooShort { needed: 9, found: 8 }), "8 bytes of tiles where 9 are needed");
+    assert_eq!(text(TileMapError::EmptyMap), "the map has no cells: width and height must be at least 1");
+    assert_eq!(
+        text(TileMapError::TooManyCells(40_000)),
+        "40000 cells on a side are more than 32767: cut the world into rooms"
+    );
+    assert_eq!(
+        text(TileMapError::Cell(3)),
+        "a cell of 3 raw is refused: its side must be even, from 256 to 16777216 raw (256 units)"
+    );
+    assert_eq!(text(TileMapError::Stride(2)), "a stride of 2 is less than the width: rows would overlap");
+    assert_eq!(text(TileMapError::TooShort { needed: 9, found: 8 }), "8 bytes of tiles where the map needs 9");
     assert_eq!(
         text(TileMapError::RowLength { row: 1, expected: 2, found: 3 }),
-        "row 1 has 3 characters where the first has 2"
+        "row 1 has 3 characters where row 0 has 2: make them equal"
     );
-    assert_eq!(text(TileMapError::NotAscii { row: 1, column: 2 }), "the character at row 1, column 2 is not ASCII");
+    assert_eq!(
+        text(TileMapError::NotAscii { row: 1, column: 2 }),
+        "the character at row 1, column 2 is not ASCII: use one byte per tile"
+    );
     assert_eq!(
         text(TileMapError::CarriageReturn { row: 1 }),
-        "row 1 has a carriage return; rows end with line feeds alone"
+        "row 1 has a carriage return: end rows with line feeds alone"
     );
-    let of_another = "a shape that is not in the map's set: a map of another set is made by `of` or `of_ascii`";
+    let of_another = "a shape that is not in the map's set: choose another set with `of` or `of_ascii`";
     assert_eq!(text(TileMapError::ShapeNotInSet { id: 7 }), format!("the table gives tile 7 {of_another}"));
     assert_eq!(text(TileMapError::ShapeNotInSet { id: b'/' }), format!("the table gives tile 47 '/' {of_another}"));
     let out = TileMapError::OutOfDomain { what: Quantity::X, value: 5 };
-    assert_eq!(text(out), "the map ends at X = 5 raw, out of range");
+    assert_eq!(text(out), "the map ends at X = 5 raw, out of range: move its origin, or cut it into rooms");
 }
 
 /// All coordinates within two raw of every line, and some between, against plain division.

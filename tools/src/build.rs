@@ -24,7 +24,7 @@ use crate::fail::Fail;
 use crate::model::map::Map;
 use crate::rules::options::Options;
 
-/// What is wrong with a folder of levels: a line for each that is refused.
+/// The errors of a folder of levels: a line for each that is refused.
 ///
 /// Where `main` returns it, the program exits with 1 and Cargo shows the lines.
 #[derive(Clone, PartialEq, Eq)]
@@ -52,8 +52,9 @@ impl From<Fail> for Failed {
     }
 }
 
-/// Bakes all levels of a folder of the package into a file of the folder's name with `.rs` in Cargo's `OUT_DIR`, and has Cargo ask again
-/// when one of them changes, or a file that one of them names.
+/// Bakes all levels of a folder of the package into a file of the folder's name with `.rs` in
+/// Cargo's `OUT_DIR`. Cargo runs the build script again when one of the levels changes, or a file
+/// that one of them names.
 ///
 /// # Errors
 ///
@@ -69,8 +70,9 @@ pub fn levels(from: impl AsRef<Path>) -> Result<(), Failed> {
     Ok(())
 }
 
-/// Bakes all levels of a folder, maps of Tiled and projects of `LDtk`, into a file of Rust source. It is one module of the folder's
-/// name, with a module for each level and one table of tile kinds for all. A `tilesat.toml` in the folder is heeded.
+/// Bakes all levels of a folder, maps of Tiled and projects of `LDtk`, into a file of Rust source.
+/// It is one module of the folder's name, with a module for each level and one table of tile kinds
+/// for all. A `tilesat.toml` in the folder is heeded.
 ///
 /// Returns the files that were read.
 ///
@@ -116,7 +118,7 @@ pub fn folder(from: &Path, out: &Path) -> Result<Vec<PathBuf>, Failed> {
     Ok(read)
 }
 
-/// What is said of each level that is refused.
+/// The message about each refused level.
 fn refused(drawn: &[(PathBuf, Map)], settings: &Settings) -> Vec<Fail> {
     let alone = |(file, map): &(PathBuf, Map)| {
         let fail = bake::bake(std::slice::from_ref(map), settings).err()?;
@@ -143,5 +145,5 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>, Failed> {
     Ok(files)
 }
 
-/// What the names of level files end in.
+/// The endings of level files.
 const ENDS: [&str; 3] = ["tmx", "tmj", "ldtk"];

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What went wrong, to be shown on one line.
+/// An error that is shown on one line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fail(String);
 
@@ -26,8 +26,8 @@ impl fmt::Display for Fail {
 /// The longest line that is shown.
 const LONGEST: usize = 1000;
 
-/// Text as it can stand on a line of a terminal: names out of a file may hold line breaks, escape codes, marks that turn the
-/// direction of writing, and be of any length.
+/// Text as it can stand on a line of a terminal: names out of a file may hold line breaks, escape
+/// codes, marks that turn the direction of writing, and be of any length.
 pub(crate) fn one_line(text: &str) -> String {
     let unseen = |c: char| {
         c.is_control()

@@ -37,7 +37,7 @@ fn head(out: &mut String, first: &str, columns: impl ExactSizeIterator<Item = &'
     let _ = writeln!(out, "\n| {first} | {names} |\n|---|{lines}");
 }
 
-/// A line of cells, one a column, unless all are empty.
+/// A line of cells, one per column, unless all are empty.
 fn line(out: &mut String, name: &str, cells: &[Option<String>]) {
     if cells.iter().any(Option::is_some) {
         let cells: Vec<&str> = cells.iter().map(|c| c.as_deref().unwrap_or("")).collect();

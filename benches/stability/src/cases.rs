@@ -40,7 +40,7 @@ fn px(corners: &[Point]) -> Vec<Point> {
     corners.iter().map(|p| p.map(|c| c * PX)).collect()
 }
 
-/// 3.37 pixels a frame over a floor of 24-pixel pieces, or tiles, that has no end.
+/// 3.37 pixels per frame over a floor of 24-pixel pieces, or tiles, that has no end.
 fn floor(order: Order, walker: bool) -> Case {
     const ROWS: &str = include_str!("levels/floor.txt");
     let backward = order == Order::Backward;

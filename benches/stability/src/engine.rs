@@ -1,6 +1,6 @@
 //! What every column of the tables is.
 
-/// Where a body is and how fast, in pixels and pixels a frame: exact for all number formats here.
+/// Where a body is and how fast, in pixels and pixels per frame: exact for all number formats here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
     pub centre: [f64; 2],

@@ -18,7 +18,7 @@
 //! - *Deepest*: how far the body was in a wall after a frame, in pixels (a raw unit is 1.5e-5), until it escaped. The judge is f64 on exact
 //!   positions; below 1e-7 is 0.
 //! - *Energy*: v^2 / 2 + g h, h above the lowest place that the centre can have. With gravity and restitution 1 it walks at random in every
-//!   engine that gives gravity once a frame, because a bounce falls somewhere into a frame: the number format has no part in that. *Energy renewed*
+//!   engine that gives gravity once per frame, because a bounce falls somewhere into a frame: the number format has no part in that. *Energy renewed*
 //!   is our mover in a game that sets the speed from the height in frames with a hit.
 //! - A run whose frame changed neither position nor velocity is over: nothing but these is remembered (rapier2d's runs are made to the end).
 //!
@@ -34,7 +34,7 @@
 //! | textbook f32 | the same in f32 |
 //! | parry2d contact | the same with `query::contact` (parry2d 0.31.1, f32) instead of formulas |
 //! | parry2d cast | `query::cast_shapes` to the first hit, respond, go on, four times; then the same push-out |
-//! | rapier2d (CCD) | rapier2d 0.36.1, f32: length unit 32, 60 steps a second, rotation locked, no sleep, no friction |
+//! | rapier2d (CCD) | rapier2d 0.36.1, f32: length unit 32, 60 steps per second, rotation locked, no sleep, no friction |
 //!
 //! # Honest limits
 //!

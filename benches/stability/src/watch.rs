@@ -24,7 +24,7 @@ pub struct Watched {
     pub last_motion: u64,
     /// The longest step in the last frames, in raw units.
     pub late_step: f64,
-    /// The velocity at the end, in pixels a frame.
+    /// The velocity at the end, in pixels per frame.
     pub velocity: [f64; 2],
     /// Energy every so many frames, of the energy at the start; the last is that of the end.
     pub energy: Vec<f64>,
@@ -108,7 +108,7 @@ pub fn watch(engine: &mut dyn Engine, room: &Room, period: i32, until: Until) ->
 }
 
 impl Watched {
-    /// Speed at the end, in raw units a frame.
+    /// Speed at the end, in raw units per frame.
     pub fn residual(&self) -> f64 {
         self.velocity[0].hypot(self.velocity[1]) * 65536.0
     }

@@ -1,6 +1,8 @@
-//! A firmware whose levels its build script bakes: `cargo run -p tilesat-baked`, or for a chip with `--target thumbv6m-none-eabi`.
+//! A firmware whose levels its build script bakes: `cargo run -p tilesat-baked`, or for a chip with
+//! `--target thumbv6m-none-eabi`.
 //!
-//! `levels` has a cave drawn with Tiled and a tower drawn with `LDtk`. A ball is let go in each, and the line says where it comes to rest.
+//! `levels` has a cave drawn with Tiled and a tower drawn with `LDtk`. A ball falls in each, and
+//! the line says where it comes to rest.
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg_attr(

@@ -1,4 +1,4 @@
-//! The default handlers of a chip's faults loop for ever; a fault must end the run.
+//! The default handlers of a chip's faults loop without end; a fault must end the run.
 
 use semihosting::{eprintln, process};
 

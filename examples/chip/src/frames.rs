@@ -1,4 +1,4 @@
-//! defmt's frames go to standard error, so that they and plain lines do not mix.
+//! defmt's frames go to standard error and do not mix with plain lines.
 
 use semihosting::io::{Write, stderr};
 

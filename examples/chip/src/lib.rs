@@ -1,4 +1,5 @@
-//! What every firmware here needs to run on an emulated board: start-up, output, faults that end the run, the command line.
+//! The parts that every firmware here needs to run on an emulated board: start-up, output, faults
+//! that end the run, the command line.
 //!
 //! On a computer the crate is empty.
 #![no_std]

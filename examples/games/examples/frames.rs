@@ -1,5 +1,5 @@
-//! Some frames of the platformer's 33 bodies and the hash of their positions: `.ci/miri` compares the line that this prints between this
-//! computer and the machines that Miri plays.
+//! Some frames of the platformer's 33 bodies and the hash of their positions: `.ci/miri` compares
+//! the line that this prints between this computer and the machines that Miri plays.
 
 use std::process::ExitCode;
 

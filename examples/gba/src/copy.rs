@@ -1,4 +1,5 @@
-//! The copies that the compiler makes of structures, a tenth of the time with its own loop: eight words at a time, in fast RAM.
+//! The copies that the compiler makes of structures, a tenth of the time with its own loop. Here
+//! eight words per instruction, in fast RAM.
 
 use core::arch::global_asm;
 

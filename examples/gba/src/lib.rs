@@ -1,7 +1,8 @@
-//! The least that a program for the Game Boy Advance needs: start-up, registers, the emulator's log, a cycle counter, screen and keys.
+//! The least that a program for the Game Boy Advance needs: start-up, registers, the emulator's
+//! log, a cycle counter, screen and keys.
 //!
-//! All `unsafe` of the example is in `start`, `register` and `stack`; the library has none. On a computer the crate is
-//! empty.
+//! All `unsafe` of the example is in `start`, `register` and `stack`; the library has none. On a
+//! computer the crate is empty.
 #![no_std]
 #![cfg(target_os = "none")]
 

@@ -1,4 +1,5 @@
-//! Text and the exit status to the emulator's debug log; on a console the registers are not there and nothing happens.
+//! Text and the exit status to the emulator's debug log; on a console the registers are not there
+//! and nothing happens.
 
 use core::fmt::{self, Write};
 use core::panic::PanicInfo;
@@ -61,7 +62,8 @@ macro_rules! println {
     }};
 }
 
-/// Tells the front end to stop with this status, or with 102 where the stack has met the data, and stays here.
+/// Tells the front end to stop with this status, or with 102 where the stack has met the data, and
+/// stays here.
 pub fn exit(status: i32) -> ! {
     let (used, all) = crate::stack::used();
     if used < all {

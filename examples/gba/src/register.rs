@@ -1,6 +1,7 @@
 //! Memory-mapped registers and video memory.
 //!
-//! The addresses are constants of this crate, in parts of the console's map that always answer and that Rust keeps nothing in; so a volatile access is sound.
+//! The addresses are constants of this crate, in parts of the console's map that always answer and
+//! that Rust keeps nothing in; so a volatile access is sound.
 
 #[inline(always)]
 pub(crate) fn read16(address: u32) -> u16 {

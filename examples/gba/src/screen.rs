@@ -1,4 +1,5 @@
-//! The picture: one background of 32 x 32 tiles and up to 128 sprites, all of 8 x 8 pixels in 15 colours.
+//! The picture: one background of 32 x 32 tiles and up to 128 sprites, all of 8 x 8 pixels in 15
+//! colours.
 
 use crate::register::{read16, write16};
 

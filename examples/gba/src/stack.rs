@@ -1,4 +1,5 @@
-//! How much of the stack was ever used: it lies above the data, and start-up has filled it with zeroes.
+//! How much of the stack was ever used: it lies above the data, and start-up has filled it with
+//! zeroes.
 
 unsafe extern "C" {
     static __bss_end: u32;
@@ -10,7 +11,8 @@ unsafe extern "C" {
 pub fn used() -> (usize, usize) {
     let (mut at, top) = (&raw const __bss_end, &raw const __stack_top);
     let all = top as usize - at as usize;
-    // SAFETY: aligned words of fast RAM from the end of the data to the top of the stack, where this function's frame is.
+    // SAFETY: aligned words of fast RAM from the end of the data to the top of the stack, where
+    // this function's frame is.
     while unsafe { at.read_volatile() } == 0 {
         at = at.wrapping_add(1);
     }

@@ -4,8 +4,9 @@ use core::arch::global_asm;
 
 use crate::register::write16;
 
-// The header is 192 bytes: a branch, the maker's logo and a title, of which an emulator wants only the byte 0x96; the front end writes the checksum.
-// Then two stacks, initialised data and hot code to fast RAM, zeroes up to the stack, and the program, in whatever state it is.
+// The header is 192 bytes: a branch, the maker's logo and a title, of which an emulator wants only
+// the byte 0x96; the front end writes the checksum. Then two stacks, initialised data and hot code
+// to fast RAM, zeroes up to the stack, and the program, in whatever state it is.
 global_asm!(
     r#"
     .section .header, "ax", %progbits
@@ -51,7 +52,8 @@ unsafe extern "Rust" {
     safe fn gba_main() -> i32;
 }
 
-/// Sets the cartridge to 3 cycles for the first and 1 for each further halfword, with prefetch, as released games do, and runs the program.
+/// Sets the cartridge to 3 cycles for the first and 1 for each further halfword, with prefetch, as
+/// released games do, and runs the program.
 #[unsafe(no_mangle)]
 extern "C" fn start() -> ! {
     write16(WAITCNT, 0x4317);

@@ -8,18 +8,20 @@ use crate::broad::{BroadError, GridError, Tag};
 use crate::num::{Fx, Vec2, check_coordinate};
 use crate::shape::Aabb;
 
-/// What a [`LooseGrid`] does with a body whose centre is outside of its cells.
+/// How a [`LooseGrid`] treats a body whose centre is outside of its cells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Border {
-    /// It belongs to the nearest cell of the border. All answers stay the same; only many bodies outside are as dear as many in one cell.
+    /// It belongs to the nearest cell of the border. All answers stay the same, but many bodies
+    /// outside cost as much as many in one cell.
     #[default]
     Clamp,
     /// It is refused: [`OutOfWorld`](BroadError::OutOfWorld).
     Refuse,
 }
 
-/// Up to N bodies in a grid of square cells, each in the cell of its centre: for hundreds of bodies in a world of known size.
+/// Up to N bodies in a grid of square cells, each in the cell of its centre: for hundreds of bodies
+/// in a world of known size.
 ///
 /// ```text
 ///        columns (a power of two)
@@ -30,14 +32,17 @@ pub enum Border {
 /// rows +----+----+----+----+--
 /// ```
 ///
-/// `BLOCKS` blocks have 32 cells each: a world of 2048 x 1024 units in cells of 32 has 64 columns and 32 rows, 2048 cells, 64 blocks, as
-/// [`blocks_for`](LooseGrid::blocks_for) says. With `LARGE`, bodies with longer sides than a cell are taken
-/// as well, into a list of their own: each of them is tested against all bodies. Without, they are refused as [`TooLarge`](BroadError::TooLarge).
+/// `BLOCKS` blocks have 32 cells each. A world of 2048 x 1024 units in cells of 32 has 64 columns
+/// and 32 rows: 2048 cells, 64 blocks, as [`blocks_for`](LooseGrid::blocks_for) computes. With
+/// `LARGE`, bodies with longer sides than a cell go into a separate list, and each of them is
+/// tested against all bodies. Without it, they are refused as [`TooLarge`](BroadError::TooLarge).
 ///
-/// Cost: an insertion, a removal and a move are O(1); a move within a cell is little more than the store of the box. For pairs a body is tested against
-/// five lists: the rest of its own cell's and those of half of the neighbours. The worst case is all bodies in one cell: N (N - 1) / 2 tests, as of
-/// [`BruteForce`](crate::broad::BruteForce); `pairs_from` has a budget for that. Queries look at 32 empty cells at once; rays and casts follow their way. RAM: 6 bytes a body and
-/// 2.125 a cell (68 a block), beside box, tag and the generation's 2 bytes.
+/// Cost: an insertion, a removal and a move are O(1); a move within a cell is little more than the
+/// store of the box. For pairs, a body is tested against five lists: the rest of its own cell's
+/// list, and those of half of the neighbours. The worst case is all bodies in one cell: N (N - 1) /
+/// 2 tests, as with [`BruteForce`](crate::broad::BruteForce); `pairs_from` has a budget for that.
+/// Queries look at 32 empty cells at once; rays and casts follow their way. RAM: 6 bytes per body
+/// and 2.125 per cell (68 per block), beside box, tag and the generation's 2 bytes.
 ///
 /// ```
 /// use tilesat::broad::{BroadError, BroadPhase, LooseGrid};
@@ -58,6 +63,7 @@ pub enum Border {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("uniform grid", "spatial partition"))]
 pub struct LooseGrid<const BLOCKS: usize, const N: usize, T = (), const LARGE: bool = false> {
     table: Table<T, N>,
     lattice: Lattice,
@@ -71,8 +77,9 @@ pub struct LooseGrid<const BLOCKS: usize, const N: usize, T = (), const LARGE: b
 impl LooseGrid<1, 1> {
     /// How many blocks the cells of a world take: all in one unit, whichever it is.
     ///
-    /// The columns are `width / cell` rounded up to a power of two of at least 4, the rows `height / cell` rounded up, and a block has 32 cells. Where that is none, as with
-    /// a `cell` of 0, or more than 2047, the compiler refuses such a grid.
+    /// The columns are `width / cell` rounded up to a power of two of at least 4. The rows are
+    /// `height / cell` rounded up, and a block has 32 cells. Where that is none, as with a `cell`
+    /// of 0, or more than 2047, the compiler refuses such a grid.
     ///
     /// ```
     /// use tilesat::broad::LooseGrid;
@@ -96,10 +103,12 @@ impl LooseGrid<1, 1> {
 }
 
 impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<BLOCKS, N, T, LARGE> {
-    /// An empty grid, which may be a `static`: the corner with the smallest coordinates, the side of a cell, the number of columns.
+    /// An empty grid, which may be a `static`. Pass the corner with the smallest coordinates, the
+    /// side of a cell, and the number of columns.
     ///
-    /// The side is a power of two of raw units (so of units as well), that no index is found by dividing; the columns are a power of two for
-    /// the same reason, and the rows what the blocks have cells for. What is outside is [clamped](Border::Clamp).
+    /// The side is a power of two of raw units (so of units as well), and the columns are a power
+    /// of two: no index needs a division. The blocks give the number of rows. Bodies outside are
+    /// [clamped](Border::Clamp).
     ///
     /// # Errors
     /// [`GridError`].
@@ -138,7 +147,7 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
         })
     }
 
-    /// The same with another rule for bodies outside, from the next insertion or move on.
+    /// Sets the rule for bodies outside, from the next insertion or move on.
     #[must_use]
     pub const fn with_border(self, border: Border) -> Self {
         Self { border, ..self }
@@ -151,7 +160,8 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
             let (x, y) = bounds.centre().raw();
             return Err(BroadError::OutOfWorld { x, y });
         }
-        // Moving coordinates to the nearest of the grid keeps their order and makes no difference longer: neighbours stay neighbours.
+        // Moving coordinates to the nearest of the grid keeps their order and makes no difference
+        // longer: neighbours stay neighbours.
         let last = self.rows.last();
         Ok(At { x: at.x.max(0).min(last.x), y: at.y.max(0).min(last.y) })
     }
@@ -188,7 +198,7 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for
     #[inline]
     fn number(&self, bounds: &Aabb) -> Result<u16, BroadError> {
         let (mut at, last) = (self.lattice.at(bounds), self.rows.last());
-        // One comparison an axis: what is negative is a large number.
+        // One comparison per axis: negative numbers become large ones.
         if at.x as u32 > last.x as u32 || at.y as u32 > last.y as u32 {
             at = self.beyond(at, bounds)?;
         }
@@ -207,8 +217,9 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for
 
     #[inline]
     fn neighbours(&self) -> Neighbours {
-        // The last cell of a row and the first of the next one are no neighbours though their numbers are: that costs tests of boxes which do
-        // not touch, as at least two cells are between.
+        // The last cell of a row and the first of the next one are no neighbours though their
+        // numbers are: that costs tests of boxes which do not touch, as at least two cells are
+        // between.
         Neighbours { stride: 1 << self.rows.log_columns(), mask: usize::MAX }
     }
 

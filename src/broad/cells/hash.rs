@@ -8,15 +8,19 @@ use crate::broad::{BroadError, GridError, Tag};
 use crate::num::{Fx, Vec2};
 use crate::shape::Aabb;
 
-/// Up to N bodies in square cells of which there is no end, each in the cell of its centre; cells share BUCKETS lists.
+/// Up to N bodies in an endless grid of square cells, each in the cell of its centre. The cells
+/// share BUCKETS lists.
 ///
-/// For worlds that are much wider than what is in them. Cell (x, y) has list `x + K y`, of BUCKETS as the last bits say, a power of two from 64 to 32768, with a factor K for each such
-/// that no two cells of a window of w x h cells share a list where `(w - 1) (h - 1)` is at most a quarter of the buckets, and w and h at most all of
-/// them: in what a screen shows nothing collides, and never do a cell and its neighbours. What shares a list costs tests of boxes, and answers stay the same.
+/// For worlds that are much wider than the bodies in them. Cell (x, y) has list `x + K y`, modulo
+/// BUCKETS, a power of two from 64 to 32768. The factor K is such that no two cells of a window of
+/// w x h cells share a list where `(w - 1) (h - 1)` is at most a quarter of the buckets, and w and
+/// h at most all of them. Within a screen nothing collides, and a cell never collides with its
+/// neighbours. Cells that share a list cost tests of boxes; answers stay the same.
 ///
-/// Bodies with longer sides than a cell are refused as [`TooLarge`](BroadError::TooLarge), or with `LARGE` kept in a list of their own, as by a [`LooseGrid`](crate::broad::LooseGrid), which also
-/// says the costs. Queries of regions look at each cell or at each body, whichever are fewer. RAM: 6 bytes a body and 2 a bucket,
-/// beside box, tag and the generation's 2 bytes.
+/// Bodies with longer sides than a cell are refused as [`TooLarge`](BroadError::TooLarge). With
+/// `LARGE` they go into a separate list, as in a [`LooseGrid`](crate::broad::LooseGrid), which also
+/// documents the costs. Queries of regions look at each cell or at each body, whichever are fewer.
+/// RAM: 6 bytes per body and 2 per bucket, beside box, tag and the generation's 2 bytes.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, SpatialHash};
@@ -33,6 +37,7 @@ use crate::shape::Aabb;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("hash grid", "spatial hashing"))]
 pub struct SpatialHash<const BUCKETS: usize, const N: usize, T = (), const LARGE: bool = false> {
     table: Table<T, N>,
     lattice: Lattice,
@@ -43,7 +48,8 @@ pub struct SpatialHash<const BUCKETS: usize, const N: usize, T = (), const LARGE
 impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> SpatialHash<BUCKETS, N, T, LARGE> {
     const FACTOR: u16 = factor(BUCKETS);
 
-    /// An empty one, which may be a `static`, with the side of its cells: a power of two of raw units (so of units as well), from 2 raw to 4096 units.
+    /// An empty broad phase, which may be a `static`, with the side of its cells: a power of two of
+    /// raw units (so of units as well), from 2 raw to 4096 units.
     ///
     /// # Errors
     /// [`GridError::Cell`].
@@ -129,7 +135,8 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> InCells fo
 
     #[inline]
     fn neighbours(&self) -> Neighbours {
-        // Lists of a cell and its eight neighbours are nine different ones, so a neighbour is met in one list only.
+        // Lists of a cell and its eight neighbours are nine different ones, so a neighbour is met
+        // in one list only.
         Neighbours { stride: usize::from(Self::FACTOR), mask: BUCKETS - 1 }
     }
 
@@ -176,9 +183,10 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> InCells fo
 
 /// Factors for 2^6 to 2^15 buckets.
 ///
-/// Two cells share a list where their distance (x, y) has `x + K y` a multiple of the buckets B. Such distances form a lattice; each of
-/// these factors is odd (so no two cells of a column of B share one) and of all factors the one with the largest least `|x y|` among
-/// those with neither 0: at least B / 4. The nearest to B times the golden ratio would do for some B only.
+/// Two cells share a list where their distance (x, y) has `x + K y` a multiple of the buckets B.
+/// Such distances form a lattice; each of these factors is odd (so no two cells of a column of B
+/// share one) and of all factors the one with the largest least `|x y|` among those with neither 0:
+/// at least B / 4. The nearest to B times the golden ratio would do for some B only.
 const FACTORS: [u16; 10] = [19, 47, 75, 149, 275, 791, 1557, 2431, 6229, 12031];
 
 /// The factor for a number of buckets; refused by the compiler where there is none.

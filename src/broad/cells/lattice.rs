@@ -1,13 +1,16 @@
-//! Square cells: which one a box belongs to, which ones a region can have to do with, and those around a cell or along a way.
+//! Square cells: which one a box belongs to, which ones a region can have to do with, and those
+//! around a cell or along a way.
 
 use crate::broad::BroadError;
 use crate::num::{DOMAIN, Raw, Toi, Vec2, leading_zeros32};
 use crate::shape::Aabb;
 
-/// A lattice of cells. A box belongs to the cell of its centre, and no side of it is longer than a cell.
+/// A lattice of cells. A box belongs to the cell of its centre, and no side of it is longer than a
+/// cell.
 ///
-/// So two boxes that touch belong to the same cell or to neighbours: where a whole cell is between two cells, centres in them are
-/// more than a side of a cell apart (a cell has its lower lines and not its upper ones), and half widths add up to at most that.
+/// So two boxes that touch belong to the same cell or to neighbours: where a whole cell is between
+/// two cells, centres in them are more than a side of a cell apart (a cell has its lower lines and
+/// not its upper ones), and half widths add up to at most that.
 #[derive(Clone, Copy, Debug)]
 pub struct Lattice {
     /// Where cell (0, 0) begins.
@@ -23,7 +26,8 @@ pub struct At {
     pub(in crate::broad) y: i32,
 }
 
-/// Some cells of a row or of a column: from one to another, both included; none where they are in the wrong order.
+/// Some cells of a row or of a column: from one to another, both included; none where they are in
+/// the wrong order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Run {
     pub(in crate::broad) lo: i32,
@@ -49,7 +53,8 @@ impl Run {
         Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
     }
 
-    /// Both ends moved to the nearest of 0 to `last`. Runs keep their order; those that had something of it in them keep that.
+    /// Both ends moved to the nearest of 0 to `last`. Runs keep their order; those that had
+    /// something of it in them keep that.
     pub(in crate::broad) fn clamped(self, last: i32) -> Self {
         Self { lo: self.lo.max(0).min(last), hi: self.hi.max(0).min(last) }
     }
@@ -76,7 +81,8 @@ impl Window {
         At { x: self.x.lo, y: self.y.lo }
     }
 
-    /// How many are left of so many cells, less than 2^16, without those of a window; `None` where it has more.
+    /// How many are left of so many cells, less than 2^16, without those of a window; `None` where
+    /// it has more.
     pub(in crate::broad) fn cells_of(&self, all: usize) -> Option<u32> {
         let (all, w, h) = (all as u32, self.x.len(), self.y.len());
         if w > all || h > all { None } else { all.checked_sub(w.wrapping_mul(h)) }
@@ -107,7 +113,8 @@ impl Lattice {
         (self.log & 31) as u32
     }
 
-    /// The cell of a box. Sums and twice the origin are below 2^30 in size, so the difference is below 2^31; half units count.
+    /// The cell of a box. Sums and twice the origin are below 2^30 in size, so the difference is
+    /// below 2^31; half units count.
     #[inline]
     pub(in crate::broad) fn at(&self, bounds: &Aabb) -> At {
         let (lo, hi, by) = (bounds.lo(), bounds.hi(), (self.log() + 1) & 31);
@@ -131,8 +138,8 @@ impl Lattice {
         BroadError::TooLarge { size: size.x.max(size.y), limit: self.side() }
     }
 
-    /// The cells of all boxes that touch a region: their centres are at most half a cell away from it. Boxes are in the domain, so
-    /// what a region has beyond it does not count.
+    /// The cells of all boxes that touch a region: their centres are at most half a cell away from
+    /// it. Boxes are in the domain, so what a region has beyond it does not count.
     pub(in crate::broad) fn window(&self, lo: Raw, hi: Raw) -> Window {
         let inside = |v: Raw| Raw { x: v.x.clamp(-DOMAIN, DOMAIN), y: v.y.clamp(-DOMAIN, DOMAIN) };
         let (lo, hi) = (self.before(inside(lo)), self.behind(inside(hi)));
@@ -211,8 +218,9 @@ impl Rows {
     }
 }
 
-/// The cells at distance `r` from a cell (the longer of the two ways along the axes), in up to four windows: the rows above and below, and the columns
-/// at the sides between them. Each cell once; with `r` = 0 only the first window has one.
+/// The cells at distance `r` from a cell (the longer of the two ways along the axes), in up to four
+/// windows: the rows above and below, and the columns at the sides between them. Each cell once;
+/// with `r` = 0 only the first window has one.
 ///
 /// ```text
 ///  1 1 1
@@ -241,11 +249,13 @@ pub(in crate::broad) fn last_ring(centre: At, window: &Window) -> i32 {
 /// At most 2^15 parts: products of two such numbers fit a word.
 const MOST_PARTS: u32 = 15;
 
-/// Gives windows of cells to `each` which together hold the cells of all boxes that a box touches on its way, every cell once.
+/// Gives windows of cells to `each` which together hold the cells of all boxes that a box touches
+/// on its way, every cell once.
 ///
-/// The way is cut into 2^k parts, none as long as a cell if that takes no more than 2^15 parts; both its ends are in the domain. What is near a part is a window, of
-/// which all four sides only ever move in the direction of the motion. So a cell that is in two windows is in all between them, and
-/// what a window has in common with the one before is what was in any of those before.
+/// The way is cut into 2^k parts, none as long as a cell if that takes no more than 2^15 parts;
+/// both its ends are in the domain. What is near a part is a window, of which all four sides only
+/// ever move in the direction of the motion. So a cell that is in two windows is in all between
+/// them, and what a window has in common with the one before is what was in any of those before.
 ///
 /// ```text
 ///  +-----+--+
@@ -257,8 +267,8 @@ const MOST_PARTS: u32 = 15;
 ///        +-----+
 /// ```
 ///
-/// `clip` moves sides of windows into a grid, and must keep their order. `each` answers which part of the way still matters: what is touched only
-/// later does not come any more.
+/// `clip` moves sides of windows into a grid, and must keep their order. `each` answers which part
+/// of the way still matters: bodies that are touched only later do not come any more.
 #[inline]
 pub(in crate::broad) fn along(
     lattice: &Lattice,
@@ -285,7 +295,8 @@ pub(in crate::broad) fn along(
     }
 }
 
-/// One axis of a way: where the nearest cells begin and end at its start, and how far it is there and now.
+/// One axis of a way: where the nearest cells begin and end at its start, and how far it is there
+/// and now.
 struct Edges {
     lo: i32,
     hi: i32,
@@ -310,7 +321,8 @@ impl Edges {
     }
 }
 
-/// Whether a way passes fewer cells than there are bodies; else it is better to look at all of them. A part moves the sides by about a cell.
+/// Whether a way passes fewer cells than there are bodies; else it is better to look at all of
+/// them. A part moves the sides by about a cell.
 pub(in crate::broad) fn is_short(lattice: &Lattice, start: &Aabb, motion: Raw, bodies: usize) -> bool {
     let first = lattice.window(start.lo(), start.hi());
     let part = first.x.len().saturating_add(first.y.len());
@@ -323,14 +335,15 @@ fn log_parts(lattice: &Lattice, motion: Raw) -> u32 {
     (32 - leading_zeros32(most)).saturating_sub(lattice.log()).min(MOST_PARTS)
 }
 
-/// What a window has that the one before did not have: whole rows, and the rest of the other rows.
+/// The cells of a window that the one before did not have: whole rows, and the rest of the other
+/// rows.
 fn fresh(now: Window, before: Option<Window>) -> [Window; 2] {
     const NONE: Run = Run { lo: 0, hi: -1 };
     let Some(before) = before else { return [now, Window { x: NONE, y: NONE }] };
     [Window { x: now.x, y: beyond(now.y, before.y) }, Window { x: beyond(now.x, before.x), y: now.y.and(before.y) }]
 }
 
-/// What a run has that another has not, which is at one of its sides.
+/// The part of a run that another has not, which is at one of its sides.
 fn beyond(now: Run, before: Run) -> Run {
     if now.hi > before.hi {
         Run { lo: now.lo.max(before.hi + 1), hi: now.hi }

@@ -1,7 +1,9 @@
-//! Lists of the bodies of each cell, in arrays, and all pairs of bodies in them: 6 bytes a body, 2 a cell, and a bit a cell that tells whether it has bodies.
+//! Lists of the bodies of each cell, in arrays, and all pairs of bodies in them. 6 bytes per body,
+//! 2 per cell, and one bit per cell: whether it has bodies.
 //!
-//! The bodies of a cell are tested against five lists: what follows them in their own, and the whole lists of half of the eight neighbours. Of two
-//! neighbours one has the other in its half, so every pair is met once.
+//! The bodies of a cell are tested against five lists: what follows them in their own, and the
+//! whole lists of half of the eight neighbours. Of two neighbours one has the other in its half, so
+//! every pair is met once.
 //!
 //! ```text
 //!  .  .  .       0: its own, from the body on
@@ -94,8 +96,9 @@ impl<'a> Lists<'a> {
         (first, 0, usize::from(self.next.get(first).copied().unwrap_or(NIL)))
     }
 
-    /// The bodies of a list, from its first on. Lists have no circles: the next of a body in the lists is in them, and a removed
-    /// one keeps the next that it had, which was removed later if at all.
+    /// The bodies of a list, from its first on. Lists have no circles: the next of a body in the
+    /// lists is in them, and a removed one keeps the next that it had, which was removed later if
+    /// at all.
     #[inline]
     pub(in crate::broad) fn from(&self, first: u16) -> impl Iterator<Item = usize> + use<'a> {
         let (next, mut body) = (self.next, first);
@@ -173,9 +176,11 @@ pub(in crate::broad) struct PairWalk<'a, T, M, F> {
 }
 
 impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
-    /// The cursor: `row` is the cell; `a` the body, `lane` one more than the list it is tested against, and `b` the next body there; with `lane` 0 the cell was not begun.
+    /// The cursor: `row` is the cell; `a` the body, `lane` one more than the list it is tested
+    /// against, and `b` the next body there; with `lane` 0 the cell was not begun.
     ///
-    /// A body that was removed touches nothing, wherever the cursor stands, and what followed it in its list is still reached from it.
+    /// A body that was removed touches nothing, wherever the cursor stands, and what followed it in
+    /// its list is still reached from it.
     #[inline(always)]
     pub(in crate::broad) fn in_cells(&mut self, near: Neighbours, cursor: &mut PairCursor) -> Result<(), PairsError> {
         let first = usize::from(cursor.row);
@@ -214,7 +219,7 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
         (mut i, mut lane, mut from): (usize, usize, usize),
     ) -> Result<(), Stop> {
         let bounds = self.bodies.bounds;
-        // As long as the boxes, so that one comparison is enough for both.
+        // As long as the boxes: one comparison is enough for both.
         let Some(next) = self.lists.next.get(..bounds.len()) else { return Ok(()) };
         let head = |step| self.lists.head((cell + step) & near.mask);
         // The three of the next row are beside each other, but for a few cells at the end.
@@ -253,7 +258,8 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
         self.bodies.pair(i, j).is_none_or(&mut self.each)
     }
 
-    /// Each body that is too large for a cell against all others, two of a kind once. The cursor: `a` is the body, `b` how many are done.
+    /// Each body that is too large for a cell against all others, two of a kind once. The cursor:
+    /// `a` is the body, `b` how many are done.
     pub(in crate::broad) fn large_ones(&mut self, cursor: &mut PairCursor) -> Result<(), PairsError> {
         let mut done = usize::from(cursor.b);
         let all = self.bodies.bounds.iter().zip(self.lists.cell).enumerate();

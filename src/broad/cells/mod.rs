@@ -45,7 +45,7 @@ pub trait InCells: Sized {
     /// `OutOfWorld`.
     fn number(&self, bounds: &Aabb) -> Result<u16, BroadError>;
 
-    /// What a move of all bodies has to do with.
+    /// The data that a move of all bodies touches.
     fn moving(&mut self) -> Moving<'_, Self::Tag, impl Fn(u16, &Aabb) -> bool>;
 
     /// How the lists of neighbours are named.
@@ -60,7 +60,8 @@ pub trait InCells: Sized {
     /// See [`Spatial::visit`].
     fn touching(&self, region: &Aabb, each: impl FnMut(usize));
 
-    /// All bodies of cells that are in no ring before ring `r` around a cell; asked only where rings have no end.
+    /// All bodies of cells that are in no ring before ring `r` around a cell; asked only where
+    /// rings have no end.
     fn rest(&self, r: i32, centre: At, each: impl FnMut(usize));
 }
 

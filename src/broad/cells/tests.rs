@@ -30,7 +30,8 @@ impl Random {
     }
 }
 
-/// When a box on its way first touches another one, in parts of 2^30 rounded down; closed at both ends.
+/// When a box on its way first touches another one, in parts of 2^30 rounded down; closed at both
+/// ends.
 fn touched(start: &Aabb, motion: Raw, body: &Aabb) -> Option<u32> {
     // The latest entry and the earliest leave, as fractions with a positive denominator.
     let (mut enter, mut leave): (Fractions, Fractions) = ((0, 1), (1, 1));
@@ -69,7 +70,7 @@ fn is_body(bounds: &Aabb) -> bool {
 
 fn path<B: BroadPhase<Tag = ()>>(near: &B, start: &Aabb, motion: Raw) {
     let bounds = near.table().bounds;
-    // All of the way, then up to what is touched first of all that came.
+    // All of the way, then up to the body touched first among all that came.
     for stop in [false, true] {
         let (mut came, mut until) = ([false; BODIES], Toi::ONE);
         near.visit_path(start, motion, |slot| {
@@ -172,7 +173,8 @@ mod lattice {
 mod hash {
     use crate::broad::cells::hash::factor;
 
-    /// The claim, for every distance: two cells with a list in common are in one column or row at a multiple of all buckets, or else far apart.
+    /// The claim, for every distance: two cells with a list in common are in one column or row at a
+    /// multiple of all buckets, or else far apart.
     #[test]
     fn cells_that_share_a_list_are_far_apart() {
         for log in 6..=15 {

@@ -17,7 +17,8 @@ pub struct Side {
 /// One component of a motion toward an interval.
 #[derive(Clone, Copy)]
 pub(crate) struct Span {
-    /// How far it is to the interval's near end, negative within; and to its far end. The first is never the larger.
+    /// How far it is to the interval's near end, negative within; and to its far end. The first is
+    /// never the larger.
     pub(crate) gap: i32,
     pub(crate) leave: i32,
     /// Not negative.
@@ -34,12 +35,14 @@ impl Span {
         }
     }
 
-    /// Whether a part of the motion is strictly between the ends. Intervals of no length, both of them, have no between.
+    /// Whether a part of the motion is strictly between the ends. Intervals of no length, both of
+    /// them, have no between.
     const fn passes(self) -> bool {
         self.gap < self.speed && self.leave > 0 && self.gap < self.leave
     }
 
-    /// Whether this span is left after the other one is entered: `leave / speed > other.gap / other.speed`.
+    /// Whether this span is left after the other one is entered:
+    /// `leave / speed > other.gap / other.speed`.
     ///
     /// Gaps and speeds below 2^30 give products below 2^60. No product where the motion ends first.
     const fn outlasts(self, other: Self) -> bool {
@@ -48,9 +51,10 @@ impl Span {
     }
 }
 
-/// What the box `alo..ahi` that moves by `d` meets of the box `blo..bhi`.
+/// The side of the box `blo..bhi` that the box `alo..ahi` meets when it moves by `d`.
 ///
-/// Before a motion boxes overlap where they are within both spans; then no motion leaves one without a part of it inside.
+/// Before a motion boxes overlap where they are within both spans; then no motion leaves one
+/// without a part of it inside.
 #[inline(always)]
 pub(super) fn enter_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Course<Side> {
     let (x, y) = (Span::new(alo.x, ahi.x, blo.x, bhi.x, d.x), Span::new(alo.y, ahi.y, blo.y, bhi.y, d.y));
@@ -63,7 +67,8 @@ pub(super) fn enter_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Cours
     }
 }
 
-/// The side through which the box `alo..ahi` that moves by `d` starts to overlap the box `blo..bhi`, where it does not overlap already.
+/// The side through which the box `alo..ahi` that moves by `d` starts to overlap the box
+/// `blo..bhi`, where it does not overlap already.
 #[inline]
 pub(super) fn meet_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Option<Side> {
     let (x, y) = (Span::new(alo.x, ahi.x, blo.x, bhi.x, d.x), Span::new(alo.y, ahi.y, blo.y, bhi.y, d.y));
@@ -72,8 +77,9 @@ pub(super) fn meet_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Option
 
 /// The side of the span that is entered later, one of the two not being entered yet.
 ///
-/// The motion is strictly within both spans at one time where the later entry comes before the earlier exit. Of two entries at one
-/// moment, corner to corner, the one that opposes the motion more, x on a tie.
+/// The motion is strictly within both spans at one time where the later entry comes before the
+/// earlier exit. Of two entries at one moment, corner to corner, the one that opposes the motion
+/// more, x on a tie.
 #[inline(always)]
 fn later(x: Span, y: Span, d: Raw) -> Option<Side> {
     let x_later = if x.gap < 0 {
@@ -98,7 +104,8 @@ impl Moment for Side {
         Toi::exact(if self.gap == 0 { 0 } else { fraction(self.gap, self.speed) })
     }
 
-    /// On the side's axis exact, on the other one rounded toward the start: the box ends on the side's line, so it does not overlap.
+    /// On the side's axis exact, on the other one rounded toward the start: the box ends on the
+    /// side's line, so it does not overlap.
     #[inline]
     fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
         let toi = self.exact_toi(d);
@@ -115,7 +122,8 @@ impl Moment for Side {
 impl Side {
     /// `d * gap / speed`, rounded toward zero.
     ///
-    /// The product with the floored time is that or one less, since |d| is below 2^30: the remainder, below twice the speed, tells.
+    /// The product with the floored time is that or one less, since |d| is below 2^30: the
+    /// remainder, below twice the speed, decides.
     const fn part(&self, d: i32, toi: Toi) -> i32 {
         let size = d.unsigned_abs();
         let part = (umul(size, toi.raw()) >> 30) as u32;
@@ -148,7 +156,7 @@ pub(super) enum Gate {
 }
 
 impl Gate {
-    /// What a circle that moves by `d` meets of it.
+    /// The part of it that a circle meets when it moves by `d`.
     #[inline]
     pub(super) fn enter(self, circle: &Circle, d: Raw) -> Option<Rounded> {
         match self {
@@ -167,8 +175,8 @@ impl Gate {
     }
 }
 
-/// Where a circle that moves by `d` can start to overlap a box, where it does not overlap already: a call of its own, whose stack
-/// is free again when a disc is tested.
+/// Where a circle that moves by `d` can start to overlap a box that it does not overlap already. A
+/// separate call: its stack is free again when a disc is tested.
 #[inline(never)]
 pub(super) fn gate(circle: &Circle, b: &Aabb, d: Raw) -> Option<Gate> {
     gate_here(circle, b, d)
@@ -176,9 +184,10 @@ pub(super) fn gate(circle: &Circle, b: &Aabb, d: Raw) -> Option<Gate> {
 
 /// The same without a call.
 ///
-/// The rounded box lies in the box grown by r. Where a motion comes into that beside a side of the box itself, it has met the
-/// rounded box; else it is in the square of radius r beside one corner, and leaves it through the corner's disc, or leaves
-/// the grown box: one disc is enough. The same holds for a start in the grown box.
+/// The rounded box lies in the box grown by r. Where a motion comes into that beside a side of the
+/// box itself, it has met the rounded box; else it is in the square of radius r beside one corner,
+/// and leaves it through the corner's disc, or leaves the grown box: one disc is enough. The same
+/// holds for a start in the grown box.
 ///
 /// ```text
 ///       .-------------.        ,  the square of a corner
@@ -213,7 +222,8 @@ pub(super) const fn grown(lo: Raw, hi: Raw, by: i32) -> (Raw, Raw) {
 }
 
 impl Side {
-    /// On which side of the box the point `c` is, along this side, when it meets it: -1, 0 (ends included), 1.
+    /// On which side of the box the point `c` is, along this side, when it meets it: -1, 0 (ends
+    /// included), 1.
     ///
     /// Offsets and speeds below 2^30: sums of two products below 2^61.
     fn beyond(&self, c: Raw, lo: Raw, hi: Raw, d: Raw) -> i32 {

@@ -1,4 +1,5 @@
-//! What a cast is asked and answers, and what a pair provides of [`CastShape`](super::CastShape); public in a private module.
+//! The arguments and answers of a cast, and each pair's part of [`CastShape`](super::CastShape);
+//! public in a private module.
 
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, check_coordinate};
@@ -8,7 +9,9 @@ use crate::shape::{Aabb, Circle, Segment};
 pub trait Moment: Copy {
     /// The exact floor of the moment, in parts of the motion.
     fn exact_toi(&self, d: Raw) -> Toi;
-    /// A lower bound of the moment (where it is a fraction, the exact floor), the displacement up to it, rounded so that the shapes do not overlap there, and the normal toward what moves.
+    /// A lower bound of the moment (where it is a fraction, the exact floor), the displacement up
+    /// to it, and the normal toward the moving shape. The displacement is rounded to where the
+    /// shapes do not overlap.
     fn contact(&self, d: Raw) -> (Toi, Raw, Axis);
 }
 
@@ -29,7 +32,7 @@ impl<M: Moment> Moment for Exchanged<M> {
     }
 }
 
-/// What becomes of a motion.
+/// The fate of a motion.
 #[derive(Clone, Copy, Debug)]
 pub enum Course<M> {
     /// It starts no overlap.
@@ -57,7 +60,7 @@ impl<M> Course<M> {
     }
 }
 
-/// A shape with a place.
+/// A shape with a position.
 pub trait InDomain {
     /// Refuses a shape that no constructor has checked.
     ///
@@ -69,12 +72,12 @@ pub trait InDomain {
     }
 }
 
-/// A moving shape and what it is cast against.
+/// A moving shape and the shape that it is cast against.
 pub trait Enter<B: ?Sized>: InDomain {
     /// How the boundary of `b`, grown by this shape, may be met.
     type Moment: Moment;
 
-    /// What the motion `d` meets, below 2^29 a component; its end needs not be in the domain.
+    /// What the motion `d` meets, below 2^29 per component; its end needs not be in the domain.
     fn enter(&self, b: &B, d: Raw) -> Course<Self::Moment>;
 
     /// The same without what times are computed from.
@@ -95,47 +98,55 @@ impl InDomain for Aabb {}
 impl InDomain for Circle {}
 impl InDomain for Segment {}
 
-/// What a cast does that starts inside: a ray in the solid, a shape that overlaps the other one. On the border is not inside.
+/// The answer to a cast that starts inside: a ray in the solid, or a shape that overlaps the other
+/// one. The border is not inside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Inside {
-    /// It passes through to the first free place, and may hit after that.
+    /// It passes through to the first free position, and may hit after that.
     #[default]
     Ignore,
     /// It hits at once.
     Hit,
 }
 
-/// What the cast of a shape or a ray against a shape met.
+/// The hit of a shape or a ray on a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CastHit {
-    /// When: a fraction of the motion. The exact floor in 2^-30 where straight sides meet, and of a circle that meets a side along x or y;
-    /// of other circles a lower bound, early by less than a raw unit of way. [`exact_toi`](super::CastShape::exact_toi) is exact for all.
+    /// When: a fraction of the motion. The exact floor in 2^-30 where straight sides meet, and of a
+    /// circle that meets a side along x or y; of other circles a lower bound, early by less than a
+    /// raw unit of way. [`exact_toi`](super::CastShape::exact_toi) is exact for all.
     pub toi: Toi,
-    /// The normal of what was hit: out of B, toward A, against the motion; never zero, of length one where it is parallel to x or y. Of straight sides
-    /// it is exact. Of two circles, or of a corner that a circle hits, it is the way from the one centre, or the corner, to the other centre where that is placed
-    /// now: as fine as the radius is large, and in the closest graze across the motion, give or take that rounding.
+    /// The normal at the hit, from B toward A, against the motion. It is never zero, and has length
+    /// one where it is parallel to x or y. Of straight sides it is exact. Of two circles, or of a
+    /// corner that a circle hits, it leads from the one centre, or the corner, to the other centre
+    /// at its position now. It is as fine as the radius is large. In the closest graze it is across
+    /// the motion, give or take that rounding.
     pub axis: Axis,
-    /// How far A goes until the hit: `position + displacement` touches B, or is less than 2 raw units short of it, and does not overlap it.
+    /// How far A goes until the hit: `position + displacement` touches B, or is less than 2 raw
+    /// units short of it, and does not overlap it.
     ///
-    /// Along an axis parallel to x or y it is exact. Each component is between zero and that of the motion: where the motion stays in the domain, so does the moved shape.
+    /// Along an axis parallel to x or y it is exact. Each component is between zero and that of the
+    /// motion: where the motion stays in the domain, so does the moved shape.
     pub displacement: Vec2,
-    /// Whether they overlapped before the motion: only with [`Inside::Hit`]. The displacement is zero then, and the axis is along the larger component of the motion (x
-    /// on a tie), against it; +x for no motion.
+    /// Whether they overlapped before the motion: only with [`Inside::Hit`]. The displacement is
+    /// zero then, and the axis is along the larger component of the motion (x on a tie), against
+    /// it; +x for no motion.
     pub inside: bool,
 }
 
-/// What the cast of two shapes met that both move.
+/// The hit of two moving shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MovingHit {
-    /// When, as [`CastHit::toi`], in parts of both motions.
+    /// When, as [`CastHit::toi`], in parts of either motion.
     pub toi: Toi,
     /// The exact normal, out of B toward A.
     pub axis: Axis,
     /// How far A goes until the hit.
     pub displacement: Vec2,
-    /// How far B goes until the hit. Moved by these the two do not overlap: they are [`displacement`](CastHit::displacement) apart in motion, and
-    /// B's is rounded toward its start.
+    /// How far B goes until the hit. Moved by these the two do not overlap: they are
+    /// [`displacement`](CastHit::displacement) apart in motion, and B's is rounded toward its
+    /// start.
     pub displacement_b: Vec2,
     /// Whether they overlapped before the motion, as [`CastHit::inside`].
     pub inside: bool,

@@ -22,13 +22,16 @@ pub(crate) use moment as side;
 pub(crate) use boxes::Span;
 pub use kernel::{CastHit, Inside, MovingHit};
 
-/// Moving a shape until it hits another one.
+/// Moves a shape until it hits another one.
 ///
-/// A hit is where the motion starts an overlap, in the strict sense of [`Overlaps`](super::Overlaps); whether there is one is exact. So a shape that touches and
-/// moves in hits at 0, and one that slides along, moves away, only grazes, or comes to touch at the very end does not hit. No motion hits nothing.
+/// A hit is where the motion starts an overlap, in the strict sense of
+/// [`Overlaps`](super::Overlaps); whether there is one is exact. A shape that touches and moves in
+/// hits at 0. One that slides along, moves away, only grazes, or touches at the very end does not
+/// hit. Without motion there is no hit.
 ///
-/// Shapes that overlap before the motion are the caller's choice: [`Inside::Ignore`] lets A leave B without a hit, [`Inside::Hit`] is a hit at 0.
-/// The normal is that of [`motion::Hit`](crate::motion::Hit) and of rays: out of B, toward what moves.
+/// Shapes that overlap before the motion are the caller's choice: [`Inside::Ignore`] lets A leave B
+/// without a hit, [`Inside::Hit`] is a hit at 0. The normal is that of
+/// [`motion::Hit`](crate::motion::Hit) and of rays: out of B, toward what moves.
 ///
 /// ```text
 ///    +----+  motion  +----+
@@ -37,12 +40,14 @@ pub use kernel::{CastHit, Inside, MovingHit};
 ///         <----------->     +-----+      axis         <-, out of B
 /// ```
 ///
-/// A hit at one moment on two sides, corner to corner, is on the one that opposes the motion more, x on a tie. Exchanging A and B and reversing the motion
-/// gives the same time and displacement reversed; mirrored scenes give mirrored bits, translated ones the same.
+/// A hit at one moment on two sides, corner to corner, is on the one that opposes the motion
+/// more, x on a tie. Exchanging A and B and reversing the motion gives the same time and
+/// displacement reversed; mirrored scenes give mirrored bits, translated ones the same.
 ///
-/// Cost on a Cortex-M0, in instructions, of a yes and of a whole hit: boxes 160 and 335, circles 300 and 1290, a circle and a box 480 and 1100, a circle and
-/// a segment 1600 and 2830, a box and a segment 1210 and 2190. One root where a circle meets a circle, a corner or a slanted side, else none; no division
-/// instruction.
+/// Cost on a Cortex-M0, in instructions, of a yes and of a whole hit: boxes 160 and 335, circles
+/// 300 and 1290, a circle and a box 480 and 1100. A circle and a segment take 1600 and 2830, a box
+/// and a segment 1210 and 2190. There is one root where a circle meets a circle, a corner or a
+/// slanted side, else none, and no division instruction.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -61,24 +66,29 @@ pub use kernel::{CastHit, Inside, MovingHit};
 /// ```
 ///
 /// # Errors
-/// All methods: [`RangeError`] where a component of a motion is not below 2^28 raw (4096 units), or a point is outside of the
-/// [domain](crate::num::DOMAIN). A motion may lead out of the domain, and so may the displacement; `translated` says so.
+/// All methods: [`RangeError`] where a component of a motion is not below 2^28 raw (4096 units), or
+/// a point is outside of the [domain](crate::num::DOMAIN). A motion may lead out of the domain, and
+/// so may the displacement; `translated` says so.
 pub trait CastShape<B: ?Sized>: Enter<B> {
-    /// The hit of this shape (A), moved by `motion`, on `b` (B); `None` where it does not start to overlap.
+    /// The hit of this shape (A), moved by `motion`, on `b` (B); `None` where it does not start to
+    /// overlap.
     ///
     /// # Errors
     /// See the trait.
     #[inline]
+    #[doc(alias("sweep", "swept AABB", "shapecast", "time_of_impact"))]
     fn cast_shape(&self, b: &B, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
         check(self, motion)?;
         Ok(first(self, b, Raw::of(motion), inside))
     }
 
-    /// Whether [`cast_shape`](Self::cast_shape) hits: the same answer without time, place and normal.
+    /// Whether [`cast_shape`](Self::cast_shape) hits: the same answer without time, place and
+    /// normal.
     ///
     /// # Errors
     /// See the trait.
     #[inline]
+    #[doc(alias = "test_move")]
     fn would_hit(&self, b: &B, motion: Vec2, inside: Inside) -> Result<bool, RangeError> {
         check(self, motion)?;
         Ok(match self.hits(b, Raw::of(motion)) {
@@ -90,8 +100,9 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
 
     /// The exact floor of the time of the hit, in 2^-30 of the motion.
     ///
-    /// Another [`CastHit::toi`] is this already, save for circles that meet circles, corners and slanted segments: those settle it by exact comparisons,
-    /// some 400 instructions on a Cortex-M0 for each bit that the bound is short.
+    /// Any other [`CastHit::toi`] is exact already. Circles that meet circles, corners and slanted
+    /// segments settle it by exact comparisons: some 400 instructions on a Cortex-M0 for each bit
+    /// that the bound is short.
     ///
     /// ```
     /// use tilesat::prelude::*;
@@ -131,6 +142,7 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
     ///
     /// # Errors
     /// See the trait.
+    #[doc(alias("swept", "relative velocity"))]
     fn cast_moving(&self, motion: Vec2, b: &B, motion_b: Vec2, inside: Inside) -> Result<Option<MovingHit>, RangeError>
     where
         B: Enter<Self>,
@@ -154,9 +166,11 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
     }
 }
 
-/// The component `d` times `made / whole`, toward zero, which is a part of the motion between 0 and 1.
+/// The component `d` times `made / whole`, toward zero, which is a part of the motion between 0 and
+/// 1.
 ///
-/// With it A makes `made` more, that is its own component times the same fraction, rounded to an integer: neither leaves its motion.
+/// With it A makes `made` more, that is its own component times the same fraction, rounded to an
+/// integer: neither leaves its motion.
 const fn share(d: i32, made: i32, whole: i32) -> i32 {
     if made == 0 {
         return 0;
@@ -186,8 +200,8 @@ fn check<S: InDomain + ?Sized>(shape: &S, motion: Vec2) -> Result<(), RangeError
     if fits(x) && fits(y) { Ok(()) } else { check_motion(motion, MOTION) }
 }
 
-/// One ordered pair and its kernel, and another one for a yes or no: a call, where it is not small, so that what it takes of stack and flash is not
-/// the caller's.
+/// One ordered pair and its kernel, and another one for a yes or no. Large kernels are calls, which
+/// keeps their stack and flash out of the caller.
 macro_rules! casts {
     ($a:ty, $b:ty, $moment:ty, |$x:ident, $y:ident, $d:ident| $course:expr $(, #[$call:meta] $hits:expr)?) => {
         impl Enter<$b> for $a {

@@ -1,4 +1,4 @@
-//! When a moving point enters a disc, or comes to the flat side of a grown segment or slope.
+//! When a moving point enters a disc, or reaches the flat side of a grown segment or slope.
 //!
 //! Moments that are no fractions of integers are lower bounds in parts of 2^30, never late.
 
@@ -10,19 +10,23 @@ use crate::num::{
 use crate::query::meet::circle_circle;
 use core::cmp::Ordering;
 
-/// When a point enters a disc: a lower bound of `c / (b + sqrt(rra - cross^2))`, with c = |m|^2 - r^2 and b = -m.d.
+/// When a point enters a disc: a lower bound of `c / (b + sqrt(rra - cross^2))`, with c = |m|^2 -
+/// r^2 and b = -m.d.
 ///
-/// This form has no cancellation. The root and the denominator are rounded up, the numerator and the quotient down, so it is never
-/// late. Each step keeps 31 bits or whole raw units: it is early by less than a raw unit of way.
+/// This form has no cancellation. The root and the denominator are rounded up, the numerator and
+/// the quotient down, so it is never late. Each step keeps 31 bits or whole raw units: it is early
+/// by less than a raw unit of way.
 #[inline(never)]
 pub(crate) fn entry_time(c: u64, b: u64, rra: (u64, u64), cross: i64) -> Toi {
     let (word, shift) = word(b.wrapping_add(root128_up(sub128(rra, sqr64(cross.unsigned_abs())))));
     quotient(c >> shift, word.wrapping_add(1))
 }
 
-/// When a point leaves a disc: a lower bound of `(b + sqrt(rra - cross^2)) / a`, with b = -m.d and a = |d|^2, `inner` = r^2 - |m|^2.
+/// When a point leaves a disc: a lower bound of `(b + sqrt(rra - cross^2)) / a`, with b = -m.d and
+/// a = |d|^2, `inner` = r^2 - |m|^2.
 ///
-/// Where b is not positive (then the point starts inside) the same without cancellation, as above: `inner / (|b| + sqrt(..))`.
+/// Where b is not positive (then the point starts inside) the same without cancellation, as above:
+/// `inner / (|b| + sqrt(..))`.
 #[inline(never)]
 pub(crate) fn exit_time(inner: u64, b: i64, a: u64, rra: (u64, u64), cross: i64) -> Toi {
     let square = sub128(rra, sqr64(cross.unsigned_abs()));
@@ -33,11 +37,12 @@ pub(crate) fn exit_time(inner: u64, b: i64, a: u64, rra: (u64, u64), cross: i64)
     }
 }
 
-/// When a gap falls to the square root of a number: a lower bound of `(gap - sqrt(reach)) / into`, for gap^2 >= reach and a result up to
-/// one.
+/// When a gap falls to the square root of a number: a lower bound of `(gap - sqrt(reach)) / into`,
+/// for gap^2 >= reach and a result up to one.
 ///
-/// As `(gap^2 - reach) / ((gap + sqrt(reach)) into)`, which has no cancellation either. Everything is scaled to the full width first,
-/// so that each rounding is one of 31 bits: below a raw unit of way for motions up to 2^27 raw.
+/// As `(gap^2 - reach) / ((gap + sqrt(reach)) into)`, which has no cancellation either. Everything
+/// is scaled to the full width first. Each rounding is then one of 31 bits: below a raw unit of way
+/// for motions up to 2^27 raw.
 #[inline(never)]
 pub(crate) fn gap_time(gap: u64, into: u64, reach: (u64, u64)) -> Toi {
     // Below 2^61; the square of the gap, and the reach with it, below 2^122.
@@ -48,7 +53,7 @@ pub(crate) fn gap_time(gap: u64, into: u64, reach: (u64, u64)) -> Toi {
         return Toi::ZERO;
     }
     let ((sum, a), (into, b)) = (word_up(gap.wrapping_add(root128_up(reach))), word_up(into));
-    // The quotient is below one, so what is left of the numerator fits the 62 bits of the product.
+    // The quotient is below one, so the rest of the numerator fits the 62 bits of the product.
     let shift = a + b;
     let num = if shift == 0 { num.1 } else { (num.0 << (64 - shift)) | (num.1 >> shift) };
     ratio(num, umul(sum, into))
@@ -98,8 +103,9 @@ const fn shift_left(a: (u64, u64), by: u32) -> (u64, u64) {
     }
 }
 
-/// The last moment, in parts of 2^30, at which something has not happened yet: not at `from`, at the motion's end it has, and it
-/// stays so. Doubled steps, then halved ones: twice the bits of what `from` is short by, at most 60 questions.
+/// The last moment, in parts of 2^30, at which something has not happened yet: not at `from`, at
+/// the motion's end it has, and it stays so. Doubled steps, then halved ones: twice the bits of
+/// what `from` is short by, at most 60 questions.
 pub(super) fn last_before(from: Toi, happened: impl Fn(u32) -> bool) -> Toi {
     let (mut last, mut step) = (from.raw(), 1u32);
     let mut before = |step: u32| {
@@ -120,7 +126,8 @@ pub(super) fn last_before(from: Toi, happened: impl Fn(u32) -> bool) -> Toi {
     Toi::exact(last)
 }
 
-/// `dir . v`; for the slopes of tiles, whose components are at most 2, with two products of words: |v| is below 2^30.
+/// `dir . v`; for the slopes of tiles, whose components are at most 2, with two products of words:
+/// |v| is below 2^30.
 pub(crate) fn along(dir: Axis, v: Raw) -> i64 {
     if is_small(dir) {
         i64::from(dir.x.wrapping_mul(v.x)).wrapping_add(i64::from(dir.y.wrapping_mul(v.y)))
@@ -151,8 +158,9 @@ pub(crate) fn is_below(height: u64, reach: (u64, u64)) -> bool {
     less128(sqr64(height), reach)
 }
 
-/// Whether, at the moment T when the disc meets the face's line, the centre is not before an end: `u = dir . m(T) >= 0` for the start
-/// with `m` the centre as seen from it, the same with -dir for the face's end (`at_end`).
+/// Whether, at the moment T when the disc meets the face's line, the centre is not before an end:
+/// `u = dir . m(T) >= 0` for the start with `m` the centre as seen from it, the same with -dir for
+/// the face's end (`at_end`).
 #[inline]
 pub(crate) fn meets_beyond(m: Raw, d: Raw, dir: Axis, at_end: bool, r: i32) -> bool {
     match pass(m, d, dir, at_end) {
@@ -169,11 +177,13 @@ pub(crate) fn meets_beyond(m: Raw, d: Raw, dir: Axis, at_end: bool, r: i32) -> b
 enum Pass {
     /// Whether it is beyond at T, whatever the radius.
     Never(bool),
-    /// At the moment s with u = 0 the height is |dir|^2 cross / du, and it falls: T is later than s where that is more than r |dir|.
+    /// At the moment s with u = 0 the height is |dir|^2 cross / du, and it falls: T is later than s
+    /// where that is more than r |dir|.
     At { cross: i64, du: i64 },
 }
 
-/// Where the multiplications are calls, one of its own, whose stack is free again when squares are compared.
+/// Where the multiplications are calls, a separate one: its stack is free again when squares are
+/// compared.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 fn pass(m: Raw, d: Raw, dir: Axis, at_end: bool) -> Pass {
@@ -191,7 +201,8 @@ fn pass(m: Raw, d: Raw, dir: Axis, at_end: bool) -> Pass {
     if (du > 0) == (cross < 0) { Pass::Never(du <= 0) } else { Pass::At { cross, du } }
 }
 
-/// Compares the distance from a point at the moment when a motion passes it squarely, `|cross| |dir| / |du|`, with the radius.
+/// Compares the distance from a point at the moment when a motion passes it squarely,
+/// `|cross| |dir| / |du|`, with the radius.
 ///
 /// |cross| is below 2^60, the square of |dir| below 2^61: exact in 192 bits.
 pub(crate) fn offset_to_radius(cross: i64, dir: Axis, r: i32, du: i64) -> Ordering {
@@ -212,8 +223,8 @@ pub(crate) struct Crossing {
 impl Crossing {
     /// Of the point `m` that moves by `d` into the disc of radius `r`.
     ///
-    /// Decided without root or division: |m + d| < r, or a closest approach inside the motion that is nearer than r (numerics:
-    /// cross^2 < r^2 |d|^2, 124 bits).
+    /// Decided without root or division: |m + d| < r, or a closest approach inside the motion that
+    /// is nearer than r (numerics: cross^2 < r^2 |d|^2, 124 bits).
     #[inline]
     pub(crate) fn of(m: Raw, r: i32, d: Raw) -> Option<Self> {
         let (dot, cross) = m.dot_cross(d);
@@ -235,7 +246,8 @@ impl Crossing {
         m.len2() < self.rr
     }
 
-    /// Of a ray from `m`, which touching stops: from the rim and up to it too. A tangent does not come in.
+    /// Of a ray from `m`, which touching stops: from the rim and up to it too. A tangent does not
+    /// come in.
     pub(crate) fn touching(m: Raw, r: i32, d: Raw) -> Option<Self> {
         let b = m.dot(d).wrapping_neg();
         if b <= 0 {
@@ -246,7 +258,8 @@ impl Crossing {
         (reaches && less128(sqr64(cross.unsigned_abs()), mul64(rr, a))).then_some(Self { rr, a, b: b as u64, cross })
     }
 
-    /// A lower bound of the moment of entry, the displacement up to it, rounded away from the centre, and the normal there.
+    /// A lower bound of the moment of entry, the displacement up to it, rounded away from the
+    /// centre, and the normal there.
     #[inline]
     pub(crate) fn contact(&self, m: Raw, d: Raw) -> (Toi, Raw, Axis) {
         let t = self.toi(m);
@@ -262,8 +275,9 @@ impl Crossing {
 
     /// The exact floor of the moment.
     ///
-    /// At a moment T, in parts of 2^30, the point is at `2^30 m + T d`, components below 2^61. It has entered where that is nearer than
-    /// 2^30 r (squares below 2^123), or where the closest approach is over: T |d|^2 > 2^30 b.
+    /// At a moment T, in parts of 2^30, the point is at `2^30 m + T d`, components below 2^61. It
+    /// has entered where that is nearer than 2^30 r (squares below 2^123), or where the closest
+    /// approach is over: T |d|^2 > 2^30 b.
     pub(crate) fn exact_toi(&self, m: Raw, d: Raw) -> Toi {
         last_before(self.toi(m), |t| {
             let at = |m: i32, d: i32| (i64::from(m) << 30).wrapping_add(imul(d, t as i32)).unsigned_abs();
@@ -274,7 +288,8 @@ impl Crossing {
     }
 }
 
-/// Whether the point `m` that moves by `d`, outside of the disc of radius `r` before, enters it: [`Crossing::of`] and nothing else.
+/// Whether the point `m` that moves by `d`, outside of the disc of radius `r` before, enters it:
+/// [`Crossing::of`] and nothing else.
 #[inline]
 pub(crate) fn enters(m: Raw, r: i32, d: Raw) -> bool {
     let (dot, cross) = m.dot_cross(d);
@@ -291,7 +306,8 @@ pub(crate) fn enters(m: Raw, r: i32, d: Raw) -> bool {
     first || if SPLIT { ends_inside() } else { passes_inside() }
 }
 
-/// Whether `cross < r |d|`, exactly: as squares of 124 bits, where bounds of the length do not settle it by one product of words each.
+/// Whether `cross < r |d|`, exactly: as squares of 124 bits, where bounds of the length do not
+/// settle it by one product of words each.
 #[inline]
 fn passes(cross: u64, r: u32, d: Raw) -> bool {
     let (below, above) = octagons(d);
@@ -303,10 +319,12 @@ fn passes_closely(cross: u64, r: u32, d: Raw) -> bool {
     less128(sqr64(cross), mul64(usqr(r), d.len2()))
 }
 
-/// Bounds of the length of a vector, below 2^30 a component: from x the larger component and y the smaller one, by shifts.
+/// Bounds of the length of a vector, below 2^30 per component: from x the larger component and y the
+/// smaller one, by shifts.
 ///
-/// At least `x + 3 y / 8` less 1/16 and 1/256 of that, since `sqrt(1 + (3/8)^2) < 256 / 239`; at most `x + 7 y / 16`, since that is more than sqrt(2) - 1.
-/// The fractions that the shifts drop are made up for.
+/// At least `x + 3 y / 8` less 1/16 and 1/256 of that, since `sqrt(1 + (3/8)^2) < 256 / 239`; at
+/// most `x + 7 y / 16`, since that is more than sqrt(2) - 1. The fractions that the shifts drop are
+/// made up for.
 pub(in crate::query) const fn octagons(d: Raw) -> (u32, u32) {
     let (dx, dy) = (d.x.unsigned_abs(), d.y.unsigned_abs());
     let (x, y) = if dx > dy { (dx, dy) } else { (dy, dx) };

@@ -11,14 +11,17 @@ use crate::query::meet;
 use crate::shape::{Aabb, Circle, Segment};
 
 impl Aabb {
-    /// The first point of the closed box that a ray from `origin` along `motion` meets, or `None` where it ends before.
+    /// The first point of the closed box that a ray from `origin` along `motion` meets, or `None`
+    /// where it ends before.
     ///
-    /// Exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray): a side is hit by a ray that moves against its normal, ends and
-    /// the very end of the motion included, so that touching a corner is a hit; of both sides at a corner the x one. A start on the border is not
-    /// inside: moving in hits at 0; leaving, passing a corner and sliding along do not. A box without width or height is met from on it, too, by
-    /// a ray that leaves its line.
+    /// Exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray). A ray that moves
+    /// against the normal of a side hits it, ends and the very end of the motion included. Touching
+    /// a corner is a hit; of the two sides at a corner the x one. A start on the border is not
+    /// inside: a ray that moves in hits at 0. Leaving, passing a corner and sliding along are no
+    /// hits. A ray that starts on a box without width or height, and leaves its line, hits it too.
     ///
-    /// [`CastHit::displacement`] is the way from `origin` to the point: exact along the axis, rounded toward the start along the side.
+    /// [`CastHit::displacement`] is the way from `origin` to the point: exact along the axis,
+    /// rounded toward the start along the side.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Inside, Vec2};
@@ -42,13 +45,17 @@ impl Aabb {
 }
 
 impl Circle {
-    /// The first point of the disc that a ray from `origin` along `motion` meets, or `None` where it ends before.
+    /// The first point of the disc that a ray from `origin` along `motion` meets, or `None` where
+    /// it ends before.
     ///
-    /// Exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray): a hit is where the ray comes into the disc, at the very end of the motion too; a
-    /// tangent is none. From the rim moving in hits at 0. A circle of radius zero is a point, which the ray hits where it comes through it.
+    /// Exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray): a hit is where the
+    /// ray comes into the disc, at the very end of the motion too; a tangent is none. From the rim
+    /// moving in hits at 0. A circle of radius zero is a point, which the ray hits where it comes
+    /// through it.
     ///
-    /// The time is a lower bound, early by less than a raw unit of way for motions up to 4096 units and by less than four for any; the point is outside of
-    /// the circle, less than 2 raw from it.
+    /// The time is a lower bound, early by less than a raw unit of way for motions up to 4096
+    /// units, and by less than four for any. The point is outside of the circle, less than 2 raw
+    /// from it.
     ///
     /// ```
     /// use tilesat::{Axis, Circle, Fx, Inside, Vec2};
@@ -78,13 +85,17 @@ impl Circle {
 }
 
 impl Segment {
-    /// The first point of the segment that a ray from `origin` along `motion` meets, or `None` where it ends before.
+    /// The first point of the segment that a ray from `origin` along `motion` meets, or `None`
+    /// where it ends before.
     ///
-    /// Exact and closed: ends and the very end of the motion included. The axis is the side's that the ray comes from. A ray that comes along the segment's
-    /// own line hits its end, with the axis along the segment. There is no inside to start in: from on it the segment is hit at 0, unless the ray runs along it.
+    /// Exact and closed: ends and the very end of the motion included. The axis is the side's that
+    /// the ray comes from. A ray that comes along the segment's own line hits its end, with the
+    /// axis along the segment. There is no inside to start in: from on it the segment is hit at 0,
+    /// unless the ray runs along it.
     ///
-    /// The point is rounded to the side that the ray comes from, each coordinate by less than one raw; exact along a segment's axis that is parallel to x
-    /// or y. Cost: two or three long divisions, save for segments along x and y.
+    /// The point is rounded to the side that the ray comes from, each coordinate by less than one
+    /// raw unit. It is exact along a segment's axis that is parallel to x or y. Cost: two or three
+    /// long divisions, none for segments along x and y.
     ///
     /// ```
     /// use tilesat::{Segment, Vec2};
@@ -107,7 +118,8 @@ impl Segment {
     }
 }
 
-/// The start and the motion of a ray, if both ends are in the domain. A sum that wraps is outside, too: it is at least 2^30 from zero.
+/// The start and the motion of a ray, if both ends are in the domain. A sum that wraps is outside,
+/// too: it is at least 2^30 from zero.
 fn checked(origin: Vec2, motion: Vec2) -> Result<(Raw, Raw), RangeError> {
     origin.check()?;
     let (o, d) = (Raw::of(origin), Raw::of(motion));
@@ -129,7 +141,8 @@ fn reached(moment: &impl Moment, d: Raw) -> CastHit {
     CastHit { toi, axis, displacement: step.vec2(), inside: false }
 }
 
-/// The side of a closed box that a ray meets. Both are met at a corner only: by their order it is the x one.
+/// The side of a closed box that a ray meets. Both are met at a corner only: by their order it is
+/// the x one.
 fn meet_side(o: Raw, d: Raw, lo: Raw, hi: Raw) -> Option<Side> {
     let (x, y) = (Line { o: o.x, d: d.x, lo: lo.x, hi: hi.x }, Line { o: o.y, d: d.y, lo: lo.y, hi: hi.y });
     x.met(&y, Axis::new(1, 0)).or_else(|| y.met(&x, Axis::new(0, 1)))
@@ -163,7 +176,8 @@ impl Line {
         meets.then_some(Side { gap: gap as u32, speed: speed as u32, axis })
     }
 
-    /// Whether the ray is between the ends at `num / den`: differences and motions below 2^30 give sums of products below 2^61.
+    /// Whether the ray is between the ends at `num / den`: differences and motions below 2^30 give
+    /// sums of products below 2^61.
     fn holds(&self, num: i32, den: i32) -> bool {
         let way = imul(self.d, num);
         let at = |end: i32| imul(self.o.wrapping_sub(end), den).wrapping_add(way);

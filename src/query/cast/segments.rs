@@ -1,4 +1,5 @@
-//! A moving box, segment or circle against a segment: with a circle, a capsule that its centre comes into.
+//! A moving box, segment or circle against a segment: with a circle, a capsule that its centre
+//! comes into.
 
 use super::boxes::{self, Rounded, enter_box, grown};
 use super::kernel::{Course, Moment};
@@ -9,7 +10,8 @@ use crate::query::meet::{corners, cross_range};
 use crate::shape::{Aabb, Circle, Segment};
 use core::cmp::Ordering;
 
-/// A straight side of any direction, met after `gap / speed` of the motion: `gap <= speed`, both below 2^62.
+/// A straight side of any direction, met after `gap / speed` of the motion: `gap <= speed`, both
+/// below 2^62.
 #[derive(Clone, Copy, Debug)]
 pub struct Edge {
     pub(super) gap: u64,
@@ -18,7 +20,8 @@ pub struct Edge {
     pub(super) axis: Axis,
 }
 
-/// One strip, as a motion comes through it: where the moving and the resting shape are on an axis, and how fast the first one moves along it.
+/// One strip, as a motion comes through it: where the moving and the resting shape are on an axis,
+/// and how fast the first one moves along it.
 #[derive(Clone, Copy)]
 struct Strip {
     /// How far it is to the near border, negative within; and to the far one.
@@ -41,7 +44,8 @@ impl Strip {
         }
     }
 
-    /// Whether a part of the motion is strictly within. Intervals of no length, both of them, have no between.
+    /// Whether a part of the motion is strictly within. Intervals of no length, both of them, have
+    /// no between.
     const fn passes(&self) -> bool {
         self.gap < self.speed && self.leave > 0 && self.gap < self.leave
     }
@@ -52,7 +56,8 @@ impl Strip {
     }
 }
 
-/// The latest entry into strips, if it comes before the earliest exit from one of them; inside where none is left to enter.
+/// The latest entry into strips, if it comes before the earliest exit from one of them; inside
+/// where none is left to enter.
 fn enter<const N: usize>(strips: [Strip; N]) -> Course<Edge> {
     let mut latest: Option<Edge> = None;
     for strip in &strips {
@@ -90,10 +95,11 @@ impl Edge {
         if keep.is_lt() { b } else { self }
     }
 
-    /// `d * gap / speed`, rounded up in size where that leads to the side of `out`, else toward the start.
+    /// `d * gap / speed`, rounded up in size where that leads to the side of `out`, else toward the
+    /// start.
     ///
-    /// The product with the floored time is the floor or one less, since |d| is below 2^30. The remainder is below twice the speed, so its
-    /// low 64 bits are all of it.
+    /// The product with the floored time is the floor or one less, since |d| is below 2^30. The
+    /// remainder is below twice the speed, so its low 64 bits are all of it.
     fn part(&self, d: i32, toi: Toi, out: i32) -> i32 {
         let size = d.unsigned_abs();
         let part = (umul(size, toi.raw()) >> 30) as u32;
@@ -111,8 +117,9 @@ impl Moment for Edge {
         Toi::exact(mul_div_wide(self.gap, Toi::ONE.raw(), self.speed))
     }
 
-    /// On the far side of the line of a slanted edge each component is rounded to the side that the normal points to; of one along
-    /// x or y the distance is exact, because the gap divides by itself.
+    /// On the far side of the line of a slanted edge each component is rounded to the side that the
+    /// normal points to; of one along x or y the distance is exact, because the gap divides by
+    /// itself.
     fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
         let slanted = self.axis.x != 0 && self.axis.y != 0;
         let out = if slanted { self.axis } else { Axis::new(0, 0) };
@@ -122,9 +129,10 @@ impl Moment for Edge {
     }
 }
 
-/// What the box `lo..hi` that moves by `d` meets of the segment from `a` to `b`.
+/// The side of the segment from `a` to `b` that the box `lo..hi` meets when it moves by `d`.
 ///
-/// Strips across x, y and the segment: products of differences below 2^30, so below 2^61, and speeds below 2^60.
+/// Strips across x, y and the segment: products of differences below 2^30, so below 2^61, and
+/// speeds below 2^60.
 #[inline(never)]
 pub(super) fn enter_segment(lo: Raw, hi: Raw, a: Raw, b: Raw, d: Raw) -> Course<Edge> {
     let ((slo, shi), e) = (corners(a, b), b.sub(a));
@@ -171,7 +179,8 @@ pub enum Capsule {
     Rounded(Rounded),
 }
 
-/// A line that a point comes near to: its height above it falls from `gap` by `into`, in units of the axis' length, to the root of `reach`.
+/// A line that a point comes near to: its height above it falls from `gap` by `into`, in units of
+/// the axis' length, to the root of `reach`.
 #[derive(Clone, Copy, Debug)]
 pub struct Slope {
     gap: u64,
@@ -189,7 +198,7 @@ pub(super) enum Gate {
 }
 
 impl Gate {
-    /// What a circle that moves by `d` meets of it.
+    /// The part of it that a circle meets when it moves by `d`.
     #[inline]
     pub(super) fn enter(self, circle: &Circle, d: Raw) -> Option<Capsule> {
         match self {
@@ -208,7 +217,8 @@ impl Gate {
     }
 }
 
-/// Where a circle that moves by `d` can start to overlap a segment, where it does not overlap already.
+/// Where a circle that moves by `d` can start to overlap a segment, where it does not overlap
+/// already.
 ///
 /// A circle of radius zero overlaps no segment.
 #[inline]
@@ -248,10 +258,12 @@ fn comes_near(circle: &Circle, lo: Raw, hi: Raw, d: Raw) -> bool {
     !matches!(enter_box(c, c, far_lo, far_hi, d), Course::Free)
 }
 
-/// How a motion enters the strip around the line of a slanted segment, whose outer side is the circle's, if it does; by no speed where it starts there.
+/// How a motion enters the strip around the line of a slanted segment, whose outer side is the
+/// circle's, if it does; by no speed where it starts there.
 ///
-/// As for a [rounded box](boxes::gate), the capsule lies in that strip, which the motion enters beside the segment itself, or beyond an
-/// end. From there, and from a start in the strip, it meets the disc around that end or nothing.
+/// As for a [rounded box](boxes::gate), the capsule lies in that strip, which the motion enters
+/// beside the segment itself, or beyond an end. From there, and from a start in the strip, it meets
+/// the disc around that end or nothing.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 fn enter_strip(circle: &Circle, (a, b): (Raw, Raw), d: Raw) -> Option<Slope> {
@@ -277,7 +289,7 @@ impl Slope {
     /// the reach is at most 2 g, so in parts of 2^60 all sides are below 2^123.
     fn exact_toi(&self) -> Toi {
         last_before(self.bound(), |t| {
-            // into * T in parts of 2^30: into below 2^61, split so that the whole part comes out.
+            // into * T in parts of 2^30: into is below 2^61, and split to leave the whole part.
             let (high, low) = mul64(self.into, u64::from(t));
             let (whole, part) = ((high << 34) | (low >> 30), (low & ((1 << 30) - 1)) as u32);
             let (g, f) = if part == 0 {

@@ -1,4 +1,4 @@
-//! What a contact says, rounded when asked, and how each pair of shapes makes one.
+//! The answers of a contact, rounded on request, and how each pair of shapes makes one.
 
 use super::{Contact, Contacts, parallel_to_unit};
 use crate::num::{Axis, Fx, Raw, Vec2, div_sqrt, isqrt64, less128, mul64, scaled, sqr64, umul, unit_ceil, usqr};
@@ -8,9 +8,11 @@ use crate::query::meet::{Region, circle_circle, clamp, corners, cross_range, gap
 use crate::shape::{Aabb, Circle, Segment};
 
 impl Contact {
-    /// How far A must be moved against the axis to end the overlap: the exact depth rounded up, at least one raw unit.
+    /// How far A must be moved against the axis to end the overlap: the exact depth rounded up, at
+    /// least one raw unit.
     ///
-    /// Cost on a Cortex-M0: a few instructions for boxes, a square root for circles (300), a quotient by one beside sloped segments (700).
+    /// Cost on a Cortex-M0: a few instructions for boxes, a square root for circles (300), a
+    /// quotient by one beside sloped segments (700).
     ///
     /// ```
     /// use tilesat::prelude::*;
@@ -21,27 +23,45 @@ impl Contact {
     /// # Ok::<(), tilesat::RangeError>(())
     /// ```
     #[must_use]
+    #[doc(alias = "penetration")]
     pub const fn depth(&self) -> Fx {
         Fx::from_bits(self.depth_raw())
     }
 
-    /// A displacement of A after which the two do not overlap: against the axis, each component rounded away from zero.
+    /// A displacement of A after which the two do not overlap: against the axis, each component
+    /// rounded away from zero.
     ///
-    /// Exact where the axis is parallel to x or y. Else a component is at most 4 raw units longer than the exact least exit needs, 5 where the
-    /// depth or the sum of radii is above 8192 units. The result may lead out of the [domain](crate::num::DOMAIN): `translated` says so.
+    /// Exact where the axis is parallel to x or y. Else a component is at most 4 raw units longer
+    /// than the exact least exit needs, or 5 where the depth or the sum of radii is above 8192
+    /// units. The result may lead out of the [domain](crate::num::DOMAIN); `translated` then
+    /// returns an error.
     ///
-    /// Cost on a Cortex-M0: 30 instructions along x and y, 310 for circles, 1050 beside sloped segments, where the depth is computed first.
+    /// Cost on a Cortex-M0: 30 instructions along x and y, 310 for circles, 1050 beside sloped
+    /// segments, where the depth is computed first.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2, fx, prelude::*};
+    /// let unit = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 10, 10));
+    /// let (a, b) = (unit(0)?, unit(7)?);
+    /// let contact = a.contact(&b).expect("they overlap by 3");
+    /// assert_eq!((contact.depth(), contact.push_out()), (fx!(3), Vec2::from_ints(-3, 0)));
+    /// assert!(!a.translated(contact.push_out())?.overlaps(&b));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     #[must_use]
+    #[doc(alias("MTV", "minimum translation vector", "separation"))]
     pub const fn push_out(&self) -> Vec2 {
         let Axis { x, y } = self.axis;
         if self.is_parallel() {
             let d = self.depth_raw();
             return Vec2::from_raw(x.wrapping_neg().wrapping_mul(d), y.wrapping_neg().wrapping_mul(d));
         }
-        // Each component below is at least the exact one in size and has its sign. So with n the axis, n.push is at least |n| times the
-        // depth: afterwards a line across n has A on one side and B on the other, and convex shapes that a line separates do not overlap.
+        // Each component below is at least the exact one in size and has its sign. So with n the
+        // axis, n.push is at least |n| times the depth: afterwards a line across n has A on one
+        // side and B on the other, and convex shapes that a line separates do not overlap.
         let (ux, uy) = unit_ceil(self.axis);
-        // Radial: the cores are `axis` apart and have to be radii / |axis| times as far. The difference of both has the right sign.
+        // Radial: the cores are `axis` apart and have to be radii / |axis| times as far. The
+        // difference of the two has the right sign.
         let (length, from) =
             if self.radial { (self.radii(), Raw { x, y }) } else { (self.depth_raw(), Raw { x: 0, y: 0 }) };
         let (px, py) = (times_unit_up(ux, length), times_unit_up(uy, length));
@@ -53,8 +73,9 @@ impl Contact {
 
     /// The point of A that lies deepest in B, within 2 raw units per component.
     ///
-    /// Where a whole side of a box is as deep: the middle of the part of it that faces B. Cost: at most a unit vector and two
-    /// long divisions, some thousand instructions on a Cortex-M0; exact and a few instructions for boxes.
+    /// Where a whole side of a box is as deep: the middle of the part of it that faces B. Cost: at
+    /// most a unit vector and two long divisions, some thousand instructions on a Cortex-M0; exact
+    /// and a few instructions for boxes.
     #[must_use]
     pub const fn point_on_a(&self) -> Vec2 {
         let core = if self.core_on_b { self.core.add(self.between_cores()) } else { self.core };
@@ -123,7 +144,8 @@ impl Contact {
 
 /// A magnitude in Q30 times a length below 2^30, rounded up, one unit more where it is whole.
 ///
-/// Depths are below 2^30 as well: the normal of a segment is the axis only where it gives less than x and y do.
+/// Depths are below 2^30 as well: the normal of a segment is the axis only where it gives less
+/// than x and y do.
 const fn times_unit_up(unit: u32, length: i32) -> i32 {
     ((umul(unit, (length as u32) << 2) >> 32) as i32).wrapping_add(1)
 }
@@ -144,7 +166,8 @@ impl Contacts<Aabb> for Aabb {
 
 /// The least exit along one axis: its length, its sign, and whether both directions are as short.
 ///
-/// `prefer` is the sign to take in a tie: -1 where the caller will exchange A and B, so that the final axis is the positive one.
+/// `prefer` is the sign to take in a tie. It is -1 where the caller will exchange A and B, which
+/// makes the final axis positive.
 #[inline]
 const fn exit(alo: i32, ahi: i32, blo: i32, bhi: i32, prefer: i32) -> (i32, i32, bool) {
     let (positive, negative) = (ahi.wrapping_sub(blo), bhi.wrapping_sub(alo));
@@ -223,7 +246,8 @@ fn circle_aabb(c: Raw, r: i32, lo: Raw, hi: Raw, prefer: i32) -> Option<Contact>
 
 /// A circle whose centre is not in the closed box.
 fn outside(c: Raw, r: i32, lo: Raw, hi: Raw) -> Option<Contact> {
-    // Clamping gives the nearest point. Beside a face the difference has one zero component: a unit axis.
+    // Clamping gives the nearest point. Beside a face the difference has one zero component: a unit
+    // axis.
     let near = clamp(c, lo, hi);
     circle_circle::<false>(c, near, r).then(|| Contact::radial(c, near.sub(c)))
 }
@@ -245,7 +269,8 @@ fn circle_segment(c: Raw, r: i32, a: Raw, b: Raw, prefer: i32) -> Option<Contact
                 if !less128(sqr64(cross.unsigned_abs()), mul64(usqr(r as u32), len2)) {
                     return None;
                 }
-                // A positive cross product is on the side of the normal (-e.y, e.x): the segment lies against it.
+                // A positive cross product is on the side of the normal (-e.y, e.x): the segment
+                // lies against it.
                 let e = b.sub(a);
                 let left = Axis::new(e.y.wrapping_neg(), e.x);
                 let axis = if cross > 0 { left.reversed() } else { left };
@@ -284,7 +309,7 @@ impl Contacts<Segment> for Segment {
     }
 }
 
-/// The ends in lexicographic order, so that reversing a segment changes nothing.
+/// The ends in lexicographic order: reversing a segment changes nothing.
 const fn ordered(a: Raw, b: Raw) -> (Raw, Raw) {
     if b.x < a.x || (b.x == a.x && b.y < a.y) { (b, a) } else { (a, b) }
 }
@@ -307,7 +332,8 @@ fn aabb_segment(lo: Raw, hi: Raw, a: Raw, b: Raw, prefer: i32) -> Option<Contact
     if e.x == 0 || e.y == 0 {
         return Some(flat);
     }
-    // Along x or y a sloped segment is deepest with an end: the one with the smaller coordinate where B is left along +.
+    // Along x or y a sloped segment is deepest with an end: the one with the smaller coordinate
+    // where B is left along +.
     let Axis { x, y } = flat.axis;
     let first = x > 0 || (x == 0 && (y > 0) == (e.y > 0));
     let flat = Contact { core: if first { a } else { b }, ..flat.on_b() };
@@ -346,7 +372,8 @@ struct Exit {
     normal: Axis,
 }
 
-/// The exit of segment `p q` over the line of `a b`, which it crosses properly; `axis` points from `a b` to `p q`.
+/// The exit of segment `p q` over the line of `a b`, which it crosses properly; `axis` points from
+/// `a b` to `p q`.
 ///
 /// `prefer` is the side to take in a tie.
 fn over(a: Raw, b: Raw, p: Raw, q: Raw, prefer: i32) -> Exit {
@@ -355,7 +382,8 @@ fn over(a: Raw, b: Raw, p: Raw, q: Raw, prefer: i32) -> Exit {
     let normal = e.perp();
     let side = |v: Raw| Raw { x: e.x, y: e.y }.cross(v.sub(a));
     let (p, q) = if side(p) < 0 { (p, q) } else { (q, p) };
-    // p is behind by `back`, q in front by `front`: moving `a b` against the normal leaves p, along it leaves q.
+    // p is behind by `back`, q in front by `front`: moving `a b` against the normal leaves p, along
+    // it leaves q.
     let (back, front) = (side(p).wrapping_neg(), side(q));
     let tie = back == front;
     if back < front || (tie && prefer > 0) {

@@ -6,8 +6,8 @@ use crate::num::{Axis, Raw, UnitVec2};
 
 /// How two shapes overlap.
 ///
-/// The contact keeps what is exact, and computes rounded results only when they are asked for. It is about the *least exit*: the
-/// shortest way to move A so that the two do not overlap any more.
+/// The contact keeps exact values, and computes rounded results only when you ask for them. It
+/// describes the *least exit*: the shortest way to move A until the two do not overlap any more.
 ///
 /// ```text
 ///        A                      axis() points from A to B
@@ -18,8 +18,9 @@ use crate::num::{Axis, Raw, UnitVec2};
 ///          +--------+
 /// ```
 ///
-/// `contact(a, b)` and `contact(b, a)` mirror each other bit for bit: axis and push-out are negated, the points are exchanged, the
-/// depth is the same. The only exception is a [degenerate](Self::is_degenerate) contact, whose axis is the documented one in both orders.
+/// `contact(a, b)` and `contact(b, a)` mirror each other bit for bit: axis and push-out are
+/// negated, the points are exchanged, the depth is the same. The only exception is a
+/// [degenerate](Self::is_degenerate) contact, whose axis is the documented one in both orders.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -35,11 +36,12 @@ use crate::num::{Axis, Raw, UnitVec2};
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(alias("Manifold", "collision"))]
 pub struct Contact {
     /// From A to B, not zero; of length one where it is parallel to x or y.
     pub(crate) axis: Axis,
-    /// How far the cores overlap along the axis, times the axis' length: negative where they are apart and only the radii overlap.
-    /// Not used where `radial` is set.
+    /// How far the cores overlap along the axis, times the axis' length: negative where they are
+    /// apart and only the radii overlap. Not used where `radial` is set.
     pub(crate) overlap: i64,
     /// The deepest point of one core; the deepest of the other is `axis * overlap / axis^2` away.
     pub(crate) core: Raw,
@@ -47,7 +49,8 @@ pub struct Contact {
     core_on_b: bool,
     pub(crate) radius_a: i32,
     pub(crate) radius_b: i32,
-    /// Whether the axis is the vector from A's core to B's, not parallel to x or y: `overlap` would be `-axis^2`.
+    /// Whether the axis is the vector from A's core to B's, not parallel to x or y: `overlap` would
+    /// be `-axis^2`.
     pub(crate) radial: bool,
     degenerate: bool,
 }
@@ -55,7 +58,8 @@ pub struct Contact {
 impl Contact {
     /// The contact normal as exact integers, from A to B; never zero.
     ///
-    /// Its length means nothing: it is whatever makes it exact. Parallels to x and y have length one.
+    /// Its length means nothing: it is whatever makes it exact. Parallels to x and y have length
+    /// one.
     #[must_use]
     pub const fn axis(&self) -> Axis {
         self.axis
@@ -63,16 +67,18 @@ impl Contact {
 
     /// The contact normal as a unit vector, from A to B, within 1.5 units of 2^-30 per component.
     ///
-    /// Parallels to x and y are exact. Cost: about 250 instructions on a Cortex-M0, a few for a box.
+    /// Parallels to x and y are exact. Cost: about 250 instructions on a Cortex-M0, a few for a
+    /// box.
     #[must_use]
     pub const fn normal(&self) -> UnitVec2 {
         self.axis.unit()
     }
 
-    /// Whether there was more than one least exit, so that the axis is a convention and not geometry.
+    /// Whether there was more than one least exit. The axis is then a convention, not geometry.
     ///
-    /// The convention: x before y before the normal of a segment, and the positive direction of x and y; for a segment the normal `(-e.y, e.x)`
-    /// of its edge `e` from the lexicographically smaller end. See the table of [degenerate cases](crate::query#degenerate-cases).
+    /// The convention: x before y before the normal of a segment, and the positive direction of x
+    /// and y; for a segment the normal `(-e.y, e.x)` of its edge `e` from the lexicographically
+    /// smaller end. See the table of [degenerate cases](crate::query#degenerate-cases).
     #[must_use]
     pub const fn is_degenerate(&self) -> bool {
         self.degenerate
@@ -120,7 +126,8 @@ impl Contact {
     }
 }
 
-/// A direction as an axis; parallels to x and y get length one, so that everything about them is exact. Zero gives +x.
+/// A direction as an axis. Parallels to x and y get length one, which makes everything about them
+/// exact. Zero gives +x.
 const fn parallel_to_unit(v: Raw) -> Axis {
     if v.y == 0 {
         Axis::new(if v.x < 0 { -1 } else { 1 }, 0)
@@ -133,9 +140,10 @@ const fn parallel_to_unit(v: Raw) -> Axis {
 
 /// How two shapes overlap, where they do.
 ///
-/// `Some` exactly where [`overlaps`](super::Overlaps::overlaps) is true. Exact; rounding happens in the methods of [`Contact`].
-/// Cost on a Cortex-M0: about 130 instructions for boxes and circles, 550 for a circle and a segment, some hundred more for a segment
-/// against a box or a segment. No root, no division. It cannot fail.
+/// `Some` exactly where [`overlaps`](super::Overlaps::overlaps) is true. Exact; the methods of
+/// [`Contact`] round. Cost on a Cortex-M0: about 130 instructions for boxes and circles, 550 for a
+/// circle and a segment, and some hundred more for a segment against a box or a segment. There is
+/// no root and no division. It cannot fail.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -153,5 +161,6 @@ const fn parallel_to_unit(v: Raw) -> Axis {
 pub trait Contacts<B: ?Sized> {
     /// How this shape (A) overlaps `b` (B); `None` where it does not.
     #[must_use]
+    #[doc(alias("collide", "manifold"))]
     fn contact(&self, b: &B) -> Option<Contact>;
 }

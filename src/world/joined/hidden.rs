@@ -1,14 +1,18 @@
-//! What a level still shows where another level covers it: the rules of [`Joined`](crate::world::Joined).
+//! The surface that a level still shows where another level covers it: the rules of
+//! [`Joined`](crate::world::Joined).
 //!
-//! A body with area that is outside of both solids and touches both at a point `p` has a tangent there: the half-plane `n . x > 0` in front of
-//! it holds neither solid. So `n` is in the cone of normals of each level at `p`: of a convex corner the closed cone between its two
-//! edges' normals, of a flat point one ray, of anything more solid nothing. All rules follow:
+//! A body with area that is outside of both solids and touches both at a point `p` has a tangent
+//! there: the half-plane `n . x > 0` in front of it holds neither solid. So `n` is in the cone of
+//! normals of each level at `p`: of a convex corner the closed cone between its two edges' normals,
+//! of a flat point one ray, of anything more solid nothing. All rules follow:
 //!
-//! - A vertex in the other solid is touched within both cones only. Where the other level has no corner there, that is one ray at most,
-//!   along a face of it. Where it has, the first level shows the common part of both cones, the second nothing; a common part that is a ray
-//!   is the normal of a face that one of them shows.
-//! - A face is touched from its front. Where the points just in front of it are in the other solid, nothing gets there but to its ends, and
-//!   what is touched at an end belongs to a face with a free front, or to a corner. So it goes only where its front is covered from end to end.
+//! - A vertex in the other solid is touched within both cones only. Where the other level has no
+//!   corner there, that is one ray at most, along a face of it. Where it has one, the first level
+//!   shows the common part of both cones, the second nothing. A common part that is a ray is the
+//!   normal of a face that one of them shows.
+//! - A face is touched from its front. Where the points just in front of it are in the other solid,
+//!   a body reaches only its ends. A touch there belongs to a face with a free front, or to a
+//!   corner. The face is hidden only where its front is covered from end to end.
 //!
 //! Differences are below 2^30 and reduced directions too: sums of two products are below 2^61.
 
@@ -17,7 +21,8 @@ use crate::query::meet;
 use crate::shape::Aabb;
 use crate::world::level::{Feature, Geometry, World, normal};
 
-/// What is left of a feature beside the other level; `first` says whose corner stands for both where both have one.
+/// The rest of a feature beside the other level; `first` says whose corner stands for both
+/// where both have one.
 pub(in crate::world) fn shown<W: World>(mut feature: Feature, other: &W, first: bool) -> Option<Feature> {
     match &mut feature.geometry {
         Geometry::Vertex { p, e_in, e_out } => {
@@ -34,7 +39,7 @@ pub(in crate::world) fn shown<W: World>(mut feature: Feature, other: &W, first: 
             }
             *joined = [joined[0] || goes_on(edge.a, *dir, 1, other), joined[1] || goes_on(edge.b, *dir, -1, other)];
         }
-        // Its corners are vertices of their own; the arc itself stays, covered or not.
+        // Its corners are separate vertices; the arc itself stays, covered or not.
         Geometry::Arc { .. } => {}
     }
     Some(feature)
@@ -48,8 +53,8 @@ fn touched<W: World>(other: &W, p: Raw) -> bool {
     other.touches_aabb(&point(p))
 }
 
-/// The part of a corner's cone that is in the cones of the other level's corners at the same point; `None` where it has no inside, or where
-/// there is none: the other level is flat or concave there.
+/// The part of a corner's cone that is in the cones of the other level's corners at the same point;
+/// `None` where it has no inside, or where there is none: the other level is flat or concave there.
 fn common_cone<W: World>(cone: (Axis, Axis), p: Raw, other: &W) -> Option<(Axis, Axis)> {
     let (mut cone, mut corners) = (cone, false);
     for f in other.features(&point(p)) {
@@ -63,14 +68,17 @@ fn common_cone<W: World>(cone: (Axis, Axis), p: Raw, other: &W) -> Option<(Axis,
     corners.then_some(cone)
 }
 
-/// The part of a cone (of up to a half turn) with `n . h >= 0`, as the edges whose normals bound it; `None` where that has no inside.
+/// The part of a cone (of up to a half turn) with `n . h >= 0`, as the edges whose normals bound
+/// it; `None` where that has no inside.
 fn clipped((e_in, e_out): (Axis, Axis), h: Axis) -> Option<(Axis, Axis)> {
     let (start, end) = (normal(e_in).dot(h), normal(e_out).dot(h));
     if start >= 0 && end >= 0 {
-        // A half turn that is bounded by the same line is in the half-plane as a whole, or not at all.
+        // A half turn that is bounded by the same line is in the half-plane as a whole, or not at
+        // all.
         return (start > 0 || end > 0 || e_in.dot(h) > 0).then_some((e_in, e_out));
     }
-    // The half-plane's own bounds are the normals of `h`, where it starts, and of `-h`, where it ends.
+    // The half-plane's own bounds are the normals of `h`, where it starts, and of `-h`, where it
+    // ends.
     if start < 0 && end > 0 {
         Some((h, e_out))
     } else if start > 0 {
@@ -117,12 +125,13 @@ impl Edge {
         along(self.a) > 0 && along(self.b) < 0
     }
 
-    /// What another level's face says about the points just in front of this one.
+    /// The information of another level's face about the points just in front of this one.
     fn beside(&self, o: &Self) -> Front {
         let (from, to) = (self.in_front(o.a), self.in_front(o.b));
         let bared = match (from.signum(), to.signum()) {
             (0, 0) => {
-                // On one line, in either direction: a common part is where the later start is before the earlier end.
+                // On one line, in either direction: a common part is where the later start is
+                // before the earlier end.
                 let along = self.dir.dot(o.dir) > 0;
                 let (lo, hi) = if along { (o.a, o.b) } else { (o.b, o.a) };
                 let before = |p: Raw, q: Raw| self.dir.dot(Axis::new(q.x.wrapping_sub(p.x), q.y.wrapping_sub(p.y))) > 0;
@@ -140,7 +149,8 @@ impl Edge {
         if bared { Front::Bare } else { Front::Unknown }
     }
 
-    /// Whether an arc may have a point in front of the face's inside. It lies in the inside of the square that it is a quarter in, save its ends.
+    /// Whether an arc may have a point in front of the face's inside. It lies in the inside of the
+    /// square that it is a quarter in, save its ends.
     fn meets_arc(&self, centre: Raw, radius: i32, quadrant: Axis) -> bool {
         let (x, y) = (radius.wrapping_mul(quadrant.x), radius.wrapping_mul(quadrant.y));
         let at = |x: i32, y: i32| centre.add(Raw { x, y });
@@ -150,7 +160,7 @@ impl Edge {
     }
 }
 
-/// What is just in front of a face.
+/// The points just in front of a face.
 enum Front {
     /// Somewhere nothing.
     Bare,
@@ -161,11 +171,12 @@ enum Front {
 
 /// Whether the points just in front of a face are in the other solid, from end to end.
 ///
-/// If nothing of the other surface meets the face's inside from the front, they are all in the other solid or all outside: one place
-/// tells. That is a point of the face inside the solid, or a face of the other that runs against this one.
+/// If nothing of the other surface meets the face's inside from the front, all its points are in
+/// the other solid or all outside: one point decides. That is a point of the face inside the solid,
+/// or a face of the other that runs against this one.
 fn covered<W: World>(edge: &Edge, other: &W) -> bool {
     let points = [edge.a, edge.b, edge.middle];
-    // Most faces are told from far by their first end.
+    // For most faces the first end, far away, already decides.
     if !points.iter().all(|&p| touched(other, p)) {
         return false;
     }
@@ -188,10 +199,11 @@ fn covered<W: World>(edge: &Edge, other: &W) -> bool {
     known
 }
 
-/// Whether the points just in front of a face's end `p` are in the other solid; `along` leads from there along the face, `n` is its normal.
-/// `None` where an arc ends there too.
+/// Whether the points just in front of a face's end `p` are in the other solid; `along` leads from
+/// there along the face, `n` is its normal. `None` where an arc ends there too.
 ///
-/// From the direction `along`, tilted to the front by an infinitesimal, the next part of the surface to the left has the place on its right.
+/// From the direction `along`, tilted to the front by an infinitesimal, the next part of the
+/// surface to the left has the place on its right.
 fn front_of_end<W: World>(p: Raw, along: Axis, n: Axis, other: &W) -> Option<bool> {
     if !touched(other, p) {
         return Some(false);
@@ -208,7 +220,8 @@ fn front_of_end<W: World>(p: Raw, along: Axis, n: Axis, other: &W) -> Option<boo
         if edge.in_front(p) != 0 {
             continue;
         }
-        // What leaves `p` has its solid on the left, what comes there on the right of the way back.
+        // A segment that leaves `p` has its solid on the left, one that arrives there on the right
+        // of the way back.
         for (there, dir, solid) in
             [(edge.a == p || edge.spans(p), edge.dir, false), (edge.b == p || edge.spans(p), edge.dir.reversed(), true)]
         {
@@ -223,7 +236,8 @@ fn front_of_end<W: World>(p: Raw, along: Axis, n: Axis, other: &W) -> Option<boo
     Some(next.is_none_or(|(_, _, solid)| solid))
 }
 
-/// How far to the left a direction is from `from`, in half turns: 0 to 4. The same direction comes first or last.
+/// How far to the left a direction is from `from`, in half turns: 0 to 4. The same direction comes
+/// first or last.
 fn turn(from: Axis, to: Axis, first: bool) -> u8 {
     match (from.perp_dot(to).signum(), from.dot(to) > 0) {
         (1, _) => 1,
@@ -239,11 +253,14 @@ fn ends_at(p: Raw, centre: Raw, radius: i32, quadrant: Axis) -> bool {
     p == centre.add(Raw { x, y: 0 }) || p == centre.add(Raw { x: 0, y })
 }
 
-/// Whether the solid goes on beyond the end `p` of a face that runs along `dir`; `inward` is 1 for its start, -1 for its end.
+/// Whether the solid goes on beyond the end `p` of a face that runs along `dir`; `inward` is 1 for
+/// its start, -1 for its end.
 ///
-/// It does where the points in front of the face's end are free, the cones of the other level's corners there leave out the normals next to
-/// the face's own, which are those of the corner at its end, and nothing gets to `p` from beyond it but along a face on the same line. (Above a
-/// thin wall or a spike that ends in the face, a body comes as far as `p`, and would be stopped by what is below.)
+/// It does where three conditions hold. The points in front of the face's end are free. The cones
+/// of the other level's corners there omit the normals next to the face's own, which are those of
+/// the corner at its end. A body reaches `p` from beyond it only along a face on the same line.
+/// (Above a thin wall or a spike that ends in the face, a body comes as far as `p`, and the solid
+/// below would stop it.)
 fn goes_on<W: World>(p: Raw, dir: Axis, inward: i32, other: &W) -> bool {
     let n = normal(dir);
     let along = Axis::new(dir.x.wrapping_mul(inward), dir.y.wrapping_mul(inward));
@@ -270,8 +287,8 @@ fn goes_on<W: World>(p: Raw, dir: Axis, inward: i32, other: &W) -> bool {
     !(corners && cornered) && (straight || front_of_end(p, along.reversed(), n, other) == Some(true))
 }
 
-/// Whether a ray from `o` by `d` that meets a piece meets a part of it that the other level hides: a face that is not there beside it, or
-/// an end of a face that is covered just there.
+/// Whether a ray from `o` by `d` that meets a piece meets a part of it that the other level hides:
+/// a face that is not there beside it, or an end of a face that is covered just there.
 pub(in crate::world) fn hides<W: World>(geometry: &Geometry, o: Raw, d: Raw, other: &W) -> bool {
     let Geometry::Face { a, dir, len, .. } = *geometry else { return false };
     let edge = Edge::new(Raw::of(a), dir, len);

@@ -11,20 +11,23 @@ use crate::world::ray::scan::{Found, RayScan, RayWorld};
 use core::cmp::Ordering;
 use hidden::{hides, shown};
 
-/// Two levels used as one: tiles and segments, or a level and its neighbour. Copies nothing.
+/// Two levels used as one: tiles and segments, or a level and its neighbour. It copies nothing.
 ///
-/// What is solid in either is solid. Where the two meet there is no seam: a corner that lies in the other level's solid is no corner, save
-/// where both together have one, and a face whose front the other solid covers from end to end is not there. So a floor of tiles that goes
-/// on as a floor of segments is one floor, for a mover too. A face that is covered in part stays as it is, and so do arcs.
+/// A point that is solid in either level is solid. Where the two meet there is no seam. A corner
+/// that lies in the other level's solid is hidden, except where both together form a corner. A face
+/// is hidden whose front the other solid covers from end to end. A floor of tiles that continues as
+/// a floor of segments is one floor, for a mover too. Faces that are covered in part stay whole,
+/// and so do arcs.
 ///
-/// A pair is a level itself: more than two are pairs of pairs. Of a [`Feature::source`] the lowest bit says which of the pair it is from, 0 for
-/// the first; the other bits are what the source was in that level.
+/// A pair is a level itself: more than two are pairs of pairs. Of a [`Feature::source`] the lowest
+/// bit says which of the pair it is from, 0 for the first; the other bits are what the source was
+/// in that level.
 ///
-/// The levels are asked one after the other, so a body without area overlaps a pair where it overlaps one of the two; on the line
-/// between two solids that meet flush it overlaps neither.
+/// The levels are asked one after the other, so a body without area overlaps a pair where it
+/// overlaps one of the two; on the line between two solids that meet flush it overlaps neither.
 ///
-/// Cost: both levels' cost, and for each feature a look-up or two of a point in the other level; where that is solid, the other level's
-/// features along the face.
+/// Cost: both levels' cost, and for each feature a look-up or two of a point in the other level;
+/// where that is solid, the other level's features along the face.
 ///
 /// ```
 /// use tilesat::{Aabb, Axis, Fx, Grid, Joined, Mover, TileKind, TileKinds, TileMap, Vec2};
@@ -41,6 +44,7 @@ use hidden::{hides, shown};
 /// # Ok::<(), tilesat::TileMapError>(())
 /// ```
 #[derive(Debug)]
+#[doc(alias("composite", "union"))]
 pub struct Joined<'a, A, B> {
     a: &'a A,
     b: &'a B,
@@ -55,7 +59,7 @@ impl<A, B> Clone for Joined<'_, A, B> {
 impl<A, B> Copy for Joined<'_, A, B> {}
 
 impl<'a, A: World, B: World> Joined<'a, A, B> {
-    /// Both levels as one.
+    /// Joins two levels.
     #[must_use]
     pub const fn new(a: &'a A, b: &'a B) -> Self {
         Self { a, b }
@@ -73,10 +77,11 @@ impl<'a, A: World, B: World> Joined<'a, A, B> {
         self.b
     }
 
-    /// The pieces of both surfaces that have a point in the closed region and are not hidden by the other level: first the one's, then the
-    /// other's.
+    /// The pieces of both surfaces that have a point in the closed region and that the other level
+    /// does not hide. The first level's pieces come first.
     ///
-    /// A corner's directions are those of both solids together. Pieces near the region may come too. Cost: see [`Joined`].
+    /// A corner's directions are those of both solids together. Pieces near the region may come
+    /// too. Cost: see [`Joined`].
     pub fn features(&self, region: &Aabb) -> JoinedFeatures<'_, A, B> {
         JoinedFeatures { pair: *self, a: self.a.features(region), b: self.b.features(region) }
     }
@@ -88,7 +93,8 @@ levels! {
         ///
         /// Cost: both levels' cost. It cannot fail.
         overlaps,
-        /// Whether a box or circle has a point in common with the solid of either level, borders included; exact.
+        /// Whether a box or circle has a point in common with the solid of either level, borders
+        /// included; exact.
         ///
         /// Cost: both levels' cost. It cannot fail.
         touches,
@@ -154,7 +160,7 @@ impl<A: World, B: World> World for Joined<'_, A, B> {
         };
     }
 
-    /// The shorter of both: a piece of a motion then reaches few cells of either level.
+    /// The shorter of the two: a piece of a motion then reaches few cells of either level.
     fn cell_size(&self) -> u32 {
         self.a.cell_size().min(self.b.cell_size())
     }
@@ -194,7 +200,8 @@ impl<A: RayWorld, B: RayWorld> RayWorld for Joined<'_, A, B> {
 }
 
 impl<A: RayWorld, B: RayWorld> Joined<'_, A, B> {
-    /// All hits of a ray in order, as if it went on through what it hits. Of hits at one moment there is one.
+    /// All hits of a ray in order, as if it went on through what it hits. Of hits at one moment
+    /// there is one.
     ///
     /// Cost: as [`cast_ray`](Self::cast_ray).
     ///
@@ -215,14 +222,16 @@ impl<A: RayWorld, B: RayWorld> Joined<'_, A, B> {
 
 rays! {
     [A: RayWorld, B: RayWorld] Joined<'_, A, B> {
-        /// The first point of either level's solid that a ray meets, or `None` where it ends before.
+        /// The first point of either level's solid that a ray meets, or `None` where it ends
+        /// before.
         ///
-        /// By the rules of the levels' own `cast_ray`, for the faces that [`features`](Self::features) shows: a ray along a floor that goes on
-        /// from level to level meets nothing. A ray along the very line between two solids that meet flush is in neither: it is stopped
-        /// where it comes to that line, but one that starts there is not.
+        /// It follows the rules of the levels' own `cast_ray`, for the faces that
+        /// [`features`](Self::features) shows. A ray along a floor that continues from level to
+        /// level meets nothing. A ray along the very line between two solids that meet flush is in
+        /// neither. It stops where it reaches that line, but not if it starts there.
         ///
-        /// Cost: both levels' cost, and for each hit a look at the other level along the face. [`RayHit::cells`] counts those of the level
-        /// that was hit.
+        /// Cost: both levels' cost, and for each hit a look at the other level along the face.
+        /// [`RayHit::cells`] counts those of the level that was hit.
         ///
         /// ```
         /// use tilesat::{Fx, Grid, Inside, Joined, TileKind, TileKinds, TileMap, Vec2};
@@ -239,9 +248,11 @@ rays! {
         /// ```
         ///
         /// # Errors
-        /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+        /// [`RangeError`] where the start or the end is outside of the
+        /// [domain](crate::num::DOMAIN).
         cast_ray,
-        /// Whether the straight line from `a` to `b` is free of both levels, as a ray from `a` sees it, and does not start inside.
+        /// Whether the straight line from `a` to `b` is free of both levels, and does not start
+        /// inside. A ray from `a` decides it.
         ///
         /// # Errors
         /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
@@ -316,7 +327,8 @@ impl<A: RayWorld, B: RayWorld> Iterator for JoinedRayHits<'_, A, B> {
     }
 }
 
-/// Which is first: starts inside, then by the exact moments. A hit within an arc has none, and is compared by its `toi`, after a straight one.
+/// Which is first: starts inside, then by the exact moments. A hit within an arc has none, and is
+/// compared by its `toi`, after a straight one.
 fn order(a: &Found, b: &Found) -> Ordering {
     let (Some(met_a), Some(met_b)) = (a.met, b.met) else { return a.met.is_some().cmp(&b.met.is_some()) };
     match (met_a.touch.time, met_b.touch.time) {

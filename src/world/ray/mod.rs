@@ -1,7 +1,8 @@
-//! Rays through any level: what is asked, what is answered, and how a ray meets one piece of a surface.
+//! Rays through any level: questions, answers, and how a ray meets one piece of a surface.
 //!
-//! Whether it is met is exact, without root or division; when is an exact fraction, or within an arc a bound from below. Beside this: the walk over the
-//! cells, and the engine that finds the hits in order.
+//! Whether it is met is exact, without root or division; when is an exact fraction, or within an
+//! arc a bound from below. Beside this: the walk over the cells, and the engine that finds the hits
+//! in order.
 
 pub(in crate::world) mod scan;
 #[cfg(test)]
@@ -17,7 +18,7 @@ use crate::num::{
     Axis, DOMAIN, Raw, Toi, Vec2, imul, less128, mul_div, mul64, root128_down, root128_up, sqr64, sub128, umul, usqr,
 };
 
-/// What a ray meets. Made from an [`Inside`] alone, it passes one-way edges.
+/// The rules of a ray. Made from an [`Inside`] alone, it passes one-way edges.
 ///
 /// ```
 /// use tilesat::{Inside, RayRules};
@@ -26,9 +27,10 @@ use crate::num::{
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RayRules {
-    /// What a start inside the solid does.
+    /// The answer to a start inside the solid.
     pub inside: Inside,
-    /// Whether a one-way edge is met by a ray that moves against its normal, ends included and from on it too. From behind it is always passed.
+    /// Whether a ray that moves against its normal meets a one-way edge, ends included, and also
+    /// when it starts on it. From behind it always passes.
     pub one_way: bool,
 }
 
@@ -38,25 +40,31 @@ impl From<Inside> for RayRules {
     }
 }
 
-/// What a ray met.
+/// The hit of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RayHit {
-    /// When: the exact floor in 2^-30 of the fraction of the motion, for straight faces and ends of arcs.
+    /// When: the exact floor in 2^-30 of the fraction of the motion, for straight faces and ends of
+    /// arcs.
     ///
-    /// Within an arc a lower bound, early by less than one raw of way for motions up to 4096 units, and by less than four for any.
+    /// Within an arc it is a lower bound. It is early by less than one raw unit of way for motions
+    /// up to 4096 units, and by less than four for any.
     pub toi: Toi,
     /// Where, rounded to the free side of the piece that was hit.
     ///
-    /// Of a straight face, each coordinate is less than one raw off: rounded toward the start, or away from it where the normal is
-    /// on that side; so along a face's axis it is exact. Of an arc it is that of `toi`, rounded away from the solid.
+    /// Of a straight face, each coordinate is less than one raw off: rounded toward the start, or
+    /// away from it where the normal is on that side; so along a face's axis it is exact. Of an arc
+    /// it is that of `toi`, rounded away from the solid.
     pub point: Vec2,
-    /// The outward normal of the piece that was hit: reduced, of a block's face a unit axis; within an arc the vector from its centre to `point`,
-    /// the other way where it is concave. See [`TileMap::cast_ray`](crate::world::TileMap::cast_ray) for corners and starts inside.
+    /// The outward normal of the piece that was hit: reduced, of a block's face a unit axis; within
+    /// an arc the vector from its centre to `point`, the other way where it is concave. See
+    /// [`TileMap::cast_ray`](crate::world::TileMap::cast_ray) for corners and starts inside.
     pub axis: Axis,
-    /// The cell that the piece belongs to; where the border is repeated ([`Outside::Edge`](crate::world::Outside::Edge)) and only blocks are, the border
-    /// cell. Of a [solid](crate::world::Solids) it holds the key.
+    /// The cell that the piece belongs to; where the border is repeated
+    /// ([`Outside::Edge`](crate::world::Outside::Edge)) and only blocks are, the border cell. Of a
+    /// [solid](crate::world::Solids) it holds the key.
     pub cell: Cell,
-    /// Which piece of that cell, as [`Feature::index`](crate::world::Feature::index); 0 for a start inside.
+    /// Which piece of that cell, as [`Feature::index`](crate::world::Feature::index); 0 for a start
+    /// inside.
     pub index: u16,
     /// The user flags of the tile or segment.
     pub flags: u8,
@@ -66,7 +74,8 @@ pub struct RayHit {
     pub source: u8,
     /// Whether the ray started inside the solid; only with [`Inside::Hit`].
     pub inside: bool,
-    /// The work done: cells entered, the first and the last one included; of [`Solids`](crate::world::Solids) the boxes looked at.
+    /// The work done: cells entered, the first and the last one included; of
+    /// [`Solids`](crate::world::Solids) the boxes looked at.
     pub cells: u32,
 }
 
@@ -101,7 +110,8 @@ pub(in crate::world) const fn refusal(o: Raw, d: Raw) -> RangeError {
     }
 }
 
-/// The methods of each kind of level, after the documentation of each: `rays! { [parameters] type { /// ... cast_ray, ... } }`.
+/// The methods of each kind of level, after the documentation of each:
+/// `rays! { [parameters] type { /// ... cast_ray, ... } }`.
 macro_rules! rays {
     ([$($parameters:tt)*] $level:ty { $($(#[$doc:meta])* $verb:ident,)* }) => {
         impl<$($parameters)*> $level {
@@ -110,6 +120,7 @@ macro_rules! rays {
     };
     (@cast_ray $(#[$doc:meta])*) => {
         $(#[$doc])*
+        #[doc(alias("raycast", "linecast"))]
         pub fn cast_ray(
             &self,
             origin: $crate::Vec2,
@@ -121,6 +132,7 @@ macro_rules! rays {
     };
     (@line_of_sight $(#[$doc:meta])*) => {
         $(#[$doc])*
+        #[doc(alias("linecast", "visibility"))]
         pub fn line_of_sight(&self, a: $crate::Vec2, b: $crate::Vec2) -> Result<bool, $crate::RangeError> {
             let (from, to) = ($crate::num::Raw::of(a), $crate::num::Raw::of(b));
             Ok(self.cast_ray(a, to.sub(from).vec2(), $crate::world::Inside::Hit)?.is_none())
@@ -129,7 +141,7 @@ macro_rules! rays {
 }
 pub(in crate::world) use rays;
 
-/// What the pieces of a level can be.
+/// The kinds of pieces that a level can have.
 pub(in crate::world) trait RayPieces {
     /// Whether times of faces can be fractions of more than words; see [`Time`].
     const WIDE: bool;
@@ -139,7 +151,8 @@ pub(in crate::world) trait RayPieces {
 
 /// A fraction of a motion, `num / den` with `num <= den` and `den > 0`.
 ///
-/// On tiles both are words: slopes are (1, 1), (1, 2) and (2, 1), so they are below 3 * 2^30. On free segments they are below 2^61.
+/// On tiles both are words: slopes are (1, 1), (1, 2) and (2, 1), so they are below 3 * 2^30. On
+/// free segments they are below 2^61.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::world) struct Time {
     pub(in crate::world) num: u64,
@@ -175,11 +188,13 @@ pub(in crate::world) struct Met {
 }
 
 impl Touch {
-    /// Whether a ray by `d` meets the piece `of` so before another one, or at the same moment and this is to be reported instead.
+    /// Whether a ray by `d` meets the piece `of` so before another one, or at the same moment and
+    /// this is to be reported instead.
     ///
-    /// A point within an arc is later than any fraction that a ray meets in the same step: the tile's other pieces are on the border of
-    /// its cell, and what is met on the border is met where the ray comes in. (A face on the border opposes rays that come in
-    /// across it, so one that is met where the ray leaves is met by a ray that has a single point in the cell.)
+    /// A point within an arc is later than any fraction that a ray meets in the same step. The
+    /// tile's other pieces are on the border of its cell, and the ray meets them where it comes in.
+    /// (A face on the border opposes rays that come in across it. One that is met where the ray
+    /// leaves is met by a ray that has a single point in the cell.)
     pub(in crate::world) fn precedes<L: RayPieces>(&self, of: &Feature, other: &Met, d: Raw) -> bool {
         let (Some(a), Some(b)) = (self.time, other.touch.time) else { return self.time.is_some() };
         if a.before::<L>(b) {
@@ -188,7 +203,8 @@ impl Touch {
         !b.before::<L>(a) && self.ranks_above(of, other, d)
     }
 
-    /// At one moment: the normal that is more along x, then the one that opposes the motion more, then +x, then +y; then straight before round.
+    /// At one moment: the normal that is more along x, then the one that opposes the motion more,
+    /// then +x, then +y; then straight before round.
     #[inline(never)]
     pub(in crate::world) fn ranks_above(&self, of: &Feature, other: &Met, d: Raw) -> bool {
         let (n, m) = (self.normal, other.touch.normal);
@@ -225,10 +241,12 @@ pub(in crate::world) fn meet<L: RayPieces>(o: Raw, d: Raw, feature: &Feature) ->
     }
 }
 
-/// When a ray from `w` (relative to the start of the face) crosses the closed face against its normal `(dir.y, -dir.x)`.
+/// When a ray from `w` (relative to the start of the face) crosses the closed face against its
+/// normal `(dir.y, -dir.x)`.
 ///
-/// At the moment T = (w x dir) / (dir x d) it is at the place s = (w x d) / (dir x d) along dir. The face is `e = dir len` long,
-/// so s <= len is w x d <= e x d. Differences and motions are below 2^30 and `e` is a difference: all products are below 2^61.
+/// At the moment T = (w x dir) / (dir x d) it is at the place s = (w x d) / (dir x d) along dir.
+/// The face is `e = dir len` long, so s <= len is w x d <= e x d. Differences and motions are below
+/// 2^30 and `e` is a difference: all products are below 2^61.
 #[inline(never)]
 fn meet_face(w: Raw, d: Raw, dir: Axis, len: i32) -> Option<Touch> {
     let t = Raw { x: dir.x, y: dir.y };
@@ -249,13 +267,14 @@ fn meet_face(w: Raw, d: Raw, dir: Axis, len: i32) -> Option<Touch> {
     Some(Touch { time: Some(time), normal: Axis::new(dir.y, dir.x.wrapping_neg()) })
 }
 
-/// How a ray from `m` (relative to the centre) by `d` meets the closed quarter in the quadrant of `q` from its free side: the entry into the
-/// disc where it is `convex`, else the exit from it.
+/// How a ray from `m` (relative to the centre) by `d` meets the closed quarter in the quadrant of
+/// `q` from its free side: the entry into the disc where it is `convex`, else the exit from it.
 ///
-/// Tangents do not meet a convex arc. They leave a concave one where they start on it, and where they come along the line on which it ends and go
-/// on into its cell.
+/// Tangents do not meet a convex arc. They leave a concave one where they start on it. They also
+/// leave it where they come along the line on which it ends and continue into its cell.
 ///
-/// Radii are at most 2^24, components below 2^30: squares of cross products, and r^2 |d|^2, are below 2^122.
+/// Radii are at most 2^24, components below 2^30: squares of cross products, and r^2 |d|^2, are
+/// below 2^122.
 #[inline(never)]
 fn meet_arc(m: Raw, d: Raw, radius: i32, q: Axis, convex: bool) -> Option<Touch> {
     let (m, d) = (turned(m, q), turned(d, q));
@@ -309,7 +328,8 @@ fn touch_at(num: u32, den: u32, normal: Axis) -> Touch {
     Touch { time: Some(Time { num: u64::from(num), den: u64::from(den) }), normal }
 }
 
-/// A ray that touches a concave arc at its end along the cell's side: met where it goes on into the cell.
+/// A ray that touches a concave arc at its end along the cell's side: met where it goes on into the
+/// cell.
 fn along_the_end(m: Raw, d: Raw, r: i32, q: Axis) -> Option<Touch> {
     let reaches = |v: i32, d: i32| d > 0 && v <= 0 && v.wrapping_add(d) >= 0;
     if m.x == r && d.x == 0 && reaches(m.y, d.y) {
@@ -332,11 +352,14 @@ fn inward(m: Raw, q: Axis) -> Axis {
     if v.x == 0 || v.y == 0 { Axis::new(v.x.signum(), v.y.signum()).reversed() } else { Axis::new(v.x, v.y).reversed() }
 }
 
-/// The sign of the coordinate u at the moment T at which the ray crosses the circle, inward for `entry`, else outward.
+/// The sign of the coordinate u at the moment T at which the ray crosses the circle, inward for
+/// `entry`, else outward.
 ///
-/// `u` runs from `u0` by `p`, the other coordinate by `q`. At the moment s with u = 0 the other one is -cross/p, so against the radius:
+/// `u` runs from `u0` by `p`, the other coordinate by `q`. At the moment s with u = 0 the other one
+/// is -cross/p, so against the radius:
 /// |cross| ? r |p|, in 64 bits; and the ray approaches the centre then iff cross p q > 0. Outside of the disc at s: T > s while
-/// approaching, else T < s. Inside: the entry is before s, the exit after it. On the rim: s is the entry while approaching, else the exit.
+/// approaching, else T < s. Inside: the entry is before s, the exit after it. On the rim: s is the
+/// entry while approaching, else the exit.
 fn sign_at(u0: i32, p: i32, q: i32, cross: i64, r: i32, entry: bool) -> i32 {
     if p == 0 {
         return u0.signum();
@@ -357,20 +380,22 @@ fn sign_at(u0: i32, p: i32, q: i32, cross: i64, r: i32, entry: bool) -> i32 {
     if p > 0 { after } else { -after }
 }
 
-/// When and where a ray meets an arc within it, if [`meet_arc`] says that it does: a lower bound of the time, and the way from the start,
-/// rounded so that it ends on the free side.
+/// When and where a ray meets an arc within it, if [`meet_arc`] says that it does. The time is a
+/// lower bound; the way from the start is rounded to the free side.
 #[inline(never)]
 pub(in crate::world) fn arc_contact(m: Raw, d: Raw, radius: i32, convex: bool) -> (Toi, Raw) {
     let toi = time(m, d, radius as u32, convex);
     (toi, Raw { x: toi.of_raw_beside(m.x, d.x, convex), y: toi.of_raw_beside(m.y, d.y, convex) })
 }
 
-/// T = (b -+ root) / a with root = sqrt(r^2 a - cross^2), b = -m.d: of the entry, c / (b + root) with c = |m|^2 - r^2, which has no cancellation; of
-/// the exit (b + root) / a, or -c / (root - b) where b < 0 (from inside, moving away from the centre).
+/// T = (b -+ root) / a with root = sqrt(r^2 a - cross^2), b = -m.d: of the entry, c / (b + root)
+/// with c = |m|^2 - r^2, which has no cancellation; of the exit (b + root) / a, or -c / (root - b)
+/// where b < 0 (from inside, moving away from the centre).
 ///
-/// Numerators are rounded down, denominators up, in 31 bits: with the quotient's floor, early by less than 3 parts in 2^30 of the motion. Where all are
-/// smaller, the root is off by less than one: of the entry that is c / (b + root)^2, and c <= b^2 / |d|^2, so 1 / |d| of way; of the exit as
-/// much. Together less than a raw unit of way for motions up to 4096 units.
+/// Numerators are rounded down, denominators up, in 31 bits: with the quotient's floor, early by
+/// less than 3 parts in 2^30 of the motion. Where all are smaller, the root is off by less than
+/// one: of the entry that is c / (b + root)^2, and c <= b^2 / |d|^2, so 1 / |d| of way; of the exit
+/// as much. Together less than a raw unit of way for motions up to 4096 units.
 fn time(m: Raw, d: Raw, r: u32, convex: bool) -> Toi {
     let (rr, a) = (usqr(r), d.len2());
     let square = sub128(mul64(rr, a), sqr64(m.cross(d).unsigned_abs()));

@@ -9,7 +9,8 @@ use crate::world::cell::Cell;
 use crate::world::grid::Grid;
 use crate::world::level::{Feature, Geometry, World, face_against};
 
-/// A level that can be asked for the hits of a ray with their exact moments. Public in a private module, because [`Joined`] needs it of both.
+/// A level that lists the hits of a ray with their exact moments. Public in a private module,
+/// because [`Joined`] needs it of both levels.
 pub trait RayWorld: World {
     /// The cursor.
     type Scan<'w>: RayScan
@@ -44,11 +45,13 @@ pub(in crate::world) trait RayLevel: RayPieces {
         Walk::new(grid.ray_lane(&grid.x, o.x, d.x), grid.ray_lane(&grid.y, o.y, d.y), grid.cell as u32)
     }
 
-    /// Goes on from a step that has been looked at over cells that have no pieces, as far as that is faster than step by step.
+    /// Continues from an examined step over cells without pieces, as far as that is faster than
+    /// single steps.
     fn skip(&self, _: &mut Walk) {}
 
-    /// All pieces that have a point in the closed cell or, where each has a cell of its own, those of this one. Those that the motion `d` does not
-    /// oppose may be left out. `None` where there are none, told as fast as it can be, and for cells beyond the bands.
+    /// All pieces that have a point in the closed cell. Where each piece has one cell, those of
+    /// this one. Those that the motion `d` does not oppose may be missing. `None` where there are
+    /// none, as early as possible, and for cells beyond the bands.
     fn pieces(&self, x: i32, y: i32, d: Raw) -> Option<Self::Pieces<'_>>;
 
     /// Whether the start of a walk is strictly inside the solid.
@@ -57,7 +60,7 @@ pub(in crate::world) trait RayLevel: RayPieces {
     /// Whether a ray that starts on the border of the solid is strictly inside just after.
     fn enters(&self, o: Raw, d: Raw, walk: &Walk) -> bool;
 
-    /// The user's flags of what is solid in a cell.
+    /// The user's flags of the solid in a cell.
     fn flags(&self, x: i32, y: i32) -> u8;
 }
 
@@ -126,15 +129,15 @@ impl<'w, L: RayLevel> Scan<'w, L> {
         }
     }
 
-    /// The next hit, with what was met.
+    /// The next hit, with the feature that it met.
     pub(in crate::world) fn find(&mut self) -> Option<Found> {
         self.advance().map(|hit| Found { hit, met: self.best })
     }
 
     /// The next hit.
     ///
-    /// A piece is met in a cell that the ray has entered by then, so what is met before the next line is final. What is met on that line is not: the
-    /// cells behind it may have something better.
+    /// A piece is met in a cell that the ray has entered by then: a hit before the next line is
+    /// final. A hit on that line is not: the cells behind it may have something better.
     pub(in crate::world) fn advance(&mut self) -> Option<RayHit> {
         if self.stage == Stage::Start {
             self.stage = Stage::Look;
@@ -196,7 +199,8 @@ impl<'w, L: RayLevel> Scan<'w, L> {
                     continue;
                 }
                 let Some(touch) = &meet::<L>(self.o, self.d, piece) else { continue };
-                // At the start, solid pieces are met only where the ray goes into the solid: it may also leave, pass or slide along their ends.
+                // At the start, solid pieces are met only where the ray goes into the solid: it may
+                // also leave, pass or slide along their ends.
                 let at_start = touch.time.is_some_and(|time| time.num == 0) && !piece.one_way;
                 if !at_start || self.level.enters(self.o, self.d, &self.walk) {
                     self.consider(piece, touch);
@@ -213,7 +217,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
         }
     }
 
-    /// Keeps what is later than the last hit and better than the best.
+    /// Keeps a hit that is later than the last one and better than the best.
     #[inline(never)]
     fn consider(&mut self, feature: &Feature, touch: &Touch) {
         if let (Some(time), Some(after)) = (touch.time, self.after) {
@@ -284,8 +288,8 @@ pub(in crate::world) fn hit_of(feature: &Feature, (toi, at, axis): (Toi, Raw, Ax
     }
 }
 
-/// The time and the way of a hit at a fraction of the motion, exactly rounded: a coordinate toward the start, or toward the end where that is the
-/// normal's side.
+/// The time and the way of a hit at a fraction of the motion, exactly rounded: a coordinate toward
+/// the start, or toward the end where that is the normal's side.
 pub(in crate::world) fn straight<L: RayPieces>(d: Raw, time: Time, normal: Axis) -> (Toi, Raw, Axis) {
     let toi = Toi::clamped(part::<L>(Toi::ONE.raw(), time).0);
     let by = Raw { x: signed::<L>(d.x, normal.x, time), y: signed::<L>(d.y, normal.y, time) };
@@ -295,7 +299,7 @@ pub(in crate::world) fn straight<L: RayPieces>(d: Raw, time: Time, normal: Axis)
 /// The floor of `size num / den`, and whether something is left over.
 fn part<L: RayPieces>(size: u32, time: Time) -> (u32, bool) {
     if L::WIDE {
-        // Below 2^62 the remainder is told by its low bits alone.
+        // Below 2^62 the low bits alone give the remainder.
         let part = mul_div_wide(time.num, size, time.den);
         let rest = time.num.wrapping_mul(u64::from(size)).wrapping_sub(time.den.wrapping_mul(u64::from(part)));
         (part, rest != 0)
@@ -316,10 +320,11 @@ fn signed<L: RayPieces>(d: i32, normal: i32, time: Time) -> i32 {
     if d < 0 { part.wrapping_neg() } else { part }
 }
 
-/// What a ray along a grid line meets at the last line that it has crossed, or at its start on one, where it comes out of the open and goes into the
-/// solid and no piece opposes it.
+/// The hit of a ray along a grid line at the last line that it has crossed, or at its start on one.
+/// There it comes out of the open and goes into the solid, and no piece opposes it.
 ///
-/// That is between a convex arc and the surface that it touches: both are tangent to the ray, and what is behind the point has no face there.
+/// That is between a convex arc and the surface that it touches. Both are tangent to the ray, and
+/// the solid behind the point has no face there.
 ///
 /// ```text
 ///       ....                  The arc ends at P with the ray's direction; the floor below goes on behind P, and so does the solid

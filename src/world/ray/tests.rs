@@ -12,8 +12,9 @@ mod walk {
 
     const FAR: i128 = 1 << 40;
 
-    /// The cells that a ray touches, grouped by the moment at which it first does: from the closed intervals of time in which it is in their columns and
-    /// rows. Moments are multiplied by both components of the motion.
+    /// The cells that a ray touches, grouped by the moment at which it first does: from the closed
+    /// intervals of time in which it is in their columns and rows. Moments are multiplied by both
+    /// components of the motion.
     fn expected(grid: &Grid, beyond: Beyond, o: [i128; 2], d: [i128; 2]) -> Vec<Vec<Cell>> {
         let scale = d.map(|d| d.abs().max(1));
         let whole = scale[0] * scale[1];
@@ -86,7 +87,8 @@ mod walk {
         }
     }
 
-    /// Every step has exactly the cells that are touched from then on: between all points of the half-cell lattice and one raw beside them.
+    /// Every step has exactly the cells that are touched from then on: between all points of the
+    /// half-cell lattice and one raw beside them.
     #[test]
     fn cells_are_those_of_the_closed_squares() {
         for (width, height, cell) in [(2, 2, 300), (3, 1, 256), (1, 2, 2 * 7 * 64)] {

@@ -8,7 +8,8 @@ use crate::world::grid::{Grid, Span};
 /// One axis of a ray on its way.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::world) struct Lane {
-    /// The index of the cell: the one just ahead, where the ray is on a line. -1 and the count stand for the bands beyond the map.
+    /// The index of the cell: the one just ahead, where the ray is on a line. -1 and the count
+    /// stand for the bands beyond the map.
     pub(in crate::world) cell: i32,
     /// 1 or -1; -1 where there is no motion.
     pub(in crate::world) step: i32,
@@ -34,8 +35,9 @@ impl Lane {
         Self { cell: self.ahead(self.cell, n), near, lines: self.lines.wrapping_sub(n as i32), ..self }
     }
 
-    /// At the start, and always where there is no motion: whether that is on a line, so that it touches the cell before the first one too.
-    /// True for some starts in a band as well, where both cells are beyond the map.
+    /// At the start, and always without motion: whether the start is on a line, where it touches
+    /// the cell before the first one too. True for some starts in a band as well, where both cells
+    /// are beyond the map.
     #[inline]
     pub(in crate::world) fn on_line(&self, cell: u32) -> bool {
         self.near == cell
@@ -54,26 +56,27 @@ pub(in crate::world) fn lead(x: &Lane, y: &Lane) -> i64 {
     umul(x.near, y.size).wrapping_sub(umul(y.near, x.size)) as i64
 }
 
-/// Axes on whose lines the ray runs, so that it is in two cells at any time.
+/// Axes on whose lines the ray runs: it is in two cells at any time.
 #[inline]
 pub(in crate::world) fn along(x: &Lane, y: &Lane, cell: u32) -> Axes {
     let columns = if x.size == 0 && x.on_line(cell) { X } else { 0 };
     columns | if y.size == 0 && y.on_line(cell) { Y } else { 0 }
 }
 
-/// What a walk does at the border of a grid.
+/// How a walk treats the border of a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::world) enum Beyond {
     /// Nothing is beyond: the walk ends where it leaves the grid.
     Nothing,
-    /// The bands around the grid are cells of their own, -1 and the count.
+    /// The bands around the grid are separate cells, -1 and the count.
     Bands,
     /// The bands are part of the border cells.
     Merged,
 }
 
 impl Grid {
-    /// Measures one axis of a ray, with what a cell beyond the grid (before it?, last cell) is called.
+    /// Measures one axis of a ray, with what a cell beyond the grid (before it?, last cell) is
+    /// called.
     #[inline]
     pub(in crate::world) fn lane_with(
         &self,
@@ -82,7 +85,8 @@ impl Grid {
         d: i32,
         beyond: impl FnOnce(bool, i32) -> i32,
     ) -> Lane {
-        // A motion toward smaller coordinates (or none) is one toward larger ones in the mirror: a point on a line belongs to the cell ahead.
+        // A motion toward smaller coordinates (or none) is one toward larger ones in the mirror: a
+        // point on a line belongs to the cell ahead.
         let u = o.wrapping_sub(span.origin);
         let v = if d > 0 { u } else { span.size.wrapping_sub(u) };
         let last = (span.count as i32).wrapping_sub(1);
@@ -108,7 +112,8 @@ impl Grid {
         self.lane_with(span, o, d, |before, last| if before { -1 } else { last.wrapping_add(1) })
     }
 
-    /// The axes of the lines that a ray crosses next, both at a corner; 0 where nothing ahead matters, or the motion ends before.
+    /// The axes of the lines that a ray crosses next, both at a corner; 0 where nothing ahead
+    /// matters, or the motion ends before.
     #[inline]
     pub(in crate::world) fn next_lines(&self, x: &Lane, y: &Lane, beyond: Beyond) -> Axes {
         let mut lines = 0;
@@ -124,13 +129,14 @@ impl Grid {
                 0 => X | Y,
                 _ => Y,
             };
-        // The motion ends before the next line, or leaves the grid; or the last column reaches to the end of the domain, so that only rows
-        // change from here (or the other way round).
+        // The motion ends before the next line, or leaves the grid. Or the last column reaches to
+        // the end of the domain, and only rows change from here (or the other way round).
         if over == 0 && !matches!(beyond, Beyond::Nothing) { lines } else { over }
     }
 }
 
-/// Whether a line is ahead, with a cell behind it that matters: of those beyond the map, only bands do.
+/// Whether a line is ahead, with a cell behind it that matters: of those beyond the map, only bands
+/// do.
 #[inline(never)]
 fn leads_on(side: &Lane, count: u16, beyond: Beyond) -> bool {
     let last = (count as i32).wrapping_sub(1);
@@ -147,8 +153,8 @@ fn leads_on(side: &Lane, count: u16, beyond: Beyond) -> bool {
 ///        c | c               |                a/  | b            | c
 /// ```
 ///
-/// The cells of a step (`c`, and `b` at a corner) are those that the ray has a point in common with from now on and had not before. At the start
-/// that includes those behind a line on which it starts.
+/// The cells of a step (`c`, and `b` at a corner) are those in which the ray has a point from now
+/// on and had none before. At the start that includes those behind a line on which it starts.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::world) struct Walk {
     pub(in crate::world) x: Lane,
@@ -192,8 +198,8 @@ impl Walk {
         }
     }
 
-    /// The cell of the step by its number, below 4: 0 is the one ahead, 1 and 2 are beside it (at a corner the one that is across rows alone, and
-    /// the one across columns alone), 3 is behind both lines.
+    /// The cell of the step by its number, below 4. 0 is the one ahead, 1 and 2 are beside it, 3 is
+    /// behind both lines. At a corner, 1 is across rows alone and 2 across columns alone.
     #[inline]
     pub(in crate::world) fn cell(&self, number: u32) -> Option<(i32, i32)> {
         if number == X | Y && !self.back { None } else { self.neighbour(number, self.wide) }
@@ -209,7 +215,8 @@ impl Walk {
         Some((x, y))
     }
 
-    /// At the start: whether something holds in all cells that the start touches or, with a motion, in all that the ray is in just after.
+    /// At the start: whether something holds in all cells that the start touches or, with a motion,
+    /// in all that the ray is in just after.
     pub(in crate::world) fn all_at_start(&self, just_after: bool, cell: u32, test: impl Fn(i32, i32) -> bool) -> bool {
         let wide = if just_after { along(&self.x, &self.y, cell) } else { self.wide };
         let mut number = 4u32;

@@ -14,9 +14,10 @@ use crate::world::grid::Grid;
 use heapless::VecView;
 
 impl<'a> SegmentMap<'a> {
-    /// What the level of these paths takes, on cells of side `cell` that cover them.
+    /// The size of the level of these paths, on cells of side `cell` that cover them.
     ///
-    /// The first cell starts at the smallest coordinates of any point; where the last one would leave the domain, all are moved.
+    /// The first cell starts at the smallest coordinates of any point; where the last one would
+    /// leave the domain, all are moved.
     ///
     /// ```
     /// use tilesat::{Fx, Path, PathKind, SegmentMap, SegmentMapError, Vec2};
@@ -43,7 +44,7 @@ impl<'a> SegmentMap<'a> {
         }
     }
 
-    /// The same on a given grid, which may be larger than the paths.
+    /// Measures on a given grid, which may be larger than the paths.
     ///
     /// # Errors
     /// As [`measure`](Self::measure), and [`SegmentMapError::OutsideGrid`].
@@ -57,14 +58,15 @@ impl<'a> SegmentMap<'a> {
         }
     }
 
-    /// Writes the level of these paths to the start of `out`, and says how many bytes it is: what [`from_bytes`](Self::from_bytes) takes.
+    /// Writes the level of these paths to the start of `out`, and returns its number of bytes.
+    /// [`from_bytes`](Self::from_bytes) reads them.
     ///
     /// Cost: [`measure`](Self::measure) and as much again. Each edge of a polygon is compared with all others, each end of a segment with the
     /// segments of its cell.
     ///
     /// # Errors
-    /// As [`measure`](Self::measure), and [`SegmentMapError::TooSmall`]: `out` is unchanged then. [`SegmentMapError::TooDeep`]: `out` holds
-    /// nothing then.
+    /// As [`measure`](Self::measure), and [`SegmentMapError::TooSmall`]: `out` is unchanged then.
+    /// [`SegmentMapError::TooDeep`]: `out` holds nothing then.
     pub const fn build_into(paths: &[Path<'_>], cell: Fx, out: &mut [u8]) -> Result<usize, SegmentMapError> {
         match Self::measure(paths, cell) {
             Ok(size) => build(paths, &size, out),
@@ -72,7 +74,7 @@ impl<'a> SegmentMap<'a> {
         }
     }
 
-    /// The same on a given grid.
+    /// Builds on a given grid.
     ///
     /// # Errors
     /// As [`build_into`](Self::build_into), and [`SegmentMapError::OutsideGrid`].
@@ -83,7 +85,7 @@ impl<'a> SegmentMap<'a> {
         }
     }
 
-    /// Writes the level of these paths to `out`, whose contents it replaces, and gives the view of it.
+    /// Replaces the contents of `out` by the level of these paths, and returns a view of it.
     ///
     /// ```
     /// use heapless::Vec;
@@ -103,7 +105,7 @@ impl<'a> SegmentMap<'a> {
             return Err(SegmentMapError::TooSmall { needed: clamped(size.bytes()), found: clamped(out.capacity()) });
         }
         out.clear();
-        // There is room, so that this cannot fail.
+        // There is room, so this cannot fail.
         let _ = out.resize(size.bytes(), 0);
         let out = out.as_mut_slice();
         build(paths, &size, out)?;
@@ -141,7 +143,8 @@ pub(super) const fn build(paths: &[Path<'_>], size: &Size, out: &mut [u8]) -> Re
     Ok(needed)
 }
 
-/// The cells' references: counted, summed, and filled in from the last segment to the first, each cell from its end.
+/// The cells' references: counted, summed, and filled in from the last segment to the first, each
+/// cell from its end.
 const fn refer(size: &Size, out: &mut [u8]) {
     let (offsets, refs) = (size.offsets_at(), size.refs_at());
     let mut at = offsets;
@@ -248,7 +251,7 @@ const fn head(size: &Size, out: &mut [u8]) {
     set_word(out, at::CHECKSUM, checksum(out));
 }
 
-/// Takes segments: the first pass gives no room, so that both passes are the same code.
+/// Takes segments. The first pass gives no room: both passes are the same code.
 #[derive(Debug)]
 pub(super) struct Sink<'o> {
     pub(super) grid: Grid,
@@ -258,7 +261,8 @@ pub(super) struct Sink<'o> {
 }
 
 impl Sink<'_> {
-    /// The segments of all paths, in the order of the paths and their points; of a cancelled edge what is left.
+    /// The segments of all paths, in the order of the paths and their points. Of a cancelled edge
+    /// only the rest.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
     pub(super) const fn take(&mut self, paths: &[Path<'_>]) -> Result<(), SegmentMapError> {
         let mut i = 0;
@@ -349,9 +353,11 @@ const fn set_raw(out: &mut [u8], at: usize, p: Raw) {
     set_word(out, at.wrapping_add(4), p.y as u32);
 }
 
-/// A level of line segments as a `static`, built and checked by the compiler: no work at run time, no memory but the bytes in flash.
+/// A level of line segments as a `static`, built and checked by the compiler: no work at run time,
+/// no memory but the bytes in flash.
 ///
-/// Takes an array of [`Path`](crate::Path)s and the side of a cell, both constant. A path that is refused is a compile error that says which and why.
+/// Takes an array of [`Path`](crate::Path)s and the side of a cell, both constant. A path that is
+/// refused is a compile error that says which and why.
 ///
 /// ```
 /// use tilesat::{Path, PathKind, Vec2, fx, segment_map};

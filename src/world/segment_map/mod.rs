@@ -5,10 +5,10 @@
 //! | bytes | what |
 //! |---|---|
 //! | 32 | header |
-//! | 24 a segment | segments |
-//! | 2 a cell, and 2 | offsets into the references, row after row |
-//! | 2 a reference | segment indices, ascending within a cell |
-//! | 1 a cell | winding numbers of the reference points, signed |
+//! | 24 per segment | segments |
+//! | 2 per cell, and 2 | offsets into the references, row after row |
+//! | 2 per reference | segment indices, ascending within a cell |
+//! | 1 per cell | winding numbers of the reference points, signed |
 //!
 //! | header at | type | what |
 //! |---|---|---|
@@ -39,11 +39,13 @@ pub use surface::SegmentFeatures;
 use super::grid::Grid;
 use crate::num::{Axis, Fx, Raw, Vec2};
 
-/// A level of polygons, walls and one-way chains, read from where it lies: a view of bytes that have been checked once.
+/// A level of polygons, walls and one-way chains, read from where it lies: a view of bytes that
+/// have been checked once.
 ///
-/// Made from [`Path`]s by the compiler ([`segment_map!`](crate::segment_map)), at run time in storage of the caller's
-/// ([`build_into`](Self::build_into)), or elsewhere: a file that is included is taken by [`from_bytes`](Self::from_bytes), without a copy. All three
-/// give the same bytes. It owns nothing and needs no memory but itself.
+/// Made from [`Path`]s by the compiler ([`segment_map!`](crate::segment_map)), at run time in
+/// storage of the caller's ([`build_into`](Self::build_into)), or elsewhere: a file that is
+/// included is taken by [`from_bytes`](Self::from_bytes), without a copy. All three give the same
+/// bytes. It owns nothing and needs no memory but itself.
 ///
 /// ```
 /// use tilesat::{Fx, Path, PathKind, SegmentMap, Vec2, fx, segment_map};
@@ -68,9 +70,9 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 ///
 /// # What is solid
 ///
-/// A point is solid where more solids than holes are around it. Polygons may lie over each other; where two of them share an edge, or a
-/// part of one, it is gone, so that nothing can snag there. What a hole takes must lie in a solid: the edges of one that does not are thin
-/// walls in the open.
+/// A point is solid where more solids than holes are around it. Polygons may overlap. Where two of
+/// them share an edge, or a part of one, that part is removed, and nothing can snag there. A hole
+/// must lie in a solid: the edges of one that does not are thin walls in the open.
 ///
 /// ```text
 ///   +------------+           Solids less holes: solid where the number is above 0. Each polygon may run either way
@@ -82,8 +84,8 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 ///
 /// # Where the boundary goes on
 ///
-/// At the end of a segment there is a vertex only where the free angle is more than half a turn. All segments through the point count,
-/// those that neither start nor end there, too:
+/// At the end of a segment there is a vertex only where the free angle is more than half a turn.
+/// All segments through the point count, also those that only pass through it:
 ///
 /// ```text
 ///            o  wall                      o a vertex: around the end of the wall, from one face to the other
@@ -100,15 +102,16 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 /// allowed to exceed, at the price of tens of seconds: `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Larger levels are
 /// built on the host, and their bytes are included.
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("ChainShape", "polyline", "EdgeShape"))]
 pub struct SegmentMap<'a> {
     grid: Grid,
-    /// 24 bytes a segment.
+    /// 24 bytes per segment.
     segments: &'a [u8],
-    /// Two bytes a cell and two more: where the cell's references start.
+    /// Two bytes per cell and two more: where the cell's references start.
     offsets: &'a [u8],
-    /// Two bytes a reference.
+    /// Two bytes per reference.
     refs: &'a [u8],
-    /// A byte a cell.
+    /// A byte per cell.
     winding: &'a [u8],
 }
 
@@ -149,7 +152,8 @@ impl<'a> SegmentMap<'a> {
         (self.segments.len() / SEGMENT) as u16
     }
 
-    /// A segment by its index, below [`count`](Self::count); of length 0 for others, which nothing asks for.
+    /// A segment by its index, below [`count`](Self::count); of length 0 for others, which nothing
+    /// asks for.
     #[inline]
     pub(super) const fn segment(&self, index: u16) -> Seg {
         Seg::read(self.segments, index)
@@ -163,8 +167,9 @@ impl<'a> SegmentMap<'a> {
         Refs { all: self.refs, at: half(self.offsets, at), end: half(self.offsets, at.wrapping_add(2)) }
     }
 
-    /// How many solids (less holes) contain the reference point of a cell: its corner with the smaller coordinates, moved into the cell by
-    /// an infinitesimal along x and a much smaller one along y. 0 beyond the grid.
+    /// How many solids (less holes) contain the reference point of a cell. That is the corner with
+    /// the smaller coordinates, moved into the cell by an infinitesimal along x and a much smaller
+    /// one along y. 0 beyond the grid.
     #[inline]
     #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
     pub(super) const fn winding(&self, x: i32, y: i32) -> i8 {
@@ -174,7 +179,7 @@ impl<'a> SegmentMap<'a> {
         }
     }
 
-    /// The place of a cell in the tables.
+    /// The index of a cell in the tables.
     const fn place(&self, x: i32, y: i32) -> Option<usize> {
         if x as u32 >= self.grid.x.count as u32 || y as u32 >= self.grid.y.count as u32 {
             return None;
@@ -217,14 +222,14 @@ impl Iterator for Refs<'_> {
     }
 }
 
-/// What a segment is.
+/// The kind of a segment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::world) enum Kind {
     /// The boundary of a solid, which lies on the left of its direction.
     Solid,
     /// One face of a wall; another one runs the other way.
     Wall,
-    /// Blocks what comes from its outward normal's side.
+    /// Blocks bodies from its outward normal's side.
     OneWay,
 }
 
@@ -236,7 +241,8 @@ pub(in crate::world) struct Seg {
     pub(in crate::world) dir: Axis,
     /// In multiples of `dir`, at least 1.
     pub(in crate::world) len: i32,
-    /// The segment that leaves the convex vertex at the end; where there is none, there is no vertex.
+    /// The segment that leaves the convex vertex at the end; where there is none, there is no
+    /// vertex.
     pub(in crate::world) next: Option<u16>,
     pub(in crate::world) kind: Kind,
     /// No vertex at the start: the boundary, or the one-way chain, goes on there.
@@ -250,7 +256,7 @@ pub(in crate::world) struct Seg {
 /// Segments are fewer than this: twice an index, and one for the vertex, is the index of a feature.
 pub(super) const MOST: u16 = 1 << 15;
 
-/// What `next` holds where there is no vertex.
+/// The value of `next` where there is no vertex.
 pub(super) const NONE: u16 = u16::MAX;
 
 /// The bits of the attribute byte.
@@ -263,7 +269,7 @@ pub(super) const NEXT_AT: usize = 20;
 pub(super) const ATTR_AT: usize = 22;
 
 impl Seg {
-    /// The end: inside the domain, so that nothing wraps.
+    /// The end: inside the domain, so nothing wraps.
     pub(in crate::world) const fn b(&self) -> Raw {
         Raw {
             x: self.a.x.wrapping_add(self.dir.x.wrapping_mul(self.len)),
@@ -271,7 +277,8 @@ impl Seg {
         }
     }
 
-    /// Whether a point is on the closed segment. Distances inside the domain and directions are below 2^30: the product is below 2^61.
+    /// Whether a point is on the closed segment. Distances inside the domain and directions are
+    /// below 2^30: the product is below 2^61.
     pub(in crate::world) const fn holds(&self, p: Raw) -> bool {
         let (a, b) = (self.a, self.b());
         let beside = p.x < a.x && p.x < b.x || p.x > a.x && p.x > b.x;
@@ -338,7 +345,8 @@ pub(super) const fn part(data: &[u8], from: usize, to: usize) -> &[u8] {
     }
 }
 
-/// 16 bits; 0 beyond the end. By a pattern, which no core needs a check of bounds for that could panic.
+/// 16 bits; 0 beyond the end. By a pattern, which no core needs a check of bounds for that could
+/// panic.
 #[inline]
 pub(super) const fn half(data: &[u8], at: usize) -> u16 {
     match data.split_at_checked(at) {
@@ -377,8 +385,8 @@ pub(super) const fn set_byte(data: &mut [u8], at: usize, value: u8) {
     }
 }
 
-/// 32-bit FNV-1a with the checksum's own field as zero: each step is one-to-one in the state and in the byte, so that no change of a
-/// single byte goes unseen.
+/// 32-bit FNV-1a with the checksum's own field as zero. Each step is one-to-one in the state and in
+/// the byte, so no change of a single byte goes unseen.
 #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
 pub(super) const fn checksum(data: &[u8]) -> u32 {
     let (mut hash, mut i) = (0x811c_9dc5u32, 0);

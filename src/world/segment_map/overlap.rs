@@ -1,8 +1,9 @@
-//! Overlap with what is solid in a segment map (strict) and touch (closed); points, and boxes without area.
+//! Strict overlap and closed touch with the solid of a segment map; points, and boxes without area.
 //!
-//! A query that has met no segment of the boundary asks for one point of the body only: the stored winding number of its cell, and what is crossed
-//! on the way from there. So that no case is left out, that point is moved by an infinitesimal `e` along x and by `e^2` along y, as the reference
-//! points of the cells are: then it is on no segment.
+//! A query that has met no segment of the boundary tests one point of the body only. It takes the
+//! stored winding number of its cell, and the segments crossed on the way from there. That point is
+//! moved by an infinitesimal `e` along x and by `e^2` along y, as the reference points of the cells
+//! are. It is then on no segment, and no case is missed.
 
 use super::{Kind, Seg, SegmentMap};
 use crate::num::{Raw, imul, less128, mul64};
@@ -14,13 +15,16 @@ use crate::world::tile_map::region::Probe;
 
 levels! {
     [] SegmentMap<'_> {
-        /// Whether a box or circle overlaps the solid: whether a wall or the boundary of a polygon reaches its inside, or it lies within a polygon.
+        /// Whether a box or circle overlaps the solid: whether a wall or the boundary of a polygon
+        /// reaches its inside, or it lies within a polygon.
         ///
-        /// Strict and exact: a body that touches a wall or fills a gap exactly does not overlap. A wall has no thickness, and is overlapped by
-        /// what it crosses; a body without area (a circle of radius 0, a box of no width or height) overlaps only what has area. One-way
-        /// segments are never overlapped. Outside of the grid nothing is solid.
+        /// Strict and exact: a body that touches a wall or fills a gap exactly does not overlap. A
+        /// wall has no thickness: shapes that it crosses overlap it. A body without area (a circle
+        /// of radius 0, a box of no width or height) overlaps only polygons. One-way segments never
+        /// overlap anything. Outside of the grid nothing is solid.
         ///
-        /// Cost: the segments of the cells under the body, one test each in each cell, until the first hit; one winding number. It cannot fail.
+        /// Cost: the segments of the cells under the body, one test each in each cell, until the
+        /// first hit; one winding number. It cannot fail.
         ///
         /// ```
         /// use tilesat::{Circle, Fx, Path, PathKind, Vec2, fx, segment_map};
@@ -33,7 +37,8 @@ levels! {
         /// assert!(LEVEL.overlaps(&ball(120, 10, 9)) && LEVEL.overlaps(&ball(136, 10, 9))); // from both sides
         /// ```
         overlaps,
-        /// Whether a box or circle has a point in common with the solid or a wall, borders included.
+        /// Whether a box or circle has a point in common with the solid or a wall, borders
+        /// included.
         ///
         /// Exact. One-way segments are not solid. Cost: as [`overlaps`](Self::overlaps).
         touches,
@@ -41,11 +46,11 @@ levels! {
 }
 
 impl SegmentMap<'_> {
-    /// The flags, joined by or, of all segments that a box, circle or point has a point in common with: boundaries, walls and one-way
-    /// segments, ends included.
+    /// The flags, joined by or, of all segments that a box, circle or point has a point in common
+    /// with: boundaries, walls and one-way segments, ends included.
     ///
-    /// The flags are those of the lines: a body inside a polygon that touches none of its edges has none. Exact. Cost: one test for each
-    /// segment with other flags, of each cell under the shape.
+    /// The flags are those of the lines: a body inside a polygon that touches none of its edges has
+    /// none. Exact. Cost: one test for each segment with other flags, of each cell under the shape.
     #[must_use]
     pub fn flags_touched<B: Probe>(&self, shape: &B) -> u8 {
         let (lo, hi) = shape.bounds();
@@ -77,7 +82,8 @@ impl SegmentMap<'_> {
         false
     }
 
-    /// Whether a body meets a segment that blocks from both sides, or a point of it that is on no such segment is in a polygon.
+    /// Whether a body meets a segment that blocks from both sides, or has a point in a polygon that
+    /// is on no such segment.
     fn meets(&self, range: Range, inner: Raw, test: impl Fn(Raw, Raw) -> bool) -> bool {
         self.any(range, |seg| seg.kind != Kind::OneWay && test(seg.a, seg.b())) || self.winding_beside(inner) > 0
     }
@@ -127,7 +133,8 @@ impl SegmentMap<'_> {
     ///                                              R
     /// ```
     ///
-    /// Cost: a test of the coordinates for each segment of the cell; for those that reach across, up to four products.
+    /// Cost: a test of the coordinates for each segment of the cell; for those that reach across,
+    /// up to four products.
     pub(super) fn winding_beside(&self, p: Raw) -> i32 {
         let (x, y) = (self.grid.column(p.x), self.grid.row(p.y));
         let (corner, _) = self.grid.corners(x, y);
@@ -145,8 +152,8 @@ impl SegmentMap<'_> {
 
     /// Whether a point is in the inside of the solid: whether it is solid all around it.
     ///
-    /// The winding number beside it is counted on around it, ray by ray of the segments through it. Cost: the segments of its cell; their square
-    /// where many meet at the point.
+    /// The winding number beside it is counted on around it, ray by ray of the segments through it.
+    /// Cost: the segments of its cell; their square where many meet at the point.
     pub(super) fn point_inside(&self, p: Raw) -> bool {
         let start = self.winding_beside(p);
         let after = |ray: Spoke| self.spokes(p).filter(|r| r.up_to(&ray)).fold(start, |w, r| w.wrapping_add(r.change));
@@ -165,7 +172,8 @@ impl SegmentMap<'_> {
     }
 }
 
-/// What the winding number changes by at a segment on the way up along `x = q.x + e` to `q`: +1 from its right to its left.
+/// What the winding number changes by at a segment on the way up along `x = q.x + e` to `q`: +1
+/// from its right to its left.
 fn below(seg: &Seg, q: Raw) -> i32 {
     if (seg.a.x <= q.x) == (seg.b().x <= q.x) {
         return 0;
@@ -177,7 +185,8 @@ fn below(seg: &Seg, q: Raw) -> i32 {
     if passed { if forward { 1 } else { -1 } } else { 0 }
 }
 
-/// The same to the right along `y = q.y + e^2`. Where it goes through `q` it is passed: `e^2` over its slope against `e`.
+/// The same to the right along `y = q.y + e^2`. Where it goes through `q` it is passed: `e^2` over
+/// its slope against `e`.
 fn before(seg: &Seg, q: Raw) -> i32 {
     let upward = seg.a.y <= q.y;
     if upward == (seg.b().y <= q.y) {
@@ -196,7 +205,7 @@ fn side(seg: &Seg, q: Raw) -> i64 {
 #[derive(Clone, Copy)]
 pub(super) struct Spoke {
     pub(super) dir: Raw,
-    /// What the winding number changes by from its right to its left.
+    /// The change of the winding number from its right to its left.
     pub(super) change: i32,
 }
 
@@ -217,7 +226,8 @@ impl Spoke {
         mine < other || (mine == other && self.dir.cross(o.dir) >= 0)
     }
 
-    /// Up, straight left, down, straight right in that order: straight right is just before the start.
+    /// Up, straight left, down, straight right in that order: straight right is just before the
+    /// start.
     fn quarter(&self) -> u8 {
         match (self.dir.y.signum(), self.dir.x > 0) {
             (1, _) => 0,
@@ -247,10 +257,12 @@ impl SegmentMap<'_> {
         false
     }
 
-    /// Whether the inside of the solid has a point between two points of a cell, one straight right of or above the other.
+    /// Whether the inside of the solid has a point between two points of a cell, one straight right
+    /// of or above the other.
     ///
-    /// The boundary cuts the way in pieces, each of them in the inside where both sides are solid. They are seen from a frame in
-    /// which the way leads right, just after its start and after each crossing. Cost: the square of the segments that cross it.
+    /// The boundary cuts the way in pieces, each of them in the inside where both sides are solid.
+    /// They are seen from a frame in which the way leads right, just after its start and after each
+    /// crossing. Cost: the square of the segments that cross it.
     fn piece_inside(&self, x: i32, y: i32, p: Raw, q: Raw) -> bool {
         let upright = p.x == q.x;
         let frame =
@@ -305,11 +317,12 @@ struct FramedEdge {
     dir: Raw,
 }
 
-/// Where a segment crosses the lines just above and just below the way: after `num / den`, with `num > 0`.
+/// Where a segment crosses the lines just above and just below the way: after `num / den`, with
+/// `num > 0`.
 struct Cut {
     num: u64,
     den: u32,
-    /// What the winding numbers change by.
+    /// The change of the winding numbers.
     above: i32,
     below: i32,
 }
@@ -322,7 +335,8 @@ impl Cut {
 }
 
 impl Frame {
-    /// An exchange of coordinates is a mirror: the segment is reversed, so that its solid is on the left again.
+    /// An exchange of coordinates is a mirror: the segment is reversed, which puts its solid on the
+    /// left again.
     fn edge(&self, seg: &Seg) -> FramedEdge {
         let (a, b, dir) =
             (framed(seg.a, self.upright), framed(seg.b(), self.upright), Raw { x: seg.dir.x, y: seg.dir.y });

@@ -1,6 +1,6 @@
 //! From bytes to a map: how large it is, and everything that queries rely on, checked once.
 //!
-//! No step of the checks, and none of a query, depends on what has not been checked before.
+//! No step of the checks, and none of a query, depends on bytes that were not checked before.
 
 use super::raster::Rows;
 use super::{
@@ -12,7 +12,7 @@ use crate::world::cell::Cell;
 use crate::world::error::{SegmentFault, SegmentMapError};
 use crate::world::grid::Grid;
 
-/// What a level takes: cells, segments, references, bytes. From [`SegmentMap::measure`].
+/// The size of a level: cells, segments, references, bytes. [`SegmentMap::measure`] computes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Size {
     pub(super) grid: Grid,
@@ -27,7 +27,8 @@ impl Size {
         self.grid
     }
 
-    /// Segments: the edges of polygons less what they share, two for an edge of a wall, one for an edge of a one-way chain.
+    /// The number of segments. Edges that polygons share are not counted; an edge of a wall counts
+    /// two, of a one-way chain one.
     #[must_use]
     pub const fn segments(&self) -> u16 {
         self.segments
@@ -39,7 +40,7 @@ impl Size {
         self.refs
     }
 
-    /// Bytes of the whole: 34, and 24 a segment, 2 a reference, 3 a cell.
+    /// Bytes of the whole: 34, and 24 per segment, 2 per reference, 3 per cell.
     ///
     /// Below 2^32, as there are fewer than 2^30 cells.
     #[must_use]
@@ -78,14 +79,29 @@ impl Size {
 impl<'a> SegmentMap<'a> {
     /// A view of a level in its byte form, as [`build_into`](Self::build_into) writes it.
     ///
-    /// Nothing is copied: `include_bytes!` is enough, at any alignment. All that queries rely on is checked, so that no bytes can make them panic or
-    /// loop: that the level is one that could have been built, with all that meets each cell, and every winding number. (Whether the polygons
-    /// close is not.) Usable in constants, where a damaged file is a compile error and the program pays nothing.
+    /// Nothing is copied: `include_bytes!` is enough, at any alignment. All promises that queries
+    /// rely on are checked, and no bytes can make them panic or loop. The level must be one that
+    /// could have been built: its cells list all segments that meet them, and every winding number
+    /// is right. Whether the polygons close is not checked. In a constant, a damaged file is a
+    /// compile error and the program pays nothing.
     ///
-    /// Cost: each byte for the checksum, each reference twice (to find it among those of its cell, and for the winding numbers).
+    /// Cost: each byte for the checksum, each reference twice (to find it among those of its cell,
+    /// and for the winding numbers).
     ///
     /// # Errors
-    /// [`SegmentMapError`]: what is wrong and where. Any change of a single byte and any other length is refused.
+    /// [`SegmentMapError`] says what is wrong and where. Any change of a single byte and any other
+    /// length is refused.
+    ///
+    /// ```
+    /// use tilesat::{Path, PathKind, SegmentMap, SegmentMapError, Vec2, fx};
+    /// let hill = [Vec2::from_ints(0, 0), Vec2::from_ints(40, 0), Vec2::from_ints(20, -9)];
+    /// let mut room = [0; 512];
+    /// let used = SegmentMap::build_into(&[Path::new(PathKind::Solid, &hill)], fx!(32), &mut room)?;
+    /// assert_eq!(SegmentMap::from_bytes(&room[..used])?.count(), 3);
+    /// room[40] ^= 1; // a damaged file
+    /// assert!(matches!(SegmentMap::from_bytes(&room[..used]), Err(SegmentMapError::Checksum { .. })));
+    /// # Ok::<(), SegmentMapError>(())
+    /// ```
     pub const fn from_bytes(data: &'a [u8]) -> Result<Self, SegmentMapError> {
         let size = match header(data) {
             Ok(size) => size,
@@ -193,7 +209,8 @@ impl SegmentMap<'_> {
     const fn verify_joints(&self, index: u16) -> Result<(), SegmentFault> {
         let seg = self.segment(index);
         let one_way = matches!(seg.kind, Kind::OneWay);
-        // One-way chains are joined at their vertices; all others have one where they are not joined.
+        // One-way chains are joined at their vertices; all others have one where they are not
+        // joined.
         let Some(next) = seg.next else {
             return if one_way || seg.end_joined { Ok(()) } else { Err(SegmentFault::Attributes) };
         };
@@ -256,8 +273,9 @@ impl SegmentMap<'_> {
         true
     }
 
-    /// Each segment is in all cells that it meets, and the references are no more than that. Ends at the first cell where it is not, so that the
-    /// work is bounded by the references, whatever the segments are.
+    /// Each segment is in all cells that it meets, and there are no other references. The check
+    /// ends at the first cell where this fails. The references bound its work, whatever the
+    /// segments are.
     const fn verify_refs(&self) -> Result<(), SegmentMapError> {
         let (mut index, mut needed) = (0u16, 0u32);
         while index < self.count() {

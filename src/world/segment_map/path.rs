@@ -1,11 +1,12 @@
-//! What a segment map is built from: polygons and chains of points, their edges, and what is left where polygons share one.
+//! The input of a segment map: polygons and chains of points, their edges, and the rest where
+//! polygons share one.
 
 use crate::error::Quantity;
 use crate::num::{Axis, DOMAIN, Fx, Raw, Vec2};
 use crate::world::error::SegmentMapError;
 use crate::world::grid::Grid;
 
-/// What a [`Path`] is.
+/// The kinds of a [`Path`].
 ///
 /// ```text
 ///   Solid, either way round     Wall             OneWay, y down as on a screen
@@ -18,14 +19,17 @@ use crate::world::grid::Grid;
 pub enum PathKind {
     /// A closed polygon, in either winding, that is solid inside.
     Solid,
-    /// A closed polygon, in either winding, that takes its inside out of the solids that it lies in. A part in the open has edges with
-    /// nothing behind them, and so have parts of polygons that cross or touch themselves: bodies pass those from behind and stay there. The
-    /// example `lint` finds them.
+    /// A closed polygon, in either winding, that takes its inside out of the solids that it lies
+    /// in. A part in the open has edges with nothing behind them, and so have parts of polygons
+    /// that cross or touch themselves: bodies pass those from behind and stay there. The example
+    /// `lint` finds them.
     Hole,
-    /// An open chain without thickness that blocks from both sides. Where the last point is the first, it is a loop.
+    /// An open chain without thickness that blocks from both sides. Where the last point is the
+    /// first, it is a loop.
     Wall,
-    /// An open chain whose faces block only what comes from their front, `(dir.y, -dir.x)`, around the chain's convex corners too. A free end carries by
-    /// its face alone, with nothing around it: a body over the upper end of a slope falls past it, so end a slope with a level piece.
+    /// An open chain whose faces block only bodies from their front, `(dir.y, -dir.x)`, around the
+    /// chain's convex corners too. A free end carries by its face alone: a body over the upper end
+    /// of a slope falls past it. End a slope with a level piece.
     OneWay,
 }
 
@@ -41,7 +45,7 @@ impl PathKind {
 pub struct Path<'a> {
     /// The corners. The last one of a polygon joins the first, which is not repeated.
     pub points: &'a [Vec2],
-    /// What it is.
+    /// Its kind.
     pub kind: PathKind,
     /// The user's flags.
     pub flags: u8,
@@ -54,7 +58,7 @@ impl<'a> Path<'a> {
         Self { points, kind, flags: 0 }
     }
 
-    /// The same path with these flags instead of its own.
+    /// Sets the flags that all segments of the path report.
     #[must_use]
     pub const fn with_flags(self, flags: u8) -> Self {
         Self { flags, ..self }
@@ -120,8 +124,8 @@ pub(super) const fn edges(path: &Path<'_>) -> usize {
 
 /// The sign of a polygon's signed area: 1 where the inside is on the left.
 ///
-/// The triangles of the first point and an edge are below 2^61 (twice their area), and fewer than 2^31: the sum is kept as two, one of the
-/// low words and one of the high.
+/// The triangles of the first point and an edge are below 2^61 (twice their area), and fewer than
+/// 2^31: the sum is kept as two, one of the low words and one of the high.
 pub(super) const fn area_sign(path: &Path<'_>) -> i32 {
     let first = point(path, 0);
     let (mut high, mut low) = (0i64, 0i64);
@@ -136,7 +140,7 @@ pub(super) const fn area_sign(path: &Path<'_>) -> i32 {
     if high != 0 { high.signum() as i32 } else { (low as u32 != 0) as i32 }
 }
 
-/// Whether the segments of a path run against its points, so that the solid is on their left.
+/// Whether the segments of a path run against its points, which puts the solid on their left.
 pub(super) const fn reversed(path: &Path<'_>) -> bool {
     match path.kind {
         PathKind::Solid => area_sign(path) < 0,
@@ -188,7 +192,8 @@ const fn outside(p: Raw) -> Option<(Quantity, i32)> {
     }
 }
 
-/// The cells of side `cell` that hold a box: from its first corner on, save where they would leave the domain.
+/// The cells of side `cell` that hold a box, from its first corner on, except where they would
+/// leave the domain.
 pub(super) const fn grid(lo: Raw, hi: Raw, cell: Fx) -> Result<Grid, SegmentMapError> {
     // The side is checked before it divides.
     if let Err(e) = Grid::new(1, 1, cell, Vec2::ZERO) {
@@ -201,7 +206,8 @@ pub(super) const fn grid(lo: Raw, hi: Raw, cell: Fx) -> Result<Grid, SegmentMapE
     }
 }
 
-/// The origin and the count, at least 1, along an axis; a count that is too large for any grid saturates.
+/// The origin and the count, at least 1, along an axis; a count that is too large for any grid
+/// saturates.
 const fn axis(lo: i32, hi: i32, cell: i32) -> (i32, u16) {
     let size = hi.wrapping_sub(lo) as u32;
     let count = match size.wrapping_add(cell as u32).wrapping_sub(1).checked_div(cell as u32) {

@@ -1,4 +1,5 @@
-//! Which cells a segment meets, exactly and without division; which a query looks at; and how many solids hold the corner of each.
+//! Which cells a segment meets, exactly and without division; which a query looks at; and how many
+//! solids hold the corner of each.
 
 use super::{Kind, SegmentMap};
 use crate::num::{Axis, Raw, imul};
@@ -25,9 +26,10 @@ pub(super) struct Row {
 ///   +---+---+---+
 /// ```
 ///
-/// Read from the end with the smaller y, in the mirror where x falls: from `(u0, v0)` both coordinates grow, in the ratio of `p` and `q`.
-/// Row after row, the first column is the first one whose far side is not left of where the segment enters the row, and the last is the
-/// last one whose near side is not right of where it leaves; neither falls.
+/// Read from the end with the smaller y, in the mirror where x falls: from `(u0, v0)` both
+/// coordinates grow, in the ratio of `p` and `q`. In each row, the first column is the first one
+/// whose far side is not left of where the segment enters. The last is the last one whose near side
+/// is not right of where it leaves. Neither falls from row to row.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rows {
     row: i32,
@@ -37,10 +39,11 @@ pub(super) struct Rows {
     last: i32,
     /// The column of the end.
     end: i32,
-    /// `((first + 1) cell - u0) q - (row cell - v0) p`: not negative where the first column is right. A distance and a direction
-    /// below 2^30 each, so that the difference is below 2^61.
+    /// `((first + 1) cell - u0) q - (row cell - v0) p`: not negative where the first column is
+    /// right. A distance and a direction are below 2^30 each, and the difference below 2^61.
     enter: i64,
-    /// `((last + 1) cell - u0) q - ((row + 1) cell - v0) p`: positive where the next column is not met yet.
+    /// `((last + 1) cell - u0) q - ((row + 1) cell - v0) p`: positive where the next column is not
+    /// met yet.
     leave: i64,
     /// The change of both by a column and by a row: `cell q` and `cell p`, below 2^54.
     column_step: i64,
@@ -86,7 +89,8 @@ impl Rows {
         if self.row > self.last_row {
             return None;
         }
-        // Where `q` is 0, `leave` is never positive and `enter` never negative: two rows at most, from end to end.
+        // Where `q` is 0, `leave` is never positive and `enter` never negative: two rows at most,
+        // from end to end.
         while self.leave <= 0 && self.last < self.end {
             self.last = self.last.wrapping_add(1);
             self.leave = self.leave.wrapping_add(self.column_step);
@@ -119,10 +123,12 @@ const fn at_most(grid: &Grid, d: i32, count: i32) -> i32 {
 }
 
 impl SegmentMap<'_> {
-    /// The cells that hold the points of a closed box, each point in one: where [`Grid::cell_at`](crate::Grid::cell_at) has it, and in the last
-    /// cells what is on the far borders of the grid.
+    /// The cells that hold the points of a closed box, each point in one. That is the cell of
+    /// [`Grid::cell_at`](crate::Grid::cell_at); points on the far borders of the grid are in the
+    /// last cells.
     ///
-    /// That is enough to find what meets the box: a segment is referred to by every cell whose closed square it meets.
+    /// That is enough to find what meets the box: a segment is referred to by every cell whose
+    /// closed square it meets.
     pub(super) const fn cells(&self, lo: Raw, hi: Raw) -> Range {
         let (x0, x1) = along(&self.grid.x, lo.x, self.grid.column(lo.x), self.grid.column(hi.x));
         let (y0, y1) = along(&self.grid.y, lo.y, self.grid.row(lo.y), self.grid.row(hi.y));
@@ -135,7 +141,8 @@ impl SegmentMap<'_> {
     }
 }
 
-/// The first and the last cell of the grid from `first` to `last`; none where the box begins beyond the end.
+/// The first and the last cell of the grid from `first` to `last`; none where the box begins beyond
+/// the end.
 const fn along(span: &Span, lo: i32, first: i32, last: i32) -> (i32, i32) {
     let count = span.count as i32;
     if first == count && lo.wrapping_sub(span.origin) > span.size {
@@ -147,7 +154,8 @@ const fn along(span: &Span, lo: i32, first: i32, last: i32) -> (i32, i32) {
 }
 
 impl SegmentMap<'_> {
-    /// The winding number of a cell's reference point, from that of the cell before it in the row (0 for the first one).
+    /// The winding number of a cell's reference point, from that of the cell before it in the row
+    /// (0 for the first one).
     ///
     /// ```text
     ///       ^ e          ^ e: +1 further left    The reference point R of a cell is its corner, moved right by an infinitesimal and
@@ -166,10 +174,12 @@ impl SegmentMap<'_> {
         before.wrapping_add(self.passed(cell, y, left)).wrapping_sub(self.passed(cell, y, start))
     }
 
-    /// What the winding number changes by at segments of a cell that cross the height of `r` at `r` or before it, from left to right.
+    /// The change of the winding number at segments of a cell that cross the height of `r` at `r`
+    /// or before it, from left to right.
     ///
-    /// Just above `r`, segments that end at its height from below are gone, and those that start there upward have begun. The
-    /// slope of a segment moves its crossing by a part of the smaller infinitesimal only, so that one exactly at `r` has been passed.
+    /// Just above `r`, segments that end at its height from below are gone, and those that start
+    /// there upward have begun. The slope of a segment moves its crossing by a part of the smaller
+    /// infinitesimal only: one exactly at `r` has been passed.
     const fn passed(&self, x: i32, y: i32, r: Raw) -> i32 {
         let mut sum = 0i32;
         let mut refs = self.refs(x, y);
@@ -179,7 +189,8 @@ impl SegmentMap<'_> {
             if before == after || !matches!(seg.kind, Kind::Solid) {
                 continue;
             }
-            // Positive where r is on the left of the segment. Upward, that is not passed; downward it is.
+            // Positive where r is on the left of the segment. Upward, that is not passed; downward
+            // it is.
             let side = Raw { x: seg.dir.x, y: seg.dir.y }.cross(r.sub(seg.a));
             if before && side <= 0 {
                 sum = sum.wrapping_sub(1);

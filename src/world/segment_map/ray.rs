@@ -12,7 +12,8 @@ use crate::world::ray::walk::{Beyond, Walk};
 use crate::world::ray::{RayHit, RayPieces, RayRules, rays};
 
 impl<'a> SegmentMap<'a> {
-    /// All hits of a ray, in order: as if it went on through what it hits. Of hits at one moment there is one.
+    /// All hits of a ray, in order: as if it went on through what it hits. Of hits at one moment
+    /// there is one.
     ///
     /// Cost: as [`cast_ray`](Self::cast_ray), and the step's segments once more for each hit.
     ///
@@ -38,12 +39,16 @@ impl<'a> SegmentMap<'a> {
 
 rays! {
     [] SegmentMap<'_> {
-        /// The first point of a boundary or wall that a ray from `origin` along `motion` meets, or `None` where it ends before.
+        /// The first point of a boundary or wall that a ray from `origin` along `motion` meets, or
+        /// `None` where it ends before.
         ///
-        /// Every decision is exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray). A start on a wall has no side: it hits the wall
-        /// at 0 in whatever direction it leaves the line. A start inside has no flags and no index.
+        /// Every decision is exact, by the rules of
+        /// [`TileMap::cast_ray`](crate::TileMap::cast_ray). A start on a wall has no side: it hits
+        /// the wall at 0 in whatever direction it leaves the line. A start inside has no flags and
+        /// no index.
         ///
-        /// Cost: the segments of the cells that the ray comes through, each tested in each of its cells. It needs no division for what it rejects.
+        /// Cost: the segments of the cells that the ray comes through, each tested in each of its
+        /// cells. It needs no division for what it rejects.
         ///
         /// ```
         /// use tilesat::{Axis, Inside, Path, PathKind, Vec2, fx, segment_map};
@@ -55,9 +60,11 @@ rays! {
         /// ```
         ///
         /// # Errors
-        /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+        /// [`RangeError`] where the start or the end is outside of the
+        /// [domain](crate::num::DOMAIN).
         cast_ray,
-        /// Whether the straight line from `a` to `b` meets no boundary and no wall, as a ray from `a` sees it, and does not start inside.
+        /// Whether the straight line from `a` to `b` meets no boundary and no wall and does not
+        /// start inside. A ray from `a` decides it.
         ///
         /// # Errors
         /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
@@ -130,7 +137,8 @@ impl RayLevel for SegmentMap<'_> {
     }
 }
 
-/// The faces of the segments of a cell, as far as rays need them: they belong to that cell, and no end is joined.
+/// The faces of the segments of a cell, as far as rays need them: they belong to that cell, and no
+/// end is joined.
 #[derive(Clone, Debug)]
 pub(in crate::world) struct CellFaces<'w> {
     map: &'w SegmentMap<'w>,

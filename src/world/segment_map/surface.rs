@@ -1,6 +1,7 @@
 //! The surface of a segment map, served by a cursor; a segment map as a level.
 //!
-//! Where the boundary goes on behind the end of a segment, flat or into a concave corner, or around a vertex, and which ends block by themselves.
+//! Where the boundary goes on behind the end of a segment, flat or into a concave corner, or around
+//! a vertex, and which ends block by themselves.
 
 use super::{Kind, Refs, Seg, SegmentMap};
 use crate::num::{Axis, Raw};
@@ -10,13 +11,16 @@ use crate::world::cell::{Cell, Range};
 use crate::world::level::{Feature, Geometry, World, sealed};
 
 impl SegmentMap<'_> {
-    /// The segments that may have a point in the closed region as faces, each followed by the vertex at its end, if that is in the region.
+    /// The segments that may have a point in the closed region as faces. The vertex at its end
+    /// follows each, if it is in the region.
     ///
-    /// Each comes once. They come in the order of the region's cells, row after row, and within a cell by index; faces near the region
-    /// may come too. The boundary of a polygon is one face a segment, a wall has one on each side, a one-way segment one on its
-    /// outward normal's side. A feature's cell is the one that holds its start, or its corner.
+    /// Each comes once, in the order of the region's cells, row after row, and within a cell by
+    /// index. Faces near the region may come too. The boundary of a polygon is one face per
+    /// segment. A wall has one on each side, a one-way segment one on its outward normal's side. A
+    /// feature's cell is the one that holds its start, or its corner.
     ///
-    /// Cost: the references of the cells of the region, up to three tests each; for each end without a vertex, the segments of its cell.
+    /// Cost: the references of the cells of the region, up to three tests each; for each end
+    /// without a vertex, the segments of its cell.
     ///
     /// ```
     /// use tilesat::{Aabb, Geometry, Path, PathKind, Vec2, fx, segment_map};
@@ -56,7 +60,7 @@ pub struct SegmentFeatures<'w> {
     lo: Raw,
     hi: Raw,
     range: Range,
-    /// The cell and what is left of it.
+    /// The cell and the rest of it.
     x: i32,
     y: i32,
     refs: Refs<'w>,
@@ -103,8 +107,9 @@ impl SegmentFeatures<'_> {
 
     /// Whether the segment has been in no cell of the range before this one, which it meets.
     ///
-    /// What it has in common with the range's part of a row is one piece, and so is what it has in common with the columns of the range:
-    /// if it was in an earlier row it was in the last one, if in an earlier cell of this row it was in the last one.
+    /// Its part in the range's part of a row is one piece, and so is its part in the columns of the
+    /// range. If it was in an earlier row, it was in the last one. If it was in an earlier cell of
+    /// this row, it was in the last one.
     fn is_first(&self, a: Raw, b: Raw) -> bool {
         let (x, y, range) = (self.x, self.y, &self.range);
         let meets = |x0: i32, x1: i32, y: i32| {
@@ -221,7 +226,8 @@ impl SegmentMap<'_> {
         let seg = self.segment(index);
         let (end, start) = (self.turn(&seg, true), self.turn(&seg, false));
         if matches!(seg.kind, Kind::OneWay) {
-            // Around a convex corner the chain carries as well, so there is a vertex; its faces block up to there all the same.
+            // Around a convex corner the chain carries as well, so there is a vertex; its faces
+            // block up to there all the same.
             let next = if end.sector == MORE && end.one_way { end.index } else { None };
             return Joints { next, start_joined: goes_on(&start), end_joined: goes_on(&end) };
         }
@@ -229,7 +235,8 @@ impl SegmentMap<'_> {
         Joints { next, start_joined: start.sector < MORE || start.index.is_none(), end_joined: next.is_none() }
     }
 
-    /// From a segment, at its end (or its start), through the free side to the first ray of any segment.
+    /// From a segment, at its end (or its start), through the free side to the first ray of any
+    /// segment.
     ///
     /// ```text
     ///          ^  free  (y up)      At the end P of e, from -e through the side of its outward normal: the first ray is that of f.
@@ -240,8 +247,9 @@ impl SegmentMap<'_> {
     ///   ../ solid ....              ----vP^----> through: next to e is a quarter turn away, P is no vertex
     /// ```
     ///
-    /// The free side of a direction is on its right, where y grows up: from the end one turns left there, from the start right.
-    /// Segments that block from one side only are no part of the solid, so that only their own kind sees them.
+    /// The free side of a direction is on its right, where y grows up: from the end one turns left
+    /// there, from the start right. Segments that block from one side only are not part of the
+    /// solid: only their own kind sees them.
     const fn turn(&self, seg: &Seg, at_end: bool) -> Turn {
         let (p, base) = if at_end { (seg.b(), seg.dir.reversed()) } else { (seg.a, seg.dir) };
         let one_way = matches!(seg.kind, Kind::OneWay);
@@ -267,7 +275,8 @@ impl SegmentMap<'_> {
         best
     }
 
-    /// The segments of a cell that holds a point of the grid: every segment through the point is among them.
+    /// The segments of a cell that holds a point of the grid: every segment through the point is
+    /// among them.
     const fn refs_at(&self, p: Raw) -> Refs<'_> {
         let (x, y) = (self.grid.column(p.x), self.grid.row(p.y));
         let (last_x, last_y) = (self.grid.x.count as i32 - 1, self.grid.y.count as i32 - 1);
@@ -275,7 +284,8 @@ impl SegmentMap<'_> {
     }
 }
 
-/// Of a one-way face: whether what is next blocks a body on the face, too. Its own kind does around a corner as well.
+/// Of a one-way face: whether the next one blocks a body on the face, too. Its own kind does around
+/// a corner as well.
 const fn goes_on(ray: &Turn) -> bool {
     ray.sector <= HALF || ray.sector == MORE && ray.one_way
 }
@@ -326,18 +336,20 @@ const fn same(p: Raw, q: Raw) -> bool {
 #[derive(Clone, Copy)]
 struct Branch {
     dir: Axis,
-    /// Whether what comes after it, on the way around, is solid by one of them.
+    /// Whether the part after it, on the way around, is solid by one of them.
     after: bool,
-    /// Whether what comes before it is.
+    /// Whether the part before it is.
     before: bool,
 }
 
 impl SegmentMap<'_> {
-    /// Whether the solid goes on from the end `p` of a face so that `p` blocks what is in front: `along` leads from `p` along the face, and
-    /// `left` says on which side of that the front is.
+    /// Whether the solid continues from the end `p` of a face, where `p` itself then blocks the
+    /// front. `along` leads from `p` along the face, and `left` says on which side of that the
+    /// front is.
     ///
-    /// It does where the surface goes on straight, or turns toward the front and is solid as far as beyond `p`. It does not where the face meets
-    /// a wall or a spike from below, or the surface of a solid that it is in: a body above comes as far as `p`.
+    /// It does where the surface goes on straight, or turns toward the front and is solid as far as
+    /// beyond `p`. It does not where the face meets a wall or a spike from below, or the surface of
+    /// a solid that it is in: a body above comes as far as `p`.
     ///
     /// ```text
     ///      |####        ####|####         box                 f: the face, its front is on the right
@@ -355,7 +367,8 @@ impl SegmentMap<'_> {
                 continue;
             }
             for (there, dir, leaves) in [(seg.b() != p, seg.dir, true), (seg.a != p, seg.dir.reversed(), false)] {
-                // The solid is on the left of what leaves, so it is after it on the way to the left.
+                // The solid is on the left of what leaves, so it is after it on the way to the
+                // left.
                 let ray = Branch { dir, after: leaves == left, before: leaves != left };
                 let ahead = turn(along, dir);
                 if there && ahead > 0 {

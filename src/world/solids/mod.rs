@@ -2,8 +2,9 @@
 //!
 //! Its surface is what of each box's four faces and corners no other box of the list covers.
 //!
-//! At a point, a box fills some of the four quadrants around it. Around a box's own corner c, counted as its faces are, it fills quadrant
-//! c + 2; those beside that one are c + 1 and c + 3, the one across is c:
+//! At a point, a box fills some of the four quadrants around it. Around a box's own corner c,
+//! counted as its faces are, it fills quadrant c + 2; those beside that one are c + 1 and c + 3,
+//! the one across is c:
 //!
 //! ```text
 //!    0 | 1        corner 0 of a box (its minimum) has the box in quadrant 2,
@@ -11,8 +12,8 @@
 //!    3 | 2
 //! ```
 //!
-//! So the corner of a union is convex where nothing is in c + 1 and c + 3, and face c goes on beyond its start, which is corner c, where
-//! something is in c + 3 and nothing in c + 1, before it.
+//! So the corner of a union is convex where nothing is in c + 1 and c + 3. Face c continues beyond
+//! its start, which is corner c, where something is in c + 3 and nothing in c + 1, before it.
 
 pub(super) mod ray;
 pub(super) mod solid;
@@ -24,10 +25,11 @@ use crate::query::meet;
 use crate::shape::{Aabb, Circle};
 use solid::{Side, Solid};
 
-/// Moving boxes as a level, at the places where they are now. Borrows the list, needs no memory.
+/// Moving boxes as a level, at their present positions. It borrows the list and needs no memory.
 ///
-/// [`Joined::new(&level, &solids)`](crate::Joined) is the level with its platforms and doors in it. A platform that lies flush with a floor,
-/// or with another platform, is one floor with it: no seam trips a walker.
+/// [`Joined::new(&level, &solids)`](crate::Joined) is the level with its platforms and doors in it.
+/// A platform that lies flush with a floor, or with another platform, is one floor with it: no seam
+/// trips a walker.
 ///
 /// ```text
 ///   ####      +------+        level and solids, joined:  ____  ______
@@ -35,14 +37,17 @@ use solid::{Side, Solid};
 ///   ####|  a  |  b   |                                   ####         (no face between a and b, no corner at their joint)
 /// ```
 ///
-/// The order of the list changes no result; of solids that say the same, the ids of a hit may be either one's. [One-way](Solid::with_one_way)
-/// solids are one face each, which blocks what comes from entirely in front, and no part of `overlaps` and `touches`. A feature's
+/// The order of the list changes no result. Where several solids give the same answer, the ids of a
+/// hit may be any one's. A [one-way](Solid::with_one_way) solid is a single face, which blocks
+/// bodies from entirely in front. It takes no part in `overlaps` and `touches`. A feature's
 /// [`cell`](crate::Feature::cell) holds the key: see [`Solids::key_of`].
 ///
-/// The boxes are asked one by one, so a point (a body without area) on the line between two flush solids overlaps neither.
+/// The boxes are asked one by one, so a point (a body without area) on the line between two flush
+/// solids overlaps neither.
 ///
-/// Cost: an overlap test looks at each of the n boxes. So does each piece of a surface near the region, of which a box has 8; a face that is
-/// covered by k others together takes k looks. Lists are meant to be short, the platforms of a screen. It cannot fail.
+/// Cost: an overlap test looks at each of the n boxes. So does each piece of a surface near the
+/// region, of which a box has 8; a face that is covered by k others together takes k looks. Lists
+/// are meant to be short, the platforms of a screen. It cannot fail.
 ///
 /// ```
 /// use tilesat::{Aabb, Axis, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
@@ -62,7 +67,7 @@ pub struct Solids<'a> {
 }
 
 impl<'a> Solids<'a> {
-    /// All boxes of a list.
+    /// A level of all boxes of a list.
     #[must_use]
     pub const fn new(list: &'a [Solid]) -> Self {
         Self { list }
@@ -74,10 +79,11 @@ impl<'a> Solids<'a> {
         self.list
     }
 
-    /// The key of the solid that a feature, a contact, a floor or a hit names by its cell; `None` where it is a tile's or a segment's.
+    /// The key of the solid that a feature, a contact, a floor or a hit names by its cell. `None`
+    /// for the cell of a tile or a segment.
     ///
-    /// So it can be asked of whatever a [joined](crate::Joined) level reports. The keys of two lists that are joined are told apart by the
-    /// [`source`](crate::Feature::source).
+    /// You can pass it whatever a [joined](crate::Joined) level reports. The
+    /// [`source`](crate::Feature::source) tells apart the keys of two joined lists.
     ///
     /// ```
     /// use tilesat::{Aabb, Cell, Fx, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
@@ -96,7 +102,8 @@ impl<'a> Solids<'a> {
         if cell.y == Solid::ROW { Some(cell.x as u16) } else { None }
     }
 
-    /// The faces and corners of the solids' union that have a point in the closed region, and one-way faces.
+    /// The faces and corners of the solids' union that have a point in the closed region, and
+    /// one-way faces.
     ///
     /// A face that others cover in part stays as it is. Cost: see [`Solids`].
     pub const fn features(&self, region: &Aabb) -> SolidFeatures<'a> {
@@ -110,9 +117,11 @@ impl<'a> Solids<'a> {
 
 levels! {
     [] Solids<'_> {
-        /// Whether a box or circle overlaps one of the solids; strict and exact. One-way ones are never overlapped.
+        /// Whether a box or circle overlaps one of the solids; strict and exact. One-way ones are
+        /// never overlapped.
         overlaps,
-        /// Whether a box or circle has a point in common with one of the solids, borders included; exact. Not with one-way ones.
+        /// Whether a box or circle has a point in common with one of the solids, borders included;
+        /// exact. Not with one-way ones.
         touches,
     }
 }
@@ -170,7 +179,8 @@ impl World for Solids<'_> {
 
 meets_as_world! { [] Solids<'_> }
 
-/// A set of quadrants, or of the pieces of a box: bits 0..=3 its faces, 4..=7 the corners that they end in.
+/// A set of quadrants, or of the pieces of a box: bits 0..=3 its faces, 4..=7 the corners that they
+/// end in.
 pub(super) type Bits = u8;
 
 /// The cursor of [`Solids::features`].
@@ -193,7 +203,8 @@ impl<'w> SolidFeatures<'w> {
         Self { all, next: all, region: (region.lo(), region.hi()), of: None, left: 0, asked: 0xff }
     }
 
-    /// Of those only what a motion can run into: faces that it goes against, and the corners of one.
+    /// Of those only what a motion can run into: faces that it goes against, and the corners of
+    /// one.
     pub(super) const fn against(self, d: Raw) -> Self {
         let faces = faces_against(d);
         // Corner 4 + k is between the faces k and k + 1.
@@ -301,7 +312,8 @@ pub(super) fn quadrants(list: &[Solid], p: Raw) -> Bits {
     full(list).fold(0, |bits, solid| bits | quadrants_of(solid, p))
 }
 
-/// Whether the points just in front of a face are in other boxes from end to end: from one end on, the box that reaches farthest leads to the next.
+/// Whether the points just in front of a face are in other boxes from end to end: from one end on,
+/// the box that reaches farthest leads to the next.
 fn covered(list: &[Solid], solid: &Solid, k: u8) -> bool {
     let (lo, hi) = (solid.lo(), solid.hi());
     let (mut at, end) = if k & 1 == 0 { (lo.x, hi.x) } else { (lo.y, hi.y) };

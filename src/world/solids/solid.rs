@@ -1,20 +1,21 @@
-//! One box that moves: what it is, and where it goes in this tick.
+//! One box that moves: its shape, and its motion in this tick.
 
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw, Vec2, check_motion};
 use crate::shape::Aabb;
 
-/// The side of a one-way [`Solid`] that blocks. "Up" is the side of the smaller y, as in [`TileShape`](crate::TileShape)'s names.
+/// The side of a one-way [`Solid`] that blocks. "Up" is the side of the smaller y, as in
+/// [`TileShape`](crate::TileShape)'s names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Side {
-    /// Blocks what comes from the smaller y.
+    /// Blocks bodies from the smaller y.
     Up,
-    /// Blocks what comes from the larger x.
+    /// Blocks bodies from the larger x.
     Right,
-    /// Blocks what comes from the larger y.
+    /// Blocks bodies from the larger y.
     Down,
-    /// Blocks what comes from the smaller x.
+    /// Blocks bodies from the smaller x.
     Left,
 }
 
@@ -41,8 +42,9 @@ impl Side {
 ///                  motion: from where it is to where it will be after this tick
 /// ```
 ///
-/// A list of them is a level, [`Solids`](crate::world::Solids), and [`Mover::ride`](crate::Mover::ride) carries and pushes bodies with them.
-/// Solids do not push each other, and nothing stops them: a platform on a platform is given the same motion by the game.
+/// A list of them is a level, [`Solids`](crate::world::Solids), and
+/// [`Mover::ride`](crate::Mover::ride) carries and pushes bodies with them. Solids do not push each
+/// other, and nothing stops them: a platform on a platform is given the same motion by the game.
 ///
 /// ```
 /// use tilesat::{Aabb, Fx, Solid, Vec2};
@@ -53,6 +55,7 @@ impl Side {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("AnimatableBody2D", "moving platform", "kinematic body"))]
 pub struct Solid {
     shape: Aabb,
     motion: Vec2,
@@ -63,7 +66,8 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// A box at rest, solid from all sides. The `key` is the game's name for it: results carry it, and ties go to the smaller one.
+    /// A box at rest, solid from all sides. The `key` is the game's name for it: results carry it,
+    /// and ties go to the smaller one.
     ///
     /// # Errors
     /// [`RangeError`] where the box has no width or no height: nothing could overlap it.
@@ -78,31 +82,42 @@ impl Solid {
         Ok(Self { shape, motion: Vec2::ZERO, conveyor: Vec2::ZERO, key, flags: 0, side: None })
     }
 
-    /// The same with user flags, which are reported with what hits it as those of a tile are.
+    /// Sets the user flags. Hits report them as those of a tile.
     #[must_use]
     pub const fn with_flags(self, flags: u8) -> Self {
         Self { flags, ..self }
     }
 
-    /// The same as a one-way platform: it blocks, carries and pushes only what is entirely in front of that side.
+    /// Makes it a one-way platform: it blocks, carries and pushes only bodies that are entirely in
+    /// front of that side.
     #[must_use]
     pub const fn with_one_way(self, side: Side) -> Self {
         Self { side: Some(side), ..self }
     }
 
-    /// The same with a conveyor: the motion that it adds in each tick to what stands on it.
+    /// Adds a conveyor: a motion that it gives per tick to the bodies that stand on it.
     ///
     /// # Errors
-    /// [`RangeError`] where the conveyor, or its sum with the motion of this tick, has a component of [`MOTION`] or more.
+    /// [`RangeError`] where the conveyor, or its sum with the motion of this tick, has a component
+    /// of [`MOTION`] or more.
     pub const fn with_conveyor(self, conveyor: Vec2) -> Result<Self, RangeError> {
         Self { conveyor, ..self }.checked()
     }
 
-    /// The same with the motion of this tick, from where it is now.
+    /// Sets the motion of this tick, from its present position.
     ///
     /// # Errors
-    /// [`RangeError`] where the motion, or its sum with the conveyor, has a component of [`MOTION`] or more, or would take the box out of
-    /// the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] where the motion, or its sum with the conveyor, has a component of [`MOTION`]
+    /// or more. Also where it would take the box out of the [domain](crate::num::DOMAIN).
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Solid, Vec2};
+    /// let lift = Solid::new(Aabb::new(Vec2::from_ints(0, 64), Vec2::from_ints(32, 70))?, 1)?;
+    /// let mut lifts = [lift.with_motion(Vec2::from_ints(0, -2))?];
+    /// Solid::move_all(&mut lifts);
+    /// assert_eq!(lifts[0].shape().min(), Vec2::from_ints(0, 62));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     pub const fn with_motion(self, motion: Vec2) -> Result<Self, RangeError> {
         Self { motion, ..self }.checked()
     }
@@ -123,7 +138,7 @@ impl Solid {
         }
     }
 
-    /// The same after this tick: at its new place, without a motion.
+    /// The solid after this tick: at its new position, without a motion.
     #[must_use]
     pub const fn moved(self) -> Self {
         let d = Raw::of(self.motion);
@@ -131,8 +146,8 @@ impl Solid {
         Self { shape, motion: Vec2::ZERO, ..self }
     }
 
-    /// Takes all solids of a list to their new places at once; call it after all bodies were asked where they
-    /// [ride](crate::Mover::ride), before they move by themselves.
+    /// Moves all solids of a list at once. Call it after you have asked where the bodies
+    /// [ride](crate::Mover::ride), and before they move by themselves.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Fx, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
@@ -159,13 +174,13 @@ impl Solid {
         }
     }
 
-    /// Where it is.
+    /// Its box.
     #[must_use]
     pub const fn shape(&self) -> Aabb {
         self.shape
     }
 
-    /// The game's name for it.
+    /// Your key for it.
     #[must_use]
     pub const fn key(&self) -> u16 {
         self.key
@@ -183,7 +198,7 @@ impl Solid {
         self.side
     }
 
-    /// What it adds to the motion of what stands on it.
+    /// The motion that it adds to the bodies that stand on it.
     #[must_use]
     pub const fn conveyor(&self) -> Vec2 {
         self.conveyor

@@ -1,4 +1,4 @@
-//! The constructors of maps: bytes, bits or text; every one checks what it is given.
+//! The constructors of maps from bytes, bits or text. Each checks its input.
 
 use super::{Bits, Blocks, Bytes, Outside, Set, Store, TileMap};
 use crate::num::{Fx, Vec2};
@@ -11,13 +11,24 @@ use core::marker::PhantomData;
 const CELL: Fx = Fx::from_bits(16 << 16);
 
 impl<'a> TileMap<'a, Blocks, Bytes> {
-    /// A map of one byte a tile, row after row.
+    /// A map of one byte per tile, row after row.
     ///
-    /// The data may be longer than the map, for [`with_stride`](Self::with_stride). Maps of more than 511 cells a side do not fit the domain with
-    /// cells of 16 units: [`on_grid`](Self::on_grid) takes the cell at once.
+    /// The data may be longer than the map, for [`with_stride`](Self::with_stride). Maps of more
+    /// than 511 cells per side do not fit the domain with cells of 16 units:
+    /// [`on_grid`](Self::on_grid) takes the cell at once.
     ///
     /// # Errors
     /// [`TileMapError`]: no cells, too many, not enough data, or a shape that is not in the set.
+    ///
+    /// ```
+    /// use tilesat::{TileKind, TileKinds, TileMap, TileMapError};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
+    /// let level = TileMap::new(&[0, 0, 1, 1], 2, 2, &KINDS)?;
+    /// assert_eq!(level.bounds().max(), tilesat::Vec2::from_ints(32, 32));
+    /// let short = TileMap::new(&[0, 0, 1], 2, 2, &KINDS);
+    /// assert_eq!(short.unwrap_err(), TileMapError::TooShort { needed: 4, found: 3 });
+    /// # Ok::<(), TileMapError>(())
+    /// ```
     pub const fn new(tiles: &'a [u8], width: u16, height: u16, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
         match Grid::new(width, height, CELL, Vec2::ZERO) {
             Ok(grid) => Self::build(tiles, grid, width, kinds),
@@ -25,7 +36,7 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
         }
     }
 
-    /// A map of one byte a tile, row after row, on a grid.
+    /// A map of one byte per tile, row after row, on a grid.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -35,8 +46,8 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
 }
 
 impl<'a> TileMap<'a, Blocks, Bits> {
-    /// A map of one bit a tile, row after row without gaps, the least significant bit of each byte first: a clear bit is id 0, a set one
-    /// id 1.
+    /// A map of one bit per tile, row after row without gaps, the least significant bit of each byte
+    /// first: a clear bit is id 0, a set one id 1.
     ///
     /// ```
     /// use tilesat::{Cell, TileKind, TileKinds, TileMap};
@@ -64,7 +75,7 @@ impl<'a> TileMap<'a, Blocks, Bits> {
 }
 
 impl<'a, S: Set> TileMap<'a, S, Bytes> {
-    /// A map of one byte a tile, row after row, on a grid, that can hold the shapes of any [`Set`].
+    /// A map of one byte per tile, row after row, on a grid, that can hold the shapes of any [`Set`].
     ///
     /// ```
     /// use tilesat::{AllShapes, Circle, Fx, Grid, Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2};
@@ -118,11 +129,12 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(())
     }
 
-    /// The same tiles, each row `stride` tiles after the one before: a window into a wider level, or rows with padding; without
-    /// [occupancy](Self::with_occupancy).
+    /// Sets the stride: each row begins `stride` tiles after the one before. The map is then a window
+    /// into a wider level, or has padded rows. It loses its [occupancy](Self::with_occupancy).
     ///
     /// # Errors
-    /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] where the data ends before the last tile.
+    /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] where the data ends
+    /// before the last tile.
     pub const fn with_stride(mut self, stride: u16) -> Result<Self, TileMapError> {
         if stride < self.grid.x.count {
             return Err(TileMapError::Stride(stride));
@@ -136,7 +148,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         }
     }
 
-    /// The same map with its first corner elsewhere.
+    /// Moves the map's first corner to `origin`.
     ///
     /// # Errors
     /// [`TileMapError::OutOfDomain`].
@@ -144,10 +156,11 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         self.with_grid(Grid::new(self.grid.x.count, self.grid.y.count, self.grid.cell(), origin))
     }
 
-    /// The same map with cells of another size.
+    /// Sets the side of the cells.
     ///
     /// # Errors
-    /// [`TileMapError::Cell`] where it is odd or not in 2^8..=2^24 raw, [`TileMapError::OutOfDomain`].
+    /// [`TileMapError::Cell`] where it is odd or not in 2^8..=2^24 raw,
+    /// [`TileMapError::OutOfDomain`].
     pub const fn with_cell(self, cell: Fx) -> Result<Self, TileMapError> {
         self.with_grid(Grid::new(self.grid.x.count, self.grid.y.count, cell, self.grid.origin()))
     }
@@ -162,7 +175,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         }
     }
 
-    /// The same tiles with another table, which may hold the shapes of another [`Set`].
+    /// Replaces the table of kinds by one that may hold the shapes of another [`Set`].
     ///
     /// ```
     /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileShape};
@@ -181,7 +194,15 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         }
     }
 
-    /// The same map with something else outside.
+    /// Sets the outside of the map.
+    ///
+    /// ```
+    /// use tilesat::{Outside, TileKinds, TileMap, Vec2, prelude::*};
+    /// let open = TileMap::new(&[0; 4], 2, 2, &TileKinds::EMPTY)?;
+    /// let beyond = tilesat::Aabb::new(Vec2::from_ints(-9, 0), Vec2::from_ints(-1, 8))?;
+    /// assert!(!open.overlaps(&beyond) && open.with_outside(Outside::Solid).overlaps(&beyond));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     #[must_use]
     pub const fn with_outside(mut self, outside: Outside) -> Self {
         self.outside = outside;
@@ -190,11 +211,13 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
 }
 
 impl<'a> TileMap<'a, Blocks, Bytes> {
-    /// A map from lines of text of one length, one character a tile; the characters are the ids. A line feed may end the last row too.
+    /// A map from lines of text of one length, one character per tile; the characters are the ids.
+    /// A line feed may end the last row too. One at the start would be an empty row: open a literal
+    /// that begins on the next line with `"\`.
     ///
-    /// Nothing is copied: the map reads the text, stepping over the line feeds. Usable in constants, so that a mistake in a level is a
-    /// compile error; the compiler does some 10 steps a character, and up to about 100 000 characters stay within its limit on
-    /// constant evaluation.
+    /// Nothing is copied: the map reads the text, stepping over the line feeds. In a constant, a
+    /// mistake in a level is a compile error. The compiler does some 10 steps per character. Up to
+    /// about 100 000 characters stay within its limit on constant evaluation.
     ///
     /// ```
     /// use tilesat::{Cell, TileKind, TileKinds, TileMap, TileMapError};
@@ -208,15 +231,15 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
     /// ```
     ///
     /// # Errors
-    /// [`TileMapError`]: no cells, too many, rows of different lengths, a character that is not ASCII, or a carriage return (as an editor or a
-    /// checkout on Windows may add).
+    /// [`TileMapError`]: no cells, too many, rows of different lengths, or a character that is not
+    /// ASCII. Also a carriage return, which an editor or a checkout on Windows may add.
     pub const fn from_ascii(text: &'a str, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
         Self::of_ascii(text, kinds)
     }
 }
 
 impl<'a, S: Set> TileMap<'a, S, Bytes> {
-    /// The same for the shapes of any [`Set`].
+    /// Reads a map of any [`Set`] from text.
     ///
     /// ```
     /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape};

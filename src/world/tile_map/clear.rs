@@ -5,7 +5,7 @@ use super::outline::FormKind;
 use crate::num::{Raw, leading_zeros32};
 use crate::world::tile_map::kind::TileShape;
 
-/// Farther from a tile's corner than this nothing is told: so all sums below fit a word.
+/// Farther from a tile's corner than this there is no answer: all sums below fit a word.
 const FAR: i32 = 1 << 27;
 
 /// Whether no body in a region has a point in the inside of a tile's solid: none that fills its
@@ -44,7 +44,8 @@ const fn positive(v: i32) -> i32 {
 
 /// At most `r (p + q - sqrt(p p + q q))`, for r below 2^28.
 ///
-/// 2 - sqrt 2 > 1/2 + 1/16 + 1/64 + 1/128 - 1/4096, and 3 - sqrt 5 > 3/4 + 1/64 - 1/512; what is subtracted is rounded up.
+/// 2 - sqrt 2 > 1/2 + 1/16 + 1/64 + 1/128 - 1/4096, and 3 - sqrt 5 > 3/4 + 1/64 - 1/512; what is
+/// subtracted is rounded up.
 const fn spared(r: i32, p: i32, q: i32) -> i32 {
     match p + q {
         _ if r == 0 => 0,

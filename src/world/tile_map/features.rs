@@ -9,18 +9,23 @@ use crate::world::level::{Feature, Way};
 use crate::world::tile_map::kind::{TileKind, TileShape};
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The faces, arcs and vertices of the surface that have a point in the closed region, row after row.
+    /// The faces, arcs and vertices of the surface that have a point in the closed region, row
+    /// after row.
     ///
-    /// - A face is a side of a tile's solid, or half of one, where the tile across does not cover it; a slope; or the inner side of a half tile.
+    /// - A face is a side of a tile's solid, or half of one, where the tile across does not cover
+    ///   it; a slope; or the inner side of a half tile.
     /// - An arc is that of a round tile.
-    /// - A vertex is where the solid around a point is a wedge of less than half a turn, tiles that continue each other taken together. So there is
-    ///   none on a flat line, where an arc leaves a line smoothly, and in concave corners. Two wedges that meet in one point have one each. The
-    ///   edge of an arc is its tangent; the thin end of a quarter pipe is a wedge of no angle, with `e_out == -e_in`.
+    /// - A vertex is where the solid around a point is a wedge of less than half a turn, tiles that
+    ///   continue each other taken together. There is none on a flat line, where an arc leaves a
+    ///   line smoothly, or in a concave corner. Two wedges that meet in one point have one each.
+    ///   The edge of an arc is its tangent. The thin end of a quarter pipe is a wedge of no angle,
+    ///   with `e_out == -e_in`.
     /// - A one-way tile has its edge alone, less what the tile before it covers.
     ///
-    /// What is [`Outside`](crate::world::Outside) counts: in a closed room the solid cells around the map have faces inward. Where the border is
-    /// repeated, faces reach to the end of the domain: those of the border's cells where there are only [`Blocks`](crate::world::Blocks), else those of cells
-    /// of their own beyond it.
+    /// [`Outside`](crate::world::Outside) counts: in a closed room the solid cells around the map
+    /// have faces inward. Where the border is repeated, faces reach to the end of the domain. With
+    /// [`Blocks`](crate::world::Blocks) alone they belong to the border's cells, else to separate
+    /// cells beyond it.
     ///
     /// ```text
     ///   7          4                                    0..=3 sides, 4..=7 the vertices where they
@@ -32,8 +37,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///   6          5        +---<---+-----<---+         on the line on the right
     /// ```
     ///
-    /// Cost: the cells of the region once each, with 4 neighbours of each full one; 8 of a shaped tile's cell whose sides or slope are in the
-    /// region. On a Cortex-M0 a block with one face takes about 200 instructions, as one of shaped tiles about 600. It cannot fail.
+    /// Cost: the cells of the region once each, with 4 neighbours of each full one; 8 of a shaped
+    /// tile's cell whose sides or slope are in the region. On a Cortex-M0 a block with one face
+    /// takes about 200 instructions, as one of shaped tiles about 600. It cannot fail.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Geometry, TileKind, TileKinds, TileMap, Vec2};
@@ -50,7 +56,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// # Ok::<(), tilesat::TileMapError>(())
     /// ```
     ///
-    /// A floor, half a cell high, that goes on into a slope of one cell in two, which ends at a ledge:
+    /// A floor, half a cell high, that goes on into a slope of one cell in two, which ends at a
+    /// ledge:
     ///
     /// ```
     /// use tilesat::{AllShapes, Axis, Fx, Geometry, Grid, TileKind, TileKinds, TileMap, TileShape, Vec2};
@@ -78,9 +85,11 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// Those of the features that a motion could run into, of the cells that a piece of it reaches and the piece before did not.
+    /// Those of the features that a motion could run into, of the cells that a piece of it reaches
+    /// and the piece before did not.
     ///
-    /// What a body enters with its inside it meets at the border of a solid in a cell that its inside enters.
+    /// What a body enters with its inside it meets at the border of a solid in a cell that its
+    /// inside enters.
     pub(in crate::world) const fn features_ahead(&self, way: &Way) -> Features<'_, S, T> {
         let range = match way.cells {
             Some(cells) => cells.range,

@@ -1,10 +1,11 @@
-//! What the tiles of a level are: shapes, user flags, and the table from ids to both.
+//! The tiles of a level: shapes, user flags, and the table from ids to both.
 
 /// The solid part of a tile.
 ///
-/// Lines end in corners and in the middles of sides, so that mild and steep slopes go on from tile to tile; arcs have a radius of one cell, and
-/// their tangents continue the sides of the cell. Slopes and arcs come in fours, solid at the top left, top right, bottom right and bottom
-/// left ("top" is toward row 0); those at the bottom right are:
+/// Lines end in corners and in the middles of sides, and mild and steep slopes continue from tile
+/// to tile. Arcs have a radius of one cell, and their tangents continue the sides of the cell.
+/// Slopes and arcs come in fours, solid at the top left, top right, bottom right and bottom left.
+/// "Top" is toward row 0. Those at the bottom right are:
 ///
 /// ```text
 ///   Slope       MildLow     MildHigh    SteepLow    SteepHigh   Convex      Concave
@@ -31,7 +32,8 @@ pub enum TileShape {
     HalfBottom = 4,
     /// The half toward smaller x.
     HalfLeft = 5,
-    /// Half of the cell, cut from corner to corner; each slope and arc is named by the corner where it is solid.
+    /// Half of the cell, cut from corner to corner; each slope and arc is named by the corner where
+    /// it is solid.
     SlopeTopLeft = 6,
     /// As [`SlopeTopLeft`](Self::SlopeTopLeft), at another corner.
     SlopeTopRight = 7,
@@ -55,7 +57,7 @@ pub enum TileShape {
     ConcaveBottomRight = 16,
     /// As [`ConcaveTopLeft`](Self::ConcaveTopLeft), at another corner.
     ConcaveBottomLeft = 17,
-    /// A slope of one half cell a cell: half a side high at its corner, nothing at the other.
+    /// A slope of one half cell per cell: half a side high at its corner, nothing at the other.
     MildLowTopLeft = 18,
     /// As [`MildLowTopLeft`](Self::MildLowTopLeft), at another corner.
     MildLowTopRight = 19,
@@ -63,7 +65,8 @@ pub enum TileShape {
     MildLowBottomRight = 20,
     /// As [`MildLowTopLeft`](Self::MildLowTopLeft), at another corner.
     MildLowBottomLeft = 21,
-    /// The same slope raised by half a cell: a whole side high at its corner, half a side at the other.
+    /// The same slope raised by half a cell: a whole side high at its corner, half a side at the
+    /// other.
     MildHighTopLeft = 22,
     /// As [`MildHighTopLeft`](Self::MildHighTopLeft), at another corner.
     MildHighTopRight = 23,
@@ -71,7 +74,7 @@ pub enum TileShape {
     MildHighBottomRight = 24,
     /// As [`MildHighTopLeft`](Self::MildHighTopLeft), at another corner.
     MildHighBottomLeft = 25,
-    /// A slope of two cells a cell: half a side wide at its corner, nothing at the other.
+    /// A slope of two cells per cell: half a side wide at its corner, nothing at the other.
     SteepLowTopLeft = 26,
     /// As [`SteepLowTopLeft`](Self::SteepLowTopLeft), at another corner.
     SteepLowTopRight = 27,
@@ -79,7 +82,8 @@ pub enum TileShape {
     SteepLowBottomRight = 28,
     /// As [`SteepLowTopLeft`](Self::SteepLowTopLeft), at another corner.
     SteepLowBottomLeft = 29,
-    /// The same slope moved by half a cell: a whole side wide at its corner, half a side at the other.
+    /// The same slope moved by half a cell: a whole side wide at its corner, half a side at the
+    /// other.
     SteepHighTopLeft = 30,
     /// As [`SteepHighTopLeft`](Self::SteepHighTopLeft), at another corner.
     SteepHighTopRight = 31,
@@ -87,8 +91,9 @@ pub enum TileShape {
     SteepHighBottomRight = 32,
     /// As [`SteepHighTopLeft`](Self::SteepHighTopLeft), at another corner.
     SteepHighBottomLeft = 33,
-    /// Only the edge toward row 0 blocks, and only what is entirely in front of it and moves in. It has no inside: it is never overlapped. Its ends
-    /// are no corners: a circle whose centre is beyond an end that nothing continues passes it.
+    /// Only the edge toward row 0 blocks, and only bodies that are entirely in front of it and move
+    /// in. It has no inside, so nothing overlaps it. Its ends are not corners: a circle whose
+    /// centre is beyond an end that nothing continues passes it.
     OneWayUp = 34,
     /// As [`OneWayUp`](Self::OneWayUp), the edge toward larger x.
     OneWayRight = 35,
@@ -142,9 +147,10 @@ impl TileShape {
     ];
 }
 
-/// A shape and eight flags that mean what the game likes: coin, ladder, deadly, ...
+/// A shape and eight flags whose meaning you choose: coin, ladder, deadly, ...
 ///
-/// Flags of tiles that are not solid count too: see [`TileMap::flags_touched`](crate::world::TileMap::flags_touched).
+/// Flags of tiles that are not solid count too: see
+/// [`TileMap::flags_touched`](crate::world::TileMap::flags_touched).
 ///
 /// ```
 /// use tilesat::TileKind;
@@ -167,6 +173,7 @@ impl TileKind {
     /// A solid cell.
     pub const FULL: Self = Self::of(TileShape::Full);
     /// A platform that can be entered from below.
+    #[doc(alias("one way platform", "jump-through", "JumpThru", "one_way_collision"))]
     pub const ONE_WAY_UP: Self = Self::of(TileShape::OneWayUp);
 
     /// A shape without flags.
@@ -175,7 +182,7 @@ impl TileKind {
         Self { shape, flags: 0 }
     }
 
-    /// The same shape with these flags instead of its own.
+    /// Sets the flags.
     #[must_use]
     pub const fn with_flags(self, flags: u8) -> Self {
         Self { shape: self.shape, flags }
@@ -215,7 +222,7 @@ impl TileKind {
 
 /// How much of a cell is solid.
 ///
-/// Public in a private module, because a sealed trait's method tells it.
+/// Public in a private module, because a sealed trait's method returns it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fill {
     /// Nothing; it may have a one-way face.
@@ -224,9 +231,11 @@ pub enum Fill {
     Full,
 }
 
-/// What each of the 256 tile ids is: 520 bytes, usually a `static` in flash, shared by all maps of a game.
+/// The kinds of the 256 tile ids: 520 bytes, usually a `static` in flash, shared by all maps of a
+/// game.
 ///
-/// The table remembers which shapes it names, so that making a map asks once whether its set has them, and not 256 times.
+/// The table remembers which shapes it names. Making a map then asks once whether its set has them,
+/// not 256 times.
 ///
 /// ```
 /// use tilesat::{TileKind, TileKinds};
@@ -239,7 +248,7 @@ pub enum Fill {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct TileKinds {
-    /// Apart, so that a walk over the shapes is one index away from each.
+    /// A separate array: a walk over the shapes is one index away from each.
     shapes: [TileShape; 256],
     flags: [u8; 256],
     /// One bit for each shape of the table, and that of `Empty`.
@@ -250,7 +259,7 @@ impl TileKinds {
     /// Every id is empty.
     pub const EMPTY: Self = Self { shapes: [TileShape::Empty; 256], flags: [0; 256], named: 1 };
 
-    /// The same table with another kind for one id.
+    /// Sets the kind of one id.
     #[must_use]
     #[expect(clippy::indexing_slicing, reason = "a byte indexes 256 entries")]
     pub const fn with(mut self, id: u8, kind: TileKind) -> Self {

@@ -172,7 +172,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         let range = self.open_range(region.lo(), region.hi());
         match self.outside {
             Outside::Empty => self.met(self.inside(range), Range::NOWHERE, region, r),
-            // Blocks at the border stand for what is beyond it; a region that holds only that has no cell inside.
+            // Blocks at the border stand for everything beyond it. A region entirely beyond it has
+            // no cell inside.
             Outside::Edge if !S::SHAPED => self.met(self.solid_range(range), Range::NOWHERE, region, r),
             Outside::Solid | Outside::Edge => {
                 let inside = self.inside(range);
@@ -224,7 +225,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 }
 
-/// The cells of a range that are beyond the map: one row or column on each side, and what is between them.
+/// The cells of a range that are beyond the map: one row or column on each side, and the cells
+/// between them.
 const fn beyond(range: Range, inside: Range) -> Range {
     let (left, right) = (range.x0 < inside.x0, range.x1 > inside.x1);
     let (top, bottom) = (range.y0 < inside.y0, range.y1 > inside.y1);
@@ -242,7 +244,8 @@ const fn beyond(range: Range, inside: Range) -> Range {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The cells whose closed square meets the closed box: `ceil(lo / cell) - 1` is the column of `lo - 1`.
+    /// The cells whose closed square meets the closed box: `ceil(lo / cell) - 1` is the column of
+    /// `lo - 1`.
     pub(in crate::world) const fn closed_range(&self, lo: Raw, hi: Raw) -> Range {
         let one = Raw { x: 1, y: 1 };
         self.open_range(lo.sub(one), hi.add(one))
@@ -267,8 +270,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// The cells of a range that can hold solid: where the border is repeated, border blocks stand for the bands beyond them, shaped ones
-    /// have bands of their own; there is nothing outside where that is empty.
+    /// The cells of a range that can hold solid. Where the border is repeated, border blocks stand
+    /// for the bands beyond them, and shaped ones have separate bands. There is nothing outside
+    /// where that is empty.
     pub(in crate::world) const fn solid_range(&self, r: Range) -> Range {
         match self.outside {
             Outside::Solid => r,

@@ -1,4 +1,5 @@
-//! A level of tiles: borrowed bytes, a grid, a table of kinds, and what lies outside; its type says which shapes it can hold, and how ids are stored.
+//! A level of tiles: borrowed bytes, a grid, a table of kinds, and its outside. Its type says which
+//! shapes it can hold, and how ids are stored.
 
 mod build;
 mod clear;
@@ -27,28 +28,31 @@ use outline::beyond;
 use shape_surface::ShapeSurface;
 use surface::{BlockSurface, Surface};
 
-/// What lies beyond the cells of a [`TileMap`].
+/// The solid beyond the cells of a [`TileMap`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Outside {
-    /// Nothing: bodies leave the map and fall for ever.
+    /// Nothing: bodies leave the map and fall without end.
     #[default]
     Empty,
     /// Solid: the map is a closed room.
     Solid,
-    /// The border, continued to the end of the domain: what is solid on the map's outer edge is solid beyond it, so half an edge gives half a
-    /// band. A one-way edge goes on along its own line only: one that blocks from above is not repeated above and below the map.
+    /// The border, continued to the end of the domain. Where the map's outer edge is solid, so is
+    /// everything beyond it; half an edge gives half a band. A one-way edge continues along its own
+    /// line only: one that blocks from above is not repeated above and below the map.
     Edge,
 }
 
-/// A level of square tiles, read from where it lies: it owns nothing and needs no memory but itself (60 bytes on a 32-bit core).
+/// A level of square tiles: a view that owns nothing, of 60 bytes on a 32-bit core.
 ///
-/// The solid is the union of its tiles' shapes, borders included, and of what is [`Outside`]. Its surface is derived from the tiles when
-/// asked: interior faces do not exist, so nothing can snag on a seam. A door is one byte written (in memory): then make the map
-/// again. It is a view, and [`of`](Self::of) with a grid from a constant costs a handful of comparisons.
+/// The solid is the union of its tiles' shapes, borders included, and of [`Outside`]. Its surface
+/// is derived from the tiles when you ask. Interior faces do not exist, so nothing can snag on a
+/// seam. To open a door, write one byte (in memory) and make the map again. It is a view, and
+/// [`of`](Self::of) with a grid from a constant costs a handful of comparisons.
 ///
-/// `S` says which shapes it can hold ([`Blocks`]), `T` how ids are stored: [`Bytes`] or [`Bits`]. Cells are squares of 16 units from the
-/// origin, rows are consecutive and outside is empty, unless said otherwise:
+/// `S` says which shapes it can hold ([`Blocks`]), `T` how ids are stored: [`Bytes`] or [`Bits`].
+/// Cells are squares of 16 units from the origin, rows are consecutive and outside is empty, unless
+/// said otherwise:
 ///
 /// ```
 /// use tilesat::{Cell, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2, fx};
@@ -74,6 +78,7 @@ pub enum Outside {
 /// # Ok::<(), TileMapError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("TileMapLayer", "grid collision"))]
 pub struct TileMap<'a, S: Set = Blocks, T: Store = Bytes> {
     pub(in crate::world) data: &'a [u8],
     pub(in crate::world) kinds: &'a TileKinds,
@@ -110,7 +115,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.grid.origin()
     }
 
-    /// The box of all its cells: what a [`Character`](crate::Character) must not leave.
+    /// The box of all its cells: the limits of a [`Character`](crate::Character).
     #[must_use]
     pub const fn bounds(&self) -> Aabb {
         Aabb::from_raw_unchecked(Raw::of(self.grid.origin()), Raw::of(self.grid.end()))
@@ -122,7 +127,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.grid
     }
 
-    /// What lies outside.
+    /// The outside of the map.
     #[must_use]
     pub const fn outside(&self) -> Outside {
         self.outside
@@ -135,12 +140,21 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 
     /// The id of a tile; `None` outside of the map.
+    ///
+    /// ```
+    /// use tilesat::{Cell, TileKind, TileKinds, TileMap};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii(".#\n##\n", &KINDS)?;
+    /// assert_eq!(level.tile(Cell::new(1, 0)), Some(b'#'));
+    /// assert_eq!(level.tile(Cell::new(2, 0)), None);
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
     #[must_use]
     pub const fn tile(&self, cell: Cell) -> Option<u8> {
         if self.holds(cell.x as i32, cell.y as i32) { Some(self.id(cell.x as i32, cell.y as i32)) } else { None }
     }
 
-    /// The kind of a cell, outside of the map too, as [`Outside`] has it.
+    /// The kind of a cell, also outside of the map, as [`Outside`] defines.
     #[must_use]
     pub const fn kind(&self, cell: Cell) -> TileKind {
         self.kind_at(cell.x as i32, cell.y as i32)
@@ -157,13 +171,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.id_at(self.place(x, y))
     }
 
-    /// The place of a tile of the map in the data.
+    /// The index of a tile of the map in the data.
     #[inline]
     pub(in crate::world) const fn place(&self, x: i32, y: i32) -> u32 {
         (y as u32).wrapping_mul(self.stride as u32).wrapping_add(x as u32)
     }
 
-    /// The id of a tile by its place in the data.
+    /// The id of a tile by its index in the data.
     #[inline]
     #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
     pub(in crate::world) const fn id_at(&self, tile: u32) -> u8 {
@@ -209,7 +223,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.kind_at(x, y).is_full()
     }
 
-    /// The corners of a cell: where the border is repeated and only blocks are, border cells reach to the end of the domain.
+    /// The corners of a cell: where the border is repeated and only blocks are, border cells reach
+    /// to the end of the domain.
     #[inline]
     pub(in crate::world) const fn extent(&self, x: i32, y: i32) -> (Raw, Raw) {
         self.extent_between((x, y), (x, y))
@@ -260,9 +275,11 @@ pub(in crate::world) const fn merged(index: i32, count: u16) -> i32 {
     }
 }
 
-/// Which shapes a [`TileMap`](crate::world::TileMap) can hold, so that a level of blocks links no code for anything else.
+/// Which shapes a [`TileMap`](crate::world::TileMap) can hold. A level of blocks links no code for
+/// other shapes.
 ///
-/// Sealed; the markers are types such as [`Blocks`]. A table that names another shape is refused by the constructors.
+/// Sealed; the markers are types such as [`Blocks`]. A table that names another shape is refused by
+/// the constructors.
 pub trait Set: Sealed + Copy + Debug + Eq + 'static {
     /// One bit for each discriminant of [`TileShape`] that is allowed.
     const SHAPES: u64;
@@ -326,7 +343,7 @@ pub trait Store: Sealed + Copy + Debug + Eq + 'static {
     const BITS: u32;
 }
 
-/// One byte a tile: 256 ids.
+/// One byte per tile: 256 ids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bytes;
@@ -336,7 +353,7 @@ impl Store for Bytes {
     const BITS: u32 = 8;
 }
 
-/// One bit a tile, the least significant bit of a byte first: ids 0 and 1.
+/// One bit per tile, the least significant bit of a byte first: ids 0 and 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bits;

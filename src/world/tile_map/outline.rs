@@ -1,10 +1,11 @@
-//! What each shape does in its cell: the part that it fills, as one inequality, and all that joins its border to its neighbours.
+//! Each shape in its cell: the part that it fills, as one inequality, and all that joins
+//! its border to its neighbours.
 
 use crate::num::Axis;
 use crate::world::tile_map::kind::{TileKind, TileShape};
 
-/// The solid of a tile in its own frame: `u` and `v` are the distances from the corner at which it is solid, along x and along y, both
-/// 0 to a side S of the cell; `h = S / 2`.
+/// The solid of a tile in its own frame: `u` and `v` are the distances from the corner at which it
+/// is solid, along x and along y, both 0 to a side S of the cell; `h = S / 2`.
 ///
 /// ```text
 ///   corner +----> u      Line: p u + q v <= k h     p, q, k in 0..=4
@@ -13,7 +14,8 @@ use crate::world::tile_map::kind::{TileKind, TileShape};
 ///          v|#/
 /// ```
 ///
-/// All are monotone: with a point, every point of the cell nearer to the corner on both axes is in the solid.
+/// All are monotone: with a point, every point of the cell nearer to the corner on both axes is in
+/// the solid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::world) struct Form {
     /// Whether the corner is the one with the larger x; else the smaller.
@@ -54,7 +56,8 @@ impl TileShape {
     /// Where the shape is solid.
     #[expect(clippy::indexing_slicing, reason = "masked to the table's length")]
     pub(in crate::world) const fn form(self) -> Form {
-        // After empty and full, groups of four: halves by their side, the others by their corner, both turning right from the top (left).
+        // After empty and full, groups of four: halves by their side, the others by their corner,
+        // both turning right from the top (left).
         let id = (self as u8).wrapping_sub(2);
         let (group, turn) = (id >> 2, id & 3);
         let kind = if group >= 8 {
@@ -70,9 +73,10 @@ impl TileShape {
 
 /// The border of a tile's solid, on a lattice of half cells.
 ///
-/// Eight nodes lie around a cell, counted with its sides. Around any node there are sixteen directions, those of all lines that tiles have,
-/// and sixteen sectors between them: sector d from direction d to d + 1. To each direction the opposite one is there too, so that eight
-/// sectors in a row are exactly half a turn: whether a corner is convex is a matter of counting.
+/// Eight nodes lie around a cell, counted with its sides. Around any node there are sixteen
+/// directions, those of all lines that tiles have, and sixteen sectors between them: sector d from
+/// direction d to d + 1. Each direction has an opposite one, and eight sectors in a row are exactly
+/// half a turn. Whether a corner is convex is a matter of counting.
 ///
 /// ```text
 ///   0---1---2  --> x             12
@@ -85,16 +89,19 @@ impl TileShape {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::world) struct Outline {
-    /// Bits 2k and 2k + 1: whether the first and the second half of side k, as the side runs, bound the solid.
+    /// Bits 2k and 2k + 1: whether the first and the second half of side k, as the side runs, bound
+    /// the solid.
     pub(in crate::world) edges: u8,
-    /// The same bits for the tile across: which halves of its side k this tile covers, from the other side and running the other way.
+    /// The same bits for the tile across: which halves of its side k this tile covers, from the
+    /// other side and running the other way.
     pub(in crate::world) covers: u8,
     /// The inner piece: its first node, and its last one in the high nibble.
     ends: u8,
     /// The direction in which it ends, and its [`InnerKind`] in the high nibble.
     last: u8,
-    /// Nibble k: which of the sectors 4k to 4k + 3 are solid at corner k (node 2k). Nibble 4 + k: bit 0 where an arc ends there and leaves the
-    /// line of side k, bit 1 where it leaves that of the side before: what is solid across that line is not joined to this tile.
+    /// Nibble k: which of the sectors 4k to 4k + 3 are solid at corner k (node 2k). Nibble 4 + k:
+    /// bit 0 where an arc ends there and leaves the line of side k, bit 1 where it leaves that of
+    /// the side before. Solid across that line is not joined to this tile.
     corners: u32,
     /// Byte k: which of the sectors 4k to 4k + 7 are solid at the middle of side k (node 2k + 1).
     middles: u32,
@@ -165,18 +172,19 @@ impl Outline {
     }
 }
 
-/// Of the nibbles of the four tiles around a corner: the directions in which solid lies on both sides and is not joined. Along side k that is
-/// 4k, back along the side before it 4k + 4.
+/// Of the nibbles of the four tiles around a corner: the directions in which solid lies on both
+/// sides and is not joined. Along side k that is 4k, back along the side before it 4k + 4.
 #[inline]
 pub(in crate::world) const fn gaps(around: u32) -> u16 {
     let marks = (around >> 16) as u16;
     marks & 0x1111 | (marks & 0x2222).rotate_left(3)
 }
 
-/// What continues a border tile beyond the map: `k` is the side, `corner` that the corner where it begins is meant.
+/// What continues a border tile beyond the map: `k` is the side, `corner` that the corner where it
+/// begins is meant.
 ///
-/// A band is as solid as the tile's edge, a half edge gives half a band; a one-way tile goes on along its edge. A corner region is solid
-/// where both half edges that meet there are.
+/// A band is as solid as the tile's edge, a half edge gives half a band; a one-way tile goes on
+/// along its edge. A corner region is solid where both half edges that meet there are.
 pub(in crate::world) const fn beyond(kind: TileKind, k: u8, corner: bool) -> TileKind {
     let outline = kind.shape.outline();
     let halves = outline.halves(k);
@@ -208,7 +216,8 @@ pub(in crate::world) const fn direction(d: u8) -> Axis {
     Axis::new(X[(d & 15) as usize] as i32, X[(d.wrapping_add(12) & 15) as usize] as i32)
 }
 
-/// The column of half cells, 0 to 2, of each node from the last to the first; the row is that of two nodes before.
+/// The column of half cells, 0 to 2, of each node from the last to the first; the row is that of
+/// two nodes before.
 const COLUMNS: u16 = 0b00_00_01_10_10_10_01_00;
 
 /// Column and row of half cells of a node, each 0 to 2.
@@ -218,8 +227,8 @@ pub(in crate::world) const fn place(node: u8) -> (u8, u8) {
     ((COLUMNS >> (2 * node) & 3) as u8, (COLUMNS >> (2 * (node.wrapping_add(6) & 7)) & 3) as u8)
 }
 
-/// A point in quarters of a cell against the inequality of a form: below 0 inside, above outside. On the border (0), the second number
-/// tells whether the direction leads in or out.
+/// A point in quarters of a cell against the inequality of a form: below 0 inside, above outside.
+/// On the border (0), the second number is the direction's: in or out.
 const fn side_of(form: Form, x: i32, y: i32, (dx, dy): (i32, i32)) -> (i32, i32) {
     let (u, du) = if form.right { (4 - x, -dx) } else { (x, dx) };
     let (v, dv) = if form.bottom { (4 - y, -dy) } else { (y, dy) };
@@ -240,7 +249,8 @@ const fn solid(form: Form, node: u8, sector: u8) -> bool {
     side < 0 || side == 0 && turn < 0
 }
 
-/// The direction in which a piece arrives at `b`: of a line its own, of an arc the perpendicular of the normal there.
+/// The direction in which a piece arrives at `b`: of a line its own, of an arc the perpendicular of
+/// the normal there.
 const fn last_direction(kind: InnerKind, a: (i32, i32), b: (i32, i32), centre: (i32, i32)) -> u8 {
     let way = match kind {
         InnerKind::Convex => Axis::new(centre.1 - b.1, b.0 - centre.0),
@@ -254,7 +264,8 @@ const fn last_direction(kind: InnerKind, a: (i32, i32), b: (i32, i32), centre: (
     d
 }
 
-/// The two nodes where the form's border meets that of the cell, in the order that leaves the solid corner on the left.
+/// The two nodes where the form's border meets that of the cell, in the order that leaves the solid
+/// corner on the left.
 const fn inner(form: Form) -> (InnerKind, Piece) {
     let kind = match form.kind {
         FormKind::Empty | FormKind::Full => return (InnerKind::None, Piece { start: 0, end: 0, dir: 0 }),
@@ -311,7 +322,8 @@ const fn outline(form: Form) -> Outline {
     }
     k = 0;
     while k < 4 {
-        // A solid quarter at a corner whose border line is not solid: the arc leaves that line slowly.
+        // A solid quarter at a corner whose border line is not solid: the arc leaves that line
+        // slowly.
         let before = (k + 3) & 3;
         if corners >> (4 * k) & 15 == 15 && edges >> (2 * k) & 1 == 0 {
             corners |= 1 << (16 + 4 * k);

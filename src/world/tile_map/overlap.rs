@@ -1,6 +1,7 @@
 //! Overlap with the solid of a map (strict) and touch (closed), straight from the cells.
 //!
-//! One tile's solid meets a body by the inequality of its [`Form`], in the frame of its solid corner.
+//! One tile's solid meets a body by the inequality of its [`Form`], in the frame of its solid
+//! corner.
 
 use super::outline::{Form, FormKind};
 use super::{Set, Store, TileMap};
@@ -14,14 +15,18 @@ use crate::world::tile_map::kind::TileShape;
 
 levels! {
     [S: Set, T: Store] TileMap<'_, S, T> {
-        /// Whether a box or circle overlaps the solid: whether it reaches the inside of the union of all tiles' solids.
+        /// Whether a box or circle overlaps the solid: whether it reaches the inside of the union
+        /// of all tiles' solids.
         ///
-        /// Strict and exact, for slopes and arcs too, and without a root: a body that touches a wall or fills a gap exactly does not overlap. A
-        /// body without area (a circle of radius 0, a box of no width or height) overlaps where it meets the inside of the union, so also on
-        /// the line between two full cells. One-way tiles are never overlapped. What is [`Outside`](crate::world::Outside) counts.
+        /// Strict and exact, for slopes and arcs too, and without a root. A body that touches a
+        /// wall or fills a gap exactly does not overlap. A body without area is a circle of radius
+        /// 0, or a box of no width or height. It overlaps where it meets the inside of the union,
+        /// also on the line between two full cells. One-way tiles never overlap anything.
+        /// [`Outside`](crate::world::Outside) counts.
         ///
-        /// Cost: the cells that the body's bounding box overlaps, one look-up each, until the first hit; a circle adds its test against
-        /// each that is solid, a box against each that is partly so. A ball of 10 units over cells of 24, of which a quarter hold a shape, takes
+        /// Cost: the cells that the body's bounding box overlaps, one look-up each, until the first
+        /// hit; a circle adds its test against each that is solid, a box against each that is
+        /// partly so. A ball of 10 units over cells of 24, of which a quarter hold a shape, takes
         /// some 570 instructions on a Cortex-M0. It cannot fail.
         ///
         /// ```
@@ -39,8 +44,9 @@ levels! {
         overlaps,
         /// Whether a box or circle has a point in common with the solid, borders included.
         ///
-        /// Exact. One-way tiles are not solid; what is [`Outside`](crate::world::Outside) counts. Cost: as [`overlaps`](Self::overlaps), one more cell on each side that
-        /// lies on a cell's border.
+        /// Exact. One-way tiles are not solid; [`Outside`](crate::world::Outside) counts. Cost: as
+        /// [`overlaps`](Self::overlaps), and one more cell on each side that lies on a cell's
+        /// border.
         touches,
     }
 }
@@ -149,10 +155,11 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// Whether a box without area meets the inside of the union, among all shapes.
     ///
-    /// A point is inside of the union where the forms of all closed cells that hold it do so strictly: then each covers its part of the
-    /// surroundings, and where one does not, a part of its cell near the point is in no solid. What a form covers of a side of its cell ends at
-    /// the side's ends or its middle: of a half side that is cut off where a segment ends, two cells cover a common part if each
-    /// covers any.
+    /// A point is inside of the union where the forms of all closed cells that hold it do so
+    /// strictly: then each covers its part of the surroundings, and where one does not, a part of
+    /// its cell near the point is in no solid. What a form covers of a side of its cell ends at the
+    /// side's ends or its middle: of a half side that is cut off where a segment ends, two cells
+    /// cover a common part if each covers any.
     #[inline(never)]
     fn thin_overlaps(&self, lo: Raw, hi: Raw) -> bool {
         let around = self.closed_range(lo, hi);
@@ -172,7 +179,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 let y = self.grid.y.origin.wrapping_add(middle);
                 (lo.y < y, y < hi.y, Raw { x: lo.x, y })
             };
-            // Cells take from a half what lies in them. Where nothing of it is left it is not asked for.
+            // Cells take from a half only the part that lies in them. Without such a part it is not
+            // tested.
             if (before && self.all_hold(cells, lo, if after { end } else { hi }))
                 || (after && self.all_hold(cells, if before { end } else { lo }, hi))
             {
@@ -241,8 +249,9 @@ impl<S: Set, T: Store> Touches<Circle> for TileMap<'_, S, T> {
 
 /// The solid of a cell that is not empty, where it lies.
 ///
-/// Cells beyond the map reach to the end of the domain: they are whole or halved along the map's border, so nothing else here sees a cell that
-/// is not square. Sides are at most 2^24, coordinates relative to a square cell in reach of a body below 2^29 + 2^24.
+/// Cells beyond the map reach to the end of the domain: they are whole or halved along the map's
+/// border, so nothing else here sees a cell that is not square. Sides are at most 2^24, coordinates
+/// relative to a square cell in reach of a body below 2^29 + 2^24.
 #[derive(Clone, Copy)]
 pub(in crate::world) struct TileSolid {
     form: Form,
@@ -271,11 +280,12 @@ impl TileSolid {
         }
     }
 
-    /// Whether a box has a point in the solid, for a box that has one in the closed cell: open sets and a box with area in the
-    /// open cell, or closed ones.
+    /// Whether a box has a point in the solid, for a box that has one in the closed cell: open sets
+    /// and a box with area in the open cell, or closed ones.
     ///
-    /// The form is monotone: if any point of the common box is solid, the one nearest to the corner is. Where that one holds strictly, so do the
-    /// points of the common box near it, and these have an inside if the box has.
+    /// The form is monotone: if any point of the common box is solid, the one nearest to the corner
+    /// is. Where that one holds strictly, so do the points of the common box near it, and these
+    /// have an inside if the box has.
     pub(in crate::world) const fn meets_box<S: Set, const CLOSED: bool>(&self, lo: Raw, hi: Raw) -> bool {
         let near = self.near(lo, hi);
         let (u, v) = (if near.x > 0 { near.x } else { 0 }, if near.y > 0 { near.y } else { 0 });
@@ -296,8 +306,9 @@ impl TileSolid {
 
     /// Whether a circle overlaps the solid (its radius is not 0 then), or touches it.
     ///
-    /// Each test is the comparison of a radius with the distance to the solid: an open disc meets the inside of a solid, whose closure
-    /// the solid is, where the centre is nearer than the radius.
+    /// Each test is the comparison of a radius with the distance to the solid: an open disc meets
+    /// the inside of a solid, whose closure the solid is, where the centre is nearer than the
+    /// radius.
     pub(in crate::world) const fn meets_circle<S: Set, const CLOSED: bool>(&self, c: Raw, r: i32) -> bool {
         let (m, side) = (self.near(c, c), self.side());
         // The box around the solid, which is all of it where nothing else is said.
@@ -309,7 +320,8 @@ impl TileSolid {
             FormKind::Line { p, q, k } => {
                 let mut at = ZERO;
                 if k == 4 {
-                    // The half of the cell on the side where it is whole, and the smaller slope on top of it.
+                    // The half of the cell on the side where it is whole, and the smaller slope on
+                    // top of it.
                     if p < q {
                         (size.y, at.y) = (self.half, self.half);
                     } else {
@@ -322,7 +334,8 @@ impl TileSolid {
                     return false;
                 }
             }
-            // Beside the quadrant the nearest point of the cell is on its two straight sides, which are the solid's.
+            // Beside the quadrant the nearest point of the cell is on its two straight sides, which
+            // are the solid's.
             FormKind::Convex if S::ARCS && m.x >= 0 && m.y >= 0 => {
                 return reaches(m.x as u32, m.y as u32, side.wrapping_add(r), CLOSED);
             }
@@ -363,7 +376,8 @@ const fn plus(a: i32, b: i32) -> i32 {
 ///     |/
 /// ```
 ///
-/// Beside the box only centres within `r` are left: |u|, |v| < 2^29 + 2^24, so the sums are below 3 (2^29 + 2^24) < 2^31.
+/// Beside the box only centres within `r` are left: |u|, |v| < 2^29 + 2^24, so the sums are below 3
+/// (2^29 + 2^24) < 2^31.
 #[inline(never)]
 const fn triangle(m: Raw, r: i32, p: u8, q: u8, side: i32, closed: bool) -> bool {
     let (a, b) = (side >> (p >> 1), side >> (q >> 1));
@@ -390,11 +404,12 @@ const fn triangle(m: Raw, r: i32, p: u8, q: u8, side: i32, closed: bool) -> bool
     reaches(x, y, r, closed)
 }
 
-/// A circle against the cell without the open quarter disc around its far corner; none where it is as one against the whole cell.
+/// A circle against the cell without the open quarter disc around its far corner; none where it is
+/// as one against the whole cell.
 ///
-/// With `n` the centre seen from that corner, toward the solid: beyond the cell the nearest point of it is on one of the two whole sides; in
-/// the cell the arc is nearest, `side - |n|` away; before a side of the quarter disc an end of the arc is, the cusp on the side that `n`
-/// leans to.
+/// With `n` the centre seen from that corner, toward the solid: beyond the cell the nearest point
+/// of it is on one of the two whole sides; in the cell the arc is nearest, `side - |n|` away;
+/// before a side of the quarter disc an end of the arc is, the cusp on the side that `n` leans to.
 const fn concave(m: Raw, r: i32, side: i32, closed: bool) -> Option<bool> {
     let n = Raw { x: side, y: side }.sub(m);
     if n.x > 0 && n.y > 0 {

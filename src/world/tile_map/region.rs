@@ -1,4 +1,5 @@
-//! Which tiles lie in a region, and which flags a shape touches: for coins, ladders and spikes, solid or not.
+//! Which tiles lie in a region, and which flags a shape touches: for coins, ladders and spikes,
+//! solid or not.
 
 use super::{Set, Store, TileMap};
 use crate::error::{RangeError, Truncated};
@@ -9,15 +10,15 @@ use crate::world::cell::{Cell, Range};
 use crate::world::tile_map::kind::TileKind;
 use heapless::VecView;
 
-/// A tile of a map and its place.
+/// A tile of a map and its cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TileAt {
-    /// Its place.
+    /// The cell that it is in.
     pub cell: Cell,
     /// Its id.
     pub id: u8,
-    /// What the map's table says of the id.
+    /// Its kind in the map's table.
     pub kind: TileKind,
 }
 
@@ -52,10 +53,11 @@ impl<S: Set, T: Store> Iterator for Tiles<'_, S, T> {
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The tiles whose inside meets the region: a region that is exactly one tile gives that tile.
     ///
-    /// Every tile of the map counts, solid or not; what is outside of the map is not reported. Where the region has no width and lies
-    /// on a line between two columns it gives both (and likewise for rows): nothing that a point touches is missed.
+    /// Every tile of the map counts, solid or not; cells outside of the map are not reported. A
+    /// region without width on a line between two columns gives both, and likewise for rows: it
+    /// misses nothing that a point touches.
     ///
-    /// Cost: one look-up a tile. It cannot fail.
+    /// Cost: one look-up per tile. It cannot fail.
     ///
     /// ```
     /// use tilesat::{Aabb, Cell, TileKind, TileKinds, TileMap, Vec2};
@@ -67,6 +69,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// assert_eq!(coins, [Cell::new(2, 0)]);
     /// # Ok::<(), tilesat::TileMapError>(())
     /// ```
+    #[doc(alias("queryRect", "Area2D"))]
     pub const fn tiles_in(&self, region: &Aabb) -> Tiles<'_, S, T> {
         let (lo, hi) = (region.lo(), region.hi());
         let (mut range, closed) = (self.open_range(lo, hi), self.closed_range(lo, hi));
@@ -83,7 +86,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Writes the tiles of [`tiles_in`](Self::tiles_in) to `out`, which is cleared first.
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the first ones, and the error says how many there are.
+    /// [`Truncated`] where they do not fit: `out` then holds the first ones, and the error says how
+    /// many there are.
     pub fn collect_tiles(&self, region: &Aabb, out: &mut VecView<TileAt>) -> Result<(), Truncated> {
         out.clear();
         let (mut seen, mut kept) = (0u32, 0);
@@ -96,10 +100,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if kept == seen { Ok(()) } else { Err(Truncated { seen, kept }) }
     }
 
-    /// The flags, joined by or, of all tiles that a box, circle or point has a point in common with: solid or not, borders included.
+    /// The flags, joined by or, of all tiles that a box, circle or point has a point in common
+    /// with: solid or not, borders included.
     ///
-    /// Borders count: a body that stands exactly beside a deadly tile touches it. For tiles that must be entered use
-    /// [`tiles_in`](Self::tiles_in). What is outside of the map has no flags. Exact. Cost: as [`touches`](Self::touches), but it always looks at every cell.
+    /// Borders count: a body that stands exactly beside a deadly tile touches it. For tiles that
+    /// must be entered use [`tiles_in`](Self::tiles_in). What is outside of the map has no flags.
+    /// Exact. Cost: as [`touches`](Self::touches), but it always looks at every cell.
     ///
     /// ```
     /// use tilesat::{Circle, Fx, TileKind, TileKinds, TileMap, Vec2};
@@ -120,10 +126,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.flags_of(lo, hi, |cell| shape.reaches(cell))
     }
 
-    /// The flags, joined by or, of all tiles that a box, circle or point has a point in common with anywhere on a straight way: what a fast body passes
-    /// over in one frame, coins and spikes, is not missed. Borders count, as in [`flags_touched`](Self::flags_touched); exact.
+    /// The flags, joined by or, of all tiles that a box, circle or point has a point in common with
+    /// anywhere on a straight way: what a fast body passes over in one frame, coins and spikes, is
+    /// not missed. Borders count, as in [`flags_touched`](Self::flags_touched); exact.
     ///
-    /// A body that slid has gone a bent way. Its first piece ends where the first hit says, and with at most one hit the rest is straight too:
+    /// A body that slid has gone a bent way. Its first piece ends where the first hit says, and
+    /// with at most one hit the rest is straight too:
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Vec2};
@@ -142,10 +150,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Cost: one look-up for each cell of the bounding box of the way; a few exact tests for those that have a flag which is new.
+    /// Cost: one look-up for each cell of the bounding box of the way; a few exact tests for those
+    /// that have a flag which is new.
     ///
     /// # Errors
-    /// [`RangeError`] where a component of the motion is not below 2^28 raw, or it leads out of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] where a component of the motion is not below 2^28 raw, or it leads out of the
+    /// [domain](crate::num::DOMAIN).
     pub fn flags_swept<B: Probe>(&self, shape: &B, motion: Vec2) -> Result<u8, RangeError> {
         check_motion(motion, MOTION)?;
         let (d, (lo, hi)) = (Raw::of(motion), shape.bounds());
@@ -176,7 +186,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 }
 
-/// What [`TileMap::flags_touched`] takes: a box, a circle or a point. Sealed.
+/// A shape that [`TileMap::flags_touched`] takes: a box, a circle or a point. Sealed.
 pub trait Probe: probe::Probe {}
 
 impl Probe for Aabb {}

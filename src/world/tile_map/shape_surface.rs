@@ -1,4 +1,5 @@
-//! The surface of shaped tiles: halves of sides, slopes, arcs, and the corners that they make with their neighbours.
+//! The surface of shaped tiles: halves of sides, slopes, arcs, and the corners that they make with
+//! their neighbours.
 
 use super::outline::{Form, InnerKind, Outline, Piece, direction, gaps, place};
 use super::surface::{CellWalk, Look, Surface, TileSource};
@@ -13,7 +14,8 @@ pub struct ShapeSurface<const ROUND: bool> {
     /// The indices that are left to look at, from `index` on.
     left: u16,
     index: u8,
-    /// Of the vertices among them, the directions in which they are left: a nibble each from index 4 on, index 9 in the last one.
+    /// Of the vertices among them, the directions in which they are left: a nibble each from index
+    /// 4 on, index 9 in the last one.
     outs: u32,
     /// None before the first.
     tile: Option<Tile>,
@@ -110,7 +112,7 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
         if !look.opposes(dir) {
             return None;
         }
-        // One component of a reduced direction is one, so that the other way is the length.
+        // One component of a reduced direction is one: the other way is the length.
         let way = end.sub(start);
         let len = if dir.x & 1 != 0 { way.x } else { way.y }.wrapping_abs();
         let joined = match one_way {
@@ -141,7 +143,8 @@ impl Tile {
         Feature { geometry, cell: self.cell, index: index.into(), flags: self.kind.flags, one_way, source: 0 }
     }
 
-    /// Where a piece starts and ends, and in which direction it does; of a vertex the piece that ends in it.
+    /// Where a piece starts and ends, and in which direction it does; of a vertex the piece that
+    /// ends in it.
     fn piece(&self, index: u8) -> Piece {
         if index >= INNER {
             return self.outline.inner_piece();
@@ -157,13 +160,15 @@ impl Tile {
         Raw { x: along(lo.x, hi.x, i), y: along(lo.y, hi.y, j) }
     }
 
-    /// The sectors around a node that are solid, by this tile and those around, and the directions at which two of them are not joined.
+    /// The sectors around a node that are solid, by this tile and those around, and the directions
+    /// at which two of them are not joined.
     #[inline(never)]
     fn sectors<const ROUND: bool, M: TileSource>(&self, map: &M, node: u8) -> (u16, u16) {
         let k = node >> 1 & 3;
         let side = at(&self.beside, k).outline();
         if node & 1 == 0 {
-            // At corner k this tile lies in quadrant k, the one before the corner in the next quadrant, and so on round.
+            // At corner k this tile lies in quadrant k, the one before the corner in the next
+            // quadrant, and so on round.
             let (before, diagonal) = (at(&self.beside, k + 3).outline(), self.diagonal(map, k).outline());
             let around = self.outline.corner(k) | before.corner(k + 1) | diagonal.corner(k + 2) | side.corner(k + 3);
             return (around as u16, if ROUND { gaps(around) } else { 0 });
@@ -180,17 +185,19 @@ impl Tile {
         map.kind_at(x.wrapping_add(dx), y.wrapping_add(dy)).shape
     }
 
-    /// Whether no vertex is at the start of a face: from its direction on, solid covers eight sectors, which are half a turn, without a gap.
+    /// Whether no vertex is at the start of a face: from its direction on, solid covers eight
+    /// sectors, which are half a turn, without a gap.
     fn joined_at_start<const ROUND: bool, M: TileSource>(&self, map: &M, piece: Piece) -> bool {
         let (solid, gaps) = self.sectors::<ROUND, _>(map, piece.start);
         let first = 1u16.rotate_left(u32::from(piece.dir));
         (solid & (!gaps | first)).rotate_right(u32::from(piece.dir)) as u8 == u8::MAX
     }
 
-    /// The direction in which the vertex at the end of a piece is left; none where it is joined, as above from the opposite direction backward.
+    /// The direction in which the vertex at the end of a piece is left; none where it is joined, as
+    /// above from the opposite direction backward.
     ///
-    /// A gap in the direction of a face itself does not matter, its solid is on this side. That of a concave arc (`cusp`) is nothing but the
-    /// line itself there, so that it does.
+    /// A gap in the direction of a face itself does not matter: its solid is on this side. At a
+    /// concave arc (`cusp`) there is nothing but the line itself, and it does matter.
     fn end<const ROUND: bool, M: TileSource>(&self, map: &M, piece: Piece, cusp: bool) -> Option<u8> {
         let (solid, gaps) = self.sectors::<ROUND, _>(map, piece.end);
         let back = piece.dir.wrapping_add(8) & 15;
@@ -211,7 +218,8 @@ impl Tile {
     /// At which ends of a one-way face something that blocks from its side goes on beside it.
     #[inline(never)]
     fn one_way_joined<M: TileSource>(&self, map: &M, k: u8) -> [bool; 2] {
-        // Solid at the corner or along the half of its side there, or with the same edge, not covered from its other side.
+        // Solid at the corner or along the half of its side there, or with the same edge, not
+        // covered from its other side.
         let goes_on = |side: u8, diagonal: u8, corner: u8, half: u8| {
             let beside = at(&self.beside, side);
             if TileKind::of(beside).one_way_side() == Some(k) {
@@ -244,7 +252,8 @@ pub(in crate::world) const fn arc(form: Form, convex: bool, (lo, hi): (Raw, Raw)
     }
 }
 
-/// The ends of a cell's side, or its middle. Sides that end with the domain have no nodes in the middle.
+/// The ends of a cell's side, or its middle. Sides that end with the domain have no nodes in the
+/// middle.
 pub(in crate::world) const fn along(lo: i32, hi: i32, halves: u8) -> i32 {
     match halves {
         0 => lo,

@@ -1,4 +1,5 @@
-//! How tiles give their surface: what is asked of a cell, and the answer of blocks, whole sides of cells and their corners.
+//! How tiles give their surface: the questions to a cell, and the answers of blocks, whole sides of
+//! cells and their corners.
 
 use crate::num::{Axis, DOMAIN, Raw};
 use crate::shape::Aabb;
@@ -27,7 +28,7 @@ pub struct CellWalk {
     pub(super) seen: Range,
 }
 
-/// What of a cell's surface is asked for.
+/// The wanted part of a cell's surface.
 ///
 /// Public in a private module, because a sealed trait names it.
 #[derive(Clone, Copy, Debug)]
@@ -57,15 +58,17 @@ impl Look {
         dir.y.wrapping_mul(self.d.x).wrapping_sub(dir.x.wrapping_mul(self.d.y)) < 0 || self.d.is_zero()
     }
 
-    /// The same of an arc, if that is one: of the normals at its ends, since all others are between these.
+    /// The same of an arc, if that is one: of the normals at its ends, since all others are between
+    /// these.
     pub(super) const fn opposes_arc(&self, arc: &Geometry) -> bool {
         let Geometry::Arc { quadrant, convex, .. } = *arc else { return true };
         let out = if convex { quadrant } else { quadrant.reversed() };
         out.x.wrapping_mul(self.d.x) < 0 || out.y.wrapping_mul(self.d.y) < 0 || self.d.is_zero()
     }
 
-    /// The same of the corner between two edges: some normal of a corner is opposed to the motion only where that of an edge is, but for a
-    /// wedge of no angle, which has all normals of half a turn.
+    /// As above, of the corner between two edges. Some normal of a corner is opposed to the motion
+    /// only where that of an edge is. A wedge of no angle is the exception: it has all normals of
+    /// half a turn.
     pub(super) const fn opposes_corner(&self, e_in: Axis, e_out: Axis) -> bool {
         self.opposes(e_in) || self.opposes(e_out) || (e_in.x == -e_out.x && e_in.y == -e_out.y)
     }
@@ -103,15 +106,16 @@ pub trait Surface: Clone + Debug {
     /// Whether nothing is left to give.
     fn is_over(&self) -> bool;
 
-    /// Goes on to the cell that a walk over the closed range of the region has come to; the cell before is over.
+    /// Goes on to the cell that a walk over the closed range of the region has come to; the cell
+    /// before is over.
     fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &Look);
 
-    /// The next of what is left, if it is asked for.
+    /// The next of the remaining ones, if it is wanted.
     fn take<M: TileSource>(&mut self, map: &M, look: &Look) -> Option<Feature>;
 }
 
-/// The cell whose features are handed out, the corners of its solid, its tile's flags, all its features as a mask of indices, and those
-/// left to give.
+/// The cell whose features are handed out. The corners of its solid, its tile's flags, all its
+/// features as a mask of indices, and those left to give.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockSurface {
     cell: Cell,
@@ -121,13 +125,14 @@ pub struct BlockSurface {
     left: Pieces,
 }
 
-/// Bits 0..=3: faces by index; 4..=7: vertices; 8: a one-way tile, of whose face the bits of the vertices at its ends mean that it is not
-/// joined there.
+/// Bits 0..=3: faces by index; 4..=7: vertices; 8: a one-way tile, of whose face the bits of the
+/// vertices at its ends mean that it is not joined there.
 type Pieces = u16;
 
 const ONE_WAY: Pieces = 1 << 8;
 
-/// Face k runs from corner k to corner k + 1: corners are counted from the one nearest the origin, turning with the faces.
+/// Face k runs from corner k to corner k + 1: corners are counted from the one nearest the origin,
+/// turning with the faces.
 const DIRECTIONS: [Axis; 4] = [Axis::X, Axis::Y, Axis::NEG_X, Axis::NEG_Y];
 
 impl Surface for BlockSurface {
@@ -210,7 +215,8 @@ impl BlockSurface {
         if d.is_zero() {
             return reached;
         }
-        // The faces that the motion comes to: not those that its front, up to the raw unit by which the region is larger, is beyond at the start.
+        // The faces that the motion can reach: not those that its front, up to the raw unit by
+        // which the region is larger, is beyond at the start.
         let ((lo, hi), (from, to)) = (self.solid, look.region);
         let up = d.y > 0 && lo.y >= to.y.wrapping_sub(d.y).wrapping_sub(1);
         let right = d.x < 0 && hi.x <= from.x.wrapping_sub(d.x).wrapping_add(1);
@@ -285,7 +291,8 @@ fn surface<M: TileSource>(map: &M, x: i32, y: i32) -> Pieces {
     faces | (faces & (faces >> 1 | faces << 3) & 0xf) << 4
 }
 
-/// Whether something that blocks from the same side lies beside a one-way face: a full cell, or such a one-way one that has its face.
+/// Whether a full cell, or a one-way cell with the same face, lies beside a one-way face and blocks
+/// from the same side.
 fn goes_on<M: TileSource>(map: &M, x: i32, y: i32, side: u8) -> bool {
     let kind = map.kind_at(x, y);
     let (dx, dy) = across(side);

@@ -9,7 +9,7 @@ mod set {
     use crate::world::tile_map::{Bits, Blocks, Bytes, Set, bits};
     use crate::world::{Grid, TileKind, TileKinds, TileMap, TileMapError};
 
-    /// A set without one-way tiles, so that a table can name a shape that is not in it.
+    /// A set without one-way tiles: a table can name a shape that is not in it.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     struct FullOnly;
 

@@ -16,11 +16,11 @@ const MOST_COUNTED: usize = 1 << 20;
 /// A baked level: tiles, objects, or both.
 #[derive(Debug, Clone)]
 pub struct Baked {
-    /// What it was made of, without its cells.
+    /// The parts that it was made of, without its cells.
     pub ground: Ground,
     /// The solid tile layer, with the flags of all.
     pub tiles: Option<Level>,
-    /// What its ids stand for.
+    /// The meaning of its ids.
     pub kinds: TileKinds,
     /// The objects, their bytes, and the side of a cell.
     pub objects: Option<(Shapes, Vec<u8>, Fx)>,
@@ -50,7 +50,8 @@ impl Baked {
         SegmentMap::from_bytes(bytes).map(Some).map_err(|e| Fail::new(format!("the objects: {e}")))
     }
 
-    /// What the level costs, line by line, for a body of these sides in raw units; for one of a cell where none are given.
+    /// The cost of the level, line by line, for a body of these sides in raw units; for one of a
+    /// cell where none are given.
     ///
     /// # Errors
     ///
@@ -90,8 +91,8 @@ impl Baked {
         Ok(lines)
     }
 
-    /// Cells, segments with their normals and vertices, over an image of what was drawn; with rays where there is none. Lines of text stand
-    /// below.
+    /// Cells, segments with their normals and vertices, over an image of the drawn level; without
+    /// one, with rays. Lines of text stand below.
     ///
     /// # Errors
     ///

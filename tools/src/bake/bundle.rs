@@ -1,4 +1,5 @@
-//! The levels of a project, baked together: one table of tile kinds and one list of flags for all of them.
+//! The levels of a project, baked together: one table of tile kinds and one list of flags for all
+//! of them.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -17,10 +18,10 @@ use crate::rules::options::{Options, listed};
 use crate::rules::outline::Outline;
 use crate::rules::union;
 
-/// What a project does not say.
+/// The settings that a project does not give.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Settings {
-    /// What is solid.
+    /// The solid.
     pub options: Options,
     /// Side of the cells that objects are sorted into; that of a tile where it is not said.
     pub cell: Option<Fx>,
@@ -30,7 +31,7 @@ pub struct Settings {
 #[derive(Debug, Clone)]
 pub struct Bundle {
     pub levels: Vec<Baked>,
-    /// What the ids of all levels stand for.
+    /// The meaning of the ids of all levels.
     pub kinds: Vec<TileKind>,
     /// The name of each flag bit, bit 0 first.
     pub flags: Vec<String>,
@@ -42,7 +43,8 @@ pub struct Bundle {
 ///
 /// # Errors
 ///
-/// A level has nothing solid, or one line that names the layer or object that the library does not take, and says why.
+/// A level has nothing solid, or one line that names the layer or object that the library does not
+/// take, and says why.
 pub fn bake(maps: &[Map], settings: &Settings) -> Result<Bundle> {
     let options = &settings.options;
     let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
@@ -79,7 +81,7 @@ fn level(map: &Map, settings: &Settings, flags: &mut Flags, ids: &mut Ids) -> Re
         let outlines = distinct(&ground.outlines);
         let twice = ground.outlines.len() - outlines.len();
         if twice > 0 {
-            ground.notes.push(format!("{twice} polygons are left out: each is another one once more"));
+            ground.notes.push(format!("{twice} polygons are left out: each repeats another one"));
         }
         if pile(&outlines) > MOST_PILED {
             return Err(Fail::new(format!("more than {MOST_PILED} polygons lie over each other")));
@@ -110,14 +112,16 @@ fn distinct(outlines: &[Outline]) -> Vec<Outline> {
     kept
 }
 
-/// How many solids have a border on one line at one place, at most; the library would find out by comparing all of them.
+/// How many solids have a border on one line at one place, at most; the library would find out by
+/// comparing all of them.
 fn pile(outlines: &[Outline]) -> u32 {
     let solid = outlines.iter().filter(|outline| outline.kind == Kind::Solid && outline.closed);
     union::depth(&solid.map(|outline| outline.points.clone()).collect::<Vec<_>>())
 }
 
 impl Bundle {
-    /// Rust source: of one level its constants and statics, of several a module for each and a table for all.
+    /// Rust source: of one level its constants and statics, of several a module for each and a
+    /// table for all.
     pub fn source(&self) -> String {
         source::source(self)
     }

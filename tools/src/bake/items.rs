@@ -6,7 +6,7 @@ use tilesat::{TileKind, TileShape};
 
 use super::level::Level;
 
-/// What `use` takes for the items of a table.
+/// The imports for the items of a table.
 pub(crate) fn imports(kinds: &[TileKind]) -> &'static str {
     let plain = kinds.iter().all(|k| matches!(k.shape, TileShape::Empty | TileShape::Full | TileShape::OneWayUp));
     if plain { "{TileKind, TileKinds}" } else { "{TileKind, TileKinds, TileShape}" }

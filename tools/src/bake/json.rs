@@ -1,4 +1,4 @@
-//! What a baked level is, for programs: one line of JSON.
+//! A baked level, for programs: one line of JSON.
 
 use std::collections::{BTreeMap, HashSet};
 
@@ -39,7 +39,7 @@ fn in_order<S: Serializer>(flags: &[(&str, u64)], to: S) -> std::result::Result<
 }
 
 impl Baked {
-    /// The level in one line: what is solid, and why.
+    /// The level in one line: its solid, and the rules behind it.
     ///
     /// # Errors
     ///
@@ -80,7 +80,7 @@ impl Baked {
         serde_json::to_string(&line).map_err(|e| Fail::new(e.to_string()))
     }
 
-    /// What was drawn and is no part of the level.
+    /// Drawings that are not part of the level.
     pub fn ignored(&self) -> Vec<String> {
         let mut seen = HashSet::new();
         let objects = self.ground.left_out.iter().map(|object| format!("{}: {}", object.title, object.why));

@@ -1,4 +1,4 @@
-//! Tile layers in, one byte a tile out.
+//! Tile layers in, one byte per tile out.
 
 use tilesat::world::Set;
 use tilesat::{Aabb, AllShapes, Blocks, Feature, Fx, Grid, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2};
@@ -19,7 +19,7 @@ pub struct Level {
     pub origin: (i32, i32),
     /// One id a tile, row by row.
     pub tiles: Vec<u8>,
-    /// What each id stands for; id 0 is nothing at all.
+    /// The meaning of each id; id 0 is empty.
     pub ids: Vec<TileKind>,
     /// The name of each flag bit, bit 0 first.
     pub flags: Vec<String>,
@@ -55,7 +55,7 @@ impl Ids {
         Ok(id)
     }
 
-    /// What each id stands for.
+    /// The meaning of each id.
     pub fn kinds(&self) -> &[TileKind] {
         &self.kinds
     }
@@ -103,7 +103,7 @@ impl Level {
         Grid::new(self.width, self.height, Fx::from_num(self.tile), origin)
     }
 
-    /// The table that tells the library what each id is.
+    /// The table that gives the library the kind of each id.
     pub fn kinds(&self) -> TileKinds {
         let mut kinds = TileKinds::EMPTY;
         for (id, &kind) in self.ids.iter().enumerate() {
@@ -112,12 +112,13 @@ impl Level {
         kinds
     }
 
-    /// Whether the library needs nothing but blocks for it: such a level plays with less code.
+    /// Whether the library needs nothing but blocks for the level, which then plays with less code.
     pub fn is_blocks(&self) -> bool {
         self.ids.iter().all(|kind| Blocks::SHAPES >> kind.shape as u8 & 1 != 0)
     }
 
-    /// The surface as the library derives it: the pieces of the level's own cells, in a closed room.
+    /// The surface as the library derives it: the pieces of the level's own cells, in a closed
+    /// room.
     pub fn features(&self) -> Vec<Feature> {
         let kinds = self.kinds();
         let grid = self.grid();
@@ -133,7 +134,7 @@ impl Level {
         self.flags.iter().position(|f| f.eq_ignore_ascii_case(name)).map_or(0, |bit| 1 << bit)
     }
 
-    /// What a cell is.
+    /// The content of a cell.
     pub fn kind(&self, x: u16, y: u16) -> TileKind {
         let id = self.tiles[usize::from(y) * usize::from(self.width) + usize::from(x)];
         self.ids[usize::from(id)]

@@ -1,4 +1,4 @@
-//! Files that are written together: all of them or none, and never over what was read.
+//! Files that are written together: all of them or none, and never over an input.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -30,7 +30,8 @@ impl Outputs {
     ///
     /// # Errors
     ///
-    /// A file cannot be written, is no file, is written twice, or is one of those that were read. Nothing has changed then.
+    /// A file cannot be written, is no file, is written twice, or is one of those that were read.
+    /// Nothing has changed then.
     pub fn write(&self, inputs: &[PathBuf]) -> Result<Vec<PathBuf>> {
         let places = self.files.iter().map(|(path, _)| place(path)).collect::<Result<Vec<_>>>()?;
         for (i, place) in places.iter().enumerate() {
@@ -66,7 +67,7 @@ fn cannot(path: &Path, error: &std::io::Error) -> Fail {
 fn place(path: &Path) -> Result<PathBuf> {
     match fs::metadata(path) {
         Ok(known) if known.is_file() => fs::canonicalize(path).map_err(|e| cannot(path, &e)),
-        Ok(_) => Err(Fail::new(format!("cannot write {}: it is there, and not a file", path.display()))),
+        Ok(_) => Err(Fail::new(format!("cannot write {}: it exists and is not a file", path.display()))),
         Err(_) => {
             let name = path
                 .file_name()
@@ -92,7 +93,7 @@ fn is_same(input: &Path, output: &Path) -> bool {
 /// Files beside their places.
 #[derive(Default)]
 struct Moves {
-    /// The new file, its place, and what was there before, moved aside.
+    /// The new file, its path, and the file that was there before, moved aside.
     files: Vec<(PathBuf, PathBuf, PathBuf)>,
 }
 
@@ -126,7 +127,7 @@ impl Moves {
 }
 
 impl Drop for Moves {
-    /// What is still beside its place is not needed.
+    /// A file that is still beside its path is not needed.
     fn drop(&mut self) {
         for (new, _, old) in &self.files {
             let _ = fs::remove_file(new);

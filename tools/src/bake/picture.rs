@@ -1,4 +1,5 @@
-//! The parts of a baked level's picture: cells, faces with their normals, vertices, and a fan of rays.
+//! The parts of a baked level's picture: cells, faces with their normals, vertices, and a fan of
+//! rays.
 #![allow(clippy::cast_precision_loss, reason = "drawing only; nothing here flows back into the level")]
 
 use tilesat::world::World;
@@ -122,13 +123,15 @@ fn normal(scene: &mut Scene, a: Spot, b: Spot, ink: Ink) {
     scene.line(vec![middle, tip], 1.5 * scene.unit, ink.alpha(0.8), false);
 }
 
-/// Rays in all directions from a free point near the middle of a grid; `cast` takes a start and a motion.
+/// Rays in all directions from a free point near the middle of a grid; `cast` takes a start and a
+/// motion.
 pub(crate) fn rays<W: World>(scene: &mut Scene, world: &W, grid: Grid, cast: impl Fn(Vec2, Vec2) -> Option<Vec2>) {
     let ((x0, y0), (x1, y1)) = (grid.origin().raw(), grid.end().raw());
     let side = grid.cell().to_bits();
     let middle = Vec2::from_raw(x0.midpoint(x1), y0.midpoint(y1));
     let far = |p: Vec2| (p - middle).length_squared();
-    // The most open of the free cells: nothing touches a square of three cells around it, or of one.
+    // The most open of the free cells: nothing touches a square of three cells around it, or of
+    // one.
     let free = |around: i32| {
         let places = report::cells(grid).filter_map(move |(_, square)| {
             let ((x, y), wide) = (square.min().raw(), side / 2 * around);

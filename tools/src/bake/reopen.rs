@@ -44,7 +44,7 @@ pub fn reopen(path: &Path) -> Result<Vec<Reopened>> {
             lines.push(line);
         }
     }
-    // What stands before the modules is for all of them.
+    // The text before the modules is for all of them.
     let shared = if parts.len() > 1 { parts.remove(0).1 } else { Vec::new() };
     let folder = source.parent().unwrap_or(Path::new(""));
     let read = parts.iter().map(|(name, lines)| level(name, &shared, lines, folder).map_err(of_file));
@@ -66,7 +66,7 @@ fn beside(path: &Path) -> Result<std::path::PathBuf> {
     });
     let missing = || {
         Fail::new(format!(
-            "{}: the file of the same name in .bin.rs, which says what the bytes are, is not there",
+            "{}: the file of the same name in .bin.rs, which describes the bytes, is missing",
             path.display()
         ))
     };

@@ -1,10 +1,10 @@
-//! What a level costs: bytes, cells, and the pieces of surface that a query meets.
+//! The costs of a level: bytes, cells, and the pieces of surface that a query meets.
 
 use tilesat::prelude::*;
 use tilesat::world::World;
 use tilesat::{Aabb, Cell, Feature, Fx, Geometry, Grid, Segment, Vec2};
 
-/// What a cell is to a query.
+/// The role of a cell in a query.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Class {
     Empty,
@@ -26,8 +26,8 @@ pub(crate) struct Report {
     pub walked: usize,
 }
 
-/// Which pieces count as a cell's: those that it owns, as a tile does, or all that have a point in its closed square, which is what a
-/// segment map stores.
+/// Which pieces count as a cell's: those that it owns, as a tile does, or all that have a point in
+/// its closed square, which is what a segment map stores.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Owner {
     Tile,
@@ -47,7 +47,7 @@ impl Report {
             }
             most = most.max(own);
             pieces += own;
-            // Every place of the body whose corner lies in this cell is in this region.
+            // Every position of the body whose corner lies in this cell is in this region.
             let (x, y) = square.max().raw();
             let end = Vec2::from_raw(clamped(x.saturating_add(body.0)), clamped(y.saturating_add(body.1)));
             if let Ok(region) = Aabb::new(square.min(), end) {

@@ -34,7 +34,7 @@ impl Shapes {
             }
             let mut points = Vec::new();
             for (i, &(x, y)) in outline.points.iter().enumerate() {
-                // Far outside of the domain; what is nearer is the library's to refuse.
+                // Far outside of the domain; the library refuses points that are nearer.
                 let beyond = |_| {
                     of_object(&format!(
                         "point {i} is beyond the domain of 8192 pixels; --scale makes everything smaller"
@@ -72,7 +72,7 @@ impl Shapes {
     ///
     /// # Errors
     ///
-    /// What the library says, with the object that it is about.
+    /// The library's message, with the object that it is about.
     pub fn build(&self, outlines: &[Outline], cell: Fx) -> Result<Vec<u8>> {
         if self.cells(cell) * 3 > MAX_BYTES as u64 {
             return Err(Fail::new(format!("the objects take too many cells of {cell} px: use larger cells (--cell)")));
@@ -128,7 +128,7 @@ const MOST_CELLS: u64 = 1 << 18;
 ///
 /// # Errors
 ///
-/// What the library says.
+/// The library's message.
 fn build(paths: &[Path<'_>], cell: Fx, cells: u64) -> std::result::Result<Vec<u8>, SegmentMapError> {
     // To measure takes half as long as to build: there is room for the most that a map can hold.
     let segments = paths.iter().map(|path| 4 * path.points.len() + 4).sum::<usize>().min(1 << 15);

@@ -25,8 +25,8 @@ pub(crate) enum Bytes {
     Files(String, String),
 }
 
-/// Constants, the tiles, and the objects as `segment_map!` takes them, so that the compiler builds and checks the map. Several levels are
-/// modules, and share the table of kinds.
+/// Constants, the tiles, and the objects as `segment_map!` takes them: the compiler builds and
+/// checks the map. Several levels are modules, and share the table of kinds.
 pub(crate) fn source(bundle: &Bundle) -> String {
     HEAD.to_owned() + &items(bundle)
 }
@@ -47,7 +47,7 @@ pub(crate) fn items(bundle: &Bundle) -> String {
 pub(crate) fn several(bundle: &Bundle) -> String {
     let mut text = format!("use tilesat::{};\n\n", items::imports(&bundle.kinds));
     text += &items::flags(&flags(bundle));
-    text += "/// What the ids of all levels stand for.\n#[rustfmt::skip]\n";
+    text += "/// The meaning of the ids of all levels.\n#[rustfmt::skip]\n";
     text += &items::kinds(&bundle.kinds);
     for (level, module) in bundle.levels.iter().zip(modules(bundle)) {
         let title: String = level.ground.name.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
@@ -73,7 +73,7 @@ pub(crate) fn modules(bundle: &Bundle) -> Vec<String> {
     names::modules(bundle.levels.iter().map(|level| level.ground.name.as_str()))
 }
 
-/// What the bytes of a level do not say, as source that includes them.
+/// The facts that the bytes of a level do not contain, as source that includes the bytes.
 pub(crate) fn beside(bundle: &Bundle, level: &Baked, tiles: String, segments: String) -> String {
     let mut text = HEAD.replace("OUT.rs", "OUT.bin");
     alone(&mut text, level, &flags(bundle), &Bytes::Files(tiles, segments));
@@ -108,7 +108,7 @@ fn alone(text: &mut String, level: &Baked, flags: &[(String, u8)], from: &Bytes)
     rest(text, level, from);
 }
 
-/// The place of a level, and its segments.
+/// The position of a level, and its segments.
 fn rest(text: &mut String, level: &Baked, from: &Bytes) {
     if let Some(place) = level.ground.place {
         let (x, y, width, height) = (place.x, place.y, place.width, place.height);

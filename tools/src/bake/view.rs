@@ -7,7 +7,7 @@ use super::report::Owner;
 use crate::picture::ink::{EARTH, KILL, NIGHT};
 use crate::picture::marks::{Image, Mark, Scene, Spot};
 
-/// The image of what was drawn, for a picture that begins at this place.
+/// The image of the drawn level, for a picture that begins at this point.
 pub(crate) type Drawn<'a> = dyn Fn(&Scene, Spot) -> Option<Image> + 'a;
 
 pub(crate) fn scene(
@@ -58,7 +58,7 @@ pub(crate) fn scene(
     scene
 }
 
-/// What is solid lets the drawing below it through.
+/// The solid lets the drawing below it through.
 fn let_through(scene: &mut Scene) {
     for mark in &mut scene.marks {
         if let Mark::Rect { fill, .. } = mark {

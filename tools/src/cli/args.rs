@@ -1,4 +1,4 @@
-//! What the command lines of all subcommands share.
+//! The arguments that all subcommands share.
 
 use std::ffi::OsString;
 

@@ -19,25 +19,25 @@ use crate::picture::{backdrop, png};
 const USAGE: &str = "\
 usage: tilesat bake LEVEL -o OUT.bin|OUT.rs [options]
 
-Turns a level into what a firmware includes, and reports what it costs there. Of a
-project of LDtk all levels are baked together, with one table of tile kinds.
+Turns a level into files that a firmware includes, and reports what it costs there.
+All levels of an LDtk project are baked together, with one table of tile kinds.
 ";
 
 const OPTIONS: &str = "
-  -o OUT.rs      write Rust source: constants that the compiler builds the level of;
-                 of several levels a module for each
-  -o OUT.bin     write bytes: those of SegmentMap::from_bytes for polygons, one a tile
-                 for tiles (with both: OUT.segments.bin and OUT.tiles.bin; of several
-                 levels OUT.LEVEL.bin), and OUT.bin.rs, which says what the bytes are
-  --json         print a line of JSON for each level instead of the report; -o is
-                 not needed then, nor with --picture
-  --picture PNG  draw what is solid over what was drawn
-  --cell PX      the side of the cells that polygons are sorted into (default: a tile)
-  --body WxH     the body that the report reckons with (default: a cell)
+  -o OUT.rs      write Rust source: constants from which the compiler builds the
+                 level; several levels are a module each
+  -o OUT.bin     write bytes: for polygons those of SegmentMap::from_bytes, for tiles
+                 one per tile (with both: OUT.segments.bin and OUT.tiles.bin; for
+                 several levels OUT.LEVEL.bin), and OUT.bin.rs, which describes them
+  --json         print a line of JSON for each level instead of the report; you can
+                 omit -o then, and with --picture
+  --picture PNG  draw the solid over the level as you drew it
+  --cell PX      the side of the cells that index polygons (default: a tile)
+  --body WxH     the body for which the report counts (default: a cell)
   --help         print this
 
-Nothing is written where anything fails, and never over a file that the level is read from.
-Exit status: 0 written, 2 bad arguments or a level that is refused.
+If anything fails, nothing is written. A file of the level is never overwritten.
+Exit status: 0 written, 2 bad arguments or a refused level.
 ";
 
 struct Options {
@@ -168,7 +168,7 @@ fn tell_whole(out: &mut dyn Write, line: &str) {
     let _ = writeln!(out, "{line}");
 }
 
-/// What became of a level.
+/// The result for a level.
 fn told(baked: &Baked, bundle: &Bundle, lines: &[String], out: &mut dyn Write) {
     if bundle.levels.len() > 1 {
         tell(out, &format!("level   {}", baked.ground.name));

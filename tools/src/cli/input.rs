@@ -1,4 +1,5 @@
-//! The level that a subcommand works on, and what is solid in it: arguments that all of them share, and the file of the project.
+//! The level that a subcommand works on, and the options that say what is solid. All subcommands
+//! share these arguments, and the file of the project.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +14,7 @@ use crate::read::{self, Levels};
 use crate::rules::names;
 use crate::rules::options::Options;
 
-/// What the usage of each subcommand says about it.
+/// The text about it in the usage of each subcommand.
 pub(crate) const LEVEL: &str = "
 LEVEL is a map of Tiled (.tmx, .tmj; finite or infinite, in any encoding) or a
 project of LDtk (.ldtk).
@@ -21,36 +22,36 @@ project of LDtk (.ldtk).
 
 /// The same for the options.
 pub(crate) const OPTIONS: &str = "
-What is solid, of each tile the first that says something:
+A tile is solid by the first of these rules that applies:
   a  its class or a true property: Collision, Solid, Collides, Collidable, Wall,
      Blocked; OneWay; or a property shape (full, one-way-up, slope-bottom-left, ..,
      as tilesat sheet draws them) or npp (its number in N++, 0 to 33)
   b  its shapes of Tiled's collision editor
-  c  its layer: a name, class or true property with the word collision, collider
-     or solid: every tile that is drawn there is full
-  d  where nothing is solid so far, its layer: wall, ground, terrain, platform,
-     block, obstacle. Values of an LDtk IntGrid go by these words too, by dirt,
-     stone, rock, brick, earth, and by names of shapes, with flags: SlopeTopLeft_Ice
-All other classes and true properties are flags, at most eight. Options on top:
+  c  its layer has a name, class or true property with the word collision, collider
+     or solid: every tile drawn there is full
+  d  where nothing is solid so far, its layer is named wall, ground, terrain, platform,
+     block or obstacle. Values of an LDtk IntGrid follow these words too, also dirt,
+     stone, rock, brick, earth, and names of shapes, with flags: SlopeTopLeft_Ice
+All other classes and true properties are flags, at most eight. These options come first:
   --solid NAME[=SHAPE]  tiles of this name are full, or of this shape
-  --one-way NAME        they are one-way from above
-  --empty NAME          they are nothing
-  --flag NAME           the name is a flag and nothing else; where there are more
-                        than eight, those named so stay
-  --solid-layer NAME    every tile that is drawn in the layer is full
-  --ignore-layer NAME   the layer is not there
+  --one-way NAME        tiles of this name are one-way from above
+  --empty NAME          tiles of this name are empty
+  --flag NAME           the name is only a flag; if there are more than eight
+                        flags, the ones named here stay
+  --solid-layer NAME    every tile drawn in the layer is full
+  --ignore-layer NAME   skip the layer
   --objects NAME        the objects of the layer are solid
-  --ignore-level NAME   the level of a project is not there
-  --layer NAME          the only tile layer that is looked at for solids
-  --level NAME          the level of a project (default: bake and lint take all)
-  --scale N/D           all lengths are multiplied by this
-NAME of a tile is its class, a true property, TILESET:ID, an IntGrid value (its
+  --ignore-level NAME   skip the level of a project
+  --layer NAME          look for solids in this tile layer only
+  --level NAME          take this level of a project (bake and lint: default all)
+  --scale N/D           multiply all lengths by this
+The NAME of a tile is its class, a true property, TILESET:ID, or an IntGrid value (its
 identifier, its number, or LAYER:NUMBER), in any case. A file tilesat.toml beside
-the level says the same for all levels there: solid = [\"Grass\", \"Ramp=slope-bottom-left\"],
+the level sets the same for all levels there: solid = [\"Grass\", \"Ramp=slope-bottom-left\"],
 one-way, empty, flag, solid-layer, ignore-layer, objects, ignore-level (lists), scale = \"1/2\".
-Objects are solid where --objects, their class, a true property, their name or their
-layer (by c) says so: rectangles, polygons, ellipses; polylines are walls. A class or
-the property kind tells solid, hole, wall (a chain that blocks from both sides) and
+Objects are solid if --objects, their class, a true property, their name or their
+layer (rule c) says so: rectangles, polygons, ellipses; polylines are walls. A class or
+the property kind chooses solid, hole, wall (a chain that blocks from both sides) or
 one-way (a chain that blocks from its left: draw floors to the right).
 ";
 
@@ -92,14 +93,14 @@ impl Input {
         let mut levels = read::load(path, self.level.as_deref())?;
         let (options, file) = project::beside(path)?;
         levels.files.extend(file);
-        // What a project says of all levels need not be in each of them.
+        // A level does not have to contain everything that the project names.
         unknown(&levels, &self.options).map_err(|why| Fail::new(format!("{}: {why}", path.display())))?;
         let options = options.then(self.options);
         Ok((levels, options))
     }
 }
 
-/// Layers and names of options that no level has, which are hardly what is meant.
+/// Layers and names of options that no level has: most likely a mistake.
 fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String> {
     let all = || levels.maps.iter().flat_map(|map| &map.layers);
     let layers: Vec<&str> = all().map(|layer| layer.name.as_str()).collect();
@@ -110,7 +111,7 @@ fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String
     ];
     for (option, name) in of_layers.iter().flat_map(|(option, names)| names.iter().map(move |name| (option, name))) {
         if !layers.iter().any(|layer| crate::rules::same(layer, name)) {
-            return Err(format!("{option} {name}: no layer is called so; there are: {}", shown(&layers)));
+            return Err(format!("{option} {name}: there is no such layer; there are: {}", shown(&layers)));
         }
     }
     let mut names: Vec<&str> = Vec::new();
@@ -131,7 +132,7 @@ fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String
     }
     names.retain(|name| !name.trim().is_empty());
     names.sort_unstable();
-    // `TILESET:ID`, `LAYER:VALUE` and a value's number are places, which need not be used.
+    // `TILESET:ID`, `LAYER:VALUE` and a value's number name a tile that may be unused.
     let is_place = |name: &str| name.contains(':') || name.bytes().all(|b| b.is_ascii_digit());
     let given = options.shapes.iter().map(|(name, _)| name).chain(&options.flags);
     match given.into_iter().find(|name| !is_place(name) && !names.iter().any(|known| crate::rules::same(known, name))) {
@@ -155,7 +156,7 @@ fn shown(names: &[&str]) -> String {
 pub(crate) fn solid(text: &str) -> std::result::Result<(String, TileShape), String> {
     let Some((name, shape)) = text.rsplit_once('=') else { return Ok((text.to_owned(), TileShape::Full)) };
     let known = names::shape(shape.trim())
-        .ok_or_else(|| format!("'{shape}' is no shape, such as slope-bottom-left (see --help)"))?;
+        .ok_or_else(|| format!("'{shape}' is not a shape; name one such as slope-bottom-left (see --help)"))?;
     Ok((name.trim().to_owned(), known))
 }
 

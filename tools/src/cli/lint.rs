@@ -1,4 +1,4 @@
-//! `tilesat lint`: a level in, what is wrong with it out.
+//! `tilesat lint`: a level in, its mistakes out.
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -19,17 +19,17 @@ use crate::rules::options::listed;
 const USAGE: &str = "\
 usage: tilesat lint LEVEL [options]
 
-Looks for mistakes in a level before it is baked; in all levels of a project of LDtk.
+Looks for mistakes in a level, or in all levels of an LDtk project, before you bake it.
 ";
 
 const OPTIONS: &str = "
-  --body WxH     a box of this size moves through it: report what is too narrow
+  --body WxH     a box of this size moves through it: report gaps that are too narrow
   --circle R     a circle of this radius does
   --small PX     edges shorter and polygons thinner than this are slivers (default: 1)
   --strict       warnings count as errors
   --help         print this
 
-Each finding is a line: severity, code, place in pixels, objects, what, why.
+Each finding is a line: severity, code, position in pixels, objects, what, why.
 Exit status: 0 no error, 1 errors, 2 bad arguments or a bad file.
 ";
 

@@ -17,7 +17,7 @@ use std::io::Write;
 const USAGE: &str = "\
 usage: tilesat COMMAND ...
 
-Looks after levels of Tiled and LDtk for the crate tilesat.
+Checks, bakes and plays levels of Tiled and LDtk for the crate tilesat.
 
   bake     turn a level into bytes or Rust source for a firmware
   rooms    cut a world of any size into rooms for a firmware
@@ -25,7 +25,7 @@ Looks after levels of Tiled and LDtk for the crate tilesat.
   play     play a level with a scripted player, boxes and balls
   sheet    draw every shape of a tile with its faces, corners and arcs
 
-tilesat COMMAND --help says what each of them takes.
+tilesat COMMAND --help lists the arguments of each.
 ";
 
 /// The whole program but for the process around it; returns the exit status.
@@ -43,7 +43,10 @@ pub fn run(args: impl IntoIterator<Item = OsString>, out: &mut dyn Write, err: &
             0
         }
         Some(other) => {
-            tell::tell(err, &format!("tilesat: no command is called {other}; there are: bake, lint, play, sheet"));
+            tell::tell(
+                err,
+                &format!("tilesat: no command is called {other}; there are: bake, rooms, lint, play, sheet"),
+            );
             2
         }
         None => {

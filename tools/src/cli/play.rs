@@ -1,4 +1,5 @@
-//! `tilesat play`: a level in, a run and its picture out. The example `platformer` is this with levels of its own.
+//! `tilesat play`: a level in, a run and its picture out. The example `platformer` is this with
+//! built-in levels.
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -50,7 +51,7 @@ fn job(program: &Program, options: Options, out: &mut dyn Write, err: &mut dyn W
         }
         return Ok(0);
     }
-    // Before the run, so that a long one does not end without its picture.
+    // Before the run: a long one then never ends without its picture.
     for file in options.png.iter().chain(&options.svg) {
         Outputs::check(file, &files)?;
     }

@@ -14,7 +14,7 @@ use crate::fail::{Fail, Result};
 /// A program that plays levels.
 #[derive(Debug, Clone)]
 pub struct Program {
-    /// What its usage and its errors begin with.
+    /// The beginning of its usage and its errors.
     pub name: &'static str,
     /// Levels that `--level` knows by name, the first being played where no level is given.
     pub levels: Vec<(&'static str, PathBuf)>,
@@ -23,7 +23,7 @@ pub struct Program {
 }
 
 impl Default for Program {
-    /// `tilesat play`, which has no level of its own.
+    /// `tilesat play`, which has no built-in level.
     fn default() -> Self {
         Self { name: "tilesat play", levels: Vec::new(), picture: None }
     }
@@ -35,21 +35,21 @@ body in every frame against an independent exact overlap test.
 
 ";
 
-const BAKED: &str = "It may also be a file that tilesat bake has written (.rs, .bin). Of several levels
-the first is played, or the one of --level.
+const BAKED: &str = "LEVEL may also be a file that tilesat bake has written (.rs, .bin). Of several levels,
+the first is played, or the one that --level names.
 ";
 
-const OPTIONS: &str = "  --frames N     how long to play (default: 3600)
+const OPTIONS: &str = "  --frames N     frames to play (default: 3600)
   --seed N       where the bodies start and how they move (default: 11)
   --svg FILE     write the picture as SVG
   --bake STEM    write STEM.bin and STEM.rs, the level as this game includes it, and stop
   --help         print this
 
 The last line is  frames=N bodies=N contacts=N overlaps=N escaped=N hash=XXXXXXXX
-Exit status: 0 all is well, 1 an overlap or an escape, 2 bad arguments or a bad file.
+Exit status: 0 no error, 1 an overlap or an escape, 2 bad arguments or a bad file.
 ";
 
-/// What is to be done.
+/// The job.
 pub(super) struct Options {
     pub(super) file: PathBuf,
     pub(super) input: Input,
@@ -69,7 +69,7 @@ impl Program {
             level = "[LEVEL]";
         }
         let default = self.picture.as_ref().map(|file| format!(" (default: {})", file.display())).unwrap_or_default();
-        let png = format!("  --png FILE     write the picture there{default}\n");
+        let png = format!("  --png FILE     write the picture to FILE{default}\n");
         let (about, options) = (input::LEVEL, input::OPTIONS);
         format!("usage: {} {level} [options]\n{ABOUT}{about}{BAKED}\n{own}{png}{OPTIONS}{options}", self.name)
     }

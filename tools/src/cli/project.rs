@@ -31,7 +31,7 @@ struct File {
     scale: Option<String>,
 }
 
-/// What the file beside a level says, and the file where it is there.
+/// The options of the file beside a level, and the file if it exists.
 ///
 /// # Errors
 ///

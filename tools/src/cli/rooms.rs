@@ -18,20 +18,20 @@ use crate::rooms::{self, Cut};
 const USAGE: &str = "\
 usage: tilesat rooms LEVEL -o OUT.rs [options]
 
-Bakes a world of any size as rooms, whose borders no body feels. A map is cut into
-equal rooms; the levels of a project of LDtk are rooms where they lie in its world.
+Bakes a world of any size as rooms. No body feels their borders. A map is cut into
+equal rooms; each level of an LDtk project is a room at its position in the world.
 ";
 
 const OPTIONS: &str = "
-  -o OUT.rs      the source: the static ROOMS, and what it is made of
+  -o OUT.rs      write Rust source: the static ROOMS and its parts
   --room WxH     columns and rows of a room, for a map
   --body PX      the longer side of the largest body (default: a cell)
-  --motion PX    the longest motion of a frame, with a walker's step and snap
+  --motion PX    the longest motion per frame, with a walker's step and snap
                  (default: a cell)
   --help         print this
 
-The apron around each room follows from body and motion: apron * cell > body + motion + 1.
-Exit status: 0 written, 2 bad arguments or a world that is refused.
+Body and motion give the apron around each room: apron * cell > body + motion + 1.
+Exit status: 0 written, 2 bad arguments or a refused world.
 ";
 
 struct Options {

@@ -16,13 +16,13 @@ use crate::sheet;
 const USAGE: &str = "\
 usage: tilesat sheet FOLDER
 
-Draws into this folder what the library answers about tiles:
+Draws the library's answers about tiles into this folder:
 
   sheet-shapes.png    every shape with its faces, vertices and arcs
-  sheet-mosaic.png    random tiles, what is left of their surface, and rays
-  sheet-level.png     the level ninja, rays, and the ways of two balls
+  sheet-mosaic.png    random tiles, their common surface, and rays
+  sheet-level.png     the level ninja, rays, and the paths of two balls
 
-Exit status: 0 drawn, 2 bad arguments or a folder that cannot be written to.
+Exit status: 0 drawn, 2 bad arguments or a folder that cannot be written.
 ";
 
 /// Runs the subcommand; returns the exit status.

@@ -14,7 +14,7 @@ pub(crate) fn usage(to: &mut dyn Write, text: &str) {
     let _ = to.write_all(text.as_bytes());
 }
 
-/// The exit status of a program: 2 where it failed, which is told in one line.
+/// The exit status of a program: 2 where it failed, with one line on why.
 pub(crate) fn status(program: &str, result: Result<u8>, err: &mut dyn Write) -> u8 {
     result.unwrap_or_else(|fail| {
         tell(err, &format!("{program}: {fail}"));

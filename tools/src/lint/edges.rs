@@ -9,7 +9,7 @@ pub(super) fn in_domain(p: Point) -> bool {
     p.0.abs() < 1 << 29 && p.1.abs() < 1 << 29
 }
 
-/// Whether an outline can be built at all; what is wrong with others is found where outlines are checked.
+/// Whether an outline can be built at all. The checks of outlines find the faults of the others.
 pub(super) fn is_sound(outline: &Outline) -> bool {
     let enough = outline.points.len() >= if outline.closed { 3 } else { 2 };
     enough && (outline.closed || !outline.kind.has_area()) && outline.points.iter().all(|&p| in_domain(p))

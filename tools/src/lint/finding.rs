@@ -1,4 +1,4 @@
-//! What the linter says.
+//! The linter's messages.
 
 use std::fmt;
 use std::rc::Rc;
@@ -9,7 +9,7 @@ use super::geometry::Point;
 pub enum Severity {
     /// The library refuses it, or bodies meet something that nobody drew.
     Error,
-    /// The library does exactly what is drawn, which is hardly what is meant.
+    /// The library does exactly as drawn, but hardly as meant.
     Warning,
     Note,
 }
@@ -24,7 +24,7 @@ impl fmt::Display for Severity {
     }
 }
 
-/// Sorts by severity, then code, then what it is about, then place.
+/// Sorts by severity, then code, then object, then position.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Finding {
     pub severity: Severity,
@@ -72,7 +72,7 @@ pub(super) fn place((x, y): Point) -> String {
     format!("({}, {})", pixels(x), pixels(y))
 }
 
-/// Raw as pixels. Five decimals tell all raw numbers apart.
+/// Raw as pixels. Five decimals distinguish all raw numbers.
 pub(super) fn pixels(raw: i64) -> String {
     let scaled = (i128::from(raw.unsigned_abs()) * 100_000 + (1 << 15)) >> 16;
     let sign = if raw < 0 && scaled > 0 { "-" } else { "" };

@@ -7,7 +7,7 @@ use super::finding::{Finding, Severity};
 
 /// So many findings of a kind are shown; the others are counted.
 pub const SHOWN: usize = 50;
-/// So many of a kind are told apart: what is wrong so often is one mistake.
+/// How many of a kind are listed: more of them are one mistake.
 pub const COUNTED: usize = 100_000;
 
 /// Findings in their order, the worst first, each once.

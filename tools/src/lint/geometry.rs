@@ -1,11 +1,12 @@
 //! How two edges meet, exactly.
 //!
-//! Raw coordinates of a file stay below 2^37 (a million pixels and offsets), so products are below 2^76 and
-//! everything here is far from the ends of `i128`.
+//! Raw coordinates of a file stay below 2^37 (a million pixels and offsets). Products stay below
+//! 2^76, and everything here is far from the ends of `i128`.
 
 pub type Point = (i64, i64);
 
-/// A straight piece of an outline or of a tile layer's surface; the solid, where it has one, lies right of its way (y down).
+/// A straight piece of an outline or of a tile layer's surface; the solid, where it has one, lies
+/// right of its way (y down).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Edge {
     pub a: Point,
@@ -55,7 +56,7 @@ impl Edge {
 /// How two edges meet that have a length each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Meeting {
-    /// Not at all, or in an end of both.
+    /// Not at all, or in a common end.
     Apart,
     SharedEnd(Point),
     /// In one point within both; rounded to raw.
@@ -122,7 +123,8 @@ fn nearest(numerator: i128, denominator: i128) -> i128 {
     (2 * n + d).div_euclid(2 * d)
 }
 
-/// Whether an edge stands between two points: they lie on different sides of it and see each other through it.
+/// Whether an edge stands between two points: they lie on different sides of it and see each other
+/// through it.
 pub fn hides(edge: &Edge, p: Point, q: Point) -> bool {
     let split = orient(edge.a, edge.b, p).signum() * orient(edge.a, edge.b, q).signum() < 0;
     split && orient(p, q, edge.a).signum() * orient(p, q, edge.b).signum() <= 0
@@ -140,7 +142,8 @@ pub fn winding(points: &[Point], p: Point) -> i32 {
     points.iter().zip(next).map(|(&a, &b)| crossed(a, b, p)).sum()
 }
 
-/// How an edge crosses the ray from a point of doubled coordinates along x: 1 where the point is on the right of its way, else -1.
+/// How an edge crosses the ray from a point of doubled coordinates along x: 1 where the point is on
+/// the right of its way, else -1.
 pub fn crossed(a: Point, b: Point, p: Point) -> i32 {
     let double = |q: Point| (2 * q.0, 2 * q.1);
     let (a, b) = (double(a), double(b));

@@ -1,4 +1,5 @@
-//! Which edges are near each other: a tree of boxes, and an account of the work that is spent in it.
+//! Which edges are near each other: a tree of boxes, and an account of the work that is spent in
+//! it.
 
 use super::geometry::{Edge, Point, orient};
 
@@ -42,8 +43,8 @@ impl Bounds {
     }
 }
 
-/// How many boxes a check may look at: enough for any level that is drawn with care, and n log n of them where things lie over
-/// each other, so that all pairs are too many.
+/// How many boxes a check may look at: enough for any level that is drawn with care. Where things
+/// lie over each other, all pairs are too many; then n log n of them.
 #[derive(Debug)]
 pub(super) struct Work(u64);
 
@@ -66,7 +67,8 @@ impl Work {
 
 const CHILDREN: usize = 8;
 
-/// The edges in the order of the tree's leaves, and the boxes: of each edge, of each eight of these, and so on up to one.
+/// The edges in the order of the tree's leaves, and the boxes: of each edge, of each eight of
+/// these, and so on up to one.
 pub(super) struct Index {
     order: Vec<usize>,
     boxes: Vec<Vec<Bounds>>,

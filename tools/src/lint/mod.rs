@@ -27,8 +27,8 @@ const MAX_EDGES: usize = 65_534;
 
 /// All findings about a level.
 ///
-/// Its time and memory are n log n in the edges and linear in the tiles. Where so many things lie over each other that all pairs of
-/// them are too many, a check ends early and says so.
+/// Its time and memory are n log n in the edges and linear in the tiles. Where so many things lie
+/// over each other that all pairs of them are too many, a check ends early and says so.
 ///
 /// # Errors
 ///

@@ -26,7 +26,7 @@ pub(super) fn check(scene: &mut Scene<'_>, crossing: &HashSet<usize>) {
         match (scene.drawing.outlines[i].kind, around) {
             (Kind::Hole, ..=0) => {
                 let what = "a hole outside of any solid";
-                scene.say((Error, "hole-outside"), who, at, what, "its edge blocks what comes from within");
+                scene.say((Error, "hole-outside"), who, at, what, "its edge blocks bodies from within");
             }
             (Kind::Hole, 2..) => {
                 let what = format!("a hole where {around} solids lie on each other");
@@ -41,7 +41,8 @@ pub(super) fn check(scene: &mut Scene<'_>, crossing: &HashSet<usize>) {
     }
 }
 
-/// How many solids, less holes, lie around an outline of these edges, and by which of them; `None` if it lies on others all along.
+/// How many solids, less holes, lie around an outline of these edges, and by which of them; `None`
+/// if it lies on others all along.
 fn surroundings(scene: &Scene<'_>, edges: &[Edge], work: &mut Work) -> Option<(Edge, i32)> {
     for edge in edges {
         let middle = (edge.a.0 + edge.b.0, edge.a.1 + edge.b.1);
@@ -56,7 +57,8 @@ fn surroundings(scene: &Scene<'_>, edges: &[Edge], work: &mut Work) -> Option<(E
     None
 }
 
-/// How many solids, less holes, hold a point of doubled coordinates: all edges have the solid on the same side.
+/// How many solids, less holes, hold a point of doubled coordinates: all edges have the solid on
+/// the same side.
 pub(super) fn depth(scene: &Scene<'_>, point: Point, without: Option<usize>, work: &mut Work) -> i32 {
     let hit = scene.index.within(Bounds::ray(point), work).map(|j| &scene.edges[j]);
     let counts = |edge: &&Edge| scene.bounds_inside(edge) && (without.is_none() || edge.outline != without);

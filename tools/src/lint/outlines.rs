@@ -97,7 +97,8 @@ fn corners(scene: &mut Scene<'_>, i: usize, outline: &Outline) {
         let (before, corner, after) = (at(k), at(k + 1), at(k + 2));
         let cross = super::geometry::orient(corner, before, after).abs();
         let dot = dot(corner, before, after);
-        // Less than an eighth of a radian, 7 degrees. Edges that lie on each other are found as such.
+        // Less than an eighth of a radian, 7 degrees. Edges that lie on each other are found as
+        // such.
         if cross != 0 && dot > 0 && cross < dot / 8 {
             let who = vec![scene.owner(i, Some((k + 1) % count))];
             let what = "an angle of less than 7 degrees where this edge begins";

@@ -59,11 +59,12 @@ fn blocked(scene: &Scene<'_>, edge: &Edge, blockers: &[Edge], index: &Index, wor
     doubled.into_iter().all(&mut buried).then_some("it lies within the solid")
 }
 
-/// How far in front of the edge a body that stands on it reaches: in raw, rounded up, and in lengths of the edge's normal.
+/// How far in front of the edge a body that stands on it reaches: in raw, rounded up, and in
+/// lengths of the edge's normal.
 fn room(body: Option<Body>, edge: &Edge) -> (i64, i128) {
     let (x, y) = edge.normal();
     match body {
-        // Only what lies on the edge itself.
+        // Only points on the edge itself.
         None => (0, 1),
         Some(Body::Box { width, height }) => {
             (width + height, i128::from(width) * x.abs() + i128::from(height) * y.abs())
@@ -77,7 +78,8 @@ fn room(body: Option<Body>, edge: &Edge) -> (i64, i128) {
     }
 }
 
-/// The part of the edge in front of which a blocker is closer than `room`, as dot products with its direction.
+/// The part of the edge in front of which a blocker is closer than `room`, as dot products with its
+/// direction.
 fn cover(edge: &Edge, blocker: &Edge, room: i128) -> Option<(i128, i128)> {
     let (d, n) = (edge.dir(), edge.normal());
     let frame = |p: Point| {
@@ -92,7 +94,8 @@ fn cover(edge: &Edge, blocker: &Edge, room: i128) -> Option<(i128, i128)> {
     if u == 0 || from.1.max(to.1) < 0 || from.1.min(to.1) >= room {
         return None;
     }
-    // Where the blocker is at a height; u and v are below 2^62. Rounded into the part that is covered.
+    // Where the blocker is at a height; u and v are below 2^62. Rounded into the part that is
+    // covered.
     let at = |height: i128, up: bool| {
         let numerator = (height - from.1) * u;
         from.0 + if up { -(-numerator).div_euclid(v) } else { numerator.div_euclid(v) }

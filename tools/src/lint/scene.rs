@@ -11,7 +11,7 @@ use super::surface::Surface;
 use crate::rules::ground::Ground;
 use crate::rules::outline::Outline;
 
-/// What moves through the level, in raw units.
+/// The body that moves through the level, in raw units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Body {
     Box { width: i64, height: i64 },
@@ -29,13 +29,14 @@ pub struct Rules {
 pub(crate) struct Scene<'a> {
     pub drawing: &'a Ground,
     pub rules: &'a Rules,
-    /// Of outlines, oriented: the solid lies right of the way (y down). No edge without length, none out of the domain.
+    /// Of outlines, oriented: the solid lies right of the way (y down). No edge without length,
+    /// none out of the domain.
     pub edges: Vec<Edge>,
     /// Which edges are near each other.
     pub index: Index,
     pub surface: Option<Surface>,
     pub findings: Findings,
-    /// What each outline is called.
+    /// The name of each outline.
     titles: Vec<Rc<str>>,
     /// Whether each outline has an inside.
     insides: Vec<bool>,
@@ -65,7 +66,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// Says that a check ended at an edge, because what is left is too much.
+    /// Reports that a check ended at an edge, because the rest is too much.
     pub(super) fn say_unfinished(&mut self, at: &Edge, what: &'static str) {
         let why = "so much lies over each other here that what else is wrong is not known";
         self.say((Severity::Warning, "unfinished"), vec![self.who(at)], at.a, what, why);

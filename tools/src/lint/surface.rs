@@ -21,7 +21,8 @@ pub(super) struct Surface {
 /// Those of a checkerboard of 512 x 512 tiles.
 const MAX_FEATURES: usize = 1 << 20;
 
-/// The smallest cell of the library, raw: a level of any size fits its domain when it is drawn as small as that.
+/// The smallest cell of the library, raw: a level of any size fits its domain when it is drawn as
+/// small as that.
 const CELL: i32 = 1 << 8;
 
 pub(super) fn of(level: Level) -> Result<Surface> {
@@ -32,7 +33,7 @@ pub(super) fn of(level: Level) -> Result<Surface> {
     let map = map.map_err(|e| of_layer(&format!("cannot be compared: {e}")))?.with_outside(Outside::Solid);
     let whole = Aabb::new(map.grid().origin(), map.grid().end()).map_err(|e| of_layer(&e))?;
 
-    // What the outside adds is no part of the level.
+    // The outside is not part of the level.
     let features = map.features(&whole).filter(|feature| map.tile(feature.cell).is_some());
     let features: Vec<Feature> = features.take(MAX_FEATURES + 1).collect();
     if features.len() > MAX_FEATURES {
@@ -92,7 +93,8 @@ fn pieces(feature: &Feature, scale: i64) -> Vec<Edge> {
             // Cosines of 0, 22.5, 45, 67.5 and 90 degrees in 65536ths.
             let cos = [65536, 60547, 46341, 25080, 0];
             let at = |k: usize| (x + sx * ((r * cos[k]) >> 16), y + sy * ((r * cos[4 - k]) >> 16));
-            // From the side toward x to the side toward y is to the right (y down) in two of the quadrants.
+            // From the side toward x to the side toward y is to the right (y down) in two of the
+            // quadrants.
             let right = (sx * sy > 0) == convex;
             (0..4).map(|k| if right { edge(at(k), at(k + 1)) } else { edge(at(k + 1), at(k)) }).collect()
         }

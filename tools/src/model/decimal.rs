@@ -11,13 +11,14 @@ pub struct Decimal(i128);
 
 const PLACES: i32 = 26;
 const ONE: i128 = 10i128.pow(PLACES as u32);
-/// Far beyond the domain, so that a sum of several still says "outside of the domain".
+/// Far beyond the domain: a sum of several still says "outside of the domain".
 const LIMIT: i128 = 1_000_000 * ONE;
 
 impl Decimal {
     pub const ZERO: Self = Self(0);
 
-    /// `-12.5`, `3`, `.5`, `1.2e-05`. Digits beyond 26 places are cut off; `None` for anything else and from a million on.
+    /// `-12.5`, `3`, `.5`, `1.2e-05`. Digits beyond 26 places are cut off; `None` for anything else
+    /// and from a million on.
     pub fn parse(text: &[u8]) -> Option<Self> {
         let text = std::str::from_utf8(text).ok()?.trim();
         let (number, exponent) = match text.split_once(['e', 'E']) {
@@ -33,7 +34,7 @@ impl Decimal {
             return None;
         }
         let mut value = 0i128;
-        // The place of the first digit, then one lower each.
+        // The weight of the first digit; each following one is one lower.
         let mut place = exponent.checked_add(i32::try_from(whole.len()).ok()?)?;
         for digit in whole.bytes().chain(fraction.bytes()) {
             let digit = i128::from(char::from(digit).to_digit(10)?);
@@ -61,7 +62,7 @@ impl Decimal {
         Self(whole.saturating_add(self.0 % d * n / d).clamp(-LIMIT, LIMIT))
     }
 
-    /// For what is no decimal: a point of a rotated object. Saturates.
+    /// For a point of a rotated object, which is no decimal. Saturates.
     #[allow(clippy::cast_precision_loss, reason = "sines are not decimals")]
     pub fn from_f64(value: f64) -> Self {
         Self(((value * ONE as f64) as i128).clamp(-LIMIT, LIMIT))
@@ -73,7 +74,7 @@ impl Decimal {
         self.0 as f64 / ONE as f64
     }
 
-    /// The nearest raw unit, halves up, so that a moved level has the same shape.
+    /// The nearest raw unit, halves up: a moved level has the same shape.
     pub fn raw(self) -> i64 {
         let scaled = self.0 << 16;
         (scaled + ONE / 2).div_euclid(ONE) as i64

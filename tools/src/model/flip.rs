@@ -14,10 +14,11 @@ pub struct Flip {
 }
 
 impl Flip {
-    /// What the tile is after the flip.
+    /// The tile after the flip.
     ///
-    /// After empty and full come groups of four that turn right: halves and one-way edges by side, from the top; all others by corner,
-    /// from the top left. The diagonal keeps the corners on it and makes mild slopes steep.
+    /// After empty and full come groups of four that turn right: halves and one-way edges by side,
+    /// from the top; all others by corner, from the top left. The diagonal keeps the corners on it
+    /// and makes mild slopes steep.
     pub fn of(self, shape: TileShape) -> TileShape {
         let id = shape as usize;
         if id < 2 {

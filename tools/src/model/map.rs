@@ -10,14 +10,14 @@ use super::tileset::Tileset;
 /// A level as it was drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Map {
-    /// What `LDtk` calls the level; of Tiled's maps the name of the file.
+    /// `LDtk`'s name of the level; of Tiled's maps the name of the file.
     pub name: String,
     /// Side of a cell in pixels.
     pub tile: u16,
     /// Columns and rows, where layers have none.
     pub size: (u32, u32),
     pub tilesets: Vec<Rc<Tileset>>,
-    /// What the numbers in the layers mean; 0 is nothing.
+    /// The meaning of the numbers in the layers; 0 is empty.
     pub palette: Vec<Placed>,
     /// The lowest first; groups are flattened.
     pub layers: Vec<Layer>,
@@ -27,7 +27,7 @@ pub struct Map {
     pub values: bool,
 }
 
-/// What stands in a cell.
+/// The content of a cell.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Placed {
     Nothing,
@@ -67,7 +67,7 @@ pub struct Layer {
     pub content: Content,
 }
 
-/// What a layer holds.
+/// The content of a layer.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Content {
     Tiles(Tiles),
@@ -86,7 +86,7 @@ pub struct Tiles {
     pub height: u32,
     /// Row by row, as places in the palette.
     pub cells: Vec<u32>,
-    /// Whether the editor has drawn it after another layer, so that its name says nothing.
+    /// Whether the editor has drawn it after another layer. Its name then says nothing.
     pub derived: bool,
 }
 

@@ -1,4 +1,5 @@
-//! Levels as they were drawn, in the one form that all formats are read into. Nothing here knows what is solid.
+//! Levels as they were drawn, in the one form into which all formats are read. Nothing here knows
+//! what is solid.
 
 pub mod decimal;
 pub mod flip;

@@ -6,7 +6,7 @@ use super::property::Properties;
 /// A point in pixels.
 pub type Spot = (Decimal, Decimal);
 
-/// What an object is drawn as.
+/// The form of an object.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Form {
     Rectangle,

@@ -1,4 +1,4 @@
-//! What an author wrote beside a tile, an object or a layer.
+//! The properties that an author wrote beside a tile, an object or a layer.
 
 /// The value of a property.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -28,19 +28,19 @@ pub struct Tileset {
     pub tiles: HashMap<u32, Tile>,
 }
 
-/// What is known of a tile.
+/// The known facts of a tile.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Tile {
     pub class: String,
     pub properties: Properties,
     /// Drawn in the collision editor.
     pub shapes: Vec<Object>,
-    /// A picture of its own, and its size.
+    /// Its own picture, and the size of that.
     pub image: Option<(PathBuf, (u32, u32))>,
 }
 
 impl Tileset {
-    /// Whether there is such a tile.
+    /// Whether the tileset has this tile.
     pub fn has(&self, id: u32) -> bool {
         self.count.is_none_or(|count| id < count) || self.tiles.contains_key(&id)
     }

@@ -1,4 +1,4 @@
-//! A level as it was drawn, below a picture of what is solid in it: the images of its tiles, where they are there.
+//! A level as it was drawn, below a picture of its solid: the images of its tiles, if they exist.
 
 use std::collections::HashMap;
 use std::fs;
@@ -15,7 +15,7 @@ use crate::rules::ground::Ground;
 /// Of an image file, and of what it unpacks to.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// The tiles of a map for a picture that begins at this place of its ground; `None` where there are no images.
+/// The tiles of a map for a picture that begins at this point of its ground; `None` without images.
 pub fn image(scene: &Scene, corner: Spot, map: &Map, ground: &Ground, scale: Option<(u32, u32)>) -> Option<Image> {
     let zoom = scale.map_or(1.0, |(n, d)| n as f32 / d as f32) * scene.scale;
     let (width, height) = ((scene.level.0 * scene.scale) as usize, (scene.level.1 * scene.scale) as usize);

@@ -52,7 +52,7 @@ impl Canvas {
         });
     }
 
-    /// Blended once for the whole line, so that its joints do not show.
+    /// Blended once for the whole line: its joints do not show.
     pub(super) fn line(&mut self, points: &[Spot], width: f32, ink: Ink, fade: bool) {
         let (lo, hi) = self.clip(bounds(points, width));
         let (columns, rows) = (hi.0.saturating_sub(lo.0), hi.1.saturating_sub(lo.1));

@@ -4,7 +4,7 @@
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ink {
     pub rgb: [u8; 3],
-    /// 0 is invisible, 1 hides what is below.
+    /// 0 is invisible, 1 hides everything below.
     pub alpha: f32,
 }
 

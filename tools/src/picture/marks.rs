@@ -1,4 +1,4 @@
-//! What a picture is made of, in level pixels with y down; the back ends only scale.
+//! The marks of a picture, in level pixels with y down; the back ends only scale.
 
 use super::ink::Ink;
 

@@ -1,4 +1,4 @@
-//! What the small games draw: the solid of a level, ways through it, and the file.
+//! The drawings of the small games: the solid of a level, ways through it, and the file.
 
 use std::env;
 use std::path::PathBuf;
@@ -45,7 +45,7 @@ impl Sketch {
         sketch
     }
 
-    /// Where a place of the level is in the picture.
+    /// Where a point of the level is in the picture.
     pub fn spot(&self, p: Vec2) -> Spot {
         (p.x.to_num::<f32>() * self.scale, p.y.to_num::<f32>() * self.scale)
     }
@@ -66,7 +66,8 @@ impl Sketch {
         self.scene.disc(self.spot(at), 4.0, ink);
     }
 
-    /// Writes the picture, with lines of text below it, to the target folder or to the file that the first argument names.
+    /// Writes the picture, with lines of text below it, to the target folder or to the file that
+    /// the first argument names.
     ///
     /// # Errors
     ///
@@ -80,7 +81,7 @@ impl Sketch {
         self.scene.size.1 = y - 4.0;
         let target = || Some(env::current_exe().ok()?.ancestors().nth(3)?.join(name));
         let file = env::args_os().nth(1).map(PathBuf::from).or_else(target);
-        let file = file.ok_or_else(|| Fail::new("where should the picture go?"))?;
+        let file = file.ok_or_else(|| Fail::new("the picture has no file name: add one ending in .png"))?;
         png::write(&self.scene, &file)?;
         println!("picture {}", file.display());
         Ok(())

@@ -1,16 +1,17 @@
-//! The surface of a level: exactly the faces and arcs that a body can meet, as the library tells them.
+//! The surface of a level: exactly the faces and arcs that a body can meet, as the library reports
+//! them.
 
 use tilesat::{Axis, Feature, Geometry, Vec2};
 
 use super::ink::{EDGE, Ink, TOP};
 use super::marks::{Scene, Spot};
 
-/// Pieces that an arc is drawn in, each with the colour of its own slope.
+/// Pieces in which an arc is drawn, each coloured by its slope.
 const PIECES: u8 = 12;
 
 pub fn draw(scene: &mut Scene, features: &[Feature], tile: f32) {
     let lines: Vec<Vec<(Spot, Spot)>> = features.iter().filter(|f| !f.one_way).map(|f| lines(&f.geometry)).collect();
-    // What can be stood on goes over the rest.
+    // Floors go over the rest.
     for (floor, ink, width) in [(false, EDGE.alpha(0.7), tile / 14.0), (true, TOP, tile / 8.0)] {
         for runs in lines.iter().map(|line| line.chunk_by(|&a, &b| is_floor(a) == is_floor(b))) {
             for run in runs.filter(|run| is_floor(run[0]) == floor) {

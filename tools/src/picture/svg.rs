@@ -50,7 +50,7 @@ fn element(out: &mut String, scene: &Scene, mark: &Mark) {
             for piece in 0..pieces {
                 let (from, to) = (points.len() * piece / pieces, points.len() * (piece + 1) / pieces);
                 let strength = (piece + 1) as f32 / pieces as f32;
-                // One point more, so that the pieces join.
+                // One point more, which joins the pieces.
                 let part = &points[from..(to + 1).min(points.len())];
                 let ink = paint("stroke", ink.alpha(ink.alpha * strength));
                 let _ = writeln!(

@@ -1,4 +1,4 @@
-//! What is played in: tiles, and segments where there are some.
+//! The level that is played: tiles, and segments where there are some.
 
 use tilesat::{Fx, SegmentMap};
 
@@ -52,7 +52,8 @@ impl Arena {
         Ok(Self { level, segments }.at_origin())
     }
 
-    /// The game counts from the first cell; where a level lies matters to nothing but segments and the domain.
+    /// The game counts from the first cell; where a level lies matters to nothing but segments and
+    /// the domain.
     fn at_origin(mut self) -> Self {
         let fits = |count: u16| u32::from(count) * u32::from(self.level.tile) < 8192;
         if self.segments.is_none() && fits(self.level.width) && fits(self.level.height) {
@@ -62,7 +63,7 @@ impl Arena {
     }
 }
 
-/// Empty tiles as large as a segment map and a little more, so that bodies have room around it.
+/// Empty tiles as large as a segment map and a little more: bodies have room around it.
 fn around(bytes: &[u8]) -> Result<Level> {
     let map = SegmentMap::from_bytes(bytes).map_err(|e| Fail::new(format!("the segments: {e}")))?;
     let grid = map.grid();

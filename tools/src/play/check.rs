@@ -9,7 +9,7 @@ use super::outline::Outline;
 use super::walls::Walls;
 use crate::bake::level::Level;
 
-/// What a body did wrong in one frame.
+/// The fault of a body in one frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Fault {
     /// Its interior meets the interior of a solid tile.
@@ -22,9 +22,10 @@ pub struct Fault {
 #[derive(Debug, Clone)]
 pub struct Checker {
     tiles: Vec<u8>,
-    /// What each id fills of its cell.
+    /// The part of its cell that each id fills.
     solid: Vec<Outline>,
-    /// Which of the areas that walls separate a cell's free part belongs to; 0 for cells without one.
+    /// Which of the areas that walls separate a cell's free part belongs to; 0 for cells without
+    /// one.
     area: Vec<u32>,
     width: i64,
     height: i64,
@@ -61,8 +62,8 @@ impl Checker {
     pub fn check(&self, before: &Figure, now: &Figure, velocity: (i64, i64)) -> Fault {
         let (from, to) = (before.middle(), now.middle());
         let moved = (to.0 - from.0, to.1 - from.1);
-        // A cell of either side of a free body's middle belongs to the same area: the body
-        // covers a bit of both and of the side between them, so all of that is free.
+        // The cells on either side of a free body's middle belong to the same area. The body covers
+        // a bit of each and of the side between them, and all of that is free.
         let through = self.area_at(from) != self.area_at(to);
         Fault { overlap: self.overlaps(now), escape: !self.inside(now) || through || further(moved, velocity) }
     }
@@ -106,14 +107,15 @@ fn further(moved: (i64, i64), velocity: (i64, i64)) -> bool {
     square(moved) > length * length
 }
 
-/// Numbers the connected groups of cells; cells are neighbours when a half of the side between them is free. The free part of every
-/// shape is in one piece.
+/// Numbers the connected groups of cells; cells are neighbours when a half of the side between them
+/// is free. The free part of every shape is in one piece.
 fn areas(tiles: &[u8], solid: &[Outline], width: usize) -> Vec<u32> {
-    // Of each id, the halves of its sides that are free, two bits a side; none of a full cell.
+    // Of each id, the halves of its sides that are free, two bits per side; none of a full cell.
     let halves = |o: &Outline| (0..8).filter(|&bit| !o.covers(bit / 2, bit % 2)).fold(0u8, |all, bit| all | 1 << bit);
     let free: Vec<u8> = solid.iter().map(halves).collect();
     let side = |cell: usize, side: usize| free[usize::from(tiles[cell])] >> (2 * side) & 3;
-    // The halves of a side turn right in both cells, so from the other cell their order is reversed.
+    // The halves of a side turn right in both cells, so from the other cell their order is
+    // reversed.
     let open = |from: usize, at: usize, to: usize| {
         let there = side(to, (at + 2) % 4);
         side(from, at) & (there >> 1 | there << 1) != 0

@@ -1,4 +1,5 @@
-//! A level as a firmware of this game includes it: the tile bytes, and the constants that go with them.
+//! A level as a firmware of this game includes it: the tile bytes, and the constants that go with
+//! them.
 
 use std::path::Path;
 

@@ -1,4 +1,5 @@
-//! Boxes and balls in a level that is more than tiles: they fall, are pushed and bounce, as those of the game do.
+//! Boxes and balls in a level that is more than tiles: they fall, are pushed and bounce, as those
+//! of the game do.
 
 use tilesat::motion::{Mover, Response};
 use tilesat::num::DOMAIN;
@@ -14,7 +15,7 @@ const TRIES: u32 = 400;
 /// What it becomes at last, in sixteenths of a cell: a dot.
 const SMALLEST: i32 = 1;
 
-/// The bodies, and what chance comes to.
+/// The bodies, and the sum of chance.
 #[derive(Debug)]
 pub(super) struct Drift {
     actors: [Actor; BODIES],
@@ -109,7 +110,8 @@ fn advance<W: World>(world: &W, actor: &mut Actor, end: (i32, i32), report: &mut
     }
 }
 
-/// A velocity that no body in the level can leave the domain by: the library refuses such a motion, even before a wall.
+/// A velocity at which no body in the level can leave the domain. The library refuses faster ones,
+/// even before a wall.
 fn inside(velocity: Vec2, end: (i32, i32)) -> Vec2 {
     let room = (DOMAIN - 1 - end.0.abs().max(end.1.abs())).max(0) / 2;
     let (x, y) = velocity.raw();

@@ -20,7 +20,8 @@ fn square_meets(min: Wide, max: Wide, outline: &Outline, cell: i128) -> bool {
     let shared = lo.0 < hi.0 && lo.1 < hi.1;
     match outline {
         Outline::Nothing => false,
-        // Convex bodies meet unless one of their sides separates them; the cell's sides are the box's directions.
+        // Convex bodies meet unless one of their sides separates them; the cell's sides are the
+        // box's directions.
         Outline::Polygon(points) => {
             let along = |axis: fn(Wide) -> i128| {
                 let all = points.iter().map(|&p| axis(raw(p, cell)));

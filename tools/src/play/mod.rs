@@ -1,6 +1,7 @@
 //! Plays a baked level with a scripted player and 32 boxes and balls, and watches them.
 //!
-//! What moves the bodies is the game itself, [`tilesat_games::platformer`]; everything here only looks.
+//! The game itself, [`tilesat_games::platformer`], moves the bodies; everything here only
+//! looks.
 
 mod arena;
 pub mod check;

@@ -1,4 +1,5 @@
-//! What each shape fills of its cell, for the check and for pictures: written down apart from the library.
+//! What each shape fills of its cell, for the check and for pictures: written down apart from the
+//! library.
 
 use tilesat::TileShape;
 
@@ -61,8 +62,9 @@ impl Outline {
         Self::Polygon(points.iter().map(place).collect())
     }
 
-    /// Whether a half of a cell's side (0 to 3 from the top, turning right; the halves in the same turn) is covered. Every outline
-    /// starts and ends on the half lattice, so the middle of the half decides.
+    /// Whether a half of a cell's side (0 to 3 from the top, turning right; the halves in the same
+    /// turn) is covered. Every outline starts and ends on the half lattice, so the middle of the
+    /// half decides.
     pub(super) fn covers(&self, side: usize, half: usize) -> bool {
         // In quarters of a cell.
         let along = [1, 3][half];

@@ -22,7 +22,7 @@ use crate::fail::{Fail, Result};
 const PLAYER_TRAIL: usize = 2400;
 const TRAIL: usize = 180;
 
-/// What a run left behind.
+/// The traces of a run.
 #[derive(Debug, Clone)]
 pub struct Run {
     pub frames: u32,
@@ -76,7 +76,7 @@ pub fn play(arena: &Arena, frames: u32, seed: u32, err: &mut dyn Write) -> Resul
     drift(&Joined::new(&map, &segments), grid, &checker.with_segments(bytes), (frames, seed), err)
 }
 
-/// What a frame left behind.
+/// The traces of one frame.
 struct Frame {
     report: FrameReport,
     actors: [Actor; BODIES],

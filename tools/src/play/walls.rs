@@ -1,4 +1,5 @@
-//! The segments of a level as the check sees them: read from its bytes, and compared with bodies in whole numbers.
+//! The segments of a level as the check sees them: read from its bytes, and compared with bodies in
+//! whole numbers.
 
 use std::collections::HashMap;
 
@@ -72,7 +73,8 @@ impl Walls {
         }
     }
 
-    /// How many polygons, less holes, are around a point: by the edges that a ray to the right crosses.
+    /// How many polygons, less holes, are around a point: by the edges that a ray to the right
+    /// crosses.
     fn winding(&self, p: Point) -> i32 {
         let side = |e: &Edge| {
             let (dx, dy) = (i128::from(e.b.0 - e.a.0), i128::from(e.b.1 - e.a.1));

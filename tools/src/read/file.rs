@@ -12,13 +12,14 @@ const MAX_TOTAL: u64 = 160 << 20;
 /// The files of a level.
 #[derive(Debug, Default)]
 pub(crate) struct Files {
-    /// Outputs must not be among them.
+    /// No output may be one of them.
     pub(crate) read: Vec<PathBuf>,
     total: u64,
 }
 
 impl Files {
-    /// All bytes of a file, or why it cannot be read. What is no file, such as a pipe, could keep its reader waiting.
+    /// All bytes of a file, or why it cannot be read. What is no file, such as a pipe, could keep
+    /// its reader waiting.
     pub(crate) fn bytes(&mut self, path: &Path) -> Result<Vec<u8>, String> {
         let cannot = |e: std::io::Error| format!("cannot read: {e}");
         if !fs::metadata(path).map_err(cannot)?.is_file() {

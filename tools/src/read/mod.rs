@@ -16,11 +16,12 @@ use file::Files;
 #[derive(Debug, Clone)]
 pub struct Levels {
     pub maps: Vec<Map>,
-    /// The file, and those that it names: tilesets, templates, levels in files of their own.
+    /// The file, and those that it names: tilesets, templates, levels in separate files.
     pub files: Vec<PathBuf>,
 }
 
-/// Reads a map of Tiled (XML or JSON) or a project of `LDtk`; of several levels the named one, or all.
+/// Reads a map of Tiled (XML or JSON) or a project of `LDtk`; of several levels the named one, or
+/// all.
 ///
 /// # Errors
 ///

@@ -1,6 +1,7 @@
 //! Just enough XML for the files of Tiled, read tag by tag, with limits on all that could grow.
 //!
-//! There are no namespaces and no entities but the five of XML and numbers. A document type is passed over.
+//! There are no namespaces and no entities but the five of XML and numbers. A document type is
+//! passed over.
 
 use std::borrow::Cow;
 
@@ -11,7 +12,7 @@ const MAX_ATTRIBUTES: usize = 500;
 
 type Result<T> = std::result::Result<T, String>;
 
-/// What comes next in an element.
+/// The next part of an element.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Event<'a> {
     /// A child begins; its own events come before those of the element around it.
@@ -56,7 +57,7 @@ impl<'a> Xml<'a> {
         Ok(Self { text, at: 0, open: Vec::new(), empty: false })
     }
 
-    /// The line that is being read, before what is wrong there.
+    /// The line that is being read, in front of the message.
     pub(super) fn here(&self, why: &str) -> String {
         format!("line {}: {why}", line(&self.text.as_bytes()[..self.at.min(self.text.len())]))
     }
@@ -204,7 +205,7 @@ fn line(before: &[u8]) -> usize {
     1 + before.split(|&b| b == b'\n').count().saturating_sub(1)
 }
 
-/// Text with its entities resolved; what is no entity stands for itself.
+/// Text with its entities resolved; unknown ones stay as they are.
 fn resolved(raw: &str) -> Cow<'_, str> {
     if !raw.contains('&') {
         return Cow::Borrowed(raw);

@@ -1,8 +1,10 @@
-//! Worlds that are larger than the coordinates of the library, in rooms whose borders no body feels.
+//! Worlds that are larger than the coordinates of the library, in rooms whose borders no body
+//! feels.
 //!
-//! A map is cut into equal rooms, which are windows of its tiles ([`tilesat::Rooms`]). The levels of an `LDtk` project are rooms where
-//! they lie in its world, each with an apron of its neighbours' tiles ([`tilesat::Room`]). Polygons are given whole to every room that they
-//! reach: cut ones would have corners that nobody drew.
+//! A map is cut into equal rooms, which are windows of its tiles ([`tilesat::Rooms`]). The levels
+//! of an `LDtk` project are rooms where they lie in its world, each with an apron of its
+//! neighbours' tiles ([`tilesat::Room`]). Polygons are given whole to every room that they reach:
+//! cut ones would have corners that nobody drew.
 
 mod part;
 mod segments;
@@ -25,7 +27,7 @@ pub struct Cut {
     pub room: Option<(u16, u16)>,
     /// The longer side of the largest body; a cell where it is not said.
     pub body: Option<Fx>,
-    /// The longest motion of a frame, with a walker's step and snap; a cell where it is not said.
+    /// The longest motion per frame, with a walker's step and snap; a cell by default.
     pub motion: Option<Fx>,
 }
 
@@ -101,7 +103,7 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
             (part.equal(room)?, Some(whole))
         }
         ([part], None) if !part.placed => {
-            return Err(Fail::new("how large is a room? --room WxH says it, in cells"));
+            return Err(Fail::new("the size of a room is missing: add --room WxH, in cells"));
         }
         (parts, _) => (parts.iter().map(|part| part.alone(parts, apron)).collect::<Result<_>>()?, None),
     };
@@ -121,7 +123,7 @@ impl World {
         self.kinds.iter().all(|kind| Blocks::SHAPES >> kind.shape as u8 & 1 != 0)
     }
 
-    /// What the compiler would say of the source, said now.
+    /// The compiler's errors about the source, reported early.
     fn check(&self) -> Result<()> {
         let kinds = self.kinds.iter().zip(0..).fold(TileKinds::EMPTY, |kinds, (kind, id)| kinds.with(id, *kind));
         let cell = Fx::from_num(self.cell);
@@ -143,7 +145,7 @@ impl World {
         source::source(self)
     }
 
-    /// What it costs, line by line.
+    /// Its cost, line by line.
     pub fn report(&self) -> Vec<String> {
         let tiles = self.whole.as_ref().map_or(0, |whole| whole.tiles.len());
         let tiles = tiles + self.rooms.iter().map(|room| room.tiles.len()).sum::<usize>();

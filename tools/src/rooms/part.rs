@@ -40,7 +40,7 @@ impl Part {
         // In a linear world LDtk has all levels at (-1, -1).
         let place = map.place.filter(|place| (place.x, place.y) != (-1, -1));
         let place = place.map(|place| scaled(place, options, ground.tile)).transpose()?;
-        // The ground is moved so that its first cell is at the origin.
+        // The ground is moved until its first cell is at the origin.
         let shift = (i64::from(-ground.shift.0), i64::from(-ground.shift.1));
         let at =
             place.map_or((0, 0), |room| (room.0 + cells(shift.0, ground.tile), room.1 + cells(shift.1, ground.tile)));
@@ -116,7 +116,7 @@ impl Part {
     pub(super) fn alone(&self, all: &[Self], apron: u16) -> Result<Baked> {
         let of_level = |why: &str| Fail::new(format!("level '{}' {why}", self.name));
         if !self.placed {
-            return Err(of_level("has no place: in a linear world levels have no neighbours, so bake them instead"));
+            return Err(of_level("has no position: in a linear world levels have no neighbours, so bake them instead"));
         }
         let (x, y, width, height) = self.room;
         let apron = i64::from(apron);

@@ -1,4 +1,5 @@
-//! The polygons that a room needs: those that reach it or its apron, with the edges there as they are drawn.
+//! The polygons that a room needs: those that reach it or its apron, with the edges there as they
+//! are drawn.
 
 use tilesat::Fx;
 
@@ -13,7 +14,8 @@ use crate::rules::outline::Outline;
 
 type Point = (i64, i64);
 
-/// The bytes of a room's segment map, by the coordinates of the room; `None` where nothing reaches it.
+/// The bytes of a room's segment map, by the coordinates of the room; `None` where nothing reaches
+/// it.
 pub(super) fn of(parts: &[Part], room: &Baked, cell: u16, apron: u16, flags: &mut Flags) -> Result<Option<Vec<u8>>> {
     let side = i64::from(cell) << 16;
     let first = (i64::from(room.first.0) * side, i64::from(room.first.1) * side);
@@ -33,7 +35,7 @@ fn moved(outline: &Outline, by: Point) -> Outline {
     Outline { points, ..outline.clone() }
 }
 
-/// What lies strictly beyond a side of a window.
+/// The points strictly beyond a side of a window.
 #[derive(Clone, Copy)]
 struct Beyond {
     /// Along x or y, outward.
@@ -58,11 +60,12 @@ impl Beyond {
     }
 }
 
-/// An outline without what is far from a window; `None` where nothing of it is near.
+/// An outline without the parts far from a window; `None` where no part is near.
 ///
-/// Edges are cut beyond the window, at a raw point that lies on them exactly where there is one. Then of points one after another beyond
-/// a side the first and the last stay, with a straight way between them. So what reaches the window is as it was drawn, and what winds
-/// around a point of it does so as often: all that changed is beyond a side.
+/// Edges are cut beyond the window, at a raw point that lies on them exactly where there is one.
+/// Then of points one after another beyond a side the first and the last stay, with a straight way
+/// between them. So what reaches the window is as it was drawn, and what winds around a point of it
+/// does so as often: all that changed is beyond a side.
 fn near(outline: Outline, window: [Beyond; 4]) -> Option<Outline> {
     if window.iter().any(|side| outline.points.iter().all(|&p| side.holds(p))) {
         return None;

@@ -1,4 +1,5 @@
-//! The tile layers of a map laid over each other: one grid of shapes and flags, and paths for what fits no cell.
+//! The tile layers of a map laid over each other: one grid of shapes and flags, and paths for what
+//! fits no cell.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -17,7 +18,7 @@ const MAX_EDGES: usize = 1 << 19;
 /// In the grid.
 const MAX_CELLS: i64 = 1 << 24;
 
-/// What a layer adds: of each entry of the palette that it uses.
+/// The solid of a layer: of each entry of the palette that it uses.
 pub(super) struct Sheet<'a> {
     pub(super) layer: &'a Layer,
     pub(super) tiles: &'a Tiles,

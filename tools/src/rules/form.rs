@@ -1,4 +1,4 @@
-//! The corners of what is drawn as an object.
+//! The corners of drawn objects.
 
 use crate::model::decimal::Decimal;
 use crate::model::object::{Form, Object, Spot};
@@ -8,16 +8,18 @@ use crate::model::object::{Form, Object, Spot};
 pub(super) struct Corners {
     pub(super) points: Vec<Spot>,
     pub(super) closed: bool,
-    /// For what is round: by how many thousandths of a pixel the polygon lies within it at most.
+    /// For round forms: how far within the form the polygon lies, in thousandths of a pixel at
+    /// most.
     pub(super) error: u32,
 }
 
-/// What round things may be off, in pixels.
+/// The tolerance of round forms, in pixels.
 const OFF: f64 = 1.0 / 8.0;
 /// More would not be seen, and cost flash.
 const MOST_CORNERS: u32 = 64;
 
-/// Where an object's corners are; `None` for a point and a text, which have no extent, and where nobody knows.
+/// Where an object's corners are; `None` for a point and a text, which have no extent, and where
+/// nobody knows.
 pub(super) fn corners(object: &Object) -> Option<Corners> {
     let ((w, h), zero) = (object.size, Decimal::ZERO);
     let box_of = |top: Decimal, bottom: Decimal| vec![(zero, top), (w, top), (w, bottom), (zero, bottom)];

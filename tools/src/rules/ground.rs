@@ -1,15 +1,17 @@
 //! A level as it is solid, made of one as it was drawn.
 //!
-//! Of each placed tile the first of these says what it is:
+//! The first of these rules that applies to a placed tile decides:
 //!
 //! 1. `option`: the user, by [`Options`].
-//! 2. `a`: its class or a true property is called `Collision`, `Solid`, `Collides`, `Collidable`, `Wall`, `Blocked` or
-//!    `OneWay`, or the properties `shape` and `npp` name its shape.
-//! 3. `b`: it has shapes of Tiled's collision editor. What is a shape of the library within 1/8 pixel becomes that one;
-//!    all else becomes polygons beside the tiles.
-//! 4. `c`: its layer or a group around it has a name, a class or a true property with the word collision, collider or solid.
-//! 5. `d`: where nothing of the map is solid so far, its layer has a name with the word wall, ground, terrain, platform,
-//!    block or obstacle. Values of `LDtk` go by the same words, and by dirt, stone, rock, brick and earth.
+//! 2. `a`: its class or a true property is called `Collision`, `Solid`, `Collides`, `Collidable`,
+//!    `Wall`, `Blocked` or `OneWay`, or the properties `shape` and `npp` name its shape.
+//! 3. `b`: it has shapes of Tiled's collision editor. What is a shape of the library within 1/8
+//!    pixel becomes that one; all else becomes polygons beside the tiles.
+//! 4. `c`: its layer or a group around it has a name, a class or a true property with the word
+//!    collision, collider or solid.
+//! 5. `d`: where nothing of the map is solid so far, its layer has a name with the word wall,
+//!    ground, terrain, platform, block or obstacle. Values of `LDtk` go by the same words, and by
+//!    dirt, stone, rock, brick and earth.
 
 use tilesat::{TileKind, TileShape};
 
@@ -25,7 +27,7 @@ use super::{nothing, paths};
 use crate::fail::{Fail, Result};
 use crate::model::map::{Content, Map, Place};
 
-/// What of a level is solid.
+/// The solid of a level.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Ground {
     pub name: String,
@@ -46,9 +48,9 @@ pub struct Ground {
     pub left_out: Vec<LeftOut>,
     /// The rules that made something solid.
     pub applied: Vec<Applied>,
-    /// What was drawn and is no part of the level.
+    /// Drawings that are not part of the level.
     pub ignored: Vec<String>,
-    /// What else the user should know.
+    /// Further notes for the user.
     pub notes: Vec<String>,
     pub place: Option<Place>,
     /// Pixels from where the map has a thing to where the level has it, after scaling.
@@ -56,7 +58,7 @@ pub struct Ground {
 }
 
 impl Ground {
-    /// What of a map is solid; new flags take the bits that are left.
+    /// The solid of a map; new flags take the bits that are left.
     ///
     /// # Errors
     ///

@@ -1,12 +1,14 @@
-//! What the identifier of an `LDtk` value means: the name of a shape, then the names of flags, joined by
-//! underscores: `Full`, `SlopeTopLeft_Ice`, `slope_top_left`, `Empty_Coin`; else by the words in it.
+//! The meaning of the identifier of an `LDtk` value: the name of a shape, then the names of flags,
+//! joined by underscores: `Full`, `SlopeTopLeft_Ice`, `slope_top_left`, `Empty_Coin`; else by the
+//! words in it.
 
 use tilesat::TileShape;
 
 use super::words::{self, COLLISION, VALUE};
 use super::{Rule, traits};
 
-/// The shape and the flags in an identifier: as many words as name a shape, then flags; `None` where it is a flag itself.
+/// The shape and the flags in an identifier: as many words as name a shape, then flags; `None`
+/// where it is a flag itself.
 pub(super) fn meaning(identifier: &str) -> Option<(Rule, TileShape, Vec<String>)> {
     let parts: Vec<&str> = identifier.split('_').collect();
     for count in (1..=parts.len()).rev() {

@@ -1,10 +1,10 @@
-//! What an object is, by a name that its author gave it.
+//! The kind of an object, by a name that its author gave it.
 
 use std::fmt;
 
 use super::words::plain;
 
-/// What an outline is.
+/// The kind of an outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// Solid within.

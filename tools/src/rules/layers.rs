@@ -20,7 +20,7 @@ use crate::model::map::{Content, Layer, Map, Placed, Tiles};
 
 type Made<T> = std::result::Result<T, String>;
 
-/// The layers of a map, and what is known of them so far.
+/// The layers of a map, and the rules found for them so far.
 pub(super) struct Layers<'a> {
     map: &'a Map,
     options: &'a Options,
@@ -60,7 +60,7 @@ impl<'a> Layers<'a> {
         })
     }
 
-    /// What the tiles of a layer are, all rules but the guess.
+    /// The kinds of the tiles of a layer, by all rules except the guess.
     pub(super) fn sheet(&mut self, layer: &'a Layer, tiles: &'a Tiles) -> Made<Sheet<'a>> {
         let mut counts: HashMap<u32, u64> = HashMap::new();
         for line in tiles.cells.chunk_by(|a, b| a == b).filter(|line| line[0] != 0) {
@@ -141,11 +141,12 @@ impl<'a> Layers<'a> {
 
     fn guessed(&mut self, layer: &str, option: &str) {
         self.notes.push(format!(
-            "GUESS: nothing says what is solid, so layer '{layer}' is, for its name; {option} says so, --ignore-layer '{layer}' says no"
+            "GUESS: nothing marks solid tiles, so layer '{layer}' is solid for its name; {option} confirms it, --ignore-layer '{layer}' refuses it"
         ));
     }
 
-    /// The objects of all layers; where the layer's name is guessed by, those of layers that it is a guess for.
+    /// The objects of all layers; where the layer's name is guessed by, those of layers that it is
+    /// a guess for.
     pub(super) fn objects(&mut self, guess: bool) -> Made<(Vec<Outline>, Vec<LeftOut>)> {
         let (mut outlines, mut left_out, mut found, mut rounded) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for layer in self.all.clone() {
@@ -199,7 +200,7 @@ impl<'a> Layers<'a> {
     }
 }
 
-/// What drawn shapes are to the library.
+/// The library's shapes for drawn ones.
 fn became(piece: &Piece) -> String {
     match piece {
         Piece::Shape(shape) => names::name(*shape),

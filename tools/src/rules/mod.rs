@@ -1,4 +1,5 @@
-//! What of a level is solid: by the names that people give to tiles, layers and objects, and by what a user says.
+//! The solid of a level: by the names that people give to tiles, layers and objects, and by
+//! what a user says.
 
 mod cells;
 pub mod flags;

@@ -1,4 +1,4 @@
-//! What to tell a user whose level has nothing solid.
+//! The advice to a user whose level has nothing solid.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -10,7 +10,8 @@ use crate::model::map::{Content, Map, Placed};
 /// At most this many names are listed.
 const MOST: usize = 20;
 
-/// An error that names the layers, their counts and the option to add; none where a level of `LDtk` has nothing drawn at all.
+/// An error that names the layers, their counts and the option to add; none where a level of `LDtk`
+/// has nothing drawn at all.
 pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Result<(), String> {
     if let Some(layer) = &options.layer {
         return Err(format!("layer '{layer}' has no solid tile; --solid-layer '{layer}' makes every tile of it full"));

@@ -12,7 +12,7 @@ use crate::model::map::Layer;
 use crate::model::object::{Form, Object};
 use tilesat::TileShape;
 
-/// What a layer says about its objects: a kind, or that they are solid as they are drawn.
+/// A layer's setting for its objects: a kind, or that they are solid as they are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Says {
     Kind(Kind),
@@ -20,7 +20,7 @@ pub(super) enum Says {
     Nothing,
 }
 
-/// What the names of a layer of objects say.
+/// The settings in the names of a layer of objects.
 pub(super) fn layer_says(layer: &Layer, options: &Options) -> Says {
     let own: Vec<&str> = [&layer.name, &layer.class].into_iter().chain(&layer.marks).map(String::as_str).collect();
     let by_option = listed(&options.objects, &layer.name) || listed(&options.solid_layers, &layer.name);
@@ -92,7 +92,8 @@ pub(super) fn outline(
     Ok(Ok(outline))
 }
 
-/// What an object is by its property `kind`, its names, its layer; without a name of its own what it is drawn as.
+/// The kind of an object: by its property `kind`, its names, its layer; without a name, by its
+/// form.
 fn kind(object: &Object, says: Says, options: &Options) -> Result<Option<Kind>, String> {
     let whose = format!("object {}", object.id);
     let by_form = if matches!(object.form, Form::Polyline(_)) { Kind::Wall } else { Kind::Solid };

@@ -1,15 +1,17 @@
-//! What a user says about a project where its names do not say it.
+//! A user's options for a project whose names do not say enough.
 
 use tilesat::TileShape;
 
 use super::words::same;
 
-/// Names of tiles are classes, true properties, values of an `IntGrid` (`NAME`, `2`, `LAYER:2`) and `TILESET:ID`.
+/// Names of tiles are classes, true properties, values of an `IntGrid` (`NAME`, `2`, `LAYER:2`) and
+/// `TILESET:ID`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Options {
     /// The shape of tiles of a name. Of two for a tile the later one counts.
     pub shapes: Vec<(String, TileShape)>,
-    /// Names that are flags, whatever else they would be. Where there are more than eight flags, these are the ones that stay.
+    /// Names that are flags, whatever else they would be. Where there are more than eight flags,
+    /// these are the ones that stay.
     pub flags: Vec<String>,
     /// Layers in which every drawn tile is full.
     pub solid_layers: Vec<String>,
@@ -17,7 +19,7 @@ pub struct Options {
     pub ignored_layers: Vec<String>,
     /// Layers whose objects are solid.
     pub objects: Vec<String>,
-    /// Levels of a project that are left out.
+    /// Levels of a project to skip.
     pub ignored_levels: Vec<String>,
     /// The only tile layer that is looked at for solids.
     pub layer: Option<String>,

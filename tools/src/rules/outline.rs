@@ -1,10 +1,11 @@
-//! What is solid or one-way by its corners, in raw units: objects, and tiles that are no shape of the library.
+//! What is solid or one-way by its corners, in raw units: objects, and tiles that are no shape of
+//! the library.
 
 use std::fmt;
 
 use super::kind::Kind;
 
-/// What an object is called.
+/// The name of an object.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Title {
     pub id: u32,
@@ -13,7 +14,7 @@ pub struct Title {
 }
 
 impl Title {
-    /// Of what is made of the tiles of a layer.
+    /// Made of the tiles of a layer.
     pub fn tiles(layer: &str) -> Self {
         Self { id: u32::MAX, name: String::new(), layer: layer.to_owned() }
     }

@@ -1,4 +1,5 @@
-//! What a placed tile fills: a shape of its cell, several cells, or paths that are no shape of the library.
+//! The area that a placed tile fills: a shape of its cell, several cells, or paths that are no
+//! shape of the library.
 #![allow(clippy::cast_precision_loss, reason = "raw coordinates are below 2^53")]
 
 use tilesat::TileShape;
@@ -14,7 +15,7 @@ use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
 use crate::model::object::{Form, Object, Spot};
 
-/// What a tile fills.
+/// The area that a tile fills.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Piece {
     Shape(TileShape),
@@ -46,7 +47,7 @@ struct Frame {
     height: i64,
 }
 
-/// What a tile of a layer with cells of `tile` pixels fills.
+/// The area that a tile of a layer with cells of `tile` pixels fills.
 pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: &Likeness) -> Piece {
     let side = i64::from(tile);
     let cell = Frame { x: 0, y: 0, width: side, height: side };
@@ -95,7 +96,7 @@ fn stretched(shape: TileShape, frame: Frame) -> Vec<Path> {
         };
         (along(x, frame.x, frame.width), along(y, frame.y, frame.height))
     };
-    // The library tells faces in no order that is promised: each begins where another one ends.
+    // The library promises no order of faces: each begins where another one ends.
     let mut rest = lines;
     let Some(first) = rest.pop() else { return Vec::new() };
     let (mut points, mut end) = (vec![first.0], first.1);
@@ -116,7 +117,8 @@ fn near(a: (f64, f64), b: (f64, f64)) -> bool {
     (a.0 - b.0).abs() + (a.1 - b.1).abs() < 1e-6
 }
 
-/// A shape of the collision editor, drawn on a tile of this size, in the frame that the tile is placed in.
+/// A shape of the collision editor, drawn on a tile of this size, in the frame that the tile is
+/// placed in.
 fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option<Path> {
     let corners = form::corners(object)?;
     let says = |name: &str| Kind::from_name(name);
@@ -128,7 +130,7 @@ fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option
         points.truncate(2);
         closed = false;
     } else if kind.has_area() || kind == Kind::Wall {
-        // What a wall is made of is solid, as far as it has an inside.
+        // A wall's own area is solid, as far as it has an inside.
         kind = match kind {
             Kind::Hole if closed => Kind::Hole,
             _ if closed => Kind::Solid,
@@ -154,7 +156,7 @@ fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option
 /// A tile of more corners is no shape of the library.
 const MOST_CORNERS: usize = 128;
 
-/// What the shapes of a tile are together.
+/// The union of the shapes of a tile.
 fn recognised(paths: Vec<Path>, likeness: &Likeness) -> Piece {
     if paths.iter().map(|path| path.points.len()).sum::<usize>() > MOST_CORNERS {
         return Piece::Paths(paths);
@@ -189,7 +191,7 @@ fn recognised(paths: Vec<Path>, likeness: &Likeness) -> Piece {
     Piece::Paths(paths)
 }
 
-/// Whether a chain on an edge of the cell is drawn so that it blocks from outside.
+/// Whether a chain on an edge of the cell is drawn in the direction that blocks from outside.
 fn runs_along(points: &[Spot], shape: TileShape) -> bool {
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return false };
     let (x, y) = (last.0 - first.0, last.1 - first.1);
@@ -201,7 +203,8 @@ fn runs_along(points: &[Spot], shape: TileShape) -> bool {
     }
 }
 
-/// Rectangles that may lie over each other as rectangles that do not; `None` where one is no rectangle.
+/// Rectangles that may lie over each other as rectangles that do not; `None` where one is no
+/// rectangle.
 fn boxes(polygons: &[Vec<(i64, i64)>]) -> Option<Vec<Vec<(i64, i64)>>> {
     let span = |points: &[(i64, i64)], of: fn(&(i64, i64)) -> i64| {
         Some((points.iter().map(of).min()?, points.iter().map(of).max()?))

@@ -1,4 +1,4 @@
-//! Where a place of the map is in the level.
+//! Where a point of the map is in the level.
 
 use crate::model::decimal::Decimal;
 
@@ -44,8 +44,8 @@ impl Unit {
     }
 }
 
-/// How far a level from `lo` to `hi` pixels, in cells of `side`, is moved along an axis so that it lies in the domain: not at all where it
-/// lies there, else so that its middle is the origin.
+/// How far a level from `lo` to `hi` pixels, in cells of `side`, is moved along an axis to lie in
+/// the domain: not at all where it lies there, else until its middle is the origin.
 pub(super) fn shift(lo: i64, hi: i64, side: u16) -> Result<i64, String> {
     if lo > -DOMAIN && hi < DOMAIN {
         return Ok(0);

@@ -1,4 +1,4 @@
-//! What the names and properties of a tile say about it.
+//! The traits of a tile, from its names and properties.
 
 use tilesat::TileShape;
 
@@ -9,7 +9,8 @@ use super::words::plain;
 const FULL: [&str; 6] = ["collision", "solid", "collides", "collidable", "wall", "blocked"];
 const ONE_WAY: &str = "oneway";
 
-/// What a class or the name of a true property says: the shape of a tile, or nothing that is known.
+/// The trait of a class or of the name of a true property: the shape of a tile, or nothing that is
+/// known.
 pub(super) fn shape(name: &str) -> Option<TileShape> {
     let name = plain(name);
     let is = |known: &str| name == known || name.strip_suffix('s') == Some(known);
@@ -30,11 +31,13 @@ pub(super) fn named<'a>(names: impl Iterator<Item = &'a str>) -> Option<(&'a str
 pub(super) fn by_property(shape: Option<&str>, npp: Option<&str>) -> Result<Option<TileShape>, String> {
     let shape = shape.map(str::trim).filter(|text| !text.is_empty());
     let named = shape.map(|text| {
-        names::shape(text)
-            .ok_or_else(|| format!("property shape '{text}' is no shape, such as slope-bottom-left (see --help)"))
+        names::shape(text).ok_or_else(|| {
+            format!("property shape '{text}' is not a shape; name one such as slope-bottom-left (see --help)")
+        })
     });
     let numbered = npp.map(str::trim).map(|text| {
-        names::npp(text).ok_or_else(|| format!("property npp '{text}' is no shape of N++, a number from 0 to 33"))
+        names::npp(text)
+            .ok_or_else(|| format!("property npp '{text}' is not a shape of N++; give a number from 0 to 33"))
     });
     match (named.transpose()?, numbered.transpose()?) {
         (Some(a), Some(b)) if a != b => {

@@ -1,8 +1,10 @@
-//! Polygons of neighbouring tiles as few large ones: what two of them have in common of a border is gone.
+//! Polygons of neighbouring tiles as few large ones: what two of them have in common of a border is
+//! gone.
 //!
-//! The borders of all polygons are summed up, each with its solid on the right (y down). Where two run against each other they
-//! cancel, and how often a point is surrounded stays the same. What is left is loops again: those that run like a polygon are solid,
-//! those that run against it are holes.
+//! The borders of all polygons are summed up, each with its solid on the right (y down). Where two
+//! run against each other they cancel, and how often a point is surrounded stays the same. What is
+//! left is loops again: those that run like a polygon are solid, those that run against it are
+//! holes.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -16,10 +18,12 @@ pub(super) struct Loop {
     pub(super) hole: bool,
 }
 
-/// A line that edges lie on: its direction, reduced and pointing right or straight down, and how far it is from the origin.
+/// A line that edges lie on: its direction, reduced and pointing right or straight down, and how
+/// far it is from the origin.
 type Carrier = (i64, i64, i128);
 
-/// The borders of these polygons as loops, in an order that does not depend on that of the polygons.
+/// The borders of these polygons as loops, in an order that does not depend on that of the
+/// polygons.
 pub(super) fn union(polygons: &[Vec<Point>]) -> Vec<Loop> {
     loops(&left_over(polygons))
 }
@@ -34,13 +38,13 @@ fn cross(a: Point, b: Point) -> i128 {
     i128::from(a.0) * i128::from(b.1) - i128::from(a.1) * i128::from(b.0)
 }
 
-/// How many more polygons have a border one way than the other, at one place of a line, at most.
+/// How many more polygons have a border one way than the other, at one point of a line, at most.
 pub(crate) fn depth(polygons: &[Vec<Point>]) -> u32 {
     let edges = runs(polygons).map(|(_, count)| count.unsigned_abs());
     edges.max().unwrap_or(0)
 }
 
-/// What does not cancel, as directed edges.
+/// The edges that do not cancel, directed.
 fn left_over(polygons: &[Vec<Point>]) -> Vec<(Point, Point)> {
     let directed = |((start, end), count): ((Point, Point), i32)| {
         let edge = if count > 0 { (start, end) } else { (end, start) };
@@ -97,7 +101,8 @@ fn loops(edges: &[(Point, Point)]) -> Vec<Loop> {
         while here != start {
             points.push(here);
             let ends = from.entry(here).or_default();
-            // The sharpest turn to the solid's side keeps polygons apart that only meet in a corner.
+            // The sharpest turn to the solid's side keeps polygons apart that only meet in a
+            // corner.
             let turn = |end: &Point| right_turn(before, here, *end);
             let next = ends.iter().enumerate().max_by(|a, b| turn(a.1).total_cmp(&turn(b.1))).map(|(i, _)| i);
             let Some(next) = next else { break };

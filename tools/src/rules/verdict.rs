@@ -1,4 +1,4 @@
-//! What a placed tile is by itself, wherever it lies.
+//! The kind of a placed tile, wherever it lies.
 
 use tilesat::TileShape;
 
@@ -8,7 +8,7 @@ use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
 use crate::model::tileset::{Tile, Tileset};
 
-/// What something is, and which rule says so.
+/// A kind, and the rule that gave it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Verdict {
     pub(super) rule: Rule,
@@ -23,7 +23,7 @@ pub(super) enum Solid {
     Drawn,
 }
 
-/// What is known of an entry of the palette.
+/// The known facts of an entry of the palette.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Meaning {
     pub(super) verdict: Option<Verdict>,
@@ -44,7 +44,8 @@ pub(super) fn of(map: &Map, placed: &Placed, options: &Options) -> Result<Meanin
             let tile = set.tiles.get(id).unwrap_or(&nothing);
             let meaning = tile_of(set, *id, tile, *flip, options)
                 .map_err(|why| format!("tile {id} of tileset '{}': {why}", set.name));
-            // What LDtk's tiles are tagged with is for its rules of drawing, unless the user says otherwise.
+            // What LDtk's tiles are tagged with is for its rules of drawing, unless the user says
+            // otherwise.
             let kept = |flag: &String| !map.values || options.is_flag(flag);
             meaning.map(|meaning| Meaning { flags: meaning.flags.into_iter().filter(kept).collect(), ..meaning })
         }
@@ -57,7 +58,7 @@ fn tile_of(set: &Tileset, id: u32, tile: &Tile, flip: Flip, options: &Options) -
     let text = |name| properties.text(name);
     let by_property = traits::by_property(text(SHAPE).as_deref(), text(NPP).as_deref())?;
     let class = Some(tile.class.trim()).filter(|class| !class.is_empty());
-    // Sorted, so that the order of flags does not depend on that of the file.
+    // Sorted: the order of flags does not depend on that of the file.
     let mut marks: Vec<&str> = properties.marks().map(str::trim).filter(|name| !name.is_empty()).collect();
     marks.sort_unstable();
     let own: Vec<&str> = class.into_iter().chain(marks).collect();

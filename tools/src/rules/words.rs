@@ -10,7 +10,8 @@ pub(super) const VALUE: &[&str] =
 /// They turn a name into its contrary.
 const NOT: &[&str] = &["no", "non", "not", "without"];
 
-/// The words of a name in small letters: `solidTiles`, `Solid Tiles` and `SOLID_TILES2` are the same two.
+/// The words of a name in small letters: `solidTiles`, `Solid Tiles` and `SOLID_TILES2` are the
+/// same two.
 fn words(name: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let (mut word, mut before) = (String::new(), ' ');

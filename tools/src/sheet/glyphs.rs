@@ -1,4 +1,5 @@
-//! How features look: faces and arcs as lines with arrows along their normals, vertices as the fan of normals between their edges.
+//! How features look: faces and arcs as lines with arrows along their normals, vertices as the fan
+//! of normals between their edges.
 
 use tilesat::{Axis, Feature, Geometry};
 
@@ -91,11 +92,13 @@ fn arc(scene: &mut Scene, frame: &Frame, feature: &Feature, centre: Spot, quadra
     }
 }
 
-/// All directions from the normal of the edge that ends in a vertex to that of the one that starts there.
+/// All directions from the normal of the edge that ends in a vertex to that of the one that starts
+/// there.
 fn fan(scene: &mut Scene, frame: &Frame, p: Spot, e_in: Axis, e_out: Axis) {
     let (from, to) = (normal(e_in), normal(e_out));
     let start = from.1.atan2(from.0);
-    // The turn is to the right on a screen with y down, by up to half a turn: that much where the two edges are one line.
+    // The turn is to the right on a screen with y down, by up to half a turn: that much where the
+    // two edges are one line.
     let turn = (to.1.atan2(to.0) - start).rem_euclid(std::f32::consts::TAU);
     let turn = if turn < 0.001 { std::f32::consts::PI } else { turn };
     let (steps, reach) = (12u8, frame.arrow * 0.9);

@@ -1,7 +1,8 @@
 //! Pictures of what the library says about tiles.
 //!
-//! Everything is drawn from what the library answers: the solid from `overlaps` point by point, lines and arrows from `features`, rays
-//! from `cast_ray`, the way from `move_and_slide`. What looks wrong here is wrong there.
+//! Everything is drawn from what the library answers: the solid from `overlaps` point by point,
+//! lines and arrows from `features`, rays from `cast_ray`, the way from `move_and_slide`. What
+//! looks wrong here is wrong there.
 #![allow(clippy::cast_precision_loss, reason = "drawing")]
 
 mod glyphs;

@@ -1,4 +1,4 @@
-//! Many tiles together: what is left of their surface, what rays see, where a ball goes.
+//! Many tiles together: their common surface, the rays in it, and the way of a ball.
 
 use tilesat::motion::Response;
 use tilesat::world::{Inside, Outside};

@@ -35,7 +35,7 @@ fn panel(scene: &mut Scene, corner: (f32, f32), shape: TileShape) -> std::result
     let side = f32::from(TILE);
     let at = ((corner.0 + (PANEL.0 - side) / 2.0).round(), corner.1 + 46.0);
     let frame = Frame { at, scale: 1.0, arrow: 22.0, details: true };
-    // The cell, then what is solid of it.
+    // The cell, then its solid.
     let square = vec![at, (at.0 + side, at.1), (at.0 + side, at.1 + side), (at.0, at.1 + side), at];
     scene.line(square, 1.0, FAINT.alpha(0.5), false);
     solid::fill(scene, &map, at, (i32::from(TILE), i32::from(TILE)), 1, EARTH);

@@ -13,7 +13,7 @@ fn refused(ran: &Ran, word: &str) {
 #[test]
 fn commands() {
     refused(&tilesat([""; 0]), "no command given");
-    refused(&tilesat(["bace"]), "no command is called bace; there are: bake, lint, play, sheet");
+    refused(&tilesat(["bace"]), "no command is called bace; there are: bake, rooms, lint, play, sheet");
     refused(&tilesat(["--fps"]), "no command is called --fps");
     for help in ["--help", "-h"] {
         for args in [&[][..], &["bake"], &["lint"], &["play"], &["sheet"]] {

@@ -1,7 +1,9 @@
-//! Small projects of our own, one for each convention, encoding and fault, with what becomes of them in a table that people review:
-//! `corpus/expected.txt`. The same for the projects of others beside this repository, where they are there: `corpus/others.txt`.
+//! Small projects of our own, one for each convention, encoding and fault, with what becomes of
+//! them in a table that people review: `corpus/expected.txt`. The same for the projects of others
+//! beside this repository, where they are there: `corpus/others.txt`.
 //!
-//! Set `TILESAT_BLESS` to write the tables again. `TILESAT_FRAMES` is how long each baked level is played.
+//! Set `TILESAT_BLESS` to write the tables again. `TILESAT_FRAMES` is how long each baked level is
+//! played.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -120,7 +122,8 @@ fn projects_of_others() {
     }
 }
 
-/// Every level that is baked without an option plays, and no body ever overlaps the solid or escapes.
+/// Every level that is baked without an option plays, and no body ever overlaps the solid or
+/// escapes.
 #[test]
 fn baked_levels_play() {
     let frames = std::env::var("TILESAT_FRAMES").ok().and_then(|text| text.parse().ok()).unwrap_or(300);

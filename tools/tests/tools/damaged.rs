@@ -152,7 +152,8 @@ fn copied(from: &Path, to: &Path, files: &mut Vec<PathBuf>) {
     }
 }
 
-/// A thousand kinds of damage, each to one of the files of the corpus: the level that reads it, where that is not itself, is baked.
+/// A thousand kinds of damage, each to one of the files of the corpus: the level that reads it,
+/// where that is not itself, is baked.
 #[test]
 fn the_corpus() {
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus");

@@ -1,4 +1,5 @@
-//! Files that mean harm, by accident or not: the platformer refuses them with one line, quickly and in little memory.
+//! Files that mean harm, by accident or not: the platformer refuses them with one line, quickly and
+//! in little memory.
 
 use std::fs;
 use std::io::Write;
@@ -51,7 +52,8 @@ fn gzip(bytes: &[u8]) -> Vec<u8> {
     encoder.finish().unwrap()
 }
 
-/// [`gids`] as zstd 1.5.7 packs them: as a stream of level 3, at once with a checksum, at once of level 19 with a checksum.
+/// [`gids`] as zstd 1.5.7 packs them: as a stream of level 3, at once with a checksum, at once of
+/// level 19 with a checksum.
 const ZSTD: [&str; 3] = [
     "KLUv/QBY5QYAEogGghIwv/nNb37zm9/85je/+c1vfvOb3/zmCFGBOKhx+gHxSwcRQAQIgSNknfAEElx4QWIdKwyTIkXxKg6SxXQzJkWK4lUcJIvpMlaK\
      FMWrOEgW02VMiiqKV3GQLKbLmBQpKq/iIFlMlzEpUhSvxkGymC5jUqQoXsVBZTFdxqRIUbyKg2RxuoxJkaJ4FQfJYrockyJF8SoOksV0GZNFiuJVHC\
@@ -65,7 +67,8 @@ fn zstd(number: usize) -> Vec<u8> {
     STANDARD.decode(ZSTD[number]).unwrap()
 }
 
-/// A frame of zstd by hand: its window of 2^`log` bytes, and blocks, each of a type, a size and some bytes.
+/// A frame of zstd by hand: its window of 2^`log` bytes, and blocks, each of a type, a size and
+/// some bytes.
 fn zstd_frame(log: u8, blocks: &[(u32, usize, &[u8])]) -> Vec<u8> {
     let mut bytes = vec![0x28, 0xb5, 0x2f, 0xfd, 0, (log - 10) << 3];
     for (i, (kind, size, content)) in blocks.iter().enumerate() {
@@ -124,7 +127,8 @@ fn every_encoding_gives_the_same_level() {
     }
 }
 
-/// 64 MiB of zeros in some kilobytes: no more is unpacked than the layer has tiles, and a layer cannot claim any number.
+/// 64 MiB of zeros in some kilobytes: no more is unpacked than the layer has tiles, and a layer
+/// cannot claim any number.
 #[test]
 fn layers_unpack_to_no_more_than_their_size() {
     let zeros = vec![0u8; 64 << 20];
@@ -195,7 +199,8 @@ fn tricks_with_markup() {
     }
 }
 
-/// Names out of a file cannot reach the terminal as escape codes, further lines or text that runs backward.
+/// Names out of a file cannot reach the terminal as escape codes, further lines or text that runs
+/// backward.
 #[test]
 fn names_are_printed_on_one_line() {
     let name = "A&#27;[31m&#10;frames=1 hash=0&#x202e;\u{200b}".to_owned() + &"x".repeat(5000);

@@ -57,7 +57,8 @@ fn many_seeds() {
     }
 }
 
-/// A level of these layers, by rows of so many columns; tile `n` has the class and the true properties at `n - 1`.
+/// A level of these layers, by rows of so many columns; tile `n` has the class and the true
+/// properties at `n - 1`.
 fn drawn(
     name: &str,
     tiles: &[&[&str]],
@@ -185,7 +186,8 @@ fn the_check_sees_escapes() {
     assert_eq!(moved(square(0, 0), square(50 * PX, 0), (60 * PX, 0)), escape, "through the wall");
 }
 
-/// Polygons are solid to the check as far as their borders, holes are not, and a body within one of them overlaps it too.
+/// Polygons are solid to the check as far as their borders, holes are not, and a body within one of
+/// them overlaps it too.
 #[test]
 fn the_check_sees_polygons() {
     let list = r#"<object id="1" x="32" y="32" width="64" height="64"/><object id="2" type="Hole" x="48" y="48" width="32" height="32"/>"#;

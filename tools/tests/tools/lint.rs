@@ -1,4 +1,5 @@
-//! The linter: each mistake in a level of its own with the exact lines that are said about it, tiles, arguments, bad files.
+//! The linter: each mistake in a level of its own with the exact lines that are said about it,
+//! tiles, arguments, bad files.
 
 use crate::lint_cases::CASES;
 use crate::support::{self, Ran, objects, own, rows, scratch};

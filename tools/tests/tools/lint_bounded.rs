@@ -173,7 +173,8 @@ fn sides(outline: usize, points: &[Point]) -> Vec<Edge> {
     points.windows(2).enumerate().map(edge).collect()
 }
 
-/// Whether others hold the middle of its first edge that lies on no other; in the order of the drawing.
+/// Whether others hold the middle of its first edge that lies on no other; in the order of the
+/// drawing.
 fn is_buried(triangles: &[Vec<Point>], edges: &[Edge], i: usize) -> bool {
     let free = (0..3).find_map(|k| {
         let (a, b) = (triangles[i][k], triangles[i][(k + 1) % 3]);

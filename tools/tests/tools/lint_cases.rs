@@ -186,7 +186,7 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0" width="32" height="32"/><object id="4" type="Hole" x="64" y="0" width="8" height="8"/>"#,
         "",
         &[
-            "error hole-outside at (68, 0): object 4 of layer 'L': a hole outside of any solid; its edge blocks what comes from within",
+            "error hole-outside at (68, 0): object 4 of layer 'L': a hole outside of any solid; its edge blocks bodies from within",
         ],
     ),
     (

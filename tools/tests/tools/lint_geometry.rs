@@ -103,7 +103,8 @@ fn areas_and_windings() {
     assert_eq!((doubled_area(&square), doubled_area(&back)), (32, -32));
     // A bow tie of two equal wings.
     assert_eq!(doubled_area(&[(0, 0), (4, 4), (4, 0), (0, 4)]), 0);
-    // A U, in doubled coordinates: all points that are not on it, those at the heights of its corners too.
+    // A U, in doubled coordinates: all points that are not on it, those at the heights of its
+    // corners too.
     let u = [(0, 0), (2, 0), (2, 4), (4, 4), (4, 0), (6, 0), (6, 6), (0, 6)];
     for y in -1..14 {
         for x in -1..14 {

@@ -1,7 +1,8 @@
 //! The level tools: what they read, refuse, bake, lint, play and draw.
 //!
-//! `TILESAT_BLESS` and `TILESAT_FRAMES` are for the corpus. `TILESAT_CASES` scales the number of damaged files. Set `TILESAT_LEVELS` to a folder to have every `.tmx` in it and in its
-//! folders played too.
+//! `TILESAT_BLESS` and `TILESAT_FRAMES` are for the corpus. `TILESAT_CASES` scales the number of
+//! damaged files. Set `TILESAT_LEVELS` to a folder to have every `.tmx` in it and in its folders
+//! played too.
 
 mod bake;
 mod baked;

@@ -1,4 +1,5 @@
-//! What the program writes: all of it or nothing, never over what it reads, under names that do not collide.
+//! What the program writes: all of it or nothing, never over what it reads, under names that do not
+//! collide.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -50,7 +51,7 @@ fn all_files_or_none() {
     // One of the files cannot be written: there is a folder.
     fs::create_dir(home.join("a.bin.rs")).unwrap();
     let ran = bake(&[&level, Path::new("-o"), &home.join("a.bin")]);
-    assert!(ran.status == 2 && ran.err.contains("a.bin.rs: it is there, and not a file"), "{ran:?}");
+    assert!(ran.status == 2 && ran.err.contains("a.bin.rs: it exists and is not a file"), "{ran:?}");
     assert_eq!(files(&home), ["a.bin.rs", "a.segments.bin", "a.tmx"]);
     assert_eq!(fs::read_to_string(home.join("a.segments.bin")).unwrap(), "before");
     // A level that is refused writes nothing, whatever is asked for.
@@ -175,7 +176,8 @@ fn picture_of_what_was_drawn() {
     let info = reader.next_frame(&mut pixels).unwrap();
     let scale = 8;
     let at = |x: usize, y: usize| &pixels[(y * scale * info.width as usize + x * scale) * 3..][..3];
-    // Green shows through what is solid, and is plain where it is one-way; elsewhere nothing is drawn.
+    // Green shows through what is solid, and is plain where it is one-way; elsewhere nothing is
+    // drawn.
     assert!(at(3, 5)[1] > 90 && at(3, 5)[0] > 60, "{:?}", at(3, 5));
     assert!(at(20, 27)[1] > 180 && at(20, 27)[0] < 40, "{:?}", at(20, 27));
     assert!(at(37, 5)[1] < 90, "{:?}", at(37, 5));

@@ -1,4 +1,5 @@
-//! The platformer example as its user meets it: arguments, files good and bad, the last line, the exit status.
+//! The platformer example as its user meets it: arguments, files good and bad, the last line, the
+//! exit status.
 
 use std::ffi::OsString;
 use std::fs;

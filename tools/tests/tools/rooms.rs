@@ -1,4 +1,5 @@
-//! Worlds of any size in rooms: maps that are cut, projects whose levels are rooms, and bodies that feel none of it.
+//! Worlds of any size in rooms: maps that are cut, projects whose levels are rooms, and bodies that
+//! feel none of it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -230,13 +231,13 @@ fn refused() {
     let out = support::folder("rooms").join("out.rs");
     let _ = fs::remove_file(&out);
     for (file, options, word) in [
-        (small(), "", "how large is a room? --room WxH says it, in cells"),
+        (small(), "", "the size of a room is missing: add --room WxH, in cells"),
         (small(), "--room 0x3", "--room needs columns and rows, such as 20x15, got 0x3"),
         (small(), "--room 2x2 --motion 8000", "a room with its apron of 502 cells"),
         (small(), "--room 2x2 --fps 3", "unknown argument --fps"),
         (odd(), "--room 2x2", "--room is for one map: the levels of a project are rooms already"),
         (odd(), "", "level 'B': it begins or ends at 40 pixels, between cells of 16"),
-        (linear(), "", "level 'A' has no place: in a linear world levels have no neighbours"),
+        (linear(), "", "level 'A' has no position: in a linear world levels have no neighbours"),
         (far(), "--room 100x100", "object 7 of layer 'L'"),
     ] {
         let ran = run(file, &out, options);

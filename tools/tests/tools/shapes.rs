@@ -1,6 +1,8 @@
-//! The shapes of the platformer's levels: their names and numbers, flips, the errors, and the check that watches the library.
+//! The shapes of the platformer's levels: their names and numbers, flips, the errors, and the check
+//! that watches the library.
 //!
-//! What a shape fills is written down here once more, from N++'s own corners; nothing is shared with the example or the library.
+//! What a shape fills is written down here once more, from N++'s own corners; nothing is shared
+//! with the example or the library.
 
 use std::path::PathBuf;
 
@@ -16,7 +18,8 @@ use crate::support;
 
 type Point = (i32, i32);
 
-/// The slopes of N++, each a line through its 24 x 24 cell with the solid at the corner that its number has.
+/// The slopes of N++, each a line through its 24 x 24 cell with the solid at the corner that its
+/// number has.
 const LINES: [(u8, Point, Point); 20] = [
     (6, (0, 24), (24, 0)),
     (7, (0, 0), (24, 24)),
@@ -40,7 +43,8 @@ const LINES: [(u8, Point, Point); 20] = [
     (33, (24, 24), (12, 0)),
 ];
 
-/// Whether tile `id` is solid at a point of its cell, given in 96ths; for the one-way tiles, whether the point is near their edge.
+/// Whether tile `id` is solid at a point of its cell, given in 96ths; for the one-way tiles,
+/// whether the point is near their edge.
 fn solid(id: u8, (x, y): Point) -> bool {
     let corner = [(0, 0), (96, 0), (96, 96), (0, 96)][usize::from((id + 2) % 4)];
     let away = |c: Point| (x - c.0).pow(2) + (y - c.1).pow(2);
@@ -66,8 +70,9 @@ fn solid(id: u8, (x, y): Point) -> bool {
     }
 }
 
-/// Points of a cell that no outline passes through, flipped or not: one coordinate is odd and the other a multiple of 4 but not the
-/// middle, which no line of slope 1, 2 or 1/2 through the half lattice and no arc allows.
+/// Points of a cell that no outline passes through, flipped or not: one coordinate is odd and the
+/// other a multiple of 4 but not the middle, which no line of slope 1, 2 or 1/2 through the half
+/// lattice and no arc allows.
 fn points() -> impl Iterator<Item = Point> {
     (1..96).step_by(6).flat_map(|x| (4..96).step_by(8).map(move |y| (x, y)))
 }
@@ -199,7 +204,8 @@ fn a_map_of_all_flips() {
     }
 }
 
-/// A shape of the collision editor that is none of the library, in every flip: solid exactly where Tiled draws it.
+/// A shape of the collision editor that is none of the library, in every flip: solid exactly where
+/// Tiled draws it.
 #[test]
 fn drawn_shapes_in_all_flips() {
     let corners: [Point; 3] = [(8, 12), (76, 20), (16, 88)];
@@ -283,8 +289,9 @@ fn more_than_256_kinds_are_refused() {
     assert!(bake(256).unwrap_err().to_string().contains("more than 256"));
 }
 
-/// The exact check of the example and the library's tests, neither of which knows the other: every shape, boxes and balls of several
-/// sizes on the quarters and fifths of a cell (arcs pass through 3/5, 4/5) and a raw unit beside them.
+/// The exact check of the example and the library's tests, neither of which knows the other: every
+/// shape, boxes and balls of several sizes on the quarters and fifths of a cell (arcs pass through
+/// 3/5, 4/5) and a raw unit beside them.
 #[test]
 fn the_check_and_the_library_agree() {
     let (cell, quarter) = (10i64 << 16, 10i64 << 14);

@@ -15,7 +15,7 @@ pub type Frame = Vec<Bounds>;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Anywhere in a square of 64 x 64 pixels for each; up to 2 pixels a frame.
+    /// Anywhere in a square of 64 x 64 pixels for each; up to 2 pixels per frame.
     Scattered,
     /// The same, and three in a hundred jump anywhere.
     Leaping,

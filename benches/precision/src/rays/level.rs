@@ -36,7 +36,7 @@ impl Map {
     }
 }
 
-/// A byte a cell, not zero where it is solid, row by row.
+/// A byte per cell, not zero where it is solid, row by row.
 #[derive(Debug)]
 pub struct Level {
     pub cells: Vec<u8>,

@@ -1,4 +1,4 @@
-//! What flies, stands and goes about.
+//! Bodies that fly, stand and walk.
 
 use tilesat::motion::Response;
 use tilesat::{Aabb, Circle, Filter, LayerMask, Mover, RangeError, Vec2};
@@ -58,7 +58,7 @@ impl Kind {
 /// Lives of the player.
 pub(super) const FULL: u8 = 16;
 
-/// What the broad phase does not keep of a body.
+/// The part of a body that the broad phase does not keep.
 #[derive(Debug, Clone, Copy)]
 pub struct Body {
     pub velocity: Vec2,
@@ -69,7 +69,7 @@ pub struct Body {
     pub clock: u16,
 }
 
-/// What a body's motion came to.
+/// The result of a body's motion.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Flight {
     pub bounces: u32,
@@ -89,7 +89,7 @@ impl Body {
         matches!(self.kind, Kind::Patrol) && self.clock % 256 >= 160
     }
 
-    /// Flies for a frame: its new box.
+    /// Flies for one frame: its new box.
     pub fn fly(&mut self, level: &Level, bounds: &Aabb, flight: &mut Flight) -> Aabb {
         let response = match self.kind {
             Kind::Zone | Kind::Turret | Kind::Spinner => return *bounds,

@@ -81,7 +81,7 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
                 Kind::Player => FULL,
                 _ => 3,
             };
-            // Patrols do not sleep all at a time.
+            // Patrols do not all sleep at the same time.
             let clock = if post.kind == Kind::Patrol { 48 * i as u16 } else { 0 };
             let velocity = Vec2::from_ints(post.course.0.into(), post.course.1.into());
             let middle = |cell: u8| 16 * i16::from(cell) + 8;

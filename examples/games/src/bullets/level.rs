@@ -9,7 +9,8 @@ pub const SPONGE: u8 = 1;
 /// Cells, of 16 units.
 pub const SIZE: (u8, u8) = (40, 24);
 
-/// Letters are empty tiles where somebody starts: turrets, spinners, patrols that go sideways (p) and down (q), the player (@), the middle of the zone (z).
+/// Letters are empty tiles where somebody starts: turrets, spinners, patrols that go sideways (p)
+/// and down (q), the player (@), the middle of the zone (z).
 pub const ROWS: &str = "\
 ########################################
 #(...)#(........................)#(...)#

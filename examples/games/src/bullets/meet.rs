@@ -9,14 +9,15 @@ use tilesat::{Filter, Ratio};
 use super::body::FULL;
 use super::{Body, Game, Kind};
 
-/// Whether both bodies of a pair are still, so that they are no pair of the broad phase.
+/// Whether both bodies of a pair are still, and so no pair of the broad phase.
 fn rest(near: &impl BroadPhase<Tag = Filter>, pair: Pair) -> bool {
     let still = |handle| near.tag(handle).is_ok_and(|filter| filter.still());
     still(pair.a) && still(pair.b)
 }
 
 impl<B: BroadPhase<Tag = Filter>> Game<B> {
-    /// Finds the pairs that touch, tells what became of those that did, and lets it have its effect.
+    /// Finds the pairs that touch, reports what became of the earlier ones, and applies the
+    /// effects.
     #[inline(never)]
     pub fn meet(&mut self) {
         let mut cursor = PairCursor::new();
@@ -118,7 +119,8 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
         }
     }
 
-    /// Turns a shot round at a turret, with which it has no more to do until it is away: whether that could be done.
+    /// Turns a shot round at a turret, with which it has no more to do until it is away: whether
+    /// that could be done.
     fn reflect(&mut self, shot: (Handle, Body), turret: Handle) -> bool {
         let (Some(a), Some(b)) = (self.circle(turret), self.circle(shot.0)) else { return false };
         let Some(contact) = a.contact(&b) else { return false };

@@ -1,7 +1,9 @@
 //! A game of many bullets.
 //!
-//! A frame is three steps, so that a desktop can look in between: [`Game::fly`] moves every body through the level, [`Game::meet`] finds who is hit, [`Game::fire`] lets
-//! everybody shoot. A body is a slot of the broad phase, which keeps its box and its filter, and an entry of the game's own at the same place.
+//! A frame is three steps, and a desktop can look in between. [`Game::fly`] moves every body
+//! through the level, [`Game::meet`] finds who is hit, [`Game::fire`] lets everybody shoot. A body
+//! is a slot of the broad phase, which keeps its box and its filter, and an entry of the game's
+//! table at the same index.
 
 mod aim;
 mod body;
@@ -40,7 +42,8 @@ pub struct Post {
 /// Sorted, it fits the smallest chip.
 pub type Near = SortSweep<BODIES, Filter>;
 
-/// The whole state: plain data, so a snapshot is a copy; 13 KB, so on a chip it is a `static`. Every broad phase gives the same game.
+/// The whole state: plain data, so a snapshot is a copy; 13 KB, so on a chip it is a `static`.
+/// Every broad phase gives the same game.
 #[derive(Debug, Clone, Copy)]
 pub struct Game<B = Near> {
     pub near: B,
@@ -50,7 +53,7 @@ pub struct Game<B = Near> {
     pub exceptions: Exceptions<48>,
     /// The enemies', the player's and the zone's.
     pub posts: [Post; ENEMIES + 2],
-    /// What the player makes for, and for how long already.
+    /// The player's goal, and for how long already.
     goal: (u8, u16),
     pub frame: u32,
     pub tally: Tally,
@@ -82,7 +85,8 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
     }
 
     /// One frame.
-    // The three are not in line, or on a chip's stack the lists of each would lie below the motion of every body.
+    // The three are not in line, or on a chip's stack the lists of each would lie below the motion
+    // of every body.
     pub fn step(&mut self, level: &Level) {
         self.fly(level);
         self.meet();

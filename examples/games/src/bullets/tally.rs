@@ -1,4 +1,4 @@
-//! What has happened so far, and the hash by which runs are compared.
+//! The events so far, and the hash by which runs are compared.
 
 use core::fmt;
 use tilesat::broad::{BroadPhase, Pair, PairEvent};
@@ -27,7 +27,7 @@ pub struct Tally {
     pub crowded: u32,
     /// Motions that the library refused; none are expected.
     pub refused: u32,
-    /// The most bodies at a time.
+    /// The most bodies at once.
     pub most: u32,
     pub hash: u32,
 }
@@ -72,7 +72,8 @@ impl Tally {
 }
 
 impl<B: BroadPhase<Tag = Filter>> Game<B> {
-    /// Adds where everybody is to the hash; the sum of what each body gives does not depend on the order in which they are visited.
+    /// Adds where everybody is to the hash; the sum of what each body gives does not depend on the
+    /// order in which they are visited.
     pub(super) fn fold(&mut self) {
         let Some(all) = level::bounds() else { return };
         let (near, bodies) = (&self.near, &self.bodies);

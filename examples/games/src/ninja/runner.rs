@@ -65,7 +65,8 @@ impl Ninja {
         let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(world, &self.body, wanted)?;
         (self.body, self.velocity) = (moved.body, moved.velocity);
         self.air += 1;
-        // The last hit is where it is now; a few frames without one are still contact, for a late key.
+        // The last hit is where it is now; a few frames without one are still contact, for a late
+        // key.
         if let Some(hit) = moved.hits.iter().last() {
             self.normal = hit.axis;
             self.air = 0;

@@ -1,4 +1,4 @@
-//! What the player presses: a list of stretches, each until it is somewhere.
+//! The player's keys: a list of stretches, each until it is somewhere.
 
 use tilesat::Vec2;
 

@@ -8,7 +8,7 @@ use tilesat::{Axis, Circle, Fx, Masses, MoveError, Mover, RangeError, Ratio, Sur
 use super::table::{BUMPER, KICKER};
 
 pub const RADIUS: Fx = fx!(5);
-/// Raw units a frame, or a frame squared.
+/// Raw units per frame, or per frame squared.
 const GRAVITY: i32 = 5_000;
 const BUMP: i32 = 90_000;
 const KICK: i32 = 560_000;
@@ -44,7 +44,8 @@ impl Ball {
         Ok(())
     }
 
-    /// Two balls that overlap part, half the way each as far as the table lets them, and exchange their speeds along the line between them.
+    /// Two balls that overlap part, half the way each as far as the table lets them, and exchange
+    /// their speeds along the line between them.
     pub fn meet(&mut self, other: &mut Self, table: &impl World) -> Result<bool, MoveError> {
         let Some(contact) = self.body.contact(&other.body) else { return Ok(false) };
         let (push, other_push) = separate(&contact, Ratio::HALF);

@@ -1,11 +1,12 @@
-//! The platformer's bodies on its level as a chip has them: some frames on the level in flash, and the hash of all of them.
+//! The platformer's bodies on its level as a chip has them: some frames on the level in flash, and
+//! the hash of all of them.
 
 use core::fmt;
 
 use super::{meadow, sim};
 use tilesat::{Fx, Grid, Outside, TileMap, TileMapError, Vec2};
 
-/// What a run comes to.
+/// The result of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outcome {
     pub frames: u32,
@@ -38,7 +39,7 @@ pub fn level() -> Result<TileMap<'static>, TileMapError> {
     Ok(TileMap::on_grid(meadow::TILES, grid, &meadow::KINDS)?.with_outside(Outside::Solid))
 }
 
-/// Runs so many frames; `each` is told every frame's number and its report.
+/// Runs so many frames; `each` receives every frame's number and report.
 pub fn run(frames: u32, mut each: impl FnMut(u32, &sim::FrameReport)) -> Result<Outcome, Failure> {
     let map = level().map_err(Failure::Level)?;
     let mut sim = sim::Sim::new(&map, RULES, sim::SEED).map_err(|sim::NoRoom| Failure::NoRoom)?;

@@ -63,7 +63,8 @@ impl Game {
         machine.phase(self.frame) == (true, machine.way.unsigned_abs().into())
     }
 
-    /// One frame: the machines take the player along, and are moved; then the player walks among them.
+    /// One frame: the machines take the player along, and are moved; then the player walks among
+    /// them.
     pub fn step(&mut self, keys: Keys) -> Result<Ride, MoveError> {
         for (solid, machine) in self.solids.iter_mut().zip(&MACHINES) {
             *solid = solid.with_motion(machine.motion(self.frame))?;

@@ -1,8 +1,9 @@
-//! What moves by itself, in the order in which the game holds it.
+//! Machines that move by themselves, in the order in which the game holds them.
 
 use tilesat::Vec2;
 
-/// A machine's box in pixels, how far it goes down or up (negative) and back, a pixel per frame, and how long it rests at both ends.
+/// A machine's box in pixels, how far it goes down or up (negative) and back at a pixel per frame,
+/// and how long it rests at both ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine {
     pub at: [i16; 4],
@@ -18,7 +19,8 @@ pub(super) const BELT: Machine = Machine { at: [272, 208, 368, 216], way: 0, res
 pub const MACHINES: [Machine; 4] = [LIFT, CRUSHER, SHELF, BELT];
 
 impl Machine {
-    /// Whether it is on its way back in this frame, and since when it is on its way or at the end of it.
+    /// Whether it is on its way back in this frame, and since when it is on its way or at the end
+    /// of it.
     pub(super) fn phase(&self, frame: u32) -> (bool, u32) {
         let half = u32::from(self.way.unsigned_abs()) + self.rest;
         (frame / half % 2 == 1, frame % half)

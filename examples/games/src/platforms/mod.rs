@@ -1,4 +1,5 @@
-//! A walker among lifts, a conveyor and a crusher: the level, the machines, and a script that plays it.
+//! A walker among lifts, a conveyor and a crusher: the level, the machines, and a script that plays
+//! it.
 
 mod game;
 pub mod level;

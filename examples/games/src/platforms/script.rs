@@ -1,4 +1,4 @@
-//! What the player presses, and until when.
+//! The player's keys, and until when they are held.
 
 use super::game::{Game, Keys};
 use super::machine::{CRUSHER, LIFT, SHELF};

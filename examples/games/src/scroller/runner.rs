@@ -10,7 +10,7 @@ const SPEED: i32 = 163_840;
 const GRAVITY: i32 = 16_384;
 const JUMP: i32 = 327_680;
 
-/// What a run has come to.
+/// The result of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Outcome {
     pub frames: u32,

@@ -1,4 +1,4 @@
-//! The world: a hundred screens of five drawn ones, a byte a tile in flash, in rooms of any size.
+//! The world: a hundred screens of five drawn ones, a byte per tile in flash, in rooms of any size.
 
 use tilesat::{AllShapes, Fx, Room, Rooms, TileKind, TileKinds, TileMapError, TileShape};
 
@@ -6,7 +6,7 @@ use tilesat::{AllShapes, Fx, Room, Rooms, TileKind, TileKinds, TileMapError, Til
 pub const CELL: Fx = Fx::lit("16");
 pub const WIDTH: u16 = SCREEN as u16 * 100;
 pub const HEIGHT: u16 = ROWS as u16;
-/// The tallest body, and the longest motion of a frame with its step and snap, in pixels.
+/// The tallest body, and the longest motion per frame with its step and snap, in pixels.
 pub const BODY: Fx = Fx::lit("14");
 pub const MOTION: Fx = Fx::lit("28");
 

@@ -2,7 +2,7 @@
 
 use tilesat::{Aabb, Axis, Fx, MoveError, Mover, RangeError, Vec2, World};
 
-/// Raw units a frame.
+/// Raw units per frame.
 const SPEED: i32 = 98_304;
 const PIXEL: i32 = 65_536;
 
@@ -35,7 +35,8 @@ impl Hero {
         Ok(())
     }
 
-    /// To the nearer side from which the way ahead is free, at most as fast as it walks; zero where there is none within the slip.
+    /// To the nearer side from which the way ahead is free, at most as fast as it walks; zero where
+    /// there is none within the slip.
     fn way_around(&self, world: &impl World, ahead: Axis) -> Vec2 {
         let side = ahead.perp();
         for pixels in 1..=self.slip {

@@ -25,8 +25,8 @@ pub struct Core {
 impl Core {
     /// Starts the core with a cartridge.
     pub fn load(path: &Path, rom: &[u8]) -> Result<Self, Box<dyn Error>> {
-        // SAFETY: the names and types are those of libretro's interface, version 1, in the order it asks for; the game's data outlives the call,
-        // and the core copies what it keeps.
+        // SAFETY: the names and types are those of libretro's interface, version 1, in the order it
+        // asks for; the game's data outlives the call, and the core copies what it keeps.
         unsafe {
             let library = Library::new(path).map_err(|error| format!("{}: {error}", path.display()))?;
             let set: [(&[u8], *const c_void); 6] = [

@@ -1,4 +1,4 @@
-//! What the core asks of its front end. The interface has no user data, so the state is global.
+//! The callbacks of the core. The interface has no user data, so the state is global.
 
 use std::ffi::{CStr, c_char, c_uint, c_void};
 use std::sync::Mutex;
@@ -57,11 +57,14 @@ pub unsafe extern "C" fn environment(command: c_uint, data: *mut c_void) -> bool
     true
 }
 
-/// The program's lines come as the format "%s: %s\n" with a category and the text, all else is the core's own and passed over.
+/// The program's lines come as the format "%s: %s\n" with a category and the text, all else is the
+/// core's own and passed over.
 ///
-/// The prototype is variadic; where pointers go in registers, as on x86-64 and 64-bit Arm under Linux, the first two of them are these.
+/// The prototype is variadic; where pointers go in registers, as on x86-64 and 64-bit Arm under
+/// Linux, the first two of them are these.
 unsafe extern "C" fn log(_level: c_uint, format: *const c_char, category: *const c_char, text: *const c_char) {
-    // SAFETY: strings of the core, alive during the call; the last two are there where the format says so.
+    // SAFETY: strings of the core, alive during the call; the last two are there where the format
+    // says so.
     let (category, text) = unsafe {
         if CStr::from_ptr(format).to_bytes() != b"%s: %s\n" {
             return;
@@ -89,7 +92,8 @@ pub unsafe extern "C" fn video(data: *const c_void, width: c_uint, height: c_uin
     let mut rgb = Vec::with_capacity(width * height * 3);
     for y in 0..height {
         for x in 0..width {
-            // SAFETY: the core's picture has `height` rows `pitch` bytes apart, of `width` pixels in the format that it has set.
+            // SAFETY: the core's picture has `height` rows `pitch` bytes apart, of `width` pixels
+            // in the format that it has set.
             rgb.extend(unsafe {
                 let row = data.cast::<u8>().add(y * pitch);
                 match format {

@@ -14,7 +14,7 @@ const NAMES: [(&str, u32); 10] = [
     ("r", 11),
 ];
 
-/// The keys of each frame, a bit a key, from stretches such as `20:right+a`.
+/// The keys of each frame, a bit per key, from stretches such as `20:right+a`.
 pub fn parse(text: &str) -> Result<Vec<u16>, String> {
     let mut frames = Vec::new();
     for stretch in text.split_whitespace() {

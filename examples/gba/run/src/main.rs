@@ -1,5 +1,5 @@
-//! Runs a program for the Game Boy Advance without a window, in any libretro core of one (mGBA's is meant): prints its log, presses its keys,
-//! leaves with its exit status.
+//! Runs a program for the Game Boy Advance without a window, in any libretro core of one (mGBA's is
+//! meant): prints its log, presses its keys, leaves with its exit status.
 //!
 //! ```text
 //! tilesat-gba-run CORE PROGRAM.elf [--rom FILE.gba] [--png FILE] [--scale N] [--keys STRETCHES] [--frames N]

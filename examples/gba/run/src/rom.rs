@@ -2,12 +2,13 @@
 
 const BASE: usize = 0x0800_0000;
 const LARGEST: usize = 32 << 20;
-/// What the header's checksum covers, and where it is.
+/// The bytes that the header's checksum covers, and where it is.
 const CHECKED: std::ops::Range<usize> = 0xa0..CHECKSUM;
 const CHECKSUM: usize = 0xbd;
 const LOAD: u32 = 1;
 
-/// The loaded parts of a 32-bit little-endian ELF file, laid out as in the cartridge, with the header's checksum.
+/// The loaded parts of a 32-bit little-endian ELF file, laid out as in the cartridge, with the
+/// header's checksum.
 pub fn from_elf(elf: &[u8]) -> Result<Vec<u8>, &'static str> {
     const CUT: &str = "the program's file is cut short";
     if !elf.starts_with(b"\x7fELF\x01\x01") {
@@ -19,7 +20,8 @@ pub fn from_elf(elf: &[u8]) -> Result<Vec<u8>, &'static str> {
     let mut rom = Vec::new();
     for at in (0..count).map(|i| first + i * size) {
         let field = |n: usize| word(at + 4 * n).ok_or(CUT);
-        // Type, offset in the file, address when it runs, address in the cartridge, bytes in the file.
+        // Type, offset in the file, address when it runs, address in the cartridge, bytes in the
+        // file.
         let (kind, offset, address, length) = (field(0)?, field(1)?, field(3)?, field(4)?);
         if kind != LOAD as usize || length == 0 {
             continue;

@@ -1,4 +1,5 @@
-//! The platformer's bodies on the console, 600 frames and then 10 000: the same lines as of `cargo run --release --example firmware`.
+//! The platformer's bodies on the console, 600 frames and then 10 000: the same lines as of
+//! `cargo run --release --example firmware`.
 #![no_std]
 #![no_main]
 

@@ -1,4 +1,5 @@
-//! A ray among full cells: a fast run over the open ones, and the rare steps that look at four cells at once.
+//! A ray among full cells: a fast run over the open ones, and the rare steps that look at four
+//! cells at once.
 
 use crate::num::umul;
 use crate::world::grid::Span;
@@ -6,7 +7,8 @@ use crate::world::ray::walk::{Axes, Beyond, Lane, X, Y, along, lead};
 use crate::world::tile_map::kind::{TileKind, TileShape};
 use crate::world::tile_map::{Outside, Set, Store, TileMap};
 
-/// Where a walk ended: the axis of the line whose face was met, or one of the constants of this type, or both; 0 where it goes on.
+/// Where a walk ended: the axis of the line whose face was met, or one of the constants of this
+/// type, or both; 0 where it goes on.
 pub(in crate::world) type Stop = u32;
 
 /// The motion ends without a face.
@@ -36,7 +38,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.grid.lane_with(span, o, d, |before, last| self.beyond(before, last))
     }
 
-    /// The bands around the map count as cells; where the border of blocks is repeated, they are part of its cells.
+    /// The bands around the map count as cells; where the border of blocks is repeated, they are
+    /// part of its cells.
     #[cold]
     #[inline(never)]
     fn beyond(&self, before: bool, last: i32) -> i32 {
@@ -44,7 +47,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if before { band.wrapping_neg() } else { last.wrapping_add(band) }
     }
 
-    /// What a walk finds beyond the map.
+    /// The tiles that a walk finds beyond the map.
     #[inline]
     pub(in crate::world) fn outer(&self) -> Beyond {
         match self.outside {
@@ -54,7 +57,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// Whether a ray starts inside the map, in the open, and not along a line: then [`run`](Self::run) can go ahead.
+    /// Whether a ray starts inside the map, in the open, and not along a line: then
+    /// [`run`](Self::run) can go ahead.
     #[inline]
     pub(in crate::world) fn runs(&self, x: &Lane, y: &Lane) -> bool {
         along(x, y, self.grid.cell as u32) == 0
@@ -62,11 +66,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             && !self.kinds.get(self.id(x.cell, y.cell)).is_full()
     }
 
-    /// Walks to the next full cell, or where `ANY` to the next that is not empty; one look-up a cell. Where the next line leads out of the map, or the motion is over, it ends, save with a
-    /// corner ahead: `met` is 0 then, and so it is where it cannot tell what is next.
+    /// Walks to the next full cell, or where `ANY` to the next that is not empty; one look-up per
+    /// cell. It ends where the next line leads out of the map, or the motion is over, except with a
+    /// corner ahead. `met` is 0 then, and also where the next cell is unknown.
     ///
-    /// The [lead] is divided by the cell, so that a crossing moves it by the other size. Divided evenly, 0 is both lines at once: then the
-    /// cells beside the corner come first, x before y. Else a floor of 0 is more than 0.
+    /// The [lead] is divided by the cell: a crossing moves it by the other size. Divided evenly, 0
+    /// is both lines at once: then the cells beside the corner come first, x before y. Else a floor
+    /// of 0 is more than 0.
     #[inline(always)]
     pub(in crate::world) fn run<const ANY: bool>(&self, x: &Lane, y: &Lane) -> Run {
         let Some((mut e, even)) = self.divided(lead(x, y)) else { return Run { met: 0, id: 0, kx: 0, ky: 0 } };
@@ -134,7 +140,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Run { met, id, kx: x.lines.wrapping_sub(nx) as u32, ky: y.lines.wrapping_sub(ny) as u32 }
     }
 
-    /// The id of the tile at a place in the data, and whether a run ends there; `None` does not happen.
+    /// The id of the tile at a place in the data, and whether a run ends there; `None` does not
+    /// happen.
     #[inline]
     pub(in crate::world) fn stop_at<const ANY: bool>(&self, tile: u32) -> Option<(u8, bool)> {
         let byte = *self.data.get(if T::BITS == 8 { tile } else { tile >> 3 } as usize)?;
@@ -143,8 +150,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Some((id, if ANY { !matches!(kind.shape, TileShape::Empty) } else { kind.is_full() }))
     }
 
-    /// The floor of `e / cell`, and whether nothing was left over; `None` where it is not at least -2^30 and below 2^31. It is for the lead in a
-    /// cell of the map, except in a border cell that stands for a band.
+    /// The floor of `e / cell`, and whether nothing was left over; `None` where it is not at least
+    /// -2^30 and below 2^31. It is for the lead in a cell of the map, except in a border cell that
+    /// stands for a band.
     #[inline]
     fn divided(&self, e: i64) -> Option<(i32, bool)> {
         let (cell, log) = (self.grid.cell as u32, (self.grid.log & 31) as u32);
@@ -159,7 +167,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if wide as u32 as i64 != wide {
             return None;
         }
-        // The multiplier is 2^(31 + log) / cell or less than one above: the candidate is less than 2 off, dropped bits included.
+        // The multiplier is 2^(31 + log) / cell or less than one above: the candidate is less than
+        // 2 off, dropped bits included.
         let mut q = ((umul(wide as u32, self.grid.magic) >> 31) as u32).wrapping_sub(2);
         let mut rest = (e as u32).wrapping_sub(q.wrapping_mul(cell));
         while rest >= cell {
@@ -169,14 +178,16 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if q < 3 << 30 { Some((q.wrapping_sub(1 << 30) as i32, rest == 0)) } else { None }
     }
 
-    /// [`run`](Self::run) along a line that has cells of the map on both sides; two look-ups a step. `None` for other rays and, unless `ANY`, where the
-    /// cell at the start is full.
+    /// [`run`](Self::run) along a line that has cells of the map on both sides; two look-ups per
+    /// step. `None` for other rays and, unless `ANY`, where the cell at the start is full.
     ///
-    /// A face is met where a full cell follows one that is not, on the same side of the line: a wall that the ray slides along has none.
+    /// A face is met where a full cell follows one that is not, on the same side of the line: a
+    /// wall that the ray slides along has none.
     #[inline(never)]
     pub(in crate::world) fn run_along<const ANY: bool>(&self, x: &Lane, y: &Lane) -> Option<Run> {
         let (stride, lines) = (self.stride as i32, along(x, y, self.grid.cell as u32));
-        // The axis of the motion, the steps between tiles along it and to the other side, and the first tile there.
+        // The axis of the motion, the steps between tiles along it and to the other side, and the
+        // first tile there.
         let (way, axis, step, across, other) = match lines {
             X => (y, Y, y.step.wrapping_mul(stride), x.step.wrapping_neg(), (x.cell.wrapping_sub(x.step), y.cell)),
             Y => (x, X, x.step, y.step.wrapping_mul(stride).wrapping_neg(), (x.cell, y.cell.wrapping_sub(y.step))),
@@ -185,7 +196,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if !self.holds(x.cell, y.cell) || !self.holds(other.0, other.1) {
             return None;
         }
-        // The cells at the start are where a face cannot be yet; of those that may hold anything nothing is asked.
+        // The cells at the start are where a face cannot be yet; of those that may hold anything
+        // nothing is asked.
         let (mut left, mut tile) = (way.lines, y.cell.wrapping_mul(stride).wrapping_add(x.cell));
         if !ANY {
             (left, tile) = (left.wrapping_add(1), tile.wrapping_sub(step));
@@ -215,8 +227,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 }
 
-/// The four cells at a line or corner, as seen by a ray: the one it is in, those across one line, and the one across both. A bit is set where
-/// the cell is full. Across a single line, they are two cells twice.
+/// The four cells at a line or corner, as seen by a ray: the one it is in, those across one line,
+/// and the one across both. A bit is set where the cell is full. Across a single line, they are two
+/// cells twice.
 type Around = u32;
 
 const HERE: Around = 1;
@@ -225,7 +238,8 @@ const OVER_Y: Around = 4;
 const AHEAD: Around = 8;
 const ALL: Around = 15;
 
-/// For each [`Around`], whether a face between columns is met (then one between rows): a full cell behind one that is not.
+/// For each [`Around`], whether a face between columns is met (then one between rows): a full cell
+/// behind one that is not.
 const FACES: [u32; 2] = {
     let (mut faces, mut around) = ([0, 0], 0);
     while around < 16 {
@@ -263,7 +277,8 @@ pub(in crate::world) struct Detour {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// Goes on to the end, step by step, from the start or any later cell that is not full. Then the cell is the one that the face belongs to.
+    /// Goes on to the end, step by step, from the start or any later cell that is not full. Then
+    /// the cell is the one that the face belongs to.
     #[cold]
     #[inline(never)]
     pub(in crate::world) fn detour(&self, w: &mut Detour, hits_inside: bool) -> Stop {
@@ -287,7 +302,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         met
     }
 
-    /// What is met at the start, where the cell ahead is full.
+    /// The hit at the start, where the cell ahead is full.
     #[inline]
     fn depart(&self, w: &mut Detour, hits_inside: bool) -> Stop {
         let cell = self.grid.cell as u32;
@@ -308,7 +323,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             w.y.near = cell;
             return INSIDE | if w.y.size > w.x.size { Y } else { X };
         }
-        // Stop is what the ray goes into, along a line into both cells; else it slides along the border.
+        // Stop is what the ray goes into, along a line into both cells; else it slides along the
+        // border.
         let mut into = around;
         if w.x.size != 0 {
             motion |= X;

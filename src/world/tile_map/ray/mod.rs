@@ -1,4 +1,4 @@
-//! Rays through tiles: what is asked, and what is answered.
+//! Rays through tiles: questions and answers.
 
 mod blocks;
 mod shapes;
@@ -15,22 +15,29 @@ use crate::world::tile_map::kind::TileKind;
 use blocks::{Detour, END, INSIDE};
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The first point of the closed solid that a ray from `origin` along `motion` meets, or `None` where it ends before.
+    /// The first point of the closed solid that a ray from `origin` along `motion` meets, or `None`
+    /// where it ends before.
     ///
     /// Every decision is exact, for any direction and length inside the domain:
     ///
-    /// - A straight face is hit by a ray that moves against its normal, ends included: touching a corner is a hit, no ray passes between two
-    ///   diagonal solids, and a ray along a grid line is stopped by the first face that stands in its way on either side of the line.
-    /// - A convex arc is hit by a ray that enters its disc on it, a concave one by a ray that leaves the disc on it, ends included. What
-    ///   slides along a face or is a tangent hits nothing, but one that goes on into the solid beside the end of a concave arc.
+    /// - A straight face is hit by a ray that moves against its normal, ends included. Touching a
+    ///   corner is a hit, and no ray passes between two diagonal solids. A ray along a grid line
+    ///   stops at the first face in its way on either side of the line.
+    /// - A convex arc is hit by a ray that enters its disc on it, ends included. A concave one is
+    ///   hit by a ray that leaves the disc on it, ends included. A ray that slides along a face or
+    ///   is a tangent hits nothing. The exception continues into the solid beside the end of a
+    ///   concave arc.
     /// - A face is hit at the very end of the motion too; one raw unit short is a miss.
-    /// - Of faces that are hit at one moment the one whose normal is more along x wins (of blocks: toward x), then the one that opposes the
-    ///   motion more, then +x, then +y, then a straight one before an arc.
-    /// - A start on the border is not inside: moving in hits at 0, leaving, passing a corner or sliding along does not hit there.
-    /// - A start inside is decided by [`RayRules::inside`]. [`Inside::Hit`] reports a hit at 0 whose axis opposes the larger component
-    ///   of the motion (x on a tie, +x for no motion).
+    /// - Of faces that are hit at one moment the one whose normal is more along x wins (of blocks:
+    ///   toward x), then the one that opposes the motion more, then +x, then +y, then a straight
+    ///   one before an arc.
+    /// - A start on the border is not inside: moving in hits at 0, leaving, passing a corner or
+    ///   sliding along does not hit there.
+    /// - A start inside is decided by [`RayRules::inside`]. [`Inside::Hit`] reports a hit at 0
+    ///   whose axis opposes the larger component of the motion (x on a tie, +x for no motion).
     /// - A motion of zero hits nothing, save from inside with [`Inside::Hit`].
-    /// - One-way edges are passed, unless [`RayRules::one_way`] asks for them. What is [`Outside`](crate::world::Outside) counts.
+    /// - One-way edges are passed, unless [`RayRules::one_way`] asks for them. What is
+    ///   [`Outside`](crate::world::Outside) counts.
     ///
     /// ```text
     ///   +---+---+---+---+       o      start
@@ -40,11 +47,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///   +---+---+---+---+
     /// ```
     ///
-    /// Cost: one look-up a cell, at most width + height + 4 cells, the area beyond the map included ([`RayHit::cells`] counts them). In
-    /// [`Blocks`](crate::world::Blocks) a hit in the 17th cell takes about 850 instructions
-    /// on a Cortex-M0, 560 on a Cortex-M3, toi and point included; no division and no root. Rays that start in the solid or beyond the map, or
-    /// go on in a band beyond the map look at the four cells around each crossing: about 150 instructions a cell. Other
-    /// shapes add two sides and one inner piece for each tile that is not empty, and one root for a hit within an arc.
+    /// Cost: one look-up per cell, at most width + height + 4 cells, the area beyond the map
+    /// included ([`RayHit::cells`] counts them). In [`Blocks`](crate::world::Blocks) a hit in the
+    /// 17th cell takes about 850 instructions on a Cortex-M0, 560 on a Cortex-M3, time and point
+    /// included. There is no division and no root. Rays that start in the solid or beyond the map,
+    /// or continue in a band beyond it, examine the four cells around each crossing: about 150
+    /// instructions per cell. Other shapes add two sides and one inner piece for each tile that is
+    /// not empty, and one root for a hit within an arc.
     ///
     /// ```
     /// use tilesat::{Axis, Cell, Inside, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -64,6 +73,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// # Errors
     /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
     #[inline]
+    #[doc(alias("raycast", "linecast", "RayCast2D", "DDA"))]
     pub fn cast_ray(
         &self,
         origin: Vec2,
@@ -86,7 +96,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Where all that stops a ray are full cells.
     fn cast_blocks(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<RayHit>, RangeError> {
         let (o, d) = (Raw::of(origin), Raw::of(motion));
-        // Where a sum wraps, it is outside too: a start below 2^29 and a motion up to 2^31 leave at least 2^32 - 2^31 - 2^29.
+        // Where a sum wraps, it is outside too: a start below 2^29 and a motion up to 2^31 leave at
+        // least 2^32 - 2^31 - 2^29.
         let end = o.add(d);
         if !(in_domain(o.x) && in_domain(o.y) && in_domain(end.x) && in_domain(end.y)) {
             return Err(refusal(o, d));
@@ -121,7 +132,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         let (mut toi, mut part) = (0, 0);
         if num != 0 {
             toi = fraction(num, den);
-            // floor(size num / den) is the product with the floored time, or one more: the remainder, below 2 den < 2^31, tells.
+            // floor(size num / den) is the product with the floored time, or one more: the
+            // remainder, below 2 den < 2^31, decides.
             part = (umul(size, toi) >> 30) as u32;
             let rest = size.wrapping_mul(num).wrapping_sub(part.wrapping_mul(den));
             part = part.wrapping_add((rest >= den) as u32);
@@ -180,11 +192,15 @@ impl<S: Set, T: Store> Iterator for RayHits<'_, '_, S, T> {
 
 rays! {
     [S: Set, T: Store] TileMap<'_, S, T> {
-        /// Whether a ray from `a` reaches `b` without a hit: the line between them is free of the closed solid.
+        /// Whether a ray from `a` reaches `b` without a hit: the line between them is free of the
+        /// closed solid.
         ///
-        /// Exact, by the rules of [`cast_ray`](Self::cast_ray) with [`Inside::Hit`](crate::world::Inside::Hit): a start inside sees nothing, a corner that is touched blocks, a line that slides along a
-        /// wall does not, one-way edges do not. On the surface `a` and `b` are not the same: a point on a wall sees what is in front of it, and is not seen,
-        /// as the line ends in a hit. Cost: as [`cast_ray`](Self::cast_ray).
+        /// Exact, by the rules of [`cast_ray`](Self::cast_ray) with
+        /// [`Inside::Hit`](crate::world::Inside::Hit). A start inside sees nothing, a corner that
+        /// is touched blocks, a line that slides along a wall does not, and one-way edges do not.
+        /// On the surface `a` and `b` differ: a point on a wall sees the points in front of it. It
+        /// is not seen from there, because the line ends in a hit. Cost: as
+        /// [`cast_ray`](Self::cast_ray).
         ///
         /// ```
         /// use tilesat::{TileKind, TileKinds, TileMap, Vec2};
@@ -205,11 +221,13 @@ rays! {
 impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// Every hit of a ray, nearest first, as if it went on through what it hits.
     ///
-    /// By the rules of [`cast_ray`](Self::cast_ray), whose hit is the first: where the ray goes into the solid, or touches it at a corner. Where
-    /// it comes out is no hit. Of several faces at one moment there is one hit, so the joint of two tiles is met once.
+    /// By the rules of [`cast_ray`](Self::cast_ray), whose hit is the first: where the ray goes
+    /// into the solid, or touches it at a corner. Where it comes out is no hit. Of several faces at
+    /// one moment there is one hit, so the joint of two tiles is met once.
     ///
-    /// Cost: a cursor that holds no hits, so none can be cut off. It walks as far as it is asked: at most width + height + 4 cells, and the
-    /// cells of one step once more for each hit; no cell has more than three. [`RayHit::cells`] counts the cells up to that hit.
+    /// Cost: a cursor that holds no hits, so none can be cut off. It walks as far as it is asked:
+    /// at most width + height + 4 cells, and the cells of one step once more for each hit; no cell
+    /// has more than three. [`RayHit::cells`] counts the cells up to that hit.
     ///
     /// ```
     /// use tilesat::{Inside, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2};

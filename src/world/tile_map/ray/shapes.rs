@@ -49,7 +49,8 @@ impl<S: Set, T: Store> RayLevel for TileMap<'_, S, T> {
             None
         };
         if let Some(run) = run {
-            // Before the line that led to something: at a corner the lines are crossed one after the other then, at the same moment.
+            // Before the line that led to something: at a corner the lines are crossed one after
+            // the other then, at the same moment.
             walk.jump(run.kx.wrapping_sub(run.met & X), run.ky.wrapping_sub((run.met & Y) >> 1), cell);
         }
     }
@@ -93,24 +94,27 @@ const NONE: Raw = Raw { x: 0, y: 0 };
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Whether the start of a walk is strictly inside the solid.
     ///
-    /// It is where the inequality of each shape that it touches holds strictly. Where one is an equality, the shape's line or arc ends on the border of its
-    /// cell, so that points of the cell nearby are not in it.
+    /// It is where the inequality of each shape that it touches holds strictly. Where one is an
+    /// equality, the shape's line or arc ends on the border of its cell, and points of the cell
+    /// nearby are not in it.
     pub(in crate::world) fn start_is_inside(&self, o: Raw, walk: &Walk) -> bool {
         walk.all_at_start(false, self.grid.cell as u32, |x, y| self.holds_just_after(o, NONE, x, y))
     }
 
     /// Whether a ray is strictly inside the solid just after its start.
     ///
-    /// It is within one cell then, or on the line between two whose shapes must both cover the line there. No border of a shape but those on the cell's
-    /// own sides runs along a line of the grid between two cells: so both are the same question, in each cell.
+    /// It is within one cell then, or on the line between two whose shapes must both cover the line
+    /// there. No border of a shape but those on the cell's own sides runs along a line of the grid
+    /// between two cells: so both are the same question, in each cell.
     pub(in crate::world) fn start_goes_in(&self, o: Raw, d: Raw, walk: &Walk) -> bool {
         walk.all_at_start(true, self.grid.cell as u32, |x, y| self.holds_just_after(o, d, x, y))
     }
 
-    /// Whether the inequality of a cell's shape holds strictly just after the start of a ray that is in the closed cell then; at the start itself
-    /// where there is no motion.
+    /// Whether the inequality of a cell's shape holds strictly just after the start of a ray that
+    /// is in the closed cell then; at the start itself where there is no motion.
     ///
-    /// Only halves reach beyond the map. They depend on one coordinate, which is within a cell there: sums are below 2^27.
+    /// Only halves reach beyond the map. They depend on one coordinate, which is within a cell
+    /// there: sums are below 2^27.
     fn holds_just_after(&self, o: Raw, d: Raw, x: i32, y: i32) -> bool {
         let form = self.kind_at(x, y).shape.form();
         let (lo, hi) = self.grid.corners(x, y);
@@ -142,8 +146,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 }
 
-/// Cursor over the pieces of a cell, as [`features`](TileMap::features) has them, less vertices, sides that the motion does not oppose, and the
-/// marks of joints: a ray has no use for those, and they are most of the work.
+/// Cursor over the pieces of a cell, as [`features`](TileMap::features) has them. It omits
+/// vertices, sides that the motion does not oppose, and the marks of joints: a ray has no use for
+/// those, and they are most of the work.
 #[derive(Clone, Debug)]
 pub(in crate::world) struct TilePieces<'w, S: Set, T: Store> {
     map: &'w TileMap<'w, S, T>,
@@ -167,7 +172,8 @@ impl<'w, S: Set, T: Store> TilePieces<'w, S, T> {
         Self { map, kind, x, y, d, stage: Stage::X }
     }
 
-    /// The part of side `k` that bounds the solid, or blocks, and is not covered by the tile across.
+    /// The part of side `k` that bounds the solid, or blocks, and is not covered by the tile
+    /// across.
     #[inline(never)]
     fn side(&self, k: u8) -> Option<Geometry> {
         let own = match self.kind.one_way_side() {
@@ -189,7 +195,8 @@ impl<'w, S: Set, T: Store> TilePieces<'w, S, T> {
         if halves == 0 {
             return None;
         }
-        // Where a band is merged with a cell, its side goes on along the band; a side across which the band lies is covered.
+        // Where a band is merged with a cell, its side goes on along the band; a side across which
+        // the band lies is covered.
         let ((lo, hi), (cell_lo, cell_hi)) = (self.map.extent(self.x, self.y), self.map.grid.corners(self.x, self.y));
         let (from, to) = if k & 1 == 0 { (lo.x, hi.x) } else { (lo.y, hi.y) };
         let (from, to) = if k < 2 { (from, to) } else { (to, from) };
@@ -218,7 +225,7 @@ impl<'w, S: Set, T: Store> TilePieces<'w, S, T> {
                     Raw { x: along_side(corners.0.x, corners.1.x, i), y: along_side(corners.0.y, corners.1.y, j) }
                 };
                 let (a, dir) = (node(piece.start), direction(piece.dir));
-                // One component of a reduced direction is one, so that the other way is the length.
+                // One component of a reduced direction is one: the other way is the length.
                 let way = node(piece.end).sub(a);
                 let len = if dir.x.unsigned_abs() == 1 { way.x } else { way.y }.wrapping_abs();
                 Some(Geometry::Face { a: a.vec2(), dir, len, joined: [false; 2] })

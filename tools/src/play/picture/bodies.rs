@@ -46,7 +46,8 @@ fn death(scene: &mut Scene, (x, y): Spot) {
     }
 }
 
-/// A dot where a body first met the level in a frame, unless it met the same side in the frame before.
+/// A dot where a body first met the level in a frame, unless it met the same side one frame
+/// earlier.
 pub(super) fn contacts(scene: &mut Scene, run: &Run) {
     let radius = (scene.unit * 1.3).max(1.2 / scene.scale);
     for (actor, trail) in run.actors.iter().zip(&run.trails) {

@@ -1,4 +1,4 @@
-//! What the picture shows, in words.
+//! The caption of the picture.
 
 use tilesat::motion::Response;
 

@@ -13,7 +13,8 @@ use crate::play::outline::Outline;
 use crate::play::run::Run;
 use crate::rules::names;
 
-/// Cells that are drawn one by one; larger levels are drawn by blocks of cells, so that no picture has more marks than this.
+/// Cells that are drawn one by one. Larger levels are drawn by blocks of cells: no picture has more
+/// marks than this.
 const MOST: u32 = 1 << 16;
 
 pub(super) fn draw(scene: &mut Scene, level: &Level, run: &Run) {

@@ -99,7 +99,7 @@ struct Reader<'a> {
     cells: u64,
 }
 
-/// What the numbers of a level's layers mean, as it grows.
+/// The meaning of the numbers of a level's layers, as it grows.
 #[derive(Default)]
 struct Palette {
     all: Vec<Placed>,
@@ -174,7 +174,7 @@ impl Reader<'_> {
         Ok(Layer::plain(&layer.name, (layer.x.into(), layer.y.into()), content))
     }
 
-    /// The place of a value in the palette.
+    /// The index of a value in the palette.
     fn value(&self, layer: &raw::Layer, number: i64, palette: &mut Palette) -> Result<u32> {
         if let Some(&place) = palette.values.get(&(layer.name.clone(), number)) {
             return Ok(place);

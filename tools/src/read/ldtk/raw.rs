@@ -1,4 +1,4 @@
-//! What stands in a file of `LDtk`, as far as it is used.
+//! The content of an `LDtk` file, as far as it is used.
 
 use serde::{Deserialize, Deserializer};
 

@@ -1,4 +1,5 @@
-//! Maps of Tiled, in XML and in JSON: both are read into the same [`raw`] form, and this makes a level of it.
+//! Maps of Tiled, in XML and in JSON: both are read into the same [`raw`] form, and this makes a
+//! level of it.
 
 mod data;
 mod objects;
@@ -56,7 +57,7 @@ fn side(map: &raw::Map) -> Result<u16> {
             "" => "not a Tiled map: it has no orientation".to_owned(),
             known @ ("isometric" | "staggered" | "hexagonal" | "oblique") => {
                 format!(
-                    "the map is {known}, not orthogonal: its cells are no squares, which are all that the library has"
+                    "the map is {known}, not orthogonal: its cells are not square, and the library has square cells only"
                 )
             }
             other => format!("the map is '{other}', not orthogonal"),
@@ -64,7 +65,7 @@ fn side(map: &raw::Map) -> Result<u16> {
     }
     let (width, height) = (map.tilewidth, map.tileheight);
     if width != height {
-        return Err(format!("tiles of {width}x{height} pixels are not square, which are all that the library has"));
+        return Err(format!("tiles of {width}x{height} pixels are not square, and the library has square tiles only"));
     }
     if !SIDES.contains(&width) {
         return Err(format!("tiles of {width} pixels; the library takes 1 to 256"));
@@ -72,7 +73,7 @@ fn side(map: &raw::Map) -> Result<u16> {
     Ok(width as u16)
 }
 
-/// What the groups around a layer say.
+/// The settings of the groups around a layer.
 #[derive(Default)]
 struct Around {
     offset: Spot,

@@ -23,7 +23,8 @@ impl Templates {
         let path = folder.join(name);
         if !self.0.contains_key(&path) {
             let of_file = |why: String| format!("object {}: template {}: {why}", object.id, path.display());
-            // Levels are often taken out of their project without what is for the game alone.
+            // Levels are often taken out of their project without the files that only the game
+            // needs.
             let Ok(bytes) = files.bytes(&path) else {
                 let why = format!("made from a template that cannot be read: {name}");
                 return Ok(Object { form: Form::Missing(why), ..shape(object)? });
@@ -37,7 +38,7 @@ impl Templates {
     }
 }
 
-/// What the object says, and what its template says about the rest.
+/// The properties of the object, and those of its template for the rest.
 fn filled(own: raw::Object, template: &raw::Object) -> raw::Object {
     let drawn = |object: &raw::Object| {
         object.point

@@ -1,4 +1,5 @@
-//! What stands in a file of Tiled, XML or JSON, before anything is looked up or checked. JSON is read into it by name.
+//! The content of a Tiled file, XML or JSON, before anything is looked up or checked. JSON is
+//! read into it by name.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -163,7 +164,7 @@ pub(super) struct Number(pub(super) Decimal);
 impl<'de> Deserialize<'de> for Number {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         let number = serde_json::Number::deserialize(from)?;
-        let far = || D::Error::custom(format!("{number} is no number below a million"));
+        let far = || D::Error::custom(format!("{number} is not a number below a million"));
         Decimal::parse(number.to_string().as_bytes()).map(Self).ok_or_else(far)
     }
 }

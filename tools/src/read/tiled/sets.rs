@@ -43,7 +43,7 @@ impl Sets {
         Self { palette: vec![Placed::Nothing], places: HashMap::from([(0, 0)]), ..Self::default() }
     }
 
-    /// A tileset of a file in this folder; one that stands in a file of its own is read.
+    /// A tileset of a file in this folder, which may refer to a separate file.
     pub(super) fn add(&mut self, set: raw::Tileset, folder: &Path, files: &mut Files) -> Result<()> {
         let first = set.firstgid;
         if first == 0 {
@@ -106,14 +106,14 @@ impl Sets {
             return Ok(None);
         }
         let Some((&first, &index)) = self.first.range(..=gid).next_back() else {
-            return Err(format!("tile {gid} is of no tileset"));
+            return Err(format!("tile {gid} belongs to no tileset"));
         };
         let (set, id) = (&self.all[index], gid - first);
         if set.has(id) {
             Ok(Some((index, id, flip)))
         } else {
             let count = set.count.unwrap_or(0);
-            Err(format!("tile {gid} is of no tileset: it would be tile {id} of '{}', which has {count}", set.name))
+            Err(format!("tile {gid} belongs to no tileset: it would be tile {id} of '{}', which has {count}", set.name))
         }
     }
 }

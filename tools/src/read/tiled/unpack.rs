@@ -32,7 +32,8 @@ pub(super) fn unpack(text: &[u8], packing: Packing, most: u64) -> Result<Option<
     Ok((bytes.len() as u64 <= most).then_some(bytes))
 }
 
-/// Frame after frame, as one stream may hold several; returns how many bytes there are, or the limit.
+/// Frame after frame, as one stream may hold several; returns how many bytes there are, or the
+/// limit.
 fn zstd(mut packed: &[u8], limit: u64, bytes: &mut Vec<u8>) -> Result<usize> {
     while !packed.is_empty() && (bytes.len() as u64) < limit {
         let mut frame = StreamingDecoder::new_with_max_window_size(&mut packed, ZSTD_WINDOW).map_err(invalid)?;

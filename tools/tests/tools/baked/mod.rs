@@ -1,4 +1,5 @@
-//! What `tilesat bake` and `tilesat rooms` write of the levels in `examples/levels`, and of a world in the corpus.
+//! What `tilesat bake` and `tilesat rooms` write of the levels in `examples/levels`, and of a world
+//! in the corpus.
 
 pub(crate) mod quarry;
 pub(crate) mod quarry_rooms;

@@ -8,7 +8,7 @@ use tilesat::{TileKind, TileKinds};
 /// The flag bits of the game's rules.
 pub const FLAG_LADDER: u8 = 1;
 pub const FLAG_WATER: u8 = 2;
-/// What the ids of all levels stand for.
+/// The meaning of the ids of all levels.
 #[rustfmt::skip]
 pub static KINDS: TileKinds = TileKinds::EMPTY
     .with(1, TileKind::FULL)

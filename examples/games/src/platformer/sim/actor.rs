@@ -26,9 +26,9 @@ impl Shape {
 #[derive(Debug, Clone, Copy)]
 pub struct Actor {
     pub shape: Shape,
-    /// Units a frame, as the last motion left it.
+    /// Units per frame, as the last motion left it.
     pub velocity: Vec2,
-    /// Units a frame, as it was asked for in the last frame.
+    /// Units per frame, as the actor wanted it in the last frame.
     pub asked: Vec2,
     pub response: Response,
     /// Whether it falls.
@@ -37,7 +37,7 @@ pub struct Actor {
     pub hit: Option<Hit>,
 }
 
-/// What an actor needs to know about its last motion.
+/// The facts that an actor needs about its last motion.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Outcome {
     pub floor: bool,

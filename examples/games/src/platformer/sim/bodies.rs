@@ -46,7 +46,7 @@ pub(super) fn step<S: Set>(
     actor.advance(map, report);
 }
 
-/// A random velocity; once in eight times up to two cells a frame, which would cross walls if the
+/// A random velocity; once in eight times up to two cells per frame, which would cross walls if the
 /// sweep let it.
 fn kick(cell: i32, heavy: bool, rng: &mut Rng) -> Vec2 {
     if rng.once_in(8) {

@@ -34,7 +34,7 @@ pub struct Rules {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct NoRoom;
 
-/// What one frame brought.
+/// The results of one frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct FrameReport {
     /// Faces and corners of the level that bodies ran into.

@@ -8,8 +8,8 @@ use super::rng::Rng;
 
 const TRIES: u32 = 48;
 
-/// A box or ball (`half.1` is not used then) of these half extents in free space, within the map
-/// and away from tiles with the `avoid` flags where that can be had.
+/// A box or ball (`half.1` is not used then) of these half extents in free space within the map.
+/// Away from tiles with the `avoid` flags, where possible.
 ///
 /// Where random tries find no place the body shrinks to fit a cell, and every cell is looked at:
 /// `None` means that the map has no free cell.

@@ -1,4 +1,4 @@
-//! Boxes and balls that fall, slide and bounce for ever.
+//! Boxes and balls that fall, slide and bounce without end.
 
 use tilesat::{Aabb, Axis, Circle, Fx, MoveError, Mover, Response, Vec2};
 
@@ -13,7 +13,7 @@ pub const BALLS: [i16; 4] = [3, 5, 6, 7];
 /// Raw units (1/65536 unit) a frame, or a frame squared.
 const GRAVITY: i32 = 9_000;
 const TOP: i32 = 400_000;
-/// A body gets a new push every so many frames, so that none sleeps.
+/// A body gets a new push every so many frames: none sleeps.
 const KICK: u32 = 128;
 
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +43,7 @@ pub struct Crowd {
 }
 
 impl Crowd {
-    /// Without a body yet: a constant, so that the stack holds it once.
+    /// Without a body yet. As a constant, the stack holds it once.
     pub const EMPTY: Self = Self { bodies: [NOBODY; MOST], count: 0, frame: 0, random: 1 };
 
     /// So many bodies, boxes and balls in turn, at free places; `None` where there are too few.
@@ -62,7 +62,7 @@ impl Crowd {
         self.bodies.get(..self.count).unwrap_or_default()
     }
 
-    /// Moves all of them by a frame.
+    /// Moves all of them by one frame.
     pub fn step(&mut self, level: &Level) -> Result<(), MoveError> {
         for i in 0..self.count {
             let kick = (self.frame + i as u32 * 37).is_multiple_of(KICK).then(|| self.push());

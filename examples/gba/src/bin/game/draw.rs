@@ -1,4 +1,5 @@
-//! The level as tiles, the bodies as sprites, and the time that a frame took as a bar. Pixels are two units wide.
+//! The level as tiles, the bodies as sprites, and the cost of a frame as a bar. Pixels are two
+//! units wide.
 
 use tilesat::{Aabb, Cell, TileShape, Vec2};
 use tilesat_gba::cycles::FRAME;
@@ -31,7 +32,7 @@ const NINJA_RADIUS: i32 = 6;
 const BAR_WIDTH: u32 = 192;
 const BAR_ROW: u32 = HEIGHT as u32;
 
-/// 3 x 5 pixels, three bits a row from the top.
+/// 3 x 5 pixels, three bits per row from the top.
 const FONT: [u16; 10] = [0o75557, 0o26227, 0o71747, 0o71717, 0o55711, 0o74717, 0o74757, 0o71111, 0o75757, 0o75717];
 
 /// The tile whose pixels have this colour (0 is clear).
@@ -139,7 +140,8 @@ fn corner(centre: Vec2) -> (i32, i32) {
     (((x + (1 << 16)) >> 17) - 4, ((y + (1 << 16)) >> 17) - 4)
 }
 
-/// Green for the collision, blue for the rest of the work, red for what is over a frame; the number of bodies, and percent of a frame.
+/// Green for the collision, blue for the rest of the work, red beyond one frame; the number of
+/// bodies, and percent of a frame.
 pub fn bar(collision: u32, all: u32, count: usize) {
     let pixels = |cycles: u32| (cycles.min(2 * FRAME) * BAR_WIDTH).div_ceil(FRAME).min(BAR_WIDTH);
     let (first, second) = (pixels(collision), pixels(all));

@@ -1,6 +1,7 @@
 //! A ninja among boxes and balls on one screen of all shapes.
 //!
-//! Left and right run, A jumps; Select held at power-on doubles the bodies to 64; Start ends the game with what it cost.
+//! Left and right run, A jumps; Select held at power-on doubles the bodies to 64; Start ends the
+//! game with what it cost.
 #![no_std]
 #![no_main]
 
@@ -16,7 +17,7 @@ use tilesat_gba::{entry, println, screen, stack};
 
 entry!(main);
 
-/// What the frames so far took.
+/// The cost of the frames so far.
 #[derive(Default)]
 struct Cost {
     frames: u32,
