@@ -117,7 +117,7 @@ pub mod scene;
 pub mod shape;
 pub mod world;
 
-pub use error::{Quantity, RangeError, Truncated};
+pub use error::{PolygonError, Quantity, RangeError, Truncated};
 pub use filter::{Filter, LayerMask};
 pub use motion::{
     Acceleration, Body, BodyHit, Carry, Character, Energy, Feel, Hit, Hits, Input, Masses, MoveError, Moved, Mover,
@@ -127,7 +127,7 @@ pub use motion::{
 pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
 pub use query::{CastHit, Contact, Inside, MovingHit};
 pub use scene::{Scene, SceneBody, SceneError};
-pub use shape::{Aabb, Circle, Segment};
+pub use shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 /// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types
 /// come from the crate's root.
 pub mod prelude {

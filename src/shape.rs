@@ -1,7 +1,17 @@
 //! Shapes: small `Copy` values with private fields, built by checked constructors, so that a shape that exists is inside the domain.
 
+mod capsule;
+mod corners;
+mod oriented_box;
+mod polygon;
+
 use crate::error::{Quantity, RangeError};
 use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
+
+pub use capsule::Capsule;
+pub(crate) use corners::Convex;
+pub use oriented_box::OrientedBox;
+pub use polygon::ConvexPolygon;
 
 /// An axis-aligned box, given by its two corners.
 ///

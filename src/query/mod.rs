@@ -50,6 +50,7 @@
 pub(crate) mod cast;
 pub(crate) mod closest;
 mod contact;
+mod convex;
 pub(crate) mod meet;
 mod overlap;
 #[cfg(test)]
