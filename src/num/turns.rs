@@ -36,7 +36,7 @@ const fn quarter_sine(x: u32) -> i32 {
         return 1 << 30;
     }
     // (pi/2)^k / k! in parts of 2^30, for k = 1, 3, ... 11; signs alternate, and each partial sum stays positive.
-    const A: [u32; 6] = [1_686_629_713, 693_598_668, 85_569_306, 5_026_995, 172_273, 3_864];
+    const A: [u32; 6] = [1_686_629_713, 693_598_668, 85_569_306, 5_026_995, 172_272, 3_864];
     let square = x * x << 2;
     let [a1, a3, a5, a7, a9, a11] = A;
     let sum = less(a1, less(a3, less(a5, less(a7, less(a9, a11, square), square), square), square), square);

@@ -14,7 +14,7 @@ pub(crate) trait Convex {
     where
         Self: 'a;
 
-    fn corners(&self) -> Self::Corners<'_>;
+    fn outline(&self) -> Self::Corners<'_>;
 
     /// The radius, raw and not negative.
     fn rounding(&self) -> i32;
@@ -61,7 +61,7 @@ impl Convex for Aabb {
     type Corners<'a> = Few;
 
     #[inline]
-    fn corners(&self) -> Few {
+    fn outline(&self) -> Few {
         let size = self.hi().sub(self.lo());
         Few::parallelogram(self.lo(), Raw { x: size.x, y: 0 }, Raw { x: 0, y: size.y })
     }
@@ -76,7 +76,7 @@ impl Convex for Circle {
     type Corners<'a> = Few;
 
     #[inline]
-    fn corners(&self) -> Few {
+    fn outline(&self) -> Few {
         Few::one(self.centre())
     }
 
@@ -90,7 +90,7 @@ impl Convex for Segment {
     type Corners<'a> = Few;
 
     #[inline]
-    fn corners(&self) -> Few {
+    fn outline(&self) -> Few {
         Few::line(self.a(), self.b())
     }
 
@@ -104,7 +104,7 @@ impl Convex for Capsule {
     type Corners<'a> = Few;
 
     #[inline]
-    fn corners(&self) -> Few {
+    fn outline(&self) -> Few {
         Few::line(self.a(), self.b())
     }
 
@@ -118,7 +118,7 @@ impl Convex for OrientedBox {
     type Corners<'a> = Few;
 
     #[inline]
-    fn corners(&self) -> Few {
+    fn outline(&self) -> Few {
         // Half of a side is below 2^29, and the corners are inside the domain: whole sides are below 2^30.
         let (u, v) = (Raw::of(self.along()), Raw::of(self.across()));
         Few::parallelogram(Raw::of(self.centre()).sub(u).sub(v), u.add(u), v.add(v))
@@ -134,7 +134,7 @@ impl<const N: usize> Convex for ConvexPolygon<N> {
     type Corners<'a> = &'a [Vec2];
 
     #[inline]
-    fn corners(&self) -> &[Vec2] {
+    fn outline(&self) -> &[Vec2] {
         self.vertices()
     }
 

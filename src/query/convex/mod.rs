@@ -4,12 +4,17 @@
 //! sides [`walk::Walk`] merges from theirs. Questions are about the origin and that polygon.
 //! Only pairs with one of these shapes come here: a game of boxes and circles links none of it.
 
+mod exit;
+mod face;
+mod near;
 mod place;
 mod walk;
+mod within;
 
-use super::overlap::{Overlaps, Touches};
-use super::closest::Distance;
-use crate::num::Fx;
+use super::closest::{ClosestPoint, Distance};
+use super::contact::{Contact, Contacts};
+use super::overlap::{Contains, Overlaps, Touches};
+use crate::num::{Fx, Vec2};
 use crate::shape::{Aabb, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
 use place::{Place, meets};
 use walk::Core;
@@ -17,7 +22,7 @@ use walk::Core;
 /// Runs `$body` with the cores of two shapes.
 macro_rules! with_cores {
     ($x:expr, $y:expr, |$a:ident, $b:ident| $body:expr) => {{
-        let (p, q) = ($x.corners(), $y.corners());
+        let (p, q) = ($x.outline(), $y.outline());
         let $a = Core { corners: &p, radius: $x.rounding() };
         let $b = Core { corners: &q, radius: $y.rounding() };
         $body
@@ -38,6 +43,27 @@ macro_rules! pair {
             #[inline]
             fn touches(&self, b: &$b) -> bool {
                 with_cores!(self, b, |a, b| meets::<true>(a, b))
+            }
+        }
+
+        impl<$($n)*> Contacts<$b> for $a {
+            #[inline]
+            fn contact(&self, b: &$b) -> Option<Contact> {
+                with_cores!(self, b, |a, b| exit::contact(a, b))
+            }
+        }
+
+        impl<$($n)*> Contains<$b> for $a {
+            #[inline]
+            fn contains(&self, b: &$b) -> bool {
+                with_cores!(self, b, |a, b| within::contains(a, b))
+            }
+        }
+
+        impl<$($n)*> ClosestPoint<$b> for $a {
+            #[inline]
+            fn closest_points(&self, b: &$b) -> Option<(Vec2, Vec2)> {
+                with_cores!(self, b, |a, b| near::closest_points(a, b)).map(|(p, q)| (p.vec2(), q.vec2()))
             }
         }
 

@@ -1,0 +1,49 @@
+//! The part of two parallel sides that face each other.
+
+use super::walk::{Core, Side};
+use crate::num::Raw;
+use crate::query::closest::on_segment;
+
+/// A side of a shape, counter-clockwise.
+pub(super) fn face(core: Core<'_>, index: usize) -> (Raw, Raw) {
+    (core.corner(index), core.corner(core.after(index)))
+}
+
+pub(super) const fn precedes(p: Raw, q: Raw) -> bool {
+    p.x < q.x || (p.x == q.x && p.y < q.y)
+}
+
+/// What faces each other of a side of A and one of B, which a side of the sum is of.
+pub(super) struct Facing {
+    pub(super) a: (Raw, Raw),
+    pub(super) b: (Raw, Raw),
+    /// Where it begins and ends: corners of A or of B.
+    ends: (Raw, Raw),
+}
+
+impl Facing {
+    pub(super) fn of(side: &Side, a: Core<'_>, b: Core<'_>) -> Self {
+        // Along the side of the sum that of A runs forward and that of B back.
+        let (a, b) = (face(a, side.a), face(b, side.b));
+        let later = |p: Raw, q: Raw| if side.edge.dot(p.sub(q)) < 0 { q } else { p };
+        let earlier = |p: Raw, q: Raw| if side.edge.dot(p.sub(q)) > 0 { q } else { p };
+        Self { a, b, ends: (later(a.0, b.1), earlier(a.1, b.0)) }
+    }
+
+    /// The middle on one of the two sides, and whether that is A's: exact along x and y, else within a raw unit.
+    ///
+    /// Which side it is on and half a unit are settled by geometry, so that exchanging the shapes changes nothing.
+    pub(super) fn middle(&self) -> (Raw, bool) {
+        let first = |(p, q): (Raw, Raw)| if precedes(q, p) { q } else { p };
+        let on_a = !precedes(first(self.b), first(self.a));
+        let (p, q) = if on_a { self.a } else { self.b };
+        let (from, to) = (on_segment(self.ends.0, p, q), on_segment(self.ends.1, p, q));
+        // Sums of coordinates are below 2^30.
+        (Raw { x: from.x.wrapping_add(to.x) >> 1, y: from.y.wrapping_add(to.y) >> 1 }, on_a)
+    }
+
+    /// The end that comes first lexicographically, a corner of either shape.
+    pub(super) const fn first_end(&self) -> Raw {
+        if precedes(self.ends.1, self.ends.0) { self.ends.1 } else { self.ends.0 }
+    }
+}
