@@ -126,7 +126,9 @@ pub enum PolygonError {
 impl fmt::Display for PolygonError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::TooFew { count } => write!(f, "a polygon needs three corners that are not on one line, and has {count}"),
+            Self::TooFew { count } => {
+                write!(f, "a polygon needs three corners that are not on one line, and has {count}")
+            }
             Self::TooMany { capacity } => write!(f, "more corners than the {capacity} that there is room for"),
             Self::Range { at, error } => write!(f, "corner {at}: {error}"),
             Self::Repeated { at } => write!(f, "corner {at} is where the one before it is"),

@@ -16,7 +16,13 @@ fn run(pair: (Kind, Kind), class: Class) -> [u64; 3] {
         let (a, b) = stream.next();
         let pair = Pair::new(&a, &b);
         pair.all();
-        let kind = if pair.exact.overlaps() { 0 } else if pair.exact.touches() { 1 } else { 2 };
+        let kind = if pair.exact.overlaps() {
+            0
+        } else if pair.exact.touches() {
+            1
+        } else {
+            2
+        };
         tally[kind] += 1;
     }
     tally

@@ -6,6 +6,7 @@ mod closest_ties;
 mod convex;
 mod convex_lattice;
 mod convex_shapes;
+mod convex_symmetry;
 mod degenerate;
 mod distances;
 mod exact;

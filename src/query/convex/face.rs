@@ -9,8 +9,13 @@ pub(super) fn face(core: Core<'_>, index: usize) -> (Raw, Raw) {
     (core.corner(index), core.corner(core.after(index)))
 }
 
-pub(super) const fn precedes(p: Raw, q: Raw) -> bool {
+const fn precedes(p: Raw, q: Raw) -> bool {
     p.x < q.x || (p.x == q.x && p.y < q.y)
+}
+
+/// The lexicographically first one.
+const fn first(p: Raw, q: Raw) -> Raw {
+    if precedes(q, p) { q } else { p }
 }
 
 /// What faces each other of a side of A and one of B, which a side of the sum is of.
@@ -25,17 +30,25 @@ impl Facing {
     pub(super) fn of(side: &Side, a: Core<'_>, b: Core<'_>) -> Self {
         // Along the side of the sum that of A runs forward and that of B back.
         let (a, b) = (face(a, side.a), face(b, side.b));
-        let later = |p: Raw, q: Raw| if side.edge.dot(p.sub(q)) < 0 { q } else { p };
-        let earlier = |p: Raw, q: Raw| if side.edge.dot(p.sub(q)) > 0 { q } else { p };
-        Self { a, b, ends: (later(a.0, b.1), earlier(a.1, b.0)) }
+        let inner = |p: Raw, q: Raw, way: Raw| match way.dot(p.sub(q)) {
+            // Opposite to each other: the first one, whichever shape is A.
+            0 => first(p, q),
+            ahead => {
+                if ahead < 0 {
+                    q
+                } else {
+                    p
+                }
+            }
+        };
+        Self { a, b, ends: (inner(a.0, b.1, side.edge), inner(a.1, b.0, side.edge.reversed())) }
     }
 
     /// The middle on one of the two sides, and whether that is A's: exact along x and y, else within a raw unit.
     ///
     /// Which side it is on and half a unit are settled by geometry, so that exchanging the shapes changes nothing.
     pub(super) fn middle(&self) -> (Raw, bool) {
-        let first = |(p, q): (Raw, Raw)| if precedes(q, p) { q } else { p };
-        let on_a = !precedes(first(self.b), first(self.a));
+        let on_a = !precedes(first(self.b.0, self.b.1), first(self.a.0, self.a.1));
         let (p, q) = if on_a { self.a } else { self.b };
         let (from, to) = (on_segment(self.ends.0, p, q), on_segment(self.ends.1, p, q));
         // Sums of coordinates are below 2^30.
@@ -44,6 +57,6 @@ impl Facing {
 
     /// The end that comes first lexicographically, a corner of either shape.
     pub(super) const fn first_end(&self) -> Raw {
-        if precedes(self.ends.1, self.ends.0) { self.ends.1 } else { self.ends.0 }
+        first(self.ends.0, self.ends.1)
     }
 }

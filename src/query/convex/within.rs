@@ -10,7 +10,9 @@ use crate::num::{Raw, Vec2, less128, mul64, sqr64, usqr};
 /// if that is negative, where A has room for a disc of s - r around every corner of B.
 pub(super) fn contains(a: Core<'_>, b: Core<'_>) -> bool {
     let rest = a.radius.wrapping_sub(b.radius);
-    b.corners.iter().all(|p| if rest < 0 { holds_disc(a, Raw::of(*p), rest.unsigned_abs()) } else { holds(a, *p, rest) })
+    b.corners
+        .iter()
+        .all(|p| if rest < 0 { holds_disc(a, Raw::of(*p), rest.unsigned_abs()) } else { holds(a, *p, rest) })
 }
 
 fn holds(a: Core<'_>, p: Vec2, radius: i32) -> bool {

@@ -21,8 +21,7 @@ pub enum Class {
     Thin,
 }
 
-pub const CLASSES: [Class; 6] =
-    [Class::Uniform, Class::Lattice, Class::Touch, Class::Near, Class::Domain, Class::Thin];
+pub const CLASSES: [Class; 6] = [Class::Uniform, Class::Lattice, Class::Touch, Class::Near, Class::Domain, Class::Thin];
 
 pub struct Pairs {
     pub random: Random,
@@ -126,10 +125,7 @@ fn shape(r: &mut Random, kind: Kind, size: i64, unit: i64) -> Shape {
         Kind::Polygon => {
             let count = r.within(3, MOST as i64);
             let points: Vec<Point> = (0..count).map(|_| point(r)).collect();
-            wound(r, &points).map_or_else(
-                || shape_of_triangle(unit),
-                |points| Shape::polygon(&points, round(r)),
-            )
+            wound(r, &points).map_or_else(|| shape_of_triangle(unit), |points| Shape::polygon(&points, round(r)))
         }
     }
 }
@@ -165,9 +161,7 @@ fn thin(r: &mut Random, kind: Kind) -> Shape {
             let half = (r.within(0, long), r.within(0, 3));
             Shape::Turned { centre: (r.around(3), r.around(3)), half, direction: (d.0 | 1, d.1), radius: 0 }
         }
-        Kind::Polygon => {
-            wound(r, &[p, q, m]).map_or_else(|| shape_of_triangle(3), |points| Shape::polygon(&points, 0))
-        }
+        Kind::Polygon => wound(r, &[p, q, m]).map_or_else(|| shape_of_triangle(3), |points| Shape::polygon(&points, 0)),
         other => shape(r, other, 6, 1),
     }
 }

@@ -9,13 +9,35 @@ pub const MOST: usize = 6;
 /// A shape before anything is known about it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
-    Aabb { min: Point, max: Point },
-    Circle { centre: Point, radius: i64 },
-    Segment { a: Point, b: Point },
-    Capsule { a: Point, b: Point, radius: i64 },
-    Turned { centre: Point, half: Point, direction: Point, radius: i64 },
+    Aabb {
+        min: Point,
+        max: Point,
+    },
+    Circle {
+        centre: Point,
+        radius: i64,
+    },
+    Segment {
+        a: Point,
+        b: Point,
+    },
+    Capsule {
+        a: Point,
+        b: Point,
+        radius: i64,
+    },
+    Turned {
+        centre: Point,
+        half: Point,
+        direction: Point,
+        radius: i64,
+    },
     /// Strictly convex, in order, either way round.
-    Polygon { points: [Point; MOST], count: usize, radius: i64 },
+    Polygon {
+        points: [Point; MOST],
+        count: usize,
+        radius: i64,
+    },
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,7 +126,9 @@ impl Shape {
             Self::Turned { centre, half, direction, radius } => {
                 Self::Turned { centre: f(centre), half, direction: turn(direction), radius }
             }
-            Self::Polygon { points, count, radius } => Self::polygon(&points[..count].iter().map(|p| f(*p)).collect::<Vec<_>>(), radius),
+            Self::Polygon { points, count, radius } => {
+                Self::polygon(&points[..count].iter().map(|p| f(*p)).collect::<Vec<_>>(), radius)
+            }
         }
     }
 

@@ -93,7 +93,10 @@ impl<'a> Pair<'a> {
         assert!(far(k) >= 0 && d <= bound(k + 4) && (k < 3 || d >= bound(k - 3)), "{p:?} {q:?} of {a:?} {b:?}");
         for (shape, at) in [(a, p), (b, q)] {
             let off = Measure::of(&sum(shape, &dot_at(at)));
-            assert!(off.place != Place::Outside || off.square.root_minus(shape.radius() + 2) <= 0, "{at:?} is off {shape:?}");
+            assert!(
+                off.place != Place::Outside || off.square.root_minus(shape.radius() + 2) <= 0,
+                "{at:?} is off {shape:?}"
+            );
         }
     }
 }
