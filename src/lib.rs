@@ -125,14 +125,14 @@ pub use motion::{
     Walker, Work,
 };
 pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
-pub use query::{CastHit, Contact, Inside, MovingHit};
+pub use query::{CastHit, Contact, Inside, Manifold, ManifoldPoint, MovingHit, Part};
 pub use scene::{Scene, SceneBody, SceneError};
 pub use shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 /// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types
 /// come from the crate's root.
 pub mod prelude {
     pub use crate::broad::BroadPhase;
-    pub use crate::query::{CastShape, ClosestPoint, Contacts, Contains, Distance, Overlaps, Touches};
+    pub use crate::query::{CastShape, ClosestPoint, Contacts, Contains, Distance, Manifolds, Overlaps, Touches};
 }
 pub use world::{
     AllShapes, Bits, Blocks, Bytes, Cell, Feature, Features, Geometry, Grid, Joined, JoinedFeatures, JoinedRayHits,

@@ -30,15 +30,16 @@ impl Axis {
     }
 }
 
+/// `(pi/2)^k / k!` in parts of 2^30, for k = 1, 3, ... 11: signs alternate, and each partial sum stays positive.
+const SERIES: [u32; 6] = [1_686_629_713, 693_598_668, 85_569_306, 5_026_995, 172_272, 3_864];
+
 /// `sin(pi/2 x)` in parts of 2^30, for x in parts of 2^14 up to 1: the sine's series to x^11, whose rest is below 6e-8.
 const fn quarter_sine(x: u32) -> i32 {
     if x == 1 << 14 {
         return 1 << 30;
     }
-    // (pi/2)^k / k! in parts of 2^30, for k = 1, 3, ... 11; signs alternate, and each partial sum stays positive.
-    const A: [u32; 6] = [1_686_629_713, 693_598_668, 85_569_306, 5_026_995, 172_272, 3_864];
-    let square = x * x << 2;
-    let [a1, a3, a5, a7, a9, a11] = A;
+    let square = (x * x) << 2;
+    let [a1, a3, a5, a7, a9, a11] = SERIES;
     let sum = less(a1, less(a3, less(a5, less(a7, less(a9, a11, square), square), square), square), square);
     (umul(sum, x) >> 14) as i32
 }

@@ -62,4 +62,5 @@ pub(crate) use crate::num as round;
 pub use cast::{CastHit, CastShape, Inside, MovingHit};
 pub use closest::{ClosestPoint, Distance};
 pub use contact::{Contact, Contacts};
+pub use convex::{Manifold, ManifoldPoint, Manifolds, Part};
 pub use overlap::{Contains, Overlaps, Touches};

@@ -32,8 +32,9 @@ impl Few {
         Self { points: [p; 4], count: 1 }
     }
 
-    /// Equal ends are one point.
+    /// Equal ends are one point, others are put in lexicographic order: reversing them changes nothing.
     fn line(a: Vec2, b: Vec2) -> Self {
+        let (a, b) = if b.raw() < a.raw() { (b, a) } else { (a, b) };
         Self { points: [a, b, a, b], count: if a == b { 1 } else { 2 } }
     }
 

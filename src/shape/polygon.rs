@@ -113,6 +113,9 @@ impl<const N: usize> ConvexPolygon<N> {
         if let Err(e) = check_all(points) {
             return Err(e);
         }
+        if n == 0 {
+            return Err(PolygonError::TooFew { count: 0 });
+        }
         let (mut i, mut lowest) = (0, 0);
         while i < n {
             if is_lower_point(Raw::of(points[i]), Raw::of(points[lowest])) {
@@ -122,7 +125,7 @@ impl<const N: usize> ConvexPolygon<N> {
         }
         // Gift wrapping: from each corner on to the point that has all others on its left, of several the farthest.
         let (mut out, mut count, mut at) = ([Vec2::ZERO; N], 0, lowest);
-        while n > 0 {
+        loop {
             if count == N {
                 return Err(PolygonError::TooMany { capacity: N });
             }

@@ -4,9 +4,9 @@
 //! `TILESAT_CASES` sets the number of cases a pair and class (default 2 000; the full run takes 10 000 000).
 
 use std::time::Instant;
-use tilesat_judge::convex::generate::{Class, Pairs};
-use tilesat_judge::convex::shape::{Kind, pairs};
-use tilesat_judge::convex::verify::Pair;
+use tilesat_judge::convex::generate::{CLASSES, Class, Pairs};
+use tilesat_judge::convex::shape::{Kind, Shape, pairs};
+use tilesat_judge::convex::verify::{Pair, about_point};
 
 fn run(pair: (Kind, Kind), class: Class) -> [u64; 3] {
     let cases: u64 = tilesat_judge::cases(2_000);
@@ -68,4 +68,22 @@ fn whole_domain() {
 #[test]
 fn slivers() {
     sweep(Class::Thin);
+}
+
+/// Points on, near and far from shapes, up to the ends of the numbers.
+#[test]
+fn points_anywhere() {
+    for kind in [Kind::Capsule, Kind::Turned, Kind::Polygon] {
+        for class in CLASSES {
+            let mut stream = Pairs::new((kind, Kind::Segment), class, 0x9e);
+            for _ in 0..tilesat_judge::cases(2_000) {
+                let (shape, other) = stream.next();
+                let Shape::Segment { a, b } = other else { unreachable!("as asked for") };
+                let far = |n: i64| n.clamp(-(1 << 29), 1 << 29) * 4 - i64::from(n > 0);
+                for p in [a, b, shape.vertices()[0], (far(a.0 << 9), b.1), (far(b.0 << 20), far(a.1 << 20))] {
+                    about_point(&shape, p);
+                }
+            }
+        }
+    }
 }

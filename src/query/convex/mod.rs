@@ -6,8 +6,10 @@
 
 mod exit;
 mod face;
+mod manifold;
 mod near;
 mod place;
+mod point;
 mod walk;
 mod within;
 
@@ -16,8 +18,35 @@ use super::contact::{Contact, Contacts};
 use super::overlap::{Contains, Overlaps, Touches};
 use crate::num::{Fx, Vec2};
 use crate::shape::{Aabb, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
+use exit::Exit;
 use place::{Place, meets};
 use walk::Core;
+
+pub use manifold::{Manifold, ManifoldPoint, Part};
+
+/// How two shapes rest on each other: one or two points.
+///
+/// `Some` exactly where [`overlaps`](Overlaps::overlaps) is true. `manifold(a, b)` and `manifold(b, a)` mirror each other as
+/// [`contact`](Contacts::contact) does. For all pairs of shapes. Cost: a contact and some hundred instructions.
+///
+/// ```
+/// use tilesat::prelude::*;
+/// use tilesat::{Aabb, Axis, OrientedBox, Part, Vec2, fx};
+/// let floor = Aabb::new(Vec2::from_ints(-50, 0), Vec2::from_ints(50, 20))?; // y down
+/// let crate_ = OrientedBox::new(Vec2::from_ints(0, -7), Vec2::from_ints(12, 8), Axis::X)?;
+/// let resting = crate_.manifold(&floor).unwrap();
+/// assert_eq!(resting.axis(), Axis::Y);
+/// let feet: Vec<_> = resting.points().map(|p| (p.contact.point_on_a(), p.part_a)).collect();
+/// assert_eq!(feet[0], (Vec2::from_ints(-12, 1), Part::Corner(3)));
+/// assert_eq!(feet[1], (Vec2::from_ints(12, 1), Part::Corner(2)));
+/// assert!(resting.points().all(|p| p.contact.depth() == 1));
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+pub trait Manifolds<B: ?Sized> {
+    /// The points at which this shape (A) and `b` (B) overlap; `None` where they do not.
+    #[must_use]
+    fn manifold(&self, b: &B) -> Option<Manifold>;
+}
 
 /// Runs `$body` with the cores of two shapes.
 macro_rules! with_cores {
@@ -29,9 +58,22 @@ macro_rules! with_cores {
     }};
 }
 
+macro_rules! manifolds {
+    ([$($n:tt)*] $a:ty, $b:ty) => {
+        impl<$($n)*> Manifolds<$b> for $a {
+            #[inline]
+            fn manifold(&self, b: &$b) -> Option<Manifold> {
+                with_cores!(self, b, |a, b| manifold::manifold(a, b))
+            }
+        }
+    };
+}
+
 /// All verbs of one ordered pair.
 macro_rules! pair {
     ([$($n:tt)*] $a:ty, $b:ty) => {
+        manifolds!([$($n)*] $a, $b);
+
         impl<$($n)*> Overlaps<$b> for $a {
             #[inline]
             fn overlaps(&self, b: &$b) -> bool {
@@ -49,7 +91,7 @@ macro_rules! pair {
         impl<$($n)*> Contacts<$b> for $a {
             #[inline]
             fn contact(&self, b: &$b) -> Option<Contact> {
-                with_cores!(self, b, |a, b| exit::contact(a, b))
+                with_cores!(self, b, |a, b| Exit::of(a, b)).map(|exit| exit.contact)
             }
         }
 
@@ -103,3 +145,47 @@ pair_both!([const N: usize] ConvexPolygon<N>, Circle);
 pair_both!([const N: usize] ConvexPolygon<N>, Segment);
 pair_both!([const N: usize] ConvexPolygon<N>, Capsule);
 pair_both!([const N: usize] ConvexPolygon<N>, OrientedBox);
+
+// The other verbs of these have kernels of their own.
+manifolds!([] Aabb, Aabb);
+manifolds!([] Aabb, Circle);
+manifolds!([] Aabb, Segment);
+manifolds!([] Circle, Aabb);
+manifolds!([] Circle, Circle);
+manifolds!([] Circle, Segment);
+manifolds!([] Segment, Aabb);
+manifolds!([] Segment, Circle);
+manifolds!([] Segment, Segment);
+
+/// What a shape is asked about a point.
+macro_rules! points {
+    ([$($n:tt)*] $a:ty) => {
+        impl<$($n)*> Contains<Vec2> for $a {
+            #[inline]
+            fn contains(&self, b: &Vec2) -> bool {
+                point::contains(Core { corners: &self.outline(), radius: self.rounding() }, *b)
+            }
+        }
+
+        impl<$($n)*> Distance<Vec2> for $a {
+            #[inline]
+            fn distance(&self, b: &Vec2) -> Fx {
+                point::distance(Core { corners: &self.outline(), radius: self.rounding() }, *b)
+            }
+        }
+
+        impl<$($n)*> $a {
+            /// The point of the shape that is nearest to `p`: `p` itself where it is inside.
+            ///
+            /// Each component is within a raw unit of the exact one; `p` may be anywhere. Mirrored points give mirrored bits.
+            #[must_use]
+            pub fn closest_point(&self, p: Vec2) -> Vec2 {
+                point::closest(Core { corners: &self.outline(), radius: self.rounding() }, p)
+            }
+        }
+    };
+}
+
+points!([] Capsule);
+points!([] OrientedBox);
+points!([const N: usize] ConvexPolygon<N>);

@@ -77,10 +77,9 @@ pub(super) fn meets<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
 
 /// The same without radii: the first side that the origin is not inside of settles it.
 fn sharp<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
-    let mut walk = Walk::new(a, b);
-    let start = walk.corner().at;
-    let mut inside = CLOSED && start.is_zero();
-    while let Some(side) = walk.next() {
+    let walk = Walk::new(a, b);
+    let mut inside = CLOSED && walk.corner().at.is_zero();
+    for side in walk {
         let height = turn(side.edge, side.from.reversed());
         if height < 0 {
             return false;

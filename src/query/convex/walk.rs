@@ -23,6 +23,11 @@ impl Core<'_> {
         let next = index.wrapping_add(1);
         if next < self.corners.len() { next } else { 0 }
     }
+
+    /// The index of the one before it.
+    pub(super) const fn before(&self, index: usize) -> usize {
+        if index == 0 { self.corners.len().saturating_sub(1) } else { index.wrapping_sub(1) }
+    }
 }
 
 /// A side of the sum, with the sum's inside on its left (y up).

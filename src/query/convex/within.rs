@@ -15,7 +15,8 @@ pub(super) fn contains(a: Core<'_>, b: Core<'_>) -> bool {
         .all(|p| if rest < 0 { holds_disc(a, Raw::of(*p), rest.unsigned_abs()) } else { holds(a, *p, rest) })
 }
 
-fn holds(a: Core<'_>, p: Vec2, radius: i32) -> bool {
+/// Whether the core of A, grown by a radius, holds a point of the domain.
+pub(super) fn holds(a: Core<'_>, p: Vec2, radius: i32) -> bool {
     meets::<true>(Core { radius, ..a }, Core { corners: &[p], radius: 0 })
 }
 

@@ -4,7 +4,7 @@ use super::shape::{MOST, Shape};
 use crate::oracle::figure::Point;
 use crate::oracle::kernel::{aabb, circle, point, segment, vec2};
 use tilesat::prelude::*;
-use tilesat::{Axis, Capsule, Contact, ConvexPolygon, Fx, OrientedBox};
+use tilesat::{Axis, Capsule, Contact, ConvexPolygon, Fx, Manifold, OrientedBox};
 
 pub fn capsule(a: Point, b: Point, radius: i64) -> Capsule {
     Capsule::new(vec2(a), vec2(b), Fx::from_bits(radius as i32)).expect("generators stay inside the domain")
@@ -82,4 +82,14 @@ pub fn contains(a: &Shape, b: &Shape) -> bool {
 
 pub fn closest_points(a: &Shape, b: &Shape) -> Option<(Point, Point)> {
     with_pair!(a, b, |x, y| x.closest_points(&y)).map(|(p, q)| (point(p), point(q)))
+}
+
+pub fn manifold(a: &Shape, b: &Shape) -> Option<Manifold> {
+    with_pair!(a, b, |x, y| x.manifold(&y))
+}
+
+/// Whether the shape holds a point, how far it is, and which point of it is nearest.
+pub fn about_point(a: &Shape, p: Point) -> (bool, i64, Point) {
+    let p = vec2(p);
+    with_shape!(a, |x| (x.contains(&p), i64::from(x.distance(&p).to_bits()), point(x.closest_point(p))))
 }

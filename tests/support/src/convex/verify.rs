@@ -28,6 +28,7 @@ impl<'a> Pair<'a> {
     pub fn all(&self) {
         self.booleans();
         self.contact();
+        self.manifold();
         self.points_between();
     }
 
@@ -75,6 +76,63 @@ impl<'a> Pair<'a> {
         exit::verify_points(contact, (&seen(a, p), a.radius()), (&seen(b, q), b.radius()), &case);
     }
 
+    /// One or two points, along the contact's axis, on their shapes, as deep as they are there, and mirrored in the other order.
+    pub fn manifold(&self) {
+        let (a, b) = (self.a, self.b);
+        let (Some(found), Some(contact)) = (ask::manifold(a, b), ask::contact(a, b)) else {
+            assert_eq!(ask::manifold(a, b).is_some(), self.exact.overlaps(), "manifold of {a:?} {b:?}");
+            return;
+        };
+        let case = format!("{a:?} {b:?}: {found:?}");
+        assert_eq!(found.axis(), contact.axis(), "{case}");
+        assert_eq!(found.deepest().contact.depth(), contact.depth(), "{case}");
+        let points: Vec<_> = found.points().collect();
+        assert!(
+            points.len() < 2 || (points[0].part_a, points[0].part_b) != (points[1].part_a, points[1].part_b),
+            "{case}"
+        );
+        for p in &points {
+            let c = &p.contact;
+            assert!(
+                c.axis() == contact.axis() && c.depth() > 0 && c.depth() <= contact.depth() + tilesat::Fx::from_bits(1),
+                "{case}"
+            );
+            let u = (i64::from(c.axis().x), i64::from(c.axis().y));
+            let (on_a, on_b) = (point(c.point_on_a()), point(c.point_on_b()));
+            // In A and in B, give or take 2 raw a component, and opposite to each other.
+            for (shape, at) in [(a, on_a), (b, on_b)] {
+                let off = Measure::of(&sum(shape, &dot_at(at)));
+                assert!(
+                    off.place != Place::Outside || off.square.root_minus(shape.radius() + 3) <= 0,
+                    "{at:?} off: {case}"
+                );
+            }
+            let across = orient((0, 0), u, (on_a.0 - on_b.0, on_a.1 - on_b.1));
+            assert!(across.squared() <= Int256::new(36) * dot(u, u), "points are not opposite: {case}");
+            // And as far apart along the axis as it is deep.
+            let along = dot(u, (on_a.0 - on_b.0, on_a.1 - on_b.1));
+            let d = i64::from(c.depth().to_bits());
+            let side = |n: i64| exit::compare_root(along, n, dot(u, u));
+            assert!(side(d - 6) >= 0 && side(d + 6) <= 0, "depth {d}: {case}");
+            for (shape, part) in [(a, p.part_a), (b, p.part_b)] {
+                let (tilesat::Part::Corner(i) | tilesat::Part::Side(i)) = part;
+                assert!(usize::from(i) < shape.vertices().len(), "{case}");
+            }
+        }
+        if !contact.is_degenerate() {
+            let back = ask::manifold(b, a).expect("overlap has no order");
+            let turned: Vec<_> = back
+                .points()
+                .map(|p| (p.part_b, p.part_a, p.contact.depth(), p.contact.point_on_b(), p.contact.point_on_a()))
+                .collect();
+            let seen: Vec<_> = points
+                .iter()
+                .map(|p| (p.part_a, p.part_b, p.contact.depth(), p.contact.point_on_a(), p.contact.point_on_b()))
+                .collect();
+            assert_eq!(seen, turned, "exchanged: {case}");
+        }
+    }
+
     /// Closest points are on their shapes and as far apart as these are, each within 2 raw.
     pub fn points_between(&self) {
         let (a, b) = (self.a, self.b);
@@ -99,6 +157,27 @@ impl<'a> Pair<'a> {
             );
         }
     }
+}
+
+/// What the library says about a shape and a point anywhere.
+pub fn about_point(shape: &Shape, p: Point) {
+    let exact = Measure::of(&sum(shape, &dot_at(p)));
+    let (holds, d, x) = ask::about_point(shape, p);
+    assert_eq!(holds, exact.touches(), "{shape:?} contains {p:?}, the judge on the right");
+    // As documented: by the distance of the core.
+    let saturated = d == i64::from(i32::MAX) && exact.square.root_minus(1 << 31) >= 0;
+    assert!(saturated || exact.distance_is(d), "distance {d} of {shape:?} to {p:?}");
+    if holds {
+        assert_eq!(x, p, "{shape:?}");
+        return;
+    }
+    // As near as the shape is, and on it: within a raw unit a component.
+    let off = Measure::of(&sum(shape, &dot_at(x)));
+    assert!(off.place != Place::Outside || off.square.root_minus(shape.radius() + 2) <= 0, "{x:?} is off {shape:?}");
+    let v = (x.0 - p.0, x.1 - p.1);
+    let square = dot(v, v);
+    let near = |n: i64| (square - Int256::product(n, n)).signum();
+    assert!(saturated || near(d + 3) <= 0, "{x:?} of {shape:?} is not the nearest to {p:?}");
 }
 
 fn dot_at(centre: Point) -> Shape {
