@@ -4,6 +4,7 @@
 //! sides [`walk::Walk`] merges from theirs. Questions are about the origin and that polygon.
 //! Only pairs with one of these shapes come here: a game of boxes and circles links none of it.
 
+mod cast;
 mod exit;
 mod face;
 mod manifold;
@@ -13,10 +14,12 @@ mod point;
 mod walk;
 mod within;
 
+use super::cast::CastShape;
+use super::cast::kernel::{Course, Enter, InDomain};
 use super::closest::{ClosestPoint, Distance};
 use super::contact::{Contact, Contacts};
 use super::overlap::{Contains, Overlaps, Touches};
-use crate::num::{Fx, Vec2};
+use crate::num::{Fx, Raw, Vec2};
 use crate::shape::{Aabb, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
 use exit::Exit;
 use place::{Place, meets};
@@ -109,6 +112,17 @@ macro_rules! pair {
             }
         }
 
+        impl<$($n)*> Enter<$b> for $a {
+            type Moment = cast::Gate;
+
+            #[inline]
+            fn enter(&self, b: &$b, d: Raw) -> Course<cast::Gate> {
+                with_cores!(self, b, |a, b| cast::enter(a, b, d))
+            }
+        }
+
+        impl<$($n)*> CastShape<$b> for $a {}
+
         impl<$($n)*> Distance<$b> for $a {
             #[inline]
             fn distance(&self, b: &$b) -> Fx {
@@ -166,6 +180,8 @@ macro_rules! points {
                 point::contains(Core { corners: &self.outline(), radius: self.rounding() }, *b)
             }
         }
+
+        impl<$($n)*> InDomain for $a {}
 
         impl<$($n)*> Distance<Vec2> for $a {
             #[inline]

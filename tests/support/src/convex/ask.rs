@@ -1,10 +1,11 @@
 //! The library under test, asked by shapes.
 
 use super::shape::{MOST, Shape};
+use crate::casts::ask::Answer;
 use crate::oracle::figure::Point;
 use crate::oracle::kernel::{aabb, circle, point, segment, vec2};
 use tilesat::prelude::*;
-use tilesat::{Axis, Capsule, Contact, ConvexPolygon, Fx, Manifold, OrientedBox};
+use tilesat::{Axis, Capsule, Contact, ConvexPolygon, Fx, Inside, Manifold, OrientedBox, RangeError};
 
 pub fn capsule(a: Point, b: Point, radius: i64) -> Capsule {
     Capsule::new(vec2(a), vec2(b), Fx::from_bits(radius as i32)).expect("generators stay inside the domain")
@@ -92,4 +93,13 @@ pub fn manifold(a: &Shape, b: &Shape) -> Option<Manifold> {
 pub fn about_point(a: &Shape, p: Point) -> (bool, i64, Point) {
     let p = vec2(p);
     with_shape!(a, |x| (x.contains(&p), i64::from(x.distance(&p).to_bits()), point(x.closest_point(p))))
+}
+
+pub fn cast(a: &Shape, b: &Shape, d: Point, inside: Inside) -> Result<Answer, RangeError> {
+    let motion = vec2(d);
+    with_pair!(a, b, |x, y| Ok(Answer {
+        hit: x.cast_shape(&y, motion, inside)?,
+        yes: x.would_hit(&y, motion, inside)?,
+        exact: x.exact_toi(&y, motion, inside)?,
+    }))
 }

@@ -2,13 +2,16 @@
 
 use super::ask;
 use super::shape::{Shape, sum};
+use crate::casts::ask::{self as casts, Case};
+use crate::casts::judge::Forbidden;
+use crate::casts::number::Number;
 use crate::oracle::exit;
 use crate::oracle::figure::Point;
 use crate::oracle::int256::Int256;
 use crate::oracle::kernel::point;
 use crate::oracle::measure::Measure;
 use crate::oracle::sum::{Place, Sum, dot, orient};
-use tilesat::Contact;
+use tilesat::{Contact, Inside};
 
 /// The verdicts on one pair.
 pub struct Pair<'a> {
@@ -157,6 +160,17 @@ impl<'a> Pair<'a> {
             );
         }
     }
+}
+
+/// A cast of A by `d` on B, and of B by the reversed motion on A.
+pub fn cast<N: Number>(a: &Shape, b: &Shape, d: Point, tolerance: i64) -> Case {
+    // The places of A's origin: B less A.
+    let all = sum(b, a);
+    let set = Forbidden { hull: all.points().to_vec(), radius: all.radius };
+    let case = || format!("{a:?} by {d:?} on {b:?}");
+    let forth = |inside| ask::cast(a, b, d, inside).unwrap_or_else(|e| panic!("{e}: {}", case()));
+    let back = || ask::cast(b, a, (-d.0, -d.1), Inside::Ignore);
+    casts::verify::<N>(&set, d, tolerance, forth, back, case)
 }
 
 /// What the library says about a shape and a point anywhere.
