@@ -5,7 +5,7 @@
 
 use tilesat_judge::Random;
 use tilesat_judge::casts::ask::Case;
-use tilesat_judge::convex::generate::{CLASSES, Class, Pairs};
+use tilesat_judge::convex::generate::{Class, Pairs};
 use tilesat_judge::convex::shape::{Shape, pairs};
 use tilesat_judge::convex::verify::cast;
 use tilesat_judge::oracle::figure::Point;
@@ -78,9 +78,4 @@ fn whole_domain() {
 #[test]
 fn slivers() {
     all(Class::Thin);
-}
-
-#[test]
-fn no_class_is_left_out() {
-    assert_eq!(CLASSES, [Class::Uniform, Class::Lattice, Class::Touch, Class::Near, Class::Domain, Class::Thin]);
 }
