@@ -72,7 +72,7 @@
 //! | module | what |
 //! |---|---|
 //! | [`num`] | scalars, vectors, wide products, roots |
-//! | [`shape`] | [`Aabb`], [`Circle`], [`Segment`] |
+//! | [`shape`] | [`Aabb`], [`Circle`], [`Segment`]; [`Capsule`], [`OrientedBox`], [`ConvexPolygon`] |
 //! | [`query`] | one trait per verb, for each pair of shapes: overlaps, contacts, distances, casts |
 //! | [`world`] | [`TileMap`], [`SegmentMap`], [`Solids`], [`Joined`], [`Rooms`]: surfaces, overlaps, contacts, rays |
 //! | [`broad`] | [`BroadPhase`](broad::BroadPhase): which of many bodies are near each other; events of pairs |
@@ -125,14 +125,16 @@ pub use motion::{
     Walker, Work,
 };
 pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
-pub use query::{CastHit, Contact, Inside, Manifold, ManifoldPoint, MovingHit, Part};
+pub use query::{CastHit, Contact, Inside, Manifold, ManifoldPoint, MovingHit, Part, Separation};
 pub use scene::{Scene, SceneBody, SceneError};
 pub use shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 /// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types
 /// come from the crate's root.
 pub mod prelude {
     pub use crate::broad::BroadPhase;
-    pub use crate::query::{CastShape, ClosestPoint, Contacts, Contains, Distance, Manifolds, Overlaps, Touches};
+    pub use crate::query::{
+        CastShape, ClosestPoint, Contacts, Contains, Distance, Manifolds, Overlaps, OverlapsFrom, Touches,
+    };
 }
 pub use world::{
     AllShapes, Bits, Blocks, Bytes, Cell, Feature, Features, Geometry, Grid, Joined, JoinedFeatures, JoinedRayHits,

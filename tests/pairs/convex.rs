@@ -4,6 +4,8 @@
 //! `TILESAT_CASES` sets the number of cases a pair and class (default 2 000; the full run takes 10 000 000).
 
 use std::time::Instant;
+use tilesat::Separation;
+use tilesat_judge::convex::ask::overlaps_from;
 use tilesat_judge::convex::generate::{CLASSES, Class, Pairs};
 use tilesat_judge::convex::shape::{Kind, Shape, pairs};
 use tilesat_judge::convex::verify::{Pair, about_point};
@@ -12,10 +14,15 @@ fn run(pair: (Kind, Kind), class: Class) -> [u64; 3] {
     let cases: u64 = tilesat_judge::cases(2_000);
     let mut stream = Pairs::new(pair, class, 0x5a7);
     let mut tally = [0; 3];
+    // What other pairs left in it, and then what this one does.
+    let mut hint = Separation::default();
     for _ in 0..cases {
         let (a, b) = stream.next();
         let pair = Pair::new(&a, &b);
         pair.all();
+        for _ in 0..2 {
+            assert_eq!(overlaps_from(&a, &b, &mut hint), pair.exact.overlaps(), "{hint:?}: {a:?} {b:?}");
+        }
         let kind = if pair.exact.overlaps() {
             0
         } else if pair.exact.touches() {

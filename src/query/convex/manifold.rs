@@ -22,6 +22,7 @@ pub enum Part {
 
 /// One point of a [`Manifold`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ManifoldPoint {
     /// How deep the shapes overlap here, along the axis that all points share.
     pub contact: Contact,
@@ -44,6 +45,7 @@ pub struct ManifoldPoint {
 ///  |         B        |
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Manifold {
     first: ManifoldPoint,
     second: Option<ManifoldPoint>,

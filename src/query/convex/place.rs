@@ -72,23 +72,23 @@ impl Place {
 /// Whether two shapes overlap, or touch: exact.
 pub(super) fn meets<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
     let radius = a.radius.wrapping_add(b.radius);
-    if radius == 0 { sharp::<CLOSED>(a, b) } else { Place::of(a, b).within::<CLOSED>(radius) }
+    if radius == 0 { sharp::<CLOSED>(a, b).is_ok() } else { Place::of(a, b).within::<CLOSED>(radius) }
 }
 
-/// The same without radii: the first side that the origin is not inside of settles it.
-fn sharp<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
+/// The same without radii: the first side that the origin is not inside of settles it, and is the error. A point has none.
+pub(super) fn sharp<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> Result<(), Option<Side>> {
     let walk = Walk::new(a, b);
     let mut inside = CLOSED && walk.corner().at.is_zero();
     for side in walk {
         let height = turn(side.edge, side.from.reversed());
         if height < 0 {
-            return false;
+            return Err(Some(side));
         }
         // On the line of a side: a closed sum holds what is between its ends. A flat one has no other sides to say so.
         if height == 0 && (!CLOSED || side.along() < 0 || side.along() as u64 > side.len2()) {
-            return false;
+            return Err(Some(side));
         }
         inside = true;
     }
-    inside
+    if inside { Ok(()) } else { Err(None) }
 }

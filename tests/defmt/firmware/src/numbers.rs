@@ -3,8 +3,8 @@
 use crate::tell;
 use tilesat::prelude::*;
 use tilesat::{
-    Aabb, Axis, Capsule, Circle, ConvexPolygon, Filter, Fx, Inside, LayerMask, OrientedBox, PolygonError, Quantity,
-    RangeError, Ratio, Segment, Toi, Truncated, Vec2,
+    Aabb, Axis, Capsule, Circle, ConvexPolygon, Filter, Fx, Inside, LayerMask, OrientedBox, Part, PolygonError,
+    Quantity, RangeError, Ratio, Segment, Separation, Toi, Truncated, Vec2,
 };
 
 pub(crate) fn tell_all() {
@@ -28,6 +28,11 @@ pub(crate) fn tell_all() {
     let error: PolygonError = ConvexPolygon::<4>::new(&corners[..2]).unwrap_err();
     tell(&error);
     tell(&circle.contact(&aabb).unwrap());
+    let resting = aabb.manifold(&circle).unwrap();
+    tell(&resting);
+    tell(resting.deepest());
+    tell(&Part::Corner(3));
+    tell(&Separation::default());
     tell(&Inside::Ignore);
     tell(&circle.cast_shape(&wall, Vec2::from_ints(53, 0), Inside::Hit).unwrap().unwrap());
     tell(&circle.cast_moving(Vec2::from_ints(40, 0), &wall, Vec2::from_ints(-13, 0), Inside::Hit).unwrap().unwrap());

@@ -5,7 +5,7 @@ use crate::casts::ask::Answer;
 use crate::oracle::figure::Point;
 use crate::oracle::kernel::{aabb, circle, point, segment, vec2};
 use tilesat::prelude::*;
-use tilesat::{Axis, Capsule, Contact, ConvexPolygon, Fx, Inside, Manifold, OrientedBox, RangeError};
+use tilesat::{Axis, Capsule, Contact, ConvexPolygon, Fx, Inside, Manifold, OrientedBox, RangeError, Separation};
 
 pub fn capsule(a: Point, b: Point, radius: i64) -> Capsule {
     Capsule::new(vec2(a), vec2(b), Fx::from_bits(radius as i32)).expect("generators stay inside the domain")
@@ -102,4 +102,23 @@ pub fn cast(a: &Shape, b: &Shape, d: Point, inside: Inside) -> Result<Answer, Ra
         yes: x.would_hit(&y, motion, inside)?,
         exact: x.exact_toi(&y, motion, inside)?,
     }))
+}
+
+/// With a hint; of plain shapes among themselves there is none.
+pub fn overlaps_from(first: &Shape, second: &Shape, last: &mut Separation) -> bool {
+    match *first {
+        Shape::Capsule { a, b, radius } => {
+            let x = capsule(a, b, radius);
+            with_shape!(second, |y| x.overlaps_from(&y, last))
+        }
+        Shape::Turned { centre, half, direction, radius } => {
+            let x = turned(centre, half, direction, radius);
+            with_shape!(second, |y| x.overlaps_from(&y, last))
+        }
+        Shape::Polygon { points, count, radius } => {
+            let x = polygon(&points[..count], radius);
+            with_shape!(second, |y| x.overlaps_from(&y, last))
+        }
+        _ => panic!("no hint for {first:?}"),
+    }
 }
