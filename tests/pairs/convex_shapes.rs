@@ -135,3 +135,34 @@ fn any_order_of_corners_gives_one_polygon() {
     }
     assert_eq!(ConvexPolygon::<6>::hull(&[]), Err(PolygonError::TooFew { count: 0 }));
 }
+
+/// Boxes half a unit in extent, nine tenths apart: two points a tenth deep, the same at every origin. (`LargeWorldManifoldTest` of box2d.)
+#[test]
+fn two_points_at_every_origin() {
+    let unit = |at: (i16, i16)| {
+        let centre = Vec2::from_ints(at.0, at.1);
+        OrientedBox::new(centre, Vec2::new(fx!(0.5), fx!(0.5)), Axis::X).unwrap()
+    };
+    for at in [(0, 0), (8000, -8000), (-8000, 17)] {
+        let (a, b) = (unit(at), unit(at).translated(Vec2::new(fx!(0.9), fx!(0))).unwrap());
+        let found = a.manifold(&b).unwrap();
+        assert_eq!(found.axis(), Axis::X);
+        let depths: Vec<Fx> = found.points().map(|p| p.contact.depth()).collect();
+        assert_eq!(depths, [fx!(1) - fx!(0.9); 2]);
+    }
+}
+
+/// A tilted box rests on a corner, and where its lower side is inside on two, whose names stay while it sinks.
+#[test]
+fn points_keep_their_names() {
+    let floor = Aabb::new(Vec2::from_ints(-100, 0), Vec2::from_ints(100, 50)).unwrap();
+    let at = |y| OrientedBox::new(Vec2::from_raw(0, y), Vec2::from_ints(10, 5), Axis::new(100, 1)).unwrap();
+    let names = |y| at(y).manifold(&floor).map(|m| m.points().map(|p| (p.part_a, p.part_b)).collect::<Vec<_>>());
+    let lowest = at(0).aabb().max().raw().1;
+    assert_eq!(names(-lowest), None);
+    let one = names(-lowest + 2).expect("2 raw deep");
+    assert_eq!(one.len(), 1);
+    let two = names(-lowest + (1 << 15)).expect("half a unit deep");
+    assert_eq!((two.len(), two[0]), (2, one[0]));
+    assert_eq!(names(-lowest + (1 << 16)), Some(two));
+}

@@ -97,7 +97,7 @@ fn sharp(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<Edge> {
 
 /// Of shapes that do not overlap.
 fn rounded(a: Core<'_>, b: Core<'_>, radius: i32, d: Raw) -> Option<Gate> {
-    let mut walk = Walk::new(a, b);
+    let walk = Walk::new(a, b);
     let mut first: Option<(Toi, Disc)> = None;
     let mut around = |m: Raw| {
         if let Some(disc) = meet_disc(m, radius, d) {
@@ -108,7 +108,7 @@ fn rounded(a: Core<'_>, b: Core<'_>, radius: i32, d: Raw) -> Option<Gate> {
         }
     };
     around(walk.corner().at);
-    while let Some(side) = walk.next() {
+    for side in walk {
         if let Some(gate) = through(&side, radius, d) {
             return Some(gate);
         }
