@@ -36,6 +36,8 @@ pub enum Quantity {
     StepHeight,
     /// The cells of a level that a motion comes to: their number, not a length.
     Cells,
+    /// The direction of a box: it has none where both components are zero.
+    Direction,
 }
 
 /// An input outside of the range that keeps arithmetic exact; nothing was changed.
@@ -90,3 +92,65 @@ impl fmt::Display for Truncated {
 }
 
 impl core::error::Error for Truncated {}
+
+/// Points that are not the corners of a convex polygon, or have none; nothing was changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum PolygonError {
+    /// There are fewer than three corners; of a hull: all points are on one line.
+    TooFew {
+        /// How many there are.
+        count: usize,
+    },
+    /// There are more corners than the polygon has room for.
+    TooMany {
+        /// The room.
+        capacity: usize,
+    },
+    /// A point is outside of the domain.
+    Range {
+        /// Which one, counted from zero.
+        at: usize,
+        /// What is wrong with it.
+        error: RangeError,
+    },
+    /// A corner is where the one before it is.
+    Repeated {
+        /// Which one, counted from zero.
+        at: usize,
+    },
+    /// A corner is on one line with its neighbours: leave it out.
+    Collinear {
+        /// Which one, counted from zero.
+        at: usize,
+    },
+    /// A corner turns the other way than those before it: take the hull, or cut the polygon into convex parts.
+    Reflex {
+        /// Which one, counted from zero.
+        at: usize,
+    },
+    /// The corners go round more than once.
+    Winds {
+        /// How often.
+        times: usize,
+    },
+}
+
+impl fmt::Display for PolygonError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooFew { count } => {
+                write!(f, "a polygon needs three corners that are not on one line, and has {count}")
+            }
+            Self::TooMany { capacity } => write!(f, "more corners than the {capacity} that there is room for"),
+            Self::Range { at, error } => write!(f, "corner {at}: {error}"),
+            Self::Repeated { at } => write!(f, "corner {at} is where the one before it is"),
+            Self::Collinear { at } => write!(f, "corner {at} is on one line with its neighbours: leave it out"),
+            Self::Reflex { at } => write!(f, "corner {at} turns the other way: take the hull, or convex parts"),
+            Self::Winds { times } => write!(f, "the corners go round {times} times, not once"),
+        }
+    }
+}
+
+impl core::error::Error for PolygonError {}

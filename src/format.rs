@@ -10,7 +10,7 @@ use crate::motion::{Body, BodyHit, Character, Feel, Hit, Hits, Input, Moved, Ste
 use crate::num::{Fx, Ratio, Toi, UnitVec2, Vec2};
 use crate::query::{CastHit, Contact, MovingHit};
 use crate::scene::{Scene, SceneEvent, Sleep};
-use crate::shape::{Aabb, Circle, Segment};
+use crate::shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 use crate::world::{
     Features, Grid, Joined, JoinedFeatures, JoinedRayHits, Near, Placed, PlacedFeatures, PlacedRayHits, RayHit,
     RayWorld, Room, Rooms, SegmentFeatures, SegmentMap, SegmentRayHits, Set, Size, SolidFeatures, SolidRayHits, Solids,
@@ -71,6 +71,25 @@ impl Format for Circle {
 impl Format for Segment {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Segment {}-{}", self.a(), self.b());
+    }
+}
+
+impl Format for Capsule {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Capsule {}-{} r {}", self.a(), self.b(), Decimal(self.radius()));
+    }
+}
+
+impl Format for OrientedBox {
+    fn format(&self, f: Formatter<'_>) {
+        let (along, across) = (self.along(), self.across());
+        write!(f, "OrientedBox {} along {} across {} r {}", self.centre(), along, across, Decimal(self.radius()));
+    }
+}
+
+impl<const N: usize> Format for ConvexPolygon<N> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "ConvexPolygon {} r {}", self.vertices(), Decimal(self.radius()));
     }
 }
 

@@ -72,7 +72,7 @@
 //! | module | what |
 //! |---|---|
 //! | [`num`] | scalars, vectors, wide products, roots |
-//! | [`shape`] | [`Aabb`], [`Circle`], [`Segment`] |
+//! | [`shape`] | [`Aabb`], [`Circle`], [`Segment`]; [`Capsule`], [`OrientedBox`], [`ConvexPolygon`] |
 //! | [`query`] | one trait per verb, for each pair of shapes: overlaps, contacts, distances, casts |
 //! | [`world`] | [`TileMap`], [`SegmentMap`], [`Solids`], [`Joined`], [`Rooms`]: surfaces, overlaps, contacts, rays |
 //! | [`broad`] | [`BroadPhase`](broad::BroadPhase): which of many bodies are near each other; events of pairs |
@@ -118,7 +118,7 @@ pub mod scene;
 pub mod shape;
 pub mod world;
 
-pub use error::{Quantity, RangeError, Truncated};
+pub use error::{PolygonError, Quantity, RangeError, Truncated};
 pub use filter::{Filter, LayerMask};
 pub use motion::{
     Acceleration, Body, BodyHit, Carry, Character, Energy, Feel, Hit, Hits, Input, Masses, Memo, MoveError, Moved,
@@ -126,14 +126,16 @@ pub use motion::{
     Walked, Walker, Work,
 };
 pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
-pub use query::{CastHit, Contact, Inside, MovingHit};
+pub use query::{CastHit, Contact, Inside, Manifold, ManifoldPoint, MovingHit, Part, Separation};
 pub use scene::{Scene, SceneBody, SceneError};
-pub use shape::{Aabb, Circle, Segment};
+pub use shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 /// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types
 /// come from the crate's root, and cursors and parts of results from the modules.
 pub mod prelude {
     pub use crate::broad::BroadPhase;
-    pub use crate::query::{CastShape, ClosestPoint, Contacts, Contains, Distance, Overlaps, Touches};
+    pub use crate::query::{
+        CastShape, ClosestPoint, Contacts, Contains, Distance, Manifolds, Overlaps, OverlapsFrom, Touches,
+    };
 }
 pub use world::{
     AllShapes, Bits, Blocks, Bytes, Cell, Feature, Features, Geometry, Grid, Joined, JoinedFeatures, JoinedRayHits,

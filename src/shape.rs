@@ -1,8 +1,18 @@
 //! Shapes: small `Copy` values with private fields and checked constructors. A shape that exists is
 //! inside the domain.
 
+mod capsule;
+mod corners;
+mod oriented_box;
+mod polygon;
+
 use crate::error::{Quantity, RangeError};
 use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
+
+pub use capsule::Capsule;
+pub(crate) use corners::Convex;
+pub use oriented_box::OrientedBox;
+pub use polygon::ConvexPolygon;
 
 /// An axis-aligned box, given by its two corners.
 ///

@@ -20,6 +20,7 @@ mod part;
 mod quotient;
 #[cfg(test)]
 mod tests;
+mod turns;
 mod vec2;
 mod wide;
 

@@ -324,7 +324,7 @@ const fn points(a: Raw, b: Raw) -> u32 {
 }
 
 /// From any point to a segment.
-const fn to_segment(p: Raw, a: Raw, b: Raw) -> u32 {
+pub(super) const fn to_segment(p: Raw, a: Raw, b: Raw) -> u32 {
     let (lo, hi) = meet::corners(a, b);
     if lo.x == hi.x || lo.y == hi.y {
         return boxes_apart(p, p, lo, hi);
@@ -336,7 +336,7 @@ const fn to_segment(p: Raw, a: Raw, b: Raw) -> u32 {
 }
 
 /// From a circle whose centre has the given distance. Rounding down commutes with whole numbers: floor(x - r) = floor(x) - r.
-const fn from_border(centre: u32, radius: i32) -> Fx {
+pub(super) const fn from_border(centre: u32, radius: i32) -> Fx {
     let rest = centre.saturating_sub(radius as u32);
     Fx::from_bits(if rest > i32::MAX as u32 { i32::MAX } else { rest as i32 })
 }

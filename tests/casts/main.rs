@@ -4,6 +4,7 @@
 
 mod blocks;
 mod classes;
+mod convex;
 mod corners;
 mod lattice;
 mod mutants;

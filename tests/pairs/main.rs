@@ -3,6 +3,10 @@
 #![cfg(not(target_os = "none"))]
 
 mod closest_ties;
+mod convex;
+mod convex_lattice;
+mod convex_shapes;
+mod convex_symmetry;
 mod degenerate;
 mod distances;
 mod exact;

@@ -51,7 +51,7 @@ impl<M> Course<M> {
     }
 
     #[inline]
-    pub(super) fn map<N>(self, f: impl FnOnce(M) -> N) -> Course<N> {
+    pub(in crate::query) fn map<N>(self, f: impl FnOnce(M) -> N) -> Course<N> {
         match self {
             Self::Free => Course::Free,
             Self::Inside => Course::Inside,

@@ -1,10 +1,10 @@
 //! When a moving shape first hits another one.
 
 mod boxes;
-mod kernel;
+pub(super) mod kernel;
 pub(crate) mod moment;
 mod ray;
-mod segments;
+pub(super) mod segments;
 
 use super::Overlaps;
 use crate::error::RangeError;

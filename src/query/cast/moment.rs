@@ -366,7 +366,7 @@ fn is_inside(a: Raw, b: Raw, r: i32) -> bool {
 
 /// The same for a start outside, seen from the disc's centre.
 #[inline]
-pub(super) fn meet_disc(m: Raw, r: i32, d: Raw) -> Option<Disc> {
+pub(in crate::query) fn meet_disc(m: Raw, r: i32, d: Raw) -> Option<Disc> {
     Crossing::of(m, r, d).map(|crossing| Disc { m, crossing })
 }
 

@@ -106,7 +106,7 @@ impl Contact {
         Self { radius_a: a, radius_b: b, ..self }
     }
 
-    const fn on_b(self) -> Self {
+    pub(crate) const fn on_b(self) -> Self {
         Self { core_on_b: true, ..self }
     }
 

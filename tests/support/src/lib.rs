@@ -6,6 +6,7 @@ pub mod blocks;
 pub mod broad;
 pub mod broad_twin;
 pub mod casts;
+pub mod convex;
 pub mod drawing;
 pub mod ground;
 pub mod levels_cast;

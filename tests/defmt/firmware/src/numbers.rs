@@ -3,7 +3,8 @@
 use crate::tell;
 use tilesat::prelude::*;
 use tilesat::{
-    Aabb, Axis, Circle, Filter, Fx, Inside, LayerMask, Quantity, RangeError, Ratio, Segment, Toi, Truncated, Vec2,
+    Aabb, Axis, Capsule, Circle, ConvexPolygon, Filter, Fx, Inside, LayerMask, OrientedBox, Part, PolygonError,
+    Quantity, RangeError, Ratio, Segment, Separation, Toi, Truncated, Vec2,
 };
 
 pub(crate) fn tell_all() {
@@ -20,7 +21,18 @@ pub(crate) fn tell_all() {
     tell(&aabb);
     tell(&circle);
     tell(&wall);
+    tell(&Capsule::new(Vec2::from_ints(0, 1), Vec2::from_ints(0, 4), Fx::lit("1.5")).unwrap());
+    tell(&OrientedBox::new(Vec2::from_ints(1, 2), Vec2::from_ints(10, 5), Axis::new(3, 4)).unwrap());
+    let corners = [Vec2::from_ints(0, 0), Vec2::from_ints(4, 0), Vec2::from_ints(0, 4)];
+    tell(&ConvexPolygon::<4>::new(&corners).unwrap());
+    let error: PolygonError = ConvexPolygon::<4>::new(&corners[..2]).unwrap_err();
+    tell(&error);
     tell(&circle.contact(&aabb).unwrap());
+    let resting = aabb.manifold(&circle).unwrap();
+    tell(&resting);
+    tell(resting.deepest());
+    tell(&Part::Corner(3));
+    tell(&Separation::default());
     tell(&Inside::Ignore);
     tell(&circle.cast_shape(&wall, Vec2::from_ints(53, 0), Inside::Hit).unwrap().unwrap());
     tell(&circle.cast_moving(Vec2::from_ints(40, 0), &wall, Vec2::from_ints(-13, 0), Inside::Hit).unwrap().unwrap());

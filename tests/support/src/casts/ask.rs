@@ -69,9 +69,21 @@ pub enum Case {
 /// Checks one cast against the judge; `tolerance` is how far, in raw units, the moved shape may be from touching.
 pub fn check<N: Number>(a: &Figure, b: &Figure, d: Point, tolerance: i64) -> Case {
     let case = || format!("{a:?} by {d:?} on {b:?}");
-    let set = Forbidden::new(a, b);
-    let answer = cast(a, b, d, Inside::Ignore).unwrap_or_else(|e| panic!("{e}: {}", case()));
-    let other = cast(a, b, d, Inside::Hit).unwrap_or_else(|e| panic!("{e}: {}", case()));
+    let forth = |inside| cast(a, b, d, inside).unwrap_or_else(|e| panic!("{e}: {}", case()));
+    let back = || cast(b, a, (-d.0, -d.1), Inside::Ignore);
+    verify::<N>(&Forbidden::new(a, b), d, tolerance, forth, back, case)
+}
+
+/// Checks the answers of a cast by `d` and of the exchanged one, which may be out of range.
+pub fn verify<N: Number>(
+    set: &Forbidden,
+    d: Point,
+    tolerance: i64,
+    forth: impl Fn(Inside) -> Answer,
+    back: impl Fn() -> Result<Answer, RangeError>,
+    case: impl Fn() -> String,
+) -> Case {
+    let (answer, other) = (forth(Inside::Ignore), forth(Inside::Hit));
     if set.holds::<N>((0, 0)) {
         assert_eq!(answer, Answer { hit: None, yes: false, exact: None }, "ignored overlap: {}", case());
         let hit = other.hit.unwrap_or_else(|| panic!("overlap not hit: {}", case()));
@@ -80,7 +92,7 @@ pub fn check<N: Number>(a: &Figure, b: &Figure, d: Point, tolerance: i64) -> Cas
         return Case::Overlap;
     }
     assert_eq!(answer, other, "no overlap, so no choice: {}", case());
-    exchanged(a, b, d, &answer);
+    exchanged(&answer, back(), &case);
     let wanted = set.met::<N>(d, ONE);
     assert_eq!(answer.yes, wanted, "the judge on the right: {}", case());
     assert_eq!((answer.hit.is_some(), answer.exact.is_some()), (wanted, wanted), "{}", case());
@@ -89,25 +101,23 @@ pub fn check<N: Number>(a: &Figure, b: &Figure, d: Point, tolerance: i64) -> Cas
     assert!(exact < ONE && !set.met::<N>(d, exact), "exact toi {exact} is late: {}", case());
     assert!(set.met::<N>(d, exact + 1), "exact toi {exact} is early: {}", case());
     assert!(toi <= exact, "toi {toi} is late, {exact}: {}", case());
-    let round = a.radius() + b.radius() > 0;
-    assert!(round || toi == exact, "toi {toi} is not the floor {exact}: {}", case());
+    assert!(set.radius > 0 || toi == exact, "toi {toi} is not the floor {exact}: {}", case());
     let square = i128::from(d.0).pow(2) + i128::from(d.1).pow(2);
     assert!(
         i128::from(exact - toi).pow(2) * square < i128::from(ONE).pow(2),
         "toi {toi} is early, {exact}: {}",
         case()
     );
-    check_place::<N>(&set, &hit, d, tolerance, case);
+    check_place::<N>(set, &hit, d, tolerance, case);
     Case::Hit
 }
 
 /// B by the reversed motion on A: the same time, everything else reversed.
-fn exchanged(a: &Figure, b: &Figure, d: Point, answer: &Answer) {
-    let other = cast(b, a, (-d.0, -d.1), Inside::Ignore);
+fn exchanged(answer: &Answer, other: Result<Answer, RangeError>, case: impl Fn() -> String) {
     // Its end may be outside of the domain.
     let Ok(other) = other else { return };
     let back = answer.hit.map(|hit| CastHit { axis: -hit.axis, displacement: -hit.displacement, ..hit });
-    assert_eq!(other, Answer { hit: back, ..*answer }, "exchanged: {a:?} by {d:?} on {b:?}");
+    assert_eq!(other, Answer { hit: back, ..*answer }, "exchanged: {}", case());
 }
 
 fn check_place<N: Number>(set: &Forbidden, hit: &CastHit, d: Point, tolerance: i64, case: impl Fn() -> String) {

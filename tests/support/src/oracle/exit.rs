@@ -1,8 +1,11 @@
 //! Exact checks of the way out of an overlap: the push and the unit vector along an axis of any length.
 
-use super::figure::Point;
+use super::figure::{LIMIT, Point};
 use super::int256::Int256;
-use super::sum::{Sum, dot};
+use super::kernel::point;
+use super::measure::Measure;
+use super::sum::{Place, Sum, dot, orient};
+use tilesat::{Axis, Contact};
 
 /// The sign of `s - k sqrt(square)`.
 pub fn compare_root(s: Int256, k: i64, square: Int256) -> i32 {
@@ -52,4 +55,46 @@ pub fn is_unit(u: Point, n: Point) -> bool {
         let k = 2 * n.abs();
         sign && exact <= bound(k + 3) && (k < 3 || exact >= bound(k - 3))
     })
+}
+
+/// How a component of a push may exceed the exact one: one raw more where the depth is beyond half the domain.
+pub fn slack(depth: i64) -> i64 {
+    if depth > LIMIT { 5 } else { 4 }
+}
+
+/// Axis, depth, push and normal of a contact are those of the sum; the push.
+pub fn verify(sum: &Sum, exact: &Measure, contact: &Contact, case: &str) -> Point {
+    let Axis { x, y } = contact.axis();
+    let axis = (i64::from(x), i64::from(y));
+    assert!(axis != (0, 0), "zero axis {case}");
+    assert!(exact.is_shortest_exit(sum, axis), "axis {axis:?} is not the least exit of {case}");
+    let depth = i64::from(contact.depth().to_bits());
+    assert!(depth >= 1 && exact.depth_is(depth), "depth {depth} of {case}");
+    let push = point(contact.push_out());
+    if let Err(why) = push_is(sum, axis, push, slack(depth)) {
+        panic!("{why}: {push:?} along {axis:?} for {case}");
+    }
+    let normal = contact.normal().raw();
+    assert!(is_unit(axis, (normal.0.into(), normal.1.into())), "normal {normal:?} of {axis:?}");
+    push
+}
+
+/// The deepest points lie on their shapes' borders, opposite to each other, within the two raw units a component that are promised: each shape
+/// is given by its core as seen from its point, and its radius.
+pub fn verify_points(contact: &Contact, a: (&Sum, i64), b: (&Sum, i64), case: &str) {
+    let Axis { x, y } = contact.axis();
+    let u = (i64::from(x), i64::from(y));
+    let (p, q) = (point(contact.point_on_a()), point(contact.point_on_b()));
+    // Two raw units a component are less than three in all.
+    let on_border = |(core, r): (&Sum, i64), u: Point| {
+        let behind = -core.support(u);
+        let square = Measure::of(core).square;
+        (core.place() != Place::Outside || square.root_minus(r + 3) <= 0)
+            && compare_root(behind, r - 3, dot(u, u)) >= 0
+            && compare_root(behind, r + 3, dot(u, u)) <= 0
+    };
+    assert!(on_border(a, u), "point on A {p:?} along {u:?}: {case}");
+    assert!(on_border(b, (-u.0, -u.1)), "point on B {q:?} along {u:?}: {case}");
+    let across = orient((0, 0), u, (p.0 - q.0, p.1 - q.1));
+    assert!(across.squared() <= Int256::new(36) * dot(u, u), "points {p:?} {q:?} are not opposite: {case}");
 }

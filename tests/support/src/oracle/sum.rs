@@ -45,6 +45,13 @@ impl Sum {
         Self { points, count, radius: a.radius() + b.radius() }
     }
 
+    /// A sum by its hull: counter-clockwise (y up), strictly convex.
+    pub fn of_hull(hull: &[Point], radius: i64) -> Self {
+        let mut points = [(0, 0); 16];
+        points[..hull.len()].copy_from_slice(hull);
+        Self { points, count: hull.len(), radius }
+    }
+
     pub fn points(&self) -> &[Point] {
         &self.points[..self.count]
     }

@@ -1,19 +1,13 @@
 //! What the library says about a pair, held against the judge. Failures print the pair as raw integers.
 
 use super::closest::are_closest_points;
-use super::exit::{compare_root, is_unit, push_is};
-use super::figure::{Figure, LIMIT, Point};
-use super::int256::Int256;
+use super::exit;
+use super::figure::{Figure, Point};
 use super::kernel;
 use super::measure::{self, Measure};
 use super::nearest::is_closest_point;
-use super::sum::{Place, Sum, dot, orient};
-use tilesat::{Axis, Contact};
-
-/// How a component of a push may exceed the exact one: one raw more where the depth is beyond half the domain.
-pub fn slack(depth: i64) -> i64 {
-    if depth > LIMIT { 5 } else { 4 }
-}
+use super::sum::Sum;
+use tilesat::Contact;
 
 /// The verdicts on one pair.
 #[derive(Clone, Copy)]
@@ -67,44 +61,20 @@ impl<'a> Pair<'a> {
     /// Axis, depth, push and normal.
     fn exit(&self, contact: &Contact) {
         let (a, b) = (self.a, self.b);
-        let Axis { x, y } = contact.axis();
-        let axis = (i64::from(x), i64::from(y));
-        assert!(axis != (0, 0), "zero axis {a:?} {b:?}");
-        assert!(self.exact.is_shortest_exit(&self.sum, axis), "axis {axis:?} is not the least exit of {a:?} {b:?}");
-        let depth = i64::from(contact.depth().to_bits());
-        assert!(depth >= 1 && self.exact.depth_is(depth), "depth {depth} of {a:?} {b:?}");
-        let push = kernel::point(contact.push_out());
-        if let Err(why) = push_is(&self.sum, axis, push, slack(depth)) {
-            panic!("{why}: {push:?} along {axis:?} for {a:?} {b:?}");
-        }
+        let push = exit::verify(&self.sum, &self.exact, contact, &format!("{a:?} {b:?}"));
         let moved = a.moved(push);
         assert!(!Measure::new(&moved, b).overlaps(), "still overlapping after {push:?}: {a:?} {b:?}");
         if let Some(moved) = kernel::translated(a, push) {
             assert!(!kernel::overlaps(&moved, b), "still overlapping after {push:?}: {a:?} {b:?}");
         }
-        let normal = contact.normal().raw();
-        assert!(is_unit(axis, (normal.0.into(), normal.1.into())), "normal {normal:?} of {axis:?}");
     }
 
-    /// The deepest points lie on their shapes' borders, opposite to each other, within the two raw units a component that are promised.
+    /// The deepest points.
     fn points(&self, contact: &Contact) {
         let (a, b) = (self.a, self.b);
-        let Axis { x, y } = contact.axis();
-        let u = (i64::from(x), i64::from(y));
+        let seen = |figure: &Figure, at| Sum::new(figure, &Figure::Circle { centre: at, radius: 0 });
         let (p, q) = (kernel::point(contact.point_on_a()), kernel::point(contact.point_on_b()));
-        // Two raw units a component are less than three in all.
-        let on_border = |figure: &Figure, at: Point, u: Point| {
-            let (core, r) = (Sum::new(figure, &Figure::Circle { centre: at, radius: 0 }), figure.radius());
-            let behind = -core.support(u);
-            let square = Measure::of(&core).square;
-            (core.place() != Place::Outside || square.root_minus(r + 3) <= 0)
-                && compare_root(behind, r - 3, dot(u, u)) >= 0
-                && compare_root(behind, r + 3, dot(u, u)) <= 0
-        };
-        assert!(on_border(a, p, u), "point on A {p:?} along {u:?}: {a:?} {b:?}");
-        assert!(on_border(b, q, (-u.0, -u.1)), "point on B {q:?} along {u:?}: {a:?} {b:?}");
-        let across = orient((0, 0), u, (p.0 - q.0, p.1 - q.1));
-        assert!(across.squared() <= Int256::new(36) * dot(u, u), "points {p:?} {q:?} are not opposite: {a:?} {b:?}");
+        exit::verify_points(contact, (&seen(a, p), a.radius()), (&seen(b, q), b.radius()), &format!("{a:?} {b:?}"));
     }
 
     /// Distance, closest points and containment, in both orders.

@@ -1,0 +1,152 @@
+//! When a moving shape starts to overlap another one.
+//!
+//! As seen from B, the motion of A moves the origin against the sum. Without radii it comes in where it is last before one of the sides,
+//! if it has not left another one by then. With radii it comes in through a side moved out by them, between its ends, or else
+//! through the disc around a corner.
+
+use super::exit::over;
+use super::place::Place;
+use super::walk::{Core, Side, Walk};
+use crate::num::{Axis, Raw, Toi, less128, mul64, umul};
+use crate::query::cast::kernel::{Course, Moment};
+use crate::query::cast::moment::{Disc, is_below, meet_disc, meets_beyond, reach};
+use crate::query::cast::segments::{Edge, Slope};
+
+/// What of the sum a motion comes in through.
+#[derive(Clone, Copy, Debug)]
+pub enum Gate {
+    /// A straight side at a rational moment.
+    Edge(Edge),
+    /// A slanted side, moved out by the radii.
+    Slope(Slope),
+    /// The arc around a corner.
+    Disc(Disc),
+}
+
+impl Moment for Gate {
+    fn exact_toi(&self, d: Raw) -> Toi {
+        match self {
+            Self::Edge(edge) => edge.exact_toi(d),
+            Self::Slope(slope) => slope.exact_toi(),
+            Self::Disc(disc) => disc.exact_toi(d),
+        }
+    }
+
+    fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
+        match self {
+            Self::Edge(edge) => edge.contact(d),
+            Self::Slope(slope) => slope.contact(d),
+            Self::Disc(disc) => disc.contact(d),
+        }
+    }
+}
+
+/// What A meets of B when it moves by `d`, below 2^29 a component.
+pub(super) fn enter(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<Gate> {
+    let radius = a.radius.wrapping_add(b.radius);
+    if radius == 0 {
+        sharp(a, b, d).map(Gate::Edge)
+    } else if Place::of(a, b).within::<false>(radius) {
+        Course::Inside
+    } else {
+        rounded(a, b, radius, d).map_or(Course::Free, Course::Meets)
+    }
+}
+
+/// The direction out of B across a side of the sum, and how fast the origin comes in by it: below 2^61.
+const fn inward(side: &Side, d: Raw) -> (Axis, i64) {
+    (Axis::new(side.edge.y.wrapping_neg(), side.edge.x), d.cross(side.edge))
+}
+
+fn sharp(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<Edge> {
+    let (mut entry, mut exit): (Option<Edge>, Option<(u64, u64)>) = (None, None);
+    let mut has_area = false;
+    for side in Walk::new(a, b) {
+        has_area = true;
+        let height = side.height();
+        let (axis, speed) = inward(&side, d);
+        if speed > 0 && height <= 0 {
+            let gap = height.unsigned_abs();
+            if gap >= speed as u64 {
+                return Course::Free;
+            }
+            let edge = Edge { gap, speed: speed as u64, axis };
+            entry = Some(entry.map_or(edge, |other| other.later(edge)));
+        } else if height <= 0 {
+            return Course::Free;
+        } else if speed < 0 {
+            let left = (height as u64, speed.unsigned_abs());
+            // The earlier one: both products are below 2^123.
+            if exit.is_none_or(|kept| less128(mul64(left.0, kept.1), mul64(kept.0, left.1))) {
+                exit = Some(left);
+            }
+        }
+    }
+    match (entry, exit) {
+        (None, _) => {
+            if has_area {
+                Course::Inside
+            } else {
+                Course::Free
+            }
+        }
+        (Some(entry), Some((gap, speed))) if !less128(mul64(entry.gap, speed), mul64(gap, entry.speed)) => Course::Free,
+        (Some(entry), _) => Course::Meets(entry),
+    }
+}
+
+/// Of shapes that do not overlap.
+fn rounded(a: Core<'_>, b: Core<'_>, radius: i32, d: Raw) -> Option<Gate> {
+    let walk = Walk::new(a, b);
+    let mut first: Option<(Toi, Disc)> = None;
+    let mut around = |m: Raw| {
+        if let Some(disc) = meet_disc(m, radius, d) {
+            let toi = disc.contact(d).0;
+            if first.is_none_or(|kept| is_earlier((toi, disc), kept, d)) {
+                first = Some((toi, disc));
+            }
+        }
+    };
+    around(walk.corner().at);
+    for side in walk {
+        if let Some(gate) = through(&side, radius, d) {
+            return Some(gate);
+        }
+        around(side.from);
+    }
+    first.map(|(_, disc)| Gate::Disc(disc))
+}
+
+/// Of two discs, each with a lower bound of its moment that is early by less than a raw unit of way: exactly, where these do not tell.
+fn is_earlier((s, a): (Toi, Disc), (t, b): (Toi, Disc), d: Raw) -> bool {
+    let way = d.x.unsigned_abs().max(d.y.unsigned_abs());
+    if umul(s.raw().abs_diff(t.raw()), way) >> 30 == 0 { a.exact_toi(d) < b.exact_toi(d) } else { s < t }
+}
+
+/// The side moved out by the radii, where the origin comes through it between its ends.
+fn through(side: &Side, radius: i32, d: Raw) -> Option<Gate> {
+    let height = side.height();
+    let (axis, speed) = inward(side, d);
+    if height > 0 || speed <= 0 {
+        return None;
+    }
+    let (gap, into, reach) = (height.unsigned_abs(), speed as u64, reach(radius, axis));
+    // Already beside the shape, or not near it at the end.
+    if is_below(gap, reach) || (gap >= into && !is_below(gap.wrapping_sub(into), reach)) {
+        return None;
+    }
+    // Seen from the side's ends, in B's sense of direction.
+    let dir = Axis::new(side.edge.x.wrapping_neg(), side.edge.y.wrapping_neg());
+    if !meets_beyond(side.from, d, dir, false, radius) || !meets_beyond(side.from.add(side.edge), d, dir, true, radius)
+    {
+        return None;
+    }
+    if axis.x != 0 && axis.y != 0 {
+        return Some(Gate::Slope(Slope::new(gap, into, reach, axis)));
+    }
+    // Along x and y the root is whole: the gap in raw units less the radii, which is not negative here.
+    let (out, overlap) = over(side.edge, side.from);
+    let gap = overlap.wrapping_neg().wrapping_sub(i64::from(radius)) as u64;
+    let speed = if out.x == 0 { d.y } else { d.x };
+    Some(Gate::Edge(Edge { gap, speed: u64::from(speed.unsigned_abs()), axis: out.reversed() }))
+}

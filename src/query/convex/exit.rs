@@ -1,0 +1,104 @@
+//! The contact of two shapes: their least exit.
+
+use super::face::Facing;
+use super::place::Place;
+use super::walk::{Core, Corner, Side, Walk};
+use crate::num::{Axis, Raw, sqr64};
+use crate::query::closest::Square;
+use crate::query::contact::Contact;
+
+/// The least exit, and the side of the sum that it is across; none where it is from corner to corner.
+pub(super) struct Exit {
+    pub(super) contact: Contact,
+    pub(super) side: Option<Side>,
+    /// The corners that it is from and to without a side.
+    pub(super) corners: (usize, usize),
+}
+
+impl Exit {
+    #[inline]
+    pub(super) fn of(a: Core<'_>, b: Core<'_>) -> Option<Self> {
+        let place = Place::of(a, b);
+        if !place.within::<false>(a.radius.wrapping_add(b.radius)) {
+            return None;
+        }
+        let side = match place {
+            // From A's corner to B's, in any direction where they are one point.
+            Place::Corner(Corner { at, a: i, b: j }) => {
+                let contact = Contact::radial(a.corner(i), at.reversed()).with_degenerate(at.is_zero());
+                return Some(Self { contact: contact.with_radii(a.radius, b.radius), side: None, corners: (i, j) });
+            }
+            // Only the radii overlap.
+            Place::Side(side, height) if height > 0 => (side, false),
+            _ => least(a, b)?,
+        };
+        let (side, tie) = side;
+        let contact = across(&side, a, b).with_degenerate(tie).with_radii(a.radius, b.radius);
+        Some(Self { contact, side: Some(side), corners: (side.a, side.b) })
+    }
+}
+
+/// The side of the sum that is nearest to an origin inside or on the border, and whether another one is as near. Of several
+/// the one whose normal is first in the documented order, whatever corner the walk began at.
+fn least(a: Core<'_>, b: Core<'_>) -> Option<(Side, bool)> {
+    let mut best: Option<(Square, Side)> = None;
+    let mut tie = false;
+    for side in Walk::new(a, b) {
+        // A height's square is below 2^124: fractions are compared in 187 bits.
+        let square = Square { num: sqr64(side.height().unsigned_abs()), den: side.len2() };
+        let Some((least, kept)) = &best else {
+            best = Some((square, side));
+            continue;
+        };
+        let nearer = square.less(*least);
+        let as_near = !nearer && !least.less(square);
+        tie = as_near || (tie && !nearer);
+        if nearer || (as_near && before(normal(side.edge), normal(kept.edge))) {
+            best = Some((square, side));
+        }
+    }
+    best.map(|(_, side)| (side, tie))
+}
+
+/// The contact across a side of the sum, from A to B.
+fn across(side: &Side, a: Core<'_>, b: Core<'_>) -> Contact {
+    let (axis, overlap) = over(side.edge, side.from);
+    // The deepest point is the corner that the side is moved along, or the middle of what two sides share.
+    let (core, on_a) = match (side.of_a, side.of_b) {
+        (true, false) => (b.corner(side.b), false),
+        (false, _) => (a.corner(side.a), true),
+        (true, true) => Facing::of(side, a, b).middle(),
+    };
+    let contact = Contact::new(axis, overlap, core);
+    if on_a { contact } else { contact.on_b() }
+}
+
+/// The axis out of the sum over the line along `e` through `at`, and how far the origin is behind it, times the axis' length.
+///
+/// Along x and y the axis has length one, and the height divides by the side's length.
+pub(super) const fn over(e: Raw, at: Raw) -> (Axis, i64) {
+    if e.y == 0 {
+        let sign = e.x.signum();
+        (Axis::new(0, sign.wrapping_neg()), (sign.wrapping_mul(at.y) as i64).wrapping_neg())
+    } else if e.x == 0 {
+        let sign = e.y.signum();
+        (Axis::new(sign, 0), sign.wrapping_mul(at.x) as i64)
+    } else {
+        let n = normal(e);
+        (Axis::new(n.x, n.y), e.cross(at.reversed()))
+    }
+}
+
+/// Out of the sum.
+const fn normal(edge: Raw) -> Raw {
+    Raw { x: edge.y, y: edge.x.wrapping_neg() }
+}
+
+/// The order of normals in a tie: along x, along y, others; positive x, then positive y; then counter-clockwise from +x.
+///
+/// Components are below 2^31: products of two and their sum are below 2^63.
+fn before(n: Raw, m: Raw) -> bool {
+    let class = |n: Raw| (n.y != 0, n.x != 0, if n.y == 0 { n.x < 0 } else { n.y < 0 });
+    let (p, q) = (class(n), class(m));
+    p < q || (p == q && n.cross(m) > 0)
+}

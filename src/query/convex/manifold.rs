@@ -1,0 +1,183 @@
+//! The one or two points that two shapes rest on.
+
+use super::exit::{Exit, over};
+use super::face::{End, Facing, face, precedes};
+use super::walk::{Core, Side};
+use crate::num::{Axis, Raw, cmp_squares, scaled};
+use crate::query::contact::Contact;
+use core::cmp::Ordering;
+
+/// A part of a shape's border, by its index: stable while the shape moves, and of a box while it turns.
+///
+/// Corners are counted from a box's `min` or [`corners`](crate::OrientedBox::corners)`()[0]`, a segment's lexicographically first end, a
+/// polygon's first vertex; a side has the index of the corner that it begins at, counter-clockwise (y up).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Part {
+    /// A corner, or the arc around it.
+    Corner(u16),
+    /// A side.
+    Side(u16),
+}
+
+/// One point of a [`Manifold`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ManifoldPoint {
+    /// How deep the shapes overlap here, along the axis that all points share.
+    pub contact: Contact,
+    /// The part of A that meets `part_b` here. Both together name the point from frame to frame.
+    pub part_a: Part,
+    /// The part of B.
+    pub part_b: Part,
+}
+
+/// How two shapes rest on each other: the least exit, and the one or two points at which a solver holds them.
+///
+/// The axis is that of [`contact`](crate::query::Contacts::contact). The first point is the deepest one and is exact. The second is the
+/// end of what faces each other of the side that the axis is across and the side of the other shape that leans on it, where that
+/// is inside as well: a lattice point within a raw unit of the exact one, with its own exact depth, rounded up.
+///
+/// ```text
+///      +-------+
+///      |   A   |             two points: the ends of what the sides share
+///  +---1-------2------+
+///  |         B        |
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Manifold {
+    first: ManifoldPoint,
+    second: Option<ManifoldPoint>,
+}
+
+impl Manifold {
+    /// From A to B, exact and not zero, as [`Contact::axis`].
+    #[must_use]
+    pub const fn axis(&self) -> Axis {
+        self.first.contact.axis()
+    }
+
+    /// The one or two points, the deeper one first, of equal ones the one that comes first lexicographically.
+    pub fn points(&self) -> impl Iterator<Item = &ManifoldPoint> {
+        core::iter::once(&self.first).chain(&self.second)
+    }
+
+    /// The deepest point.
+    #[must_use]
+    pub const fn deepest(&self) -> &ManifoldPoint {
+        &self.first
+    }
+}
+
+pub(super) fn manifold(a: Core<'_>, b: Core<'_>) -> Option<Manifold> {
+    let exit = Exit::of(a, b)?;
+    let Some(side) = exit.side else {
+        let (i, j) = exit.corners;
+        let first = ManifoldPoint { contact: exit.contact, part_a: corner(i), part_b: corner(j) };
+        return Some(Manifold { first, second: None });
+    };
+    let made = if side.of_a && side.of_b { both } else { one };
+    Some(made(&exit.contact, &side, a, b))
+}
+
+/// The contact of `contact`'s shapes and axis at another point of a core.
+const fn at(contact: &Contact, overlap: i64, core: Raw, on_a: bool) -> Contact {
+    let made = Contact::new(contact.axis, overlap, core)
+        .with_radii(contact.radius_a, contact.radius_b)
+        .with_degenerate(contact.is_degenerate());
+    if on_a { made } else { made.on_b() }
+}
+
+const fn corner(index: usize) -> Part {
+    Part::Corner(index as u16)
+}
+
+const fn line(index: usize) -> Part {
+    Part::Side(index as u16)
+}
+
+/// Of two parallel sides: the ends of what they share, equally deep.
+fn both(contact: &Contact, side: &Side, a: Core<'_>, b: Core<'_>) -> Manifold {
+    let Facing { ends: (from, to), .. } = Facing::of(side, a, b);
+    let point = |end: End, on_a: usize, on_b: usize| ManifoldPoint {
+        contact: at(contact, contact.overlap, end.at, end.on_a),
+        part_a: if end.on_a || end.paired { corner(on_a) } else { line(side.a) },
+        part_b: if !end.on_a || end.paired { corner(on_b) } else { line(side.b) },
+    };
+    let (p, q) = (point(from, side.a, b.after(side.b)), point(to, a.after(side.a), side.b));
+    let (first, second) = if precedes(to.at, from.at) { (q, p) } else { (p, q) };
+    let apart = side.edge.dot(to.at.sub(from.at)) != 0;
+    Manifold { first, second: apart.then_some(second) }
+}
+
+/// Of a side and the corner that is deepest behind it: that corner, and the end of the flatter one of the sides beside it, cut to what
+/// faces the side.
+fn one(contact: &Contact, side: &Side, a: Core<'_>, b: Core<'_>) -> Manifold {
+    // Whether it is A that leans on a side of B.
+    let on_a = side.of_b;
+    let (reference, index, core, deepest) = if on_a { (b, side.b, a, side.a) } else { (a, side.a, b, side.b) };
+    let (p, q) = face(reference, index);
+    // Along the side of the sum, that of B runs back.
+    let (p, q) = if on_a { (q, p) } else { (p, q) };
+    let point = |contact: Contact, of_side: Part, of_other: Part| {
+        let (part_a, part_b) = if on_a { (of_other, of_side) } else { (of_side, of_other) };
+        ManifoldPoint { contact, part_a, part_b }
+    };
+    let first = point(*contact, line(index), corner(deepest));
+    let e = side.edge;
+    let second = leaning(core, deepest, if on_a { e } else { e.reversed() }).and_then(|lean| {
+        let start = core.corner(deepest);
+        let v = core.corner(lean.end).sub(start);
+        // The deepest corner faces the side; beyond its ends the other one does not. Products are below 2^62.
+        let (from, to, room) = (e.dot(start.sub(p)), e.dot(start.add(v).sub(p)), e.dot(q.sub(p)));
+        let cut = |bound: i64| {
+            let (share, whole) = (bound.wrapping_sub(from).wrapping_abs(), to.wrapping_sub(from).unsigned_abs());
+            start.add(Raw { x: scaled(v.x, share, whole), y: scaled(v.y, share, whole) })
+        };
+        // Along the sum a side of A begins at its own corner, one of B ends there.
+        let (end, of_side, of_other) = if to < 0 {
+            (cut(0), corner(if on_a { reference.after(index) } else { index }), line(lean.side))
+        } else if to > room {
+            (cut(room), corner(if on_a { index } else { reference.after(index) }), line(lean.side))
+        } else {
+            (start.add(v), line(index), corner(lean.end))
+        };
+        let (_, overlap) = over(e, if on_a { end.sub(p) } else { p.sub(end) });
+        let contact = at(contact, overlap, end, on_a);
+        let counts = contact.depth() > 0 && end != start;
+        counts.then(|| point(contact, of_side, of_other))
+    });
+    Manifold { first, second }
+}
+
+/// A side of a shape beside its deepest corner: its index and its other end.
+struct Lean {
+    side: usize,
+    end: usize,
+}
+
+/// Of the two sides beside a corner the one that is more parallel to `way`, in which the next one leads away; none where both lead
+/// the other way.
+fn leaning(core: Core<'_>, at: usize, way: Raw) -> Option<Lean> {
+    if core.corners.len() < 2 {
+        return None;
+    }
+    let here = core.corner(at);
+    let toward = |end: usize, way: Raw| {
+        let v = core.corner(end).sub(here);
+        (way.dot(v), v.len2())
+    };
+    let (next, last) = (core.after(at), core.before(at));
+    let (forth, back) = (toward(next, way), toward(last, way.reversed()));
+    let (forth_leads, back_leads) = (forth.0 > 0, back.0 > 0);
+    let order = cmp_squares((forth.0.unsigned_abs(), back.1), (back.0.unsigned_abs(), forth.1));
+    let takes_next = match (forth_leads, back_leads) {
+        (false, false) => return None,
+        (true, true) => {
+            order == Ordering::Greater || (order == Ordering::Equal && precedes(core.corner(next), core.corner(last)))
+        }
+        (forth, _) => forth,
+    };
+    Some(if takes_next { Lean { side: at, end: next } } else { Lean { side: last, end: last } })
+}

@@ -1,0 +1,238 @@
+//! The verbs for capsules, oriented boxes and convex polygons: with each other and with boxes, circles and segments.
+//!
+//! One mechanism for all pairs. A shape is a few corners with a radius around them, and a pair is the sum A + (-B), whose
+//! sides [`walk::Walk`] merges from theirs. Questions are about the origin and that polygon.
+//! Only pairs with one of these shapes come here: a game of boxes and circles links none of it.
+
+mod cast;
+mod exit;
+mod face;
+mod hint;
+mod manifold;
+mod near;
+mod place;
+mod point;
+mod walk;
+mod within;
+
+use super::cast::CastShape;
+use super::cast::kernel::{Course, Enter, InDomain};
+use super::closest::{ClosestPoint, Distance};
+use super::contact::{Contact, Contacts};
+use super::overlap::{Contains, Overlaps, Touches};
+use crate::num::{Fx, Raw, Vec2};
+use crate::shape::{Aabb, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
+use exit::Exit;
+use place::{Place, meets};
+use walk::Core;
+
+pub use hint::Separation;
+pub use manifold::{Manifold, ManifoldPoint, Part};
+
+/// How two shapes rest on each other: one or two points.
+///
+/// `Some` exactly where [`overlaps`](Overlaps::overlaps) is true. `manifold(a, b)` and `manifold(b, a)` mirror each other as
+/// [`contact`](Contacts::contact) does. For all pairs of shapes. Cost: a contact and some hundred instructions.
+///
+/// ```
+/// use tilesat::prelude::*;
+/// use tilesat::{Aabb, Axis, OrientedBox, Part, Vec2, fx};
+/// let floor = Aabb::new(Vec2::from_ints(-50, 0), Vec2::from_ints(50, 20))?; // y down
+/// let crate_ = OrientedBox::new(Vec2::from_ints(0, -7), Vec2::from_ints(12, 8), Axis::X)?;
+/// let resting = crate_.manifold(&floor).unwrap();
+/// assert_eq!(resting.axis(), Axis::Y);
+/// let feet: Vec<_> = resting.points().map(|p| (p.contact.point_on_a(), p.part_a)).collect();
+/// assert_eq!(feet[0], (Vec2::from_ints(-12, 1), Part::Corner(3)));
+/// assert_eq!(feet[1], (Vec2::from_ints(12, 1), Part::Corner(2)));
+/// assert!(resting.points().all(|p| p.contact.depth() == 1));
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+pub trait Manifolds<B: ?Sized> {
+    /// The points at which this shape (A) and `b` (B) overlap; `None` where they do not.
+    #[must_use]
+    fn manifold(&self, b: &B) -> Option<Manifold>;
+}
+
+/// Runs `$body` with the cores of two shapes.
+macro_rules! with_cores {
+    ($x:expr, $y:expr, |$a:ident, $b:ident| $body:expr) => {{
+        let (p, q) = ($x.outline(), $y.outline());
+        let $a = Core { corners: &p, radius: $x.rounding() };
+        let $b = Core { corners: &q, radius: $y.rounding() };
+        $body
+    }};
+}
+
+/// Whether two shapes overlap, asked frame after frame.
+///
+/// The same answer as [`overlaps`](Overlaps::overlaps), sooner where the side that separated the shapes last still does. For all pairs of
+/// shapes but boxes, circles and segments among themselves, which need none.
+///
+/// ```
+/// use tilesat::prelude::*;
+/// use tilesat::{Aabb, Axis, OrientedBox, Separation, Vec2};
+/// let wall = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(40, 8))?;
+/// let mut kart = OrientedBox::new(Vec2::from_ints(10, 40), Vec2::from_ints(6, 3), Axis::new(3, -4))?;
+/// let mut last = Separation::default(); // one for this pair of bodies
+/// while !kart.overlaps_from(&wall, &mut last) {
+///     kart = kart.translated(Vec2::from_ints(0, -1))?;
+/// }
+/// assert_eq!(kart.centre(), Vec2::from_ints(10, 14));
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+pub trait OverlapsFrom<B: ?Sized>: Overlaps<B> {
+    /// Whether this shape overlaps `b`; `last` is what the last call for this pair left there.
+    fn overlaps_from(&self, b: &B, last: &mut Separation) -> bool;
+}
+
+macro_rules! manifolds {
+    ([$($n:tt)*] $a:ty, $b:ty) => {
+        impl<$($n)*> Manifolds<$b> for $a {
+            #[inline]
+            fn manifold(&self, b: &$b) -> Option<Manifold> {
+                with_cores!(self, b, |a, b| manifold::manifold(a, b))
+            }
+        }
+    };
+}
+
+/// All verbs of one ordered pair.
+macro_rules! pair {
+    ([$($n:tt)*] $a:ty, $b:ty) => {
+        manifolds!([$($n)*] $a, $b);
+
+        impl<$($n)*> Overlaps<$b> for $a {
+            #[inline]
+            fn overlaps(&self, b: &$b) -> bool {
+                with_cores!(self, b, |a, b| meets::<false>(a, b))
+            }
+        }
+
+        impl<$($n)*> OverlapsFrom<$b> for $a {
+            #[inline]
+            fn overlaps_from(&self, b: &$b, last: &mut Separation) -> bool {
+                with_cores!(self, b, |a, b| hint::overlaps(a, b, last))
+            }
+        }
+
+        impl<$($n)*> Touches<$b> for $a {
+            #[inline]
+            fn touches(&self, b: &$b) -> bool {
+                with_cores!(self, b, |a, b| meets::<true>(a, b))
+            }
+        }
+
+        impl<$($n)*> Contacts<$b> for $a {
+            #[inline]
+            fn contact(&self, b: &$b) -> Option<Contact> {
+                with_cores!(self, b, |a, b| Exit::of(a, b)).map(|exit| exit.contact)
+            }
+        }
+
+        impl<$($n)*> Contains<$b> for $a {
+            #[inline]
+            fn contains(&self, b: &$b) -> bool {
+                with_cores!(self, b, |a, b| within::contains(a, b))
+            }
+        }
+
+        impl<$($n)*> ClosestPoint<$b> for $a {
+            #[inline]
+            fn closest_points(&self, b: &$b) -> Option<(Vec2, Vec2)> {
+                with_cores!(self, b, |a, b| near::closest_points(a, b)).map(|(p, q)| (p.vec2(), q.vec2()))
+            }
+        }
+
+        impl<$($n)*> Enter<$b> for $a {
+            type Moment = cast::Gate;
+
+            #[inline]
+            fn enter(&self, b: &$b, d: Raw) -> Course<cast::Gate> {
+                with_cores!(self, b, |a, b| cast::enter(a, b, d))
+            }
+        }
+
+        impl<$($n)*> CastShape<$b> for $a {}
+
+        impl<$($n)*> Distance<$b> for $a {
+            #[inline]
+            fn distance(&self, b: &$b) -> Fx {
+                with_cores!(self, b, |a, b| {
+                    // Rounding down commutes with whole numbers: floor(x - r) = floor(x) - r.
+                    let radii = a.radius.wrapping_add(b.radius) as u32;
+                    Fx::from_bits(Place::of(a, b).distance().saturating_sub(radii) as i32)
+                })
+            }
+        }
+    };
+}
+
+/// A pair of different shapes, in both orders.
+macro_rules! pair_both {
+    ([$($n:tt)*] $a:ty, $b:ty) => {
+        pair!([$($n)*] $a, $b);
+        pair!([$($n)*] $b, $a);
+    };
+}
+
+pair!([] Capsule, Capsule);
+pair_both!([] Capsule, Aabb);
+pair_both!([] Capsule, Circle);
+pair_both!([] Capsule, Segment);
+pair!([] OrientedBox, OrientedBox);
+pair_both!([] OrientedBox, Aabb);
+pair_both!([] OrientedBox, Circle);
+pair_both!([] OrientedBox, Segment);
+pair_both!([] OrientedBox, Capsule);
+pair!([const N: usize, const M: usize] ConvexPolygon<N>, ConvexPolygon<M>);
+pair_both!([const N: usize] ConvexPolygon<N>, Aabb);
+pair_both!([const N: usize] ConvexPolygon<N>, Circle);
+pair_both!([const N: usize] ConvexPolygon<N>, Segment);
+pair_both!([const N: usize] ConvexPolygon<N>, Capsule);
+pair_both!([const N: usize] ConvexPolygon<N>, OrientedBox);
+
+// The other verbs of these have kernels of their own.
+manifolds!([] Aabb, Aabb);
+manifolds!([] Aabb, Circle);
+manifolds!([] Aabb, Segment);
+manifolds!([] Circle, Aabb);
+manifolds!([] Circle, Circle);
+manifolds!([] Circle, Segment);
+manifolds!([] Segment, Aabb);
+manifolds!([] Segment, Circle);
+manifolds!([] Segment, Segment);
+
+/// What a shape is asked about a point.
+macro_rules! points {
+    ([$($n:tt)*] $a:ty) => {
+        impl<$($n)*> Contains<Vec2> for $a {
+            #[inline]
+            fn contains(&self, b: &Vec2) -> bool {
+                point::contains(Core { corners: &self.outline(), radius: self.rounding() }, *b)
+            }
+        }
+
+        impl<$($n)*> InDomain for $a {}
+
+        impl<$($n)*> Distance<Vec2> for $a {
+            #[inline]
+            fn distance(&self, b: &Vec2) -> Fx {
+                point::distance(Core { corners: &self.outline(), radius: self.rounding() }, *b)
+            }
+        }
+
+        impl<$($n)*> $a {
+            /// The point of the shape that is nearest to `p`: `p` itself where it is inside.
+            ///
+            /// Each component is within a raw unit of the exact one; `p` may be anywhere. Mirrored points give mirrored bits.
+            #[must_use]
+            pub fn closest_point(&self, p: Vec2) -> Vec2 {
+                point::closest(Core { corners: &self.outline(), radius: self.rounding() }, p)
+            }
+        }
+    };
+}
+
+points!([] Capsule);
+points!([] OrientedBox);
+points!([const N: usize] ConvexPolygon<N>);

@@ -1,0 +1,62 @@
+//! A shape and a point that may be anywhere.
+
+use super::face::face;
+use super::walk::Core;
+use super::within::holds;
+use crate::num::{Fx, Raw, Vec2, check_coordinate, sqr64, toward, usqr};
+use crate::query::closest::{Square, from_border, on_disc, on_segment, to_segment};
+use crate::query::meet::{Region, region};
+
+/// Closed and exact. Points outside of the domain are in no shape.
+pub(super) fn contains(core: Core<'_>, p: Vec2) -> bool {
+    check_coordinate(p).is_ok() && holds(core, p, core.radius)
+}
+
+/// Rounded down: the least of rounded distances is the rounded least. `Fx::MAX` where the core is 2^31 raw away or more.
+pub(super) fn distance(core: Core<'_>, p: Vec2) -> Fx {
+    if contains(core, p) {
+        return Fx::ZERO;
+    }
+    let to_sides = (0..core.corners.len()).map(|i| {
+        let (a, b) = face(core, i);
+        to_segment(Raw::of(p), a, b)
+    });
+    match to_sides.min() {
+        Some(far) if far > i32::MAX as u32 => Fx::MAX,
+        near => from_border(near.unwrap_or(0), core.radius),
+    }
+}
+
+/// The point itself where the shape holds it.
+pub(super) fn closest(core: Core<'_>, p: Vec2) -> Vec2 {
+    if contains(core, p) {
+        return p;
+    }
+    let p = Raw::of(p);
+    let mut best: Option<(Square, usize)> = None;
+    for i in 0..core.corners.len() {
+        let (a, b) = face(core, i);
+        let square = match region::<true>(p, a, b, false) {
+            // Of differences below 2^31 + 2^29: the sum of squares is below 2^64.
+            Region::End(end) => {
+                let square = usqr(p.x.abs_diff(end.x)).wrapping_add(usqr(p.y.abs_diff(end.y)));
+                Square { num: (0, square), den: 1 }
+            }
+            Region::Line { cross, len2 } => Square { num: sqr64(cross.unsigned_abs()), den: len2 },
+        };
+        if best.is_none_or(|(least, _)| square.less(least)) {
+            best = Some((square, i));
+        }
+    }
+    let (a, b) = face(core, best.map_or(0, |(_, i)| i));
+    match region::<true>(p, a, b, false) {
+        Region::End(end) => on_disc(p, end, core.radius).vec2(),
+        Region::Line { cross, .. } => {
+            let e = b.sub(a);
+            let n =
+                if cross > 0 { Raw { x: e.y.wrapping_neg(), y: e.x } } else { Raw { x: e.y, y: e.x.wrapping_neg() } };
+            let out = if core.radius == 0 { Raw::ZERO } else { toward(n, core.radius) };
+            on_segment(p, a, b).add(out).vec2()
+        }
+    }
+}

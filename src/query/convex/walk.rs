@@ -1,0 +1,173 @@
+//! The border of A + (-B), side by side: what every question about two convex shapes is asked of.
+//!
+//! A and B overlap where the origin is inside that sum, and its sides are those of A and the reversed ones of B in the order of
+//! their directions. They are merged one at a time: no list is kept, and parallel sides come once, as one. One product
+//! pair a side orders it, one asks it where the origin is.
+
+use crate::num::{Raw, SPLIT, Vec2};
+
+/// A shape's corners and radius.
+#[derive(Clone, Copy)]
+pub(super) struct Core<'a> {
+    pub(super) corners: &'a [Vec2],
+    pub(super) radius: i32,
+}
+
+impl Core<'_> {
+    pub(super) fn corner(&self, index: usize) -> Raw {
+        self.corners.get(index).map_or(Raw::ZERO, |p| Raw::of(*p))
+    }
+
+    /// The index of the next corner, counter-clockwise.
+    pub(super) const fn after(&self, index: usize) -> usize {
+        let next = index.wrapping_add(1);
+        if next < self.corners.len() { next } else { 0 }
+    }
+
+    /// The index of the one before it.
+    pub(super) const fn before(&self, index: usize) -> usize {
+        if index == 0 { self.corners.len().saturating_sub(1) } else { index.wrapping_sub(1) }
+    }
+}
+
+/// A side of the sum, with the sum's inside on its left (y up).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Side {
+    /// Where it begins: a corner of A less one of B, below 2^30 a component.
+    pub(super) from: Raw,
+    /// Below 2^30 a component, or 2^31 where both shapes have a part.
+    pub(super) edge: Raw,
+    /// The corners that `from` is of, and that sides of A or B begin at.
+    pub(super) a: usize,
+    pub(super) b: usize,
+    pub(super) of_a: bool,
+    pub(super) of_b: bool,
+}
+
+impl Side {
+    /// Twice the area of the side and the origin, positive on the left: below 2^62.
+    pub(super) const fn height(&self) -> i64 {
+        self.edge.cross(self.from.reversed())
+    }
+
+    /// How far along the side the origin's foot is, times its length: below 2^62.
+    pub(super) const fn along(&self) -> i64 {
+        self.edge.dot(self.from.reversed())
+    }
+
+    /// Its square length, below 2^63.
+    pub(super) const fn len2(&self) -> u64 {
+        self.edge.len2()
+    }
+}
+
+/// The sides of one shape, reversed for B: `REVERSED` negates all corners.
+struct Ring<'a, const REVERSED: bool> {
+    core: Core<'a>,
+    at: usize,
+    left: usize,
+    here: Raw,
+    edge: Raw,
+}
+
+impl<'a, const REVERSED: bool> Ring<'a, REVERSED> {
+    /// From the lowest corner, of two the left one: there the first side leads upward or to the right.
+    fn new(core: Core<'a>) -> Self {
+        let (mut at, mut here) = (0, Self::place(core, 0));
+        for (i, p) in core.corners.iter().enumerate() {
+            let p = Self::turned(Raw::of(*p));
+            if p.y < here.y || (p.y == here.y && p.x < here.x) {
+                (at, here) = (i, p);
+            }
+        }
+        let sides = core.corners.len();
+        let mut ring = Self { core, at, left: if sides < 2 { 0 } else { sides }, here, edge: Raw::ZERO };
+        ring.edge = ring.next_corner().sub(here);
+        ring
+    }
+
+    const fn turned(p: Raw) -> Raw {
+        if REVERSED { p.reversed() } else { p }
+    }
+
+    fn place(core: Core<'_>, index: usize) -> Raw {
+        Self::turned(core.corner(index))
+    }
+
+    fn next_corner(&self) -> Raw {
+        Self::place(self.core, self.core.after(self.at))
+    }
+
+    fn step(&mut self) {
+        self.at = self.core.after(self.at);
+        self.here = self.here.add(self.edge);
+        self.edge = self.next_corner().sub(self.here);
+        self.left = self.left.wrapping_sub(1);
+    }
+}
+
+/// All sides of the sum, in order of direction from +x on. A flat sum has two, a point none.
+pub(super) struct Walk<'a> {
+    a: Ring<'a, false>,
+    b: Ring<'a, true>,
+}
+
+impl<'a> Walk<'a> {
+    pub(super) fn new(a: Core<'a>, b: Core<'a>) -> Self {
+        Self { a: Ring::new(a), b: Ring::new(b) }
+    }
+
+    /// The corner of the sum where the walk stands, and whose it is.
+    pub(super) const fn corner(&self) -> Corner {
+        Corner { at: self.a.here.add(self.b.here), a: self.a.at, b: self.b.at }
+    }
+}
+
+impl Iterator for Walk<'_> {
+    type Item = Side;
+
+    fn next(&mut self) -> Option<Side> {
+        // Both stand in the same half turn: a ring's next side is less than a half turn beyond its last one, which the other
+        // ring's next side is not before. Only a segment turns by just a half, and parallel sides go together.
+        let order = match (self.a.left, self.b.left) {
+            (0, 0) => return None,
+            (_, 0) => 1,
+            (0, _) => -1,
+            _ => turn(self.a.edge, self.b.edge),
+        };
+        let (of_a, of_b) = (order >= 0, order <= 0);
+        let Corner { at: from, a, b } = self.corner();
+        let mut edge = Raw::ZERO;
+        if of_a {
+            edge = self.a.edge;
+            self.a.step();
+        }
+        if of_b {
+            edge = edge.add(self.b.edge);
+            self.b.step();
+        }
+        Some(Side { from, edge, a, b, of_a, of_b })
+    }
+}
+
+/// A corner of the sum: one of A less one of B.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corner {
+    pub(super) at: Raw,
+    pub(super) a: usize,
+    pub(super) b: usize,
+}
+
+/// The sign of `e x f`, for components of which one vector's are below 2^31 and the other's below 2^30.
+///
+/// Where a product is a call: of two products with different signs the larger one is known without computing them.
+#[inline]
+pub(super) const fn turn(e: Raw, f: Raw) -> i64 {
+    if SPLIT {
+        let (p, q) = (e.x.signum() * f.y.signum(), e.y.signum() * f.x.signum());
+        if p != q || p == 0 {
+            return (p - q) as i64;
+        }
+    }
+    e.cross(f)
+}

@@ -1,0 +1,91 @@
+//! A segment with a radius.
+
+use super::{Aabb, Circle, Segment};
+use crate::error::RangeError;
+use crate::num::{Fx, Raw, Vec2};
+
+/// All points within a radius of a segment: a stadium, standing, lying or slanted.
+///
+/// Equal ends are legal and act as a circle, a radius of zero as a segment. Reversing the ends changes no result.
+///
+/// ```text
+///   .-------------------.
+///  (  a ------------- b  )      the core a-b, and `radius` around it
+///   '-------------------'
+/// ```
+///
+/// ```
+/// use tilesat::prelude::*;
+/// use tilesat::{Aabb, Capsule, Vec2, fx};
+/// let hero = Capsule::new(Vec2::from_ints(10, 10), Vec2::from_ints(10, 24), fx!(6))?;
+/// assert_eq!(hero.aabb(), Aabb::new(Vec2::from_ints(4, 4), Vec2::from_ints(16, 30))?);
+/// let corner = Aabb::new(Vec2::from_ints(15, 29), Vec2::from_ints(40, 40))?;
+/// assert!(hero.aabb().overlaps(&corner) && !hero.overlaps(&corner)); // its feet are round
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Capsule {
+    core: Segment,
+    radius: Fx,
+}
+
+impl Capsule {
+    /// A capsule from the ends of its core and its radius.
+    ///
+    /// # Errors
+    /// [`RangeError`] where the radius is negative, or an end, the radius or a point of the capsule is outside of the
+    /// [domain](crate::num::DOMAIN).
+    pub const fn new(a: Vec2, b: Vec2, radius: Fx) -> Result<Self, RangeError> {
+        // Its ends are circles.
+        match Circle::new(a, radius) {
+            Ok(_) => match Circle::new(b, radius) {
+                Ok(_) => match Segment::new(a, b) {
+                    Ok(core) => Ok(Self { core, radius }),
+                    Err(e) => Err(e),
+                },
+                Err(e) => Err(e),
+            },
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The first end of the core.
+    #[must_use]
+    pub const fn a(&self) -> Vec2 {
+        self.core.a()
+    }
+
+    /// The second end of the core.
+    #[must_use]
+    pub const fn b(&self) -> Vec2 {
+        self.core.b()
+    }
+
+    /// The segment in the middle.
+    #[must_use]
+    pub const fn core(&self) -> Segment {
+        self.core
+    }
+
+    /// The radius, not negative.
+    #[must_use]
+    pub const fn radius(&self) -> Fx {
+        self.radius
+    }
+
+    /// This capsule moved by `by`.
+    ///
+    /// # Errors
+    /// [`RangeError`] where it would leave the [domain](crate::num::DOMAIN).
+    pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
+        Self::new(self.a().saturating_add(by), self.b().saturating_add(by), self.radius)
+    }
+
+    /// The bounding box; exact.
+    #[must_use]
+    pub const fn aabb(&self) -> Aabb {
+        let (core, r) = (self.core.aabb(), self.radius.to_bits());
+        let r = Raw { x: r, y: r };
+        Aabb::from_raw_unchecked(core.lo().sub(r), core.hi().add(r))
+    }
+}

@@ -1,0 +1,146 @@
+//! What every convex shape is to the kernels: corners, and a radius around them.
+
+use super::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
+use crate::num::{Raw, Vec2};
+use core::ops::Deref;
+
+/// A shape as the hull of its corners, grown by a radius.
+///
+/// Corners are strictly convex and counter-clockwise (y up): two are a segment, one is a point. A corner and the radius
+/// together stay inside the domain.
+pub(crate) trait Convex {
+    /// The corners, computed or lent.
+    type Corners<'a>: Deref<Target = [Vec2]>
+    where
+        Self: 'a;
+
+    fn outline(&self) -> Self::Corners<'_>;
+
+    /// The radius, raw and not negative.
+    fn rounding(&self) -> i32;
+}
+
+/// At most four corners.
+#[derive(Clone, Copy)]
+pub(crate) struct Few {
+    points: [Vec2; 4],
+    count: usize,
+}
+
+impl Few {
+    const fn one(p: Vec2) -> Self {
+        Self { points: [p; 4], count: 1 }
+    }
+
+    /// Equal ends are one point, others are put in lexicographic order: reversing them changes nothing.
+    fn line(a: Vec2, b: Vec2) -> Self {
+        let (a, b) = if b.raw() < a.raw() { (b, a) } else { (a, b) };
+        Self { points: [a, b, a, b], count: if a == b { 1 } else { 2 } }
+    }
+
+    /// The parallelogram `at + {0, u} + {0, v}`, with `v` on the left of `u`; where one of them is zero, a segment or a
+    /// point.
+    fn parallelogram(at: Raw, u: Raw, v: Raw) -> Self {
+        let (b, c) = (at.add(u), at.add(v));
+        if u.is_zero() || v.is_zero() {
+            return Self::line(at.vec2(), if u.is_zero() { c.vec2() } else { b.vec2() });
+        }
+        Self { points: [at, b, b.add(v), c].map(Raw::vec2), count: 4 }
+    }
+}
+
+impl Deref for Few {
+    type Target = [Vec2];
+
+    #[inline]
+    fn deref(&self) -> &[Vec2] {
+        self.points.get(..self.count).unwrap_or(&self.points)
+    }
+}
+
+impl Convex for Aabb {
+    type Corners<'a> = Few;
+
+    #[inline]
+    fn outline(&self) -> Few {
+        let size = self.hi().sub(self.lo());
+        Few::parallelogram(self.lo(), Raw { x: size.x, y: 0 }, Raw { x: 0, y: size.y })
+    }
+
+    #[inline]
+    fn rounding(&self) -> i32 {
+        0
+    }
+}
+
+impl Convex for Circle {
+    type Corners<'a> = Few;
+
+    #[inline]
+    fn outline(&self) -> Few {
+        Few::one(self.centre())
+    }
+
+    #[inline]
+    fn rounding(&self) -> i32 {
+        self.r()
+    }
+}
+
+impl Convex for Segment {
+    type Corners<'a> = Few;
+
+    #[inline]
+    fn outline(&self) -> Few {
+        Few::line(self.a(), self.b())
+    }
+
+    #[inline]
+    fn rounding(&self) -> i32 {
+        0
+    }
+}
+
+impl Convex for Capsule {
+    type Corners<'a> = Few;
+
+    #[inline]
+    fn outline(&self) -> Few {
+        Few::line(self.a(), self.b())
+    }
+
+    #[inline]
+    fn rounding(&self) -> i32 {
+        self.radius().to_bits()
+    }
+}
+
+impl Convex for OrientedBox {
+    type Corners<'a> = Few;
+
+    #[inline]
+    fn outline(&self) -> Few {
+        // Half of a side is below 2^29, and the corners are inside the domain: whole sides are below 2^30.
+        let (u, v) = (Raw::of(self.along()), Raw::of(self.across()));
+        Few::parallelogram(Raw::of(self.centre()).sub(u).sub(v), u.add(u), v.add(v))
+    }
+
+    #[inline]
+    fn rounding(&self) -> i32 {
+        self.radius().to_bits()
+    }
+}
+
+impl<const N: usize> Convex for ConvexPolygon<N> {
+    type Corners<'a> = &'a [Vec2];
+
+    #[inline]
+    fn outline(&self) -> &[Vec2] {
+        self.vertices()
+    }
+
+    #[inline]
+    fn rounding(&self) -> i32 {
+        self.radius().to_bits()
+    }
+}
