@@ -196,9 +196,12 @@
 //! **Rollback** copies the scene, and with it all that the game's own rules read: [`PairEvents`](crate::broad::PairEvents), [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change, solids.
 
 mod body;
+mod meeting;
+mod piles;
 mod set;
 mod step;
 mod swept;
+mod way;
 
 pub use body::SceneBody;
 pub use set::{Scene, Sleep};

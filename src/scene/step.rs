@@ -1,9 +1,10 @@
 //! One step of a scene.
 
-use super::body::{ALOFT, Mode, Pace, Slot, Tally, Way};
-use super::body::{Meeting, Top, carried, toward};
+use super::body::{ALOFT, Mode, NOBODY, Slot, Tally};
+use super::meeting::{Meeting, Top, toward};
 use super::set::Sleep;
 use super::set::rouse;
+use super::way::{Pace, Way};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Shape, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -102,6 +103,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
             let contact = a.body.shape.contact(&b.body.shape);
             let senses = a.body.filter.sensor() || b.body.filter.sensor();
             stepped.touching += 1;
+            stepped.overlapping += u32::from(contact.is_some() && !senses);
             each(SceneEvent::Touch { pair, contact: contact.as_ref() });
             if senses {
                 return;
@@ -109,9 +111,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
             rouse(slots, room, &mut woken, pair.a);
             rouse(slots, room, &mut woken, pair.b);
             join(slots, pair);
+            let carried = lay(slots, pair, contact.as_ref(), gravity);
             if let Some(contact) = contact {
-                stepped.overlapping += 1;
-                hits |= tally(slots, pair, &contact, gravity);
+                hits |= tally(slots, pair, &contact, gravity, carried);
             }
         });
         if hits {
@@ -136,10 +138,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         let mover = Mover::platformer(toward(gravity).reversed()).with_surface(Surface::SLICK);
         let Sleep { still, steps } = self.sleep;
         let trip = Trip { level, mover, gravity, still };
-        let (mut calm, mut fast) = (false, false);
+        let (mut calm, mut fast, mut piled) = (false, false, false);
         for handle in self.awake.iter().take(self.count) {
-            let Some(slot) = self.slots.get_mut(handle.slot()).filter(|slot| slot.is_fast()) else { continue };
-            (slot.way.pace, fast) = (Pace::Swept, true);
+            let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
+            if slot.is_fast() {
+                (slot.way.pace, fast) = (Pace::Swept, true);
+            }
+            piled |= slot.way.pace == Pace::Lies;
         }
         if fast {
             self.let_go(counts);
@@ -150,6 +155,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
                 trip.make(slot, handle, &mut self.near, stepped, each);
                 calm |= slot.quiet >= steps;
             }
+        }
+        if piled {
+            calm |= self.settle(&trip, stepped, counts, each);
         }
         if fast {
             calm |= self.sweep(&trip, stepped, counts, each);
@@ -181,6 +189,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
                 left += 1;
             } else if let Some(slot) = slots.get_mut(handle.slot()) {
                 (slot.mode, slot.body.velocity, slot.way) = (Mode::Asleep, Vec2::ZERO, Way::REST);
+                slot.ground = NOBODY;
                 let told = self.near.set_tag(handle, slot.body.tag(true));
                 debug_assert!(told.is_ok(), "a body of the scene is in its broad phase");
             }
@@ -201,7 +210,7 @@ pub(super) struct Trip<'a, W> {
 
 impl<W: World> Trip<'_, W> {
     /// One body's whole step.
-    fn make(
+    pub(super) fn make(
         &self,
         slot: &mut Slot,
         handle: Handle,
@@ -242,7 +251,9 @@ impl<W: World> Trip<'_, W> {
         let by = moved.position() - body.position();
         if by != Vec2::ZERO {
             let shape = moved.body.into();
-            near.move_to(handle, &shape.aabb())?;
+            if slot.way.pace != Pace::Lies {
+                near.move_to(handle, &shape.aabb())?;
+            }
             slot.body.shape = shape;
         }
         slot.way.rate = by;
@@ -322,6 +333,9 @@ fn begin(slots: &mut [Slot], awake: &[Handle], gravity: Vec2) {
     for handle in awake {
         let Some(slot) = slots.get_mut(handle.slot()) else { continue };
         (slot.tally, slot.told) = (Tally::of(handle.slot() as u16), true);
+        // What lay on others may be a raw unit above them, and then touches nobody.
+        let lay = gravity != Vec2::ZERO && slot.support != 0 && slot.support != ALOFT;
+        slot.way.pace = if lay { Pace::Lies } else { Pace::Slow };
         slot.body.velocity += slot.body.weight(gravity);
     }
 }
@@ -343,21 +357,17 @@ pub(super) fn both(slots: &[Slot], pair: Pair) -> Option<(&Slot, &Slot)> {
 }
 
 /// Collects what a contact does to two bodies; whether they approach.
-fn tally(slots: &mut [Slot], pair: Pair, contact: &Contact, gravity: Vec2) -> bool {
+fn tally(slots: &mut [Slot], pair: Pair, contact: &Contact, gravity: Vec2, carried: bool) -> bool {
     let Some((a, b)) = both(slots, pair) else { return false };
-    let top = Top::of(contact.axis(), toward(gravity));
-    let (on_b, on_a) = (carried(b.support), carried(a.support));
-    let Some(meeting) = Meeting::of(a, b, contact.axis(), gravity) else { return false };
+    let Some(meeting) = Meeting::of_pile(slots, a, b, contact.axis(), gravity) else { return false };
     let (by_a, by_b) = separate(contact, meeting.masses.share_of_a());
     let is_hit = meeting.is_hit();
-    for (at, by, moves, below) in [
-        (pair.a, by_a, meeting.moves_a, if top == Top::A { on_b } else { ALOFT }),
-        (pair.b, by_b, meeting.moves_b, if top == Top::B { on_a } else { ALOFT }),
-    ] {
+    for (at, by, moves) in [(pair.a, by_a, meeting.moves_a), (pair.b, by_b, meeting.moves_b)] {
         let Some(slot) = slots.get_mut(at.slot()) else { continue };
-        slot.tally.pushed(by);
+        if !carried {
+            slot.tally.pushed(by);
+        }
         slot.tally.hits = slot.tally.hits.saturating_add(u16::from(is_hit && moves));
-        slot.tally.support = slot.tally.support.min(below);
     }
     is_hit
 }
@@ -369,7 +379,8 @@ fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, counts: &mut impl FnMut(P
         return;
     }
     let Some(contact) = a.body.shape.contact(&b.body.shape) else { return };
-    let Some(meeting) = Meeting::of(a, b, contact.axis(), gravity).filter(Meeting::is_hit) else { return };
+    let meeting = Meeting::of_pile(slots, a, b, contact.axis(), gravity).filter(Meeting::is_hit);
+    let Some(meeting) = meeting else { return };
     if !counts(pair) {
         return;
     }
@@ -380,6 +391,38 @@ fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, counts: &mut impl FnMut(P
             slot.tally.kick += by;
         }
     }
+}
+
+/// Two bodies touch: one may lie on the other; whether it is left to what comes after the steps of those below.
+fn lay(slots: &mut [Slot], pair: Pair, contact: Option<&Contact>, gravity: Vec2) -> bool {
+    let Some((a, b)) = both(slots, pair) else { return false };
+    let Some(top) = upper(a, b, contact, gravity) else { return false };
+    let carried = contact.is_some() && is_carried(a, b, top);
+    let at = if top == Top::A { pair.a } else { pair.b };
+    if let Some(slot) = slots.get_mut(at.slot()) {
+        slot.way.pace = Pace::Lies;
+    }
+    carried
+}
+
+/// Which of two that touch may lie on the other.
+fn upper(a: &Slot, b: &Slot, contact: Option<&Contact>, gravity: Vec2) -> Option<Top> {
+    if gravity == Vec2::ZERO {
+        return None;
+    }
+    let top = contact.map(|contact| Top::of(contact.axis(), toward(gravity)));
+    if top.is_none_or(|top| top == Top::A) && a.lies_on(b, gravity) {
+        Some(Top::A)
+    } else if top.is_none_or(|top| top == Top::B) && b.lies_on(a, gravity) {
+        Some(Top::B)
+    } else {
+        None
+    }
+}
+
+fn is_carried(a: &Slot, b: &Slot, top: Top) -> bool {
+    let lower = if top == Top::A { b } else { a };
+    lower.support != ALOFT
 }
 
 /// Two bodies touch: they rest together. A fixed one joins nobody.

@@ -4,9 +4,11 @@
 //! changed looks again. What is slow has made its step before, and counts as on the straight way from where it was: hit, it has another velocity, but keeps that way, and
 //! what hit it goes on so that it does not come into it. Two that meet again in the step are led along each other; their velocities meet in the next one.
 
-use super::body::{End, Meeting, Mode, Pace, Slot, TURNS, Way, approach, later};
+use super::body::{ALOFT, Mode, NOBODY, Slot};
+use super::meeting::{Meeting, Top, approach, toward};
 use super::set::rouse;
 use super::step::{Touched, Trip, hold};
+use super::way::{End, Pace, TURNS, Way, later};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Shape, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -104,6 +106,7 @@ where
         for handle in self.movers {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             if slot.way.pace == Pace::Swept {
+                (slot.support, slot.ground) = (ALOFT, NOBODY);
                 slot.body.velocity += slot.tally.kick;
                 let rate = slot.body.velocity + slot.tally.push();
                 slot.way = Way { pace: Pace::Swept, since: Toi::ZERO, ..Way::made(rate) };
@@ -188,7 +191,9 @@ where
             let velocity = slot.body.velocity;
             slot.body.shape = shape;
             slot.body.velocity = self.trip.surface(slot).respond(velocity, hit.axis).unwrap_or(Vec2::ZERO);
-            slot.tally.support = if floor { 0 } else { slot.tally.support };
+            if floor {
+                (slot.tally.support, slot.support, slot.ground) = (0, 0, NOBODY);
+            }
             let hits = Hits::one(Hit { toi: time, ..hit });
             (self.each)(SceneEvent::Level { body: handle, hits: &hits, flags });
         }
@@ -239,7 +244,7 @@ where
             (self.each)(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
             rouse(self.slots, self.room, &mut self.woken, a);
             rouse(self.slots, self.room, &mut self.woken, b);
-            if let Some(meeting) = Meeting::of(&one, &other, met.axis, self.trip.gravity) {
+            if let Some(meeting) = Meeting::of_pile(self.slots, &one, &other, met.axis, self.trip.gravity) {
                 let (by_a, by_b) = meeting.kicks(1);
                 for (slot, by) in [(&mut one, by_a), (&mut other, by_b)] {
                     if !slot.way.is_held() {
@@ -248,6 +253,12 @@ where
                 }
             }
         }
+        match Top::of(met.axis, toward(self.trip.gravity)) {
+            Top::A if one.way.pace == Pace::Swept => one.lie_on(self.slots, &other, b),
+            Top::B if other.way.pace == Pace::Swept => other.lie_on(self.slots, &one, a),
+            _ => {}
+        }
+        (one.support, other.support) = (one.support.min(one.tally.support), other.support.min(other.tally.support));
         for (slot, with) in [(&mut one, b), (&mut other, a)] {
             if slot.way.pace == Pace::Swept {
                 slot.way.turns += u8::from(slot.way.turns < TURNS);
@@ -278,6 +289,7 @@ where
                     slot.quiet = 0;
                 }
                 (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
+                (slot.tally.support, slot.support, slot.ground) = (from.tally.support, from.support, from.ground);
             }
         }
     }
@@ -418,12 +430,12 @@ fn each_near<B: BroadPhase>(
     }
 }
 
-fn may_meet(one: &Slot, other: &Slot) -> bool {
+pub(super) fn may_meet(one: &Slot, other: &Slot) -> bool {
     other.mode != Mode::Free && one.body.filter.with_still(false).lets_pair(other.body.filter.with_still(false))
 }
 
 /// Two in canonical order.
-fn pair(one: (Handle, &Slot), other: (Handle, &Slot)) -> Pair {
+pub(super) fn pair(one: (Handle, &Slot), other: (Handle, &Slot)) -> Pair {
     let rank = |(handle, slot): (Handle, &Slot)| (slot.body.key, handle.slot());
     let (a, b) = if rank(one) < rank(other) { (one.0, other.0) } else { (other.0, one.0) };
     Pair { a, b }
@@ -434,13 +446,13 @@ fn reach(slot: &Slot) -> u32 {
     size(slot.body.velocity + slot.tally.kick).saturating_add(size(slot.tally.push()))
 }
 
-fn size(v: Vec2) -> u32 {
+pub(super) fn size(v: Vec2) -> u32 {
     let Raw { x, y } = Raw::of(v);
     x.unsigned_abs().saturating_add(y.unsigned_abs())
 }
 
 /// A box grown to all sides, as far as the domain goes.
-fn around(bounds: &Aabb, by: u32) -> Aabb {
+pub(super) fn around(bounds: &Aabb, by: u32) -> Aabb {
     let by = by.min(DOMAIN as u32) as i32;
     let (lo, hi) = (bounds.lo(), bounds.hi());
     let least = |c: i32| c.saturating_sub(by).max(1 - DOMAIN);

@@ -1,0 +1,241 @@
+//! What lies on others is carried from the ground up.
+//!
+//! Each such body makes its step after all that is below it. It comes out of those that are carried themselves, from where they have come to, and
+//! its velocity meets that of what carries them all. So support reaches the whole pile within a step, and a pile in a frame that moves is the pile at rest.
+
+use super::body::{ALOFT, Mode, Slot};
+use super::meeting::{Meeting, Top, carried, toward};
+use super::step::{Trip, hold};
+use super::swept::{around, may_meet, pair, size};
+use super::way::Pace;
+use super::{Scene, SceneEvent, SceneFault, Shape, Stepped};
+use crate::broad::{BroadPhase, Handle, Keyed, Pair};
+use crate::filter::Filter;
+use crate::motion::Masses;
+use crate::motion::response::separate;
+use crate::num::{Axis, Raw, Vec2};
+use crate::query::{Contact, Contacts};
+use crate::world::World;
+
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
+    /// Moves those that lie on others; whether one has been quiet for long enough. Apart, because a scene without piles needs neither its registers nor its stack.
+    #[inline(never)]
+    pub(super) fn settle<W: World>(
+        &mut self,
+        trip: &Trip<'_, W>,
+        stepped: &mut Stepped,
+        counts: &mut impl FnMut(Pair) -> bool,
+        each: &mut impl FnMut(SceneEvent<'_>),
+    ) -> bool {
+        let Self { near, slots, awake, count, sleep } = self;
+        let movers = awake.get_mut(..*count).unwrap_or_default();
+        let lying = from_the_lowest(movers, slots, trip.gravity);
+        let fixed = slots.iter().filter(|slot| slot.mode == Mode::Fixed);
+        let margin = fixed.map(|slot| size(slot.lift(trip.gravity))).max().unwrap_or(0);
+        let mut pile = Pile { near, slots, trip, margin, stepped };
+        let mut calm = false;
+        for &handle in movers.iter().take(lying) {
+            pile.carry(handle, counts, each);
+            calm |= pile.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= sleep.steps);
+        }
+        calm
+    }
+}
+
+/// Puts those that lie to the front, the lowest first, then by keys, then by slots; how many there are.
+fn from_the_lowest(movers: &mut [Handle], slots: &[Slot], gravity: Vec2) -> usize {
+    let slot = |handle: Option<&Handle>| handle.and_then(|handle| slots.get(handle.slot()));
+    let rank = |handle: Option<&Handle>| {
+        let found = slot(handle).zip(handle);
+        found.map(|(slot, handle)| (slot.height(gravity), slot.body.key, handle.slot()))
+    };
+    let mut lying = 0;
+    for at in 0..movers.len() {
+        if slot(movers.get(at)).is_none_or(|slot| slot.way.pace != Pace::Lies) {
+            continue;
+        }
+        movers.swap(lying, at);
+        // From step to step hardly any changes its place.
+        let mut to = lying;
+        while to > 0 && rank(movers.get(to)) < rank(movers.get(to - 1)) {
+            movers.swap(to - 1, to);
+            to -= 1;
+        }
+        lying += 1;
+    }
+    lying
+}
+
+struct Pile<'a, B, W> {
+    near: &'a mut B,
+    slots: &'a mut [Slot],
+    trip: &'a Trip<'a, W>,
+    /// How far what is fixed may be from where the broad phase has it.
+    margin: u32,
+    stepped: &'a mut Stepped,
+}
+
+impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
+    /// One body's whole step.
+    fn carry(
+        &mut self,
+        handle: Handle,
+        counts: &mut impl FnMut(Pair) -> bool,
+        each: &mut impl FnMut(SceneEvent<'_>),
+    ) {
+        let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
+        let (start, quiet) = (slot.body.shape, slot.quiet);
+        self.trip.make(slot, handle, self.near, self.stepped, each);
+        if slot.way.pace != Pace::Lies {
+            return;
+        }
+        let mut slot = *slot;
+        (slot.tally.low, slot.tally.high) = (Vec2::ZERO, Vec2::ZERO);
+        if let Err(fault) = self.rest(handle, &mut slot, start, quiet, counts) {
+            slot.body.shape = start;
+            hold(&mut slot, handle, fault, self.stepped, each);
+        }
+        slot.way.pace = Pace::Slow;
+        if let Some(place) = self.slots.get_mut(handle.slot()) {
+            *place = slot;
+        }
+    }
+
+    /// Brings a body that has made its way out of those that carry it.
+    #[inline(never)]
+    fn rest(
+        &mut self,
+        handle: Handle,
+        slot: &mut Slot,
+        start: Shape,
+        quiet: u8,
+        counts: &mut impl FnMut(Pair) -> bool,
+    ) -> Result<(), SceneFault> {
+        let floor = slot.support == 0;
+        let (slots, gravity) = (&*self.slots, self.trip.gravity);
+        let (mut hits, mut last) = (0, None);
+        let it = *slot;
+        self.below((handle, &it), counts, |other, lower, contact| {
+            let (_, by) = separate(contact, Masses::A_FIXED.share_of_a());
+            slot.tally.pushed(still_touching(by, contact.axis()));
+            slot.lie_on(slots, lower, other);
+            if let Some(meeting) = Meeting::of_pile(slots, lower, &it, contact.axis(), gravity) {
+                if meeting.is_hit() {
+                    (hits, last) = (hits + 1, Some((other, meeting)));
+                }
+            }
+        });
+        let lies = slot.tally.support != ALOFT;
+        if let (1, Some((other, meeting))) = (hits, &last) {
+            let (by_lower, by) = meeting.kicks(1);
+            slot.body.velocity += by;
+            if let Some(lower) = self.slots.get_mut(other.slot()) {
+                lower.body.velocity += by_lower;
+            }
+        } else if hits > 1 {
+            self.below((handle, &it), counts, |_, lower, contact| {
+                let meeting = Meeting::onto(self.slots, lower, &it, contact.axis(), gravity);
+                if meeting.is_hit() {
+                    slot.body.velocity += meeting.kicks(hits).1;
+                }
+            });
+        }
+        let push = slot.tally.push();
+        if push != Vec2::ZERO {
+            slot.body.shape = self.trip.slide(&slot.body.shape, push)?;
+        }
+        let by = slot.body.shape.position() - start.position();
+        if by != Vec2::ZERO {
+            self.near.move_to(handle, &slot.body.shape.aabb())?;
+        }
+        slot.way.rate = by;
+        if lies {
+            slot.quiet = quiet;
+            self.trip.arrive(slot, by, floor, false);
+        }
+        Ok(())
+    }
+
+    /// Those that carry a body and that it overlaps where they have come to.
+    fn below(
+        &self,
+        upper: (Handle, &Slot),
+        counts: &mut impl FnMut(Pair) -> bool,
+        mut each: impl FnMut(Handle, &Slot, &Contact),
+    ) {
+        let (handle, slot) = upper;
+        let gravity = self.trip.gravity;
+        self.near.in_region(&around(&slot.body.shape.aabb(), self.margin), |other| {
+            let carries = |at: &&Slot| other != handle && at.way.pace != Pace::Lies && at.support != ALOFT;
+            let Some(lower) = self.slots.get(other.slot()).filter(carries) else { return };
+            if !may_meet(slot, lower) || slot.body.filter.sensor() || lower.body.filter.sensor() {
+                return;
+            }
+            let Some(contact) = lower.comes_to(gravity).contact(&slot.body.shape) else { return };
+            if Top::of(contact.axis(), toward(gravity)) == Top::B && counts(pair(upper, (other, lower))) {
+                each(other, lower, &contact);
+            }
+        });
+    }
+}
+
+impl Slot {
+    /// In whatever unit: twice the middle of its box, against gravity.
+    pub(super) fn height(&self, gravity: Vec2) -> i64 {
+        let bounds = self.body.shape.aabb();
+        bounds.lo().add(bounds.hi()).dot(Raw::of(gravity)).wrapping_neg()
+    }
+
+    /// How the game moves it after the step along gravity, where it is fixed; across that it may be a conveyor.
+    fn lift(&self, gravity: Vec2) -> Vec2 {
+        let ((x, y), v) = (gravity.raw(), self.body.velocity);
+        match (self.mode == Mode::Fixed, x == 0, y == 0) {
+            (true, true, false) => Vec2::from_raw(0, v.raw().1),
+            (true, false, true) => Vec2::from_raw(v.raw().0, 0),
+            _ => Vec2::ZERO,
+        }
+    }
+
+    /// Where it is at the step's end.
+    fn comes_to(&self, gravity: Vec2) -> Shape {
+        let (shape, by) = (self.body.shape, self.lift(gravity));
+        let placed = match shape {
+            Shape::Aabb(aabb) => aabb.translated(by).map(Shape::Aabb),
+            Shape::Circle(circle) => circle.translated(by).map(Shape::Circle),
+        };
+        placed.unwrap_or(shape)
+    }
+
+    /// It is carried by another one, and by what carries that; of several by the one with the fewest between, then by that on the ground with the smallest key.
+    pub(super) fn lie_on(&mut self, slots: &[Slot], lower: &Self, at: Handle) {
+        let key = |ground: u16| slots.get(usize::from(ground)).map_or(0, |slot| slot.body.key);
+        let ground = if lower.mode == Mode::Fixed { at.slot() as u16 } else { lower.ground };
+        let support = carried(lower.support);
+        if (support, key(ground)) < (self.tally.support, key(self.ground)) {
+            (self.tally.support, self.ground) = (support, ground);
+        }
+    }
+
+    /// Whether it comes to lie on another one, or goes on with it: what does not, like what the level carries, gives way to what it overlaps.
+    pub(super) fn lies_on(&self, lower: &Self, gravity: Vec2) -> bool {
+        self.body.mass.is_some() && self.support != 0 && self.height(gravity) > lower.height(gravity)
+    }
+
+    /// The velocity of what carries all that is below it.
+    pub(super) fn ground_velocity(&self, slots: &[Slot]) -> Vec2 {
+        if self.mode == Mode::Fixed {
+            return self.body.velocity;
+        }
+        let ground = slots.get(usize::from(self.ground)).filter(|slot| slot.mode == Mode::Fixed);
+        ground.map_or(Vec2::ZERO, |slot| slot.body.velocity)
+    }
+}
+
+/// A push that leaves what is oblique overlapping by a raw unit at most: rounded outward, as it is, it would part what goes on lying there.
+fn still_touching(push: Vec2, axis: Axis) -> Vec2 {
+    if axis.x == 0 || axis.y == 0 {
+        return push;
+    }
+    let (x, y) = push.raw();
+    Vec2::from_raw(x - x.signum(), y - y.signum())
+}
