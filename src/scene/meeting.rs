@@ -1,6 +1,7 @@
 //! How two bodies act on each other's velocities, and which of them carries the other.
 
 use super::body::{ALOFT, Slot};
+use super::way::size;
 use crate::motion::response::exchange;
 use crate::motion::{Masses, Surface};
 use crate::num::{Axis, Fx, Ratio, Raw, Vec2, mul_div};
@@ -96,6 +97,11 @@ impl Meeting {
     /// Whether they approach.
     pub(super) fn is_hit(&self) -> bool {
         self.axis.dot_vec(self.a - self.b) > 0
+    }
+
+    /// Whether they run into each other faster than by what gravity gives in two steps: what rests does not.
+    pub(super) fn lands(&self, gravity: Vec2) -> bool {
+        self.is_hit() && size(self.a - self.b) > size(gravity).saturating_mul(2)
     }
 
     /// By what the velocities change, where the body with more hits has so many.

@@ -6,8 +6,8 @@
 use super::body::{ALOFT, Mode, Slot};
 use super::meeting::{Meeting, Top, carried, toward};
 use super::step::{Trip, hold};
-use super::swept::{around, may_meet, pair, size};
-use super::way::Pace;
+use super::swept::{around, may_meet, pair};
+use super::way::{Pace, size};
 use super::{Scene, SceneEvent, SceneFault, Shape, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -29,35 +29,40 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     ) -> bool {
         let Self { near, slots, awake, count, sleep } = self;
         let movers = awake.get_mut(..*count).unwrap_or_default();
-        let lying = from_the_lowest(movers, slots, trip.gravity);
+        let mut lying = from_the_lowest(movers, 0, slots, trip.gravity);
         let fixed = slots.iter().filter(|slot| slot.mode == Mode::Fixed);
         let margin = fixed.map(|slot| size(slot.lift(trip.gravity))).max().unwrap_or(0);
         let mut pile = Pile { near, slots, trip, margin, stepped };
         let mut calm = false;
-        for &handle in movers.iter().take(lying) {
-            pile.carry(handle, counts, each);
+        let mut at = 0;
+        while at < lying {
+            let Some(&handle) = movers.get(at) else { break };
+            at += 1;
+            if pile.carry(handle, counts, each) {
+                lying = from_the_lowest(movers, at, pile.slots, trip.gravity);
+            }
             calm |= pile.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= sleep.steps);
         }
         calm
     }
 }
 
-/// Puts those that lie to the front, the lowest first, then by keys, then by slots; how many there are.
-fn from_the_lowest(movers: &mut [Handle], slots: &[Slot], gravity: Vec2) -> usize {
+/// Puts those that lie to the front from a place on, the lowest first, then by keys, then by slots; where they end.
+fn from_the_lowest(movers: &mut [Handle], from: usize, slots: &[Slot], gravity: Vec2) -> usize {
     let slot = |handle: Option<&Handle>| handle.and_then(|handle| slots.get(handle.slot()));
     let rank = |handle: Option<&Handle>| {
         let found = slot(handle).zip(handle);
         found.map(|(slot, handle)| (slot.height(gravity), slot.body.key, handle.slot()))
     };
-    let mut lying = 0;
-    for at in 0..movers.len() {
-        if slot(movers.get(at)).is_none_or(|slot| slot.way.pace != Pace::Lies) {
+    let mut lying = from;
+    for at in from..movers.len() {
+        if slot(movers.get(at)).is_none_or(|slot| !slot.way.lies()) {
             continue;
         }
         movers.swap(lying, at);
         // From step to step hardly any changes its place.
         let mut to = lying;
-        while to > 0 && rank(movers.get(to)) < rank(movers.get(to - 1)) {
+        while to > from && rank(movers.get(to)) < rank(movers.get(to - 1)) {
             movers.swap(to - 1, to);
             to -= 1;
         }
@@ -76,29 +81,49 @@ struct Pile<'a, B, W> {
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
-    /// One body's whole step.
+    /// One body's whole step; whether others are to be brought out of it, too.
     fn carry(
         &mut self,
         handle: Handle,
         counts: &mut impl FnMut(Pair) -> bool,
         each: &mut impl FnMut(SceneEvent<'_>),
-    ) {
-        let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
-        let (start, quiet) = (slot.body.shape, slot.quiet);
-        self.trip.make(slot, handle, self.near, self.stepped, each);
-        if slot.way.pace != Pace::Lies {
-            return;
+    ) -> bool {
+        let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
+        let (known, quiet) = (slot.body.shape, slot.quiet);
+        let moved = slot.way.pace == Pace::Moved;
+        let start = if moved { known.position() - slot.way.rate } else { known.position() };
+        if !moved {
+            self.trip.make(slot, handle, self.near, self.stepped, each);
+            if slot.way.pace != Pace::Lies {
+                return false;
+            }
         }
         let mut slot = *slot;
         (slot.tally.low, slot.tally.high) = (Vec2::ZERO, Vec2::ZERO);
-        if let Err(fault) = self.rest(handle, &mut slot, start, quiet, counts) {
-            slot.body.shape = start;
+        if let Err(fault) = self.rest(handle, &mut slot, (start, quiet), counts) {
+            slot.body.shape = known;
             hold(&mut slot, handle, fault, self.stepped, each);
         }
         slot.way.pace = Pace::Slow;
         if let Some(place) = self.slots.get_mut(handle.slot()) {
             *place = slot;
         }
+        size(slot.tally.push()) > size(self.trip.gravity).saturating_mul(2) && self.lift(handle, &slot, counts)
+    }
+
+    /// Finds those on top that have made their steps, where a body was pushed into them; whether there are any.
+    fn lift(&mut self, handle: Handle, lower: &Slot, counts: &mut impl FnMut(Pair) -> bool) -> bool {
+        let Self { near, slots, trip, .. } = self;
+        let mut any = false;
+        near.in_region(&lower.body.shape.aabb(), |other| {
+            let Some(slot) = slots.get_mut(other.slot()).filter(|slot| slot.way.pace == Pace::Slow) else { return };
+            let on_top = slot.mode == Mode::Awake && slot.lies_on(lower, trip.gravity) && may_meet(slot, lower);
+            let senses = slot.body.filter.sensor() || lower.body.filter.sensor();
+            if on_top && !senses && counts(pair((handle, lower), (other, slot))) {
+                (slot.way.pace, any) = (Pace::Moved, true);
+            }
+        });
+        any
     }
 
     /// Brings a body that has made its way out of those that carry it.
@@ -107,8 +132,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
         &mut self,
         handle: Handle,
         slot: &mut Slot,
-        start: Shape,
-        quiet: u8,
+        before: (Vec2, u8),
         counts: &mut impl FnMut(Pair) -> bool,
     ) -> Result<(), SceneFault> {
         let floor = slot.support == 0;
@@ -144,14 +168,15 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
         if push != Vec2::ZERO {
             slot.body.shape = self.trip.slide(&slot.body.shape, push)?;
         }
-        let by = slot.body.shape.position() - start.position();
-        if by != Vec2::ZERO {
-            self.near.move_to(handle, &slot.body.shape.aabb())?;
+        let bounds = slot.body.shape.aabb();
+        if self.near.bounds(handle).is_ok_and(|known| known != bounds) {
+            self.near.move_to(handle, &bounds)?;
         }
-        slot.way.rate = by;
+        let (start, quiet) = before;
+        slot.way.rate = slot.body.shape.position() - start;
         if lies {
             slot.quiet = quiet;
-            self.trip.arrive(slot, by, floor, false);
+            self.trip.arrive(slot, slot.way.rate, floor, false);
         }
         Ok(())
     }
@@ -166,7 +191,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
         let (handle, slot) = upper;
         let gravity = self.trip.gravity;
         self.near.in_region(&around(&slot.body.shape.aabb(), self.margin), |other| {
-            let carries = |at: &&Slot| other != handle && at.way.pace != Pace::Lies && at.support != ALOFT;
+            let carries = |at: &&Slot| other != handle && !at.way.lies() && at.support != ALOFT;
             let Some(lower) = self.slots.get(other.slot()).filter(carries) else { return };
             if !may_meet(slot, lower) || slot.body.filter.sensor() || lower.body.filter.sensor() {
                 return;

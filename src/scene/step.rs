@@ -361,7 +361,7 @@ fn tally(slots: &mut [Slot], pair: Pair, contact: &Contact, gravity: Vec2, carri
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(meeting) = Meeting::of_pile(slots, a, b, contact.axis(), gravity) else { return false };
     let (by_a, by_b) = separate(contact, meeting.masses.share_of_a());
-    let is_hit = meeting.is_hit();
+    let is_hit = if carried { meeting.lands(gravity) } else { meeting.is_hit() };
     for (at, by, moves) in [(pair.a, by_a, meeting.moves_a), (pair.b, by_b, meeting.moves_b)] {
         let Some(slot) = slots.get_mut(at.slot()) else { continue };
         if !carried {
@@ -379,8 +379,9 @@ fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, counts: &mut impl FnMut(P
         return;
     }
     let Some(contact) = a.body.shape.contact(&b.body.shape) else { return };
-    let meeting = Meeting::of_pile(slots, a, b, contact.axis(), gravity).filter(Meeting::is_hit);
-    let Some(meeting) = meeting else { return };
+    let carried = upper(a, b, Some(&contact), gravity).is_some_and(|top| is_carried(a, b, top));
+    let hit = |meeting: &Meeting| if carried { meeting.lands(gravity) } else { meeting.is_hit() };
+    let Some(meeting) = Meeting::of_pile(slots, a, b, contact.axis(), gravity).filter(hit) else { return };
     if !counts(pair) {
         return;
     }

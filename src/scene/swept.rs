@@ -8,7 +8,7 @@ use super::body::{ALOFT, Mode, NOBODY, Slot};
 use super::meeting::{Meeting, Top, approach, toward};
 use super::set::rouse;
 use super::step::{Touched, Trip, hold};
-use super::way::{End, Pace, TURNS, Way, later};
+use super::way::{End, Pace, TURNS, Way, later, size};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Shape, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -444,11 +444,6 @@ pub(super) fn pair(one: (Handle, &Slot), other: (Handle, &Slot)) -> Pair {
 /// How far from its box a body may come in this step: no bounce makes it faster.
 fn reach(slot: &Slot) -> u32 {
     size(slot.body.velocity + slot.tally.kick).saturating_add(size(slot.tally.push()))
-}
-
-pub(super) fn size(v: Vec2) -> u32 {
-    let Raw { x, y } = Raw::of(v);
-    x.unsigned_abs().saturating_add(y.unsigned_abs())
 }
 
 /// A box grown to all sides, as far as the domain goes.

@@ -1,7 +1,7 @@
 //! What a body does in a step once its velocity is known.
 
 use crate::broad::Handle;
-use crate::num::{Toi, Vec2};
+use crate::num::{Raw, Toi, Vec2};
 
 /// What a body does in a step, once its velocity is known: straight ways only.
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +29,8 @@ pub(super) enum Pace {
     Slow,
     /// After all that is below it, which may carry it.
     Lies,
+    /// It has made its step, and what is below it was pushed into it.
+    Moved,
     /// From one thing that it meets to the next.
     Swept,
 }
@@ -45,6 +47,11 @@ pub(super) enum End {
 
 impl Way {
     pub(super) const REST: Self = Self::made(Vec2::ZERO);
+
+    /// It waits for those below.
+    pub(super) fn lies(&self) -> bool {
+        matches!(self.pace, Pace::Lies | Pace::Moved)
+    }
 
     /// It has been made.
     pub(super) const fn made(rate: Vec2) -> Self {
@@ -91,6 +98,12 @@ impl Way {
             (*place, *count) = (other.slot() as u16, *count + 1);
         }
     }
+}
+
+/// How far a way leads at most.
+pub(super) fn size(v: Vec2) -> u32 {
+    let Raw { x, y } = Raw::of(v);
+    x.unsigned_abs().saturating_add(y.unsigned_abs())
 }
 
 /// A part of what is left of the step from a time on, as a time of the step, rounded down.
