@@ -122,6 +122,8 @@ pub(super) struct Tally {
     pub(super) hits: u16,
     /// Another body that it touches, directly or not; itself where it stands for all of them.
     pub(super) link: u16,
+    /// The slot of the one below that it touches, where that is the only one.
+    pub(super) under: u16,
     /// What `support` becomes.
     pub(super) support: u8,
     /// Of those that it stands for, the fewest quiet steps.
@@ -130,6 +132,9 @@ pub(super) struct Tally {
 
 /// No slot.
 pub(super) const NOBODY: u16 = u16::MAX;
+
+/// More than one slot.
+pub(super) const SEVERAL: u16 = u16::MAX - 1;
 
 /// Carried by nothing.
 pub(super) const ALOFT: u8 = u8::MAX;
@@ -169,7 +174,7 @@ impl Slot {
 impl Tally {
     pub(super) const fn of(slot: u16) -> Self {
         let none = Vec2::ZERO;
-        Self { low: none, high: none, kick: none, hits: 0, link: slot, support: ALOFT, calm: u8::MAX }
+        Self { low: none, high: none, kick: none, hits: 0, link: slot, under: NOBODY, support: ALOFT, calm: u8::MAX }
     }
 
     /// Where all that pushes it brings it.

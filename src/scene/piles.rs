@@ -190,15 +190,24 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
     ) {
         let (handle, slot) = upper;
         let gravity = self.trip.gravity;
-        self.near.in_region(&around(&slot.body.shape.aabb(), self.margin), |other| {
-            let carries = |at: &&Slot| other != handle && !at.way.lies() && at.support != ALOFT;
-            let Some(lower) = self.slots.get(other.slot()).filter(carries) else { return };
-            if !may_meet(slot, lower) || slot.body.filter.sensor() || lower.body.filter.sensor() {
+        let mut ask = |other: Handle, lower: &Slot| {
+            let carries = other != handle && !lower.way.lies() && lower.support != ALOFT && may_meet(slot, lower);
+            if !carries || slot.body.filter.sensor() || lower.body.filter.sensor() {
                 return;
             }
             let Some(contact) = lower.comes_to(gravity).contact(&slot.body.shape) else { return };
             if Top::of(contact.axis(), toward(gravity)) == Top::B && counts(pair(upper, (other, lower))) {
                 each(other, lower, &contact);
+            }
+        };
+        // Who else is there is found when it is touched.
+        let only = self.slots.get(usize::from(slot.tally.under)).filter(|_| slot.way.pace == Pace::Lies);
+        if let Some(lower) = only {
+            return ask(Handle::new(slot.tally.under.into(), lower.generation), lower);
+        }
+        self.near.in_region(&around(&slot.body.shape.aabb(), self.margin), |other| {
+            if let Some(lower) = self.slots.get(other.slot()) {
+                ask(other, lower);
             }
         });
     }

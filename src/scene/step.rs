@@ -1,6 +1,6 @@
 //! One step of a scene.
 
-use super::body::{ALOFT, Mode, NOBODY, Slot, Tally};
+use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot, Tally};
 use super::meeting::{Meeting, Top, toward};
 use super::set::Sleep;
 use super::set::rouse;
@@ -399,8 +399,10 @@ fn lay(slots: &mut [Slot], pair: Pair, contact: Option<&Contact>, gravity: Vec2)
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(top) = upper(a, b, contact, gravity) else { return false };
     let carried = contact.is_some() && is_carried(a, b, top);
-    let at = if top == Top::A { pair.a } else { pair.b };
+    let (at, lower) = if top == Top::A { (pair.a, pair.b) } else { (pair.b, pair.a) };
     if let Some(slot) = slots.get_mut(at.slot()) {
+        let under = &mut slot.tally.under;
+        *under = if *under == NOBODY { lower.slot() as u16 } else { SEVERAL };
         slot.way.pace = Pace::Lies;
     }
     carried
