@@ -118,16 +118,14 @@ pub(super) struct Tally {
     pub(super) high: Vec2,
     /// The sum of the changes of its velocity.
     pub(super) kick: Vec2,
-    /// How many bodies run into it.
+    /// How many bodies run into it; when all have made their steps, the fewest quiet steps of those that it stands for.
     pub(super) hits: u16,
     /// Another body that it touches, directly or not; itself where it stands for all of them.
     pub(super) link: u16,
     /// The slot of the one below that it touches, where that is the only one.
     pub(super) under: u16,
-    /// What `support` becomes.
-    pub(super) support: u8,
-    /// Of those that it stands for, the fewest quiet steps.
-    pub(super) calm: u8,
+    /// How far it has come while it was quiet, in 1/256 of a unit; kept from step to step.
+    pub(super) drift: [i8; 2],
 }
 
 /// No slot.
@@ -174,7 +172,7 @@ impl Slot {
 impl Tally {
     pub(super) const fn of(slot: u16) -> Self {
         let none = Vec2::ZERO;
-        Self { low: none, high: none, kick: none, hits: 0, link: slot, under: NOBODY, support: ALOFT, calm: u8::MAX }
+        Self { low: none, high: none, kick: none, hits: 0, link: slot, under: NOBODY, drift: [0; 2] }
     }
 
     /// Where all that pushes it brings it.

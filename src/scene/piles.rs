@@ -89,7 +89,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
-        let (known, quiet) = (slot.body.shape, slot.quiet);
+        let (known, quiet) = (slot.body.shape, (slot.quiet, slot.tally.drift));
         let moved = slot.way.pace == Pace::Moved;
         let start = if moved { known.position() - slot.way.rate } else { known.position() };
         if !moved {
@@ -132,10 +132,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
         &mut self,
         handle: Handle,
         slot: &mut Slot,
-        before: (Vec2, u8),
+        before: (Vec2, (u8, [i8; 2])),
         counts: &mut impl FnMut(Pair) -> bool,
     ) -> Result<(), SceneFault> {
-        let floor = slot.support == 0;
         let (slots, gravity) = (&*self.slots, self.trip.gravity);
         let (mut hits, mut last) = (0, None);
         let it = *slot;
@@ -149,7 +148,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
                 }
             }
         });
-        let lies = slot.tally.support != ALOFT;
+        let lies = slot.support != ALOFT;
         if let (1, Some((other, meeting))) = (hits, &last) {
             let (by_lower, by) = meeting.kicks(1);
             slot.body.velocity += by;
@@ -175,8 +174,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
         let (start, quiet) = before;
         slot.way.rate = slot.body.shape.position() - start;
         if lies {
-            slot.quiet = quiet;
-            self.trip.arrive(slot, slot.way.rate, floor, false);
+            (slot.quiet, slot.tally.drift) = quiet;
+            self.trip.arrive(slot, slot.way.rate, slot.support, false);
         }
         Ok(())
     }
@@ -200,8 +199,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
                 each(other, lower, &contact);
             }
         };
-        // Who else is there is found when it is touched.
-        let only = self.slots.get(usize::from(slot.tally.under)).filter(|_| slot.way.pace == Pace::Lies);
+        // Who else is there is found when it is touched. A ball that rolls from one to the other and back would not come to rest by that.
+        let rolls = matches!(slot.body.shape, Shape::Circle(_)) || slot.way.pace == Pace::Moved;
+        let only = self.slots.get(usize::from(slot.tally.under)).filter(|_| !rolls);
         if let Some(lower) = only {
             return ask(Handle::new(slot.tally.under.into(), lower.generation), lower);
         }
@@ -245,8 +245,8 @@ impl Slot {
         let key = |ground: u16| slots.get(usize::from(ground)).map_or(0, |slot| slot.body.key);
         let ground = if lower.mode == Mode::Fixed { at.slot() as u16 } else { lower.ground };
         let support = carried(lower.support);
-        if (support, key(ground)) < (self.tally.support, key(self.ground)) {
-            (self.tally.support, self.ground) = (support, ground);
+        if (support, key(ground)) < (self.support, key(self.ground)) {
+            (self.support, self.ground) = (support, ground);
         }
     }
 

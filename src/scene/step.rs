@@ -4,7 +4,7 @@ use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot, Tally};
 use super::meeting::{Meeting, Top, toward};
 use super::set::Sleep;
 use super::set::rouse;
-use super::way::{Pace, Way};
+use super::way::{Pace, Way, size};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Shape, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -171,18 +171,23 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         let slots = &mut self.slots;
         let awake = self.awake.get_mut(..self.count).unwrap_or_default();
         for handle in &*awake {
+            if let Some(slot) = slots.get_mut(handle.slot()) {
+                slot.tally.hits = u16::MAX;
+            }
+        }
+        for handle in &*awake {
             let Some(quiet) = slots.get(handle.slot()).map(|slot| slot.quiet) else { continue };
             let root = root(slots, handle.slot() as u16);
             if let Some(slot) = slots.get_mut(usize::from(root)) {
-                slot.tally.calm = slot.tally.calm.min(quiet);
+                slot.tally.hits = slot.tally.hits.min(quiet.into());
             }
         }
         let mut left = 0;
         for k in 0..awake.len() {
             let Some(&handle) = awake.get(k) else { continue };
             let root = root(slots, handle.slot() as u16);
-            let calm = slots.get(usize::from(root)).map_or(0, |slot| slot.tally.calm);
-            if calm < steps {
+            let calm = slots.get(usize::from(root)).map_or(0, |slot| slot.tally.hits);
+            if calm < u16::from(steps) {
                 if let Some(place) = awake.get_mut(left) {
                     *place = handle;
                 }
@@ -257,7 +262,7 @@ impl<W: World> Trip<'_, W> {
             slot.body.shape = shape;
         }
         slot.way.rate = by;
-        self.arrive(slot, by, moved.floor, moved.hits.is_empty());
+        self.arrive(slot, by, if moved.floor { 0 } else { ALOFT }, moved.hits.is_empty());
         slot.body.velocity = moved.velocity;
         if !moved.hits.is_empty() {
             each(SceneEvent::Level { body: handle, hits: &moved.hits, flags: moved.flags });
@@ -288,15 +293,33 @@ impl<W: World> Trip<'_, W> {
     }
 
     /// What is known of a body that has come so far.
-    pub(super) fn arrive(&self, slot: &mut Slot, by: Vec2, floor: bool, free: bool) {
-        let (x, y) = by.raw();
-        let is_still = x.unsigned_abs().max(y.unsigned_abs()) < self.still.to_bits().max(0).unsigned_abs();
+    pub(super) fn arrive(&self, slot: &mut Slot, by: Vec2, support: u8, free: bool) {
+        let is_still = self.is_still(slot, by);
         // Slow where nothing holds it is the start or the top of a flight: asleep there it would hang in the air, and out of reach of what wakes.
         let Tally { low, high, .. } = slot.tally;
         let weight = slot.body.weight(self.gravity);
         let flies = weight != Vec2::ZERO && free && (low, high) == (Vec2::ZERO, Vec2::ZERO);
-        slot.quiet = if is_still && !flies { slot.quiet.saturating_add(1) } else { 0 };
-        slot.support = if floor { 0 } else { slot.tally.support };
+        (slot.quiet, slot.tally.drift) =
+            if is_still && !flies { (slot.quiet.saturating_add(1), slot.tally.drift) } else { (0, [0; 2]) };
+        slot.support = support;
+        if support == 0 || support == ALOFT {
+            slot.ground = NOBODY;
+        }
+    }
+
+    /// Whether it has hardly moved: in this step, or since it has been quiet. In a heap there may be something that two push to and fro for
+    /// ever, by what gravity gives.
+    fn is_still(&self, slot: &mut Slot, by: Vec2) -> bool {
+        let (x, y) = by.raw();
+        let still = x.unsigned_abs().max(y.unsigned_abs()) < self.still.to_bits().max(0).unsigned_abs();
+        if still || self.still <= Fx::ZERO {
+            return still;
+        }
+        let most = (size(self.gravity) >> 7).min(126) as i32;
+        let [dx, dy] = slot.tally.drift.map(i32::from);
+        let (dx, dy) = (dx.saturating_add(x / 256), dy.saturating_add(y / 256));
+        slot.tally.drift = [dx, dy].map(|c| c.clamp(-127, 127) as i8);
+        dx.abs().max(dy.abs()) <= most
     }
 }
 
@@ -332,7 +355,8 @@ pub(super) fn hold(
 fn begin(slots: &mut [Slot], awake: &[Handle], gravity: Vec2) {
     for handle in awake {
         let Some(slot) = slots.get_mut(handle.slot()) else { continue };
-        (slot.tally, slot.told) = (Tally::of(handle.slot() as u16), true);
+        slot.tally = Tally { drift: slot.tally.drift, ..Tally::of(handle.slot() as u16) };
+        slot.told = true;
         // What lay on others may be a raw unit above them, and then touches nobody.
         let lay = gravity != Vec2::ZERO && slot.support != 0 && slot.support != ALOFT;
         slot.way.pace = if lay { Pace::Lies } else { Pace::Slow };

@@ -192,7 +192,7 @@ where
             slot.body.shape = shape;
             slot.body.velocity = self.trip.surface(slot).respond(velocity, hit.axis).unwrap_or(Vec2::ZERO);
             if floor {
-                (slot.tally.support, slot.support, slot.ground) = (0, 0, NOBODY);
+                (slot.support, slot.ground) = (0, NOBODY);
             }
             let hits = Hits::one(Hit { toi: time, ..hit });
             (self.each)(SceneEvent::Level { body: handle, hits: &hits, flags });
@@ -258,7 +258,6 @@ where
             Top::B if other.way.pace == Pace::Swept => other.lie_on(self.slots, &one, a),
             _ => {}
         }
-        (one.support, other.support) = (one.support.min(one.tally.support), other.support.min(other.tally.support));
         for (slot, with) in [(&mut one, b), (&mut other, a)] {
             if slot.way.pace == Pace::Swept {
                 slot.way.turns += u8::from(slot.way.turns < TURNS);
@@ -289,7 +288,7 @@ where
                     slot.quiet = 0;
                 }
                 (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
-                (slot.tally.support, slot.support, slot.ground) = (from.tally.support, from.support, from.ground);
+                (slot.support, slot.ground) = (from.support, from.ground);
             }
         }
     }
@@ -325,7 +324,7 @@ where
         let (bounds, free) = (slot.body.shape.aabb(), slot.way.turns == 0);
         let by = self.near.bounds(handle).map_or(Vec2::ZERO, |from| bounds.min() - from.min());
         match self.near.move_to(handle, &bounds) {
-            Ok(()) => self.trip.arrive(slot, by, false, free),
+            Ok(()) => self.trip.arrive(slot, by, slot.support, free),
             Err(fault) => {
                 slot.body.shape = slot.body.shape.shifted(Vec2::ZERO - by);
                 hold(slot, handle, fault.into(), self.stepped, self.each);
