@@ -108,8 +108,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
             if senses {
                 return;
             }
-            rouse(slots, room, &mut woken, pair.a);
-            rouse(slots, room, &mut woken, pair.b);
+            for at in [pair.a, pair.b] {
+                rouse(slots, room, &mut woken, at);
+            }
             join(slots, pair);
             let carried = lay(slots, pair, contact.as_ref(), gravity);
             if let Some(contact) = contact {
@@ -296,9 +297,9 @@ impl<W: World> Trip<'_, W> {
     pub(super) fn arrive(&self, slot: &mut Slot, by: Vec2, support: u8, free: bool) {
         let is_still = self.is_still(slot, by);
         // Slow where nothing holds it is the start or the top of a flight: asleep there it would hang in the air, and out of reach of what wakes.
-        let Tally { low, high, .. } = slot.tally;
+        let Tally { low, high, under, .. } = slot.tally;
         let weight = slot.body.weight(self.gravity);
-        let flies = weight != Vec2::ZERO && free && (low, high) == (Vec2::ZERO, Vec2::ZERO);
+        let flies = weight != Vec2::ZERO && free && under == NOBODY && (low, high) == (Vec2::ZERO, Vec2::ZERO);
         (slot.quiet, slot.tally.drift) =
             if is_still && !flies { (slot.quiet.saturating_add(1), slot.tally.drift) } else { (0, [0; 2]) };
         slot.support = support;
@@ -312,14 +313,11 @@ impl<W: World> Trip<'_, W> {
     fn is_still(&self, slot: &mut Slot, by: Vec2) -> bool {
         let (x, y) = by.raw();
         let still = x.unsigned_abs().max(y.unsigned_abs()) < self.still.to_bits().max(0).unsigned_abs();
-        if still || self.still <= Fx::ZERO {
-            return still;
-        }
         let most = (size(self.gravity) >> 7).min(126) as i32;
         let [dx, dy] = slot.tally.drift.map(i32::from);
         let (dx, dy) = (dx.saturating_add(x / 256), dy.saturating_add(y / 256));
         slot.tally.drift = [dx, dy].map(|c| c.clamp(-127, 127) as i8);
-        dx.abs().max(dy.abs()) <= most
+        still || (self.still > Fx::ZERO && dx.abs().max(dy.abs()) <= most)
     }
 }
 
