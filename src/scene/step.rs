@@ -383,15 +383,22 @@ fn tally(slots: &mut [Slot], pair: Pair, contact: &Contact, gravity: Vec2, carri
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(meeting) = Meeting::of_pile(slots, a, b, contact.axis(), gravity) else { return false };
     let (by_a, by_b) = separate(contact, meeting.masses.share_of_a());
+    // What two that lie push apart others push back: by all of it, that would go on for ever.
+    let gently = a.support != ALOFT && b.support != ALOFT && meeting.moves_a && meeting.moves_b && !meeting.lands(gravity);
     let is_hit = if carried { meeting.lands(gravity) } else { meeting.is_hit() };
     for (at, by, moves) in [(pair.a, by_a, meeting.moves_a), (pair.b, by_b, meeting.moves_b)] {
         let Some(slot) = slots.get_mut(at.slot()) else { continue };
         if !carried {
-            slot.tally.pushed(by);
+            slot.tally.pushed(if gently { half(by) } else { by });
         }
         slot.tally.hits = slot.tally.hits.saturating_add(u16::from(is_hit && moves));
     }
     is_hit
+}
+
+fn half(v: Vec2) -> Vec2 {
+    let (x, y) = v.raw();
+    Vec2::from_raw(x / 2, y / 2)
 }
 
 /// What two bodies that run into each other do to their velocities.
