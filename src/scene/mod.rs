@@ -197,6 +197,8 @@
 
 mod body;
 mod meeting;
+mod met;
+mod pairs;
 mod piles;
 mod set;
 mod step;

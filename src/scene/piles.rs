@@ -5,8 +5,8 @@
 
 use super::body::{ALOFT, Mode, Slot};
 use super::meeting::{Meeting, Top, carried, toward};
+use super::met::{around, may_meet, pair};
 use super::step::{Trip, hold};
-use super::swept::{around, may_meet, pair};
 use super::way::{Pace, size};
 use super::{Scene, SceneEvent, SceneFault, Shape, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
@@ -98,9 +98,23 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
                 return false;
             }
         }
+        self.come_out(handle, known, (start, quiet), counts, each)
+    }
+
+    /// What follows its way through the level, on a stack of its own.
+    #[inline(never)]
+    fn come_out(
+        &mut self,
+        handle: Handle,
+        known: Shape,
+        before: (Vec2, (u8, [i8; 2])),
+        counts: &mut impl FnMut(Pair) -> bool,
+        each: &mut impl FnMut(SceneEvent<'_>),
+    ) -> bool {
+        let Some(slot) = self.slots.get(handle.slot()) else { return false };
         let mut slot = *slot;
         (slot.tally.low, slot.tally.high) = (Vec2::ZERO, Vec2::ZERO);
-        if let Err(fault) = self.rest(handle, &mut slot, (start, quiet), counts) {
+        if let Err(fault) = self.rest(handle, &mut slot, before, counts) {
             slot.body.shape = known;
             hold(&mut slot, handle, fault, self.stepped, each);
         }

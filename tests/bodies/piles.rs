@@ -8,10 +8,10 @@ use tilesat_judge::{Random, cases};
 const BODIES: usize = 64;
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 
-pub type Piles = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
+type Piles = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
 /// A pit of cells of 16, so many wide and high; its floor is at `16 * high`, its walls at 16 and `16 * (wide - 1)`.
-pub fn pit(wide: usize, high: usize) -> String {
+fn pit(wide: usize, high: usize) -> String {
     let row = format!("#{}#\n", ".".repeat(wide - 2));
     row.repeat(high) + &"#".repeat(wide) + "\n"
 }
@@ -197,7 +197,7 @@ fn a_lift_that_speeds_up_takes_its_crates_along() {
     }
 }
 
-pub fn heap(r: &mut Random, count: u32, balls: bool) -> Vec<SceneBody> {
+fn heap(r: &mut Random, count: u32, balls: bool) -> Vec<SceneBody> {
     (0..count as i32)
         .map(|k| {
             let size = r.within(6 << 16, 12 << 16) as i32 & !1;
