@@ -8,8 +8,8 @@ use crate::num::{Fx, MOTION, Vec2, check_motion};
 use crate::query::Touches;
 use crate::shape::Aabb;
 
-/// When bodies fall asleep: after so many steps in a row in which each of those that touch, directly or not, has moved by less than `still` on either axis,
-/// and, where there is gravity, ran into the level or into another body.
+/// When bodies fall asleep: after so many steps in a row in which each of those that touch, directly or not, has moved by less than `still` on either axis, or in all of them
+/// together by no more than what gravity gives in two steps; and, where there is gravity, ran into the level or into another body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Sleep {
     /// Units a step. What moves more slowly than that on purpose never gets there.

@@ -3,7 +3,7 @@
 use tilesat::broad::{Handle, SortSweep};
 use tilesat::scene::{SceneBody, SceneTag, Shape, Sleep};
 use tilesat::{Aabb, Circle, Fx, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, Vec2};
-use tilesat_judge::{Random, cases};
+use tilesat_judge::{Random, cases, frames};
 
 const BODIES: usize = 64;
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
@@ -174,6 +174,74 @@ fn a_pile_on_a_lift_is_the_pile_at_rest() {
         }
     }
     assert!(wrong.is_empty(), "{} of 30\n{}", wrong.len(), wrong.join("\n"));
+}
+
+/// On the floor and on lifts that go up, down and aside and turn round; none may sleep. `TILESAT_FRAMES` makes it a soak.
+#[test]
+fn stacks_of_ten_rest_for_ten_thousand_frames() {
+    let rows = pit(4, 2);
+    let map = TileMap::from_ascii(&rows, &KINDS).unwrap();
+    for (vx, vy) in [(0, 0), (0, 6553), (0, -9999), (500, 0)] {
+        let mut lift = Lift::of(10);
+        let start = lift.seen();
+        for frame in 0..frames(10_000_u32) {
+            // To the left and up for so long as to the right and down.
+            let sign = if frame / 200 % 2 == 0 { 1 } else { -1 };
+            lift.step(&map, Vec2::from_raw(sign * vx, sign * vy));
+            for (layer, (is, was)) in (0..).zip(lift.seen().iter().zip(&start)) {
+                // Where it turns round faster than they fall they leave it for some steps.
+                let turns = vy != 0 && frame % 200 < 8;
+                assert!(
+                    turns || (is.y - was.y).to_bits().abs() <= layer + 1,
+                    "{vx} {vy}, frame {frame}, layer {layer}"
+                );
+                assert!((is.x - was.x).abs() < 1, "{vx} {vy}, frame {frame}, layer {layer}");
+            }
+        }
+    }
+}
+
+/// The ball touches the topmost; all below is awake in that step.
+#[test]
+fn piles_wake_as_a_whole() {
+    let rows = pit(8, 20);
+    let map = TileMap::from_ascii(&rows, &KINDS).unwrap();
+    for count in 2..=10 {
+        let mut scene = Piles::new(SortSweep::new());
+        column(&mut scene, 320 << 16, count, 8 << 16, 0, 0);
+        assert!(settle(&mut scene, &map, down(6554), 300).is_some());
+        let top = (320 - 8 * count) << 16;
+        let ball = Circle::new(Vec2::from_raw(44 << 16, top - (3 << 16)), Fx::from_num(3)).unwrap();
+        scene.insert(&SceneBody::new(ball, 99)).unwrap();
+        assert_eq!(scene.awake().len(), 2, "the ball, and what it was put on");
+        let stepped = scene.step(&map, down(6554), |_| {}).unwrap();
+        assert_eq!((i32::from(stepped.woken), scene.awake().len()), (count - 1, count as usize + 1));
+    }
+}
+
+#[test]
+fn heaps_do_not_depend_on_the_order_of_insertion() {
+    let rows = pit(8, 16);
+    let map = TileMap::from_ascii(&rows, &KINDS).unwrap();
+    for case in 0..cases(8) {
+        let mut r = Random::new(case);
+        let bodies = heap(&mut r, 40, case % 2 == 0);
+        let (mut one, mut other) = (Piles::new(SortSweep::new()), Piles::new(SortSweep::new()));
+        for (body, last) in bodies.iter().zip(bodies.iter().rev()) {
+            one.insert(body).unwrap();
+            other.insert(last).unwrap();
+        }
+        let seen = |scene: &Piles| {
+            let mut seen: Vec<SceneBody> = scene.bodies().map(|(_, body)| *body).collect();
+            seen.sort_by_key(|body| body.key);
+            seen
+        };
+        for step in 0..400 {
+            one.step(&map, down(6554), |_| {}).unwrap();
+            other.step(&map, down(6554), |_| {}).unwrap();
+            assert_eq!(seen(&one), seen(&other), "case {case}, step {step}");
+        }
+    }
 }
 
 /// Speeds up sideways by a twentieth a frame to 1.
