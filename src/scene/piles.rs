@@ -118,20 +118,21 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
             slot.body.shape = known;
             hold(&mut slot, handle, fault, self.stepped, each);
         }
-        slot.way.pace = Pace::Slow;
+        (slot.way.pace, slot.way.turns) = (Pace::Slow, 1);
         if let Some(place) = self.slots.get_mut(handle.slot()) {
             *place = slot;
         }
         size(slot.tally.push()) > size(self.trip.gravity).saturating_mul(2) && self.lift(handle, &slot, counts)
     }
 
-    /// Finds those on top that have made their steps, where a body was pushed into them; whether there are any.
+    /// Finds those on top that have made their steps and lay on nobody, where a body was pushed into them; whether there are any.
     fn lift(&mut self, handle: Handle, lower: &Slot, counts: &mut impl FnMut(Pair) -> bool) -> bool {
         let Self { near, slots, trip, .. } = self;
         let mut any = false;
         near.in_region(&lower.body.shape.aabb(), |other| {
-            let Some(slot) = slots.get_mut(other.slot()).filter(|slot| slot.way.pace == Pace::Slow) else { return };
-            let on_top = slot.mode == Mode::Awake && slot.lies_on(lower, trip.gravity) && may_meet(slot, lower);
+            let Some(slot) = slots.get_mut(other.slot()).filter(|slot| slot.way.turns == 0) else { return };
+            let slow = slot.mode == Mode::Awake && slot.way.pace == Pace::Slow;
+            let on_top = slow && slot.lies_on(lower, trip.gravity) && may_meet(slot, lower);
             let senses = slot.body.filter.sensor() || lower.body.filter.sensor();
             if on_top && !senses && counts(pair((handle, lower), (other, slot))) {
                 (slot.way.pace, any) = (Pace::Moved, true);

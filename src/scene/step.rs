@@ -385,7 +385,7 @@ fn begin(slots: &mut [Slot], awake: &[Handle], gravity: Vec2) {
         slot.told = true;
         // What lay on others may be a raw unit above them, and then touches nobody.
         let lay = gravity != Vec2::ZERO && slot.support != 0 && slot.support != ALOFT;
-        slot.way.pace = if lay { Pace::Lies } else { Pace::Slow };
+        (slot.way.pace, slot.way.turns) = (if lay { Pace::Lies } else { Pace::Slow }, 0);
         slot.body.velocity += slot.body.weight(gravity);
     }
 }

@@ -14,7 +14,7 @@ pub(super) struct Way {
     pub(super) end: (Toi, End),
     /// The slots of those that it has met in this step, and how many there are.
     pub(super) met: ([u16; 3], u8),
-    /// How often it was turned.
+    /// How often it was turned; 1 for what lay on others and has made its step.
     pub(super) turns: u8,
     pub(super) pace: Pace,
 }
