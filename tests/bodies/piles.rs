@@ -118,7 +118,7 @@ fn columns_that_stand_stay() {
 /// A lift of the game's own, which is placed after the step, with a column of crates that rub; far above the level.
 struct Lift {
     scene: Piles,
-    lift: Handle,
+    platform: Handle,
     bounds: Aabb,
     crates: Vec<Handle>,
 }
@@ -134,14 +134,14 @@ impl Lift {
                 scene.insert(&SceneBody { surface: rough(), ..SceneBody::new(at, k as u32) }).unwrap()
             })
             .collect();
-        Self { scene, lift, bounds, crates }
+        Self { scene, platform: lift, bounds, crates }
     }
 
     fn step(&mut self, map: &TileMap<'_>, velocity: Vec2) {
-        self.scene.set_velocity(self.lift, velocity).unwrap();
+        self.scene.set_velocity(self.platform, velocity).unwrap();
         self.scene.step(map, down(6554), |_| {}).unwrap();
         self.bounds = self.bounds.translated(velocity).unwrap();
-        self.scene.place(self.lift, self.bounds).unwrap();
+        self.scene.place(self.platform, self.bounds).unwrap();
     }
 
     /// Where the crates are, as seen from the lift.
@@ -306,7 +306,7 @@ fn heaps_in_a_pit_fall_asleep() {
             match settle(&mut scene, &map, down(6554), bound(count)) {
                 Some(steps) => println!("{count} bodies, balls {balls}: {steps} steps"),
                 None => {
-                    wrong.push(format!("{count} bodies, balls {balls}, case {case}: {} awake", scene.awake().len()))
+                    wrong.push(format!("{count} bodies, balls {balls}, case {case}: {} awake", scene.awake().len()));
                 }
             }
         }
