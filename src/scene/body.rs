@@ -1,11 +1,11 @@
-//! The bodies of a scene: what a game gives, boxes and circles mixed, what a step keeps of each, and what becomes of two that run into each other.
+//! The bodies of a scene: what a game gives, boxes and circles mixed, and what a step keeps of each.
 
 use super::Shape;
+use super::way::Way;
 use crate::broad::{Handle, Keyed};
 use crate::filter::Filter;
-use crate::motion::response::exchange;
-use crate::motion::{Masses, Surface};
-use crate::num::{Axis, Fx, Ratio, Raw, Toi, Vec2, mul_div};
+use crate::motion::Surface;
+use crate::num::{Raw, Vec2};
 use crate::shape::Aabb;
 use core::num::NonZeroU8;
 
@@ -104,96 +104,10 @@ pub(super) struct Slot {
     pub(super) quiet: u8,
     /// How many bodies are between it and the level or a fixed body that carries it, as of the last step.
     pub(super) support: u8,
+    /// The slot of that fixed body.
+    pub(super) ground: u16,
     pub(super) tally: Tally,
     pub(super) way: Way,
-}
-
-/// What a body does in a step, once its velocity is known: straight ways only.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Way {
-    /// Units in a whole step, of which it makes what is left.
-    pub(super) rate: Vec2,
-    /// When it is where its shape is: at the step's end, but for those that are swept.
-    pub(super) since: Toi,
-    /// What ends this way, and when.
-    pub(super) end: (Toi, End),
-    /// The slots of those that it has met in this step, and how many there are.
-    pub(super) met: ([u16; 3], u8),
-    /// How often it was turned.
-    pub(super) turns: u8,
-    pub(super) pace: Pace,
-}
-
-/// How often a way may be turned in a step; then the body waits for the next one. Between plates that close there is no last time.
-pub(super) const TURNS: u8 = 8;
-
-/// How a body makes its step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Pace {
-    /// It meets others where they are at the step's start, or nobody is in its reach.
-    Slow,
-    /// From one thing that it meets to the next.
-    Swept,
-}
-
-/// What ends a straight way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum End {
-    Level,
-    /// The one in this slot.
-    Body(u16),
-    /// The step.
-    Step,
-}
-
-impl Way {
-    pub(super) const REST: Self = Self::made(Vec2::ZERO);
-
-    /// It has been made.
-    pub(super) const fn made(rate: Vec2) -> Self {
-        Self { rate, since: Toi::ONE, end: (Toi::ONE, End::Step), met: ([0; 3], 0), turns: 0, pace: Pace::Slow }
-    }
-
-    /// What is left of it at a time.
-    pub(super) fn left(&self, at: Toi) -> Vec2 {
-        Toi::exact(Toi::ONE.raw().wrapping_sub(at.raw())).of(self.rate)
-    }
-
-    /// From a time on with another velocity.
-    pub(super) fn go_on(&mut self, time: Toi, velocity: Vec2) {
-        (self.since, self.rate) = (time, if self.waits() { Vec2::ZERO } else { velocity });
-    }
-
-    /// It is turned no more in this step.
-    pub(super) fn waits(&self) -> bool {
-        self.turns >= TURNS
-    }
-
-    /// It is held: nothing that it is hit by moves it in this step.
-    pub(super) const HELD: u8 = u8::MAX;
-
-    pub(super) fn is_held(&self) -> bool {
-        self.turns == Self::HELD
-    }
-
-    /// Whether it may be led elsewhere.
-    pub(super) fn goes(&self) -> bool {
-        self.pace == Pace::Swept && !self.waits()
-    }
-
-    /// Whether two have met in this step already, or one of them so many that it cannot know.
-    pub(super) fn has_met(&self, other: Handle) -> bool {
-        let (slots, count) = &self.met;
-        let known = slots.iter().take((*count).into());
-        usize::from(*count) >= slots.len() || known.into_iter().any(|&slot| usize::from(slot) == other.slot())
-    }
-
-    pub(super) fn note(&mut self, other: Handle) {
-        let (slots, count) = &mut self.met;
-        if let Some(place) = slots.get_mut(usize::from(*count)) {
-            (*place, *count) = (other.slot() as u16, *count + 1);
-        }
-    }
 }
 
 /// What a step collects for a body before anything moves.
@@ -204,15 +118,21 @@ pub(super) struct Tally {
     pub(super) high: Vec2,
     /// The sum of the changes of its velocity.
     pub(super) kick: Vec2,
-    /// How many bodies run into it.
+    /// How many bodies run into it; when all have made their steps, the fewest quiet steps of those that it stands for.
     pub(super) hits: u16,
     /// Another body that it touches, directly or not; itself where it stands for all of them.
     pub(super) link: u16,
-    /// What `support` becomes.
-    pub(super) support: u8,
-    /// Of those that it stands for, the fewest quiet steps.
-    pub(super) calm: u8,
+    /// The slot of the one below that it touches, where that is the only one.
+    pub(super) under: u16,
+    /// How far it has come while it was quiet, in 1/256 of a unit; kept from step to step.
+    pub(super) drift: [i8; 2],
 }
+
+/// No slot.
+pub(super) const NOBODY: u16 = u16::MAX;
+
+/// More than one slot.
+pub(super) const SEVERAL: u16 = u16::MAX - 1;
 
 /// Carried by nothing.
 pub(super) const ALOFT: u8 = u8::MAX;
@@ -225,6 +145,7 @@ impl Slot {
         told: false,
         quiet: 0,
         support: ALOFT,
+        ground: NOBODY,
         tally: Tally::of(0),
         way: Way::REST,
     };
@@ -251,7 +172,7 @@ impl Slot {
 impl Tally {
     pub(super) const fn of(slot: u16) -> Self {
         let none = Vec2::ZERO;
-        Self { low: none, high: none, kick: none, hits: 0, link: slot, support: ALOFT, calm: u8::MAX }
+        Self { low: none, high: none, kick: none, hits: 0, link: slot, under: NOBODY, drift: [0; 2] }
     }
 
     /// Where all that pushes it brings it.
@@ -262,143 +183,4 @@ impl Tally {
     pub(super) fn pushed(&mut self, by: Vec2) {
         (self.low, self.high) = (self.low.min(by), self.high.max(by));
     }
-}
-
-/// How two overlapping bodies act on each other.
-#[derive(Clone, Copy)]
-pub(super) struct Meeting {
-    axis: Axis,
-    pub(super) masses: Masses,
-    surface: Surface,
-    /// The velocities that meet.
-    a: Vec2,
-    b: Vec2,
-    pub(super) moves_a: bool,
-    pub(super) moves_b: bool,
-}
-
-/// Which of two bodies is on top of the other, as gravity sees it.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Top {
-    A,
-    B,
-    Neither,
-}
-
-impl Top {
-    /// The contact's axis, from A to B, must be nearer to gravity than to its perpendicular.
-    pub(super) fn of(axis: Axis, gravity: Axis) -> Self {
-        let along = axis.dot(gravity);
-        if along.unsigned_abs() <= axis.perp_dot(gravity).unsigned_abs() {
-            Self::Neither
-        } else if along > 0 {
-            Self::A
-        } else {
-            Self::B
-        }
-    }
-}
-
-impl Meeting {
-    /// `None` where neither can be moved.
-    ///
-    /// What is below, and fixed or [carried](carries), counts as falling for one step: then what lies on it falls by as much as it is pushed up in each step, and
-    /// rests. That body has no more energy afterwards. Seen from the one below, whose velocity is g, it has not; its change is `j n + f t` with `|f| <= j`, for no
-    /// friction is above 1, and n is nearer to -g than to its perpendicular: so the change is against g, and adding g back gains nothing.
-    /// For one that floats it stands still, and nothing is added.
-    pub(super) fn of(a: &Slot, b: &Slot, axis: Axis, gravity: Vec2) -> Option<Self> {
-        let (one, other) = (&a.body, &b.body);
-        let masses = match (one.mass, other.mass) {
-            (None, None) => return None,
-            (None, Some(_)) => Masses::A_FIXED,
-            (Some(_), None) => Masses::B_FIXED,
-            (Some(m), Some(n)) => Masses::new(m.get(), n.get()).unwrap_or(Masses::EQUAL),
-        };
-        let surface = acting(&one.surface, &other.surface);
-        let (moves_a, moves_b) = (one.mass.is_some(), other.mass.is_some());
-        let (v, w) = (one.velocity, other.velocity);
-        let own = Self { axis, masses, surface, a: v, b: w, moves_a, moves_b };
-        let slick = surface.friction() == Ratio::ZERO;
-        Some(match Top::of(axis, toward(gravity)) {
-            Top::A if !moves_b => Self { b: w + one.weight(gravity), ..own },
-            Top::B if !moves_a => Self { a: v + other.weight(gravity), ..own },
-            Top::A if moves_a && carries(b, a, gravity, slick) => {
-                Self { masses: Masses::B_FIXED, b: one.weight(gravity), moves_b: false, ..own }
-            }
-            Top::B if moves_b && carries(a, b, gravity, slick) => {
-                Self { masses: Masses::A_FIXED, a: other.weight(gravity), moves_a: false, ..own }
-            }
-            _ => own,
-        })
-    }
-
-    /// Whether they approach.
-    pub(super) fn is_hit(&self) -> bool {
-        self.axis.dot_vec(self.a - self.b) > 0
-    }
-
-    /// By what the velocities change, where the body with more hits has so many.
-    ///
-    /// Of each change only that part counts, so of the changes of one body no more than one whole one does; what it ends with is then a mean of what it had and
-    /// of what its hits give it, and no mean of velocities has more energy than the mean of their energies.
-    pub(super) fn kicks(&self, hits: u16) -> (Vec2, Vec2) {
-        let Ok((a, b)) = exchange(self.a, self.b, self.axis, self.masses, &self.surface) else {
-            return (Vec2::ZERO, Vec2::ZERO);
-        };
-        (part(a - self.a, hits), part(b - self.b, hits))
-    }
-}
-
-/// Whether a body does not give way to one on top of it: it lies on the level, or on bodies that do, and the push that it gets goes into the ground. If it gave
-/// way, a pile would sink into itself.
-///
-/// Not where it rises; nor, where there is friction, where it goes sideways by more than gravity gives in a step: then it takes the one on top along.
-fn carries(lower: &Slot, upper: &Slot, gravity: Vec2, slick: bool) -> bool {
-    let v = lower.body.velocity;
-    lower.support < upper.support
-        && gravity.dot(v) >= 0
-        && (slick || gravity.perp_dot(v).unsigned_abs() <= gravity.length_squared())
-}
-
-/// How many are between a body on top and what carries all, if the one below it has so many.
-pub(super) fn carried(below: u8) -> u8 {
-    if below == ALOFT { ALOFT } else { below + 1 }
-}
-
-/// Which of two surfaces counts: not a matter of which is A.
-fn acting(a: &Surface, b: &Surface) -> Surface {
-    let rank = |s: &Surface| (s.restitution().raw(), !s.friction().raw());
-    if rank(a) < rank(b) { *b } else { *a }
-}
-
-/// The direction of a vector.
-pub(super) fn toward(v: Vec2) -> Axis {
-    let (x, y) = v.raw();
-    Axis::new(x, y)
-}
-
-/// `v / n`, toward zero.
-fn part(v: Vec2, n: u16) -> Vec2 {
-    if n <= 1 {
-        return v;
-    }
-    let of = |c: i32| {
-        let size = mul_div(c.unsigned_abs(), 1, n.into()) as i32;
-        if c < 0 { size.wrapping_neg() } else { size }
-    };
-    let (x, y) = v.raw();
-    Vec2::from_raw(of(x), of(y))
-}
-
-/// A part of what is left of the step from a time on, as a time of the step, rounded down.
-pub(super) fn later(from: Toi, part: Toi) -> Toi {
-    let left = Toi::ONE.raw().wrapping_sub(from.raw());
-    Toi::clamped(from.raw().wrapping_add(part.of_raw(left as i32) as u32))
-}
-
-/// How fast the ends of a normal come nearer, to nearest.
-pub(super) fn approach(axis: Axis, velocity: Vec2) -> Fx {
-    let ((x, y), Raw { x: vx, y: vy }) = (axis.unit().raw(), Raw::of(velocity));
-    let sum = i64::from(x) * i64::from(vx) + i64::from(y) * i64::from(vy);
-    Fx::from_bits(((sum + (1 << 29)) >> 30).clamp(0, i32::MAX.into()) as i32)
 }

@@ -8,8 +8,8 @@ use crate::num::{Fx, MOTION, Vec2, check_motion};
 use crate::query::Touches;
 use crate::shape::Aabb;
 
-/// When bodies fall asleep: after so many steps in a row in which each of those that touch, directly or not, has moved by less than `still` on either axis,
-/// and, where there is gravity, ran into the level or into another body.
+/// When bodies fall asleep: after so many steps in a row in which each of those that touch, directly or not, has moved by less than `still` on either axis, or in all of them
+/// together by no more than what gravity gives in two steps; and, where there is gravity, ran into the level or into another body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Sleep {
     /// Units a step. What moves more slowly than that on purpose never gets there.
@@ -251,7 +251,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     pub fn wake_region(&mut self, region: &Aabb) {
         let (from, slots) = (self.count, &mut self.slots);
         let (awake, count) = (&mut self.awake, &mut self.count);
-        self.near.in_region(region, |handle| rouse(slots, awake, count, handle));
+        self.near.in_region(region, |handle| {
+            rouse(slots, awake, count, handle);
+            unsettle(slots, handle);
+        });
         self.tell_woken(from);
     }
 
@@ -274,6 +277,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     pub(super) fn rouse(&mut self, handle: Handle, known: bool) {
         let from = self.count;
         rouse(&mut self.slots, &mut self.awake, &mut self.count, handle);
+        unsettle(&mut self.slots, handle);
         if known {
             self.tell_woken(from);
         }
@@ -289,11 +293,18 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     }
 }
 
-/// Puts a body that sleeps into the list of those awake.
+/// What the game does to a body is no rest.
+fn unsettle(slots: &mut [Slot], handle: Handle) {
+    if let Some(slot) = slots.get_mut(handle.slot()) {
+        slot.quiet = 0;
+    }
+}
+
+/// Puts a body that sleeps into the list of those awake. It has been quiet as long as before: what only touches it does not keep a heap from falling asleep.
 pub(super) fn rouse(slots: &mut [Slot], awake: &mut [Handle], count: &mut usize, handle: Handle) {
     let Some(slot) = slots.get_mut(handle.slot()).filter(|slot| slot.mode == Mode::Asleep) else { return };
     let Some(place) = awake.get_mut(*count) else { return };
-    (*place, slot.mode, slot.told, slot.quiet) = (handle, Mode::Awake, false, 0);
+    (*place, slot.mode, slot.told) = (handle, Mode::Awake, false);
     slot.tally = Tally::of(handle.slot() as u16);
     *count += 1;
 }

@@ -1,16 +1,18 @@
 //! One step of a scene.
 
-use super::body::{ALOFT, Mode, Pace, Slot, Tally, Way};
-use super::body::{Meeting, Top, carried, toward};
+use super::body::{ALOFT, Mode, NOBODY, Slot, Tally};
+use super::meeting::toward;
+use super::met::{may_meet, pair};
+use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::set::Sleep;
 use super::set::rouse;
+use super::way::{Pace, Way, size};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Shape, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
-use crate::motion::response::separate;
 use crate::motion::{Body, Hit, Moved, Mover, Response, Surface};
 use crate::num::{Fx, MOTION, Vec2, check_motion};
-use crate::query::{Contact, Contacts, Touches};
+use crate::query::{Contacts, Touches};
 use crate::world::World;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
@@ -76,7 +78,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         let awake = self.count;
         begin(&mut self.slots, self.awake.get(..awake).unwrap_or_default(), gravity);
         self.meet(gravity, &mut stepped, &mut counts, &mut each);
-        self.tell_woken(awake);
+        if self.count > awake {
+            self.wake_along(awake, &mut counts);
+            stepped.woken = (self.count - awake) as u16;
+            self.tell_woken(awake);
+        }
         if self.travel(level, gravity, &mut stepped, &mut counts, &mut each) {
             self.fall_asleep(&mut stepped);
         }
@@ -102,16 +108,18 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
             let contact = a.body.shape.contact(&b.body.shape);
             let senses = a.body.filter.sensor() || b.body.filter.sensor();
             stepped.touching += 1;
+            stepped.overlapping += u32::from(contact.is_some() && !senses);
             each(SceneEvent::Touch { pair, contact: contact.as_ref() });
             if senses {
                 return;
             }
-            rouse(slots, room, &mut woken, pair.a);
-            rouse(slots, room, &mut woken, pair.b);
+            for at in [pair.a, pair.b] {
+                rouse(slots, room, &mut woken, at);
+            }
             join(slots, pair);
+            let carried = lay(slots, pair, contact.as_ref(), gravity);
             if let Some(contact) = contact {
-                stepped.overlapping += 1;
-                hits |= tally(slots, pair, &contact, gravity);
+                hits |= tally(slots, pair, &contact, gravity, carried);
             }
         });
         if hits {
@@ -120,8 +128,31 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
                 kick(slots, pair, gravity, counts);
             });
         }
-        stepped.woken = woken as u16;
         self.count += woken;
+    }
+
+    /// What touches a body that was woken since there were so many awake wakes with it: a pile wakes as a whole.
+    #[inline(never)]
+    fn wake_along(&mut self, from: usize, counts: &mut impl FnMut(Pair) -> bool) {
+        let Self { near, slots, awake, count, .. } = self;
+        let mut at = from;
+        while let Some(&handle) = awake.get(..*count).and_then(|awake| awake.get(at)) {
+            at += 1;
+            let Some(bounds) = slots.get(handle.slot()).map(|slot| slot.body.shape.aabb()) else { continue };
+            near.in_region(&bounds, |other| {
+                let (Some(one), Some(two)) = (slots.get(handle.slot()), slots.get(other.slot())) else { return };
+                let senses = one.body.filter.sensor() || two.body.filter.sensor();
+                if two.mode != Mode::Asleep || senses || !may_meet(one, two) || !one.body.shape.touches(&two.body.shape)
+                {
+                    return;
+                }
+                let pair = pair((handle, one), (other, two));
+                if counts(pair) {
+                    rouse(slots, awake, count, other);
+                    join(slots, pair);
+                }
+            });
+        }
     }
 
     /// Each body against the level, and what is fast against the others, too; whether one has been quiet for long enough.
@@ -136,10 +167,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         let mover = Mover::platformer(toward(gravity).reversed()).with_surface(Surface::SLICK);
         let Sleep { still, steps } = self.sleep;
         let trip = Trip { level, mover, gravity, still };
-        let (mut calm, mut fast) = (false, false);
+        let (mut calm, mut fast, mut piled) = (false, false, false);
         for handle in self.awake.iter().take(self.count) {
-            let Some(slot) = self.slots.get_mut(handle.slot()).filter(|slot| slot.is_fast()) else { continue };
-            (slot.way.pace, fast) = (Pace::Swept, true);
+            let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
+            if slot.is_fast() {
+                (slot.way.pace, fast) = (Pace::Swept, true);
+            }
+            piled |= slot.way.pace == Pace::Lies;
         }
         if fast {
             self.let_go(counts);
@@ -150,6 +184,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
                 trip.make(slot, handle, &mut self.near, stepped, each);
                 calm |= slot.quiet >= steps;
             }
+        }
+        if piled {
+            calm |= self.settle(&trip, stepped, counts, each);
         }
         if fast {
             calm |= self.sweep(&trip, stepped, counts, each);
@@ -163,24 +200,30 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         let slots = &mut self.slots;
         let awake = self.awake.get_mut(..self.count).unwrap_or_default();
         for handle in &*awake {
+            if let Some(slot) = slots.get_mut(handle.slot()) {
+                slot.tally.hits = u16::MAX;
+            }
+        }
+        for handle in &*awake {
             let Some(quiet) = slots.get(handle.slot()).map(|slot| slot.quiet) else { continue };
             let root = root(slots, handle.slot() as u16);
             if let Some(slot) = slots.get_mut(usize::from(root)) {
-                slot.tally.calm = slot.tally.calm.min(quiet);
+                slot.tally.hits = slot.tally.hits.min(quiet.into());
             }
         }
         let mut left = 0;
         for k in 0..awake.len() {
             let Some(&handle) = awake.get(k) else { continue };
             let root = root(slots, handle.slot() as u16);
-            let calm = slots.get(usize::from(root)).map_or(0, |slot| slot.tally.calm);
-            if calm < steps {
+            let calm = slots.get(usize::from(root)).map_or(0, |slot| slot.tally.hits);
+            if calm < u16::from(steps) {
                 if let Some(place) = awake.get_mut(left) {
                     *place = handle;
                 }
                 left += 1;
             } else if let Some(slot) = slots.get_mut(handle.slot()) {
                 (slot.mode, slot.body.velocity, slot.way) = (Mode::Asleep, Vec2::ZERO, Way::REST);
+                slot.ground = NOBODY;
                 let told = self.near.set_tag(handle, slot.body.tag(true));
                 debug_assert!(told.is_ok(), "a body of the scene is in its broad phase");
             }
@@ -201,7 +244,7 @@ pub(super) struct Trip<'a, W> {
 
 impl<W: World> Trip<'_, W> {
     /// One body's whole step.
-    fn make(
+    pub(super) fn make(
         &self,
         slot: &mut Slot,
         handle: Handle,
@@ -242,11 +285,13 @@ impl<W: World> Trip<'_, W> {
         let by = moved.position() - body.position();
         if by != Vec2::ZERO {
             let shape = moved.body.into();
-            near.move_to(handle, &shape.aabb())?;
+            if slot.way.pace != Pace::Lies {
+                near.move_to(handle, &shape.aabb())?;
+            }
             slot.body.shape = shape;
         }
         slot.way.rate = by;
-        self.arrive(slot, by, moved.floor, moved.hits.is_empty());
+        self.arrive(slot, by, if moved.floor { 0 } else { ALOFT }, moved.hits.is_empty());
         slot.body.velocity = moved.velocity;
         if !moved.hits.is_empty() {
             each(SceneEvent::Level { body: handle, hits: &moved.hits, flags: moved.flags });
@@ -277,15 +322,30 @@ impl<W: World> Trip<'_, W> {
     }
 
     /// What is known of a body that has come so far.
-    pub(super) fn arrive(&self, slot: &mut Slot, by: Vec2, floor: bool, free: bool) {
-        let (x, y) = by.raw();
-        let is_still = x.unsigned_abs().max(y.unsigned_abs()) < self.still.to_bits().max(0).unsigned_abs();
+    pub(super) fn arrive(&self, slot: &mut Slot, by: Vec2, support: u8, free: bool) {
+        let is_still = self.is_still(slot, by);
         // Slow where nothing holds it is the start or the top of a flight: asleep there it would hang in the air, and out of reach of what wakes.
-        let Tally { low, high, .. } = slot.tally;
+        let Tally { low, high, under, .. } = slot.tally;
         let weight = slot.body.weight(self.gravity);
-        let flies = weight != Vec2::ZERO && free && (low, high) == (Vec2::ZERO, Vec2::ZERO);
-        slot.quiet = if is_still && !flies { slot.quiet.saturating_add(1) } else { 0 };
-        slot.support = if floor { 0 } else { slot.tally.support };
+        let flies = weight != Vec2::ZERO && free && under == NOBODY && (low, high) == (Vec2::ZERO, Vec2::ZERO);
+        (slot.quiet, slot.tally.drift) =
+            if is_still && !flies { (slot.quiet.saturating_add(1), slot.tally.drift) } else { (0, [0; 2]) };
+        slot.support = support;
+        if support == 0 || support == ALOFT {
+            slot.ground = NOBODY;
+        }
+    }
+
+    /// Whether it has hardly moved: in this step, or since it has been quiet. In a heap there may be something that two push to and fro for
+    /// ever, by what gravity gives.
+    fn is_still(&self, slot: &mut Slot, by: Vec2) -> bool {
+        let (x, y) = by.raw();
+        let still = x.unsigned_abs().max(y.unsigned_abs()) < self.still.to_bits().max(0).unsigned_abs();
+        let most = (size(self.gravity) >> 7).min(126) as i32;
+        let [dx, dy] = slot.tally.drift.map(i32::from);
+        let (dx, dy) = (dx.saturating_add(x / 256), dy.saturating_add(y / 256));
+        slot.tally.drift = [dx, dy].map(|c| c.clamp(-127, 127) as i8);
+        still || (self.still > Fx::ZERO && dx.abs().max(dy.abs()) <= most)
     }
 }
 
@@ -321,92 +381,11 @@ pub(super) fn hold(
 fn begin(slots: &mut [Slot], awake: &[Handle], gravity: Vec2) {
     for handle in awake {
         let Some(slot) = slots.get_mut(handle.slot()) else { continue };
-        (slot.tally, slot.told) = (Tally::of(handle.slot() as u16), true);
+        slot.tally = Tally { drift: slot.tally.drift, ..Tally::of(handle.slot() as u16) };
+        slot.told = true;
+        // What lay on others may be a raw unit above them, and then touches nobody.
+        let lay = gravity != Vec2::ZERO && slot.support != 0 && slot.support != ALOFT;
+        (slot.way.pace, slot.way.turns) = (if lay { Pace::Lies } else { Pace::Slow }, 0);
         slot.body.velocity += slot.body.weight(gravity);
     }
-}
-
-/// Those of all pairs of which one is awake: by the tags of those that are not, or one by one where they are few.
-fn each_pair<B: BroadPhase>(near: &mut B, movers: &[Handle], each: impl FnMut(Pair)) {
-    if movers.len() > near.len() >> 1 {
-        near.pairs(each);
-    } else {
-        let known = near.pairs_of(movers, each);
-        debug_assert!(known.is_ok(), "a body of the scene is in its broad phase");
-    }
-}
-
-/// The bodies of a pair, where both are of the scene.
-pub(super) fn both(slots: &[Slot], pair: Pair) -> Option<(&Slot, &Slot)> {
-    let (a, b) = (slots.get(pair.a.slot())?, slots.get(pair.b.slot())?);
-    (a.mode != Mode::Free && b.mode != Mode::Free).then_some((a, b))
-}
-
-/// Collects what a contact does to two bodies; whether they approach.
-fn tally(slots: &mut [Slot], pair: Pair, contact: &Contact, gravity: Vec2) -> bool {
-    let Some((a, b)) = both(slots, pair) else { return false };
-    let top = Top::of(contact.axis(), toward(gravity));
-    let (on_b, on_a) = (carried(b.support), carried(a.support));
-    let Some(meeting) = Meeting::of(a, b, contact.axis(), gravity) else { return false };
-    let (by_a, by_b) = separate(contact, meeting.masses.share_of_a());
-    let is_hit = meeting.is_hit();
-    for (at, by, moves, below) in [
-        (pair.a, by_a, meeting.moves_a, if top == Top::A { on_b } else { ALOFT }),
-        (pair.b, by_b, meeting.moves_b, if top == Top::B { on_a } else { ALOFT }),
-    ] {
-        let Some(slot) = slots.get_mut(at.slot()) else { continue };
-        slot.tally.pushed(by);
-        slot.tally.hits = slot.tally.hits.saturating_add(u16::from(is_hit && moves));
-        slot.tally.support = slot.tally.support.min(below);
-    }
-    is_hit
-}
-
-/// What two bodies that run into each other do to their velocities.
-fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, counts: &mut impl FnMut(Pair) -> bool) {
-    let Some((a, b)) = both(slots, pair) else { return };
-    if a.body.filter.sensor() || b.body.filter.sensor() {
-        return;
-    }
-    let Some(contact) = a.body.shape.contact(&b.body.shape) else { return };
-    let Some(meeting) = Meeting::of(a, b, contact.axis(), gravity).filter(Meeting::is_hit) else { return };
-    if !counts(pair) {
-        return;
-    }
-    let hits = |slot: &Slot, moves: bool| if moves { slot.tally.hits } else { 0 };
-    let (by_a, by_b) = meeting.kicks(hits(a, meeting.moves_a).max(hits(b, meeting.moves_b)));
-    for (at, by) in [(pair.a, by_a), (pair.b, by_b)] {
-        if let Some(slot) = slots.get_mut(at.slot()) {
-            slot.tally.kick += by;
-        }
-    }
-}
-
-/// Two bodies touch: they rest together. A fixed one joins nobody.
-fn join(slots: &mut [Slot], pair: Pair) {
-    let fixed = |slot: &Slot| slot.mode == Mode::Fixed;
-    if both(slots, pair).is_none_or(|(a, b)| fixed(a) || fixed(b)) {
-        return;
-    }
-    let (a, b) = (root(slots, pair.a.slot() as u16), root(slots, pair.b.slot() as u16));
-    if let Some(slot) = slots.get_mut(usize::from(a.max(b))) {
-        slot.tally.link = a.min(b);
-    }
-}
-
-/// Who stands for a body and all that it touches; the way there is halved.
-fn root(slots: &mut [Slot], mut at: u16) -> u16 {
-    let link = |slots: &[Slot], at: u16| slots.get(usize::from(at)).map_or(at, |slot| slot.tally.link);
-    for _ in 0..slots.len() {
-        let next = link(slots, at);
-        if next == at {
-            break;
-        }
-        let after = link(slots, next);
-        if let Some(slot) = slots.get_mut(usize::from(at)) {
-            slot.tally.link = after;
-        }
-        at = after;
-    }
-    at
 }

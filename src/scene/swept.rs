@@ -4,17 +4,18 @@
 //! changed looks again. What is slow has made its step before, and counts as on the straight way from where it was: hit, it has another velocity, but keeps that way, and
 //! what hit it goes on so that it does not come into it. Two that meet again in the step are led along each other; their velocities meet in the next one.
 
-use super::body::{End, Meeting, Mode, Pace, Slot, TURNS, Way, approach, later};
+use super::body::{ALOFT, NOBODY, Slot};
+use super::meeting::{Meeting, Top, approach, toward};
+use super::met::{Met, around, each_near, may_meet, pair, reach};
 use super::set::rouse;
 use super::step::{Touched, Trip, hold};
-use super::{Scene, SceneError, SceneEvent, SceneFault, Shape, Stepped};
+use super::way::{End, Pace, TURNS, Way, later, size};
+use super::{Scene, SceneError, SceneEvent, SceneFault, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
 use crate::motion::response::exchange;
 use crate::motion::{Hit, Hits, Masses, Surface};
-use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2};
-use crate::query::{CastShape, Contacts, Inside, MovingHit};
-use crate::shape::Aabb;
+use crate::num::{Toi, Vec2};
 use crate::world::World;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
@@ -104,6 +105,7 @@ where
         for handle in self.movers {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             if slot.way.pace == Pace::Swept {
+                (slot.support, slot.ground) = (ALOFT, NOBODY);
                 slot.body.velocity += slot.tally.kick;
                 let rate = slot.body.velocity + slot.tally.push();
                 slot.way = Way { pace: Pace::Swept, since: Toi::ZERO, ..Way::made(rate) };
@@ -188,7 +190,9 @@ where
             let velocity = slot.body.velocity;
             slot.body.shape = shape;
             slot.body.velocity = self.trip.surface(slot).respond(velocity, hit.axis).unwrap_or(Vec2::ZERO);
-            slot.tally.support = if floor { 0 } else { slot.tally.support };
+            if floor {
+                (slot.support, slot.ground) = (0, NOBODY);
+            }
             let hits = Hits::one(Hit { toi: time, ..hit });
             (self.each)(SceneEvent::Level { body: handle, hits: &hits, flags });
         }
@@ -231,7 +235,7 @@ where
             }
             slot.way.since = met.time;
         }
-        let Some((one, other)) = super::step::both(self.slots, met.pair) else { return };
+        let Some((one, other)) = super::pairs::both(self.slots, met.pair) else { return };
         let (mut one, mut other) = (*one, *other);
         let again = one.way.has_met(b) || other.way.has_met(a);
         if !again {
@@ -239,7 +243,7 @@ where
             (self.each)(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
             rouse(self.slots, self.room, &mut self.woken, a);
             rouse(self.slots, self.room, &mut self.woken, b);
-            if let Some(meeting) = Meeting::of(&one, &other, met.axis, self.trip.gravity) {
+            if let Some(meeting) = Meeting::of_pile(self.slots, &one, &other, met.axis, self.trip.gravity) {
                 let (by_a, by_b) = meeting.kicks(1);
                 for (slot, by) in [(&mut one, by_a), (&mut other, by_b)] {
                     if !slot.way.is_held() {
@@ -247,6 +251,11 @@ where
                     }
                 }
             }
+        }
+        match Top::of(met.axis, toward(self.trip.gravity)) {
+            Top::A if one.way.pace == Pace::Swept => one.lie_on(self.slots, &other, b),
+            Top::B if other.way.pace == Pace::Swept => other.lie_on(self.slots, &one, a),
+            _ => {}
         }
         for (slot, with) in [(&mut one, b), (&mut other, a)] {
             if slot.way.pace == Pace::Swept {
@@ -278,6 +287,7 @@ where
                     slot.quiet = 0;
                 }
                 (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
+                (slot.support, slot.ground) = (from.support, from.ground);
             }
         }
     }
@@ -313,137 +323,11 @@ where
         let (bounds, free) = (slot.body.shape.aabb(), slot.way.turns == 0);
         let by = self.near.bounds(handle).map_or(Vec2::ZERO, |from| bounds.min() - from.min());
         match self.near.move_to(handle, &bounds) {
-            Ok(()) => self.trip.arrive(slot, by, false, free),
+            Ok(()) => self.trip.arrive(slot, by, slot.support, free),
             Err(fault) => {
                 slot.body.shape = slot.body.shape.shifted(Vec2::ZERO - by);
                 hold(slot, handle, fault.into(), self.stepped, self.each);
             }
         }
     }
-}
-
-/// Where and when two run into each other.
-struct Met {
-    pair: Pair,
-    time: Toi,
-    /// From `a` to `b`.
-    axis: Axis,
-    place_a: Vec2,
-    place_b: Vec2,
-    /// They did not overlap before.
-    begins: bool,
-}
-
-impl Met {
-    /// In the order of the pair, so that it does not matter who asks. From when on both are on these ways: what was before is over.
-    #[inline(never)]
-    fn of(one: (Handle, &Slot), other: (Handle, &Slot)) -> Option<Self> {
-        let pair = pair(one, other);
-        let (a, b) = if pair.a == one.0 { (one.1, other.1) } else { (other.1, one.1) };
-        let swept = |slot: &Slot| slot.way.pace == Pace::Swept;
-        let from = match (swept(a), swept(b)) {
-            (true, true) => a.way.since.max(b.way.since),
-            (true, false) => a.way.since,
-            (false, true) => b.way.since,
-            (false, false) => return None,
-        };
-        let (p, q) = (a.at(from), b.at(from));
-        let (left_a, left_b) = (a.way.left(from), b.way.left(from));
-        let hit = p.cast_moving(left_a, &q, left_b)?;
-        if !hit.inside {
-            // The cast's own displacements are shares of how far they come nearer, which may be nothing: so one goes by the time, the other as far from it as the cast says.
-            let nearer = hit.displacement - hit.displacement_b;
-            let (by_a, by_b) = if swept(a) {
-                (hit.toi.of(left_b) + nearer, hit.toi.of(left_b))
-            } else {
-                (hit.toi.of(left_a), hit.toi.of(left_a) - nearer)
-            };
-            let (place_a, place_b) = (p.position() + by_a, q.position() + by_b);
-            return Some(Self {
-                pair,
-                time: later(from, hit.toi),
-                axis: hit.axis.reversed(),
-                place_a,
-                place_b,
-                begins: true,
-            });
-        }
-        let axis = p.contact(&q)?.axis();
-        let nearing = axis.dot_vec(a.way.rate - b.way.rate) > 0;
-        nearing.then_some(Self { pair, time: from, axis, place_a: p.position(), place_b: q.position(), begins: false })
-    }
-}
-
-impl Slot {
-    /// Where its way has it at a time.
-    fn at(&self, time: Toi) -> Shape {
-        self.body.shape.shifted(self.way.left(self.way.since) - self.way.left(time))
-    }
-}
-
-impl Shape {
-    /// When two that move run into each other; none where a motion is too large.
-    fn cast_moving(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit> {
-        let hit = match (self, other) {
-            (Self::Aabb(a), Self::Aabb(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
-            (Self::Aabb(a), Self::Circle(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
-            (Self::Circle(a), Self::Aabb(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
-            (Self::Circle(a), Self::Circle(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
-        };
-        hit.ok().flatten()
-    }
-}
-
-/// The others that may be on a body's way: those that are slow where the broad phase has them, and all that are swept.
-fn each_near<B: BroadPhase>(
-    near: &B,
-    slots: &[Slot],
-    movers: &[Handle],
-    margin: u32,
-    handle: Handle,
-    mut each: impl FnMut(Handle, &Slot),
-) {
-    let Some(slot) = slots.get(handle.slot()) else { return };
-    let mut meet = |other: Handle, swept: bool| {
-        let found = slots.get(other.slot()).filter(|at| (at.way.pace == Pace::Swept) == swept);
-        if let Some(at) = found.filter(|at| other != handle && may_meet(slot, at)) {
-            each(other, at);
-        }
-    };
-    let start = slot.body.shape.aabb();
-    let end = slot.body.shape.shifted(slot.way.left(slot.way.since)).aabb();
-    near.in_region(&around(&start.union(&end), margin), |other| meet(other, false));
-    for &other in movers {
-        meet(other, true);
-    }
-}
-
-fn may_meet(one: &Slot, other: &Slot) -> bool {
-    other.mode != Mode::Free && one.body.filter.with_still(false).lets_pair(other.body.filter.with_still(false))
-}
-
-/// Two in canonical order.
-fn pair(one: (Handle, &Slot), other: (Handle, &Slot)) -> Pair {
-    let rank = |(handle, slot): (Handle, &Slot)| (slot.body.key, handle.slot());
-    let (a, b) = if rank(one) < rank(other) { (one.0, other.0) } else { (other.0, one.0) };
-    Pair { a, b }
-}
-
-/// How far from its box a body may come in this step: no bounce makes it faster.
-fn reach(slot: &Slot) -> u32 {
-    size(slot.body.velocity + slot.tally.kick).saturating_add(size(slot.tally.push()))
-}
-
-fn size(v: Vec2) -> u32 {
-    let Raw { x, y } = Raw::of(v);
-    x.unsigned_abs().saturating_add(y.unsigned_abs())
-}
-
-/// A box grown to all sides, as far as the domain goes.
-fn around(bounds: &Aabb, by: u32) -> Aabb {
-    let by = by.min(DOMAIN as u32) as i32;
-    let (lo, hi) = (bounds.lo(), bounds.hi());
-    let least = |c: i32| c.saturating_sub(by).max(1 - DOMAIN);
-    let most = |c: i32| c.saturating_add(by).min(DOMAIN - 1);
-    Aabb::from_raw_unchecked(Raw { x: least(lo.x), y: least(lo.y) }, Raw { x: most(hi.x), y: most(hi.y) })
 }

@@ -8,6 +8,7 @@ mod broad_pairs;
 mod broad_removals;
 mod filters;
 mod pair_events;
+mod piles;
 mod response;
 mod response_pair;
 mod response_ratio;

@@ -1,0 +1,166 @@
+//! How two bodies act on each other's velocities, and which of them carries the other.
+
+use super::body::{ALOFT, Slot};
+use super::way::size;
+use crate::motion::response::exchange;
+use crate::motion::{Masses, Surface};
+use crate::num::{Axis, Fx, Ratio, Raw, Vec2, mul_div};
+
+/// How two overlapping bodies act on each other.
+#[derive(Clone, Copy)]
+pub(super) struct Meeting {
+    axis: Axis,
+    pub(super) masses: Masses,
+    surface: Surface,
+    /// The velocities that meet.
+    a: Vec2,
+    b: Vec2,
+    pub(super) moves_a: bool,
+    pub(super) moves_b: bool,
+}
+
+/// Which of two bodies is on top of the other, as gravity sees it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Top {
+    A,
+    B,
+    Neither,
+}
+
+impl Top {
+    /// The contact's axis, from A to B, must be nearer to gravity than to its perpendicular.
+    pub(super) fn of(axis: Axis, gravity: Axis) -> Self {
+        let along = axis.dot(gravity);
+        if along.unsigned_abs() <= axis.perp_dot(gravity).unsigned_abs() {
+            Self::Neither
+        } else if along > 0 {
+            Self::A
+        } else {
+            Self::B
+        }
+    }
+}
+
+impl Meeting {
+    /// `None` where neither can be moved. What is too slow to rise by more than gravity takes in two steps does not bounce.
+    pub(super) fn of(a: &Slot, b: &Slot, axis: Axis, gravity: Vec2) -> Option<Self> {
+        let (one, other) = (&a.body, &b.body);
+        let masses = match (one.mass, other.mass) {
+            (None, None) => return None,
+            (None, Some(_)) => Masses::A_FIXED,
+            (Some(_), None) => Masses::B_FIXED,
+            (Some(m), Some(n)) => Masses::new(m.get(), n.get()).unwrap_or(Masses::EQUAL),
+        };
+        let surface = acting(&one.surface, &other.surface).resting_under(gravity);
+        let (moves_a, moves_b) = (one.mass.is_some(), other.mass.is_some());
+        Some(Self { axis, masses, surface, a: one.velocity, b: other.velocity, moves_a, moves_b })
+    }
+
+    /// A is below B and carried, so what runs into it runs into the ground: seen from there, B has no more energy afterwards.
+    pub(super) fn onto(slots: &[Slot], a: &Slot, b: &Slot, axis: Axis, gravity: Vec2) -> Self {
+        Self {
+            axis,
+            masses: Masses::A_FIXED,
+            surface: acting(&a.body.surface, &b.body.surface).resting_under(gravity),
+            a: a.ground_velocity(slots),
+            b: b.body.velocity,
+            moves_a: false,
+            moves_b: true,
+        }
+    }
+
+    /// Two of which one may [carry](carries) the other.
+    pub(super) fn of_pile(slots: &[Slot], a: &Slot, b: &Slot, axis: Axis, gravity: Vec2) -> Option<Self> {
+        let own = Self::of(a, b, axis, gravity)?;
+        let slick = own.surface.friction() == Ratio::ZERO;
+        Some(match Top::of(axis, toward(gravity)) {
+            Top::A if own.moves_a && carries(slots, b, gravity, slick) => {
+                Self::onto(slots, b, a, axis.reversed(), gravity).swapped()
+            }
+            Top::B if own.moves_b && carries(slots, a, gravity, slick) => Self::onto(slots, a, b, axis, gravity),
+            _ => own,
+        })
+    }
+
+    fn swapped(self) -> Self {
+        Self {
+            axis: self.axis.reversed(),
+            masses: self.masses.swapped(),
+            surface: self.surface,
+            a: self.b,
+            b: self.a,
+            moves_a: self.moves_b,
+            moves_b: self.moves_a,
+        }
+    }
+
+    /// Whether they approach.
+    pub(super) fn is_hit(&self) -> bool {
+        self.axis.dot_vec(self.a - self.b) > 0
+    }
+
+    /// Whether they run into each other faster than by what gravity gives in two steps: what rests does not.
+    pub(super) fn lands(&self, gravity: Vec2) -> bool {
+        self.is_hit() && size(self.a - self.b) > size(gravity).saturating_mul(2)
+    }
+
+    /// By what the velocities change, where the body with more hits has so many.
+    ///
+    /// Of each change only that part counts, so of the changes of one body no more than one whole one does; what it ends with is then a mean of what it had and
+    /// of what its hits give it, and no mean of velocities has more energy than the mean of their energies.
+    pub(super) fn kicks(&self, hits: u16) -> (Vec2, Vec2) {
+        let Ok((a, b)) = exchange(self.a, self.b, self.axis, self.masses, &self.surface) else {
+            return (Vec2::ZERO, Vec2::ZERO);
+        };
+        (part(a - self.a, hits), part(b - self.b, hits))
+    }
+}
+
+/// Whether a body does not give way to one on top of it: it lies on the level, or on bodies that do, and the push that it gets goes into the ground. If it gave
+/// way, a pile would sink into itself.
+///
+/// Not where it rises from what carries it; nor, where there is friction, where it goes sideways on that by more than gravity gives in a step: then it takes the one on
+/// top along.
+fn carries(slots: &[Slot], lower: &Slot, gravity: Vec2, slick: bool) -> bool {
+    let v = lower.body.velocity - lower.ground_velocity(slots);
+    lower.support != ALOFT
+        && gravity.dot(v) >= 0
+        && (slick || gravity.perp_dot(v).unsigned_abs() <= gravity.length_squared())
+}
+
+/// How many are between a body on top and what carries all, if the one below it has so many.
+pub(super) fn carried(below: u8) -> u8 {
+    if below == ALOFT { ALOFT } else { below + 1 }
+}
+
+/// Which of two surfaces counts: not a matter of which is A.
+fn acting(a: &Surface, b: &Surface) -> Surface {
+    let rank = |s: &Surface| (s.restitution().raw(), !s.friction().raw());
+    if rank(a) < rank(b) { *b } else { *a }
+}
+
+/// The direction of a vector.
+pub(super) fn toward(v: Vec2) -> Axis {
+    let (x, y) = v.raw();
+    Axis::new(x, y)
+}
+
+/// `v / n`, toward zero.
+fn part(v: Vec2, n: u16) -> Vec2 {
+    if n <= 1 {
+        return v;
+    }
+    let of = |c: i32| {
+        let size = mul_div(c.unsigned_abs(), 1, n.into()) as i32;
+        if c < 0 { size.wrapping_neg() } else { size }
+    };
+    let (x, y) = v.raw();
+    Vec2::from_raw(of(x), of(y))
+}
+
+/// How fast the ends of a normal come nearer, to nearest.
+pub(super) fn approach(axis: Axis, velocity: Vec2) -> Fx {
+    let ((x, y), Raw { x: vx, y: vy }) = (axis.unit().raw(), Raw::of(velocity));
+    let sum = i64::from(x) * i64::from(vx) + i64::from(y) * i64::from(vy);
+    Fx::from_bits(((sum + (1 << 29)) >> 30).clamp(0, i32::MAX.into()) as i32)
+}

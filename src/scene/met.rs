@@ -1,0 +1,130 @@
+//! Where and when the ways of two bodies meet, and who may be on one.
+
+use super::Shape;
+use super::body::{Mode, Slot};
+use super::way::{Pace, later, size};
+use crate::broad::{BroadPhase, Handle, Pair};
+use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2};
+use crate::query::{CastShape, Contacts, Inside, MovingHit};
+use crate::shape::Aabb;
+
+/// Where and when two run into each other.
+pub(super) struct Met {
+    pub(super) pair: Pair,
+    pub(super) time: Toi,
+    /// From `a` to `b`.
+    pub(super) axis: Axis,
+    pub(super) place_a: Vec2,
+    pub(super) place_b: Vec2,
+    /// They did not overlap before.
+    pub(super) begins: bool,
+}
+
+impl Met {
+    /// In the order of the pair, so that it does not matter who asks. From when on both are on these ways: what was before is over.
+    #[inline(never)]
+    pub(super) fn of(one: (Handle, &Slot), other: (Handle, &Slot)) -> Option<Self> {
+        let pair = pair(one, other);
+        let (a, b) = if pair.a == one.0 { (one.1, other.1) } else { (other.1, one.1) };
+        let swept = |slot: &Slot| slot.way.pace == Pace::Swept;
+        let from = match (swept(a), swept(b)) {
+            (true, true) => a.way.since.max(b.way.since),
+            (true, false) => a.way.since,
+            (false, true) => b.way.since,
+            (false, false) => return None,
+        };
+        let (p, q) = (a.at(from), b.at(from));
+        let (left_a, left_b) = (a.way.left(from), b.way.left(from));
+        let hit = p.cast_moving(left_a, &q, left_b)?;
+        if !hit.inside {
+            // The cast's own displacements are shares of how far they come nearer, which may be nothing: so one goes by the time, the other as far from it as the cast says.
+            let nearer = hit.displacement - hit.displacement_b;
+            let (by_a, by_b) = if swept(a) {
+                (hit.toi.of(left_b) + nearer, hit.toi.of(left_b))
+            } else {
+                (hit.toi.of(left_a), hit.toi.of(left_a) - nearer)
+            };
+            let (place_a, place_b) = (p.position() + by_a, q.position() + by_b);
+            return Some(Self {
+                pair,
+                time: later(from, hit.toi),
+                axis: hit.axis.reversed(),
+                place_a,
+                place_b,
+                begins: true,
+            });
+        }
+        let axis = p.contact(&q)?.axis();
+        let nearing = axis.dot_vec(a.way.rate - b.way.rate) > 0;
+        nearing.then_some(Self { pair, time: from, axis, place_a: p.position(), place_b: q.position(), begins: false })
+    }
+}
+
+impl Slot {
+    /// Where its way has it at a time.
+    fn at(&self, time: Toi) -> Shape {
+        self.body.shape.shifted(self.way.left(self.way.since) - self.way.left(time))
+    }
+}
+
+impl Shape {
+    /// When two that move run into each other; none where a motion is too large.
+    fn cast_moving(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit> {
+        let hit = match (self, other) {
+            (Self::Aabb(a), Self::Aabb(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
+            (Self::Aabb(a), Self::Circle(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
+            (Self::Circle(a), Self::Aabb(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
+            (Self::Circle(a), Self::Circle(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
+        };
+        hit.ok().flatten()
+    }
+}
+
+/// The others that may be on a body's way: those that are slow where the broad phase has them, and all that are swept.
+pub(super) fn each_near<B: BroadPhase>(
+    near: &B,
+    slots: &[Slot],
+    movers: &[Handle],
+    margin: u32,
+    handle: Handle,
+    mut each: impl FnMut(Handle, &Slot),
+) {
+    let Some(slot) = slots.get(handle.slot()) else { return };
+    let mut meet = |other: Handle, swept: bool| {
+        let found = slots.get(other.slot()).filter(|at| (at.way.pace == Pace::Swept) == swept);
+        if let Some(at) = found.filter(|at| other != handle && may_meet(slot, at)) {
+            each(other, at);
+        }
+    };
+    let start = slot.body.shape.aabb();
+    let end = slot.body.shape.shifted(slot.way.left(slot.way.since)).aabb();
+    near.in_region(&around(&start.union(&end), margin), |other| meet(other, false));
+    for &other in movers {
+        meet(other, true);
+    }
+}
+
+pub(super) fn may_meet(one: &Slot, other: &Slot) -> bool {
+    other.mode != Mode::Free && one.body.filter.with_still(false).lets_pair(other.body.filter.with_still(false))
+}
+
+/// Two in canonical order.
+pub(super) fn pair(one: (Handle, &Slot), other: (Handle, &Slot)) -> Pair {
+    let rank = |(handle, slot): (Handle, &Slot)| (slot.body.key, handle.slot());
+    let (a, b) = if rank(one) < rank(other) { (one.0, other.0) } else { (other.0, one.0) };
+    Pair { a, b }
+}
+
+/// How far from its box a body may come in this step: no bounce makes it faster.
+pub(super) fn reach(slot: &Slot) -> u32 {
+    size(slot.body.velocity + slot.tally.kick).saturating_add(size(slot.tally.push()))
+}
+
+/// A box grown to all sides, as far as the domain goes.
+pub(super) fn around(bounds: &Aabb, by: u32) -> Aabb {
+    let by = by.min(DOMAIN as u32) as i32;
+    let (lo, hi) = (bounds.lo(), bounds.hi());
+    let least = |c: i32| c.saturating_sub(by).max(1 - DOMAIN);
+    let most = |c: i32| c.saturating_add(by).min(DOMAIN - 1);
+    Aabb::from_raw_unchecked(Raw { x: least(lo.x), y: least(lo.y) }, Raw { x: most(hi.x), y: most(hi.y) })
+}

@@ -1,0 +1,134 @@
+//! What the contacts at a step's start do to two bodies: who pushes whom, who lies on whom, and who rests with whom.
+
+use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
+use super::meeting::{Meeting, Top, toward};
+use super::way::Pace;
+use crate::broad::{BroadPhase, Handle, Pair};
+use crate::motion::response::separate;
+use crate::num::Vec2;
+use crate::query::{Contact, Contacts};
+
+/// Those of all pairs of which one is awake: by the tags of those that are not, or one by one where they are few.
+pub(super) fn each_pair<B: BroadPhase>(near: &mut B, movers: &[Handle], each: impl FnMut(Pair)) {
+    if movers.len() > near.len() >> 1 {
+        near.pairs(each);
+    } else {
+        let known = near.pairs_of(movers, each);
+        debug_assert!(known.is_ok(), "a body of the scene is in its broad phase");
+    }
+}
+
+/// The bodies of a pair, where both are of the scene.
+pub(super) fn both(slots: &[Slot], pair: Pair) -> Option<(&Slot, &Slot)> {
+    let (a, b) = (slots.get(pair.a.slot())?, slots.get(pair.b.slot())?);
+    (a.mode != Mode::Free && b.mode != Mode::Free).then_some((a, b))
+}
+
+/// Collects what a contact does to two bodies; whether they approach.
+pub(super) fn tally(slots: &mut [Slot], pair: Pair, contact: &Contact, gravity: Vec2, carried: bool) -> bool {
+    let Some((a, b)) = both(slots, pair) else { return false };
+    let Some(meeting) = Meeting::of_pile(slots, a, b, contact.axis(), gravity) else { return false };
+    let (by_a, by_b) = separate(contact, meeting.masses.share_of_a());
+    // What two that lie push apart others push back: by all of it, that would go on for ever.
+    let gently =
+        a.support != ALOFT && b.support != ALOFT && meeting.moves_a && meeting.moves_b && !meeting.lands(gravity);
+    let is_hit = if carried { meeting.lands(gravity) } else { meeting.is_hit() };
+    for (at, by, moves) in [(pair.a, by_a, meeting.moves_a), (pair.b, by_b, meeting.moves_b)] {
+        let Some(slot) = slots.get_mut(at.slot()) else { continue };
+        if !carried {
+            slot.tally.pushed(if gently { half(by) } else { by });
+        }
+        slot.tally.hits = slot.tally.hits.saturating_add(u16::from(is_hit && moves));
+    }
+    is_hit
+}
+
+fn half(v: Vec2) -> Vec2 {
+    let (x, y) = v.raw();
+    Vec2::from_raw(x / 2, y / 2)
+}
+
+/// What two bodies that run into each other do to their velocities.
+pub(super) fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, counts: &mut impl FnMut(Pair) -> bool) {
+    let Some((a, b)) = both(slots, pair) else { return };
+    if a.body.filter.sensor() || b.body.filter.sensor() {
+        return;
+    }
+    let Some(contact) = a.body.shape.contact(&b.body.shape) else { return };
+    let carried = upper(a, b, Some(&contact), gravity).is_some_and(|top| is_carried(a, b, top));
+    let hit = |meeting: &Meeting| if carried { meeting.lands(gravity) } else { meeting.is_hit() };
+    let Some(meeting) = Meeting::of_pile(slots, a, b, contact.axis(), gravity).filter(hit) else { return };
+    if !counts(pair) {
+        return;
+    }
+    let hits = |slot: &Slot, moves: bool| if moves { slot.tally.hits } else { 0 };
+    let (by_a, by_b) = meeting.kicks(hits(a, meeting.moves_a).max(hits(b, meeting.moves_b)));
+    for (at, by) in [(pair.a, by_a), (pair.b, by_b)] {
+        if let Some(slot) = slots.get_mut(at.slot()) {
+            slot.tally.kick += by;
+        }
+    }
+}
+
+/// Two bodies touch: one may lie on the other; whether it is left to what comes after the steps of those below.
+pub(super) fn lay(slots: &mut [Slot], pair: Pair, contact: Option<&Contact>, gravity: Vec2) -> bool {
+    let Some((a, b)) = both(slots, pair) else { return false };
+    let Some(top) = upper(a, b, contact, gravity) else { return false };
+    let carried = contact.is_some() && is_carried(a, b, top);
+    let (at, lower) = if top == Top::A { (pair.a, pair.b) } else { (pair.b, pair.a) };
+    if let Some(slot) = slots.get_mut(at.slot()) {
+        let under = &mut slot.tally.under;
+        *under = if *under == NOBODY { lower.slot() as u16 } else { SEVERAL };
+        slot.way.pace = Pace::Lies;
+    }
+    carried
+}
+
+/// Which of two that touch may lie on the other.
+fn upper(a: &Slot, b: &Slot, contact: Option<&Contact>, gravity: Vec2) -> Option<Top> {
+    if gravity == Vec2::ZERO {
+        return None;
+    }
+    let top = contact.map(|contact| Top::of(contact.axis(), toward(gravity)));
+    if top.is_none_or(|top| top == Top::A) && a.lies_on(b, gravity) {
+        Some(Top::A)
+    } else if top.is_none_or(|top| top == Top::B) && b.lies_on(a, gravity) {
+        Some(Top::B)
+    } else {
+        None
+    }
+}
+
+fn is_carried(a: &Slot, b: &Slot, top: Top) -> bool {
+    let lower = if top == Top::A { b } else { a };
+    lower.support != ALOFT
+}
+
+/// Two bodies touch: they rest together. A fixed one joins nobody.
+pub(super) fn join(slots: &mut [Slot], pair: Pair) {
+    let fixed = |slot: &Slot| slot.mode == Mode::Fixed;
+    if both(slots, pair).is_none_or(|(a, b)| fixed(a) || fixed(b)) {
+        return;
+    }
+    let (a, b) = (root(slots, pair.a.slot() as u16), root(slots, pair.b.slot() as u16));
+    if let Some(slot) = slots.get_mut(usize::from(a.max(b))) {
+        slot.tally.link = a.min(b);
+    }
+}
+
+/// Who stands for a body and all that it touches; the way there is halved.
+pub(super) fn root(slots: &mut [Slot], mut at: u16) -> u16 {
+    let link = |slots: &[Slot], at: u16| slots.get(usize::from(at)).map_or(at, |slot| slot.tally.link);
+    for _ in 0..slots.len() {
+        let next = link(slots, at);
+        if next == at {
+            break;
+        }
+        let after = link(slots, next);
+        if let Some(slot) = slots.get_mut(usize::from(at)) {
+            slot.tally.link = after;
+        }
+        at = after;
+    }
+    at
+}

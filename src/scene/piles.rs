@@ -1,0 +1,290 @@
+//! What lies on others is carried from the ground up.
+//!
+//! Each such body makes its step after all that is below it. It comes out of those that are carried themselves, from where they have come to, and
+//! its velocity meets that of what carries them all. So support reaches the whole pile within a step, and a pile in a frame that moves is the pile at rest.
+
+use super::body::{ALOFT, Mode, Slot};
+use super::meeting::{Meeting, Top, carried, toward};
+use super::met::{around, may_meet, pair};
+use super::step::{Trip, hold};
+use super::way::{Pace, size};
+use super::{Scene, SceneEvent, SceneFault, Shape, Stepped};
+use crate::broad::{BroadPhase, Handle, Keyed, Pair};
+use crate::filter::Filter;
+use crate::motion::Masses;
+use crate::motion::response::separate;
+use crate::num::{Axis, Raw, Vec2};
+use crate::query::{Contact, Contacts};
+use crate::world::World;
+
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
+    /// Moves those that lie on others; whether one has been quiet for long enough. Apart, because a scene without piles needs neither its registers nor its stack.
+    #[inline(never)]
+    pub(super) fn settle<W: World>(
+        &mut self,
+        trip: &Trip<'_, W>,
+        stepped: &mut Stepped,
+        counts: &mut impl FnMut(Pair) -> bool,
+        each: &mut impl FnMut(SceneEvent<'_>),
+    ) -> bool {
+        let Self { near, slots, awake, count, sleep } = self;
+        let movers = awake.get_mut(..*count).unwrap_or_default();
+        let mut lying = from_the_lowest(movers, 0, slots, trip.gravity);
+        let fixed = slots.iter().filter(|slot| slot.mode == Mode::Fixed);
+        let margin = fixed.map(|slot| size(slot.lift(trip.gravity))).max().unwrap_or(0);
+        let mut pile = Pile { near, slots, trip, margin, stepped };
+        let mut calm = false;
+        let mut at = 0;
+        while at < lying {
+            let Some(&handle) = movers.get(at) else { break };
+            at += 1;
+            if pile.carry(handle, counts, each) {
+                lying = from_the_lowest(movers, at, pile.slots, trip.gravity);
+            }
+            calm |= pile.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= sleep.steps);
+        }
+        calm
+    }
+}
+
+/// Puts those that lie to the front from a place on, the lowest first, then by keys, then by slots; where they end.
+fn from_the_lowest(movers: &mut [Handle], from: usize, slots: &[Slot], gravity: Vec2) -> usize {
+    let slot = |handle: Option<&Handle>| handle.and_then(|handle| slots.get(handle.slot()));
+    let rank = |handle: Option<&Handle>| {
+        let found = slot(handle).zip(handle);
+        found.map(|(slot, handle)| (slot.height(gravity), slot.body.key, handle.slot()))
+    };
+    let mut lying = from;
+    for at in from..movers.len() {
+        if slot(movers.get(at)).is_none_or(|slot| !slot.way.lies()) {
+            continue;
+        }
+        movers.swap(lying, at);
+        // From step to step hardly any changes its place.
+        let mut to = lying;
+        while to > from && rank(movers.get(to)) < rank(movers.get(to - 1)) {
+            movers.swap(to - 1, to);
+            to -= 1;
+        }
+        lying += 1;
+    }
+    lying
+}
+
+struct Pile<'a, B, W> {
+    near: &'a mut B,
+    slots: &'a mut [Slot],
+    trip: &'a Trip<'a, W>,
+    /// How far what is fixed may be from where the broad phase has it.
+    margin: u32,
+    stepped: &'a mut Stepped,
+}
+
+impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
+    /// One body's whole step; whether others are to be brought out of it, too.
+    fn carry(
+        &mut self,
+        handle: Handle,
+        counts: &mut impl FnMut(Pair) -> bool,
+        each: &mut impl FnMut(SceneEvent<'_>),
+    ) -> bool {
+        let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
+        let (known, quiet) = (slot.body.shape, (slot.quiet, slot.tally.drift));
+        let moved = slot.way.pace == Pace::Moved;
+        let start = if moved { known.position() - slot.way.rate } else { known.position() };
+        if !moved {
+            self.trip.make(slot, handle, self.near, self.stepped, each);
+            if slot.way.pace != Pace::Lies {
+                return false;
+            }
+        }
+        self.come_out(handle, known, (start, quiet), counts, each)
+    }
+
+    /// What follows its way through the level, on a stack of its own.
+    #[inline(never)]
+    fn come_out(
+        &mut self,
+        handle: Handle,
+        known: Shape,
+        before: (Vec2, (u8, [i8; 2])),
+        counts: &mut impl FnMut(Pair) -> bool,
+        each: &mut impl FnMut(SceneEvent<'_>),
+    ) -> bool {
+        let Some(slot) = self.slots.get(handle.slot()) else { return false };
+        let mut slot = *slot;
+        (slot.tally.low, slot.tally.high) = (Vec2::ZERO, Vec2::ZERO);
+        if let Err(fault) = self.rest(handle, &mut slot, before, counts) {
+            slot.body.shape = known;
+            hold(&mut slot, handle, fault, self.stepped, each);
+        }
+        (slot.way.pace, slot.way.turns) = (Pace::Slow, 1);
+        if let Some(place) = self.slots.get_mut(handle.slot()) {
+            *place = slot;
+        }
+        size(slot.tally.push()) > size(self.trip.gravity).saturating_mul(2) && self.lift(handle, &slot, counts)
+    }
+
+    /// Finds those on top that have made their steps and lay on nobody, where a body was pushed into them; whether there are any.
+    fn lift(&mut self, handle: Handle, lower: &Slot, counts: &mut impl FnMut(Pair) -> bool) -> bool {
+        let Self { near, slots, trip, .. } = self;
+        let mut any = false;
+        near.in_region(&lower.body.shape.aabb(), |other| {
+            let Some(slot) = slots.get_mut(other.slot()).filter(|slot| slot.way.turns == 0) else { return };
+            let slow = slot.mode == Mode::Awake && slot.way.pace == Pace::Slow;
+            let on_top = slow && slot.lies_on(lower, trip.gravity) && may_meet(slot, lower);
+            let senses = slot.body.filter.sensor() || lower.body.filter.sensor();
+            if on_top && !senses && counts(pair((handle, lower), (other, slot))) {
+                (slot.way.pace, any) = (Pace::Moved, true);
+            }
+        });
+        any
+    }
+
+    /// Brings a body that has made its way out of those that carry it.
+    #[inline(never)]
+    fn rest(
+        &mut self,
+        handle: Handle,
+        slot: &mut Slot,
+        before: (Vec2, (u8, [i8; 2])),
+        counts: &mut impl FnMut(Pair) -> bool,
+    ) -> Result<(), SceneFault> {
+        let (slots, gravity) = (&*self.slots, self.trip.gravity);
+        let (mut hits, mut last) = (0, None);
+        let it = *slot;
+        self.below((handle, &it), counts, |other, lower, contact| {
+            let (_, by) = separate(contact, Masses::A_FIXED.share_of_a());
+            slot.tally.pushed(still_touching(by, contact.axis()));
+            slot.lie_on(slots, lower, other);
+            if let Some(meeting) = Meeting::of_pile(slots, lower, &it, contact.axis(), gravity) {
+                if meeting.is_hit() {
+                    (hits, last) = (hits + 1, Some((other, meeting)));
+                }
+            }
+        });
+        let lies = slot.support != ALOFT;
+        if let (1, Some((other, meeting))) = (hits, &last) {
+            let (by_lower, by) = meeting.kicks(1);
+            slot.body.velocity += by;
+            if let Some(lower) = self.slots.get_mut(other.slot()) {
+                lower.body.velocity += by_lower;
+            }
+        } else if hits > 1 {
+            self.below((handle, &it), counts, |_, lower, contact| {
+                let meeting = Meeting::onto(self.slots, lower, &it, contact.axis(), gravity);
+                if meeting.is_hit() {
+                    slot.body.velocity += meeting.kicks(hits).1;
+                }
+            });
+        }
+        let push = slot.tally.push();
+        if push != Vec2::ZERO {
+            slot.body.shape = self.trip.slide(&slot.body.shape, push)?;
+        }
+        let bounds = slot.body.shape.aabb();
+        if self.near.bounds(handle).is_ok_and(|known| known != bounds) {
+            self.near.move_to(handle, &bounds)?;
+        }
+        let (start, quiet) = before;
+        slot.way.rate = slot.body.shape.position() - start;
+        if lies {
+            (slot.quiet, slot.tally.drift) = quiet;
+            self.trip.arrive(slot, slot.way.rate, slot.support, false);
+        }
+        Ok(())
+    }
+
+    /// Those that carry a body and that it overlaps where they have come to.
+    fn below(
+        &self,
+        upper: (Handle, &Slot),
+        counts: &mut impl FnMut(Pair) -> bool,
+        mut each: impl FnMut(Handle, &Slot, &Contact),
+    ) {
+        let (handle, slot) = upper;
+        let gravity = self.trip.gravity;
+        let mut ask = |other: Handle, lower: &Slot| {
+            let carries = other != handle && !lower.way.lies() && lower.support != ALOFT && may_meet(slot, lower);
+            if !carries || slot.body.filter.sensor() || lower.body.filter.sensor() {
+                return;
+            }
+            let Some(contact) = lower.comes_to(gravity).contact(&slot.body.shape) else { return };
+            if Top::of(contact.axis(), toward(gravity)) == Top::B && counts(pair(upper, (other, lower))) {
+                each(other, lower, &contact);
+            }
+        };
+        // Who else is there is found when it is touched. A ball that rolls from one to the other and back would not come to rest by that.
+        let rolls = matches!(slot.body.shape, Shape::Circle(_)) || slot.way.pace == Pace::Moved;
+        let only = self.slots.get(usize::from(slot.tally.under)).filter(|_| !rolls);
+        if let Some(lower) = only {
+            return ask(Handle::new(slot.tally.under.into(), lower.generation), lower);
+        }
+        self.near.in_region(&around(&slot.body.shape.aabb(), self.margin), |other| {
+            if let Some(lower) = self.slots.get(other.slot()) {
+                ask(other, lower);
+            }
+        });
+    }
+}
+
+impl Slot {
+    /// In whatever unit: twice the middle of its box, against gravity.
+    pub(super) fn height(&self, gravity: Vec2) -> i64 {
+        let bounds = self.body.shape.aabb();
+        bounds.lo().add(bounds.hi()).dot(Raw::of(gravity)).wrapping_neg()
+    }
+
+    /// How the game moves it after the step along gravity, where it is fixed; across that it may be a conveyor.
+    fn lift(&self, gravity: Vec2) -> Vec2 {
+        let ((x, y), v) = (gravity.raw(), self.body.velocity);
+        match (self.mode == Mode::Fixed, x == 0, y == 0) {
+            (true, true, false) => Vec2::from_raw(0, v.raw().1),
+            (true, false, true) => Vec2::from_raw(v.raw().0, 0),
+            _ => Vec2::ZERO,
+        }
+    }
+
+    /// Where it is at the step's end.
+    fn comes_to(&self, gravity: Vec2) -> Shape {
+        let (shape, by) = (self.body.shape, self.lift(gravity));
+        let placed = match shape {
+            Shape::Aabb(aabb) => aabb.translated(by).map(Shape::Aabb),
+            Shape::Circle(circle) => circle.translated(by).map(Shape::Circle),
+        };
+        placed.unwrap_or(shape)
+    }
+
+    /// It is carried by another one, and by what carries that; of several by the one with the fewest between, then by that on the ground with the smallest key.
+    pub(super) fn lie_on(&mut self, slots: &[Slot], lower: &Self, at: Handle) {
+        let key = |ground: u16| slots.get(usize::from(ground)).map_or(0, |slot| slot.body.key);
+        let ground = if lower.mode == Mode::Fixed { at.slot() as u16 } else { lower.ground };
+        let support = carried(lower.support);
+        if (support, key(ground)) < (self.support, key(self.ground)) {
+            (self.support, self.ground) = (support, ground);
+        }
+    }
+
+    /// Whether it comes to lie on another one, or goes on with it: what does not, like what the level carries, gives way to what it overlaps.
+    pub(super) fn lies_on(&self, lower: &Self, gravity: Vec2) -> bool {
+        self.body.mass.is_some() && self.support != 0 && self.height(gravity) > lower.height(gravity)
+    }
+
+    /// The velocity of what carries all that is below it.
+    pub(super) fn ground_velocity(&self, slots: &[Slot]) -> Vec2 {
+        if self.mode == Mode::Fixed {
+            return self.body.velocity;
+        }
+        let ground = slots.get(usize::from(self.ground)).filter(|slot| slot.mode == Mode::Fixed);
+        ground.map_or(Vec2::ZERO, |slot| slot.body.velocity)
+    }
+}
+
+/// A push that leaves what is oblique overlapping by a raw unit at most: rounded outward, as it is, it would part what goes on lying there.
+fn still_touching(push: Vec2, axis: Axis) -> Vec2 {
+    if axis.x == 0 || axis.y == 0 {
+        return push;
+    }
+    let (x, y) = push.raw();
+    Vec2::from_raw(x - x.signum(), y - y.signum())
+}

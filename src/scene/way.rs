@@ -1,0 +1,113 @@
+//! What a body does in a step once its velocity is known.
+
+use crate::broad::Handle;
+use crate::num::{Raw, Toi, Vec2};
+
+/// What a body does in a step, once its velocity is known: straight ways only.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    /// Units in a whole step, of which it makes what is left.
+    pub(super) rate: Vec2,
+    /// When it is where its shape is: at the step's end, but for those that are swept.
+    pub(super) since: Toi,
+    /// What ends this way, and when.
+    pub(super) end: (Toi, End),
+    /// The slots of those that it has met in this step, and how many there are.
+    pub(super) met: ([u16; 3], u8),
+    /// How often it was turned; 1 for what lay on others and has made its step.
+    pub(super) turns: u8,
+    pub(super) pace: Pace,
+}
+
+/// How often a way may be turned in a step; then the body waits for the next one. Between plates that close there is no last time.
+pub(super) const TURNS: u8 = 8;
+
+/// How a body makes its step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Pace {
+    /// It meets others where they are at the step's start, or nobody is in its reach.
+    Slow,
+    /// After all that is below it, which may carry it.
+    Lies,
+    /// It has made its step, and what is below it was pushed into it.
+    Moved,
+    /// From one thing that it meets to the next.
+    Swept,
+}
+
+/// What ends a straight way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum End {
+    Level,
+    /// The one in this slot.
+    Body(u16),
+    /// The step.
+    Step,
+}
+
+impl Way {
+    pub(super) const REST: Self = Self::made(Vec2::ZERO);
+
+    /// It waits for those below.
+    pub(super) fn lies(&self) -> bool {
+        matches!(self.pace, Pace::Lies | Pace::Moved)
+    }
+
+    /// It has been made.
+    pub(super) const fn made(rate: Vec2) -> Self {
+        Self { rate, since: Toi::ONE, end: (Toi::ONE, End::Step), met: ([0; 3], 0), turns: 0, pace: Pace::Slow }
+    }
+
+    /// What is left of it at a time.
+    pub(super) fn left(&self, at: Toi) -> Vec2 {
+        Toi::exact(Toi::ONE.raw().wrapping_sub(at.raw())).of(self.rate)
+    }
+
+    /// From a time on with another velocity.
+    pub(super) fn go_on(&mut self, time: Toi, velocity: Vec2) {
+        (self.since, self.rate) = (time, if self.waits() { Vec2::ZERO } else { velocity });
+    }
+
+    /// It is turned no more in this step.
+    pub(super) fn waits(&self) -> bool {
+        self.turns >= TURNS
+    }
+
+    /// It is held: nothing that it is hit by moves it in this step.
+    pub(super) const HELD: u8 = u8::MAX;
+
+    pub(super) fn is_held(&self) -> bool {
+        self.turns == Self::HELD
+    }
+
+    /// Whether it may be led elsewhere.
+    pub(super) fn goes(&self) -> bool {
+        self.pace == Pace::Swept && !self.waits()
+    }
+
+    /// Whether two have met in this step already, or one of them so many that it cannot know.
+    pub(super) fn has_met(&self, other: Handle) -> bool {
+        let (slots, count) = &self.met;
+        let known = slots.iter().take((*count).into());
+        usize::from(*count) >= slots.len() || known.into_iter().any(|&slot| usize::from(slot) == other.slot())
+    }
+
+    pub(super) fn note(&mut self, other: Handle) {
+        let (slots, count) = &mut self.met;
+        if let Some(place) = slots.get_mut(usize::from(*count)) {
+            (*place, *count) = (other.slot() as u16, *count + 1);
+        }
+    }
+}
+
+/// How far a way leads at most.
+pub(super) fn size(v: Vec2) -> u32 {
+    let Raw { x, y } = Raw::of(v);
+    x.unsigned_abs().saturating_add(y.unsigned_abs())
+}
+
+/// A part of what is left of the step from a time on, as a time of the step, rounded down.
+pub(super) fn later(from: Toi, part: Toi) -> Toi {
+    let left = Toi::ONE.raw().wrapping_sub(from.raw());
+    Toi::clamped(from.raw().wrapping_add(part.of_raw(left as i32) as u32))
+}
