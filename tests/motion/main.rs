@@ -2,6 +2,12 @@
 
 #![cfg(not(target_os = "none"))]
 
+mod alive_corridors;
+mod alive_cuts;
+mod alive_graph;
+mod alive_ramps;
+mod alive_random;
+mod alive_walks;
 mod clear;
 mod floor;
 mod inside;
