@@ -116,17 +116,18 @@ impl<S: Law> Mover<S> {
         }
         let (first, passes) = (core::mem::take(&mut run.is_first), run.pass_one_way || self.passes_one_way());
         let lay = first && lay_on(&run.moved.body, run.before, made, entry, feature);
-        let mut ways = run.ways::<W>(world, entry, passes);
+        let mut ways = Ways::none();
+        run.read::<W>(world, entry, passes, &mut ways);
         let keeps = first || run.along.is_some_and(|plane| still_touches(&ways, &plane, made));
         if !keeps && run.before != run.v {
             run.before = run.v;
-            ways = run.ways::<W>(world, entry, passes);
+            run.read::<W>(world, entry, passes, &mut ways);
         }
         ways.bind::<W, B>(world, &run.moved.body, passes);
         let mut chosen = run.choose(&ways, entry.normal);
         if chosen.is_none() && self.creep::<W, B>(world, run, &ways) {
             run.shut = Shut::default();
-            ways = Ways::read::<W, B>(world, &run.moved.body, run.before, run.rest, passes);
+            ways.read::<W, B>(world, &run.moved.body, run.before, run.rest, passes);
             ways.bind::<W, B>(world, &run.moved.body, passes);
             chosen = run.choose(&ways, Axis::new(0, 0));
         }
@@ -248,11 +249,10 @@ fn still_touches(ways: &Ways, plane: &Plane, made: Raw) -> bool {
 
 impl<B: Body> Run<'_, B> {
     /// The ways on from the present place, of what was hit too: where the body had to stay back from that, it is not near.
-    fn ways<W: World>(&self, world: &W, hit: &Entry, passes: bool) -> Ways {
-        let mut ways = Ways::read::<W, B>(world, &self.moved.body, self.before, self.rest, passes);
+    fn read<W: World>(&self, world: &W, hit: &Entry, passes: bool, ways: &mut Ways) {
+        ways.read::<W, B>(world, &self.moved.body, self.before, self.rest, passes);
         let bend = if hit.step.is_none() { Bend::Flat } else { Bend::Convex };
         ways.consider::<W, B>(Plane { normal: hit.normal, bend }, self.before, self.rest);
-        ways
     }
 
     /// The longest free way that does not lead into the plane of what was hit. Where something else binds those, any: the body may be beside what it hit, where that

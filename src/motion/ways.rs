@@ -20,8 +20,6 @@ pub(super) struct Way {
     pub(super) along: Option<Plane>,
     /// The velocity at its start.
     pub(super) v: Raw,
-    /// Its length before it is rounded: `along / |normal|`.
-    length: (u64, u64),
     /// Whether the velocity that it is a projection of leads into the plane.
     presses: bool,
     /// A displacement in its direction, long enough to see what is in the way.
@@ -55,10 +53,16 @@ impl Way {
         self.room = self.room.min(room);
     }
 
+    /// The length of what it is of a velocity, before it is rounded: `along / |normal|`. Computed where it is asked: a list of
+    /// eight is 128 bytes of stack shorter.
+    fn length(&self, of: Raw) -> (u64, u64) {
+        self.along.map_or((u64::MAX, 1), |p| (across(of, p.normal).unsigned_abs(), p.normal.length_squared()))
+    }
+
     /// The velocity itself, then its longer projections; of one length, mirrored or not, the one longer along x, then +. Then the planes decide in the same
     /// way: never the order of visits.
-    fn goes_before(&self, other: &Self) -> bool {
-        let ((a, n), (b, m)) = (self.length, other.length);
+    fn goes_before(&self, other: &Self, of: Raw) -> bool {
+        let ((a, n), (b, m)) = (self.length(of), other.length(of));
         let along = |v: Raw| (v.x.unsigned_abs(), v.y.unsigned_abs(), v.x, v.y);
         // What presses back first: friction is its.
         let plane = |w: &Self| w.along.map(|p| (w.presses, along(Raw { x: p.normal.x, y: p.normal.y }), p.bend.rank()));
@@ -104,11 +108,20 @@ impl Ways {
     /// many small segments, the shortest ways are left out.
     const MAX: usize = 8;
 
+    pub(super) const fn none() -> Self {
+        Self { ways: [None; Self::MAX] }
+    }
+
     /// Reads the ways of a velocity from the body's place, in the time that is left; which of them are free is not known yet.
+    ///
+    /// In place: the list takes some 600 bytes, of which a chip has no second ones.
     #[inline(never)]
-    pub(super) fn read<W: World, B: Body>(world: &W, body: &B, v: Raw, time: Toi, passes: bool) -> Self {
-        let mut ways = Self { ways: [None; Self::MAX] };
-        ways.add(Way { along: None, v, length: (u64::MAX, 1), presses: false, probe: long(v), room: Way::FREE });
+    pub(super) fn read<W: World, B: Body>(&mut self, world: &W, body: &B, v: Raw, time: Toi, passes: bool) {
+        let ways = self;
+        for slot in &mut ways.ways {
+            *slot = None;
+        }
+        ways.add(Way { along: None, v, presses: false, probe: long(v), room: Way::FREE }, v);
         let mut features = world.features(&surroundings(&body.bounds(), NEAR));
         while let Some(feature) = &features.next() {
             if !(feature.one_way && passes) {
@@ -116,7 +129,6 @@ impl Ways {
             }
         }
         ways.consider_gaps::<W, B>(v, time);
-        ways
     }
 
     /// Between two corners or arcs the way leads across the line through their centres, as through a gap that is as wide as the body.
@@ -159,13 +171,12 @@ impl Ways {
         let is_exact = plane.normal.x == 0 || plane.normal.y == 0;
         if !along.is_zero() && (is_exact || way(along) > NEAR) {
             let n = plane.normal;
-            let length = (across(v, n).unsigned_abs(), n.length_squared());
             let presses = into(v, n) < 0;
-            self.add(Way { along: Some(plane), v: along, length, presses, probe, room: Way::FREE });
+            self.add(Way { along: Some(plane), v: along, presses, probe, room: Way::FREE }, v);
         }
     }
 
-    fn add(&mut self, way: Way) {
+    fn add(&mut self, way: Way, of: Raw) {
         let mut way = way;
         for slot in &mut self.ways {
             match slot {
@@ -173,7 +184,7 @@ impl Ways {
                     *slot = Some(way);
                     return;
                 }
-                Some(other) if way.goes_before(other) => core::mem::swap(other, &mut way),
+                Some(other) if way.goes_before(other, of) => core::mem::swap(other, &mut way),
                 Some(_) => {}
             }
         }
