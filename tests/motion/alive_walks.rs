@@ -55,7 +55,7 @@ fn two_walls_are_a_floor() {
         let level = drawn(rows, 16 * PX, &shapes);
         let map = level.all();
         for x in [45, 48, 50, 53] {
-            let at = (x * PX, 12 * PX);
+            let at = (x * PX, 8 * PX);
             let (mut v, mut floor) = (Vec2::ZERO, None);
             let walker = Walker::new(PLAYER).with_snap(Fx::from_num(4)).unwrap();
             let mut rests = 0;

@@ -7,7 +7,8 @@ use crate::motion::plane::{NEAR, Side};
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
 use crate::motion::{Hit, Moved, Mover};
-use crate::num::{Axis, DOMAIN, Raw, Vec2, mul_div, umul};
+use crate::motion::ways::{Way, Ways};
+use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, mul_div, umul};
 use crate::shape::Aabb;
 use crate::world::{Cell, Feature, Geometry, World};
 
@@ -45,6 +46,9 @@ impl From<Hit> for Support {
 
 /// How far below a body a floor still carries it, raw: bodies come to rest at slopes and corners up to 2 raw early on each axis.
 pub(in crate::motion) const CONTACT: i32 = 8;
+
+/// How far down a body would have to be free to go, raw: any length that is long beside the rounding distance.
+const DROP: i32 = 1 << 16;
 
 impl Mover {
     /// The floor that carries a body which does not move: within 8 raw units of it, against "up".
@@ -89,8 +93,11 @@ pub(super) trait Look {
     /// What a body meets on a way that it does not make, on what of it is [`within`] the domain.
     fn look<W: World>(&mut self, world: &W, d: Raw) -> Option<Ground>;
 
-    /// The floor within [`CONTACT`] below, also beside a wall that leans on the body from below: between the two it stands.
+    /// What carries the body: the floor within [`CONTACT`] below, also beside a wall that leans on the body from below, or what [wedges](Self::wedge) it.
     fn floor_near<W: World>(&mut self, world: &W, mover: &Mover, up: Axis) -> Option<Support>;
+
+    /// What holds a body without being floor: the first that is below it, where of the directions that are free at its place none leads down.
+    fn wedge<W: World>(&mut self, world: &W, up: Axis) -> Option<Support>;
 }
 
 impl<B: Body> Look for Run<'_, B> {
@@ -123,7 +130,20 @@ impl<B: Body> Look for Run<'_, B> {
                 _ => {}
             }
         }
-        first.hit::<B, W>(&body, d).map(|(entry, feature)| Support::of(entry.normal, feature))
+        let floor = first.hit::<B, W>(&body, d).map(|(entry, feature)| Support::of(entry.normal, feature));
+        floor.or_else(|| self.wedge(world, up))
+    }
+
+    #[inline(never)]
+    fn wedge<W: World>(&mut self, world: &W, up: Axis) -> Option<Support> {
+        let down = along(up, -DROP);
+        let (mut ways, passes) = (Ways::none(), self.pass_one_way);
+        ways.read::<W, B>(world, &self.moved.body, down, Toi::ONE, passes);
+        ways.bind::<W, B>(world, &self.moved.body, passes);
+        if ways.iter().any(Way::is_free) {
+            return None;
+        }
+        self.look(world, down).map(|ground| Support::of(up, &ground.feature))
     }
 }
 

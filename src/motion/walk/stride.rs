@@ -4,10 +4,11 @@ use super::Support;
 use super::ground::{CONTACT, Ground, Look, along, within};
 use super::walker::{SlopeSpeed, Walked, Walker, length};
 use crate::motion::body::{Body, kernel::Kernel};
-use crate::motion::plane::{NEAR, Pipe, Side, across, lies_along, project, tangent, tangential, way};
+use crate::motion::plane::{NEAR, Pipe, Side, across, into, lies_along, project, tangent, tangential, way};
 use crate::motion::response::Smooth;
 use crate::motion::run::{Place, Run, check_inside};
 use crate::motion::search::hull;
+use crate::motion::ways::{Way, Ways};
 use crate::motion::{MoveError, Mover};
 use crate::num::{Axis, Fx, Raw, Toi, mul_div, umul};
 use crate::query::cast::moment::ratio;
@@ -36,6 +37,9 @@ pub(super) struct Stride<'a, W, B> {
 }
 
 impl<'a, W: World, B: Body> Stride<'a, W, B> {
+    /// How often a body that is blocked may go by roundings to a place with a way on: down to its floor, along it, down again, and one to see.
+    const CREEPS: u32 = 4;
+
     pub(super) fn new(walker: &'a Walker, world: &'a W, run: Run<'a, B>, up: Axis, floor: Axis) -> Self {
         let speed = across(run.v, up);
         let lands = run.moved.floor && floor.perp_dot(up) == 0;
@@ -146,6 +150,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
                 true
             }
             Side::Wall if self.climb() => true,
+            _ if self.squeeze() => true,
             _ => {
                 // What is blocked at once does not creep along by roundings.
                 if on_chord || way(made) <= NEAR {
@@ -155,6 +160,39 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
                 false
             }
         }
+    }
+
+    /// Where a leg is blocked: on by the longest way along a floor, or level, that the cone of free directions at this place leaves of the level speed.
+    ///
+    /// At a joint of a ramp and a corridor no lattice place may be in reach from which one of them is free: then it goes up to where that is.
+    #[inline(never)]
+    fn squeeze(&mut self) -> bool {
+        let (u, start) = (self.forward(self.speed), self.run.here());
+        let mut ways = Ways::none();
+        for _ in 0..Self::CREEPS {
+            let (body, passes) = (&self.run.moved.body, self.run.pass_one_way);
+            ways.read::<W, B>(self.world, body, u, self.run.rest, passes);
+            ways.bind::<W, B>(self.world, body, passes);
+            let mover = &self.walker.mover;
+            let is_floor = |way: &&Way| way.along.is_none_or(|plane| mover.side(plane.normal) == Side::Floor);
+            if let Some(way) = ways.iter().filter(is_floor).find(|way| way.is_free()) {
+                self.floor = way.along.map_or(self.up, |plane| plane.normal);
+                return true;
+            }
+            let down = along(self.up, -CONTACT);
+            let mut creeps = ways.iter().filter(is_floor).filter(|way| way.can_creep()).map(Way::probe);
+            if !(self.creep(down) || creeps.any(|probe| self.creep(probe))) {
+                break;
+            }
+        }
+        self.run.put_back(start);
+        false
+    }
+
+    /// Goes up to what is met on a way; whether that is anywhere.
+    fn creep(&mut self, d: Raw) -> bool {
+        let Some(hit) = self.run.look(self.world, d) else { return false };
+        !self.run.advance(self.world, hit.d, &hit.entry).is_zero()
     }
 
     /// Into a quarter pipe by a chord: along its tangent it would meet it again at once.
@@ -216,7 +254,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
     /// Comes down to the ground, or leaves it.
     fn settle(mut self, ground: Option<Ground>) -> Walked<B> {
         let mut support = self.climbed.or_else(|| ground.as_ref().and_then(|ground| self.footing(ground)));
-        if support.is_none() && ground.is_some_and(|ground| way(ground.drop()) <= NEAR) {
+        if support.is_none() && ground.is_some() {
             support = self.run.floor_near(self.world, &self.walker.mover, self.up);
         }
         let mut snapped = Fx::ZERO;
@@ -237,20 +275,21 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
 
 /// Steps: up, forward, down.
 impl<W: World, B: Body> Stride<'_, W, B> {
-    /// Climbs the step in front, if it is one: up by at most the walker's step, forward by the rest of the leg, down to level ground. Else the body
-    /// stays where it is.
+    /// Climbs the step in front, if it is one: up by what it needs, forward by the rest of the leg, down to level ground. Else the body stays where it is.
     #[inline(never)]
     pub(super) fn climb(&mut self) -> bool {
-        if self.walker.step == 0 {
+        let forward = self.forward(self.run.rest.of_raw(self.speed as i32) as u32);
+        if self.walker.step == 0 || forward.is_zero() {
             return false;
         }
-        // Under a low ceiling half of it may be enough, above all for a circle that is on its way up already.
-        self.climb_by(self.walker.step) || self.climb_by(self.walker.step >> 1)
-    }
-
-    fn climb_by(&mut self, height: i32) -> bool {
         let start = self.run.here();
-        let climbed = self.try_climb(height);
+        let (room, _) = self.shift(along(self.up, self.walker.step));
+        let least = self.least(room, forward);
+        // What is thinner than a leg is passed over its top.
+        let climbed = [least, room].into_iter().any(|raised| {
+            self.run.put_back(start);
+            self.climb_by(raised, forward)
+        });
         if climbed {
             // What it is over by now blocks no more; what still does is met by the rest of the frame.
             self.run.moved.wall = false;
@@ -260,10 +299,25 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         climbed
     }
 
-    fn try_climb(&mut self, height: i32) -> bool {
-        let forward = self.forward(self.run.rest.of_raw(self.speed as i32) as u32);
-        let (raised, _) = self.shift(along(self.up, height));
-        if raised.is_zero() || forward.is_zero() {
+    /// How far the body, raised by all the `room` above it, has to rise for what is under it ahead.
+    ///
+    /// ```text
+    ///   ________            What is in the way at that height need not be:
+    ///   lintel  |           only what carries the body from below counts.
+    ///   --------'  o room
+    ///    h _____   ^
+    ///     |sill    o
+    /// ```
+    fn least(&mut self, room: Raw, forward: Raw) -> Raw {
+        let down = along(self.up, -CONTACT).sub(room);
+        let forward = within(&self.run.moved.body.bounds(), forward);
+        self.run.moved.body = self.run.moved.body.shifted(forward);
+        self.run.look(self.world, down).map_or(Raw::ZERO, |ground| room.add(ground.drop()))
+    }
+
+    fn climb_by(&mut self, height: Raw, forward: Raw) -> bool {
+        let raised = self.run.commit(self.world, height, &[height]);
+        if into(raised, self.up) <= 0 {
             return false;
         }
         let bounds = self.run.moved.body.bounds();
