@@ -32,7 +32,6 @@ fn locks(speed: i64, x: i64, r: i64) -> bool {
 }
 
 #[test]
-#[ignore = "support still asks each surface alone: 774 of 1 000 runs end in a lock"]
 fn what_gravity_wedges_has_a_floor() {
     let mut r = Random::new(7);
     let runs: Vec<_> =
@@ -43,7 +42,6 @@ fn what_gravity_wedges_has_a_floor() {
 
 /// Between two faces that are each too steep, by the cone of both: domes, slopes of 63 degrees, one of them beside a block.
 #[test]
-#[ignore = "support still asks each surface alone"]
 fn two_walls_are_a_floor() {
     let scenes: [&[&str]; 3] = [
         &["......", "......", "##)(##", "######"],
@@ -108,7 +106,6 @@ fn passes(sill: i64, headroom: i64, before: i64, speed: i64, start: i64) -> bool
 }
 
 #[test]
-#[ignore = "a step is tried at its height and at half of it: 274 of 3 000 doorways are blocked"]
 fn doorways_are_passed() {
     let mut r = Random::new(3);
     let mut blocked = Vec::new();

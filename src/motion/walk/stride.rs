@@ -190,9 +190,15 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
     }
 
     /// Goes up to what is met on a way; whether that is anywhere.
+    ///
+    /// The time of a corner or an arc is a lower bound, less than a raw unit early, so the next place may be free too. No face is passed on the way
+    /// there: one that is touched is met before the corner, and the others are a raw unit away at least.
     fn creep(&mut self, d: Raw) -> bool {
         let Some(hit) = self.run.look(self.world, d) else { return false };
+        let next = Raw { x: d.x.signum(), y: d.y.signum() };
+        let round = hit.entry.step.is_some();
         !self.run.advance(self.world, hit.d, &hit.entry).is_zero()
+            || (round && !self.run.commit(self.world, d, &[next]).is_zero())
     }
 
     /// Into a quarter pipe by a chord: along its tangent it would meet it again at once.
