@@ -47,8 +47,9 @@ impl From<Hit> for Support {
 /// How far below a body a floor still carries it, raw: bodies come to rest at slopes and corners up to 2 raw early on each axis.
 pub(in crate::motion) const CONTACT: i32 = 8;
 
-/// How far down a body would have to be free to go, raw: any length that is long beside the rounding distance.
-const DROP: i32 = 1 << 16;
+/// How far down a wedged body is not free to go, raw. A way slower than the rounding distance leads nowhere, so what is flatter than 1 in 256 holds
+/// each body, as it does where gravity is a 64th of a unit.
+const DROP: i32 = 1 << 10;
 
 impl Mover {
     /// The floor that carries a body which does not move: within 8 raw units of it, against "up".

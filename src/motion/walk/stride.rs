@@ -290,18 +290,18 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         }
         let start = self.run.here();
         let (room, _) = self.shift(along(self.up, self.walker.step));
+        self.run.put_back(start);
         let least = self.least(room, forward);
         // What is thinner than a leg is passed over its top.
         let climbed = [least, room].into_iter().any(|raised| {
-            self.run.put_back(start);
-            self.climb_by(raised, forward)
+            let climbed = self.climb_by(raised, room, forward);
+            if !climbed {
+                self.run.put_back(start);
+            }
+            climbed
         });
-        if climbed {
-            // What it is over by now blocks no more; what still does is met by the rest of the frame.
-            self.run.moved.wall = false;
-        } else {
-            self.run.put_back(start);
-        }
+        // What it is over by now blocks no more; what still does is met by the rest of the frame.
+        self.run.moved.wall &= !climbed;
         climbed
     }
 
@@ -316,12 +316,20 @@ impl<W: World, B: Body> Stride<'_, W, B> {
     /// ```
     fn least(&mut self, room: Raw, forward: Raw) -> Raw {
         let down = along(self.up, -CONTACT).sub(room);
-        let forward = within(&self.run.moved.body.bounds(), forward);
-        self.run.moved.body = self.run.moved.body.shifted(forward);
-        self.run.look(self.world, down).map_or(Raw::ZERO, |ground| room.add(ground.drop()))
+        self.look_from(room, forward, down).map_or(Raw::ZERO, |ground| room.add(ground.drop()))
     }
 
-    fn climb_by(&mut self, height: Raw, forward: Raw) -> bool {
+    /// What is below a place ahead of a body that is raised to there, whatever is in the way.
+    fn look_from(&mut self, raised: Raw, forward: Raw, down: Raw) -> Option<Ground> {
+        let here = self.run.here();
+        let to = within(&self.run.moved.body.bounds(), raised.add(forward));
+        self.run.moved.body = self.run.moved.body.shifted(to);
+        let ground = self.run.look(self.world, down);
+        self.run.put_back(here);
+        ground
+    }
+
+    fn climb_by(&mut self, height: Raw, room: Raw, forward: Raw) -> bool {
         let raised = self.run.commit(self.world, height, &[height]);
         if into(raised, self.up) <= 0 {
             return false;
@@ -336,7 +344,7 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         let Some(ground) = self.run.look(self.world, down) else { return false };
         // The edge is no floor, however flat it is met: the step's height counts.
         let corner = ground.entry.step.is_some();
-        let floor = if corner { self.beyond(&ground) } else { self.level(&ground) };
+        let floor = if corner { self.beyond(&ground, room.sub(raised)) } else { self.level(&ground) };
         let Some(floor) = floor else { return false };
         let fall = self.run.advance(self.world, down, &ground.entry);
         (self.floor, self.climbed) = (floor.axis, Some(floor));
@@ -363,23 +371,20 @@ impl<W: World, B: Body> Stride<'_, W, B> {
     /// A circle comes down to the edge of a step before it is over the step, or still when it is beyond. There it is on its way, and stands,
     /// if there is level floor at the end of the same way down from half its width farther on.
     pub(super) fn footing(&mut self, ground: &Ground) -> Option<Support> {
-        self.walker.mover.support(ground).or_else(|| self.beyond(ground))
+        self.walker.mover.support(ground).or_else(|| self.beyond(ground, Raw::ZERO))
     }
 
-    fn beyond(&mut self, ground: &Ground) -> Option<Support> {
+    fn beyond(&mut self, ground: &Ground, raised: Raw) -> Option<Support> {
         if !B::MEETS_CORNERS || ground.entry.step.is_none() {
             return None;
         }
-        let start = self.run.here();
         let size = Raw::of(self.run.moved.body.bounds().size());
         let forward = self.forward((size.x.max(size.y) >> 1) as u32);
         if forward.is_zero() {
             return None;
         }
-        self.shift(forward);
-        let beyond = self.run.look(self.world, ground.d);
-        self.run.put_back(start);
-        self.level(&beyond?)
+        let beyond = self.look_from(raised, forward, ground.d.sub(raised))?;
+        self.level(&beyond)
     }
 
     /// The ground as a support, where it is level.
