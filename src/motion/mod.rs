@@ -145,6 +145,7 @@ mod walk {
     //! steps and walls end, and a look down from its end, which finds where the floor bends downward. In the air it
     //! moves as its mover does, up to the first floor.
 
+    mod assist;
     mod ground;
     mod stride;
     mod walker;

@@ -8,6 +8,7 @@ mod alive_graph;
 mod alive_ramps;
 mod alive_random;
 mod alive_walks;
+mod assist;
 mod clear;
 mod floor;
 mod inside;

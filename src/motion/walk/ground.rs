@@ -3,7 +3,7 @@
 use crate::error::RangeError;
 use crate::motion::body::{Body, Entry};
 use crate::motion::order::First;
-use crate::motion::plane::{NEAR, Side};
+use crate::motion::plane::{NEAR, Side, may_be_askew};
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
 use crate::motion::ways::{Way, Ways};
@@ -94,6 +94,9 @@ pub(super) trait Look {
     /// What a body meets on a way that it does not make, on what of it is [`within`] the domain.
     fn look<W: World>(&mut self, world: &W, d: Raw) -> Option<Ground>;
 
+    /// The same from another place, whatever is in the way to there and at it: what the body is in the solid of is no hit on the way out of it.
+    fn look_from<W: World>(&mut self, world: &W, to: Raw, d: Raw) -> Option<Ground>;
+
     /// What carries the body: the floor within [`CONTACT`] below, also beside a wall that leans on the body from below, or what [wedges](Self::wedge) it.
     fn floor_near<W: World>(&mut self, world: &W, mover: &Mover, up: Axis) -> Option<Support>;
 
@@ -111,6 +114,15 @@ impl<B: Body> Look for Run<'_, B> {
         self.moved.work.iterations += 1;
         let (entry, feature) = self.first_hit(world, d)?;
         Some(Ground { d, entry, feature })
+    }
+
+    fn look_from<W: World>(&mut self, world: &W, to: Raw, d: Raw) -> Option<Ground> {
+        let here = self.here();
+        let to = within(&self.moved.body.bounds(), to);
+        self.moved.body = self.moved.body.shifted(to);
+        let ground = self.look(world, d);
+        self.put_back(here);
+        ground
     }
 
     #[inline(never)]
@@ -137,6 +149,9 @@ impl<B: Body> Look for Run<'_, B> {
 
     #[inline(never)]
     fn wedge<W: World>(&mut self, world: &W, up: Axis) -> Option<Support> {
+        if !may_be_askew::<B, W>() {
+            return None;
+        }
         let down = along(up, -DROP);
         let (mut ways, passes) = (Ways::none(), self.pass_one_way);
         ways.read::<W, B>(world, &self.moved.body, down, Toi::ONE, passes);

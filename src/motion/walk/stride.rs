@@ -4,7 +4,9 @@ use super::Support;
 use super::ground::{CONTACT, Ground, Look, along, within};
 use super::walker::{SlopeSpeed, Walked, Walker, length};
 use crate::motion::body::{Body, kernel::Kernel};
-use crate::motion::plane::{NEAR, Pipe, Side, across, into, lies_along, project, tangent, tangential, way};
+use crate::motion::plane::{
+    NEAR, Pipe, Side, across, into, lies_along, may_be_askew, project, tangent, tangential, way,
+};
 use crate::motion::response::Smooth;
 use crate::motion::run::{Place, Run, check_inside};
 use crate::motion::search::hull;
@@ -167,6 +169,9 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
     /// At a joint of a ramp and a corridor no lattice place may be in reach from which one of them is free: then it goes up to where that is.
     #[inline(never)]
     fn squeeze(&mut self) -> bool {
+        if !may_be_askew::<B, W>() {
+            return false;
+        }
         let (u, start) = (self.forward(self.speed), self.run.here());
         let mut ways = Ways::none();
         for _ in 0..Self::CREEPS {
@@ -316,17 +321,7 @@ impl<W: World, B: Body> Stride<'_, W, B> {
     /// ```
     fn least(&mut self, room: Raw, forward: Raw) -> Raw {
         let down = along(self.up, -CONTACT).sub(room);
-        self.look_from(room, forward, down).map_or(Raw::ZERO, |ground| room.add(ground.drop()))
-    }
-
-    /// What is below a place ahead of a body that is raised to there, whatever is in the way.
-    fn look_from(&mut self, raised: Raw, forward: Raw, down: Raw) -> Option<Ground> {
-        let here = self.run.here();
-        let to = within(&self.run.moved.body.bounds(), raised.add(forward));
-        self.run.moved.body = self.run.moved.body.shifted(to);
-        let ground = self.run.look(self.world, down);
-        self.run.put_back(here);
-        ground
+        self.run.look_from(self.world, room.add(forward), down).map_or(Raw::ZERO, |ground| room.add(ground.drop()))
     }
 
     fn climb_by(&mut self, height: Raw, room: Raw, forward: Raw) -> bool {
@@ -383,7 +378,7 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         if forward.is_zero() {
             return None;
         }
-        let beyond = self.look_from(raised, forward, ground.d.sub(raised))?;
+        let beyond = self.run.look_from(self.world, raised.add(forward), ground.d.sub(raised))?;
         self.level(&beyond)
     }
 

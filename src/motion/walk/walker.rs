@@ -194,7 +194,7 @@ impl Walker {
     }
 }
 
-const fn checked(length: Fx, what: Quantity) -> Result<i32, RangeError> {
+pub(super) const fn checked(length: Fx, what: Quantity) -> Result<i32, RangeError> {
     let value = length.to_bits();
     if 0 <= value && value < MOTION { Ok(value) } else { Err(RangeError { what, value }) }
 }
