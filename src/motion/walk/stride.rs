@@ -38,6 +38,14 @@ pub(super) struct Stride<'a, W, B> {
     lands: bool,
 }
 
+/// How a body that is blocked goes on.
+enum On {
+    /// Along this floor.
+    Free(Axis),
+    /// By roundings, to a place that may have a way on.
+    Creeps([Option<Raw>; 2]),
+}
+
 impl<'a, W: World, B: Body> Stride<'a, W, B> {
     /// How often a body that is blocked may go by roundings to a place with a way on: down to its floor, along it, down again, and one to see.
     const CREEPS: u32 = 4;
@@ -172,26 +180,38 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         if !may_be_askew::<B, W>() {
             return false;
         }
-        let (u, start) = (self.forward(self.speed), self.run.here());
-        let mut ways = Ways::none();
+        let start = self.run.here();
         for _ in 0..Self::CREEPS {
-            let (body, passes) = (&self.run.moved.body, self.run.pass_one_way);
-            ways.read::<W, B>(self.world, body, u, self.run.rest, passes);
-            ways.bind::<W, B>(self.world, body, passes);
-            let mover = &self.walker.mover;
-            let is_floor = |way: &&Way| way.along.is_none_or(|plane| mover.side(plane.normal) == Side::Floor);
-            if let Some(way) = ways.iter().filter(is_floor).find(|way| way.is_free()) {
-                self.floor = way.along.map_or(self.up, |plane| plane.normal);
-                return true;
-            }
-            let down = along(self.up, -CONTACT);
-            let mut creeps = ways.iter().filter(is_floor).filter(|way| way.can_creep()).map(Way::probe);
-            if !(self.creep(down) || creeps.any(|probe| self.creep(probe))) {
-                break;
+            match self.way_on() {
+                On::Free(floor) => {
+                    self.floor = floor;
+                    return true;
+                }
+                On::Creeps(probes) => {
+                    let down = along(self.up, -CONTACT);
+                    if !(self.creep(down) || probes.into_iter().flatten().any(|probe| self.creep(probe))) {
+                        break;
+                    }
+                }
             }
         }
         self.run.put_back(start);
         false
+    }
+
+    /// Apart, so that the list of ways is not on the stack while the body goes along them.
+    #[inline(never)]
+    fn way_on(&self) -> On {
+        let (body, passes) = (&self.run.moved.body, self.run.pass_one_way);
+        let mut ways = Ways::none();
+        ways.read::<W, B>(self.world, body, self.forward(self.speed), self.run.rest, passes);
+        ways.bind::<W, B>(self.world, body, passes);
+        let is_floor = |way: &&Way| way.along.is_none_or(|p| self.walker.mover.side(p.normal) == Side::Floor);
+        if let Some(way) = ways.iter().filter(is_floor).find(|way| way.is_free()) {
+            return On::Free(way.along.map_or(self.up, |plane| plane.normal));
+        }
+        let mut creeps = ways.iter().filter(is_floor).filter(|way| way.can_creep()).map(Way::probe);
+        On::Creeps([creeps.next(), creeps.next()])
     }
 
     /// Goes up to what is met on a way; whether that is anywhere.

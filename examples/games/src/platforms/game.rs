@@ -89,7 +89,7 @@ impl Game {
         (self.body, self.velocity, self.floor) = (walked.moved.body, walked.moved.velocity, walked.floor);
         if jumps {
             // The ride has made the lift's part of this frame; it goes on with it.
-            self.velocity = self.velocity + ridden.carry;
+            self.velocity += ridden.carry;
         }
         self.stepped += walked.stepped;
         Ok(ridden.ride)
