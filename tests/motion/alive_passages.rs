@@ -87,19 +87,22 @@ fn up_through_and_down() {
     }
 }
 
-/// Slopes of all steepnesses, a part of a row each: the floor's tiles, and the ceiling's two cells above them.
-const SLOPES: [(&[(u8, i64)], &[(u8, i64)], (i64, i64)); 3] = [
-    (&[(8, 0), (8, 1), (8, 2)], &[(6, 0), (6, 1), (6, 2)], (1, 1)),
-    (&[(20, 0), (24, 0), (20, 1), (24, 1)], &[(22, 0), (18, 0), (22, 1), (18, 1)], (1, 2)),
-    (&[(28, 0), (28, 2)], &[(26, 1), (26, 3)], (2, 1)),
+/// Tiles of a column between two slopes: rows above the lower floor, from below, and ids.
+type Column = &'static [(i64, u8)];
+
+/// The floor's tiles and the ceiling's two cells above them, and how steep they are.
+const SLOPES: [(&[Column], i64, i64); 3] = [
+    (&[&[(0, 8), (2, 6)], &[(1, 8), (3, 6)], &[(2, 8), (4, 6)]], 1, 1),
+    (&[&[(0, 20), (2, 22)], &[(0, 24), (2, 18)], &[(1, 20), (3, 22)], &[(1, 24), (3, 18)]], 1, 2),
+    (&[&[(0, 32), (1, 28), (2, 26), (3, 30)], &[(2, 32), (3, 28), (4, 26), (5, 30)]], 2, 1),
 ];
 
 /// Between a slope and a parallel one above it, for boxes that touch both.
 #[test]
 fn along_a_slope_under_a_slope() {
     const WIDE: i64 = 12;
-    for (floor, ceiling, (rise, run)) in SLOPES {
-        let long = floor.len() as i64;
+    for (columns, rise, run) in SLOPES {
+        let long = columns.len() as i64;
         let up = long * rise / run;
         let mut tiles = vec![0; (WIDE * 12) as usize];
         let mut put = |x: i64, y: i64, id: u8| tiles[(y * WIDE + x) as usize] = id;
@@ -108,19 +111,11 @@ fn along_a_slope_under_a_slope() {
             let base = 10 - if k < 0 { 0 } else { up.min(k * rise / run) };
             // The floor's row and all below it, the ceiling's and all above it.
             let (mut low, mut high) = (base, base - 3);
-            if (0..long).contains(&k) {
-                let (f, c) = (floor[k as usize], ceiling[k as usize]);
-                if rise == 2 {
-                    put(x, 9 - f.1, 32);
-                    put(x, 8 - f.1, f.0);
-                    put(x, 7 - f.1, 26);
-                    put(x, 6 - f.1, 30);
-                    (low, high) = (10 - f.1, 5 - f.1);
-                } else {
-                    put(x, 9 - f.1, f.0);
-                    put(x, 7 - c.1, c.0);
-                    (low, high) = (10 - f.1, 6 - c.1);
+            if let Some(&column) = usize::try_from(k).ok().and_then(|k| columns.get(k)) {
+                for &(up, id) in column {
+                    put(x, 9 - up, id);
                 }
+                (low, high) = (10 - column[0].0, 8 - column[column.len() - 1].0);
             }
             (low..12).for_each(|y| put(x, y, 1));
             (0..=high).for_each(|y| put(x, y, 1));
