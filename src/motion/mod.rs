@@ -90,6 +90,7 @@ mod body;
 mod cast;
 mod character;
 mod contact;
+mod feel;
 mod inside;
 mod moved;
 mod mover;
@@ -158,8 +159,9 @@ mod ways;
 
 pub use body::Body;
 pub use cast::BodyHit;
-pub use character::{Character, Feel, Input, Outcome, Step};
+pub use character::{Character, Outcome, Step};
 
+pub use feel::{Feel, Input};
 pub use inside::{StartInside, escape};
 pub use moved::{Hit, Hits, MoveError, Moved, Stuck, Work};
 pub use mover::{Mover, Response};
