@@ -57,6 +57,8 @@ impl Mover {
     /// Floor is what the mover's slope limit says; one-way faces carry what is entirely above them, unless the mover drops through. A
     /// mover without an "up" has no floor.
     ///
+    /// What gravity wedges between walls, where no direction that leads down is free, is supported too: its axis is "up", and the feature is the first below.
+    ///
     /// Cost: one sweep over the cells that the body touches.
     ///
     /// # Errors
