@@ -34,6 +34,8 @@ pub enum Quantity {
     Length,
     /// How high a walker steps.
     StepHeight,
+    /// How far a body may be put aside: [`Mover::assist`](crate::Mover::assist).
+    Assist,
     /// The cells of a level that a motion comes to: their number, not a length.
     Cells,
     /// The direction of a box: it has none where both components are zero.

@@ -1,98 +1,12 @@
 //! The hero of a platformer: one call per frame, built from [`Walker`], [`Mover::ride`] and
 //! [`Joined`].
 
-use super::{Body, Hits, MoveError, Mover, Ride, SlopeSpeed, Support, Walked, Walker};
+use super::feel::{Feel, Input};
+use super::{Body, Hits, MoveError, Mover, Ride, Support, Walked, Walker};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, Fx, Vec2};
 use crate::shape::Aabb;
 use crate::world::{Joined, Solid, Solids, World};
-
-/// What the player wants in one frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Input {
-    /// The speed to run at, in units per frame: negative to the left.
-    pub run: Fx,
-    /// Whether the jump button is down. The character notices by itself when it is pressed and
-    /// released.
-    pub jump: bool,
-    /// Whether to drop through one-way floors in this frame.
-    pub drop: bool,
-}
-
-/// How a [`Character`] moves. Lengths are units, times are frames.
-///
-/// The default suits cells of 16 units at 60 frames per second: a jump 42.75 units high that takes
-/// 18 frames to its top. Change what you like, in any frame:
-///
-/// ```
-/// use tilesat::{Feel, fx};
-/// const MOON: Feel = Feel { gravity: fx!(0.0625), wall_jump: Some(fx!(2.5)), ..Feel::DEFAULT };
-/// # let _ = MOON;
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Feel {
-    /// What the velocity gains per frame. Positive pulls toward larger y, as on a screen; negative
-    /// pulls the other way, and "up" follows.
-    pub gravity: Fx,
-    /// The fastest fall.
-    pub fall: Fx,
-    /// The speed at which a jump starts. With a gravity of g, a jump of n g rises by g n (n + 1) /
-    /// 2 in n frames.
-    pub jump: Fx,
-    /// The speed that a rising jump keeps when the button is released. As large as `jump`: all
-    /// jumps are equally high.
-    pub jump_cut: Fx,
-    /// For so many frames after the body has walked off the floor, or has left a wall, it can still
-    /// jump.
-    pub coyote: u8,
-    /// A press of the button counts for so many more frames, so that it may come before the
-    /// landing.
-    pub buffer: u8,
-    /// How much the speed changes per frame on a floor, toward [`Input::run`].
-    pub acceleration: Fx,
-    /// How much the speed changes per frame in the air.
-    pub air_acceleration: Fx,
-    /// How far the body keeps to a falling ground: [`Walker::with_snap`]. One and a half of the
-    /// running speed is enough for tiles.
-    pub snap: Fx,
-    /// How high a step it climbs: [`Walker::with_step`].
-    pub step: Fx,
-    /// How fast it is on slopes.
-    pub slope_speed: SlopeSpeed,
-    /// The speed away from a wall that a jump off it starts with; no such jumps where `None`.
-    pub wall_jump: Option<Fx>,
-    /// The fastest fall while it runs against a wall; as elsewhere where `None`.
-    pub wall_slide: Option<Fx>,
-}
-
-impl Feel {
-    /// See [`Feel`].
-    pub const DEFAULT: Self = Self {
-        gravity: Fx::from_bits(0x4000), // 0.25
-        fall: Fx::from_bits(6 << 16),
-        jump: Fx::from_bits(0x4_8000),     // 4.5
-        jump_cut: Fx::from_bits(0x1_8000), // 1.5
-        coyote: 5,
-        buffer: 5,
-        acceleration: Fx::from_bits(0x8000),     // 0.5
-        air_acceleration: Fx::from_bits(0x4000), // 0.25
-        snap: Fx::from_bits(5 << 16),
-        step: Fx::from_bits(4 << 16),
-        slope_speed: SlopeSpeed::Constant,
-        wall_jump: None,
-        wall_slide: None,
-    };
-
-    const fn falls_to_larger_y(&self) -> bool {
-        self.gravity.to_bits() >= 0
-    }
-}
-
-impl Default for Feel {
-    fn default() -> Self {
-        Self::DEFAULT
-    }
-}
 
 /// What became of a character in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -178,6 +92,8 @@ pub struct Character<B = Aabb> {
     body: B,
     limits: Aabb,
     floor: Option<Support>,
+    /// The motion of the solid that it has jumped off: its flight is what it is on still ground, seen from there.
+    base: Vec2,
     /// Whether the button was down in the last frame.
     held: bool,
     /// Whether it rises by a jump of its own.
@@ -194,7 +110,10 @@ pub struct Character<B = Aabb> {
 /// A frame that has been thought of: the velocity, and who walks by it.
 struct Plan {
     walker: Walker,
+    /// What it still has to go in this frame.
     velocity: Vec2,
+    /// What of the motion a solid has made already.
+    made: Vec2,
     jumped: bool,
 }
 
@@ -209,6 +128,7 @@ impl<B: Body> Character<B> {
             body,
             limits,
             floor: None,
+            base: Vec2::ZERO,
             held: false,
             jumps: false,
             wish: 0,
@@ -285,7 +205,9 @@ impl<B: Body> Character<B> {
     /// characters, call [`ride`](Self::ride) for each, then [`Solid::move_all`], then
     /// [`step_carried`](Self::step_carried) for each.
     ///
-    /// A jump off a solid adds the solid's motion to the velocity.
+    /// A jump off a solid takes the solid's motion along: seen from a solid that keeps its motion,
+    /// the flight is that on still ground. In the frame of the jump the character moves by its
+    /// velocity alone.
     ///
     /// Cost: [`Mover::ride`] and [`Walker::walk`] in a [`Joined`] level.
     ///
@@ -310,7 +232,8 @@ impl<B: Body> Character<B> {
     /// The first half of [`step_on`](Self::step_on): goes where the solids take or push the
     /// character. They are still at their old places.
     ///
-    /// Returns what became of it, and what to add to the velocity of a jump in this frame.
+    /// Returns what became of it, and the motion of the solid that it stood on, or how far it was
+    /// pushed in the air.
     ///
     /// # Errors
     /// As [`step`](Self::step).
@@ -324,7 +247,7 @@ impl<B: Body> Character<B> {
                     Ride::Squashed { by, normal } => Outcome::Squashed { by, normal },
                     _ => Outcome::Moved,
                 };
-                Ok((outcome, ridden.carry))
+                Ok((outcome, if self.floor.is_some() { ridden.carry } else { ridden.motion }))
             }
             Err(e) => Ok((refused(e)?, Vec2::ZERO)),
         }
@@ -354,19 +277,22 @@ impl<B: Body> Character<B> {
         self.held = input.jump;
 
         let rate = if stands { feel.acceleration } else { feel.air_acceleration };
-        let mut run = toward(self.velocity.x, input.run, rate);
+        let (base, base_fall) =
+            (self.base, if feel.falls_to_larger_y() { self.base.y } else { self.base.y.saturating_neg() });
+        // What falls off a solid that sinks falls as much faster; what is above one that rises no more slowly.
+        let fastest = feel.fall.saturating_add(base_fall.max(Fx::ZERO));
+        let mut run = toward(self.velocity.x.saturating_sub(base.x), input.run, rate);
         let against_wall = self.wall_age <= 1 && input.run.signum() == Fx::from(self.wall) && self.wall != 0;
-        let limit = feel.wall_slide.filter(|_| against_wall).map_or(feel.fall, |slide| slide.min(feel.fall));
-        let mut fall = self.falls().saturating_add(self.pull()).min(limit);
-        let (mut gained, mut jumped) = (Vec2::ZERO, false);
+        let limit = feel.wall_slide.filter(|_| against_wall).map_or(fastest, |slide| slide.min(feel.fall));
+        let mut fall = self.falls().saturating_add(self.pull()).min(limit).saturating_sub(base_fall);
+        let mut jumped = false;
 
         let off_wall = feel.wall_jump.filter(|_| self.wall != 0 && self.wall_age <= feel.coyote.saturating_add(1));
         let off_floor = stands || self.away <= feel.coyote;
         if self.wish > 0 && (off_floor || off_wall.is_some()) {
             fall = feel.jump.saturating_neg();
-            if off_floor {
-                gained = carry;
-            } else if let Some(push) = off_wall {
+            self.base = if stands { carry } else { Vec2::ZERO };
+            if let Some(push) = off_wall.filter(|_| !off_floor) {
                 run = if self.wall > 0 { push.saturating_neg() } else { push };
             }
             (self.wish, self.away, self.wall, self.jumps, jumped) = (0, u8::MAX, 0, true, true);
@@ -383,7 +309,14 @@ impl<B: Body> Character<B> {
         let y = if feel.falls_to_larger_y() { fall } else { fall.saturating_neg() };
         let walker = Walker::new(self.mover().with_drop_through(input.drop)).with_slope_speed(feel.slope_speed);
         let walker = walker.with_snap(feel.snap)?.with_step(feel.step)?;
-        Ok(Plan { walker, velocity: Vec2::new(run, y) + gained, jumped })
+        let velocity = Vec2::new(run, y) + self.base;
+        let made = match (stands, jumped) {
+            (true, true) => carry,
+            (true, false) => Vec2::ZERO,
+            // What pushes it where it goes makes a part of its way.
+            (false, _) => Vec2::new(shared(carry.x, velocity.x), shared(carry.y, velocity.y)),
+        };
+        Ok(Plan { walker, velocity: velocity - made, made, jumped })
     }
 
     /// Takes over where a walk ended.
@@ -392,13 +325,25 @@ impl<B: Body> Character<B> {
             Ok(walked) => walked,
             Err(e) => {
                 let outcome = refused(e)?;
-                (self.velocity, self.floor) = (Vec2::ZERO, None);
+                (self.velocity, self.floor, self.base) = (Vec2::ZERO, None, Vec2::ZERO);
                 return Ok(Step::nothing(outcome));
             }
         };
         let moved = &walked.moved;
         let landed = self.floor.is_none() && walked.floor.is_some();
-        (self.body, self.velocity, self.floor) = (moved.body, moved.velocity, walked.floor);
+        (self.body, self.floor) = (moved.body, walked.floor);
+        // What nothing has taken of the velocity goes on; on a solid it is seen from there again.
+        let (now, was) = (moved.velocity, plan.velocity);
+        let kept = |v: Vec2| {
+            let part = |now, was, v| if now == was { v } else { Fx::ZERO };
+            Vec2::new(part(now.x, was.x, v.x), part(now.y, was.y, v.y))
+        };
+        let base = kept(self.base);
+        (self.base, self.velocity) = match walked.floor {
+            None => (base, now + kept(plan.made)),
+            Some(floor) if Solids::key_of(floor.cell).is_some() => (Vec2::ZERO, Vec2::new(now.x - base.x, now.y)),
+            Some(_) => (Vec2::ZERO, now),
+        };
         self.jumps &= walked.floor.is_none();
         if moved.wall {
             // Steeper than 45 degrees: the mover's limit.
@@ -433,6 +378,11 @@ fn refused(e: MoveError) -> Result<Outcome, RangeError> {
         MoveError::Range(RangeError { what: Quantity::X | Quantity::Y, .. }) => Ok(Outcome::OutOfLevel),
         MoveError::Range(e) => Err(e),
     }
+}
+
+/// What two motions have in common.
+fn shared(a: Fx, b: Fx) -> Fx {
+    if a < 0 { a.max(b).min(Fx::ZERO) } else { a.min(b).max(Fx::ZERO) }
 }
 
 /// A speed, changed by at most `rate` toward another.

@@ -2,7 +2,6 @@
 
 use super::body::{Body, Entry};
 use super::order::First;
-use super::plane::may_be_askew;
 use super::plane::{Side, SlopeLimit};
 use super::response::{Bounce, Law, Smooth, Surface};
 use super::run::{Run, check_inside, is_free};
@@ -151,14 +150,16 @@ impl<S: Law> Mover<S> {
     ///
     /// The body is swept, so no speed tunnels. It ends exactly on the faces along x and y that it hits, and what they do to the motion is
     /// exact: a box that lands still goes on by its whole sideways motion. At a slope, a corner or an arc it ends at most 2 raw early
-    /// and never inside; wedged where no lattice point near the contact is free, 10 raw early, and if none is free there either where that piece
+    /// and never inside; wedged where no lattice point near the contact is free, up to 66 raw early, and if none is free there either where that piece
     /// of its motion began.
+    /// What is left of the velocity is its longest projection that nothing is in the way of, of all surfaces that the body touches *at that place*: what it
+    /// has left behind has no say.
     /// Along the slopes of tiles it goes exactly: the velocity is a multiple of the slope's direction, less than one multiple short. Through a
     /// quarter pipe it goes by one chord a call and comes out as fast as it went in, less some 3 raw a call.
     /// Sliding never lengthens the velocity and bouncing never raises its square (with a [`Speed`](super::Speed), not above that).
     ///
     /// A body that gravity presses between surfaces (a V, a bowl, two domes, a slope and a wall) comes to rest, for gravities up to a twentieth of a
-    /// tile a call: within 4 raw of all of them a call that leaves no velocity leaves the place as it was too, so nothing hums.
+    /// tile a call: each way that it makes is a part of its velocity, so nothing hums.
     ///
     /// A body without velocity stays where it is, and nothing is asked of the level, not even whether the body is in the solid: nothing that
     /// could lead into it is done. `overlaps` of the level tells.
@@ -270,7 +271,6 @@ impl<S: Law> Mover<S> {
         moved.work = found.work;
         let mut run = Run::new(&mut moved, around);
         (run.inside, run.guarded) = (found.inside, found.guarded);
-        run.start = if !may_be_askew::<B, W>() || run.inside { None } else { Some(*body) };
         if !self.follow::<W, B, false>(world, &mut run, Raw::of(velocity), first) {
             self.slide::<W, B, false>(world, &mut run, first)?;
         }
@@ -291,7 +291,6 @@ impl<S: Law> Mover<S> {
         let inside = !free && self.is_inside(world, &moved.body, &mut moved.work)?;
         let mut run = Run::new(moved, around);
         run.inside = inside;
-        run.start = if !may_be_askew::<B, W>() || inside { None } else { Some(run.moved.body) };
         Ok(run)
     }
 
@@ -312,8 +311,8 @@ impl<S: Law> Mover<S> {
         run: &mut Run<'_, B>,
         first: &mut First,
     ) -> Result<(), MoveError> {
-        while (run.creeps || !run.motion.is_zero()) && run.moved.work.iterations < Mover::ITERATIONS {
-            let d = if may_be_askew::<B, W>() && run.creeps { run.ahead() } else { run.motion };
+        while !run.motion.is_zero() && run.moved.work.iterations < Mover::ITERATIONS {
+            let d = run.motion;
             check_inside(&run.moved.body.bounds(), d)?;
             run.moved.work.iterations += 1;
             *first = First::none();
@@ -334,21 +333,12 @@ impl<S: Law> Mover<S> {
         d: Raw,
         first: &First,
     ) -> bool {
-        let hit = first.hit::<B, W>(&run.moved.body, d);
-        if may_be_askew::<B, W>() && run.creeps {
-            run.creeps = false;
-            if let Some((entry, feature)) = hit {
-                self.wedge::<W, B>(run, d, entry, feature);
-            }
-        } else if let Some((entry, feature)) = hit {
-            let slides = matches!(self.response, Response::Slide | Response::Cross);
-            let past = if slides && !W::BLOCKS && !B::MEETS_CORNERS { run.past_pinch(world, d, entry) } else { None };
-            let (entry, feature) = past.as_ref().map_or((entry, feature), |(entry, feature)| (entry, feature));
+        if let Some((entry, feature)) = first.hit::<B, W>(&run.moved.body, d) {
             let time = run.rest.raw() - run.after.raw();
             let used = mul_div(time, entry.num, entry.den);
             if let Some(side) = self.meet(run, used, entry, feature) {
-                let made = run.advance(world, d, entry);
-                self.respond::<W, B, WALKS>(run, used, (d, made), side, entry, feature);
+                let made = run.place(world, d, entry, run.before);
+                self.respond::<W, B, WALKS>(world, run, used, (d, made), (side, entry, feature));
             }
         } else {
             run.arrive(world, d);

@@ -1,8 +1,8 @@
-//! Which way a surface faces, and what becomes of a velocity at the planes that a body touches.
+//! Which way a surface faces, and what becomes of a velocity along it: at a plane, and through a quarter pipe.
 
 use super::body::kernel::Kernel;
-use super::response::{Law, Reply, Smooth};
-use crate::num::{Axis, Raw, div_sqrt, mul_div, umul};
+use super::response::{Law, Reply};
+use crate::num::{Axis, Raw, Toi, div_sqrt, isqrt64_ceil, mul_div, umul};
 use crate::world::World;
 
 /// What a surface is to a body that stands.
@@ -58,170 +58,10 @@ impl Default for SlopeLimit {
     }
 }
 
-/// The planes that a body touches, at most one for each iteration.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Planes {
-    normals: [Axis; Self::MAX],
-    bends: [Bend; Self::MAX],
-    len: u8,
-    /// Whether the body came flying to the first of them.
-    pub(super) landed: bool,
-}
-
-/// What a plane is the tangent of: how its normal turns where the body goes on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Bend {
-    /// A face.
-    Flat,
-    /// A corner, or an arc from outside: the normal is the body as seen from the centre.
-    Convex,
-    /// A quarter pipe: the normal is the centre as seen from the body.
-    Concave,
-}
-
-/// A body that is pushed off by the rounding at one of two slopes still touches the other: within this many raw units of way, on each axis.
+/// The rounding distance: a body that is pushed off by the rounding at one surface still touches another that is within this many raw units.
+///
+/// A place at a hit is at most 2 raw early on each axis, so of two surfaces that a body has come to one is at most 2 sqrt 2 raw off.
 pub(super) const NEAR: u32 = 4;
-
-impl Planes {
-    pub(super) const MAX: usize = 4;
-
-    pub(super) const NONE: Self =
-        Self { normals: [Axis::X; Self::MAX], bends: [Bend::Flat; Self::MAX], len: 0, landed: false };
-
-    /// None yet, of a body that comes flying (`landed`) or that has hardly moved.
-    pub(super) fn ahead(landed: bool) -> Self {
-        Self { landed, ..Self::NONE }
-    }
-
-    /// Keeps the first [`Planes::MAX`]; the mover makes no more hits than that.
-    pub(super) fn push(&mut self, normal: Axis, bend: Bend) {
-        let place = usize::from(self.len);
-        if let (Some(n), Some(b)) = (self.normals.get_mut(place), self.bends.get_mut(place)) {
-            (*n, *b) = (normal, bend);
-            self.len += 1;
-        }
-    }
-
-    /// Whether there are several.
-    pub(super) fn are_wedge(&self) -> bool {
-        self.len > 1
-    }
-
-    /// Whether one is of what rounding does not find exactly: not along x or y.
-    pub(super) fn are_askew(&self) -> bool {
-        self.iter().any(|n| n.x != 0 && n.y != 0)
-    }
-
-    /// Whether a body has come back to a quarter pipe without a way, thrown back by another plane: that stands where the pipe bends to. To a
-    /// velocity along both it is nothing, by their normals alone; so falls a body that is as wide as a shaft whose end is a pipe.
-    pub(super) fn close_pipe(&self, normal: Axis, bend: Bend) -> bool {
-        bend == Bend::Concave && self.are_wedge() && self.all().any(|seen| seen == (normal, bend))
-    }
-
-    /// Whether a displacement leads neither to nor from any of them, and one is of what rounding does not find exactly. The faces and corners of
-    /// blocks are what they are in a level of blocks.
-    pub(super) fn are_near(&self, made: Raw) -> bool {
-        self.are_askew() && self.iter().all(|n| is_near(made, n, NEAR))
-    }
-
-    /// Whether some are left after the body has moved: faces that it has not risen from, and what is within [`NEAR`]; of a body that lay on
-    /// them also what it has slid along otherwise, with the normal that it has there now.
-    ///
-    /// A face counts as long as it could be, so that it does not matter what it is made of.
-    pub(super) fn keep_touching(&mut self, made: Raw) -> bool {
-        let near = way(made) <= NEAR;
-        let old = *self;
-        *self = Self { landed: self.landed, ..Self::NONE };
-        for (n, bend) in old.all() {
-            if near || (bend == Bend::Flat && into(made, n) <= margin(n, NEAR)) {
-                self.push(n, bend);
-            } else if !self.landed && matches!(bend, Bend::Convex | Bend::Concave) {
-                let n = bend.turned(n, made);
-                if into(made, n).unsigned_abs() * 4 <= umul(way(made), n.x.unsigned_abs().max(n.y.unsigned_abs())) {
-                    self.push(n, bend);
-                }
-            }
-        }
-        self.len > 0
-    }
-
-    fn iter(&self) -> impl Iterator<Item = Axis> {
-        self.normals.iter().copied().take(self.len.into())
-    }
-
-    fn all(&self) -> impl Iterator<Item = (Axis, Bend)> {
-        self.iter().zip(self.bends)
-    }
-
-    pub(super) fn allow(&self, v: Raw) -> bool {
-        self.iter().all(|n| into(v, n) >= 0)
-    }
-
-    /// The longest velocity that enters none of the planes, out of `v`, its projections on each plane, and rest.
-    ///
-    /// Projecting the velocity from before the first plane on the cone of all of them, instead of clipping it at one plane after the
-    /// other, leaves no cycle between two slopes.
-    pub(super) fn slide<B: Kernel, W: World>(&self, v: Raw) -> Raw {
-        self.slide_on::<B, W, _>(v, &Smooth)
-    }
-
-    /// The same on a surface that may have friction; that acts last, so that it has no say in which plane it is.
-    pub(super) fn slide_on<B: Kernel, W: World, S: Law>(&self, v: Raw, surface: &S) -> Raw {
-        if self.allow(v) {
-            return v;
-        }
-        let (mut best, mut on) = (Raw { x: 0, y: 0 }, None);
-        for n in self.iter() {
-            let along = project::<B, W, _>(v, n, &Smooth);
-            if along.len2() > best.len2() && self.allow(along) {
-                (best, on) = (along, Some(n));
-            }
-        }
-        match on {
-            Some(n) if !S::SMOOTH => {
-                let rubbed = project::<B, W, _>(v, n, surface);
-                if self.allow(rubbed) { rubbed } else { Raw { x: 0, y: 0 } }
-            }
-            _ => best,
-        }
-    }
-
-    /// The rest of a motion whose velocity `v` is allowed: along a slope where that is, to the last bit, and into no plane.
-    ///
-    /// What enters a plane does so because it was rounded toward zero, by less than a raw unit on each axis: so far it is put back. Where that enters
-    /// another one, it is projected as velocities are, which loses some units of way.
-    pub(super) fn keep<B: Kernel, W: World>(&self, v: Raw, rest: Raw) -> Raw {
-        let slope = self.iter().find(|&n| into(v, n) == 0 && into(rest, n) != 0);
-        let rest = slope.map_or(rest, |n| project::<B, W, _>(rest, n, &Smooth));
-        let entered = self.iter().find(|&n| into(rest, n) < 0);
-        let out = entered.map_or(rest, |n| rest.add(Raw { x: n.x.signum(), y: n.y.signum() }));
-        if self.allow(out) { out } else { self.slide::<B, W>(rest) }
-    }
-}
-
-impl Bend {
-    /// The normal after a displacement. One along x or y has length one: it stays.
-    fn turned(self, n: Axis, made: Raw) -> Axis {
-        if n.x == 0 || n.y == 0 {
-            return n;
-        }
-        match self {
-            Self::Flat => n,
-            Self::Convex => Axis::new(n.x.wrapping_add(made.x), n.y.wrapping_add(made.y)),
-            Self::Concave => Axis::new(n.x.wrapping_sub(made.x), n.y.wrapping_sub(made.y)),
-        }
-    }
-}
-
-/// Whether a displacement leads neither to nor from a plane, by less than `limit` or up to half more.
-pub(super) fn is_near(made: Raw, n: Axis, limit: u32) -> bool {
-    into(made, n).abs() <= margin(n, limit)
-}
-
-/// A length, or up to half more, in the length of a normal.
-fn margin(n: Axis, length: u32) -> i64 {
-    umul(n.x.unsigned_abs(), length).wrapping_add(umul(n.y.unsigned_abs(), length)) as i64
-}
 
 /// The longer component of a displacement.
 pub(super) fn way(made: Raw) -> u32 {
@@ -331,21 +171,74 @@ pub(super) fn reflect<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S,
     reply(v, n, &surface.surface().rule(v))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::{Axis, Bend, Raw};
+/// A point that has met a concave arc from inside.
+pub(super) struct Pipe {
+    /// The point as seen from the centre.
+    pub(super) m: Raw,
+    /// What it must not be farther than.
+    pub(super) r: i32,
+    pub(super) quadrant: Axis,
+}
 
-    /// Outside of a disc the normal is the body as seen from its centre, inside of one the centre as seen from the body; sides do not turn.
-    #[test]
-    fn normals_turn_with_the_body() {
-        let made = Raw { x: 30, y: -7 };
-        for n in [Axis::new(300, 400), Axis::new(-300, 400), Axis::new(5, -12)] {
-            assert_eq!(Bend::Convex.turned(n, made), Axis::new(n.x + 30, n.y - 7));
-            assert_eq!(Bend::Concave.turned(n, made), Axis::new(n.x - 30, n.y + 7));
-            assert_eq!(Bend::Flat.turned(n, made), n);
+/// A straight way inside of a pipe, from rim to rim.
+pub(super) struct Chord {
+    pub(super) way: Raw,
+    /// Along the pipe at the end of the way.
+    pub(super) velocity: Raw,
+    /// The part of the time that is left there.
+    pub(super) after: Toi,
+}
+
+impl Pipe {
+    /// The way of a body of velocity `v` in the time `rest`; none where it is pressed straight into the pipe.
+    ///
+    /// Its end is the end of the way along the tangent, drawn to the disc, which brings nothing farther apart; not beyond the
+    /// end of the arc, where the time that the chord takes decides what is left. The speed along the pipe stays what it is, less a few raw and what friction takes.
+    pub(super) fn chord<S: Law>(&self, v: Raw, rest: Toi, surface: &S) -> Option<Chord> {
+        let n = inward(self.m);
+        let along = across(v, n);
+        let along = if S::SMOOTH { along } else { surface.surface().rub(along, into(v, n)) };
+        if along == 0 {
+            return None;
         }
-        for n in [Axis::X, Axis::Y, Axis::NEG_X, Axis::NEG_Y] {
-            assert_eq!((Bend::Convex.turned(n, made), Bend::Concave.turned(n, made)), (n, n));
-        }
+        let (speed, against) = (tangential(along, n), along < 0);
+        let leg = tangent(speed, n, against);
+        let far = self.m.add(Raw { x: rest.of_raw(leg.x), y: rest.of_raw(leg.y) });
+        let (beyond_y, beyond_x) = (far.x.wrapping_mul(self.quadrant.x) < 0, far.y.wrapping_mul(self.quadrant.y) < 0);
+        let end = if beyond_y {
+            Raw { x: 0, y: self.r.wrapping_mul(self.quadrant.y) }
+        } else if beyond_x {
+            Raw { x: self.r.wrapping_mul(self.quadrant.x), y: 0 }
+        } else {
+            self.drawn_in(far)
+        };
+        let way = end.sub(self.m);
+        let after = if beyond_x || beyond_y {
+            let time = mul_div(isqrt64_ceil(way.len2()), Toi::ONE.raw(), speed).saturating_add(1);
+            Toi::clamped(rest.raw().saturating_sub(time))
+        } else {
+            Toi::ZERO
+        };
+        let speed = if S::SMOOTH { speed } else { surface.surface().turned(speed, way, self.r) };
+        let velocity = tangent(speed, inward(end), against);
+        (velocity.len2() <= v.len2()).then_some(Chord { way, velocity, after })
     }
+
+    /// The nearest point of the disc, each component rounded toward the centre.
+    fn drawn_in(&self, m: Raw) -> Raw {
+        let square = m.len2();
+        let r = self.r.unsigned_abs();
+        if square <= umul(r, r) {
+            return m;
+        }
+        let part = |c: i32| {
+            let size = div_sqrt(umul(c.unsigned_abs(), r), square) as i32;
+            if c < 0 { size.wrapping_neg() } else { size }
+        };
+        Raw { x: part(m.x), y: part(m.y) }
+    }
+}
+
+fn inward(m: Raw) -> Axis {
+    Axis::new(m.x.wrapping_neg(), m.y.wrapping_neg())
 }

@@ -2,15 +2,16 @@
 //! quarter pipe.
 
 use super::body::{Body, Entry};
+use super::contact::Plane;
 use super::order::First;
-use super::plane::{Planes, Side, across, into, may_be_askew, tangent, tangential, way};
-use super::response::Law;
+use super::plane::{Side, way};
 use super::search::{Around, Search, hull};
+use super::ways::long;
 use super::{Hit, Moved};
 use crate::error::{Quantity, RangeError};
-use crate::num::{Axis, DOMAIN, Raw, Toi, div_sqrt, isqrt64_ceil, mul_div, umul};
+use crate::num::{Axis, DOMAIN, Raw, Toi, mul_div};
 use crate::shape::Aabb;
-use crate::world::{Feature, Geometry, World};
+use crate::world::{Feature, World};
 
 /// The state of one call.
 #[expect(clippy::struct_excessive_bools, reason = "facts that are independent of each other")]
@@ -23,15 +24,19 @@ pub(super) struct Run<'m, B> {
     pub(super) motion: Raw,
     /// The part of the call's time that is left.
     pub(super) rest: Toi,
-    pub(super) planes: Planes,
-    /// The velocity that the body had when it came to this place. A body that has come flying to one plane and then slides to another one
-    /// comes there with what the first has left; one that lay on the first already is pressed against both by the same push, and rests between them.
-    pub(super) before_planes: Raw,
+    /// The velocity that is projected at the next hit: the one that the body had before all that it still touches.
+    pub(super) before: Raw,
+    /// What the motion runs along.
+    pub(super) along: Option<Plane>,
+    /// Whether it has come farther than roundings take it.
+    pub(super) came: bool,
+    /// Whether nothing has been hit yet.
+    pub(super) is_first: bool,
+    /// The probe of the way that the motion is along.
+    pub(super) tried: Raw,
+    /// What led nowhere from this place.
+    pub(super) shut: Shut,
     pub(super) pass_one_way: bool,
-    /// Where it was before the call, if not in the solid.
-    pub(super) start: Option<B>,
-    /// Whether the body only creeps along what it has hit, and what else it is pushed against is to be found before it goes on.
-    pub(super) creeps: bool,
     /// Whether the body has been in the solid all the time.
     pub(super) inside: bool,
     /// Whether one-way faces are near that may be askew.
@@ -50,6 +55,9 @@ pub(super) struct Place<B> {
 }
 
 impl<'m, B: Body> Run<'m, B> {
+    /// How far back from a hit a place is looked for, raw.
+    const FARTHEST: u32 = 64;
+
     /// Of a body that has hit nothing yet; something may be known of the level already.
     #[inline]
     pub(super) fn new(moved: &'m mut Moved<B>, around: &'m mut Around) -> Self {
@@ -60,11 +68,13 @@ impl<'m, B: Body> Run<'m, B> {
             v,
             motion: v,
             rest: Toi::ONE,
-            planes: Planes::NONE,
-            before_planes: v,
+            before: v,
+            along: None,
+            came: false,
+            is_first: true,
+            tried: long(v),
+            shut: Shut::default(),
             pass_one_way: false,
-            start: None,
-            creeps: false,
             inside: false,
             guarded: false,
             on_chord: false,
@@ -102,36 +112,38 @@ impl<'m, B: Body> Run<'m, B> {
     pub(super) fn find_first<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
         let mut search = Search::new(&self.moved.body, self.around);
         search.pass_one_way = self.pass_one_way;
-        search.pressed = if self.creeps { Some(self.v) } else { None };
         search.find_first(world, d, first);
         self.moved.work.features += search.features;
         self.guarded |= search.guarded;
     }
 
     /// Moves up to the hit; returns the displacement made.
+    pub(super) fn advance<W: World>(&mut self, world: &W, d: Raw, entry: &Entry) -> Raw {
+        self.place(world, d, entry, d)
+    }
+
+    /// Moves up to the hit, not against `u`; returns the displacement made.
     ///
     /// Where a box meets blocks the first displacement is certain: at the exact place of the hit it is on the outer side of one face's line of
     /// each rectangle of solid, those lines are integers, and rounding toward the integer start passes none.
     #[inline(never)]
-    pub(super) fn advance<W: World>(&mut self, world: &W, d: Raw, entry: &Entry) -> Raw {
+    pub(super) fn place<W: World>(&mut self, world: &W, d: Raw, entry: &Entry, u: Raw) -> Raw {
         // Corners: rounding away from one corner may graze another. Lattice neighbours toward the start, then aside, then two back.
         const STEPS: [(i32, i32); 7] = [(0, 0), (-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
-        // In a gap that closes slowly the room for that is farther back: of 1.5 * 10^6 frames of balls among all shapes 26 found a place 8 raw units
-        // back that had found none, a unit and more from where the piece began. Farther back there is room for flat boxes only, by parts of a pixel.
-        const BACK: [u32; 2] = [0, 8];
         let q = entry.displacement(d);
-        for back in BACK {
-            if back >= way(q) {
-                break;
-            }
+        // In a gap that closes slowly the room for that is farther back.
+        let mut back = 0;
+        while back < way(q).min(2 * Self::FARTHEST) || back == 0 {
             let q = q.sub(back_on(d, back));
             for (x, y) in STEPS {
                 let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
                 let q = on_the_way(q.add(step), d);
-                if self.take(world, q, W::CERTAIN && W::BLOCKS && !B::MEETS_CORNERS) {
+                // Each way made is a part of the velocity, so with the same velocity no place comes again.
+                if (q.is_zero() || u.dot(q) > 0) && self.take(world, q, W::CERTAIN && W::BLOCKS && !B::MEETS_CORNERS) {
                     return q;
                 }
             }
+            back = (back << 1).max(4);
         }
         Raw::ZERO
     }
@@ -180,11 +192,11 @@ impl<'m, B: Body> Run<'m, B> {
         false
     }
 
-    /// Gives the velocity another direction, and the rest of the motion with it.
+    /// What is left of the motion where the velocity becomes another.
     ///
     /// A component that is kept, dropped or reversed (all that faces along the axes do) acts on the rest of the motion exactly, so nothing is
     /// lost by rounding; any other is the new velocity times the time that is left.
-    pub(super) fn turn<W: World>(&mut self, to: Raw) {
+    pub(super) fn turned(&self, to: Raw) -> Raw {
         let rest = self.rest;
         let component = |left: i32, was: i32, now: i32| {
             if now == was {
@@ -197,11 +209,7 @@ impl<'m, B: Body> Run<'m, B> {
                 rest.of_raw(now)
             }
         };
-        self.motion = Raw { x: component(self.motion.x, self.v.x, to.x), y: component(self.motion.y, self.v.y, to.y) };
-        if may_be_askew::<B, W>() {
-            self.motion = self.planes.keep::<B, W>(to, self.motion);
-        }
-        self.v = to;
+        Raw { x: component(self.motion.x, self.v.x, to.x), y: component(self.motion.y, self.v.y, to.y) }
     }
 
     /// What the velocity makes in a part of the call's time.
@@ -213,27 +221,7 @@ impl<'m, B: Body> Run<'m, B> {
     pub(super) fn follow(&mut self) {
         (self.rest, self.after, self.on_chord) = (self.after, Toi::ZERO, false);
         self.motion = self.made_in(self.rest);
-        (self.planes, self.before_planes) = (Planes::NONE, self.v);
-    }
-
-    /// Goes on along a quarter pipe that was hit, if that is one, by a chord; the velocity is then along the pipe at the chord's end, and
-    /// as fast as it was along the pipe at its start.
-    #[inline(never)]
-    pub(super) fn roll<S: Law>(&mut self, geometry: &Geometry, surface: &S) -> bool {
-        let Geometry::Arc { centre, radius, quadrant, convex: false } = *geometry else { return false };
-        let (at, r) = self.moved.body.toward(quadrant);
-        let pipe = Pipe { m: at.sub(Raw::of(centre)), r: radius.wrapping_sub(r), quadrant };
-        let Some(chord) = pipe.chord(self.before_planes, self.rest, surface) else { return false };
-        if !self.planes.allow(chord.velocity) || !self.planes.allow(chord.way) {
-            return false;
-        }
-        (self.v, self.motion, self.after) = (chord.velocity, chord.way, chord.after);
-        self.on_chord = !self.motion.is_zero();
-        if !self.on_chord && self.after != Toi::ZERO {
-            // At the end of the pipe already.
-            self.follow();
-        }
-        true
+        (self.along, self.before) = (None, self.v);
     }
 
     pub(super) fn meet(&mut self, side: Side) {
@@ -253,8 +241,26 @@ impl<'m, B: Body> Run<'m, B> {
     }
 
     pub(super) fn record(&mut self, normal: Axis, feature: &Feature, toi: Toi) {
+        // A corner's time is a lower bound: it is not before that of what was hit before it.
+        let last = self.moved.hits.iter().last().map_or(toi, |hit| hit.toi);
         self.moved.flags |= feature.flags;
-        self.moved.hits.push(Hit::of(normal, feature, toi));
+        self.moved.hits.push(Hit::of(normal, feature, toi.max(last)));
+    }
+}
+
+/// The probes of the ways that led nowhere from a place.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Shut([Option<Raw>; 3]);
+
+impl Shut {
+    pub(super) fn push(&mut self, v: Raw) {
+        if let Some(slot) = self.0.iter_mut().find(|slot| slot.is_none()) {
+            *slot = Some(v);
+        }
+    }
+
+    pub(super) fn holds(&self, v: Raw) -> bool {
+        self.0.contains(&Some(v))
     }
 }
 
@@ -293,76 +299,4 @@ fn on_the_way(q: Raw, d: Raw) -> Raw {
 pub(super) fn margin(bounds: &Aabb) -> i32 {
     let size = Raw::of(bounds.size());
     i32::from(size.x == 0 || size.y == 0)
-}
-
-/// A point that has met a concave arc from inside.
-pub(super) struct Pipe {
-    /// The point as seen from the centre.
-    pub(super) m: Raw,
-    /// What it must not be farther than.
-    pub(super) r: i32,
-    pub(super) quadrant: Axis,
-}
-
-/// A straight way inside of a pipe, from rim to rim.
-pub(super) struct Chord {
-    pub(super) way: Raw,
-    /// Along the pipe at the end of the way.
-    pub(super) velocity: Raw,
-    /// The part of the time that is left there.
-    pub(super) after: Toi,
-}
-
-impl Pipe {
-    /// The way of a body of velocity `v` in the time `rest`; none where it is pressed straight into the pipe.
-    ///
-    /// Its end is the end of the way along the tangent, drawn to the disc, which brings nothing farther apart; not beyond the
-    /// end of the arc, where the time that the chord takes decides what is left. The speed along the pipe stays what it is, less a few raw and what friction takes.
-    pub(super) fn chord<S: Law>(&self, v: Raw, rest: Toi, surface: &S) -> Option<Chord> {
-        let n = inward(self.m);
-        let along = across(v, n);
-        let along = if S::SMOOTH { along } else { surface.surface().rub(along, into(v, n)) };
-        if along == 0 {
-            return None;
-        }
-        let (speed, against) = (tangential(along, n), along < 0);
-        let leg = tangent(speed, n, against);
-        let far = self.m.add(Raw { x: rest.of_raw(leg.x), y: rest.of_raw(leg.y) });
-        let (beyond_y, beyond_x) = (far.x.wrapping_mul(self.quadrant.x) < 0, far.y.wrapping_mul(self.quadrant.y) < 0);
-        let end = if beyond_y {
-            Raw { x: 0, y: self.r.wrapping_mul(self.quadrant.y) }
-        } else if beyond_x {
-            Raw { x: self.r.wrapping_mul(self.quadrant.x), y: 0 }
-        } else {
-            self.drawn_in(far)
-        };
-        let way = end.sub(self.m);
-        let after = if beyond_x || beyond_y {
-            let time = mul_div(isqrt64_ceil(way.len2()), Toi::ONE.raw(), speed).saturating_add(1);
-            Toi::clamped(rest.raw().saturating_sub(time))
-        } else {
-            Toi::ZERO
-        };
-        let speed = if S::SMOOTH { speed } else { surface.surface().turned(speed, way, self.r) };
-        let velocity = tangent(speed, inward(end), against);
-        (velocity.len2() <= v.len2()).then_some(Chord { way, velocity, after })
-    }
-
-    /// The nearest point of the disc, each component rounded toward the centre.
-    fn drawn_in(&self, m: Raw) -> Raw {
-        let square = m.len2();
-        let r = self.r.unsigned_abs();
-        if square <= umul(r, r) {
-            return m;
-        }
-        let part = |c: i32| {
-            let size = div_sqrt(umul(c.unsigned_abs(), r), square) as i32;
-            if c < 0 { size.wrapping_neg() } else { size }
-        };
-        Raw { x: part(m.x), y: part(m.y) }
-    }
-}
-
-fn inward(m: Raw) -> Axis {
-    Axis::new(m.x.wrapping_neg(), m.y.wrapping_neg())
 }

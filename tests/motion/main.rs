@@ -2,6 +2,14 @@
 
 #![cfg(not(target_os = "none"))]
 
+mod alive_corridors;
+mod alive_cuts;
+mod alive_graph;
+mod alive_passages;
+mod alive_ramps;
+mod alive_random;
+mod alive_walks;
+mod assist;
 mod clear;
 mod floor;
 mod inside;

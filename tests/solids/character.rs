@@ -232,6 +232,48 @@ fn a_lift_carries_without_drift() {
     rides(boxed(20, 4, 10, 14), Feel { gravity: fx!(0.6), jump: fx!(6), ..Feel::DEFAULT });
 }
 
+/// Seen from a lift that keeps its motion, a jump is that on still ground: place, frame by frame, until it lands. In its first frame the motion is the
+/// velocity alone. Lifts that sink faster than the jump rises are left too.
+#[test]
+fn a_flight_off_a_lift_is_that_on_still_ground() {
+    fn plays<B: Body + PartialEq>(body: B, random: &mut Random) {
+        let level = TileMap::from_ascii("   \n", &KINDS).unwrap();
+        let motion = Vec2::from_raw(random.around(3 << 16) as i32, random.around(5 << 16) as i32);
+        let jump = Fx::from_bits(random.within(1 << 14, 6 << 16) as i32);
+        let feel = Feel { jump, ..Feel::DEFAULT };
+        let mut still = (Character::new(body, limits(), feel), [Solid::new(boxed(-400, 24, 800, 8), 7).unwrap()]);
+        while !still.0.on_floor() {
+            let _ = still.0.step_on(&level, &mut still.1, NOTHING).unwrap();
+        }
+        let mut lift = still;
+        let (released, run) = (random.below(20), Fx::from_bits(random.around(2 << 16) as i32));
+        let offset = |(hero, lifts): &(Character<B>, [Solid; 1])| hero.body().position() - lifts[0].shape().min();
+        for frame in 0..60 {
+            let input = Input { run, jump: frame < released + 1, drop: false };
+            let before = lift.0.body().position();
+            lift.1[0] = lift.1[0].with_motion(motion).unwrap();
+            let a = still.0.step_on(&level, &mut still.1, input).unwrap();
+            let b = lift.0.step_on(&level, &mut lift.1, input).unwrap();
+            assert_eq!(offset(&lift), offset(&still), "{motion:?} {jump} {frame}");
+            assert_eq!((a.jumped, a.landed), (b.jumped, b.landed), "{motion:?} {jump} {frame}");
+            if b.jumped {
+                assert_eq!(lift.0.body().position() - before, lift.0.velocity, "{motion:?} {jump}");
+            }
+            let carried = if lift.0.on_floor() { Vec2::ZERO } else { motion };
+            assert_eq!(lift.0.velocity, still.0.velocity + carried, "{motion:?} {jump} {frame}");
+            if b.landed {
+                return;
+            }
+        }
+        panic!("never down: {motion:?} {jump}");
+    }
+    let mut random = Random::new(12);
+    for _ in 0..300 {
+        plays(boxed(20, 4, 10, 14), &mut random);
+        plays(Circle::new(Vec2::from_ints(30, 10), fx!(6.5)).unwrap(), &mut random);
+    }
+}
+
 #[test]
 fn several_characters_ride_in_three_steps_as_one_does_in_one() {
     let level = ledge();

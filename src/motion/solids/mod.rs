@@ -59,7 +59,10 @@ pub struct Ridden<B> {
     pub motion: Vec2,
     /// The key of the solid that it stood on.
     pub floor: Option<u16>,
-    /// What that solid and its conveyor gave it in this tick: to be added to the velocity of what jumps off.
+    /// What that solid and its conveyor gave it in this tick.
+    ///
+    /// What jumps off moves by its own speed in this tick, for the solid's part is made. Add the carry to the velocity after that move: then the flight,
+    /// seen from a solid that keeps its motion, is that on still ground.
     pub carry: Vec2,
     /// What the call did.
     pub work: Work,

@@ -1,7 +1,7 @@
 //! A displacement that something forces on a body: what the solids leave of it, and the way through the level.
 
 use crate::motion::body::Body;
-use crate::motion::plane::{Bend, NEAR, Planes, way};
+use crate::motion::plane::{NEAR, into, way};
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
 use crate::motion::{MoveError, Moved, Stuck, Work};
@@ -104,9 +104,10 @@ impl Shove {
         if run.is_stuck(level) {
             return Err(MoveError::Stuck(Stuck { at: body.position().raw() }));
         }
-        let mut planes = Planes::NONE;
+        // What has pressed it at this place.
+        let mut planes = [None; PIECES as usize];
         let mut pressed = 0;
-        for _ in 0..PIECES {
+        for piece in 0..PIECES as usize {
             check_inside(&run.moved.body.bounds(), d)?;
             run.moved.work.iterations += 1;
             let Some((entry, _)) = run.first_hit(level, d) else {
@@ -118,15 +119,17 @@ impl Shove {
             if way(made) <= NEAR.max(way(d) >> 3) {
                 pressed += 1;
             } else {
-                (planes, pressed) = (Planes::NONE, 0);
+                (planes, pressed) = ([None; PIECES as usize], 0);
             }
-            planes.push(entry.normal, Bend::Flat);
+            if let Some(plane) = planes.get_mut(piece) {
+                *plane = Some(entry.normal);
+            }
             d = yielding(rest, entry.normal, self.held);
             // A tangent of a quarter pipe leads into it again: the body takes a steeper way, through the inside of the pipe.
             if W::ROUND && pressed > 0 && entry.step.is_some() {
                 d = steeper(d, rest, entry.normal, pressed);
             }
-            if d.is_zero() || !planes.allow(d) {
+            if d.is_zero() || planes.iter().flatten().any(|&n| into(d, n) < 0) {
                 break;
             }
         }

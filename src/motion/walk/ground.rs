@@ -3,11 +3,12 @@
 use crate::error::RangeError;
 use crate::motion::body::{Body, Entry};
 use crate::motion::order::First;
-use crate::motion::plane::{NEAR, Side};
+use crate::motion::plane::{NEAR, Side, may_be_askew};
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
+use crate::motion::ways::{Way, Ways};
 use crate::motion::{Hit, Moved, Mover};
-use crate::num::{Axis, DOMAIN, Raw, Vec2, mul_div, umul};
+use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, mul_div, umul};
 use crate::shape::Aabb;
 use crate::world::{Cell, Feature, Geometry, World};
 
@@ -46,11 +47,17 @@ impl From<Hit> for Support {
 /// How far below a body a floor still carries it, raw: bodies come to rest at slopes and corners up to 2 raw early on each axis.
 pub(in crate::motion) const CONTACT: i32 = 8;
 
+/// How far down a wedged body is not free to go, raw. A way slower than the rounding distance leads nowhere, so what is flatter than 1 in 256 holds
+/// each body, as it does where gravity is a 64th of a unit.
+const DROP: i32 = 1 << 10;
+
 impl Mover {
     /// The floor that carries a body which does not move: within 8 raw units of it, against "up".
     ///
     /// Floor is what the mover's slope limit says; one-way faces carry what is entirely above them, unless the mover drops through. A
     /// mover without an "up" has no floor.
+    ///
+    /// What gravity wedges between walls, where no direction that leads down is free, is supported too: its axis is "up", and the feature is the first below.
     ///
     /// Cost: one sweep over the cells that the body touches.
     ///
@@ -89,8 +96,14 @@ pub(super) trait Look {
     /// What a body meets on a way that it does not make, on what of it is [`within`] the domain.
     fn look<W: World>(&mut self, world: &W, d: Raw) -> Option<Ground>;
 
-    /// The floor within [`CONTACT`] below, also beside a wall that leans on the body from below: between the two it stands.
+    /// The same from another place, whatever is in the way to there and at it: what the body is in the solid of is no hit on the way out of it.
+    fn look_from<W: World>(&mut self, world: &W, to: Raw, d: Raw) -> Option<Ground>;
+
+    /// What carries the body: the floor within [`CONTACT`] below, also beside a wall that leans on the body from below, or what [wedges](Self::wedge) it.
     fn floor_near<W: World>(&mut self, world: &W, mover: &Mover, up: Axis) -> Option<Support>;
+
+    /// What holds a body without being floor: the first that is below it, where of the directions that are free at its place none leads down.
+    fn wedge<W: World>(&mut self, world: &W, up: Axis) -> Option<Support>;
 }
 
 impl<B: Body> Look for Run<'_, B> {
@@ -103,6 +116,15 @@ impl<B: Body> Look for Run<'_, B> {
         self.moved.work.iterations += 1;
         let (entry, feature) = self.first_hit(world, d)?;
         Some(Ground { d, entry, feature })
+    }
+
+    fn look_from<W: World>(&mut self, world: &W, to: Raw, d: Raw) -> Option<Ground> {
+        let here = self.here();
+        let to = within(&self.moved.body.bounds(), to);
+        self.moved.body = self.moved.body.shifted(to);
+        let ground = self.look(world, d);
+        self.put_back(here);
+        ground
     }
 
     #[inline(never)]
@@ -123,7 +145,23 @@ impl<B: Body> Look for Run<'_, B> {
                 _ => {}
             }
         }
-        first.hit::<B, W>(&body, d).map(|(entry, feature)| Support::of(entry.normal, feature))
+        let floor = first.hit::<B, W>(&body, d).map(|(entry, feature)| Support::of(entry.normal, feature));
+        floor.or_else(|| self.wedge(world, up))
+    }
+
+    #[inline(never)]
+    fn wedge<W: World>(&mut self, world: &W, up: Axis) -> Option<Support> {
+        if !may_be_askew::<B, W>() {
+            return None;
+        }
+        let down = along(up, -DROP);
+        let (mut ways, passes) = (Ways::none(), self.pass_one_way);
+        ways.read::<W, B>(world, &self.moved.body, down, Toi::ONE, passes);
+        ways.bind::<W, B>(world, &self.moved.body, passes);
+        if ways.iter().any(Way::is_free) {
+            return None;
+        }
+        self.look(world, down).map(|ground| Support::of(up, &ground.feature))
     }
 }
 

@@ -1,16 +1,20 @@
-//! One frame on the ground: legs along the floor, turned where it bends.
+//! One frame on the ground: legs along the floor, turned where it bends, and steps.
 
 use super::Support;
-use super::ground::{CONTACT, Ground, Look, along};
+use super::ground::{CONTACT, Ground, Look, along, within};
 use super::walker::{SlopeSpeed, Walked, Walker, length};
-use crate::motion::body::Body;
-use crate::motion::plane::Side;
-use crate::motion::plane::{NEAR, across, lies_along, project, tangent, tangential, way};
+use crate::motion::body::{Body, kernel::Kernel};
+use crate::motion::plane::{
+    NEAR, Pipe, Side, across, into, lies_along, may_be_askew, project, tangent, tangential, way,
+};
 use crate::motion::response::Smooth;
-use crate::motion::run::{Pipe, Place, Run, check_inside};
+use crate::motion::run::{Place, Run, check_inside};
+use crate::motion::search::hull;
+use crate::motion::ways::{Way, Ways};
 use crate::motion::{MoveError, Mover};
 use crate::num::{Axis, Fx, Raw, Toi, mul_div, umul};
 use crate::query::cast::moment::ratio;
+use crate::shape::Aabb;
 use crate::world::{Feature, Geometry, World};
 
 pub(super) struct Stride<'a, W, B> {
@@ -34,7 +38,18 @@ pub(super) struct Stride<'a, W, B> {
     lands: bool,
 }
 
+/// How a body that is blocked goes on.
+enum On {
+    /// Along this floor.
+    Free(Axis),
+    /// By roundings, to a place that may have a way on.
+    Creeps([Option<Raw>; 2]),
+}
+
 impl<'a, W: World, B: Body> Stride<'a, W, B> {
+    /// How often a body that is blocked may go by roundings to a place with a way on: down to its floor, along it, down again, and one to see.
+    const CREEPS: u32 = 4;
+
     pub(super) fn new(walker: &'a Walker, world: &'a W, run: Run<'a, B>, up: Axis, floor: Axis) -> Self {
         let speed = across(run.v, up);
         let lands = run.moved.floor && floor.perp_dot(up) == 0;
@@ -145,6 +160,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
                 true
             }
             Side::Wall if self.climb() => true,
+            _ if self.squeeze() => true,
             _ => {
                 // What is blocked at once does not creep along by roundings.
                 if on_chord || way(made) <= NEAR {
@@ -154,6 +170,60 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
                 false
             }
         }
+    }
+
+    /// Where a leg is blocked: on by the longest way along a floor, or level, that the cone of free directions at this place leaves of the level speed.
+    ///
+    /// At a joint of a ramp and a corridor no lattice place may be in reach from which one of them is free: then it goes up to where that is.
+    #[inline(never)]
+    fn squeeze(&mut self) -> bool {
+        if !may_be_askew::<B, W>() {
+            return false;
+        }
+        let start = self.run.here();
+        for _ in 0..Self::CREEPS {
+            match self.way_on() {
+                On::Free(floor) => {
+                    self.floor = floor;
+                    return true;
+                }
+                On::Creeps(probes) => {
+                    let down = along(self.up, -CONTACT);
+                    if !(self.creep(down) || probes.into_iter().flatten().any(|probe| self.creep(probe))) {
+                        break;
+                    }
+                }
+            }
+        }
+        self.run.put_back(start);
+        false
+    }
+
+    /// Apart, so that the list of ways is not on the stack while the body goes along them.
+    #[inline(never)]
+    fn way_on(&self) -> On {
+        let (body, passes) = (&self.run.moved.body, self.run.pass_one_way);
+        let mut ways = Ways::none();
+        ways.read::<W, B>(self.world, body, self.forward(self.speed), self.run.rest, passes);
+        ways.bind::<W, B>(self.world, body, passes);
+        let is_floor = |way: &&Way| way.along.is_none_or(|p| self.walker.mover.side(p.normal) == Side::Floor);
+        if let Some(way) = ways.iter().filter(is_floor).find(|way| way.is_free()) {
+            return On::Free(way.along.map_or(self.up, |plane| plane.normal));
+        }
+        let mut creeps = ways.iter().filter(is_floor).filter(|way| way.can_creep()).map(Way::probe);
+        On::Creeps([creeps.next(), creeps.next()])
+    }
+
+    /// Goes up to what is met on a way; whether that is anywhere.
+    ///
+    /// The time of a corner or an arc is a lower bound, less than a raw unit early, so the next place may be free too. No face is passed on the way
+    /// there: one that is touched is met before the corner, and the others are a raw unit away at least.
+    fn creep(&mut self, d: Raw) -> bool {
+        let Some(hit) = self.run.look(self.world, d) else { return false };
+        let next = Raw { x: d.x.signum(), y: d.y.signum() };
+        let round = hit.entry.step.is_some();
+        !self.run.advance(self.world, hit.d, &hit.entry).is_zero()
+            || (round && !self.run.commit(self.world, d, &[next]).is_zero())
     }
 
     /// Into a quarter pipe by a chord: along its tangent it would meet it again at once.
@@ -215,7 +285,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
     /// Comes down to the ground, or leaves it.
     fn settle(mut self, ground: Option<Ground>) -> Walked<B> {
         let mut support = self.climbed.or_else(|| ground.as_ref().and_then(|ground| self.footing(ground)));
-        if support.is_none() && ground.is_some_and(|ground| way(ground.drop()) <= NEAR) {
+        if support.is_none() && ground.is_some() {
             support = self.run.floor_near(self.world, &self.walker.mover, self.up);
         }
         let mut snapped = Fx::ZERO;
@@ -231,5 +301,122 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
             }
         }
         Walked { moved: *self.run.end::<W>(), floor: support, stepped: self.stepped, snapped }
+    }
+}
+
+/// Steps: up, forward, down.
+impl<W: World, B: Body> Stride<'_, W, B> {
+    /// Climbs the step in front, if it is one: up by what it needs, forward by the rest of the leg, down to level ground. Else the body stays where it is.
+    #[inline(never)]
+    pub(super) fn climb(&mut self) -> bool {
+        let forward = self.forward(self.run.rest.of_raw(self.speed as i32) as u32);
+        if self.walker.step == 0 || forward.is_zero() {
+            return false;
+        }
+        let start = self.run.here();
+        let (room, _) = self.shift(along(self.up, self.walker.step));
+        self.run.put_back(start);
+        let least = self.least(room, forward);
+        // What is thinner than a leg is passed over its top.
+        let climbed = [least, room].into_iter().any(|raised| {
+            let climbed = self.climb_by(raised, room, forward);
+            if !climbed {
+                self.run.put_back(start);
+            }
+            climbed
+        });
+        // What it is over by now blocks no more; what still does is met by the rest of the frame.
+        self.run.moved.wall &= !climbed;
+        climbed
+    }
+
+    /// How far the body, raised by all the `room` above it, has to rise for what is under it ahead.
+    ///
+    /// ```text
+    ///   ________            What is in the way at that height need not be:
+    ///   lintel  |           only what carries the body from below counts.
+    ///   --------'  o room
+    ///    h _____   ^
+    ///     |sill    o
+    /// ```
+    fn least(&mut self, room: Raw, forward: Raw) -> Raw {
+        let down = along(self.up, -CONTACT).sub(room);
+        self.run.look_from(self.world, room.add(forward), down).map_or(Raw::ZERO, |ground| room.add(ground.drop()))
+    }
+
+    fn climb_by(&mut self, height: Raw, room: Raw, forward: Raw) -> bool {
+        let raised = self.run.commit(self.world, height, &[height]);
+        if into(raised, self.up) <= 0 {
+            return false;
+        }
+        let bounds = self.run.moved.body.bounds();
+        let (made, rest) = self.shift(forward);
+        if made.is_zero() || (B::MEETS_CORNERS && self.passes_one_way(&bounds, made)) {
+            return false;
+        }
+        // To where it came from, and a little farther: on a floor of that height it touches only.
+        let down = along(self.up, -CONTACT).sub(raised);
+        let Some(ground) = self.run.look(self.world, down) else { return false };
+        // The edge is no floor, however flat it is met: the step's height counts.
+        let corner = ground.entry.step.is_some();
+        let floor = if corner { self.beyond(&ground, room.sub(raised)) } else { self.level(&ground) };
+        let Some(floor) = floor else { return false };
+        let fall = self.run.advance(self.world, down, &ground.entry);
+        (self.floor, self.climbed) = (floor.axis, Some(floor));
+        self.run.rest = rest;
+        self.stepped += length(raised.add(fall));
+        true
+    }
+
+    /// Whether the box around a raised circle meets a one-way face in front of it: the free end of such a face holds no circle, but where it is higher than
+    /// the circle's lowest point, it is higher than the step.
+    fn passes_one_way(&mut self, bounds: &Aabb, d: Raw) -> bool {
+        let mut features = self.world.features(&hull(bounds, Raw::ZERO, d, 1));
+        while let Some(feature) = &features.next() {
+            self.run.moved.work.features += 1;
+            if feature.one_way && !self.run.pass_one_way && bounds.sweep(d, feature).is_some() {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// What carries the body on this ground.
+    ///
+    /// A circle comes down to the edge of a step before it is over the step, or still when it is beyond. There it is on its way, and stands,
+    /// if there is level floor at the end of the same way down from half its width farther on.
+    pub(super) fn footing(&mut self, ground: &Ground) -> Option<Support> {
+        self.walker.mover.support(ground).or_else(|| self.beyond(ground, Raw::ZERO))
+    }
+
+    fn beyond(&mut self, ground: &Ground, raised: Raw) -> Option<Support> {
+        if !B::MEETS_CORNERS || ground.entry.step.is_none() {
+            return None;
+        }
+        let size = Raw::of(self.run.moved.body.bounds().size());
+        let forward = self.forward((size.x.max(size.y) >> 1) as u32);
+        if forward.is_zero() {
+            return None;
+        }
+        let beyond = self.run.look_from(self.world, raised.add(forward), ground.d.sub(raised))?;
+        self.level(&beyond)
+    }
+
+    /// The ground as a support, where it is level.
+    fn level(&self, ground: &Ground) -> Option<Support> {
+        self.walker.mover.support(ground).filter(|floor| floor.axis.perp_dot(self.up) == 0)
+    }
+
+    /// As far as it is free and in the domain; the part of the time that is left.
+    fn shift(&mut self, d: Raw) -> (Raw, Toi) {
+        // What is not looked at is not free.
+        let d = within(&self.run.moved.body.bounds(), d);
+        match self.run.look(self.world, d) {
+            Some(Ground { entry, .. }) => {
+                let left = mul_div(self.run.rest.raw(), entry.den - entry.num, entry.den);
+                (self.run.advance(self.world, d, &entry), Toi::clamped(left))
+            }
+            None => (self.run.commit(self.world, d, &[d]), Toi::ZERO),
+        }
     }
 }

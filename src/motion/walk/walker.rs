@@ -180,7 +180,6 @@ impl Walker {
         let stands = floor.filter(|f| !(rises || (passes && f.one_way))).map(|f| f.axis);
         let axis = if stands.is_none() {
             self.mover.slide::<W, B, true>(world, &mut run, &mut First::none())?;
-            run.creeps = false;
             run.moved.hits.iter().last().filter(|_| run.moved.floor).map(|hit| hit.axis)
         } else {
             stands
@@ -195,7 +194,7 @@ impl Walker {
     }
 }
 
-const fn checked(length: Fx, what: Quantity) -> Result<i32, RangeError> {
+pub(super) const fn checked(length: Fx, what: Quantity) -> Result<i32, RangeError> {
     let value = length.to_bits();
     if 0 <= value && value < MOTION { Ok(value) } else { Err(RangeError { what, value }) }
 }

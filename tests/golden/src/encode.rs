@@ -103,6 +103,7 @@ fn quantity(what: Quantity) -> u32 {
         Quantity::Follow => 11,
         Quantity::Length => 12,
         Quantity::StepHeight => 13,
+        Quantity::Assist => 15,
         _ => 0,
     }
 }

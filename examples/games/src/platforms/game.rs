@@ -79,15 +79,19 @@ impl Game {
         }
 
         self.velocity = Vec2::from_raw(keys.run * SPEED, self.velocity.raw().1 + GRAVITY);
-        if keys.jump && self.floor.is_some() {
-            // Off a lift with what the lift gave it.
-            self.velocity = Vec2::from_raw(self.velocity.raw().0, -JUMP) + ridden.carry;
+        let jumps = keys.jump && self.floor.is_some();
+        if jumps {
+            self.velocity = Vec2::from_raw(self.velocity.raw().0, -JUMP);
         }
         let solids = Solids::new(&self.solids);
         let world = Joined::new(&self.level, &solids);
         let walker = self.walker.with_drop_through(keys.drop);
         let walked = walker.walk(&world, &ridden.body, self.velocity, self.floor)?;
         (self.body, self.velocity, self.floor) = (walked.moved.body, walked.moved.velocity, walked.floor);
+        if jumps {
+            // The ride has made the lift's part of this frame; it goes on with it.
+            self.velocity += ridden.carry;
+        }
         self.stepped += walked.stepped;
         Ok(ridden.ride)
     }

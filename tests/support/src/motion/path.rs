@@ -6,7 +6,7 @@
 
 use super::body::{Body, Outcome};
 use super::level::Level;
-use super::{P, len2};
+use super::{P, disc, len2, rect};
 use tilesat::{Hit, Mover, Response};
 
 type V = (f64, f64);
@@ -36,23 +36,62 @@ struct Touched {
 struct Plane {
     normal: V,
     corner: bool,
+    /// The distance of the corner at the hit.
+    radius: f64,
+    /// The cell that was hit, and whether it is one-way.
+    cell: P,
+    one_way: bool,
+}
+
+/// Whether a body is over a face that goes on from cell to cell; `None` within some raw units of where that changes.
+fn is_over(level: &Level, body: &Body, plane: &Plane) -> Option<bool> {
+    let along_x = plane.normal.0 == 0.0;
+    let n = (plane.normal.0 as i64, plane.normal.1 as i64);
+    let is_face = |k: i64| {
+        let (x, y) = if along_x { (k, plane.cell.1) } else { (plane.cell.0, k) };
+        if plane.one_way { level.one_way(x, y) } else { level.full(x, y) && !level.full(x + n.0, y + n.1) }
+    };
+    let (lo, hi) = match *body {
+        Body::Disc { c, .. } => (c, c),
+        Body::Rect { lo, hi } => (lo, hi),
+    };
+    let cell = |p: P, by: i64| if along_x { level.column(p.0 + by) } else { level.row(p.1 + by) };
+    let any = |by: i64| (cell(lo, -by)..=cell(hi, by)).any(is_face);
+    let (wide, narrow) = (any(16), cell(lo, 16) <= cell(hi, -16) && (cell(lo, 16)..=cell(hi, -16)).any(is_face));
+    let disc = matches!(body, Body::Disc { .. });
+    let narrow = if disc { (cell(lo, -16)..=cell(hi, 16)).all(is_face) } else { narrow };
+    if wide == narrow { Some(wide) } else { None }
 }
 
 impl Touched {
     /// By how much a plane may have been left and counts as touched, in raw units.
     const NEAR: f64 = 4.0;
 
-    /// Drops what a leg has left: faces by rising, corners by another way than round them, or by flying past.
-    fn slide(&mut self, leg: V) {
+    /// Drops what a leg has left: faces by rising or by going past their end, corners by another way than round them, or by flying past. Whether that is
+    /// certain: not where a body just passes the end of a face.
+    fn slide(&mut self, leg: V, level: &Level, there: &Body) -> bool {
         let (way, lies) = (leg.0.abs().max(leg.1.abs()), self.lies);
+        let mut certain = true;
         self.planes.retain_mut(|plane| {
             if plane.corner {
                 plane.normal = (plane.normal.0 + leg.0, plane.normal.1 + leg.1);
             }
             let n = plane.normal;
             let out = n.0 * leg.0 + n.1 * leg.1;
-            if plane.corner { lies && out.abs() * 4.0 <= way * n.0.abs().max(n.1.abs()) } else { out <= Self::NEAR }
+            if plane.corner {
+                // A step along its tangent rises by so much.
+                let gap = n.0.hypot(n.1) - plane.radius - (leg.0 * leg.0 + leg.1 * leg.1) / (2.0 * plane.radius);
+                certain &= !lies || (gap - Self::NEAR).abs() > 3.0;
+                // A turn of a quarter of the normal is the limit, which roundings decide.
+                let turn = 4.0 * leg.0.hypot(leg.1) / plane.radius;
+                certain &= !lies || !(0.7..1.4).contains(&turn);
+                return lies && gap <= Self::NEAR && out.abs() * 4.0 <= way * n.0.abs().max(n.1.abs());
+            }
+            let over = is_over(level, there, plane);
+            certain &= over.is_some();
+            out <= Self::NEAR && over.unwrap_or(true)
         });
+        certain
     }
 
     /// The longest velocity along one of the planes and into none, or rest.
@@ -66,21 +105,30 @@ impl Touched {
     }
 }
 
-/// Whether a circle lies on what it hits after a leg that is a `part` of the motion left: it is as near as roundings leave it, or as a step along a
-/// corner's tangent does. `None` where a raw unit would decide that.
-fn lies(leg: V, part: f64, hit: &Hit) -> Option<bool> {
-    const HOP: f64 = 1.0 / 256.0;
-    let (way, corner) = (leg.0.abs().max(leg.1.abs()), hit.index >= 4);
-    if way < Touched::NEAR - 2.0 || (corner && part < HOP * 0.999) {
-        return Some(true);
+/// Whether a circle of velocity `v` lies on what it hits after a leg: it is as near as roundings leave it, or as a step along a corner's tangent does, which
+/// rises by `s^2 / 2 rho` over a way `s`. `None` where a raw unit would decide that.
+fn lies(leg: V, v: V, hit: &Hit) -> Option<bool> {
+    let n = (f64::from(hit.axis.x), f64::from(hit.axis.y));
+    let (rho, was) = (n.0.hypot(n.1), (n.0 - leg.0).hypot(n.1 - leg.1));
+    if hit.index < 4 {
+        let way = leg.0.abs().max(leg.1.abs());
+        return if way < Touched::NEAR - 2.0 {
+            Some(true)
+        } else if way > Touched::NEAR * 1.0e3 {
+            Some(false)
+        } else {
+            None
+        };
     }
-    let beyond = !corner || part > HOP * 1.001;
-    if way > Touched::NEAR + 2.0 && beyond { Some(false) } else { None }
+    let s = (v.0 * n.1 - v.1 * n.0).abs() / rho;
+    let rise = if 4.0 * s <= rho { s * s / (2.0 * rho) } else { 0.0 };
+    let over = was - rho - Touched::NEAR - rise;
+    if over.abs() < 3.0 || (4.0 * s - rho).abs() < 4.0 { None } else { Some(over < 0.0) }
 }
 
 /// Whether velocity and place are what the hits imply. Corners with hits at the same place are not judged: planes that are touched
 /// together are projected on together.
-pub fn follows(start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
+pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let hits: Vec<&Hit> = out.hits.iter().collect();
     let corners = hits.iter().any(|h| h.index >= 4);
     let (mut vel, mut place, mut now) = ((v.0 as f64, v.1 as f64), (0.0, 0.0), 0.0);
@@ -100,41 +148,73 @@ pub fn follows(start: &Body, v: P, response: Response, out: &Outcome) -> Result<
             // It takes an iteration to see that it can be passed, and there is none left to do so.
             break;
         }
-        let (made, part) = (leg(vel, toi - now), (toi - now) / (1.0 - now));
+        let made = leg(vel, toi - now);
         place = plus(place, made);
-        touched.slide(made);
+        let there = start.moved((place.0 as i64, place.1 as i64));
+        if !touched.slide(made, level, &there) {
+            return Ok(());
+        }
         first_leg.get_or_insert(place);
         now = toi;
         if response != Response::Cross || !hit.one_way {
             let normal = (hit.axis.x.into(), hit.axis.y.into());
             if slides {
                 if touched.planes.is_empty() {
-                    let Some(lies) = lies(made, part, hit) else { return Ok(()) };
+                    let Some(lies) = lies(made, vel, hit) else { return Ok(()) };
                     touched.lies = lies && matches!(start, Body::Disc { .. });
                 }
                 if touched.planes.is_empty() || !touched.lies {
                     touched.by = vel;
                 }
-                touched.planes.push(Plane { normal, corner: hit.index >= 4 });
+                let cell = (hit.cell.x.into(), hit.cell.y.into());
+                let radius = f64::hypot(normal.0, normal.1);
+                touched.planes.push(Plane { radius, normal, corner: hit.index >= 4, cell, one_way: hit.one_way });
                 vel = touched.velocity();
             } else {
                 vel = respond(vel, normal, response);
             }
         }
     }
-    // Four hits use up the iterations: what is left is reported and not made.
+    // Four hits use up the iterations: what is left is reported and not made, and where the last left it is seen in the next call.
+    if corners && hits.len() as u32 == Mover::ITERATIONS {
+        return Ok(());
+    }
     if (hits.len() as u32) < Mover::ITERATIONS {
         place = plus(place, leg(vel, 1.0 - now));
     }
     let length = (len2(v) as f64).sqrt();
-    let rounding = (8.0 + length / f64::from(1 << 24)) * hits.len().max(1) as f64;
+    // The place at a corner is rounded by up to 2 raw on each axis, which turns the tangent there.
+    let radius = hits.iter().filter(|h| h.index >= 4).map(|h| f64::from(h.axis.x).hypot(f64::from(h.axis.y)));
+    let turns = 3.0 * length / radius.fold(f64::INFINITY, f64::min);
+    let rounding = (8.0 + length / f64::from(1 << 24) + turns) * hits.len().max(1) as f64;
+    // What the hits do not tell: something else that was touched at the end, in the way for the next 64 raw units.
+    let disc = matches!(start, Body::Disc { r, .. } if *r > 0);
+    let blocked = |d: V, far: f64| {
+        let way = d.0.abs().max(d.1.abs()).max(1.0);
+        let d = ((d.0 * far / way) as i64, (d.1 * far / way) as i64);
+        let one_way = || response != Response::Cross && rect::first_one_way(level, &out.body, d).is_some();
+        disc && (disc::enters_solid(level, &out.body, d, super::Time::END) || one_way())
+    };
+    if blocked(vel, 64.0) {
+        return Ok(());
+    }
+    // Between several surfaces of which one is round a raw unit decides which of them are touched: then the velocity that is left leads on freely.
+    if disc && corners && hits.len() > 1 && out.v != (0, 0) {
+        let on = (out.v.0 as f64, out.v.1 as f64);
+        return if blocked(on, 4.0) { Err(format!("is blocked at once, by {:?}", out.v)) } else { Ok(()) };
+    }
     if !near(out.v, vel, rounding) {
         return Err(format!("goes on by {:?}, not {vel:?}", out.v));
     }
     let short_leg = if first_leg.is_some_and(|leg| leg.0.hypot(leg.1) < wedge) { wedge } else { 0.0 };
     let (p, q) = (start.position(), out.body.position());
     let moved = (q.0 - p.0, q.1 - p.1);
-    if near(moved, place, rounding + short_leg) { Ok(()) } else { Err(format!("moved by {moved:?}, not {place:?}")) }
+    let left = (place.0 - moved.0 as f64, place.1 - moved.1 as f64);
+    if near(moved, place, rounding + short_leg) || blocked(left, 64.0) {
+        Ok(())
+    } else {
+        Err(format!("moved by {moved:?}, not {place:?}"))
+    }
 }
 
 /// A box's motion along each axis is exact: from face to face, and what is left of the speed after the last one.

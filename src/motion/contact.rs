@@ -1,0 +1,170 @@
+//! What a body touches: the features within the rounding distance of its place, and which way each of them faces there.
+
+use super::body::Body;
+use super::plane::{NEAR, Pipe, into};
+use super::search::hull;
+use crate::num::{Axis, Raw, umul};
+use crate::query::meet;
+use crate::shape::Aabb;
+use crate::world::{Feature, Geometry};
+
+/// How a touched surface turns where the body goes on along it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Bend {
+    /// A face.
+    Flat,
+    /// A face that a body is beside: it touches the end, where any side of the body may be what goes along it.
+    End,
+    /// A corner, or an arc from outside: the normal is the body as seen from the centre.
+    Convex,
+    /// A quarter pipe of this quadrant, which the body's point must not leave by more than `room` from the centre.
+    Concave { quadrant: Axis, room: i32 },
+}
+
+impl Bend {
+    /// What bends more says more of how the body goes on.
+    pub(super) fn rank(self) -> u8 {
+        match self {
+            Self::End => 0,
+            Self::Flat => 1,
+            Self::Convex => 2,
+            Self::Concave { .. } => 3,
+        }
+    }
+}
+
+/// A plane that a body may go along: the tangent of what it touches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Plane {
+    /// Out of the solid; at corners and arcs not reduced.
+    pub(super) normal: Axis,
+    pub(super) bend: Bend,
+}
+
+impl Plane {
+    pub(super) const fn flat(normal: Axis) -> Self {
+        Self { normal, bend: Bend::Flat }
+    }
+
+    /// The end of a face, of which no side is known: it faces a velocity.
+    pub(super) fn against(self, v: Raw) -> Self {
+        let turns = self.bend == Bend::End && into(v, self.normal) > 0;
+        if turns { Self { normal: self.normal.reversed(), ..self } } else { self }
+    }
+
+    /// Whether it is the tangent of a pipe, and not at one of its ends.
+    pub(super) fn is_inside_pipe(&self) -> bool {
+        matches!(self.bend, Bend::Concave { .. }) && self.normal.x != 0 && self.normal.y != 0
+    }
+
+    /// The pipe that it is the tangent of.
+    pub(super) fn pipe(&self) -> Option<Pipe> {
+        let Bend::Concave { quadrant, room } = self.bend else { return None };
+        let n = self.normal;
+        Some(Pipe { m: Raw { x: n.x.wrapping_neg(), y: n.y.wrapping_neg() }, r: room, quadrant })
+    }
+}
+
+const REACH: i32 = NEAR as i32;
+
+/// Holds all that is so near to a body.
+pub(super) fn surroundings(bounds: &Aabb, distance: u32) -> Aabb {
+    hull(bounds, Raw::ZERO, Raw::ZERO, distance as i32 + 1)
+}
+
+/// Whether a body is within the rounding distance of a segment: along x and y for a box, which is not rounded; so it does not matter how a
+/// face is cut.
+fn is_near<B: Body>(body: &B, a: Raw, b: Raw) -> bool {
+    if B::MEETS_CORNERS {
+        let (c, r) = body.toward(Axis::X);
+        meet::circle_segment::<true>(c, r.wrapping_add(REACH), a, b)
+    } else {
+        let (bounds, reach) = (body.bounds(), Raw { x: REACH, y: REACH });
+        meet::segment_aabb::<true>(a, b, bounds.lo().sub(reach), bounds.hi().add(reach))
+    }
+}
+
+/// Whether a point is over a face, or beside it by no more than the rounding distance or up to half more: a circle that is farther aside touches the face's
+/// end, if anything.
+fn is_over(c: Raw, a: Raw, end: Raw, dir: Axis) -> bool {
+    let along = |v: Raw| dir.dot(Axis::new(v.x, v.y));
+    let aside = umul(dir.x.unsigned_abs(), NEAR).wrapping_add(umul(dir.y.unsigned_abs(), NEAR)) as i64;
+    along(c.sub(a)) >= -aside && along(c.sub(end)) <= aside
+}
+
+/// Whether a point is in the closed disc around the origin.
+fn in_disc(m: Raw, r: i32) -> bool {
+    r >= 0 && meet::in_disc::<true>(m.x.unsigned_abs(), m.y.unsigned_abs(), r as u32)
+}
+
+/// Hands over the planes that a feature is to a body which touches it; whether that is so.
+///
+/// A box meets corners and arcs by its corners, and either of its sides may be what goes along them.
+pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMut(Plane)) -> bool {
+    match feature.geometry {
+        Geometry::Face { a, dir, len, .. } => {
+            let a = Raw::of(a);
+            let end = a.add(Raw { x: dir.x.wrapping_mul(len), y: dir.y.wrapping_mul(len) });
+            let near = is_near(body, a, end);
+            if near {
+                let over = !B::MEETS_CORNERS || is_over(body.toward(Axis::X).0, a, end, dir);
+                let bend = if over { Bend::Flat } else { Bend::End };
+                plane(Plane { normal: Axis::new(dir.y, dir.x.wrapping_neg()), bend });
+            }
+            near
+        }
+        Geometry::Vertex { p, .. } => is_at_corner(body, Raw::of(p), &mut plane),
+        Geometry::Arc { centre, radius, quadrant, convex } => {
+            let (at, r) = body.toward(if convex { quadrant.reversed() } else { quadrant });
+            let m = at.sub(Raw::of(centre));
+            let end =
+                |x: i32, y: i32| Raw::of(centre).add(Raw { x: x.wrapping_mul(radius), y: y.wrapping_mul(radius) });
+            let (along_x, along_y) = (end(quadrant.x, 0), end(0, quadrant.y));
+            let within = m.x.wrapping_mul(quadrant.x.signum()) >= 0 && m.y.wrapping_mul(quadrant.y.signum()) >= 0;
+            if within && !m.is_zero() {
+                let near = if convex {
+                    in_disc(m, radius.wrapping_add(r).wrapping_add(REACH))
+                } else {
+                    let room = radius.wrapping_sub(r);
+                    room > 0 && !in_disc(m, room.wrapping_sub(REACH + 1)) && in_disc(m, room.wrapping_add(REACH))
+                };
+                if near {
+                    if !B::MEETS_CORNERS {
+                        sides(&mut plane);
+                    }
+                    if convex {
+                        plane(Plane { normal: Axis::new(m.x, m.y), bend: Bend::Convex });
+                    } else {
+                        let bend = Bend::Concave { quadrant, room: radius.wrapping_sub(r) };
+                        plane(Plane { normal: Axis::new(m.x.wrapping_neg(), m.y.wrapping_neg()), bend });
+                    }
+                    return true;
+                }
+            }
+            // Beyond its ends it is a corner; to a circle the end of a pipe is that of a face too, or a cusp, a corner of its own.
+            let corner = |end: Raw, plane: &mut dyn FnMut(Plane)| {
+                is_near(body, end, end) && (!convex && B::MEETS_CORNERS || is_at_corner(body, end, plane))
+            };
+            let (first, second) = (corner(along_x, &mut plane), corner(along_y, &mut plane));
+            first || second
+        }
+    }
+}
+
+fn is_at_corner<B: Body>(body: &B, p: Raw, plane: &mut dyn FnMut(Plane)) -> bool {
+    let near = is_near(body, p, p);
+    if near && B::MEETS_CORNERS {
+        let m = body.toward(Axis::X).0.sub(p);
+        if !m.is_zero() {
+            plane(Plane { normal: Axis::new(m.x, m.y), bend: Bend::Convex });
+        }
+    } else if near {
+        sides(plane);
+    }
+    near
+}
+
+fn sides(plane: &mut dyn FnMut(Plane)) {
+    plane(Plane { normal: Axis::X, bend: Bend::End });
+    plane(Plane { normal: Axis::Y, bend: Bend::End });
+}

@@ -1,0 +1,91 @@
+//! What a player wants of a character, and how the character moves by it.
+
+use super::SlopeSpeed;
+use crate::num::Fx;
+
+/// What the player wants in one frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Input {
+    /// The speed to run at, in units per frame: negative to the left.
+    pub run: Fx,
+    /// Whether the jump button is down. The character notices by itself when it is pressed and
+    /// released.
+    pub jump: bool,
+    /// Whether to drop through one-way floors in this frame.
+    pub drop: bool,
+}
+
+/// How a [`Character`](crate::Character) moves. Lengths are units, times are frames.
+///
+/// The default suits cells of 16 units at 60 frames per second: a jump 42.75 units high that takes
+/// 18 frames to its top. Change what you like, in any frame:
+///
+/// ```
+/// use tilesat::{Feel, fx};
+/// const MOON: Feel = Feel { gravity: fx!(0.0625), wall_jump: Some(fx!(2.5)), ..Feel::DEFAULT };
+/// # let _ = MOON;
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Feel {
+    /// What the velocity gains per frame. Positive pulls toward larger y, as on a screen; negative
+    /// pulls the other way, and "up" follows.
+    pub gravity: Fx,
+    /// The fastest fall.
+    pub fall: Fx,
+    /// The speed at which a jump starts. With a gravity of g, a jump of n g rises by g n (n + 1) /
+    /// 2 in n frames.
+    pub jump: Fx,
+    /// The speed that a rising jump keeps when the button is released. As large as `jump`: all
+    /// jumps are equally high.
+    pub jump_cut: Fx,
+    /// For so many frames after the body has walked off the floor, or has left a wall, it can still
+    /// jump.
+    pub coyote: u8,
+    /// A press of the button counts for so many more frames, so that it may come before the
+    /// landing.
+    pub buffer: u8,
+    /// How much the speed changes per frame on a floor, toward [`Input::run`].
+    pub acceleration: Fx,
+    /// How much the speed changes per frame in the air.
+    pub air_acceleration: Fx,
+    /// How far the body keeps to a falling ground: [`Walker::with_snap`](crate::Walker::with_snap). One and a half of the
+    /// running speed is enough for tiles.
+    pub snap: Fx,
+    /// How high a step it climbs: [`Walker::with_step`](crate::Walker::with_step).
+    pub step: Fx,
+    /// How fast it is on slopes.
+    pub slope_speed: SlopeSpeed,
+    /// The speed away from a wall that a jump off it starts with; no such jumps where `None`.
+    pub wall_jump: Option<Fx>,
+    /// The fastest fall while it runs against a wall; as elsewhere where `None`.
+    pub wall_slide: Option<Fx>,
+}
+
+impl Feel {
+    /// See [`Feel`].
+    pub const DEFAULT: Self = Self {
+        gravity: Fx::from_bits(0x4000), // 0.25
+        fall: Fx::from_bits(6 << 16),
+        jump: Fx::from_bits(0x4_8000),     // 4.5
+        jump_cut: Fx::from_bits(0x1_8000), // 1.5
+        coyote: 5,
+        buffer: 5,
+        acceleration: Fx::from_bits(0x8000),     // 0.5
+        air_acceleration: Fx::from_bits(0x4000), // 0.25
+        snap: Fx::from_bits(5 << 16),
+        step: Fx::from_bits(4 << 16),
+        slope_speed: SlopeSpeed::Constant,
+        wall_jump: None,
+        wall_slide: None,
+    };
+
+    pub(super) const fn falls_to_larger_y(&self) -> bool {
+        self.gravity.to_bits() >= 0
+    }
+}
+
+impl Default for Feel {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}

@@ -1,0 +1,313 @@
+//! What a mover does at a hit: the place, the ways on from there, and the one that it takes.
+
+use super::body::{Body, Entry};
+use super::contact::{Bend, Plane, touched};
+use super::order::First;
+use super::plane::{NEAR, Side, across, into, may_be_askew, project, reflect, tangential, way};
+use super::response::{Law, Smooth};
+use super::run::{Run, Shut, check_inside, margin};
+use super::ways::{Way, Ways, binding, long};
+use super::{Mover, Response};
+use crate::num::{Axis, Raw, Toi, isqrt64, mul_div, umul, usqr};
+use crate::world::{Feature, World};
+
+impl<S: Law> Mover<S> {
+    pub(super) fn passes_one_way(&self) -> bool {
+        self.drop_through || self.response == Response::Cross
+    }
+
+    /// What a surface with this normal is; without an up all are walls.
+    pub(super) fn side(&self, normal: Axis) -> Side {
+        self.up.map_or(Side::Wall, |up| self.limit.side(up, normal))
+    }
+
+    /// What a walker keeps of a velocity at a wall: it does not climb by what it has across "up".
+    fn stopped<W: World, B: Body>(&self, v: Raw, normal: Axis) -> Raw {
+        let Some(up) = self.up else { return v };
+        let into = across(v, up).signum() * up.perp_dot(normal).signum();
+        // Faces of blocks stop a body along x or y, as well as their walls need it.
+        if into < 0 && may_be_askew::<B, W>() { project::<B, W, _>(v, up.perp(), &Smooth) } else { v }
+    }
+
+    /// Records a hit, up to which the motion has `used` so much of its time; what it is to a body that does not pass it.
+    #[inline(never)]
+    pub(super) fn meet<B: Body>(
+        &self,
+        run: &mut Run<'_, B>,
+        used: u32,
+        entry: &Entry,
+        feature: &Feature,
+    ) -> Option<Side> {
+        let toi = Toi::ONE.raw() - run.rest.raw() + used;
+        run.record(entry.normal, feature, Toi::clamped(toi));
+        if feature.one_way && self.passes_one_way() {
+            run.pass_one_way = true;
+            return None;
+        }
+        let side = self.side(entry.normal);
+        run.meet(side);
+        Some(side)
+    }
+
+    /// Gives the velocity its direction after a hit: of a motion `d`, of which the displacement `made` led up to it.
+    #[inline(never)]
+    pub(super) fn respond<W: World, B: Body, const WALKS: bool>(
+        &self,
+        world: &W,
+        run: &mut Run<'_, B>,
+        used: u32,
+        (d, made): (Raw, Raw),
+        (side, entry, feature): (Side, &Entry, &Feature),
+    ) {
+        let time = run.rest.raw() - run.after.raw();
+        // floor(time (den - num) / den): what was used, rounded up where it is not exact, is not left.
+        let part = u32::from(umul(used, entry.den) != umul(time, entry.num));
+        run.rest = Toi::clamped(run.after.raw() + time - used - part);
+        run.after = Toi::ZERO;
+        run.motion = if W::ROUND && run.on_chord { run.made_in(run.rest) } else { d.sub(made) };
+        run.on_chord = false;
+        if WALKS && side == Side::Floor {
+            return;
+        }
+        match (self.response, self.bounce.0) {
+            (Response::Touch, _) => run.v = Raw::ZERO,
+            (Response::Bounce, Some(reply)) if !self.surface.surface().stops(run.v, entry.normal) => {
+                run.turn(reflect::<B, W, S>(run.v, entry.normal, &self.surface, reply));
+            }
+            (Response::Slide | Response::Cross | Response::Bounce, _) => {
+                if !may_be_askew::<B, W>() {
+                    run.turn(project::<B, W, S>(run.v, entry.normal, &self.surface));
+                } else if is_plain(run, entry) {
+                    self.lose_component::<W, B>(run, made, entry, feature);
+                } else {
+                    if WALKS && side == Side::Wall {
+                        run.before = self.stopped::<W, B>(run.before, entry.normal);
+                    }
+                    self.go_along::<W, B>(world, run, made, entry, feature);
+                }
+            }
+        }
+    }
+
+    /// The short way for a [plain](is_plain) hit.
+    fn lose_component<W: World, B: Body>(&self, run: &mut Run<'_, B>, made: Raw, entry: &Entry, feature: &Feature) {
+        let (u, lay) = (run.before, run.is_first && lay_on(&run.moved.body, run.before, made, entry, feature));
+        run.turn(project::<B, W, S>(run.v, entry.normal, &self.surface));
+        if lay {
+            (run.before, run.along) = (u, Some(Plane::flat(entry.normal)));
+        }
+    }
+
+    /// Takes the longest of the ways on from the present place that is free.
+    #[inline(never)]
+    fn go_along<W: World, B: Body>(
+        &self,
+        world: &W,
+        run: &mut Run<'_, B>,
+        made: Raw,
+        entry: &Entry,
+        feature: &Feature,
+    ) {
+        run.came |= way(made) > NEAR;
+        if made.is_zero() {
+            run.shut.push(run.tried);
+        } else {
+            run.shut = Shut::default();
+        }
+        let (first, passes) = (core::mem::take(&mut run.is_first), run.pass_one_way || self.passes_one_way());
+        let lay = first && lay_on(&run.moved.body, run.before, made, entry, feature);
+        let mut ways = Ways::none();
+        run.read::<W>(world, entry, passes, &mut ways);
+        let keeps = first || run.along.is_some_and(|plane| still_touches(&ways, &plane, made));
+        if !keeps && run.before != run.v {
+            run.before = run.v;
+            run.read::<W>(world, entry, passes, &mut ways);
+        }
+        ways.bind::<W, B>(world, &run.moved.body, passes);
+        let mut chosen = run.choose(&ways, entry.normal);
+        if chosen.is_none() && self.creep::<W, B>(world, run, &ways) {
+            run.shut = Shut::default();
+            ways.read::<W, B>(world, &run.moved.body, run.before, run.rest, passes);
+            ways.bind::<W, B>(world, &run.moved.body, passes);
+            chosen = run.choose(&ways, Axis::new(0, 0));
+        }
+        match chosen {
+            Some(way) => {
+                let v = run.follow_way::<W, S>(&way, &self.surface);
+                if first && !lay {
+                    run.before = v;
+                }
+            }
+            // What comes farther with each call goes on in the next one.
+            None if run.came && run.moved.work.iterations >= Mover::ITERATIONS => {
+                let mut creeps = ways.iter().filter(|way| way.along.is_some() && way.can_creep());
+                let v = creeps.find(|way| into(way.v, entry.normal) >= 0).map_or(Raw::ZERO, |way| way.v);
+                (run.motion, run.v) = (run.turned(v), v);
+            }
+            None => {
+                self.report_binding::<W, B>(world, run, &ways);
+                run.turn(Raw::ZERO);
+            }
+        }
+    }
+
+    /// Goes on along what the body touches where all ways are bound, but not in the very last place; whether it got anywhere.
+    #[inline(never)]
+    fn creep<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, ways: &Ways) -> bool {
+        for on in ways.iter().filter(|on| on.along.is_some_and(|p| p.pipe().is_none()) && on.can_creep()) {
+            // One look is for what binds it.
+            if run.moved.work.iterations + 1 >= Mover::ITERATIONS {
+                return false;
+            }
+            let d = run.along_plane::<W>(on.v, on.along);
+            if d.is_zero() || check_inside(&run.moved.body.bounds(), d).is_err() {
+                continue;
+            }
+            run.moved.work.iterations += 1;
+            let Some((entry, feature)) = run.first_hit(world, d) else { continue };
+            if feature.one_way && self.passes_one_way() {
+                continue;
+            }
+            let made = run.place(world, d, &entry, run.before);
+            if !made.is_zero() {
+                if run.moved.hits.iter().all(|hit| hit.axis != entry.normal) {
+                    run.record(entry.normal, &feature, Toi::clamped(Toi::ONE.raw() - run.rest.raw()));
+                    run.meet(self.side(entry.normal));
+                }
+                // Roundings take no time.
+                if way(made) > NEAR {
+                    run.rest = Toi::clamped(mul_div(run.rest.raw(), entry.den - entry.num, entry.den));
+                }
+                (run.motion, run.v) = (d.sub(made), on.v);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Records what else holds a body that stops: what the longest of its ways runs into.
+    #[inline(never)]
+    fn report_binding<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, ways: &Ways) {
+        if run.moved.work.iterations >= Mover::ITERATIONS {
+            return;
+        }
+        run.moved.work.iterations += 1;
+        for way in ways.iter().filter(|way| way.along.is_some()) {
+            let mut first = First::none();
+            binding::<W, B>(world, &run.moved.body, way, &run.moved.hits, &mut first);
+            let Some((entry, feature)) = first.hit::<B, W>(&run.moved.body, way.probe()) else { continue };
+            run.record(entry.normal, feature, Toi::clamped(Toi::ONE.raw() - run.rest.raw()));
+            run.meet(self.side(entry.normal));
+            return;
+        }
+    }
+}
+
+/// Whether a hit takes one component of the velocity and leaves the other, whatever else is near: a face along x or y that the body
+/// does not meet at its end. What the body touches beside it is met by the sweep that follows.
+///
+/// A body that runs along another such face stops: both components are bound.
+fn is_plain<B: Body>(run: &Run<'_, B>, entry: &Entry) -> bool {
+    let straight = |n: Axis| n.x == 0 || n.y == 0;
+    entry.step.is_none()
+        && straight(entry.normal)
+        && !entry.at_end
+        && (run.v == run.before || run.along.is_some_and(|p| straight(p.normal) && p.bend == Bend::Flat))
+}
+
+/// Whether a body lay already on what it has hit: on its plane within the rounding distance, wherever that is cut, or on a hop.
+///
+/// A body that flies to a convex corner or arc lay on it a call ago where it has left it along its own tangent: going `s` along a tangent it rises off a circle
+/// of radius `rho` by `s^2 / 2 rho`, for s well below rho.
+fn lay_on<B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: &Feature) -> bool {
+    let n = hit.normal;
+    let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
+    if into(made, n).unsigned_abs() <= rounding {
+        return true;
+    }
+    let mut hop = false;
+    touched(body, feature, |plane| hop |= is_hop(&plane, u, made));
+    hop
+}
+
+fn is_hop(plane: &Plane, u: Raw, made: Raw) -> bool {
+    let Plane { normal: n, bend: Bend::Convex } = *plane else { return false };
+    let m = Raw { x: n.x, y: n.y };
+    let (rho, was) = (isqrt64(m.len2()), isqrt64(m.sub(made).len2()));
+    let s = tangential(across(u, n), n);
+    s <= rho >> 2 && umul(rho, was.saturating_sub(rho).saturating_sub(NEAR)) * 2 <= usqr(s)
+}
+
+/// Whether what the body has just run along is still touched. Along a tangent that is so while it turns by less than a quarter of its length.
+fn still_touches(ways: &Ways, plane: &Plane, made: Raw) -> bool {
+    match plane.bend {
+        Bend::Flat | Bend::End => ways.touch(plane),
+        Bend::Convex => made.len2() << 4 <= plane.normal.length_squared(),
+        Bend::Concave { .. } => true,
+    }
+}
+
+impl<B: Body> Run<'_, B> {
+    /// The ways on from the present place, of what was hit too: where the body had to stay back from that, it is not near.
+    fn read<W: World>(&self, world: &W, hit: &Entry, passes: bool, ways: &mut Ways) {
+        ways.read::<W, B>(world, &self.moved.body, self.before, self.rest, passes);
+        let bend = if hit.step.is_none() { Bend::Flat } else { Bend::Convex };
+        ways.consider::<W, B>(Plane { normal: hit.normal, bend }, self.before, self.rest);
+    }
+
+    /// The longest free way that does not lead into the plane of what was hit. Where something else binds those, any: the body may be beside what it hit, where that
+    /// ends or by the rounding of its place. A body without area is beside nothing: it may stand where two surfaces touch and leave no face.
+    fn choose(&self, ways: &Ways, hit: Axis) -> Option<Way> {
+        let free = |way: &&Way| way.is_free() && !self.shut.holds(way.probe());
+        let mut out = ways.iter().filter(|way| into(way.v, hit) >= 0).peekable();
+        let leads_nowhere = out.peek().is_none() || margin(&self.moved.body.bounds()) != 0;
+        out.find(free).or_else(|| if leads_nowhere { None } else { ways.iter().find(free) }).copied()
+    }
+
+    /// Gives the velocity another direction, and the rest of the motion with it.
+    pub(super) fn turn(&mut self, to: Raw) {
+        (self.motion, self.v, self.before, self.along) = (self.turned(to), to, to, None);
+        self.tried = long(to);
+        self.is_first = false;
+    }
+
+    /// Takes a way; its velocity at the start.
+    fn follow_way<W: World, S: Law>(&mut self, way: &Way, surface: &S) -> Raw {
+        (self.along, self.tried) = (way.along, way.probe());
+        let Some(plane) = way.along else {
+            (self.motion, self.v) = (self.turned(way.v), way.v);
+            return way.v;
+        };
+        if let Some(pipe) = if W::ROUND { plane.pipe() } else { None } {
+            if let Some(chord) = pipe.chord(self.before, self.rest, surface) {
+                (self.v, self.motion, self.after) = (chord.velocity, chord.way, chord.after);
+                self.on_chord = !self.motion.is_zero();
+                if !self.on_chord {
+                    // At the end of the pipe already.
+                    self.follow();
+                }
+            } else {
+                (self.motion, self.v) = (Raw::ZERO, Raw::ZERO);
+            }
+            return way.v;
+        }
+        let v = if S::SMOOTH { way.v } else { project::<B, W, S>(self.before, plane.normal, surface) };
+        (self.motion, self.v) = (self.along_plane::<W>(v, way.along), v);
+        v
+    }
+
+    /// The rest of the motion at a velocity along a plane: along a slope of tiles to the last bit, and into no plane.
+    ///
+    /// What enters one does so because it was rounded toward zero, by less than a raw unit on each axis: so far it is put back.
+    fn along_plane<W: World>(&self, v: Raw, along: Option<Plane>) -> Raw {
+        let d = self.turned(v);
+        let Some(Plane { normal: n, .. }) = along else { return d };
+        if n.x == 0 || n.y == 0 {
+            return d;
+        }
+        if n.x.unsigned_abs() <= 2 && n.y.unsigned_abs() <= 2 && !W::BLOCKS {
+            return project::<B, W, _>(d, n, &Smooth);
+        }
+        if into(d, n) < 0 { d.add(Raw { x: n.x.signum(), y: n.y.signum() }) } else { d }
+    }
+}

@@ -1,0 +1,250 @@
+//! The ways on from a place: a velocity and its projections on all that the body touches there, and which of them is free.
+//!
+//! What is kept of a velocity is its projection on the cone of the directions that are free at the body's *present* place. That cone need not be convex; its
+//! boundary consists of tangents of what is touched. So the longest projection that nothing touched is in the way of is the answer, and what the body
+//! has left behind has no say.
+
+use super::body::{Body, Entry};
+use super::contact::{Bend, Plane, surroundings, touched};
+use super::moved::Hits;
+use super::order::First;
+use super::plane::{NEAR, across, into, project, way};
+use super::response::Smooth;
+use crate::num::{Axis, Raw, Toi, cmp_squares, mul_div, umul};
+use crate::world::{Feature, Geometry, World};
+
+/// A way on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    /// What it is along; `None` of the velocity itself.
+    pub(super) along: Option<Plane>,
+    /// The velocity at its start.
+    pub(super) v: Raw,
+    /// Whether the velocity that it is a projection of leads into the plane.
+    presses: bool,
+    /// A displacement in its direction, long enough to see what is in the way.
+    probe: Raw,
+    /// How far it leads until it meets what binds it.
+    room: u32,
+}
+
+/// No way is bound by something that is farther than this.
+///
+/// Two planes [`NEAR`] apart at an angle `a` meet within `NEAR / sin a`: 13 raw for the slopes of tiles, 64 for planes that differ by four degrees.
+const FAR: u32 = 64;
+
+impl Way {
+    const FREE: u32 = u32::MAX;
+
+    pub(super) fn is_free(&self) -> bool {
+        self.room == Self::FREE
+    }
+
+    /// Whether it leads on by a raw unit at least, though it is bound.
+    pub(super) fn can_creep(&self) -> bool {
+        !self.is_free() && self.room > 0
+    }
+
+    pub(super) fn probe(&self) -> Raw {
+        self.probe
+    }
+
+    fn bind(&mut self, room: u32) {
+        self.room = self.room.min(room);
+    }
+
+    /// The length of what it is of a velocity, before it is rounded: `along / |normal|`. Computed where it is asked: a list of
+    /// eight is 128 bytes of stack shorter.
+    fn length(&self, of: Raw) -> (u64, u64) {
+        self.along.map_or((u64::MAX, 1), |p| (across(of, p.normal).unsigned_abs(), p.normal.length_squared()))
+    }
+
+    /// The velocity itself, then its longer projections; of one length, mirrored or not, the one longer along x, then +. Then the planes decide in the same
+    /// way: never the order of visits.
+    fn goes_before(&self, other: &Self, of: Raw) -> bool {
+        let ((a, n), (b, m)) = (self.length(of), other.length(of));
+        let along = |v: Raw| (v.x.unsigned_abs(), v.y.unsigned_abs(), v.x, v.y);
+        // What presses back first: friction is its.
+        let plane = |w: &Self| w.along.map(|p| (w.presses, along(Raw { x: p.normal.x, y: p.normal.y }), p.bend.rank()));
+        let key = |w: &Self| (along(w.v), plane(w));
+        cmp_squares((a, m), (b, n)).then_with(|| key(self).cmp(&key(other))).is_gt()
+    }
+
+    /// When it meets a feature, if it does.
+    fn meets<W: World, B: Body>(&self, body: &B, feature: &Feature) -> Option<Entry> {
+        if W::BLOCKS {
+            body.sweep_block(self.probe, feature)
+        } else if W::ROUND || !matches!(feature.geometry, Geometry::Arc { .. }) {
+            body.sweep(self.probe, feature)
+        } else {
+            None
+        }
+    }
+
+    /// The way up to what it meets there, if that binds it: within the rounding distance of way, or within [`FAR`] and the rounding distance along the normal. So it
+    /// does not matter how a face is cut.
+    fn room_to(&self, entry: &Entry) -> Option<u32> {
+        let room = mul_div(way(self.probe), entry.num, entry.den);
+        let n = entry.normal;
+        let gap = into(Raw { x: part(self.probe.x, entry), y: part(self.probe.y, entry) }, n).unsigned_abs();
+        let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
+        (room <= NEAR || (room <= FAR && gap <= rounding)).then_some(room)
+    }
+}
+
+/// A component of a displacement up to a hit, rounded toward zero.
+fn part(c: i32, entry: &Entry) -> i32 {
+    let part = mul_div(c.unsigned_abs(), entry.num, entry.den) as i32;
+    if c < 0 { part.wrapping_neg() } else { part }
+}
+
+/// The ways on from a place, the longest first.
+pub(super) struct Ways {
+    ways: [Option<Way>; Self::MAX],
+}
+
+impl Ways {
+    /// More planes than these touch no body at a place: four cells meet in a point, and a body touches at most two of the sides of each. Of more, in levels of
+    /// many small segments, the shortest ways are left out.
+    const MAX: usize = 8;
+
+    pub(super) const fn none() -> Self {
+        Self { ways: [None; Self::MAX] }
+    }
+
+    /// Reads the ways of a velocity from the body's place, in the time that is left; which of them are free is not known yet.
+    ///
+    /// In place: the list takes some 600 bytes, of which a chip has no second ones.
+    #[inline(never)]
+    pub(super) fn read<W: World, B: Body>(&mut self, world: &W, body: &B, v: Raw, time: Toi, passes: bool) {
+        let ways = self;
+        for slot in &mut ways.ways {
+            *slot = None;
+        }
+        ways.add(Way { along: None, v, presses: false, probe: long(v), room: Way::FREE }, v);
+        let mut features = world.features(&surroundings(&body.bounds(), NEAR));
+        while let Some(feature) = &features.next() {
+            if !(feature.one_way && passes) {
+                touched(body, feature, |plane| ways.consider::<W, B>(plane, v, time));
+            }
+        }
+        ways.consider_gaps::<W, B>(v, time);
+    }
+
+    /// Between two corners or arcs the way leads across the line through their centres, as through a gap that is as wide as the body.
+    fn consider_gaps<W: World, B: Body>(&mut self, v: Raw, time: Toi) {
+        let convex =
+            |way: &Option<Way>| way.and_then(|way| way.along).filter(|p| p.bend == Bend::Convex).map(|p| p.normal);
+        let corners = self.ways.each_ref().map(convex);
+        for (k, a) in corners.iter().enumerate() {
+            for b in corners.iter().skip(k + 1) {
+                if let (Some(a), Some(b)) = (a, b) {
+                    if a.dot(*b) < 0 {
+                        let normal = Axis::new(a.x.wrapping_sub(b.x), a.y.wrapping_sub(b.y));
+                        self.consider::<W, B>(Plane { normal, bend: Bend::End }, v, time);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Takes the projection of a velocity on a plane, where it is one.
+    pub(super) fn consider<W: World, B: Body>(&mut self, plane: Plane, v: Raw, time: Toi) {
+        let plane = plane.against(v);
+        if self.iter().any(|way| way.along == Some(plane)) {
+            return;
+        }
+        let along = project::<B, W, _>(v, plane.normal, &Smooth);
+        let (mut plane, mut probe) = (plane, long(along));
+        if let Some(pipe) = if W::ROUND { plane.pipe() } else { None } {
+            let Some(chord) = pipe.chord(v, time, &Smooth) else { return };
+            if chord.way.is_zero() {
+                // At the end of the pipe already, where its tangent leads on.
+                plane.bend = Bend::Flat;
+            } else {
+                // A tangent leads into what is beyond the pipe's end: no probe is longer than a chord.
+                let longer = if way(chord.way) < 2 * FAR { pipe.chord(long(v), Toi::ONE, &Smooth) } else { None };
+                probe = longer.unwrap_or(chord).way;
+            }
+        }
+        // What is slower than its rounding leads nowhere: so what gravity presses into a shallow wedge comes to rest.
+        let is_exact = plane.normal.x == 0 || plane.normal.y == 0;
+        if !along.is_zero() && (is_exact || way(along) > NEAR) {
+            let n = plane.normal;
+            let presses = into(v, n) < 0;
+            self.add(Way { along: Some(plane), v: along, presses, probe, room: Way::FREE }, v);
+        }
+    }
+
+    fn add(&mut self, way: Way, of: Raw) {
+        let mut way = way;
+        for slot in &mut self.ways {
+            match slot {
+                None => {
+                    *slot = Some(way);
+                    return;
+                }
+                Some(other) if way.goes_before(other, of) => core::mem::swap(other, &mut way),
+                Some(_) => {}
+            }
+        }
+    }
+
+    /// Binds what leads into something that is touched.
+    #[inline(never)]
+    pub(super) fn bind<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool) {
+        let mut features = world.features(&surroundings(&body.bounds(), FAR));
+        while let Some(feature) = &features.next() {
+            if feature.one_way && passes {
+                continue;
+            }
+            let mut pipe = None;
+            if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
+                touched(body, feature, |plane| pipe = Some(plane).filter(Plane::is_inside_pipe).or(pipe));
+            }
+            for way in self.ways.iter_mut().flatten() {
+                // The gap to a pipe opens with the square of the way, so no probe tells that a way leads into it; its normal does.
+                if pipe.is_some_and(|pipe| way.along != Some(pipe) && into(way.v, pipe.normal) < 0) {
+                    way.bind(0);
+                }
+                let Some(entry) = way.meets::<W, B>(body, feature) else { continue };
+                if let Some(room) = way.room_to(&entry) {
+                    way.bind(room);
+                }
+            }
+        }
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = &Way> {
+        self.ways.iter().flatten()
+    }
+
+    /// Whether a plane is touched.
+    pub(super) fn touch(&self, plane: &Plane) -> bool {
+        self.iter().any(|way| way.along == Some(*plane))
+    }
+}
+
+/// What binds a way beside what was hit: the first of what is touched that it meets, with a normal of its own.
+pub(super) fn binding<W: World, B: Body>(world: &W, body: &B, way: &Way, hits: &Hits, first: &mut First) {
+    let mut features = world.features(&surroundings(&body.bounds(), FAR));
+    while let Some(feature) = &features.next() {
+        // One-way faces are told where they are run into: beside them it is their front that counts.
+        if feature.one_way {
+            continue;
+        }
+        let Some(entry) = &way.meets::<W, B>(body, feature) else { continue };
+        if way.room_to(entry).is_some() && hits.iter().all(|hit| hit.axis != entry.normal) {
+            first.add::<B, W>(entry, feature, way.probe);
+        }
+    }
+}
+
+/// A multiple of a velocity that is at least twice as long as [`FAR`]; the velocity itself where that is.
+pub(super) fn long(v: Raw) -> Raw {
+    let (mut v, mut size) = (v, way(v));
+    while size != 0 && size < 2 * FAR {
+        (v, size) = (v.add(v), size << 1);
+    }
+    v
+}

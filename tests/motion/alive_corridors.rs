@@ -1,0 +1,147 @@
+//! What fits a passage gets through it (L3): bodies up to six raw units lower than a corridor, behind each ramp that reaches its floor.
+
+use tilesat::{Aabb, AllShapes, Axis, Circle, Fx, Mover, Support, TileMap, Walker};
+use tilesat_judge::rooms::P;
+use tilesat_judge::rooms::body::{Body, point, vec2};
+use tilesat_judge::shapes::level::Level;
+
+const GOAT: Mover = Mover::platformer(Axis::NEG_Y).with_slope_limit(2, 1);
+
+/// A ramp and its mirror image.
+const RAMPS: [(&str, u8, u8); 6] =
+    [("flat", 1, 1), ("45", 8, 9), ("mild", 24, 25), ("steep low", 28, 29), ("steep high", 32, 33), ("dome", 12, 13)];
+
+fn walk(map: &TileMap<'_, AllShapes>, body: Body, v: P, floor: Option<Support>, snap: i64) -> (Body, Option<Support>) {
+    let walker = Walker::new(GOAT).with_snap(Fx::from_bits(snap as i32)).unwrap();
+    let (place, floor) = match body {
+        Body::Rect(..) => {
+            let (lo, hi) = body.bounds();
+            let walked = walker.walk(map, &Aabb::new(vec2(lo), vec2(hi)).unwrap(), vec2(v), floor).unwrap();
+            (walked.moved.position(), walked.floor)
+        }
+        Body::Disc(c, r) => {
+            let circle = Circle::new(vec2(c), Fx::from_bits(r as i32)).unwrap();
+            let walked = walker.walk(map, &circle, vec2(v), floor).unwrap();
+            (walked.moved.position(), walked.floor)
+        }
+    };
+    (body.at(point(place)), floor)
+}
+
+/// One run: whether the body gets in.
+struct Run {
+    ramp: (&'static str, u8, u8),
+    cell: i64,
+    round: bool,
+    mirror: bool,
+    less: i64,
+    offset: i64,
+    part: i64,
+    fall: i64,
+}
+
+impl Run {
+    fn level(&self) -> Level {
+        let mut tiles = vec![0; 24];
+        tiles[18..24].fill(1);
+        tiles[2..6].fill(1);
+        tiles[14..18].fill(1);
+        tiles[13] = self.ramp.1;
+        if self.mirror {
+            tiles.chunks_mut(6).for_each(<[u8]>::reverse);
+            tiles[16] = self.ramp.2;
+        }
+        let outside = tilesat::Outside::Empty;
+        Level { tiles, width: 6, height: 4, cell: self.cell, x: 0, y: 0, outside }
+    }
+
+    fn gets_in(&self, walks: bool) -> bool {
+        let (level, cell, high) = (self.level(), self.cell, self.cell - self.less);
+        let map = level.all();
+        let flip = |x: i64, wide: i64| if self.mirror { 6 * cell - x - wide } else { x };
+        let mut body = if self.round {
+            Body::Disc((flip(2 * cell - high / 2 - self.offset, 0), 2 * cell - high / 2), high / 2)
+        } else {
+            Body::Rect((flip(2 * cell - cell / 2 - self.offset, cell / 2), 2 * cell - high), (cell / 2, high))
+        };
+        let speed = cell / self.part;
+        let v = (if self.mirror { -speed } else { speed }, speed / self.fall);
+        let mut floor = None;
+        for _ in 0..600 {
+            if walks {
+                (body, floor) = walk(&map, body, v, floor, cell);
+            } else {
+                body = body.step(&GOAT, &map, v).unwrap().body;
+            }
+            let (lo, hi) = body.bounds();
+            if if self.mirror { hi.0 < 3 * cell } else { lo.0 > 3 * cell } {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Whether a plain slide is to get in: its push leads up the ramp, and there is room for the rounding at the ramp's end.
+    fn slides(&self) -> bool {
+        // Up a ramp of direction (run, -rise) a push of (fall, 1) leads where fall * run > rise.
+        let leads = match self.ramp.0 {
+            "flat" => return true,
+            "45" => self.fall > 1,
+            "mild" => true,
+            _ => self.fall > 3,
+        };
+        leads && self.less > 4
+    }
+}
+
+fn runs() -> impl Iterator<Item = Run> {
+    let sizes = [1 << 20, 2 * 54_321].into_iter().flat_map(|cell| (0..6).map(move |less| (cell, less)));
+    let kinds = RAMPS.into_iter().flat_map(|ramp| (0..4).map(move |k| (ramp, k & 1 == 1, k & 2 == 2)));
+    sizes.flat_map(move |(cell, less)| {
+        kinds.clone().flat_map(move |(ramp, round, mirror)| {
+            let pushes = [2, 5, 8, 16, 37, 64].into_iter().flat_map(|part| [10, 3, 1].map(|fall| (part, fall)));
+            pushes.flat_map(move |(part, fall)| {
+                [100, 3000, cell / 8, cell / 2].map(|offset| Run {
+                    ramp,
+                    cell,
+                    round,
+                    mirror,
+                    less,
+                    offset,
+                    part,
+                    fall,
+                })
+            })
+        })
+    })
+}
+
+/// Runs that never get in, of those that are to.
+fn judge(runs: impl Iterator<Item = Run>, walks: bool) {
+    let (mut all, mut out, mut first) = (0, 0, None);
+    for run in runs.filter(|run| walks || run.slides()) {
+        all += 1;
+        if !run.gets_in(walks) {
+            out += 1;
+            let Run { ramp, cell, round, mirror, less, offset, part, fall } = run;
+            first.get_or_insert((ramp, cell, round, mirror, less, offset, part, fall));
+        }
+    }
+    assert_eq!(out, 0, "never in, of {all}: such as {first:?}");
+}
+
+#[test]
+fn what_fits_a_corridor_gets_in() {
+    judge(runs().step_by(11), false);
+}
+
+#[test]
+#[ignore = "two minutes"]
+fn what_fits_a_corridor_gets_in_all() {
+    judge(runs(), false);
+}
+
+#[test]
+fn walkers_that_fit_a_corridor_get_in() {
+    judge(runs(), true);
+}

@@ -1,0 +1,125 @@
+//! Random levels of all shapes: a call that ends without velocity ends where there is no way on (L1).
+
+#![allow(clippy::cast_precision_loss, reason = "directions and lengths below 2^30")]
+
+use tilesat::{Axis, Mover};
+use tilesat_judge::Random;
+use tilesat_judge::rooms::body::{Body, Outcome};
+use tilesat_judge::rooms::room::{FINE, Room};
+use tilesat_judge::rooms::{P, PX, len2, mosaic};
+
+const PLAYER: Mover = Mover::platformer(Axis::NEG_Y);
+
+/// Whether a unit and a bit is free in a direction, by sets of points.
+fn is_free(room: &Room, body: Body, d: P) -> bool {
+    let length = (len2(d) as f64).sqrt();
+    let unit = |c: i64| (c as f64 / length * PX as f64 * 1.01) as i64;
+    (1..=64).all(|k| !room.overlaps(body, (unit(d.0), unit(d.1)), k * FINE / 64))
+}
+
+/// The velocity that the body came to its last place with: what each hit before left along its surface.
+fn before_last(v: P, out: &Outcome) -> (f64, f64) {
+    let hits: Vec<_> = out.hits.iter().map(|h| (h.toi.raw(), f64::from(h.axis.x), f64::from(h.axis.y))).collect();
+    // Hits within eight raw units of way are of one place.
+    let (last, eight) = (hits.last().unwrap().0, (8.0 * f64::from(1 << 30) / (len2(v) as f64).sqrt()) as u32);
+    hits.iter().filter(|h| h.0 + eight < last).fold((v.0 as f64, v.1 as f64), |v, n| {
+        let into = (v.0 * n.1 + v.1 * n.2).min(0.0) / (n.1 * n.1 + n.2 * n.2);
+        (v.0 - into * n.1, v.1 - into * n.2)
+    })
+}
+
+/// A direction that is free for a unit and that the velocity has more than a unit along, of a call that ended without velocity and has hardly moved.
+///
+/// Both the velocity before the last hit and the one of the call must have: what lay on a surface is pressed against it by the call's velocity all the time,
+/// and what came flying has no more than that surface left it.
+fn way_on(room: &Room, before: Body, v: P, out: &Outcome) -> Option<P> {
+    let made = (out.body.position().0 - before.position().0, out.body.position().1 - before.position().1);
+    if out.v != (0, 0) || 100 * len2(made) >= len2(v) || len2(v) <= 4 * len2((PX, 0)) {
+        return None;
+    }
+    let u = before_last(v, out);
+    let along = out.hits.iter().map(|h| (i64::from(h.axis.x), i64::from(h.axis.y)));
+    let (x, y) = (u.0 as i64, u.1 as i64);
+    let ways = along.flat_map(|n| [(-n.1, n.0), (n.1, -n.0)]).chain([(x, y), (x, 0), (0, y)]);
+    let along = |u: (f64, f64), d: P| u.0 * d.0 as f64 + u.1 * d.1 as f64 > PX as f64 * (len2(d) as f64).sqrt();
+    let has = |d: P| along(u, d) && along((v.0 as f64, v.1 as f64), d);
+    ways.filter(|&d| d != (0, 0) && has(d)).find(|&d| is_free(room, out.body, d))
+}
+
+fn play(levels: u64, seed: u64) {
+    let mut r = Random::new(seed);
+    let (mut frames, mut stops, mut dead) = (0, 0, Vec::new());
+    for _ in 0..levels {
+        let cell = [24 * PX, 16 * PX, 8 * PX, 2 * 54_321, 12 * PX][r.below(5) as usize];
+        let dense = [20, 40, 60][r.below(3) as usize];
+        let mut level = mosaic(&mut r, (9, 9), cell, dense, 0);
+        if r.one_in(4) {
+            // A corridor of one cell under blocks, half domes and slopes.
+            for x in 0..9 {
+                level.tiles[36 + x] = 0;
+                if r.one_in(2) {
+                    level.tiles[27 + x] = [1, 4, 8, 9, 16, 17][r.below(6) as usize];
+                }
+            }
+        }
+        let (map, room) = (level.all(), Room::new(&level));
+        for _ in 0..6 {
+            let sizes = [cell / 2, cell / 2 - 1, cell / 4, cell / 4 - 1, cell / 8, cell * 3 / 16, cell / 3];
+            let (hx, hy) = (sizes[r.below(7) as usize], sizes[r.below(7) as usize]);
+            let at = (r.within(0, 18) * cell / 2, r.within(0, 18) * cell / 2);
+            let aside = [(0, 0), (hx, 0), (0, hy), (hx, hy), (-hx, -hy)][r.below(5) as usize];
+            let at = (at.0 + aside.0, at.1 + aside.1);
+            let k = [2 * cell, cell, cell / 2, cell / 8, 6 * cell][r.below(5) as usize];
+            let mut v = [(r.around(k), 0), (0, r.around(k)), (k, -k), (r.around(k), r.around(k))][r.below(4) as usize];
+            let gravity = [0, cell / 40, cell / 20][r.below(3) as usize];
+            let push = (r.around(cell / 4), r.around(cell / 4));
+            let mut body =
+                if r.one_in(2) { Body::Disc(at, hx) } else { Body::Rect((at.0 - hx, at.1 - hy), (2 * hx, 2 * hy)) };
+            if room.overlaps(body, (0, 0), 0) {
+                continue;
+            }
+            for _ in 0..12 {
+                v.1 += gravity;
+                if r.one_in(2) {
+                    v = (v.0 + push.0, v.1 + push.1);
+                }
+                let out = body.step(&PLAYER, &map, v).unwrap();
+                frames += 1;
+                stops += u32::from(out.v == (0, 0));
+                if let Some(way) = way_on(&room, body, v, &out) {
+                    dead.push((
+                        cell,
+                        level.tiles.clone(),
+                        body,
+                        v,
+                        out.body,
+                        way,
+                        out.hits
+                            .iter()
+                            .map(|h| (h.toi.raw(), h.axis.x, h.axis.y, h.cell.x, h.cell.y, h.index))
+                            .collect::<Vec<_>>(),
+                    ));
+                }
+                (body, v) = (out.body, out.v);
+            }
+        }
+    }
+    assert!(stops > 0);
+    assert!(
+        dead.is_empty(),
+        "{} dead stops of {stops} in {frames} frames, such as {:?}",
+        dead.len(),
+        &dead[..3.min(dead.len())]
+    );
+}
+
+#[test]
+fn no_dead_stops() {
+    play(tilesat_judge::cases(3_000), 1);
+}
+
+#[test]
+#[ignore = "ten minutes"]
+fn no_dead_stops_in_ten_million_frames() {
+    play(160_000, 2);
+}
