@@ -162,6 +162,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         loop {
             while x < last {
                 (x, tile) = (x.wrapping_add(1), tile.wrapping_add(1));
+                if T::OCCUPIED {
+                    let next = self.next_occupied(x, last, y);
+                    if next > last {
+                        break;
+                    }
+                    (x, tile) = (next, tile.wrapping_add(next.wrapping_sub(x) as u32));
+                }
                 let id = self.id_at(tile);
                 if !self.kinds.is_empty(id) {
                     (walk.x, walk.y, walk.last, walk.tile) = (x, y, last, tile);
@@ -183,8 +190,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     const fn before_row(&self, walk: &CellWalk, y: i32) -> (i32, i32) {
         let range = &walk.range;
         let (x, last) = if walk.seen.has_row(y) { range.row_without(&walk.seen) } else { (range.x0, range.x1) };
-        let empty = walk.in_map && x <= last && self.known_empty(x, last, y);
-        (if empty { last } else { x.wrapping_sub(1) }, last)
+        (x.wrapping_sub(1), last)
     }
 
     /// The same where some of the range is not in the map.

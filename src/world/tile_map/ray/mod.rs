@@ -1,6 +1,7 @@
 //! Rays through tiles: what is asked, and what is answered.
 
 mod blocks;
+mod open;
 mod shapes;
 
 use super::{Outside, Set, Store, TileMap};
