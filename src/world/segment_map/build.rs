@@ -1,7 +1,8 @@
 //! From paths to bytes: segments counted, then written, with their references and joints.
 
+use super::cancel::{Place, Runs, left_from};
 use super::parse::clamped;
-use super::path::{Edge, Place, edges, left_from, point, reversed};
+use super::path::{Edge, edges, point, reversed};
 use super::raster::Rows;
 use super::{
     ATTR_AT, END_JOINED, HEADER, Kind, MAGIC, MOST, NEXT_AT, NONE, Path, PathKind, SEGMENT, START_JOINED, SegmentMap,
@@ -261,7 +262,7 @@ impl Sink<'_> {
     /// The segments of all paths, in the order of the paths and their points; of a cancelled edge what is left.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
     pub(super) const fn take(&mut self, paths: &[Path<'_>]) -> Result<(), SegmentMapError> {
-        let mut i = 0;
+        let (mut i, runs) = (0, Runs::of(paths));
         while i < paths.len() {
             let path = &paths[i];
             let (against, count) = (reversed(path), edges(path));
@@ -271,7 +272,7 @@ impl Sink<'_> {
                 let edge = if against { Edge::between(b, a) } else { Edge::between(a, b) };
                 let place = Place { path: i, point: k };
                 let taken = match path.kind {
-                    PathKind::Solid | PathKind::Hole => self.left(paths, place, &edge),
+                    PathKind::Solid | PathKind::Hole => self.left(paths, &runs, place, &edge),
                     PathKind::Wall => self.both(place, &edge, path.flags),
                     PathKind::OneWay => self.put(place, &edge, Kind::OneWay, path.flags),
                 };
@@ -287,11 +288,17 @@ impl Sink<'_> {
 
     /// The pieces of a polygon's edge that are not cancelled, each as long as can be.
     #[expect(clippy::indexing_slicing, reason = "a path that is being looked at exists")]
-    const fn left(&mut self, paths: &[Path<'_>], place: Place, edge: &Edge) -> Result<(), SegmentMapError> {
+    const fn left(
+        &mut self,
+        paths: &[Path<'_>],
+        runs: &Runs,
+        place: Place,
+        edge: &Edge,
+    ) -> Result<(), SegmentMapError> {
         let flags = paths[place.path].flags;
         let (mut t, mut from) = (0, -1);
         while t < edge.len {
-            let (until, left) = left_from(paths, place, edge, t);
+            let (until, left) = left_from(paths, runs, place, edge, t);
             if left && from < 0 {
                 from = t;
             }

@@ -24,6 +24,7 @@
 //! | 28 | u32 | checksum of everything, itself as zero |
 
 mod build;
+mod cancel;
 mod overlap;
 mod parse;
 mod path;
@@ -284,13 +285,20 @@ impl Seg {
     /// Segment `index` of a table; zeros beyond its end.
     #[inline]
     pub(super) const fn read(table: &[u8], index: u16) -> Self {
-        let at = index as usize * SEGMENT;
-        let next = half(table, at + NEXT_AT);
-        let attr = half(table, at + ATTR_AT);
+        let bytes = match table.split_at_checked(index as usize * SEGMENT) {
+            Some((_, rest)) => rest.first_chunk(),
+            None => None,
+        };
+        // One check of bounds for all fields.
+        let bytes = match bytes {
+            Some(bytes) => bytes,
+            None => &[0; SEGMENT],
+        };
+        let (next, attr) = (field::<NEXT_AT>(bytes) as u16, field::<NEXT_AT>(bytes) >> 16);
         Self {
-            a: Raw { x: word(table, at) as i32, y: word(table, at + 4) as i32 },
-            dir: Axis { x: word(table, at + 8) as i32, y: word(table, at + 12) as i32 },
-            len: word(table, at + 16) as i32,
+            a: Raw { x: field::<0>(bytes) as i32, y: field::<4>(bytes) as i32 },
+            dir: Axis { x: field::<8>(bytes) as i32, y: field::<12>(bytes) as i32 },
+            len: field::<16>(bytes) as i32,
             next: if next == NONE { None } else { Some(next) },
             kind: match attr as u8 & KIND {
                 0 => Kind::Solid,
@@ -302,6 +310,13 @@ impl Seg {
             flags: (attr >> 8) as u8,
         }
     }
+}
+
+/// 32 bits of a segment.
+#[inline]
+#[expect(clippy::indexing_slicing, reason = "by constants")]
+const fn field<const AT: usize>(bytes: &[u8; SEGMENT]) -> u32 {
+    u32::from_le_bytes([bytes[AT], bytes[AT + 1], bytes[AT + 2], bytes[AT + 3]])
 }
 
 pub(super) const MAGIC: u32 = u32::from_le_bytes(*b"TSEG");
