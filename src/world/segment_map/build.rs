@@ -127,6 +127,17 @@ pub(super) const fn build(paths: &[Path<'_>], size: &Size, out: &mut [u8]) -> Re
     let Some((out, _)) = out.split_at_mut_checked(needed) else {
         return Err(SegmentMapError::TooSmall { needed: clamped(needed), found: clamped(found) });
     };
+    if let Err(e) = place(paths, size, out) {
+        return Err(e);
+    }
+    match finish(size, out) {
+        Ok(()) => Ok(needed),
+        Err(e) => Err(e),
+    }
+}
+
+/// The first half of the work: the segments, and the references of the cells.
+const fn place(paths: &[Path<'_>], size: &Size, out: &mut [u8]) -> Result<(), SegmentMapError> {
     // What is not finished is no level: this word is written last.
     set_word(out, at::MAGIC, 0);
     let mut sink = Sink { grid: size.grid, out, segments: 0, refs: 0 };
@@ -134,12 +145,17 @@ pub(super) const fn build(paths: &[Path<'_>], size: &Size, out: &mut [u8]) -> Re
         return Err(e);
     }
     refer(size, out);
+    Ok(())
+}
+
+/// The second half: what needs the references.
+const fn finish(size: &Size, out: &mut [u8]) -> Result<(), SegmentMapError> {
     join(size, out);
     if let Err(e) = wind(size, out) {
         return Err(e);
     }
     head(size, out);
-    Ok(needed)
+    Ok(())
 }
 
 /// The cells' references: counted, summed, and filled in from the last segment to the first, each cell from its end.
@@ -385,8 +401,14 @@ macro_rules! segment_map {
                 Ok(size) => size,
                 Err(e) => panic!("{}", e.__text().as_str()),
             };
+            // In two constants: the compiler limits the work for each.
             $(#[$attr])*
-            static __BYTES: [u8; __SIZE.bytes()] = match __SIZE.__build(__PATHS) {
+            const __PLACED: [u8; __SIZE.bytes()] = match __SIZE.__place(__PATHS) {
+                Ok(bytes) => bytes,
+                Err(e) => panic!("{}", e.__text().as_str()),
+            };
+            $(#[$attr])*
+            static __BYTES: [u8; __SIZE.bytes()] = match __SIZE.__finish(__PLACED) {
                 Ok(bytes) => bytes,
                 Err(e) => panic!("{}", e.__text().as_str()),
             };
@@ -398,10 +420,19 @@ macro_rules! segment_map {
 impl Size {
     /// For [`segment_map!`] alone, which asks for as many bytes as the paths need.
     #[doc(hidden)]
-    pub const fn __build<const N: usize>(&self, paths: &[Path<'_>]) -> Result<[u8; N], SegmentMapError> {
+    pub const fn __place<const N: usize>(&self, paths: &[Path<'_>]) -> Result<[u8; N], SegmentMapError> {
         let mut out = [0; N];
-        match build(paths, self, &mut out) {
-            Ok(_) => Ok(out),
+        match place(paths, self, &mut out) {
+            Ok(()) => Ok(out),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// For [`segment_map!`] alone, with what was placed.
+    #[doc(hidden)]
+    pub const fn __finish<const N: usize>(&self, mut out: [u8; N]) -> Result<[u8; N], SegmentMapError> {
+        match finish(self, &mut out) {
+            Ok(()) => Ok(out),
             Err(e) => Err(e),
         }
     }

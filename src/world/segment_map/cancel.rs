@@ -58,21 +58,21 @@ impl Runs {
         let mut left = 0;
         i = 0;
         while i < paths.len() {
-            let points = paths[i].points;
-            let (mut k, count) = (0, if paths[i].kind.is_polygon() { points.len() } else { 0 });
+            let path = &paths[i];
+            let (mut k, count) = (0, if path.kind.is_polygon() { path.points.len() } else { 0 });
             while k < count {
-                let p = Raw::of(points[k]);
+                let p = point(path, k);
                 if left == 0 && all.count < RUNS {
                     all.runs[all.count] = Run { path: i, point: k, lo: p, hi: p };
                     all.count += 1;
                     left = all.length;
                 }
-                if all.count > 0 {
-                    let run = &mut all.runs[all.count - 1];
-                    run.with(p);
-                    run.with(Raw::of(points[if k + 1 < count { k + 1 } else { 0 }]));
+                let last = all.count.wrapping_sub(1);
+                if last < RUNS {
+                    all.runs[last].with(p);
+                    all.runs[last].with(point(path, k + 1));
                 }
-                left -= 1;
+                left = left.wrapping_sub(1);
                 k += 1;
             }
             i += 1;
@@ -102,7 +102,7 @@ pub(super) const fn left_from(paths: &[Path<'_>], runs: &Runs, place: Place, edg
     let (mut until, mut along, mut against) = (edge.len, 0u32, 0u32);
     let (a, b) = (edge.a, edge.at(edge.len));
     let mut run = 0;
-    while run < runs.count {
+    while run < RUNS && run < runs.count {
         let Run { path: mut i, point: mut k, lo, hi } = runs.runs[run];
         let is_far = a.x < lo.x && b.x < lo.x
             || a.x > hi.x && b.x > hi.x
@@ -111,11 +111,11 @@ pub(super) const fn left_from(paths: &[Path<'_>], runs: &Runs, place: Place, edg
         let mut left = if is_far { 0 } else { runs.length };
         while left > 0 && i < paths.len() {
             let path = &paths[i];
-            let (points, count) = (path.points, if path.kind.is_polygon() { path.points.len() } else { 0 });
+            let count = if path.kind.is_polygon() { path.points.len() } else { 0 };
             let mut q = point(path, k);
             while k < count && left > 0 {
                 let p = q;
-                q = Raw::of(points[if k + 1 < count { k + 1 } else { 0 }]);
+                q = point(path, k + 1);
                 let itself = i == place.path && k == place.point;
                 if !itself && boxes_meet(edge.a, b, p, q) {
                     if let (Some(from), Some(to)) = (along_edge(edge, p), along_edge(edge, q)) {

@@ -161,7 +161,8 @@ impl<'a> SegmentMap<'a> {
     pub(super) const fn refs(&self, x: i32, y: i32) -> Refs<'a> {
         let Some(cell) = self.place(x, y) else { return Refs::NONE };
         let at = cell << 1;
-        Refs { all: self.refs, at: half(self.offsets, at), end: half(self.offsets, at.wrapping_add(2)) }
+        let (from, to) = (half(self.offsets, at) as usize, half(self.offsets, at.wrapping_add(2)) as usize);
+        Refs { left: part(self.refs, from << 1, to << 1) }
     }
 
     /// How many solids (less holes) contain the reference point of a cell: its corner with the smaller coordinates, moved into the cell by
@@ -188,24 +189,22 @@ impl<'a> SegmentMap<'a> {
 /// The segments of a cell by index; see [`SegmentMap::refs`].
 #[derive(Clone, Debug)]
 pub(super) struct Refs<'a> {
-    /// Those of all cells.
-    all: &'a [u8],
-    at: u16,
-    end: u16,
+    left: &'a [u8],
 }
 
 impl Refs<'_> {
-    pub(super) const NONE: Self = Self { all: &[], at: 0, end: 0 };
+    pub(super) const NONE: Self = Self { left: &[] };
 
     /// Usable in constants.
     #[inline]
     pub(super) const fn advance(&mut self) -> Option<u16> {
-        if self.at >= self.end {
-            return None;
+        match self.left {
+            [low, high, left @ ..] => {
+                self.left = left;
+                Some(*low as u16 | (*high as u16) << 8)
+            }
+            _ => None,
         }
-        let index = half(self.all, (self.at as usize) << 1);
-        self.at += 1;
-        Some(index)
     }
 }
 
@@ -274,9 +273,14 @@ impl Seg {
 
     /// Whether a point is on the closed segment. Distances inside the domain and directions are below 2^30: the product is below 2^61.
     pub(in crate::world) const fn holds(&self, p: Raw) -> bool {
-        let (a, b) = (self.a, self.b());
-        let beside = p.x < a.x && p.x < b.x || p.x > a.x && p.x > b.x;
-        if beside || p.y < a.y && p.y < b.y || p.y > a.y && p.y > b.y {
+        // Most are settled by the start.
+        let (a, dir) = (self.a, self.dir);
+        let before_x = if dir.x < 0 { p.x > a.x } else { p.x < a.x };
+        if before_x || if dir.y < 0 { p.y > a.y } else { p.y < a.y } {
+            return false;
+        }
+        let b = self.b();
+        if if dir.x < 0 { p.x < b.x } else { p.x > b.x } || if dir.y < 0 { p.y < b.y } else { p.y > b.y } {
             return false;
         }
         Raw { x: self.dir.x, y: self.dir.y }.cross(p.sub(a)) == 0
@@ -316,7 +320,8 @@ impl Seg {
 #[inline]
 #[expect(clippy::indexing_slicing, reason = "by constants")]
 const fn field<const AT: usize>(bytes: &[u8; SEGMENT]) -> u32 {
-    u32::from_le_bytes([bytes[AT], bytes[AT + 1], bytes[AT + 2], bytes[AT + 3]])
+    // No call: the compiler counts those in constants.
+    bytes[AT] as u32 | (bytes[AT + 1] as u32) << 8 | (bytes[AT + 2] as u32) << 16 | (bytes[AT + 3] as u32) << 24
 }
 
 pub(super) const MAGIC: u32 = u32::from_le_bytes(*b"TSEG");
