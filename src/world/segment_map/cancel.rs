@@ -9,7 +9,7 @@ const RUNS: usize = 64;
 
 /// The edges of all polygons in their order, in runs of one length, each with a box around it: what is not near the box is near none of the run.
 pub(super) struct Runs {
-    runs: [Run; RUNS],
+    all: [Run; RUNS],
     count: usize,
     /// Edges in a run.
     length: usize,
@@ -54,7 +54,7 @@ impl Runs {
             }
             i += 1;
         }
-        let mut all = Self { runs: [Run::NONE; RUNS], count: 0, length: edges.div_ceil(RUNS) };
+        let mut runs = Self { all: [Run::NONE; RUNS], count: 0, length: edges.div_ceil(RUNS) };
         let mut left = 0;
         i = 0;
         while i < paths.len() {
@@ -62,22 +62,22 @@ impl Runs {
             let (mut k, count) = (0, if path.kind.is_polygon() { path.points.len() } else { 0 });
             while k < count {
                 let p = point(path, k);
-                if left == 0 && all.count < RUNS {
-                    all.runs[all.count] = Run { path: i, point: k, lo: p, hi: p };
-                    all.count += 1;
-                    left = all.length;
+                if left == 0 && runs.count < RUNS {
+                    runs.all[runs.count] = Run { path: i, point: k, lo: p, hi: p };
+                    runs.count += 1;
+                    left = runs.length;
                 }
-                let last = all.count.wrapping_sub(1);
+                let last = runs.count.wrapping_sub(1);
                 if last < RUNS {
-                    all.runs[last].with(p);
-                    all.runs[last].with(point(path, k + 1));
+                    runs.all[last].with(p);
+                    runs.all[last].with(point(path, k + 1));
                 }
                 left = left.wrapping_sub(1);
                 k += 1;
             }
             i += 1;
         }
-        all
+        runs
     }
 }
 
@@ -103,7 +103,7 @@ pub(super) const fn left_from(paths: &[Path<'_>], runs: &Runs, place: Place, edg
     let (a, b) = (edge.a, edge.at(edge.len));
     let mut run = 0;
     while run < RUNS && run < runs.count {
-        let Run { path: mut i, point: mut k, lo, hi } = runs.runs[run];
+        let Run { path: mut i, point: mut k, lo, hi } = runs.all[run];
         let is_far = a.x < lo.x && b.x < lo.x
             || a.x > hi.x && b.x > hi.x
             || a.y < lo.y && b.y < lo.y
