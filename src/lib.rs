@@ -139,8 +139,8 @@ pub mod prelude {
 }
 pub use world::{
     AllShapes, Bits, Blocks, Bytes, Cell, Feature, Features, Geometry, Grid, Joined, JoinedFeatures, JoinedRayHits,
-    Near, OneWay, Outside, Path, PathKind, Placed, PlacedFeatures, PlacedRayHits, RayHit, RayHits, RayRules, Room,
-    Rooms, SegmentFault, SegmentFeatures, SegmentMap, SegmentMapError, SegmentRayHits, Side, Size, Slopes, Solid,
+    Near, Occupied, OneWay, Outside, Path, PathKind, Placed, PlacedFeatures, PlacedRayHits, RayHit, RayHits, RayRules,
+    Room, Rooms, SegmentFault, SegmentFeatures, SegmentMap, SegmentMapError, SegmentRayHits, Side, Size, Slopes, Solid,
     SolidFeatures, SolidRayHits, Solids, TileAt, TileKind, TileKinds, TileMap, TileMapError, TileShape, Tiles, World,
     WorldContact,
 };

@@ -66,8 +66,8 @@ fn rays_tell_the_side_that_they_meet() {
 #[test]
 fn occupancy_is_a_bit_a_tile() {
     let map = || TileMap::from_ascii("..#\n...\n##.", &BLOCKS).unwrap();
-    assert!(map().with_occupancy(&[0b100, 0, 0b011]).is_ok());
-    for (row, words) in [[0b110, 0, 0b011], [0b100, 1, 0b011], [0b100, 0, 0b001]].iter().enumerate() {
+    assert!(map().with_occupancy(&[0b100, 0, 0b011, 1]).is_ok());
+    for (row, words) in [[0b110, 0, 0b011, 1], [0b100, 1, 0b011, 1], [0b100, 0, 0b001, 1]].iter().enumerate() {
         assert_eq!(map().with_occupancy(words).unwrap_err(), TileMapError::Occupancy { row: row as u16 });
     }
 }

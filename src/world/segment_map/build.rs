@@ -1,7 +1,8 @@
 //! From paths to bytes: segments counted, then written, with their references and joints.
 
+use super::cancel::{Place, Runs, left_from};
 use super::parse::clamped;
-use super::path::{Edge, Place, edges, left_from, point, reversed};
+use super::path::{Edge, edges, point, reversed};
 use super::raster::Rows;
 use super::{
     ATTR_AT, END_JOINED, HEADER, Kind, MAGIC, MOST, NEXT_AT, NONE, Path, PathKind, SEGMENT, START_JOINED, SegmentMap,
@@ -61,8 +62,8 @@ impl<'a> SegmentMap<'a> {
     /// Writes the level of these paths to the start of `out`, and returns its number of bytes.
     /// [`from_bytes`](Self::from_bytes) reads them.
     ///
-    /// Cost: [`measure`](Self::measure) and as much again. Each edge of a polygon is compared with all others, each end of a segment with the
-    /// segments of its cell.
+    /// Cost: [`measure`](Self::measure) and as much again. Each edge of a polygon is compared with those of the runs near it, each end of a
+    /// segment with the segments of its cell.
     ///
     /// # Errors
     /// As [`measure`](Self::measure), and [`SegmentMapError::TooSmall`]: `out` is unchanged then.
@@ -128,6 +129,17 @@ pub(super) const fn build(paths: &[Path<'_>], size: &Size, out: &mut [u8]) -> Re
     let Some((out, _)) = out.split_at_mut_checked(needed) else {
         return Err(SegmentMapError::TooSmall { needed: clamped(needed), found: clamped(found) });
     };
+    if let Err(e) = place(paths, size, out) {
+        return Err(e);
+    }
+    match finish(size, out) {
+        Ok(()) => Ok(needed),
+        Err(e) => Err(e),
+    }
+}
+
+/// The first half of the work: the segments, and the references of the cells.
+const fn place(paths: &[Path<'_>], size: &Size, out: &mut [u8]) -> Result<(), SegmentMapError> {
     // What is not finished is no level: this word is written last.
     set_word(out, at::MAGIC, 0);
     let mut sink = Sink { grid: size.grid, out, segments: 0, refs: 0 };
@@ -135,12 +147,17 @@ pub(super) const fn build(paths: &[Path<'_>], size: &Size, out: &mut [u8]) -> Re
         return Err(e);
     }
     refer(size, out);
+    Ok(())
+}
+
+/// The second half: what needs the references.
+const fn finish(size: &Size, out: &mut [u8]) -> Result<(), SegmentMapError> {
     join(size, out);
     if let Err(e) = wind(size, out) {
         return Err(e);
     }
     head(size, out);
-    Ok(needed)
+    Ok(())
 }
 
 /// The cells' references: counted, summed, and filled in from the last segment to the first, each
@@ -265,7 +282,7 @@ impl Sink<'_> {
     /// only the rest.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
     pub(super) const fn take(&mut self, paths: &[Path<'_>]) -> Result<(), SegmentMapError> {
-        let mut i = 0;
+        let (mut i, runs) = (0, Runs::of(paths));
         while i < paths.len() {
             let path = &paths[i];
             let (against, count) = (reversed(path), edges(path));
@@ -275,7 +292,7 @@ impl Sink<'_> {
                 let edge = if against { Edge::between(b, a) } else { Edge::between(a, b) };
                 let place = Place { path: i, point: k };
                 let taken = match path.kind {
-                    PathKind::Solid | PathKind::Hole => self.left(paths, place, &edge),
+                    PathKind::Solid | PathKind::Hole => self.left(paths, &runs, place, &edge),
                     PathKind::Wall => self.both(place, &edge, path.flags),
                     PathKind::OneWay => self.put(place, &edge, Kind::OneWay, path.flags),
                 };
@@ -291,11 +308,17 @@ impl Sink<'_> {
 
     /// The pieces of a polygon's edge that are not cancelled, each as long as can be.
     #[expect(clippy::indexing_slicing, reason = "a path that is being looked at exists")]
-    const fn left(&mut self, paths: &[Path<'_>], place: Place, edge: &Edge) -> Result<(), SegmentMapError> {
+    const fn left(
+        &mut self,
+        paths: &[Path<'_>],
+        runs: &Runs,
+        place: Place,
+        edge: &Edge,
+    ) -> Result<(), SegmentMapError> {
         let flags = paths[place.path].flags;
         let (mut t, mut from) = (0, -1);
         while t < edge.len {
-            let (until, left) = left_from(paths, place, edge, t);
+            let (until, left) = left_from(paths, runs, place, edge, t);
             if left && from < 0 {
                 from = t;
             }
@@ -384,8 +407,14 @@ macro_rules! segment_map {
                 Ok(size) => size,
                 Err(e) => panic!("{}", e.__text().as_str()),
             };
+            // In two constants: the compiler limits the work for each.
             $(#[$attr])*
-            static __BYTES: [u8; __SIZE.bytes()] = match __SIZE.__build(__PATHS) {
+            const __PLACED: [u8; __SIZE.bytes()] = match __SIZE.__place(__PATHS) {
+                Ok(bytes) => bytes,
+                Err(e) => panic!("{}", e.__text().as_str()),
+            };
+            $(#[$attr])*
+            static __BYTES: [u8; __SIZE.bytes()] = match __SIZE.__finish(__PLACED) {
                 Ok(bytes) => bytes,
                 Err(e) => panic!("{}", e.__text().as_str()),
             };
@@ -397,10 +426,19 @@ macro_rules! segment_map {
 impl Size {
     /// For [`segment_map!`] alone, which asks for as many bytes as the paths need.
     #[doc(hidden)]
-    pub const fn __build<const N: usize>(&self, paths: &[Path<'_>]) -> Result<[u8; N], SegmentMapError> {
+    pub const fn __place<const N: usize>(&self, paths: &[Path<'_>]) -> Result<[u8; N], SegmentMapError> {
         let mut out = [0; N];
-        match build(paths, self, &mut out) {
-            Ok(_) => Ok(out),
+        match place(paths, self, &mut out) {
+            Ok(()) => Ok(out),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// For [`segment_map!`] alone, with what was placed.
+    #[doc(hidden)]
+    pub const fn __finish<const N: usize>(&self, mut out: [u8; N]) -> Result<[u8; N], SegmentMapError> {
+        match finish(self, &mut out) {
+            Ok(()) => Ok(out),
             Err(e) => Err(e),
         }
     }

@@ -24,6 +24,7 @@
 //! | 28 | u32 | checksum of everything, itself as zero |
 
 mod build;
+mod cancel;
 mod overlap;
 mod parse;
 mod path;
@@ -95,11 +96,12 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 ///
 /// # Bounds
 ///
-/// At most 32768 segments, and 65535 pairs of a segment and a cell whose closed square it meets: larger cells make fewer. Of `n` edges of
-/// polygons, building compares each with each, and needs no memory but the bytes.
+/// At most 32768 segments, and 65535 pairs of a segment and a cell whose closed square it meets: larger cells make fewer. Building takes 2 KB of
+/// stack and no memory but the bytes. It compares an edge of a polygon with 64 boxes around runs of edges, and with the edges of the runs near it; and
+/// each end of a segment with the segments of its cell, so that smaller cells make it faster.
 ///
-/// The compiler builds about 300 segments before its limit on constants (the lint `long_running_const_eval`), which a level of some 1000 may be
-/// allowed to exceed, at the price of tens of seconds: `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Larger levels are
+/// The compiler builds some 600 segments before its limit on constants (the lint `long_running_const_eval`), which a level of 2000 may be
+/// allowed to exceed, at the price of 20 seconds: `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Larger levels are
 /// built on the host, and their bytes are included.
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("ChainShape", "polyline", "EdgeShape"))]
@@ -164,7 +166,8 @@ impl<'a> SegmentMap<'a> {
     pub(super) const fn refs(&self, x: i32, y: i32) -> Refs<'a> {
         let Some(cell) = self.place(x, y) else { return Refs::NONE };
         let at = cell << 1;
-        Refs { all: self.refs, at: half(self.offsets, at), end: half(self.offsets, at.wrapping_add(2)) }
+        let (from, to) = (half(self.offsets, at) as usize, half(self.offsets, at.wrapping_add(2)) as usize);
+        Refs { left: part(self.refs, from << 1, to << 1) }
     }
 
     /// How many solids (less holes) contain the reference point of a cell. That is the corner with
@@ -192,24 +195,22 @@ impl<'a> SegmentMap<'a> {
 /// The segments of a cell by index; see [`SegmentMap::refs`].
 #[derive(Clone, Debug)]
 pub(super) struct Refs<'a> {
-    /// Those of all cells.
-    all: &'a [u8],
-    at: u16,
-    end: u16,
+    left: &'a [u8],
 }
 
 impl Refs<'_> {
-    pub(super) const NONE: Self = Self { all: &[], at: 0, end: 0 };
+    pub(super) const NONE: Self = Self { left: &[] };
 
     /// Usable in constants.
     #[inline]
     pub(super) const fn advance(&mut self) -> Option<u16> {
-        if self.at >= self.end {
-            return None;
+        match self.left {
+            [low, high, left @ ..] => {
+                self.left = left;
+                Some(*low as u16 | (*high as u16) << 8)
+            }
+            _ => None,
         }
-        let index = half(self.all, (self.at as usize) << 1);
-        self.at += 1;
-        Some(index)
     }
 }
 
@@ -280,9 +281,14 @@ impl Seg {
     /// Whether a point is on the closed segment. Distances inside the domain and directions are
     /// below 2^30: the product is below 2^61.
     pub(in crate::world) const fn holds(&self, p: Raw) -> bool {
-        let (a, b) = (self.a, self.b());
-        let beside = p.x < a.x && p.x < b.x || p.x > a.x && p.x > b.x;
-        if beside || p.y < a.y && p.y < b.y || p.y > a.y && p.y > b.y {
+        // Most are settled by the start.
+        let (a, dir) = (self.a, self.dir);
+        let before_x = if dir.x < 0 { p.x > a.x } else { p.x < a.x };
+        if before_x || if dir.y < 0 { p.y > a.y } else { p.y < a.y } {
+            return false;
+        }
+        let b = self.b();
+        if if dir.x < 0 { p.x < b.x } else { p.x > b.x } || if dir.y < 0 { p.y < b.y } else { p.y > b.y } {
             return false;
         }
         Raw { x: self.dir.x, y: self.dir.y }.cross(p.sub(a)) == 0
@@ -291,13 +297,20 @@ impl Seg {
     /// Segment `index` of a table; zeros beyond its end.
     #[inline]
     pub(super) const fn read(table: &[u8], index: u16) -> Self {
-        let at = index as usize * SEGMENT;
-        let next = half(table, at + NEXT_AT);
-        let attr = half(table, at + ATTR_AT);
+        let bytes = match table.split_at_checked(index as usize * SEGMENT) {
+            Some((_, rest)) => rest.first_chunk(),
+            None => None,
+        };
+        // One check of bounds for all fields.
+        let bytes = match bytes {
+            Some(bytes) => bytes,
+            None => &[0; SEGMENT],
+        };
+        let (next, attr) = (field::<NEXT_AT>(bytes) as u16, field::<NEXT_AT>(bytes) >> 16);
         Self {
-            a: Raw { x: word(table, at) as i32, y: word(table, at + 4) as i32 },
-            dir: Axis { x: word(table, at + 8) as i32, y: word(table, at + 12) as i32 },
-            len: word(table, at + 16) as i32,
+            a: Raw { x: field::<0>(bytes) as i32, y: field::<4>(bytes) as i32 },
+            dir: Axis { x: field::<8>(bytes) as i32, y: field::<12>(bytes) as i32 },
+            len: field::<16>(bytes) as i32,
             next: if next == NONE { None } else { Some(next) },
             kind: match attr as u8 & KIND {
                 0 => Kind::Solid,
@@ -309,6 +322,14 @@ impl Seg {
             flags: (attr >> 8) as u8,
         }
     }
+}
+
+/// 32 bits of a segment.
+#[inline]
+#[expect(clippy::indexing_slicing, reason = "by constants")]
+const fn field<const AT: usize>(bytes: &[u8; SEGMENT]) -> u32 {
+    // No call: the compiler counts those in constants.
+    bytes[AT] as u32 | (bytes[AT + 1] as u32) << 8 | (bytes[AT + 2] as u32) << 16 | (bytes[AT + 3] as u32) << 24
 }
 
 pub(super) const MAGIC: u32 = u32::from_le_bytes(*b"TSEG");

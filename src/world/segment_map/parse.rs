@@ -300,10 +300,10 @@ impl SegmentMap<'_> {
     /// Whether a cell refers to a segment: by halves, as its indices ascend.
     const fn refers(&self, x: i32, y: i32, index: u16) -> bool {
         let refs = self.refs(x, y);
-        let (mut from, mut to) = (refs.at as usize, refs.end as usize);
+        let (mut from, mut to) = (0, refs.left.len() >> 1);
         while from < to {
             let middle = (from + to) >> 1;
-            let found = half(self.refs, middle << 1);
+            let found = half(refs.left, middle << 1);
             if found == index {
                 return true;
             }

@@ -171,6 +171,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         loop {
             while x < last {
                 (x, tile) = (x.wrapping_add(1), tile.wrapping_add(1));
+                if T::OCCUPIED {
+                    let next = self.next_occupied(x, last, y);
+                    if next > last {
+                        break;
+                    }
+                    (x, tile) = (next, tile.wrapping_add(next.wrapping_sub(x) as u32));
+                }
                 let id = self.id_at(tile);
                 if !self.kinds.is_empty(id) {
                     (walk.x, walk.y, walk.last, walk.tile) = (x, y, last, tile);
@@ -182,18 +189,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 return false;
             }
             y = y.wrapping_add(1);
-            (x, last) = self.before_row(walk, y);
+            (x, last) = before_row(walk, y);
             tile = self.place(x, y);
         }
-    }
-
-    /// The column before the first one of a row of a walk, and the last.
-    #[inline]
-    const fn before_row(&self, walk: &CellWalk, y: i32) -> (i32, i32) {
-        let range = &walk.range;
-        let (x, last) = if walk.seen.has_row(y) { range.row_without(&walk.seen) } else { (range.x0, range.x1) };
-        let empty = walk.in_map && x <= last && self.known_empty(x, last, y);
-        (if empty { last } else { x.wrapping_sub(1) }, last)
     }
 
     /// The same where some of the range is not in the map.
@@ -211,7 +209,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 return false;
             }
             walk.y = walk.y.wrapping_add(1);
-            (walk.x, walk.last) = self.before_row(walk, walk.y);
+            (walk.x, walk.last) = before_row(walk, walk.y);
         }
     }
 
@@ -220,6 +218,14 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     pub(super) const fn corners(&self, walk: &CellWalk) -> (Raw, Raw) {
         if S::SHAPED && walk.in_map { self.grid.square(walk.x, walk.y) } else { self.extent(walk.x, walk.y) }
     }
+}
+
+/// The column before the first one of a row of a walk, and the last.
+#[inline]
+const fn before_row(walk: &CellWalk, y: i32) -> (i32, i32) {
+    let range = &walk.range;
+    let (x, last) = if walk.seen.has_row(y) { range.row_without(&walk.seen) } else { (range.x0, range.x1) };
+    (x.wrapping_sub(1), last)
 }
 
 impl<S: Set, T: Store> TileSource for TileMap<'_, S, T> {

@@ -1,6 +1,4 @@
 //! A tile map as a level: its cells, which of them a box of coordinates reaches, and where there is anything at all.
-//!
-//! Rows that are known to be empty are passed over: one bit a tile in the caller's storage.
 
 use super::clear::is_clear;
 use super::surface::BlockSurface;
@@ -8,7 +6,6 @@ use super::{Outside, Set, Store, TileMap};
 use crate::num::Raw;
 use crate::shape::{Aabb, Circle};
 use crate::world::cell::{Block, Cells, Range};
-use crate::world::error::TileMapError;
 use crate::world::level::{Feature, Seen, Way, World, sealed};
 use crate::world::tile_map::features::Features;
 use crate::world::tile_map::kind::{Fill, TileShape};
@@ -117,8 +114,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         while cells.y <= cells.range.y1 {
             let y = cells.y;
             let in_map = self.holds(cells.x, y) && self.holds(last, y);
-            if in_map && self.known_empty(cells.x, last, y) {
-                cells.x = last.wrapping_add(1);
+            if T::OCCUPIED && in_map {
+                cells.x = self.next_occupied(cells.x, last, y);
             }
             let mut tile = self.place(cells.x, y);
             while cells.x <= last {
@@ -143,7 +140,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// [`World::look`](crate::world::World::look).
     #[inline(never)]
     pub(in crate::world) fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
-        let found = match self.range_inside(region) {
+        let found = match self.range_inside(region.lo(), region.hi()) {
             Some(range) => self.met(range, Range::NOWHERE, region, r),
             None => self.met_beyond(region, r),
         };
@@ -155,8 +152,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// The cells of a region inside the map: a quotient an axis, from where it is stepped.
     #[inline]
-    const fn range_inside(&self, region: &Aabb) -> Option<Range> {
-        let (grid, lo, hi) = (&self.grid, region.lo(), region.hi());
+    pub(super) const fn range_inside(&self, lo: Raw, hi: Raw) -> Option<Range> {
+        let grid = &self.grid;
         let (x0, y0) = (lo.x.wrapping_sub(grid.x.origin), lo.y.wrapping_sub(grid.y.origin));
         let (x1, y1) = (hi.x.wrapping_sub(grid.x.origin), hi.y.wrapping_sub(grid.y.origin));
         if x0 < 0 || y0 < 0 || x1 > grid.x.size || y1 > grid.y.size {
@@ -187,17 +184,15 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     const fn met(&self, range: Range, mut found: Range, region: &Aabb, r: Option<i32>) -> Range {
         let mut y = range.y0;
         while y <= range.y1 {
-            if self.occupied.is_empty() || !self.row_is_empty(range.x0, range.x1, y) {
-                let mut tile = self.place(range.x0, y);
-                let mut x = range.x0;
-                while x <= range.x1 {
-                    let shape = self.kinds.get(self.id_at(tile)).shape;
-                    if self.may_meet(shape, (x, y), region, r) {
-                        found = found.with(x, y);
-                    }
-                    tile = tile.wrapping_add(1);
-                    x = x.wrapping_add(1);
+            let x0 = if T::OCCUPIED { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
+            let (mut x, mut tile) = (x0, self.place(x0, y));
+            while x <= range.x1 {
+                let shape = self.kinds.get(self.id_at(tile)).shape;
+                if self.may_meet(shape, (x, y), region, r) {
+                    found = found.with(x, y);
                 }
+                tile = tile.wrapping_add(1);
+                x = x.wrapping_add(1);
             }
             y = y.wrapping_add(1);
         }
@@ -289,132 +284,5 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 }
             }
         }
-    }
-}
-
-impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
-    /// The words that [`fill_occupancy`](Self::fill_occupancy) needs: one for each 32 columns begun, for every row.
-    #[must_use]
-    pub const fn occupancy_words(&self) -> usize {
-        self.words_a_row() as usize * self.grid.y.count as usize
-    }
-
-    pub(in crate::world) const fn words_a_row(&self) -> u32 {
-        (self.grid.x.count as u32).div_ceil(32)
-    }
-
-    /// Writes one bit a tile, set where its shape is not empty: bit `x % 32` of word `x / 32` of each row. Words beyond are left alone.
-    ///
-    /// # Errors
-    /// [`TileMapError::Occupancy`] where the words are too few; nothing is written then.
-    pub const fn fill_occupancy(&self, words: &mut [u32]) -> Result<(), TileMapError> {
-        if words.len() < self.occupancy_words() {
-            return Err(self.too_few(words.len()));
-        }
-        let (mut y, mut rest) = (0, words);
-        while y < self.grid.y.count as i32 {
-            let mut x = 0;
-            while x < self.grid.x.count as i32 {
-                // There are as many as steps.
-                let Some((word, after)) = rest.split_first_mut() else { return Ok(()) };
-                *word = self.word(x, y);
-                rest = after;
-                x = x.wrapping_add(32);
-            }
-            y = y.wrapping_add(1);
-        }
-        Ok(())
-    }
-
-    /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy) at hand: the same answers, faster where rows of cells are empty.
-    ///
-    /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the compiler for a `const` map. After a tile is written, fill
-    /// them again.
-    ///
-    /// ```
-    /// use tilesat::{Cell, TileKind, TileKinds, TileMap, TileMapError};
-    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-    /// const BARE: TileMap = match TileMap::from_ascii("....\n....\n####", &KINDS) {
-    ///     Ok(map) => map,
-    ///     Err(_) => panic!("bad level"),
-    /// };
-    /// // 4 bytes of flash for each 32 tiles.
-    /// static WORDS: [u32; BARE.occupancy_words()] = {
-    ///     let mut words = [0; BARE.occupancy_words()];
-    ///     assert!(BARE.fill_occupancy(&mut words).is_ok());
-    ///     words
-    /// };
-    /// assert_eq!(WORDS, [0, 0, 0b1111]);
-    /// let map = BARE.with_occupancy(&WORDS)?;
-    /// assert_eq!(map.tile(Cell::new(1, 2)), Some(b'#'));
-    /// assert_eq!(BARE.with_occupancy(&[0, 1, 0]).unwrap_err(), TileMapError::Occupancy { row: 1 });
-    /// # Ok::<(), TileMapError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`TileMapError::Occupancy`]: the first row that is missing or wrong.
-    pub const fn with_occupancy(mut self, words: &'a [u32]) -> Result<Self, TileMapError> {
-        if words.len() < self.occupancy_words() {
-            return Err(self.too_few(words.len()));
-        }
-        let (mut y, mut rest) = (0, words);
-        while y < self.grid.y.count as i32 {
-            let mut x = 0;
-            while x < self.grid.x.count as i32 {
-                match rest.split_first() {
-                    Some((word, after)) if *word == self.word(x, y) => rest = after,
-                    _ => return Err(TileMapError::Occupancy { row: y as u16 }),
-                }
-                x = x.wrapping_add(32);
-            }
-            y = y.wrapping_add(1);
-        }
-        self.occupied = words;
-        Ok(self)
-    }
-
-    /// The row of the first word that is missing. A row has at least one word, so the division is by no zero.
-    const fn too_few(&self, found: usize) -> TileMapError {
-        let row = match (found as u32).checked_div(self.words_a_row()) {
-            Some(row) => row as u16,
-            None => 0,
-        };
-        TileMapError::Occupancy { row }
-    }
-
-    /// The bits of up to 32 tiles from column `x` on.
-    const fn word(&self, x: i32, y: i32) -> u32 {
-        let (mut word, mut bit) = (0, 0);
-        while bit < 32 && x.wrapping_add(bit) < self.grid.x.count as i32 {
-            let shape = self.kinds.get(self.id(x.wrapping_add(bit), y)).shape;
-            word |= (!matches!(shape, TileShape::Empty) as u32) << bit;
-            bit += 1;
-        }
-        word
-    }
-
-    /// Whether all tiles of a row of the map from column `x0` to `x1` are known to be empty.
-    #[inline]
-    pub(in crate::world) const fn known_empty(&self, x0: i32, x1: i32, y: i32) -> bool {
-        !self.occupied.is_empty() && self.row_is_empty(x0, x1, y)
-    }
-
-    #[inline(never)]
-    #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
-    pub(in crate::world) const fn row_is_empty(&self, x0: i32, x1: i32, y: i32) -> bool {
-        let row = self.words_a_row().wrapping_mul(y as u32);
-        let (mut word, last) = (row.wrapping_add(x0 as u32 >> 5), row.wrapping_add(x1 as u32 >> 5));
-        let mut mask = u32::MAX << (x0 & 31);
-        while word <= last && (word as usize) < self.occupied.len() {
-            if word == last {
-                mask &= u32::MAX >> (31 - (x1 & 31));
-            }
-            if self.occupied[word as usize] & mask != 0 {
-                return false;
-            }
-            mask = u32::MAX;
-            word = word.wrapping_add(1);
-        }
-        true
     }
 }

@@ -6,6 +6,7 @@ mod clear;
 pub(in crate::world) mod features;
 pub(in crate::world) mod kind;
 pub(in crate::world) mod level;
+mod occupancy;
 pub(in crate::world) mod outline;
 pub(in crate::world) mod overlap;
 pub(in crate::world) mod ray;
@@ -85,7 +86,7 @@ pub struct TileMap<'a, S: Set = Blocks, T: Store = Bytes> {
     pub(in crate::world) grid: Grid,
     pub(in crate::world) stride: u16,
     pub(in crate::world) outside: Outside,
-    /// Bits of the tiles that are not empty, or none.
+    /// Of an [`Occupied`] map bits of the tiles that are not empty, and of areas that hold one; or none.
     pub(in crate::world) occupied: &'a [u32],
     pub(in crate::world) marker: PhantomData<(S, T)>,
 }
@@ -337,10 +338,14 @@ impl Set for AllShapes {
 
 /// How a [`TileMap`](crate::world::TileMap) stores its tile ids.
 ///
-/// Sealed; the markers are [`Bytes`] and [`Bits`].
+/// Sealed; the markers are [`Bytes`] and [`Bits`], and each of them [`Occupied`].
 pub trait Store: Sealed + Copy + Debug + Eq + 'static {
     /// Bits of one tile: 8 or 1.
     const BITS: u32;
+
+    /// Whether there may be bits of the tiles that are not empty.
+    #[doc(hidden)]
+    const OCCUPIED: bool = false;
 }
 
 /// One byte per tile: 256 ids.
@@ -361,4 +366,17 @@ pub struct Bits;
 impl Sealed for Bits {}
 impl Store for Bits {
     const BITS: u32 = 1;
+}
+
+/// Tile ids stored as `T` says, and [occupancy](crate::world::TileMap::with_occupancy) beside them.
+///
+/// A type of its own, so that a map without occupancy links nothing of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Occupied<T: Store = Bytes>(PhantomData<T>);
+
+impl<T: Store> Sealed for Occupied<T> {}
+impl<T: Store> Store for Occupied<T> {
+    const BITS: u32 = T::BITS;
+    const OCCUPIED: bool = true;
 }

@@ -4,7 +4,7 @@
 //! corner.
 
 use super::outline::{Form, FormKind};
-use super::{Set, Store, TileMap};
+use super::{Outside, Set, Store, TileMap};
 use crate::num::{Raw, usqr};
 use crate::query::meet::{gap, in_disc};
 use crate::query::{Overlaps, Touches, meet};
@@ -57,15 +57,23 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             if lo.x == hi.x || lo.y == hi.y {
                 return self.thin_overlaps(lo, hi);
             }
-            return self.any_solid(self.open_range(lo, hi), |solid| solid.meets_box::<S, false>(lo, hi));
+            return self.any_solid(self.solid_range_of(lo, hi), |solid| solid.meets_box::<S, false>(lo, hi));
         }
         self.box_overlaps_blocks(lo, hi)
     }
 
-    const fn box_overlaps_blocks(&self, lo: Raw, hi: Raw) -> bool {
+    fn box_overlaps_blocks(&self, lo: Raw, hi: Raw) -> bool {
+        if lo.x == hi.x || lo.y == hi.y {
+            return self.thin_overlaps_blocks(lo, hi);
+        }
+        self.any_full(self.solid_range_of(lo, hi), |_| true)
+    }
+
+    /// A side of no length on a cell's border is inside the solid only where the cells on both sides are full: then the open range is
+    /// reversed, and starts at the first of the two.
+    #[inline(never)]
+    const fn thin_overlaps_blocks(&self, lo: Raw, hi: Raw) -> bool {
         let mut range = self.open_range(lo, hi);
-        // A side of no length on a cell's border is inside the solid only where the cells on both sides are full: then the open range is
-        // reversed, and starts at the first of the two.
         let (mut pair_x, mut pair_y) = (0, 0);
         if lo.x == hi.x {
             pair_x = range.x0.wrapping_sub(range.x1);
@@ -76,7 +84,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             range.y0 = range.y1;
         }
         if pair_x == 0 && pair_y == 0 {
-            return self.any_full(self.solid_range(range));
+            range = self.solid_range(range);
         }
         let mut y = range.y0;
         while y <= range.y1 {
@@ -96,12 +104,41 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         false
     }
 
-    const fn any_full(&self, range: Range) -> bool {
+    /// The cells that can hold solid and meet a box with area in their inside.
+    #[inline]
+    const fn solid_range_of(&self, lo: Raw, hi: Raw) -> Range {
+        match self.range_inside(lo, hi) {
+            Some(range) => range,
+            None => self.solid_range(self.open_range(lo, hi)),
+        }
+    }
+
+    /// Whether a full cell of a range passes a test of its corners.
+    #[inline]
+    fn any_full(&self, range: Range, test: impl Fn((Raw, Raw)) -> bool) -> bool {
+        if !(self.holds(range.x0, range.y0) && self.holds(range.x1, range.y1)) {
+            let mut walk = self.walk_of(range, Range::NONE);
+            while self.walk(&mut walk) {
+                if walk.kind.is_full() && test(self.extent(walk.x, walk.y)) {
+                    return true;
+                }
+            }
+            return false;
+        }
+        let is_square = !matches!(self.outside, Outside::Edge);
         let mut y = range.y0;
         while y <= range.y1 {
-            let mut x = range.x0;
-            while x <= range.x1 {
-                if self.full(x, y) {
+            let (mut x, row) = (range.x0, self.place(0, y));
+            loop {
+                if T::OCCUPIED {
+                    x = self.next_occupied(x, range.x1, y);
+                }
+                if x > range.x1 {
+                    break;
+                }
+                if self.kinds.get(self.id_at(row.wrapping_add(x as u32))).is_full()
+                    && test(if is_square { self.grid.square(x, y) } else { self.extent(x, y) })
+                {
                     return true;
                 }
                 x = x.wrapping_add(1);
@@ -115,32 +152,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if S::SHAPED {
             return self.any_solid(range, |solid| solid.meets_circle::<S, CLOSED>(c, r));
         }
-        self.circle_meets_blocks::<CLOSED>(c, r, range)
-    }
-
-    const fn circle_meets_blocks<const CLOSED: bool>(&self, c: Raw, r: i32, range: Range) -> bool {
-        let range = self.solid_range(range);
-        let mut y = range.y0;
-        while y <= range.y1 {
-            let mut x = range.x0;
-            while x <= range.x1 {
-                if self.full(x, y) {
-                    let (lo, hi) = self.extent(x, y);
-                    if meet::circle_aabb::<CLOSED>(c, r, lo, hi) {
-                        return true;
-                    }
-                }
-                x = x.wrapping_add(1);
-            }
-            y = y.wrapping_add(1);
-        }
-        false
+        self.any_full(range, |(lo, hi)| meet::circle_aabb::<CLOSED>(c, r, lo, hi))
     }
 
     /// Whether the solid of any cell of a range passes a test.
     #[inline]
     fn any_solid(&self, range: Range, test: impl Fn(&TileSolid) -> bool) -> bool {
-        let mut walk = self.walk_of(self.solid_range(range), Range::NONE);
+        let mut walk = self.walk_of(range, Range::NONE);
         while self.walk(&mut walk) {
             if test(&TileSolid::new(walk.kind.shape.form(), self.corners(&walk), self.grid.cell >> 1)) {
                 return true;
@@ -225,25 +243,25 @@ impl<S: Set, T: Store> Overlaps<Circle> for TileMap<'_, S, T> {
             };
         }
         let bounds = b.aabb();
-        self.circle_meets::<false>(c, r, self.open_range(bounds.lo(), bounds.hi()))
+        self.circle_meets::<false>(c, r, self.solid_range_of(bounds.lo(), bounds.hi()))
     }
 }
 
 impl<S: Set, T: Store> Touches<Aabb> for TileMap<'_, S, T> {
     fn touches(&self, b: &Aabb) -> bool {
         let (lo, hi) = (b.lo(), b.hi());
-        let range = self.closed_range(lo, hi);
+        let range = self.solid_range(self.closed_range(lo, hi));
         if S::SHAPED {
             return self.any_solid(range, |solid| solid.meets_box::<S, true>(lo, hi));
         }
-        self.any_full(self.solid_range(range))
+        self.any_full(range, |_| true)
     }
 }
 
 impl<S: Set, T: Store> Touches<Circle> for TileMap<'_, S, T> {
     fn touches(&self, b: &Circle) -> bool {
         let bounds = b.aabb();
-        self.circle_meets::<true>(b.c(), b.r(), self.closed_range(bounds.lo(), bounds.hi()))
+        self.circle_meets::<true>(b.c(), b.r(), self.solid_range(self.closed_range(bounds.lo(), bounds.hi())))
     }
 }
 

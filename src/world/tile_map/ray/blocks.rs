@@ -29,6 +29,13 @@ pub(in crate::world) struct Run {
     /// Lines crossed between columns and between rows.
     pub(in crate::world) kx: u32,
     pub(in crate::world) ky: u32,
+    /// The lead, divided by the cell, where it ended without a face and was to be kept.
+    pub(super) lead: i32,
+}
+
+impl Run {
+    /// Nowhere.
+    pub(super) const NONE: Self = Self { met: 0, id: 0, kx: 0, ky: 0, lead: 0 };
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
@@ -75,7 +82,19 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// of 0 is more than 0.
     #[inline(always)]
     pub(in crate::world) fn run<const ANY: bool>(&self, x: &Lane, y: &Lane) -> Run {
-        let Some((mut e, even)) = self.divided(lead(x, y)) else { return Run { met: 0, id: 0, kx: 0, ky: 0 } };
+        let Some((e, even)) = self.divided(lead(x, y)) else { return Run::NONE };
+        if T::OCCUPIED { self.run_open::<ANY>(x, y, e, even) } else { self.run_from::<ANY, false>(x, y, e, even) }
+    }
+
+    /// [`run`](Self::run) with a lead that has been divided, and is kept where `KEEP`.
+    #[inline(always)]
+    pub(super) fn run_from<const ANY: bool, const KEEP: bool>(
+        &self,
+        x: &Lane,
+        y: &Lane,
+        mut e: i32,
+        even: bool,
+    ) -> Run {
         let stride = self.stride as i32;
         let (px, py) = (x.step, y.step.wrapping_mul(stride));
         let mut tile = y.cell.wrapping_mul(stride).wrapping_add(x.cell);
@@ -137,7 +156,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 break if before < 0 { X } else { Y };
             }
         };
-        Run { met, id, kx: x.lines.wrapping_sub(nx) as u32, ky: y.lines.wrapping_sub(ny) as u32 }
+        Run {
+            met,
+            id,
+            kx: x.lines.wrapping_sub(nx) as u32,
+            ky: y.lines.wrapping_sub(ny) as u32,
+            lead: if KEEP { e } else { 0 },
+        }
     }
 
     /// The id of the tile at a place in the data, and whether a run ends there; `None` does not
@@ -223,7 +248,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         };
         let crossed = way.lines.wrapping_sub(left) as u32;
         let (kx, ky) = if axis == X { (crossed, 0) } else { (0, crossed) };
-        Some(Run { met, id: 0, kx, ky })
+        Some(Run { met, id: 0, kx, ky, lead: 0 })
     }
 }
 

@@ -1,6 +1,7 @@
 //! Rays through tiles: questions and answers.
 
 mod blocks;
+mod open;
 mod shapes;
 
 use super::{Outside, Set, Store, TileMap};

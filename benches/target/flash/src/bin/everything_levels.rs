@@ -2,8 +2,9 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::heapless::VecView;
 use tilesat::world::{
-    AllShapes, Bits, Blocks, Bytes, Cell, Grid, Joined, OneWay, Outside, Path, PathKind, Placed, RayRules, SegmentMap,
-    Side, Size, Slopes, Solid, Solids, TileAt, TileKind, TileKinds, TileMap, TileShape, World, WorldContact,
+    AllShapes, Bits, Blocks, Bytes, Cell, Grid, Joined, Occupied, OneWay, Outside, Path, PathKind, Placed, RayRules,
+    SegmentMap, Side, Size, Slopes, Solid, Solids, TileAt, TileKind, TileKinds, TileMap, TileShape, World,
+    WorldContact,
 };
 use tilesat::{Aabb, Circle, Fx, Inside, Vec2};
 use tilesat_flash::keep;
@@ -110,6 +111,8 @@ fn tiles() {
         TileMap<'static, Blocks, Bits>,
         TileMap<'static, Slopes, Bytes>,
         TileMap<'static, AllShapes, Bytes>,
+        TileMap<'static, Blocks, Occupied>,
+        TileMap<'static, AllShapes, Occupied>,
     );
 }
 
