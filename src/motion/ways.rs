@@ -70,26 +70,27 @@ impl Way {
         cmp_squares((a, m), (b, n)).then_with(|| key(self).cmp(&key(other))).is_gt()
     }
 
-    /// When it meets a feature, if it does.
-    fn meets<W: World, B: Body>(&self, body: &B, feature: &Feature) -> Option<Entry> {
-        if W::BLOCKS {
-            body.sweep_block(self.probe, feature)
-        } else if W::ROUND || !matches!(feature.geometry, Geometry::Arc { .. }) {
-            body.sweep(self.probe, feature)
-        } else {
-            None
-        }
-    }
+}
 
-    /// The way up to what it meets there, if that binds it: within the rounding distance of way, or within [`FAR`] and the rounding distance along the normal. So it
-    /// does not matter how a face is cut.
-    fn room_to(&self, entry: &Entry) -> Option<u32> {
-        let room = mul_div(way(self.probe), entry.num, entry.den);
-        let n = entry.normal;
-        let gap = into(Raw { x: part(self.probe.x, entry), y: part(self.probe.y, entry) }, n).unsigned_abs();
-        let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
-        (room <= NEAR || (room <= FAR && gap <= rounding)).then_some(room)
+/// When a probe meets a feature, if it does.
+fn meets<W: World, B: Body>(probe: Raw, body: &B, feature: &Feature) -> Option<Entry> {
+    if W::BLOCKS {
+        body.sweep_block(probe, feature)
+    } else if W::ROUND || !matches!(feature.geometry, Geometry::Arc { .. }) {
+        body.sweep(probe, feature)
+    } else {
+        None
     }
+}
+
+/// The way of a probe up to what it meets there, if that binds it: within the rounding distance of way, or within [`FAR`] and the rounding
+/// distance along the normal. So it does not matter how a face is cut.
+fn room_to(probe: Raw, entry: &Entry) -> Option<u32> {
+    let room = mul_div(way(probe), entry.num, entry.den);
+    let n = entry.normal;
+    let gap = into(Raw { x: part(probe.x, entry), y: part(probe.y, entry) }, n).unsigned_abs();
+    let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
+    (room <= NEAR || (room <= FAR && gap <= rounding)).then_some(room)
 }
 
 /// A component of a displacement up to a hit, rounded toward zero.
@@ -207,8 +208,8 @@ impl Ways {
                 if pipe.is_some_and(|pipe| way.along != Some(pipe) && into(way.v, pipe.normal) < 0) {
                     way.bind(0);
                 }
-                let Some(entry) = way.meets::<W, B>(body, feature) else { continue };
-                if let Some(room) = way.room_to(&entry) {
+                let Some(entry) = &meets::<W, B>(way.probe, body, feature) else { continue };
+                if let Some(room) = room_to(way.probe, entry) {
                     way.bind(room);
                 }
             }
@@ -219,23 +220,24 @@ impl Ways {
         self.ways.iter().flatten()
     }
 
-    /// Whether a plane is touched.
-    pub(super) fn touch(&self, plane: &Plane) -> bool {
-        self.iter().any(|way| way.along == Some(*plane))
+    /// Whether a plane that the body has run along is still touched, where it is a face.
+    pub(super) fn keep(&self, plane: &Plane) -> bool {
+        !matches!(plane.bend, Bend::Flat | Bend::End) || self.iter().any(|way| way.along == Some(*plane))
     }
 }
 
-/// What binds a way beside what was hit: the first of what is touched that it meets, with a normal of its own.
-pub(super) fn binding<W: World, B: Body>(world: &W, body: &B, way: &Way, hits: &Hits, first: &mut First) {
+/// What binds a way beside what was hit: the first of what is touched that its probe meets, with a normal of its own.
+#[inline(never)]
+pub(super) fn binding<W: World, B: Body>(world: &W, body: &B, probe: Raw, hits: &Hits, first: &mut First) {
     let mut features = world.features(&surroundings(&body.bounds(), FAR));
     while let Some(feature) = &features.next() {
         // One-way faces are told where they are run into: beside them it is their front that counts.
         if feature.one_way {
             continue;
         }
-        let Some(entry) = &way.meets::<W, B>(body, feature) else { continue };
-        if way.room_to(entry).is_some() && hits.iter().all(|hit| hit.axis != entry.normal) {
-            first.add::<B, W>(entry, feature, way.probe);
+        let Some(entry) = &meets::<W, B>(probe, body, feature) else { continue };
+        if room_to(probe, entry).is_some() && hits.iter().all(|hit| hit.axis != entry.normal) {
+            first.add::<B, W>(entry, feature, probe);
         }
     }
 }
