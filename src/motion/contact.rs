@@ -17,8 +17,8 @@ pub(super) enum Bend {
     End,
     /// A corner, or an arc from outside: the normal is the body as seen from the centre.
     Convex,
-    /// A quarter pipe of this quadrant, which the body's point must not leave by more than `room` from the centre.
-    Concave { quadrant: Axis, room: i32 },
+    /// A quarter pipe of the quadrant of these signs, which the body's point must not leave by more than `room` from the centre.
+    Concave { signs: (i8, i8), room: i32 },
 }
 
 impl Bend {
@@ -59,8 +59,8 @@ impl Plane {
 
     /// The pipe that it is the tangent of.
     pub(super) fn pipe(&self) -> Option<Pipe> {
-        let Bend::Concave { quadrant, room } = self.bend else { return None };
-        let n = self.normal;
+        let Bend::Concave { signs: (x, y), room } = self.bend else { return None };
+        let (n, quadrant) = (self.normal, Axis::new(x.into(), y.into()));
         Some(Pipe { m: Raw { x: n.x.wrapping_neg(), y: n.y.wrapping_neg() }, r: room, quadrant })
     }
 }
@@ -135,7 +135,8 @@ pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMu
                     if convex {
                         plane(Plane { normal: Axis::new(m.x, m.y), bend: Bend::Convex });
                     } else {
-                        let bend = Bend::Concave { quadrant, room: radius.wrapping_sub(r) };
+                        let signs = (quadrant.x.signum() as i8, quadrant.y.signum() as i8);
+                        let bend = Bend::Concave { signs, room: radius.wrapping_sub(r) };
                         plane(Plane { normal: Axis::new(m.x.wrapping_neg(), m.y.wrapping_neg()), bend });
                     }
                     return true;

@@ -115,26 +115,31 @@ impl<S: Law> Mover<S> {
             run.shut = Shut::NONE;
         }
         let passes = run.pass_one_way || self.passes_one_way();
-        let normal = hit.map_or(Axis::new(0, 0), |(entry, _)| entry.normal);
-        let (mut flew, mut ways) = (false, Ways::none());
+        let first = hit.is_some() && core::mem::take(&mut run.is_first);
+        let (mut flew, mut of_hit, mut ways) = (false, None, Ways::none());
         if let Some((entry, feature)) = hit {
             run.came |= way(made) > NEAR;
-            let first = core::mem::take(&mut run.is_first);
             flew = first && !lay_on(&run.moved.body, run.before, made, entry, feature);
-            if !first && !run.may_keep(made) {
+            // It is read as well: where the body had to stay back from it, it is not near.
+            let bend = if entry.step.is_none() { Bend::Flat } else { Bend::Convex };
+            of_hit = Some(Plane { normal: entry.normal, bend });
+        }
+        let keeps = first || hit.is_none();
+        let mut may_keep = keeps || run.may_keep(made);
+        loop {
+            if !may_keep {
                 run.before = run.v;
             }
-            run.read::<W>(world, hit, passes, &mut ways);
-            if !first && run.before != run.v && !run.along.is_some_and(|plane| ways.keep(&plane)) {
-                run.before = run.v;
-                run.read::<W>(world, hit, passes, &mut ways);
+            ways.read::<W, B>(world, &run.moved.body, (run.before, run.rest), of_hit, passes);
+            may_keep = keeps || run.before == run.v || run.along.is_some_and(|plane| ways.keep(&plane));
+            if may_keep {
+                break;
             }
-        } else {
-            run.read::<W>(world, hit, passes, &mut ways);
         }
         ways.bind::<W, B>(world, &run.moved.body, passes);
+        let normal = of_hit.map_or(Axis::new(0, 0), |plane| plane.normal);
         if let Some(way) = run.choose(&ways, normal) {
-            let v = run.follow_way::<W, S>(&way, &self.surface);
+            let v = run.follow_way::<W, S>(way, &self.surface);
             if flew {
                 run.before = v;
             }
@@ -249,15 +254,6 @@ impl<B: Body> Run<'_, B> {
         })
     }
 
-    /// The ways on from the present place, of what was hit too: where the body had to stay back from that, it is not near.
-    fn read<W: World>(&self, world: &W, hit: Option<(&Entry, &Feature)>, passes: bool, ways: &mut Ways) {
-        ways.read::<W, B>(world, &self.moved.body, self.before, self.rest, passes);
-        if let Some((hit, _)) = hit {
-            let bend = if hit.step.is_none() { Bend::Flat } else { Bend::Convex };
-            ways.consider::<W, B>(Plane { normal: hit.normal, bend }, self.before, self.rest);
-        }
-    }
-
     /// Sets out along what the body touches where all ways are bound, but not in the very last place; whether a way is left to try.
     fn creep_along<W: World>(&mut self, ways: &Ways) -> bool {
         for on in ways.iter().filter(|on| on.along.is_some_and(|p| p.pipe().is_none()) && on.can_creep()) {
@@ -272,11 +268,11 @@ impl<B: Body> Run<'_, B> {
 
     /// The longest free way that does not lead into the plane of what was hit. Where something else binds those, any: the body may be beside what it hit, where that
     /// ends or by the rounding of its place. A body without area is beside nothing: it may stand where two surfaces touch and leave no face.
-    fn choose(&self, ways: &Ways, hit: Axis) -> Option<Way> {
+    fn choose<'w>(&self, ways: &'w Ways, hit: Axis) -> Option<&'w Way> {
         let free = |way: &&Way| way.is_free() && !self.shut.holds(way.probe());
         let mut out = ways.iter().filter(|way| into(way.v, hit) >= 0).peekable();
         let leads_nowhere = out.peek().is_none() || margin(&self.moved.body.bounds()) != 0;
-        out.find(free).or_else(|| if leads_nowhere { None } else { ways.iter().find(free) }).copied()
+        out.find(free).or_else(|| if leads_nowhere { None } else { ways.iter().find(free) })
     }
 
     /// Gives the velocity another direction, and the rest of the motion with it.

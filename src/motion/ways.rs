@@ -24,8 +24,8 @@ pub(super) struct Way {
     presses: bool,
     /// A displacement in its direction, long enough to see what is in the way.
     probe: Raw,
-    /// How far it leads until it meets what binds it.
-    room: u32,
+    /// How far it leads until it meets what binds it: up to [`FAR`], or [`FREE`](Self::FREE).
+    room: u8,
 }
 
 /// No way is bound by something that is farther than this.
@@ -34,7 +34,7 @@ pub(super) struct Way {
 const FAR: u32 = 64;
 
 impl Way {
-    const FREE: u32 = u32::MAX;
+    const FREE: u8 = u8::MAX;
 
     pub(super) fn is_free(&self) -> bool {
         self.room == Self::FREE
@@ -49,7 +49,7 @@ impl Way {
         self.probe
     }
 
-    fn bind(&mut self, room: u32) {
+    fn bind(&mut self, room: u8) {
         self.room = self.room.min(room);
     }
 
@@ -85,12 +85,12 @@ fn meets<W: World, B: Body>(probe: Raw, body: &B, feature: &Feature) -> Option<E
 
 /// The way of a probe up to what it meets there, if that binds it: within the rounding distance of way, or within [`FAR`] and the rounding
 /// distance along the normal. So it does not matter how a face is cut.
-fn room_to(probe: Raw, entry: &Entry) -> Option<u32> {
+fn room_to(probe: Raw, entry: &Entry) -> Option<u8> {
     let room = mul_div(way(probe), entry.num, entry.den);
     let n = entry.normal;
     let gap = into(Raw { x: part(probe.x, entry), y: part(probe.y, entry) }, n).unsigned_abs();
     let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
-    (room <= NEAR || (room <= FAR && gap <= rounding)).then_some(room)
+    (room <= NEAR || (room <= FAR && gap <= rounding)).then_some(room as u8)
 }
 
 /// A component of a displacement up to a hit, rounded toward zero.
@@ -113,11 +113,18 @@ impl Ways {
         Self { ways: [None; Self::MAX] }
     }
 
-    /// Reads the ways of a velocity from the body's place, in the time that is left; which of them are free is not known yet.
+    /// Reads the ways of a velocity from the body's place, and along what was hit, in the time that is left; which of them are free is not known yet.
     ///
     /// In place: the list takes some 600 bytes, of which a chip has no second ones.
     #[inline(never)]
-    pub(super) fn read<W: World, B: Body>(&mut self, world: &W, body: &B, v: Raw, time: Toi, passes: bool) {
+    pub(super) fn read<W: World, B: Body>(
+        &mut self,
+        world: &W,
+        body: &B,
+        (v, time): (Raw, Toi),
+        hit: Option<Plane>,
+        passes: bool,
+    ) {
         let ways = self;
         for slot in &mut ways.ways {
             *slot = None;
@@ -130,6 +137,9 @@ impl Ways {
             }
         }
         ways.consider_gaps::<W, B>(v, time);
+        if let Some(plane) = hit {
+            ways.consider::<W, B>(plane, v, time);
+        }
     }
 
     /// Between two corners or arcs the way leads across the line through their centres, as through a gap that is as wide as the body.
@@ -150,7 +160,8 @@ impl Ways {
     }
 
     /// Takes the projection of a velocity on a plane, where it is one.
-    pub(super) fn consider<W: World, B: Body>(&mut self, plane: Plane, v: Raw, time: Toi) {
+    #[inline(never)]
+    fn consider<W: World, B: Body>(&mut self, plane: Plane, v: Raw, time: Toi) {
         let plane = plane.against(v);
         if self.iter().any(|way| way.along == Some(plane)) {
             return;
