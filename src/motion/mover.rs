@@ -333,11 +333,11 @@ impl<S: Law> Mover<S> {
         d: Raw,
         first: &First,
     ) -> bool {
-        let hit = first.hit::<B, W>(&run.moved.body, d);
+        let mut hit = first.hit::<B, W>(&run.moved.body, d);
         // What is to be chosen from the ways on.
         let (mut chooses, mut made) = (false, Raw::ZERO);
         if may_be_askew::<B, W>() && run.creeps {
-            (chooses, made) = (true, self.creep::<W, B>(world, run, d, hit));
+            (chooses, made) = (true, self.creep::<W, B>(world, run, d, hit.take()));
         } else if let Some((entry, feature)) = hit {
             let time = run.rest.raw() - run.after.raw();
             let used = mul_div(time, entry.num, entry.den);
