@@ -72,6 +72,24 @@ pub(super) fn surroundings(bounds: &Aabb, distance: u32) -> Aabb {
     hull(bounds, Raw::ZERO, Raw::ZERO, distance as i32 + 1)
 }
 
+/// Whether the bounds of a feature have a point in a region: cursors give what is in the cells that it touches.
+pub(super) fn reaches(feature: &Feature, region: &Aabb) -> bool {
+    let (a, b) = match feature.geometry {
+        Geometry::Face { a, dir, len, .. } => {
+            let a = Raw::of(a);
+            (a, a.add(Raw { x: dir.x.wrapping_mul(len), y: dir.y.wrapping_mul(len) }))
+        }
+        Geometry::Vertex { p, .. } => (Raw::of(p), Raw::of(p)),
+        Geometry::Arc { centre, radius, quadrant, .. } => {
+            let c = Raw::of(centre);
+            (c, c.add(Raw { x: quadrant.x.wrapping_mul(radius), y: quadrant.y.wrapping_mul(radius) }))
+        }
+    };
+    let (lo, hi) = (region.lo(), region.hi());
+    let overlap = |a: i32, b: i32, lo: i32, hi: i32| a.min(b) <= hi && a.max(b) >= lo;
+    overlap(a.x, b.x, lo.x, hi.x) && overlap(a.y, b.y, lo.y, hi.y)
+}
+
 /// Whether a body is within the rounding distance of a segment: along x and y for a box, which is not rounded; so it does not matter how a
 /// face is cut.
 fn is_near<B: Body>(body: &B, a: Raw, b: Raw) -> bool {

@@ -134,9 +134,12 @@ impl<'m, B: Body> Run<'m, B> {
         // Corners: rounding away from one corner may graze another. Lattice neighbours toward the start, then aside, then two back.
         const STEPS: [(i32, i32); 7] = [(0, 0), (-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
         let q = entry.displacement(d);
+        if q.is_zero() {
+            return q;
+        }
         // In a gap that closes slowly the room for that is farther back.
         let mut back = 0;
-        while back < way(q).min(2 * Self::FARTHEST) || back == 0 {
+        while back < way(q).min(2 * Self::FARTHEST) {
             let q = q.sub(back_on(d, back));
             for (x, y) in STEPS {
                 let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
@@ -254,14 +257,17 @@ impl<'m, B: Body> Run<'m, B> {
 /// The probes of the ways that led nowhere from a place.
 #[derive(Clone, Copy)]
 pub(super) struct Shut {
-    probes: [Raw; 3],
+    probes: [Raw; 4],
     len: u8,
 }
 
 impl Shut {
-    pub(super) const NONE: Self = Self { probes: [Raw::ZERO; 3], len: 0 };
+    pub(super) const NONE: Self = Self { probes: [Raw::ZERO; 4], len: 0 };
 
     pub(super) fn push(&mut self, probe: Raw) {
+        if self.holds(probe) {
+            return;
+        }
         if let Some(slot) = self.probes.get_mut(usize::from(self.len)) {
             *slot = probe;
             self.len += 1;

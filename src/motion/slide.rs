@@ -126,17 +126,19 @@ impl<S: Law> Mover<S> {
         }
         let keeps = first || hit.is_none();
         let mut may_keep = keeps || run.may_keep(made);
-        loop {
+        let alone = loop {
             if !may_keep {
                 run.before = run.v;
             }
-            ways.read::<W, B>(world, &run.moved.body, (run.before, run.rest), of_hit, passes);
+            let alone = ways.read::<W, B>(world, &run.moved.body, (run.before, run.rest), of_hit, passes);
             may_keep = keeps || run.before == run.v || run.along.is_some_and(|plane| ways.keep(&plane));
             if may_keep {
-                break;
+                break alone;
             }
+        };
+        if !alone {
+            ways.bind::<W, B>(world, &run.moved.body, passes);
         }
-        ways.bind::<W, B>(world, &run.moved.body, passes);
         let normal = of_hit.map_or(Axis::new(0, 0), |plane| plane.normal);
         if let Some(way) = run.choose(&ways, normal) {
             let v = run.follow_way::<W, S>(way, &self.surface);

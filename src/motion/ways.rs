@@ -5,7 +5,7 @@
 //! has left behind has no say.
 
 use super::body::{Body, Entry};
-use super::contact::{Bend, Plane, surroundings, touched};
+use super::contact::{Bend, Plane, reaches, surroundings, touched};
 use super::moved::Hits;
 use super::order::First;
 use super::plane::{NEAR, across, into, project, way};
@@ -69,7 +69,6 @@ impl Way {
         let key = |w: &Self| (along(w.v), plane(w));
         cmp_squares((a, m), (b, n)).then_with(|| key(self).cmp(&key(other))).is_gt()
     }
-
 }
 
 /// When a probe meets a feature, if it does.
@@ -114,6 +113,7 @@ impl Ways {
     }
 
     /// Reads the ways of a velocity from the body's place, and along what was hit, in the time that is left; which of them are free is not known yet.
+    /// Whether there is nothing else within [`FAR`] than the face that was hit: then the way along it is free, and the velocity leads into it.
     ///
     /// In place: the list takes some 600 bytes, of which a chip has no second ones.
     #[inline(never)]
@@ -124,22 +124,33 @@ impl Ways {
         (v, time): (Raw, Toi),
         hit: Option<Plane>,
         passes: bool,
-    ) {
-        let ways = self;
-        for slot in &mut ways.ways {
+    ) -> bool {
+        for slot in &mut self.ways {
             *slot = None;
         }
-        ways.add(Way { along: None, v, presses: false, probe: long(v), room: Way::FREE }, v);
-        let mut features = world.features(&surroundings(&body.bounds(), NEAR));
+        self.add(Way { along: None, v, presses: false, probe: long(v), room: Way::FREE }, v);
+        let region = surroundings(&body.bounds(), FAR);
+        let mut features = world.features(&region);
+        let mut alone = true;
         while let Some(feature) = &features.next() {
-            if !(feature.one_way && passes) {
-                touched(body, feature, |plane| ways.consider::<W, B>(plane, v, time));
+            if feature.one_way && passes || !reaches(feature, &region) {
+                continue;
             }
+            alone &= touched(body, feature, |plane| {
+                if hit == Some(plane) {
+                    return;
+                }
+                alone = false;
+                self.consider::<W, B>(plane, v, time);
+            });
         }
-        ways.consider_gaps::<W, B>(v, time);
         if let Some(plane) = hit {
-            ways.consider::<W, B>(plane, v, time);
+            self.consider::<W, B>(plane, v, time);
         }
+        if !alone {
+            self.consider_gaps::<W, B>(v, time);
+        }
+        alone && hit.is_some_and(|plane| plane.bend == Bend::Flat && into(v, plane.normal) < 0)
     }
 
     /// Between two corners or arcs the way leads across the line through their centres, as through a gap that is as wide as the body.
@@ -205,9 +216,10 @@ impl Ways {
     /// Binds what leads into something that is touched.
     #[inline(never)]
     pub(super) fn bind<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool) {
-        let mut features = world.features(&surroundings(&body.bounds(), FAR));
+        let region = surroundings(&body.bounds(), FAR);
+        let mut features = world.features(&region);
         while let Some(feature) = &features.next() {
-            if feature.one_way && passes {
+            if feature.one_way && passes || !reaches(feature, &region) {
                 continue;
             }
             let mut pipe = None;
