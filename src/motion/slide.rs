@@ -180,7 +180,7 @@ impl<S: Law> Mover<S> {
         };
         let made = run.place(world, d, entry, run.before);
         if !made.is_zero() {
-            if run.moved.hits.iter().all(|hit| hit.axis != entry.normal) {
+            if !run.moved.hits.tell_of(entry.normal, feature) {
                 run.record(entry.normal, feature, Toi::clamped(Toi::ONE.raw() - run.rest.raw()));
                 run.meet(self.side(entry.normal));
             }

@@ -62,6 +62,9 @@ impl Way {
     /// The velocity itself, then its longer projections; of one length, mirrored or not, the one longer along x, then +. Then the planes decide in the same
     /// way: never the order of visits.
     fn goes_before(&self, other: &Self, of: Raw) -> bool {
+        if self.along.is_none() || other.along.is_none() {
+            return self.along.is_none();
+        }
         let ((a, n), (b, m)) = (self.length(of), other.length(of));
         let along = |v: Raw| (v.x.unsigned_abs(), v.y.unsigned_abs(), v.x, v.y);
         // What presses back first: friction is its.
@@ -222,19 +225,27 @@ impl Ways {
             if feature.one_way && passes || !reaches(feature, &region) {
                 continue;
             }
-            let mut pipe = None;
-            if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
-                touched(body, feature, |plane| pipe = Some(plane).filter(Plane::is_inside_pipe).or(pipe));
+            self.bind_by::<W, B>(body, feature);
+        }
+    }
+
+    /// Binds what leads into a feature.
+    pub(super) fn bind_by<W: World, B: Body>(&mut self, body: &B, feature: &Feature) {
+        let mut pipe = None;
+        if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
+            touched(body, feature, |plane| pipe = Some(plane).filter(Plane::is_inside_pipe).or(pipe));
+        }
+        for way in self.ways.iter_mut().flatten() {
+            // The gap to a pipe opens with the square of the way, so no probe tells that a way leads into it; its normal does.
+            if pipe.is_some_and(|pipe| way.along != Some(pipe) && into(way.v, pipe.normal) < 0) {
+                way.bind(0);
             }
-            for way in self.ways.iter_mut().flatten() {
-                // The gap to a pipe opens with the square of the way, so no probe tells that a way leads into it; its normal does.
-                if pipe.is_some_and(|pipe| way.along != Some(pipe) && into(way.v, pipe.normal) < 0) {
-                    way.bind(0);
-                }
-                let Some(entry) = &meets::<W, B>(way.probe, body, feature) else { continue };
-                if let Some(room) = room_to(way.probe, entry) {
-                    way.bind(room);
-                }
+            if way.room == 0 {
+                continue;
+            }
+            let Some(entry) = &meets::<W, B>(way.probe, body, feature) else { continue };
+            if let Some(room) = room_to(way.probe, entry) {
+                way.bind(room);
             }
         }
     }
@@ -249,7 +260,7 @@ impl Ways {
     }
 }
 
-/// What binds a way beside what was hit: the first of what is touched that its probe meets, with a normal of its own.
+/// What binds a way beside what was hit: the first of what is touched that its probe meets and that is not told of yet.
 #[inline(never)]
 pub(super) fn binding<W: World, B: Body>(world: &W, body: &B, probe: Raw, hits: &Hits, first: &mut First) {
     let mut features = world.features(&surroundings(&body.bounds(), FAR));
@@ -259,7 +270,7 @@ pub(super) fn binding<W: World, B: Body>(world: &W, body: &B, probe: Raw, hits: 
             continue;
         }
         let Some(entry) = &meets::<W, B>(probe, body, feature) else { continue };
-        if room_to(probe, entry).is_some() && hits.iter().all(|hit| hit.axis != entry.normal) {
+        if !hits.tell_of(entry.normal, feature) && room_to(probe, entry).is_some() {
             first.add::<B, W>(entry, feature, probe);
         }
     }
