@@ -3,24 +3,22 @@
 use super::body::{Body, Outcome};
 use super::level::Level;
 use super::rect::{self, First};
-use super::{P, Time, add, disc, dot, len2, path, point};
+use super::{P, Time, add, disc, dot, len2, path, point, ways};
 use tilesat::{Hit, Mover, Response};
 
 /// Whether a circle is past the corner that it has hit: its place is rounded, so its velocity may lead into the normal of the exact place, but not into the
-/// corner, however far it goes.
+/// corner, however far it goes; or not for the next 64 raw units, up to which what is touched binds a way: beyond them it is run into as all else is.
 fn is_past(level: &Level, body: &Body, v: P, hit: &Hit) -> bool {
     let Body::Disc { c, r } = *body else { return false };
-    let (a, b) = level.square(hit.cell.x.into(), hit.cell.y.into());
-    let corner = match hit.index {
-        4 => (b.0, a.1),
-        5 => b,
-        6 => (a.0, b.1),
-        7 => a,
-        _ => return false,
-    };
-    let m = (c.0 - corner.0, c.1 - corner.1);
+    if hit.index < 4 {
+        return false;
+    }
+    let p = ways::corner(level, hit);
+    let m = (c.0 - p.0, c.1 - p.1);
     let across = i128::from(m.0) * i128::from(v.1) - i128::from(m.1) * i128::from(v.0);
-    dot(v, m) >= 0 || across * across >= i128::from(r) * i128::from(r) * len2(v)
+    let misses = dot(v, m) >= 0 || across * across >= i128::from(r) * i128::from(r) * len2(v);
+    let way = v.0.abs().max(v.1.abs()).max(1);
+    misses || (way > 64 && !disc::enters_solid(level, body, v, Time::new(64, way)))
 }
 
 /// How early a circle's corner contact may be reported, in parts of 2^30: a few roundings of 31 bits, and the roots of short motions,

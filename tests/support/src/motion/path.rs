@@ -142,10 +142,10 @@ fn rounding(v: P, hits: &[&Hit]) -> f64 {
 pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let slides = matches!(response, Response::Slide | Response::Cross);
     let disc = matches!(start, Body::Disc { r, .. } if *r > 0);
-    if slides && disc {
-        ways::stops_rightly(level, v, response, out)?;
-    }
     let hits: Vec<&Hit> = out.hits.iter().collect();
+    if slides && disc {
+        ways::stops_rightly(level, v, response, out, rounding(v, &hits))?;
+    }
     if !replays(level, start, v, response, out)? && slides && disc {
         ways::keeps_a_part(level, v, response, out, rounding(v, &hits))?;
     }

@@ -51,16 +51,16 @@ fn directions(level: &Level, c: P, r: i64) -> Vec<P> {
 
 /// A circle that ends without velocity ends where no direction leads on in which both the call's velocity and the one before its last hit have a part.
 ///
-/// The parts of the velocity of which the first hits left less than 32 raw are its roundings. A corner that it turned round since may leave the latter a part
+/// A part of less than `rounding` and 32 raw is one of the tangent's roundings. A corner that it turned round since may leave the latter a part
 /// against the former: nothing pushes the body that way.
-pub fn stops_rightly(level: &Level, v: P, response: Response, out: &Outcome) -> Result<(), String> {
+pub fn stops_rightly(level: &Level, v: P, response: Response, out: &Outcome, rounding: f64) -> Result<(), String> {
     let (Body::Disc { c, r }, Some(last)) = (out.body, out.hits.iter().last()) else { return Ok(()) };
     if r == 0 || out.v != (0, 0) || level.overlaps(&out.body) {
         return Ok(());
     }
     let before = obeyed(response, out).filter(|hit| hit.toi < last.toi);
     let u = before.fold((v.0 as f64, v.1 as f64), |u, hit| along(u, axis(hit)));
-    let leads = |d: &P| (u.0 * d.0 as f64 + u.1 * d.1 as f64) / WAY > 32.0 && dot(v, *d) > 0;
+    let leads = |d: &P| (u.0 * d.0 as f64 + u.1 * d.1 as f64) / WAY > rounding + 32.0 && dot(v, *d) > 0;
     match directions(level, c, r).iter().find(|d| leads(d) && !is_blocked(level, &out.body, **d, response)) {
         Some(d) => Err(format!("stops with {u:?} where {d:?} is free")),
         None => Ok(()),
@@ -74,6 +74,18 @@ pub fn keeps_a_part(level: &Level, v: P, response: Response, out: &Outcome, roun
     let mut parts = vec![(v.0 as f64, v.1 as f64)];
     for n in obeyed(response, out).map(axis).chain([(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)]) {
         parts.extend(parts.clone().into_iter().map(|u| along(u, n)));
+    }
+    // Along a corner that was hit before, and that the way still touches: its tangent has turned since.
+    let (Body::Disc { c, r } | Body::Rect { lo: c, hi: (r, _) }) = out.body;
+    let (x, y) = (out.v.0 as f64, out.v.1 as f64);
+    for hit in obeyed(response, out).filter(|hit| hit.index >= 4) {
+        let p = corner(level, hit);
+        let m = ((c.0 - p.0) as f64, (c.1 - p.1) as f64);
+        let across = (x * m.1 - y * m.0) / x.hypot(y).max(1.0);
+        if (across.abs() - r as f64).abs() <= TOUCH {
+            let n = if across > 0.0 { (-y, x) } else { (y, -x) };
+            parts.extend(parts.clone().into_iter().map(|u| along(u, n)));
+        }
     }
     let is = |p: &V| (out.v.0 as f64 - p.0).abs() <= rounding && (out.v.1 as f64 - p.1).abs() <= rounding;
     if !parts.iter().any(is) {
@@ -92,14 +104,18 @@ fn makes_its_way(level: &Level, response: Response, out: &Outcome, rounding: f64
     }
     let left = 1.0 - f64::from(last.toi.raw()) / f64::from(1u32 << 30);
     let at = (c.0 as f64 - out.v.0 as f64 * left, c.1 as f64 - out.v.1 as f64 * left);
-    let (a, b) = level.square(last.cell.x.into(), last.cell.y.into());
-    let n = axis(last);
-    // Of a face along x or y any point of its line; of a corner the corner: both lie to the side that the normal points to.
-    let p = (if n.0 > 0.0 { b.0 } else { a.0 } as f64, if n.1 > 0.0 { b.1 } else { a.1 } as f64);
-    let m = (at.0 - p.0, at.1 - p.1);
+    // Of a face any point of its line, of a corner the corner: both lie to the side that the normal points to.
+    let (p, n) = (corner(level, last), axis(last));
+    let m = (at.0 - p.0 as f64, at.1 - p.1 as f64);
     let distance = if last.index < 4 { m.0 * n.0 + m.1 * n.1 } else { m.0.hypot(m.1) };
     let off = (distance - r as f64).abs();
     if off <= rounding + 94.0 + 68.0 { Ok(()) } else { Err(format!("has not made its way: {off} off")) }
+}
+
+/// The corner of the cell that was hit, to the side of the normal.
+pub fn corner(level: &Level, hit: &Hit) -> P {
+    let (a, b) = level.square(hit.cell.x.into(), hit.cell.y.into());
+    (if hit.axis.x > 0 { b.0 } else { a.0 }, if hit.axis.y > 0 { b.1 } else { a.1 })
 }
 
 fn axis(hit: &Hit) -> V {
