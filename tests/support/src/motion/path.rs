@@ -6,7 +6,7 @@
 
 use super::body::{Body, Outcome};
 use super::level::Level;
-use super::{P, len2, ways};
+use super::{P, disc, len2, rect};
 use tilesat::{Hit, Mover, Response};
 
 type V = (f64, f64);
@@ -126,34 +126,9 @@ fn lies(leg: V, v: V, hit: &Hit) -> Option<bool> {
     if over.abs() < 3.0 || (4.0 * s - rho).abs() < 4.0 { None } else { Some(over < 0.0) }
 }
 
-/// The error of a velocity and of a place by the roundings of a call: of each hit 8 raw, a part in 2^24 of the velocity for unit vectors, and what a corner's
-/// tangent turns. The place there is rounded by up to 2 raw on each axis, `2 sqrt 2 < 3` in all, which turns the tangent by less than `3 / rho`, and a
-/// velocity along it by less than `3 |v| / rho`.
-fn rounding(v: P, hits: &[&Hit]) -> f64 {
-    let length = (len2(v) as f64).sqrt();
-    let radius = hits.iter().filter(|h| h.index >= 4).map(|h| f64::from(h.axis.x).hypot(f64::from(h.axis.y)));
-    let turns = 3.0 * length / radius.fold(f64::INFINITY, f64::min);
-    (8.0 + length / f64::from(1 << 24) + turns) * hits.len().max(1) as f64
-}
-
-/// Whether velocity and place are what the hits imply, and a circle that stops has nowhere to go.
-///
-/// Where a raw unit decides which of the hits are still touched at the last one, the velocity is what [some of them](ways::keeps_a_part) leave.
+/// Whether velocity and place are what the hits imply. Corners with hits at the same place are not judged: planes that are touched
+/// together are projected on together.
 pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
-    let slides = matches!(response, Response::Slide | Response::Cross);
-    let disc = matches!(start, Body::Disc { r, .. } if *r > 0);
-    let hits: Vec<&Hit> = out.hits.iter().collect();
-    if slides && disc {
-        ways::stops_rightly(level, v, response, out, rounding(v, &hits))?;
-    }
-    if !replays(level, start, v, response, out)? && slides && disc {
-        ways::keeps_a_part(level, v, response, out, rounding(v, &hits))?;
-    }
-    Ok(())
-}
-
-/// Whether the hits tell for certain what is left: then it is that.
-fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<bool, String> {
     let hits: Vec<&Hit> = out.hits.iter().collect();
     let corners = hits.iter().any(|h| h.index >= 4);
     let (mut vel, mut place, mut now) = ((v.0 as f64, v.1 as f64), (0.0, 0.0), 0.0);
@@ -167,7 +142,7 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
     for (i, hit) in hits.iter().enumerate() {
         let toi = f64::from(hit.toi.raw()) / f64::from(1u32 << 30);
         if corners && first_leg.is_some() && vel.0.hypot(vel.1) * (toi - now) < wedge.max(16.0) {
-            return Ok(false);
+            return Ok(());
         }
         if response == Response::Cross && hit.one_way && i as u32 + 1 == Mover::ITERATIONS {
             // It takes an iteration to see that it can be passed, and there is none left to do so.
@@ -177,7 +152,7 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
         place = plus(place, made);
         let there = start.moved((place.0 as i64, place.1 as i64));
         if !touched.slide(made, level, &there) {
-            return Ok(false);
+            return Ok(());
         }
         first_leg.get_or_insert(place);
         now = toi;
@@ -185,7 +160,7 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
             let normal = (hit.axis.x.into(), hit.axis.y.into());
             if slides {
                 if touched.planes.is_empty() {
-                    let Some(lies) = lies(made, vel, hit) else { return Ok(false) };
+                    let Some(lies) = lies(made, vel, hit) else { return Ok(()) };
                     touched.lies = lies && matches!(start, Body::Disc { .. });
                 }
                 if touched.planes.is_empty() || !touched.lies {
@@ -200,22 +175,33 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
             }
         }
     }
-    // Four hits use up the iterations: what is left is reported and not made.
+    // Four hits use up the iterations: what is left is reported and not made, and where the last left it is seen in the next call.
     if corners && hits.len() as u32 == Mover::ITERATIONS {
-        return Ok(false);
+        return Ok(());
     }
     if (hits.len() as u32) < Mover::ITERATIONS {
         place = plus(place, leg(vel, 1.0 - now));
     }
-    let rounding = rounding(v, &hits);
-    // What the hits do not tell: something else that was touched at the end, in the way for the next 64 raw units, up to which it binds.
+    let length = (len2(v) as f64).sqrt();
+    // The place at a corner is rounded by up to 2 raw on each axis, which turns the tangent there.
+    let radius = hits.iter().filter(|h| h.index >= 4).map(|h| f64::from(h.axis.x).hypot(f64::from(h.axis.y)));
+    let turns = 3.0 * length / radius.fold(f64::INFINITY, f64::min);
+    let rounding = (8.0 + length / f64::from(1 << 24) + turns) * hits.len().max(1) as f64;
+    // What the hits do not tell: something else that was touched at the end, in the way for the next 64 raw units.
     let disc = matches!(start, Body::Disc { r, .. } if *r > 0);
-    let blocked = |d: V| {
-        let far = 64.0 / d.0.abs().max(d.1.abs()).max(1.0);
-        disc && ways::is_blocked(level, &out.body, ((d.0 * far) as i64, (d.1 * far) as i64), response)
+    let blocked = |d: V, far: f64| {
+        let way = d.0.abs().max(d.1.abs()).max(1.0);
+        let d = ((d.0 * far / way) as i64, (d.1 * far / way) as i64);
+        let one_way = || response != Response::Cross && rect::first_one_way(level, &out.body, d).is_some();
+        disc && (disc::enters_solid(level, &out.body, d, super::Time::END) || one_way())
     };
-    if blocked(vel) || (disc && corners && hits.len() > 1) {
-        return Ok(false);
+    if blocked(vel, 64.0) {
+        return Ok(());
+    }
+    // Between several surfaces of which one is round a raw unit decides which of them are touched: then the velocity that is left leads on freely.
+    if disc && corners && hits.len() > 1 && out.v != (0, 0) {
+        let on = (out.v.0 as f64, out.v.1 as f64);
+        return if blocked(on, 4.0) { Err(format!("is blocked at once, by {:?}", out.v)) } else { Ok(()) };
     }
     if !near(out.v, vel, rounding) {
         return Err(format!("goes on by {:?}, not {vel:?}", out.v));
@@ -224,8 +210,8 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
     let (p, q) = (start.position(), out.body.position());
     let moved = (q.0 - p.0, q.1 - p.1);
     let left = (place.0 - moved.0 as f64, place.1 - moved.1 as f64);
-    if near(moved, place, rounding + short_leg) || blocked(left) {
-        Ok(true)
+    if near(moved, place, rounding + short_leg) || blocked(left, 64.0) {
+        Ok(())
     } else {
         Err(format!("moved by {moved:?}, not {place:?}"))
     }
