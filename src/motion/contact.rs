@@ -17,8 +17,8 @@ pub(super) enum Bend {
     End,
     /// A corner, or an arc from outside: the normal is the body as seen from the centre.
     Convex,
-    /// A quarter pipe of this quadrant, which the body's point must not leave by more than `room` from the centre.
-    Concave { quadrant: Axis, room: i32 },
+    /// A quarter pipe of the quadrant of these signs, which the body's point must not leave by more than `room` from the centre.
+    Concave { signs: (i8, i8), room: i32 },
 }
 
 impl Bend {
@@ -59,8 +59,8 @@ impl Plane {
 
     /// The pipe that it is the tangent of.
     pub(super) fn pipe(&self) -> Option<Pipe> {
-        let Bend::Concave { quadrant, room } = self.bend else { return None };
-        let n = self.normal;
+        let Bend::Concave { signs: (x, y), room } = self.bend else { return None };
+        let (n, quadrant) = (self.normal, Axis::new(x.into(), y.into()));
         Some(Pipe { m: Raw { x: n.x.wrapping_neg(), y: n.y.wrapping_neg() }, r: room, quadrant })
     }
 }
@@ -70,6 +70,24 @@ const REACH: i32 = NEAR as i32;
 /// Holds all that is so near to a body.
 pub(super) fn surroundings(bounds: &Aabb, distance: u32) -> Aabb {
     hull(bounds, Raw::ZERO, Raw::ZERO, distance as i32 + 1)
+}
+
+/// Whether the bounds of a feature have a point in a region: cursors give what is in the cells that it touches.
+pub(super) fn reaches(feature: &Feature, region: &Aabb) -> bool {
+    let (a, b) = match feature.geometry {
+        Geometry::Face { a, dir, len, .. } => {
+            let a = Raw::of(a);
+            (a, a.add(Raw { x: dir.x.wrapping_mul(len), y: dir.y.wrapping_mul(len) }))
+        }
+        Geometry::Vertex { p, .. } => (Raw::of(p), Raw::of(p)),
+        Geometry::Arc { centre, radius, quadrant, .. } => {
+            let c = Raw::of(centre);
+            (c, c.add(Raw { x: quadrant.x.wrapping_mul(radius), y: quadrant.y.wrapping_mul(radius) }))
+        }
+    };
+    let (lo, hi) = (region.lo(), region.hi());
+    let overlap = |a: i32, b: i32, lo: i32, hi: i32| a.min(b) <= hi && a.max(b) >= lo;
+    overlap(a.x, b.x, lo.x, hi.x) && overlap(a.y, b.y, lo.y, hi.y)
 }
 
 /// Whether a body is within the rounding distance of a segment: along x and y for a box, which is not rounded; so it does not matter how a
@@ -135,7 +153,8 @@ pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMu
                     if convex {
                         plane(Plane { normal: Axis::new(m.x, m.y), bend: Bend::Convex });
                     } else {
-                        let bend = Bend::Concave { quadrant, room: radius.wrapping_sub(r) };
+                        let signs = (quadrant.x.signum() as i8, quadrant.y.signum() as i8);
+                        let bend = Bend::Concave { signs, room: radius.wrapping_sub(r) };
                         plane(Plane { normal: Axis::new(m.x.wrapping_neg(), m.y.wrapping_neg()), bend });
                     }
                     return true;

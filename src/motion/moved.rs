@@ -170,6 +170,12 @@ impl Hits {
         Self { early: [Some(hit), None], late: [None; 2], seen: 1 }
     }
 
+    /// Whether a feature is told of already, or one with the same normal, as which a face that is cut is told of once.
+    pub(super) fn tell_of(&self, axis: Axis, feature: &Feature) -> bool {
+        let is = |hit: &Hit| (hit.cell, hit.index, hit.source) == (feature.cell, feature.index, feature.source);
+        self.iter().any(|hit| hit.axis == axis || is(hit))
+    }
+
     pub(super) fn push(&mut self, hit: Hit) {
         let half = if self.seen < 2 { &mut self.early } else { &mut self.late };
         if let Some(slot) = half.get_mut(usize::from(self.seen & 1)).filter(|_| self.seen < Self::CAPACITY as u8) {

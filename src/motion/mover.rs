@@ -2,7 +2,7 @@
 
 use super::body::{Body, Entry};
 use super::order::First;
-use super::plane::{Side, SlopeLimit};
+use super::plane::{Side, SlopeLimit, may_be_askew};
 use super::response::{Bounce, Law, Smooth, Surface};
 use super::run::{Run, check_inside, is_free};
 use super::search::Around;
@@ -333,12 +333,17 @@ impl<S: Law> Mover<S> {
         d: Raw,
         first: &First,
     ) -> bool {
-        if let Some((entry, feature)) = first.hit::<B, W>(&run.moved.body, d) {
+        let mut hit = first.hit::<B, W>(&run.moved.body, d);
+        // What is to be chosen from the ways on.
+        let (mut chooses, mut made) = (false, Raw::ZERO);
+        if may_be_askew::<B, W>() && run.creeps {
+            (chooses, made) = (true, self.creep::<W, B>(world, run, d, hit.take()));
+        } else if let Some((entry, feature)) = hit {
             let time = run.rest.raw() - run.after.raw();
             let used = mul_div(time, entry.num, entry.den);
             if let Some(side) = self.meet(run, used, entry, feature) {
-                let made = run.place(world, d, entry, run.before);
-                self.respond::<W, B, WALKS>(world, run, used, (d, made), (side, entry, feature));
+                made = run.place(world, d, entry, run.before);
+                chooses = self.respond::<W, B, WALKS>(run, used, (d, made), (side, entry, feature));
             }
         } else {
             run.arrive(world, d);
@@ -346,6 +351,9 @@ impl<S: Law> Mover<S> {
             if W::ROUND {
                 run.follow();
             }
+        }
+        if chooses && self.go_along::<W, B>(world, run, made, hit) {
+            self.report_binding::<W, B>(world, run);
         }
         run.v.is_zero() || (WALKS && run.moved.floor)
     }

@@ -36,6 +36,8 @@ pub(super) struct Run<'m, B> {
     pub(super) tried: Raw,
     /// What led nowhere from this place.
     pub(super) shut: Shut,
+    /// Whether the motion is along a way that is bound, up to what binds it, because no way is free.
+    pub(super) creeps: bool,
     pub(super) pass_one_way: bool,
     /// Whether the body has been in the solid all the time.
     pub(super) inside: bool,
@@ -73,7 +75,8 @@ impl<'m, B: Body> Run<'m, B> {
             came: false,
             is_first: true,
             tried: long(v),
-            shut: Shut::default(),
+            shut: Shut::NONE,
+            creeps: false,
             pass_one_way: false,
             inside: false,
             guarded: false,
@@ -131,9 +134,12 @@ impl<'m, B: Body> Run<'m, B> {
         // Corners: rounding away from one corner may graze another. Lattice neighbours toward the start, then aside, then two back.
         const STEPS: [(i32, i32); 7] = [(0, 0), (-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
         let q = entry.displacement(d);
+        if q.is_zero() {
+            return q;
+        }
         // In a gap that closes slowly the room for that is farther back.
         let mut back = 0;
-        while back < way(q).min(2 * Self::FARTHEST) || back == 0 {
+        while back < way(q).min(2 * Self::FARTHEST) {
             let q = q.sub(back_on(d, back));
             for (x, y) in STEPS {
                 let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
@@ -249,18 +255,31 @@ impl<'m, B: Body> Run<'m, B> {
 }
 
 /// The probes of the ways that led nowhere from a place.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Shut([Option<Raw>; 3]);
+#[derive(Clone, Copy)]
+pub(super) struct Shut {
+    probes: [Raw; 4],
+    len: u8,
+}
 
 impl Shut {
-    pub(super) fn push(&mut self, v: Raw) {
-        if let Some(slot) = self.0.iter_mut().find(|slot| slot.is_none()) {
-            *slot = Some(v);
+    pub(super) const NONE: Self = Self { probes: [Raw::ZERO; 4], len: 0 };
+
+    pub(super) fn push(&mut self, probe: Raw) {
+        if self.holds(probe) {
+            return;
+        }
+        if let Some(slot) = self.probes.get_mut(usize::from(self.len)) {
+            *slot = probe;
+            self.len += 1;
         }
     }
 
-    pub(super) fn holds(&self, v: Raw) -> bool {
-        self.0.contains(&Some(v))
+    pub(super) fn iter(self) -> impl Iterator<Item = Raw> {
+        self.probes.into_iter().take(usize::from(self.len))
+    }
+
+    pub(super) fn holds(&self, probe: Raw) -> bool {
+        self.iter().any(|shut| shut == probe)
     }
 }
 

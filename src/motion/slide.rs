@@ -49,16 +49,16 @@ impl<S: Law> Mover<S> {
         Some(side)
     }
 
-    /// Gives the velocity its direction after a hit: of a motion `d`, of which the displacement `made` led up to it.
+    /// Gives the velocity its direction after a hit: of a motion `d`, of which the displacement `made` led up to it. Whether it is still to be
+    /// [chosen](Self::go_along) from the ways on.
     #[inline(never)]
     pub(super) fn respond<W: World, B: Body, const WALKS: bool>(
         &self,
-        world: &W,
         run: &mut Run<'_, B>,
         used: u32,
         (d, made): (Raw, Raw),
         (side, entry, feature): (Side, &Entry, &Feature),
-    ) {
+    ) -> bool {
         let time = run.rest.raw() - run.after.raw();
         // floor(time (den - num) / den): what was used, rounded up where it is not exact, is not left.
         let part = u32::from(umul(used, entry.den) != umul(time, entry.num));
@@ -67,7 +67,7 @@ impl<S: Law> Mover<S> {
         run.motion = if W::ROUND && run.on_chord { run.made_in(run.rest) } else { d.sub(made) };
         run.on_chord = false;
         if WALKS && side == Side::Floor {
-            return;
+            return false;
         }
         match (self.response, self.bounce.0) {
             (Response::Touch, _) => run.v = Raw::ZERO,
@@ -83,10 +83,11 @@ impl<S: Law> Mover<S> {
                     if WALKS && side == Side::Wall {
                         run.before = self.stopped::<W, B>(run.before, entry.normal);
                     }
-                    self.go_along::<W, B>(world, run, made, entry, feature);
+                    return true;
                 }
             }
         }
+        false
     }
 
     /// The short way for a [plain](is_plain) hit.
@@ -98,104 +99,108 @@ impl<S: Law> Mover<S> {
         }
     }
 
-    /// Takes the longest of the ways on from the present place that is free.
+    /// Takes the longest of the ways on from the present place that is free, after a displacement up to a hit, if it was one. Where none is
+    /// free, the body [creeps](Run::creeps), or it stops; whether it does.
     #[inline(never)]
-    fn go_along<W: World, B: Body>(
+    pub(super) fn go_along<W: World, B: Body>(
         &self,
         world: &W,
         run: &mut Run<'_, B>,
         made: Raw,
-        entry: &Entry,
-        feature: &Feature,
-    ) {
-        run.came |= way(made) > NEAR;
+        hit: Option<(&Entry, &Feature)>,
+    ) -> bool {
         if made.is_zero() {
             run.shut.push(run.tried);
         } else {
-            run.shut = Shut::default();
+            run.shut = Shut::NONE;
         }
-        let (first, passes) = (core::mem::take(&mut run.is_first), run.pass_one_way || self.passes_one_way());
-        let lay = first && lay_on(&run.moved.body, run.before, made, entry, feature);
-        let mut ways = Ways::none();
-        run.read::<W>(world, entry, passes, &mut ways);
-        let keeps = first || run.along.is_some_and(|plane| still_touches(&ways, &plane, made));
-        if !keeps && run.before != run.v {
-            run.before = run.v;
-            run.read::<W>(world, entry, passes, &mut ways);
+        let passes = run.pass_one_way || self.passes_one_way();
+        let first = hit.is_some() && core::mem::take(&mut run.is_first);
+        let (mut flew, mut of_hit, mut ways) = (false, None, Ways::none());
+        if let Some((entry, feature)) = hit {
+            run.came |= way(made) > NEAR;
+            flew = first && !lay_on(&run.moved.body, run.before, made, entry, feature);
+            // It is read as well: where the body had to stay back from it, it is not near.
+            let bend = if entry.step.is_none() { Bend::Flat } else { Bend::Convex };
+            of_hit = Some(Plane { normal: entry.normal, bend });
         }
-        ways.bind::<W, B>(world, &run.moved.body, passes);
-        let mut chosen = run.choose(&ways, entry.normal);
-        if chosen.is_none() && self.creep::<W, B>(world, run, &ways) {
-            run.shut = Shut::default();
-            ways.read::<W, B>(world, &run.moved.body, run.before, run.rest, passes);
+        let keeps = first || hit.is_none();
+        let mut may_keep = keeps || run.may_keep(made);
+        let alone = loop {
+            if !may_keep {
+                run.before = run.v;
+            }
+            let alone = ways.read::<W, B>(world, &run.moved.body, (run.before, run.rest), of_hit, passes);
+            may_keep = keeps || run.before == run.v || run.along.is_some_and(|plane| ways.keep(&plane));
+            if may_keep {
+                break alone;
+            }
+        };
+        if !alone {
             ways.bind::<W, B>(world, &run.moved.body, passes);
-            chosen = run.choose(&ways, Axis::new(0, 0));
         }
-        match chosen {
-            Some(way) => {
-                let v = run.follow_way::<W, S>(&way, &self.surface);
-                if first && !lay {
-                    run.before = v;
-                }
+        let normal = of_hit.map_or(Axis::new(0, 0), |plane| plane.normal);
+        if let Some(way) = run.choose(&ways, normal) {
+            let v = run.follow_way::<W, S>(way, &self.surface);
+            if flew {
+                run.before = v;
             }
-            // What comes farther with each call goes on in the next one.
-            None if run.came && run.moved.work.iterations >= Mover::ITERATIONS => {
-                let mut creeps = ways.iter().filter(|way| way.along.is_some() && way.can_creep());
-                let v = creeps.find(|way| into(way.v, entry.normal) >= 0).map_or(Raw::ZERO, |way| way.v);
-                (run.motion, run.v) = (run.turned(v), v);
-            }
-            None => {
-                self.report_binding::<W, B>(world, run, &ways);
-                run.turn(Raw::ZERO);
-            }
+            return false;
         }
+        // One look is for what binds it.
+        let looks = run.moved.work.iterations;
+        if looks + 1 < Mover::ITERATIONS && run.creep_along::<W>(&ways) {
+            return false;
+        }
+        // What comes farther with each call goes on in the next one.
+        if run.came && looks >= Mover::ITERATIONS && hit.is_some() {
+            let mut creeps = ways.iter().filter(|way| way.along.is_some() && way.can_creep());
+            let v = creeps.find(|way| into(way.v, normal) >= 0).map_or(Raw::ZERO, |way| way.v);
+            (run.motion, run.v) = (run.turned(v), v);
+            return false;
+        }
+        run.shut = Shut::NONE;
+        ways.iter().filter(|way| way.along.is_some()).for_each(|way| run.shut.push(way.probe()));
+        run.turn(Raw::ZERO);
+        looks < Mover::ITERATIONS
     }
 
-    /// Goes on along what the body touches where all ways are bound, but not in the very last place; whether it got anywhere.
+    /// Goes on after a creeping motion `d`: from the place up to what it met, where it met anything.
     #[inline(never)]
-    fn creep<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, ways: &Ways) -> bool {
-        for on in ways.iter().filter(|on| on.along.is_some_and(|p| p.pipe().is_none()) && on.can_creep()) {
-            // One look is for what binds it.
-            if run.moved.work.iterations + 1 >= Mover::ITERATIONS {
-                return false;
+    pub(super) fn creep<W: World, B: Body>(
+        &self,
+        world: &W,
+        run: &mut Run<'_, B>,
+        d: Raw,
+        hit: Option<(&Entry, &Feature)>,
+    ) -> Raw {
+        run.creeps = false;
+        let Some((entry, feature)) = hit.filter(|(_, met)| !(met.one_way && self.passes_one_way())) else {
+            return Raw::ZERO;
+        };
+        let made = run.place(world, d, entry, run.before);
+        if !made.is_zero() {
+            if !run.moved.hits.tell_of(entry.normal, feature) {
+                run.record(entry.normal, feature, Toi::clamped(Toi::ONE.raw() - run.rest.raw()));
+                run.meet(self.side(entry.normal));
             }
-            let d = run.along_plane::<W>(on.v, on.along);
-            if d.is_zero() || check_inside(&run.moved.body.bounds(), d).is_err() {
-                continue;
+            // Roundings take no time.
+            if way(made) > NEAR {
+                run.rest = Toi::clamped(mul_div(run.rest.raw(), entry.den - entry.num, entry.den));
             }
-            run.moved.work.iterations += 1;
-            let Some((entry, feature)) = run.first_hit(world, d) else { continue };
-            if feature.one_way && self.passes_one_way() {
-                continue;
-            }
-            let made = run.place(world, d, &entry, run.before);
-            if !made.is_zero() {
-                if run.moved.hits.iter().all(|hit| hit.axis != entry.normal) {
-                    run.record(entry.normal, &feature, Toi::clamped(Toi::ONE.raw() - run.rest.raw()));
-                    run.meet(self.side(entry.normal));
-                }
-                // Roundings take no time.
-                if way(made) > NEAR {
-                    run.rest = Toi::clamped(mul_div(run.rest.raw(), entry.den - entry.num, entry.den));
-                }
-                (run.motion, run.v) = (d.sub(made), on.v);
-                return true;
-            }
+            run.motion = d.sub(made);
         }
-        false
+        made
     }
 
-    /// Records what else holds a body that stops: what the longest of its ways runs into.
+    /// Records what else holds a body that stops: what the longest of the ways that led nowhere runs into.
     #[inline(never)]
-    fn report_binding<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, ways: &Ways) {
-        if run.moved.work.iterations >= Mover::ITERATIONS {
-            return;
-        }
+    pub(super) fn report_binding<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>) {
         run.moved.work.iterations += 1;
-        for way in ways.iter().filter(|way| way.along.is_some()) {
+        for probe in run.shut.iter() {
             let mut first = First::none();
-            binding::<W, B>(world, &run.moved.body, way, &run.moved.hits, &mut first);
-            let Some((entry, feature)) = first.hit::<B, W>(&run.moved.body, way.probe()) else { continue };
+            binding::<W, B>(world, &run.moved.body, probe, &run.moved.hits, &mut first);
+            let Some((entry, feature)) = first.hit::<B, W>(&run.moved.body, probe) else { continue };
             run.record(entry.normal, feature, Toi::clamped(Toi::ONE.raw() - run.rest.raw()));
             run.meet(self.side(entry.normal));
             return;
@@ -225,6 +230,9 @@ fn lay_on<B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: &Feature) 
     if into(made, n).unsigned_abs() <= rounding {
         return true;
     }
+    if hit.step.is_none() {
+        return false;
+    }
     let mut hop = false;
     touched(body, feature, |plane| hop |= is_hop(&plane, u, made));
     hop
@@ -238,30 +246,35 @@ fn is_hop(plane: &Plane, u: Raw, made: Raw) -> bool {
     s <= rho >> 2 && umul(rho, was.saturating_sub(rho).saturating_sub(NEAR)) * 2 <= usqr(s)
 }
 
-/// Whether what the body has just run along is still touched. Along a tangent that is so while it turns by less than a quarter of its length.
-fn still_touches(ways: &Ways, plane: &Plane, made: Raw) -> bool {
-    match plane.bend {
-        Bend::Flat | Bend::End => ways.touch(plane),
-        Bend::Convex => made.len2() << 4 <= plane.normal.length_squared(),
-        Bend::Concave { .. } => true,
-    }
-}
-
 impl<B: Body> Run<'_, B> {
-    /// The ways on from the present place, of what was hit too: where the body had to stay back from that, it is not near.
-    fn read<W: World>(&self, world: &W, hit: &Entry, passes: bool, ways: &mut Ways) {
-        ways.read::<W, B>(world, &self.moved.body, self.before, self.rest, passes);
-        let bend = if hit.step.is_none() { Bend::Flat } else { Bend::Convex };
-        ways.consider::<W, B>(Plane { normal: hit.normal, bend }, self.before, self.rest);
+    /// Whether what the body has just run along may still be touched: of a tangent that is so while it turns by less than a quarter of its length, of
+    /// faces the [ways](Ways::keep) tell.
+    fn may_keep(&self, made: Raw) -> bool {
+        self.along.is_some_and(|plane| match plane.bend {
+            Bend::Convex => made.len2() << 4 <= plane.normal.length_squared(),
+            Bend::Flat | Bend::End | Bend::Concave { .. } => true,
+        })
+    }
+
+    /// Sets out along what the body touches where all ways are bound, but not in the very last place; whether a way is left to try.
+    fn creep_along<W: World>(&mut self, ways: &Ways) -> bool {
+        for on in ways.iter().filter(|on| on.along.is_some_and(|p| p.pipe().is_none()) && on.can_creep()) {
+            let d = self.along_plane::<W>(on.v, on.along);
+            if !self.shut.holds(on.probe()) && !d.is_zero() && check_inside(&self.moved.body.bounds(), d).is_ok() {
+                (self.creeps, self.motion, self.v, self.tried) = (true, d, on.v, on.probe());
+                return true;
+            }
+        }
+        false
     }
 
     /// The longest free way that does not lead into the plane of what was hit. Where something else binds those, any: the body may be beside what it hit, where that
     /// ends or by the rounding of its place. A body without area is beside nothing: it may stand where two surfaces touch and leave no face.
-    fn choose(&self, ways: &Ways, hit: Axis) -> Option<Way> {
+    fn choose<'w>(&self, ways: &'w Ways, hit: Axis) -> Option<&'w Way> {
         let free = |way: &&Way| way.is_free() && !self.shut.holds(way.probe());
         let mut out = ways.iter().filter(|way| into(way.v, hit) >= 0).peekable();
         let leads_nowhere = out.peek().is_none() || margin(&self.moved.body.bounds()) != 0;
-        out.find(free).or_else(|| if leads_nowhere { None } else { ways.iter().find(free) }).copied()
+        out.find(free).or_else(|| if leads_nowhere { None } else { ways.iter().find(free) })
     }
 
     /// Gives the velocity another direction, and the rest of the motion with it.

@@ -5,7 +5,7 @@
 //! has left behind has no say.
 
 use super::body::{Body, Entry};
-use super::contact::{Bend, Plane, surroundings, touched};
+use super::contact::{Bend, Plane, reaches, surroundings, touched};
 use super::moved::Hits;
 use super::order::First;
 use super::plane::{NEAR, across, into, project, way};
@@ -24,8 +24,8 @@ pub(super) struct Way {
     presses: bool,
     /// A displacement in its direction, long enough to see what is in the way.
     probe: Raw,
-    /// How far it leads until it meets what binds it.
-    room: u32,
+    /// How far it leads until it meets what binds it: up to [`FAR`], or [`FREE`](Self::FREE).
+    room: u8,
 }
 
 /// No way is bound by something that is farther than this.
@@ -34,7 +34,7 @@ pub(super) struct Way {
 const FAR: u32 = 64;
 
 impl Way {
-    const FREE: u32 = u32::MAX;
+    const FREE: u8 = u8::MAX;
 
     pub(super) fn is_free(&self) -> bool {
         self.room == Self::FREE
@@ -49,7 +49,7 @@ impl Way {
         self.probe
     }
 
-    fn bind(&mut self, room: u32) {
+    fn bind(&mut self, room: u8) {
         self.room = self.room.min(room);
     }
 
@@ -62,6 +62,9 @@ impl Way {
     /// The velocity itself, then its longer projections; of one length, mirrored or not, the one longer along x, then +. Then the planes decide in the same
     /// way: never the order of visits.
     fn goes_before(&self, other: &Self, of: Raw) -> bool {
+        if self.along.is_none() || other.along.is_none() {
+            return self.along.is_none();
+        }
         let ((a, n), (b, m)) = (self.length(of), other.length(of));
         let along = |v: Raw| (v.x.unsigned_abs(), v.y.unsigned_abs(), v.x, v.y);
         // What presses back first: friction is its.
@@ -69,27 +72,27 @@ impl Way {
         let key = |w: &Self| (along(w.v), plane(w));
         cmp_squares((a, m), (b, n)).then_with(|| key(self).cmp(&key(other))).is_gt()
     }
+}
 
-    /// When it meets a feature, if it does.
-    fn meets<W: World, B: Body>(&self, body: &B, feature: &Feature) -> Option<Entry> {
-        if W::BLOCKS {
-            body.sweep_block(self.probe, feature)
-        } else if W::ROUND || !matches!(feature.geometry, Geometry::Arc { .. }) {
-            body.sweep(self.probe, feature)
-        } else {
-            None
-        }
+/// When a probe meets a feature, if it does.
+fn meets<W: World, B: Body>(probe: Raw, body: &B, feature: &Feature) -> Option<Entry> {
+    if W::BLOCKS {
+        body.sweep_block(probe, feature)
+    } else if W::ROUND || !matches!(feature.geometry, Geometry::Arc { .. }) {
+        body.sweep(probe, feature)
+    } else {
+        None
     }
+}
 
-    /// The way up to what it meets there, if that binds it: within the rounding distance of way, or within [`FAR`] and the rounding distance along the normal. So it
-    /// does not matter how a face is cut.
-    fn room_to(&self, entry: &Entry) -> Option<u32> {
-        let room = mul_div(way(self.probe), entry.num, entry.den);
-        let n = entry.normal;
-        let gap = into(Raw { x: part(self.probe.x, entry), y: part(self.probe.y, entry) }, n).unsigned_abs();
-        let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
-        (room <= NEAR || (room <= FAR && gap <= rounding)).then_some(room)
-    }
+/// The way of a probe up to what it meets there, if that binds it: within the rounding distance of way, or within [`FAR`] and the rounding
+/// distance along the normal. So it does not matter how a face is cut.
+fn room_to(probe: Raw, entry: &Entry) -> Option<u8> {
+    let room = mul_div(way(probe), entry.num, entry.den);
+    let n = entry.normal;
+    let gap = into(Raw { x: part(probe.x, entry), y: part(probe.y, entry) }, n).unsigned_abs();
+    let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
+    (room <= NEAR || (room <= FAR && gap <= rounding)).then_some(room as u8)
 }
 
 /// A component of a displacement up to a hit, rounded toward zero.
@@ -112,23 +115,45 @@ impl Ways {
         Self { ways: [None; Self::MAX] }
     }
 
-    /// Reads the ways of a velocity from the body's place, in the time that is left; which of them are free is not known yet.
+    /// Reads the ways of a velocity from the body's place, and along what was hit, in the time that is left; which of them are free is not known yet.
+    /// Whether there is nothing else within [`FAR`] than the face that was hit: then the way along it is free, and the velocity leads into it.
     ///
     /// In place: the list takes some 600 bytes, of which a chip has no second ones.
     #[inline(never)]
-    pub(super) fn read<W: World, B: Body>(&mut self, world: &W, body: &B, v: Raw, time: Toi, passes: bool) {
-        let ways = self;
-        for slot in &mut ways.ways {
+    pub(super) fn read<W: World, B: Body>(
+        &mut self,
+        world: &W,
+        body: &B,
+        (v, time): (Raw, Toi),
+        hit: Option<Plane>,
+        passes: bool,
+    ) -> bool {
+        for slot in &mut self.ways {
             *slot = None;
         }
-        ways.add(Way { along: None, v, presses: false, probe: long(v), room: Way::FREE }, v);
-        let mut features = world.features(&surroundings(&body.bounds(), NEAR));
+        self.add(Way { along: None, v, presses: false, probe: long(v), room: Way::FREE }, v);
+        let region = surroundings(&body.bounds(), FAR);
+        let mut features = world.features(&region);
+        let mut alone = true;
         while let Some(feature) = &features.next() {
-            if !(feature.one_way && passes) {
-                touched(body, feature, |plane| ways.consider::<W, B>(plane, v, time));
+            if feature.one_way && passes || !reaches(feature, &region) {
+                continue;
             }
+            alone &= touched(body, feature, |plane| {
+                if hit == Some(plane) {
+                    return;
+                }
+                alone = false;
+                self.consider::<W, B>(plane, v, time);
+            });
         }
-        ways.consider_gaps::<W, B>(v, time);
+        if let Some(plane) = hit {
+            self.consider::<W, B>(plane, v, time);
+        }
+        if !alone {
+            self.consider_gaps::<W, B>(v, time);
+        }
+        alone && hit.is_some_and(|plane| plane.bend == Bend::Flat && into(v, plane.normal) < 0)
     }
 
     /// Between two corners or arcs the way leads across the line through their centres, as through a gap that is as wide as the body.
@@ -149,7 +174,8 @@ impl Ways {
     }
 
     /// Takes the projection of a velocity on a plane, where it is one.
-    pub(super) fn consider<W: World, B: Body>(&mut self, plane: Plane, v: Raw, time: Toi) {
+    #[inline(never)]
+    fn consider<W: World, B: Body>(&mut self, plane: Plane, v: Raw, time: Toi) {
         let plane = plane.against(v);
         if self.iter().any(|way| way.along == Some(plane)) {
             return;
@@ -193,24 +219,33 @@ impl Ways {
     /// Binds what leads into something that is touched.
     #[inline(never)]
     pub(super) fn bind<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool) {
-        let mut features = world.features(&surroundings(&body.bounds(), FAR));
+        let region = surroundings(&body.bounds(), FAR);
+        let mut features = world.features(&region);
         while let Some(feature) = &features.next() {
-            if feature.one_way && passes {
+            if feature.one_way && passes || !reaches(feature, &region) {
                 continue;
             }
-            let mut pipe = None;
-            if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
-                touched(body, feature, |plane| pipe = Some(plane).filter(Plane::is_inside_pipe).or(pipe));
+            self.bind_by::<W, B>(body, feature);
+        }
+    }
+
+    /// Binds what leads into a feature.
+    pub(super) fn bind_by<W: World, B: Body>(&mut self, body: &B, feature: &Feature) {
+        let mut pipe = None;
+        if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
+            touched(body, feature, |plane| pipe = Some(plane).filter(Plane::is_inside_pipe).or(pipe));
+        }
+        for way in self.ways.iter_mut().flatten() {
+            // The gap to a pipe opens with the square of the way, so no probe tells that a way leads into it; its normal does.
+            if pipe.is_some_and(|pipe| way.along != Some(pipe) && into(way.v, pipe.normal) < 0) {
+                way.bind(0);
             }
-            for way in self.ways.iter_mut().flatten() {
-                // The gap to a pipe opens with the square of the way, so no probe tells that a way leads into it; its normal does.
-                if pipe.is_some_and(|pipe| way.along != Some(pipe) && into(way.v, pipe.normal) < 0) {
-                    way.bind(0);
-                }
-                let Some(entry) = way.meets::<W, B>(body, feature) else { continue };
-                if let Some(room) = way.room_to(&entry) {
-                    way.bind(room);
-                }
+            if way.room == 0 {
+                continue;
+            }
+            let Some(entry) = &meets::<W, B>(way.probe, body, feature) else { continue };
+            if let Some(room) = room_to(way.probe, entry) {
+                way.bind(room);
             }
         }
     }
@@ -219,23 +254,24 @@ impl Ways {
         self.ways.iter().flatten()
     }
 
-    /// Whether a plane is touched.
-    pub(super) fn touch(&self, plane: &Plane) -> bool {
-        self.iter().any(|way| way.along == Some(*plane))
+    /// Whether a plane that the body has run along is still touched, where it is a face.
+    pub(super) fn keep(&self, plane: &Plane) -> bool {
+        !matches!(plane.bend, Bend::Flat | Bend::End) || self.iter().any(|way| way.along == Some(*plane))
     }
 }
 
-/// What binds a way beside what was hit: the first of what is touched that it meets, with a normal of its own.
-pub(super) fn binding<W: World, B: Body>(world: &W, body: &B, way: &Way, hits: &Hits, first: &mut First) {
+/// What binds a way beside what was hit: the first of what is touched that its probe meets and that is not told of yet.
+#[inline(never)]
+pub(super) fn binding<W: World, B: Body>(world: &W, body: &B, probe: Raw, hits: &Hits, first: &mut First) {
     let mut features = world.features(&surroundings(&body.bounds(), FAR));
     while let Some(feature) = &features.next() {
         // One-way faces are told where they are run into: beside them it is their front that counts.
         if feature.one_way {
             continue;
         }
-        let Some(entry) = &way.meets::<W, B>(body, feature) else { continue };
-        if way.room_to(entry).is_some() && hits.iter().all(|hit| hit.axis != entry.normal) {
-            first.add::<B, W>(entry, feature, way.probe);
+        let Some(entry) = &meets::<W, B>(probe, body, feature) else { continue };
+        if !hits.tell_of(entry.normal, feature) && room_to(probe, entry).is_some() {
+            first.add::<B, W>(entry, feature, probe);
         }
     }
 }

@@ -276,10 +276,7 @@ fn p14_p15_p16_p25_slides() {
                 let near = out.body.moved((-2 * n.0.signum(), -2 * n.1.signum()));
                 if !w.free(near) && (n.0 == 0 || n.1 == 0 || out.hits.len() == 1) {
                     touching += 1;
-                    // Or past its end, by the rounding of its place: then it goes on for 64 raw units.
-                    let way = out.v.0.abs().max(out.v.1.abs()).max(1);
-                    let passes = (0..=64).all(|k| w.free(out.body.moved((out.v.0 * k / way, out.v.1 * k / way))));
-                    assert!(n.0 * out.v.0 + n.1 * out.v.1 >= 0 || passes, "into {n:?}: {}", case());
+                    assert!(n.0 * out.v.0 + n.1 * out.v.1 >= 0, "into {n:?}: {}", case());
                 }
             }
         }
