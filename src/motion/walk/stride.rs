@@ -204,7 +204,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
     fn way_on(&self) -> On {
         let (body, passes) = (&self.run.moved.body, self.run.pass_one_way);
         let mut ways = Ways::none();
-        ways.read::<W, B>(self.world, body, self.forward(self.speed), self.run.rest, passes);
+        ways.read::<W, B>(self.world, body, (self.forward(self.speed), self.run.rest), None, passes);
         ways.bind::<W, B>(self.world, body, passes);
         let is_floor = |way: &&Way| way.along.is_none_or(|p| self.walker.mover.side(p.normal) == Side::Floor);
         if let Some(way) = ways.iter().filter(is_floor).find(|way| way.is_free()) {
