@@ -34,9 +34,9 @@ pub enum Quantity {
     Length,
     /// How high a walker steps.
     StepHeight,
-    /// How far a body may be put aside: [`Mover::assist`](crate::Mover::assist).
+    /// How far a mover may put a body aside: [`Mover::assist`](crate::Mover::assist).
     Assist,
-    /// The cells of a level that a motion comes to: their number, not a length.
+    /// The number of cells of a level that a motion would visit, not a length.
     Cells,
     /// The direction of a box: it has none where both components are zero.
     Direction,

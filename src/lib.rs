@@ -118,16 +118,15 @@ pub mod scene;
 pub mod shape;
 pub mod world;
 
-pub use error::{PolygonError, Quantity, RangeError, Truncated};
+pub use error::{Quantity, RangeError};
 pub use filter::{Filter, LayerMask};
 pub use motion::{
-    Acceleration, Body, BodyHit, Carry, Character, Energy, Feel, Hit, Hits, Input, Masses, Memo, MoveError, Moved,
-    Mover, Outcome, Response, Ridden, Ride, SlopeSpeed, Smooth, Speed, StartInside, Step, Stuck, Support, Surface,
-    Walked, Walker, Work,
+    Body, Character, Feel, Hit, Input, Memo, MoveError, Moved, Mover, Outcome, Response, SlopeSpeed, Step, Surface,
+    Walked, Walker,
 };
 pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
-pub use query::{CastHit, Contact, Inside, Manifold, ManifoldPoint, MovingHit, Part, Separation};
-pub use scene::{Scene, SceneBody, SceneError};
+pub use query::{CastHit, Contact, Inside, Manifold};
+pub use scene::{Scene, SceneBody};
 pub use shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 /// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types
 /// come from the crate's root, and cursors and parts of results from the modules.
@@ -138,11 +137,8 @@ pub mod prelude {
     };
 }
 pub use world::{
-    AllShapes, Bits, Blocks, Bytes, Cell, Feature, Features, Geometry, Grid, Joined, JoinedFeatures, JoinedRayHits,
-    Near, Occupied, OneWay, Outside, Path, PathKind, Placed, PlacedFeatures, PlacedRayHits, RayHit, RayHits, RayRules,
-    Room, Rooms, SegmentFault, SegmentFeatures, SegmentMap, SegmentMapError, SegmentRayHits, Side, Size, Slopes, Solid,
-    SolidFeatures, SolidRayHits, Solids, TileAt, TileKind, TileKinds, TileMap, TileMapError, TileShape, Tiles, World,
-    WorldContact,
+    AllShapes, Blocks, Cell, Grid, Joined, Outside, Path, PathKind, RayHit, Room, Rooms, SegmentMap, SegmentMapError,
+    Side, Slopes, Solid, Solids, TileKind, TileKinds, TileMap, TileMapError, TileShape, World,
 };
 
 /// The README's example is a test.

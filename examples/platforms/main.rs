@@ -15,7 +15,7 @@
 
 use std::process::ExitCode;
 
-use tilesat::{Ride, Vec2, World};
+use tilesat::{Vec2, World, motion::Ride};
 use tilesat_games::platforms::{Game, MACHINES, SCRIPT, level};
 use tilesat_tools::fail::{Fail, Result};
 use tilesat_tools::picture::ink::{BOUNCE, COIN, CROSS, EDGE, PLANK, SLIDE};

@@ -356,7 +356,7 @@ pub(in crate::broad) fn pairs_of<S: Spatial>(
     for &mover in movers {
         bodies.slot(mover)?;
     }
-    let stage = Stage { phase, movers };
+    let stage = Restore { phase, movers };
     for mover in movers {
         let slot = mover.slot();
         let Some(bounds) = stage.phase.table().bounds.get(slot).copied().filter(|b| !is_aside(b)) else { continue };
@@ -372,12 +372,12 @@ pub(in crate::broad) fn pairs_of<S: Spatial>(
 }
 
 /// Brings all movers back at the end, even where `each` panics.
-struct Stage<'a, S: Spatial> {
+struct Restore<'a, S: Spatial> {
     phase: &'a mut S,
     movers: &'a [Handle],
 }
 
-impl<S: Spatial> Drop for Stage<'_, S> {
+impl<S: Spatial> Drop for Restore<'_, S> {
     fn drop(&mut self) {
         for mover in self.movers {
             let slot = mover.slot();

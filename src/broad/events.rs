@@ -153,12 +153,12 @@ enum Mark {
 #[doc(alias("on_collision_enter", "body_entered", "beginContact"))]
 pub struct PairEvents<const M: usize, P = Pair> {
     entries: [Entry<P, Mark>; M],
-    frame: Frame,
+    frame: FrameState,
 }
 
 /// Of the present frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-struct Frame {
+struct FrameState {
     fed: u32,
     lost: bool,
     /// Nothing was fed since it ended.
@@ -175,7 +175,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     /// An empty list, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
-        Self { entries: [Entry(None); M], frame: Frame { fed: 0, lost: false, over: true } }
+        Self { entries: [Entry(None); M], frame: FrameState { fed: 0, lost: false, over: true } }
     }
 
     /// Reports that a pair is there in the current frame.
@@ -213,7 +213,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     pub fn cancel(&mut self) {
         if !self.frame.over {
             retain(&mut self.entries, |_, mark| core::mem::replace(mark, Mark::Old) != Mark::New);
-            self.frame = Frame { fed: 0, lost: false, over: false };
+            self.frame = FrameState { fed: 0, lost: false, over: false };
         }
     }
 
@@ -235,16 +235,16 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
 }
 
 /// Begins the next frame, if the last one is over: drops what ended.
-fn begin<P: Copy>(entries: &mut [Entry<P, Mark>], frame: &mut Frame) {
+fn begin<P: Copy>(entries: &mut [Entry<P, Mark>], frame: &mut FrameState) {
     if frame.over {
         retain(entries, |_, mark| core::mem::replace(mark, Mark::Old) != Mark::Old);
-        *frame = Frame { fed: 0, lost: false, over: false };
+        *frame = FrameState { fed: 0, lost: false, over: false };
     }
 }
 
 // Not in line: the capacity is no constant here, one copy serves all.
 #[inline(never)]
-fn feed<P: Copy + Ord>(entries: &mut [Entry<P, Mark>], frame: &mut Frame, pair: &P) {
+fn feed<P: Copy + Ord>(entries: &mut [Entry<P, Mark>], frame: &mut FrameState, pair: &P) {
     begin(entries, frame);
     frame.fed = frame.fed.saturating_add(1);
     let at = place(entries, pair);
@@ -269,7 +269,7 @@ fn feed<P: Copy + Ord>(entries: &mut [Entry<P, Mark>], frame: &mut Frame, pair: 
 
 fn finish<P: Copy>(
     entries: &mut [Entry<P, Mark>],
-    frame: &mut Frame,
+    frame: &mut FrameState,
     mut held: impl FnMut(&P) -> bool,
 ) -> Result<(), Truncated> {
     begin(entries, frame);

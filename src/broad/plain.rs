@@ -2,7 +2,7 @@
 
 use super::order::{compact, sort};
 use super::table::{Bodies, Slots, Table};
-use super::table::{Meter, Spatial, Step};
+use super::table::{Meter, Spatial, Stop};
 use super::{BroadError, Handle, Pair, PairCursor, PairsError, Tag};
 use crate::shape::Aabb;
 use core::slice::Iter;
@@ -39,8 +39,8 @@ macro_rules! any_box {
 }
 
 /// A search for boxes that touch: the body of a row against those that come after it, row by row.
-trait Scan {
-    fn next<M: Meter>(&mut self, meter: &mut M) -> Step;
+trait PairScan {
+    fn next<M: Meter>(&mut self, meter: &mut M) -> Stop;
 
     /// How many rows are left after this one, and how many bodies it has still to be tested
     /// against.
@@ -54,7 +54,7 @@ trait Scan {
 fn pairs<T: Tag, M: Meter>(
     bodies: Bodies<'_, T>,
     n: usize,
-    scan: Option<impl Scan>,
+    scan: Option<impl PairScan>,
     cursor: &mut PairCursor,
     meter: &mut M,
     mut each: impl FnMut(Pair) -> bool,
@@ -65,15 +65,15 @@ fn pairs<T: Tag, M: Meter>(
             let (rows, later) = scan.left();
             let (row, later) = (n - rows - 1, n - later);
             let (stopped, next) = match step {
-                Step::Pair => {
+                Stop::Pair => {
                     let (i, j) = scan.slots(row, later - 1);
                     if bodies.pair(i, j).is_none_or(&mut each) {
                         continue;
                     }
                     (PairsError::Full, later - 1)
                 }
-                Step::Spent => (PairsError::BudgetExceeded, later),
-                Step::End => break,
+                Stop::Spent => (PairsError::BudgetExceeded, later),
+                Stop::End => break,
             };
             (cursor.a, cursor.b) = (row as u16, (next - row - 1) as u16);
             return Err(stopped);
@@ -158,11 +158,11 @@ impl<'a> EachScan<'a> {
     }
 }
 
-impl Scan for EachScan<'_> {
+impl PairScan for EachScan<'_> {
     /// Continues to two boxes that touch. Separate from the use of the pair: the box of the row
     /// stays in registers.
     #[inline(never)]
-    fn next<M: Meter>(&mut self, meter: &mut M) -> Step {
+    fn next<M: Meter>(&mut self, meter: &mut M) -> Stop {
         // Written back only at the end: they are in registers until then.
         let Self { mut row, ref rows, ref later } = *self;
         let (mut rows, mut later) = (rows.clone(), later.clone());
@@ -170,17 +170,17 @@ impl Scan for EachScan<'_> {
             let (low, high) = (row.lo(), row.hi());
             while !later.as_slice().is_empty() {
                 if !meter.spend() {
-                    break 'found Step::Spent;
+                    break 'found Stop::Spent;
                 }
                 let Some(b) = later.next() else { break };
                 if b.lo().x > high.x || b.hi().x < low.x {
                     continue;
                 }
                 if b.lo().y <= high.y && b.hi().y >= low.y {
-                    break 'found Step::Pair;
+                    break 'found Stop::Pair;
                 }
             }
-            let Some(next) = rows.next() else { return Step::End };
+            let Some(next) = rows.next() else { return Stop::End };
             row = next;
             later = rows.clone();
         };
@@ -342,7 +342,7 @@ impl<'a> OrderedScan<'a> {
     }
 }
 
-impl Scan for OrderedScan<'_> {
+impl PairScan for OrderedScan<'_> {
     /// Continues to two boxes that touch. Separate from the use of the pair: the box of the row
     /// stays in registers.
     ///
@@ -350,16 +350,16 @@ impl Scan for OrderedScan<'_> {
     /// begins before the row's right side. The right side of a free slot is before everything, and
     /// as a later one a free slot fails in y.
     #[inline(never)]
-    fn next<M: Meter>(&mut self, meter: &mut M) -> Step {
+    fn next<M: Meter>(&mut self, meter: &mut M) -> Stop {
         // Written back only at the end: they are in registers until then.
         let Self { order, bounds, mut row, ref rows, ref later } = *self;
         let (mut rows, mut later) = (rows.clone(), later.clone());
         let step = 'found: loop {
-            let Some(a) = bounds.get(usize::from(row)) else { return Step::End };
+            let Some(a) = bounds.get(usize::from(row)) else { return Stop::End };
             let (low, high) = (a.lo().y, a.hi());
             while !later.as_slice().is_empty() {
                 if !meter.spend() {
-                    break 'found Step::Spent;
+                    break 'found Stop::Spent;
                 }
                 let Some(&other) = later.next() else { break };
                 let Some(b) = bounds.get(usize::from(other)) else { break };
@@ -367,10 +367,10 @@ impl Scan for OrderedScan<'_> {
                     break;
                 }
                 if b.lo().y <= high.y && b.hi().y >= low {
-                    break 'found Step::Pair;
+                    break 'found Stop::Pair;
                 }
             }
-            let Some(&next) = rows.next() else { return Step::End };
+            let Some(&next) = rows.next() else { return Stop::End };
             row = next;
             later = rows.clone();
         };

@@ -382,7 +382,7 @@ impl PairCursor {
 
 /// Why a search for the next pair ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Step {
+pub(super) enum Stop {
     /// Two boxes touch.
     Pair,
     /// The budget is spent.

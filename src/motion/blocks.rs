@@ -18,7 +18,7 @@ enum Over {
 }
 
 /// A motion among blocks.
-struct Sweep<'a, W, B> {
+struct BlockSweep<'a, W, B> {
     world: &'a W,
     body: &'a B,
     d: Raw,
@@ -56,7 +56,8 @@ impl<B: Body> Search<'_, B> {
         let c = Raw { x: (a.x + b.x) >> 1, y: (a.y + b.y) >> 1 };
         let span = if B::MEETS_CORNERS { (c, c) } else { (a, b) };
         let (thin, pressed) = (a.x == b.x || a.y == b.y, self.pressed);
-        let mut sweep = Sweep { world, body, d, front, span, thin, pressed, is_odd: false, corners: (a, b), first };
+        let mut sweep =
+            BlockSweep { world, body, d, front, span, thin, pressed, is_odd: false, corners: (a, b), first };
         // One cursor for all cells of other shapes.
         let mut features = None;
         while let Some(block) = world.next_cell(cells) {
@@ -83,7 +84,7 @@ impl<B: Body> Search<'_, B> {
     }
 }
 
-impl<W: World, B: Body> Sweep<'_, W, B> {
+impl<W: World, B: Body> BlockSweep<'_, W, B> {
     /// The faces that the motion comes to, one across each axis, and for what is round the corners that have a face that opposes it.
     fn meet_full(&mut self, block: &Block) {
         let ((lo, hi), d, front) = (self.world.corners(block), self.d, self.front);

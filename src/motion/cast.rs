@@ -67,6 +67,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// # Errors
     /// [`RangeError`] where a component of the motion or a half extent is not below 2^28 raw (4096 units), the motion would leave the
     /// [domain](crate::num::DOMAIN), or it comes to more than [`Mover::CELLS`](crate::Mover::CELLS) cells.
+    #[doc(alias("sweep", "shapecast", "swept AABB"))]
     pub fn cast_shape<B: Body>(
         &self,
         body: &B,

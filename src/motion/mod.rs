@@ -29,7 +29,7 @@
 //!
 //! ```
 //! use tilesat::prelude::*;
-//! use tilesat::{Aabb, Axis, Fx, Mover, Ride, Solid, TileKind, TileKinds, TileMap, Vec2};
+//! use tilesat::{Aabb, Axis, Fx, Mover, Solid, TileKind, TileKinds, TileMap, Vec2, motion::Ride};
 //! static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 //! let level = TileMap::from_ascii("###\n   \n###", &KINDS)?; // a corridor, from y = 16 to 32
 //! let boxed = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));

@@ -10,6 +10,7 @@ use core::slice::Iter;
 
 /// Where a body ended up, and what happened on the way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(alias("KinematicCollision2D", "cols"))]
 pub struct Moved<B> {
     /// The body at its new place; it does not overlap the level.
     pub body: B,

@@ -2,7 +2,7 @@
 
 use super::body::{Body, Entry};
 use super::order::First;
-use super::plane::{Side, SlopeLimit, may_be_askew};
+use super::plane::{SlopeLimit, SurfaceRole, may_be_askew};
 use super::response::{Bounce, Law, Smooth, Surface};
 use super::run::{Run, check_inside, is_free};
 use super::search::Around;
@@ -22,7 +22,7 @@ pub enum Response {
     Touch,
     /// Passes one-way faces, to drop through a platform; slides along the solid. The first one-way face that it passes in a call is reported
     /// among the hits, and is neither floor, wall nor ceiling.
-    Cross,
+    DropThrough,
     /// Is mirrored at the surface: exactly at a face along x or y; elsewhere rounding may take up to 2 raw units of speed. It never gains any.
     /// For less bounce, and for bounces that do not lose those either, see [`Mover::with_surface`].
     Bounce,
@@ -46,6 +46,7 @@ pub enum Response {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("KinematicBody", "kinematic"))]
 pub struct Mover<S = Smooth> {
     pub(super) up: Option<Axis>,
     pub(super) response: Response,
@@ -125,17 +126,19 @@ impl<S: Law> Mover<S> {
     /// # let _ = goat;
     /// ```
     #[must_use]
+    #[doc(alias("floor_max_angle", "max_slope_climb_angle"))]
     pub const fn with_slope_limit(self, rise: u16, run: u16) -> Self {
         Self { limit: SlopeLimit { rise, run }, ..self }
     }
 
     /// The same mover that passes one-way faces, or no longer does: for the frames in which a player asks to drop through a platform, with
-    /// any response. They are reported as by [`Response::Cross`].
+    /// any response. They are reported as by [`Response::DropThrough`].
     ///
     /// Gravity must act in that frame: the body passes what it moves into, and one that stands and has no velocity down stands on. One frame is
     /// enough where it leads into the face by a raw unit or more, for then the body is no longer entirely in front of it. A mover that drops through is
     /// not carried by one-way [`Solid`](crate::Solid)s either.
     #[must_use]
+    #[doc(alias("one way platform", "jump-through", "fall-through"))]
     pub const fn with_drop_through(self, drop_through: bool) -> Self {
         Self { drop_through, ..self }
     }
@@ -177,6 +180,7 @@ impl<S: Law> Mover<S> {
     /// [`MoveError::Stuck`] where the body overlaps
     /// the level already, it is to move, and the mover [reports](StartInside) that; without a velocity nothing is asked of the level.
     #[inline(never)]
+    #[doc(alias("moveAndCollide", "move_and_collide", "moveAndSlide", "world:move"))]
     pub fn move_and_slide<W: World, B: Body>(
         &self,
         world: &W,
@@ -226,15 +230,15 @@ impl<S: Law> Mover<S> {
                     velocity: Vec2::ZERO,
                     remaining: Vec2::ZERO,
                     hits: Hits::one(Hit::of(entry.normal, feature, Toi::ZERO)),
-                    floor: side == Side::Floor,
-                    wall: side == Side::Wall,
-                    ceiling: side == Side::Ceiling,
+                    floor: side == SurfaceRole::Floor,
+                    wall: side == SurfaceRole::Wall,
+                    ceiling: side == SurfaceRole::Ceiling,
                     flags: feature.flags,
                     work,
                 });
             }
         }
-        self.go_on(world, body, velocity, around, &mut first, &Found { work, inside, guarded })
+        self.go_on(world, body, velocity, around, &mut first, &FirstHit { work, inside, guarded })
     }
 
     /// Whether a hit takes all of a motion and leaves nothing: what most bodies that rest come to. It is what [`respond`](Self::respond) finds for them
@@ -251,7 +255,7 @@ impl<S: Law> Mover<S> {
             && !(feature.one_way && self.passes_one_way())
             && match self.response {
                 Response::Touch => false,
-                Response::Slide | Response::Cross => true,
+                Response::Slide | Response::DropThrough => true,
                 Response::Bounce => self.surface.surface().stops(d, normal),
             }
     }
@@ -265,7 +269,7 @@ impl<S: Law> Mover<S> {
         velocity: Vec2,
         around: &mut Around,
         first: &mut First,
-        found: &Found,
+        found: &FirstHit,
     ) -> Result<Moved<B>, MoveError> {
         let mut moved = Moved::freely(*body, velocity, 0);
         moved.work = found.work;
@@ -360,7 +364,7 @@ impl<S: Law> Mover<S> {
 }
 
 /// What is known of a motion whose first hit is.
-struct Found {
+struct FirstHit {
     work: Work,
     inside: bool,
     guarded: bool,

@@ -16,17 +16,17 @@ use crate::world::{Feature, Geometry, World};
 /// Each is the first by an order of its own, and the two are compared by what is exact of both once all are known. So the order of visits does
 /// not matter, as it might if bounds and exact times were in one order: of three, each could be before the next.
 pub(super) struct First {
-    flat: Slot,
-    round: Slot,
+    flat: Candidate,
+    round: Candidate,
 }
 
 /// The first of an order: both or none. Apart, so that each is written in its place.
-struct Slot {
+struct Candidate {
     entry: Option<Entry>,
     feature: Option<Feature>,
 }
 
-impl Slot {
+impl Candidate {
     #[inline]
     fn empty() -> Self {
         Self { entry: None, feature: None }
@@ -44,12 +44,12 @@ impl Slot {
 impl First {
     #[inline]
     pub(super) fn none() -> Self {
-        Self { flat: Slot::empty(), round: Slot::empty() }
+        Self { flat: Candidate::empty(), round: Candidate::empty() }
     }
 
     /// Takes a hit that is before all others.
     pub(super) fn only(&mut self, entry: &Entry, feature: &Feature) {
-        self.flat = Slot::empty();
+        self.flat = Candidate::empty();
         self.round.put(entry, feature);
     }
 
@@ -67,7 +67,7 @@ impl First {
 
     /// Whether there is one in the first `piece` of so many pieces of the motion.
     pub(super) fn is_within(&self, piece: u32, pieces: u32) -> bool {
-        let within = |slot: &Slot| slot.entry.as_ref().is_some_and(|e| umul(e.num, pieces) <= umul(e.den, piece));
+        let within = |slot: &Candidate| slot.entry.as_ref().is_some_and(|e| umul(e.num, pieces) <= umul(e.den, piece));
         within(&self.flat) || within(&self.round)
     }
 

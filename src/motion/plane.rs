@@ -7,7 +7,7 @@ use crate::world::World;
 
 /// What a surface is to a body that stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Side {
+pub(super) enum SurfaceRole {
     Floor,
     Wall,
     Ceiling,
@@ -28,7 +28,7 @@ impl SlopeLimit {
     /// What a surface with this normal is: floor where `|n x up| run <= (n . up) rise`, exact.
     ///
     /// Blocks need neither product: one of the two is zero.
-    pub(super) fn side(self, up: Axis, normal: Axis) -> Side {
+    pub(super) fn side(self, up: Axis, normal: Axis) -> SurfaceRole {
         let (along, across) = (normal.dot(up), normal.perp_dot(up));
         let (a, c) = (along.unsigned_abs(), across.unsigned_abs());
         // At 45 degrees, as at first, no product is needed.
@@ -36,11 +36,11 @@ impl SlopeLimit {
             if self.rise == self.run { a < c && self.run != 0 } else { times(a, self.rise) < times(c, self.run) }
         };
         if a == 0 || (c != 0 && is_steep(a, c)) {
-            Side::Wall
+            SurfaceRole::Wall
         } else if along > 0 {
-            Side::Floor
+            SurfaceRole::Floor
         } else {
-            Side::Ceiling
+            SurfaceRole::Ceiling
         }
     }
 }

@@ -4,7 +4,7 @@
 use super::body::{Body, Entry};
 use super::contact::Plane;
 use super::order::First;
-use super::plane::{Side, way};
+use super::plane::{SurfaceRole, way};
 use super::search::{Around, Search, hull};
 use super::ways::long;
 use super::{Hit, Moved};
@@ -51,7 +51,7 @@ pub(super) struct Run<'m, B> {
 
 /// Where a body was, to be put back to: a place in the solid is one only for what has been there all the time.
 #[derive(Clone, Copy)]
-pub(super) struct Place<B> {
+pub(super) struct Checkpoint<B> {
     body: B,
     inside: bool,
 }
@@ -96,11 +96,11 @@ impl<'m, B: Body> Run<'m, B> {
         !is_free(self.around, &body.bounds()) && self.overlaps(world, &body)
     }
 
-    pub(super) fn here(&self) -> Place<B> {
-        Place { body: self.moved.body, inside: self.inside }
+    pub(super) fn here(&self) -> Checkpoint<B> {
+        Checkpoint { body: self.moved.body, inside: self.inside }
     }
 
-    pub(super) fn put_back(&mut self, place: Place<B>) {
+    pub(super) fn put_back(&mut self, place: Checkpoint<B>) {
         (self.moved.body, self.inside) = (place.body, place.inside);
     }
 
@@ -230,11 +230,11 @@ impl<'m, B: Body> Run<'m, B> {
         (self.along, self.before) = (None, self.v);
     }
 
-    pub(super) fn meet(&mut self, side: Side) {
+    pub(super) fn meet(&mut self, side: SurfaceRole) {
         match side {
-            Side::Floor => self.moved.floor = true,
-            Side::Wall => self.moved.wall = true,
-            Side::Ceiling => self.moved.ceiling = true,
+            SurfaceRole::Floor => self.moved.floor = true,
+            SurfaceRole::Wall => self.moved.wall = true,
+            SurfaceRole::Ceiling => self.moved.ceiling = true,
         }
     }
 

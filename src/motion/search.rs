@@ -8,7 +8,7 @@ use super::run::margin;
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, Raw, leading_zeros32, umul};
 use crate::shape::Aabb;
-use crate::world::{Cells, Geometry, Seen, Way, World};
+use crate::world::{Cells, Geometry, MotionPiece, Seen, World};
 
 /// A region that was looked at, and what of it a body may meet.
 ///
@@ -226,7 +226,7 @@ impl<'a, B: Body> Search<'a, B> {
         d: Raw,
     ) -> W::Features<'w> {
         let (whole, joints) = (hull(&self.body.bounds(), Raw::ZERO, d, 1), self.body.meets_joints());
-        world.features_ahead(&Way { piece: &held.bounds, cells: held.cells, before, whole, d, joints })
+        world.features_ahead(&MotionPiece { piece: &held.bounds, cells: held.cells, before, whole, d, joints })
     }
 
     /// Takes the hits of all that a cursor has to give, of a grid in the cell that it is in.

@@ -3,7 +3,7 @@
 use super::body::{Body, Entry};
 use super::contact::{Bend, Plane, touched};
 use super::order::First;
-use super::plane::{NEAR, Side, across, into, may_be_askew, project, reflect, tangential, way};
+use super::plane::{NEAR, SurfaceRole, across, into, may_be_askew, project, reflect, tangential, way};
 use super::response::{Law, Smooth};
 use super::run::{Run, Shut, check_inside, margin};
 use super::ways::{Way, Ways, binding, long};
@@ -13,12 +13,12 @@ use crate::world::{Feature, World};
 
 impl<S: Law> Mover<S> {
     pub(super) fn passes_one_way(&self) -> bool {
-        self.drop_through || self.response == Response::Cross
+        self.drop_through || self.response == Response::DropThrough
     }
 
     /// What a surface with this normal is; without an up all are walls.
-    pub(super) fn side(&self, normal: Axis) -> Side {
-        self.up.map_or(Side::Wall, |up| self.limit.side(up, normal))
+    pub(super) fn side(&self, normal: Axis) -> SurfaceRole {
+        self.up.map_or(SurfaceRole::Wall, |up| self.limit.side(up, normal))
     }
 
     /// What a walker keeps of a velocity at a wall: it does not climb by what it has across "up".
@@ -37,7 +37,7 @@ impl<S: Law> Mover<S> {
         used: u32,
         entry: &Entry,
         feature: &Feature,
-    ) -> Option<Side> {
+    ) -> Option<SurfaceRole> {
         let toi = Toi::ONE.raw() - run.rest.raw() + used;
         run.record(entry.normal, feature, Toi::clamped(toi));
         if feature.one_way && self.passes_one_way() {
@@ -57,7 +57,7 @@ impl<S: Law> Mover<S> {
         run: &mut Run<'_, B>,
         used: u32,
         (d, made): (Raw, Raw),
-        (side, entry, feature): (Side, &Entry, &Feature),
+        (side, entry, feature): (SurfaceRole, &Entry, &Feature),
     ) -> bool {
         let time = run.rest.raw() - run.after.raw();
         // floor(time (den - num) / den): what was used, rounded up where it is not exact, is not left.
@@ -66,7 +66,7 @@ impl<S: Law> Mover<S> {
         run.after = Toi::ZERO;
         run.motion = if W::ROUND && run.on_chord { run.made_in(run.rest) } else { d.sub(made) };
         run.on_chord = false;
-        if WALKS && side == Side::Floor {
+        if WALKS && side == SurfaceRole::Floor {
             return false;
         }
         match (self.response, self.bounce.0) {
@@ -74,13 +74,13 @@ impl<S: Law> Mover<S> {
             (Response::Bounce, Some(reply)) if !self.surface.surface().stops(run.v, entry.normal) => {
                 run.turn(reflect::<B, W, S>(run.v, entry.normal, &self.surface, reply));
             }
-            (Response::Slide | Response::Cross | Response::Bounce, _) => {
+            (Response::Slide | Response::DropThrough | Response::Bounce, _) => {
                 if !may_be_askew::<B, W>() {
                     run.turn(project::<B, W, S>(run.v, entry.normal, &self.surface));
                 } else if is_plain(run, entry) {
                     self.lose_component::<W, B>(run, made, entry, feature);
                 } else {
-                    if WALKS && side == Side::Wall {
+                    if WALKS && side == SurfaceRole::Wall {
                         run.before = self.stopped::<W, B>(run.before, entry.normal);
                     }
                     return true;

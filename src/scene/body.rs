@@ -1,7 +1,7 @@
 //! The bodies of a scene: what a game gives, boxes and circles mixed, and what a step keeps of each.
 
 use super::Shape;
-use super::way::Way;
+use super::way::BodyWay;
 use crate::broad::{Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::Surface;
@@ -107,7 +107,7 @@ pub(super) struct Slot {
     /// The slot of that fixed body.
     pub(super) ground: u16,
     pub(super) tally: Tally,
-    pub(super) way: Way,
+    pub(super) way: BodyWay,
 }
 
 /// What a step collects for a body before anything moves.
@@ -147,7 +147,7 @@ impl Slot {
         support: ALOFT,
         ground: NOBODY,
         tally: Tally::of(0),
-        way: Way::REST,
+        way: BodyWay::REST,
     };
 
     pub(super) fn of(body: &SceneBody, handle: Handle) -> Self {

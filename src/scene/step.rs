@@ -6,7 +6,7 @@ use super::met::{may_meet, pair};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::set::Sleep;
 use super::set::rouse;
-use super::way::{Pace, Way, size};
+use super::way::{BodyWay, Pace, size};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Shape, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -222,7 +222,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
                 }
                 left += 1;
             } else if let Some(slot) = slots.get_mut(handle.slot()) {
-                (slot.mode, slot.body.velocity, slot.way) = (Mode::Asleep, Vec2::ZERO, Way::REST);
+                (slot.mode, slot.body.velocity, slot.way) = (Mode::Asleep, Vec2::ZERO, BodyWay::REST);
                 slot.ground = NOBODY;
                 let told = self.near.set_tag(handle, slot.body.tag(true));
                 debug_assert!(told.is_ok(), "a body of the scene is in its broad phase");
@@ -373,7 +373,7 @@ pub(super) fn hold(
 ) {
     slot.body.velocity = Vec2::ZERO;
     (slot.support, slot.quiet) = (ALOFT, slot.quiet.saturating_add(1));
-    slot.way = Way { turns: Way::HELD, ..Way::REST };
+    slot.way = BodyWay { turns: BodyWay::HELD, ..BodyWay::REST };
     stepped.held += 1;
     each(SceneEvent::Held(SceneError::of(handle, fault)));
 }

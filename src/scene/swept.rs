@@ -9,7 +9,7 @@ use super::meeting::{Meeting, Top, approach, toward};
 use super::met::{Met, around, each_near, may_meet, pair, reach};
 use super::set::rouse;
 use super::step::{Touched, Trip, hold};
-use super::way::{End, Pace, TURNS, Way, later, size};
+use super::way::{BodyWay, End, Pace, TURNS, later, size};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -96,7 +96,7 @@ where
         for handle in self.movers {
             self.land(*handle);
         }
-        self.slots.iter_mut().for_each(|slot| slot.way = Way::REST);
+        self.slots.iter_mut().for_each(|slot| slot.way = BodyWay::REST);
     }
 
     /// What pushes a body is a part of its way: there may be somebody on it.
@@ -108,7 +108,7 @@ where
                 (slot.support, slot.ground) = (ALOFT, NOBODY);
                 slot.body.velocity += slot.tally.kick;
                 let rate = slot.body.velocity + slot.tally.push();
-                slot.way = Way { pace: Pace::Swept, since: Toi::ZERO, ..Way::made(rate) };
+                slot.way = BodyWay { pace: Pace::Swept, since: Toi::ZERO, ..BodyWay::made(rate) };
                 self.stepped.moved += 1;
             } else {
                 self.margin = self.margin.max(size(slot.way.rate));
@@ -146,7 +146,7 @@ where
                 Ok(end) => slot.way.end = end,
                 Err(fault) => {
                     (slot.body.velocity, slot.way.rate) = (Vec2::ZERO, Vec2::ZERO);
-                    (slot.way.turns, slot.way.end) = (Way::HELD, (Toi::ONE, End::Step));
+                    (slot.way.turns, slot.way.end) = (BodyWay::HELD, (Toi::ONE, End::Step));
                     self.stepped.held += 1;
                     (self.each)(SceneEvent::Held(SceneError::of(handle, fault)));
                 }

@@ -5,7 +5,7 @@ use crate::num::{Raw, Toi, Vec2};
 
 /// What a body does in a step, once its velocity is known: straight ways only.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Way {
+pub(super) struct BodyWay {
     /// Units in a whole step, of which it makes what is left.
     pub(super) rate: Vec2,
     /// When it is where its shape is: at the step's end, but for those that are swept.
@@ -45,7 +45,7 @@ pub(super) enum End {
     Step,
 }
 
-impl Way {
+impl BodyWay {
     pub(super) const REST: Self = Self::made(Vec2::ZERO);
 
     /// It waits for those below.

@@ -39,7 +39,7 @@ impl<const N: usize> ConvexPolygon<N> {
     /// A polygon from its corners, in order, either way round.
     ///
     /// ```
-    /// use tilesat::{ConvexPolygon, PolygonError, Vec2};
+    /// use tilesat::{ConvexPolygon, Vec2, error::PolygonError};
     /// let p = [(0, 0), (8, 0), (8, 8), (4, 3)].map(Vec2::from);
     /// assert_eq!(ConvexPolygon::<4>::new(&p), Err(PolygonError::Reflex { at: 3 }));
     /// assert_eq!(ConvexPolygon::<3>::hull(&p)?.vertices(), &p[..3]);

@@ -70,7 +70,7 @@ closest_point_of! {
     /// Cortex-M0.
     ///
     /// ```
-    /// use tilesat::{AllShapes, Axis, Fx, Grid, OneWay, TileKind, TileKinds, TileMap, TileShape, Vec2};
+    /// use tilesat::{AllShapes, Axis, Fx, Grid, TileKind, TileKinds, TileMap, TileShape, Vec2, world::OneWay};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'/', TileKind::of(TileShape::SlopeBottomRight));
     /// let grid = Grid::new(1, 1, Fx::from_num(16), Vec2::ZERO)?;
     /// let map = TileMap::<AllShapes>::of(b"/", grid, &KINDS)?;
@@ -184,12 +184,12 @@ fn square(p: Raw, reach: i32) -> Aabb {
 #[derive(Clone, Copy)]
 struct Spot {
     measure: Measure,
-    place: Place,
+    place: Preference,
 }
 
 /// Where it is, in the order of preference.
 #[derive(Clone, Copy)]
-enum Place {
+enum Preference {
     /// Between the ends of a face or arc, or at an end that the normal there leads to.
     Foot,
     Corner,
@@ -202,7 +202,7 @@ impl Spot {
     #[inline(never)]
     fn of<W: World>(p: Raw, feature: &Feature, inside: bool) -> Option<Self> {
         let found = |measure, place| Some(Self { measure, place });
-        let end = |end: Raw| found(Measure::root(p.sub(end).len2()), Place::End(end));
+        let end = |end: Raw| found(Measure::root(p.sub(end).len2()), Preference::End(end));
         match feature.geometry {
             Geometry::Face { a, dir, len, .. } => {
                 let (a, b) = ends(Raw::of(a), dir, len);
@@ -218,13 +218,13 @@ impl Spot {
                     // From its wrong side a face is no nearer than the surface in front of it.
                     None
                 } else {
-                    found(Measure::height(front.unsigned_abs(), dir.length_squared()), Place::Foot)
+                    found(Measure::height(front.unsigned_abs(), dir.length_squared()), Preference::Foot)
                 }
             }
             Geometry::Vertex { p: corner, e_in, e_out } => {
                 let m = p.sub(Raw::of(corner));
                 let in_cone = raw(e_in).dot(m) >= 0 && raw(e_out).dot(m) <= 0;
-                if in_cone && !inside { found(Measure::root(m.len2()), Place::Corner) } else { None }
+                if in_cone && !inside { found(Measure::root(m.len2()), Preference::Corner) } else { None }
             }
             Geometry::Arc { centre, radius, quadrant, convex } if W::ROUND => {
                 let centre = Raw::of(centre);
@@ -233,7 +233,7 @@ impl Spot {
                 let side = square.cmp(&usqr(radius as u32));
                 let wrong = side == if convex == inside { Ordering::Greater } else { Ordering::Less };
                 if in_quadrant(m, quadrant) && !wrong {
-                    return found(Measure::Ring { square, radius: radius as u32 }, Place::Foot);
+                    return found(Measure::Ring { square, radius: radius as u32 }, Preference::Foot);
                 }
                 let (x, y) = (quadrant.x.wrapping_mul(radius), quadrant.y.wrapping_mul(radius));
                 let (a, b) = (centre.add(Raw { x, y: 0 }), centre.add(Raw { x: 0, y }));
@@ -246,9 +246,9 @@ impl Spot {
     /// Whether the spot of feature `f` goes before another, of `g`.
     fn before<W: World>(&self, f: &Feature, other: &Self, g: &Feature) -> bool {
         let rank = |spot: &Self| match spot.place {
-            Place::Foot => 0,
-            Place::Corner => 1,
-            Place::End(_) => 2u8,
+            Preference::Foot => 0,
+            Preference::Corner => 1,
+            Preference::End(_) => 2u8,
         };
         match self.measure.order::<W>(&other.measure).then(rank(self).cmp(&rank(other))) {
             Ordering::Equal => precedes(f, g),
@@ -280,7 +280,7 @@ impl Spot {
             if inside { m.reversed() } else { m }
         };
         match (feature.geometry, self.place) {
-            (_, Place::End(end)) => (end, outward(p.sub(end))),
+            (_, Preference::End(end)) => (end, outward(p.sub(end))),
             (Geometry::Face { a, dir, len, .. }, _) => {
                 let (a, b) = ends(Raw::of(a), dir, len);
                 let (lo, hi) = corners(a, b);

@@ -100,19 +100,19 @@ impl WorldContact {
         }
     }
 
-    const fn found(&self) -> Found<'_> {
-        Found { contact: &self.contact, feature: &self.feature }
+    const fn found(&self) -> ContactRef<'_> {
+        ContactRef { contact: &self.contact, feature: &self.feature }
     }
 }
 
 /// The parts of a [`WorldContact`], where they are.
 #[derive(Clone, Copy)]
-struct Found<'a> {
+struct ContactRef<'a> {
     contact: &'a Contact,
     feature: &'a Feature,
 }
 
-impl Found<'_> {
+impl ContactRef<'_> {
     const fn kept(self) -> WorldContact {
         WorldContact { contact: *self.contact, feature: *self.feature }
     }
@@ -133,8 +133,8 @@ impl Found<'_> {
         }
     }
 
-    fn before<W: World>(self, other: Found<'_>) -> bool {
-        let corner = |c: Found<'_>| matches!(c.feature.geometry, Geometry::Vertex { .. });
+    fn before<W: World>(self, other: ContactRef<'_>) -> bool {
+        let corner = |c: ContactRef<'_>| matches!(c.feature.geometry, Geometry::Vertex { .. });
         match self.measure().order::<W>(&other.measure()).then(corner(self).cmp(&corner(other))) {
             Ordering::Equal => precedes(self.feature, other.feature),
             order => order == Ordering::Less,
@@ -195,7 +195,7 @@ contacts_of! {
     /// overlaps shapes of 24 takes some 7000 instructions on a Cortex-M0.
     ///
     /// ```
-    /// use tilesat::{Axis, Circle, Fx, OneWay, TileKind, TileKinds, TileMap, Vec2};
+    /// use tilesat::{Axis, Circle, Fx, TileKind, TileKinds, TileMap, Vec2, world::OneWay};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
     /// let map = TileMap::from_ascii("#...\n####", &KINDS)?;
     /// let ball = Circle::new(Vec2::from_ints(22, 9), Fx::from_num(8))?;
@@ -268,7 +268,7 @@ fn contacts_in<W: World, B: Pushable>(
             continue;
         }
         let Some((contact, in_region)) = &body.meet::<W>(feature, behind && !feature.one_way) else { continue };
-        let (new, in_region) = (Found { contact, feature }, *in_region);
+        let (new, in_region) = (ContactRef { contact, feature }, *in_region);
         if B::ROUND && in_region != any_in_region {
             if any_in_region {
                 continue;
@@ -300,7 +300,7 @@ fn contacts_in<W: World, B: Pushable>(
 
 /// Keeps the list in order; where it is full the last goes.
 #[inline(never)]
-fn insert<W: World>(out: &mut VecView<WorldContact>, new: Found<'_>) {
+fn insert<W: World>(out: &mut VecView<WorldContact>, new: ContactRef<'_>) {
     if out.is_full() || out.push(new.kept()).is_err() {
         match out.last_mut() {
             Some(last) if new.before::<W>(last.found()) => *last = new.kept(),
@@ -318,7 +318,7 @@ fn insert<W: World>(out: &mut VecView<WorldContact>, new: Found<'_>) {
 }
 
 /// A shape that [`TileMap::contacts`] takes: a box or a circle. Sealed.
-pub trait Pushable: kernel::Kernel {}
+pub trait Pushable: kernel::PushKernel {}
 
 impl Pushable for Aabb {}
 impl Pushable for Circle {}
@@ -329,7 +329,7 @@ mod kernel {
     use super::{Aabb, Circle, Contact, Feature, Raw, World};
     use crate::world::measure::{boxed, circle};
 
-    pub trait Kernel {
+    pub trait PushKernel {
         /// Whether all contacts count where none is in its region, not the least alone: they are
         /// ties often, and then none goes before the other.
         const ROUND: bool;
@@ -340,7 +340,7 @@ mod kernel {
         fn meet<W: World>(&self, feature: &Feature, behind: bool) -> Option<(Contact, bool)>;
     }
 
-    impl Kernel for Aabb {
+    impl PushKernel for Aabb {
         const ROUND: bool = false;
         fn bounds(&self) -> Aabb {
             *self
@@ -350,7 +350,7 @@ mod kernel {
         }
     }
 
-    impl Kernel for Circle {
+    impl PushKernel for Circle {
         const ROUND: bool = true;
         fn bounds(&self) -> Aabb {
             self.aabb()

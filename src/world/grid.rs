@@ -24,8 +24,8 @@ use crate::num::{DOMAIN, Fx, Raw, SPLIT, Vec2, umul};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Grid {
-    pub(super) x: Span,
-    pub(super) y: Span,
+    pub(super) x: GridAxis,
+    pub(super) y: GridAxis,
     pub(super) cell: i32,
     /// 0 where the cell is a power of two, else `ceil(2^(31 + log) / cell)`.
     pub(super) magic: u32,
@@ -35,7 +35,7 @@ pub struct Grid {
 
 /// One axis of a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Span {
+pub(super) struct GridAxis {
     /// Where the first cell starts.
     pub(super) origin: i32,
     /// The length of all cells, below 2^30.
@@ -143,7 +143,7 @@ impl Grid {
     }
 
     #[inline(never)]
-    const fn indices(&self, lo: i32, hi: i32, span: &Span) -> (i32, i32) {
+    const fn indices(&self, lo: i32, hi: i32, span: &GridAxis) -> (i32, i32) {
         let first = self.index(lo, span);
         let mut last = first;
         // A few steps are cheaper than a quotient.
@@ -159,7 +159,7 @@ impl Grid {
 
     /// Any `v`: the difference of two words, the first not less, fits an unsigned word.
     #[inline(never)]
-    const fn index(&self, v: i32, span: &Span) -> i32 {
+    const fn index(&self, v: i32, span: &GridAxis) -> i32 {
         if v < span.origin {
             return -1;
         }
@@ -216,7 +216,7 @@ impl Grid {
         self.most_along(width, &self.x).wrapping_mul(self.most_along(height, &self.y))
     }
 
-    const fn most_along(&self, length: u32, span: &Span) -> u32 {
+    const fn most_along(&self, length: u32, span: &GridAxis) -> u32 {
         let (most, all) = (self.quotient(length).wrapping_add(2), span.count as u32 + 2);
         if most < all { most } else { all }
     }
@@ -255,17 +255,17 @@ impl Grid {
         (lo, hi)
     }
 
-    const fn start(&self, index: i32, span: &Span) -> i32 {
+    const fn start(&self, index: i32, span: &GridAxis) -> i32 {
         if index < 0 { 1 - DOMAIN } else { span.origin.wrapping_add(self.line(index)) }
     }
 
-    const fn end_of(&self, index: i32, span: &Span) -> i32 {
+    const fn end_of(&self, index: i32, span: &GridAxis) -> i32 {
         if index >= span.count as i32 { DOMAIN - 1 } else { span.origin.wrapping_add(self.line(index.wrapping_add(1))) }
     }
 }
 
 /// One axis, if both ends are inside the domain: the product is below 2^39.
-const fn span(origin: i32, count: u16, cell: i32, what: Quantity) -> Result<Span, TileMapError> {
+const fn span(origin: i32, count: u16, cell: i32, what: Quantity) -> Result<GridAxis, TileMapError> {
     let size = count as i64 * cell as i64;
     let end = origin as i64 + size;
     if origin <= -DOMAIN || origin >= DOMAIN {
@@ -274,7 +274,7 @@ const fn span(origin: i32, count: u16, cell: i32, what: Quantity) -> Result<Span
         let value = if end > i32::MAX as i64 { i32::MAX } else { end as i32 };
         Err(TileMapError::OutOfDomain { what, value })
     } else {
-        Ok(Span { origin, size: size as i32, count })
+        Ok(GridAxis { origin, size: size as i32, count })
     }
 }
 

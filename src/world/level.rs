@@ -146,7 +146,7 @@ pub(in crate::world) fn precedes(a: &Feature, b: &Feature) -> bool {
 ///
 /// Public in a private module, because a sealed trait's method takes it.
 #[derive(Clone, Copy, Debug)]
-pub struct Way<'a> {
+pub struct MotionPiece<'a> {
     /// Holds whatever of the level the inside of the body's bounds meets in this piece.
     pub(crate) piece: &'a Aabb,
     /// The cells that the inside of the piece meets, where they are known.
@@ -210,7 +210,7 @@ pub trait World: sealed::Sealed {
     /// Those of the features that a piece of a motion could run into and the piece before could
     /// not: not less, but more may come.
     #[doc(hidden)]
-    fn features_ahead(&self, way: &Way) -> Self::Features<'_> {
+    fn features_ahead(&self, way: &MotionPiece) -> Self::Features<'_> {
         self.features(way.piece)
     }
 

@@ -181,7 +181,7 @@ pub(in crate::world) fn boxed<W: World>(
             corner(lo, hi, c, Raw::of(p), e_in, e_out, behind).map(|contact| (contact, true))
         }
         Geometry::Arc { centre, radius, quadrant, convex } if W::ROUND => {
-            let frame = Frame { centre: Raw::of(centre), quadrant };
+            let frame = ArcFrame { centre: Raw::of(centre), quadrant };
             let (near, far) = (frame.enter(lo, hi), frame.enter(hi, lo));
             // What of the box is in the quadrant must lie on both sides of the arc.
             let first = Raw { x: near.x.max(0), y: near.y.max(0) };
@@ -259,12 +259,12 @@ const fn beyond(m: Raw, radius: i32) -> bool {
 }
 
 /// The frame of an arc: from its centre, both axes toward the arc.
-struct Frame {
+struct ArcFrame {
     centre: Raw,
     quadrant: Axis,
 }
 
-impl Frame {
+impl ArcFrame {
     /// The corner of a box that has the coordinates of `plus` on axes that are not turned, else
     /// those of `minus`.
     const fn enter(&self, plus: Raw, minus: Raw) -> Raw {

@@ -1,6 +1,6 @@
 //! A level at another position: its surface, and rays against it.
 
-use super::level::{Feature, Seen, Way, World, levels, meets_as_world, sealed};
+use super::level::{Feature, MotionPiece, Seen, World, levels, meets_as_world, sealed};
 use super::ray::scan::{Found, RayScan, RayWorld};
 use super::ray::{RayHit, RayRules, checked, rays};
 use crate::error::RangeError;
@@ -28,7 +28,7 @@ use crate::shape::{Aabb, Circle};
 /// Cost: that of the level, and a few additions for each call and each feature.
 ///
 /// ```
-/// use tilesat::{Aabb, Path, PathKind, Placed, Vec2, fx, segment_map};
+/// use tilesat::{Aabb, Path, PathKind, Vec2, fx, segment_map, world::Placed};
 /// const WEDGE: [Vec2; 3] = [Vec2::from_ints(0, 32), Vec2::from_ints(64, 0), Vec2::from_ints(64, 32)];
 /// segment_map!(static WEDGES: [Path::new(PathKind::Solid, &WEDGE)], fx!(32));
 ///
@@ -140,9 +140,9 @@ impl<W: World> World for Placed<'_, W> {
         Placed::features(self, region)
     }
 
-    fn features_ahead(&self, way: &Way) -> PlacedFeatures<'_, W> {
+    fn features_ahead(&self, way: &MotionPiece) -> PlacedFeatures<'_, W> {
         let (piece, before) = (self.seen(way.piece), way.before.map(|before| self.seen(before)));
-        let way = Way { piece: &piece, whole: self.seen(&way.whole), before: before.as_ref(), ..*way };
+        let way = MotionPiece { piece: &piece, whole: self.seen(&way.whole), before: before.as_ref(), ..*way };
         PlacedFeatures { features: self.world.features_ahead(&way), offset: self.offset }
     }
 
@@ -216,7 +216,7 @@ rays! {
         /// shifted.
         ///
         /// ```
-        /// use tilesat::{Axis, Inside, Placed, TileKind, TileKinds, TileMap, Vec2};
+        /// use tilesat::{Axis, Inside, TileKind, TileKinds, TileMap, Vec2, world::Placed};
         /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
         /// let room = TileMap::from_ascii("#.#", &KINDS)?;
         /// let slides_in = Placed::new(&room, Vec2::from_ints(100, 7))?;

@@ -285,8 +285,8 @@ impl<'a, S: Set> Rooms<'a, S> {
     /// core.
     #[must_use]
     pub const fn room(&self, column: u16, row: u16) -> Option<Room<'a, S>> {
-        let x = Window::of(column, self.room.0, self.world.0, self.apron);
-        let y = Window::of(row, self.room.1, self.world.1, self.apron);
+        let x = RoomAxis::of(column, self.room.0, self.world.0, self.apron);
+        let y = RoomAxis::of(row, self.room.1, self.world.1, self.apron);
         let (Some(x), Some(y)) = (x, y) else { return None };
         let cell = self.pattern.grid.cell;
         // As far from 0 as the largest map is long, at most.
@@ -330,7 +330,7 @@ impl<'a, S: Set> Rooms<'a, S> {
 }
 
 /// One axis of a room's map, in cells of the world.
-struct Window {
+struct RoomAxis {
     /// Of the room.
     first: i32,
     own: u16,
@@ -340,7 +340,7 @@ struct Window {
     cells: u16,
 }
 
-impl Window {
+impl RoomAxis {
     const fn of(index: u16, room: u16, world: u16, apron: u16) -> Option<Self> {
         // Below 2^31: a room has at most 32767 cells.
         let (first, world) = (index as i32 * room as i32, world as i32);

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use tilesat::broad::{BroadError, BroadPhase, BruteForce, Exceptions, Handle, Ignore, Pair, PairEvent, PairEvents};
-use tilesat::{Aabb, Filter, LayerMask, Truncated, Vec2};
+use tilesat::{Aabb, Filter, LayerMask, Vec2, error::Truncated};
 use tilesat_judge::Random;
 
 type Told = (Vec<PairEvent<u8>>, Result<(), Truncated>);

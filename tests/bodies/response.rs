@@ -3,7 +3,7 @@
 #![allow(clippy::cast_precision_loss, reason = "tests stop at the first surprise")]
 
 use tilesat::motion::response::{bounce, respond, slide, split};
-use tilesat::{Axis, Fx, Ratio, Speed, Surface, Vec2};
+use tilesat::{Axis, Fx, Ratio, Surface, Vec2, motion::Speed};
 use tilesat_judge::num_bigint::BigInt;
 use tilesat_judge::plain::{P, dot, raw, vec2};
 use tilesat_judge::{Random, cases};

@@ -2,7 +2,7 @@
 
 use tilesat::motion::response::{exchange, separate};
 use tilesat::prelude::*;
-use tilesat::{Aabb, Axis, Circle, Contact, Fx, Masses, Ratio, Surface, Vec2};
+use tilesat::{Aabb, Axis, Circle, Contact, Fx, Ratio, Surface, Vec2, motion::Masses};
 use tilesat_judge::plain::{P, dot, raw, vec2};
 use tilesat_judge::{Random, cases};
 

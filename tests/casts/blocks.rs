@@ -2,7 +2,7 @@
 //!
 //! `TILESAT_CASES` sets the number of casts a test (default 6 000).
 
-use tilesat::{RangeError, RayRules, TileMap};
+use tilesat::{RangeError, TileMap, world::RayRules};
 use tilesat_judge::levels_cast::{PASSED, SEEN, as_the_mover, disc, raw, rect};
 use tilesat_judge::motion::P;
 use tilesat_judge::motion::body::Body;

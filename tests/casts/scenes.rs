@@ -2,8 +2,8 @@
 
 use tilesat::prelude::*;
 use tilesat::{
-    Aabb, Axis, Circle, Fx, Inside, Joined, Path, PathKind, RayRules, Segment, SegmentMap, TileKind, TileKinds,
-    TileMap, Toi, Vec2,
+    Aabb, Axis, Circle, Fx, Inside, Joined, Path, PathKind, Segment, SegmentMap, TileKind, TileKinds, TileMap, Toi,
+    Vec2, world::RayRules,
 };
 
 static KINDS: TileKinds =

@@ -4,8 +4,9 @@
 //! `TILESAT_CASES` sets the number of casts (default 6 000).
 
 use tilesat::{
-    BodyHit, Joined, Path, PathKind, Placed, RangeError, RayRules, SegmentMap, TileKind, TileKinds, TileMap, Vec2,
-    World,
+    Joined, Path, PathKind, RangeError, SegmentMap, TileKind, TileKinds, TileMap, Vec2, World,
+    motion::BodyHit,
+    world::{Placed, RayRules},
 };
 use tilesat_judge::levels_cast::{P, PASSED, SEEN, as_the_mover, disc, raw, rect};
 use tilesat_judge::{Random, cases};

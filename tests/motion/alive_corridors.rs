@@ -1,6 +1,6 @@
 //! What fits a passage gets through it (L3): bodies up to six raw units lower than a corridor, behind each ramp that reaches its floor.
 
-use tilesat::{Aabb, AllShapes, Axis, Circle, Fx, Mover, Support, TileMap, Walker};
+use tilesat::{Aabb, AllShapes, Axis, Circle, Fx, Mover, TileMap, Walker, motion::Support};
 use tilesat_judge::rooms::P;
 use tilesat_judge::rooms::body::{Body, point, vec2};
 use tilesat_judge::shapes::level::Level;

@@ -2,8 +2,8 @@
 //! bodies (L8); and what comes to rest in random levels has a floor (L7).
 
 use tilesat::{
-    Aabb, AllShapes, Axis, Circle, Fx, Grid, MoveError, Mover, SlopeSpeed, Support, TileKind, TileKinds, TileMap, Vec2,
-    Walker, World,
+    Aabb, AllShapes, Axis, Circle, Fx, Grid, MoveError, Mover, SlopeSpeed, TileKind, TileKinds, TileMap, Vec2, Walker,
+    World, motion::Support,
 };
 use tilesat_judge::Random;
 use tilesat_judge::rooms::P;

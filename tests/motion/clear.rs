@@ -5,7 +5,7 @@
 //! the number of frames (default 100 000).
 
 use std::time::{Duration, Instant};
-use tilesat::{Axis, Mover, TileShape, Work};
+use tilesat::{Axis, Mover, TileShape, motion::Work};
 use tilesat_judge::Random;
 use tilesat_judge::rooms::body::Body;
 use tilesat_judge::rooms::frames::{any_body, any_velocity};

@@ -2,7 +2,10 @@
 
 use tilesat::motion::escape;
 use tilesat::world::World;
-use tilesat::{Aabb, Axis, Circle, Fx, MoveError, Mover, Outside, StartInside, Stuck};
+use tilesat::{
+    Aabb, Axis, Circle, Fx, MoveError, Mover, Outside,
+    motion::{StartInside, Stuck},
+};
 use tilesat_judge::Random;
 use tilesat_judge::rooms;
 use tilesat_judge::rooms::body::{Body, point, vec2};

@@ -4,7 +4,7 @@
 //! The judge is exact and knows only the corners of a convex room. `TILESAT_FRAMES` sets the frames of a run (default 3000).
 
 use tilesat::{Aabb, AllShapes, Axis, Body, Circle, Fx, Grid, Mover, Path, PathKind, Ratio, Response, SegmentMap};
-use tilesat::{Speed, Surface, TileKind, TileKinds, TileMap, Vec2, World};
+use tilesat::{Surface, TileKind, TileKinds, TileMap, Vec2, World, motion::Speed};
 use tilesat_judge::Random;
 
 type P = (i64, i64);

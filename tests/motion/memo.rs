@@ -2,7 +2,7 @@
 
 use tilesat::{
     Aabb, AllShapes, Axis, Body, Circle, Fx, Memo, MoveError, Moved, Mover, Ratio, Surface, TileKind, TileKinds,
-    TileMap, Vec2, Work,
+    TileMap, Vec2, motion::Work,
 };
 use tilesat_judge::rooms::mosaic;
 use tilesat_judge::{Random, cases};

@@ -289,7 +289,7 @@ fn drop_through() {
     let low = Stage::Tiles(level(&["......", "------", "------", "......", "######"]));
     let mixed = Stage::Tiles(level(&["......", "......", "--##--"]));
     for views in VIEWS {
-        let all = [Response::Slide, Response::Cross, Response::Bounce, Response::Touch];
+        let all = [Response::Slide, Response::DropThrough, Response::Bounce, Response::Touch];
         for response in all {
             let drops = mover(views).with_response(response).with_drop_through(true);
             for body in players(30 * PX, 20 * PX) {

@@ -6,7 +6,7 @@
 use core::fmt::Debug;
 use tilesat::motion::Body as Movable;
 use tilesat::prelude::Overlaps;
-use tilesat::{Aabb, AllShapes, Axis, BodyHit, Circle, Fx, Inside, Mover, Outside, Response, TileMap, Vec2};
+use tilesat::{Aabb, AllShapes, Axis, Circle, Fx, Inside, Mover, Outside, Response, TileMap, Vec2, motion::BodyHit};
 use tilesat_judge::Random;
 use tilesat_judge::rooms::P;
 use tilesat_judge::rooms::body::{point, vec2};

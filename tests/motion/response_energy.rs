@@ -3,7 +3,8 @@
 #![allow(clippy::cast_precision_loss, reason = "tests stop at the first surprise")]
 
 use tilesat::{
-    AllShapes, Circle, Energy, Fx, Mover, Response, Surface, TileKind, TileKinds, TileMap, TileShape, Vec2, World,
+    AllShapes, Circle, Fx, Mover, Response, Surface, TileKind, TileKinds, TileMap, TileShape, Vec2, World,
+    motion::Energy,
 };
 use tilesat_judge::Random;
 

@@ -1,7 +1,8 @@
 //! Accelerations below a raw unit a frame: exact in flight, silent at rest.
 
 use tilesat::{
-    Aabb, Acceleration, Axis, Body, Carry, Circle, Fx, Mover, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2,
+    Aabb, Axis, Body, Circle, Fx, Mover, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2,
+    motion::{Acceleration, Carry},
 };
 use tilesat_judge::frames;
 

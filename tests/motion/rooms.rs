@@ -5,8 +5,8 @@
 use std::fmt::Debug;
 use tilesat::world::World;
 use tilesat::{
-    Aabb, AllShapes, Axis, Body, Cell, Circle, Fx, Grid, MoveError, Moved, Mover, Outside, Room, Rooms, Support,
-    TileKind, TileKinds, TileMap, Vec2, Walker,
+    Aabb, AllShapes, Axis, Body, Cell, Circle, Fx, Grid, MoveError, Moved, Mover, Outside, Room, Rooms, TileKind,
+    TileKinds, TileMap, Vec2, Walker, motion::Support,
 };
 use tilesat_judge::Random;
 use tilesat_judge::rooms::frames::{RESPONSES, any_velocity};
@@ -68,13 +68,13 @@ fn into(room: &Room<'_>, cell: i64) -> Vec2 {
 }
 
 /// All that a motion says, with the cells of the world.
-type Said<B> = (B, Vec<(u32, Axis, (i32, i32), u16, u8, bool)>, [Vec2; 2], [bool; 3], u8, tilesat::Work);
+type Said<B> = (B, Vec<(u32, Axis, (i32, i32), u16, u8, bool)>, [Vec2; 2], [bool; 3], u8, tilesat::motion::Work);
 
 fn said<B: Guest>(moved: &Moved<B>, by: Vec2, place: impl Fn(Cell) -> (i32, i32)) -> Said<B> {
     let hits = moved.hits.iter().map(|h| (h.toi.raw(), h.axis, place(h.cell), h.index, h.flags, h.one_way)).collect();
     let (velocities, sides) = ([moved.velocity, moved.remaining], [moved.floor, moved.wall, moved.ceiling]);
     // How many features were read is left out: what lies beyond a map is one block, and a window has another beyond.
-    (moved.body.to(by), hits, velocities, sides, moved.flags, tilesat::Work { features: 0, ..moved.work })
+    (moved.body.to(by), hits, velocities, sides, moved.flags, tilesat::motion::Work { features: 0, ..moved.work })
 }
 
 fn here(cell: Cell) -> (i32, i32) {

@@ -74,7 +74,7 @@ fn blocks_are_blocks_among_all_shapes() {
         tiles.fill_with(|| if random.one_in(4) { random.within(1, 2) as u8 } else { 0 });
         let level = Level::of(&tiles, if random.one_in(2) { Outside::Solid } else { Outside::Empty });
         for n in 0..20 {
-            let response = [Response::Slide, Response::Slide, Response::Bounce, Response::Cross][n % 4];
+            let response = [Response::Slide, Response::Slide, Response::Bounce, Response::DropThrough][n % 4];
             let mover = Mover::platformer(Axis::NEG_Y).with_response(response);
             let (x, y) = (random.within(CELL, 31 * CELL), random.within(CELL, 31 * CELL));
             let (w, h) = (random.magnitude(CELL), random.magnitude(CELL));

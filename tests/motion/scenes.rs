@@ -288,9 +288,9 @@ fn bump_moves_with_each_response() {
     let out = go(&b, Response::Bounce, a, at(0, 5));
     assert_eq!((out.body.position(), out.v), (at(0, -3), at(0, -5)));
     // bump's cross goes through everything; ours through one-way faces only, and slides along the solid.
-    assert_eq!(go(&b, Response::Cross, a, at(0, 5)).body.position(), at(0, 1));
+    assert_eq!(go(&b, Response::DropThrough, a, at(0, 5)).body.position(), at(0, 1));
     let b = Level::new(&[".", ".", "-", "-"], px(1));
-    let out = go(&b, Response::Cross, a, at(0, 5));
+    let out = go(&b, Response::DropThrough, a, at(0, 5));
     assert_eq!((out.body.position(), out.hits.first().unwrap().toi.raw()), (at(0, 5), parts(1, 5)));
 }
 
@@ -380,7 +380,7 @@ mod pixelroot_one_way {
 fn lands_before_a_corner() {
     let level = Level::new(&[".....", ".....", "...#.", "#####"], px(16));
     let ball = Body::disc((px(48) - 2_064_384, px(32) - 1_015_808), 1_081_344);
-    for response in [Response::Slide, Response::Cross] {
+    for response in [Response::Slide, Response::DropThrough] {
         let out = go(&level, response, ball, (2_950_813, 2_967_197));
         assert_eq!((out.hits.len(), out.floor, out.wall), (2, true, true), "{out:?}");
         assert!(out.v.0 > 2600 && out.v.1 < -89_000, "{out:?}");

@@ -30,7 +30,7 @@ fn run(r: &mut Random, tally: &mut Tally) {
         else {
             continue;
         };
-        let response = [Response::Slide, Response::Slide, Response::Bounce, Response::Cross][r.below(4) as usize];
+        let response = [Response::Slide, Response::Slide, Response::Bounce, Response::DropThrough][r.below(4) as usize];
         let mover = Mover::platformer(Axis::NEG_Y).with_response(response);
         let mut v = (0, 0);
         for k in 0..60 {

@@ -1,6 +1,6 @@
 //! Scenes that break movers, numbered as in the survey that they come from, with what must happen. Whole units, y grows downward.
 
-use tilesat::{Axis, MoveError, Mover, Outside, Response, Stuck};
+use tilesat::{Axis, MoveError, Mover, Outside, Response, motion::Stuck};
 use tilesat_judge::motion::body::{Body, Outcome, RESPONSES, at, px};
 use tilesat_judge::motion::judge::check;
 use tilesat_judge::motion::level::Level;
@@ -257,10 +257,10 @@ fn scene_32_one_way_steps() {
 fn cross_drops_through_a_one_way() {
     let level = Level::new(&["...", "---", "...", "###"], px(20));
     let start = Body::rect(at(20, 0), at(20, 20));
-    let out = check(&level, PLAYER, Response::Cross, &start, at(0, 10));
+    let out = check(&level, PLAYER, Response::DropThrough, &start, at(0, 10));
     assert_eq!((out.body, out.v), (start.moved(at(0, 10)), at(0, 10)));
     assert!(!out.floor && out.flags == 2 && out.hits.len() == 1);
-    let out = check(&level, PLAYER, Response::Cross, &start, at(1, 90));
+    let out = check(&level, PLAYER, Response::DropThrough, &start, at(1, 90));
     assert_eq!(out.body.position().1, px(40));
     assert!(out.floor && out.hits.len() == 2);
     assert_eq!(out.v, at(1, 0));

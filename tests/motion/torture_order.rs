@@ -8,7 +8,7 @@ use tilesat_judge::rooms::body::{Body, vec2};
 use tilesat_judge::rooms::{P, PX};
 
 const CELL: i64 = 16 * PX;
-const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::Cross, Response::Bounce];
+const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::DropThrough, Response::Bounce];
 
 /// All orders of six.
 fn orders() -> Vec<[usize; 6]> {

@@ -3,8 +3,8 @@
 use tilesat::motion::escape;
 use tilesat::prelude::*;
 use tilesat::{
-    Aabb, Axis, Circle, Fx, Inside, Joined, Mover, Path, PathKind, RayRules, Ride, Segment, SegmentMap, Side, Solid,
-    Solids, TileKind, TileKinds, TileMap, Vec2, World,
+    Aabb, Axis, Circle, Fx, Inside, Joined, Mover, Path, PathKind, Segment, SegmentMap, Side, Solid, Solids, TileKind,
+    TileKinds, TileMap, Vec2, World, motion::Ride, world::RayRules,
 };
 
 static SENSOR: TileKinds = TileKinds::EMPTY.with(b's', TileKind::EMPTY.with_flags(1));
@@ -162,7 +162,7 @@ fn scene_25_centre_on_the_surface() {
     let (a, b) = (free.centre() - at(8, 8)).raw();
     assert!(!tile.overlaps(&free) && (17 << 16..=(17 << 16) + 4).contains(&-b) && a == 0, "{a} {b}");
     let mut all = tilesat::heapless::Vec::<_, 8>::new();
-    tile.contacts(&disc(8, 8, 9), tilesat::OneWay::Ignore, &mut all).unwrap();
+    tile.contacts(&disc(8, 8, 9), tilesat::world::OneWay::Ignore, &mut all).unwrap();
     assert!(all.len() == 4 && all.iter().all(|c| c.depth() == Fx::from_num(17)));
     assert!(escape(&tile, &disc(8, 8, 5)).is_err());
 }

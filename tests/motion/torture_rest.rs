@@ -1,6 +1,6 @@
 //! Rest, wedges and joints of slopes among segments: torture scenes 13, 40, 43, 45 and 49.
 
-use tilesat::{MoveError, Mover, PathKind, Ratio, SegmentMap, StartInside, Surface};
+use tilesat::{MoveError, Mover, PathKind, Ratio, SegmentMap, Surface, motion::StartInside};
 use tilesat_judge::drawing::{Drawing, VIEWS, at, back, direction, disc, mover, place, rect};
 use tilesat_judge::rooms::body::{Body, Outcome};
 use tilesat_judge::rooms::{P, PX, drawn, len2};

@@ -2,7 +2,7 @@
 //!
 //! `TILESAT_CASES` sets the number of motions a test (default 6 000).
 
-use tilesat::{Aabb, AllShapes, Circle, Fx, Inside, Mover, Outside, RayRules, Response, TileMap};
+use tilesat::{Aabb, AllShapes, Circle, Fx, Inside, Mover, Outside, Response, TileMap, world::RayRules};
 use tilesat_judge::Random;
 use tilesat_judge::drawing;
 use tilesat_judge::drawing::{VIEWS, mover, place};

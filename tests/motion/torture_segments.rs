@@ -1,6 +1,6 @@
 //! Torture scenes of the survey among segments, by its numbers, with what must happen. Whole units, y grows downward.
 
-use tilesat::{Aabb, Axis, Circle, Fx, Hits, Mover, Path, PathKind, Response, SegmentMap, Vec2};
+use tilesat::{Aabb, Axis, Circle, Fx, Mover, Path, PathKind, Response, SegmentMap, Vec2, motion::Hits};
 
 type P = (i32, i32);
 

@@ -1,6 +1,6 @@
 //! Torture scenes of the survey among tiles of all shapes, by its numbers: 25, 42 and 49.
 
-use tilesat::{Axis, Circle, Fx, MoveError, Mover, OneWay, Outside, Response, Vec2};
+use tilesat::{Axis, Circle, Fx, MoveError, Mover, Outside, Response, Vec2, world::OneWay};
 use tilesat_judge::rooms::body::Body;
 use tilesat_judge::rooms::room::{FINE, Room};
 use tilesat_judge::rooms::view::View;

@@ -2,7 +2,7 @@
 //!
 //! `TILESAT_CASES` sets the number of motions a test (default 12 000).
 
-use tilesat::{Aabb, Circle, Fx, Inside, Mover, PathKind, RayRules, Response, SegmentMap};
+use tilesat::{Aabb, Circle, Fx, Inside, Mover, PathKind, Response, SegmentMap, world::RayRules};
 use tilesat_judge::drawing::{Drawing, direction, mover, place};
 use tilesat_judge::rooms::body::{Body, Outcome, point, vec2};
 use tilesat_judge::rooms::view::View;
@@ -10,7 +10,7 @@ use tilesat_judge::rooms::{P, len2};
 use tilesat_judge::segments::{Body as Shape, Piece, Scene, build};
 use tilesat_judge::{Random, cases};
 
-const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::Cross, Response::Bounce];
+const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::DropThrough, Response::Bounce];
 const RULES: RayRules = RayRules { inside: Inside::Hit, one_way: true };
 
 /// A random level, as its judge and as paths around the origin.

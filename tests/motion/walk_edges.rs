@@ -1,6 +1,9 @@
 //! Walkers at the edge of the domain and in the solid.
 
-use tilesat::{Aabb, Axis, Cell, Fx, Mover, StartInside, Support, TileKind, TileKinds, TileMap, Vec2, Walker};
+use tilesat::{
+    Aabb, Axis, Cell, Fx, Mover, TileKind, TileKinds, TileMap, Vec2, Walker,
+    motion::{StartInside, Support},
+};
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 const UP: Mover = Mover::platformer(Axis::NEG_Y);

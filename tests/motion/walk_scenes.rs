@@ -1,7 +1,7 @@
 //! Walkers in scenes with a name: rest, wedges, jumps, one-way floors, steep slopes, quarter pipes.
 
 use tilesat::world::World;
-use tilesat::{Aabb, Axis, Circle, Mover, Response, SlopeSpeed, Support, TileMap, Walker};
+use tilesat::{Aabb, Axis, Circle, Mover, Response, SlopeSpeed, TileMap, Walker, motion::Support};
 use tilesat_judge::ground;
 use tilesat_judge::ground::{CELL, Frame, P, PX, Shape, fx, vec2};
 use tilesat_judge::shapes::level::Level;

@@ -5,7 +5,7 @@
 #![allow(clippy::cast_precision_loss, reason = "tests stop at the first surprise")]
 
 use tilesat::world::World;
-use tilesat::{Aabb, Axis, Circle, Fx, MoveError, Mover, SlopeSpeed, Support, Walked, Walker};
+use tilesat::{Aabb, Axis, Circle, Fx, MoveError, Mover, SlopeSpeed, Walked, Walker, motion::Support};
 use tilesat_judge::Random;
 use tilesat_judge::rooms::body::{Body, point, vec2};
 use tilesat_judge::rooms::room::Room;
@@ -29,7 +29,7 @@ struct Frame {
     snapped: i64,
     wall: bool,
     work: u32,
-    hits: tilesat::Hits,
+    hits: tilesat::motion::Hits,
 }
 
 fn frame<B: tilesat::Body>(body: Body, w: &Walked<B>) -> Frame {

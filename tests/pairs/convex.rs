@@ -4,7 +4,7 @@
 //! `TILESAT_CASES` sets the number of cases a pair and class (default 2 000; the full run takes 10 000 000).
 
 use std::time::Instant;
-use tilesat::Separation;
+use tilesat::query::Separation;
 use tilesat_judge::convex::ask::overlaps_from;
 use tilesat_judge::convex::generate::{CLASSES, Class, Pairs};
 use tilesat_judge::convex::shape::{Kind, Shape, pairs};

@@ -1,7 +1,9 @@
 //! How capsules, turned boxes and polygons are built: what is refused, what is rounded, and what order does not matter.
 
 use tilesat::prelude::*;
-use tilesat::{Aabb, Axis, Capsule, ConvexPolygon, Fx, OrientedBox, PolygonError, Quantity, RangeError, Vec2, fx};
+use tilesat::{
+    Aabb, Axis, Capsule, ConvexPolygon, Fx, OrientedBox, Quantity, RangeError, Vec2, error::PolygonError, fx,
+};
 use tilesat_judge::Random;
 use tilesat_judge::convex::ask;
 use tilesat_judge::convex::shape::{Shape, hull};

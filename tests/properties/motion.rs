@@ -30,7 +30,8 @@ pub(crate) fn scenes(speed: i64) -> impl Strategy<Value = Scene> {
     let size = prop_oneof![Just(2i64), 1i64..=24, Just(16)];
     let place = ((0i64..96, unit()), (0i64..80, unit()));
     let velocity = ((-16i64..=16, unit()), (-16i64..=16, unit()));
-    let response = prop::sample::select(&[Response::Slide, Response::Bounce, Response::Cross, Response::Touch][..]);
+    let response =
+        prop::sample::select(&[Response::Slide, Response::Bounce, Response::DropThrough, Response::Touch][..]);
     (cell, tiles, (size.clone(), size, any::<bool>()), place, velocity, response).prop_map(
         move |(cell, tiles, (w, h, round), (x, y), v, response)| {
             // Sixteenths of a cell, give or take 2 raw.
@@ -185,7 +186,8 @@ fn p24_hash_of_frames() {
             let kind = if r.one_in(2) { Body::Rect((0, 0), size) } else { Body::Disc((0, 0), size.0 / 2) };
             let places = (0..60).map(|_| kind.at((r.below(256 * PX), r.below(192 * PX)))).collect::<Vec<_>>();
             let Some(mut body) = places.into_iter().find(|b| !room.overlaps(*b, (0, 0), 0)) else { continue };
-            let response = [Response::Slide, Response::Bounce, Response::Cross, Response::Touch][r.below(4) as usize];
+            let response =
+                [Response::Slide, Response::Bounce, Response::DropThrough, Response::Touch][r.below(4) as usize];
             let mut v = (r.around(30 * PX), r.around(30 * PX));
             let map = level.all();
             for _ in 0..200 {

@@ -2,7 +2,7 @@
 
 use super::config;
 use proptest::prelude::*;
-use tilesat::{Axis, Cell, Fx, Grid, Inside, Mover, RayRules, TileKind, TileKinds, TileMap};
+use tilesat::{Axis, Cell, Fx, Grid, Inside, Mover, TileKind, TileKinds, TileMap, world::RayRules};
 use tilesat_judge::Random;
 use tilesat_judge::paths::level::{level, placed, shape};
 use tilesat_judge::paths::oracle::check_refs;

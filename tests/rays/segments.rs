@@ -1,6 +1,6 @@
 //! Rays against segment maps: every hit in order, against each piece of the boundary on its own.
 
-use tilesat::{Inside, RayRules, SegmentMap};
+use tilesat::{Inside, SegmentMap, world::RayRules};
 use tilesat_judge::segments::rays::{check, faces};
 use tilesat_judge::segments::{build, sub};
 use tilesat_judge::{Random, cases};

@@ -1,7 +1,8 @@
 //! Rays through scenes that are known by name, with slopes, halves and arcs.
 
 use tilesat::{
-    AllShapes, Axis, Cell, Fx, Inside, Outside, RayHit, RayRules, TileKind, TileKinds, TileMap, TileShape, Toi, Vec2,
+    AllShapes, Axis, Cell, Fx, Inside, Outside, RayHit, TileKind, TileKinds, TileMap, TileShape, Toi, Vec2,
+    world::RayRules,
 };
 
 /// `/` and `\` are solid below, `(` and `)` are quarter pipes on a floor, `d` is a quarter disc around its lower left corner, `_` the lower half.

@@ -1,6 +1,6 @@
 //! The same scene seen otherwise: as blocks, mirrored, transposed, moved. The hits are the same, bit for bit.
 
-use tilesat::{Axis, Blocks, Inside, Outside, RayHit, RayRules, TileKind, TileKinds, TileMap, TileShape, Vec2};
+use tilesat::{Axis, Blocks, Inside, Outside, RayHit, TileKind, TileKinds, TileMap, TileShape, Vec2, world::RayRules};
 use tilesat_judge::rays::cast::Scene;
 use tilesat_judge::rays::generate::ray;
 use tilesat_judge::rays::level::Level;

@@ -2,8 +2,8 @@
 //! from inside and from borders; and joined with tiles that hold a part of them.
 
 use tilesat::{
-    AllShapes, Axis, Fx, Grid, Inside, Joined, Path, PathKind, RayHit, RayRules, Side, Solid, Solids, TileKind,
-    TileKinds, TileMap, TileShape, Toi, Vec2, segment_map,
+    AllShapes, Axis, Fx, Grid, Inside, Joined, Path, PathKind, RayHit, Side, Solid, Solids, TileKind, TileKinds,
+    TileMap, TileShape, Toi, Vec2, segment_map, world::RayRules,
 };
 use tilesat_judge::solids::{P, raw, rect, show, solid, vec2};
 use tilesat_judge::{Random, cases};

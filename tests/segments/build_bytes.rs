@@ -4,7 +4,7 @@
 
 use std::panic::catch_unwind;
 use tilesat::PathKind::{Hole, OneWay, Solid, Wall};
-use tilesat::{Cell, SegmentFault, SegmentMap, SegmentMapError, TileMapError};
+use tilesat::{Cell, SegmentMap, SegmentMapError, TileMapError, world::SegmentFault};
 use tilesat_judge::paths::generate;
 use tilesat_judge::paths::level::{self, Level, NONE, ONE_WAY, Shape, decode, repair, shape};
 use tilesat_judge::paths::oracle::check_refs;

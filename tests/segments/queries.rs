@@ -1,7 +1,10 @@
 //! Segment maps as levels, against a judge that knows the input polygons only.
 
 use std::collections::BTreeMap;
-use tilesat::{Aabb, Circle, Feature, Fx, Geometry, OneWay, PathKind, SegmentMap};
+use tilesat::{
+    Aabb, Circle, Fx, PathKind, SegmentMap,
+    world::{Feature, Geometry, OneWay},
+};
 use tilesat_judge::segments;
 use tilesat_judge::segments::{Body, P, SCALE, Scene, build};
 use tilesat_judge::{Random, cases};

@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use tilesat::{
-    Aabb, Circle, Fx, Geometry, Grid, PathKind, SegmentMap, Slopes, TileKind, TileKinds, TileMap, TileShape, World,
+    Aabb, Circle, Fx, Grid, PathKind, SegmentMap, Slopes, TileKind, TileKinds, TileMap, TileShape, World,
+    world::Geometry,
 };
 use tilesat_judge::segments;
 use tilesat_judge::segments::{Body, P, Scene, Shape, cross, dot, sub};

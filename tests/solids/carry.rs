@@ -1,8 +1,8 @@
 //! What stands on a moving solid goes with it, to the last bit, for as long as it stands.
 
 use tilesat::{
-    Aabb, Axis, Body, Circle, Fx, Joined, MoveError, Mover, Quantity, RangeError, Ride, Side, Solid, Solids, TileKind,
-    TileKinds, TileMap, Vec2,
+    Aabb, Axis, Body, Circle, Fx, Joined, MoveError, Mover, Quantity, RangeError, Side, Solid, Solids, TileKind,
+    TileKinds, TileMap, Vec2, motion::Ride,
 };
 use tilesat_judge::solids::{P, disc, raw, rect, solid, vec2};
 use tilesat_judge::{Random, cases};

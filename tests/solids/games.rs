@@ -2,7 +2,7 @@
 
 use tilesat::motion::escape;
 use tilesat::{
-    Aabb, Axis, Fx, Joined, MoveError, Mover, Ride, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, Walker,
+    Aabb, Axis, Fx, Joined, MoveError, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, Walker, motion::Ride,
 };
 use tilesat_judge::solids::{P, raw, rect, solid};
 

@@ -1,8 +1,10 @@
 //! A placed level is the level that is built at that place, bit for bit.
 
 use tilesat::{
-    AllShapes, Axis, Body, Circle, Fx, Grid, Inside, Joined, MoveError, Moved, Mover, Outside, Path, PathKind, Placed,
-    RayHit, RayRules, SegmentMap, Side, Solid, Solids, TileKind, TileKinds, TileMap, TileShape, Vec2, Work, World,
+    AllShapes, Axis, Body, Circle, Fx, Grid, Inside, Joined, MoveError, Moved, Mover, Outside, Path, PathKind, RayHit,
+    SegmentMap, Side, Solid, Solids, TileKind, TileKinds, TileMap, TileShape, Vec2, World,
+    motion::Work,
+    world::{Placed, RayRules},
 };
 use tilesat_judge::solids::twins::translated;
 use tilesat_judge::solids::{P, disc, rect, solid, vec2};

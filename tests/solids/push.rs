@@ -1,8 +1,8 @@
 //! What is in the way of a moving solid yields as far as there is room, and is squashed where there is none; never into the level.
 
 use tilesat::{
-    Aabb, AllShapes, Axis, Body, Circle, Fx, Joined, MoveError, Mover, Ride, Solid, Solids, TileKind, TileKinds,
-    TileMap, TileShape, World,
+    Aabb, AllShapes, Axis, Body, Circle, Fx, Joined, MoveError, Mover, Solid, Solids, TileKind, TileKinds, TileMap,
+    TileShape, World, motion::Ride,
 };
 use tilesat_judge::solids::{P, disc, raw, rect, solid, vec2};
 
@@ -249,7 +249,7 @@ fn a_door_that_closes_on_a_body_and_on_its_edge() {
     // The door's ends lie in the floor's and the ceiling's plane: no edge of them is left in the joined level, at its sides they are.
     let at = |x: i64, y: i64| rect((x * UNIT, y * UNIT), (x * UNIT, y * UNIT));
     let corners =
-        |p: &Aabb| joined.features(p).filter(|f| matches!(f.geometry, tilesat::Geometry::Vertex { .. })).count();
+        |p: &Aabb| joined.features(p).filter(|f| matches!(f.geometry, tilesat::world::Geometry::Vertex { .. })).count();
     for (x, y) in [(24, 16), (32, 16), (24, 48), (32, 48)] {
         assert_eq!(corners(&at(x, y)), 0);
         assert_eq!(here.features(&at(x, y)).filter(|f| f.index >= 4).count(), 1);

@@ -2,7 +2,7 @@
 //! does that has the same cells full, alone, and joined with tiles that hold a part of them.
 
 use tilesat::{
-    Axis, Body, Fx, Geometry, Grid, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, World,
+    Axis, Body, Fx, Grid, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, World, world::Geometry,
 };
 use tilesat_judge::solids::{P, disc, rect, solid, vec2};
 use tilesat_judge::{Random, cases};

@@ -1,6 +1,6 @@
 //! Tile maps against a judge written from the definitions: rays, overlap, touch, regions, flags.
 
-use tilesat::{Aabb, Axis, Bits, Blocks, Fx, Inside, TileMap, Vec2};
+use tilesat::{Aabb, Axis, Blocks, Fx, Inside, TileMap, Vec2, world::Bits};
 use tilesat_judge::blocks::ask::{Shape, body, check_ray, ray, shape, vec2};
 use tilesat_judge::blocks::bodies::{self, Body};
 use tilesat_judge::blocks::build;

@@ -4,7 +4,9 @@
 
 use tilesat::world::Pushable;
 use tilesat::{
-    Aabb, AllShapes, Axis, Circle, Feature, Fx, Near, OneWay, Outside, Quantity, TileMap, Truncated, Vec2, WorldContact,
+    Aabb, AllShapes, Axis, Circle, Fx, Outside, Quantity, TileMap, Vec2,
+    error::Truncated,
+    world::{Feature, Near, OneWay, WorldContact},
 };
 use tilesat_judge::shapes::build::{LIMIT, body, in_domain, mosaic};
 use tilesat_judge::shapes::contact::Expected;

@@ -1,6 +1,9 @@
 //! The same solid from different sources gives the same contacts and nearest points, bit for bit: a tile and a polygon, a map and its two halves.
 
-use tilesat::{Aabb, Circle, Fx, Joined, Near, OneWay, Outside, Path, PathKind, SegmentMap, Vec2, WorldContact};
+use tilesat::{
+    Aabb, Circle, Fx, Joined, Outside, Path, PathKind, SegmentMap, Vec2,
+    world::{Near, OneWay, WorldContact},
+};
 use tilesat_judge::shapes::build::{LIMIT, body, in_domain, mosaic};
 use tilesat_judge::shapes::judge::{Body, Judge};
 use tilesat_judge::shapes::level::{Level, shape};

@@ -1,7 +1,10 @@
 //! The surface of a level: every neighbourhood, regions, joints, and that it is the border of what `overlaps` calls solid.
 
 use std::collections::BTreeSet;
-use tilesat::{Aabb, Axis, Circle, Feature, Fx, Geometry, Outside, TileMap, Vec2};
+use tilesat::{
+    Aabb, Axis, Circle, Fx, Outside, TileMap, Vec2,
+    world::{Feature, Geometry},
+};
 use tilesat_judge::blocks::build;
 use tilesat_judge::blocks::level::Level;
 use tilesat_judge::{Random, cases};

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 use tilesat::{
-    Aabb, Axis, Circle, Feature, Fx, Geometry, Grid, Inside, Joined, Mover, Outside, TileKind, TileKinds, TileMap,
-    Vec2, World,
+    Aabb, Axis, Circle, Fx, Grid, Inside, Joined, Mover, Outside, TileKind, TileKinds, TileMap, Vec2, World,
+    world::{Feature, Geometry},
 };
 use tilesat_judge::{Random, cases};
 

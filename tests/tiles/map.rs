@@ -4,7 +4,7 @@ use heapless::Vec;
 use tilesat::world::Set;
 use tilesat::{
     Aabb, AllShapes, Blocks, Cell, Circle, Fx, Grid, Outside, Quantity, Slopes, TileKind, TileKinds, TileMap,
-    TileMapError, TileShape, Truncated, Vec2,
+    TileMapError, TileShape, Vec2, error::Truncated,
 };
 use tilesat_judge::Random;
 use tilesat_judge::blocks::build::CELLS;

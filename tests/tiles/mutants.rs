@@ -1,9 +1,9 @@
 //! Levels, each by one scene that is told by hand: found as changes of the sources that no other test noticed.
 
 use tilesat::{
-    Aabb, AllShapes, Axis, Cell, Circle, Feature, Fx, Geometry, Grid, Inside, Joined, Mover, OneWay, Path, PathKind,
-    SegmentMap, SegmentMapError, Side, Solid, Solids, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2,
-    World,
+    Aabb, AllShapes, Axis, Cell, Circle, Fx, Grid, Inside, Joined, Mover, Path, PathKind, SegmentMap, SegmentMapError,
+    Side, Solid, Solids, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2, World,
+    world::{Feature, Geometry, OneWay},
 };
 
 static BLOCKS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use tilesat::world::Set;
-use tilesat::{Aabb, AllShapes, Blocks, Bytes, Cell, Outside, Slopes, TileKind, TileMap, Vec2};
+use tilesat::{Aabb, AllShapes, Blocks, Cell, Outside, Slopes, TileKind, TileMap, Vec2, world::Bytes};
 use tilesat_judge::surface::mosaic::{KINDS, Mosaic, OUTSIDES};
 use tilesat_judge::surface::outline::construct;
 use tilesat_judge::surface::piece::{Kind, Piece};

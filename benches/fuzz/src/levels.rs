@@ -1,6 +1,8 @@
 //! Questions about levels: tiles and segments against judges that know the definitions alone.
 
-use tilesat::{Aabb, Circle, Fx, Grid, Inside, Outside, RayRules, SegmentMap, TileKind, TileKinds, TileMap, Vec2};
+use tilesat::{
+    Aabb, Circle, Fx, Grid, Inside, Outside, SegmentMap, TileKind, TileKinds, TileMap, Vec2, world::RayRules,
+};
 use tilesat_judge::Random;
 use tilesat_judge::blocks::ask as world_oracle;
 use tilesat_judge::rays::check as shape_rays;

@@ -176,7 +176,7 @@ pub(crate) fn segments(data: &[u8]) {
     let Some(mut body) = (0..30).map(|_| scene.body(&mut r)).find(free) else { return };
     let (lo, hi) = scene.bounds();
     let size = (hi.0 - lo.0).max(hi.1 - lo.1) as i64;
-    let response = [Response::Slide, Response::Bounce, Response::Cross][r.below(3) as usize];
+    let response = [Response::Slide, Response::Bounce, Response::DropThrough][r.below(3) as usize];
     let mover = Mover::platformer(Axis::NEG_Y).with_response(response);
     let mut tally = polygons::Tally::default();
     let mut v = (0, 0);

@@ -10,7 +10,7 @@ use tilesat_judge::shapes::level::Level;
 
 const FRAMES_A_BODY: u64 = 250;
 const BODIES_A_BATCH: u64 = 20;
-const RESPONSES: [Response; 4] = [Response::Slide, Response::Bounce, Response::Cross, Response::Touch];
+const RESPONSES: [Response; 4] = [Response::Slide, Response::Bounce, Response::DropThrough, Response::Touch];
 pub const UP: Axis = Axis::NEG_Y;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

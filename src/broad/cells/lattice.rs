@@ -29,7 +29,7 @@ pub struct At {
 /// Some cells of a row or of a column: from one to another, both included; none where they are in
 /// the wrong order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Run {
+pub(crate) struct CellRange {
     pub(in crate::broad) lo: i32,
     pub(in crate::broad) hi: i32,
 }
@@ -37,8 +37,8 @@ pub(crate) struct Run {
 /// Cells in a rectangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Window {
-    pub(in crate::broad) x: Run,
-    pub(in crate::broad) y: Run,
+    pub(in crate::broad) x: CellRange,
+    pub(in crate::broad) y: CellRange,
 }
 
 /// Whether a slot of the table has no body: then its box ends before it begins.
@@ -47,7 +47,7 @@ pub(in crate::broad) fn is_free(bounds: &Aabb) -> bool {
     bounds.hi().x < bounds.lo().x
 }
 
-impl Run {
+impl CellRange {
     /// The part in common.
     pub(in crate::broad) fn and(self, other: Self) -> Self {
         Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
@@ -72,7 +72,7 @@ impl Run {
 impl Window {
     /// Of one cell.
     pub(in crate::broad) fn of(at: At) -> Self {
-        let one = |v| Run { lo: v, hi: v };
+        let one = |v| CellRange { lo: v, hi: v };
         Self { x: one(at.x), y: one(at.y) }
     }
 
@@ -143,7 +143,7 @@ impl Lattice {
     pub(in crate::broad) fn window(&self, lo: Raw, hi: Raw) -> Window {
         let inside = |v: Raw| Raw { x: v.x.clamp(-DOMAIN, DOMAIN), y: v.y.clamp(-DOMAIN, DOMAIN) };
         let (lo, hi) = (self.before(inside(lo)), self.behind(inside(hi)));
-        let run = |lo, hi| Run { lo: lo >> self.log(), hi: hi >> self.log() };
+        let run = |lo, hi| CellRange { lo: lo >> self.log(), hi: hi >> self.log() };
         Window { x: run(lo.x, hi.x), y: run(lo.y, hi.y) }
     }
 
@@ -197,7 +197,7 @@ impl Rows {
     /// The cells of a window of the grid that are not empty: one look at 32 of them.
     #[inline]
     pub(in crate::broad) fn occupied(self, words: &[u32], window: &Window, mut each: impl FnMut(usize)) {
-        let Window { x: Run { lo, hi }, y } = *window;
+        let Window { x: CellRange { lo, hi }, y } = *window;
         if lo > hi {
             return;
         }
@@ -228,9 +228,9 @@ impl Rows {
 ///  2 2 2
 /// ```
 pub(in crate::broad) fn ring(centre: At, r: i32) -> [Window; 4] {
-    let (x, y) = (Run { lo: centre.x - r, hi: centre.x + r }, Run { lo: centre.y - r, hi: centre.y + r });
-    let one = |v| Run { lo: v, hi: v };
-    let between = Run { lo: y.lo + 1, hi: y.hi - 1 };
+    let (x, y) = (CellRange { lo: centre.x - r, hi: centre.x + r }, CellRange { lo: centre.y - r, hi: centre.y + r });
+    let one = |v| CellRange { lo: v, hi: v };
+    let between = CellRange { lo: y.lo + 1, hi: y.hi - 1 };
     let below = if r == 0 { between } else { one(y.hi) };
     [
         Window { x, y: one(y.lo) },
@@ -242,7 +242,7 @@ pub(in crate::broad) fn ring(centre: At, r: i32) -> [Window; 4] {
 
 /// The number of the last ring that has a cell of a window; the centre is in it.
 pub(in crate::broad) fn last_ring(centre: At, window: &Window) -> i32 {
-    let far = |run: Run, at: i32| (at - run.lo).max(run.hi - at);
+    let far = |run: CellRange, at: i32| (at - run.lo).max(run.hi - at);
     far(window.x, centre.x).max(far(window.y, centre.y))
 }
 
@@ -311,13 +311,13 @@ impl Edges {
     }
 
     /// The cells near a part of the way: from `i` to `i + 1`, of 2^log.
-    fn part(&mut self, i: u32, log: u32, log_cell: u32) -> Run {
+    fn part(&mut self, i: u32, log: u32, log_cell: u32) -> CellRange {
         // Rounded down, and all of it in the end. The rest is below 2^log.
         let (i, rest) = (i + 1, self.motion as u32 & ((1 << log) - 1));
         let end = (self.motion >> log).wrapping_mul(i as i32).wrapping_add(((rest * i) >> log) as i32);
         let (from, to) = if end < self.at { (end, self.at) } else { (self.at, end) };
         self.at = end;
-        Run { lo: self.lo.wrapping_add(from) >> log_cell, hi: self.hi.wrapping_add(to) >> log_cell }
+        CellRange { lo: self.lo.wrapping_add(from) >> log_cell, hi: self.hi.wrapping_add(to) >> log_cell }
     }
 }
 
@@ -338,16 +338,16 @@ fn log_parts(lattice: &Lattice, motion: Raw) -> u32 {
 /// The cells of a window that the one before did not have: whole rows, and the rest of the other
 /// rows.
 fn fresh(now: Window, before: Option<Window>) -> [Window; 2] {
-    const NONE: Run = Run { lo: 0, hi: -1 };
+    const NONE: CellRange = CellRange { lo: 0, hi: -1 };
     let Some(before) = before else { return [now, Window { x: NONE, y: NONE }] };
     [Window { x: now.x, y: beyond(now.y, before.y) }, Window { x: beyond(now.x, before.x), y: now.y.and(before.y) }]
 }
 
 /// The part of a run that another has not, which is at one of its sides.
-fn beyond(now: Run, before: Run) -> Run {
+fn beyond(now: CellRange, before: CellRange) -> CellRange {
     if now.hi > before.hi {
-        Run { lo: now.lo.max(before.hi + 1), hi: now.hi }
+        CellRange { lo: now.lo.max(before.hi + 1), hi: now.hi }
     } else {
-        Run { lo: now.lo, hi: now.hi.min(before.lo - 1) }
+        CellRange { lo: now.lo, hi: now.hi.min(before.lo - 1) }
     }
 }

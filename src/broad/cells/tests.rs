@@ -158,12 +158,12 @@ fn all_that_is_on_a_way_or_near_a_point_comes_once() {
 }
 
 mod lattice {
-    use crate::broad::cells::lattice::{Run, Window};
+    use crate::broad::cells::lattice::{CellRange, Window};
 
     /// More cells than a word can count are more than there are bodies.
     #[test]
     fn windows_are_counted_beyond_a_word() {
-        let run = |cells: i32| Run { lo: -3, hi: cells - 4 };
+        let run = |cells: i32| CellRange { lo: -3, hi: cells - 4 };
         let left = |w: i32, h: i32| Window { x: run(w), y: run(h) }.cells_of(8);
         assert_eq!((left(1 << 29, 8), left(8, 1 << 29), left(9, 1)), (None, None, None));
         assert_eq!((left(2, 3), left(8, 1), left(1, 8)), (Some(2), Some(0), Some(0)));

@@ -8,7 +8,7 @@ use crate::num::{DOMAIN, Raw, Vec2, check_motion, mul_div};
 /// and a position never feels it.
 ///
 /// ```
-/// use tilesat::{Acceleration, Carry, Vec2};
+/// use tilesat::{Vec2, motion::{Acceleration, Carry}};
 /// // A third of a raw unit a frame, downward: slow motion, or dust.
 /// const GRAVITY: Acceleration = Acceleration::new(Vec2::from_raw(0, 100), 300).unwrap();
 /// let (mut v, mut carry) = (Vec2::ZERO, Carry::ZERO);
@@ -25,7 +25,7 @@ use crate::num::{DOMAIN, Raw, Vec2, check_motion, mul_div};
 ///
 /// ```
 /// # use tilesat::prelude::*;
-/// # use tilesat::{Aabb, Acceleration, Axis, Carry, Mover, TileKind, TileKinds, TileMap, Vec2};
+/// # use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Vec2, motion::{Acceleration, Carry}};
 /// # const GRAVITY: Acceleration = Acceleration::new(Vec2::from_raw(0, 100), 300).unwrap();
 /// # static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 /// # let map = TileMap::from_ascii("    \n####\n", &KINDS)?;

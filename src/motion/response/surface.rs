@@ -16,7 +16,7 @@ use crate::num::{
 /// ```
 ///
 /// - **Restitution** acts in [`Response::Bounce`](crate::motion::Response::Bounce): 0 stops at the surface, 1 loses nothing.
-/// - **Friction** (Coulomb's) acts in `Bounce`, `Slide` and `Cross`: a body rests on a slope whose tangent is at most the friction, exactly and for
+/// - **Friction** (Coulomb's) acts in `Bounce`, `Slide` and `DropThrough`: a body rests on a slope whose tangent is at most the friction, exactly and for
 ///   ever, and slides down a steeper one.
 /// - **Rest**: a bounce slower than [`resting_below`](Self::resting_below) is a slide, or gravity would keep a body humming. Zero by default.
 /// - **Speed**: with a [`Speed`], bounces at restitution 1 do not lose what rounding takes, and do not gain.
@@ -183,7 +183,7 @@ impl law::Law for Surface {
 /// - Under gravity, [`Energy::speed`](super::Energy::speed) says what it is at each place.
 ///
 /// ```
-/// use tilesat::{Axis, Speed, Vec2};
+/// use tilesat::{Axis, Vec2, motion::Speed};
 /// let mut v = Vec2::from_raw(70_001, 12_345);
 /// let speed = Speed::of(v);
 /// for k in 1..1000 {
@@ -256,7 +256,7 @@ const FASTEST: u64 = (DOMAIN as u64 - 1) * (DOMAIN as u64 - 1);
 /// the bounce. A ball on one flat floor comes out as even without this; it is for valleys, boxes and tables, where the errors would grow.
 ///
 /// ```
-/// use tilesat::{Energy, Mover, Response, Surface, Vec2};
+/// use tilesat::{Mover, Response, Surface, Vec2, motion::Energy};
 /// # use tilesat::{AllShapes, Circle, Fx, TileKind, TileKinds, TileMap, TileShape};
 /// # static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL)
 /// #     .with(b'/', TileKind::of(TileShape::SlopeBottomRight)).with(b'L', TileKind::of(TileShape::SlopeBottomLeft));

@@ -13,7 +13,7 @@ mod shove;
 
 use crate::error::{Quantity, RangeError};
 use crate::motion::body::Body;
-use crate::motion::plane::Side;
+use crate::motion::plane::SurfaceRole;
 use crate::motion::response::Law;
 use crate::motion::walk::CONTACT;
 use crate::motion::{MoveError, Mover, Work};
@@ -21,7 +21,7 @@ use crate::num::{Axis, Fx, MOTION, Raw, Vec2, usqr};
 use crate::query::meet;
 use crate::world::{Solid, World};
 use push::Pushes;
-use shove::{Room, Shove};
+use shove::{Clearance, Shove};
 
 /// What the solids' motions of one tick do to a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -123,7 +123,7 @@ impl<S: Law> Mover<S> {
     /// be taken out of the domain, or a way comes to more than [`Mover::CELLS`] cells; [`MoveError::Stuck`] where it is to be moved and overlaps the level already.
     ///
     /// ```
-    /// use tilesat::{Aabb, Axis, Fx, Mover, Ride, Solid, TileKind, TileKinds, TileMap, Vec2};
+    /// use tilesat::{Aabb, Axis, Fx, Mover, Solid, TileKind, TileKinds, TileMap, Vec2, motion::Ride};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
     /// let level = TileMap::from_ascii("####\n    \n    \n    ", &KINDS)?; // a ceiling, down to y = 16
     /// let boxed = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
@@ -143,6 +143,7 @@ impl<S: Law> Mover<S> {
     /// assert_eq!(ridden.body, player);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias("platform velocity", "moving platform", "AnimatableBody2D"))]
     pub fn ride<W: World, B: Body>(
         &self,
         level: &W,
@@ -165,7 +166,8 @@ impl<S: Law> Mover<S> {
             carry: carry.vec2(),
             work: Work::default(),
         };
-        let mut pushes = Pushes { solids, body, passes_one_way: self.passes_one_way(), room: Room::ALL, press: None };
+        let mut pushes =
+            Pushes { solids, body, passes_one_way: self.passes_one_way(), room: Clearance::ALL, press: None };
         let mut d = carry;
         for _ in 0..Self::ROUNDS {
             let held = pushes.room.held();
@@ -257,13 +259,13 @@ impl<S: Law> Mover<S> {
         };
         let (from, to, start, end) = along;
         if !B::MEETS_CORNERS {
-            return gap == 0 && from < end && start < to && self.side(n) == Side::Floor;
+            return gap == 0 && from < end && start < to && self.side(n) == SurfaceRole::Floor;
         }
         // How far the centre is beyond the nearer end of the side; 0 over the side itself.
         let middle = from + (to - from) / 2;
         let beyond = (start - middle).max(middle - end).max(0);
         if beyond == 0 || solid.one_way().is_some() {
-            return beyond == 0 && gap == 0 && self.side(n) == Side::Floor;
+            return beyond == 0 && gap == 0 && self.side(n) == SurfaceRole::Floor;
         }
         let radius = (to - from) / 2;
         let (above, reach) = (gap + radius, radius + CONTACT);
@@ -273,7 +275,7 @@ impl<S: Law> Mover<S> {
         let aside = if middle < start { beyond.wrapping_neg() } else { beyond };
         let normal = if n.x == 0 { Axis::new(aside, n.y * above) } else { Axis::new(n.x * above, aside) };
         let square = |v: i32| usqr(v.unsigned_abs());
-        square(above) + square(beyond) <= square(reach) && self.side(normal) == Side::Floor
+        square(above) + square(beyond) <= square(reach) && self.side(normal) == SurfaceRole::Floor
     }
 }
 

@@ -1,6 +1,6 @@
 //! What the solids say about one displacement of a body.
 
-use super::shove::{Room, out_of};
+use super::shove::{Clearance, out_of};
 use crate::motion::body::{Body, Entry};
 use crate::num::{Axis, Raw, div_sqrt, mul_div_wide};
 use crate::query::meet;
@@ -47,7 +47,7 @@ pub(super) struct Pushes<'a, B> {
     pub(super) solids: &'a [Solid],
     pub(super) body: &'a B,
     pub(super) passes_one_way: bool,
-    pub(super) room: Room,
+    pub(super) room: Clearance,
     pub(super) press: Option<Press>,
 }
 
@@ -145,7 +145,7 @@ fn way_out(solid: &Solid, lo: Raw, hi: Raw) -> Axis {
 }
 
 /// What takes a body off a corner after the rest of its motion: along the normal, or along one axis where the room ends on the other.
-fn off(rest: Raw, made: Raw, n: Axis, room: &Room) -> Raw {
+fn off(rest: Raw, made: Raw, n: Axis, room: &Clearance) -> Raw {
     let into = n.dot(Axis::new(rest.x, rest.y));
     if into >= 0 {
         return Raw { x: 0, y: 0 };
@@ -192,7 +192,7 @@ impl Shift {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, Raw, Room, off};
+    use super::{Axis, Clearance, Raw, off};
 
     /// Where there is no room along one axis, a corner of 45 degrees is left along the other one, by both parts of what is in it.
     #[test]
@@ -200,14 +200,14 @@ mod tests {
         for (x, y) in [(1, 1), (-1, 1), (1, -1), (-1, -1)] {
             let (n, made) = (Axis::new(x, y), Raw { x: 40 * x, y: 7 * y });
             let rest = Raw { x: -30 * x, y: -20 * y };
-            let mut wall = Room::ALL;
+            let mut wall = Clearance::ALL;
             if x > 0 {
                 wall.hi.x = made.x;
             } else {
                 wall.lo.x = made.x;
             }
             assert_eq!(off(rest, made, n, &wall), Raw { x: 0, y: 50 * y });
-            let mut floor = Room::ALL;
+            let mut floor = Clearance::ALL;
             if y > 0 {
                 floor.hi.y = made.y;
             } else {

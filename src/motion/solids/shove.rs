@@ -12,12 +12,12 @@ use crate::world::{Solid, World};
 ///
 /// They only ever shrink, by a maximum and a minimum, so it does not matter which solid is asked first.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Room {
+pub(super) struct Clearance {
     pub(super) lo: Raw,
     pub(super) hi: Raw,
 }
 
-impl Room {
+impl Clearance {
     const FAR: i32 = MOTION - 1;
 
     pub(super) const ALL: Self =

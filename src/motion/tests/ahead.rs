@@ -5,7 +5,7 @@ use super::{Entry, Kernel, Raw, Vec2, vec2};
 use crate::num::Fx;
 use crate::shape::{Aabb, Circle};
 use crate::world::{AllShapes, Feature, Grid, Outside, Set, Slopes, TileKind, TileKinds, TileMap, TileShape};
-use crate::world::{Way, World};
+use crate::world::{MotionPiece, World};
 use tilesat_judge::Random;
 
 const SIDE: i32 = 6;
@@ -30,7 +30,7 @@ fn agree<S: Set, B: Kernel>(map: &TileMap<'_, S>, body: &B, d: Raw, hits: &mut u
     }
     let bounds = body.bounds();
     let whole = hull(&bounds, d, 1);
-    let way = Way { piece: &whole, cells: None, before: None, whole, d, joints: body.meets_joints() };
+    let way = MotionPiece { piece: &whole, cells: None, before: None, whole, d, joints: body.meets_joints() };
     let (found, wanted) = (first(body, d, map.features_ahead(&way)), first(body, d, World::features(map, &whole)));
     *hits += u32::from(wanted.is_some());
     match (found, wanted) {

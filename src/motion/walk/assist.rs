@@ -3,7 +3,7 @@
 use super::ground::{Ground, Look, along, within};
 use super::walker::checked;
 use crate::error::Quantity;
-use crate::motion::plane::{Side, into, way};
+use crate::motion::plane::{SurfaceRole, into, way};
 use crate::motion::response::Law;
 use crate::motion::run::Run;
 use crate::motion::search::{Around, check_cells};
@@ -60,7 +60,7 @@ impl<S: Law> Mover<S> {
         let hit = run.look(world, d)?;
         let normal = hit.entry.normal;
         let straight = hit.entry.step.is_none() && (normal.x == 0 || normal.y == 0);
-        if !straight || (self.up.is_some() && self.side(normal) == Side::Floor) {
+        if !straight || (self.up.is_some() && self.side(normal) == SurfaceRole::Floor) {
             return None;
         }
         let mut best = None;

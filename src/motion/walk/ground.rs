@@ -3,7 +3,7 @@
 use crate::error::RangeError;
 use crate::motion::body::{Body, Entry};
 use crate::motion::order::First;
-use crate::motion::plane::{NEAR, Side, may_be_askew};
+use crate::motion::plane::{NEAR, SurfaceRole, may_be_askew};
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
 use crate::motion::ways::{Way, Ways};
@@ -141,7 +141,7 @@ impl<B: Body> Look for Run<'_, B> {
             }
             let entry = if W::BLOCKS { body.sweep_block(d, &feature) } else { body.sweep(d, &feature) };
             match entry {
-                Some(entry) if mover.side(entry.normal) == Side::Floor => first.add::<B, W>(&entry, &feature, d),
+                Some(entry) if mover.side(entry.normal) == SurfaceRole::Floor => first.add::<B, W>(&entry, &feature, d),
                 _ => {}
             }
         }
@@ -169,7 +169,7 @@ impl Mover {
     /// The ground as a support, where it is floor.
     pub(super) fn support(&self, ground: &Ground) -> Option<Support> {
         let normal = ground.entry.normal;
-        (self.side(normal) == Side::Floor).then(|| Support::of(normal, &ground.feature))
+        (self.side(normal) == SurfaceRole::Floor).then(|| Support::of(normal, &ground.feature))
     }
 }
 

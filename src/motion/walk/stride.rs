@@ -5,10 +5,10 @@ use super::ground::{CONTACT, Ground, Look, along, within};
 use super::walker::{SlopeSpeed, Walked, Walker, length};
 use crate::motion::body::{Body, kernel::Kernel};
 use crate::motion::plane::{
-    NEAR, Pipe, Side, across, into, lies_along, may_be_askew, project, tangent, tangential, way,
+    NEAR, Pipe, SurfaceRole, across, into, lies_along, may_be_askew, project, tangent, tangential, way,
 };
 use crate::motion::response::Smooth;
-use crate::motion::run::{Place, Run, check_inside};
+use crate::motion::run::{Checkpoint, Run, check_inside};
 use crate::motion::search::hull;
 use crate::motion::ways::{Way, Ways};
 use crate::motion::{MoveError, Mover};
@@ -31,9 +31,9 @@ pub(super) struct Stride<'a, W, B> {
     /// What the step leads to that was climbed last.
     pub(super) climbed: Option<Support>,
     /// Where the leg ended that was taken back to where the ground bends.
-    ahead: Option<Place<B>>,
+    ahead: Option<Checkpoint<B>>,
     /// Where the last leg began, of a chord the leg that led to it.
-    before: Place<B>,
+    before: Checkpoint<B>,
     /// Whether it just comes down on level ground.
     lands: bool,
 }
@@ -146,7 +146,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         let on_chord = W::ROUND && self.run.on_chord;
         (self.run.after, self.run.on_chord) = (Toi::ZERO, false);
         match side {
-            Side::Floor => {
+            SurfaceRole::Floor => {
                 if let Some(ahead) = self.ahead.take().filter(|_| way(made) <= NEAR) {
                     // It was no bend but a ledge.
                     self.run.put_back(ahead);
@@ -159,7 +159,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
                 }
                 true
             }
-            Side::Wall if self.climb() => true,
+            SurfaceRole::Wall if self.climb() => true,
             _ if self.squeeze() => true,
             _ => {
                 // What is blocked at once does not creep along by roundings.
@@ -206,7 +206,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         let mut ways = Ways::none();
         ways.read::<W, B>(self.world, body, (self.forward(self.speed), self.run.rest), None, passes);
         ways.bind::<W, B>(self.world, body, passes);
-        let is_floor = |way: &&Way| way.along.is_none_or(|p| self.walker.mover.side(p.normal) == Side::Floor);
+        let is_floor = |way: &&Way| way.along.is_none_or(|p| self.walker.mover.side(p.normal) == SurfaceRole::Floor);
         if let Some(way) = ways.iter().filter(is_floor).find(|way| way.is_free()) {
             return On::Free(way.along.map_or(self.up, |plane| plane.normal));
         }
@@ -241,7 +241,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
     fn leave_chord(&mut self, ground: Option<&Ground>) -> bool {
         (self.run.rest, self.run.after, self.run.on_chord) = (self.run.after, Toi::ZERO, false);
         let Some(ground) = ground else { return false };
-        if self.walker.mover.side(ground.entry.normal) == Side::Floor {
+        if self.walker.mover.side(ground.entry.normal) == SurfaceRole::Floor {
             self.floor = ground.entry.normal;
             return self.run.rest != Toi::ZERO;
         }
@@ -263,7 +263,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         let Some(ground) = ground else { return false };
         let (drop, n) = (ground.drop(), ground.entry.normal);
         let (depth, away) = (n.dot(Axis::new(drop.x, drop.y)).wrapping_neg(), n.dot(Axis::new(d.x, d.y)));
-        if way(drop) <= NEAR || depth <= 0 || away <= 0 || self.walker.mover.side(n) != Side::Floor {
+        if way(drop) <= NEAR || depth <= 0 || away <= 0 || self.walker.mover.side(n) != SurfaceRole::Floor {
             return false;
         }
         // Two raw units beyond it: before it the new floor's direction would lead into the old one.

@@ -37,6 +37,7 @@ pub enum SlopeSpeed {
 ///
 /// Plain data: a copy is a snapshot.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[doc(alias("character controller", "ground snapping"))]
 pub struct Walker {
     pub(crate) mover: Mover,
     pub(crate) snap: i32,
@@ -83,6 +84,7 @@ impl Walker {
     ///
     /// # Errors
     /// [`RangeError`] where the length is negative or not below 2^28 raw.
+    #[doc(alias("floor_snap_length", "snap_to_ground"))]
     pub const fn with_snap(self, length: Fx) -> Result<Self, RangeError> {
         match checked(length, Quantity::Snap) {
             Ok(snap) => Ok(Self { snap, ..self }),
@@ -94,6 +96,7 @@ impl Walker {
     ///
     /// # Errors
     /// [`RangeError`] where the height is negative or not below 2^28 raw.
+    #[doc(alias("autostep", "stair stepping"))]
     pub const fn with_step(self, height: Fx) -> Result<Self, RangeError> {
         match checked(height, Quantity::StepHeight) {
             Ok(step) => Ok(Self { step, ..self }),

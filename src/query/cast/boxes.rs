@@ -7,7 +7,7 @@ use crate::shape::{Aabb, Circle};
 
 /// A straight side along x or y, met after `gap / speed` of the motion: `gap <= speed`, below 2^30.
 #[derive(Clone, Copy, Debug)]
-pub struct Side {
+pub struct SideMoment {
     pub(super) gap: u32,
     pub(super) speed: u32,
     /// A unit axis, against the motion.
@@ -56,7 +56,7 @@ impl Span {
 /// Before a motion boxes overlap where they are within both spans; then no motion leaves one
 /// without a part of it inside.
 #[inline(always)]
-pub(super) fn enter_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Course<Side> {
+pub(super) fn enter_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Course<SideMoment> {
     let (x, y) = (Span::new(alo.x, ahi.x, blo.x, bhi.x, d.x), Span::new(alo.y, ahi.y, blo.y, bhi.y, d.y));
     if !x.passes() || !y.passes() {
         Course::Free
@@ -70,7 +70,7 @@ pub(super) fn enter_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Cours
 /// The side through which the box `alo..ahi` that moves by `d` starts to overlap the box
 /// `blo..bhi`, where it does not overlap already.
 #[inline]
-pub(super) fn meet_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Option<Side> {
+pub(super) fn meet_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Option<SideMoment> {
     let (x, y) = (Span::new(alo.x, ahi.x, blo.x, bhi.x, d.x), Span::new(alo.y, ahi.y, blo.y, bhi.y, d.y));
     if x.passes() && y.passes() { later(x, y, d) } else { None }
 }
@@ -81,7 +81,7 @@ pub(super) fn meet_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Option
 /// earlier exit. Of two entries at one moment, corner to corner, the one that opposes the motion
 /// more, x on a tie.
 #[inline(always)]
-fn later(x: Span, y: Span, d: Raw) -> Option<Side> {
+fn later(x: Span, y: Span, d: Raw) -> Option<SideMoment> {
     let x_later = if x.gap < 0 {
         false
     } else if y.gap < 0 {
@@ -95,10 +95,10 @@ fn later(x: Span, y: Span, d: Raw) -> Option<Side> {
     } else {
         (y, x, Axis::new(0, if d.y < 0 { 1 } else { -1 }))
     };
-    other.outlasts(first).then_some(Side { gap: first.gap as u32, speed: first.speed as u32, axis })
+    other.outlasts(first).then_some(SideMoment { gap: first.gap as u32, speed: first.speed as u32, axis })
 }
 
-impl Moment for Side {
+impl Moment for SideMoment {
     #[inline]
     fn exact_toi(&self, _: Raw) -> Toi {
         Toi::exact(if self.gap == 0 { 0 } else { fraction(self.gap, self.speed) })
@@ -119,7 +119,7 @@ impl Moment for Side {
     }
 }
 
-impl Side {
+impl SideMoment {
     /// `d * gap / speed`, rounded toward zero.
     ///
     /// The product with the floored time is that or one less, since |d| is below 2^30: the
@@ -141,21 +141,21 @@ const fn with_sign(size: i32, of: i32) -> i32 {
 #[derive(Clone, Copy, Debug)]
 pub enum Rounded {
     /// A straight side, the box's own moved out by the radius.
-    Side(Side),
+    Side(SideMoment),
     /// The disc around a corner.
     Corner(Disc),
 }
 
 /// The only part of a rounded box that a motion can come in through.
 #[derive(Clone, Copy)]
-pub(super) enum Gate {
+pub(super) enum BoxGate {
     /// A side, which it does come through.
-    Side(Side),
+    Side(SideMoment),
     /// The disc around a corner.
     Corner(Raw),
 }
 
-impl Gate {
+impl BoxGate {
     /// The part of it that a circle meets when it moves by `d`.
     #[inline]
     pub(super) fn enter(self, circle: &Circle, d: Raw) -> Option<Rounded> {
@@ -178,7 +178,7 @@ impl Gate {
 /// Where a circle that moves by `d` can start to overlap a box that it does not overlap already. A
 /// separate call: its stack is free again when a disc is tested.
 #[inline(never)]
-pub(super) fn gate(circle: &Circle, b: &Aabb, d: Raw) -> Option<Gate> {
+pub(super) fn gate(circle: &Circle, b: &Aabb, d: Raw) -> Option<BoxGate> {
     gate_here(circle, b, d)
 }
 
@@ -197,7 +197,7 @@ pub(super) fn gate(circle: &Circle, b: &Aabb, d: Raw) -> Option<Gate> {
 ///       `-------------'
 /// ```
 #[inline(always)]
-pub(super) fn gate_here(circle: &Circle, b: &Aabb, d: Raw) -> Option<Gate> {
+pub(super) fn gate_here(circle: &Circle, b: &Aabb, d: Raw) -> Option<BoxGate> {
     let (c, r, lo, hi) = (circle.c(), circle.r(), b.lo(), b.hi());
     let (far_lo, far_hi) = grown(lo, hi, r);
     let within = c.x > far_lo.x && c.x < far_hi.x && c.y > far_lo.y && c.y < far_hi.y;
@@ -208,11 +208,11 @@ pub(super) fn gate_here(circle: &Circle, b: &Aabb, d: Raw) -> Option<Gate> {
         // A circle of no radius has no corners to meet: its grown box is the box, and that is open.
         let beyond = if r == 0 { 0 } else { side.beyond(c, lo, hi, d) };
         if beyond == 0 {
-            return Some(Gate::Side(side));
+            return Some(BoxGate::Side(side));
         }
         side.corner(lo, hi, beyond)
     };
-    Some(Gate::Corner(corner))
+    Some(BoxGate::Corner(corner))
 }
 
 /// A box with its sides moved out, by a length below 2^29.
@@ -221,7 +221,7 @@ pub(super) const fn grown(lo: Raw, hi: Raw, by: i32) -> (Raw, Raw) {
     (lo.sub(by), hi.add(by))
 }
 
-impl Side {
+impl SideMoment {
     /// On which side of the box the point `c` is, along this side, when it meets it: -1, 0 (ends
     /// included), 1.
     ///

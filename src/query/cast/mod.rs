@@ -10,10 +10,10 @@ use super::Overlaps;
 use crate::error::RangeError;
 use crate::num::{MOTION, Raw, Toi, Vec2, check_motion, mul_div};
 use crate::shape::{Aabb, Circle, Segment};
-use boxes::{Rounded, Side, enter_box};
+use boxes::{Rounded, SideMoment, enter_box};
 use kernel::{Course, Enter, Exchanged, InDomain, Moment};
 use moment::{Disc, enter_disc, hit_disc};
-use segments::{Capsule, Edge, enter_crossing, enter_segment};
+use segments::{Capsule, EdgeMoment, enter_crossing, enter_segment};
 
 // Where motion finds these.
 pub(crate) use moment as crossing;
@@ -251,7 +251,7 @@ fn unless<M>(overlap: bool, enter: impl FnOnce() -> Option<M>) -> Course<M> {
 casts!(
     Aabb,
     Aabb,
-    Side,
+    SideMoment,
     |a, b, d| enter_box(a.lo(), a.hi(), b.lo(), b.hi(), d),
     #[inline]
     enter_box(a.lo(), a.hi(), b.lo(), b.hi(), d).map(|_| ())
@@ -264,7 +264,7 @@ casts!(
     #[inline(never)]
     hit_disc(a.c(), b.c(), a.r().wrapping_add(b.r()), d)
 );
-casts!(Segment, Segment, Edge, |a, b, d| enter_crossing((a.ra(), a.rb()), (b.ra(), b.rb()), d));
+casts!(Segment, Segment, EdgeMoment, |a, b, d| enter_crossing((a.ra(), a.rb()), (b.ra(), b.rb()), d));
 casts_both!(
     Circle,
     Aabb,
@@ -281,9 +281,9 @@ casts_both!(
     #[inline(never)]
     unless(a.overlaps(b), || segments::gate(a, b, d)?.hits(a, d).then_some(()))
 );
-casts_both!(Aabb, Segment, Edge, |a, b, d| enter_segment(a.lo(), a.hi(), b.ra(), b.rb(), d));
+casts_both!(Aabb, Segment, EdgeMoment, |a, b, d| enter_segment(a.lo(), a.hi(), b.ra(), b.rb(), d));
 // A point is a box or a circle of no size.
-casts!(Vec2, Aabb, Side, |p, b, d| enter_box(Raw::of(*p), Raw::of(*p), b.lo(), b.hi(), d));
+casts!(Vec2, Aabb, SideMoment, |p, b, d| enter_box(Raw::of(*p), Raw::of(*p), b.lo(), b.hi(), d));
 casts!(
     Vec2,
     Circle,

@@ -1,10 +1,10 @@
 //! Rays against single shapes: the closed counterpart of casts.
 
-use super::boxes::Side;
+use super::boxes::SideMoment;
 use super::kernel::{CastHit, Inside};
 use super::kernel::{InDomain, Moment};
 use super::moment::{Crossing, direction};
-use super::segments::Edge;
+use super::segments::EdgeMoment;
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, imul, mul_div};
 use crate::query::meet;
@@ -143,7 +143,7 @@ fn reached(moment: &impl Moment, d: Raw) -> CastHit {
 
 /// The side of a closed box that a ray meets. Both are met at a corner only: by their order it is
 /// the x one.
-fn meet_side(o: Raw, d: Raw, lo: Raw, hi: Raw) -> Option<Side> {
+fn meet_side(o: Raw, d: Raw, lo: Raw, hi: Raw) -> Option<SideMoment> {
     let (x, y) = (Line { o: o.x, d: d.x, lo: lo.x, hi: hi.x }, Line { o: o.y, d: d.y, lo: lo.y, hi: hi.y });
     x.met(&y, Axis::new(1, 0)).or_else(|| y.met(&x, Axis::new(0, 1)))
 }
@@ -158,7 +158,7 @@ struct Line {
 
 impl Line {
     /// The side across this component, if the ray meets it between its ends.
-    fn met(&self, across: &Self, axis: Axis) -> Option<Side> {
+    fn met(&self, across: &Self, axis: Axis) -> Option<SideMoment> {
         let (gap, speed) = if self.d < 0 {
             (self.o.wrapping_sub(self.hi), self.d.wrapping_neg())
         } else {
@@ -173,7 +173,7 @@ impl Line {
             across.holds(gap, speed)
         };
         let axis = if self.d < 0 { axis } else { axis.reversed() };
-        meets.then_some(Side { gap: gap as u32, speed: speed as u32, axis })
+        meets.then_some(SideMoment { gap: gap as u32, speed: speed as u32, axis })
     }
 
     /// Whether the ray is between the ends at `num / den`: differences and motions below 2^30 give
@@ -229,5 +229,5 @@ fn meet_slope(o: Raw, d: Raw, a: Raw, b: Raw) -> Option<CastHit> {
     }
     let left = Axis::new(e.y.wrapping_neg(), e.x);
     let axis = if rises { left.reversed() } else { left };
-    Some(reached(&Edge { gap: gap as u64, speed: speed as u64, axis }, d))
+    Some(reached(&EdgeMoment { gap: gap as u64, speed: speed as u64, axis }, d))
 }

@@ -13,7 +13,7 @@ use core::cmp::Ordering;
 /// A straight side of any direction, met after `gap / speed` of the motion: `gap <= speed`, both
 /// below 2^62.
 #[derive(Clone, Copy, Debug)]
-pub struct Edge {
+pub struct EdgeMoment {
     pub(in crate::query) gap: u64,
     pub(in crate::query) speed: u64,
     /// Of the length that gap and speed are multiples of.
@@ -51,21 +51,21 @@ impl Strip {
     }
 
     /// Whether the strip is left after an entry; no product where the motion ends first.
-    fn outlasts(&self, entry: &Edge) -> bool {
+    fn outlasts(&self, entry: &EdgeMoment) -> bool {
         self.leave >= self.speed || less128(mul64(entry.gap, self.speed as u64), mul64(self.leave as u64, entry.speed))
     }
 }
 
 /// The latest entry into strips, if it comes before the earliest exit from one of them; inside
 /// where none is left to enter.
-fn enter<const N: usize>(strips: [Strip; N]) -> Course<Edge> {
-    let mut latest: Option<Edge> = None;
+fn enter<const N: usize>(strips: [Strip; N]) -> Course<EdgeMoment> {
+    let mut latest: Option<EdgeMoment> = None;
     for strip in &strips {
         if !strip.passes() {
             return Course::Free;
         }
         if strip.gap >= 0 {
-            let entry = Edge { gap: strip.gap as u64, speed: strip.speed as u64, axis: strip.axis };
+            let entry = EdgeMoment { gap: strip.gap as u64, speed: strip.speed as u64, axis: strip.axis };
             latest = Some(latest.map_or(entry, |other| other.later(entry)));
         }
     }
@@ -73,7 +73,7 @@ fn enter<const N: usize>(strips: [Strip; N]) -> Course<Edge> {
     if strips.iter().all(|strip| strip.outlasts(&entry)) { Course::Meets(entry) } else { Course::Free }
 }
 
-impl Edge {
+impl EdgeMoment {
     /// Of two entries the later one; at one moment the one that opposes the motion more, then the one more along x, then the one that is
     /// on a definite side of the motion, which exchanging the shapes does not change.
     pub(in crate::query) fn later(self, b: Self) -> Self {
@@ -112,7 +112,7 @@ impl Edge {
     }
 }
 
-impl Moment for Edge {
+impl Moment for EdgeMoment {
     fn exact_toi(&self, _: Raw) -> Toi {
         Toi::exact(mul_div_wide(self.gap, Toi::ONE.raw(), self.speed))
     }
@@ -134,7 +134,7 @@ impl Moment for Edge {
 /// Strips across x, y and the segment: products of differences below 2^30, so below 2^61, and
 /// speeds below 2^60.
 #[inline(never)]
-pub(super) fn enter_segment(lo: Raw, hi: Raw, a: Raw, b: Raw, d: Raw) -> Course<Edge> {
+pub(super) fn enter_segment(lo: Raw, hi: Raw, a: Raw, b: Raw, d: Raw) -> Course<EdgeMoment> {
     let ((slo, shi), e) = (corners(a, b), b.sub(a));
     let straight = |axis: Axis, lo: i32, hi: i32, slo: i32, shi: i32, d: i32| {
         Strip::new(axis, (i64::from(lo), i64::from(hi)), (i64::from(slo), i64::from(shi)), i64::from(d))
@@ -153,7 +153,7 @@ pub(super) fn enter_segment(lo: Raw, hi: Raw, a: Raw, b: Raw, d: Raw) -> Course<
 
 /// What the segment `a` that moves by `d` meets of the segment `b`: strips across both.
 #[inline(never)]
-pub(super) fn enter_crossing(a: (Raw, Raw), b: (Raw, Raw), d: Raw) -> Course<Edge> {
+pub(super) fn enter_crossing(a: (Raw, Raw), b: (Raw, Raw), d: Raw) -> Course<EdgeMoment> {
     let (e, f) = (a.1.sub(a.0), b.1.sub(b.0));
     let range = |e: Raw, from: Raw, of: (Raw, Raw)| {
         let (p, q) = (e.cross(of.0.sub(from)), e.cross(of.1.sub(from)));
@@ -190,14 +190,14 @@ pub struct Slope {
 }
 
 /// The only part of a capsule that a motion can come in through.
-pub(super) enum Gate {
+pub(super) enum CapsuleGate {
     /// A slanted side, which it does come through.
     Slope(Slope),
     /// A side or end as of a box.
-    Rounded(boxes::Gate),
+    Rounded(boxes::BoxGate),
 }
 
-impl Gate {
+impl CapsuleGate {
     /// The part of it that a circle meets when it moves by `d`.
     #[inline]
     pub(super) fn enter(self, circle: &Circle, d: Raw) -> Option<Capsule> {
@@ -222,14 +222,14 @@ impl Gate {
 ///
 /// A circle of radius zero overlaps no segment.
 #[inline]
-pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Option<Gate> {
+pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Option<CapsuleGate> {
     if circle.r() == 0 {
         return None;
     }
     let (a, b) = (s.ra(), s.rb());
     let (lo, hi) = corners(a, b);
     if a.x == b.x || a.y == b.y {
-        return boxes::gate(circle, &Aabb::from_raw_unchecked(lo, hi), d).map(Gate::Rounded);
+        return boxes::gate(circle, &Aabb::from_raw_unchecked(lo, hi), d).map(CapsuleGate::Rounded);
     }
     if !comes_near(circle, lo, hi, d) {
         return None;
@@ -237,7 +237,7 @@ pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Option<Gate> {
     // From the end that has the point on the outer side of its edge, as a face has it.
     let edge = if b.sub(a).cross(circle.c().sub(a)) > 0 { (b, a) } else { (a, b) };
     let slope = enter_strip(circle, edge, d)?;
-    let end = |end: Raw| Some(Gate::Rounded(boxes::Gate::Corner(end)));
+    let end = |end: Raw| Some(CapsuleGate::Rounded(boxes::BoxGate::Corner(end)));
     let (c, dir) = (circle.c(), slope.axis.perp());
     if slope.into == 0 {
         // It starts beyond an end, since it does not overlap the segment.
@@ -247,7 +247,7 @@ pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Option<Gate> {
     } else if !meets_beyond(c.sub(edge.1), d, dir, true, circle.r()) {
         end(edge.1)
     } else {
-        Some(Gate::Slope(slope))
+        Some(CapsuleGate::Slope(slope))
     }
 }
 

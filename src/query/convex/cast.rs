@@ -6,24 +6,24 @@
 
 use super::exit::over;
 use super::place::Place;
-use super::walk::{Core, Side, Walk};
+use super::walk::{Core, PolygonSide, SideWalk};
 use crate::num::{Axis, Raw, Toi, less128, mul64, umul};
 use crate::query::cast::kernel::{Course, Moment};
 use crate::query::cast::moment::{Disc, is_below, meet_disc, meets_beyond, reach};
-use crate::query::cast::segments::{Edge, Slope};
+use crate::query::cast::segments::{EdgeMoment, Slope};
 
 /// What of the sum a motion comes in through.
 #[derive(Clone, Copy, Debug)]
-pub enum Gate {
+pub enum ConvexGate {
     /// A straight side at a rational moment.
-    Edge(Edge),
+    Edge(EdgeMoment),
     /// A slanted side, moved out by the radii.
     Slope(Slope),
     /// The arc around a corner.
     Disc(Disc),
 }
 
-impl Moment for Gate {
+impl Moment for ConvexGate {
     fn exact_toi(&self, d: Raw) -> Toi {
         match self {
             Self::Edge(edge) => edge.exact_toi(d),
@@ -42,10 +42,10 @@ impl Moment for Gate {
 }
 
 /// What A meets of B when it moves by `d`, below 2^29 a component.
-pub(super) fn enter(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<Gate> {
+pub(super) fn enter(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<ConvexGate> {
     let radius = a.radius.wrapping_add(b.radius);
     if radius == 0 {
-        sharp(a, b, d).map(Gate::Edge)
+        sharp(a, b, d).map(ConvexGate::Edge)
     } else if Place::of(a, b).within::<false>(radius) {
         Course::Inside
     } else {
@@ -54,14 +54,14 @@ pub(super) fn enter(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<Gate> {
 }
 
 /// The direction out of B across a side of the sum, and how fast the origin comes in by it: below 2^61.
-const fn inward(side: &Side, d: Raw) -> (Axis, i64) {
+const fn inward(side: &PolygonSide, d: Raw) -> (Axis, i64) {
     (Axis::new(side.edge.y.wrapping_neg(), side.edge.x), d.cross(side.edge))
 }
 
-fn sharp(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<Edge> {
-    let (mut entry, mut exit): (Option<Edge>, Option<(u64, u64)>) = (None, None);
+fn sharp(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<EdgeMoment> {
+    let (mut entry, mut exit): (Option<EdgeMoment>, Option<(u64, u64)>) = (None, None);
     let mut has_area = false;
-    for side in Walk::new(a, b) {
+    for side in SideWalk::new(a, b) {
         has_area = true;
         let height = side.height();
         let (axis, speed) = inward(&side, d);
@@ -70,7 +70,7 @@ fn sharp(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<Edge> {
             if gap >= speed as u64 {
                 return Course::Free;
             }
-            let edge = Edge { gap, speed: speed as u64, axis };
+            let edge = EdgeMoment { gap, speed: speed as u64, axis };
             entry = Some(entry.map_or(edge, |other| other.later(edge)));
         } else if height <= 0 {
             return Course::Free;
@@ -96,8 +96,8 @@ fn sharp(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<Edge> {
 }
 
 /// Of shapes that do not overlap.
-fn rounded(a: Core<'_>, b: Core<'_>, radius: i32, d: Raw) -> Option<Gate> {
-    let walk = Walk::new(a, b);
+fn rounded(a: Core<'_>, b: Core<'_>, radius: i32, d: Raw) -> Option<ConvexGate> {
+    let walk = SideWalk::new(a, b);
     let mut first: Option<(Toi, Disc)> = None;
     let mut around = |m: Raw| {
         if let Some(disc) = meet_disc(m, radius, d) {
@@ -114,7 +114,7 @@ fn rounded(a: Core<'_>, b: Core<'_>, radius: i32, d: Raw) -> Option<Gate> {
         }
         around(side.from);
     }
-    first.map(|(_, disc)| Gate::Disc(disc))
+    first.map(|(_, disc)| ConvexGate::Disc(disc))
 }
 
 /// Of two discs, each with a lower bound of its moment that is early by less than a raw unit of way: exactly, where these do not tell.
@@ -124,7 +124,7 @@ fn is_earlier((s, a): (Toi, Disc), (t, b): (Toi, Disc), d: Raw) -> bool {
 }
 
 /// The side moved out by the radii, where the origin comes through it between its ends.
-fn through(side: &Side, radius: i32, d: Raw) -> Option<Gate> {
+fn through(side: &PolygonSide, radius: i32, d: Raw) -> Option<ConvexGate> {
     let height = side.height();
     let (axis, speed) = inward(side, d);
     if height > 0 || speed <= 0 {
@@ -142,11 +142,11 @@ fn through(side: &Side, radius: i32, d: Raw) -> Option<Gate> {
         return None;
     }
     if axis.x != 0 && axis.y != 0 {
-        return Some(Gate::Slope(Slope::new(gap, into, reach, axis)));
+        return Some(ConvexGate::Slope(Slope::new(gap, into, reach, axis)));
     }
     // Along x and y the root is whole: the gap in raw units less the radii, which is not negative here.
     let (out, overlap) = over(side.edge, side.from);
     let gap = overlap.wrapping_neg().wrapping_sub(i64::from(radius)) as u64;
     let speed = if out.x == 0 { d.y } else { d.x };
-    Some(Gate::Edge(Edge { gap, speed: u64::from(speed.unsigned_abs()), axis: out.reversed() }))
+    Some(ConvexGate::Edge(EdgeMoment { gap, speed: u64::from(speed.unsigned_abs()), axis: out.reversed() }))
 }

@@ -2,7 +2,7 @@
 
 use super::face::Facing;
 use super::place::Place;
-use super::walk::{Core, Corner, Side, Walk};
+use super::walk::{Core, Corner, PolygonSide, SideWalk};
 use crate::num::{Axis, Raw, sqr64};
 use crate::query::closest::Square;
 use crate::query::contact::Contact;
@@ -10,7 +10,7 @@ use crate::query::contact::Contact;
 /// The least exit, and the side of the sum that it is across; none where it is from corner to corner.
 pub(super) struct Exit {
     pub(super) contact: Contact,
-    pub(super) side: Option<Side>,
+    pub(super) side: Option<PolygonSide>,
     /// The corners that it is from and to without a side.
     pub(super) corners: (usize, usize),
 }
@@ -40,10 +40,10 @@ impl Exit {
 
 /// The side of the sum that is nearest to an origin inside or on the border, and whether another one is as near. Of several
 /// the one whose normal is first in the documented order, whatever corner the walk began at.
-fn least(a: Core<'_>, b: Core<'_>) -> Option<(Side, bool)> {
-    let mut best: Option<(Square, Side)> = None;
+fn least(a: Core<'_>, b: Core<'_>) -> Option<(PolygonSide, bool)> {
+    let mut best: Option<(Square, PolygonSide)> = None;
     let mut tie = false;
-    for side in Walk::new(a, b) {
+    for side in SideWalk::new(a, b) {
         // A height's square is below 2^124: fractions are compared in 187 bits.
         let square = Square { num: sqr64(side.height().unsigned_abs()), den: side.len2() };
         let Some((least, kept)) = &best else {
@@ -61,7 +61,7 @@ fn least(a: Core<'_>, b: Core<'_>) -> Option<(Side, bool)> {
 }
 
 /// The contact across a side of the sum, from A to B.
-fn across(side: &Side, a: Core<'_>, b: Core<'_>) -> Contact {
+fn across(side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Contact {
     let (axis, overlap) = over(side.edge, side.from);
     // The deepest point is the corner that the side is moved along, or the middle of what two sides share.
     let (core, on_a) = match (side.of_a, side.of_b) {

@@ -1,6 +1,6 @@
 //! The part of two parallel sides that face each other.
 
-use super::walk::{Core, Side};
+use super::walk::{Core, PolygonSide};
 use crate::num::Raw;
 use crate::query::closest::on_segment;
 
@@ -36,7 +36,7 @@ pub(super) struct Facing {
 }
 
 impl Facing {
-    pub(super) fn of(side: &Side, a: Core<'_>, b: Core<'_>) -> Self {
+    pub(super) fn of(side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Self {
         // Along the side of the sum that of A runs forward and that of B back.
         let (a, b) = (face(a, side.a), face(b, side.b));
         let inner = |p: Raw, q: Raw, way: Raw| match way.dot(p.sub(q)) {

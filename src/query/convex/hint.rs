@@ -1,7 +1,7 @@
 //! The side that separated two shapes last: asked first, it mostly still does.
 
 use super::place::{Place, sharp};
-use super::walk::{Core, Side, turn};
+use super::walk::{Core, PolygonSide, turn};
 use crate::num::{Raw, less128, mul64, sqr64, usqr};
 
 /// Where two shapes were last seen apart: the side of one of them that the other one was behind.
@@ -18,7 +18,7 @@ pub struct Separation {
 }
 
 impl Separation {
-    const fn of(side: &Side) -> Self {
+    const fn of(side: &PolygonSide) -> Self {
         Self { a: side.a as u16, b: side.b as u16, of_b: !side.of_a }
     }
 

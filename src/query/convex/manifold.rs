@@ -2,7 +2,7 @@
 
 use super::exit::{Exit, over};
 use super::face::{End, Facing, face, precedes};
-use super::walk::{Core, Side};
+use super::walk::{Core, PolygonSide};
 use crate::num::{Axis, Raw, cmp_squares, scaled};
 use crate::query::contact::Contact;
 use core::cmp::Ordering;
@@ -98,7 +98,7 @@ const fn line(index: usize) -> Part {
 }
 
 /// Of two parallel sides: the ends of what they share, equally deep.
-fn both(contact: &Contact, side: &Side, a: Core<'_>, b: Core<'_>) -> Manifold {
+fn both(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Manifold {
     let Facing { ends: (from, to), .. } = Facing::of(side, a, b);
     let point = |end: End, on_a: usize, on_b: usize| ManifoldPoint {
         contact: at(contact, contact.overlap, end.at, end.on_a),
@@ -113,7 +113,7 @@ fn both(contact: &Contact, side: &Side, a: Core<'_>, b: Core<'_>) -> Manifold {
 
 /// Of a side and the corner that is deepest behind it: that corner, and the end of the flatter one of the sides beside it, cut to what
 /// faces the side.
-fn one(contact: &Contact, side: &Side, a: Core<'_>, b: Core<'_>) -> Manifold {
+fn one(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Manifold {
     // Whether it is A that leans on a side of B.
     let on_a = side.of_b;
     let (reference, index, core, deepest) = if on_a { (b, side.b, a, side.a) } else { (a, side.a, b, side.b) };

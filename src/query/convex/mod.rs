@@ -36,7 +36,7 @@ pub use manifold::{Manifold, ManifoldPoint, Part};
 ///
 /// ```
 /// use tilesat::prelude::*;
-/// use tilesat::{Aabb, Axis, OrientedBox, Part, Vec2, fx};
+/// use tilesat::{Aabb, Axis, OrientedBox, Vec2, fx, query::Part};
 /// let floor = Aabb::new(Vec2::from_ints(-50, 0), Vec2::from_ints(50, 20))?; // y down
 /// let crate_ = OrientedBox::new(Vec2::from_ints(0, -7), Vec2::from_ints(12, 8), Axis::X)?;
 /// let resting = crate_.manifold(&floor).unwrap();
@@ -70,7 +70,7 @@ macro_rules! with_cores {
 ///
 /// ```
 /// use tilesat::prelude::*;
-/// use tilesat::{Aabb, Axis, OrientedBox, Separation, Vec2};
+/// use tilesat::{Aabb, Axis, OrientedBox, Vec2, query::Separation};
 /// let wall = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(40, 8))?;
 /// let mut kart = OrientedBox::new(Vec2::from_ints(10, 40), Vec2::from_ints(6, 3), Axis::new(3, -4))?;
 /// let mut last = Separation::default(); // one for this pair of bodies
@@ -144,10 +144,10 @@ macro_rules! pair {
         }
 
         impl<$($n)*> Enter<$b> for $a {
-            type Moment = cast::Gate;
+            type Moment = cast::ConvexGate;
 
             #[inline]
-            fn enter(&self, b: &$b, d: Raw) -> Course<cast::Gate> {
+            fn enter(&self, b: &$b, d: Raw) -> Course<cast::ConvexGate> {
                 with_cores!(self, b, |a, b| cast::enter(a, b, d))
             }
         }

@@ -2,7 +2,7 @@
 
 use super::face::{Facing, face};
 use super::place::Place;
-use super::walk::{Core, Side};
+use super::walk::{Core, PolygonSide};
 use crate::num::{Raw, toward};
 use crate::query::closest::on_segment;
 
@@ -26,7 +26,7 @@ pub(super) fn closest_points(a: Core<'_>, b: Core<'_>) -> Option<(Raw, Raw)> {
 }
 
 /// A corner and its foot, or one of the pairs of two parallel sides.
-fn beside(side: &Side, a: Core<'_>, b: Core<'_>) -> (Raw, Raw) {
+fn beside(side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> (Raw, Raw) {
     let ((p, q), (s, t)) = (face(a, side.a), face(b, side.b));
     if !side.of_a {
         return (p, on_segment(p, s, t));

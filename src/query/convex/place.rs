@@ -1,6 +1,6 @@
 //! Where the origin is, seen from the sum of two shapes: inside, before a side or before a corner.
 
-use super::walk::{Core, Corner, Side, Walk, turn};
+use super::walk::{Core, Corner, PolygonSide, SideWalk, turn};
 use crate::num::{div_sqrt, isqrt64, less128, mul64, sqr64, usqr};
 
 /// The part of the sum's border that is nearest to the origin, the radii left aside.
@@ -9,14 +9,14 @@ pub(super) enum Place {
     /// Inside; not on the border.
     Inside,
     /// Before a side, or on it: at this distance times the side's length.
-    Side(Side, u64),
+    Side(PolygonSide, u64),
     /// Before a corner, or on it where the sum is a point.
     Corner(Corner),
 }
 
 impl Place {
     pub(super) fn of(a: Core<'_>, b: Core<'_>) -> Self {
-        let mut walk = Walk::new(a, b);
+        let mut walk = SideWalk::new(a, b);
         let start = walk.corner();
         let mut nearest: Option<(u64, Corner)> = None;
         let mut flat = true;
@@ -76,8 +76,8 @@ pub(super) fn meets<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
 }
 
 /// The same without radii: the first side that the origin is not inside of settles it, and is the error. A point has none.
-pub(super) fn sharp<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> Result<(), Option<Side>> {
-    let walk = Walk::new(a, b);
+pub(super) fn sharp<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> Result<(), Option<PolygonSide>> {
+    let walk = SideWalk::new(a, b);
     let mut inside = CLOSED && walk.corner().at.is_zero();
     for side in walk {
         let height = turn(side.edge, side.from.reversed());

@@ -32,7 +32,7 @@ impl Core<'_> {
 
 /// A side of the sum, with the sum's inside on its left (y up).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Side {
+pub(super) struct PolygonSide {
     /// Where it begins: a corner of A less one of B, below 2^30 a component.
     pub(super) from: Raw,
     /// Below 2^30 a component, or 2^31 where both shapes have a part.
@@ -44,7 +44,7 @@ pub(super) struct Side {
     pub(super) of_b: bool,
 }
 
-impl Side {
+impl PolygonSide {
     /// Twice the area of the side and the origin, positive on the left: below 2^62.
     pub(super) const fn height(&self) -> i64 {
         self.edge.cross(self.from.reversed())
@@ -107,12 +107,12 @@ impl<'a, const REVERSED: bool> Ring<'a, REVERSED> {
 }
 
 /// All sides of the sum, in order of direction from +x on. A flat sum has two, a point none.
-pub(super) struct Walk<'a> {
+pub(super) struct SideWalk<'a> {
     a: Ring<'a, false>,
     b: Ring<'a, true>,
 }
 
-impl<'a> Walk<'a> {
+impl<'a> SideWalk<'a> {
     pub(super) fn new(a: Core<'a>, b: Core<'a>) -> Self {
         Self { a: Ring::new(a), b: Ring::new(b) }
     }
@@ -123,10 +123,10 @@ impl<'a> Walk<'a> {
     }
 }
 
-impl Iterator for Walk<'_> {
-    type Item = Side;
+impl Iterator for SideWalk<'_> {
+    type Item = PolygonSide;
 
-    fn next(&mut self) -> Option<Side> {
+    fn next(&mut self) -> Option<PolygonSide> {
         // Both stand in the same half turn: a ring's next side is less than a half turn beyond its last one, which the other
         // ring's next side is not before. Only a segment turns by just a half, and parallel sides go together.
         let order = match (self.a.left, self.b.left) {
@@ -146,7 +146,7 @@ impl Iterator for Walk<'_> {
             edge = edge.add(self.b.edge);
             self.b.step();
         }
-        Some(Side { from, edge, a, b, of_a, of_b })
+        Some(PolygonSide { from, edge, a, b, of_a, of_b })
     }
 }
 

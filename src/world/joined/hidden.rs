@@ -33,7 +33,7 @@ pub(in crate::world) fn shown<W: World>(mut feature: Feature, other: &W, first: 
             }
         }
         Geometry::Face { a, dir, len, joined } => {
-            let edge = Edge::new(Raw::of(*a), *dir, *len);
+            let edge = FaceSegment::new(Raw::of(*a), *dir, *len);
             if covered(&edge, other) {
                 return None;
             }
@@ -89,7 +89,7 @@ fn clipped((e_in, e_out): (Axis, Axis), h: Axis) -> Option<(Axis, Axis)> {
 }
 
 /// A face's segment.
-struct Edge {
+struct FaceSegment {
     a: Raw,
     b: Raw,
     dir: Axis,
@@ -97,7 +97,7 @@ struct Edge {
     middle: Raw,
 }
 
-impl Edge {
+impl FaceSegment {
     fn new(a: Raw, dir: Axis, len: i32) -> Self {
         // Both ends are inside the domain, so the products are.
         let at =
@@ -174,7 +174,7 @@ enum Front {
 /// If nothing of the other surface meets the face's inside from the front, all its points are in
 /// the other solid or all outside: one point decides. That is a point of the face inside the solid,
 /// or a face of the other that runs against this one.
-fn covered<W: World>(edge: &Edge, other: &W) -> bool {
+fn covered<W: World>(edge: &FaceSegment, other: &W) -> bool {
     let points = [edge.a, edge.b, edge.middle];
     // For most faces the first end, far away, already decides.
     if !points.iter().all(|&p| touched(other, p)) {
@@ -184,7 +184,7 @@ fn covered<W: World>(edge: &Edge, other: &W) -> bool {
     for f in other.features(&edge.bounds()) {
         let front = match f.geometry {
             _ if f.one_way => Front::Unknown,
-            Geometry::Face { a, dir, len, .. } => edge.beside(&Edge::new(Raw::of(a), dir, len)),
+            Geometry::Face { a, dir, len, .. } => edge.beside(&FaceSegment::new(Raw::of(a), dir, len)),
             Geometry::Arc { centre, radius, quadrant, .. } if edge.meets_arc(Raw::of(centre), radius, quadrant) => {
                 Front::Bare
             }
@@ -211,7 +211,7 @@ fn front_of_end<W: World>(p: Raw, along: Axis, n: Axis, other: &W) -> Option<boo
     let mut next: Option<(u8, Axis, bool)> = None;
     for f in other.features(&point(p)) {
         let edge = match f.geometry {
-            Geometry::Face { a, dir, len, .. } if !f.one_way => Edge::new(Raw::of(a), dir, len),
+            Geometry::Face { a, dir, len, .. } if !f.one_way => FaceSegment::new(Raw::of(a), dir, len),
             Geometry::Arc { centre, radius, quadrant, .. } if ends_at(p, Raw::of(centre), radius, quadrant) => {
                 return None;
             }
@@ -278,7 +278,7 @@ fn goes_on<W: World>(p: Raw, dir: Axis, inward: i32, other: &W) -> bool {
                 cornered &= sign(n.dot(e_in), -along.dot(e_in)) > 0 && sign(n.dot(e_out), -along.dot(e_out)) < 0;
             }
             Geometry::Face { a, dir: d, len, .. } if d == dir && !f.one_way => {
-                let next = Edge::new(Raw::of(a), d, len);
+                let next = FaceSegment::new(Raw::of(a), d, len);
                 straight |= next.spans(p) || p == if inward > 0 { next.b } else { next.a };
             }
             _ => {}
@@ -291,7 +291,7 @@ fn goes_on<W: World>(p: Raw, dir: Axis, inward: i32, other: &W) -> bool {
 /// a face that is not there beside it, or an end of a face that is covered just there.
 pub(in crate::world) fn hides<W: World>(geometry: &Geometry, o: Raw, d: Raw, other: &W) -> bool {
     let Geometry::Face { a, dir, len, .. } = *geometry else { return false };
-    let edge = Edge::new(Raw::of(a), dir, len);
+    let edge = FaceSegment::new(Raw::of(a), dir, len);
     if covered(&edge, other) {
         return true;
     }

@@ -2,7 +2,7 @@
 
 mod hidden;
 
-use super::level::{Feature, Seen, Way, World, levels, meets_as_world, sealed};
+use super::level::{Feature, MotionPiece, Seen, World, levels, meets_as_world, sealed};
 use super::ray::{Met, RayHit, RayRules, Time, checked, rays};
 use crate::error::RangeError;
 use crate::num::{Raw, Vec2, less128, mul64};
@@ -145,7 +145,7 @@ impl<A: World, B: World> World for Joined<'_, A, B> {
         Joined::features(self, region)
     }
 
-    fn features_ahead(&self, way: &Way) -> JoinedFeatures<'_, A, B> {
+    fn features_ahead(&self, way: &MotionPiece) -> JoinedFeatures<'_, A, B> {
         JoinedFeatures { pair: *self, a: self.a.features_ahead(way), b: self.b.features_ahead(way) }
     }
 

@@ -21,7 +21,7 @@ use crate::num::{
 /// The rules of a ray. Made from an [`Inside`] alone, it passes one-way edges.
 ///
 /// ```
-/// use tilesat::{Inside, RayRules};
+/// use tilesat::{Inside, world::RayRules};
 /// assert_eq!(RayRules::from(Inside::Hit), RayRules { inside: Inside::Hit, one_way: false });
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

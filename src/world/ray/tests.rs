@@ -5,7 +5,7 @@ mod walk {
     extern crate std;
 
     use crate::num::{Fx, Vec2};
-    use crate::world::grid::Span;
+    use crate::world::grid::GridAxis;
     use crate::world::ray::walk::{Beyond, Walk};
     use crate::world::{Cell, Grid};
     use std::vec::Vec;
@@ -18,7 +18,7 @@ mod walk {
     fn expected(grid: &Grid, beyond: Beyond, o: [i128; 2], d: [i128; 2]) -> Vec<Vec<Cell>> {
         let scale = d.map(|d| d.abs().max(1));
         let whole = scale[0] * scale[1];
-        let interval = |axis: usize, span: &Span, index: i128| {
+        let interval = |axis: usize, span: &GridAxis, index: i128| {
             let count = i128::from(span.count);
             let (first, last) = match beyond {
                 Beyond::Merged => (index == 0, index == count - 1),

@@ -3,7 +3,7 @@
 //! By the closed rule: no cell that has a point in common with the ray is missed.
 
 use crate::num::umul;
-use crate::world::grid::{Grid, Span};
+use crate::world::grid::{Grid, GridAxis};
 
 /// One axis of a ray on its way.
 #[derive(Clone, Copy, Debug)]
@@ -80,7 +80,7 @@ impl Grid {
     #[inline]
     pub(in crate::world) fn lane_with(
         &self,
-        span: &Span,
+        span: &GridAxis,
         o: i32,
         d: i32,
         beyond: impl FnOnce(bool, i32) -> i32,
@@ -108,7 +108,7 @@ impl Grid {
     }
 
     /// Measures one axis of a ray on a grid whose bands are cells.
-    pub(in crate::world) fn ray_lane(&self, span: &Span, o: i32, d: i32) -> Lane {
+    pub(in crate::world) fn ray_lane(&self, span: &GridAxis, o: i32, d: i32) -> Lane {
         self.lane_with(span, o, d, |before, last| if before { -1 } else { last.wrapping_add(1) })
     }
 

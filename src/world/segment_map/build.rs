@@ -1,8 +1,8 @@
 //! From paths to bytes: segments counted, then written, with their references and joints.
 
-use super::cancel::{Place, Runs, left_from};
+use super::cancel::{EdgeIndex, Runs, left_from};
 use super::parse::clamped;
-use super::path::{Edge, edges, point, reversed};
+use super::path::{PathEdge, edges, point, reversed};
 use super::raster::Rows;
 use super::{
     ATTR_AT, END_JOINED, HEADER, Kind, MAGIC, MOST, NEXT_AT, NONE, Path, PathKind, SEGMENT, START_JOINED, SegmentMap,
@@ -289,8 +289,8 @@ impl Sink<'_> {
             let mut k = 0;
             while k < count {
                 let (a, b) = (point(path, k), point(path, k + 1));
-                let edge = if against { Edge::between(b, a) } else { Edge::between(a, b) };
-                let place = Place { path: i, point: k };
+                let edge = if against { PathEdge::between(b, a) } else { PathEdge::between(a, b) };
+                let place = EdgeIndex { path: i, point: k };
                 let taken = match path.kind {
                     PathKind::Solid | PathKind::Hole => self.left(paths, &runs, place, &edge),
                     PathKind::Wall => self.both(place, &edge, path.flags),
@@ -312,8 +312,8 @@ impl Sink<'_> {
         &mut self,
         paths: &[Path<'_>],
         runs: &Runs,
-        place: Place,
-        edge: &Edge,
+        place: EdgeIndex,
+        edge: &PathEdge,
     ) -> Result<(), SegmentMapError> {
         let flags = paths[place.path].flags;
         let (mut t, mut from) = (0, -1);
@@ -324,7 +324,7 @@ impl Sink<'_> {
             }
             if from >= 0 && (!left || until >= edge.len) {
                 let to = if left { until } else { t };
-                let piece = Edge { a: edge.at(from), dir: edge.dir, len: to.wrapping_sub(from) };
+                let piece = PathEdge { a: edge.at(from), dir: edge.dir, len: to.wrapping_sub(from) };
                 if let Err(e) = self.put(place, &piece, Kind::Solid, flags) {
                     return Err(e);
                 }
@@ -336,15 +336,15 @@ impl Sink<'_> {
     }
 
     /// Both faces of a wall's edge.
-    const fn both(&mut self, place: Place, edge: &Edge, flags: u8) -> Result<(), SegmentMapError> {
-        let back = Edge { a: edge.at(edge.len), dir: edge.dir.reversed(), len: edge.len };
+    const fn both(&mut self, place: EdgeIndex, edge: &PathEdge, flags: u8) -> Result<(), SegmentMapError> {
+        let back = PathEdge { a: edge.at(edge.len), dir: edge.dir.reversed(), len: edge.len };
         match self.put(place, edge, Kind::Wall, flags) {
             Ok(()) => self.put(place, &back, Kind::Wall, flags),
             Err(e) => Err(e),
         }
     }
 
-    const fn put(&mut self, place: Place, edge: &Edge, kind: Kind, flags: u8) -> Result<(), SegmentMapError> {
+    const fn put(&mut self, place: EdgeIndex, edge: &PathEdge, kind: Kind, flags: u8) -> Result<(), SegmentMapError> {
         let (path, point) = (place.path as u32, place.point as u32);
         if self.segments == MOST {
             return Err(SegmentMapError::TooManySegments { path, point });
@@ -403,7 +403,7 @@ macro_rules! segment_map {
         $vis static $name: $crate::SegmentMap<'static> = {
             const __PATHS: &[$crate::Path<'static>] = &$paths;
             $(#[$attr])*
-            const __SIZE: $crate::Size = match $crate::SegmentMap::measure(__PATHS, $cell) {
+            const __SIZE: $crate::world::Size = match $crate::SegmentMap::measure(__PATHS, $cell) {
                 Ok(size) => size,
                 Err(e) => panic!("{}", e.__text().as_str()),
             };

@@ -1,6 +1,6 @@
 //! What is left of the edges that polygons share, and which of all edges can be near one of them.
 
-use super::path::{Edge, Path, point, reversed};
+use super::path::{Path, PathEdge, point, reversed};
 use crate::num::Raw;
 
 /// Runs of consecutive edges are at most so many: 1.5 KB of stack while a level is built. Of 4000 edges around one polygon building takes 860 M instructions on
@@ -9,7 +9,7 @@ const RUNS: usize = 64;
 
 /// The edges of all polygons in their order, in runs of one length, each with a box around it: what is not near the box is near none of the run.
 pub(super) struct Runs {
-    all: [Run; RUNS],
+    all: [EdgeRun; RUNS],
     count: usize,
     /// Edges in a run.
     length: usize,
@@ -17,14 +17,14 @@ pub(super) struct Runs {
 
 /// A first edge, and the closed box of those from there on.
 #[derive(Clone, Copy)]
-struct Run {
+struct EdgeRun {
     path: usize,
     point: usize,
     lo: Raw,
     hi: Raw,
 }
 
-impl Run {
+impl EdgeRun {
     const NONE: Self = Self { path: 0, point: 0, lo: Raw { x: 0, y: 0 }, hi: Raw { x: 0, y: 0 } };
 
     const fn with(&mut self, p: Raw) {
@@ -54,7 +54,7 @@ impl Runs {
             }
             i += 1;
         }
-        let mut runs = Self { all: [Run::NONE; RUNS], count: 0, length: edges.div_ceil(RUNS) };
+        let mut runs = Self { all: [EdgeRun::NONE; RUNS], count: 0, length: edges.div_ceil(RUNS) };
         let mut left = 0;
         i = 0;
         while i < paths.len() {
@@ -63,7 +63,7 @@ impl Runs {
             while k < count {
                 let p = point(path, k);
                 if left == 0 && runs.count < RUNS {
-                    runs.all[runs.count] = Run { path: i, point: k, lo: p, hi: p };
+                    runs.all[runs.count] = EdgeRun { path: i, point: k, lo: p, hi: p };
                     runs.count += 1;
                     left = runs.length;
                 }
@@ -83,7 +83,7 @@ impl Runs {
 
 /// An edge of a solid or a hole among all of them, by its path and its first point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct EdgeIndex {
     pub(super) path: usize,
     pub(super) point: usize,
 }
@@ -98,12 +98,18 @@ pub(super) struct Place {
 ///
 /// Cost: all runs, the edges of those whose box meets that of this edge, and the area of the polygons whose edges overlap it.
 #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
-pub(super) const fn left_from(paths: &[Path<'_>], runs: &Runs, place: Place, edge: &Edge, t: i32) -> (i32, bool) {
+pub(super) const fn left_from(
+    paths: &[Path<'_>],
+    runs: &Runs,
+    place: EdgeIndex,
+    edge: &PathEdge,
+    t: i32,
+) -> (i32, bool) {
     let (mut until, mut along, mut against) = (edge.len, 0u32, 0u32);
     let (a, b) = (edge.a, edge.at(edge.len));
     let mut run = 0;
     while run < RUNS && run < runs.count {
-        let Run { path: mut i, point: mut k, lo, hi } = runs.all[run];
+        let EdgeRun { path: mut i, point: mut k, lo, hi } = runs.all[run];
         let is_far = a.x < lo.x && b.x < lo.x
             || a.x > hi.x && b.x > hi.x
             || a.y < lo.y && b.y < lo.y
@@ -157,7 +163,7 @@ const fn boxes_meet(a: Raw, b: Raw, p: Raw, q: Raw) -> bool {
 /// Where a point is on the line of an edge, in multiples of its direction; `None` off the line.
 ///
 /// The lattice points of a line lie at multiples of its reduced direction: the quotients are exact.
-const fn along_edge(edge: &Edge, p: Raw) -> Option<i32> {
+const fn along_edge(edge: &PathEdge, p: Raw) -> Option<i32> {
     let m = p.sub(edge.a);
     if (Raw { x: edge.dir.x, y: edge.dir.y }).cross(m) != 0 {
         None

@@ -265,8 +265,11 @@ impl SegmentMap<'_> {
     /// crossing. Cost: the square of the segments that cross it.
     fn piece_inside(&self, x: i32, y: i32, p: Raw, q: Raw) -> bool {
         let upright = p.x == q.x;
-        let frame =
-            Frame { upright, p: framed(p, upright), length: q.x.wrapping_sub(p.x).wrapping_add(q.y.wrapping_sub(p.y)) };
+        let frame = WayFrame {
+            upright,
+            p: framed(p, upright),
+            length: q.x.wrapping_sub(p.x).wrapping_add(q.y.wrapping_sub(p.y)),
+        };
         let segments = || self.refs(x, y).map(|index| self.segment(index)).filter(|s| s.kind == Kind::Solid);
         let mut start = self.winding_beside(p);
         if upright {
@@ -304,7 +307,7 @@ const fn framed(p: Raw, upright: bool) -> Raw {
 }
 
 /// The way right from `p`; coordinates are exchanged where it leads up in the level.
-struct Frame {
+struct WayFrame {
     upright: bool,
     p: Raw,
     length: i32,
@@ -334,7 +337,7 @@ impl Cut {
     }
 }
 
-impl Frame {
+impl WayFrame {
     /// An exchange of coordinates is a mirror: the segment is reversed, which puts its solid on the
     /// left again.
     fn edge(&self, seg: &Seg) -> FramedEdge {

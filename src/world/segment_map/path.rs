@@ -67,7 +67,7 @@ impl<'a> Path<'a> {
 
 /// An edge of a path, directed as its segment is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Edge {
+pub(super) struct PathEdge {
     pub(super) a: Raw,
     /// Reduced.
     pub(super) dir: Axis,
@@ -75,7 +75,7 @@ pub(super) struct Edge {
     pub(super) len: i32,
 }
 
-impl Edge {
+impl PathEdge {
     /// From `a` to `b`, which are not the same and inside the domain.
     pub(super) const fn between(a: Raw, b: Raw) -> Self {
         let d = b.sub(a);

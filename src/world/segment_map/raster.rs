@@ -4,7 +4,7 @@
 use super::{Kind, SegmentMap};
 use crate::num::{Axis, Raw, imul};
 use crate::world::cell::Range;
-use crate::world::grid::{Grid, Span};
+use crate::world::grid::{Grid, GridAxis};
 
 /// Columns `x0..=x1` of row `y`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -143,7 +143,7 @@ impl SegmentMap<'_> {
 
 /// The first and the last cell of the grid from `first` to `last`; none where the box begins beyond
 /// the end.
-const fn along(span: &Span, lo: i32, first: i32, last: i32) -> (i32, i32) {
+const fn along(span: &GridAxis, lo: i32, first: i32, last: i32) -> (i32, i32) {
     let count = span.count as i32;
     if first == count && lo.wrapping_sub(span.origin) > span.size {
         return (0, -1);

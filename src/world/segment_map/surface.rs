@@ -23,7 +23,7 @@ impl SegmentMap<'_> {
     /// without a vertex, the segments of its cell.
     ///
     /// ```
-    /// use tilesat::{Aabb, Geometry, Path, PathKind, Vec2, fx, segment_map};
+    /// use tilesat::{Aabb, Path, PathKind, Vec2, fx, segment_map, world::Geometry};
     /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 0), Vec2::from_ints(128, 64)];
     /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], fx!(32));
     /// // Around the top: both slopes, and the corner between them.

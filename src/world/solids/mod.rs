@@ -19,7 +19,7 @@ pub(super) mod ray;
 pub(super) mod solid;
 
 use super::cell::Cell;
-use super::level::{Feature, Geometry, Seen, Way, World, levels, meets_as_world, sealed};
+use super::level::{Feature, Geometry, MotionPiece, Seen, World, levels, meets_as_world, sealed};
 use crate::num::{Axis, Raw};
 use crate::query::meet;
 use crate::shape::{Aabb, Circle};
@@ -40,7 +40,7 @@ use solid::{Side, Solid};
 /// The order of the list changes no result. Where several solids give the same answer, the ids of a
 /// hit may be any one's. A [one-way](Solid::with_one_way) solid is a single face, which blocks
 /// bodies from entirely in front. It takes no part in `overlaps` and `touches`. A feature's
-/// [`cell`](crate::Feature::cell) holds the key: see [`Solids::key_of`].
+/// [`cell`](crate::world::Feature::cell) holds the key: see [`Solids::key_of`].
 ///
 /// The boxes are asked one by one, so a point (a body without area) on the line between two flush
 /// solids overlaps neither.
@@ -83,7 +83,7 @@ impl<'a> Solids<'a> {
     /// for the cell of a tile or a segment.
     ///
     /// You can pass it whatever a [joined](crate::Joined) level reports. The
-    /// [`source`](crate::Feature::source) tells apart the keys of two joined lists.
+    /// [`source`](crate::world::Feature::source) tells apart the keys of two joined lists.
     ///
     /// ```
     /// use tilesat::{Aabb, Cell, Fx, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
@@ -141,7 +141,7 @@ impl World for Solids<'_> {
         Solids::features(self, region)
     }
 
-    fn features_ahead(&self, way: &Way) -> SolidFeatures<'_> {
+    fn features_ahead(&self, way: &MotionPiece) -> SolidFeatures<'_> {
         Solids::features(self, way.piece).against(way.d)
     }
 
@@ -181,7 +181,7 @@ meets_as_world! { [] Solids<'_> }
 
 /// A set of quadrants, or of the pieces of a box: bits 0..=3 its faces, 4..=7 the corners that they
 /// end in.
-pub(super) type Bits = u8;
+pub(super) type PieceSet = u8;
 
 /// The cursor of [`Solids::features`].
 #[derive(Clone, Debug)]
@@ -193,9 +193,9 @@ pub struct SolidFeatures<'w> {
     region: (Raw, Raw),
     /// The one whose pieces are handed out, and which are left.
     of: Option<&'w Solid>,
-    left: Bits,
+    left: PieceSet,
     /// The pieces that are asked for.
-    asked: Bits,
+    asked: PieceSet,
 }
 
 impl<'w> SolidFeatures<'w> {
@@ -233,17 +233,17 @@ impl Iterator for SolidFeatures<'_> {
 }
 
 /// The faces that a motion goes against.
-pub(super) const fn faces_against(d: Raw) -> Bits {
-    (d.y > 0) as Bits | ((d.x < 0) as Bits) << 1 | ((d.y < 0) as Bits) << 2 | ((d.x > 0) as Bits) << 3
+pub(super) const fn faces_against(d: Raw) -> PieceSet {
+    (d.y > 0) as PieceSet | ((d.x < 0) as PieceSet) << 1 | ((d.y < 0) as PieceSet) << 2 | ((d.x > 0) as PieceSet) << 3
 }
 
 /// The pieces of a box that have a point in the closed region.
-fn reached(solid: &Solid, (lo, hi): (Raw, Raw)) -> Bits {
+fn reached(solid: &Solid, (lo, hi): (Raw, Raw)) -> PieceSet {
     let (a, b) = (solid.lo(), solid.hi());
     if !meet::aabb_aabb::<true>(a, b, lo, hi) {
         return 0;
     }
-    let mut out: Bits = 0xff;
+    let mut out: PieceSet = 0xff;
     for (outside, pieces) in
         [(a.y < lo.y, 0b1001_0001), (b.x > hi.x, 0b0011_0010), (b.y > hi.y, 0b0110_0100), (a.x < lo.x, 0b1100_1000)]
     {
@@ -281,13 +281,13 @@ const fn corner(solid: &Solid, k: u8) -> Raw {
 }
 
 /// The quadrants at `p` that a box fills.
-pub(super) fn quadrants_of(solid: &Solid, p: Raw) -> Bits {
+pub(super) fn quadrants_of(solid: &Solid, p: Raw) -> PieceSet {
     let (lo, hi) = (solid.lo(), solid.hi());
     if !meet::aabb_aabb::<true>(lo, hi, p, p) {
         return 0;
     }
-    let x = (Bits::from(lo.x < p.x) * 0b1001) | (Bits::from(hi.x > p.x) * 0b0110);
-    let y = (Bits::from(lo.y < p.y) * 0b0011) | (Bits::from(hi.y > p.y) * 0b1100);
+    let x = (PieceSet::from(lo.x < p.x) * 0b1001) | (PieceSet::from(hi.x > p.x) * 0b0110);
+    let y = (PieceSet::from(lo.y < p.y) * 0b0011) | (PieceSet::from(hi.y > p.y) * 0b1100);
     x & y
 }
 
@@ -308,7 +308,7 @@ pub(super) fn full(list: &[Solid]) -> impl Iterator<Item = &Solid> {
     list.iter().filter(|solid| solid.one_way().is_none())
 }
 
-pub(super) fn quadrants(list: &[Solid], p: Raw) -> Bits {
+pub(super) fn quadrants(list: &[Solid], p: Raw) -> PieceSet {
     full(list).fold(0, |bits, solid| bits | quadrants_of(solid, p))
 }
 
@@ -336,7 +336,7 @@ fn piece(list: &[Solid], solid: &Solid, index: u8) -> Option<Feature> {
     let k = index & 3;
     // Corner k + 1, where the face ends: k + 2 is beyond it and k before it.
     let at_end = quadrants(list, corner(solid, k.wrapping_add(1)));
-    let has = |bits: Bits, quadrant: u8| bits >> (quadrant & 3) & 1 != 0;
+    let has = |bits: PieceSet, quadrant: u8| bits >> (quadrant & 3) & 1 != 0;
     let (end_goes_on, end_is_behind) = (has(at_end, k + 2), has(at_end, k));
     if index >= 4 {
         return (!end_goes_on && !end_is_behind).then(|| solid.piece(index, [false; 2]));

@@ -5,7 +5,7 @@
 //! union. The crossing is a fraction, compared by products.
 
 use super::solid::Solid;
-use super::{Bits, Solids, faces_against, full, in_front, quadrants, quadrants_of};
+use super::{PieceSet, Solids, faces_against, full, in_front, quadrants, quadrants_of};
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, imul};
 use crate::world::ray::scan::{Found, RayScan, RayWorld, hit_of, straight};
@@ -139,7 +139,7 @@ impl SolidRayHits<'_> {
     /// Whether the ray is strictly inside just after its start: in all the quadrants that it is
     /// next to.
     fn goes_in(&self) -> bool {
-        let next_to = |v: i32, more: Bits, less: Bits| match v.signum() {
+        let next_to = |v: i32, more: PieceSet, less: PieceSet| match v.signum() {
             1 => more,
             -1 => less,
             _ => 0xf,

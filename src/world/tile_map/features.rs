@@ -1,11 +1,11 @@
 //! The surface of a level, derived from its tiles when asked.
 
-use super::surface::{CellWalk, Look, Surface, TileSource};
+use super::surface::{CellQuery, CellSurface, CellWalk, TileSource};
 use super::{Set, Store, TileMap};
 use crate::num::Raw;
 use crate::shape::Aabb;
 use crate::world::cell::{Block, Range};
-use crate::world::level::{Feature, Way};
+use crate::world::level::{Feature, MotionPiece};
 use crate::world::tile_map::kind::{TileKind, TileShape};
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
@@ -42,7 +42,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// takes about 200 instructions, as one of shaped tiles about 600. It cannot fail.
     ///
     /// ```
-    /// use tilesat::{Aabb, Axis, Geometry, TileKind, TileKinds, TileMap, Vec2};
+    /// use tilesat::{Aabb, Axis, TileKind, TileKinds, TileMap, Vec2, world::Geometry};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
     /// let map = TileMap::from_ascii("...\n###", &KINDS)?;
     /// // Across the floor's top near the seam between its first two tiles: two flat faces, no corner.
@@ -60,7 +60,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// ledge:
     ///
     /// ```
-    /// use tilesat::{AllShapes, Axis, Fx, Geometry, Grid, TileKind, TileKinds, TileMap, TileShape, Vec2};
+    /// use tilesat::{AllShapes, Axis, Fx, Grid, TileKind, TileKinds, TileMap, TileShape, Vec2, world::Geometry};
     /// static KINDS: TileKinds = TileKinds::EMPTY
     ///     .with(b'_', TileKind::of(TileShape::HalfBottom))
     ///     .with(b'/', TileKind::of(TileShape::MildHighBottomRight));
@@ -79,9 +79,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         let range = self.solid_range(self.closed_range(region.lo(), region.hi()));
         Features {
             map: self,
-            look: Look::all(region),
+            look: CellQuery::all(region),
             walk: self.walk_of(range, Range::NONE),
-            surface: S::Surface::NONE,
+            surface: S::CellSurface::NONE,
         }
     }
 
@@ -90,7 +90,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///
     /// What a body enters with its inside it meets at the border of a solid in a cell that its
     /// inside enters.
-    pub(in crate::world) const fn features_ahead(&self, way: &Way) -> Features<'_, S, T> {
+    pub(in crate::world) const fn features_ahead(&self, way: &MotionPiece) -> Features<'_, S, T> {
         let range = match way.cells {
             Some(cells) => cells.range,
             None => self.solid_range(self.open_range(way.piece.lo(), way.piece.hi())),
@@ -99,7 +99,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             Some(before) => self.solid_range(self.open_range(before.lo(), before.hi())),
             None => Range::NONE,
         };
-        Features { map: self, look: Look::ahead(way), walk: self.walk_of(range, seen), surface: S::Surface::NONE }
+        Features {
+            map: self,
+            look: CellQuery::ahead(way),
+            walk: self.walk_of(range, seen),
+            surface: S::CellSurface::NONE,
+        }
     }
 }
 
@@ -108,10 +113,10 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 #[must_use = "cursors do nothing unless advanced"]
 pub struct Features<'w, S: Set, T: Store> {
     pub(crate) map: &'w TileMap<'w, S, T>,
-    look: Look,
+    look: CellQuery,
     walk: CellWalk,
     /// The features of the cell that the walk has come to.
-    surface: S::Surface,
+    surface: S::CellSurface,
 }
 
 impl<S: Set, T: Store> Iterator for Features<'_, S, T> {

@@ -6,7 +6,7 @@ use super::{Outside, Set, Store, TileMap};
 use crate::num::Raw;
 use crate::shape::{Aabb, Circle};
 use crate::world::cell::{Block, Cells, Range};
-use crate::world::level::{Feature, Seen, Way, World, sealed};
+use crate::world::level::{Feature, MotionPiece, Seen, World, sealed};
 use crate::world::tile_map::features::Features;
 use crate::world::tile_map::kind::{Fill, TileShape};
 
@@ -29,7 +29,7 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     }
 
     #[inline]
-    fn features_ahead(&self, way: &Way) -> Features<'_, S, T> {
+    fn features_ahead(&self, way: &MotionPiece) -> Features<'_, S, T> {
         TileMap::features_ahead(self, way)
     }
 

@@ -27,7 +27,7 @@ use core::marker::PhantomData;
 use kind::{TileKind, TileKinds};
 use outline::beyond;
 use shape_surface::ShapeSurface;
-use surface::{BlockSurface, Surface};
+use surface::{BlockSurface, CellSurface};
 
 /// The solid beyond the cells of a [`TileMap`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -295,7 +295,7 @@ pub trait Set: Sealed + Copy + Debug + Eq + 'static {
 
     /// How a map's surface is derived from such tiles.
     #[doc(hidden)]
-    type Surface: Surface;
+    type CellSurface: CellSurface;
 }
 
 /// The bits of the shapes `from..=to`.
@@ -311,7 +311,7 @@ pub struct Blocks;
 impl Sealed for Blocks {}
 impl Set for Blocks {
     const SHAPES: u64 = bits(TileShape::Empty, TileShape::Full) | bits(TileShape::OneWayUp, TileShape::OneWayLeft);
-    type Surface = BlockSurface;
+    type CellSurface = BlockSurface;
 }
 
 /// [`Blocks`], half tiles and straight slopes.
@@ -322,7 +322,7 @@ pub struct Slopes;
 impl Sealed for Slopes {}
 impl Set for Slopes {
     const SHAPES: u64 = AllShapes::SHAPES & !bits(TileShape::ConvexTopLeft, TileShape::ConcaveBottomLeft);
-    type Surface = ShapeSurface<false>;
+    type CellSurface = ShapeSurface<false>;
 }
 
 /// Every [`TileShape`].
@@ -333,7 +333,7 @@ pub struct AllShapes;
 impl Sealed for AllShapes {}
 impl Set for AllShapes {
     const SHAPES: u64 = bits(TileShape::Empty, TileShape::OneWayLeft);
-    type Surface = ShapeSurface<true>;
+    type CellSurface = ShapeSurface<true>;
 }
 
 /// How a [`TileMap`](crate::world::TileMap) stores its tile ids.

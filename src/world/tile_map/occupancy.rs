@@ -76,7 +76,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// them again.
     ///
     /// ```
-    /// use tilesat::{Blocks, Cell, Occupied, TileKind, TileKinds, TileMap, TileMapError};
+    /// use tilesat::{Blocks, Cell, TileKind, TileKinds, TileMap, TileMapError, world::Occupied};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
     /// const BARE: TileMap = match TileMap::from_ascii("....\n....\n####", &KINDS) {
     ///     Ok(map) => map,

@@ -2,7 +2,7 @@
 //! their neighbours.
 
 use super::outline::{Form, InnerKind, Outline, Piece, direction, gaps, place};
-use super::surface::{CellWalk, Look, Surface, TileSource};
+use super::surface::{CellQuery, CellSurface, CellWalk, TileSource};
 use crate::num::{Axis, Raw};
 use crate::world::cell::Cell;
 use crate::world::level::{Feature, Geometry};
@@ -35,7 +35,7 @@ struct Tile {
 
 const INNER: u8 = 8;
 
-impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
+impl<const ROUND: bool> CellSurface for ShapeSurface<ROUND> {
     const NONE: Self = Self { left: 0, index: 0, outs: 0, tile: None };
 
     #[inline]
@@ -44,7 +44,7 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
     }
 
     #[inline(never)]
-    fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &Look) {
+    fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &CellQuery) {
         let CellWalk { x, y, kind, .. } = *walk;
         let outline = kind.shape.outline();
         let edges = match kind.one_way_side() {
@@ -69,7 +69,7 @@ impl<const ROUND: bool> Surface for ShapeSurface<ROUND> {
     }
 
     #[inline]
-    fn take<M: TileSource>(&mut self, map: &M, look: &Look) -> Option<Feature> {
+    fn take<M: TileSource>(&mut self, map: &M, look: &CellQuery) -> Option<Feature> {
         let Some(tile) = &self.tile else {
             self.left = 0;
             return None;

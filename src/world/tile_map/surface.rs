@@ -4,7 +4,7 @@
 use crate::num::{Axis, DOMAIN, Raw};
 use crate::shape::Aabb;
 use crate::world::cell::{Cell, Range};
-use crate::world::level::{Feature, Geometry, Way};
+use crate::world::level::{Feature, Geometry, MotionPiece};
 use crate::world::tile_map::kind::{TileKind, TileShape};
 use core::fmt::Debug;
 
@@ -32,7 +32,7 @@ pub struct CellWalk {
 ///
 /// Public in a private module, because a sealed trait names it.
 #[derive(Clone, Copy, Debug)]
-pub struct Look {
+pub struct CellQuery {
     /// Closed.
     pub(super) region: (Raw, Raw),
     /// Only what opposes this motion; all where it is zero.
@@ -41,12 +41,12 @@ pub struct Look {
     pub(super) joints: bool,
 }
 
-impl Look {
+impl CellQuery {
     pub(super) const fn all(region: &Aabb) -> Self {
         Self { region: (region.lo(), region.hi()), d: Raw { x: 0, y: 0 }, joints: true }
     }
 
-    pub(super) const fn ahead(way: &Way) -> Self {
+    pub(super) const fn ahead(way: &MotionPiece) -> Self {
         Self { region: (way.whole.lo(), way.whole.hi()), d: way.d, joints: way.joints }
     }
 
@@ -99,7 +99,7 @@ pub trait TileSource {
 /// The features of one cell, found when asked.
 ///
 /// Public in a private module, because a sealed trait names it.
-pub trait Surface: Clone + Debug {
+pub trait CellSurface: Clone + Debug {
     /// That of no cell.
     const NONE: Self;
 
@@ -108,10 +108,10 @@ pub trait Surface: Clone + Debug {
 
     /// Goes on to the cell that a walk over the closed range of the region has come to; the cell
     /// before is over.
-    fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &Look);
+    fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &CellQuery);
 
     /// The next of the remaining ones, if it is wanted.
-    fn take<M: TileSource>(&mut self, map: &M, look: &Look) -> Option<Feature>;
+    fn take<M: TileSource>(&mut self, map: &M, look: &CellQuery) -> Option<Feature>;
 }
 
 /// The cell whose features are handed out. The corners of its solid, its tile's flags, all its
@@ -135,7 +135,7 @@ const ONE_WAY: Pieces = 1 << 8;
 /// turning with the faces.
 const DIRECTIONS: [Axis; 4] = [Axis::X, Axis::Y, Axis::NEG_X, Axis::NEG_Y];
 
-impl Surface for BlockSurface {
+impl CellSurface for BlockSurface {
     const NONE: Self =
         Self { cell: Cell::new(0, 0), solid: (Raw { x: 0, y: 0 }, Raw { x: 0, y: 0 }), flags: 0, all: 0, left: 0 };
 
@@ -145,7 +145,7 @@ impl Surface for BlockSurface {
     }
 
     #[inline]
-    fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &Look) {
+    fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &CellQuery) {
         let CellWalk { x, y, kind, .. } = *walk;
         if kind.is_full() {
             self.solid = map.corners(walk);
@@ -163,7 +163,7 @@ impl Surface for BlockSurface {
     }
 
     #[inline]
-    fn take<M: TileSource>(&mut self, _: &M, _: &Look) -> Option<Feature> {
+    fn take<M: TileSource>(&mut self, _: &M, _: &CellQuery) -> Option<Feature> {
         let mut index = 0u16;
         while index < 7 && self.left >> index & 1 == 0 {
             index += 1;
@@ -178,14 +178,14 @@ impl BlockSurface {
     pub(super) fn one_way<M: TileSource>(map: &M, x: i32, y: i32) -> Option<Feature> {
         let (mut surface, kind) = (Self { cell: Cell::of(x, y), ..Self::NONE }, map.kind_at(x, y));
         let (lo, hi) = (Raw { x: 1 - DOMAIN, y: 1 - DOMAIN }, Raw { x: DOMAIN - 1, y: DOMAIN - 1 });
-        surface.load_one_way(map, kind, (x, y), &Look::all(&Aabb::from_raw_unchecked(lo, hi)));
+        surface.load_one_way(map, kind, (x, y), &CellQuery::all(&Aabb::from_raw_unchecked(lo, hi)));
         surface.flags = kind.flags;
         (surface.left != 0).then(|| surface.feature(kind.one_way_side().unwrap_or(0).into()))
     }
 
     /// A cell with one face; not there before a full one. Out of line: a level has few.
     #[inline(never)]
-    fn load_one_way<M: TileSource>(&mut self, map: &M, kind: TileKind, (x, y): (i32, i32), look: &Look) {
+    fn load_one_way<M: TileSource>(&mut self, map: &M, kind: TileKind, (x, y): (i32, i32), look: &CellQuery) {
         let Some(side) = kind.one_way_side() else { return };
         let (dx, dy) = across(side);
         if map.full(x.wrapping_add(dx), y.wrapping_add(dy)) {
@@ -210,7 +210,7 @@ impl BlockSurface {
     }
 
     /// The indices that are asked for, if they are there.
-    fn asked(&self, look: &Look) -> Pieces {
+    fn asked(&self, look: &CellQuery) -> Pieces {
         let (d, reached) = (look.d, self.reached(look.region));
         if d.is_zero() {
             return reached;

@@ -16,7 +16,7 @@ mod set {
     impl Sealed for FullOnly {}
     impl Set for FullOnly {
         const SHAPES: u64 = bits(TileShape::Empty, TileShape::Full);
-        type Surface = BlockSurface;
+        type CellSurface = BlockSurface;
     }
 
     #[test]

@@ -7,8 +7,10 @@ use tilesat::broad::{BroadError, BroadHit, Handle, Nearest, Pair, QueryError};
 use tilesat::motion::{BodyHit, MoveError, Moved, Ridden, Walked, Work};
 use tilesat::world::{Cell, Feature, Geometry, Near, RayHit, TileAt, WorldContact};
 use tilesat::{
-    Aabb, Axis, CastHit, Circle, Contact, Fx, Hit, MovingHit, Quantity, RangeError, Ratio, Ride, Speed, Stuck, Support,
-    Toi, Truncated, UnitVec2, Vec2,
+    Aabb, Axis, CastHit, Circle, Contact, Fx, Hit, Quantity, RangeError, Ratio, Toi, UnitVec2, Vec2,
+    error::Truncated,
+    motion::{Ride, Speed, Stuck, Support},
+    query::MovingHit,
 };
 
 use super::hash::{Encode, Hash};

@@ -3,7 +3,8 @@
 use tilesat::motion::{Body, escape};
 use tilesat::world::{Pushable, Solid, World};
 use tilesat::{
-    Aabb, Axis, Circle, Fx, MoveError, Mover, Ratio, Response, SlopeSpeed, StartInside, Support, Surface, Vec2, Walker,
+    Aabb, Axis, Circle, Fx, MoveError, Mover, Ratio, Response, SlopeSpeed, Surface, Vec2, Walker,
+    motion::{StartInside, Support},
 };
 
 use super::VECTORS;
@@ -15,7 +16,7 @@ use super::world::Vector;
 
 const QUERIES: [&str; 7] = ["move_and_slide", "bounce_and_slide", "walk", "ride", "supported", "escape", "motion_work"];
 
-const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::Cross, Response::Bounce];
+const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::DropThrough, Response::Bounce];
 
 /// A mover of each kind in turn.
 fn mover(number: u32) -> Mover {

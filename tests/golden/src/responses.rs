@@ -2,7 +2,10 @@
 
 use tilesat::motion::response::{Particle, Stick, bounce, exchange, respond, separate, slide, split};
 use tilesat::prelude::*;
-use tilesat::{Acceleration, Axis, Carry, Circle, Energy, Fx, Masses, Ratio, Speed, Surface, Vec2};
+use tilesat::{
+    Axis, Circle, Fx, Ratio, Surface, Vec2,
+    motion::{Acceleration, Carry, Energy, Masses, Speed},
+};
 
 use super::VECTORS;
 use super::family::Run;

@@ -5,7 +5,7 @@ use tilesat::world::{
     Feature, Joined, Near, OneWay, Placed, RayHit, RayRules, SegmentMap, Set, Solids, Store, TileMap, World,
     WorldContact,
 };
-use tilesat::{Aabb, Circle, Fx, Inside, RangeError, Truncated, Vec2};
+use tilesat::{Aabb, Circle, Fx, Inside, RangeError, Vec2, error::Truncated};
 
 use super::encode::BodyFound;
 use super::hash::{Encode, Hash};

@@ -4,7 +4,7 @@ use super::levels::DIGITS;
 use super::stored;
 use super::table::Row;
 use std::collections::HashMap;
-use tilesat::{Axis, Inside, Mover, Outside, RayRules, Response};
+use tilesat::{Axis, Inside, Mover, Outside, Response, world::RayRules};
 use tilesat_judge::motion::body::Body;
 use tilesat_judge::motion::level::Level as Blocks;
 use tilesat_judge::oracle::figure::Figure;

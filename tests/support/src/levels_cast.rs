@@ -1,6 +1,6 @@
 //! What casts through levels have in common.
 
-use tilesat::{Aabb, BodyHit, Circle, Fx, Inside, Mover, RayRules, Response, Vec2, World};
+use tilesat::{Aabb, Circle, Fx, Inside, Mover, Response, Vec2, World, motion::BodyHit, world::RayRules};
 
 pub type P = (i64, i64);
 

@@ -1,7 +1,9 @@
 //! Tile layers in, one byte per tile out.
 
 use tilesat::world::Set;
-use tilesat::{Aabb, AllShapes, Blocks, Feature, Fx, Grid, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2};
+use tilesat::{
+    Aabb, AllShapes, Blocks, Fx, Grid, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2, world::Feature,
+};
 
 use crate::fail::{Fail, Result};
 use crate::rules::ground::Ground;

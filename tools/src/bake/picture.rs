@@ -3,7 +3,10 @@
 #![allow(clippy::cast_precision_loss, reason = "drawing only; nothing here flows back into the level")]
 
 use tilesat::world::World;
-use tilesat::{Aabb, Feature, Fx, Geometry, Grid, Vec2};
+use tilesat::{
+    Aabb, Fx, Grid, Vec2,
+    world::{Feature, Geometry},
+};
 
 use super::report::{self, Class, Owner};
 use crate::picture::ink::{COIN, CONTACT, EARTH, EDGE, FAINT, Ink, NIGHT, PLANK, SLIDE, TEXT, TOP};

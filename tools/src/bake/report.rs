@@ -2,7 +2,10 @@
 
 use tilesat::prelude::*;
 use tilesat::world::World;
-use tilesat::{Aabb, Cell, Feature, Fx, Geometry, Grid, Segment, Vec2};
+use tilesat::{
+    Aabb, Cell, Fx, Grid, Segment, Vec2,
+    world::{Feature, Geometry},
+};
 
 /// The role of a cell in a query.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

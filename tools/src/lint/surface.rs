@@ -3,7 +3,10 @@
 use std::collections::HashSet;
 use std::fmt::Display;
 
-use tilesat::{Aabb, AllShapes, Feature, Fx, Geometry, Grid, Outside, TileMap, TileShape, Vec2};
+use tilesat::{
+    Aabb, AllShapes, Fx, Grid, Outside, TileMap, TileShape, Vec2,
+    world::{Feature, Geometry},
+};
 
 use super::geometry::{Edge, Point, Side};
 use crate::bake::level::Level;

@@ -4,7 +4,7 @@ use std::env;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use tilesat::{Aabb, Geometry, Vec2, World};
+use tilesat::{Aabb, Vec2, World, world::Geometry};
 
 use super::ink::{EARTH, Ink, PLANK, TEXT};
 use super::marks::{Scene, Spot};

@@ -1,7 +1,10 @@
 //! The surface of a level: exactly the faces and arcs that a body can meet, as the library reports
 //! them.
 
-use tilesat::{Axis, Feature, Geometry, Vec2};
+use tilesat::{
+    Axis, Vec2,
+    world::{Feature, Geometry},
+};
 
 use super::ink::{EDGE, Ink, TOP};
 use super::marks::{Scene, Spot};

@@ -9,7 +9,7 @@ use tilesat_games::platformer::sim::{Actor, BODIES, FrameReport, Shape};
 
 /// Half extents, and radii in the first column, in sixteenths of a cell.
 const SIZES: [(i32, i32); 8] = [(4, 4), (6, 5), (5, 7), (9, 6), (3, 8), (7, 7), (11, 11), (2, 3)];
-const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::Cross, Response::Bounce];
+const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::DropThrough, Response::Bounce];
 /// Places that are tried for a body; then it becomes smaller.
 const TRIES: u32 = 400;
 /// What it becomes at last, in sixteenths of a cell: a dot.

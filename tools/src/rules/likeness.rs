@@ -1,7 +1,10 @@
 //! Which shape of the library a drawn shape is.
 
 use tilesat::world::World;
-use tilesat::{Aabb, AllShapes, Feature, Fx, Geometry, Grid, TileKind, TileKinds, TileMap, TileShape, Vec2};
+use tilesat::{
+    Aabb, AllShapes, Fx, Grid, TileKind, TileKinds, TileMap, TileShape, Vec2,
+    world::{Feature, Geometry},
+};
 
 use super::names;
 

@@ -1,7 +1,10 @@
 //! How features look: faces and arcs as lines with arrows along their normals, vertices as the fan
 //! of normals between their edges.
 
-use tilesat::{Axis, Feature, Geometry};
+use tilesat::{
+    Axis,
+    world::{Feature, Geometry},
+};
 
 use crate::picture::ink::{CONTACT, EDGE, Ink, PLANK, SLIDE, TOUCH};
 use crate::picture::marks::{Scene, Spot};

@@ -3,7 +3,7 @@
 use tilesat::motion::Response;
 use tilesat::world::{Inside, Outside};
 use tilesat::{
-    Aabb, AllShapes, Axis, Circle, Feature, Fx, Grid, Mover, TileKind, TileKinds, TileMap, TileShape, Toi, Vec2,
+    Aabb, AllShapes, Axis, Circle, Fx, Grid, Mover, TileKind, TileKinds, TileMap, TileShape, Toi, Vec2, world::Feature,
 };
 
 use tilesat_games::platformer::ninja;

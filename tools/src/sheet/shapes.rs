@@ -1,7 +1,8 @@
 //! All shapes, each alone in a map of one tile.
 
 use tilesat::{
-    Aabb, AllShapes, Feature, Fx, Geometry, Grid, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2,
+    Aabb, AllShapes, Fx, Grid, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2,
+    world::{Feature, Geometry},
 };
 
 use super::glyphs::{self, Frame};

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use tilesat::world::World;
-use tilesat::{Aabb, AllShapes, Feature, Fx, Grid, SegmentMap, TileKinds, TileMap, TileShape, Vec2};
+use tilesat::{Aabb, AllShapes, Fx, Grid, SegmentMap, TileKinds, TileMap, TileShape, Vec2, world::Feature};
 
 use crate::baked::{quarry, steps, world};
 use crate::support::{self, Ran, ldtk, objects, own, rows, scratch};

@@ -9,7 +9,7 @@ use crate::peers::textbook::{Named, Shape as Book, vector};
 use crate::rays::level::{CELL, Level, MAPS, SIDE};
 use crate::record::Row;
 use crate::run::Sizes;
-use tilesat::{BodyHit, Circle, Fx, Grid, Inside, RangeError, TileKind, TileKinds, TileMap, Vec2};
+use tilesat::{Circle, Fx, Grid, Inside, RangeError, TileKind, TileKinds, TileMap, Vec2, motion::BodyHit};
 use tilesat_judge::Random;
 use tilesat_judge::oracle::figure::{Figure, Point};
 use tilesat_judge::oracle::generate::UNIT;

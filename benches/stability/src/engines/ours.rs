@@ -2,7 +2,7 @@
 
 use crate::engine::{Engine, State};
 use crate::scene::{Point, Scene, Shape, Start};
-use tilesat::{Aabb, Axis, Body, Circle, Fx, Mover, Ratio, Response, Speed, Surface, Vec2, World};
+use tilesat::{Aabb, Axis, Body, Circle, Fx, Mover, Ratio, Response, Surface, Vec2, World, motion::Speed};
 
 /// A ball or a box in tiles or among segments.
 pub struct Ours<W, B> {

@@ -3,7 +3,7 @@
 use tilesat::motion::Response;
 use tilesat::motion::response::{exchange, separate};
 use tilesat::prelude::*;
-use tilesat::{Axis, Circle, Fx, Masses, MoveError, Mover, RangeError, Ratio, Surface, Vec2, World, fx};
+use tilesat::{Axis, Circle, Fx, MoveError, Mover, RangeError, Ratio, Surface, Vec2, World, fx, motion::Masses};
 
 use super::table::{BUMPER, KICKER};
 

@@ -1,8 +1,9 @@
 //! The game: a player that walks, and four machines that carry it, convey it, and would squash it.
 
 use tilesat::{
-    Aabb, AllShapes, Axis, Fx, Joined, MoveError, Mover, RangeError, Ride, Side, SlopeSpeed, Solid, Solids, Support,
-    TileMap, Vec2, Walker,
+    Aabb, AllShapes, Axis, Fx, Joined, MoveError, Mover, RangeError, Side, SlopeSpeed, Solid, Solids, TileMap, Vec2,
+    Walker,
+    motion::{Ride, Support},
 };
 
 use super::machine::{BELT, CRUSHER, LIFT, MACHINES, Machine, SHELF};

@@ -1,7 +1,7 @@
 //! The runner: to the right, over all that it meets, from room to room.
 
 use core::fmt;
-use tilesat::{Aabb, AllShapes, Axis, Fx, MoveError, Mover, Room, Rooms, Support, Vec2, Walker};
+use tilesat::{Aabb, AllShapes, Axis, Fx, MoveError, Mover, Room, Rooms, Vec2, Walker, motion::Support};
 
 use super::world::{CELL, WIDTH};
 

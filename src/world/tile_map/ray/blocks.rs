@@ -2,7 +2,7 @@
 //! cells at once.
 
 use crate::num::umul;
-use crate::world::grid::Span;
+use crate::world::grid::GridAxis;
 use crate::world::ray::walk::{Axes, Beyond, Lane, X, Y, along, lead};
 use crate::world::tile_map::kind::{TileKind, TileShape};
 use crate::world::tile_map::{Outside, Set, Store, TileMap};
@@ -22,7 +22,7 @@ const BESIDE: Stop = 4;
 
 /// The result of [`TileMap::run`].
 #[derive(Clone, Copy, Debug)]
-pub(in crate::world) struct Run {
+pub(in crate::world) struct BlockRun {
     pub(in crate::world) met: Stop,
     /// The tile that was met.
     pub(in crate::world) id: u8,
@@ -33,7 +33,7 @@ pub(in crate::world) struct Run {
     pub(super) lead: i32,
 }
 
-impl Run {
+impl BlockRun {
     /// Nowhere.
     pub(super) const NONE: Self = Self { met: 0, id: 0, kx: 0, ky: 0, lead: 0 };
 }
@@ -41,7 +41,7 @@ impl Run {
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Measures one axis of a ray.
     #[inline]
-    pub(in crate::world) fn lane(&self, span: &Span, o: i32, d: i32) -> Lane {
+    pub(in crate::world) fn lane(&self, span: &GridAxis, o: i32, d: i32) -> Lane {
         self.grid.lane_with(span, o, d, |before, last| self.beyond(before, last))
     }
 
@@ -81,8 +81,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// is both lines at once: then the cells beside the corner come first, x before y. Else a floor
     /// of 0 is more than 0.
     #[inline(always)]
-    pub(in crate::world) fn run<const ANY: bool>(&self, x: &Lane, y: &Lane) -> Run {
-        let Some((e, even)) = self.divided(lead(x, y)) else { return Run::NONE };
+    pub(in crate::world) fn run<const ANY: bool>(&self, x: &Lane, y: &Lane) -> BlockRun {
+        let Some((e, even)) = self.divided(lead(x, y)) else { return BlockRun::NONE };
         if T::OCCUPIED { self.run_open::<ANY>(x, y, e, even) } else { self.run_from::<ANY, false>(x, y, e, even) }
     }
 
@@ -94,7 +94,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         y: &Lane,
         mut e: i32,
         even: bool,
-    ) -> Run {
+    ) -> BlockRun {
         let stride = self.stride as i32;
         let (px, py) = (x.step, y.step.wrapping_mul(stride));
         let mut tile = y.cell.wrapping_mul(stride).wrapping_add(x.cell);
@@ -156,7 +156,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 break if before < 0 { X } else { Y };
             }
         };
-        Run {
+        BlockRun {
             met,
             id,
             kx: x.lines.wrapping_sub(nx) as u32,
@@ -209,7 +209,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// A face is met where a full cell follows one that is not, on the same side of the line: a
     /// wall that the ray slides along has none.
     #[inline(never)]
-    pub(in crate::world) fn run_along<const ANY: bool>(&self, x: &Lane, y: &Lane) -> Option<Run> {
+    pub(in crate::world) fn run_along<const ANY: bool>(&self, x: &Lane, y: &Lane) -> Option<BlockRun> {
         let (stride, lines) = (self.stride as i32, along(x, y, self.grid.cell as u32));
         // The axis of the motion, the steps between tiles along it and to the other side, and the
         // first tile there.
@@ -248,22 +248,22 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         };
         let crossed = way.lines.wrapping_sub(left) as u32;
         let (kx, ky) = if axis == X { (crossed, 0) } else { (0, crossed) };
-        Some(Run { met, id: 0, kx, ky, lead: 0 })
+        Some(BlockRun { met, id: 0, kx, ky, lead: 0 })
     }
 }
 
 /// The four cells at a line or corner, as seen by a ray: the one it is in, those across one line,
 /// and the one across both. A bit is set where the cell is full. Across a single line, they are two
 /// cells twice.
-type Around = u32;
+type FourCells = u32;
 
-const HERE: Around = 1;
-const OVER_X: Around = 2;
-const OVER_Y: Around = 4;
-const AHEAD: Around = 8;
-const ALL: Around = 15;
+const HERE: FourCells = 1;
+const OVER_X: FourCells = 2;
+const OVER_Y: FourCells = 4;
+const AHEAD: FourCells = 8;
+const ALL: FourCells = 15;
 
-/// For each [`Around`], whether a face between columns is met (then one between rows): a full cell
+/// For each [`FourCells`], whether a face between columns is met (then one between rows): a full cell
 /// behind one that is not.
 const FACES: [u32; 2] = {
     let (mut faces, mut around) = ([0, 0], 0);
@@ -278,7 +278,7 @@ const FACES: [u32; 2] = {
 
 /// The face that is met across one of these axes, x first.
 #[inline]
-const fn met(around: Around, over: Axes) -> Stop {
+const fn met(around: FourCells, over: Axes) -> Stop {
     let (axis, beside) = if FACES[0] >> around & over & X != 0 {
         (X, OVER_Y)
     } else if FACES[1] >> around & over >> 1 != 0 {
@@ -385,7 +385,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The cells at the lines last crossed on these axes.
     #[inline(never)]
     #[expect(clippy::indexing_slicing, reason = "masked to the tables' lengths")]
-    fn around(&self, w: &Detour, wide: Axes) -> Around {
+    fn around(&self, w: &Detour, wide: Axes) -> FourCells {
         let mut columns = [w.x.cell; 2];
         if wide & X != 0 {
             columns[0] = self.known(w.x.cell.wrapping_sub(w.x.step), w.x.cell, self.grid.x.count);

@@ -1,6 +1,6 @@
 //! A ray through open areas: where a map knows which of them are empty, each is passed by one step.
 
-use super::blocks::{END, Run};
+use super::blocks::{BlockRun, END};
 use crate::world::ray::walk::{Beyond, Lane, X, Y};
 use crate::world::tile_map::occupancy::{AREA, AREA_LOG};
 use crate::world::tile_map::{Set, Store, TileMap};
@@ -8,13 +8,13 @@ use crate::world::tile_map::{Set, Store, TileMap};
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// [`run_from`](Self::run_from) that passes empty areas: pieces of it, each as far as into the next area.
     #[inline(never)]
-    pub(super) fn run_open<const ANY: bool>(&self, x: &Lane, y: &Lane, mut e: i32, even: bool) -> Run {
+    pub(super) fn run_open<const ANY: bool>(&self, x: &Lane, y: &Lane, mut e: i32, even: bool) -> BlockRun {
         let (mut u, mut v, cell) = (*x, *y, self.grid.cell as u32);
         loop {
             let before = (u.lines, v.lines);
             let (lead, is_over) = self.pass(&mut u, &mut v, e, even);
             if is_over && !ANY && matches!(self.outer(), Beyond::Nothing) {
-                return Run { met: END, ..Run::NONE };
+                return BlockRun { met: END, ..BlockRun::NONE };
             }
             e = lead;
             let run = self.run_from::<ANY, true>(&as_far_as_border(&u), &as_far_as_border(&v), e, even);
@@ -22,7 +22,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             // Of a piece that could not go on, the end is that of the whole.
             if run.met & (X | Y) != 0 || (u.lines, v.lines) == before {
                 let (kx, ky) = (x.lines.wrapping_sub(u.lines) as u32, y.lines.wrapping_sub(v.lines) as u32);
-                return Run { kx, ky, ..run };
+                return BlockRun { kx, ky, ..run };
             }
         }
     }

@@ -156,11 +156,11 @@ pub(in crate::world) struct TilePieces<'w, S: Set, T: Store> {
     x: i32,
     y: i32,
     d: Raw,
-    stage: Stage,
+    stage: PieceStage,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Stage {
+enum PieceStage {
     X,
     Y,
     Inner,
@@ -169,7 +169,7 @@ enum Stage {
 
 impl<'w, S: Set, T: Store> TilePieces<'w, S, T> {
     pub(in crate::world) const fn new(map: &'w TileMap<'w, S, T>, kind: TileKind, x: i32, y: i32, d: Raw) -> Self {
-        Self { map, kind, x, y, d, stage: Stage::X }
+        Self { map, kind, x, y, d, stage: PieceStage::X }
     }
 
     /// The part of side `k` that bounds the solid, or blocks, and is not covered by the tile
@@ -245,21 +245,21 @@ impl<S: Set, T: Store> Iterator for TilePieces<'_, S, T> {
     fn next(&mut self) -> Option<Feature> {
         loop {
             let (index, geometry) = match self.stage {
-                Stage::X => {
-                    self.stage = Stage::Y;
+                PieceStage::X => {
+                    self.stage = PieceStage::Y;
                     let k = if self.d.x > 0 { 3 } else { 1 };
                     (k, if self.d.x == 0 { None } else { self.side(k) })
                 }
-                Stage::Y => {
-                    self.stage = Stage::Inner;
+                PieceStage::Y => {
+                    self.stage = PieceStage::Inner;
                     let k = if self.d.y > 0 { 0 } else { 2 };
                     (k, if self.d.y == 0 { None } else { self.side(k) })
                 }
-                Stage::Inner => {
-                    self.stage = Stage::Over;
+                PieceStage::Inner => {
+                    self.stage = PieceStage::Over;
                     (8, if S::SHAPED { self.inner() } else { None })
                 }
-                Stage::Over => return None,
+                PieceStage::Over => return None,
             };
             if let Some(geometry) = geometry {
                 return Some(Feature {

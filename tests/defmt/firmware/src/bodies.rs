@@ -7,7 +7,7 @@ use tilesat::broad::{
 };
 use tilesat::heapless::Vec;
 use tilesat::prelude::*;
-use tilesat::{Aabb, Fx, Truncated, Vec2};
+use tilesat::{Aabb, Fx, Vec2, error::Truncated};
 
 fn at(x: i16) -> Aabb {
     Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8)).unwrap()

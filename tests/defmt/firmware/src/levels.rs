@@ -3,9 +3,10 @@
 use crate::tell;
 use tilesat::heapless::Vec;
 use tilesat::{
-    Aabb, AllShapes, Bits, Blocks, Bytes, Cell, Circle, Fx, Geometry, Grid, Inside, Joined, OneWay, Outside, Path,
-    PathKind, Placed, RayRules, Room, Rooms, SegmentFault, SegmentMap, SegmentMapError, Side, Slopes, Solid, Solids,
-    TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2, WorldContact, segment_map,
+    Aabb, AllShapes, Blocks, Cell, Circle, Fx, Grid, Inside, Joined, Outside, Path, PathKind, Room, Rooms, SegmentMap,
+    SegmentMapError, Side, Slopes, Solid, Solids, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2,
+    segment_map,
+    world::{Bits, Bytes, Geometry, OneWay, Placed, RayRules, SegmentFault, WorldContact},
 };
 
 static KINDS: TileKinds = TileKinds::EMPTY

@@ -2,8 +2,8 @@
 
 use crate::tell;
 use tilesat::{
-    Aabb, Axis, Character, Circle, Feel, Fx, Input, Inside, Mover, Response, SlopeSpeed, Solid, StartInside, TileKind,
-    TileKinds, TileMap, Vec2, Walker, fx,
+    Aabb, Axis, Character, Circle, Feel, Fx, Input, Inside, Mover, Response, SlopeSpeed, Solid, TileKind, TileKinds,
+    TileMap, Vec2, Walker, fx, motion::StartInside,
 };
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL.with_flags(8));

@@ -3,8 +3,10 @@
 use crate::tell;
 use tilesat::prelude::*;
 use tilesat::{
-    Aabb, Axis, Capsule, Circle, ConvexPolygon, Filter, Fx, Inside, LayerMask, OrientedBox, Part, PolygonError,
-    Quantity, RangeError, Ratio, Segment, Separation, Toi, Truncated, Vec2,
+    Aabb, Axis, Capsule, Circle, ConvexPolygon, Filter, Fx, Inside, LayerMask, OrientedBox, Quantity, RangeError,
+    Ratio, Segment, Toi, Vec2,
+    error::{PolygonError, Truncated},
+    query::{Part, Separation},
 };
 
 pub(crate) fn tell_all() {

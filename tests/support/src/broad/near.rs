@@ -4,7 +4,7 @@ use tilesat::broad::{
     BroadError, BroadHit, BroadPhase, Handle, Nearest, Pair, PairCursor, PairsError, QueryError, Tag,
 };
 use tilesat::heapless::VecView;
-use tilesat::{Aabb, Fx, RangeError, Toi, Truncated, Vec2};
+use tilesat::{Aabb, Fx, RangeError, Toi, Vec2, error::Truncated};
 
 /// A broad phase with its methods, each of which is one call of the same name.
 pub struct Near<T>(Box<dyn Phase<T>>);

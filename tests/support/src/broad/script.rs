@@ -6,7 +6,7 @@ use super::{Cells, Mark, aabb, vec2};
 use std::collections::HashSet;
 use tilesat::broad::{BroadError, BroadHit, Handle, Nearest, Pair, PairCursor, PairsError, QueryError};
 use tilesat::heapless::{Vec as Room, VecView};
-use tilesat::{Aabb, Fx, Quantity, RangeError, Toi, Truncated};
+use tilesat::{Aabb, Fx, Quantity, RangeError, Toi, error::Truncated};
 
 /// A coordinate: quarters of a cell and a few raw units beside them.
 pub type At = (i64, i64);

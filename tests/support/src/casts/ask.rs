@@ -5,7 +5,7 @@ use super::number::Number;
 use crate::oracle::figure::{Figure, Point};
 use crate::oracle::kernel::{aabb, circle, point, segment, vec2};
 use tilesat::prelude::*;
-use tilesat::{Axis, CastHit, Inside, MovingHit, RangeError, Toi};
+use tilesat::{Axis, CastHit, Inside, RangeError, Toi, query::MovingHit};
 
 /// Calls `$body` with both figures as the library's shapes.
 macro_rules! shapes {

@@ -5,7 +5,9 @@ use crate::casts::ask::Answer;
 use crate::oracle::figure::Point;
 use crate::oracle::kernel::{aabb, circle, point, segment, vec2};
 use tilesat::prelude::*;
-use tilesat::{Axis, Capsule, Contact, ConvexPolygon, Fx, Inside, Manifold, OrientedBox, RangeError, Separation};
+use tilesat::{
+    Axis, Capsule, Contact, ConvexPolygon, Fx, Inside, Manifold, OrientedBox, RangeError, query::Separation,
+};
 
 pub fn capsule(a: Point, b: Point, radius: i64) -> Capsule {
     Capsule::new(vec2(a), vec2(b), Fx::from_bits(radius as i32)).expect("generators stay inside the domain")

@@ -118,7 +118,7 @@ impl<'a> Pair<'a> {
             let side = |n: i64| exit::compare_root(along, n, dot(u, u));
             assert!(side(d - 6) >= 0 && side(d + 6) <= 0, "depth {d}: {case}");
             for (shape, part) in [(a, p.part_a), (b, p.part_b)] {
-                let (tilesat::Part::Corner(i) | tilesat::Part::Side(i)) = part;
+                let (tilesat::query::Part::Corner(i) | tilesat::query::Part::Side(i)) = part;
                 assert!(usize::from(i) < shape.vertices().len(), "{case}");
             }
         }

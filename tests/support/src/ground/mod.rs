@@ -10,8 +10,8 @@ pub mod way;
 use crate::shapes::level::Level;
 use tilesat::world::World;
 use tilesat::{
-    Aabb, AllShapes, Body, Circle, Fx, MoveError, Outside, Path, PathKind, SegmentMap, Support, TileMap, Vec2, Walked,
-    Walker,
+    Aabb, AllShapes, Body, Circle, Fx, MoveError, Outside, Path, PathKind, SegmentMap, TileMap, Vec2, Walked, Walker,
+    motion::Support,
 };
 
 pub type P = (i64, i64);

@@ -1,7 +1,10 @@
 //! Bodies as plain integers, and the call under test.
 
 use super::{P, Time, add};
-use tilesat::{Aabb, Circle, Fx, Hits, MoveError, Mover, Response, TileMap, Vec2, Work};
+use tilesat::{
+    Aabb, Circle, Fx, MoveError, Mover, Response, TileMap, Vec2,
+    motion::{Hits, Work},
+};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Body {
@@ -141,4 +144,4 @@ impl Outcome {
     }
 }
 
-pub const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::Cross, Response::Bounce];
+pub const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::DropThrough, Response::Bounce];

@@ -47,7 +47,7 @@ pub fn judge(level: &Level, start: &Body, v: P, response: Response, out: &Outcom
         check(out.body == start.moved(v), "a free motion did not arrive")?;
         check(out.v == v && out.remaining == (0, 0), "a free motion lost something")?;
     }
-    let obeyed: Vec<&Hit> = out.hits.iter().filter(|h| response != Response::Cross || !h.one_way).collect();
+    let obeyed: Vec<&Hit> = out.hits.iter().filter(|h| response != Response::DropThrough || !h.one_way).collect();
     let axes: Vec<P> = obeyed.iter().map(|h| (i64::from(h.axis.x), i64::from(h.axis.y))).collect();
     if let Some(&last) = axes.last() {
         check(dot(out.v, last) >= 0 || passes(level, &out.body, out.v), "still moves into what it hit last")?;
@@ -60,7 +60,7 @@ pub fn judge(level: &Level, start: &Body, v: P, response: Response, out: &Outcom
     )?;
     match response {
         Response::Touch => check(axes.is_empty() || out.v == (0, 0), "touched and went on"),
-        Response::Slide | Response::Cross if matches!(start, Body::Rect { .. }) => {
+        Response::Slide | Response::DropThrough if matches!(start, Body::Rect { .. }) => {
             let stopped = |by: fn(&P) -> i64| axes.iter().any(|n| by(n) != 0);
             let expected = (if stopped(|n| n.0) { 0 } else { v.0 }, if stopped(|n| n.1) { 0 } else { v.1 });
             check(out.v == expected, "a box slides with another velocity")
@@ -103,7 +103,7 @@ fn judge_hits(level: &Level, response: Response, out: &Outcome) -> Result<(), St
             return Err(format!("flags of the cell are missing: {hit:?}"));
         }
         flags |= hit.flags;
-        if hit.one_way && response == Response::Cross {
+        if hit.one_way && response == Response::DropThrough {
             continue;
         }
         if -n.1 >= n.0.abs() {

@@ -15,7 +15,7 @@ fn respond(v: V, n: V, response: Response) -> V {
     let into = (v.0 * n.0 + v.1 * n.1) / (n.0 * n.0 + n.1 * n.1);
     let k = match response {
         Response::Touch => return (0.0, 0.0),
-        Response::Slide | Response::Cross => into.min(0.0),
+        Response::Slide | Response::DropThrough => into.min(0.0),
         Response::Bounce => 2.0 * into.min(0.0),
     };
     (v.0 - k * n.0, v.1 - k * n.1)
@@ -137,14 +137,14 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     let mut first_leg = None;
     // A circle between two corners may stay where it is, a little before the contact: then both are touched together.
     let wedge = if let Body::Disc { r, .. } = *start { 2.0 * (r as f64).sqrt() } else { 0.0 };
-    let slides = matches!(response, Response::Slide | Response::Cross);
+    let slides = matches!(response, Response::Slide | Response::DropThrough);
     let mut touched = Touched { by: vel, planes: Vec::new(), lies: false };
     for (i, hit) in hits.iter().enumerate() {
         let toi = f64::from(hit.toi.raw()) / f64::from(1u32 << 30);
         if corners && first_leg.is_some() && vel.0.hypot(vel.1) * (toi - now) < wedge.max(16.0) {
             return Ok(());
         }
-        if response == Response::Cross && hit.one_way && i as u32 + 1 == Mover::ITERATIONS {
+        if response == Response::DropThrough && hit.one_way && i as u32 + 1 == Mover::ITERATIONS {
             // It takes an iteration to see that it can be passed, and there is none left to do so.
             break;
         }
@@ -156,7 +156,7 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
         }
         first_leg.get_or_insert(place);
         now = toi;
-        if response != Response::Cross || !hit.one_way {
+        if response != Response::DropThrough || !hit.one_way {
             let normal = (hit.axis.x.into(), hit.axis.y.into());
             if slides {
                 if touched.planes.is_empty() {
@@ -192,7 +192,7 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     let blocked = |d: V, far: f64| {
         let way = d.0.abs().max(d.1.abs()).max(1.0);
         let d = ((d.0 * far / way) as i64, (d.1 * far / way) as i64);
-        let one_way = || response != Response::Cross && rect::first_one_way(level, &out.body, d).is_some();
+        let one_way = || response != Response::DropThrough && rect::first_one_way(level, &out.body, d).is_some();
         disc && (disc::enters_solid(level, &out.body, d, super::Time::END) || one_way())
     };
     if blocked(vel, 64.0) {
@@ -223,7 +223,7 @@ pub fn box_is_exact(level: &Level, start: &Body, v: P, response: Response, out: 
     let size = (hi.0 - lo.0, hi.1 - lo.1);
     // Where the box is, on the axis of the hit, when it touches each face in turn.
     let mut stops = (vec![lo.0], vec![lo.1]);
-    for hit in out.hits.iter().filter(|h| response != Response::Cross || !h.one_way) {
+    for hit in out.hits.iter().filter(|h| response != Response::DropThrough || !h.one_way) {
         let (a, b) = level.square(hit.cell.x.into(), hit.cell.y.into());
         match hit.index {
             0 => stops.1.push(a.1 - size.1),
@@ -236,7 +236,7 @@ pub fn box_is_exact(level: &Level, start: &Body, v: P, response: Response, out: 
         let way: i64 = stops.windows(2).map(|w| (w[1] - w[0]).abs()).sum();
         let last = *stops.last().unwrap_or(&end);
         match response {
-            Response::Slide | Response::Cross if stops.len() > 1 => end == last && remaining == 0,
+            Response::Slide | Response::DropThrough if stops.len() > 1 => end == last && remaining == 0,
             _ => way + (end - last).abs() + remaining.abs() == v.abs(),
         }
     };

@@ -5,7 +5,7 @@ use crate::rays::cast::{Hit, Line, Scene};
 use crate::rays::level::Level;
 use crate::rays::moment::Moment;
 use crate::rays::solid::Point;
-use tilesat::{AllShapes, Axis, Inside, RayHit, RayRules, TileMap, Vec2};
+use tilesat::{AllShapes, Axis, Inside, RayHit, TileMap, Vec2, world::RayRules};
 
 pub fn vec2(p: Point) -> Vec2 {
     Vec2::from_raw(p.0 as i32, p.1 as i32)

@@ -2,7 +2,10 @@
 
 use super::P;
 use tilesat::world::World;
-use tilesat::{Aabb, Circle, Fx, Hits, MoveError, Moved, Mover, Surface, Vec2, Work};
+use tilesat::{
+    Aabb, Circle, Fx, MoveError, Moved, Mover, Surface, Vec2,
+    motion::{Hits, Work},
+};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Body {

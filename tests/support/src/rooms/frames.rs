@@ -8,7 +8,7 @@ use crate::rooms::{P, PX, len2};
 use crate::shapes::level::Level;
 use tilesat::{Axis, Mover, Response};
 
-pub const RESPONSES: [Response; 4] = [Response::Slide, Response::Bounce, Response::Cross, Response::Touch];
+pub const RESPONSES: [Response; 4] = [Response::Slide, Response::Bounce, Response::DropThrough, Response::Touch];
 
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Tally {

@@ -3,8 +3,8 @@
 use crate::Random;
 use crate::segments::{Body, Scene};
 use tilesat::{
-    Aabb, Axis, Circle, Fx, Inside, Joined, Mover, OneWay, RayRules, SegmentMap, SegmentMapError, TileKind, TileKinds,
-    TileMap, Vec2,
+    Aabb, Axis, Circle, Fx, Inside, Joined, Mover, SegmentMap, SegmentMapError, TileKind, TileKinds, TileMap, Vec2,
+    world::{OneWay, RayRules},
 };
 
 pub static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);

@@ -1,7 +1,7 @@
 //! Rays against segment maps: every hit in order, against each piece of the boundary on its own.
 
 use crate::segments::{P, Piece, SCALE, Scene, cross, dot, gcd, sub};
-use tilesat::{Inside, PathKind, RayHit, RayRules, SegmentMap};
+use tilesat::{Inside, PathKind, RayHit, SegmentMap, world::RayRules};
 
 /// A moment and the normals of what is met then.
 #[derive(Debug)]

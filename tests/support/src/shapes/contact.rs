@@ -3,7 +3,10 @@
 #![allow(clippy::cast_precision_loss, reason = "compared with a margin: coordinates below 2^30 keep 22 bits below one")]
 
 use super::judge::Body;
-use tilesat::{Axis, Feature, Geometry, Vec2};
+use tilesat::{
+    Axis, Vec2,
+    world::{Feature, Geometry},
+};
 
 type Point = (i128, i128);
 

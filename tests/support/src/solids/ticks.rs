@@ -5,7 +5,10 @@ use crate::solids::judge::{Block, Judged};
 use crate::solids::twins::{mirrored, translated};
 use crate::solids::{P, disc, raw, rect, show, solid, vec2};
 use tilesat::prelude::*;
-use tilesat::{Axis, Fx, Grid, Joined, MoveError, Mover, Ridden, Ride, Side, Solid, Solids, Vec2, World};
+use tilesat::{
+    Axis, Fx, Grid, Joined, MoveError, Mover, Side, Solid, Solids, Vec2, World,
+    motion::{Ridden, Ride},
+};
 
 pub const SIDE: i64 = 6;
 

@@ -2,7 +2,10 @@
 
 use super::mosaic::FAR;
 use super::polygon::Point;
-use tilesat::{Axis, Feature, Geometry, Vec2};
+use tilesat::{
+    Axis, Vec2,
+    world::{Feature, Geometry},
+};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Piece {

@@ -13,7 +13,7 @@ pub(super) fn ink(response: Response) -> Ink {
     match response {
         Response::Slide => SLIDE,
         Response::Touch => TOUCH,
-        Response::Cross => CROSS,
+        Response::DropThrough => CROSS,
         Response::Bounce => BOUNCE,
     }
 }

@@ -16,7 +16,7 @@ pub(super) fn draw(scene: &mut Scene, level: &Level, run: &Run, name: &str, seed
         ("player", PLAYER),
         ("slide", bodies::ink(Response::Slide)),
         ("touch", bodies::ink(Response::Touch)),
-        ("cross", bodies::ink(Response::Cross)),
+        ("cross", bodies::ink(Response::DropThrough)),
         ("bounce", bodies::ink(Response::Bounce)),
         ("contact", CONTACT),
     ];

@@ -7,8 +7,9 @@ use tilesat::motion::response::{
 use tilesat::motion::{Hit, Hits, Walked, escape};
 use tilesat::world::{AllShapes, Bits, Blocks, Joined, Placed, SegmentMap, Slopes, Solid, Solids, TileMap};
 use tilesat::{
-    Aabb, Acceleration, Axis, Carry, Character, Circle, Contact, Energy, Feel, Fx, Input, Masses, Moved, Mover, Ratio,
-    Response, SlopeSpeed, Speed, StartInside, Support, Surface, Vec2, Walker,
+    Aabb, Axis, Character, Circle, Contact, Feel, Fx, Input, Moved, Mover, Ratio, Response, SlopeSpeed, Surface, Vec2,
+    Walker,
+    motion::{Acceleration, Carry, Energy, Masses, Speed, StartInside, Support},
 };
 use tilesat_flash::keep;
 

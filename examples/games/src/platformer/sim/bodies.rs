@@ -12,7 +12,7 @@ use super::start::place;
 /// Half extents of boxes and, first column, radii of balls, in sixteenths of a cell.
 const SIZES: [(i32, i32); 8] = [(4, 4), (6, 5), (5, 7), (9, 6), (3, 8), (7, 7), (11, 11), (2, 3)];
 
-const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::Cross, Response::Bounce];
+const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::DropThrough, Response::Bounce];
 
 /// Body `i`: boxes and balls take turns; each response goes to four of either, half of them heavy.
 pub(super) fn start<S: Set>(map: &TileMap<'_, S>, i: usize, rng: &mut Rng) -> Option<Actor> {

@@ -2,7 +2,7 @@
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{MoveError, Mover, Stuck, Support, Walked, Walker, escape};
-use tilesat::{Aabb, Axis, BodyHit, Circle, Fx, Inside, RangeError, Vec2};
+use tilesat::{Aabb, Axis, Circle, Fx, Inside, RangeError, Vec2, motion::BodyHit};
 use tilesat_counts::inputs::{Random, UNIT, vec};
 use tilesat_counts::measure::{Query, Table, load};
 use tilesat_counts::shapes::{CELL, Map, SIDE, ball, crate_, level, place};

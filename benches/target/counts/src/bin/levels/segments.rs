@@ -2,8 +2,12 @@
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{MoveError, Moved, Mover};
-use tilesat::{Axis, BodyHit, Circle, Fx, Inside, Near, OneWay, Path, PathKind, RangeError, RayHit, SegmentMap, Vec2};
-use tilesat::{WorldContact, segment_map};
+use tilesat::{
+    Axis, Circle, Fx, Inside, Path, PathKind, RangeError, RayHit, SegmentMap, Vec2,
+    motion::BodyHit,
+    world::{Near, OneWay},
+};
+use tilesat::{segment_map, world::WorldContact};
 use tilesat_counts::inputs::{Random, UNIT, circle, vec};
 use tilesat_counts::measure::{Query, Table, load};
 

@@ -2,7 +2,11 @@
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{MoveError, Moved, Mover};
-use tilesat::{Aabb, Axis, BodyHit, Circle, Fx, Inside, Near, OneWay, RangeError, RayHit, Vec2, WorldContact};
+use tilesat::{
+    Aabb, Axis, Circle, Fx, Inside, RangeError, RayHit, Vec2,
+    motion::BodyHit,
+    world::{Near, OneWay, WorldContact},
+};
 use tilesat_counts::inputs::{Random, UNIT, vec};
 use tilesat_counts::measure::{Query, Table, load};
 use tilesat_counts::shapes::{CELL, Map, SIDE, ball, crate_, level, place};

@@ -3,7 +3,10 @@
 use core::mem::MaybeUninit;
 use tilesat::motion::response::{Split, Stick, exchange, separate, split};
 use tilesat::prelude::*;
-use tilesat::{Acceleration, Axis, Carry, Circle, Contact, Fx, Masses, RangeError, Ratio, Speed, Surface, Vec2};
+use tilesat::{
+    Axis, Circle, Contact, Fx, RangeError, Ratio, Surface, Vec2,
+    motion::{Acceleration, Carry, Masses, Speed},
+};
 use tilesat_counts::inputs::{Random, UNIT, near_circles, vec};
 use tilesat_counts::measure::{Query, Table, load};
 
