@@ -158,19 +158,21 @@ impl Ways {
 
     /// Between two corners or arcs the way leads across the line through their centres, as through a gap that is as wide as the body.
     fn consider_gaps<W: World, B: Body>(&mut self, v: Raw, time: Toi) {
-        let convex =
-            |way: &Option<Way>| way.and_then(|way| way.along).filter(|p| p.bend == Bend::Convex).map(|p| p.normal);
-        let corners = self.ways.each_ref().map(convex);
-        for (k, a) in corners.iter().enumerate() {
-            for b in corners.iter().skip(k + 1) {
-                if let (Some(a), Some(b)) = (a, b) {
-                    if a.dot(*b) < 0 {
-                        let normal = Axis::new(a.x.wrapping_sub(b.x), a.y.wrapping_sub(b.y));
-                        self.consider::<W, B>(Plane { normal, bend: Bend::End }, v, time);
-                    }
-                }
+        // What is added moves others back by one: so some pairs come twice, and none is left out.
+        for k in 0..Self::MAX {
+            let Some(a) = self.corner(k) else { continue };
+            for j in k + 1..Self::MAX {
+                let Some(b) = self.corner(j).filter(|b| a.dot(*b) < 0) else { continue };
+                let normal = Axis::new(a.x.wrapping_sub(b.x), a.y.wrapping_sub(b.y));
+                self.consider::<W, B>(Plane { normal, bend: Bend::End }, v, time);
             }
         }
+    }
+
+    /// The normal of a way along a corner or an arc from outside.
+    fn corner(&self, k: usize) -> Option<Axis> {
+        let plane = self.ways.get(k)?.as_ref()?.along?;
+        (plane.bend == Bend::Convex).then_some(plane.normal)
     }
 
     /// Takes the projection of a velocity on a plane, where it is one.

@@ -1,29 +1,29 @@
-//! The hero of a platformer against closed forms: jumps, their graces, floors that it drops through, lifts, and ways out of a level.
+//! The hero of a platformer against closed forms: jumps, their graces, floors that it drops through, and ways out of a level.
 
 use tilesat::{
-    Aabb, Axis, Body, Character, Circle, Feel, Fx, Input, Joined, Mover, Outcome, Quantity, RangeError, Slopes, Solid,
-    Solids, Step, TileKind, TileKinds, TileMap, TileShape, Vec2, Walker, fx,
+    Aabb, Axis, Character, Feel, Fx, Input, Mover, Outcome, Quantity, RangeError, Slopes, Step, TileKind, TileKinds,
+    TileMap, TileShape, Vec2, Walker, fx,
 };
 use tilesat_judge::Random;
 
-static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'=', TileKind::ONE_WAY_UP);
+pub(super) static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'=', TileKind::ONE_WAY_UP);
 static HILLS: TileKinds =
     TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'/', TileKind::of(TileShape::SlopeBottomRight));
-const NOTHING: Input = Input { run: Fx::ZERO, jump: false, drop: false };
-const JUMP: Input = Input { jump: true, ..NOTHING };
+pub(super) const NOTHING: Input = Input { run: Fx::ZERO, jump: false, drop: false };
+pub(super) const JUMP: Input = Input { jump: true, ..NOTHING };
 const DROP: Input = Input { drop: true, ..NOTHING };
 const RIGHT: Input = Input { run: fx!(2), ..NOTHING };
 
-fn boxed(x: i16, y: i16, w: i16, h: i16) -> Aabb {
+pub(super) fn boxed(x: i16, y: i16, w: i16, h: i16) -> Aabb {
     Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h)).unwrap()
 }
 
-fn limits() -> Aabb {
+pub(super) fn limits() -> Aabb {
     boxed(-1000, -1000, 3000, 3000)
 }
 
 /// 20 cells wide, with a floor at y = 160 in x of 0 to 160.
-fn ledge() -> TileMap<'static> {
+pub(super) fn ledge() -> TileMap<'static> {
     const ROWS: &str = "                    \n                    \n                    \n                    \n                    \n\
                         \x20                   \n                    \n                    \n                    \n                    \n\
                         ##########          \n";
@@ -195,131 +195,6 @@ fn drops_through_one_way_floors_and_no_others() {
         let _ = hero.step(&level, if frame > 60 { DROP } else { NOTHING }).unwrap();
     }
     assert!(hero.floor().is_some_and(|floor| !floor.one_way) && hero.body().max().y == 80);
-}
-
-fn rides<B: Body + PartialEq>(body: B, feel: Feel) {
-    let level = TileMap::from_ascii("   \n", &KINDS).unwrap();
-    let mut lifts = [Solid::new(boxed(0, 24, 60, 8), 7).unwrap()];
-    let mut hero = Character::new(body, limits(), feel);
-    while !hero.on_floor() {
-        let _ = hero.step_on(&level, &mut lifts, NOTHING).unwrap();
-    }
-    let offset = |hero: &Character<B>, lifts: &[Solid]| hero.body().position() - lifts[0].shape().min();
-    let start = offset(&hero, &lifts);
-    let mut random = Random::new(11);
-    for n in 0..10_000 {
-        let at = lifts[0].shape().min();
-        let sign = |v: Fx, random: &mut Random| {
-            if v.abs() > 300 { -i64::from(v.signum().to_num::<i32>()) } else { random.sign() }
-        };
-        // Up as fast as it likes, down by at most the snap.
-        let (x, y) = (sign(at.x, &mut random) * random.below(3 << 16), sign(at.y, &mut random) * random.below(5 << 16));
-        lifts[0] = lifts[0].with_motion(Vec2::from_raw(x as i32, y as i32)).unwrap();
-        let step = hero.step_on(&level, &mut lifts, NOTHING).unwrap();
-        assert_eq!((step.outcome, hero.ridden(), hero.velocity), (Outcome::Moved, Some(7), Vec2::ZERO), "{n}");
-        assert_eq!(offset(&hero, &lifts), start, "{n}");
-    }
-    // A jump takes the lift's motion along.
-    lifts[0] = lifts[0].with_motion(Vec2::from_ints(3, -2)).unwrap();
-    let step = hero.step_on(&level, &mut lifts, JUMP).unwrap();
-    assert_eq!((step.jumped, hero.velocity), (true, Vec2::new(fx!(3), -feel.jump - fx!(2))));
-}
-
-#[test]
-fn a_lift_carries_without_drift() {
-    rides(boxed(20, 4, 10, 14), Feel::DEFAULT);
-    rides(Circle::new(Vec2::from_ints(30, 10), fx!(6.5)).unwrap(), Feel::DEFAULT);
-    rides(boxed(20, 4, 10, 14), Feel { gravity: fx!(0.6), jump: fx!(6), ..Feel::DEFAULT });
-}
-
-/// Seen from a lift that keeps its motion, a jump is that on still ground: place, frame by frame, until it lands. In its first frame the motion is the
-/// velocity alone. Lifts that sink faster than the jump rises are left too.
-#[test]
-fn a_flight_off_a_lift_is_that_on_still_ground() {
-    fn plays<B: Body + PartialEq>(body: B, random: &mut Random) {
-        let level = TileMap::from_ascii("   \n", &KINDS).unwrap();
-        let motion = Vec2::from_raw(random.around(3 << 16) as i32, random.around(5 << 16) as i32);
-        let jump = Fx::from_bits(random.within(1 << 14, 6 << 16) as i32);
-        let feel = Feel { jump, ..Feel::DEFAULT };
-        let mut still = (Character::new(body, limits(), feel), [Solid::new(boxed(-400, 24, 800, 8), 7).unwrap()]);
-        while !still.0.on_floor() {
-            let _ = still.0.step_on(&level, &mut still.1, NOTHING).unwrap();
-        }
-        let mut lift = still;
-        let (released, run) = (random.below(20), Fx::from_bits(random.around(2 << 16) as i32));
-        let offset = |(hero, lifts): &(Character<B>, [Solid; 1])| hero.body().position() - lifts[0].shape().min();
-        for frame in 0..60 {
-            let input = Input { run, jump: frame < released + 1, drop: false };
-            let before = lift.0.body().position();
-            lift.1[0] = lift.1[0].with_motion(motion).unwrap();
-            let a = still.0.step_on(&level, &mut still.1, input).unwrap();
-            let b = lift.0.step_on(&level, &mut lift.1, input).unwrap();
-            assert_eq!(offset(&lift), offset(&still), "{motion:?} {jump} {frame}");
-            assert_eq!((a.jumped, a.landed), (b.jumped, b.landed), "{motion:?} {jump} {frame}");
-            if b.jumped {
-                assert_eq!(lift.0.body().position() - before, lift.0.velocity, "{motion:?} {jump}");
-            }
-            let carried = if lift.0.on_floor() { Vec2::ZERO } else { motion };
-            assert_eq!(lift.0.velocity, still.0.velocity + carried, "{motion:?} {jump} {frame}");
-            if b.landed {
-                return;
-            }
-        }
-        panic!("never down: {motion:?} {jump}");
-    }
-    let mut random = Random::new(12);
-    for _ in 0..300 {
-        plays(boxed(20, 4, 10, 14), &mut random);
-        plays(Circle::new(Vec2::from_ints(30, 10), fx!(6.5)).unwrap(), &mut random);
-    }
-}
-
-#[test]
-fn several_characters_ride_in_three_steps_as_one_does_in_one() {
-    let level = ledge();
-    let mut lifts = [Solid::new(boxed(160, 160, 90, 8), 7).unwrap()];
-    let mut alone = (Character::new(boxed(170, 140, 10, 14), limits(), Feel::DEFAULT), lifts);
-    let mut heroes = [alone.0; 2];
-    let mut jumps = 0;
-    for frame in 0..400 {
-        let y = if frame / 60 % 2 == 0 { -1 } else { 1 };
-        let input = Input { run: fx!(0.1), jump: frame % 90 > 70, ..NOTHING };
-        let rode = alone.0.ridden();
-        lifts[0] = lifts[0].with_motion(Vec2::from_ints(0, y)).unwrap();
-        alone.1 = lifts;
-        let step = alone.0.step_on(&level, &mut alone.1, input).unwrap();
-
-        jumps += i32::from(step.jumped && rode == Some(7));
-
-        let rides = heroes.each_mut().map(|hero| hero.ride(&level, &lifts, false).unwrap());
-        Solid::move_all(&mut lifts);
-        let solids = Solids::new(&lifts);
-        let world = Joined::new(&level, &solids);
-        for (hero, (outcome, carry)) in heroes.iter_mut().zip(rides) {
-            assert_eq!(outcome, Outcome::Moved);
-            let together = hero.step_carried(&world, input, carry).unwrap();
-            assert_eq!((together, *hero), (step, alone.0), "{frame}");
-        }
-    }
-    assert!(jumps >= 3);
-}
-
-#[test]
-fn what_cannot_yield_is_squashed_and_goes_on_later() {
-    let level = TileMap::from_ascii("####\n    \n    \n    \n", &KINDS).unwrap();
-    let mut lifts = [Solid::new(boxed(0, 40, 64, 8), 7).unwrap()];
-    let mut hero = Character::new(boxed(20, 26, 10, 14), limits(), Feel::DEFAULT);
-    let _ = hero.step_on(&level, &mut lifts, NOTHING).unwrap();
-    let mut go = |hero: &mut Character, y| {
-        lifts[0] = lifts[0].with_motion(Vec2::from_ints(0, y)).unwrap();
-        hero.step_on(&level, &mut lifts, NOTHING).unwrap().outcome
-    };
-    assert_eq!([go(&mut hero, -4), go(&mut hero, -4)], [Outcome::Moved; 2]); // 2 units are left
-    let before = *hero.body();
-    assert_eq!(go(&mut hero, -3), Outcome::Squashed { by: 7, normal: Axis::NEG_Y });
-    assert_eq!(*hero.body(), before);
-    assert_eq!(go(&mut hero, 4), Outcome::Moved);
-    assert!((0..20).all(|_| go(&mut hero, 0) == Outcome::Moved) && hero.on_floor());
 }
 
 #[test]

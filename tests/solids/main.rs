@@ -4,6 +4,7 @@
 
 mod carry;
 mod character;
+mod character_lifts;
 mod games;
 mod joints;
 mod placed;

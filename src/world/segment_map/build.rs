@@ -9,9 +9,7 @@ use super::{
     Size, VERSION, at, checksum, half, path, set_byte, set_half, set_word,
 };
 use crate::num::{Axis, Fx, Raw};
-use crate::world::cell::Cell;
-use crate::world::error::SegmentMapError;
-use crate::world::grid::Grid;
+use crate::world::{cell::Cell, error::SegmentMapError, grid::Grid};
 use heapless::VecView;
 
 impl<'a> SegmentMap<'a> {
