@@ -30,6 +30,8 @@ pub(super) struct Run<'m, B> {
     pub(super) along: Option<Plane>,
     /// Whether it has come farther than roundings take it.
     pub(super) came: bool,
+    /// Whether it came flying to the first of what it touches: then what it comes to next is met with the velocity that is left.
+    pub(super) flew: bool,
     /// Whether nothing has been hit yet.
     pub(super) is_first: bool,
     /// The probe of the way that the motion is along.
@@ -73,6 +75,7 @@ impl<'m, B: Body> Run<'m, B> {
             before: v,
             along: None,
             came: false,
+            flew: false,
             is_first: true,
             tried: long(v),
             shut: Shut::NONE,

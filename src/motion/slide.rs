@@ -116,33 +116,35 @@ impl<S: Law> Mover<S> {
         }
         let passes = run.pass_one_way || self.passes_one_way();
         let first = hit.is_some() && core::mem::take(&mut run.is_first);
-        let (mut flew, mut of_hit, mut ways) = (false, None, Ways::none());
-        if let Some((entry, feature)) = hit {
+        let (mut of_hit, mut ways) = (None, Ways::none());
+        if let Some((entry, _)) = hit {
             run.came |= way(made) > NEAR;
-            flew = first && !lay_on(&run.moved.body, run.before, made, entry, feature);
             // It is read as well: where the body had to stay back from it, it is not near.
             let bend = if entry.step.is_none() { Bend::Flat } else { Bend::Convex };
             of_hit = Some(Plane { normal: entry.normal, bend });
         }
         let keeps = first || hit.is_none();
-        let mut may_keep = keeps || run.may_keep(made);
+        let mut kept = keeps || run.may_keep(made);
         let alone = loop {
-            if !may_keep {
+            if !kept {
                 run.before = run.v;
             }
             let alone = ways.read::<W, B>(world, &run.moved.body, (run.before, run.rest), of_hit, passes);
-            may_keep = keeps || run.before == run.v || run.along.is_some_and(|plane| ways.keep(&plane));
-            if may_keep {
+            kept = kept && (keeps || run.along.is_some_and(|plane| ways.keep(&plane)));
+            if kept || run.before == run.v {
                 break alone;
             }
         };
+        if let (true, Some((entry, feature))) = (first || !kept, hit) {
+            run.flew = !lay_on(&run.moved.body, run.before, made, entry, feature);
+        }
         if !alone {
             ways.bind::<W, B>(world, &run.moved.body, passes);
         }
         let normal = of_hit.map_or(Axis::new(0, 0), |plane| plane.normal);
         if let Some(way) = run.choose(&ways, normal) {
             let v = run.follow_way::<W, S>(way, &self.surface);
-            if flew {
+            if run.flew {
                 run.before = v;
             }
             return false;
@@ -201,8 +203,15 @@ impl<S: Law> Mover<S> {
             let mut first = First::none();
             binding::<W, B>(world, &run.moved.body, probe, &run.moved.hits, &mut first);
             let Some((entry, feature)) = first.hit::<B, W>(&run.moved.body, probe) else { continue };
-            run.record(entry.normal, feature, Toi::clamped(Toi::ONE.raw() - run.rest.raw()));
-            run.meet(self.side(entry.normal));
+            // At the body's place, from which mirrored bodies look alike: the probe's end is rounded.
+            let mut normal = entry.normal;
+            touched(&run.moved.body, feature, |plane| {
+                if plane.bend == Bend::Convex {
+                    normal = plane.normal;
+                }
+            });
+            run.record(normal, feature, Toi::clamped(Toi::ONE.raw() - run.rest.raw()));
+            run.meet(self.side(normal));
             return;
         }
     }

@@ -126,6 +126,11 @@ fn lies(leg: V, v: V, hit: &Hit) -> Option<bool> {
     if over.abs() < 3.0 || (4.0 * s - rho).abs() < 4.0 { None } else { Some(over < 0.0) }
 }
 
+/// Away from zero: a way that leads into a wall by a part of a raw unit is bound too. What is no part at all is the noise of floats.
+fn outward(c: f64) -> f64 {
+    if c.abs() < 1.0e-6 { 0.0 } else { c.abs().ceil().copysign(c) }
+}
+
 /// Whether velocity and place are what the hits imply. Corners with hits at the same place are not judged: planes that are touched
 /// together are projected on together.
 pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
@@ -189,19 +194,20 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     let rounding = (8.0 + length / f64::from(1 << 24) + turns) * hits.len().max(1) as f64;
     // What the hits do not tell: something else that was touched at the end, in the way for the next 64 raw units.
     let disc = matches!(start, Body::Disc { r, .. } if *r > 0);
-    let blocked = |d: V, far: f64| {
+    let blocked = |d: V, far: f64, rounded: fn(f64) -> f64| {
         let way = d.0.abs().max(d.1.abs()).max(1.0);
-        let d = ((d.0 * far / way) as i64, (d.1 * far / way) as i64);
+        // Away from zero: a way that leads into a wall by a part of a raw unit is bound too. What is no part at all is the noise of floats.
+        let d = (rounded(d.0 * far / way) as i64, rounded(d.1 * far / way) as i64);
         let one_way = || response != Response::DropThrough && rect::first_one_way(level, &out.body, d).is_some();
         disc && (disc::enters_solid(level, &out.body, d, super::Time::END) || one_way())
     };
-    if blocked(vel, 64.0) {
+    if blocked(vel, 64.0, outward) {
         return Ok(());
     }
     // Between several surfaces of which one is round a raw unit decides which of them are touched: then the velocity that is left leads on freely.
     if disc && corners && hits.len() > 1 && out.v != (0, 0) {
         let on = (out.v.0 as f64, out.v.1 as f64);
-        return if blocked(on, 4.0) { Err(format!("is blocked at once, by {:?}", out.v)) } else { Ok(()) };
+        return if blocked(on, 4.0, f64::trunc) { Err(format!("is blocked at once, by {:?}", out.v)) } else { Ok(()) };
     }
     if !near(out.v, vel, rounding) {
         return Err(format!("goes on by {:?}, not {vel:?}", out.v));
@@ -210,7 +216,7 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     let (p, q) = (start.position(), out.body.position());
     let moved = (q.0 - p.0, q.1 - p.1);
     let left = (place.0 - moved.0 as f64, place.1 - moved.1 as f64);
-    if near(moved, place, rounding + short_leg) || blocked(left, 64.0) {
+    if near(moved, place, rounding + short_leg) || blocked(left, 64.0, f64::trunc) {
         Ok(())
     } else {
         Err(format!("moved by {moved:?}, not {place:?}"))
