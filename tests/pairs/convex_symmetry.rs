@@ -83,7 +83,7 @@ fn moved_scenes() {
 fn plain_shapes_in_other_words() {
     let words = |s: &Shape| match *s {
         Shape::Aabb { min, max } if (max.0 - min.0) % 2 == 0 && (max.1 - min.1) % 2 == 0 => Some(Shape::Turned {
-            centre: ((min.0 + max.0) / 2, (min.1 + max.1) / 2),
+            centre: (min.0 + (max.0 - min.0) / 2, min.1 + (max.1 - min.1) / 2),
             half: ((max.0 - min.0) / 2, (max.1 - min.1) / 2),
             direction: (1, 0),
             radius: 0,

@@ -16,8 +16,9 @@ pub const SEGMENTS: &[Part] = &[worlds::run_segments, motion::run_segments];
 pub const JOINED: &[Part] = &[worlds::run_joined];
 pub const MOVING: &[Part] = &[worlds::run_moving];
 pub const BLOCKS: &[Part] = &[motion::run_blocks];
-pub const MOTION: &[Part] = &[motion::run_shapes, ninja::run];
-pub const GROUPS: [&[Part]; 8] = [SHAPES, BODIES, LEVELS, SEGMENTS, JOINED, MOVING, BLOCKS, MOTION];
+pub const MOTION: &[Part] = &[motion::run_shapes];
+pub const NINJA: &[Part] = &[ninja::run];
+pub const GROUPS: [&[Part]; 9] = [SHAPES, BODIES, LEVELS, SEGMENTS, JOINED, MOVING, BLOCKS, MOTION, NINJA];
 
 /// Firmwares of their own on chips.
 #[cfg(not(target_os = "none"))]

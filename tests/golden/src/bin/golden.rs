@@ -6,9 +6,9 @@
 //! cargo run --release -p tilesat-golden -- 10000         no more than so many vectors of each
 //! cargo run --release -p tilesat-golden -- --accept      writes that table, and prints the changelog's list of outputs
 //! cargo run --release -p tilesat-golden --features chip --bin golden_shapes --target thumbv6m-none-eabi [-- 10000]
-//!                                                        on a chip (emulated), in eight parts:
-//!   ... golden_bodies, golden_levels, golden_segments, golden_joined, golden_moving, golden_blocks, golden_motion; also firmware
-//!                                                        and bullets_firmware
+//!                                                        on a chip (emulated), in nine parts:
+//!   ... golden_bodies, golden_levels, golden_segments, golden_joined, golden_moving, golden_blocks, golden_motion, golden_ninja;
+//!                                                        also firmware and bullets_firmware
 //! .ci/targets                                            all that, on all targets
 //! ```
 #![allow(clippy::std_instead_of_core, reason = "files and strings, on a computer")]

@@ -1,0 +1,12 @@
+//! Golden on a chip: the ninja. One of nine parts, each of which fits the flash of a small chip.
+#![no_std]
+#![no_main]
+#![allow(unsafe_code, reason = "entry points of a bare-metal program are unsafe by nature")]
+
+use tilesat_chip::entry;
+use tilesat_golden::{NINJA, chip};
+
+#[entry]
+fn main() -> ! {
+    chip::run(NINJA)
+}
