@@ -24,11 +24,13 @@ const RUNS: [u32; 2] = [FRAMES, 10_000];
 
 /// Runs all frames; `tell` is given the game after each of the runs.
 fn run(game: &mut Game, tell: impl Fn(&Game)) -> Result<(), TileMapError> {
-    let level = level()?;
+    // By reference: a copy would lie below every frame of the game.
+    let level = &level();
+    let level = level.as_ref().map_err(|failure| *failure)?;
     game.start();
     for frames in RUNS {
         while game.frame < frames {
-            game.step(&level);
+            game.step(level);
         }
         tell(game);
     }
@@ -49,23 +51,32 @@ fn main() -> std::process::ExitCode {
 
 #[cfg(target_os = "none")]
 mod chip {
-    use super::{Game, Near};
+    use super::{Game, Near, TileMapError};
     use tilesat_chip::{entry, eprintln, println, process};
 
     /// Most of the memory of a small chip: on the stack there would be a moment with two of them.
     static mut GAME: Game = Game::new(Near::new());
+
+    // Apart: what texts need would lie below every frame of the game.
+    #[inline(never)]
+    fn tell(game: &Game) {
+        println!("{game}");
+    }
+
+    #[inline(never)]
+    fn fail(failure: &TileMapError) -> ! {
+        eprintln!("no run: {failure}");
+        process::exit(1)
+    }
 
     #[entry]
     fn main() -> ! {
         let game = &raw mut GAME;
         // SAFETY: nothing else names it, and this is called once.
         let game = unsafe { &mut *game };
-        match super::run(game, |game| println!("{game}")) {
+        match super::run(game, tell) {
             Ok(()) => process::exit(0),
-            Err(failure) => {
-                eprintln!("no run: {failure}");
-                process::exit(1)
-            }
+            Err(failure) => fail(&failure),
         }
     }
 }

@@ -260,12 +260,12 @@ measure_all() {
             present+=("$core")
         fi
     done
-    build_counts "${present[*]#*:}" pairs levels bodies
+    build_counts "${present[*]#*:}" pairs levels segments bodies
     for core in "${present[@]}"; do
         target=${core#*:} how=run_on
         [[ $core != M0:* ]] || find_plugin
         [[ $core != M0:* || -z $model ]] || how=run_modelled
-        for bin in pairs levels bodies; do
+        for bin in pairs levels segments bodies; do
             start "$how" "$target" "$bin"
         done
     done

@@ -242,7 +242,7 @@ impl<'m, B: Body> Run<'m, B> {
     }
 
     /// The result, once the motion is made.
-    pub(super) fn end<W: World>(self) -> &'m mut Moved<B> {
+    pub(super) fn end<W: World>(&mut self) -> &mut Moved<B> {
         let remaining = if W::ROUND { self.motion.add(self.made_in(self.after)) } else { self.motion };
         self.moved.remaining = remaining.vec2();
         self.moved.velocity = self.v.vec2();

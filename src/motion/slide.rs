@@ -116,7 +116,8 @@ impl<S: Law> Mover<S> {
         }
         let passes = run.pass_one_way || self.passes_one_way();
         let first = hit.is_some() && core::mem::take(&mut run.is_first);
-        let (mut of_hit, mut ways) = (None, Ways::none());
+        let mut of_hit = None;
+        let mut ways = Ways::NONE;
         if let Some((entry, _)) = hit {
             run.came |= way(made) > NEAR;
             // It is read as well: where the body had to stay back from it, it is not near.

@@ -111,9 +111,8 @@ impl Ways {
     /// many small segments, the shortest ways are left out.
     const MAX: usize = 8;
 
-    pub(super) const fn none() -> Self {
-        Self { ways: [None; Self::MAX] }
-    }
+    /// A constant: as the result of a function it would be made twice, and copied.
+    pub(super) const NONE: Self = Self { ways: [None; Self::MAX] };
 
     /// Reads the ways of a velocity from the body's place, and along what was hit, in the time that is left; which of them are free is not known yet.
     /// Whether there is nothing else within [`FAR`] than the face that was hit: then the way along it is free, and the velocity leads into it.
@@ -131,7 +130,7 @@ impl Ways {
         for slot in &mut self.ways {
             *slot = None;
         }
-        self.add(Way { along: None, v, presses: false, probe: long(v), room: Way::FREE }, v);
+        self.add(&mut Way { along: None, v, presses: false, probe: long(v), room: Way::FREE }, v);
         let region = surroundings(&body.bounds(), FAR);
         let mut features = world.features(&region);
         let mut alone = true;
@@ -200,19 +199,18 @@ impl Ways {
         if !along.is_zero() && (is_exact || way(along) > NEAR) {
             let n = plane.normal;
             let presses = into(v, n) < 0;
-            self.add(Way { along: Some(plane), v: along, presses, probe, room: Way::FREE }, v);
+            self.add(&mut Way { along: Some(plane), v: along, presses, probe, room: Way::FREE }, v);
         }
     }
 
-    fn add(&mut self, way: Way, of: Raw) {
-        let mut way = way;
+    fn add(&mut self, way: &mut Way, of: Raw) {
         for slot in &mut self.ways {
             match slot {
                 None => {
-                    *slot = Some(way);
+                    *slot = Some(*way);
                     return;
                 }
-                Some(other) if way.goes_before(other, of) => core::mem::swap(other, &mut way),
+                Some(other) if way.goes_before(other, of) => core::mem::swap(other, way),
                 Some(_) => {}
             }
         }

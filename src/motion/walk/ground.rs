@@ -155,7 +155,7 @@ impl<B: Body> Look for Run<'_, B> {
             return None;
         }
         let down = along(up, -DROP);
-        let (mut ways, passes) = (Ways::none(), self.pass_one_way);
+        let (mut ways, passes) = (Ways::NONE, self.pass_one_way);
         ways.read::<W, B>(world, &self.moved.body, (down, Toi::ONE), None, passes);
         ways.bind::<W, B>(world, &self.moved.body, passes);
         if ways.iter().any(Way::is_free) {

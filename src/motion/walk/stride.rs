@@ -203,7 +203,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
     #[inline(never)]
     fn way_on(&self) -> On {
         let (body, passes) = (&self.run.moved.body, self.run.pass_one_way);
-        let mut ways = Ways::none();
+        let mut ways = Ways::NONE;
         ways.read::<W, B>(self.world, body, (self.forward(self.speed), self.run.rest), None, passes);
         ways.bind::<W, B>(self.world, body, passes);
         let is_floor = |way: &&Way| way.along.is_none_or(|p| self.walker.mover.side(p.normal) == SurfaceRole::Floor);

@@ -8,7 +8,6 @@ mod blocks;
 mod frames;
 mod friction;
 mod level;
-mod segments;
 mod shapes;
 
 use tilesat_chip::entry;
@@ -23,6 +22,5 @@ fn main() -> ! {
     frames::rows(&mut table);
     friction::rows(&mut table);
     ask::rows(&mut table);
-    segments::rows(&mut table);
     table.end()
 }
