@@ -59,16 +59,23 @@ fn from_the_lowest(movers: &mut [Handle], from: usize, slots: &[Slot], gravity: 
         if slot(movers.get(at)).is_none_or(|slot| !slot.way.lies()) {
             continue;
         }
-        movers.swap(lying, at);
+        swap(movers, lying, at);
         // From step to step hardly any changes its place.
         let mut to = lying;
         while to > from && rank(movers.get(to)) < rank(movers.get(to - 1)) {
-            movers.swap(to - 1, to);
+            swap(movers, to - 1, to);
             to -= 1;
         }
         lying += 1;
     }
     lying
+}
+
+/// Exchanges two of a list, without a branch that could panic.
+fn swap(movers: &mut [Handle], a: usize, b: usize) {
+    if let Ok([a, b]) = movers.get_disjoint_mut([a, b]) {
+        core::mem::swap(a, b);
+    }
 }
 
 struct Pile<'a, B, W> {
