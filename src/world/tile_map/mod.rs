@@ -375,6 +375,12 @@ impl Store for Bits {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Occupied<T: Store = Bytes>(PhantomData<T>);
 
+impl<T: Store> Default for Occupied<T> {
+    fn default() -> Self {
+        Self(PhantomData)
+    }
+}
+
 impl<T: Store> Sealed for Occupied<T> {}
 impl<T: Store> Store for Occupied<T> {
     const BITS: u32 = T::BITS;

@@ -6,7 +6,7 @@ use tilesat::{
     Aabb, AllShapes, Blocks, Cell, Circle, Fx, Grid, Inside, Joined, Outside, Path, PathKind, Room, Rooms, SegmentMap,
     SegmentMapError, Side, Slopes, Solid, Solids, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2,
     segment_map,
-    world::{Bits, Bytes, Geometry, OneWay, Placed, RayRules, SegmentFault, WorldContact},
+    world::{Bits, Bytes, Geometry, Occupied, OneWay, Placed, RayRules, SegmentFault, WorldContact},
 };
 
 static KINDS: TileKinds = TileKinds::EMPTY
@@ -90,6 +90,7 @@ fn kinds(lift: &Solid) {
     tell(&AllShapes);
     tell(&Bytes);
     tell(&Bits);
+    tell(&Occupied::<Bytes>::default());
     tell(&PATHS[0]);
     tell(&PathKind::Wall);
     tell(&SegmentMap::measure(&PATHS, Fx::lit("32")).unwrap());

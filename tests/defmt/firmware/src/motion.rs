@@ -3,7 +3,8 @@
 use crate::tell;
 use tilesat::{
     Aabb, Axis, Character, Circle, Feel, Fx, Input, Inside, Mover, Response, SlopeSpeed, Solid, TileKind, TileKinds,
-    TileMap, Vec2, Walker, fx, motion::StartInside,
+    TileMap, Vec2, Walker, fx,
+    motion::{Memo, StartInside},
 };
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL.with_flags(8));
@@ -20,6 +21,10 @@ pub(crate) fn tell_all() {
     tell(&moved.hits);
     tell(&moved.hits.first().unwrap());
     tell(&moved.work);
+
+    let mut memo = Memo::new();
+    let at_rest = memo.move_and_slide(&mover, &level, 0, &moved.body, Vec2::from_ints(0, 1));
+    tell(&at_rest.is_ok_and(|at_rest| at_rest.floor).then_some(memo).unwrap());
 
     let deep = Aabb::new(Vec2::from_ints(20, 36), Vec2::from_ints(30, 40)).unwrap();
     let refused = mover.move_and_slide(&level, &deep, Vec2::from_ints(1, 0)).unwrap_err();
