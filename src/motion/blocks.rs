@@ -165,7 +165,7 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
     fn enter(&self, a: Raw, dir: Axis) -> Option<Entry> {
         let (gap, into) = if dir.x == 0 { (a.x - self.front.x, self.d.x) } else { (a.y - self.front.y, self.d.y) };
         let (gap, into) = (gap.unsigned_abs(), into.unsigned_abs());
-        let normal = Axis::new(dir.y, dir.x.wrapping_neg());
+        let normal = crate::world::normal(dir);
         (gap < into).then_some(Entry { num: gap, den: into, normal, at_end: false, step: None })
     }
 

@@ -6,7 +6,7 @@ use super::search::hull;
 use crate::num::{Axis, Raw, umul};
 use crate::query::meet;
 use crate::shape::Aabb;
-use crate::world::{Feature, Geometry};
+use crate::world::{Feature, Geometry, ends, normal};
 
 /// How a touched surface turns where the body goes on along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,10 +75,7 @@ pub(super) fn surroundings(bounds: &Aabb, distance: u32) -> Aabb {
 /// Whether the bounds of a feature have a point in a region: cursors give what is in the cells that it touches.
 pub(super) fn reaches(feature: &Feature, region: &Aabb) -> bool {
     let (a, b) = match feature.geometry {
-        Geometry::Face { a, dir, len, .. } => {
-            let a = Raw::of(a);
-            (a, a.add(Raw { x: dir.x.wrapping_mul(len), y: dir.y.wrapping_mul(len) }))
-        }
+        Geometry::Face { a, dir, len, .. } => ends(Raw::of(a), dir, len),
         Geometry::Vertex { p, .. } => (Raw::of(p), Raw::of(p)),
         Geometry::Arc { centre, radius, quadrant, .. } => {
             let c = Raw::of(centre);
@@ -121,13 +118,12 @@ fn in_disc(m: Raw, r: i32) -> bool {
 pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMut(Plane)) -> bool {
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } => {
-            let a = Raw::of(a);
-            let end = a.add(Raw { x: dir.x.wrapping_mul(len), y: dir.y.wrapping_mul(len) });
+            let (a, end) = ends(Raw::of(a), dir, len);
             let near = is_near(body, a, end);
             if near {
                 let over = !B::MEETS_CORNERS || is_over(body.toward(Axis::X).0, a, end, dir);
                 let bend = if over { Bend::Flat } else { Bend::End };
-                plane(Plane { normal: Axis::new(dir.y, dir.x.wrapping_neg()), bend });
+                plane(Plane { normal: normal(dir), bend });
             }
             near
         }

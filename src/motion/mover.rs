@@ -345,7 +345,7 @@ impl<S: Law> Mover<S> {
         } else if let Some((entry, feature)) = hit {
             let time = run.rest.raw() - run.after.raw();
             let used = mul_div(time, entry.num, entry.den);
-            if let Some(side) = self.meet(run, used, entry, feature) {
+            if let Some(side) = self.meet(run, used, entry.normal, feature) {
                 made = run.place(world, d, entry, run.before);
                 chooses = self.respond::<W, B, WALKS>(run, used, (d, made), (side, entry, feature));
             }

@@ -35,16 +35,16 @@ impl<S: Law> Mover<S> {
         &self,
         run: &mut Run<'_, B>,
         used: u32,
-        entry: &Entry,
+        normal: Axis,
         feature: &Feature,
     ) -> Option<SurfaceRole> {
         let toi = Toi::ONE.raw() - run.rest.raw() + used;
-        run.record(entry.normal, feature, Toi::clamped(toi));
+        run.record(normal, feature, Toi::clamped(toi));
         if feature.one_way && self.passes_one_way() {
             run.pass_one_way = true;
             return None;
         }
-        let side = self.side(entry.normal);
+        let side = self.side(normal);
         run.meet(side);
         Some(side)
     }
@@ -184,8 +184,7 @@ impl<S: Law> Mover<S> {
         let made = run.place(world, d, entry, run.before);
         if !made.is_zero() {
             if !run.moved.hits.tell_of(entry.normal, feature) {
-                run.record(entry.normal, feature, Toi::clamped(Toi::ONE.raw() - run.rest.raw()));
-                run.meet(self.side(entry.normal));
+                self.meet(run, 0, entry.normal, feature);
             }
             // Roundings take no time.
             if way(made) > NEAR {
@@ -211,8 +210,7 @@ impl<S: Law> Mover<S> {
                     normal = plane.normal;
                 }
             });
-            run.record(normal, feature, Toi::clamped(Toi::ONE.raw() - run.rest.raw()));
-            run.meet(self.side(normal));
+            self.meet(run, 0, normal, feature);
             return;
         }
     }

@@ -48,7 +48,7 @@ pub(super) fn sweep_face((lo, hi): (Raw, Raw), r: i32, d: Raw, face: &Face) -> O
         |over: i32, moving_over: bool, joined: bool| over > 0 || (over == 0 && (moving_over || (thin && joined)));
     let spans = meets(over_start, along > 0, joined[0]) && meets(over_end, along < 0, joined[1]);
     let at_end = (over_start == 0 && !joined[0]) || (over_end == 0 && !joined[1]);
-    let normal = Axis::new(dir.y, dir.x.wrapping_neg());
+    let normal = crate::world::normal(dir);
     spans.then_some(Entry { num: gap as u32, den: into as u32, normal, at_end, step: None })
 }
 
@@ -86,7 +86,7 @@ pub(super) fn over(reach: i32, along: i32, gap: i32, into: i32) -> i32 {
 #[inline(never)]
 pub(super) fn sweep_slope(c: Raw, r: i32, d: Raw, face: &Face) -> Option<Entry> {
     let Face { a, dir, len, joined } = *face;
-    let normal = Axis::new(dir.y, dir.x.wrapping_neg());
+    let normal = crate::world::normal(dir);
     let into = along(normal, d).wrapping_neg();
     if into <= 0 {
         return None;

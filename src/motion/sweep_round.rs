@@ -165,7 +165,7 @@ pub(super) fn leave_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<En
     if inner.is_none() && !passes {
         return None;
     }
-    let back = Raw { x: d.x.wrapping_neg(), y: d.y.wrapping_neg() };
+    let back = d.reversed();
     // Reversed, the same line has the opposite moment: (m + d) x -d = -(m x d). A tangent does not approach, so it is taken where it goes on
     // into the quadrant and not where it comes out.
     if !enters_quadrant(end, r, back, quadrant, cross.wrapping_neg(), true) {

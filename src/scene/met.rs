@@ -108,6 +108,11 @@ pub(super) fn may_meet(one: &Slot, other: &Slot) -> bool {
     other.mode != Mode::Free && one.body.filter.with_still(false).lets_pair(other.body.filter.with_still(false))
 }
 
+/// Whether one of two is told of the other, and neither pushes.
+pub(super) const fn senses(one: &Slot, other: &Slot) -> bool {
+    one.body.filter.sensor() || other.body.filter.sensor()
+}
+
 /// Two in canonical order.
 pub(super) fn pair(one: (Handle, &Slot), other: (Handle, &Slot)) -> Pair {
     let rank = |(handle, slot): (Handle, &Slot)| (slot.body.key, handle.slot());

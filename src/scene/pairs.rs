@@ -2,6 +2,7 @@
 
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
 use super::meeting::{Meeting, Top, toward};
+use super::met::senses;
 use super::way::Pace;
 use crate::broad::{BroadPhase, Handle, Pair};
 use crate::motion::response::separate;
@@ -51,7 +52,7 @@ fn half(v: Vec2) -> Vec2 {
 /// What two bodies that run into each other do to their velocities.
 pub(super) fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, counts: &mut impl FnMut(Pair) -> bool) {
     let Some((a, b)) = both(slots, pair) else { return };
-    if a.body.filter.sensor() || b.body.filter.sensor() {
+    if senses(a, b) {
         return;
     }
     let Some(contact) = a.body.shape.contact(&b.body.shape) else { return };

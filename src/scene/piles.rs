@@ -5,7 +5,7 @@
 
 use super::body::{ALOFT, Mode, Slot};
 use super::meeting::{Meeting, Top, carried, toward};
-use super::met::{around, may_meet, pair};
+use super::met::{around, may_meet, pair, senses};
 use super::step::{Trip, hold};
 use super::way::{Pace, size};
 use super::{Scene, SceneEvent, SceneFault, Shape, Stepped};
@@ -140,8 +140,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
             let Some(slot) = slots.get_mut(other.slot()).filter(|slot| slot.way.turns == 0) else { return };
             let slow = slot.mode == Mode::Awake && slot.way.pace == Pace::Slow;
             let on_top = slow && slot.lies_on(lower, trip.gravity) && may_meet(slot, lower);
-            let senses = slot.body.filter.sensor() || lower.body.filter.sensor();
-            if on_top && !senses && counts(pair((handle, lower), (other, slot))) {
+            if on_top && !senses(slot, lower) && counts(pair((handle, lower), (other, slot))) {
                 (slot.way.pace, any) = (Pace::Moved, true);
             }
         });
@@ -213,7 +212,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
         let gravity = self.trip.gravity;
         let mut ask = |other: Handle, lower: &Slot| {
             let carries = other != handle && !lower.way.lies() && lower.support != ALOFT && may_meet(slot, lower);
-            if !carries || slot.body.filter.sensor() || lower.body.filter.sensor() {
+            if !carries || senses(slot, lower) {
                 return;
             }
             let Some(contact) = lower.comes_to(gravity).contact(&slot.body.shape) else { return };

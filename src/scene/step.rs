@@ -2,7 +2,7 @@
 
 use super::body::{ALOFT, Mode, NOBODY, Slot, Tally};
 use super::meeting::toward;
-use super::met::{may_meet, pair};
+use super::met::{may_meet, pair, senses};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::set::Sleep;
 use super::set::rouse;
@@ -106,7 +106,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
                 return;
             }
             let contact = a.body.shape.contact(&b.body.shape);
-            let senses = a.body.filter.sensor() || b.body.filter.sensor();
+            let senses = senses(a, b);
             stepped.touching += 1;
             stepped.overlapping += u32::from(contact.is_some() && !senses);
             each(SceneEvent::Touch { pair, contact: contact.as_ref() });
@@ -141,8 +141,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
             let Some(bounds) = slots.get(handle.slot()).map(|slot| slot.body.shape.aabb()) else { continue };
             near.in_region(&bounds, |other| {
                 let (Some(one), Some(two)) = (slots.get(handle.slot()), slots.get(other.slot())) else { return };
-                let senses = one.body.filter.sensor() || two.body.filter.sensor();
-                if two.mode != Mode::Asleep || senses || !may_meet(one, two) || !one.body.shape.touches(&two.body.shape)
+                if two.mode != Mode::Asleep
+                    || senses(one, two)
+                    || !may_meet(one, two)
+                    || !one.body.shape.touches(&two.body.shape)
                 {
                     return;
                 }

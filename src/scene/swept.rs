@@ -6,7 +6,7 @@
 
 use super::body::{ALOFT, NOBODY, Slot};
 use super::meeting::{Meeting, Top, approach, toward};
-use super::met::{Met, around, each_near, may_meet, pair, reach};
+use super::met::{Met, around, each_near, may_meet, pair, reach, senses};
 use super::set::rouse;
 use super::step::{Touched, Trip, hold};
 use super::way::{BodyWay, End, Pace, TURNS, later, size};
@@ -164,7 +164,7 @@ where
         let counts = &mut *self.counts;
         each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
             let waits = slot.way.waits() && (at.way.pace != Pace::Swept || at.way.waits());
-            if waits || slot.body.filter.sensor() || at.body.filter.sensor() {
+            if waits || senses(slot, at) {
                 return;
             }
             let Some(met) = Met::of((handle, slot), (other, at)) else { return };
@@ -297,7 +297,7 @@ where
     fn sense(&mut self, handle: Handle, slot: &Slot, until: Toi) {
         let (each, counts) = (&mut *self.each, &mut *self.counts);
         each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
-            if !slot.body.filter.sensor() && !at.body.filter.sensor() {
+            if !senses(slot, at) {
                 return;
             }
             let met = Met::of((handle, slot), (other, at)).filter(|met| met.begins && met.time < until);

@@ -16,8 +16,11 @@ pub(crate) trait Convex {
 
     fn outline(&self) -> Self::Corners<'_>;
 
-    /// The radius, raw and not negative.
-    fn rounding(&self) -> i32;
+    /// The radius, raw and not negative; none around what is sharp.
+    #[inline]
+    fn rounding(&self) -> i32 {
+        0
+    }
 }
 
 /// At most four corners.
@@ -66,11 +69,6 @@ impl Convex for Aabb {
         let size = self.hi().sub(self.lo());
         Few::parallelogram(self.lo(), Raw { x: size.x, y: 0 }, Raw { x: 0, y: size.y })
     }
-
-    #[inline]
-    fn rounding(&self) -> i32 {
-        0
-    }
 }
 
 impl Convex for Circle {
@@ -93,11 +91,6 @@ impl Convex for Segment {
     #[inline]
     fn outline(&self) -> Few {
         Few::line(self.a(), self.b())
-    }
-
-    #[inline]
-    fn rounding(&self) -> i32 {
-        0
     }
 }
 

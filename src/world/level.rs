@@ -116,12 +116,12 @@ pub(in crate::world) const fn raw(axis: Axis) -> Raw {
 }
 
 /// The outward normal of an edge.
-pub(in crate::world) const fn normal(dir: Axis) -> Axis {
+pub(crate) const fn normal(dir: Axis) -> Axis {
     Axis::new(dir.y, dir.x.wrapping_neg())
 }
 
 /// The ends of a face, which are in the domain.
-pub(in crate::world) const fn ends(a: Raw, dir: Axis, len: i32) -> (Raw, Raw) {
+pub(crate) const fn ends(a: Raw, dir: Axis, len: i32) -> (Raw, Raw) {
     (a, a.add(Raw { x: dir.x.wrapping_mul(len), y: dir.y.wrapping_mul(len) }))
 }
 

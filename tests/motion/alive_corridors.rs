@@ -1,8 +1,8 @@
 //! What fits a passage gets through it (L3): bodies up to six raw units lower than a corridor, behind each ramp that reaches its floor.
 
-use tilesat::{Aabb, AllShapes, Axis, Circle, Fx, Mover, TileMap, Walker, motion::Support};
-use tilesat_judge::rooms::P;
-use tilesat_judge::rooms::body::{Body, point, vec2};
+use super::walk_worlds::{Frame, step};
+use tilesat::{Axis, Fx, Mover, Walker};
+use tilesat_judge::rooms::body::Body;
 use tilesat_judge::shapes::level::Level;
 
 const GOAT: Mover = Mover::platformer(Axis::NEG_Y).with_slope_limit(2, 1);
@@ -10,23 +10,6 @@ const GOAT: Mover = Mover::platformer(Axis::NEG_Y).with_slope_limit(2, 1);
 /// A ramp and its mirror image.
 const RAMPS: [(&str, u8, u8); 6] =
     [("flat", 1, 1), ("45", 8, 9), ("mild", 24, 25), ("steep low", 28, 29), ("steep high", 32, 33), ("dome", 12, 13)];
-
-fn walk(map: &TileMap<'_, AllShapes>, body: Body, v: P, floor: Option<Support>, snap: i64) -> (Body, Option<Support>) {
-    let walker = Walker::new(GOAT).with_snap(Fx::from_bits(snap as i32)).unwrap();
-    let (place, floor) = match body {
-        Body::Rect(..) => {
-            let (lo, hi) = body.bounds();
-            let walked = walker.walk(map, &Aabb::new(vec2(lo), vec2(hi)).unwrap(), vec2(v), floor).unwrap();
-            (walked.moved.position(), walked.floor)
-        }
-        Body::Disc(c, r) => {
-            let circle = Circle::new(vec2(c), Fx::from_bits(r as i32)).unwrap();
-            let walked = walker.walk(map, &circle, vec2(v), floor).unwrap();
-            (walked.moved.position(), walked.floor)
-        }
-    };
-    (body.at(point(place)), floor)
-}
 
 /// One run: whether the body gets in.
 struct Run {
@@ -66,10 +49,10 @@ impl Run {
         };
         let speed = cell / self.part;
         let v = (if self.mirror { -speed } else { speed }, speed / self.fall);
-        let mut floor = None;
+        let (walker, mut floor) = (Walker::new(GOAT).with_snap(Fx::from_bits(cell as i32)).unwrap(), None);
         for _ in 0..600 {
             if walks {
-                (body, floor) = walk(&map, body, v, floor, cell);
+                Frame { body, floor, .. } = step(&walker, &map, body, v, floor).unwrap();
             } else {
                 body = body.step(&GOAT, &map, v).unwrap().body;
             }

@@ -1,13 +1,13 @@
 //! Walkers in passages that they just fit (L3): a corridor between two ramps, and a slope under a ceiling that is parallel to it; doorways for all
 //! bodies (L8); and what comes to rest in random levels has a floor (L7).
 
+use super::walk_worlds::{Frame, step};
 use tilesat::{
-    Aabb, AllShapes, Axis, Circle, Fx, Grid, MoveError, Mover, SlopeSpeed, TileKind, TileKinds, TileMap, Vec2, Walker,
-    World, motion::Support,
+    Aabb, AllShapes, Axis, Circle, Fx, Grid, Mover, SlopeSpeed, TileKind, TileKinds, TileMap, Vec2, Walker, World,
 };
 use tilesat_judge::Random;
 use tilesat_judge::rooms::P;
-use tilesat_judge::rooms::body::{Body, point, vec2};
+use tilesat_judge::rooms::body::{Body, vec2};
 use tilesat_judge::shapes::level::Level;
 
 const CELLS: [i64; 2] = [1 << 20, 54_322];
@@ -15,24 +15,6 @@ const SPEEDS: [SlopeSpeed; 2] = [SlopeSpeed::Constant, SlopeSpeed::Projected];
 
 fn fx(raw: i64) -> Fx {
     Fx::from_bits(raw as i32)
-}
-
-/// A frame: the body, its velocity and its floor.
-type Frame = (Body, P, Option<Support>);
-
-fn walk<W: World>(walker: &Walker, map: &W, body: Body, v: P, floor: Option<Support>) -> Result<Frame, MoveError> {
-    let (lo, hi) = body.bounds();
-    let (place, velocity, floor) = match body {
-        Body::Rect(..) => {
-            let walked = walker.walk(map, &Aabb::new(vec2(lo), vec2(hi)).unwrap(), vec2(v), floor)?;
-            (walked.moved.position(), walked.moved.velocity, walked.floor)
-        }
-        Body::Disc(c, r) => {
-            let walked = walker.walk(map, &Circle::new(vec2(c), fx(r)).unwrap(), vec2(v), floor)?;
-            (walked.moved.position(), walked.moved.velocity, walked.floor)
-        }
-    };
-    Ok((body.at(point(place)), point(velocity), floor))
 }
 
 /// Whether a body that is driven along gets so far.
@@ -43,7 +25,7 @@ fn arrives<W: World>(walker: &Walker, map: &W, mut body: Body, v: P, there: impl
         if there(lo, hi) {
             return true;
         }
-        (body, _, floor) = walk(walker, map, body, v, floor).unwrap();
+        Frame { body, floor, .. } = step(walker, map, body, v, floor).unwrap();
     }
     false
 }
@@ -219,7 +201,7 @@ fn rests_have_a_floor() {
             let push = (run, v.1 + gravity);
             // What starts in the solid is none of this.
             let next = if walks {
-                walk(&walker, &map, body, push, floor).ok()
+                step(&walker, &map, body, push, floor).ok().map(|next| (next.body, next.v, next.floor))
             } else {
                 body.step(&mover, &map, push).ok().map(|moved| (moved.body, moved.v, None))
             };

@@ -21,10 +21,10 @@ fn fx(raw: i64) -> Fx {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Frame {
-    body: Body,
-    v: P,
-    floor: Option<Support>,
+pub(super) struct Frame {
+    pub(super) body: Body,
+    pub(super) v: P,
+    pub(super) floor: Option<Support>,
     stepped: i64,
     snapped: i64,
     wall: bool,
@@ -45,7 +45,13 @@ fn frame<B: tilesat::Body>(body: Body, w: &Walked<B>) -> Frame {
     }
 }
 
-fn step<W: World>(walker: &Walker, world: &W, body: Body, v: P, floor: Option<Support>) -> Result<Frame, MoveError> {
+pub(super) fn step<W: World>(
+    walker: &Walker,
+    world: &W,
+    body: Body,
+    v: P,
+    floor: Option<Support>,
+) -> Result<Frame, MoveError> {
     let (lo, hi) = body.bounds();
     match body {
         Body::Rect(..) => {

@@ -2,27 +2,12 @@
 //!
 //! Exempt are degenerate contacts, whose axis is a convention.
 
-use tilesat::Contact;
+use super::symmetry::{MAPS, directions};
 use tilesat_judge::convex::ask;
 use tilesat_judge::convex::generate::{CLASSES, Pairs};
 use tilesat_judge::convex::shape::{Shape, pairs};
 use tilesat_judge::oracle::figure::Point;
 use tilesat_judge::oracle::kernel::point;
-
-type Map = fn(Point) -> Point;
-
-const MAPS: [(&str, Map); 4] = [
-    ("mirror x", |p| (-p.0, p.1)),
-    ("mirror y", |p| (p.0, -p.1)),
-    ("transpose", |p| (p.1, p.0)),
-    ("turn", |p| (-p.1, p.0)),
-];
-
-/// Axis, push-out and unit normal.
-fn directions(contact: &Contact) -> [Point; 3] {
-    let (axis, normal) = (contact.axis(), contact.normal().raw());
-    [(axis.x.into(), axis.y.into()), point(contact.push_out()), (normal.0.into(), normal.1.into())]
-}
 
 fn same(name: &str, (a, b): (&Shape, &Shape), (c, d): (&Shape, &Shape), map: impl Fn(Point) -> Point) {
     let case = || format!("{name}: {a:?} {b:?}");

@@ -9,9 +9,9 @@ use tilesat_judge::oracle::generate::{CLASSES, Pairs, aabb};
 use tilesat_judge::oracle::kernel;
 
 /// A map of the plane onto itself that keeps distances and the origin.
-type Map = fn(Point) -> Point;
+pub(super) type Map = fn(Point) -> Point;
 
-const MAPS: [(&str, Map); 4] = [
+pub(super) const MAPS: [(&str, Map); 4] = [
     ("mirror x", |p| (-p.0, p.1)),
     ("mirror y", |p| (p.0, -p.1)),
     ("transpose", |p| (p.1, p.0)),
@@ -52,7 +52,7 @@ fn pairs() -> impl Strategy<Value = (Figure, Figure)> {
 /// Axis, push-out and unit normal.
 type Directions = [Point; 3];
 
-fn directions(contact: &Contact) -> Directions {
+pub(super) fn directions(contact: &Contact) -> Directions {
     let (axis, normal) = (contact.axis(), contact.normal().raw());
     [(axis.x.into(), axis.y.into()), kernel::point(contact.push_out()), (normal.0.into(), normal.1.into())]
 }

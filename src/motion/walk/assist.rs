@@ -65,7 +65,7 @@ impl<S: Law> Mover<S> {
         }
         let mut best = None;
         let side = along(normal.perp(), reach);
-        let first = if side.dot(d) < 0 { [reversed(side), side] } else { [side, reversed(side)] };
+        let first = if side.dot(d) < 0 { [side.reversed(), side] } else { [side, side.reversed()] };
         for side in first {
             let Some((least, free)) = past(world, run, &hit, side) else { continue };
             // The place at the hit was rounded: what the motion comes nearer to on its way may need the next unit.
@@ -98,11 +98,7 @@ fn past<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, side: 
     let n = hit.entry.normal;
     let ahead = hit.drop().sub(Raw { x: n.x.signum(), y: n.y.signum() });
     // A raw unit beyond where it is: what is only touched is not met.
-    let back = reversed(free).sub(Raw { x: side.x.signum(), y: side.y.signum() });
+    let back = free.reversed().sub(Raw { x: side.x.signum(), y: side.y.signum() });
     let edge = run.look_from(world, ahead.add(free), back)?;
     Some((free.add(edge.drop()), free))
-}
-
-fn reversed(d: Raw) -> Raw {
-    Raw { x: d.x.wrapping_neg(), y: d.y.wrapping_neg() }
 }

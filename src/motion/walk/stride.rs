@@ -271,10 +271,9 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         let part = Toi::clamped(ratio(depth as u64, away as u64).raw().saturating_sub(beyond));
         let end = self.run.here();
         let back = Raw { x: part.of_raw(d.x).wrapping_neg(), y: part.of_raw(d.y).wrapping_neg() };
-        let whole = Raw { x: d.x.wrapping_neg(), y: d.y.wrapping_neg() };
         // A raw unit higher where rounding led into the floor that it comes back to.
         let higher = back.add(Raw { x: self.up.x.signum(), y: self.up.y.signum() });
-        if self.run.commit(self.world, whole, &[back, higher]).is_zero() {
+        if self.run.commit(self.world, d.reversed(), &[back, higher]).is_zero() {
             return false;
         }
         self.run.rest = Toi::clamped((umul(self.run.rest.raw(), part.raw()) >> 30) as u32);

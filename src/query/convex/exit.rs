@@ -89,8 +89,8 @@ pub(super) const fn over(e: Raw, at: Raw) -> (Axis, i64) {
     }
 }
 
-/// Out of the sum.
-const fn normal(edge: Raw) -> Raw {
+/// Out of the sum, and from B to A.
+pub(super) const fn normal(edge: Raw) -> Raw {
     Raw { x: edge.y, y: edge.x.wrapping_neg() }
 }
 

@@ -17,7 +17,7 @@ mod within;
 
 use super::cast::CastShape;
 use super::cast::kernel::{Course, Enter, InDomain};
-use super::closest::{ClosestPoint, Distance};
+use super::closest::{ClosestPoint, Distance, from_border};
 use super::contact::{Contact, Contacts};
 use super::overlap::{Contains, Overlaps, Touches};
 use crate::num::{Fx, Raw, Vec2};
@@ -158,9 +158,7 @@ macro_rules! pair {
             #[inline]
             fn distance(&self, b: &$b) -> Fx {
                 with_cores!(self, b, |a, b| {
-                    // Rounding down commutes with whole numbers: floor(x - r) = floor(x) - r.
-                    let radii = a.radius.wrapping_add(b.radius) as u32;
-                    Fx::from_bits(Place::of(a, b).distance().saturating_sub(radii) as i32)
+                    from_border(Place::of(a, b).distance(), a.radius.wrapping_add(b.radius))
                 })
             }
         }

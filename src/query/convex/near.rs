@@ -1,5 +1,6 @@
 //! The points of two shapes that are nearest to each other, and the point of a shape that is nearest to any point.
 
+use super::exit::normal;
 use super::face::{Facing, face};
 use super::place::Place;
 use super::walk::{Core, PolygonSide};
@@ -18,7 +19,7 @@ pub(super) fn closest_points(a: Core<'_>, b: Core<'_>) -> Option<(Raw, Raw)> {
         Place::Corner(corner) => (a.corner(corner.a), b.corner(corner.b), corner.at.reversed()),
         Place::Side(side, _) => {
             let (p, q) = beside(&side, a, b);
-            (p, q, Raw { x: side.edge.y, y: side.edge.x.wrapping_neg() })
+            (p, q, normal(side.edge))
         }
     };
     let out = |radius: i32| if radius == 0 { Raw::ZERO } else { toward(n, radius) };

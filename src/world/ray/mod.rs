@@ -12,7 +12,7 @@ pub(in crate::world) mod walk;
 pub use crate::query::Inside;
 
 use super::cell::Cell;
-use super::level::{Feature, Geometry};
+use super::level::{Feature, Geometry, normal};
 use crate::error::{Quantity, RangeError};
 use crate::num::{
     Axis, DOMAIN, Raw, Toi, Vec2, imul, less128, mul_div, mul64, root128_down, root128_up, sqr64, sub128, umul, usqr,
@@ -264,7 +264,7 @@ fn meet_face(w: Raw, d: Raw, dir: Axis, len: i32) -> Option<Touch> {
         return None;
     }
     let time = Time { num: num as u64, den: den as u64 };
-    Some(Touch { time: Some(time), normal: Axis::new(dir.y, dir.x.wrapping_neg()) })
+    Some(Touch { time: Some(time), normal: normal(dir) })
 }
 
 /// How a ray from `m` (relative to the centre) by `d` meets the closed quarter in the quadrant of

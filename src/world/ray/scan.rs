@@ -346,7 +346,7 @@ fn cusp<L: RayLevel>(level: &L, o: Raw, d: Raw, walk: &Walk) -> Option<Met> {
     }
     let by = side.step.wrapping_mul(way as i32);
     let p = o.add(if d.x != 0 { Raw { x: by, y: 0 } } else { Raw { x: 0, y: by } });
-    let back = Raw { x: d.x.wrapping_neg(), y: d.y.wrapping_neg() };
+    let back = d.reversed();
     let solid = |d: Raw| level.enters(p, d, &level.walk(p, d));
     if !solid(d) || solid(back) {
         return None;

@@ -37,6 +37,11 @@ pub fn frames<N: FromStr>(default: N) -> N {
     given("TILESAT_FRAMES", default)
 }
 
+/// The greatest common divisor, not negative.
+pub(crate) fn gcd(a: i64, b: i64) -> i64 {
+    if b == 0 { a.abs() } else { gcd(b, a % b) }
+}
+
 fn given<N: FromStr>(name: &str, default: N) -> N {
     std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(default)
 }

@@ -1,6 +1,6 @@
 //! Bodies that fly, stand and walk.
 
-use tilesat::motion::Response;
+use tilesat::motion::{MoveError, Response};
 use tilesat::{Aabb, Circle, Filter, LayerMask, Mover, RangeError, Vec2};
 
 use super::level::{Level, SPONGE};
@@ -99,12 +99,9 @@ impl Body {
             Kind::Shot => Response::Touch,
         };
         let mover = Mover::new().with_response(response);
-        let Ok(circle) = self.circle(bounds) else {
-            flight.refused += 1;
-            return *bounds;
-        };
         // By reference: a copy of the answer would be another 150 bytes of the stack.
-        let moved = &mover.move_and_slide(level, &circle, self.velocity);
+        let circle = self.circle(bounds).map_err(MoveError::from);
+        let moved = &circle.and_then(|circle| mover.move_and_slide(level, &circle, self.velocity));
         let Ok(moved) = moved else {
             flight.refused += 1;
             return *bounds;

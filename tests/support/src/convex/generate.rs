@@ -1,8 +1,8 @@
 //! Streams of pairs: anywhere, on small lattices, touching to the bit, nearly touching, up to the ends of the domain.
 
 use super::shape::{Kind, MOST, Shape, hull, sum};
-use crate::Random;
 use crate::oracle::figure::{LIMIT, Point};
+use crate::{Random, gcd};
 
 /// Where the two of a pair are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -164,8 +164,4 @@ fn thin(r: &mut Random, kind: Kind) -> Shape {
         Kind::Polygon => wound(r, &[p, q, m]).map_or_else(|| shape_of_triangle(3), |points| Shape::polygon(&points, 0)),
         other => shape(r, other, 6, 1),
     }
-}
-
-fn gcd(a: i64, b: i64) -> i64 {
-    if b == 0 { a.abs() } else { gcd(b, a % b) }
 }

@@ -1,6 +1,6 @@
 //! The six shapes as bare integers.
 
-use crate::oracle::figure::{LIMIT, Point};
+use crate::oracle::figure::{Point, in_domain};
 use crate::oracle::sum::Sum;
 
 /// The most corners of a polygon here; sums of two have at most twice as many.
@@ -134,8 +134,7 @@ impl Shape {
 
     /// Inside the domain with its whole extent.
     pub fn in_domain(&self) -> bool {
-        let limit = LIMIT - self.radius();
-        self.radius() >= 0 && self.vertices().iter().all(|p| p.0.abs() < limit && p.1.abs() < limit)
+        in_domain(&self.vertices(), self.radius())
     }
 }
 

@@ -104,11 +104,7 @@ impl<'a> Pair<'a> {
             let (on_a, on_b) = (point(c.point_on_a()), point(c.point_on_b()));
             // In A and in B, give or take 2 raw a component, and opposite to each other.
             for (shape, at) in [(a, on_a), (b, on_b)] {
-                let off = Measure::of(&sum(shape, &dot_at(at)));
-                assert!(
-                    off.place != Place::Outside || off.square.root_minus(shape.radius() + 3) <= 0,
-                    "{at:?} off: {case}"
-                );
+                assert!(is_within(shape, at, 3), "{at:?} off: {case}");
             }
             let across = orient((0, 0), u, (on_a.0 - on_b.0, on_a.1 - on_b.1));
             assert!(across.squared() <= Int256::new(36) * dot(u, u), "points are not opposite: {case}");
@@ -153,13 +149,15 @@ impl<'a> Pair<'a> {
         let k = ask::distance(a, b);
         assert!(far(k) >= 0 && d <= bound(k + 4) && (k < 3 || d >= bound(k - 3)), "{p:?} {q:?} of {a:?} {b:?}");
         for (shape, at) in [(a, p), (b, q)] {
-            let off = Measure::of(&sum(shape, &dot_at(at)));
-            assert!(
-                off.place != Place::Outside || off.square.root_minus(shape.radius() + 2) <= 0,
-                "{at:?} is off {shape:?}"
-            );
+            assert!(is_within(shape, at, 2), "{at:?} is off {shape:?}");
         }
     }
+}
+
+/// Whether a point is in a shape, or at most so far from it.
+fn is_within(shape: &Shape, at: Point, distance: i64) -> bool {
+    let off = Measure::of(&sum(shape, &dot_at(at)));
+    off.place != Place::Outside || off.square.root_minus(shape.radius() + distance) <= 0
 }
 
 /// A cast of A by `d` on B, and of B by the reversed motion on A.

@@ -79,8 +79,12 @@ impl Figure {
 
     /// Inside the domain with its whole extent, as the library's constructors ask.
     pub fn in_domain(&self) -> bool {
-        let (points, _) = self.corners();
-        let limit = LIMIT - self.radius();
-        self.radius() >= 0 && points.iter().all(|p| p.0.abs() < limit && p.1.abs() < limit)
+        in_domain(&self.corners().0, self.radius())
     }
+}
+
+/// Whether points with a radius around them are inside the domain.
+pub fn in_domain(points: &[Point], radius: i64) -> bool {
+    let limit = LIMIT - radius;
+    radius >= 0 && points.iter().all(|p| p.0.abs() < limit && p.1.abs() < limit)
 }

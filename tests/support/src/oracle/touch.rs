@@ -2,7 +2,7 @@
 
 use super::figure::{Figure, Kind, Point};
 use super::generate::aabb;
-use crate::Random;
+use crate::{Random, gcd};
 
 /// A touching pair of the kinds asked for, its numbers within a few times `scale`.
 pub fn exact(r: &mut Random, pair: (Kind, Kind), scale: i64) -> (Figure, Figure) {
@@ -150,8 +150,4 @@ fn times(p: Point, k: i64) -> Point {
 /// The sign of `n`, or either one of zero.
 fn sign_of(r: &mut Random, n: i64) -> i64 {
     if n == 0 { r.sign() } else { n.signum() }
-}
-
-fn gcd(a: i64, b: i64) -> i64 {
-    if b == 0 { a.abs() } else { gcd(b, a % b) }
 }

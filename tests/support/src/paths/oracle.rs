@@ -1,6 +1,7 @@
 //! Which cells a segment meets, and how often a point is wound around, in 128-bit integers.
 
 use super::level::{Level, Point, SOLID, Seg, Shape};
+use crate::gcd;
 use std::collections::HashMap;
 use tilesat::PathKind;
 
@@ -128,8 +129,4 @@ pub fn check_outline(level: &Level, shapes: &[Shape]) {
     }
     // Nothing else is left.
     assert_eq!(total, left.values().sum::<i32>(), "{shapes:?}");
-}
-
-pub fn gcd(a: i64, b: i64) -> i64 {
-    if b == 0 { a } else { gcd(b, a % b) }
 }

@@ -3,6 +3,7 @@
 use super::level::{Cell, Level, is_inside};
 use super::moment::Moment;
 use super::solid::{Point, Solid, exact, small};
+use crate::gcd;
 use num_bigint::BigInt;
 use std::cmp::Ordering;
 
@@ -36,10 +37,6 @@ pub struct Hit {
 pub struct Scene {
     pub cells: Vec<Cell>,
     pub pieces: Vec<Piece>,
-}
-
-fn gcd(a: i64, b: i64) -> i64 {
-    if b == 0 { a.abs() } else { gcd(b, a % b) }
 }
 
 fn big(v: i128) -> BigInt {
