@@ -127,7 +127,8 @@ pub enum PolygonError {
         /// Which one, counted from zero.
         at: usize,
     },
-    /// A corner turns the other way than those before it: take the hull, or cut the polygon into convex parts.
+    /// A corner turns the other way than those before it: take the hull, or cut the polygon into
+    /// convex parts.
     Reflex {
         /// Which one, counted from zero.
         at: usize,

@@ -13,21 +13,28 @@
 //! | [`ClosestPoint`] | which points are nearest? | `Option<(Vec2, Vec2)>` | nearest, `None` where they touch |
 //! | [`CastShape`] | when does this motion first hit? | `Option<`[`CastHit`]`>` | yes or no exact, time down |
 //!
-//! All but `OverlapsFrom` are implemented for every ordered pair of [`Aabb`](crate::Aabb), [`Circle`](crate::Circle), [`Segment`](crate::Segment),
-//! [`Capsule`](crate::Capsule), [`OrientedBox`](crate::OrientedBox) and [`ConvexPolygon`](crate::ConvexPolygon); `OverlapsFrom` for those with one of the
-//! last three. `Contains` and `Distance` take a point ([`Vec2`](crate::Vec2)) as B, too, `CastShape` a point as A against boxes and circles. `closest_point` is
-//! a method of each shape, `cast_ray` of the first three. None of them can loop without a bound or divide, and none can fail but casts, which refuse what
-//! is out of range. Results depend on differences only: a translated scene gives the same bits, a mirrored one mirrored bits.
+//! All but `OverlapsFrom` are implemented for every ordered pair of [`Aabb`](crate::Aabb),
+//! [`Circle`](crate::Circle), [`Segment`](crate::Segment), [`Capsule`](crate::Capsule),
+//! [`OrientedBox`](crate::OrientedBox) and [`ConvexPolygon`](crate::ConvexPolygon); `OverlapsFrom`
+//! for those with one of the last three. `Contains` and `Distance` take a point
+//! ([`Vec2`](crate::Vec2)) as B, too, `CastShape` a point as A against boxes and circles.
+//! `closest_point` is a method of each shape, `cast_ray` of the first three. None of them can loop
+//! without a bound or divide, and none can fail but casts, which refuse what is out of range.
+//! Results depend on differences only: a translated scene gives the same bits, a mirrored one
+//! mirrored bits.
 //!
 //! # Capsules, oriented boxes and polygons
 //!
-//! One mechanism serves all pairs with one of these: the sides of A and of B, merged by direction, are those of the sum A + (-B), and each question is
-//! about the origin and that polygon. For shapes of n and m corners each verb walks n + m sides at most, parallel ones together; `overlaps` stops at the
-//! first one that separates. A scene of boxes, circles and segments links none of it.
+//! One mechanism serves all pairs with one of these: the sides of A and of B, merged by direction,
+//! are those of the sum A + (-B), and each question is about the origin and that polygon. For
+//! shapes of n and m corners each verb walks n + m sides at most, parallel ones together;
+//! `overlaps` stops at the first one that separates. A scene of boxes, circles and segments links
+//! none of it.
 //!
-//! Contacts follow the table below. Of equally short exits the axis is one along x, then along y, then another; of these the positive one (of others: with
-//! positive y), then the first counter-clockwise from +x. Closest points of rounded sides, and of `closest_point`, are within a raw unit per component:
-//! the point of the core and the radius are rounded each to nearest.
+//! Contacts follow the table below. Of equally short exits the axis is one along x, then along y,
+//! then another; of these the positive one (of others: with positive y), then the first
+//! counter-clockwise from +x. Closest points of rounded sides, and of `closest_point`, are within a
+//! raw unit per component: the point of the core and the radius are rounded each to nearest.
 //!
 //! # Degenerate cases
 //!

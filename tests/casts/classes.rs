@@ -1,6 +1,7 @@
-//! Casts in the classes in which collision code goes wrong, against the exact judge: motions through a place where the shapes touch (grazing, head-on, to
-//! the very end), give or take 2 raw, near the origin, far from it, over the whole domain. And that nothing but the scene decides: mirrored,
-//! exchanged and translated scenes.
+//! Casts in the classes in which collision code goes wrong, against the exact judge: motions
+//! through a place where the shapes touch (grazing, head-on, to the very end), give or take 2 raw,
+//! near the origin, far from it, over the whole domain. And that nothing but the scene decides:
+//! mirrored, exchanged and translated scenes.
 //!
 //! `TILESAT_CASES` sets the number of cases a pair and class (default 4 000).
 

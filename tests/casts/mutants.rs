@@ -1,4 +1,5 @@
-//! Casts that the streams and lattices of the other tests do not reach: found as changes of the kernels that none of those noticed.
+//! Casts that the streams and lattices of the other tests do not reach: found as changes of the
+//! kernels that none of those noticed.
 
 use tilesat::{Axis, Inside};
 use tilesat_judge::Random;
@@ -25,7 +26,8 @@ fn corner_on_corner_from_the_start() {
     }
 }
 
-/// A circle that comes to a side level with its end has met the side, at a time that is a fraction, not the corner.
+/// A circle that comes to a side level with its end has met the side, at a time that is a fraction,
+/// not the corner.
 #[test]
 fn at_the_end_of_a_side() {
     for (sx, sy) in [(1, 1), (-1, 1), (1, -1), (-1, -1)] {
@@ -75,7 +77,8 @@ fn grazes_shorter_than_a_step_of_time() {
     assert!(hits > 40, "{hits}");
 }
 
-/// Slopes that are nearly parallel to x or y: one small component does not make the other one small.
+/// Slopes that are nearly parallel to x or y: one small component does not make the other one
+/// small.
 #[test]
 fn steep_slopes() {
     let (mut r, mut hits) = (Random::new(0x57ee), 0);

@@ -1,4 +1,5 @@
-//! What casts of shapes refuse: motions that are not below 2^28 raw, points outside of the domain; and nothing else.
+//! What casts of shapes refuse: motions that are not below 2^28 raw, points outside of the domain;
+//! and nothing else.
 
 use tilesat::num::{DOMAIN, MOTION};
 use tilesat::prelude::*;

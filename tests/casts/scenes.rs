@@ -1,4 +1,5 @@
-//! Casts in scenes that are known by name: torture scenes, what other engines' tests ask, one-way faces, starts inside.
+//! Casts in scenes that are known by name: torture scenes, what other engines' tests ask, one-way
+//! faces, starts inside.
 
 use tilesat::prelude::*;
 use tilesat::{
@@ -175,7 +176,8 @@ fn bump() {
     assert_eq!(touch((1, 1)), Some((Axis::X, at(8, 8)))); // perfect corner
 }
 
-/// box2d's shape cast and time of impact, and its bullet through a sensor; `PixelRoot32`'s swept circle and corner touch.
+/// box2d's shape cast and time of impact, and its bullet through a sensor; `PixelRoot32`'s swept
+/// circle and corner touch.
 #[test]
 fn other_engines() {
     let (square, bar) = (rect(-1, -1, 2, 2), Segment::new(at(2, -1), at(2, 1)).unwrap());

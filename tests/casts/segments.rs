@@ -1,5 +1,5 @@
-//! Bodies cast through polygons, walls and one-way chains, alone and joined to tiles: in one with the mover, free on the way up to the hit, and where
-//! nothing is hit free all the way.
+//! Bodies cast through polygons, walls and one-way chains, alone and joined to tiles: in one with
+//! the mover, free on the way up to the hit, and where nothing is hit free all the way.
 //!
 //! `TILESAT_CASES` sets the number of casts (default 6 000).
 

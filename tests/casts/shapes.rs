@@ -1,4 +1,5 @@
-//! Bodies cast through levels of all tile shapes: every part of the way up to the hit is free, and a little farther it is not; in one with the mover.
+//! Bodies cast through levels of all tile shapes: every part of the way up to the hit is free, and
+//! a little farther it is not; in one with the mover.
 //!
 //! `TILESAT_CASES` sets the number of casts (default 6 000).
 
@@ -9,7 +10,8 @@ use tilesat_judge::rooms::room::{FINE, Room};
 use tilesat_judge::rooms::{P, PX, len2, mosaic};
 use tilesat_judge::{Random, cases};
 
-/// Levels of all shapes: every sixteenth of the way up to the hit is free, and a little farther than that it is not.
+/// Levels of all shapes: every sixteenth of the way up to the hit is free, and a little farther
+/// than that it is not.
 #[test]
 fn all_shapes_on_the_way() {
     let r = &mut Random::new(0x5ca57);

@@ -1,4 +1,5 @@
-//! What fits a passage gets through it (L3): bodies up to six raw units lower than a corridor, behind each ramp that reaches its floor.
+//! What fits a passage gets through it (L3): bodies up to six raw units lower than a corridor,
+//! behind each ramp that reaches its floor.
 
 use super::walk_worlds::{Frame, step};
 use tilesat::{Axis, Fx, Mover, Walker};
@@ -64,7 +65,8 @@ impl Run {
         false
     }
 
-    /// Whether a plain slide is to get in: its push leads up the ramp, and there is room for the rounding at the ramp's end.
+    /// Whether a plain slide is to get in: its push leads up the ramp, and there is room for the
+    /// rounding at the ramp's end.
     fn slides(&self) -> bool {
         // Up a ramp of direction (run, -rise) a push of (fall, 1) leads where fall * run > rise.
         let leads = match self.ramp.0 {

@@ -1,4 +1,5 @@
-//! Bodies driven by a constant input in small levels: where one stays for good, no way of free places leads on (L6).
+//! Bodies driven by a constant input in small levels: where one stays for good, no way of free
+//! places leads on (L6).
 
 #![allow(clippy::cast_precision_loss, reason = "directions and lengths below 2^30")]
 
@@ -13,7 +14,8 @@ const PLAYER: Mover = Mover::platformer(Axis::NEG_Y);
 /// Small, so that a search raw unit by raw unit goes far.
 const CELL: i64 = 256;
 
-/// Whether free places lead as far as `far` along the input, each step of one raw unit a part of it.
+/// Whether free places lead as far as `far` along the input, each step of one raw unit a part of
+/// it.
 fn leads_on(room: &Room, body: Body, v: P, far: i64) -> bool {
     let along = |d: P| d.0 * v.0 + d.1 * v.1;
     let steps = (-1..=1).flat_map(|x| (-1..=1).map(move |y| (x, y))).filter(|&d| along(d) > 0);
@@ -79,6 +81,7 @@ fn what_stays_has_no_way_on() {
         }
     }
     assert!(stayed > runs / 4, "{stayed} of {runs}");
-    // Two are known: boxes two raw units narrower than the gap between two tips of slopes, which only steps of one raw unit aside lead through.
+    // Two are known: boxes two raw units narrower than the gap between two tips of slopes, which
+    // only steps of one raw unit aside lead through.
     assert!(stuck.len() <= 2, "{} of {stayed} bodies that stay, such as {:?}", stuck.len(), stuck[0]);
 }

@@ -1,5 +1,6 @@
-//! Walkers in passages that they just fit (L3): a corridor between two ramps, and a slope under a ceiling that is parallel to it; doorways for all
-//! bodies (L8); and what comes to rest in random levels has a floor (L7).
+//! Walkers in passages that they just fit (L3): a corridor between two ramps, and a slope under a
+//! ceiling that is parallel to it; doorways for all bodies (L8); and what comes to rest in random
+//! levels has a floor (L7).
 
 use super::walk_worlds::{Frame, step};
 use tilesat::{
@@ -126,8 +127,8 @@ fn along_a_slope_under_a_slope() {
     }
 }
 
-/// A sill no higher than the step, under a lintel that leaves the body on the sill room: boxes, those lower than their step, and balls, for which a unit
-/// more is left between the corners.
+/// A sill no higher than the step, under a lintel that leaves the body on the sill room: boxes,
+/// those lower than their step, and balls, for which a unit more is left between the corners.
 #[test]
 fn doorways() {
     static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);

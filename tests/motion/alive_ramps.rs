@@ -9,7 +9,8 @@ const PLAYER: Mover = Mover::platformer(Axis::NEG_Y);
 const GRAVITY: i64 = PX / 4;
 const SHAPES: [(char, u8); 6] = [('/', 8), ('7', 6), ('l', 24), ('L', 20), ('u', 28), ('U', 32)];
 
-/// Whether a body that is driven to the right at a constant speed stops dead where a unit to the right is free.
+/// Whether a body that is driven to the right at a constant speed stops dead where a unit to the
+/// right is free.
 fn stops_dead(map: &TileMap<'_, AllShapes>, room: &Room, mut body: Body, speed: i64) -> bool {
     let mut v = (speed, 0);
     for _ in 0..20 {
@@ -25,7 +26,8 @@ fn stops_dead(map: &TileMap<'_, AllShapes>, room: &Room, mut body: Body, speed: 
     false
 }
 
-/// Boxes and balls of five heights at 23 speeds from 16 places on a ramp of 45 degrees, into a corridor of one tile.
+/// Boxes and balls of five heights at 23 speeds from 16 places on a ramp of 45 degrees, into a
+/// corridor of one tile.
 #[test]
 fn a_ramp_under_a_ceiling() {
     let level = drawn(&["...#########", "............", "../#########", "############"], 16 * PX, &SHAPES);
@@ -48,7 +50,8 @@ fn a_ramp_under_a_ceiling() {
     assert_eq!(stopped, [0, 0], "boxes and balls that stop dead in free space, of {all} each");
 }
 
-/// What is behind a body is not in its way: past the end of a slope of the floor, of one of the ceiling.
+/// What is behind a body is not in its way: past the end of a slope of the floor, of one of the
+/// ceiling.
 #[test]
 fn what_was_left_behind_takes_nothing() {
     let rows = ["...#####", "........", "../#####", "########"];
@@ -61,8 +64,9 @@ fn what_was_left_behind_takes_nothing() {
     assert!(out.body.position().0 < 20 * PX, "{out:?}");
 }
 
-/// A body that slides up a ramp without gravity keeps its speed along the ramp, to the multiple of the direction below it; of that the ceiling
-/// takes what leads into it, whatever the height of the body, its speed and the place in the frame where it comes to the joint.
+/// A body that slides up a ramp without gravity keeps its speed along the ramp, to the multiple of
+/// the direction below it; of that the ceiling takes what leads into it, whatever the height of the
+/// body, its speed and the place in the frame where it comes to the joint.
 #[test]
 fn the_ceiling_alone_takes_speed() {
     let scenes: [(&[&str], P); 3] = [

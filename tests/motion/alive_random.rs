@@ -1,4 +1,5 @@
-//! Random levels of all shapes: a call that ends without velocity ends where there is no way on (L1).
+//! Random levels of all shapes: a call that ends without velocity ends where there is no way on
+//! (L1).
 
 #![allow(clippy::cast_precision_loss, reason = "directions and lengths below 2^30")]
 
@@ -17,7 +18,8 @@ fn is_free(room: &Room, body: Body, d: P) -> bool {
     (1..=64).all(|k| !room.overlaps(body, (unit(d.0), unit(d.1)), k * FINE / 64))
 }
 
-/// The velocity that the body came to its last place with: what each hit before left along its surface.
+/// The velocity that the body came to its last place with: what each hit before left along its
+/// surface.
 fn before_last(v: P, out: &Outcome) -> (f64, f64) {
     let hits: Vec<_> = out.hits.iter().map(|h| (h.toi.raw(), f64::from(h.axis.x), f64::from(h.axis.y))).collect();
     // Hits within eight raw units of way are of one place.
@@ -28,10 +30,12 @@ fn before_last(v: P, out: &Outcome) -> (f64, f64) {
     })
 }
 
-/// A direction that is free for a unit and that the velocity has more than a unit along, of a call that ended without velocity and has hardly moved.
+/// A direction that is free for a unit and that the velocity has more than a unit along, of a call
+/// that ended without velocity and has hardly moved.
 ///
-/// Both the velocity before the last hit and the one of the call must have: what lay on a surface is pressed against it by the call's velocity all the time,
-/// and what came flying has no more than that surface left it.
+/// Both the velocity before the last hit and the one of the call must have: what lay on a surface
+/// is pressed against it by the call's velocity all the time, and what came flying has no more than
+/// that surface left it.
 fn way_on(room: &Room, before: Body, v: P, out: &Outcome) -> Option<P> {
     let made = (out.body.position().0 - before.position().0, out.body.position().1 - before.position().1);
     if out.v != (0, 0) || 100 * len2(made) >= len2(v) || len2(v) <= 4 * len2((PX, 0)) {

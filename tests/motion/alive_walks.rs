@@ -1,4 +1,5 @@
-//! Walkers: what gravity wedges has a floor (L7), and what is no higher than the step is climbed wherever the body fits (L8).
+//! Walkers: what gravity wedges has a floor (L7), and what is no higher than the step is climbed
+//! wherever the body fits (L8).
 
 use tilesat::{Aabb, Axis, Circle, Fx, Grid, Mover, TileKind, TileKinds, TileMap, Vec2, Walker};
 use tilesat_judge::Random;
@@ -8,7 +9,8 @@ use tilesat_judge::rooms::{PX, drawn};
 const PLAYER: Mover = Mover::platformer(Axis::NEG_Y);
 const GRAVITY: i64 = PX / 4;
 
-/// Whether a ball that runs to the right, over two domes, comes to rest for good without a floor to jump from.
+/// Whether a ball that runs to the right, over two domes, comes to rest for good without a floor to
+/// jump from.
 fn locks(speed: i64, x: i64, r: i64) -> bool {
     let level =
         drawn(&["............", "............", "####)(######", "############"], 16 * PX, &[(')', 13), ('(', 12)]);
@@ -40,7 +42,8 @@ fn what_gravity_wedges_has_a_floor() {
     assert!(locked.is_empty(), "{} of {} end in a lock, such as {:?}", locked.len(), runs.len(), locked[0]);
 }
 
-/// Between two faces that are each too steep, by the cone of both: domes, slopes of 63 degrees, one of them beside a block.
+/// Between two faces that are each too steep, by the cone of both: domes, slopes of 63 degrees, one
+/// of them beside a block.
 #[test]
 fn two_walls_are_a_floor() {
     let scenes: [&[&str]; 3] = [

@@ -26,7 +26,8 @@ fn slide(map: &TileMap<'_, Blocks>, mover: &Mover, body: &Aabb, d: (i64, i64)) -
     (made.0.into(), made.1.into())
 }
 
-/// The least displacement aside, try by try: its whole way is free, and from its end the motion comes farther into what it ran into.
+/// The least displacement aside, try by try: its whole way is free, and from its end the motion
+/// comes farther into what it ran into.
 fn least(map: &TileMap<'_, Blocks>, mover: &Mover, body: &Aabb, d: (i64, i64), reach: i64) -> Option<(i64, i64)> {
     let hit = map.cast_shape(body, vec2(d), Inside::Ignore).unwrap()?;
     let normal = hit.hit.axis;
@@ -80,7 +81,8 @@ fn the_least_way_aside_that_leads_on() {
     assert!(asides > 300, "{asides} of {all}");
 }
 
-/// A head under a corner by up to the reach, to the raw unit; a ball too, which a corner is rounder for.
+/// A head under a corner by up to the reach, to the raw unit; a ball too, which a corner is rounder
+/// for.
 #[test]
 fn a_head_under_a_corner() {
     let tiles: Vec<u8> = (0..SIDE * SIDE).map(|k| if k / SIDE < 3 && k % SIDE < 3 { b'#' } else { b'.' }).collect();
@@ -108,7 +110,8 @@ fn a_head_under_a_corner() {
     }
 }
 
-/// A gap exactly as wide as the body is found by a walk along the wall at any speed up to the reach.
+/// A gap exactly as wide as the body is found by a walk along the wall at any speed up to the
+/// reach.
 #[test]
 fn a_gap_as_wide_as_the_body() {
     let tiles: Vec<u8> = (0..SIDE * SIDE).map(|k| if k / SIDE == 2 && k % SIDE != 3 { b'#' } else { b'.' }).collect();

@@ -1,4 +1,5 @@
-//! Sliding along flat rows of tiles for ever: nothing is ever felt of the seams. Speed and height stay exact, every hit is a face.
+//! Sliding along flat rows of tiles for ever: nothing is ever felt of the seams. Speed and height
+//! stay exact, every hit is a face.
 
 use tilesat::{Axis, Mover, Outside, TileMap};
 use tilesat_judge::motion::body::{Body, Outcome, px};
@@ -21,7 +22,8 @@ struct Side {
     surface: i64,
 }
 
-/// Floor, ceiling, left and right wall of 40 x 40 tiles, in the middle of the map so that nothing else is near.
+/// Floor, ceiling, left and right wall of 40 x 40 tiles, in the middle of the map so that nothing
+/// else is near.
 fn sides() -> [Side; 4] {
     let row = |y: usize| core::array::from_fn(|k| if k == y { "#".repeat(40) } else { ".".repeat(40) });
     let column = |x: usize| core::array::from_fn(|_| (0..40).map(|k| if k == x { '#' } else { '.' }).collect());
@@ -47,7 +49,8 @@ impl Side {
         Mover::platformer(Axis::new(-self.into.0 as i32, -self.into.1 as i32))
     }
 
-    /// A box or circle `size` wide that touches the surface, its middle `along` units from the map's corner.
+    /// A box or circle `size` wide that touches the surface, its middle `along` units from the
+    /// map's corner.
     fn body(&self, circle: bool, along: i64, size: i64) -> Body {
         let height = self.surface - (self.into.0 + self.into.1) * size / 2;
         let middle = if self.along == (1, 0) { (along, height) } else { (height, along) };
@@ -70,7 +73,8 @@ impl Side {
         out
     }
 
-    /// Frames at one velocity; after each ten tiles the body is put back by as many, so that the phase goes on.
+    /// Frames at one velocity; after each ten tiles the body is put back by as many, so that the
+    /// phase goes on.
     fn run(&self, circle: bool, v: P, frames: u32) {
         let level = self.level(CELL);
         let (mover, map) = (self.mover(), level.map());
@@ -109,7 +113,8 @@ fn as_many_on_ceiling_and_walls() {
     }
 }
 
-/// Torture scenes 1 and 2: tiles of 16, a body 16 wide, every phase of 1/16, speeds from 1/16 to 64, everywhere.
+/// Torture scenes 1 and 2: tiles of 16, a body 16 wide, every phase of 1/16, speeds from 1/16 to
+/// 64, everywhere.
 #[test]
 fn every_phase_and_speed() {
     let cell = 16 << 16;
@@ -132,7 +137,8 @@ fn every_phase_and_speed() {
     }
 }
 
-/// Torture scene 1 to the letter: radius 8 on a floor at y = 100, v = (3, 1/4), for every phase until the next tile and beyond.
+/// Torture scene 1 to the letter: radius 8 on a floor at y = 100, v = (3, 1/4), for every phase
+/// until the next tile and beyond.
 #[test]
 fn scene_1_collinear_seam() {
     let level = Level::new(&["................", "################"], 16 << 16).with_origin((0, px(84)));
@@ -149,7 +155,8 @@ fn scene_1_collinear_seam() {
     }
 }
 
-/// In a closed room the body turns at the walls; the height never changes, nor does the speed between them.
+/// In a closed room the body turns at the walls; the height never changes, nor does the speed
+/// between them.
 #[test]
 fn to_and_fro_between_walls() {
     let rows = ["...................."; 4];

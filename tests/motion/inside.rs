@@ -58,7 +58,8 @@ fn out_of_a_block_by_the_nearest_side() {
                     assert_eq!(out, Ok(body));
                     continue;
                 }
-                // What it reaches counts; with its middle out of the block only the sides that it is before.
+                // What it reaches counts; with its middle out of the block only the sides that it
+                // is before.
                 let m = (p.0 + w / 2, p.1 + h / 2);
                 let inside = m.0 > lo && m.0 < hi && m.1 > lo && m.1 < hi;
                 let before = [m.0 >= hi, m.0 <= lo, m.1 >= hi, m.1 <= lo];
@@ -75,7 +76,8 @@ fn out_of_a_block_by_the_nearest_side() {
     }
 }
 
-/// Out of a corner by one push for each side, the least first; out of a niche as wide as the body by two, and of a narrower one by none.
+/// Out of a corner by one push for each side, the least first; out of a niche as wide as the body
+/// by two, and of a narrower one by none.
 #[test]
 fn out_of_corners_and_niches() {
     let rows = rooms::drawn(&["#....", "#..#.", "#####"], 16 * PX, &[]);
@@ -90,7 +92,8 @@ fn out_of_corners_and_niches() {
     assert!(freed(&map, wide).is_err());
 }
 
-/// Torture scene 43: deep in 10 x 10 blocks there is no way out, and nothing moves; near the rim there is the nearest.
+/// Torture scene 43: deep in 10 x 10 blocks there is no way out, and nothing moves; near the rim
+/// there is the nearest.
 #[test]
 fn deep_inside() {
     let mut tiles = vec![0; 400];
@@ -115,7 +118,8 @@ fn deep_inside() {
     assert_eq!(way(rim, freed(&map, rim).unwrap()), (-13 * PX, 0));
 }
 
-/// In rooms of all shapes: free bodies stay, others come free, by no more than four times their size, or are reported.
+/// In rooms of all shapes: free bodies stay, others come free, by no more than four times their
+/// size, or are reported.
 #[test]
 fn free_or_stuck() {
     let mut r = Random::new(0x43);
@@ -148,7 +152,8 @@ fn free_or_stuck() {
     assert!(freed_ones > 500 && stays > 300 && stuck > 50, "{freed_ones} freed, {stays} free, {stuck} stuck");
 }
 
-/// Around each convex shape: what is in it leaves in every direction, by its whole motion, whatever it reaches on the way.
+/// Around each convex shape: what is in it leaves in every direction, by its whole motion, whatever
+/// it reaches on the way.
 #[test]
 fn what_it_overlaps_does_not_stop_it() {
     let mut cases = 0;
@@ -212,8 +217,9 @@ fn everything_else_stops_it() {
     assert_eq!(out.body.position(), (54 * PX, 22 * PX));
 }
 
-/// A door of one tile that closed on a body: nothing is below it, so under gravity it falls out of the world; sideways it comes out on its floor,
-/// and is stopped by that again. Pushed out it is only where it reaches a side.
+/// A door of one tile that closed on a body: nothing is below it, so under gravity it falls out of
+/// the world; sideways it comes out on its floor, and is stopped by that again. Pushed out it is
+/// only where it reaches a side.
 #[test]
 fn a_door_that_closed() {
     let closed = rooms::drawn(&["..#..", "..#..", "#####"], 16 * PX, &[]);

@@ -1,7 +1,9 @@
-//! Invariants of motion in levels of all shapes, by the numbers of the study they come from: P8, P9, P10, P12, P15, P16, P20, P25.
+//! Invariants of motion in levels of all shapes, by the numbers of the study they come from: P8,
+//! P9, P10, P12, P15, P16, P20, P25.
 //!
-//! Others have their places: P5, P6, P7, P11 and P14 in `motion_shapes` and `motion_symmetry`, P13 in `cast`, P17 in `motion_rest`, P18 in
-//! `motion_shape_scenes` and `motion_floor`, P19 in `motion_torture_segments`. `TILESAT_CASES` sets the number of motions (default 20 000).
+//! Others have their places: P5, P6, P7, P11 and P14 in `motion_shapes` and `motion_symmetry`, P13
+//! in `cast`, P17 in `motion_rest`, P18 in `motion_shape_scenes` and `motion_floor`, P19 in
+//! `motion_torture_segments`. `TILESAT_CASES` sets the number of motions (default 20 000).
 
 use tilesat::{Axis, Mover, Response, Toi};
 use tilesat_judge::Random;
@@ -98,7 +100,8 @@ fn p9_rotation() {
     assert!(ties <= cases() / 1000);
 }
 
-/// P10: moments are in [0, 1], and a longer motion in the same direction meets the same thing no earlier and no later.
+/// P10: moments are in [0, 1], and a longer motion in the same direction meets the same thing no
+/// earlier and no later.
 #[test]
 fn p10_monotone() {
     let mut hits = 0;
@@ -129,7 +132,8 @@ fn p12_p16_without_velocity() {
     assert!(rests > 0);
 }
 
-/// P15: the velocity that comes back leads into no face along x or y that the body touches, where the call was not cut short.
+/// P15: the velocity that comes back leads into no face along x or y that the body touches, where
+/// the call was not cut short.
 #[test]
 fn p15_not_into_what_is_touched() {
     let mut slides = 0;
@@ -152,7 +156,8 @@ fn p15_not_into_what_is_touched() {
     assert!(slides > cases() / 10);
 }
 
-/// P20: at up to 16 tiles a frame nothing is passed through: the way to the first contact is free at many exact places, and so is the end.
+/// P20: at up to 16 tiles a frame nothing is passed through: the way to the first contact is free
+/// at many exact places, and so is the end.
 #[test]
 fn p20_no_tunnel_at_sixteen_tiles() {
     let mut hits = 0;

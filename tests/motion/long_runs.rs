@@ -1,7 +1,8 @@
-//! Balls and boxes that bounce for a long time: never in a wall, never faster than they may be, elastic ones hardly slower, damped ones at rest in
-//! the end.
+//! Balls and boxes that bounce for a long time: never in a wall, never faster than they may be,
+//! elastic ones hardly slower, damped ones at rest in the end.
 //!
-//! The judge is exact and knows only the corners of a convex room. `TILESAT_FRAMES` sets the frames of a run (default 3000).
+//! The judge is exact and knows only the corners of a convex room. `TILESAT_FRAMES` sets the frames
+//! of a run (default 3000).
 
 use tilesat::{Aabb, AllShapes, Axis, Body, Circle, Fx, Grid, Mover, Path, PathKind, Ratio, Response, SegmentMap};
 use tilesat::{Surface, TileKind, TileKinds, TileMap, Vec2, World, motion::Speed};
@@ -24,7 +25,8 @@ fn len2(v: Vec2) -> i128 {
     i128::from(x) * i128::from(x) + i128::from(y) * i128::from(y)
 }
 
-/// A convex room by its corners, the inside on the left of each side where y grows up; or a disc around (0, 0), by its radius.
+/// A convex room by its corners, the inside on the left of each side where y grows up; or a disc
+/// around (0, 0), by its radius.
 struct Room {
     corners: Vec<P>,
     radius: Option<i64>,
@@ -68,7 +70,8 @@ impl Room {
         out
     }
 
-    /// Whether a body is nowhere in a wall. With d along a side and m from its start to the point, the point is (d x m) / |d| inside.
+    /// Whether a body is nowhere in a wall. With d along a side and m from its start to the point,
+    /// the point is (d x m) / |d| inside.
     fn holds(&self, body: &impl Judged) -> bool {
         let (points, r) = body.points();
         let in_disc = |radius: i64| {
@@ -122,7 +125,8 @@ impl Judged for Aabb {
     }
 }
 
-/// Starts in a room, clear of its walls, with velocities of a length of about `speed` in any direction.
+/// Starts in a room, clear of its walls, with velocities of a length of about `speed` in any
+/// direction.
 fn starts<B: Judged>(room: &Room, seed: u64, n: usize, speed: i64) -> Vec<(B, Vec2)> {
     let mut r = Random::new(seed);
     let range =
@@ -205,7 +209,8 @@ fn square_of_tiles() -> TileMap<'static> {
     TileMap::new(&[0; 256], 16, 16, &KINDS).unwrap().with_outside(tilesat::Outside::Solid)
 }
 
-/// A room of tiles and the same room of segments: the same bits, ball and box, whatever the surface, with gravity and without.
+/// A room of tiles and the same room of segments: the same bits, ball and box, whatever the
+/// surface, with gravity and without.
 #[test]
 fn tiles_and_segments_bounce_alike() {
     fn alike<B: Judged + PartialEq>(seed: u64) {
@@ -256,8 +261,9 @@ const GRAVITY: i32 = 10_922;
 
 /// Drops balls until they rest; returns the last frame in which one moved.
 fn falls<W: World>(world: &W, room: &Room, percent: u8, friction: u8, seed: u64) -> u64 {
-    // Gravity comes once a frame. A bounce at w (after gravity) in the part T of a frame changes the energy v^2 / 2 + g h + g v / 2, which
-    // free flight keeps, by -(1 - e^2) w^2 / 2 + (1 + e) g w (1/2 - T): a loss for every T where w is above g / (1 - e), and for T = 0 only there.
+    // Gravity comes once a frame. A bounce at w (after gravity) in the part T of a frame changes
+    // the energy v^2 / 2 + g h + g v / 2, which free flight keeps, by -(1 - e^2) w^2 / 2 + (1 + e)
+    // g w (1/2 - T): a loss for every T where w is above g / (1 - e), and for T = 0 only there.
     let rest = GRAVITY * 100 / (100 - i32::from(percent)) + 1;
     let ratio = |percent| Ratio::percent(percent).unwrap();
     let surface = Surface::new(ratio(percent), ratio(friction)).resting_below(Fx::from_bits(rest));

@@ -15,7 +15,8 @@ fn without_work<B>(moved: Moved<B>) -> Moved<B> {
 
 type Map<'a> = TileMap<'a, AllShapes>;
 
-/// Drops bodies into random levels and calls with and without a memo; how many frames the memo answered, of how many.
+/// Drops bodies into random levels and calls with and without a memo; how many frames the memo
+/// answered, of how many.
 fn compare<B, M: Default>(
     body: impl Fn(Vec2, Fx) -> B,
     plain: impl Fn(&Map<'_>, &B, Vec2) -> Result<Moved<B>, MoveError>,

@@ -1,4 +1,5 @@
-//! One-way faces in all four directions, as tiles and as chains, for boxes and circles: each case changes one thing of one that lands.
+//! One-way faces in all four directions, as tiles and as chains, for boxes and circles: each case
+//! changes one thing of one that lands.
 
 use tilesat::{Axis, Fx, Mover, Outside, Path, PathKind, Response, SegmentMap};
 use tilesat_judge::rooms::body::{Body, Outcome, vec2};
@@ -90,7 +91,8 @@ fn stages() -> [Stage; 3] {
     ]
 }
 
-/// A player of 20 x 20 with its left side at `x` and its lower side at `y`, as a box and as a circle.
+/// A player of 20 x 20 with its left side at `x` and its lower side at `y`, as a box and as a
+/// circle.
 fn players(x: i64, y: i64) -> [Body; 2] {
     [Body::Rect((x, y - 20 * PX), (20 * PX, 20 * PX)), Body::Disc((x + 10 * PX, y - 10 * PX), 10 * PX)]
 }
@@ -160,7 +162,8 @@ fn the_top_of_a_jump() {
     }
 }
 
-/// Torture scene 31: in from the side at heights around the plane nothing stops it; then it stands where its lower side is not below.
+/// Torture scene 31: in from the side at heights around the plane nothing stops it; then it stands
+/// where its lower side is not below.
 #[test]
 fn from_the_side() {
     for raw in [-PX, -2, -1, 0, 1, 2, PX, 10 * PX] {
@@ -181,8 +184,8 @@ fn from_the_side() {
     }
 }
 
-/// At the corner: what comes to the plane beside the platform passes, what spans a raw unit of it or moves over its end there lands. Boxes; the
-/// lowest point of a circle decides.
+/// At the corner: what comes to the plane beside the platform passes, what spans a raw unit of it
+/// or moves over its end there lands. Boxes; the lowest point of a circle decides.
 #[test]
 fn at_the_corner() {
     for (stage, views) in stages().iter().flat_map(|s| VIEWS.map(|v| (s, v))) {
@@ -202,7 +205,8 @@ fn at_the_corner() {
     }
 }
 
-/// Between two of them there is no gap, for bodies of any width, those of none too; nor between them and solid tiles or slopes.
+/// Between two of them there is no gap, for bodies of any width, those of none too; nor between
+/// them and solid tiles or slopes.
 #[test]
 fn no_fall_between_two() {
     let rows: [&[&str]; 3] = [
@@ -237,7 +241,8 @@ fn no_fall_between_two() {
     }
 }
 
-/// Beside a block: up through it along the block, a stop at the block where the one-way is none, flush from one to the other.
+/// Beside a block: up through it along the block, a stop at the block where the one-way is none,
+/// flush from one to the other.
 #[test]
 fn beside_a_block_and_a_slope() {
     let stage = Stage::Tiles(level(&["......", "......", "--##--", "......", "......"]));
@@ -283,7 +288,8 @@ fn beside_a_block_and_a_slope() {
     }
 }
 
-/// Dropping through: with every response, reported once, no floor; what is half on a block stays; and not told so, it lands again.
+/// Dropping through: with every response, reported once, no floor; what is half on a block stays;
+/// and not told so, it lands again.
 #[test]
 fn drop_through() {
     let low = Stage::Tiles(level(&["......", "------", "------", "......", "######"]));

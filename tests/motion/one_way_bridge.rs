@@ -58,7 +58,8 @@ fn walk<B: Body>(map: &SegmentMap<'_>, mut body: B, speed: i64, gravity: i64, he
     panic!("did not get over it");
 }
 
-/// A box and a ball walk over a bridge like a parabola, 320 units wide and 40 high, of few and many pieces.
+/// A box and a ball walk over a bridge like a parabola, 320 units wide and 40 high, of few and many
+/// pieces.
 #[test]
 fn over_a_bridge() {
     for pieces in [4i64, 9, 32, 128] {

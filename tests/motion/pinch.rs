@@ -1,4 +1,5 @@
-//! Boxes whose corner is on a point where two tiles meet corner to corner, with an open wedge between them.
+//! Boxes whose corner is on a point where two tiles meet corner to corner, with an open wedge
+//! between them.
 
 use tilesat::{Aabb, AllShapes, Axis, Fx, Grid, Mover, TileKind, TileKinds, TileMap, TileShape, Vec2};
 
@@ -22,10 +23,12 @@ fn way_in(kinds: &TileKinds, tiles: [u8; 4], motion: Vec2) -> Option<Vec2> {
     Some(moved.body.min() - body.min())
 }
 
-/// One solid hides a side of the corner of the other: only along its other side can the box go, and there nothing is in its way.
+/// One solid hides a side of the corner of the other: only along its other side can the box go, and
+/// there nothing is in its way.
 #[test]
 fn slides_past_a_pinch() {
-    // Up along the left side of the upper tile; the slope of the lower one hides the tip's underside.
+    // Up along the left side of the upper tile; the slope of the lower one hides the tip's
+    // underside.
     assert_eq!(way([0, 1, 0, 2], Vec2::from_ints(1, -2)), Vec2::from_ints(0, -2));
     // To the right along the underside; the slope left of the tip hides its left side.
     assert_eq!(way([4, 3, 0, 0], Vec2::from_ints(2, -1)), Vec2::from_ints(2, 0));
@@ -40,8 +43,8 @@ fn goes_along_the_open_side() {
     assert_eq!(way([2, 3, 0, 0], Vec2::from_ints(2, 0)), Vec2::from_ints(2, 0));
 }
 
-/// All shapes in the three cells around the corner of the box, motions of every slope of the shapes: where one component alone is free, it does not
-/// stand still.
+/// All shapes in the three cells around the corner of the box, motions of every slope of the
+/// shapes: where one component alone is free, it does not stand still.
 #[test]
 fn never_stands_where_one_way_is_open() {
     const MOTIONS: [(i16, i16); 3] = [(1, 1), (1, 2), (2, 1)];

@@ -1,7 +1,9 @@
-//! Bodies without area where quarter arcs end: no way of theirs enters the solid, and what stops them is solid.
+//! Bodies without area where quarter arcs end: no way of theirs enters the solid, and what stops
+//! them is solid.
 //!
-//! Judged by the inequalities of the 34 shapes in whole numbers, cut at every line of the grid: a way enters the union of the tiles where it enters the
-//! inside of one of them, or goes along a line between two that both hold it.
+//! Judged by the inequalities of the 34 shapes in whole numbers, cut at every line of the grid: a
+//! way enters the union of the tiles where it enters the inside of one of them, or goes along a
+//! line between two that both hold it.
 
 use core::fmt::Debug;
 use tilesat::motion::Body as Movable;
@@ -15,7 +17,8 @@ use tilesat_judge::shapes::level::Level;
 /// The side of a cell, and where the four cells of a case meet.
 const S: i64 = 256;
 
-/// A shape's inequality in the frame of its solid corner, coordinates and the side in parts of a raw unit: below 0 inside.
+/// A shape's inequality in the frame of its solid corner, coordinates and the side in parts of a
+/// raw unit: below 0 inside.
 fn excess(id: u8, p: (i128, i128), s: i128) -> i128 {
     let (group, turn) = if id < 2 { (9, 0) } else { ((id - 2) / 4, (id - 2) % 4) };
     let (right, bottom) = (turn == 1 || turn == 2, turn >= 2);
@@ -37,9 +40,11 @@ fn excess(id: u8, p: (i128, i128), s: i128) -> i128 {
 /// The whole of a way, in the units of a moment.
 const ALL: u32 = 1 << 30;
 
-/// Whether the way of a point from `p` by `d`, until a moment of it, enters the solid of the four cells around (S, S); elsewhere all is empty.
+/// Whether the way of a point from `p` by `d`, until a moment of it, enters the solid of the four
+/// cells around (S, S); elsewhere all is empty.
 fn enters(tiles: [u8; 4], p: P, d: P, until: u32) -> bool {
-    // Moments are fractions of the way with one divisor: all lines of the grid are crossed at multiples of it.
+    // Moments are fractions of the way with one divisor: all lines of the grid are crossed at
+    // multiples of it.
     let n = i128::from(d.0.abs().max(1) * d.1.abs().max(1)) * 16;
     let at = |t: i128| (i128::from(p.0) * n + i128::from(d.0) * t, i128::from(p.1) * n + i128::from(d.1) * t);
     let half = i128::from(S / 2) * n;
@@ -92,7 +97,8 @@ fn level(tiles: [u8; 4], (x, y): P) -> Level {
 
 /// Whether one of the four cells has a convex arc that ends in their common point.
 fn has_end(tiles: [u8; 4]) -> bool {
-    // Of the cell at the top left that point is the bottom right corner; an arc ends in the two corners beside its solid one.
+    // Of the cell at the top left that point is the bottom right corner; an arc ends in the two
+    // corners beside its solid one.
     tiles.iter().zip([[11, 13], [10, 12], [10, 12], [11, 13]]).any(|(id, ends)| ends.contains(id))
 }
 
@@ -114,7 +120,8 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
-    /// What the way of a body leads to, of which the first point to arrive is at `front` and the last one at `back`.
+    /// What the way of a body leads to, of which the first point to arrive is at `front` and the
+    /// last one at `back`.
     fn judge<B>(&mut self, body: &B, back: P, front: P, d: P)
     where
         B: Movable + Debug + PartialEq,
@@ -177,7 +184,8 @@ impl Case<'_> {
 
 const WAYS: [P; 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
-/// All 287 760 quads of tiles with such an end in their middle: points and bars along the four lines through it, from both sides of it, to it and beyond.
+/// All 287 760 quads of tiles with such an end in their middle: points and bars along the four
+/// lines through it, from both sides of it, to it and beyond.
 #[test]
 fn along_the_lines_of_the_grid() {
     let mut tally = Tally::default();
@@ -202,8 +210,8 @@ fn along_the_lines_of_the_grid() {
     assert!(tally.hits > 1_000_000 && tally.free > 1_000_000 && tally.inside > 0, "{tally:?}");
 }
 
-/// Each arc tile that ends there with each neighbour in each of the three other places, the rest empty or full: points from all places of a lattice of
-/// quarter cells to all of one of half cells.
+/// Each arc tile that ends there with each neighbour in each of the three other places, the rest
+/// empty or full: points from all places of a lattice of quarter cells to all of one of half cells.
 #[test]
 fn from_everywhere_to_everywhere() {
     let mut tally = Tally::default();
@@ -247,7 +255,8 @@ fn at_the_end_of_the_map() {
     }
 }
 
-/// Points and bars on the lines of small maps, many of them along what is outside: no cast misses what it would end in, and no motion ends in the solid.
+/// Points and bars on the lines of small maps, many of them along what is outside: no cast misses
+/// what it would end in, and no motion ends in the solid.
 #[test]
 fn no_end_is_in_the_solid() {
     let (mut r, mut moved) = (Random::new(3), 0);
@@ -278,8 +287,9 @@ fn no_end_is_in_the_solid() {
     assert!(moved > 30_000, "{moved}");
 }
 
-/// Out of the gap below an arc into a quarter pipe that begins where the gap ends: it is the pipe that the point meets. The end of the arc, which the
-/// way up the pipe only grazes, stops a body without area; it rests there, and gathers no velocity.
+/// Out of the gap below an arc into a quarter pipe that begins where the gap ends: it is the pipe
+/// that the point meets. The end of the arc, which the way up the pipe only grazes, stops a body
+/// without area; it rests there, and gathers no velocity.
 #[test]
 fn from_under_an_arc_into_a_pipe() {
     let level = level([11, 16, 1, 1], (0, 0));

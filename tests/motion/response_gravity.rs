@@ -14,7 +14,8 @@ static KINDS: TileKinds = TileKinds::EMPTY
     .with(b'/', TileKind::of(TileShape::SlopeBottomRight))
     .with(b'\\', TileKind::of(TileShape::SlopeBottomLeft));
 
-/// After k frames the velocity is `k by / frames`, rounded toward zero, on both axes and with both signs.
+/// After k frames the velocity is `k by / frames`, rounded toward zero, on both axes and with both
+/// signs.
 #[test]
 fn exact_in_every_frame() {
     for n in [1, 2, 3, 7, 60, 1000, 65_521, 1 << 30] {
@@ -52,7 +53,8 @@ fn stays<B: Body + PartialEq + core::fmt::Debug>(map: &TileMap<'_, Slopes>, star
     }
 }
 
-/// From less than a raw unit a frame up: bodies that lie are constant in position, velocity and flags.
+/// From less than a raw unit a frame up: bodies that lie are constant in position, velocity and
+/// flags.
 #[test]
 fn nothing_hums_at_rest() {
     let map: TileMap<'_, Slopes> = TileMap::of_ascii("      \n\\    /\n#\\  /#\n######\n", &KINDS).unwrap();

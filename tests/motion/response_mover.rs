@@ -66,7 +66,8 @@ fn comes_to_rest<B: Body + PartialEq + core::fmt::Debug>(
     last
 }
 
-/// P17, slope with friction: below the angle of friction a body stays where it is, to the bit, for a million frames.
+/// P17, slope with friction: below the angle of friction a body stays where it is, to the bit, for
+/// a million frames.
 #[test]
 fn a_slope_with_friction_holds() {
     let grip = |percent| Surface::new(Ratio::ZERO, Ratio::percent(percent).unwrap());
@@ -98,7 +99,8 @@ fn a_body_rests_on_a_corner_with_friction() {
 
 const PIPE: &str = "#          #\n#          #\n#          #\n#(        )#\n############\n";
 
-/// In a quarter pipe a body comes to rest where the slope is as steep as the friction, or on the way down; slowly thrown or fast.
+/// In a quarter pipe a body comes to rest where the slope is as steep as the friction, or on the
+/// way down; slowly thrown or fast.
 #[test]
 fn a_pipe_with_friction_holds() {
     let map = map(PIPE);
@@ -114,14 +116,16 @@ fn a_pipe_with_friction_holds() {
     }
 }
 
-/// Through a quarter pipe, weightless: friction takes `e^(-friction angle)` of the speed, about as much in steps.
+/// Through a quarter pipe, weightless: friction takes `e^(-friction angle)` of the speed, about as
+/// much in steps.
 #[test]
 fn a_pipe_brakes() {
     let map = map(PIPE);
     for (percent, kept) in [(0, 1.0), (20, 0.730), (50, 0.456)] {
         let mover = UP.with_surface(Surface::new(Ratio::ZERO, Ratio::percent(percent).unwrap()));
         for start in [PX / 2, 2 * PX] {
-            // Near enough to the pipe that nothing is lost before it: a body that slides along a floor does not press on it.
+            // Near enough to the pipe that nothing is lost before it: a body that slides along a
+            // floor does not press on it.
             let (mut body, mut v) = (disc(100 * PX, 59 * PX, 5 * PX), Vec2::from_raw(start, 0));
             for _ in 0..400 {
                 if v.raw().0 == 0 {
@@ -137,7 +141,8 @@ fn a_pipe_brakes() {
     }
 }
 
-/// Friction takes its share of gravity in each frame: 3 units a frame are gone after 48 of them, at 1/16 a frame.
+/// Friction takes its share of gravity in each frame: 3 units a frame are gone after 48 of them, at
+/// 1/16 a frame.
 #[test]
 fn a_box_skids_to_a_stop() {
     let map =
@@ -154,7 +159,8 @@ fn a_box_skids_to_a_stop() {
     }
 }
 
-/// A ball that bounces lower and lower comes to rest, because it slides where it is slower than one frame's gravity.
+/// A ball that bounces lower and lower comes to rest, because it slides where it is slower than one
+/// frame's gravity.
 #[test]
 fn a_bouncing_ball_comes_to_rest() {
     let mover_rest = |percent| Surface::new(Ratio::percent(percent).unwrap(), Ratio::ZERO).resting_below(G.y);

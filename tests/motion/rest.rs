@@ -1,8 +1,10 @@
-//! Rest in tiles of all shapes: bodies under gravity come to rest and stay (P17, torture scenes 40 and 49).
+//! Rest in tiles of all shapes: bodies under gravity come to rest and stay (P17, torture scenes 40
+//! and 49).
 //!
-//! A call depends on nothing but the level, the body and the velocity. So a frame that gives back its own body and velocity is followed by itself
-//! for ever; a few runs show it for `TILESAT_FRAMES` frames (default 20 000; a million in the long run). Mirrored and moved twins run beside each
-//! and must be its images bit for bit (P5, P7). Whole cells, y down.
+//! A call depends on nothing but the level, the body and the velocity. So a frame that gives back
+//! its own body and velocity is followed by itself for ever; a few runs show it for
+//! `TILESAT_FRAMES` frames (default 20 000; a million in the long run). Mirrored and moved twins
+//! run beside each and must be its images bit for bit (P5, P7). Whole cells, y down.
 
 use tilesat::{Axis, Mover, Ratio, Surface};
 use tilesat_judge::rooms::body::Body;
@@ -120,7 +122,8 @@ fn level(rows: &[&str], cell: i64) -> Level {
     drawn(rows, cell, &SHAPES)
 }
 
-/// Bodies of some sizes, over the parts of the level from `from` to `to` (in eighths of a cell), until so many have come to rest.
+/// Bodies of some sizes, over the parts of the level from `from` to `to` (in eighths of a cell),
+/// until so many have come to rest.
 struct Drop<'a> {
     rows: &'a [&'a str],
     /// Half of a circle's width, or a box's width, at most, in eighths of a cell.
@@ -206,7 +209,8 @@ fn p17_rest_over_a_gap() {
     drop(&GAP, 24, (16, 0), (32, 8)).rest(&CELLS);
 }
 
-/// On corners so near that a ball which slides along one of them has left it by more than roundings when it meets the other.
+/// On corners so near that a ball which slides along one of them has left it by more than roundings
+/// when it meets the other.
 #[test]
 fn p17_balls_rest_over_a_narrow_gap() {
     let mut r = Random::new(17);
@@ -216,7 +220,8 @@ fn p17_balls_rest_over_a_narrow_gap() {
             let play = Play::new(&level, 16 + r.below(cell / 16));
             let radius = cell / 2 + 1 + r.below(cell / 2);
             let ball = Body::Disc((2 * cell + r.below(cell), 2 * cell - radius), radius);
-            // No twins: a ball in the middle meets both corners at once, +x first in the mirror too.
+            // No twins: a ball in the middle meets both corners at once, +x first in the mirror
+            // too.
             play.settles_beside((ball, (r.around(cell / 8), 0)), 12_000, 0);
         }
     }
@@ -266,7 +271,8 @@ fn a_ball_swings_in_a_bowl() {
     }
 }
 
-/// Bodies that are pushed into a corner by a velocity of the game's, frame after frame: one alone ends in it, to the raw unit.
+/// Bodies that are pushed into a corner by a velocity of the game's, frame after frame: one alone
+/// ends in it, to the raw unit.
 #[test]
 fn p17_pushed_into_a_corner() {
     let rows = ["...#", "...#", "...#", "####"];
@@ -289,8 +295,9 @@ fn p17_pushed_into_a_corner() {
     }
 }
 
-/// Torture scene 38: four bodies pushed into one corner, and out of each other by half of their depth, each from where all are at the start of
-/// the frame. No body enters the wall, and no order of the bodies matters.
+/// Torture scene 38: four bodies pushed into one corner, and out of each other by half of their
+/// depth, each from where all are at the start of the frame. No body enters the wall, and no order
+/// of the bodies matters.
 #[test]
 fn scene_38_a_stack_in_a_corner() {
     use tilesat::prelude::*;

@@ -1,6 +1,8 @@
-//! A level that is cut into rooms is the level: bodies that run over the borders, frame by frame beside the uncut level, bit for bit.
+//! A level that is cut into rooms is the level: bodies that run over the borders, frame by frame
+//! beside the uncut level, bit for bit.
 //!
-//! The apron is the least that [`Room::apron_for`] allows. With a cell less there are bodies that feel the border.
+//! The apron is the least that [`Room::apron_for`] allows. With a cell less there are bodies that
+//! feel the border.
 
 use std::fmt::Debug;
 use tilesat::world::World;
@@ -73,7 +75,8 @@ type Said<B> = (B, Vec<(u32, Axis, (i32, i32), u16, u8, bool)>, [Vec2; 2], [bool
 fn said<B: Guest>(moved: &Moved<B>, by: Vec2, place: impl Fn(Cell) -> (i32, i32)) -> Said<B> {
     let hits = moved.hits.iter().map(|h| (h.toi.raw(), h.axis, place(h.cell), h.index, h.flags, h.one_way)).collect();
     let (velocities, sides) = ([moved.velocity, moved.remaining], [moved.floor, moved.wall, moved.ceiling]);
-    // How many features were read is left out: what lies beyond a map is one block, and a window has another beyond.
+    // How many features were read is left out: what lies beyond a map is one block, and a window
+    // has another beyond.
     (moved.body.to(by), hits, velocities, sides, moved.flags, tilesat::motion::Work { features: 0, ..moved.work })
 }
 
@@ -81,7 +84,8 @@ fn here(cell: Cell) -> (i32, i32) {
     (cell.x.into(), cell.y.into())
 }
 
-/// One motion in the world and in that room of each cut which has the body's place: how many differ.
+/// One motion in the world and in that room of each cut which has the body's place: how many
+/// differ.
 fn differing<B: Guest>(
     map: &TileMap<'_, AllShapes>,
     cuts: &[Rooms<'_>],
@@ -106,8 +110,9 @@ fn differing<B: Guest>(
     (cuts.iter().filter(differs).count() as u64, cuts.len() as u64)
 }
 
-/// Every place on the lattice of half cells, every velocity of a few, every cut into rooms of 1 x 1 to 3 x 3 cells, with an apron that is so many cells
-/// less than it should be: how many motions differ from those in the world, and how many there were.
+/// Every place on the lattice of half cells, every velocity of a few, every cut into rooms of 1 x 1
+/// to 3 x 3 cells, with an apron that is so many cells less than it should be: how many motions
+/// differ from those in the world, and how many there were.
 fn lattice(levels: u64, less: u16) -> (u64, u64) {
     let mut sum = (0, 0);
     for seed in 0..levels {

@@ -1,5 +1,6 @@
-//! A level of blocks is the same level as `Blocks` and as `AllShapes`: motion gives the same bits, whatever the body, the speed and the response.
-//! Of radii below three raw units that is not said: normals so short are those of slopes, which blocks do not have.
+//! A level of blocks is the same level as `Blocks` and as `AllShapes`: motion gives the same bits,
+//! whatever the body, the speed and the response. Of radii below three raw units that is not said:
+//! normals so short are those of slopes, which blocks do not have.
 
 use std::fmt::Debug;
 use tilesat_judge::Random;

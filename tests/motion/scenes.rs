@@ -1,6 +1,8 @@
-//! Rest, no-ops and refusals, and cases that other libraries test themselves by. Whole units, y grows downward.
+//! Rest, no-ops and refusals, and cases that other libraries test themselves by. Whole units, y
+//! grows downward.
 //!
-//! bump.lua gives goals where this crate takes velocities, and rectangles of any size where it takes cells: each case says what was made of it.
+//! bump.lua gives goals where this crate takes velocities, and rectangles of any size where it
+//! takes cells: each case says what was made of it.
 
 use tilesat::{Aabb, Axis, Fx, Inside, MoveError, Mover, Outside, Quantity, RangeError, Response, Solid, Vec2, Walker};
 use tilesat_judge::motion::body::{Body, Outcome, RESPONSES, at, px};
@@ -66,8 +68,9 @@ fn at_rest_on_a_one_way() {
     rests(&level, Body::disc((0, px(8)), px(8)), (0, GRAVITY));
 }
 
-/// On a corner exactly above it the end of the face carries; a sixteenth of a unit beside it rolls off. (Within 1/500 it stays: the slide is
-/// then below two raw a frame, which is what a rounding that never gains costs.)
+/// On a corner exactly above it the end of the face carries; a sixteenth of a unit beside it rolls
+/// off. (Within 1/500 it stays: the slide is then below two raw a frame, which is what a rounding
+/// that never gains costs.)
 #[test]
 fn at_rest_on_a_corner() {
     let level = Level::new(&["#"], px(16));
@@ -241,7 +244,8 @@ fn bump_bounces_over_tunnels() {
     }
 }
 
-/// bump pushes a body that starts inside out against its motion; here it is `Stuck` and the caller decides (see scene 43).
+/// bump pushes a body that starts inside out against its motion; here it is `Stuck` and the caller
+/// decides (see scene 43).
 #[test]
 fn bump_overlap_at_the_start_is_refused() {
     for goal in [(4, 5), (5, 4), (2, 1), (1, 2)] {
@@ -264,7 +268,8 @@ fn bump_touching_then_penetrating_is_one_collision() {
     assert_eq!(out.hits.first().unwrap().toi.raw(), 0);
 }
 
-/// Items in a row: bump's list of all, sorted, is here the one that is nearest; the other times are those of the motion without it.
+/// Items in a row: bump's list of all, sorted, is here the one that is nearest; the other times are
+/// those of the motion without it.
 #[test]
 fn bump_collisions_in_order() {
     let rows = [("#.#.#", 1), ("#.#..", 3), ("#....", 5)];
@@ -275,7 +280,8 @@ fn bump_collisions_in_order() {
     }
 }
 
-/// a (0,0,1,1), b (0,2,1,2), c (2,1,1,1), from (0,0) to (5,5): slides along c into the gap of one's own width.
+/// a (0,0,1,1), b (0,2,1,2), c (2,1,1,1), from (0,0) to (5,5): slides along c into the gap of one's
+/// own width.
 #[test]
 fn bump_moves_with_each_response() {
     let level = Level::new(&["...", "..#", "#..", "#.."], px(1));
@@ -287,7 +293,8 @@ fn bump_moves_with_each_response() {
     assert_eq!((out.body.position(), out.hits.len(), out.remaining), (at(0, 1), 1, at(0, 4)));
     let out = go(&b, Response::Bounce, a, at(0, 5));
     assert_eq!((out.body.position(), out.v), (at(0, -3), at(0, -5)));
-    // bump's cross goes through everything; ours through one-way faces only, and slides along the solid.
+    // bump's cross goes through everything; ours through one-way faces only, and slides along the
+    // solid.
     assert_eq!(go(&b, Response::DropThrough, a, at(0, 5)).body.position(), at(0, 1));
     let b = Level::new(&[".", ".", "-", "-"], px(1));
     let out = go(&b, Response::DropThrough, a, at(0, 5));
@@ -296,7 +303,8 @@ fn bump_moves_with_each_response() {
 
 // PixelRoot32, test_collision_system.
 
-/// A circle of radius 5 from -20 to 20 through 0..10 is hit at 0.375: a block of 10 with the circle's height at its middle.
+/// A circle of radius 5 from -20 to 20 through 0..10 is hit at 0.375: a block of 10 with the
+/// circle's height at its middle.
 #[test]
 fn pixelroot_swept_circle() {
     let out = go(&tile(0, -5, 10), Response::Touch, Body::disc(at(-20, 0), px(5)), at(40, 0));
@@ -308,7 +316,8 @@ fn pixelroot_swept_circle() {
     ));
 }
 
-/// Its nine one-way cases, player 20 x 20, platform 60 x 16 at y = 40, each changing one thing of the first.
+/// Its nine one-way cases, player 20 x 20, platform 60 x 16 at y = 40, each changing one thing of
+/// the first.
 mod pixelroot_one_way {
     use super::*;
 
@@ -342,7 +351,8 @@ mod pixelroot_one_way {
         assert!(!lands("---", px(70), at(0, -5)) && !lands("---", px(70), at(0, -50)));
     }
 
-    /// Its case "wrong normal": faces look up by their nature, so nothing but the direction of the motion can differ.
+    /// Its case "wrong normal": faces look up by their nature, so nothing but the direction of the
+    /// motion can differ.
     #[test]
     fn moving_up_from_above() {
         assert!(!lands("---", px(40), at(0, -5)));
@@ -353,7 +363,8 @@ mod pixelroot_one_way {
         assert!(lands("---", px(20), at(0, 50)) && lands("---", px(20), at(0, 100)));
     }
 
-    /// It has 20 -> 30 with no velocity and accepts; a motion is a velocity here, and without one nothing is hit.
+    /// It has 20 -> 30 with no velocity and accepts; a motion is a velocity here, and without one
+    /// nothing is hit.
     #[test]
     fn stationary() {
         assert!(!lands("---", px(40), at(0, 0)) && lands("---", px(40), (0, 1)));
@@ -374,8 +385,9 @@ mod pixelroot_one_way {
     }
 }
 
-/// A ball that lands and slides a tenth of a unit into a corner, which is half a unit below its middle, goes up on it by what the floor has left of its
-/// velocity: it was not pressed against both by the fall.
+/// A ball that lands and slides a tenth of a unit into a corner, which is half a unit below its
+/// middle, goes up on it by what the floor has left of its velocity: it was not pressed against
+/// both by the fall.
 #[test]
 fn lands_before_a_corner() {
     let level = Level::new(&[".....", ".....", "...#.", "#####"], px(16));

@@ -1,7 +1,9 @@
-//! Bodies among random polygons, walls and one-way chains, judged by the polygons as they were given.
+//! Bodies among random polygons, walls and one-way chains, judged by the polygons as they were
+//! given.
 //!
-//! Each frame: no overlap, none on the way to the first contact, never faster, and a contact is followed by an overlap if the motion goes on.
-//! `TILESAT_FRAMES` sets the number of frames (default 20 000).
+//! Each frame: no overlap, none on the way to the first contact, never faster, and a contact is
+//! followed by an overlap if the motion goes on. `TILESAT_FRAMES` sets the number of frames
+//! (default 20 000).
 
 use tilesat::{Axis, Mover, PathKind, Response, SegmentMap};
 use tilesat_judge::Random;
@@ -77,14 +79,16 @@ fn random_polygons() {
     assert!(tally.unconfirmed <= tally.hits / 20, "{tally:?}");
 }
 
-/// A body that lands on a one-way slope slides down it to a wall or a kink and rests; roundings at what it meets there never push it through.
+/// A body that lands on a one-way slope slides down it to a wall or a kink and rests; roundings at
+/// what it meets there never push it through.
 #[test]
 fn one_way_slopes_carry() {
     let (mut r, mut rested) = (Random::new(12), 0);
     for _ in 0..frames() / 50 {
         let unit = 1 << 10;
         let at = |r: &mut Random| i128::from(r.within(1, 15)) * unit;
-        // From left to right, its normal up (y down): down to the kink and up again, or to the wall at the right.
+        // From left to right, its normal up (y down): down to the kink and up again, or to the wall
+        // at the right.
         let kink = (8 * unit + at(&mut r) / 4, 12 * unit + at(&mut r) / 8);
         let chain = vec![(0, at(&mut r) / 2), kink, (16 * unit, if r.one_in(2) { 20 * unit } else { at(&mut r) / 2 })];
         let rect = |x: i128, y: i128, w: i128, h: i128| vec![(x, y), (x + w, y), (x + w, y + h), (x, y + h)];

@@ -9,7 +9,8 @@ use tilesat_judge::rooms::{P, PX, drawn, len2, mosaic};
 use tilesat_judge::shapes::level::Level;
 
 const UP: Mover = Mover::platformer(Axis::NEG_Y);
-/// Slopes by where they are solid, y down: `/` rises to the right, `\` to the left; mild ones in two halves; quarter pipes.
+/// Slopes by where they are solid, y down: `/` rises to the right, `\` to the left; mild ones in
+/// two halves; quarter pipes.
 const SHAPES: [(char, u8); 13] = [
     ('/', 8),
     ('\\', 9),
@@ -87,7 +88,8 @@ fn a_v_of_two_slopes() {
     rests(&v, Body::Rect(px(30, 2), px(7, 7)), (0, 0));
 }
 
-/// Torture scene 40: a slope that ends at a wall, a slope under a ceiling, flat into a slope into flat.
+/// Torture scene 40: a slope that ends at a wall, a slope under a ceiling, flat into a slope into
+/// flat.
 #[test]
 fn slopes_and_walls() {
     let wall = level(&["...#", "...#", r"\..#", r"#\.#", r"##\#", "####"]);
@@ -133,7 +135,8 @@ fn down_a_long_slope() {
     assert!(all.iter().all(|o| o.hits.is_empty() || o.v.0 == o.v.1));
 }
 
-/// From a floor through a quarter pipe up a wall, and the same upside down; nearly all of the speed is kept.
+/// From a floor through a quarter pipe up a wall, and the same upside down; nearly all of the speed
+/// is kept.
 #[test]
 fn up_a_quarter_pipe() {
     let pipe = level(&["....#", "....#", "....#", "....#", "...)#", "#####"]);
@@ -208,7 +211,8 @@ fn cut(l: &Level) -> Level {
     Level { tiles: (0..w * h).map(tile).collect(), width: w, height: h, cell: l.cell / 2, ..l.clone() }
 }
 
-/// A chain of faces in one line is one long face: worlds of straight shapes, and the same cut into smaller tiles, bit for bit.
+/// A chain of faces in one line is one long face: worlds of straight shapes, and the same cut into
+/// smaller tiles, bit for bit.
 #[test]
 fn joints_are_none() {
     let mut r = Random::new(3);
@@ -252,7 +256,8 @@ fn joints_are_none() {
     assert!(hits as u64 > seen / 4);
 }
 
-/// A ball that comes flying to a slope and slides from it to the floor goes on along the floor, wherever on its way the frame ends.
+/// A ball that comes flying to a slope and slides from it to the floor goes on along the floor,
+/// wherever on its way the frame ends.
 #[test]
 fn lands_in_an_obtuse_corner_and_rolls_on() {
     use tilesat::{Axis, Circle, Fx, Mover, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2};
@@ -274,7 +279,8 @@ fn lands_in_an_obtuse_corner_and_rolls_on() {
     }
 }
 
-/// A box comes to the end of a quarter pipe and to the wall below it at one moment: the wall is what it hits (a face before an arc).
+/// A box comes to the end of a quarter pipe and to the wall below it at one moment: the wall is
+/// what it hits (a face before an arc).
 #[test]
 fn a_wall_goes_before_the_end_of_a_pipe() {
     let l = Level { cell: 65536, ..drawn(&["##", ".\"", ".#"], 65536, &SHAPES) };
@@ -291,7 +297,8 @@ fn a_wall_goes_before_the_end_of_a_pipe() {
     }
 }
 
-/// A body as wide as a shaft falls to where the shaft's side turns into a quarter pipe: its velocity ends there, frame after frame.
+/// A body as wide as a shaft falls to where the shaft's side turns into a quarter pipe: its
+/// velocity ends there, frame after frame.
 #[test]
 fn a_shaft_ends_in_a_pipe() {
     let cell = 65536;
@@ -312,7 +319,8 @@ fn a_shaft_ends_in_a_pipe() {
     }
 }
 
-/// A point that runs into the cusp between an arc and the floor that it touches stops at its end, and says so.
+/// A point that runs into the cusp between an arc and the floor that it touches stops at its end,
+/// and says so.
 #[test]
 fn a_point_in_a_cusp() {
     let shapes = [('q', 10), ('p', 11)];

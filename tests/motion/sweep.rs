@@ -1,8 +1,9 @@
-//! The first hit of a motion against the exact one, over single blocks and small groups of them, on all scales and near the borders
-//! between hit and miss.
+//! The first hit of a motion against the exact one, over single blocks and small groups of them, on
+//! all scales and near the borders between hit and miss.
 //!
-//! Boxes: the exact floor of `2^30 num / den`, and the side. Circles: faces likewise; corners are never late, and hit or miss is exact
-//! down to grazing. Bodies without area may pass along a free end of a face, never through the joint of two tiles.
+//! Boxes: the exact floor of `2^30 num / den`, and the side. Circles: faces likewise; corners are
+//! never late, and hit or miss is exact down to grazing. Bodies without area may pass along a free
+//! end of a face, never through the joint of two tiles.
 
 #![allow(clippy::cast_precision_loss, reason = "tests stop at the first surprise")]
 
@@ -125,7 +126,8 @@ fn boxes_on_all_scales() {
     tally.is_balanced(CASES);
 }
 
-/// A corner of the box passes a corner of the level within two raw, in any direction; exact ties are common.
+/// A corner of the box passes a corner of the level within two raw, in any direction; exact ties
+/// are common.
 #[test]
 fn boxes_corner_to_corner() {
     let mut r = Random::new(2);
@@ -195,7 +197,8 @@ fn circles_grazing() {
     tally.is_balanced(CASES);
 }
 
-/// The centre enters a corner's disc near the border of its cone, where a face takes over: above, below, left or right of the corner.
+/// The centre enters a corner's disc near the border of its cone, where a face takes over: above,
+/// below, left or right of the corner.
 #[test]
 fn circles_at_the_borders_of_cones() {
     let mut r = Random::new(5);
@@ -215,7 +218,8 @@ fn circles_at_the_borders_of_cones() {
     tally.is_balanced(CASES);
 }
 
-/// Tiny numbers, where every tie happens: all circles of radius 5 (3-4-5) around a corner, all motions up to 12 raw.
+/// Tiny numbers, where every tie happens: all circles of radius 5 (3-4-5) around a corner, all
+/// motions up to 12 raw.
 #[test]
 fn circles_exhaustively() {
     let level = Level::new(&["#"], 256);
@@ -259,7 +263,8 @@ fn small_boxes_exhaustively() {
     assert!(hits > 5_000 && misses > 5_000, "{hits} hits, {misses} misses");
 }
 
-/// Points, flat boxes and circles of radius zero, mostly aimed at joints and ends, in all groups and with all policies outside.
+/// Points, flat boxes and circles of radius zero, mostly aimed at joints and ends, in all groups
+/// and with all policies outside.
 #[test]
 fn bodies_without_area() {
     let mut r = Random::new(6);
@@ -289,7 +294,8 @@ fn bodies_without_area() {
     tally.is_balanced(CASES);
 }
 
-/// A point runs into a wall exactly on the joint of two tiles, from every side: it must not get in between.
+/// A point runs into a wall exactly on the joint of two tiles, from every side: it must not get in
+/// between.
 #[test]
 fn no_leak_through_a_joint() {
     for rows in [&["##"] as &[&str], &["#", "#"]] {
@@ -310,7 +316,8 @@ fn no_leak_through_a_joint() {
     }
 }
 
-/// The same point passes along the free end of a face: it touches a corner and never has solid on both sides.
+/// The same point passes along the free end of a face: it touches a corner and never has solid on
+/// both sides.
 #[test]
 fn points_pass_free_ends() {
     let level = Level::new(&["#"], 1 << 20);
@@ -323,8 +330,8 @@ fn points_pass_free_ends() {
     }
 }
 
-/// A circle wedged between two corners, where rounding away from one grazes the other: lattice places beside the first choice are taken, and
-/// only if there are none it stays.
+/// A circle wedged between two corners, where rounding away from one grazes the other: lattice
+/// places beside the first choice are taken, and only if there are none it stays.
 #[test]
 fn circles_between_two_corners() {
     let mut r = Random::new(8);
@@ -334,7 +341,8 @@ fn circles_between_two_corners() {
         let rows: [&[&str]; 3] = [&["#..", "...", "..#"], &["#.", "..", ".#"], &["#.#"]];
         let k = r.below(3) as usize;
         let level = Level::new(rows[k], cell);
-        // The corner that it runs along, as seen from the one that it runs into; and from the middle of both, how far aside it rests.
+        // The corner that it runs along, as seen from the one that it runs into; and from the
+        // middle of both, how far aside it rests.
         let gap = [(cell, cell), (0, cell), (cell, 0)][k];
         let first = [(cell, cell), (cell, cell), (cell, 0)][k];
         let half = (gap.0 as f64).hypot(gap.1 as f64) / 2.0;

@@ -1,8 +1,10 @@
-//! The same scene seen otherwise gives the same bits: mirrored, transposed, moved by any raw offset, or cut into smaller cells.
+//! The same scene seen otherwise gives the same bits: mirrored, transposed, moved by any raw
+//! offset, or cut into smaller cells.
 //!
-//! Exempt by contract: full ties, which go by coordinate. Transposing one between x and y, because x goes first; mirroring one between two
-//! corners that a circle meets at the same moment from exactly the middle.
-//! Cells of half the size change which features there are and the order in which they are visited, and nothing else.
+//! Exempt by contract: full ties, which go by coordinate. Transposing one between x and y, because
+//! x goes first; mirroring one between two corners that a circle meets at the same moment from
+//! exactly the middle. Cells of half the size change which features there are and the order in
+//! which they are visited, and nothing else.
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -76,7 +78,8 @@ impl View {
     }
 }
 
-/// What must be equal: all but the names of cells and the work. The directions of hits as a list of their own.
+/// What must be equal: all but the names of cells and the work. The directions of hits as a list of
+/// their own.
 type Bits = (Body, P, P, [bool; 3], u8, Vec<(u32, P, bool)>);
 
 fn bits(out: &Outcome, view: Option<View>) -> Bits {
@@ -100,7 +103,8 @@ struct Scene {
     response: Response,
 }
 
-/// Whether two outcomes part at a full tie: hits of one moment whose normals are images of each other in the view.
+/// Whether two outcomes part at a full tie: hits of one moment whose normals are images of each
+/// other in the view.
 fn is_tie(a: &Bits, b: &Bits, view: View) -> bool {
     let Some((a, b)) = a.5.iter().zip(&b.5).find(|(a, b)| a != b) else { return false };
     let images = match view {
@@ -224,7 +228,8 @@ proptest! {
     }
 }
 
-/// A quarter of a unit, a raw unit, or thousands of units: where the scene lies does not matter, to the ends of the domain.
+/// A quarter of a unit, a raw unit, or thousands of units: where the scene lies does not matter, to
+/// the ends of the domain.
 #[test]
 fn translation_to_the_ends_of_the_domain() {
     let mut r = Random::new(77);

@@ -1,4 +1,5 @@
-//! Scenes that break movers, numbered as in the survey that they come from, with what must happen. Whole units, y grows downward.
+//! Scenes that break movers, numbered as in the survey that they come from, with what must happen.
+//! Whole units, y grows downward.
 
 use tilesat::{Axis, MoveError, Mover, Outside, Response, motion::Stuck};
 use tilesat_judge::motion::body::{Body, Outcome, RESPONSES, at, px};
@@ -94,14 +95,16 @@ fn scene_7_outside_corner_miss() {
     }
 }
 
-/// bump's perfect corner: x first, and with the axes swapped the mirrored tie is x again (documented), so the end is not transposed.
+/// bump's perfect corner: x first, and with the axes swapped the mirrored tie is x again
+/// (documented), so the end is not transposed.
 #[test]
 fn scene_10_box_corner_exactly_onto_a_corner() {
     let level = Level::new(&["#"], px(8));
     let out = slide(&level, Body::rect(at(10, 10), at(2, 2)), at(-9, -9));
     assert_eq!((out.axes(), out.body.position()), (vec![(1, 0)], at(8, 1)));
     assert_eq!(out.hits.first().unwrap().toi.raw(), parts(2, 9));
-    // One raw unit more speed on an axis gets the box above (beside) the tile first, and then swapped axes give the swapped result.
+    // One raw unit more speed on an axis gets the box above (beside) the tile first, and then
+    // swapped axes give the swapped result.
     let x = slide(&level, Body::rect(at(10, 10), at(2, 2)), (-px(9) - 1, -px(9)));
     let y = slide(&level, Body::rect(at(10, 10), at(2, 2)), (-px(9), -px(9) - 1));
     assert_eq!(x.axes(), [(0, 1)]);
@@ -112,7 +115,8 @@ fn scene_10_box_corner_exactly_onto_a_corner() {
     });
 }
 
-/// bump's nasty corner: (0,16,16,16) moves by (-1,-1) beside (16,0,16,16); they share the corner (16,16).
+/// bump's nasty corner: (0,16,16,16) moves by (-1,-1) beside (16,0,16,16); they share the corner
+/// (16,16).
 #[test]
 fn scene_11_shared_corner_is_no_hit() {
     let level = Level::new(&["."], px(16));
@@ -158,7 +162,8 @@ fn scene_30_through_a_gap_of_ones_own_width() {
     assert_eq!(enters.body.position(), add((x, -px(46)), at(0, 90)));
     let late = slide(&level, corner(1), at(90, 90));
     assert_eq!(late.body.position().1, -px(16));
-    // A circle of that width, one raw unit beside the middle, is stopped by the edge and never wedged inside of it.
+    // A circle of that width, one raw unit beside the middle, is stopped by the edge and never
+    // wedged inside of it.
     for dx in [-1, 1] {
         let out = slide(&level, Body::disc((x + px(8) + dx, -px(32)), px(8)), at(0, 140));
         assert!(!out.hits.is_empty());
@@ -202,7 +207,8 @@ fn scene_43_start_deep_inside() {
 fn scene_31_one_way_from_the_side() {
     let level = Level::new(&["......", "..----", "......"], px(20)).with_origin(at(0, 20));
     for (bottom, stands) in [(px(39), true), (px(40), true), (px(40) + 1, false), (px(41), false)] {
-        // The box's side, the circle's middle, is beside the platform and comes over it in the first frame.
+        // The box's side, the circle's middle, is beside the platform and comes over it in the
+        // first frame.
         for start in [Body::rect((px(24), bottom - px(16)), at(16, 16)), Body::disc((px(36), bottom - px(8)), px(8))] {
             let over = slide(&level, start, at(4, 0));
             assert_eq!((over.body, over.hits.len()), (start.moved(at(4, 0)), 0), "the side is not there");
@@ -218,7 +224,8 @@ fn scene_31_one_way_from_the_side() {
     }
 }
 
-/// One-way: a large step down through the top, standing, a jump from below, and a jump whose apex is exactly at the plane.
+/// One-way: a large step down through the top, standing, a jump from below, and a jump whose apex
+/// is exactly at the plane.
 #[test]
 fn scene_32_one_way_steps() {
     let level = Level::new(&["...", "---", "..."], px(20)).with_origin(at(0, 20));
@@ -266,7 +273,8 @@ fn cross_drops_through_a_one_way() {
     assert_eq!(out.v, at(1, 0));
 }
 
-/// On a flat floor with gravity and without friction; a million frames and other places are in `motion_scenes`.
+/// On a flat floor with gravity and without friction; a million frames and other places are in
+/// `motion_scenes`.
 #[test]
 fn scene_49_resting_ten_thousand_ticks() {
     let level = Level::new(&["......", "######"], px(16));

@@ -1,4 +1,5 @@
-//! Corners of polygons and walls, numbered as the torture scenes: each in eight views, far from the origin, and with its paths in either order.
+//! Corners of polygons and walls, numbered as the torture scenes: each in eight views, far from the
+//! origin, and with its paths in either order.
 
 use tilesat::{Mover, PathKind, Response};
 use tilesat_judge::drawing::{Drawing, VIEWS, at, axes, disc, parts, rect};
@@ -15,7 +16,8 @@ fn touch(m: Mover) -> Mover {
     m.with_response(Response::Touch)
 }
 
-/// Floor y = 100 and wall x = 100: two walls in one chain, two chains, two boxes that touch, two that overlap.
+/// Floor y = 100 and wall x = 100: two walls in one chain, two chains, two boxes that touch, two
+/// that overlap.
 fn rooms() -> Vec<Drawing> {
     let (a, b, c) = (at(0, 100), at(100, 100), at(100, 0));
     vec![
@@ -78,7 +80,8 @@ fn scene_7_outside_corner_miss() {
         let out = block.step(body, at(20, -20), change);
         assert_eq!((out.body, out.hits.len()), (body.moved(at(20, -20)), 0));
     }
-    // With a radius of 6.36396 (6 + 23853/65536) it passes, one raw unit more is a hit: 4.5^2 + 4.5^2 = 40.5.
+    // With a radius of 6.36396 (6 + 23853/65536) it passes, one raw unit more is a hit: 4.5^2 +
+    // 4.5^2 = 40.5.
     let limit = (81i64 * PX * PX / 2).isqrt();
     for (r, hits) in [(limit, 0), (limit + 1, 1)] {
         let Body::Disc(c, _) = body else { panic!() };
@@ -164,7 +167,8 @@ fn scene_30_through_a_gap_of_ones_own_width() {
                 assert_eq!((out.body, out.v), (inside.moved((0, v.1)), (0, v.1)), "{inside:?} by {v:?}");
             }
         }
-        // A diagonal that is aligned at the mouth enters, a raw unit to either side stops on the top: the box exactly there.
+        // A diagonal that is aligned at the mouth enters, a raw unit to either side stops on the
+        // top: the box exactly there.
         for (dx, enters) in [(-1, false), (0, true), (1, false)] {
             let body = Body::Rect((66 * PX + dx, -46 * PX), at(16, 16));
             // Aligned, it comes to a corner with its own: a tie between x and y.

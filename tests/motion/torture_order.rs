@@ -35,7 +35,8 @@ fn motions() -> Vec<(Body, P)> {
     bodies.iter().flat_map(|b| ways.map(|v| (*b, v))).collect()
 }
 
-/// Position, velocity, rest, and of each hit the moment and the direction; names of cells and features may differ.
+/// Position, velocity, rest, and of each hit the moment and the direction; names of cells and
+/// features may differ.
 type Bits = (Body, P, P, Vec<(u32, P, bool)>);
 
 fn play<W: tilesat::World>(world: &W, body: Body, v: P, response: Response) -> Bits {
@@ -44,7 +45,8 @@ fn play<W: tilesat::World>(world: &W, body: Body, v: P, response: Response) -> B
     (out.body, out.v, out.remaining, hits)
 }
 
-/// Six paths: boxes in one floor, a wall that stands on their seam, a slope, a chain, a polygon over two of them.
+/// Six paths: boxes in one floor, a wall that stands on their seam, a slope, a chain, a polygon
+/// over two of them.
 #[test]
 fn scene_47_six_paths_in_every_order() {
     let paths = [
@@ -72,7 +74,8 @@ fn scene_47_six_paths_in_every_order() {
     }
 }
 
-/// Six solids in every order, keys going with the boxes, alone and joined with tiles in either order.
+/// Six solids in every order, keys going with the boxes, alone and joined with tiles in either
+/// order.
 #[test]
 fn scene_47_six_solids_in_every_order() {
     static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
@@ -108,7 +111,8 @@ fn scene_47_six_solids_in_every_order() {
     }
 }
 
-/// A ray through the common end of two segments: one hit, there, with the same normal whichever was written first or is longer.
+/// A ray through the common end of two segments: one hit, there, with the same normal whichever was
+/// written first or is longer.
 #[test]
 fn scene_21_ray_through_a_shared_end() {
     let end = at(16, 40);
@@ -149,7 +153,8 @@ fn scene_21_ray_through_a_shared_end() {
                 if views.is_empty() {
                     assert_eq!(*seen.get_or_insert(hit.axis), hit.axis, "{drawing:?}");
                 }
-                // A raw unit to either side it meets one of the two, no sooner or later than that one's height there.
+                // A raw unit to either side it meets one of the two, no sooner or later than that
+                // one's height there.
                 for dx in [-1, 1] {
                     let side = ray((16 * PX + dx, 0), at(0, 200));
                     assert!(side.is_some(), "lost beside the end: {drawing:?} {views:?} {dx}");

@@ -1,4 +1,5 @@
-//! What other engines' tests ask and no other file here does, and torture scenes 25, 34, 35 and 36 for the bodies and levels that were left out.
+//! What other engines' tests ask and no other file here does, and torture scenes 25, 34, 35 and 36
+//! for the bodies and levels that were left out.
 
 use tilesat::motion::escape;
 use tilesat::prelude::*;
@@ -47,14 +48,16 @@ fn parry_triangle() {
     assert_eq!(right(11, Inside::Hit), None);
 }
 
-/// parry's `ball_cuboid_contact` and its segment without length; box2d's `PointInShapeTest` and `SegmentDistanceTest`.
+/// parry's `ball_cuboid_contact` and its segment without length; box2d's `PointInShapeTest` and
+/// `SegmentDistanceTest`.
 #[test]
 fn parry_and_box2d_pairs() {
     let (ball, cube) = (disc(1, 1, 1), rect(-1, -1, 2, 2));
     let contact = ball.contact(&cube).unwrap();
     assert_eq!((contact.depth(), ball.overlaps(&cube)), (Fx::ONE, true));
     assert!(!ball.translated(contact.push_out()).unwrap().overlaps(&cube));
-    // Ball of 0.5 at (.0517938, 3.05178815), unit box around (0, 4): the depth is .05178815, along y, rounded up.
+    // Ball of 0.5 at (.0517938, 3.05178815), unit box around (0, 4): the depth is .05178815, along
+    // y, rounded up.
     let raw = |x: f64| (x * 65536.0).round() as i32;
     let centre = Vec2::from_raw(raw(0.051_793_8), raw(3.051_788_15));
     let ball = Circle::new(centre, Fx::lit("0.5")).unwrap();
@@ -71,7 +74,8 @@ fn parry_and_box2d_pairs() {
     assert_eq!((p.distance(&q), q.distance(&p)), (Fx::from_num(2), Fx::from_num(2)));
 }
 
-/// box2d's large worlds: the same contact, cast and motion far from the origin, bit for bit. Boxes .9 apart overlap by .1, and a ray comes to -.5.
+/// box2d's large worlds: the same contact, cast and motion far from the origin, bit for bit. Boxes
+/// .9 apart overlap by .1, and a ray comes to -.5.
 #[test]
 fn box2d_large_world() {
     let tenth = Fx::lit("0.1").to_bits();
@@ -95,7 +99,8 @@ fn box2d_large_world() {
     }
 }
 
-/// bump's `toCell`, `toWorld`, `queryRect` of a rectangle of negative size, and a segment that only touches a border.
+/// bump's `toCell`, `toWorld`, `queryRect` of a rectangle of negative size, and a segment that only
+/// touches a border.
 #[test]
 fn bump_grid_and_queries() {
     let map = TileMap::from_ascii("##", &KINDS).unwrap().with_cell(Fx::from_num(64)).unwrap();
@@ -108,7 +113,8 @@ fn bump_grid_and_queries() {
     assert!(!along.overlaps(&tile) && along.touches(&tile));
 }
 
-/// box2d's circle of .5 that is dropped on a chain, and its bullet that passes a sensor in one begin and one end.
+/// box2d's circle of .5 that is dropped on a chain, and its bullet that passes a sensor in one
+/// begin and one end.
 #[test]
 fn box2d_chain_and_sensor() {
     let points = [at(30, 0), at(10, 0), at(-10, 0), at(-30, 0)]; // y up: its front is above
@@ -135,7 +141,8 @@ fn box2d_chain_and_sensor() {
     assert_eq!((begins, ends), (1, 1));
 }
 
-/// 25: a centre exactly on a wall, on its end, on a tile's side and corner, and in its middle: out in one step, and never by nothing.
+/// 25: a centre exactly on a wall, on its end, on a tile's side and corner, and in its middle: out
+/// in one step, and never by nothing.
 #[test]
 fn scene_25_centre_on_the_surface() {
     let bytes = bytes(&[(PathKind::Wall, &[at(0, 0), at(30, 40)]), (PathKind::Wall, &[at(200, 0), at(300, 0)])]);
@@ -157,7 +164,8 @@ fn scene_25_centre_on_the_surface() {
         let far = a.abs().max(b.abs());
         assert!(!tile.overlaps(&free) && (3 << 16..=(5 << 16) + 4).contains(&far), "{x} {y}: {a} {b}");
     }
-    // In its middle: four ways out as long, of which the side with the smaller coordinates is told first; none where no side is reached.
+    // In its middle: four ways out as long, of which the side with the smaller coordinates is told
+    // first; none where no side is reached.
     let free = escape(&tile, &disc(8, 8, 9)).unwrap();
     let (a, b) = (free.centre() - at(8, 8)).raw();
     assert!(!tile.overlaps(&free) && (17 << 16..=(17 << 16) + 4).contains(&-b) && a == 0, "{a} {b}");
@@ -167,7 +175,8 @@ fn scene_25_centre_on_the_surface() {
     assert!(escape(&tile, &disc(8, 8, 5)).is_err());
 }
 
-/// 34: circles, as `solids_carry` has it for boxes: a one-way that rises faster than the body falls takes it along, one that sinks faster leaves it.
+/// 34: circles, as `solids_carry` has it for boxes: a one-way that rises faster than the body falls
+/// takes it along, one that sinks faster leaves it.
 #[test]
 fn scene_34_one_way_that_moves() {
     let level = TileMap::from_ascii(EMPTY, &KINDS).unwrap();
@@ -197,7 +206,8 @@ fn scene_34_one_way_that_moves() {
     }
 }
 
-/// 35: rays, circles and boxes at one-way tiles and chains, from above and from below, asked for and not.
+/// 35: rays, circles and boxes at one-way tiles and chains, from above and from below, asked for
+/// and not.
 #[test]
 fn scene_35_casts_at_one_ways() {
     let tiles = TileMap::from_ascii("....\n....\n.--.\n....\n", &KINDS).unwrap(); // the top is y = 32
@@ -237,7 +247,8 @@ fn casts_at_a_one_way<W: World>(world: &W, cast: impl Fn(&Circle, &Aabb, Vec2, R
     }
 }
 
-/// 36: under a ceiling of segments, from a platform, and at a wall of them: exactly the room there is, in either order of the platforms.
+/// 36: under a ceiling of segments, from a platform, and at a wall of them: exactly the room there
+/// is, in either order of the platforms.
 #[test]
 fn scene_36_squashed_at_segments() {
     let bytes = bytes(&[(PathKind::Wall, &[at(-50, 0), at(90, 0), at(90, 90)])]);

@@ -10,7 +10,8 @@ const CELL: i64 = 16 * PX;
 const GRAVITY: i64 = PX / 4;
 const TICKS: usize = 10_000;
 
-/// Frames under gravity in each view; the frame from which on nothing changes is at most `settled`. The end, seen upright, is the same in all.
+/// Frames under gravity in each view; the frame from which on nothing changes is at most `settled`.
+/// The end, seen upright, is the same in all.
 fn rests(drawing: &Drawing, body: Body, v: P, settled: usize) -> Outcome {
     let ends = ends(drawing, body, v, settled);
     let first = ends[0];
@@ -39,7 +40,8 @@ fn ends(drawing: &Drawing, body: Body, v: P, settled: usize) -> Vec<Outcome> {
             let still = (out.body, out.v) == (b, v);
             (b, v) = (out.body, out.v);
             last = Some(out);
-            // Nothing but body and velocity goes into the next call, so that one is the same. Upright all ticks are played.
+            // Nothing but body and velocity goes into the next call, so that one is the same.
+            // Upright all ticks are played.
             if still && !views.is_empty() {
                 break;
             }
@@ -51,7 +53,8 @@ fn ends(drawing: &Drawing, body: Body, v: P, settled: usize) -> Vec<Outcome> {
     ends
 }
 
-/// A notch of one degree: its mouth at y = 100 from x = 0 to 7/4 (100 deep, tan 1 degree = 0.01746), in walls and in a polygon.
+/// A notch of one degree: its mouth at y = 100 from x = 0 to 7/4 (100 deep, tan 1 degree =
+/// 0.01746), in walls and in a polygon.
 fn notches() -> [Drawing; 2] {
     let (a, b, c) = ((0, 100 * PX), (7 * PX / 8, 150 * PX), (7 * PX / 4, 100 * PX));
     let ring = [at(-60, 100), a, b, c, at(60, 100), at(60, 200), at(-60, 200)];
@@ -62,9 +65,11 @@ fn notches() -> [Drawing; 2] {
 fn scene_13_a_wedge_narrower_than_the_body() {
     let mouth = 7 * PX / 4;
     for notch in notches() {
-        // On the rims: the circle in the middle, its lowest point in the mouth by r - sqrt(r^2 - (mouth / 2)^2).
+        // On the rims: the circle in the middle, its lowest point in the mouth by r - sqrt(r^2 -
+        // (mouth / 2)^2).
         for r in [PX, 8 * PX, 40 * PX] {
-            // Exactly over the middle both rims are met at once: a tie, which mirrors need not share (two raw, see `Mover::move_and_slide`).
+            // Exactly over the middle both rims are met at once: a tie, which mirrors need not
+            // share (two raw, see `Mover::move_and_slide`).
             for out in ends(&notch, Body::Disc((mouth / 2, 99 * PX - r), r), (0, 0), 3000) {
                 assert!(out.floor == (r > PX) && out.wall != out.floor, "{out:?}");
             }
@@ -124,7 +129,8 @@ fn scene_40_slope_meets_wall_and_ceiling() {
     }
 }
 
-/// Flat, slope, flat, slope of the same steepness: pressed to it at walking speed, it touches the ground in every frame, and nothing else.
+/// Flat, slope, flat, slope of the same steepness: pressed to it at walking speed, it touches the
+/// ground in every frame, and nothing else.
 #[test]
 fn scene_40_no_hop_at_the_joints() {
     let points =
@@ -146,7 +152,8 @@ fn scene_40_no_hop_at_the_joints() {
     }
 }
 
-/// A quarter pipe goes over into a floor and a wall with their tangents: those joints are no corners, at any phase.
+/// A quarter pipe goes over into a floor and a wall with their tangents: those joints are no
+/// corners, at any phase.
 #[test]
 fn scene_40_a_tangent_joint_is_no_corner() {
     let level = drawn(&["#......#", "#......#", "#(....)#", "########"], CELL, &[(')', 16), ('(', 17)]);
@@ -171,7 +178,8 @@ fn scene_40_a_tangent_joint_is_no_corner() {
     }
 }
 
-/// Deep in a polygon: refused, and never moved; or, where that is asked for, by the motion and no more.
+/// Deep in a polygon: refused, and never moved; or, where that is asked for, by the motion and no
+/// more.
 #[test]
 fn scene_43_start_deep_inside() {
     let block = Drawing::of(CELL, vec![Drawing::block(at(0, 0), at(160, 160))]);

@@ -28,8 +28,8 @@ fn overlaps(map: &TileMap<'_, AllShapes>, body: Body) -> bool {
     }
 }
 
-/// Scene 42: each shape with each neighbour, beside and below (so above and to the left too), and circles and boxes on a lattice of places: the map's answer, also
-/// in a mirror, equals the sets'.
+/// Scene 42: each shape with each neighbour, beside and below (so above and to the left too), and
+/// circles and boxes on a lattice of places: the map's answer, also in a mirror, equals the sets'.
 #[test]
 fn scene_42_all_shapes_all_neighbours() {
     let cell = 32 * 64;
@@ -101,7 +101,8 @@ fn each(seed: u64, cells: i64, mut f: impl FnMut(&mut Random, &Level, &Room, Bod
     }
 }
 
-/// P20: at up to 16 tiles a frame a body is at no part of its way, nor at its end, in the solid; parts are less than a tenth of a cell.
+/// P20: at up to 16 tiles a frame a body is at no part of its way, nor at its end, in the solid;
+/// parts are less than a tenth of a cell.
 #[test]
 fn p20_sixteen_tiles_a_frame() {
     let (mut hits, mut free) = (0, 0);
@@ -132,7 +133,8 @@ fn p20_sixteen_tiles_a_frame() {
     assert!(hits > free / 2 && free > 100, "{hits} hits, {free} free");
 }
 
-/// P10, P11, P12 for casts: 64 places of a way without a hit are free, longer ways hit no sooner and no later, and a way of no length hits nothing.
+/// P10, P11, P12 for casts: 64 places of a way without a hit are free, longer ways hit no sooner
+/// and no later, and a way of no length hits nothing.
 #[test]
 fn p10_p11_p12_casts() {
     let rules = RayRules { inside: Inside::Hit, one_way: true };

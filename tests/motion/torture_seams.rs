@@ -1,4 +1,5 @@
-//! Seams of segments: torture scenes 1 and 2, and P18: many short segments in a line are one long one, bit for bit.
+//! Seams of segments: torture scenes 1 and 2, and P18: many short segments in a line are one long
+//! one, bit for bit.
 
 use tilesat::{PathKind, Response, SegmentMap};
 use tilesat_judge::Random;
@@ -9,8 +10,8 @@ use tilesat_judge::rooms::{P, PX, len2};
 
 const CELL: i64 = 16 * PX;
 
-/// The floor y = 100 from x = -320 to 320 in pieces of 16 units: points of one polygon, of one wall, of one chain; walls and boxes of their own, the
-/// latter beside each other.
+/// The floor y = 100 from x = -320 to 320 in pieces of 16 units: points of one polygon, of one
+/// wall, of one chain; walls and boxes of their own, the latter beside each other.
 fn floors() -> Vec<Drawing> {
     let points: Vec<P> = (-20..=20).map(|k| at(16 * k, 100)).collect();
     let mut polygon = points.clone();
@@ -26,7 +27,8 @@ fn floors() -> Vec<Drawing> {
     ]
 }
 
-/// Scenes 1 and 2: every phase of 1/16, speeds of 1/16 to 64, both ways, on floor, ceiling and walls.
+/// Scenes 1 and 2: every phase of 1/16, speeds of 1/16 to 64, both ways, on floor, ceiling and
+/// walls.
 #[test]
 fn scenes_1_and_2_collinear_seam_of_segments() {
     for (drawing, views) in floors().iter().flat_map(|d| VIEWS.map(|v| (d, v))) {
@@ -57,7 +59,8 @@ fn scenes_1_and_2_collinear_seam_of_segments() {
     }
 }
 
-/// Landing anywhere near a seam, from above and slanting: only the floor is hit, where and when it would be on one long segment.
+/// Landing anywhere near a seam, from above and slanting: only the floor is hit, where and when it
+/// would be on one long segment.
 #[test]
 fn landing_on_a_seam_is_landing_on_one_segment() {
     let long: [P; 2] = [at(-320, 100), at(320, 100)];
@@ -86,7 +89,8 @@ fn landing_on_a_seam_is_landing_on_one_segment() {
     }
 }
 
-/// P18 on slopes: a random cave, and the same with points between the ends of its sides; every frame of every body is the same bits.
+/// P18 on slopes: a random cave, and the same with points between the ends of its sides; every
+/// frame of every body is the same bits.
 #[test]
 fn p18_a_chain_of_collinear_segments_is_one() {
     let mut r = Random::new(0x18);
@@ -144,7 +148,8 @@ fn p18_a_chain_of_collinear_segments_is_one() {
     assert!(hits > frames / 4 && askew > hits / 2, "{hits} hits, {askew} askew");
 }
 
-/// A body that lies over a seam, or whose side is on one, is as on one segment when it starts to move too.
+/// A body that lies over a seam, or whose side is on one, is as on one segment when it starts to
+/// move too.
 #[test]
 fn a_start_on_a_seam() {
     for drawing in floors() {
@@ -158,7 +163,8 @@ fn a_start_on_a_seam() {
     }
 }
 
-/// Points, and boxes without width, fall on seams and on what is a raw unit beside: there is no gap.
+/// Points, and boxes without width, fall on seams and on what is a raw unit beside: there is no
+/// gap.
 #[test]
 fn no_gap_at_a_seam() {
     for drawing in floors() {

@@ -1,4 +1,5 @@
-//! Torture scenes of the survey among segments, by its numbers, with what must happen. Whole units, y grows downward.
+//! Torture scenes of the survey among segments, by its numbers, with what must happen. Whole units,
+//! y grows downward.
 
 use tilesat::{Aabb, Axis, Circle, Fx, Mover, Path, PathKind, Response, SegmentMap, Vec2, motion::Hits};
 
@@ -66,7 +67,8 @@ fn rect(x: i32, y: i32, w: i32, h: i32) -> (PathKind, Vec<P>) {
     (PathKind::Solid, vec![at(x, y), at(x + w, y), at(x + w, y + h), at(x, y + h)])
 }
 
-/// A room with its floor at y = 100 and its wall at x = 100, each a chain of segments of 16 units in one polygon.
+/// A room with its floor at y = 100 and its wall at x = 100, each a chain of segments of 16 units
+/// in one polygon.
 fn room() -> Vec<u8> {
     let floor = (0..=6).map(|k| at(4 + 16 * k, 100));
     let wall = (0..=6).rev().map(|k| at(100, 4 + 16 * k)).skip(1);
@@ -75,7 +77,8 @@ fn room() -> Vec<u8> {
     build(&[(PathKind::Solid, points)])
 }
 
-/// Every phase of a sixteenth along a floor of segments, at many speeds, to the right and to the left: y stays, vx stays, one normal.
+/// Every phase of a sixteenth along a floor of segments, at many speeds, to the right and to the
+/// left: y stays, vx stays, one normal.
 #[test]
 fn scenes_1_and_2_collinear_seams() {
     let points = (0..=40).map(|k| at(16 * k, 100)).chain([at(640, 140), at(0, 140)]).collect();
@@ -148,7 +151,8 @@ fn scene_11_shared_corner_is_no_hit() {
     assert_eq!(go(&map, PLAYER, Body::Rect(at(0, 16), at(16, 16)), at(1, -1)).hits.len(), 1);
 }
 
-/// A wedge of one degree: a body that is larger than its mouth rests on the rims, a smaller one in it.
+/// A wedge of one degree: a body that is larger than its mouth rests on the rims, a smaller one in
+/// it.
 #[test]
 fn scene_13_a_wedge_of_one_degree() {
     // 1.75 wide at a depth of 100.

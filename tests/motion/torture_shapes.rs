@@ -10,8 +10,8 @@ use tilesat_judge::shapes::level::Level;
 const UP: Mover = Mover::platformer(Axis::NEG_Y);
 const TOUCH: Mover = UP.with_response(Response::Touch);
 
-/// A circle whose centre is exactly on a face, on a corner, on a slope, an arc, or in the middle of a block: it is stuck, no normal is zero, and the
-/// first push clears it.
+/// A circle whose centre is exactly on a face, on a corner, on a slope, an arc, or in the middle of
+/// a block: it is stuck, no normal is zero, and the first push clears it.
 #[test]
 fn scene_25_a_centre_exactly_on_the_surface() {
     let shapes = [('/', 8), ('d', 13)];
@@ -46,8 +46,9 @@ fn scene_25_a_centre_exactly_on_the_surface() {
     }
 }
 
-/// Every shape alone and beside a full tile on each of its sides; circles and boxes on a lattice of places move in eight directions. The way is
-/// free, what is hit would be entered, what is not hit is not there, and mirrored scenes give mirrored bits.
+/// Every shape alone and beside a full tile on each of its sides; circles and boxes on a lattice of
+/// places move in eight directions. The way is free, what is hit would be entered, what is not hit
+/// is not there, and mirrored scenes give mirrored bits.
 #[test]
 fn scene_42_every_tile_and_its_neighbours() {
     let cell = 16 * PX;
@@ -96,7 +97,8 @@ fn scene_42_every_tile_and_its_neighbours() {
     assert!(hits > 20_000 && misses > 5_000, "{hits} {misses}");
 }
 
-/// Ten thousand frames on a flat, on a one-way, at a slope's foot, in a pipe's foot, on the top of a dome.
+/// Ten thousand frames on a flat, on a one-way, at a slope's foot, in a pipe's foot, on the top of
+/// a dome.
 #[test]
 fn scene_49_resting_ten_thousand_ticks() {
     let shapes = [('/', 8), ('(', 17), ('d', 13), ('b', 12), ('-', 34)];

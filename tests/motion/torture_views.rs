@@ -1,4 +1,5 @@
-//! The invariants of motion among random polygons, walls and chains: P5 to P12, P14 to P16, P19 and P25.
+//! The invariants of motion among random polygons, walls and chains: P5 to P12, P14 to P16, P19 and
+//! P25.
 //!
 //! `TILESAT_CASES` sets the number of motions a test (default 12 000).
 
@@ -62,7 +63,8 @@ impl World {
         !self.scene.overlaps(&self.blocking, judged(body))
     }
 
-    /// Free bodies with motions: toward a corner and beyond, along an axis, of few raw units, anywhere.
+    /// Free bodies with motions: toward a corner and beyond, along an axis, of few raw units,
+    /// anywhere.
     fn motions(&self, r: &mut Random) -> Vec<(Body, P)> {
         let (lo, hi) = self.scene.bounds();
         let size = small((hi.0 - lo.0, hi.1 - lo.1));
@@ -86,7 +88,8 @@ impl World {
     }
 }
 
-/// Whether no two sides of a polygon cross or touch but at their common end: there is solid behind each of them.
+/// Whether no two sides of a polygon cross or touch but at their common end: there is solid behind
+/// each of them.
 fn is_simple(points: &[P]) -> bool {
     let n = points.len();
     let cross = |o: P, a: P, b: P| ((a.0 - o.0) * (b.1 - o.1) - (a.1 - o.1) * (b.0 - o.0)).signum();
@@ -127,7 +130,8 @@ fn bits(out: &Outcome) -> Bits {
     (out.body, out.v, out.remaining, [out.floor, out.wall, out.ceiling], hits.collect())
 }
 
-/// P5, P6, P7 and P9: mirrors, the transpose, all four turns and a translation give the same bits, full ties apart; P19: so does any order of the paths, without exception.
+/// P5, P6, P7 and P9: mirrors, the transpose, all four turns and a translation give the same bits,
+/// full ties apart; P19: so does any order of the paths, without exception.
 #[test]
 fn p5_p6_p7_p9_p19_every_view() {
     let (mut hits, mut ties, mut r2) = (0, 0, Random::new(77));
@@ -231,7 +235,8 @@ fn cast(map: &SegmentMap, body: Body, v: P) -> Option<(u32, P, bool)> {
     }
 }
 
-/// P10, P11, P12: where it hits is free, 64 places of a way without a hit are, longer ways hit no sooner, and a way of no length hits nothing.
+/// P10, P11, P12: where it hits is free, 64 places of a way without a hit are, longer ways hit no
+/// sooner, and a way of no length hits nothing.
 #[test]
 fn p10_p11_p12_casts() {
     let mut hits = 0;
@@ -257,7 +262,8 @@ fn p10_p11_p12_casts() {
     assert!(hits > done / 4, "{hits} of {done}");
 }
 
-/// P14, P15, P16, P25: never faster, never into what it has hit and still touches, nothing without a velocity, and so much work.
+/// P14, P15, P16, P25: never faster, never into what it has hit and still touches, nothing without
+/// a velocity, and so much work.
 #[test]
 fn p14_p15_p16_p25_slides() {
     let mut touching = 0;
@@ -269,7 +275,8 @@ fn p14_p15_p16_p25_slides() {
         assert!(w.free(out.body), "{}", case());
         let again = out.body.step(&mover(&[]), map, (0, 0)).unwrap();
         assert_eq!((again.body, again.v, again.hits.len(), again.work.iterations), (out.body, (0, 0), 0, 0));
-        // Boxes have the faces' own normals: they touch a face where a step of two raw units against its normal overlaps.
+        // Boxes have the faces' own normals: they touch a face where a step of two raw units
+        // against its normal overlaps.
         if response == Response::Slide && matches!(body, Body::Rect(..)) {
             for h in out.hits.iter().filter(|h| !h.one_way) {
                 let n = (i64::from(h.axis.x), i64::from(h.axis.y));

@@ -20,7 +20,8 @@ fn map(rows: &str, x: i16, y: i16) -> TileMap<'_> {
     TileMap::from_ascii(rows, &KINDS).unwrap().with_origin(v(x, y)).unwrap()
 }
 
-/// A step whose way up leaves the domain does not lead through the ceiling; it is climbed by what room there is.
+/// A step whose way up leaves the domain does not lead through the ceiling; it is climbed by what
+/// room there is.
 #[test]
 fn a_step_up_to_the_edge() {
     let closed = map("........\n########\n#......#\n#...#..#\n########", 0, -8180);
@@ -56,7 +57,8 @@ fn a_snap_to_the_edge() {
     }
 }
 
-/// What starts in the solid and ignores it is put back into it where a step fails, and goes on: the debug build checks each place.
+/// What starts in the solid and ignores it is put back into it where a step fails, and goes on: the
+/// debug build checks each place.
 #[test]
 fn steps_out_of_the_solid() {
     let map = map("......\n..#...\n.##...\n######", 0, 0);

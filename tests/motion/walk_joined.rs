@@ -1,4 +1,5 @@
-//! Walking from a floor of tiles to a floor of segments and back: at no phase and no speed does a joint that is flush change height or speed.
+//! Walking from a floor of tiles to a floor of segments and back: at no phase and no speed does a
+//! joint that is flush change height or speed.
 
 use tilesat::{
     Aabb, Axis, Circle, Fx, Grid, Joined, Mover, PathKind, SegmentMap, TileKind, TileKinds, TileMap, Vec2, World,
@@ -53,9 +54,10 @@ fn point(v: Vec2) -> P {
     (i128::from(v.raw().0), i128::from(v.raw().1))
 }
 
-/// What follows the tiles, whose floor is at height 0 from -8 cells to 0: a polygon or chain with its top at the same height; and whether the
-/// tiles can be a polygon of the same map. A slope inside of another polygon is still a face there, and a circle that is stopped by it up to a
-/// raw unit early would be stopped by it before the floor.
+/// What follows the tiles, whose floor is at height 0 from -8 cells to 0: a polygon or chain with
+/// its top at the same height; and whether the tiles can be a polygon of the same map. A slope
+/// inside of another polygon is still a face there, and a circle that is stopped by it up to a raw
+/// unit early would be stopped by it before the floor.
 fn ground(random: &mut Random) -> (bool, Vec<Shape>) {
     let c = CELL;
     let deep = [c, c / 2, 3 * c, 37][random.below(4) as usize];

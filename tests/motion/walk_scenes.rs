@@ -15,7 +15,8 @@ fn walker() -> Walker {
     Walker::new(UP).with_slope_speed(SlopeSpeed::Constant).with_snap(fx(6 * PX)).unwrap()
 }
 
-/// Cells of 16 units: `/` `\` slopes, `s` `S` the lower and upper half of a steep one to the right, `)` `(` quarter pipes, `-` one-way, `o` a coin.
+/// Cells of 16 units: `/` `\` slopes, `s` `S` the lower and upper half of a steep one to the right,
+/// `)` `(` quarter pipes, `-` one-way, `o` a coin.
 fn level(rows: &[&str]) -> Level {
     let id = |c: char| match c {
         '.' => 0,
@@ -68,7 +69,8 @@ fn supported(map: &TileMap<'_, tilesat::AllShapes>, shape: Shape, at: P) -> Opti
     }
 }
 
-/// On flat ground, on slopes and in a V it stays where it is, whatever pulls it down; a probe finds the same floor, and none in the air.
+/// On flat ground, on slopes and in a V it stays where it is, whatever pulls it down; a probe finds
+/// the same floor, and none in the air.
 #[test]
 fn rest() {
     let flat_and_v = level(&["........", "........", r"#\..../#", r"##\../##", "########"]);
@@ -88,7 +90,8 @@ fn rest() {
     }
 }
 
-/// Torture scene 40: down a slope to a wall, and up into the wedge under a ceiling: it stops, once, and stays; then it goes back freely.
+/// Torture scene 40: down a slope to a wall, and up into the wedge under a ceiling: it stops, once,
+/// and stays; then it goes back freely.
 #[test]
 fn walls_and_wedges() {
     let wall = level(&["...#....", "...#....", r"\..#....", r"#\.#....", r"##\#....", "########"]);
@@ -116,7 +119,8 @@ fn walls_and_wedges() {
     }
 }
 
-/// A jump leaves the ground at once, uphill and downhill too, and nothing draws it back; it lands where it is over again.
+/// A jump leaves the ground at once, uphill and downhill too, and nothing draws it back; it lands
+/// where it is over again.
 #[test]
 fn jumps() {
     let hill = level(&["..........", "..........", "..........", "....##....", r".../##\...", "##########"]);
@@ -147,7 +151,8 @@ fn landing_is_exact() {
     }
 }
 
-/// A slope beyond the limit is a wall: a walker on the ground stops at it, in the air it does not rise along it, and falls down along it.
+/// A slope beyond the limit is a wall: a walker on the ground stops at it, in the air it does not
+/// rise along it, and falls down along it.
 #[test]
 fn steep_slopes() {
     let steep = level(&["........", "........", ".....S##", ".....s##", "########"]);
@@ -178,7 +183,8 @@ fn steep_slopes() {
     }
 }
 
-/// Into a quarter pipe it goes until that is too steep, by every speed, and neither slides back nor hops.
+/// Into a quarter pipe it goes until that is too steep, by every speed, and neither slides back nor
+/// hops.
 #[test]
 fn quarter_pipes() {
     let pipe = level(&["........", "........", ".......#", "(.....)#", "########"]);
@@ -196,8 +202,9 @@ fn quarter_pipes() {
     }
 }
 
-/// One-way floors: it walks on them, snaps down on them, not through them, jumps up through them, stays inside of one without being
-/// drawn anywhere, and drops through when told; half on a block it stays.
+/// One-way floors: it walks on them, snaps down on them, not through them, jumps up through them,
+/// stays inside of one without being drawn anywhere, and drops through when told; half on a block
+/// it stays.
 #[test]
 fn one_way_floors() {
     let scene = level(&["........", "........", "---##---", "........", "........", "########"]);
@@ -235,7 +242,8 @@ fn one_way_floors() {
     assert!(stays.at == start.at && stays.floor.is_some_and(|f| !f.one_way), "{stays:?}");
 }
 
-/// The limit is exact: a slope as steep is floor, one part in 32 000 less is wall; ceilings alike, for any length and direction of "up".
+/// The limit is exact: a slope as steep is floor, one part in 32 000 less is wall; ceilings alike,
+/// for any length and direction of "up".
 #[test]
 fn the_limit_to_the_last_bit() {
     // Slopes of 16 units to the left and right of a middle piece, by their rise over run.

@@ -1,4 +1,5 @@
-//! Walkers over hills: they keep to the ground, and their speed is what the policy says, on slopes, flats and around every joint.
+//! Walkers over hills: they keep to the ground, and their speed is what the policy says, on slopes,
+//! flats and around every joint.
 
 #![allow(clippy::cast_precision_loss, clippy::float_cmp, reason = "tests stop at the first surprise")]
 
@@ -20,7 +21,8 @@ struct Off {
     under: f64,
 }
 
-/// The extremes of a walk: the gap to the ground, the way of a frame on one straight part and around joints.
+/// The extremes of a walk: the gap to the ground, the way of a frame on one straight part and
+/// around joints.
 #[derive(Clone, Copy, Debug)]
 struct Tally {
     gap: (f64, f64),
@@ -76,7 +78,8 @@ fn cross<W: World>(
         let off = if is_straight(ground, shape, a, b) { &mut tally.straight } else { &mut tally.joints };
         *off = Off { over: off.over.max(made - due), under: off.under.max(due - made) };
         let way = (b - a).hypot((out.at.1 - at.1) as f64);
-        // A dip that is shorter than a frame's way is passed over, and such a frame is drawn down; here no box does.
+        // A dip that is shorter than a frame's way is passed over, and such a frame is drawn down;
+        // here no box does.
         let may_hop = matches!(shape, Shape::Disc(_)) || kind == SlopeSpeed::Projected;
         assert!(way - due <= 4.0 || may_hop, "too far: {}", tell());
         tally.chord = tally.chord.max(way - due - out.snapped as f64);
@@ -112,7 +115,8 @@ fn over_all(kind: SlopeSpeed, shape: Shape) -> Tally {
     t
 }
 
-/// Never faster than a raw unit above, never slower than the raw units that slopes and their joints cost.
+/// Never faster than a raw unit above, never slower than the raw units that slopes and their joints
+/// cost.
 #[test]
 fn boxes_have_one_speed() {
     for shape in SHAPES.into_iter().filter(|s| matches!(s, Shape::Rect(..))) {
@@ -124,7 +128,8 @@ fn boxes_have_one_speed() {
     }
 }
 
-/// The same for circles, but for the frames in which they go around a corner: they go along its tangents, which is farther than around it.
+/// The same for circles, but for the frames in which they go around a corner: they go along its
+/// tangents, which is farther than around it.
 #[test]
 fn circles_have_one_speed() {
     for shape in SHAPES.into_iter().filter(|s| matches!(s, Shape::Disc(..))) {

@@ -11,7 +11,8 @@ fn walker(snap: i64, step: i64) -> Walker {
     Walker::new(Mover::platformer(Axis::NEG_Y)).with_snap(fx(snap)).unwrap().with_step(fx(step)).unwrap()
 }
 
-/// Ground left of x = 0 at y = 0, right of it `rise` higher, up to 8 cells away, seen in a mirror where `left`.
+/// Ground left of x = 0 at y = 0, right of it `rise` higher, up to 8 cells away, seen in a mirror
+/// where `left`.
 fn ledge(rise: i64, left: bool) -> Ground {
     let mut points = vec![(-8 * CELL, 0), (0, 0), (0, -rise), (8 * CELL, -rise)];
     if left {
@@ -32,7 +33,8 @@ fn play<W: World>(world: &W, shape: Shape, walker: &Walker, from: P, v: P, frame
         .collect()
 }
 
-/// A step of exactly the walker's is climbed, one raw unit more is a wall; at any phase and speed, to both sides.
+/// A step of exactly the walker's is climbed, one raw unit more is a wall; at any phase and speed,
+/// to both sides.
 #[test]
 fn steps_to_the_raw_unit() {
     for (shape, reach) in [(BOX, 5 * PX), (DISC, 8 * PX)] {
@@ -139,8 +141,9 @@ fn stairs_of_tiles() {
     }
 }
 
-/// A step in the same frame as a wall on top of it: the step is made, and the wall is told in that frame or the next one, not before. The step is
-/// half a tile, a ledge of a polygon or a platform on the floor.
+/// A step in the same frame as a wall on top of it: the step is made, and the wall is told in that
+/// frame or the next one, not before. The step is half a tile, a ledge of a polygon or a platform
+/// on the floor.
 #[test]
 fn a_wall_behind_a_step() {
     let mut ground = Ground::of("________________", 3, 8);
@@ -162,7 +165,8 @@ fn a_wall_behind_a_step() {
     let solids = [Solid::new(platform, 1).unwrap()];
     for shape in [BOX, Shape::Disc(6 * PX)] {
         let mut both = 0;
-        // A circle that is faster than it is wide leaves the edge by its tangent, and may be in the air at the wall.
+        // A circle that is faster than it is wide leaves the edge by its tangent, and may be in the
+        // air at the wall.
         for speed in [PX, 3 * PX, 11 * PX, 25 * PX].into_iter().filter(|&s| shape == BOX || s < 12 * PX) {
             for phase in 0..40 {
                 let tell = |f: &Frame| format!("{shape:?} by {speed} {phase}: {f:?}");
@@ -189,8 +193,8 @@ fn a_wall_behind_a_step() {
     }
 }
 
-/// A one-way wall of a tile that is higher than the step holds a walker from its side, however round it is; with a step as high as the wall it is stepped
-/// over.
+/// A one-way wall of a tile that is higher than the step holds a walker from its side, however
+/// round it is; with a step as high as the wall it is stepped over.
 #[test]
 fn a_one_way_wall_is_as_high_as_it_is() {
     let mut ground = Ground::of("________________", 3, 8);

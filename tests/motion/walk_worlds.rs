@@ -122,7 +122,8 @@ fn play(seed: u64, tally: &mut Tally) {
             assert!(out.snapped <= snap && out.stepped <= 4 * height, "{}", tell());
             if floor.is_some() && v.1 >= 0 {
                 tally.stood += 1;
-                // Never farther than the speed, but for what it rose on steps and fell to the ground.
+                // Never farther than the speed, but for what it rose on steps and fell to the
+                // ground.
                 let most = v.0.abs() + out.stepped + out.snapped;
                 let over = (len2(d) as f64).sqrt() - most as f64;
                 tally.over = tally.over.max(over);
@@ -143,7 +144,8 @@ fn play(seed: u64, tally: &mut Tally) {
                 // A body that is blocked stays blocked.
                 if out.wall && out.v == (0, 0) && v.0 != 0 && out.stepped == 0 {
                     tally.blocked += 1;
-                    // It comes nearer to what blocks it, by less and less, or stays: it never goes back.
+                    // It comes nearer to what blocks it, by less and less, or stays: it never goes
+                    // back.
                     let mut at = out;
                     for _ in 0..6 {
                         let next = step(&walker, &map, at.body, (v.0, PX / 4), at.floor).unwrap();

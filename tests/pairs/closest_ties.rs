@@ -1,4 +1,5 @@
-//! Nearest points whose coordinates are exactly halves: rounded so that the foot stays on the side of the point that asks.
+//! Nearest points whose coordinates are exactly halves: rounded so that the foot stays on the side
+//! of the point that asks.
 
 use tilesat::{Segment, Vec2};
 

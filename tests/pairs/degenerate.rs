@@ -1,4 +1,5 @@
-//! The table of degenerate cases in the documentation of `query`, row by row, in both argument orders, at the origin and far from it.
+//! The table of degenerate cases in the documentation of `query`, row by row, in both argument
+//! orders, at the origin and far from it.
 
 use tilesat::Axis;
 use tilesat_judge::oracle::figure::{Figure, Point};

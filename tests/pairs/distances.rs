@@ -1,6 +1,8 @@
-//! Distances, closest points and containment against the exact judge, in both argument orders and against points.
+//! Distances, closest points and containment against the exact judge, in both argument orders and
+//! against points.
 //!
-//! `TILESAT_CASES` sets the number of cases a pair and class, ten times as many as are run here (default 100 000).
+//! `TILESAT_CASES` sets the number of cases a pair and class, ten times as many as are run here
+//! (default 100 000).
 
 use tilesat_judge::Random;
 use tilesat_judge::oracle::figure::{PAIRS, Point};
@@ -24,7 +26,8 @@ fn sweep(class: Class) {
                         let pair = Pair::new(&a, &b);
                         pair.distances();
                         apart += u64::from(!pair.exact.touches());
-                        // A vertex of the other shape is a point near to this one; its opposite lies anywhere.
+                        // A vertex of the other shape is a point near to this one; its opposite
+                        // lies anywhere.
                         for p in b.vertices().into_iter().take(2) {
                             verify::point(&a, p);
                             verify::point(&b, (-p.1, p.0));

@@ -1,7 +1,8 @@
-//! Every pair of shapes over a lattice of nine by nine points with seven radii, judged exhaustively.
+//! Every pair of shapes over a lattice of nine by nine points with seven radii, judged
+//! exhaustively.
 //!
-//! Small integers hold every tie and every touch there is. The same scenes are run again enlarged to the size of the domain, where
-//! the products are largest.
+//! Small integers hold every tie and every touch there is. The same scenes are run again enlarged
+//! to the size of the domain, where the products are largest.
 
 use tilesat_judge::oracle::figure::{Figure, Point};
 use tilesat_judge::oracle::verify::{self, Pair};
@@ -9,7 +10,8 @@ use tilesat_judge::oracle::verify::{self, Pair};
 const SIDE: i64 = 9;
 /// 5 makes exact touches with the triple (3, 4, 5), 0 makes points.
 const RADII: [i64; 7] = [0, 1, 2, 3, 4, 5, 8];
-/// Nearly the largest scale at which a circle of radius 8 stays in the domain when the lattice is centred.
+/// Nearly the largest scale at which a circle of radius 8 stays in the domain when the lattice is
+/// centred.
 const LARGE: i64 = 44_000_003;
 
 fn points() -> Vec<Point> {
@@ -54,7 +56,8 @@ fn check(a: &Figure, b: &Figure) {
     pair.distances();
 }
 
-/// Every one of `first` with every one of `second`, or every unordered pair of one list, by two threads.
+/// Every one of `first` with every one of `second`, or every unordered pair of one list, by two
+/// threads.
 fn exhaust(name: &str, first: &[Figure], second: Option<&[Figure]>, run: impl Fn(&Figure, &Figure) + Sync) {
     let start = std::time::Instant::now();
     let total = std::sync::atomic::AtomicUsize::new(0);

@@ -1,4 +1,5 @@
-//! Contacts that the streams and lattices of the other tests do not reach: found as changes of the kernels that none of those noticed.
+//! Contacts that the streams and lattices of the other tests do not reach: found as changes of the
+//! kernels that none of those noticed.
 
 use tilesat::prelude::*;
 use tilesat::{Axis, Circle, Fx, Segment, Vec2};

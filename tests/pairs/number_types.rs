@@ -1,4 +1,5 @@
-//! The public numbers against 128-bit arithmetic of the host, and the ends of what shapes are made of.
+//! The public numbers against 128-bit arithmetic of the host, and the ends of what shapes are made
+//! of.
 
 use tilesat::num::DOMAIN;
 use tilesat::{Aabb, Axis, Circle, Fx, Quantity, RangeError, Segment, Toi, Vec2, fx};

@@ -292,7 +292,8 @@ fn unit_vectors_are_within_one_and_a_half() {
     }
 }
 
-/// Rounding is to nearest (the mean error is 0.15 units, that of the reciprocal root); truncation would keep the bound above and miss this.
+/// Rounding is to nearest (the mean error is 0.15 units, that of the reciprocal root); truncation
+/// would keep the bound above and miss this.
 #[test]
 #[expect(clippy::cast_precision_loss, reason = "a mean to two digits")]
 fn unit_vectors_are_not_biased() {

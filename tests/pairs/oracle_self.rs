@@ -1,6 +1,8 @@
-//! The judge is judged: the 256-bit oracle against big rationals, and its integers against big integers.
+//! The judge is judged: the 256-bit oracle against big rationals, and its integers against big
+//! integers.
 //!
-//! `TILESAT_RATIONAL_CASES` sets the number of cases a class, over all pairs (default 10 000; the full run takes 1 000 000).
+//! `TILESAT_RATIONAL_CASES` sets the number of cases a class, over all pairs (default 10 000; the
+//! full run takes 1 000 000).
 
 use tilesat_judge::Random;
 use tilesat_judge::num_bigint::{BigInt, BigUint, Sign};

@@ -1,4 +1,5 @@
-//! The generator of the judge's scenes: a seed is a stream, and bytes are the choices that they stand for.
+//! The generator of the judge's scenes: a seed is a stream, and bytes are the choices that they
+//! stand for.
 
 use tilesat_judge::Random;
 

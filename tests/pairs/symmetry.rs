@@ -1,6 +1,8 @@
-//! Mirrored, transposed, moved and exchanged scenes give mirrored, transposed, equal and exchanged bits.
+//! Mirrored, transposed, moved and exchanged scenes give mirrored, transposed, equal and exchanged
+//! bits.
 //!
-//! Exempt are degenerate contacts, whose axis is a convention (an x/y tie of boxes is one: x is taken, so transposing it shows).
+//! Exempt are degenerate contacts, whose axis is a convention (an x/y tie of boxes is one: x is
+//! taken, so transposing it shows).
 
 use proptest::prelude::*;
 use tilesat::Contact;
@@ -18,7 +20,8 @@ pub(super) const MAPS: [(&str, Map); 4] = [
     ("turn", |p| (-p.1, p.0)),
 ];
 
-/// Pairs from the generators of the judge; a seed does not shrink, so small scenes come from [`small`] as well.
+/// Pairs from the generators of the judge; a seed does not shrink, so small scenes come from
+/// [`small`] as well.
 fn generated() -> impl Strategy<Value = (Figure, Figure)> {
     (0..PAIRS.len(), 0..CLASSES.len(), any::<u64>())
         .prop_map(|(pair, class, seed)| Pairs::new(PAIRS[pair], CLASSES[class], seed).next())
@@ -57,7 +60,8 @@ pub(super) fn directions(contact: &Contact) -> Directions {
     [(axis.x.into(), axis.y.into()), kernel::point(contact.push_out()), (normal.0.into(), normal.1.into())]
 }
 
-/// Both scenes give the same booleans, distances and depths, and directions that `map` maps onto each other.
+/// Both scenes give the same booleans, distances and depths, and directions that `map` maps onto
+/// each other.
 fn same(
     name: &str,
     (a, b): (&Figure, &Figure),
@@ -88,7 +92,8 @@ proptest! {
             let (c, d) = (a.map(map), b.map(map));
             same(name, (&a, &b), (&c, &d), map)?;
             prop_assert_eq!(kernel::contains(&a, &b), kernel::contains(&c, &d), "{}", name);
-            // Components are rounded each for itself, ties toward the point that asks: mirror images too.
+            // Components are rounded each for itself, ties toward the point that asks: mirror
+            // images too.
             let p = b.vertices()[0];
             prop_assert_eq!(map(kernel::closest_point(&a, p)), kernel::closest_point(&c, map(p)), "{}", name);
         }

@@ -21,8 +21,8 @@ fn overlaps(a: &Figure, b: &Figure) -> bool {
 proptest! {
     #![proptest_config(config(1))]
 
-    /// The time is a part of the motion, the exact judge's floor or just before it, the place free; a way that is k times as long is hit after exactly
-    /// the k-th part of the time.
+    /// The time is a part of the motion, the exact judge's floor or just before it, the place free;
+    /// a way that is k times as long is hit after exactly the k-th part of the time.
     #[test]
     fn p10_moments((a, b, d) in motions(), k in 2i64..=9) {
         check::<Int256>(&a, &b, d, 4);

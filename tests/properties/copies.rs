@@ -10,7 +10,8 @@ type P = (i64, i64);
 
 const MOST: usize = 16;
 
-/// Boxes around lines and corners of cells of 16 units: corner and size in quarters of a cell, up to 2 raw off.
+/// Boxes around lines and corners of cells of 16 units: corner and size in quarters of a cell, up
+/// to 2 raw off.
 fn boxes() -> impl Strategy<Value = Vec<(P, P, P)>> {
     let one = ((0i64..40, 0i64..30), (0i64..=4, 0i64..=4), (-2i64..=2, -2i64..=2));
     prop::collection::vec(one, 1..MOST)
@@ -24,7 +25,8 @@ fn aabb(((x, y), (w, h), off): (P, P, P)) -> Aabb {
     Aabb::new(raw(lo), raw((lo.0 + w * unit, lo.1 + h * unit))).unwrap()
 }
 
-/// Pairs of the numbers that bodies were given, each once, in order; twice the same is kept to be seen.
+/// Pairs of the numbers that bodies were given, each once, in order; twice the same is kept to be
+/// seen.
 fn pairs<B: BroadPhase<Tag = Filter>>(
     mut near: B,
     order: &[usize],
@@ -95,7 +97,8 @@ fn states<B: BroadPhase<Tag = SceneTag>>(scene: &Scene<B, MOST>) -> Vec<SceneBod
 proptest! {
     #![proptest_config(config(4))]
 
-    /// Each structure finds the pairs of the definition, each once, whatever the order of insertion and wherever the bodies came from.
+    /// Each structure finds the pairs of the definition, each once, whatever the order of insertion
+    /// and wherever the bodies came from.
     #[test]
     fn p26_pairs_of_the_definition(now in boxes(), before in boxes(), turn in 0usize..MOST) {
         let boxes: Vec<_> = now.iter().map(|b| aabb(*b)).collect();
@@ -140,7 +143,8 @@ proptest! {
         }
     }
 
-    /// Copied, run on, rolled back and run again: the same bits, the structure's own included; and a copy of the copy.
+    /// Copied, run on, rolled back and run again: the same bits, the structure's own included; and
+    /// a copy of the copy.
     #[test]
     fn rolled_back_scenes(bodies in crowds(), before in 0usize..40, frames in 1usize..40) {
         let mut scene: Sweep = filled(SortSweep::new(), &bodies);

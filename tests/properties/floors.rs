@@ -16,7 +16,8 @@ fn bodies() -> impl Strategy<Value = Body> {
     })
 }
 
-/// Bodies above the floor y = 0 (y down), touching it, close to it or falling, and velocities along it.
+/// Bodies above the floor y = 0 (y down), touching it, close to it or falling, and velocities along
+/// it.
 fn above() -> impl Strategy<Value = (Body, P)> {
     let gap = prop_oneof![Just(0i64), 1i64..=3, 0i64..8 * PX];
     let speed = prop_oneof![-3i64..=3, -PX..PX];
@@ -48,7 +49,8 @@ fn trajectory(drawing: &Drawing, mut body: Body, mut v: P, frames: usize) -> Vec
 proptest! {
     #![proptest_config(config(8))]
 
-    /// In a V of any two sides whose slopes are k : n, a body comes to rest, and then never moves again.
+    /// In a V of any two sides whose slopes are k : n, a body comes to rest, and then never moves
+    /// again.
     #[test]
     fn p17_rest(left in (1i64..=4, 1i64..=4), right in (1i64..=4, 1i64..=4), body in bodies(), x in -20i64..=20, off in -2i64..=2) {
         let far = |(n, k): (i64, i64)| (40 * n * PX, -40 * k * PX);
@@ -65,7 +67,8 @@ proptest! {
         prop_assert!(states[first..].iter().all(|s| *s == last), "moved again after {first}");
     }
 
-    /// A floor of any number of pieces is one long floor: the same bits, frame after frame; and so it is upside down, and cut into walls of their own.
+    /// A floor of any number of pieces is one long floor: the same bits, frame after frame; and so
+    /// it is upside down, and cut into walls of their own.
     #[test]
     fn p18_pieces_are_one((body, v) in above(), cuts in cuts()) {
         let ends = |cuts: &[i64]| -> Vec<P> {

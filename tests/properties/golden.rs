@@ -1,6 +1,8 @@
-//! The same bits as ever: every query's hash is the reviewed one, and the changelog names each. `.ci/targets` asks the same of all targets.
+//! The same bits as ever: every query's hash is the reviewed one, and the changelog names each.
+//! `.ci/targets` asks the same of all targets.
 //!
-//! A change of results is accepted with `cargo run --release -p tilesat-golden -- --accept` and with the lines that it prints, in the changelog.
+//! A change of results is accepted with `cargo run --release -p tilesat-golden -- --accept` and
+//! with the lines that it prints, in the changelog.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -43,7 +45,8 @@ fn queries_have_their_vectors() {
     }
 }
 
-/// Nobody edits a hash without a line in the changelog, in the section of the version that it is from.
+/// Nobody edits a hash without a line in the changelog, in the section of the version that it is
+/// from.
 #[test]
 fn the_changelog_names_every_output() {
     let (table, changelog) = (reviewed(), read("CHANGELOG.md"));

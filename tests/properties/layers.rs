@@ -1,13 +1,16 @@
-//! The files of the library stand in layers: none reaches itself by imports, and none imports from a layer above its own.
+//! The files of the library stand in layers: none reaches itself by imports, and none imports from
+//! a layer above its own.
 //!
-//! An import is a path behind `use`, or one in the code that begins with `crate`, `super`, a module below or a name that was taken. What a file only
-//! hands on (`pub use`) is imported from where it is defined. Unit tests are left out.
+//! An import is a path behind `use`, or one in the code that begins with `crate`, `super`, a module
+//! below or a name that was taken. What a file only hands on (`pub use`) is imported from where it
+//! is defined. Unit tests are left out.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// What stands on what, from the ground up; those in one row do not import each other. The root hands names on, `format` prints everything.
+/// What stands on what, from the ground up; those in one row do not import each other. The root
+/// hands names on, `format` prints everything.
 const LAYERS: [&[&str]; 7] = [
     &["num", "error"],
     &["filter", "shape"],

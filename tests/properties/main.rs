@@ -1,7 +1,9 @@
-//! The invariants P1 to P27 as properties: scenes that shrink, and scenes of the classes in which collision code goes wrong.
+//! The invariants P1 to P27 as properties: scenes that shrink, and scenes of the classes in which
+//! collision code goes wrong.
 //!
-//! The names of the tests are those of the invariants; `../README.md` has the list. Seeds are fixed, so a run is the same everywhere. `TILESAT_CASES`
-//! sets the number of cases of each pair property (default 4000; the others take a part of it). What has failed once is kept in the files
+//! The names of the tests are those of the invariants; `../README.md` has the list. Seeds are
+//! fixed, so a run is the same everywhere. `TILESAT_CASES` sets the number of cases of each pair
+//! property (default 4000; the others take a part of it). What has failed once is kept in the files
 //! `*.regressions` beside the sources, and is asked again first.
 
 #![cfg(not(target_os = "none"))]

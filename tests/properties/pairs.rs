@@ -29,7 +29,8 @@ fn whole(n: i64) -> BigRational {
 proptest! {
     #![proptest_config(config(1))]
 
-    /// A on B is B on A; contacts mirror each other to the bit, degenerate ones in what is not a convention.
+    /// A on B is B on A; contacts mirror each other to the bit, degenerate ones in what is not a
+    /// convention.
     #[test]
     fn p1_exchanged((a, b) in pairs()) {
         prop_assert_eq!(kernel::overlaps(&a, &b), kernel::overlaps(&b, &a));
@@ -72,7 +73,8 @@ proptest! {
         }
     }
 
-    /// The distance is that to the closest point, which is rounded to nearest: exact for boxes, at most 0.71 raw off for others.
+    /// The distance is that to the closest point, which is rounded to nearest: exact for boxes, at
+    /// most 0.71 raw off for others.
     #[test]
     fn p4_distance_and_closest_point((a, b) in pairs()) {
         let p = b.vertices()[0];
@@ -107,7 +109,8 @@ proptest! {
         oracle::verify::point(&a, far);
     }
 
-    /// The small lattice against big rationals, which share nothing with the judge of the other tests.
+    /// The small lattice against big rationals, which share nothing with the judge of the other
+    /// tests.
     #[test]
     fn p27_lattice_and_rationals(a in small(), b in small()) {
         prop_assert_eq!(kernel::overlaps(&a, &b), rational::overlaps(&a, &b));

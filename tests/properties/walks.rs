@@ -44,8 +44,9 @@ impl Lattice {
     }
 }
 
-/// The moments and cells at which a ray crosses the lines of one axis: 2^-30 parts rounded down, the cell beyond the line along the axis, and across it one
-/// cell, or two where it is on a line of the other axis.
+/// The moments and cells at which a ray crosses the lines of one axis: 2^-30 parts rounded down,
+/// the cell beyond the line along the axis, and across it one cell, or two where it is on a line of
+/// the other axis.
 fn crossings(
     g: &Lattice,
     (o, across): (i64, i64),
@@ -78,7 +79,8 @@ fn crossings(
 proptest! {
     #![proptest_config(config(1))]
 
-    /// A level that is nothing but edges toward one side tells each line that a ray crosses, and the cell beyond: exactly those of the definition, in order.
+    /// A level that is nothing but edges toward one side tells each line that a ray crosses, and
+    /// the cell beyond: exactly those of the definition, in order.
     #[test]
     fn p21_walked_cells(g in grids(), from in (place(), place()), to in (place(), place())) {
         let (o, e) = (g.at(from), g.at(to));
@@ -120,7 +122,8 @@ proptest! {
         }
     }
 
-    /// The work of a call: at most four sweeps, and no more features than the cells under the motion have.
+    /// The work of a call: at most four sweeps, and no more features than the cells under the
+    /// motion have.
     #[test]
     fn p25_bounded_work(seed in any::<u64>(), fast in 0i64..=2000, x in -8i64..=8, y in -8i64..=8, round in any::<bool>()) {
         let mut r = Random::new(seed);
@@ -136,8 +139,9 @@ proptest! {
             let v = (x * fast * PX / 8, y * fast * PX / 8);
             let out = body.step(&Mover::platformer(Axis::NEG_Y), &level.all(), v).unwrap();
             prop_assert!(out.work.iterations <= Mover::ITERATIONS && out.hits.len() as u32 <= out.work.iterations);
-            // Cells under the box around the whole motion and one ring; no cell has more than eight faces, corners and arcs. A place is looked for
-            // among at most nine, twice for each sweep.
+            // Cells under the box around the whole motion and one ring; no cell has more than eight
+            // faces, corners and arcs. A place is looked for among at most nine, twice for each
+            // sweep.
             let (lo, hi) = body.bounds();
             let cells = |lo: i64, hi: i64, d: i64| (hi - lo + d.abs()) / cell + 4;
             let most = cells(lo.0, hi.0, v.0) * cells(lo.1, hi.1, v.1) * 8 * i64::from(Mover::ITERATIONS);

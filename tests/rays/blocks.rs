@@ -1,4 +1,5 @@
-//! Rays through scenes that are known by name, and what other engines' tests ask of a ray against a box.
+//! Rays through scenes that are known by name, and what other engines' tests ask of a ray against a
+//! box.
 
 use tilesat::{Axis, Cell, Fx, Inside, Outside, Quantity, RangeError, RayHit, TileKind, TileKinds, TileMap, Toi, Vec2};
 
@@ -57,7 +58,8 @@ fn ray_against_one_box() {
     assert_eq!(between(&offset, ints(97, -50), ints(103, -50)).unwrap().toi, third);
 }
 
-/// impact-rs: the answer of 4/3 motions, whose own test expects 1.33332; here as 2/3 of twice the motion, exactly floored.
+/// impact-rs: the answer of 4/3 motions, whose own test expects 1.33332; here as 2/3 of twice the
+/// motion, exactly floored.
 #[test]
 fn ray_against_a_far_box() {
     // 6 x 8 units from (5, 6): tiles of 2 units.
@@ -67,7 +69,8 @@ fn ray_against_a_far_box() {
     assert_eq!(hit.point.y, Fx::from_bits((2 << 16) + (16 << 16) / 3));
 }
 
-/// parry's segment and triangle cases, as far as a box has them: on the surface, just outside, pointing away, the ends included.
+/// parry's segment and triangle cases, as far as a box has them: on the surface, just outside,
+/// pointing away, the ends included.
 #[test]
 fn ray_at_a_wall() {
     // A wall of x in [0, 2], y in [-10, 10].
@@ -89,7 +92,8 @@ fn ray_at_a_wall() {
     assert_eq!(between(&map, ints(1, -10), ints(1, 20)).unwrap().toi, Toi::ZERO);
 }
 
-/// Torture scene 15: along the line between two rows, with solid above, below, on both sides, on none.
+/// Torture scene 15: along the line between two rows, with solid above, below, on both sides, on
+/// none.
 #[test]
 fn along_a_grid_line() {
     for (text, place) in [
@@ -124,7 +128,8 @@ fn through_a_grid_corner() {
     assert_eq!(at(cast("....\n#...\n....\n....")), Some((ints(16, 16), Axis::NEG_Y, Cell::new(0, 1))));
     assert_eq!(at(cast("....\n.#..\n....\n....")), Some((ints(16, 16), Axis::NEG_X, Cell::new(1, 1))));
     assert_eq!(at(cast("....\n....\n....\n....")), None);
-    // None on the way: four cells on the diagonal, three corners of two lines each; the wall beyond counts the work.
+    // None on the way: four cells on the diagonal, three corners of two lines each; the wall beyond
+    // counts the work.
     let end = cast("....\n....\n....\n...#").unwrap();
     assert_eq!((end.point, end.cells), (ints(48, 48), 7));
     // From the other side, and the other diagonal.
@@ -135,7 +140,8 @@ fn through_a_grid_corner() {
 /// Torture scene 17: starts on a cell's border, in four directions, at negative coordinates.
 #[test]
 fn starts_on_a_border() {
-    // Cells of one unit; the tile at (-2, -1) is solid, so its sides are x = -2 and -1, y = -1 and 0.
+    // Cells of one unit; the tile at (-2, -1) is solid, so its sides are x = -2 and -1, y = -1 and
+    // 0.
     let map = map("...\n.#.\n...").with_cell(Fx::lit("1")).unwrap().with_origin(ints(-3, -2)).unwrap();
     let cast = |x: i32, y: i32, dx, dy| {
         let hit = map.cast_ray(raw(x, y), ints(dx, dy), Inside::Ignore).unwrap();

@@ -1,4 +1,5 @@
-//! Rays: at single shapes and through levels of blocks, of all tile shapes, of segments and of solids.
+//! Rays: at single shapes and through levels of blocks, of all tile shapes, of segments and of
+//! solids.
 
 #![cfg(not(target_os = "none"))]
 

@@ -1,4 +1,5 @@
-//! Rays through mosaics of every shape against an exact judge: the same pieces, at the same moments, in the same order.
+//! Rays through mosaics of every shape against an exact judge: the same pieces, at the same
+//! moments, in the same order.
 
 use tilesat_judge::rays::cast::Scene;
 use tilesat_judge::rays::check::check;

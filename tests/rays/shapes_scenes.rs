@@ -5,7 +5,8 @@ use tilesat::{
     world::RayRules,
 };
 
-/// `/` and `\` are solid below, `(` and `)` are quarter pipes on a floor, `d` is a quarter disc around its lower left corner, `_` the lower half.
+/// `/` and `\` are solid below, `(` and `)` are quarter pipes on a floor, `d` is a quarter disc
+/// around its lower left corner, `_` the lower half.
 static KINDS: TileKinds = TileKinds::EMPTY
     .with(b'#', TileKind::FULL)
     .with(b'/', TileKind::of(TileShape::SlopeBottomRight))
@@ -78,7 +79,8 @@ fn through_a_corner() {
 /// Torture scene 17: starts on a slope and on an arc, at negative coordinates.
 #[test]
 fn starts_on_the_surface() {
-    // Tiles of 10 units; the slope runs from (-10, 0) to (0, -10), the disc is around (0, 0) with radius 10.
+    // Tiles of 10 units; the slope runs from (-10, 0) to (0, -10), the disc is around (0, 0) with
+    // radius 10.
     let level = map("/d").with_cell(Fx::lit("10")).unwrap().with_origin(ints(-10, -10)).unwrap();
     let cast = |x, y, dx, dy| {
         let hit = level.cast_ray(ints(x, y), ints(dx, dy), Inside::Hit).unwrap();
@@ -114,7 +116,8 @@ fn starts_on_the_surface() {
 fn no_length() {
     let level = map("/d)");
     let cast = |p, inside| level.cast_ray(p, Vec2::ZERO, inside).unwrap().map(|h| h.inside);
-    // On a slope, at its end, on the side between two tiles, at the end of a disc, on the end of a pipe.
+    // On a slope, at its end, on the side between two tiles, at the end of a disc, on the end of a
+    // pipe.
     for p in [ints(8, 8), ints(0, 16), ints(16, 16), ints(32, 16), ints(48, 0), ints(40, 2)] {
         assert_eq!((cast(p, Inside::Ignore), cast(p, Inside::Hit)), (None, None), "{p:?}");
     }
@@ -227,7 +230,8 @@ fn outside() {
     assert!(!room.line_of_sight(ints(20, 1), ints(21, 1)).unwrap()); // in the wall
 }
 
-/// A disc that touches a floor or another disc closes the way along the tangent: what is behind the point is solid.
+/// A disc that touches a floor or another disc closes the way along the tangent: what is behind the
+/// point is solid.
 #[test]
 fn into_the_gap_between_an_arc_and_what_it_touches() {
     static IDS: TileKinds = TileKinds::EMPTY

@@ -1,4 +1,5 @@
-//! The same scene seen otherwise: as blocks, mirrored, transposed, moved. The hits are the same, bit for bit.
+//! The same scene seen otherwise: as blocks, mirrored, transposed, moved. The hits are the same,
+//! bit for bit.
 
 use tilesat::{Axis, Blocks, Inside, Outside, RayHit, TileKind, TileKinds, TileMap, TileShape, Vec2, world::RayRules};
 use tilesat_judge::rays::cast::Scene;
@@ -25,7 +26,8 @@ static BLOCKS: TileKinds = {
     kinds
 };
 
-/// A level of blocks answers the same whether its set has slopes or not, and whether one hit is asked for or all.
+/// A level of blocks answers the same whether its set has slopes or not, and whether one hit is
+/// asked for or all.
 #[test]
 fn blocks_are_the_same_in_any_set() {
     let mut random = Random::new(11);

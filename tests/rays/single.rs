@@ -1,5 +1,5 @@
-//! Rays against single shapes: every one of a small lattice against the exact judge; tiles and walls of levels, which are the same sets; and what other
-//! engines' tests ask.
+//! Rays against single shapes: every one of a small lattice against the exact judge; tiles and
+//! walls of levels, which are the same sets; and what other engines' tests ask.
 
 use tilesat::{
     Aabb, Axis, CastHit, Circle, Fx, Inside, Path, PathKind, Quantity, RangeError, Segment, SegmentMap, TileKind,
@@ -25,8 +25,8 @@ fn cast(shape: &Figure, o: Point, d: Point, inside: Inside) -> Option<CastHit> {
     .expect("inside the domain")
 }
 
-/// Whether the ray is stopped: where it comes to the closed set from outside, a tangent of a disc aside; from the border where it goes in; from on
-/// what has no inside where it leaves its line.
+/// Whether the ray is stopped: where it comes to the closed set from outside, a tangent of a disc
+/// aside; from the border where it goes in; from on what has no inside where it leaves its line.
 fn is_stopped(set: &Forbidden, d: Point) -> bool {
     let flat = set.radius == 0 && set.hull.len() < 3;
     if set.touched::<i128>(d, 0) {
@@ -196,7 +196,8 @@ fn rays_of_other_engines() {
     );
 }
 
-/// Torture scene 21 with bare segments: a ray through the common end of two segments meets both there.
+/// Torture scene 21 with bare segments: a ray through the common end of two segments meets both
+/// there.
 #[test]
 fn common_end() {
     for (x, y) in [(-16, 8), (-16, -8), (-16, 0), (-4, 16)] {

@@ -1,5 +1,6 @@
-//! Rays against a list of solids are rays against the level of tiles that has the same cells full: every hit, in order, with one-way boxes,
-//! from inside and from borders; and joined with tiles that hold a part of them.
+//! Rays against a list of solids are rays against the level of tiles that has the same cells full:
+//! every hit, in order, with one-way boxes, from inside and from borders; and joined with tiles
+//! that hold a part of them.
 
 use tilesat::{
     AllShapes, Axis, Fx, Grid, Inside, Joined, Path, PathKind, RayHit, Side, Solid, Solids, TileKind, TileKinds,
@@ -156,7 +157,8 @@ fn rays_see_the_union_of_the_boxes() {
     assert!(hits > rays);
 }
 
-/// From every point of the lattice of half cells in and around some boxes, toward a third of them, each way.
+/// From every point of the lattice of half cells in and around some boxes, toward a third of them,
+/// each way.
 #[test]
 fn all_rays_of_a_lattice() {
     let half = CELL / 2;

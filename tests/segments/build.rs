@@ -1,4 +1,5 @@
-//! The tables of segment maps: which cells a segment meets, what is inside, what is left of shared edges, where the boundary goes on.
+//! The tables of segment maps: which cells a segment meets, what is inside, what is left of shared
+//! edges, where the boundary goes on.
 //!
 //! `TILESAT_CASES` sets the number of random levels of each kind (default 1500).
 
@@ -115,7 +116,8 @@ fn the_domain_from_corner_to_corner() {
     check_winding(&level, &polygon_edges(&shapes));
 }
 
-/// A wall across the domain with a bend of a raw unit or none: a vertex on the side toward which it bulges, exactly.
+/// A wall across the domain with a bend of a raw unit or none: a vertex on the side toward which it
+/// bulges, exactly.
 #[test]
 fn bends_of_a_raw_unit_at_any_length() {
     let (lo, hi) = (1 - (1 << 29), (1 << 29) - 1);

@@ -1,4 +1,5 @@
-//! Bytes that are no level: cut, changed, made up. An error, whatever they are; and what is taken is right.
+//! Bytes that are no level: cut, changed, made up. An error, whatever they are; and what is taken
+//! is right.
 //!
 //! `TILESAT_CASES` sets the number of hostile levels (default 20 000).
 
@@ -164,7 +165,8 @@ fn a_reference_too_many_or_too_few() {
 const WORDS: [i32; 12] =
     [0, 1, -1, 2, i32::MIN, i32::MAX, 1 << 29, -(1 << 29), 1 << 30, 256, (1 << 24) - 2, i32::MIN + 1];
 
-/// Changes what a byte form is made of: fields to extremes or to other fields, tables by a little, lengths with the header's counts.
+/// Changes what a byte form is made of: fields to extremes or to other fields, tables by a little,
+/// lengths with the header's counts.
 fn damage(random: &mut Random, bytes: &mut Vec<u8>) {
     let words = bytes.len() as i64 / 4;
     let segments = i64::from(u16::from_le_bytes([bytes[6], bytes[7]]));

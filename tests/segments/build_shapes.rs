@@ -1,4 +1,5 @@
-//! Segment maps by hand: junctions, holes, walls, loops and one-way chains; the same bytes from the compiler and at run time.
+//! Segment maps by hand: junctions, holes, walls, loops and one-way chains; the same bytes from the
+//! compiler and at run time.
 
 use tilesat::PathKind::{self, Hole, OneWay, Solid, Wall};
 use tilesat::{Fx, Path, SegmentMap, SegmentMapError, Vec2, segment_map};
@@ -93,7 +94,8 @@ fn a_wall_on_a_floor_is_a_junction() {
     assert_eq!((down.dir, down.start_joined, down.next), ((0, -1), false, NONE));
     let top = level.segs[..4].iter().find(|s| s.dir == (-1, 0) && s.a.1 == 2 * U).unwrap();
     assert_eq!((top.len, top.start_joined, top.end_joined), (8 * U, false, false));
-    // From below it ends in the solid; a wall from the corner leaves no vertex but that around which it is reached.
+    // From below it ends in the solid; a wall from the corner leaves no vertex but that around
+    // which it is reached.
     let level = built(&[shape(Solid, &floor), shape(Wall, &[(8, 2), (8, 5)])]);
     let side = level.segs[..4].iter().position(|s| s.dir == (0, 1)).unwrap();
     assert_eq!((level.segs[side].next, level.segs[side].end_joined), (NONE, true));
@@ -102,7 +104,8 @@ fn a_wall_on_a_floor_is_a_junction() {
 
 #[test]
 fn a_corner_on_an_edge_is_a_junction() {
-    // A diamond stands with a corner on the floor: two wedges less than half a turn, no vertex; its other corners are vertices.
+    // A diamond stands with a corner on the floor: two wedges less than half a turn, no vertex; its
+    // other corners are vertices.
     let floor = shape(Solid, &[(0, 0), (8, 0), (8, 2), (0, 2)]);
     let diamond = shape(Solid, &[(4, 2), (6, 4), (4, 6), (2, 4)]);
     let level = built(&[floor, diamond]);
@@ -136,7 +139,8 @@ fn one_way_chains() {
     let level = built(&[shape(OneWay, &[(6, 2), (4, 3), (2, 2), (0, 2)])]);
     assert_eq!(nexts(&level), [Some(1), None, None]);
     assert_eq!(joined(&level), [[false, true], [true, true], [true, false]]);
-    // Beside a solid at the same height it goes on; the solid keeps its vertex, as bodies come through from the other side.
+    // Beside a solid at the same height it goes on; the solid keeps its vertex, as bodies come
+    // through from the other side.
     let level = built(&[shape(Solid, &SQUARE), shape(OneWay, &[(7, 4), (4, 4)])]);
     assert_eq!(level.segs.iter().filter(|s| s.kind == SOLID && s.next == NONE).count(), 0);
     assert_eq!(joined(&level)[4], [false, true]);

@@ -1,4 +1,5 @@
-//! Bytes that pass the checks but are no level that anyone has built: no query panics or runs on for ever.
+//! Bytes that pass the checks but are no level that anyone has built: no query panics or runs on
+//! for ever.
 
 use tilesat::SegmentMap;
 use tilesat_judge::segments::build;

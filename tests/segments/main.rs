@@ -1,4 +1,5 @@
-//! Maps of segments: how they are built, what their bytes say, and what bodies overlap and touch in them.
+//! Maps of segments: how they are built, what their bytes say, and what bodies overlap and touch in
+//! them.
 
 #![cfg(not(target_os = "none"))]
 

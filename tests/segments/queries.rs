@@ -61,7 +61,8 @@ fn all(map: &SegmentMap<'_>, region: &Aabb) -> BTreeMap<u16, Feature> {
     out
 }
 
-/// Every piece that a region meets comes, each once; together the faces are what is left of the polygons, walls and chains.
+/// Every piece that a region meets comes, each once; together the faces are what is left of the
+/// polygons, walls and chains.
 #[test]
 fn features_come_once() {
     let mut random = Random::new(42);
@@ -125,7 +126,8 @@ fn nearest_points_are_as_near_as_the_pieces() {
         let bytes = scene.bytes();
         let map = SegmentMap::from_bytes(&bytes).unwrap();
         let blocking = scene.blocking();
-        // A hole in nothing, and a polygon that winds backward somewhere, have edges without solid behind them: nothing is seen from there.
+        // A hole in nothing, and a polygon that winds backward somewhere, have edges without solid
+        // behind them: nothing is seen from there.
         let backed = |s: &segments::Piece| {
             let d = sub(s.b, s.a);
             // Beside what may cross there, and a little to the left.

@@ -1,4 +1,5 @@
-//! A map of tiles and the segment map of its tiles' outlines are one level: the same overlaps, and the same surface, collinear pieces merged.
+//! A map of tiles and the segment map of its tiles' outlines are one level: the same overlaps, and
+//! the same surface, collinear pieces merged.
 
 use std::collections::{BTreeMap, BTreeSet};
 use tilesat::{
@@ -9,7 +10,8 @@ use tilesat_judge::segments;
 use tilesat_judge::segments::{Body, P, Scene, Shape, cross, dot, sub};
 use tilesat_judge::{Random, cases};
 
-/// The straight shapes by their id: the corner that is solid and the line, in halves of a cell. Of halves, either corner.
+/// The straight shapes by their id: the corner that is solid and the line, in halves of a cell. Of
+/// halves, either corner.
 const LINES: [(u8, P, P, P); 16] = [
     (2, (0, 0), (0, 1), (2, 1)),
     (3, (2, 0), (1, 0), (1, 2)),
@@ -127,7 +129,8 @@ fn tiles_and_their_outlines_are_one_level() {
         let (pieces, case) = (scene.boundary(), || format!("{tiles:?} of {w}, {side}"));
         let ((faces, vertices), (other_faces, other_vertices)) = (surface(&map, &scene), surface(&segments, &scene));
         assert_eq!(faces, other_faces, "{}", case());
-        // Where two pieces of solid meet in a point, a tile map has the corners of both; a segment map only what a body can reach.
+        // Where two pieces of solid meet in a point, a tile map has the corners of both; a segment
+        // map only what a body can reach.
         for v in vertices.symmetric_difference(&other_vertices) {
             assert!(rays(&pieces, v.0) > 2, "{}: {v:?} of tiles: {}", case(), vertices.contains(v));
         }

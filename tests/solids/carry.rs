@@ -16,7 +16,8 @@ fn empty() -> TileMap<'static> {
     TileMap::from_ascii("   \n   \n   ", &KINDS).unwrap()
 }
 
-/// One tick of a game: ride, the solids move, the body falls and lands. Returns what became of it, and whether it stands.
+/// One tick of a game: ride, the solids move, the body falls and lands. Returns what became of it,
+/// and whether it stands.
 fn tick<B: Body>(solids: &mut [Solid], body: &mut B, v: &mut Vec2, walk: i64) -> (Ride, bool) {
     let level = empty();
     let ridden = MOVER.ride(&level, solids, body, Fx::from_bits(GRAVITY as i32)).unwrap();
@@ -82,7 +83,8 @@ fn a_rider_does_not_drift_in_ten_thousand_ticks() {
             rides(rect((5 * UNIT, -12 * UNIT), (11 * UNIT + 1, 0)), kind, side, &mut random);
             rides(disc((7 * UNIT + 3, -4 * UNIT), 4 * UNIT), kind, side, &mut random);
         }
-        // Over the edge by all but a raw unit, and a circle whose lowest point is on the corner itself.
+        // Over the edge by all but a raw unit, and a circle whose lowest point is on the corner
+        // itself.
         rides(rect((1 - 6 * UNIT, -12 * UNIT), (1, 0)), kind, None, &mut random);
         rides(disc((40 * UNIT, -4 * UNIT), 4 * UNIT), kind, None, &mut random);
     }

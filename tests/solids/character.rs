@@ -1,4 +1,5 @@
-//! The hero of a platformer against closed forms: jumps, their graces, floors that it drops through, and ways out of a level.
+//! The hero of a platformer against closed forms: jumps, their graces, floors that it drops
+//! through, and ways out of a level.
 
 use tilesat::{
     Aabb, Axis, Character, Feel, Fx, Input, Mover, Outcome, Quantity, RangeError, Slopes, Step, TileKind, TileKinds,

@@ -39,8 +39,9 @@ fn a_lift_carries_without_drift() {
     rides(boxed(20, 4, 10, 14), Feel { gravity: fx!(0.6), jump: fx!(6), ..Feel::DEFAULT });
 }
 
-/// Seen from a lift that keeps its motion, a jump is that on still ground: place, frame by frame, until it lands. In its first frame the motion is the
-/// velocity alone. Lifts that sink faster than the jump rises are left too.
+/// Seen from a lift that keeps its motion, a jump is that on still ground: place, frame by frame,
+/// until it lands. In its first frame the motion is the velocity alone. Lifts that sink faster than
+/// the jump rises are left too.
 #[test]
 fn a_flight_off_a_lift_is_that_on_still_ground() {
     fn plays<B: Body + PartialEq>(body: B, random: &mut Random) {

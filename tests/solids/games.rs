@@ -1,4 +1,5 @@
-//! What the docs of `ride` tell a game to do: the follow of a walker that stands, and what comes after a body is squashed.
+//! What the docs of `ride` tell a game to do: the follow of a walker that stands, and what comes
+//! after a body is squashed.
 
 use tilesat::motion::escape;
 use tilesat::{
@@ -14,7 +15,8 @@ fn boxed(a: P, b: P) -> Aabb {
     rect((a.0 * UNIT, a.1 * UNIT), (b.0 * UNIT, b.1 * UNIT))
 }
 
-/// How often a walker with a snap of 3 is carried in 10 ticks by a lift that goes by (2, 2), and where it is on the lift then.
+/// How often a walker with a snap of 3 is carried in 10 ticks by a lift that goes by (2, 2), and
+/// where it is on the lift then.
 fn on_a_lift(follow: i16) -> (u32, i64, bool) {
     let level = TileMap::from_ascii("  ", &KINDS).unwrap();
     let walker = Walker::new(MOVER).with_snap(Fx::from_num(3)).unwrap();

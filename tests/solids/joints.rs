@@ -1,5 +1,6 @@
-//! A platform that lies flush with a floor, of tiles or of segments, in the level's order or the other, is one floor with it: at no phase and
-//! no speed does the joint change a walker's height or speed.
+//! A platform that lies flush with a floor, of tiles or of segments, in the level's order or the
+//! other, is one floor with it: at no phase and no speed does the joint change a walker's height or
+//! speed.
 
 use tilesat::{
     Axis, Fx, Grid, Joined, Mover, Path, PathKind, SegmentMap, Solid, Solids, TileKind, TileKinds, TileMap, World,
@@ -28,7 +29,8 @@ impl Turn {
     }
 }
 
-/// The bridge over the pit from -2 to 2 cells: one platform, or several side by side, of any depth, some into the banks.
+/// The bridge over the pit from -2 to 2 cells: one platform, or several side by side, of any depth,
+/// some into the banks.
 fn bridge(random: &mut Random, turn: Turn) -> Vec<Solid> {
     let mut list = vec![];
     let deep = |random: &mut Random| [CELL, CELL / 3, 1, 3 * CELL, 5][random.below(5) as usize];

@@ -142,7 +142,8 @@ fn an_offset_is_checked() {
     let (seen, beyond) = (vec2(((1 << 28) - (1 << 29), 9)), vec2(((1 << 28) - (1 << 29) - 1, 9)));
     assert!(placed.cast_ray(seen, Vec2::ZERO, Inside::Hit).is_ok());
     assert!(placed.cast_ray(beyond, Vec2::ZERO, Inside::Hit).is_err());
-    // From the other end of the domain, seen from the level far outside of it, a body flies as far as it may.
+    // From the other end of the domain, seen from the level far outside of it, a body flies as far
+    // as it may.
     let end = (1 << 29) - 2000;
     for (sx, sy) in [(1, 1), (1, -1), (-1, 1), (-1, -1)] {
         let placed = Placed::new(&map, vec2((-sx * ((1 << 28) - 1), -sy * ((1 << 28) - 1)))).unwrap();

@@ -1,4 +1,5 @@
-//! What is in the way of a moving solid yields as far as there is room, and is squashed where there is none; never into the level.
+//! What is in the way of a moving solid yields as far as there is room, and is squashed where there
+//! is none; never into the level.
 
 use tilesat::{
     Aabb, AllShapes, Axis, Body, Circle, Fx, Joined, MoveError, Mover, Solid, Solids, TileKind, TileKinds, TileMap,
@@ -119,7 +120,8 @@ fn the_fastest_of_several_pushers_is_named() {
     // What goes by a body without coming nearer does not push it.
     let by = moving((0, 11), (10, 15), 1, (3 * UNIT, 0));
     assert_eq!(ride(&level, &[side(8, 2 * UNIT), by], &body).0, pushed(8, Axis::X));
-    // A circle on a corner that comes by less than a raw unit, against one that stands and has the smaller key.
+    // A circle on a corner that comes by less than a raw unit, against one that stands and has the
+    // smaller key.
     let ball = disc((4 * UNIT, -3 * UNIT), 5 * UNIT);
     let (slow, stands) = (moving((-9, 0), (0, 9), 6, (1, 0)), moving((9, -20), (12, 20), 2, (0, 0)));
     assert_eq!(ride(&level, &[slow, stands], &ball).0, pushed(6, Axis::new(4 << 16, -3 << 16)));
@@ -164,7 +166,8 @@ fn a_push_goes_up_a_slope_and_a_lift_along_a_slanted_ceiling() {
     let body = boxed((8, 40), (14, 48));
     let (r, b) = ride(&level, &[wall], &body);
     assert_eq!((r, raw(b.max())), (pushed(1, Axis::X), (20 * UNIT, 44 * UNIT)));
-    // The slanted ceiling from (0, 16) to (16, 0): the lift raises the box by 5, and it yields to the right.
+    // The slanted ceiling from (0, 16) to (16, 0): the lift raises the box by 5, and it yields to
+    // the right.
     let (r, b) = ride(&level, &[moving((0, 26), (30, 30), 1, (0, -5 * UNIT))], &boxed((4, 14), (10, 26)));
     assert_eq!((r, raw(b.min())), (Ride::Carried, (7 * UNIT, 9 * UNIT)));
 }
@@ -234,7 +237,8 @@ fn a_door_that_closes_on_a_body_and_on_its_edge() {
     let level = room();
     let door = moving((24, 16), (32, 48), 5, (0, 0));
     let (inside, edge) = (boxed((28, 20), (36, 28)), boxed((32, 20), (40, 28)));
-    // It was put there: the one inside is squashed as long as it is, the one at its edge touches it.
+    // It was put there: the one inside is squashed as long as it is, the one at its edge touches
+    // it.
     assert_eq!(ride(&level, &[door], &inside), (Ride::Squashed { by: 5, normal: Axis::X }, inside));
     assert_eq!(ride(&level, &[door], &edge), (Ride::Free, edge));
     let solids = [door];
@@ -246,7 +250,8 @@ fn a_door_that_closes_on_a_body_and_on_its_edge() {
     // It goes away: who was inside is free again.
     let gone = [door.with_motion(vec2((-4 * UNIT, 0))).unwrap()];
     assert_eq!(ride(&level, &gone, &inside).0, Ride::Free);
-    // The door's ends lie in the floor's and the ceiling's plane: no edge of them is left in the joined level, at its sides they are.
+    // The door's ends lie in the floor's and the ceiling's plane: no edge of them is left in the
+    // joined level, at its sides they are.
     let at = |x: i64, y: i64| rect((x * UNIT, y * UNIT), (x * UNIT, y * UNIT));
     let corners =
         |p: &Aabb| joined.features(p).filter(|f| matches!(f.geometry, tilesat::world::Geometry::Vertex { .. })).count();

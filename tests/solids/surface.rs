@@ -1,5 +1,6 @@
-//! The surface of a list of solids is that of the union of its boxes: a level of boxes on a lattice moves bodies as the level of tiles
-//! does that has the same cells full, alone, and joined with tiles that hold a part of them.
+//! The surface of a list of solids is that of the union of its boxes: a level of boxes on a lattice
+//! moves bodies as the level of tiles does that has the same cells full, alone, and joined with
+//! tiles that hold a part of them.
 
 use tilesat::{
     Axis, Body, Fx, Grid, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, World, world::Geometry,

@@ -1,5 +1,6 @@
-//! Many ticks of levels with solids and bodies in them, each one judged: no body in the level, none in a solid unless it is said to be
-//! squashed, none passed by a solid, carried ones carried exactly; and the same bits for shuffled, mirrored and translated scenes.
+//! Many ticks of levels with solids and bodies in them, each one judged: no body in the level, none
+//! in a solid unless it is said to be squashed, none passed by a solid, carried ones carried
+//! exactly; and the same bits for shuffled, mirrored and translated scenes.
 
 use tilesat::{AllShapes, TileMap};
 use tilesat_judge::solids::judge::Block;

@@ -130,7 +130,8 @@ fn bits_and_bytes_answer_the_same() {
     }
 }
 
-/// Mirrored, transposed and reversed scenes give mirrored answers, bit for bit, where the tie rule (x first) does not decide.
+/// Mirrored, transposed and reversed scenes give mirrored answers, bit for bit, where the tie rule
+/// (x first) does not decide.
 #[test]
 fn rays_are_symmetric() {
     let mut random = Random::new(9);

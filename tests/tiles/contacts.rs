@@ -1,4 +1,5 @@
-//! The nearest surface point, and the contacts of boxes and circles with a level's features, against the definitions.
+//! The nearest surface point, and the contacts of boxes and circles with a level's features,
+//! against the definitions.
 
 #![allow(clippy::cast_precision_loss, reason = "tests stop at the first surprise")]
 
@@ -26,7 +27,8 @@ fn wide(v: (i64, i64)) -> (i128, i128) {
     (v.0.into(), v.1.into())
 }
 
-/// The normal leads from the nearer point of the line between both to the other, within what rounding the point may turn it.
+/// The normal leads from the nearer point of the line between both to the other, within what
+/// rounding the point may turn it.
 fn check_axis(near: &Near, p: (i64, i64)) {
     let (q, axis) = (point(near.point), wide((near.axis.x.into(), near.axis.y.into())));
     let m = wide((p.0 - q.0, p.1 - q.1));
@@ -128,7 +130,8 @@ fn check_list(level: &Level, judge: &Judge, body: Body) -> usize {
         .filter(|f| !f.one_way)
         .filter_map(|f| Some((f, Expected::of(&f, body, middle, behind)?)))
         .collect();
-    // Where a box is in no region, the least of the other contacts stands for all; of a circle all count.
+    // Where a box is in no region, the least of the other contacts stands for all; of a circle all
+    // count.
     if expected.iter().any(|(_, e)| e.in_region) {
         expected.retain(|(_, e)| e.in_region);
     } else if matches!(body, Body::Box { .. }) {
@@ -280,7 +283,8 @@ fn a_ball_in_a_quarter_pipe() {
     assert_eq!((near.point, near.distance.to_num()), (vec2(units(0, 0)), 16));
 }
 
-/// Into what is left of a pipe beside a ball that almost fills it: a raw unit around the centre, or two, or nothing.
+/// Into what is left of a pipe beside a ball that almost fills it: a raw unit around the centre, or
+/// two, or nothing.
 #[test]
 fn a_ball_that_fills_a_pipe_is_pushed_to_its_centre() {
     let level = level(1, &[17]);
@@ -316,7 +320,8 @@ fn the_end_of_arcs_is_near_from_inside() {
     }
 }
 
-/// A raw unit or more behind a concave corner of blocks and of slopes no normal passes the centre: the faces that end there push it out.
+/// A raw unit or more behind a concave corner of blocks and of slopes no normal passes the centre:
+/// the faces that end there push it out.
 #[test]
 fn behind_a_concave_corner() {
     let corner = level(2, &[0, 1, 1, 1]);

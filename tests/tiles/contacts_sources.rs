@@ -1,4 +1,5 @@
-//! The same solid from different sources gives the same contacts and nearest points, bit for bit: a tile and a polygon, a map and its two halves.
+//! The same solid from different sources gives the same contacts and nearest points, bit for bit: a
+//! tile and a polygon, a map and its two halves.
 
 use tilesat::{
     Aabb, Circle, Fx, Joined, Outside, Path, PathKind, SegmentMap, Vec2,

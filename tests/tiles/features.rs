@@ -1,4 +1,5 @@
-//! The surface of a level: every neighbourhood, regions, joints, and that it is the border of what `overlaps` calls solid.
+//! The surface of a level: every neighbourhood, regions, joints, and that it is the border of what
+//! `overlaps` calls solid.
 
 use std::collections::BTreeSet;
 use tilesat::{
@@ -45,8 +46,9 @@ fn pieces(map: &TileMap, region: &Aabb) -> Vec<Piece> {
     map.features(region).map(|f| piece(&f)).collect()
 }
 
-/// The surface from directed edges: each full cell gives four, opposite ones cancel, and each end of an edge is joined to the start found
-/// first when turning toward the solid; where that turn is strictly convex there is a vertex.
+/// The surface from directed edges: each full cell gives four, opposite ones cancel, and each end
+/// of an edge is joined to the start found first when turning toward the solid; where that turn is
+/// strictly convex there is a vertex.
 fn construct(level: &Level) -> BTreeSet<Piece> {
     let corner = |c: i64, r: i64| (level.x + c * level.cell, level.y + r * level.cell);
     let mut edges = Vec::new();
@@ -66,7 +68,8 @@ fn construct(level: &Level) -> BTreeSet<Piece> {
         }
     }
     let all: BTreeSet<_> = edges.iter().map(|&(a, b, _)| (a, b)).collect();
-    // A ring of cells around the map was built too, so that it cancels; its own outer edges are not of the level.
+    // A ring of cells around the map was built too, so that it cancels; its own outer edges are not
+    // of the level.
     let (x0, y0) = corner(-1, -1);
     let (x1, y1) = corner(level.width + 1, level.height + 1);
     let near = |p: Point| x0 < p.0 && p.0 < x1 && y0 < p.1 && p.1 < y1;
@@ -118,7 +121,8 @@ fn every_neighbourhood_of_nine_tiles() {
     }
 }
 
-/// With the border repeated, the surface is that of a level with wide margins of the same tiles, cut at the domain's end.
+/// With the border repeated, the surface is that of a level with wide margins of the same tiles,
+/// cut at the domain's end.
 #[test]
 fn every_neighbourhood_with_its_border_repeated() {
     const FAR: i64 = (1 << 29) - 1;
@@ -127,7 +131,8 @@ fn every_neighbourhood_with_its_border_repeated() {
         let level = Level { width: 3, height: 3, cell: 256, x: -256, y: 512, outside: Outside::Edge, tiles };
         let wide = Level { width: 5, height: 5, x: -512, y: 256, outside: Outside::Empty, ..level.clone() };
         let wide = Level { tiles: (0..25).map(|i| level.id(i % 5 - 1, i / 5 - 1)).collect(), ..wide };
-        // Pieces of the wide level that are not on its own border, moved into the cells of the small one.
+        // Pieces of the wide level that are not on its own border, moved into the cells of the
+        // small one.
         let cut = |p: Point| {
             let x = if p.0 == -512 {
                 -FAR
@@ -226,7 +231,8 @@ fn a_region_gives_exactly_what_meets_it() {
     }
 }
 
-/// For bodies with area: overlap is the same as any feature strictly overlapped, or the centre in the solid.
+/// For bodies with area: overlap is the same as any feature strictly overlapped, or the centre in
+/// the solid.
 #[test]
 fn overlap_is_a_feature_overlapped_or_the_centre_in_the_solid() {
     let mut random = Random::new(43);
@@ -259,7 +265,8 @@ fn overlap_is_a_feature_overlapped_or_the_centre_in_the_solid() {
                     Piece::Vertex { p, .. } => (p, p, false),
                 };
                 let (x0, x1, y0, y1) = (a.0.min(b.0), a.0.max(b.0), a.1.min(b.1), a.1.max(b.1));
-                // A face is an interval of no length on one axis: it meets an open one where it lies in it.
+                // A face is an interval of no length on one axis: it meets an open one where it
+                // lies in it.
                 let open = |lo: i32, hi: i32, from: i64, to: i64| i64::from(lo) < to && from < i64::from(hi);
                 let meets = match circle {
                     None => open(lo.0, hi.0, x0, x1) && open(lo.1, hi.1, y0, y1),
@@ -302,7 +309,8 @@ fn a_seam_has_no_corner_and_a_door_is_one_byte() {
     assert_eq!(pieces(&door.map(), &everything()), pieces(&level.map(), &everything()));
 }
 
-/// Torture scene 43: deep inside a block of 10 x 10 there is nothing to see, and everything overlaps.
+/// Torture scene 43: deep inside a block of 10 x 10 there is nothing to see, and everything
+/// overlaps.
 #[test]
 fn nothing_is_seen_deep_inside() {
     let level =

@@ -1,4 +1,5 @@
-//! Two tile maps as one level, against the raster of their union: which faces and corners are left, and where bodies end up.
+//! Two tile maps as one level, against the raster of their union: which faces and corners are left,
+//! and where bodies end up.
 
 use std::collections::BTreeSet;
 use tilesat::{
@@ -118,7 +119,8 @@ impl Scene {
         TileMap::on_grid(tiles, grid, &KINDS).unwrap()
     }
 
-    /// The unit square of a point that lies toward `u` and `v`, two of the four directions along the axes.
+    /// The unit square of a point that lies toward `u` and `v`, two of the four directions along
+    /// the axes.
     fn square(p: Point, u: Point, v: Point) -> Point {
         let (x, y) = (u.0 + v.0, u.1 + v.1);
         (if x < 0 { p.0 - 1 } else { p.0 }, if y < 0 { p.1 - 1 } else { p.1 })
@@ -173,7 +175,8 @@ fn key(f: &Feature) -> String {
     format!("{f:?}")
 }
 
-/// Exactly the faces with a bare unit, exactly the corners that both together have, and joints where the solid goes on.
+/// Exactly the faces with a bare unit, exactly the corners that both together have, and joints
+/// where the solid goes on.
 #[test]
 fn what_is_left_is_what_the_raster_shows() {
     let mut random = Random::new(31);

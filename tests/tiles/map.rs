@@ -192,7 +192,8 @@ fn tiles_that_fit_are_kept_in_order() {
     assert_eq!(LEVEL.tiles_in(&far).count(), 0);
 }
 
-/// Torture scene 26 on a level: a circle at a distance of exactly its radius, and one raw more or less.
+/// Torture scene 26 on a level: a circle at a distance of exactly its radius, and one raw more or
+/// less.
 #[test]
 fn a_circle_at_a_corner() {
     let map = TileMap::from_ascii("#.\n..", &KINDS).unwrap();
@@ -202,7 +203,8 @@ fn a_circle_at_a_corner() {
     assert_eq!([answers(five - 1), answers(five), answers(five + 1)], [(false, false), (true, false), (true, true)]);
 }
 
-/// A body exactly as wide as a gap fits; one raw more does not (torture scene 30, the resting part).
+/// A body exactly as wide as a gap fits; one raw more does not (torture scene 30, the resting
+/// part).
 #[test]
 fn a_body_as_wide_as_the_gap() {
     let map = TileMap::from_ascii("#.#\n#.#", &KINDS).unwrap();
@@ -211,7 +213,8 @@ fn a_body_as_wide_as_the_gap() {
     assert!(map.overlaps(&body((32 << 16) + 1)));
 }
 
-/// Bodies without area: inside the union also on the lines between full tiles, not on its border (torture scene 25's kin).
+/// Bodies without area: inside the union also on the lines between full tiles, not on its border
+/// (torture scene 25's kin).
 #[test]
 fn points_and_lines() {
     let map = TileMap::from_ascii("##\n##\n.-", &KINDS).unwrap();
@@ -230,7 +233,8 @@ fn points_and_lines() {
     assert!(!map.touches(&segment(20, 36, 28, 44)));
 }
 
-/// A table remembers what it names; a set's definition goes through all ids. Kinds come and are replaced, in any order.
+/// A table remembers what it names; a set's definition goes through all ids. Kinds come and are
+/// replaced, in any order.
 #[test]
 fn a_table_knows_the_shapes_that_it_names() {
     fn refused<S: Set>(kinds: &TileKinds) -> Option<u8> {

@@ -1,4 +1,5 @@
-//! Levels, each by one scene that is told by hand: found as changes of the sources that no other test noticed.
+//! Levels, each by one scene that is told by hand: found as changes of the sources that no other
+//! test noticed.
 
 use tilesat::{
     Aabb, AllShapes, Axis, Cell, Circle, Fx, Grid, Inside, Joined, Mover, Path, PathKind, SegmentMap, SegmentMapError,
@@ -38,7 +39,8 @@ fn pairs_of_pairs_hide_nothing_that_stands_alone() {
     assert_eq!(pieces(&Joined::new(&ab, &cd)), (16, 16));
 }
 
-/// A ball of 20 units, 5 from the centre of a pipe of 16, is 9 too deep in it: pushed by as much toward the centre, (4, -3) / 5 of it.
+/// A ball of 20 units, 5 from the centre of a pipe of 16, is 9 too deep in it: pushed by as much
+/// toward the centre, (4, -3) / 5 of it.
 #[test]
 fn a_ball_larger_than_a_pipe_is_pushed_toward_its_centre() {
     let map = TileMap::<AllShapes>::of(b"L", Grid::new(1, 1, Fx::from_num(16), Vec2::ZERO).unwrap(), &KINDS).unwrap();
@@ -120,7 +122,8 @@ fn segments(paths: &[Path<'_>], cell: i16) -> Vec<u8> {
     out
 }
 
-/// A point on the border of a polygon that is in the inside of another is in the inside: on edges of all directions.
+/// A point on the border of a polygon that is in the inside of another is in the inside: on edges
+/// of all directions.
 #[test]
 fn inner_borders_are_inside() {
     let square = [(0, 0), (96, 0), (96, 96), (0, 96)].map(|(x, y)| Vec2::from_ints(x, y));
@@ -160,7 +163,8 @@ fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
     bytes
 }
 
-/// Both sides of a wall through a row of cells are in each of them; an offset that falls takes them out of the cell before.
+/// Both sides of a wall through a row of cells are in each of them; an offset that falls takes them
+/// out of the cell before.
 #[test]
 fn offsets_that_fall_name_their_cell() {
     let wall = [(4, 8), (60, 8)].map(|(x, y)| Vec2::from_ints(x, y));

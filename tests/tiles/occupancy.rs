@@ -57,7 +57,8 @@ fn same_features_and_overlaps() {
     assert!(found > 100_000, "{found} features are too few");
 }
 
-/// Maps of some areas a side, most of them empty: rays along the lattice, through corners of cells and of areas, along lines, and any others.
+/// Maps of some areas a side, most of them empty: rays along the lattice, through corners of cells
+/// and of areas, along lines, and any others.
 #[test]
 fn same_rays() {
     let (mut r, mut hits) = (Random::new(2), 0);

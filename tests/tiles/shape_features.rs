@@ -1,4 +1,5 @@
-//! The surface of all shapes against polygons whose half edges cancel: every pair, every corner, random mosaics, all that is outside.
+//! The surface of all shapes against polygons whose half edges cancel: every pair, every corner,
+//! random mosaics, all that is outside.
 
 use std::collections::{BTreeMap, BTreeSet};
 use tilesat::AllShapes;
@@ -40,7 +41,8 @@ fn vertices(width: i64, height: i64, tiles: &[u8]) -> BTreeSet<(Point, Point, Po
 #[test]
 fn joints_written_down() {
     let (right, down, left, up) = ((1, 0), (0, 1), (-1, 0), (0, -1));
-    // A hill of two mild slopes on a floor: a corner at each end of the slope, none between the two and none where it leaves the floor's side.
+    // A hill of two mild slopes on a floor: a corner at each end of the slope, none between the two
+    // and none where it leaves the floor's side.
     let hill = [((0, 2), up, (2, -1)), ((4, 0), (2, -1), down), ((4, 4), down, left), ((0, 4), left, up)];
     assert_eq!(vertices(2, 2, &[20, 24, 1, 1]), hill.into());
     // A floor that bends up into a quarter pipe: smooth below, no angle at all on top.
@@ -49,7 +51,8 @@ fn joints_written_down() {
     // Two quarter discs side by side: smooth on top.
     let arch = [((4, 2), down, left), ((0, 2), left, up)];
     assert_eq!(vertices(2, 1, &[12, 13]), arch.into());
-    // A quarter disc below a ceiling that is its tangent: the gap between them has no angle, and is a gap; else its corner would be a flat joint.
+    // A quarter disc below a ceiling that is its tangent: the gap between them has no angle, and is
+    // a gap; else its corner would be a flat joint.
     let ceiling = [((0, 0), up, right), ((4, 0), right, down), ((4, 2), down, left), ((0, 2), left, up)];
     let disc = [((2, 2), up, right), ((4, 4), down, left), ((2, 4), left, up)];
     assert_eq!(vertices(2, 2, &[1, 1, 0, 13]), ceiling.into_iter().chain(disc).collect());

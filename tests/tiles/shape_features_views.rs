@@ -1,4 +1,5 @@
-//! The surface of all shapes seen in other ways: turned, mirrored, in regions, one byte later, as blocks, as slopes.
+//! The surface of all shapes seen in other ways: turned, mirrored, in regions, one byte later, as
+//! blocks, as slopes.
 
 use std::collections::BTreeSet;
 use tilesat::world::Set;
@@ -94,7 +95,8 @@ fn a_level_of_blocks_is_the_same_in_every_set() {
         let mosaic = anything(&mut random, &BLOCKS);
         let (blocks, all) = (mosaic.features::<Blocks>(), mosaic.features::<AllShapes>());
         if mosaic.outside == Outside::Edge {
-            // Border blocks reach to the end of the domain, shaped tiles have bands beyond them: the faces are cut elsewhere.
+            // Border blocks reach to the end of the domain, shaped tiles have bands beyond them:
+            // the faces are cut elsewhere.
             assert_eq!(whole(&blocks), whole(&all), "{mosaic:?}");
         } else {
             assert_eq!(blocks, all, "{mosaic:?}");
@@ -102,7 +104,8 @@ fn a_level_of_blocks_is_the_same_in_every_set() {
     }
 }
 
-/// Without owners, and with faces that continue each other put together; what has no length goes with the face that it continues.
+/// Without owners, and with faces that continue each other put together; what has no length goes
+/// with the face that it continues.
 fn whole(pieces: &[Piece]) -> BTreeSet<(bool, Kind)> {
     let mut out: BTreeSet<_> = pieces.iter().map(|p| (p.one_way, p.kind)).collect();
     out.retain(|(_, kind)| !matches!(kind, Kind::Face { a, b, .. } if a == b));

@@ -1,4 +1,5 @@
-//! Overlap and touch of boxes and circles with every tile shape, against a judge written from the definitions.
+//! Overlap and touch of boxes and circles with every tile shape, against a judge written from the
+//! definitions.
 
 use tilesat_judge::blocks::build::OUTSIDES;
 use tilesat_judge::shapes::build::{body, in_domain, mosaic};
@@ -12,7 +13,8 @@ fn radii(cell: i64) -> impl Iterator<Item = i64> {
     [cell / 7, cell / 2, cell, 2 * cell].into_iter().flat_map(|r| [r - 1, r, r + 1]).chain([1])
 }
 
-/// Each shape alone, and each with all of the plane around it solid; every body on the lattice of eighths around it, and one raw beside.
+/// Each shape alone, and each with all of the plane around it solid; every body on the lattice of
+/// eighths around it, and one raw beside.
 #[test]
 fn every_shape_on_the_lattice_of_eighths() {
     let cell = 2 * 7 * 64;
@@ -42,7 +44,8 @@ fn every_shape_on_the_lattice_of_eighths() {
     println!("{met:?}");
 }
 
-/// All pairs of neighbours, in four directions: points and segments on their common side, and along the lattice of quarters.
+/// All pairs of neighbours, in four directions: points and segments on their common side, and along
+/// the lattice of quarters.
 #[test]
 fn every_pair_of_neighbours_with_bodies_without_area() {
     let cell = 256;

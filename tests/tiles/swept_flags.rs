@@ -1,4 +1,5 @@
-//! Flags on a straight way: exact, against the distances of sets in 128 bits, and against places along the way.
+//! Flags on a straight way: exact, against the distances of sets in 128 bits, and against places
+//! along the way.
 
 use tilesat::{Aabb, Circle, Fx, Grid, TileKind, TileKinds, TileMap, Vec2};
 use tilesat_judge::Random;
@@ -9,7 +10,8 @@ fn raw(x: i64, y: i64) -> Vec2 {
     Vec2::from_raw(x as i32, y as i32)
 }
 
-/// Whether a segment from `p` by `d` comes as near as `r` to the box `lo..hi`: the least over the convex way, by its three kinds of places.
+/// Whether a segment from `p` by `d` comes as near as `r` to the box `lo..hi`: the least over the
+/// convex way, by its three kinds of places.
 fn comes_near(p: (i128, i128), d: (i128, i128), r: i128, lo: (i128, i128), hi: (i128, i128)) -> bool {
     let square = |v: (i128, i128)| v.0 * v.0 + v.1 * v.1;
     let to_box = |q: (i128, i128)| (q.0 - q.0.clamp(lo.0, hi.0), q.1 - q.1.clamp(lo.1, hi.1));
@@ -39,7 +41,8 @@ fn comes_near(p: (i128, i128), d: (i128, i128), r: i128, lo: (i128, i128), hi: (
     })
 }
 
-/// Small lattice: cells of 256 raw, bodies and ways of multiples of odd parts, so that all touches happen, one raw unit more and less too.
+/// Small lattice: cells of 256 raw, bodies and ways of multiples of odd parts, so that all touches
+/// happen, one raw unit more and less too.
 #[test]
 fn exact_on_a_lattice() {
     let mut r = Random::new(7);

@@ -1,4 +1,5 @@
-//! What bytes that are taken for a segment map have to be, from the table of the layout alone: no code of the library's, no state between cells.
+//! What bytes that are taken for a segment map have to be, from the table of the layout alone: no
+//! code of the library's, no state between cells.
 
 use tilesat_judge::segments::{Body, P, cross, gcd, sub};
 
@@ -35,7 +36,8 @@ impl Line {
         Self { a, b, dir, len, next: bytes.half(at + 20), kind: bytes.0[at + 22] & 3 }
     }
 
-    /// What it adds to the winding number just right of a point and a little above, if it is part of a boundary.
+    /// What it adds to the winding number just right of a point and a little above, if it is part
+    /// of a boundary.
     fn winding(&self, p: P) -> i128 {
         let (before, after) = (self.a.1 <= p.1, self.b.1 <= p.1);
         if before == after || self.kind != 0 {
@@ -46,7 +48,8 @@ impl Line {
     }
 }
 
-/// Segments that lie on the grid, in exactly the cells whose closed squares they meet; the winding number of every cell; no byte more or less.
+/// Segments that lie on the grid, in exactly the cells whose closed squares they meet; the winding
+/// number of every cell; no byte more or less.
 pub(crate) fn check(data: &[u8]) {
     let bytes = Bytes(data);
     let count = bytes.half(6);

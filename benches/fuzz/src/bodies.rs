@@ -1,4 +1,5 @@
-//! Sequences of operations on many bodies: broad phases beside a list of boxes, scenes beside themselves.
+//! Sequences of operations on many bodies: broad phases beside a list of boxes, scenes beside
+//! themselves.
 
 use core::num::NonZeroU8;
 use tilesat::broad::{BroadPhase, BruteForce, Handle, LooseGrid, SortSweep, Tag};
@@ -259,7 +260,8 @@ fn change(r: &mut Random, key: &mut u32) -> Change {
     }
 }
 
-/// A scene on three broad phases at once: the same bodies in all; consistent; and after a rollback the same again.
+/// A scene on three broad phases at once: the same bodies in all; consistent; and after a rollback
+/// the same again.
 pub(crate) fn scene(data: &[u8]) {
     let mut r = Random::steered(data);
     let sleep = Sleep { steps: r.below(20) as u8, ..Sleep::default() };

@@ -1,4 +1,5 @@
-//! What comes from outside: bytes of segment maps, levels of Tiled and of `LDtk`. Refused in one line, or taken and then good for every question.
+//! What comes from outside: bytes of segment maps, levels of Tiled and of `LDtk`. Refused in one
+//! line, or taken and then good for every question.
 
 use crate::accepted;
 use std::ffi::OsString;
@@ -16,7 +17,8 @@ use tilesat_tools::rules::flags::Flags;
 use tilesat_tools::rules::ground::Ground;
 use tilesat_tools::rules::options::Options;
 
-/// Bytes as they are, or a level that was built and then damaged where the input says, its checksum right again.
+/// Bytes as they are, or a level that was built and then damaged where the input says, its checksum
+/// right again.
 pub(crate) fn segment_bytes(data: &[u8]) {
     let mut r = Random::steered(data);
     let scene = build::scene(&mut r);
@@ -205,7 +207,8 @@ fn scratch(content: &[u8]) -> PathBuf {
     path
 }
 
-/// Text that was made, then damaged where the input says; or the input itself. And whether it has to be refused.
+/// Text that was made, then damaged where the input says; or the input itself. And whether it has
+/// to be refused.
 fn file(data: &[u8], made: fn(&mut Random) -> Made) -> (PathBuf, bool) {
     let mut r = Random::steered(data);
     if r.one_in(8) {

@@ -91,7 +91,8 @@ pub(crate) fn tile_rays(data: &[u8]) {
     });
 }
 
-/// The flags of edges that a body touches and that have no part of their line in common with any other: of those nothing is cancelled.
+/// The flags of edges that a body touches and that have no part of their line in common with any
+/// other: of those nothing is cancelled.
 fn certain_flags(scene: &Scene, body: Body) -> u8 {
     let edges: Vec<((P, P), u8)> =
         scene.shapes.iter().flat_map(|s| s.edges().into_iter().map(|edge| (edge, s.flags))).collect();

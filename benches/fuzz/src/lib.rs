@@ -1,7 +1,9 @@
-//! What is asked of every input that the fuzzer makes: the contract, by the judges of the crate's tests.
+//! What is asked of every input that the fuzzer makes: the contract, by the judges of the crate's
+//! tests.
 //!
-//! Each target is a function of bytes that panics where the library is wrong. The programs of `fuzz_targets` give it to libFuzzer; the program
-//! `replay` runs the committed corpus on any toolchain.
+//! Each target is a function of bytes that panics where the library is wrong. The programs of
+//! `fuzz_targets` give it to libFuzzer; the program `replay` runs the committed corpus on any
+//! toolchain.
 
 mod accepted;
 mod bodies;

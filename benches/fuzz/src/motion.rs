@@ -1,4 +1,5 @@
-//! Bodies that move through levels: never inside by the exact test, never faster, the same twice, mirrored in a mirror.
+//! Bodies that move through levels: never inside by the exact test, never faster, the same twice,
+//! mirrored in a mirror.
 
 use tilesat::{Axis, Mover, Outside, Response, SegmentMap};
 use tilesat_judge::Random;
@@ -47,7 +48,8 @@ fn size(r: &mut Random, cell: i64) -> i64 {
     }
 }
 
-/// Blocks and one-way tiles by the exact judge of the first hit, of places and of what is left of the velocity.
+/// Blocks and one-way tiles by the exact judge of the first hit, of places and of what is left of
+/// the velocity.
 pub(crate) fn blocks(data: &[u8]) {
     let mut r = Random::steered(data);
     let cell = cell(&mut r);
@@ -90,7 +92,8 @@ fn again(level: &Level, body: &Body, v: P, response: Response, out: &tilesat_jud
     assert_eq!(body.step(&mover, &level.map(), v).as_ref(), Ok(out), "twice: {level:?} {body:?} by {v:?}");
 }
 
-/// The mirror twin: x reversed. Two corners that a circle meets at once from exactly the middle are the one exception, told by the axes.
+/// The mirror twin: x reversed. Two corners that a circle meets at once from exactly the middle are
+/// the one exception, told by the axes.
 fn mirrored(level: &Level, body: &Body, v: P, response: Response, out: &tilesat_judge::motion::body::Outcome) {
     let w = level.width;
     let tiles = (0..w * level.height).map(|k| level.tile(w - 1 - k % w, k / w)).collect();
@@ -123,7 +126,8 @@ pub(crate) fn shapes(data: &[u8]) {
     let level = mosaic(&mut r, (8, 6), cell, dense, one_way);
     let room = Room::new(&level);
     let kind = mosaics::any_body(&mut r, cell);
-    // Boxes as often as not on the lattice of half cells, where corners come exactly to an end. Circles meet two slopes at once there.
+    // Boxes as often as not on the lattice of half cells, where corners come exactly to an end.
+    // Circles meet two slopes at once there.
     let is_box = matches!(kind, Shaped::Rect(..));
     let coordinate = |r: &mut Random, cells: i64| {
         let at = r.below(cells * cell);
@@ -150,7 +154,8 @@ pub(crate) fn shapes(data: &[u8]) {
         let view = [View::MirrorX, View::MirrorY, View::Transpose, View::Moved(by)][r.below(4) as usize];
         let mover = mosaics::mover((0, -1), response);
         let first = body.step(&mover, &level.all(), v).expect("inside the domain");
-        // Where x and y are exchanged a tie of roundings is decided the other way, and each further bounce makes more of that raw unit.
+        // Where x and y are exchanged a tie of roundings is decided the other way, and each further
+        // bounce makes more of that raw unit.
         let again = response == Response::Bounce && first.hits.len() > 1;
         let view = if view == View::Transpose && again { View::MirrorX } else { view };
         let out = mosaics::frame(&mut r, &scene, &[view], &mut tally);

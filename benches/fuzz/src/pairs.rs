@@ -37,8 +37,8 @@ pub(crate) fn contact(data: &[u8]) {
     }
 }
 
-/// Of two opposite exits that are as short the documented one is taken, whichever shape is A: to +x, else to +y; over the line of a segment to
-/// the left of its edge from the first end.
+/// Of two opposite exits that are as short the documented one is taken, whichever shape is A: to
+/// +x, else to +y; over the line of a segment to the left of its edge from the first end.
 fn tie(a: &Figure, b: &Figure) {
     let Some(contact) = kernel::contact(a, b).filter(tilesat::Contact::is_degenerate) else { return };
     let (pair, axis) = (Pair::new(a, b), contact.axis());
@@ -119,8 +119,8 @@ pub(crate) fn cast_ray(data: &[u8]) {
     assert!(along(d) < 0 || (set.radius > 0 && with * with <= 2 * square), "{hit:?}: {}", case());
 }
 
-/// Where the ray comes to the closed set from outside, tangents of discs aside; from the border where it goes in; from on what has no inside
-/// where it leaves its line.
+/// Where the ray comes to the closed set from outside, tangents of discs aside; from the border
+/// where it goes in; from on what has no inside where it leaves its line.
 fn stops(set: &Forbidden, d: Point) -> bool {
     if set.touched::<Int256>(d, 0) {
         if set.radius > 0 || set.hull.len() > 2 {

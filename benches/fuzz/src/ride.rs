@@ -1,4 +1,5 @@
-//! Bodies on, before and between solids that move: carried, pushed, squashed, and moved themselves after each tick, by the judges of the tests.
+//! Bodies on, before and between solids that move: carried, pushed, squashed, and moved themselves
+//! after each tick, by the judges of the tests.
 
 use tilesat::prelude::*;
 use tilesat::world::Set;
@@ -45,7 +46,8 @@ where
     if r.one_in(2) { scene.play(boxes, ticks, r, &mut seen) } else { scene.play(balls, ticks, r, &mut seen) }
 }
 
-/// What carries a body that is put on a solid: the motion and the belt of the one that is named, nothing where its side is farther than a contact away.
+/// What carries a body that is put on a solid: the motion and the belt of the one that is named,
+/// nothing where its side is farther than a contact away.
 fn carried(r: &mut Random) {
     let mut list = solids(r);
     steer(&mut list, r);

@@ -1,4 +1,5 @@
-//! Frames of motion in random worlds, each judged: no overlap, no solid on the way to the first contact, never faster.
+//! Frames of motion in random worlds, each judged: no overlap, no solid on the way to the first
+//! contact, never faster.
 
 use crate::room::{FINE, Room};
 use tilesat::{AllShapes, Axis, Mover, Response, Surface, TileMap};
@@ -19,7 +20,8 @@ pub enum World {
     Mosaic,
     /// 60 to 95 percent: gaps and dead ends, bodies smaller than their cells.
     Dense,
-    /// Blocks and one-way edges, judged to the moment and the side of every first hit, and by the room that a body may not leave.
+    /// Blocks and one-way edges, judged to the moment and the side of every first hit, and by the
+    /// room that a body may not leave.
     Blocks,
 }
 
@@ -61,7 +63,8 @@ impl Tally {
     }
 }
 
-/// One batch of a kind of world, always the same one for its number. Panics with the input where a frame is wrong.
+/// One batch of a kind of world, always the same one for its number. Panics with the input where a
+/// frame is wrong.
 pub fn batch(row: usize, seed: u64, number: u64) -> Tally {
     let mut r = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (row as u64) << 57 ^ number);
     let mut tally = Tally::default();

@@ -1,4 +1,5 @@
-//! Pairs of shapes in adversarial classes: every answer of the library against the fast judge, some against the slow ones.
+//! Pairs of shapes in adversarial classes: every answer of the library against the fast judge, some
+//! against the slow ones.
 
 use crate::quick;
 use tilesat::Inside;
@@ -16,12 +17,14 @@ const MOTION: i64 = 1 << 28;
 const JITTERS: u64 = 7;
 /// How many pairs one batch makes.
 const PAIRS_A_BATCH: u64 = 5_000;
-/// One pair in so many is also given to the judges of the tests, which know axes, points, times and places.
+/// One pair in so many is also given to the judges of the tests, which know axes, points, times and
+/// places.
 const THOROUGH: u64 = 256;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
-    /// Those of the tests: uniform, near touching, touching, far away, whole domain, one inside the other.
+    /// Those of the tests: uniform, near touching, touching, far away, whole domain, one inside the
+    /// other.
     Of(generate::Class),
     /// A few lattice points of any spacing: full of ties.
     Lattice,
@@ -84,7 +87,8 @@ impl Tally {
     }
 }
 
-/// One batch of a row, always the same one for its number. Panics with the input where an answer is wrong.
+/// One batch of a row, always the same one for its number. Panics with the input where an answer is
+/// wrong.
 pub fn batch(row: usize, seed: u64, number: u64) -> Tally {
     let (pair, (_, class)) = (pair_of(row), class_of(row));
     let mut r = Random::new(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ (row as u64) << 56 ^ number);
@@ -258,7 +262,8 @@ fn shape(kind: Kind, p: Point, q: Point) -> Figure {
     }
 }
 
-/// The second shape sits on a corner or a side of the first, or on the circle as near as the lattice has it.
+/// The second shape sits on a corner or a side of the first, or on the circle as near as the
+/// lattice has it.
 fn giant(r: &mut Random, kinds: (Kind, Kind)) -> (Figure, Figure) {
     let end = LIMIT - 1;
     let mut far = || r.sign() * (end - r.magnitude(end));

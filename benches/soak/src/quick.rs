@@ -1,11 +1,14 @@
 //! A fast exact judge of pairs of shapes, in 128-bit integers.
 //!
-//! Two cores (points, segments, boxes) are compared by the intervals that the difference of both has along x, y and across every side: the origin is
-//! in the interior of `A - B` where it is strictly inside all of them and the difference has area, outside where it is outside of one. Distances are
-//! those of a corner of one core and a side of the other; each is a fraction that is compared with a radius by products. Nothing is divided, no
-//! root is taken, and nothing is shared with the library; the self test holds it equal to big rationals.
+//! Two cores (points, segments, boxes) are compared by the intervals that the difference of both
+//! has along x, y and across every side: the origin is in the interior of `A - B` where it is
+//! strictly inside all of them and the difference has area, outside where it is outside of one.
+//! Distances are those of a corner of one core and a side of the other; each is a fraction that is
+//! compared with a radius by products. Nothing is divided, no root is taken, and nothing is shared
+//! with the library; the self test holds it equal to big rationals.
 //!
-//! With coordinates below 2^30 a cross product is below 2^62, its square and a squared radius times a squared length below 2^124.
+//! With coordinates below 2^30 a cross product is below 2^62, its square and a squared radius times
+//! a squared length below 2^124.
 
 use tilesat_judge::oracle::figure::{Figure, Point};
 
@@ -192,7 +195,8 @@ impl Pair {
     }
 }
 
-/// Whether a corner of one core is nearer to a side of another than a distance, or as near where `closed`.
+/// Whether a corner of one core is nearer to a side of another than a distance, or as near where
+/// `closed`.
 fn near_corners(a: &Core, b: &Core, distance: i64, closed: bool) -> bool {
     let limit = i128::from(distance).pow(2);
     let below = |x: i128, y: i128| if closed { x <= y } else { x < y };

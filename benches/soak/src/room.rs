@@ -1,4 +1,5 @@
-//! A level as one convex piece, or a piece with a quarter arc, a cell: does a body overlap the solid, exactly, at a sixteenth of a motion?
+//! A level as one convex piece, or a piece with a quarter arc, a cell: does a body overlap the
+//! solid, exactly, at a sixteenth of a motion?
 
 use tilesat_judge::rooms::body::Body;
 use tilesat_judge::shapes::level::{Level, shape};
@@ -6,14 +7,16 @@ use tilesat_judge::shapes::region::Region;
 
 type P = (i64, i64);
 
-/// Parts of a raw unit that places are asked in. Relative coordinates stay below 2^27: cells and bodies are below 2^22 raw.
+/// Parts of a raw unit that places are asked in. Relative coordinates stay below 2^27: cells and
+/// bodies are below 2^22 raw.
 pub const FINE: i64 = 16;
 
 #[derive(Clone, Copy, Debug)]
 enum Solid {
     Nothing,
     Polygon([P; 4], usize),
-    /// Corner of the cell around which the arc is, the one opposite, and whether the solid is outside of the arc.
+    /// Corner of the cell around which the arc is, the one opposite, and whether the solid is
+    /// outside of the arc.
     Arc(P, P, bool),
 }
 
@@ -152,7 +155,8 @@ fn rect(solid: &Solid, lo: P, hi: P) -> bool {
                 })
         }
         Solid::Arc(centre, far, outside) => {
-            // What the box has in the cell: its corners are the nearest and the farthest of the centre.
+            // What the box has in the cell: its corners are the nearest and the farthest of the
+            // centre.
             let cut = |lo: i64, hi: i64, c: i64, f: i64| (lo.max(c.min(f)), hi.min(c.max(f)));
             let ((x0, x1), (y0, y1)) = (cut(lo.0, hi.0, centre.0, far.0), cut(lo.1, hi.1, centre.1, far.1));
             let radius = (far.0 - centre.0).abs();

@@ -1,4 +1,5 @@
-//! The fast judge is judged: by big rationals and other means, on samples of every class, before anything else is asked.
+//! The fast judge is judged: by big rationals and other means, on samples of every class, before
+//! anything else is asked.
 
 use crate::queries::{ROWS, samples};
 use crate::quick::Pair;
@@ -10,7 +11,8 @@ use tilesat_judge::oracle::rational;
 /// Pairs of each row.
 const EACH: usize = 40;
 
-/// The depth or the distance that an exact square and the radii give, by a search, must be the one that the judge takes.
+/// The depth or the distance that an exact square and the radii give, by a search, must be the one
+/// that the judge takes.
 pub fn judge(seed: u64) -> Result<(), String> {
     for row in 0..ROWS {
         for (a, b) in samples(row, seed, EACH) {

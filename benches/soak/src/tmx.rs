@@ -1,4 +1,5 @@
-//! Random levels of Tiled through the reader of the level tools: written as a file, read, baked, compared tile by tile, and played in.
+//! Random levels of Tiled through the reader of the level tools: written as a file, read, baked,
+//! compared tile by tile, and played in.
 
 use crate::frames::{self, Tally};
 use std::collections::BTreeSet;
@@ -22,7 +23,8 @@ const FLIPS: u32 = 29;
 /// By shape and flips: looking for them takes longer than a level.
 static TURNED: OnceLock<[[u8; 8]; 38]> = OnceLock::new();
 
-/// One level, always the same one for its number. Panics with the level where the reader or a frame is wrong.
+/// One level, always the same one for its number. Panics with the level where the reader or a frame
+/// is wrong.
 pub fn level(scratch: &Path, seed: u64, number: u64) -> Tally {
     let mut r = Random::new(seed.wrapping_mul(0xd134_2543_de82_ef95) ^ number);
     let tile = [1, 8, 16, 24, 256][r.below(5) as usize];
@@ -82,7 +84,8 @@ fn read(file: &Path) -> Result<Baked, String> {
     first.ok_or_else(|| "no tiles".to_owned())
 }
 
-/// The map as an editor writes it: each shape is a tile of its own, named or numbered where it has a number.
+/// The map as an editor writes it: each shape is a tile of its own, named or numbered where it has
+/// a number.
 fn text(width: i64, height: i64, tile: i64, named: bool, cells: &[u32]) -> String {
     let mut out = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<map version=\"1.10\" orientation=\"orthogonal\" renderorder=\"right-down\" \
@@ -107,7 +110,8 @@ fn text(width: i64, height: i64, tile: i64, named: bool, cells: &[u32]) -> Strin
     out
 }
 
-/// The shape of a tile that is flipped over its diagonal, then across, then down, as its four corners and four middles of sides go.
+/// The shape of a tile that is flipped over its diagonal, then across, then down, as its four
+/// corners and four middles of sides go.
 fn flipped(shape: u8, flips: u32) -> u8 {
     let (down, across, diagonal) = (flips & 2 != 0, flips & 4 != 0, flips & 1 != 0);
     let turn = |(x, y): (i64, i64)| {
@@ -119,7 +123,8 @@ fn flipped(shape: u8, flips: u32) -> u8 {
     (0..38).find(same).unwrap_or_else(|| panic!("shape {shape} flipped by {flips} is none"))
 }
 
-/// What tells shapes apart: the places of a fine lattice, around the middle of the cell, that are in the solid; of a one-way edge its middle.
+/// What tells shapes apart: the places of a fine lattice, around the middle of the cell, that are
+/// in the solid; of a one-way edge its middle.
 fn outline(id: u8) -> BTreeSet<(i64, i64)> {
     if let 34..=37 = id {
         return BTreeSet::from([[(0, -1), (1, 0), (0, 1), (-1, 0)][usize::from(id - 34)]]);

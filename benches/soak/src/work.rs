@@ -44,7 +44,8 @@ impl Plan {
         }
     }
 
-    /// The batches of one round, some for each thread: of the goal that is farthest behind, so that all come to their ends together.
+    /// The batches of one round, some for each thread: of the goal that is farthest behind, so that
+    /// all come to their ends together.
     pub fn round(&self, options: &Options, state: &mut State) -> Vec<Job> {
         let share = |done: u64, goal: u64| if done < goal { done as f64 / goal as f64 } else { f64::INFINITY };
         let none = |empty: bool, share: f64| if empty { f64::INFINITY } else { share };
@@ -75,7 +76,8 @@ impl Plan {
             .collect()
     }
 
-    /// Does a round and adds it up; the job that found something wrong, which its thread has printed.
+    /// Does a round and adds it up; the job that found something wrong, which its thread has
+    /// printed.
     pub fn run(&self, options: &Options, state: &mut State, jobs: &[Job]) -> Result<(), Job> {
         let seed = options.seed;
         let each = jobs.len().div_ceil(options.threads as usize).max(1);

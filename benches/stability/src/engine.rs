@@ -20,8 +20,8 @@ pub trait Engine {
     /// Where the body is.
     fn state(&self) -> State;
 
-    /// Whether position and velocity are all that it remembers: a frame that changes neither is then followed by none that does, and the
-    /// rest of the run need not be made.
+    /// Whether position and velocity are all that it remembers: a frame that changes neither is
+    /// then followed by none that does, and the rest of the run need not be made.
     fn forgets(&self) -> bool {
         true
     }

@@ -1,4 +1,5 @@
-//! What long runs do to a ball and to a box: this library beside textbook code, parry2d and rapier2d.
+//! What long runs do to a ball and to a box: this library beside textbook code, parry2d and
+//! rapier2d.
 //!
 //! ```text
 //! cargo run --profile unlinked -p tilesat-stability                              all scenes, 10^5 frames: a minute on two cores
@@ -7,20 +8,26 @@
 //! ... -- --scene gravity --column tilesat --frames 1000000                                      a part; --list tells the names
 //! ```
 //!
-//! It prints Markdown tables, draws the energy of the elastic scenes (`stability/energy.svg` in the target directory), and fails where
-//! this library misses what it promises: nothing lost, nothing inside, no ghosts, rest in corners, and without gravity never faster than at the
-//! start with at least 0.9 of the energy kept at restitution 1. The reviewed tables of 10^6 frames are in `results.md`. Nothing is timed.
+//! It prints Markdown tables, draws the energy of the elastic scenes (`stability/energy.svg` in the
+//! target directory), and fails where this library misses what it promises: nothing lost, nothing
+//! inside, no ghosts, rest in corners, and without gravity never faster than at the start with at
+//! least 0.9 of the energy kept at restitution 1. The reviewed tables of 10^6 frames are in
+//! `results.md`. Nothing is timed.
 //!
 //! # How to read it
 //!
-//! - A *ghost* is a frame on a flat floor that changed the sideways speed. A *pop* is a height above the floor.
-//! - *Escape*: the centre is two radii beyond where it would touch; the run ends there. Ours also where the mover refuses to move.
-//! - *Deepest*: how far the body was in a wall after a frame, in pixels (a raw unit is 1.5e-5), until it escaped. The judge is f64 on exact
-//!   positions; below 1e-7 is 0.
-//! - *Energy*: v^2 / 2 + g h, h above the lowest place that the centre can have. With gravity and restitution 1 it walks at random in every
-//!   engine that gives gravity once per frame, because a bounce falls somewhere into a frame: the number format has no part in that. *Energy renewed*
+//! - A *ghost* is a frame on a flat floor that changed the sideways speed. A *pop* is a height
+//!   above the floor.
+//! - *Escape*: the centre is two radii beyond where it would touch; the run ends there. Ours also
+//!   where the mover refuses to move.
+//! - *Deepest*: how far the body was in a wall after a frame, in pixels (a raw unit is 1.5e-5),
+//!   until it escaped. The judge is f64 on exact positions; below 1e-7 is 0.
+//! - *Energy*: v^2 / 2 + g h, h above the lowest place that the centre can have. With gravity and
+//!   restitution 1 it walks at random in every engine that gives gravity once per frame, because a
+//!   bounce falls somewhere into a frame: the number format has no part in that. *Energy renewed*
 //!   is our mover in a game that sets the speed from the height in frames with a hit.
-//! - A run whose frame changed neither position nor velocity is over: nothing but these is remembered (rapier2d's runs are made to the end).
+//! - A run whose frame changed neither position nor velocity is over: nothing but these is
+//!   remembered (rapier2d's runs are made to the end).
 //!
 //! # The columns
 //!
@@ -38,9 +45,11 @@
 //!
 //! # Honest limits
 //!
-//! - Peers are called as a small game would, without their authors' advice: a skin around the cast, one polyline instead of segments, or
-//!   contact filters would remove some of the ghosts. One body, one room, convex: what crowds and corners do is not here.
-//! - The starts are not those of any published table; the numbers differ from it in their digits, not in what fails.
+//! - Peers are called as a small game would, without their authors' advice: a skin around the cast,
+//!   one polyline instead of segments, or contact filters would remove some of the ghosts. One
+//!   body, one room, convex: what crowds and corners do is not here.
+//! - The starts are not those of any published table; the numbers differ from it in their digits,
+//!   not in what fails.
 //! - Medians over 16 starts of a random walk are not means: with gravity read the ranges.
 
 mod cases;

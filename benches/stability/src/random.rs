@@ -13,7 +13,8 @@ fn velocity(random: &mut Random, speed: i32) -> Point {
     [part(q * q - t * t) * sign(1), part(2 * q * t) * sign(2)]
 }
 
-/// `n` starts in the room, at least a pixel from its walls, in the part of its bounding box below `top` (raw).
+/// `n` starts in the room, at least a pixel from its walls, in the part of its bounding box below
+/// `top` (raw).
 pub fn starts(scene: &Scene, seed: u64, n: usize, top: i32, speed: i32) -> Vec<Start> {
     let mut random = Random::new(seed);
     let room = Room::new(scene);

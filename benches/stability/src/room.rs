@@ -1,4 +1,5 @@
-//! The judge: how deep a body is in the walls of a convex room, and what energy it has. In f64 on positions that f64 holds exactly.
+//! The judge: how deep a body is in the walls of a convex room, and what energy it has. In f64 on
+//! positions that f64 holds exactly.
 
 use crate::engine::State;
 use crate::scene::{Scene, Shape};

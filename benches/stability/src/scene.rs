@@ -1,4 +1,5 @@
-//! What a body moves in: a convex room, as segments and, where it fits, as tiles. Whole numbers, 65536 raw to a pixel, y down.
+//! What a body moves in: a convex room, as segments and, where it fits, as tiles. Whole numbers,
+//! 65536 raw to a pixel, y down.
 
 /// A pixel.
 pub const PX: i32 = 1 << 16;
@@ -20,7 +21,8 @@ pub struct Start {
     pub velocity: Point,
 }
 
-/// Rows of characters: `#` solid, `\` and `/` 45 degrees, `, ;` and `_ -` 26.57 degrees (low and high part); the border goes on outside.
+/// Rows of characters: `#` solid, `\` and `/` 45 degrees, `, ;` and `_ -` 26.57 degrees (low and
+/// high part); the border goes on outside.
 #[derive(Clone, Copy, Debug)]
 pub struct Tiles {
     pub rows: &'static str,
@@ -51,7 +53,8 @@ pub struct Scene {
     pub bounce: i32,
     /// Raw a frame a frame, downward.
     pub gravity: i32,
-    /// The body is put back by this much when it is as far to the right or to the left, raw: a floor without end. 0: never.
+    /// The body is put back by this much when it is as far to the right or to the left, raw: a
+    /// floor without end. 0: never.
     pub period: i32,
     /// The height (y) of the centre at rest, where energy is zero, in pixels.
     pub lowest: f64,

@@ -31,7 +31,8 @@ pub struct Watched {
     pub every: u64,
     /// The highest energy of all frames, of that at the start.
     pub peak_energy: f64,
-    /// The greatest square of the speed, of that at the start: exactly at most 1 where it was never faster, as f64 holds the squares.
+    /// The greatest square of the speed, of that at the start: exactly at most 1 where it was never
+    /// faster, as f64 holds the squares.
     pub peak_square: f64,
 }
 

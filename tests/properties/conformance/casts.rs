@@ -10,8 +10,9 @@ use tilesat_judge::oracle::int256::Int256;
 
 const EACH: usize = 26;
 
-/// When a path enters a convex polygon, `num / den`, and through which sides (outward normals); `None` where its inside is not met. Coordinates are
-/// below 2^30: products of three of them are below 2^93.
+/// When a path enters a convex polygon, `num / den`, and through which sides (outward normals);
+/// `None` where its inside is not met. Coordinates are below 2^30: products of three of them are
+/// below 2^93.
 pub(crate) fn entry(hull: &[Point], d: Point) -> Option<((i128, i128), Vec<Point>)> {
     if hull.len() < 3 {
         return None;

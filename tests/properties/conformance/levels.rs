@@ -1,4 +1,5 @@
-//! `levels.csv`, `tile_rays.csv` and `tile_bodies.csv`: levels of all 34 shapes and one-way edges, rays and bodies in them.
+//! `levels.csv`, `tile_rays.csv` and `tile_bodies.csv`: levels of all 34 shapes and one-way edges,
+//! rays and bodies in them.
 
 use super::table::{Table, bit, list, maybe, pair};
 use tilesat::Outside;
@@ -49,7 +50,8 @@ pub(crate) fn make() -> (Table, Table, Table) {
         let mut made = 0;
         while made < RAYS {
             let ((o, d), one_way) = (ray(&mut r, &level, &scene), r.one_in(3));
-            // Along a grid line there may be a gap between an arc and what it touches, where the ray goes in without a piece in its way.
+            // Along a grid line there may be a gap between an arc and what it touches, where the
+            // ray goes in without a piece in its way.
             let on_line = (d.0 == 0 && (o.0 - level.origin.0) % level.cell == 0)
                 || (d.1 == 0 && (o.1 - level.origin.1) % level.cell == 0);
             if arcs && on_line {
@@ -83,7 +85,8 @@ pub(crate) fn make() -> (Table, Table, Table) {
     (levels, rays, bodies)
 }
 
-/// Bodies on the lattice of quarter cells and beside it; without size, flat, and larger than a cell.
+/// Bodies on the lattice of quarter cells and beside it; without size, flat, and larger than a
+/// cell.
 fn crowd(number: u64, level: &Level, table: &mut Table) {
     let plain = solid::Level {
         width: level.width,

@@ -1,5 +1,5 @@
-//! Conformance vectors: files of inputs and exact answers, made by the exact judges and read back here;
-//! `tests/conformance/README.md` has the columns.
+//! Conformance vectors: files of inputs and exact answers, made by the exact judges and read back
+//! here; `tests/conformance/README.md` has the columns.
 //!
 //! ```text
 //! cargo test --test properties conformance                     the files are what the judges make, and the library answers every row

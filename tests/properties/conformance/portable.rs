@@ -1,5 +1,6 @@
-//! The single queries of other engines' tests, as facts: inputs, and in `theirs` what their test expects where it is not what ours answers (the policy
-//! that explains it comes first). Lengths are in raw units of 2^-16.
+//! The single queries of other engines' tests, as facts: inputs, and in `theirs` what their test
+//! expects where it is not what ours answers (the policy that explains it comes first). Lengths are
+//! in raw units of 2^-16.
 
 use tilesat_judge::oracle::figure::{Figure, Point};
 

@@ -11,8 +11,8 @@ use tilesat_judge::oracle::int256::Int256;
 
 const EACH: usize = 300;
 
-/// Whether the ray is stopped: where it comes to the closed set from outside, a tangent of a disc aside; from the border where it goes in; from on
-/// what has no inside where it leaves its line.
+/// Whether the ray is stopped: where it comes to the closed set from outside, a tangent of a disc
+/// aside; from the border where it goes in; from on what has no inside where it leaves its line.
 fn is_stopped(set: &Forbidden, d: Point) -> bool {
     if set.touched::<Int256>(d, 0) {
         if set.radius > 0 || set.hull.len() > 2 {
@@ -26,8 +26,9 @@ fn is_stopped(set: &Forbidden, d: Point) -> bool {
     set.touched::<Int256>(d, ONE) && (set.radius == 0 || set.met::<Int256>((d.0 * 2, d.1 * 2), ONE))
 }
 
-/// The first moment at which a closed set is touched, rounded down: it is touched at the least whole part, and that is the moment itself where what
-/// follows at once is not before it. Of sets with an inside.
+/// The first moment at which a closed set is touched, rounded down: it is touched at the least
+/// whole part, and that is the moment itself where what follows at once is not before it. Of sets
+/// with an inside.
 fn floor(set: &Forbidden, d: Point) -> i64 {
     let (mut low, mut high) = (-1, ONE);
     while high - low > 1 {
@@ -48,7 +49,8 @@ fn first(hull: &[Point], d: Point) -> Option<((i128, i128), Vec<Point>)> {
         let e = (b.0 - a.0, b.1 - a.1);
         // t = cross(a, e) / cross(d, e), at u = cross(a, d) / cross(d, e) of the side.
         let den = cross(d, e);
-        // Out of a polygon, whose corners turn from x to y, the normal is (e.1, -e.0); a segment has both.
+        // Out of a polygon, whose corners turn from x to y, the normal is (e.1, -e.0); a segment
+        // has both.
         if den == 0 || (n > 2 && den > 0) {
             continue;
         }

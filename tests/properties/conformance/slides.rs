@@ -1,7 +1,9 @@
-//! `slides.csv`: boxes that move among blocks and one-way edges, with the exact result where all contacts are at whole raw places.
+//! `slides.csv`: boxes that move among blocks and one-way edges, with the exact result where all
+//! contacts are at whole raw places.
 //!
-//! The first contact of each piece of a motion is the exact judge's. Its place is on the lattice or the scene is left out, so that nothing is
-//! rounded; what is left of the motion goes on along the face, back from it, or not at all.
+//! The first contact of each piece of a motion is the exact judge's. Its place is on the lattice or
+//! the scene is left out, so that nothing is rounded; what is left of the motion goes on along the
+//! face, back from it, or not at all.
 
 use super::table::{Table, bit, pair};
 use tilesat::Outside;
@@ -29,7 +31,8 @@ struct Outcome {
     hits: Vec<P>,
 }
 
-/// The whole motion; `None` where a contact is between two raw places, or there are more than three.
+/// The whole motion; `None` where a contact is between two raw places, or there are more than
+/// three.
 fn exact(level: &Level, start: Body, v: P, response: Response) -> Option<Outcome> {
     let (mut body, mut v, mut rest, mut hits) = (start, v, v, Vec::new());
     while rest != (0, 0) {
@@ -112,7 +115,8 @@ fn row(
 
 /// Levels of cells of one unit; places and motions in units.
 fn portable(table: &mut Table) {
-    // bump's item at (0,0,8,8), seen from (10,10,2,2): goals are places, so the motion is the goal less the place.
+    // bump's item at (0,0,8,8), seen from (10,10,2,2): goals are places, so the motion is the goal
+    // less the place.
     let mut block = vec!["........................"; 8];
     let rows: Vec<String> =
         block.drain(..).map(|r| format!("########{}", &r[8..])).chain((0..16).map(|_| ".".repeat(24))).collect();
@@ -134,7 +138,8 @@ fn portable(table: &mut Table) {
         let id = table.rows.len();
         table.push(&row(id, source, theirs, &bump, &body, units((goal.0 - 10, goal.1 - 10)), response).unwrap());
     }
-    // PixelRoot32's player of 20 x 20 (by its middle) and a platform whose top is y = 40: one change of input a case.
+    // PixelRoot32's player of 20 x 20 (by its middle) and a platform whose top is y = 40: one
+    // change of input a case.
     let platform = Level::new(&["......", "......", ".---..", "......", "......", "......"], 20 << 16);
     let one_way: [(&str, &str, P, P); 9] = [
         ("PixelRoot32 one-way: above, falling", "accept", (50, 30), (0, 5)),
@@ -180,7 +185,8 @@ pub(crate) fn make() -> Table {
         let (solid, one_way) = (r.within(5, 50), r.within(0, 20));
         let mut level = scene::blocks(&mut r, (6, 5), cell, solid, one_way);
         level.outside = if r.one_in(2) { Outside::Solid } else { Outside::Empty };
-        // Lattice sizes and motions, so that most contacts are on the lattice; sixteenths of a cell.
+        // Lattice sizes and motions, so that most contacts are on the lattice; sixteenths of a
+        // cell.
         let unit = cell / 16;
         let body = Body::rect((0, 0), (r.within(1, 24) * unit, r.within(1, 24) * unit));
         let at = (r.within(0, 90) * unit, r.within(0, 76) * unit);

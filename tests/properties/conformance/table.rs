@@ -1,4 +1,5 @@
-//! A table as text: a line of names, then a line a row, commas between; no cell holds a comma, a quote or a line end.
+//! A table as text: a line of names, then a line a row, commas between; no cell holds a comma, a
+//! quote or a line end.
 
 use tilesat_judge::oracle::figure::{Figure, Point};
 

@@ -84,7 +84,8 @@ impl Twin {
     }
 }
 
-/// A number beside a line of cells, at most two raw away from it or from the middle between lines; now and then anywhere.
+/// A number beside a line of cells, at most two raw away from it or from the middle between lines;
+/// now and then anywhere.
 pub fn beside(r: &mut Random, cell: i64, cells: i64) -> i32 {
     if r.one_in(8) {
         return r.around(cells * cell) as i32;

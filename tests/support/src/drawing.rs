@@ -1,4 +1,5 @@
-//! Levels of polygons, walls and chains, seen from all sides, and the same question asked in each of them.
+//! Levels of polygons, walls and chains, seen from all sides, and the same question asked in each
+//! of them.
 
 use crate::rooms::body::{Body, Outcome, vec2};
 use crate::rooms::view::View;
@@ -92,12 +93,14 @@ impl Drawing {
         bytes
     }
 
-    /// One call, in all views and with the paths in reverse order, which must agree to the last bit; seen upright.
+    /// One call, in all views and with the paths in reverse order, which must agree to the last
+    /// bit; seen upright.
     pub fn step(&self, body: Body, v: P, change: fn(Mover) -> Mover) -> Outcome {
         self.step_in(&VIEWS, body, v, change)
     }
 
-    /// The same in some of the views: a full tie between x and y goes to x, in transposed views too.
+    /// The same in some of the views: a full tie between x and y goes to x, in transposed views
+    /// too.
     pub fn step_in(&self, all: &[&[View]], body: Body, v: P, change: fn(Mover) -> Mover) -> Outcome {
         let mut first = None;
         for &views in all {

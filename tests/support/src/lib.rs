@@ -1,6 +1,7 @@
 //! Exact judges and generators of scenes, for the tests and the benchmarks.
 //!
-//! The judges share no code with the library. Each answers from the definitions, in integers that are wide enough.
+//! The judges share no code with the library. Each answers from the definitions, in integers that
+//! are wide enough.
 
 pub mod blocks;
 pub mod broad;

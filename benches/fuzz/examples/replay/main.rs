@@ -1,7 +1,8 @@
 //! Replays the corpus on any toolchain, and goes on from it without guidance.
 //!
-//! `replay [--random N] [TARGET...]`: every committed input of the targets (all of them by default), those of `faults` too, then N changed
-//! ones of each target. Prints the number of the input that fails, and writes its bytes beside the program.
+//! `replay [--random N] [TARGET...]`: every committed input of the targets (all of them by
+//! default), those of `faults` too, then N changed ones of each target. Prints the number of the
+//! input that fails, and writes its bytes beside the program.
 
 mod inputs;
 

@@ -1,4 +1,5 @@
-//! The library's exact sweeps with the response of Quake: the velocity is clipped at one plane after the other.
+//! The library's exact sweeps with the response of Quake: the velocity is clipped at one plane
+//! after the other.
 
 use super::ours::{self, vec2};
 use crate::engine::{Engine, State};

@@ -86,8 +86,8 @@ impl<W: World, B: Mobile> Ours<W, B> {
 
 /// What the walls of a scene do.
 ///
-/// Gravity g is given once per frame, so bounces at restitution e that meet the floor in the right moment of a frame go on for ever, at up to
-/// g / (1 - e): a slower one is none.
+/// Gravity g is given once per frame, so bounces at restitution e that meet the floor in the right
+/// moment of a frame go on for ever, at up to g / (1 - e): a slower one is none.
 pub fn surface(scene: &Scene) -> Surface {
     let restitution = Ratio::new(scene.bounce as u32, 256).unwrap_or(Ratio::ONE);
     let rest = (scene.gravity * 256).checked_div(256 - scene.bounce).unwrap_or(0);

@@ -81,7 +81,8 @@ impl Obstacles {
         }
     }
 
-    /// The first hit of a motion that moves in: the part of the motion before it, and the obstacle's normal.
+    /// The first hit of a motion that moves in: the part of the motion before it, and the
+    /// obstacle's normal.
     pub fn first_hit(&self, p: Vector, d: Vector) -> Option<(f32, Vector)> {
         let options = ShapeCastOptions { max_time_of_impact: 1.0, ..ShapeCastOptions::default() };
         let here = Pose::translation(p.x, p.y);

@@ -5,8 +5,8 @@ use crate::engine::{Engine, State};
 use crate::scene::{Scene, Start};
 use parry2d::math::Vector;
 
-/// Casts the body along its motion, goes to the first hit, responds, goes on with the rest (at most four times); what still overlaps
-/// then is pushed out by contacts.
+/// Casts the body along its motion, goes to the first hit, responds, goes on with the rest (at most
+/// four times); what still overlaps then is pushed out by contacts.
 pub struct ParryCast {
     obstacles: Obstacles,
     gravity: f32,

@@ -1,4 +1,5 @@
-//! rapier2d as its users run pixel games: length unit 32, sixty steps per second, rotation locked, no sleep, no friction.
+//! rapier2d as its users run pixel games: length unit 32, sixty steps per second, rotation locked,
+//! no sleep, no friction.
 
 use crate::engine::{Engine, State};
 use crate::scene::{Point, Scene, Shape, Start};

@@ -5,9 +5,10 @@ use crate::engine::{Engine, State};
 use crate::scene::{Scene, Start};
 use tilesat::{Circle, Mover, Response, Surface, Vec2, World};
 
-/// Gravity is given in two halves, around the motion, so that a flight is an exact parabola. The frame of a bounce is the only one that is
-/// not: the ball meets the wall at some moment of it, with the speed of its middle. There the game renews the speed from the height, as
-/// energy has it: |v|^2 = |v0|^2 + 2 g (y - y0), exact in integers.
+/// Gravity is given in two halves, around the motion, so that a flight is an exact parabola. The
+/// frame of a bounce is the only one that is not: the ball meets the wall at some moment of it,
+/// with the speed of its middle. There the game renews the speed from the height, as energy has it:
+/// |v|^2 = |v0|^2 + 2 g (y - y0), exact in integers.
 pub struct Renewed<W> {
     world: W,
     surface: Surface,

@@ -35,7 +35,8 @@ impl Scalar for f32 {
     }
 }
 
-/// I16F16 as games without a library have it: each product is cut to 32 bits at once, rounds down and wraps.
+/// I16F16 as games without a library have it: each product is cut to 32 bits at once, rounds down
+/// and wraps.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Q16(i32);
 

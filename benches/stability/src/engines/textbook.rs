@@ -1,4 +1,5 @@
-//! The common hobby form: move by the whole velocity, then push the body out of one wall after the other.
+//! The common hobby form: move by the whole velocity, then push the body out of one wall after the
+//! other.
 
 use super::scalar::Scalar;
 use crate::engine::{Engine, State};

@@ -33,7 +33,8 @@ pub fn check_ray(level: &Level, scene: &Scene, map: &TileMap, o: (i64, i64), d: 
                 };
                 assert!(expected.owners.iter().any(|owner| at(owner) == hit.cell), "cell: {}", case());
                 assert_eq!(hit.flags, map.kind(hit.cell).flags, "flags: {}", case());
-                // At a corner, what is met in a cell beside it may be told before the other line is counted.
+                // At a corner, what is met in a cell beside it may be told before the other line is
+                // counted.
                 let entered = cells_entered(level, o, d, expected.num, expected.den);
                 assert!(entered.contains(&hit.cells), "cells: {entered:?} {}", case());
                 assert!(i64::from(hit.cells) <= level.width + level.height + 4);
@@ -44,7 +45,8 @@ pub fn check_ray(level: &Level, scene: &Scene, map: &TileMap, o: (i64, i64), d: 
     hit_any
 }
 
-/// A ray of one of the classes: mixed coordinates, along lines, through corners, one raw wide, of no length, across the domain.
+/// A ray of one of the classes: mixed coordinates, along lines, through corners, one raw wide, of
+/// no length, across the domain.
 pub fn ray(random: &mut Random, level: &Level) -> ((i64, i64), (i64, i64)) {
     let limit = (1i64 << 29) - 1;
     let o = build::point(random, level);
@@ -55,7 +57,8 @@ pub fn ray(random: &mut Random, level: &Level) -> ((i64, i64), (i64, i64)) {
         3 => (o.0 + random.around(1), build::point(random, level).1),
         4 => (build::point(random, level).0, o.1 + random.around(1)),
         5 => {
-            // Through a corner or one raw beside it, with a small direction, so that it meets more corners.
+            // Through a corner or one raw beside it, with a small direction, so that it meets more
+            // corners.
             let corner = (
                 level.x + level.cell * random.within(0, level.width),
                 level.y + level.cell * random.within(0, level.height),

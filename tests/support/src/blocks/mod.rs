@@ -1,4 +1,5 @@
-//! A level written down from the definitions, to judge the tile map by: no clamped indices, no walk, no incremental anything.
+//! A level written down from the definitions, to judge the tile map by: no clamped indices, no
+//! walk, no incremental anything.
 
 pub mod ask;
 pub mod bodies;

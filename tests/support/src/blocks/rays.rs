@@ -62,7 +62,8 @@ impl Scene {
         self.cells.iter().filter(|c| c.holds(x, y)).all(|c| c.full)
     }
 
-    /// Whether the points just after the start are inside the solid: whether all cells that hold them are full.
+    /// Whether the points just after the start are inside the solid: whether all cells that hold
+    /// them are full.
     fn enters(&self, o: (i64, i64), d: (i64, i64)) -> bool {
         let holds =
             |v: i64, d: i64, lo: i64, hi: i64| (v > lo || (v == lo && d >= 0)) && (v < hi || (v == hi && d <= 0));
@@ -136,15 +137,16 @@ impl Expected {
     }
 }
 
-/// The cells that a ray has entered up to a hit: the first one, and one for each line crossed after the start, the last included; where two are
-/// crossed at the hit, one of them may be missing.
+/// The cells that a ray has entered up to a hit: the first one, and one for each line crossed after
+/// the start, the last included; where two are crossed at the hit, one of them may be missing.
 pub fn cells_entered(level: &Level, o: (i64, i64), d: (i64, i64), num: i64, den: i64) -> RangeInclusive<u32> {
     let crossed = |line: i64, o: i64, d: i64| {
         let distance = (line - o) * d.signum();
         distance > 0 && i128::from(distance) * i128::from(den) <= i128::from(num) * i128::from(d.abs())
     };
     let count = |lines: Vec<i64>, o: i64, d: i64| {
-        // Where the border is repeated, there is no line between it and what is beyond; where nothing is beyond, none that leads there.
+        // Where the border is repeated, there is no line between it and what is beyond; where
+        // nothing is beyond, none that leads there.
         let last = lines.len() - 1;
         let (first, last) = match level.outside {
             Outside::Solid => (0, last),

@@ -1,4 +1,5 @@
-//! What tests of broad phases share: a list of all structures, and a reference that knows the definitions only.
+//! What tests of broad phases share: a list of all structures, and a reference that knows the
+//! definitions only.
 
 pub mod frames;
 pub mod near;
@@ -60,7 +61,8 @@ pub fn everywhere(bodies: usize, cells: Cells, check: &mut dyn Check) {
 /// Where no check puts a body.
 const AWAY: (i64, i64) = (1 << 20, 1 << 20);
 
-/// Each kind of structure is compiled for few sizes: what room is too much, bodies take that are nobody's neighbours.
+/// Each kind of structure is compiled for few sizes: what room is too much, bodies take that are
+/// nobody's neighbours.
 fn with_room<const N: usize>(bodies: usize, cells: Cells, check: &mut dyn Check) {
     let (side, origin) = (Fx::from_bits(cells.side), Vec2::from_raw(cells.origin.0, cells.origin.1));
     let limit = Some(cells.side);

@@ -1,4 +1,5 @@
-//! Any broad phase as one type: what is asked of all of them is compiled once, and not once for each.
+//! Any broad phase as one type: what is asked of all of them is compiled once, and not once for
+//! each.
 
 use tilesat::broad::{
     BroadError, BroadHit, BroadPhase, Handle, Nearest, Pair, PairCursor, PairsError, QueryError, Tag,
@@ -24,7 +25,8 @@ impl<T: Tag + 'static> Near<T> {
         Self(Box::new(Plain(phase)))
     }
 
-    /// One of which everything is asked. All answers of a structure together are most of what it takes to compile it.
+    /// One of which everything is asked. All answers of a structure together are most of what it
+    /// takes to compile it.
     pub fn asked<P: BroadPhase<Tag = T> + Copy + 'static>(phase: P) -> Self {
         Self(Box::new(Asked(phase)))
     }

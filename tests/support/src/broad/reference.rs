@@ -51,8 +51,8 @@ impl Rect {
 
     /// When this, moving by `d`, first touches another box, in parts of 2^30, rounded down.
     ///
-    /// Whether, by separating axes: a segment from (0, 0) to `d` against the box of all differences of points. When, by the last of the two
-    /// components to come into that box.
+    /// Whether, by separating axes: a segment from (0, 0) to `d` against the box of all differences
+    /// of points. When, by the last of the two components to come into that box.
     pub fn first_touch(&self, d: P, other: &Self) -> Option<u32> {
         let lo = (other.lo.0 - self.hi.0, other.lo.1 - self.hi.1);
         let hi = (other.hi.0 - self.lo.0, other.hi.1 - self.lo.1);

@@ -198,7 +198,8 @@ impl Play {
         }
     }
 
-    /// All by one step; those that would leave the domain stay, and every seventh slot grows too wide for a cell.
+    /// All by one step; those that would leave the domain stay, and every seventh slot grows too
+    /// wide for a cell.
     fn move_each(&mut self, x: At, y: At) {
         let side = i64::from(self.cells.side);
         let d = (x.0 * side / 4 + x.1, y.0 * side / 4 + y.1);
@@ -267,7 +268,8 @@ impl Play {
         });
     }
 
-    /// What was given at the end is what was near at the start and not removed; no pair twice, none with a body that was gone.
+    /// What was given at the end is what was near at the start and not removed; no pair twice, none
+    /// with a body that was gone.
     fn resumed(&mut self, steps: &[(u32, usize, Option<usize>, Option<usize>)]) {
         let (mut cursor, mut pairs) = (PairCursor::new(), Vec::new());
         let mut near: HashSet<_> = self.model.pairs().into_iter().collect();

@@ -66,7 +66,8 @@ pub enum Case {
     Hit,
 }
 
-/// Checks one cast against the judge; `tolerance` is how far, in raw units, the moved shape may be from touching.
+/// Checks one cast against the judge; `tolerance` is how far, in raw units, the moved shape may be
+/// from touching.
 pub fn check<N: Number>(a: &Figure, b: &Figure, d: Point, tolerance: i64) -> Case {
     let case = || format!("{a:?} by {d:?} on {b:?}");
     let forth = |inside| cast(a, b, d, inside).unwrap_or_else(|e| panic!("{e}: {}", case()));
@@ -127,7 +128,8 @@ fn check_place<N: Number>(set: &Forbidden, hit: &CastHit, d: Point, tolerance: i
     assert!(!set.holds::<N>(step), "ends inside at {step:?}: {}", case());
     assert!(set.is_near::<N>(step, set.radius + tolerance), "ends short of it at {step:?}: {}", case());
     assert!(!hit.inside, "{}", case());
-    // The axis opposes the motion, and the place is as far out along it as the set is, give or take the tolerance.
+    // The axis opposes the motion, and the place is as far out along it as the set is, give or take
+    // the tolerance.
     let (nx, ny) = (i128::from(hit.axis.x), i128::from(hit.axis.y));
     let along = |p: Point| nx * i128::from(p.0) + ny * i128::from(p.1);
     assert!((nx != 0 && ny != 0) || nx.abs() + ny.abs() == 1, "{:?} is not a unit: {}", hit.axis, case());
@@ -149,7 +151,8 @@ fn check_place<N: Number>(set: &Forbidden, hit: &CastHit, d: Point, tolerance: i
     assert!(out, "{:?} is no normal there: {}", hit.axis, case());
 }
 
-/// Whether a height in units of an axis, whose square is given, is that of a distance, give or take a tolerance.
+/// Whether a height in units of an axis, whose square is given, is that of a distance, give or take
+/// a tolerance.
 pub fn is_out(height: i128, square: i128, distance: i64, tolerance: i64) -> bool {
     let above = |r: i64| {
         let r = i128::from(r);

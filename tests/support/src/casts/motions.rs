@@ -1,5 +1,5 @@
-//! Motions through a place where two shapes touch, and that nothing but the scene decides what a cast says: mirrored, exchanged and translated
-//! scenes, and both shapes moving.
+//! Motions through a place where two shapes touch, and that nothing but the scene decides what a
+//! cast says: mirrored, exchanged and translated scenes, and both shapes moving.
 
 use crate::Random;
 use crate::casts::ask::{Answer, cast, cast_moving};
@@ -18,7 +18,8 @@ pub struct Motion {
     pub d: Point,
 }
 
-/// Moves A back along a motion, so that it comes through the pair's place after some part of it, or ends or starts there.
+/// Moves A back along a motion, so that it comes through the pair's place after some part of it, or
+/// ends or starts there.
 pub fn through(r: &mut Random, a: &Figure, b: &Figure, most: i64) -> Option<Motion> {
     let u = match r.below(6) {
         0 => (r.sign() * r.magnitude(most), 0),
@@ -96,7 +97,8 @@ pub fn views(a: &Figure, b: &Figure, d: Point) {
     }
 }
 
-/// Whether the two scenes' normals, seen from one of them, are two that oppose the motion equally: a full tie.
+/// Whether the two scenes' normals, seen from one of them, are two that oppose the motion equally:
+/// a full tie.
 pub fn is_symmetric(here: &Answer, there: &Answer, d: Point) -> bool {
     let (Some(here), Some(there)) = (here.hit, there.hit) else { return false };
     let (p, q) = (Axis::new(d.0 as i32, d.1 as i32), Axis::new(-there.axis.x, there.axis.y));

@@ -1,7 +1,8 @@
-//! Ground as a line of heights: the tiles and the polygon that are it, and the way of a body that never leaves it.
+//! Ground as a line of heights: the tiles and the polygon that are it, and the way of a body that
+//! never leaves it.
 //!
-//! The judge shares no code with the library: a body's height over the ground is the extreme of the heights under it, in floating point with
-//! errors below a thousandth of a raw unit.
+//! The judge shares no code with the library: a body's height over the ground is the extreme of the
+//! heights under it, in floating point with errors below a thousandth of a raw unit.
 
 #![allow(clippy::cast_precision_loss, clippy::float_cmp, reason = "tests stop at the first surprise")]
 
@@ -54,7 +55,8 @@ impl Ground {
         let mut points = vec![(0, top(h))];
         for (x, (_, rise, tiles)) in columns.iter().enumerate() {
             let base = h.div_euclid(2);
-            // A slope that falls has its tiles below its start, one of a half begins in the cell that it is in.
+            // A slope that falls has its tiles below its start, one of a half begins in the cell
+            // that it is in.
             let base = if *rise == -1 && h % 2 != 0 { base + 1 } else { base };
             let lowest = tiles.iter().map(|t| base + t.0).min().unwrap_or(base);
             for y in 0..lowest {

@@ -51,8 +51,9 @@ fn over_disc(a: (f64, f64), b: (f64, f64), x: f64, r: f64) -> f64 {
     best
 }
 
-/// Sums `part` over straight parts of the way between two places: those whose middle and quarters are within a twentieth of a raw unit of
-/// the chord, which is then short by less than a hundredth in all.
+/// Sums `part` over straight parts of the way between two places: those whose middle and quarters
+/// are within a twentieth of a raw unit of the chord, which is then short by less than a hundredth
+/// in all.
 pub fn along(ground: &Ground, shape: Shape, from: f64, to: f64, part: fn(f64, f64) -> f64) -> f64 {
     let f = |x: f64| height(ground, shape, x);
     piece((from, f(from)), (to, f(to)), &f, part)

@@ -1,4 +1,5 @@
-//! Exact checks of the way out of an overlap: the push and the unit vector along an axis of any length.
+//! Exact checks of the way out of an overlap: the push and the unit vector along an axis of any
+//! length.
 
 use super::figure::{LIMIT, Point};
 use super::int256::Int256;
@@ -18,16 +19,19 @@ pub fn compare_root(s: Int256, k: i64, square: Int256) -> i32 {
     }
 }
 
-/// The sign of `k - need`, where `need >= 0` is one component of the exact push out of the grown sum along `u`.
+/// The sign of `k - need`, where `need >= 0` is one component of the exact push out of the grown
+/// sum along `u`.
 fn compare_push(sum: &Sum, u: Point, component: i64, k: i64) -> i32 {
-    // need = |c| / |u| * (support / |u| + radius), so that need * |u|^2 - |c| * support = |c| * radius * |u|.
+    // need = |c| / |u| * (support / |u| + radius), so that need * |u|^2 - |c| * support = |c| *
+    // radius * |u|.
     let square = dot(u, u);
     let c = component.abs();
     let left = Int256::new(k) * square - Int256::new(c) * sum.support(u);
     compare_root(left, c * sum.radius, square)
 }
 
-/// Moving A by `push` leaves the sum along `u`: away from B, each component at least the exact one and at most `slack` more.
+/// Moving A by `push` leaves the sum along `u`: away from B, each component at least the exact one
+/// and at most `slack` more.
 pub fn push_is(sum: &Sum, u: Point, push: Point, slack: i64) -> Result<(), &'static str> {
     for (component, moved) in [(u.0, push.0), (u.1, push.1)] {
         if component * moved > 0 || (component == 0 && moved != 0) {
@@ -57,7 +61,8 @@ pub fn is_unit(u: Point, n: Point) -> bool {
     })
 }
 
-/// How a component of a push may exceed the exact one: one raw more where the depth is beyond half the domain.
+/// How a component of a push may exceed the exact one: one raw more where the depth is beyond half
+/// the domain.
 pub fn slack(depth: i64) -> i64 {
     if depth > LIMIT { 5 } else { 4 }
 }
@@ -79,8 +84,9 @@ pub fn verify(sum: &Sum, exact: &Measure, contact: &Contact, case: &str) -> Poin
     push
 }
 
-/// The deepest points lie on their shapes' borders, opposite to each other, within the two raw units a component that are promised: each shape
-/// is given by its core as seen from its point, and its radius.
+/// The deepest points lie on their shapes' borders, opposite to each other, within the two raw
+/// units a component that are promised: each shape is given by its core as seen from its point, and
+/// its radius.
 pub fn verify_points(contact: &Contact, a: (&Sum, i64), b: (&Sum, i64), case: &str) {
     let Axis { x, y } = contact.axis();
     let u = (i64::from(x), i64::from(y));

@@ -1,5 +1,5 @@
-//! Fractions of big integers that are never reduced: of numbers that meet in a few operations, the common divisors cost more
-//! to find than to carry.
+//! Fractions of big integers that are never reduced: of numbers that meet in a few operations, the
+//! common divisors cost more to find than to carry.
 
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;

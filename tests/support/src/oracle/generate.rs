@@ -1,4 +1,5 @@
-//! Streams of shape pairs: the classes in which collision code goes wrong, and the plain one in which it does not.
+//! Streams of shape pairs: the classes in which collision code goes wrong, and the plain one in
+//! which it does not.
 
 use super::figure::{Figure, Kind, LIMIT, Point};
 use crate::Random;
@@ -94,7 +95,8 @@ pub fn aabb(p: Point, q: Point) -> Figure {
 /// A shape in the square of half side `extent`, up to half of it in size.
 fn anywhere(r: &mut Random, kind: Kind, extent: i64) -> Figure {
     let centre = (r.around(extent), r.around(extent));
-    // Large ones in the whole domain would leave it; reach what is left at this place every other time.
+    // Large ones in the whole domain would leave it; reach what is left at this place every other
+    // time.
     let room = if r.one_in(2) { extent - centre.0.abs().max(centre.1.abs()) } else { extent / 2 };
     sized(r, kind, centre, room)
 }
@@ -127,7 +129,8 @@ fn extreme(r: &mut Random, kind: Kind) -> Figure {
     let (p, q) = ((coordinate(r), coordinate(r)), (coordinate(r), coordinate(r)));
     match kind {
         Kind::Aabb => aabb(p, q),
-        // A circle stays in the domain with its whole extent: the largest that fits, or a smaller one.
+        // A circle stays in the domain with its whole extent: the largest that fits, or a smaller
+        // one.
         Kind::Circle => {
             let room = LIMIT - 1 - p.0.abs().max(p.1.abs());
             Figure::Circle { centre: p, radius: if r.one_in(2) { room } else { room.min(q.0.abs()) } }

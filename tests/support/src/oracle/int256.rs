@@ -2,7 +2,8 @@
 
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// Two's complement, `hi * 2^128 + lo`. The derived order is the numeric order because `hi` carries the sign.
+/// Two's complement, `hi * 2^128 + lo`. The derived order is the numeric order because `hi` carries
+/// the sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Int256 {
     hi: i128,
@@ -45,7 +46,8 @@ impl Int256 {
         self * self
     }
 
-    /// The value when it fits 128 bits; the product of two such values needs one multiplication less.
+    /// The value when it fits 128 bits; the product of two such values needs one multiplication
+    /// less.
     const fn narrow(self) -> Option<i128> {
         if self.hi == (self.lo as i128) >> 127 { Some(self.lo as i128) } else { None }
     }

@@ -1,4 +1,5 @@
-//! Distances from the origin to the sum, as squared fractions, and every answer that follows from them.
+//! Distances from the origin to the sum, as squared fractions, and every answer that follows from
+//! them.
 
 use super::figure::{Figure, Point};
 use super::int256::Int256;
@@ -48,7 +49,8 @@ impl Measure {
             Place::Outside => (nearest_edge(sum), true),
             Place::On => (
                 Fraction { num: Int256::ZERO, den: Int256::ONE },
-                // From inside an edge there is one outward normal, from a vertex a cone of them, from a flat sum two sides.
+                // From inside an edge there is one outward normal, from a vertex a cone of them,
+                // from a flat sum two sides.
                 sum.has_area() && !sum.points().contains(&(0, 0)),
             ),
             Place::Inside => nearest_line(sum),
@@ -94,7 +96,8 @@ impl Measure {
 
     /// The exit along `u` (any length) is exactly the shortest one.
     pub fn is_shortest_exit(&self, sum: &Sum, u: Point) -> bool {
-        // The polygon's extent along the unit vector is support / |u|; it is negative when the origin lies outside.
+        // The polygon's extent along the unit vector is support / |u|; it is negative when the
+        // origin lies outside.
         let extent = sum.support(u);
         let right_side = match self.place {
             Place::Inside => extent.signum() > 0,
@@ -125,7 +128,8 @@ pub fn to_edge(p: Point, q: Point) -> Fraction {
     }
 }
 
-/// Squared distance from an origin inside the polygon to its boundary, and whether one edge alone is that near.
+/// Squared distance from an origin inside the polygon to its boundary, and whether one edge alone
+/// is that near.
 fn nearest_line(sum: &Sum) -> (Fraction, bool) {
     let mut edges = sum.edges().map(|(p, q)| to_line(p, q));
     let mut best = edges.next().expect("a sum with an interior has edges");

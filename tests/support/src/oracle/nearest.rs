@@ -31,7 +31,8 @@ pub struct Nearest {
     pub toward: Point,
 }
 
-/// The point of the polygon that is nearest to the origin, for an origin outside. There is only one.
+/// The point of the polygon that is nearest to the origin, for an origin outside. There is only
+/// one.
 pub fn nearest_point(sum: &Sum) -> Nearest {
     let (p, q) =
         sum.edges().min_by(|x, y| to_edge(x.0, x.1).cmp(to_edge(y.0, y.1))).expect("a sum has at least one edge");
@@ -45,7 +46,8 @@ pub fn nearest_point(sum: &Sum) -> Nearest {
         return vertex(q);
     }
     let at = |p: i64, e: i64| Int256::new(p) * square + Int256::new(e) * along;
-    // A flat sum has its edge in both directions: the side is taken from the edge, not from the order of the polygon.
+    // A flat sum has its edge in both directions: the side is taken from the edge, not from the
+    // order of the polygon.
     let normal = if dot(p, (e.1, -e.0)).signum() > 0 { (e.1, -e.0) } else { (-e.1, e.0) };
     Nearest { at: Exact2 { x: at(p.0, e.0), y: at(p.1, e.1), den: square }, toward: normal }
 }
@@ -65,7 +67,8 @@ pub fn is_nearest_on_arm(n: i64, d: i64, r: i64, square: Int256) -> bool {
     sign && exact <= bound(2 * k + 1) && (k == 0 || exact >= bound(2 * k - 1))
 }
 
-/// `x` is the point of `figure` nearest to `p`, each component rounded to nearest, either way on a tie.
+/// `x` is the point of `figure` nearest to `p`, each component rounded to nearest, either way on a
+/// tie.
 pub fn is_closest_point(figure: &Figure, p: Point, x: Point) -> bool {
     if let Figure::Circle { centre, radius } = *figure {
         let d = (p.0 - centre.0, p.1 - centre.1);

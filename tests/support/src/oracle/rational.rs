@@ -1,5 +1,5 @@
-//! The same questions once more over big rationals and by other means: parameters of crossing points, interval clipping,
-//! distances between features, projections. It judges the judge.
+//! The same questions once more over big rationals and by other means: parameters of crossing
+//! points, interval clipping, distances between features, projections. It judges the judge.
 
 use super::figure::{Figure, Point};
 use super::fraction::Fraction as Q;
@@ -66,7 +66,8 @@ fn to_segment(p: &V, (a, b): &(V, V)) -> Q {
     dot(&d, &d)
 }
 
-/// The parameters `t` in 0..=1 at which a segment is inside a box, `None` if it never is; with `strict`, its open interior.
+/// The parameters `t` in 0..=1 at which a segment is inside a box, `None` if it never is; with
+/// `strict`, its open interior.
 fn clip(a: &V, b: &V, lo: &V, hi: &V, strict: bool) -> bool {
     let e = minus(b, a);
     let (mut from, mut to) = (q(0), q(1));
@@ -92,7 +93,8 @@ fn clip(a: &V, b: &V, lo: &V, hi: &V, strict: bool) -> bool {
     if strict && open { from < to } else { from <= to }
 }
 
-/// Segments cross in one point interior to both (`strict`), or share any point of a crossing of their lines.
+/// Segments cross in one point interior to both (`strict`), or share any point of a crossing of
+/// their lines.
 fn cross_lines(a: &(V, V), b: &(V, V), strict: bool) -> bool {
     let (e, f) = (minus(&a.1, &a.0), minus(&b.1, &b.0));
     let det = cross(&e, &f);

@@ -1,9 +1,11 @@
-//! The Minkowski sum `A + (-B)` of two cores as an explicit convex polygon, and the origin's place in it.
+//! The Minkowski sum `A + (-B)` of two cores as an explicit convex polygon, and the origin's place
+//! in it.
 
 use super::figure::{Figure, Point};
 use super::int256::Int256;
 
-/// Convex hull, counter-clockwise when y grows upward, no three vertices on a line. One vertex: a point; two: a segment.
+/// Convex hull, counter-clockwise when y grows upward, no three vertices on a line. One vertex: a
+/// point; two: a segment.
 #[derive(Clone, Copy, Debug)]
 pub struct Sum {
     points: [Point; 16],
@@ -56,7 +58,8 @@ impl Sum {
         &self.points[..self.count]
     }
 
-    /// The edges of the boundary; a point has the one edge from itself to itself, a segment has its two directions.
+    /// The edges of the boundary; a point has the one edge from itself to itself, a segment has its
+    /// two directions.
     pub fn edges(&self) -> impl Iterator<Item = (Point, Point)> + '_ {
         (0..self.count).map(|i| (self.points[i], self.points[if i + 1 == self.count { 0 } else { i + 1 }]))
     }

@@ -1,4 +1,5 @@
-//! Pairs constructed to touch: exactly, with Pythagorean directions, and to the nearest lattice point, with any direction.
+//! Pairs constructed to touch: exactly, with Pythagorean directions, and to the nearest lattice
+//! point, with any direction.
 
 use super::figure::{Figure, Kind, Point};
 use super::generate::aabb;
@@ -40,8 +41,8 @@ fn lattice_arm(r: &mut Random, scale: i64) -> Arm {
     (if r.one_in(2) { (s, 0) } else { (0, s) }, n)
 }
 
-/// About `n` long in a direction of the circle, rounded to the lattice. Only `+ - * /` and the square root are used: the same stream
-/// on every host.
+/// About `n` long in a direction of the circle, rounded to the lattice. Only `+ - * /` and the
+/// square root are used: the same stream on every host.
 #[expect(clippy::cast_precision_loss, reason = "generators may use any number, the judge may not")]
 fn any_direction(r: &mut Random, n: i64) -> Arm {
     let (x, y) = (r.around(1 << 20) as f64, r.around(1 << 20) as f64);
@@ -59,7 +60,8 @@ fn touching(r: &mut Random, pair: (Kind, Kind), scale: i64, arm: Arm) -> (Figure
             (circle((dx, dy), part), circle((0, 0), length - part))
         }
         (Kind::Circle, Kind::Aabb) => {
-            // The box lies behind its corner at the origin as seen along the arm, or behind a side when the arm is axis-parallel.
+            // The box lies behind its corner at the origin as seen along the arm, or behind a side
+            // when the arm is axis-parallel.
             let b = behind(r, (dx, dy), scale);
             (circle((dx, dy), length), b)
         }
@@ -83,7 +85,8 @@ fn touching(r: &mut Random, pair: (Kind, Kind), scale: i64, arm: Arm) -> (Figure
         (Kind::Segment, Kind::Aabb) => {
             let g = gcd(dx, dy).max(1);
             let (b, line) = if r.one_in(2) {
-                // The corner at the origin is on the segment, whose direction misses the box's quadrant.
+                // The corner at the origin is on the segment, whose direction misses the box's
+                // quadrant.
                 let beyond = times((dx / g, dy / g), r.within(0, 2 * g));
                 let line = segment(r, (-dx, -dy), beyond);
                 (aabb((0, 0), (-sign_of(r, dx) * r.magnitude(scale), sign_of(r, dy) * r.magnitude(scale))), line)

@@ -1,4 +1,5 @@
-//! What the library says about a pair, held against the judge. Failures print the pair as raw integers.
+//! What the library says about a pair, held against the judge. Failures print the pair as raw
+//! integers.
 
 use super::closest::are_closest_points;
 use super::exit;

@@ -1,4 +1,5 @@
-//! Random levels on small lattices: tiles side by side, polygons across each other, holes, walls and one-way chains.
+//! Random levels on small lattices: tiles side by side, polygons across each other, holes, walls
+//! and one-way chains.
 
 use super::level::{Point, Shape};
 use crate::Random;

@@ -13,7 +13,8 @@ fn wide(p: Point) -> (i128, i128) {
     (i128::from(p.0), i128::from(p.1))
 }
 
-/// Whether a closed segment meets a closed box: clipped by the four sides, with fractions of the segment as (number, positive divisor).
+/// Whether a closed segment meets a closed box: clipped by the four sides, with fractions of the
+/// segment as (number, positive divisor).
 pub fn meets(a: Point, b: Point, lo: Point, hi: Point) -> bool {
     let (mut from, mut to) = ((0i128, 1i128), (1i128, 1i128));
     for (a, b, lo, hi) in [(a.0, b.0, lo.0, hi.0), (a.1, b.1, lo.1, hi.1)] {
@@ -64,7 +65,8 @@ pub fn polygon_edges(shapes: &[Shape]) -> Vec<(Point, Point)> {
     edges
 }
 
-/// How often the edges wind around the point `p / scale`, moved by an infinitesimal along `v` and a much smaller one along `w`.
+/// How often the edges wind around the point `p / scale`, moved by an infinitesimal along `v` and a
+/// much smaller one along `w`.
 ///
 /// Counted where they cross the ray toward growing y.
 pub fn winding(edges: &[(Point, Point)], scale: i64, p: Point, v: Point, w: Point) -> i32 {
@@ -96,7 +98,8 @@ pub fn check_winding(level: &Level, edges: &[(Point, Point)]) {
     }
 }
 
-/// On each lattice step of the polygons, as many segments are left as the winding numbers differ by, and all the same way.
+/// On each lattice step of the polygons, as many segments are left as the winding numbers differ
+/// by, and all the same way.
 ///
 /// For levels on a small lattice: steps are counted.
 pub fn check_outline(level: &Level, shapes: &[Shape]) {

@@ -1,6 +1,7 @@
 //! Where segments are joined, by the angles of all rays around a point.
 //!
-//! Directions of the levels here have components of at most 2^12: two of them differ by more than 2^-25, and an angle's error is below 2^-50.
+//! Directions of the levels here have components of at most 2^12: two of them differ by more than
+//! 2^-25, and an angle's error is below 2^-50.
 
 use super::level::{Level, NONE, ONE_WAY, Point, Seg};
 use std::f64::consts::{PI, TAU};
@@ -18,8 +19,8 @@ fn holds(s: &Seg, p: Point) -> bool {
     mx * dy == my * dx && along >= 0 && along <= i128::from(s.len) * (dx * dx + dy * dy)
 }
 
-/// The free angle at an end of a segment, the first segment that goes on from there (at the start: that comes), and whether one of those is
-/// one-way.
+/// The free angle at an end of a segment, the first segment that goes on from there (at the start:
+/// that comes), and whether one of those is one-way.
 fn free(level: &Level, s: &Seg, at_end: bool) -> (f64, u16, bool) {
     let p = if at_end { s.b() } else { s.a };
     let base = if at_end { angle((-s.dir.0, -s.dir.1)) } else { angle(s.dir) };

@@ -6,8 +6,9 @@ mod bytes;
 
 /// A stream of choices.
 ///
-/// Seeded generators (`SplitMix64`) are independent of each other. A steered one is a handle to the bytes of its thread: copies of
-/// it, and every generator that this thread makes afterwards, read on where the last one stopped.
+/// Seeded generators (`SplitMix64`) are independent of each other. A steered one is a handle to the
+/// bytes of its thread: copies of it, and every generator that this thread makes afterwards, read
+/// on where the last one stopped.
 #[derive(Clone, Copy, Debug)]
 pub struct Random(Source);
 
@@ -18,16 +19,18 @@ enum Source {
 }
 
 impl Random {
-    /// The generator of a seed, or the next part of the bytes where they [steer](Self::steered) this thread.
+    /// The generator of a seed, or the next part of the bytes where they [steer](Self::steered)
+    /// this thread.
     pub fn new(seed: u64) -> Self {
         Self(if bytes::steer() { Source::Bytes } else { Source::Seed(seed) })
     }
 
     /// The choices that bytes stand for, for everything that this thread chooses from now on.
     ///
-    /// Each choice takes as few bytes as its range needs, low bytes first. So a changed byte changes one choice, and a small change of
-    /// it is a small change of the case. After the last byte the choices go on pseudo-randomly, by a seed made of all bytes:
-    /// generators that try again until something fits come to an end, and the same bytes are the same case.
+    /// Each choice takes as few bytes as its range needs, low bytes first. So a changed byte
+    /// changes one choice, and a small change of it is a small change of the case. After the last
+    /// byte the choices go on pseudo-randomly, by a seed made of all bytes: generators that try
+    /// again until something fits come to an end, and the same bytes are the same case.
     pub fn steered(bytes: &[u8]) -> Self {
         bytes::start(bytes);
         Self(Source::Bytes)
@@ -80,7 +83,8 @@ impl Random {
         if self.one_in(2) { 1 } else { -1 }
     }
 
-    /// Every magnitude up to `n` equally likely: lengths of one raw unit and of the whole domain in one stream.
+    /// Every magnitude up to `n` equally likely: lengths of one raw unit and of the whole domain in
+    /// one stream.
     pub fn magnitude(&mut self, n: i64) -> i64 {
         let bits = i64::from(64 - n.leading_zeros());
         let cap = (1i64 << self.below(bits + 1)).min(n);

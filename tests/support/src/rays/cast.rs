@@ -1,4 +1,5 @@
-//! What a ray meets, from the rules: all pieces of the surface, each tested on its own, in numbers of any size.
+//! What a ray meets, from the rules: all pieces of the surface, each tested on its own, in numbers
+//! of any size.
 
 use super::level::{Cell, Level, is_inside};
 use super::moment::Moment;
@@ -20,7 +21,8 @@ pub struct Piece {
 pub enum Line {
     /// Solid to the right of the way from a to b, in a picture with y down.
     Straight { a: Point, b: Point },
-    /// A quarter: both components of a point relative to the centre have the signs of `quadrant`, or are zero.
+    /// A quarter: both components of a point relative to the centre have the signs of `quadrant`,
+    /// or are zero.
     Round { centre: Point, radius: i64, quadrant: Point, convex: bool },
 }
 
@@ -43,7 +45,8 @@ fn big(v: i128) -> BigInt {
     BigInt::from(v)
 }
 
-/// Halves of a cell's side, if the side is one: from corner to corner, split in the middle where it is finite.
+/// Halves of a cell's side, if the side is one: from corner to corner, split in the middle where it
+/// is finite.
 fn halves(a: Point, b: Point, cell: i64) -> Vec<(Point, Point)> {
     if (b.0 - a.0).abs() + (b.1 - a.1).abs() == cell {
         let m = (i64::midpoint(a.0, b.0), i64::midpoint(a.1, b.1));
@@ -56,7 +59,8 @@ fn halves(a: Point, b: Point, cell: i64) -> Vec<(Point, Point)> {
 impl Scene {
     pub fn new(level: &Level) -> Self {
         let cells = level.cells();
-        // Which side of its cell an edge lies on: that toward row 0, then turning right; else it is within.
+        // Which side of its cell an edge lies on: that toward row 0, then turning right; else it is
+        // within.
         let side = |c: &Cell, a: Point, b: Point| {
             if a.1 == b.1 && a.1 == c.lo.1 {
                 0
@@ -123,7 +127,8 @@ impl Scene {
         d != (0, 0) && is_inside(&self.cells, o, &p)
     }
 
-    /// All hits, the first one first: one for each moment, the one that the rules prefer, and then its equals.
+    /// All hits, the first one first: one for each moment, the one that the rules prefer, and then
+    /// its equals.
     pub fn cast(&self, o: Point, d: Point, one_way: bool) -> Vec<Vec<Hit>> {
         let mut enters = None;
         let mut hits: Vec<Hit> = Vec::new();
@@ -206,7 +211,8 @@ pub fn meet(line: &Line, o: Point, d: Point) -> Option<(Moment, Option<Point>)> 
                 return None;
             }
             if root == zero && !moment.is_zero() {
-                // A tangent comes along the line on which the arc ends, and goes on toward the side of its cell.
+                // A tangent comes along the line on which the arc ends, and goes on toward the side
+                // of its cell.
                 let into =
                     (d.0 == 0 && at.1 == 0 && d.1 * quadrant.1 > 0) || (d.1 == 0 && at.0 == 0 && d.0 * quadrant.0 > 0);
                 if !into {

@@ -76,8 +76,8 @@ pub fn agrees(hit: &RayHit, expected: &[Hit], o: Point, d: Point) -> Result<(), 
     Ok(())
 }
 
-/// Where a ray along a line of the grid comes out of the open and goes into the solid with no piece in its way: between an arc and what
-/// it touches.
+/// Where a ray along a line of the grid comes out of the open and goes into the solid with no piece
+/// in its way: between an arc and what it touches.
 pub fn gaps(level: &Level, scene: &Scene, o: Point, d: Point, expected: &[Vec<Hit>]) -> Vec<Point> {
     let along_x = d.1 == 0;
     let (from, way) = if along_x { (o.0, d.0) } else { (o.1, d.1) };

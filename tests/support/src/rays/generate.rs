@@ -27,7 +27,8 @@ fn anywhere(random: &mut Random, level: &Level) -> Point {
     (x, random.within(level.origin.1 - level.cell, end.1 + level.cell))
 }
 
-/// A lattice point on a piece: of a line a multiple of its direction, of an arc an end or a Pythagorean point.
+/// A lattice point on a piece: of a line a multiple of its direction, of an arc an end or a
+/// Pythagorean point.
 fn on_surface(random: &mut Random, scene: &Scene) -> Option<Point> {
     let pieces = &scene.pieces;
     if pieces.is_empty() {

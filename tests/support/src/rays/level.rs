@@ -49,7 +49,8 @@ pub struct Level {
 
 pub const OUTSIDES: [Outside; 3] = [Outside::Empty, Outside::Solid, Outside::Edge];
 
-/// Sides of cells: powers of two, multiples of ten (tangents at Pythagorean points), odd multiples of two, the limits.
+/// Sides of cells: powers of two, multiples of ten (tangents at Pythagorean points), odd multiples
+/// of two, the limits.
 const CELLS: [i64; 10] =
     [1 << 20, 1 << 8, 300, 16 << 16, 1 << 24, (1 << 24) - 2, 10 * 65_001, 2 * 7 * 64, 2 * 50_021, 650];
 
@@ -145,8 +146,9 @@ impl Level {
     }
 }
 
-/// Whether a point beside `o` is strictly inside the union of the solids: whether sixteen points around it, much nearer than anything else, are in the solid. Eight of
-/// them are almost on the axes, so that a cusp between an arc and a line has one.
+/// Whether a point beside `o` is strictly inside the union of the solids: whether sixteen points
+/// around it, much nearer than anything else, are in the solid. Eight of them are almost on the
+/// axes, so that a cusp between an arc and a line has one.
 pub fn is_inside(cells: &[Cell], o: Point, p: &Exact) -> bool {
     let reach = |c: &&Cell| c.lo.0 <= o.0 && o.0 <= c.hi.0 && c.lo.1 <= o.1 && o.1 <= c.hi.1;
     let cells: Vec<&Cell> = cells.iter().filter(reach).collect();

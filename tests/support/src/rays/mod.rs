@@ -1,4 +1,5 @@
-//! Rays against levels of every shape, from the definitions: independent tables, exact numbers of any size, no walk.
+//! Rays against levels of every shape, from the definitions: independent tables, exact numbers of
+//! any size, no walk.
 
 pub mod cast;
 pub mod check;

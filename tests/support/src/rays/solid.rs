@@ -65,7 +65,8 @@ fn cross(a: Point, b: Point, p: Point) -> i128 {
 }
 
 impl Solid {
-    /// The solid of a shape in the cell with these corners. Halves may lie in cells that are not square.
+    /// The solid of a shape in the cell with these corners. Halves may lie in cells that are not
+    /// square.
     pub fn of(id: u8, lo: Point, hi: Point) -> Self {
         let at = |(i, j): Point| {
             let line = |lo: i64, hi: i64, k: i64| [lo, lo + (hi - lo) / 2, hi][k as usize];
@@ -77,7 +78,8 @@ impl Solid {
         if !(2..34).contains(&id) {
             return Self::Polygon(Vec::new());
         }
-        // In every group of four the solid corner turns right from the top left; of a half it is one of two.
+        // In every group of four the solid corner turns right from the top left; of a half it is
+        // one of two.
         let turn = usize::from((id - 2) % 4);
         if (10..18).contains(&id) {
             let convex = id < 14;

@@ -1,4 +1,5 @@
-//! Frames of motion in rooms of all shapes, each judged by sets of points and beside its mirror images.
+//! Frames of motion in rooms of all shapes, each judged by sets of points and beside its mirror
+//! images.
 
 use crate::Random;
 use crate::rooms::body::{Body, Outcome};
@@ -84,7 +85,8 @@ pub fn judge_views(s: &Scene, out: &Outcome, views: &[View], tally: &mut Tally) 
             view.body(s.body).step(&mover(view.direction((0, -1)), s.response), &level.all(), view.direction(s.v));
         let (seen, expected) = (bits(&seen.unwrap(), None), bits(out, Some(view)));
         if seen != expected {
-            // A full tie: other surfaces at the same moment. What is reported first may differ; the end only where x goes before y.
+            // A full tie: other surfaces at the same moment. What is reported first may differ; the
+            // end only where x goes before y.
             let parts = seen.4.iter().zip(&expected.4).find(|(a, b)| a != b);
             let tie = parts.is_some_and(|(a, b)| a.0 == b.0 && len2(a.1) == len2(b.1))
                 && (view == View::Transpose || (seen.0, seen.1, seen.2) == (expected.0, expected.1, expected.2));

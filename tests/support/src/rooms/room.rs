@@ -5,7 +5,8 @@ use super::body::Body;
 use crate::shapes::level::Level;
 use crate::shapes::region::Region;
 
-/// Parts of a raw unit that positions are asked in; even ones, because slopes are cut at even places only.
+/// Parts of a raw unit that positions are asked in; even ones, because slopes are cut at even
+/// places only.
 pub const FINE: i64 = 512;
 
 pub struct Room {

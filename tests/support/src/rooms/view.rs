@@ -37,8 +37,8 @@ impl View {
         }
     }
 
-    /// Halves and one-ways go by side (top, right, bottom, left), the others by corner (top left, turning right). A slope turned over its
-    /// diagonal is steep where it was mild.
+    /// Halves and one-ways go by side (top, right, bottom, left), the others by corner (top left,
+    /// turning right). A slope turned over its diagonal is steep where it was mild.
     fn shape(self, id: u8) -> u8 {
         if id < 2 {
             return id;

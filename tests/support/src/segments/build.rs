@@ -52,7 +52,8 @@ fn polygon(random: &mut Random, step: i128, size: i64) -> Vec<P> {
     points
 }
 
-/// Polygons of all kinds, overlapping, touching, with holes, in either winding; walls; one-way chains.
+/// Polygons of all kinds, overlapping, touching, with holes, in either winding; walls; one-way
+/// chains.
 pub fn scene(random: &mut Random) -> Scene {
     let size = random.within(3, 12);
     let step = i128::from([64, 128, 150, 256, 300, 512][random.below(6) as usize]);
@@ -108,7 +109,8 @@ impl Scene {
         (lo, (points().map(x).max().unwrap(), points().map(y).max().unwrap()))
     }
 
-    /// A point of interest or one up to 2 raw beside: a corner, a lattice point, a crossing of a grid line, on or near an edge, anywhere.
+    /// A point of interest or one up to 2 raw beside: a corner, a lattice point, a crossing of a
+    /// grid line, on or near an edge, anywhere.
     pub fn point(&self, random: &mut Random) -> P {
         let (lo, hi) = self.bounds();
         let shape = &self.shapes[random.below(self.shapes.len() as i64) as usize];

@@ -1,4 +1,5 @@
-//! Frames of motion among polygons, walls and one-way chains, judged by the polygons as they were given.
+//! Frames of motion among polygons, walls and one-way chains, judged by the polygons as they were
+//! given.
 
 use crate::segments::{Body, P, Piece, Scene};
 use tilesat::{Aabb, Circle, Fx, MoveError, Moved, Mover, PathKind, Response, SegmentMap, Vec2};
@@ -22,7 +23,8 @@ pub fn len2(v: P) -> i128 {
     v.0 * v.0 + v.1 * v.1
 }
 
-/// Where a call leads, its velocity, whether it hit anything solid or anything, and the part of the motion before.
+/// Where a call leads, its velocity, whether it hit anything solid or anything, and the part of the
+/// motion before.
 pub struct Step {
     pub body: Body,
     pub v: P,
@@ -85,8 +87,8 @@ pub fn judge_way(scene: &Scene, blocking: &[Piece], map: &SegmentMap, body: Body
     }
 }
 
-/// Whether there is solid behind every edge. Where a polygon crosses itself, or a hole is in nothing, there are edges that only stop a body from one
-/// side, and that none may rest on.
+/// Whether there is solid behind every edge. Where a polygon crosses itself, or a hole is in
+/// nothing, there are edges that only stop a body from one side, and that none may rest on.
 pub fn is_proper(scene: &Scene) -> bool {
     let cross = |o: P, a: P, b: P| (a.0 - o.0) * (b.1 - o.1) - (a.1 - o.1) * (b.0 - o.0);
     let apart = |p: P, q: P, a: P, b: P| cross(a, b, p).signum() * cross(a, b, q).signum() > 0;

@@ -15,8 +15,8 @@ pub fn checksum(data: &mut [u8]) {
     data[28..32].copy_from_slice(&hash.to_le_bytes());
 }
 
-/// Makes the segments' kinds, joints and flags anything that is allowed, so that polygons do not close; then the winding numbers what they
-/// have to be for that.
+/// Makes the segments' kinds, joints and flags anything that is allowed, so that polygons do not
+/// close; then the winding numbers what they have to be for that.
 pub fn twisted(random: &mut Random, mut data: Vec<u8>) -> Option<Vec<u8>> {
     let count = usize::from(u16::from_le_bytes([data[6], data[7]]));
     for i in 0..count {

@@ -1,8 +1,8 @@
-//! A level of polygons and chains judged from the input: winding numbers by brute force, and what is left of the edges after opposite
-//! ones have cancelled.
+//! A level of polygons and chains judged from the input: winding numbers by brute force, and what
+//! is left of the edges after opposite ones have cancelled.
 //!
-//! It shares no code with the library and has no grid. Coordinates are relative to the scene's origin and small, all arithmetic is in 128
-//! bits.
+//! It shares no code with the library and has no grid. Coordinates are relative to the scene's
+//! origin and small, all arithmetic is in 128 bits.
 
 pub mod build;
 pub mod frames;
@@ -45,7 +45,8 @@ pub struct Scene {
     pub origin: P,
     /// Raw.
     pub cell: i32,
-    /// The grid's first corner relative to the origin, and its cells, where it is not the builder's choice.
+    /// The grid's first corner relative to the origin, and its cells, where it is not the builder's
+    /// choice.
     pub grid: Option<(P, u16, u16)>,
 }
 
@@ -114,7 +115,8 @@ impl Scene {
         self.shapes.iter().map(of).sum()
     }
 
-    /// The boundary of the polygons that is left where opposite edges cancel, cut where others on the same line end, each piece once.
+    /// The boundary of the polygons that is left where opposite edges cancel, cut where others on
+    /// the same line end, each piece once.
     pub fn boundary(&self) -> Vec<Piece> {
         // By direction and distance from the origin: from, to, and the sign of the direction.
         let mut lines = BTreeMap::<(P, i128), Vec<Extent>>::new();
@@ -179,7 +181,8 @@ impl Scene {
         self.shapes.iter().filter(touched).fold(0, |all, s| all | s.flags)
     }
 
-    /// Whether it is solid all around a point: between any two neighbours of the directions of the edges through it.
+    /// Whether it is solid all around a point: between any two neighbours of the directions of the
+    /// edges through it.
     pub fn inside(&self, p: P) -> bool {
         let mut dirs: Vec<P> = vec![(1, 0), (0, 1), (-1, 0), (0, -1)];
         for (a, b) in self.shapes.iter().filter(|s| s.closed()).flat_map(Shape::edges) {
@@ -239,7 +242,8 @@ impl Body {
         }
     }
 
-    /// A point of the body, times `SCALE`, that is on no edge: beside the middle in a direction that no edge of a small scene has.
+    /// A point of the body, times `SCALE`, that is on no edge: beside the middle in a direction
+    /// that no edge of a small scene has.
     fn inner(&self) -> P {
         let (lo, hi) = self.bounds();
         ((lo.0 + hi.0) * (SCALE / 2) + 1, (lo.1 + hi.1) * (SCALE / 2) + (1 << 20))
@@ -262,8 +266,9 @@ impl Body {
                 }
             }
             Self::Box { lo, hi } => {
-                // The times at which the segment is inside of each pair of sides, as fractions, and [0, 1]. A side is reached before or after it
-                // is passed, so for the open box there must be a time between.
+                // The times at which the segment is inside of each pair of sides, as fractions, and
+                // [0, 1]. A side is reached before or after it is passed, so for the open box there
+                // must be a time between.
                 let (mut from, mut to) = ((0, 1), (1, 1));
                 for (o, d, lo, hi) in [(a.0, b.0 - a.0, lo.0, hi.0), (a.1, b.1 - a.1, lo.1, hi.1)] {
                     if d == 0 {

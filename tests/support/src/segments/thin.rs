@@ -2,9 +2,11 @@
 
 use super::{P, SCALE, Scene, Shape, cross, sub};
 
-/// Whether a point between two points, one straight right of or above the other, has solid all around it.
+/// Whether a point between two points, one straight right of or above the other, has solid all
+/// around it.
 ///
-/// The edges' lines cut the way in pieces; the middle of each piece stands for it, seen a little to both sides.
+/// The edges' lines cut the way in pieces; the middle of each piece stands for it, seen a little to
+/// both sides.
 pub fn overlaps(scene: &Scene, lo: P, hi: P) -> bool {
     let upright = lo.0 == hi.0;
     let turned = |p: P| if upright { (p.1, p.0) } else { p };

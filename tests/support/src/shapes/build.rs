@@ -30,7 +30,8 @@ pub fn mosaic(random: &mut Random) -> Level {
 
 const TRIPLES: [(i64, i64, i64); 6] = [(3, 4, 5), (8, 15, 17), (20, 21, 29), (7, 24, 25), (0, 1, 1), (1, 0, 1)];
 
-/// A circle that touches something exactly, or misses by a raw unit or two: a lattice point, an arc from outside or inside, a slope to the next raw unit.
+/// A circle that touches something exactly, or misses by a raw unit or two: a lattice point, an arc
+/// from outside or inside, a slope to the next raw unit.
 fn close_circle(random: &mut Random, level: &Level) -> Body {
     let half = level.cell / 2;
     let corner = |random: &mut Random, step: i64| {

@@ -1,4 +1,5 @@
-//! The contact of a body with one feature, from the definitions, in 128 bits where it is decided and in floating point where it is measured.
+//! The contact of a body with one feature, from the definitions, in 128 bits where it is decided
+//! and in floating point where it is measured.
 
 #![allow(clippy::cast_precision_loss, reason = "compared with a margin: coordinates below 2^30 keep 22 bits below one")]
 
@@ -53,7 +54,8 @@ fn corners(lo: Point, hi: Point) -> [Point; 4] {
     [lo, (hi.0, lo.1), hi, (lo.0, hi.1)]
 }
 
-/// Whether the segment passes the inside of the box: the box's corners are on both sides of it, and neither axis separates them.
+/// Whether the segment passes the inside of the box: the box's corners are on both sides of it, and
+/// neither axis separates them.
 fn crosses(lo: Point, hi: Point, a: Point, b: Point) -> bool {
     let apart = |lo: i128, hi: i128, a: i128, b: i128| a.max(b) <= lo || a.min(b) >= hi;
     let e = sub(b, a);
@@ -61,7 +63,8 @@ fn crosses(lo: Point, hi: Point, a: Point, b: Point) -> bool {
     !apart(lo.0, hi.0, a.0, b.0) && !apart(lo.1, hi.1, a.1, b.1) && sides.contains(&1) && sides.contains(&-1)
 }
 
-/// The box cut to the quadrant of an arc, in the arc's frame: least and largest coordinates from the centre.
+/// The box cut to the quadrant of an arc, in the arc's frame: least and largest coordinates from
+/// the centre.
 fn in_frame(lo: Point, hi: Point, c: Point, q: Point) -> (Point, Point) {
     let frame = corners(lo, hi).map(|p| ((p.0 - c.0) * q.0, (p.1 - c.1) * q.1));
     let (xs, ys) = (frame.map(|p| p.0), frame.map(|p| p.1));
@@ -85,7 +88,8 @@ impl Expected {
                 let n = (d.1, -d.0);
                 let front = dot(n, sub(c, a));
                 let out = expected(r as f64 - front as f64 / length(n), n);
-                // Behind its line, beyond an end that the disc covers: where no other feature counts.
+                // Behind its line, beyond an end that the disc covers: where no other feature
+                // counts.
                 if dot(d, sub(c, a)) < 0 || dot(d, sub(c, b)) > 0 {
                     let covers = [a, b].iter().any(|&p| dot(sub(c, p), sub(c, p)) < r * r);
                     let counts = behind && front <= 0 && covers;
@@ -165,7 +169,8 @@ impl Expected {
                         None
                     };
                 }
-                // Seen from beside the quadrant only its ends are in sight, from inside of the disc nothing is.
+                // Seen from beside the quadrant only its ends are in sight, from inside of the disc
+                // nothing is.
                 let ends = [(s - near.0, (1, 0), m.0 >= s), (s - near.1, (0, 1), m.1 >= s)];
                 let end = |in_sight: bool| ends.into_iter().filter(|e| !in_sight || e.2).min_by_key(|e| e.0);
                 if !quadrant && !behind {
@@ -185,7 +190,8 @@ impl Expected {
         }
     }
 
-    /// Whether a body that was pushed out does not overlap the feature any more, or cannot be pushed off it.
+    /// Whether a body that was pushed out does not overlap the feature any more, or cannot be
+    /// pushed off it.
     pub fn is_clear(feature: &Feature, body: Body) -> bool {
         match (feature.geometry, body) {
             (Geometry::Arc { radius, convex: false, .. }, Body::Circle { r, .. }) if r >= i64::from(radius) => true,

@@ -63,7 +63,8 @@ impl Judge {
         self.inside(times(p, FINE))
     }
 
-    /// Whether the surface is nearer to a point than `r`, or as near where `closed`: the solid from outside, what is not solid from inside.
+    /// Whether the surface is nearer to a point than `r`, or as near where `closed`: the solid from
+    /// outside, what is not solid from inside.
     pub fn surface_within(&self, p: (i64, i64), r: i64, closed: bool) -> bool {
         let (inside, p, r) = (self.is_inside(p), times(p, 1), i128::from(r));
         let other = self.raw.iter().filter_map(|t| if inside { t.rest.as_ref() } else { t.solid.as_ref() });
@@ -82,8 +83,9 @@ impl Judge {
         !self.fine.iter().filter_map(|t| t.rest.as_ref()).any(|rest| rest.contains(p))
     }
 
-    /// By points on, beside and between all places where the segment may leave or enter a rest. An arc meets it at an irrational place, but
-    /// not less than 2^-25 raw from a side of its cell unless on it: S - sqrt(S^2 - w^2) >= w^2 / 2S. So a point 2^-28 from there tells.
+    /// By points on, beside and between all places where the segment may leave or enter a rest. An
+    /// arc meets it at an irrational place, but not less than 2^-25 raw from a side of its cell
+    /// unless on it: S - sqrt(S^2 - w^2) >= w^2 / 2S. So a point 2^-28 from there tells.
     fn thin(&self, lo: Point, hi: Point) -> bool {
         let along_x = lo.1 == hi.1;
         let (at, first, last) = if along_x { (lo.1, lo.0, hi.0) } else { (lo.0, lo.1, hi.1) };

@@ -41,7 +41,8 @@ pub struct Piece {
     pub rest: Option<Region>,
 }
 
-/// The shape of an id in a cell of side 2, y down, with its solid corner at the top left (halves: with their side at the top).
+/// The shape of an id in a cell of side 2, y down, with its solid corner at the top left (halves:
+/// with their side at the top).
 fn base(group: u8) -> (Region, Region) {
     let polygons = |solid: &[Point], rest: &[Point]| (Region::Polygon(solid.into()), Region::Polygon(rest.into()));
     let arc = |centre, far| {
@@ -106,14 +107,15 @@ impl Level {
         self.tiles[(row * self.width + column) as usize]
     }
 
-    /// Which quarters of a small disc around a point of a border tile's side, in halves of a cell, its solid fills: in a cell of side 8 the
-    /// neighbours of `p` are asked for.
+    /// Which quarters of a small disc around a point of a border tile's side, in halves of a cell,
+    /// its solid fills: in a cell of side 8 the neighbours of `p` are asked for.
     fn covered(&self, column: i64, row: i64, p: Point) -> bool {
         let (solid, _) = shape(self.at(column, row));
         solid.is_some_and(|s| s.map(|(x, y)| (1000 * x, 1000 * y)).contains(p))
     }
 
-    /// The solid of a part beyond the map, where the border is repeated: halves (of `lo..hi`) beside covered halves of the border tile's side.
+    /// The solid of a part beyond the map, where the border is repeated: halves (of `lo..hi`)
+    /// beside covered halves of the border tile's side.
     fn band(&self, column: i64, row: i64, lo: Point, hi: Point) -> Vec<Piece> {
         let (c, r) = (column.clamp(0, self.width - 1), row.clamp(0, self.height - 1));
         // Beside the tile's side, just inside of the tile.

@@ -22,8 +22,8 @@ fn len2(a: Point) -> i128 {
 pub enum Region {
     /// Corners, in either turn.
     Polygon(Vec<Point>),
-    /// The disc around `centre` through the corners beside it of the square between `centre` and `far`, in that square; where `outside`
-    /// is set, the square less the open disc.
+    /// The disc around `centre` through the corners beside it of the square between `centre` and
+    /// `far`, in that square; where `outside` is set, the square less the open disc.
     Arc { centre: Point, far: Point, outside: bool },
 }
 
@@ -64,7 +64,8 @@ impl Region {
         }
     }
 
-    /// Whether the square of the distance from `p` to the border is below `r` squared, or equal where `closed`.
+    /// Whether the square of the distance from `p` to the border is below `r` squared, or equal
+    /// where `closed`.
     pub fn border_within(&self, p: Point, r: i128, closed: bool) -> bool {
         let less = |a: i128, b: i128| a < b || (closed && a == b);
         let straight = self.edges().iter().any(|&(a, b)| {
@@ -94,7 +95,8 @@ impl Region {
             }
     }
 
-    /// Whether a closed box has a point in it (where `area` is set: whether what is common has an area). All coordinates are even.
+    /// Whether a closed box has a point in it (where `area` is set: whether what is common has an
+    /// area). All coordinates are even.
     pub fn meets_box(&self, lo: Point, hi: Point, area: bool) -> bool {
         match self {
             Self::Polygon(points) => {
@@ -124,7 +126,8 @@ impl Region {
         }
     }
 
-    /// Where the border may cross the line of points with the coordinate `at` on an axis: their other coordinates, rounded to both sides.
+    /// Where the border may cross the line of points with the coordinate `at` on an axis: their
+    /// other coordinates, rounded to both sides.
     pub fn crossings(&self, at: i128, along_x: bool) -> Vec<i128> {
         let split = |p: Point| if along_x { (p.1 - at, p.0) } else { (p.0 - at, p.1) };
         let mut out = Vec::new();
@@ -148,7 +151,8 @@ impl Region {
     }
 }
 
-/// What of a convex polygon has a height of 0 or more; crossings of slopes 1, 2 and 1/2 with lines of even coordinates are integers.
+/// What of a convex polygon has a height of 0 or more; crossings of slopes 1, 2 and 1/2 with lines
+/// of even coordinates are integers.
 fn clip(points: &[Point], height: impl Fn(Point) -> i128) -> Vec<Point> {
     let mut out = Vec::new();
     for (&a, &b) in points.iter().zip(points.iter().cycle().skip(1)) {

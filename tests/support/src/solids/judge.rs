@@ -32,7 +32,8 @@ impl Block {
         self.lo.0 < o.hi.0 && o.lo.0 < self.hi.0 && self.lo.1 < o.hi.1 && o.lo.1 < self.hi.1
     }
 
-    /// Whether it passes through the inside of `o` on a straight way: the times at which both axes overlap, as fractions.
+    /// Whether it passes through the inside of `o` on a straight way: the times at which both axes
+    /// overlap, as fractions.
     pub fn passes(self, d: P, o: Self) -> bool {
         // Open times (num, den) after which / before which an axis overlaps; None: never.
         let axis = |lo: i64, hi: i64, d: i64, a: i64, b: i64| -> Option<((i128, i128), (i128, i128))> {
@@ -66,7 +67,8 @@ pub trait Judged: Body + Copy + PartialEq + std::fmt::Debug {
     fn in_block(&self, block: Block) -> bool;
     fn at(&self, d: P) -> Self;
     fn mirrored(&self) -> Self;
-    /// Whether it passes through a block's inside on a straight way; for circles, whether a disc a raw unit smaller would.
+    /// Whether it passes through a block's inside on a straight way; for circles, whether a disc a
+    /// raw unit smaller would.
     fn goes_through(&self, d: P, block: Block) -> bool;
 
     fn overlaps_solid(&self, solid: &Solid) -> bool {

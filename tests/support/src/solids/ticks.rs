@@ -97,7 +97,8 @@ pub struct Seen {
     pub pushed: u32,
     pub squashed: u32,
     pub exact: u32,
-    /// Boxes in the way of one solid that goes along an axis, and circles in the way of one in the open.
+    /// Boxes in the way of one solid that goes along an axis, and circles in the way of one in the
+    /// open.
     pub alone: u32,
 }
 
@@ -201,7 +202,8 @@ impl<W: World> Scene<'_, W> {
                 assert!(matches!(ridden.ride, Ride::Carried | Ride::Pushed { .. }), "{}", case());
             }
         }
-        // One solid along one axis and no carrier: how far it pushes a box, and whether there is room, is known.
+        // One solid along one axis and no carrier: how far it pushes a box, and whether there is
+        // room, is known.
         if let ([s], None, None) = (list, ridden.floor, list[0].one_way()) {
             let (m, old, b) = (raw(s.motion()), Block::of(&s.shape()), body.block());
             let boxed = rect(b.lo, b.hi);

@@ -42,7 +42,8 @@ impl Mosaic {
         Self { width, height, cell: 2 * 7 * 64 + 2, origin: (-64_000, 12_345), outside: Outside::Empty, tiles }
     }
 
-    /// Cells of any size: powers of two, odd multiples of two, the limits; in the middle of the domain or at its ends.
+    /// Cells of any size: powers of two, odd multiples of two, the limits; in the middle of the
+    /// domain or at its ends.
     pub fn random(random: &mut Random, width: i64, height: i64, ids: &[u8]) -> Self {
         let tiles = (0..width * height).map(|_| ids[random.below(ids.len() as i64) as usize]).collect();
         let cells = [898, 1 << 20, 1 << 8, 258, 2 * 50_021, (1 << 24) - 2, 1 << 24];
@@ -98,7 +99,8 @@ impl Mosaic {
         let near = (cell.0.clamp(0, self.width - 1), cell.1.clamp(0, self.height - 1));
         let (dx, dy) = (cell.0 - near.0, cell.1 - near.1);
         let id = self.tile(near);
-        // Whether the tile's half edge around a point of its border, in quarters of the cell, is solid.
+        // Whether the tile's half edge around a point of its border, in quarters of the cell, is
+        // solid.
         let covered =
             |x: i64, y: i64| solid(id).iter().any(|e| e.index < 8 && (e.a.0 + e.b.0, e.a.1 + e.b.1) == (x, y));
         let (x, y) = (2 + 2 * dx, 2 + 2 * dy);
@@ -129,8 +131,8 @@ impl Mosaic {
         Piece { cell, index, one_way, flags, kind }
     }
 
-    /// A piece in halves of a cell in raw coordinates. The ring reaches to the end of the domain, and nothing is beyond that; it may have no
-    /// width.
+    /// A piece in halves of a cell in raw coordinates. The ring reaches to the end of the domain,
+    /// and nothing is beyond that; it may have no width.
     pub fn in_raw(&self, piece: Piece) -> Option<Piece> {
         let ring = self.outside != Outside::Empty;
         let far_x = |p: Point| ring && (p.0 == -2 || p.0 == 2 * self.width + 2);

@@ -1,12 +1,13 @@
-//! The surface of a mosaic by another way: polygons whose opposite half edges cancel, and solid wedges around each point, put together
-//! where their borders are the same.
+//! The surface of a mosaic by another way: polygons whose opposite half edges cancel, and solid
+//! wedges around each point, put together where their borders are the same.
 
 use super::mosaic::Mosaic;
 use super::piece::{Kind, Piece};
 use super::polygon::{Edge, Point, one_way, reduced, solid};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-/// A direction at a point and how a border that leaves in it bends: 1 toward larger angles, -1 toward smaller ones, 0 straight.
+/// A direction at a point and how a border that leaves in it bends: 1 toward larger angles, -1
+/// toward smaller ones, 0 straight.
 type Ray = (Point, i8);
 
 /// An edge in its place, in halves of a cell from the first cell's corner, and its cell.
@@ -69,7 +70,8 @@ pub fn construct(mosaic: &Mosaic) -> BTreeSet<Piece> {
             (ray, owner) = (wedge.from, wedge.owner);
             total += wedge.angle;
         }
-        // All angles are sums of those between multiples of the slopes, 18 degrees and more: rounding decides nothing.
+        // All angles are sums of those between multiples of the slopes, 18 degrees and more:
+        // rounding decides nothing.
         if total < core::f64::consts::PI - 0.01 {
             starts.insert((edge.b, ray.0, owner));
             ends.insert((edge.b, edge.index, cell));
@@ -105,8 +107,9 @@ fn runs(edges: &[Placed]) -> Vec<Placed> {
     out
 }
 
-/// One-way half edges go where the solid has the same half in the other direction. They are joined where the solid goes on along their line,
-/// the tile beside their end is solid around it, or such an edge goes on.
+/// One-way half edges go where the solid has the same half in the other direction. They are joined
+/// where the solid goes on along their line, the tile beside their end is solid around it, or such
+/// an edge goes on.
 fn one_ways(
     mosaic: &Mosaic,
     cells: &[Point],

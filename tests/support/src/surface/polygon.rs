@@ -1,4 +1,5 @@
-//! The tile shapes as polygons on the lattice of half cells, y down, the solid on the right of a walker (the left of `dir` in the library's words).
+//! The tile shapes as polygons on the lattice of half cells, y down, the solid on the right of a
+//! walker (the left of `dir` in the library's words).
 
 pub type Point = (i64, i64);
 
@@ -13,7 +14,8 @@ pub struct Edge {
     pub index: u16,
 }
 
-/// One polygon of each group, solid in the corner (0, 0), as corners in halves of a cell; then the first id.
+/// One polygon of each group, solid in the corner (0, 0), as corners in halves of a cell; then the
+/// first id.
 const GROUPS: [(u8, &[Point]); 9] = [
     (2, &[(0, 0), (2, 0), (2, 1), (0, 1)]),
     (6, &[(0, 0), (2, 0), (0, 2)]),

@@ -30,7 +30,8 @@ impl Turn {
         (0..self.quarters).fold(p, |p, _| (-p.1, p.0))
     }
 
-    /// Of a point in a box with a corner at the origin: size before, and the point in the turned box.
+    /// Of a point in a box with a corner at the origin: size before, and the point in the turned
+    /// box.
     fn within(self, (w, h): Point, p: Point) -> Point {
         let p = self.point((2 * p.0 - w, 2 * p.1 - h));
         let size = self.point((w, h));
@@ -65,7 +66,8 @@ impl Turn {
         Mosaic { width, height, tiles, origin: (a.0.min(b.0), a.1.min(b.1)), ..m.clone() }
     }
 
-    /// What a piece becomes; where it is mirrored, a vertex belongs to the tile of its other edge. So without cell, index and flags.
+    /// What a piece becomes; where it is mirrored, a vertex belongs to the tile of its other edge.
+    /// So without cell, index and flags.
     pub fn piece(self, piece: &Piece) -> Piece {
         let back = |p: Point| (-p.0, -p.1);
         let kind = match piece.kind {

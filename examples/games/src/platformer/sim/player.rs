@@ -200,8 +200,8 @@ impl Player {
         }
     }
 
-    /// A bit per coin is less memory than a bit per cell, and counting is needed only while it is in
-    /// one.
+    /// A bit per coin is less memory than a bit per cell, and counting is needed only while it is
+    /// in one.
     fn take<S: Set>(&mut self, map: &TileMap<'_, S>, at: Cell) {
         let width = map.width() as i16;
         let before = (0..=at.y).flat_map(|y| (0..width).map(move |x| Cell::new(x, y)));
