@@ -13,6 +13,7 @@ mod near;
 mod place;
 mod point;
 mod ray;
+mod round;
 mod walk;
 mod within;
 
@@ -25,8 +26,11 @@ use crate::error::RangeError;
 use crate::num::{Fx, Raw, Vec2};
 use crate::shape::{Aabb, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
 use exit::Exit;
-use place::{Place, meets};
-use walk::Core;
+use place::Place;
+
+pub(crate) use place::meets;
+pub(crate) use round::ArcCell;
+pub(crate) use walk::Core;
 
 pub use hint::Separation;
 pub use manifold::{Manifold, ManifoldPoint, Part};

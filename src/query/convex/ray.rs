@@ -69,7 +69,8 @@ fn sharp(eye: Core<'_>, shape: Core<'_>, d: Raw) -> Result<Option<ConvexGate>, W
     }
     let Some(entry) = entry else { return if grazes { Ok(None) } else { Err(Within) } };
     let passes = exit.is_some_and(|(gap, speed)| less128(mul64(gap, entry.speed), mul64(entry.gap, speed)));
-    Ok((!passes && !(grazes && entry.gap == 0)).then_some(ConvexGate::Edge(entry)))
+    let leaves = passes || (grazes && entry.gap == 0);
+    Ok((!leaves).then_some(ConvexGate::Edge(entry)))
 }
 
 /// The later one; at a corner, the side whose normal is more along x, as of a box.
