@@ -2,6 +2,7 @@
 //! it; the trait that movers see it through; and the methods that every kind of level has.
 
 use super::cell::{Block, Cell, Cells};
+use super::convex::ConvexBody;
 use super::tile_map::kind::Fill;
 use crate::num::{Axis, Raw, Vec2, imul};
 use crate::shape::{Aabb, Circle};
@@ -296,6 +297,9 @@ pub trait World: sealed::Sealed {
 
     /// Whether a circle overlaps the solid; strict and exact.
     fn overlaps_circle(&self, c: &Circle) -> bool;
+
+    #[doc(hidden)]
+    fn meets_convex(&self, body: &ConvexBody<'_>, closed: bool) -> bool;
 
     /// Whether a box has a point in common with the solid, borders included; exact.
     fn touches_aabb(&self, b: &Aabb) -> bool;

@@ -29,6 +29,7 @@
 mod cell;
 mod closest;
 mod contacts;
+mod convex;
 mod error;
 mod grid;
 mod joined;

@@ -6,6 +6,7 @@ use super::ray::{RayHit, RayRules, checked, rays};
 use crate::error::RangeError;
 use crate::num::{DOMAIN, MOTION, Raw, Vec2, check_motion};
 use crate::shape::{Aabb, Circle};
+use crate::world::convex::ConvexBody;
 
 /// A level shifted by an offset, and itself a level: a polygon that moves, a room that slides in.
 /// It copies nothing.
@@ -97,9 +98,9 @@ impl<'a, W: World> Placed<'a, W> {
 
 levels! {
     [W: World] Placed<'_, W> {
-        /// Whether a box or circle overlaps the solid; strict and exact.
+        /// Whether a shape overlaps the solid; strict and exact.
         overlaps,
-        /// Whether a box or circle has a point in common with the solid, borders included; exact.
+        /// Whether a shape has a point in common with the solid, borders included; exact.
         touches,
     }
 }
@@ -168,6 +169,10 @@ impl<W: World> World for Placed<'_, W> {
 
     fn overlaps_aabb(&self, b: &Aabb) -> bool {
         self.world.overlaps_aabb(&self.seen(b))
+    }
+
+    fn meets_convex(&self, body: &ConvexBody<'_>, closed: bool) -> bool {
+        self.world.meets_convex(&body.seen_from(self.offset), closed)
     }
 
     fn overlaps_circle(&self, c: &Circle) -> bool {

@@ -5,6 +5,7 @@
 mod blocks;
 mod classes;
 mod convex;
+mod convex_ray;
 mod corners;
 mod lattice;
 mod mutants;

@@ -7,6 +7,7 @@ mod build;
 mod build_bytes;
 mod build_errors;
 mod build_shapes;
+mod convex;
 mod hostile;
 mod queries;
 mod tiles;

@@ -5,6 +5,7 @@
 mod blocks;
 mod contacts;
 mod contacts_sources;
+mod convex;
 mod features;
 mod joined;
 mod map;

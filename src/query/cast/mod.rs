@@ -3,7 +3,7 @@
 mod boxes;
 pub(super) mod kernel;
 pub(crate) mod moment;
-mod ray;
+pub(super) mod ray;
 pub(super) mod segments;
 
 use super::Overlaps;

@@ -370,6 +370,11 @@ pub(in crate::query) fn meet_disc(m: Raw, r: i32, d: Raw) -> Option<Disc> {
     Crossing::of(m, r, d).map(|crossing| Disc { m, crossing })
 }
 
+/// The same of a ray, which touching stops; with the bound of its time.
+pub(in crate::query) fn touch_disc(m: Raw, r: i32, d: Raw) -> Option<(Toi, Disc)> {
+    Crossing::touching(m, r, d).map(|crossing| (crossing.toi(m), Disc { m, crossing }))
+}
+
 impl Moment for Disc {
     fn exact_toi(&self, d: Raw) -> Toi {
         self.crossing.exact_toi(self.m, d)

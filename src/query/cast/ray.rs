@@ -109,18 +109,13 @@ impl Segment {
     /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
     pub fn cast_ray(&self, origin: Vec2, motion: Vec2) -> Result<Option<CastHit>, RangeError> {
         let (o, d) = checked(origin, motion)?;
-        let (a, b) = (self.ra(), self.rb());
-        if a.x == b.x || a.y == b.y {
-            let (lo, hi) = meet::corners(a, b);
-            return Ok(meet_side(o, d, lo, hi).map(|side| reached(&side, d)));
-        }
-        Ok(meet_slope(o, d, a, b))
+        Ok(meet_segment(o, d, self.ra(), self.rb()))
     }
 }
 
 /// The start and the motion of a ray, if both ends are in the domain. A sum that wraps is outside,
 /// too: it is at least 2^30 from zero.
-fn checked(origin: Vec2, motion: Vec2) -> Result<(Raw, Raw), RangeError> {
+pub(in crate::query) fn checked(origin: Vec2, motion: Vec2) -> Result<(Raw, Raw), RangeError> {
     origin.check()?;
     let (o, d) = (Raw::of(origin), Raw::of(motion));
     let end = o.add(d);
@@ -132,11 +127,11 @@ fn checked(origin: Vec2, motion: Vec2) -> Result<(Raw, Raw), RangeError> {
     Ok((o, d))
 }
 
-fn at_start(motion: Vec2, inside: Inside) -> Option<CastHit> {
+pub(in crate::query) fn at_start(motion: Vec2, inside: Inside) -> Option<CastHit> {
     matches!(inside, Inside::Hit).then(|| CastHit::at_start(motion))
 }
 
-fn reached(moment: &impl Moment, d: Raw) -> CastHit {
+pub(in crate::query) fn reached(moment: &impl Moment, d: Raw) -> CastHit {
     let (toi, step, axis) = moment.contact(d);
     CastHit { toi, axis, displacement: step.vec2(), inside: false }
 }
@@ -193,7 +188,7 @@ impl Line {
 }
 
 /// A ray that comes through the origin, from `m`.
-fn meet_point(m: Raw, d: Raw) -> Option<CastHit> {
+pub(in crate::query) fn meet_point(m: Raw, d: Raw) -> Option<CastHit> {
     let b = m.dot(d).wrapping_neg();
     if m.cross(d) != 0 || d.is_zero() || b < 0 || b as u64 > d.len2() {
         return None;
@@ -206,6 +201,15 @@ fn on_line(m: Raw, d: Raw) -> CastHit {
     let (gap, speed) = if d.x == 0 { (m.y, d.y) } else { (m.x, d.x) };
     let toi = Toi::exact(mul_div(gap.unsigned_abs(), Toi::ONE.raw(), speed.unsigned_abs()));
     CastHit { toi, axis: direction(d.reversed()), displacement: m.reversed().vec2(), inside: false }
+}
+
+/// A ray against a segment.
+pub(in crate::query) fn meet_segment(o: Raw, d: Raw, a: Raw, b: Raw) -> Option<CastHit> {
+    if a.x == b.x || a.y == b.y {
+        let (lo, hi) = meet::corners(a, b);
+        return meet_side(o, d, lo, hi).map(|side| reached(&side, d));
+    }
+    meet_slope(o, d, a, b)
 }
 
 /// A ray against a slanted segment. Products of differences and motions below 2^30: below 2^61.

@@ -54,7 +54,7 @@ pub(super) fn enter(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<ConvexGate> {
 }
 
 /// The direction out of B across a side of the sum, and how fast the origin comes in by it: below 2^61.
-const fn inward(side: &PolygonSide, d: Raw) -> (Axis, i64) {
+pub(super) const fn inward(side: &PolygonSide, d: Raw) -> (Axis, i64) {
     (Axis::new(side.edge.y.wrapping_neg(), side.edge.x), d.cross(side.edge))
 }
 
@@ -117,10 +117,10 @@ fn rounded(a: Core<'_>, b: Core<'_>, radius: i32, d: Raw) -> Option<ConvexGate> 
     first.map(|(_, disc)| ConvexGate::Disc(disc))
 }
 
-/// Of two discs, each with a lower bound of its moment that is early by less than a raw unit of way: exactly, where these do not tell.
-fn is_earlier((s, a): (Toi, Disc), (t, b): (Toi, Disc), d: Raw) -> bool {
+/// Of two discs, each with a lower bound of its moment that is early by less than four raw units of way: exactly, where these do not tell.
+pub(super) fn is_earlier((s, a): (Toi, Disc), (t, b): (Toi, Disc), d: Raw) -> bool {
     let way = d.x.unsigned_abs().max(d.y.unsigned_abs());
-    if umul(s.raw().abs_diff(t.raw()), way) >> 30 == 0 { a.exact_toi(d) < b.exact_toi(d) } else { s < t }
+    if umul(s.raw().abs_diff(t.raw()), way) >> 32 == 0 { a.exact_toi(d) < b.exact_toi(d) } else { s < t }
 }
 
 /// The side moved out by the radii, where the origin comes through it between its ends.
@@ -144,9 +144,13 @@ fn through(side: &PolygonSide, radius: i32, d: Raw) -> Option<ConvexGate> {
     if axis.x != 0 && axis.y != 0 {
         return Some(ConvexGate::Slope(Slope::new(gap, into, reach, axis)));
     }
-    // Along x and y the root is whole: the gap in raw units less the radii, which is not negative here.
+    Some(straight(side, radius, d))
+}
+
+/// A side along x or y, where the root is whole: the gap in raw units less the radii, which is not negative.
+pub(super) fn straight(side: &PolygonSide, radius: i32, d: Raw) -> ConvexGate {
     let (out, overlap) = over(side.edge, side.from);
     let gap = overlap.wrapping_neg().wrapping_sub(i64::from(radius)) as u64;
     let speed = if out.x == 0 { d.y } else { d.x };
-    Some(ConvexGate::Edge(EdgeMoment { gap, speed: u64::from(speed.unsigned_abs()), axis: out.reversed() }))
+    ConvexGate::Edge(EdgeMoment { gap, speed: u64::from(speed.unsigned_abs()), axis: out.reversed() })
 }

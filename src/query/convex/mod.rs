@@ -12,19 +12,25 @@ mod manifold;
 mod near;
 mod place;
 mod point;
+mod ray;
+mod round;
 mod walk;
 mod within;
 
 use super::cast::CastShape;
-use super::cast::kernel::{Course, Enter, InDomain};
+use super::cast::kernel::{CastHit, Course, Enter, InDomain, Inside};
 use super::closest::{ClosestPoint, Distance, from_border};
 use super::contact::{Contact, Contacts};
 use super::overlap::{Contains, Overlaps, Touches};
+use crate::error::RangeError;
 use crate::num::{Fx, Raw, Vec2};
 use crate::shape::{Aabb, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
 use exit::Exit;
-use place::{Place, meets};
-use walk::Core;
+use place::Place;
+
+pub(crate) use place::meets;
+pub(crate) use round::ArcCell;
+pub(crate) use walk::Core;
 
 pub use hint::Separation;
 pub use manifold::{Manifold, ManifoldPoint, Part};
@@ -226,6 +232,33 @@ macro_rules! points {
             #[must_use]
             pub fn closest_point(&self, p: Vec2) -> Vec2 {
                 point::closest(Core { corners: &self.outline(), radius: self.rounding() }, p)
+            }
+
+            /// The first point of the shape that a ray from `origin` along `motion` meets, or `None` where it ends before.
+            ///
+            /// Exact, by the rules of [`Aabb::cast_ray`] for sharp corners and of [`Circle::cast_ray`] for rounded shapes. A hit is where
+            /// the ray comes in, at the very end of the motion too. From the border, moving in hits at 0. A shape without
+            /// area and radius is met as a [segment](Segment::cast_ray) or a point is. At a sharp corner the side whose normal is more
+            /// along x is hit.
+            ///
+            /// The time of a sharp side is the exact floor. Rounded ones have a lower bound, early by less than a raw unit of way for motions
+            /// up to 4096 units, and by less than four for any. The displacement is never inside, and less than 2 raw short of the border
+            /// for motions up to 4096 units.
+            ///
+            /// Cost: two products for each side, and one root where a slanted side or a corner of a rounded shape is hit.
+            ///
+            /// ```
+            /// use tilesat::{Axis, Capsule, Inside, Vec2, fx};
+            /// let hero = Capsule::new(Vec2::from_ints(20, 0), Vec2::from_ints(20, 16), fx!(4))?;
+            /// let hit = hero.cast_ray(Vec2::from_ints(0, 8), Vec2::from_ints(32, 0), Inside::Ignore)?.unwrap();
+            /// assert_eq!((hit.displacement, hit.axis), (Vec2::from_ints(16, 0), Axis::NEG_X));
+            /// # Ok::<(), tilesat::RangeError>(())
+            /// ```
+            ///
+            /// # Errors
+            /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+            pub fn cast_ray(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
+                ray::cast_ray(Core { corners: &self.outline(), radius: self.rounding() }, origin, motion, inside)
             }
         }
     };

@@ -70,7 +70,7 @@ impl Place {
 }
 
 /// Whether two shapes overlap, or touch: exact.
-pub(super) fn meets<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
+pub(crate) fn meets<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
     let radius = a.radius.wrapping_add(b.radius);
     if radius == 0 { sharp::<CLOSED>(a, b).is_ok() } else { Place::of(a, b).within::<CLOSED>(radius) }
 }

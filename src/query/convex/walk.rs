@@ -7,14 +7,14 @@
 use crate::num::{Raw, SPLIT, Vec2};
 
 /// A shape's corners and radius.
-#[derive(Clone, Copy)]
-pub(super) struct Core<'a> {
-    pub(super) corners: &'a [Vec2],
-    pub(super) radius: i32,
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Core<'a> {
+    pub(crate) corners: &'a [Vec2],
+    pub(crate) radius: i32,
 }
 
 impl Core<'_> {
-    pub(super) fn corner(&self, index: usize) -> Raw {
+    pub(crate) fn corner(&self, index: usize) -> Raw {
         self.corners.get(index).map_or(Raw::ZERO, |p| Raw::of(*p))
     }
 
@@ -25,7 +25,7 @@ impl Core<'_> {
     }
 
     /// The index of the one before it.
-    pub(super) const fn before(&self, index: usize) -> usize {
+    pub(crate) const fn before(&self, index: usize) -> usize {
         if index == 0 { self.corners.len().saturating_sub(1) } else { index.wrapping_sub(1) }
     }
 }

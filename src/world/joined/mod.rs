@@ -7,6 +7,7 @@ use super::ray::{Met, RayHit, RayRules, Time, checked, rays};
 use crate::error::RangeError;
 use crate::num::{Raw, Vec2, less128, mul64};
 use crate::shape::{Aabb, Circle};
+use crate::world::convex::ConvexBody;
 use crate::world::ray::scan::{Found, RayScan, RayWorld};
 use core::cmp::Ordering;
 use hidden::{hides, shown};
@@ -89,11 +90,11 @@ impl<'a, A: World, B: World> Joined<'a, A, B> {
 
 levels! {
     [A: World, B: World] Joined<'_, A, B> {
-        /// Whether a box or circle overlaps the solid of either level; strict and exact.
+        /// Whether a shape overlaps the solid of either level; strict and exact.
         ///
         /// Cost: both levels' cost. It cannot fail.
         overlaps,
-        /// Whether a box or circle has a point in common with the solid of either level, borders
+        /// Whether a shape has a point in common with the solid of either level, borders
         /// included; exact.
         ///
         /// Cost: both levels' cost. It cannot fail.
@@ -171,6 +172,10 @@ impl<A: World, B: World> World for Joined<'_, A, B> {
 
     fn overlaps_aabb(&self, b: &Aabb) -> bool {
         self.a.overlaps_aabb(b) || self.b.overlaps_aabb(b)
+    }
+
+    fn meets_convex(&self, body: &ConvexBody<'_>, closed: bool) -> bool {
+        self.a.meets_convex(body, closed) || self.b.meets_convex(body, closed)
     }
 
     fn overlaps_circle(&self, c: &Circle) -> bool {

@@ -25,6 +25,7 @@
 
 mod build;
 mod cancel;
+mod convex;
 mod overlap;
 mod parse;
 mod path;

@@ -15,7 +15,7 @@ use crate::world::tile_map::region::Probe;
 
 levels! {
     [] SegmentMap<'_> {
-        /// Whether a box or circle overlaps the solid: whether a wall or the boundary of a polygon
+        /// Whether a shape overlaps the solid: whether a wall or the boundary of a polygon
         /// reaches its inside, or it lies within a polygon.
         ///
         /// Strict and exact: a body that touches a wall or fills a gap exactly does not overlap. A
@@ -37,7 +37,7 @@ levels! {
         /// assert!(LEVEL.overlaps(&ball(120, 10, 9)) && LEVEL.overlaps(&ball(136, 10, 9))); // from both sides
         /// ```
         overlaps,
-        /// Whether a box or circle has a point in common with the solid or a wall, borders
+        /// Whether a shape has a point in common with the solid or a wall, borders
         /// included.
         ///
         /// Exact. One-way segments are not solid. Cost: as [`overlaps`](Self::overlaps).
@@ -65,7 +65,7 @@ impl SegmentMap<'_> {
     }
 
     /// Whether something is true of a segment of a range of cells; it is asked once in each cell.
-    fn any(&self, range: Range, mut test: impl FnMut(&Seg) -> bool) -> bool {
+    pub(super) fn any(&self, range: Range, mut test: impl FnMut(&Seg) -> bool) -> bool {
         let mut y = range.y0;
         while y <= range.y1 {
             let mut x = range.x0;

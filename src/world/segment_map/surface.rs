@@ -8,6 +8,7 @@ use crate::num::{Axis, Raw};
 use crate::query::meet;
 use crate::shape::{Aabb, Circle};
 use crate::world::cell::{Cell, Range};
+use crate::world::convex::ConvexBody;
 use crate::world::level::{Feature, Geometry, World, sealed};
 
 impl SegmentMap<'_> {
@@ -174,6 +175,10 @@ impl World for SegmentMap<'_> {
 
     fn overlaps_aabb(&self, b: &Aabb) -> bool {
         SegmentMap::overlaps(self, b)
+    }
+
+    fn meets_convex(&self, body: &ConvexBody<'_>, closed: bool) -> bool {
+        if closed { self.convex_meets::<true>(body) } else { self.convex_meets::<false>(body) }
     }
 
     fn overlaps_circle(&self, c: &Circle) -> bool {

@@ -23,6 +23,7 @@ use super::level::{Feature, Geometry, MotionPiece, Seen, World, levels, meets_as
 use crate::num::{Axis, Raw};
 use crate::query::meet;
 use crate::shape::{Aabb, Circle};
+use crate::world::convex::ConvexBody;
 use solid::{Side, Solid};
 
 /// Moving boxes as a level, at their present positions. It borrows the list and needs no memory.
@@ -117,10 +118,10 @@ impl<'a> Solids<'a> {
 
 levels! {
     [] Solids<'_> {
-        /// Whether a box or circle overlaps one of the solids; strict and exact. One-way ones are
+        /// Whether a shape overlaps one of the solids; strict and exact. One-way ones are
         /// never overlapped.
         overlaps,
-        /// Whether a box or circle has a point in common with one of the solids, borders included;
+        /// Whether a shape has a point in common with one of the solids, borders included;
         /// exact. Not with one-way ones.
         touches,
     }
@@ -162,6 +163,14 @@ impl World for Solids<'_> {
 
     fn overlaps_aabb(&self, b: &Aabb) -> bool {
         self.any(|s| meet::aabb_aabb::<false>(s.lo(), s.hi(), b.lo(), b.hi()))
+    }
+
+    fn meets_convex(&self, body: &ConvexBody<'_>, closed: bool) -> bool {
+        let meets = |s: &Solid| {
+            let (lo, hi) = (s.lo(), s.hi());
+            if closed { body.meets_box::<true>(lo, hi) } else { body.meets_box::<false>(lo, hi) }
+        };
+        self.any(meets)
     }
 
     fn overlaps_circle(&self, c: &Circle) -> bool {

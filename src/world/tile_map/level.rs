@@ -6,6 +6,7 @@ use super::{Outside, Set, Store, TileMap};
 use crate::num::Raw;
 use crate::shape::{Aabb, Circle};
 use crate::world::cell::{Block, Cells, Range};
+use crate::world::convex::ConvexBody;
 use crate::world::level::{Feature, MotionPiece, Seen, World, sealed};
 use crate::world::tile_map::features::Features;
 use crate::world::tile_map::kind::{Fill, TileShape};
@@ -87,6 +88,10 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     }
 
     #[inline]
+    fn meets_convex(&self, body: &ConvexBody<'_>, closed: bool) -> bool {
+        if closed { self.convex_meets::<true>(body) } else { self.convex_meets::<false>(body) }
+    }
+
     fn overlaps_circle(&self, c: &Circle) -> bool {
         TileMap::overlaps(self, c)
     }

@@ -3,6 +3,7 @@
 
 mod build;
 mod clear;
+mod convex;
 pub(in crate::world) mod features;
 pub(in crate::world) mod kind;
 pub(in crate::world) mod level;

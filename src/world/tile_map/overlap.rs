@@ -15,8 +15,11 @@ use crate::world::tile_map::kind::TileShape;
 
 levels! {
     [S: Set, T: Store] TileMap<'_, S, T> {
-        /// Whether a box or circle overlaps the solid: whether it reaches the inside of the union
+        /// Whether a shape overlaps the solid: whether it reaches the inside of the union
         /// of all tiles' solids.
+        ///
+        /// Takes boxes, circles, [`Capsule`](crate::Capsule), [`OrientedBox`](crate::OrientedBox) and
+        /// [`ConvexPolygon`](crate::ConvexPolygon).
         ///
         /// Strict and exact, for slopes and arcs too, and without a root. A body that touches a
         /// wall or fills a gap exactly does not overlap. A body without area is a circle of radius
@@ -42,7 +45,7 @@ levels! {
         /// # Ok::<(), tilesat::TileMapError>(())
         /// ```
         overlaps,
-        /// Whether a box or circle has a point in common with the solid, borders included.
+        /// Whether a shape has a point in common with the solid, borders included.
         ///
         /// Exact. One-way tiles are not solid; [`Outside`](crate::world::Outside) counts. Cost: as
         /// [`overlaps`](Self::overlaps), and one more cell on each side that lies on a cell's
@@ -106,7 +109,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// The cells that can hold solid and meet a box with area in their inside.
     #[inline]
-    const fn solid_range_of(&self, lo: Raw, hi: Raw) -> Range {
+    pub(super) const fn solid_range_of(&self, lo: Raw, hi: Raw) -> Range {
         match self.range_inside(lo, hi) {
             Some(range) => range,
             None => self.solid_range(self.open_range(lo, hi)),
@@ -115,7 +118,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// Whether a full cell of a range passes a test of its corners.
     #[inline]
-    fn any_full(&self, range: Range, test: impl Fn((Raw, Raw)) -> bool) -> bool {
+    pub(super) fn any_full(&self, range: Range, test: impl Fn((Raw, Raw)) -> bool) -> bool {
         if !(self.holds(range.x0, range.y0) && self.holds(range.x1, range.y1)) {
             let mut walk = self.walk_of(range, Range::NONE);
             while self.walk(&mut walk) {
@@ -157,7 +160,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// Whether the solid of any cell of a range passes a test.
     #[inline]
-    fn any_solid(&self, range: Range, test: impl Fn(&TileSolid) -> bool) -> bool {
+    pub(super) fn any_solid(&self, range: Range, test: impl Fn(&TileSolid) -> bool) -> bool {
         let mut walk = self.walk_of(range, Range::NONE);
         while self.walk(&mut walk) {
             if test(&TileSolid::new(walk.kind.shape.form(), self.corners(&walk), self.grid.cell >> 1)) {
@@ -284,6 +287,11 @@ const ZERO: Raw = Raw { x: 0, y: 0 };
 impl TileSolid {
     pub(in crate::world) const fn new(form: Form, (lo, hi): (Raw, Raw), half: i32) -> Self {
         Self { form, lo, hi, half }
+    }
+
+    /// The form, the extent and half a cell.
+    pub(super) const fn parts(&self) -> (Form, (Raw, Raw), i32) {
+        (self.form, (self.lo, self.hi), self.half)
     }
 
     const fn side(&self) -> i32 {

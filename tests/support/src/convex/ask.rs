@@ -6,7 +6,7 @@ use crate::oracle::figure::Point;
 use crate::oracle::kernel::{aabb, circle, point, segment, vec2};
 use tilesat::prelude::*;
 use tilesat::{
-    Axis, Capsule, Contact, ConvexPolygon, Fx, Inside, Manifold, OrientedBox, RangeError, query::Separation,
+    Axis, Capsule, CastHit, Contact, ConvexPolygon, Fx, Inside, Manifold, OrientedBox, RangeError, query::Separation,
 };
 
 pub fn capsule(a: Point, b: Point, radius: i64) -> Capsule {
@@ -104,6 +104,21 @@ pub fn cast(a: &Shape, b: &Shape, d: Point, inside: Inside) -> Result<Answer, Ra
         yes: x.would_hit(&y, motion, inside)?,
         exact: x.exact_toi(&y, motion, inside)?,
     }))
+}
+
+pub fn cast_ray(shape: &Shape, origin: Point, d: Point, inside: Inside) -> Option<CastHit> {
+    let (o, d) = (vec2(origin), vec2(d));
+    match *shape {
+        Shape::Aabb { min, max } => aabb(min, max).cast_ray(o, d, inside),
+        Shape::Circle { centre, radius } => circle(centre, radius).cast_ray(o, d, inside),
+        Shape::Segment { a, b } => segment(a, b).cast_ray(o, d),
+        Shape::Capsule { a, b, radius } => capsule(a, b, radius).cast_ray(o, d, inside),
+        Shape::Turned { centre, half, direction, radius } => {
+            turned(centre, half, direction, radius).cast_ray(o, d, inside)
+        }
+        Shape::Polygon { points, count, radius } => polygon(&points[..count], radius).cast_ray(o, d, inside),
+    }
+    .expect("generators stay inside the domain")
 }
 
 /// With a hint; of plain shapes among themselves there is none.
