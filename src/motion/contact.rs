@@ -87,14 +87,34 @@ pub(super) fn reaches(feature: &Feature, region: &Aabb) -> bool {
     overlap(a.x, b.x, lo.x, hi.x) && overlap(a.y, b.y, lo.y, hi.y)
 }
 
-/// Whether a body is within the rounding distance of a segment: along x and y for a box, which is not rounded; so it does not matter how a
-/// face is cut.
+/// Whether a body may come to a feature by a displacement of so much along x and y. Arcs are not
+/// looked at closely.
+pub(super) fn may_reach<B: Body>(body: &B, feature: &Feature, distance: u32) -> bool {
+    // The diagonal is shorter than twice the side.
+    let distance = distance as i32 * 2;
+    match feature.geometry {
+        Geometry::Face { a, dir, len, .. } => {
+            let (a, b) = ends(Raw::of(a), dir, len);
+            is_within(body, a, b, distance)
+        }
+        Geometry::Vertex { p, .. } => is_within(body, Raw::of(p), Raw::of(p), distance),
+        Geometry::Arc { .. } => true,
+    }
+}
+
+/// Whether a body is within the rounding distance of a segment.
 fn is_near<B: Body>(body: &B, a: Raw, b: Raw) -> bool {
+    is_within(body, a, b, REACH)
+}
+
+/// Whether a body is within a distance of a segment: along x and y for a box, which is not rounded;
+/// so it does not matter how a face is cut.
+fn is_within<B: Body>(body: &B, a: Raw, b: Raw, reach: i32) -> bool {
     if B::MEETS_CORNERS {
         let (c, r) = body.toward(Axis::X);
-        meet::circle_segment::<true>(c, r.wrapping_add(REACH), a, b)
+        meet::circle_segment::<true>(c, r.wrapping_add(reach), a, b)
     } else {
-        let (bounds, reach) = (body.bounds(), Raw { x: REACH, y: REACH });
+        let (bounds, reach) = (body.bounds(), Raw { x: reach, y: reach });
         meet::segment_aabb::<true>(a, b, bounds.lo().sub(reach), bounds.hi().add(reach))
     }
 }

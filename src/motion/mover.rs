@@ -356,8 +356,8 @@ impl<S: Law> Mover<S> {
                 run.follow();
             }
         }
-        if chooses && self.go_along::<W, B>(world, run, made, hit) {
-            self.report_binding::<W, B>(world, run);
+        if chooses {
+            self.go_along(world, run, made, hit);
         }
         run.v.is_zero() || (WALKS && run.moved.floor)
     }

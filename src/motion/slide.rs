@@ -6,7 +6,7 @@ use super::order::First;
 use super::plane::{NEAR, SurfaceRole, across, into, may_be_askew, project, reflect, tangential, way};
 use super::response::{Law, Smooth};
 use super::run::{Run, Shut, check_inside, margin};
-use super::ways::{Way, Ways, binding, long};
+use super::ways::{Way, Ways, long};
 use super::{Mover, Response};
 use crate::num::{Axis, Raw, Toi, isqrt64, mul_div, umul, usqr};
 use crate::world::{Feature, World};
@@ -100,7 +100,7 @@ impl<S: Law> Mover<S> {
     }
 
     /// Takes the longest of the ways on from the present place that is free, after a displacement up to a hit, if it was one. Where none is
-    /// free, the body [creeps](Run::creeps), or it stops; whether it does.
+    /// free, the body [creeps](Run::creeps), or it stops.
     #[inline(never)]
     pub(super) fn go_along<W: World, B: Body>(
         &self,
@@ -108,7 +108,7 @@ impl<S: Law> Mover<S> {
         run: &mut Run<'_, B>,
         made: Raw,
         hit: Option<(&Entry, &Feature)>,
-    ) -> bool {
+    ) {
         if made.is_zero() {
             run.shut.push(run.tried);
         } else {
@@ -139,33 +139,36 @@ impl<S: Law> Mover<S> {
         if let (true, Some((entry, feature))) = (first || !kept, hit) {
             run.flew = !lay_on(&run.moved.body, run.before, made, entry, feature);
         }
-        if !alone {
-            ways.bind::<W, B>(world, &run.moved.body, passes);
+        if alone {
+            ways.free();
         }
         let normal = of_hit.map_or(Axis::new(0, 0), |plane| plane.normal);
-        if let Some(way) = run.choose(&ways, normal) {
-            let v = run.follow_way::<W, S>(way, &self.surface);
+        if let Some(way) = run.choose(world, &mut ways, normal, passes) {
+            let v = run.follow_way::<W, S>(&way, &self.surface);
             if run.flew {
                 run.before = v;
             }
-            return false;
+            return;
         }
+        ways.settle_all(world, &run.moved.body, passes);
         // One look is for what binds it.
         let looks = run.moved.work.iterations;
         if looks + 1 < Mover::ITERATIONS && run.creep_along::<W>(&ways) {
-            return false;
+            return;
         }
         // What comes farther with each call goes on in the next one.
         if run.came && looks >= Mover::ITERATIONS && hit.is_some() {
             let mut creeps = ways.iter().filter(|way| way.along.is_some() && way.can_creep());
             let v = creeps.find(|way| into(way.v, normal) >= 0).map_or(Raw::ZERO, |way| way.v);
             (run.motion, run.v) = (run.turned(v), v);
-            return false;
+            return;
         }
         run.shut = Shut::NONE;
         ways.iter().filter(|way| way.along.is_some()).for_each(|way| run.shut.push(way.probe()));
         run.turn(Raw::ZERO);
-        looks < Mover::ITERATIONS
+        if looks < Mover::ITERATIONS {
+            self.report_binding(world, run, &ways);
+        }
     }
 
     /// Goes on after a creeping motion `d`: from the place up to what it met, where it met anything.
@@ -197,11 +200,11 @@ impl<S: Law> Mover<S> {
 
     /// Records what else holds a body that stops: what the longest of the ways that led nowhere runs into.
     #[inline(never)]
-    pub(super) fn report_binding<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>) {
+    fn report_binding<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, ways: &Ways) {
         run.moved.work.iterations += 1;
         for probe in run.shut.iter() {
             let mut first = First::none();
-            binding::<W, B>(world, &run.moved.body, probe, &run.moved.hits, &mut first);
+            ways.binding(world, &run.moved.body, probe, &run.moved.hits, &mut first);
             let Some((entry, feature)) = first.hit::<B, W>(&run.moved.body, probe) else { continue };
             // At the body's place, from which mirrored bodies look alike: the probe's end is rounded.
             let mut normal = entry.normal;
@@ -278,11 +281,13 @@ impl<B: Body> Run<'_, B> {
 
     /// The longest free way that does not lead into the plane of what was hit. Where something else binds those, any: the body may be beside what it hit, where that
     /// ends or by the rounding of its place. A body without area is beside nothing: it may stand where two surfaces touch and leave no face.
-    fn choose<'w>(&self, ways: &'w Ways, hit: Axis) -> Option<&'w Way> {
-        let free = |way: &&Way| way.is_free() && !self.shut.holds(way.probe());
-        let mut out = ways.iter().filter(|way| into(way.v, hit) >= 0).peekable();
-        let leads_nowhere = out.peek().is_none() || margin(&self.moved.body.bounds()) != 0;
-        out.find(free).or_else(|| if leads_nowhere { None } else { ways.iter().find(free) })
+    fn choose<W: World>(&self, world: &W, ways: &mut Ways, hit: Axis, passes: bool) -> Option<Way> {
+        let body = &self.moved.body;
+        let is_shut = |way: &Way| self.shut.holds(way.probe());
+        let leads_out = |way: &Way| into(way.v, hit) >= 0;
+        let leads_nowhere = margin(&body.bounds()) != 0 || !ways.iter().any(leads_out);
+        let out = ways.first_free(world, body, passes, |way| leads_out(way) && !is_shut(way));
+        if out.is_some() || leads_nowhere { out } else { ways.first_free(world, body, passes, |way| !is_shut(way)) }
     }
 
     /// Gives the velocity another direction, and the rest of the motion with it.

@@ -5,7 +5,7 @@
 //! has left behind has no say.
 
 use super::body::{Body, Entry};
-use super::contact::{Bend, Plane, reaches, surroundings, touched};
+use super::contact::{Bend, Plane, may_reach, reaches, surroundings, touched};
 use super::moved::Hits;
 use super::order::First;
 use super::plane::{NEAR, across, into, project, way};
@@ -24,7 +24,8 @@ pub(super) struct Way {
     presses: bool,
     /// A displacement in its direction, long enough to see what is in the way.
     probe: Raw,
-    /// How far it leads until it meets what binds it: up to [`FAR`], or [`FREE`](Self::FREE).
+    /// How far it leads until it meets what binds it: up to [`FAR`], [`FREE`](Self::FREE), or
+    /// [`UNKNOWN`](Self::UNKNOWN).
     room: u8,
 }
 
@@ -35,6 +36,7 @@ const FAR: u32 = 64;
 
 impl Way {
     const FREE: u8 = u8::MAX;
+    const UNKNOWN: u8 = u8::MAX - 1;
 
     pub(super) fn is_free(&self) -> bool {
         self.room == Self::FREE
@@ -42,15 +44,31 @@ impl Way {
 
     /// Whether it leads on by a raw unit at least, though it is bound.
     pub(super) fn can_creep(&self) -> bool {
-        !self.is_free() && self.room > 0
+        self.room > 0 && u32::from(self.room) <= FAR
     }
 
     pub(super) fn probe(&self) -> Raw {
         self.probe
     }
 
-    fn bind(&mut self, room: u8) {
-        self.room = self.room.min(room);
+    /// Binds it, where it leads into a feature.
+    fn bind_by<W: World, B: Body>(&mut self, body: &B, feature: &Feature) {
+        // The gap to a pipe opens with the square of the way, so no probe tells that a way leads into
+        // it; its normal does.
+        if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
+            let mut pipe = None;
+            touched(body, feature, |plane| pipe = Some(plane).filter(Plane::is_inside_pipe).or(pipe));
+            if pipe.is_some_and(|pipe| self.along != Some(pipe) && into(self.v, pipe.normal) < 0) {
+                self.room = 0;
+            }
+        }
+        if self.room == 0 {
+            return;
+        }
+        let Some(entry) = &meets::<W, B>(self.probe, body, feature) else { return };
+        if let Some(room) = room_to(self.probe, entry) {
+            self.room = self.room.min(room);
+        }
     }
 
     /// The length of what it is of a velocity, before it is rounded: `along / |normal|`. Computed where it is asked: a list of
@@ -104,6 +122,42 @@ fn part(c: i32, entry: &Entry) -> i32 {
 /// The ways on from a place, the longest first.
 pub(super) struct Ways {
     ways: [Option<Way>; Self::MAX],
+    near: Near,
+}
+
+/// The features within [`FAR`] of a body, read once for all ways.
+///
+/// Nine in ten bodies that choose a way are near three features, or four. Where there are more, the
+/// level is asked again.
+struct Near {
+    features: [Option<Feature>; 4],
+    all: bool,
+}
+
+impl Near {
+    const NONE: Self = Self { features: [None; 4], all: true };
+
+    fn push(&mut self, feature: &Feature) {
+        match self.features.iter_mut().find(|slot| slot.is_none()) {
+            Some(slot) => *slot = Some(*feature),
+            None => self.all = false,
+        }
+    }
+
+    /// Visits all of them; one-way faces only where they are solid to the body.
+    #[inline(never)]
+    fn each<W: World, B: Body>(&self, world: &W, body: &B, passes: bool, mut visit: impl FnMut(&Feature)) {
+        if self.all {
+            return self.features.iter().flatten().for_each(visit);
+        }
+        let region = surroundings(&body.bounds(), FAR);
+        let mut features = world.features(&region);
+        while let Some(feature) = &features.next() {
+            if !(feature.one_way && passes) && reaches(feature, &region) {
+                visit(feature);
+            }
+        }
+    }
 }
 
 impl Ways {
@@ -112,7 +166,7 @@ impl Ways {
     const MAX: usize = 8;
 
     /// A constant: as the result of a function it would be made twice, and copied.
-    pub(super) const NONE: Self = Self { ways: [None; Self::MAX] };
+    pub(super) const NONE: Self = Self { ways: [None; Self::MAX], near: Near::NONE };
 
     /// Reads the ways of a velocity from the body's place, and along what was hit, in the time that is left; which of them are free is not known yet.
     /// Whether there is nothing else within [`FAR`] than the face that was hit: then the way along it is free, and the velocity leads into it.
@@ -130,7 +184,8 @@ impl Ways {
         for slot in &mut self.ways {
             *slot = None;
         }
-        self.add(&mut Way { along: None, v, presses: false, probe: long(v), room: Way::FREE }, v);
+        self.near = Near::NONE;
+        self.add(&mut Way { along: None, v, presses: false, probe: long(v), room: Way::UNKNOWN }, v);
         let region = surroundings(&body.bounds(), FAR);
         let mut features = world.features(&region);
         let mut alone = true;
@@ -138,6 +193,10 @@ impl Ways {
             if feature.one_way && passes || !reaches(feature, &region) {
                 continue;
             }
+            if !may_reach(body, feature, FAR + 1) {
+                continue;
+            }
+            self.near.push(feature);
             alone &= touched(body, feature, |plane| {
                 if hit == Some(plane) {
                     return;
@@ -170,7 +229,7 @@ impl Ways {
 
     /// The normal of a way along a corner or an arc from outside.
     fn corner(&self, k: usize) -> Option<Axis> {
-        let plane = self.ways.get(k)?.as_ref()?.along?;
+        let plane = self.way(k)?.along?;
         (plane.bend == Bend::Convex).then_some(plane.normal)
     }
 
@@ -199,7 +258,7 @@ impl Ways {
         if !along.is_zero() && (is_exact || way(along) > NEAR) {
             let n = plane.normal;
             let presses = into(v, n) < 0;
-            self.add(&mut Way { along: Some(plane), v: along, presses, probe, room: Way::FREE }, v);
+            self.add(&mut Way { along: Some(plane), v: along, presses, probe, room: Way::UNKNOWN }, v);
         }
     }
 
@@ -216,38 +275,74 @@ impl Ways {
         }
     }
 
-    /// Binds what leads into something that is touched.
-    #[inline(never)]
-    pub(super) fn bind<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool) {
-        let region = surroundings(&body.bounds(), FAR);
-        let mut features = world.features(&region);
-        while let Some(feature) = &features.next() {
-            if feature.one_way && passes || !reaches(feature, &region) {
-                continue;
-            }
-            self.bind_by::<W, B>(body, feature);
+    /// Frees all ways: where nothing else is near, nothing binds them.
+    pub(super) fn free(&mut self) {
+        self.ways.iter_mut().flatten().for_each(|way| way.room = Way::FREE);
+    }
+
+    /// Finds out how far each way leads.
+    pub(super) fn settle_all<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool) {
+        if self.near.all {
+            return (0..Self::MAX).for_each(|k| self.settle::<W, B>(world, body, passes, k));
+        }
+        let unknown = self.ways.iter_mut().flatten().filter(|way| way.room == Way::UNKNOWN);
+        if unknown.map(|way| way.room = Way::FREE).count() > 0 {
+            let Self { ways, near } = self;
+            near.each(world, body, passes, |feature| {
+                ways.iter_mut().flatten().for_each(|way| way.bind_by::<W, B>(body, feature));
+            });
         }
     }
 
-    /// Binds what leads into a feature.
-    pub(super) fn bind_by<W: World, B: Body>(&mut self, body: &B, feature: &Feature) {
-        let mut pipe = None;
-        if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
-            touched(body, feature, |plane| pipe = Some(plane).filter(Plane::is_inside_pipe).or(pipe));
+    /// Finds out how far one way leads.
+    fn settle<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool, k: usize) {
+        let Some(Some(way)) = self.ways.get_mut(k) else { return };
+        if way.room == Way::UNKNOWN {
+            way.room = Way::FREE;
+            self.near.each(world, body, passes, |feature| way.bind_by::<W, B>(body, feature));
         }
-        for way in self.ways.iter_mut().flatten() {
-            // The gap to a pipe opens with the square of the way, so no probe tells that a way leads into it; its normal does.
-            if pipe.is_some_and(|pipe| way.along != Some(pipe) && into(way.v, pipe.normal) < 0) {
-                way.bind(0);
-            }
-            if way.room == 0 {
-                continue;
-            }
-            let Some(entry) = &meets::<W, B>(way.probe, body, feature) else { continue };
-            if let Some(room) = room_to(way.probe, entry) {
-                way.bind(room);
-            }
+    }
+
+    /// The longest free way of those that are asked for.
+    ///
+    /// One after the other, because the first is free most of the time; all at once where each would
+    /// ask the level again.
+    pub(super) fn first_free<W: World, B: Body>(
+        &mut self,
+        world: &W,
+        body: &B,
+        passes: bool,
+        asked: impl Fn(&Way) -> bool,
+    ) -> Option<Way> {
+        if !self.near.all {
+            self.settle_all(world, body, passes);
         }
+        (0..Self::MAX).find_map(|k| {
+            self.way(k).filter(|way| asked(way))?;
+            self.settle::<W, B>(world, body, passes, k);
+            self.way(k).filter(|way| way.is_free()).copied()
+        })
+    }
+
+    fn way(&self, k: usize) -> Option<&Way> {
+        self.ways.get(k)?.as_ref()
+    }
+
+    /// What binds a way beside what was hit: the first of what is touched that its probe meets and that
+    /// is not reported yet.
+    #[inline(never)]
+    pub(super) fn binding<W: World, B: Body>(&self, world: &W, body: &B, probe: Raw, hits: &Hits, first: &mut First) {
+        self.near.each(world, body, true, |feature| {
+            // One-way faces are reported where they are run into: beside them it is their front that
+            // counts.
+            if feature.one_way {
+                return;
+            }
+            let Some(entry) = &meets::<W, B>(probe, body, feature) else { return };
+            if !hits.tell_of(entry.normal, feature) && room_to(probe, entry).is_some() {
+                first.add::<B, W>(entry, feature, probe);
+            }
+        });
     }
 
     pub(super) fn iter(&self) -> impl Iterator<Item = &Way> {
@@ -257,22 +352,6 @@ impl Ways {
     /// Whether a plane that the body has run along is still touched, where it is a face.
     pub(super) fn keep(&self, plane: &Plane) -> bool {
         !matches!(plane.bend, Bend::Flat | Bend::End) || self.iter().any(|way| way.along == Some(*plane))
-    }
-}
-
-/// What binds a way beside what was hit: the first of what is touched that its probe meets and that is not told of yet.
-#[inline(never)]
-pub(super) fn binding<W: World, B: Body>(world: &W, body: &B, probe: Raw, hits: &Hits, first: &mut First) {
-    let mut features = world.features(&surroundings(&body.bounds(), FAR));
-    while let Some(feature) = &features.next() {
-        // One-way faces are told where they are run into: beside them it is their front that counts.
-        if feature.one_way {
-            continue;
-        }
-        let Some(entry) = &meets::<W, B>(probe, body, feature) else { continue };
-        if !hits.tell_of(entry.normal, feature) && room_to(probe, entry).is_some() {
-            first.add::<B, W>(entry, feature, probe);
-        }
     }
 }
 

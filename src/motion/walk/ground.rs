@@ -6,7 +6,7 @@ use crate::motion::order::First;
 use crate::motion::plane::{NEAR, SurfaceRole, may_be_askew};
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
-use crate::motion::ways::{Way, Ways};
+use crate::motion::ways::Ways;
 use crate::motion::{Hit, Moved, Mover};
 use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, mul_div, umul};
 use crate::shape::Aabb;
@@ -157,8 +157,7 @@ impl<B: Body> Look for Run<'_, B> {
         let down = along(up, -DROP);
         let (mut ways, passes) = (Ways::NONE, self.pass_one_way);
         ways.read::<W, B>(world, &self.moved.body, (down, Toi::ONE), None, passes);
-        ways.bind::<W, B>(world, &self.moved.body, passes);
-        if ways.iter().any(Way::is_free) {
+        if ways.first_free(world, &self.moved.body, passes, |_| true).is_some() {
             return None;
         }
         self.look(world, down).map(|ground| Support::of(up, &ground.feature))

@@ -205,12 +205,12 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         let (body, passes) = (&self.run.moved.body, self.run.pass_one_way);
         let mut ways = Ways::NONE;
         ways.read::<W, B>(self.world, body, (self.forward(self.speed), self.run.rest), None, passes);
-        ways.bind::<W, B>(self.world, body, passes);
-        let is_floor = |way: &&Way| way.along.is_none_or(|p| self.walker.mover.side(p.normal) == SurfaceRole::Floor);
-        if let Some(way) = ways.iter().filter(is_floor).find(|way| way.is_free()) {
+        let is_floor = |way: &Way| way.along.is_none_or(|p| self.walker.mover.side(p.normal) == SurfaceRole::Floor);
+        if let Some(way) = ways.first_free(self.world, body, passes, is_floor) {
             return On::Free(way.along.map_or(self.up, |plane| plane.normal));
         }
-        let mut creeps = ways.iter().filter(is_floor).filter(|way| way.can_creep()).map(Way::probe);
+        ways.settle_all(self.world, body, passes);
+        let mut creeps = ways.iter().filter(|way| is_floor(way) && way.can_creep()).map(Way::probe);
         On::Creeps([creeps.next(), creeps.next()])
     }
 
