@@ -12,6 +12,7 @@ use super::plane::{NEAR, across, into, project, way};
 use super::response::Smooth;
 use crate::num::{Axis, Raw, Toi, cmp_squares, mul_div, umul};
 use crate::world::{Feature, Geometry, World};
+use core::ops::Range;
 
 /// A way on.
 #[derive(Clone, Copy, Debug)]
@@ -145,17 +146,21 @@ impl Near {
     }
 
     /// Visits all of them; one-way faces only where they are solid to the body.
-    #[inline(never)]
-    fn each<W: World, B: Body>(&self, world: &W, body: &B, passes: bool, mut visit: impl FnMut(&Feature)) {
-        if self.all {
-            return self.features.iter().flatten().for_each(visit);
-        }
-        let region = surroundings(&body.bounds(), FAR);
-        let mut features = world.features(&region);
-        while let Some(feature) = &features.next() {
-            if !(feature.one_way && passes) && reaches(feature, &region) {
-                visit(feature);
-            }
+    fn each<W: World, B: Body>(&self, world: &W, body: &B, passes: bool, visit: &mut dyn FnMut(&Feature)) {
+        if self.all { self.features.iter().flatten().for_each(visit) } else { each_near(world, body, passes, visit) }
+    }
+}
+
+/// Reads the features within [`FAR`] of a body.
+///
+/// The visitor is called through a pointer: three copies of the walk over a level took 2 KB of flash.
+#[inline(never)]
+fn each_near<W: World, B: Body>(world: &W, body: &B, passes: bool, visit: &mut dyn FnMut(&Feature)) {
+    let region = surroundings(&body.bounds(), FAR);
+    let mut features = world.features(&region);
+    while let Some(feature) = &features.next() {
+        if !(feature.one_way && passes) && reaches(feature, &region) && may_reach(body, feature, FAR + 1) {
+            visit(feature);
         }
     }
 }
@@ -186,16 +191,8 @@ impl Ways {
         }
         self.near = Near::NONE;
         self.add(&mut Way { along: None, v, presses: false, probe: long(v), room: Way::UNKNOWN }, v);
-        let region = surroundings(&body.bounds(), FAR);
-        let mut features = world.features(&region);
         let mut alone = true;
-        while let Some(feature) = &features.next() {
-            if feature.one_way && passes || !reaches(feature, &region) {
-                continue;
-            }
-            if !may_reach(body, feature, FAR + 1) {
-                continue;
-            }
+        each_near(world, body, passes, &mut |feature| {
             self.near.push(feature);
             alone &= touched(body, feature, |plane| {
                 if hit == Some(plane) {
@@ -204,7 +201,7 @@ impl Ways {
                 alone = false;
                 self.consider::<W, B>(plane, v, time);
             });
-        }
+        });
         if let Some(plane) = hit {
             self.consider::<W, B>(plane, v, time);
         }
@@ -282,24 +279,18 @@ impl Ways {
 
     /// Finds out how far each way leads.
     pub(super) fn settle_all<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool) {
-        if self.near.all {
-            return (0..Self::MAX).for_each(|k| self.settle::<W, B>(world, body, passes, k));
-        }
-        let unknown = self.ways.iter_mut().flatten().filter(|way| way.room == Way::UNKNOWN);
-        if unknown.map(|way| way.room = Way::FREE).count() > 0 {
-            let Self { ways, near } = self;
-            near.each(world, body, passes, |feature| {
-                ways.iter_mut().flatten().for_each(|way| way.bind_by::<W, B>(body, feature));
-            });
-        }
+        self.settle::<W, B>(world, body, passes, 0..Self::MAX);
     }
 
-    /// Finds out how far one way leads.
-    fn settle<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool, k: usize) {
-        let Some(Some(way)) = self.ways.get_mut(k) else { return };
-        if way.room == Way::UNKNOWN {
-            way.room = Way::FREE;
-            self.near.each(world, body, passes, |feature| way.bind_by::<W, B>(body, feature));
+    /// Finds out how far some of the ways lead, unless all of that is known.
+    #[inline(never)]
+    fn settle<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool, which: Range<usize>) {
+        let Some(ways) = self.ways.get_mut(which) else { return };
+        let unknown = ways.iter_mut().flatten().filter(|way| way.room == Way::UNKNOWN);
+        if unknown.map(|way| way.room = Way::FREE).count() > 0 {
+            self.near.each(world, body, passes, &mut |feature| {
+                ways.iter_mut().flatten().for_each(|way| way.bind_by::<W, B>(body, feature));
+            });
         }
     }
 
@@ -307,19 +298,20 @@ impl Ways {
     ///
     /// One after the other, because the first is free most of the time; all at once where each would
     /// ask the level again.
+    #[inline(never)]
     pub(super) fn first_free<W: World, B: Body>(
         &mut self,
         world: &W,
         body: &B,
         passes: bool,
-        asked: impl Fn(&Way) -> bool,
+        asked: &dyn Fn(&Way) -> bool,
     ) -> Option<Way> {
         if !self.near.all {
             self.settle_all(world, body, passes);
         }
         (0..Self::MAX).find_map(|k| {
             self.way(k).filter(|way| asked(way))?;
-            self.settle::<W, B>(world, body, passes, k);
+            self.settle::<W, B>(world, body, passes, k..k + 1);
             self.way(k).filter(|way| way.is_free()).copied()
         })
     }
@@ -332,7 +324,7 @@ impl Ways {
     /// is not reported yet.
     #[inline(never)]
     pub(super) fn binding<W: World, B: Body>(&self, world: &W, body: &B, probe: Raw, hits: &Hits, first: &mut First) {
-        self.near.each(world, body, true, |feature| {
+        self.near.each(world, body, true, &mut |feature| {
             // One-way faces are reported where they are run into: beside them it is their front that
             // counts.
             if feature.one_way {

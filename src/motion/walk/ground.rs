@@ -157,7 +157,7 @@ impl<B: Body> Look for Run<'_, B> {
         let down = along(up, -DROP);
         let (mut ways, passes) = (Ways::NONE, self.pass_one_way);
         ways.read::<W, B>(world, &self.moved.body, (down, Toi::ONE), None, passes);
-        if ways.first_free(world, &self.moved.body, passes, |_| true).is_some() {
+        if ways.first_free(world, &self.moved.body, passes, &|_| true).is_some() {
             return None;
         }
         self.look(world, down).map(|ground| Support::of(up, &ground.feature))

@@ -206,7 +206,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         let mut ways = Ways::NONE;
         ways.read::<W, B>(self.world, body, (self.forward(self.speed), self.run.rest), None, passes);
         let is_floor = |way: &Way| way.along.is_none_or(|p| self.walker.mover.side(p.normal) == SurfaceRole::Floor);
-        if let Some(way) = ways.first_free(self.world, body, passes, is_floor) {
+        if let Some(way) = ways.first_free(self.world, body, passes, &is_floor) {
             return On::Free(way.along.map_or(self.up, |plane| plane.normal));
         }
         ways.settle_all(self.world, body, passes);
