@@ -26,7 +26,8 @@ struct BlockSweep<'a, W, B> {
     front: Raw,
     /// What of the body meets a face: all of a box, the nearest point of a disc.
     span: (Raw, Raw),
-    /// Whether the body has no extent along one of the axes: then it matters what lies beside a face.
+    /// Whether the body has no extent along one of the axes: then it matters what lies beside a
+    /// face.
     thin: bool,
     /// A velocity, of which only what opposes it is a hit.
     pressed: Option<Raw>,
@@ -85,7 +86,8 @@ impl<B: Body> Search<'_, B> {
 }
 
 impl<W: World, B: Body> BlockSweep<'_, W, B> {
-    /// The faces that the motion comes to, one across each axis, and for what is round the corners that have a face that opposes it.
+    /// The faces that the motion comes to, one across each axis, and for what is round the corners
+    /// that have a face that opposes it.
     fn meet_full(&mut self, block: &Block) {
         let ((lo, hi), d, front) = (self.world.corners(block), self.d, self.front);
         self.corners = (lo, hi);
@@ -101,7 +103,8 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
             self.meet_face(block, 1, Raw { x: hi.x, y: lo.y }, Axis::Y, height);
         }
         if B::MEETS_CORNERS && !self.thin {
-            // A disc comes to a corner where its centre is in the corner's open quadrant, and moves toward one of its sides.
+            // A disc comes to a corner where its centre is in the corner's open quadrant, and moves
+            // toward one of its sides.
             let (c, to) = (self.span.0, self.span.0.add(d));
             let (left, right) = (c.x.min(to.x) < lo.x, c.x.max(to.x) > hi.x);
             if left || right {

@@ -4,7 +4,8 @@ use crate::num::{Axis, Raw, Vec2, cmp_squares, mul_div, umul};
 use crate::shape::{Aabb, Circle};
 use core::cmp::Ordering;
 
-/// A shape that [`Mover::move_and_slide`](super::Mover::move_and_slide) can move: [`Aabb`] or [`Circle`].
+/// A shape that [`Mover::move_and_slide`](super::Mover::move_and_slide) can move: [`Aabb`] or
+/// [`Circle`].
 ///
 /// Sealed: its kernels are part of the exactness argument.
 pub trait Body: kernel::Kernel {
@@ -31,16 +32,19 @@ pub struct Entry {
     pub(super) den: u32,
     /// Out of the solid, toward the body.
     pub(super) normal: Axis,
-    /// Whether others of the same moment go first: where a box meets a face at its free end only, corner to corner, another face that it
-    /// meets over a length, because then the motion along that one passes this end; where a body meets the end of a quarter pipe, what is beyond it.
+    /// Whether others of the same moment go first: where a box meets a face at its free end only,
+    /// corner to corner, another face that it meets over a length, because then the motion along
+    /// that one passes this end; where a body meets the end of a quarter pipe, what is beyond it.
     pub(super) at_end: bool,
-    /// The displacement up to a vertex or an arc, rounded out of the solid; faces have `None`, see [`displacement`](Self::displacement).
+    /// The displacement up to a vertex or an arc, rounded out of the solid; faces have `None`, see
+    /// [`displacement`](Self::displacement).
     pub(super) step: Option<Raw>,
 }
 
 impl Entry {
-    /// Whether this hit comes before `other`: earlier, else face before its end, else more opposed to the motion, else by the normal, x first.
-    /// Only geometry decides, never the order of visits. Of faces, or of vertices and arcs; for normals of one length.
+    /// Whether this hit comes before `other`: earlier, else face before its end, else more opposed
+    /// to the motion, else by the normal, x first. Only geometry decides, never the order of
+    /// visits. Of faces, or of vertices and arcs; for normals of one length.
     pub(super) fn before(&self, other: &Self, d: Raw) -> bool {
         let key = |e: &Self| (e.against(d), e.normal.x.unsigned_abs(), e.normal.x, e.normal.y);
         self.precedes(other).unwrap_or_else(|| key(self) > key(other))
@@ -85,7 +89,8 @@ impl Entry {
         self.normal == other.normal && self.at_end == other.at_end && self.time(other) == Ordering::Equal
     }
 
-    /// Exact comparison of the times. Faces in one plane have equal fractions, which needs no product.
+    /// Exact comparison of the times. Faces in one plane have equal fractions, which needs no
+    /// product.
     fn time(&self, other: &Self) -> Ordering {
         if (self.num, self.den) == (other.num, other.den) {
             return Ordering::Equal;
@@ -93,9 +98,10 @@ impl Entry {
         umul(self.num, other.den).cmp(&umul(other.num, self.den))
     }
 
-    /// The displacement up to the hit. On the axis of a face along x or y it is exact, on the other one the exact part rounded toward the
-    /// start; an integer half-plane that the exact point keeps, the rounded point keeps too. At a slope each component is rounded
-    /// to the side that the normal points to, so that the sum only gains height.
+    /// The displacement up to the hit. On the axis of a face along x or y it is exact, on the other
+    /// one the exact part rounded toward the start; an integer half-plane that the exact point
+    /// keeps, the rounded point keeps too. At a slope each component is rounded to the side that
+    /// the normal points to, so that the sum only gains height.
     pub(super) fn displacement(&self, d: Raw) -> Raw {
         self.step.unwrap_or_else(|| {
             let slope = self.normal.x != 0 && self.normal.y != 0;
@@ -104,7 +110,8 @@ impl Entry {
         })
     }
 
-    /// The component `d` up to the hit, rounded up where that leads to the side of `out`, else toward the start.
+    /// The component `d` up to the hit, rounded up where that leads to the side of `out`, else
+    /// toward the start.
     fn part(&self, d: i32, out: i32) -> i32 {
         let size = d.unsigned_abs();
         if size == self.den {
@@ -138,7 +145,8 @@ pub(super) mod kernel {
         fn check_size(&self) -> Result<(), RangeError>;
         /// Moved by a displacement that keeps it inside the domain.
         fn shifted(&self, d: Raw) -> Self;
-        /// The first moment of the motion at which the body would start to overlap the feature, if any.
+        /// The first moment of the motion at which the body would start to overlap the feature, if
+        /// any.
         fn sweep(&self, d: Raw, feature: &Feature) -> Option<Entry>;
         /// The same for worlds of [`BLOCKS`](World::BLOCKS).
         fn sweep_block(&self, d: Raw, feature: &Feature) -> Option<Entry>;
@@ -146,7 +154,8 @@ pub(super) mod kernel {
         fn toward(&self, quadrant: Axis) -> (Raw, i32);
         /// Whether the body overlaps the level: strict and exact.
         fn overlaps_world<W: World>(&self, world: &W) -> bool;
-        /// Whether a point is in the inside of the level's solid, by the tests that such bodies link.
+        /// Whether a point is in the inside of the level's solid, by the tests that such bodies
+        /// link.
         fn is_inside<W: World>(world: &W, p: Raw) -> bool;
     }
 }

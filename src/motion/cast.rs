@@ -12,8 +12,8 @@ use crate::world::{Cell, Inside, Joined, Placed, RayRules, SegmentMap, Set, Soli
 /// What a body that was cast through a level ran into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BodyHit<B> {
-    /// What was hit, when, and its normal. Of a start inside the time is 0, the axis is as [`CastHit::inside`] says, and the
-    /// rest says nothing.
+    /// What was hit, when, and its normal. Of a start inside the time is 0, the axis is as
+    /// [`CastHit::inside`] says, and the rest says nothing.
     pub hit: Hit,
     /// The body at the hit. It does not overlap the level, save where it did before.
     pub body: B,
@@ -24,21 +24,27 @@ pub struct BodyHit<B> {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// What a box or circle that moves by `motion` first runs into, or `None` where the way is free.
+    /// What a box or circle that moves by `motion` first runs into, or `None` where the way is
+    /// free.
     ///
-    /// Exact. A hit is where the motion would start to overlap the solid: a body that touches and moves in hits at 0, one that slides along, moves away,
-    /// grazes, or ends touching does not hit. A body without size is a point that the inside of the solid and walls stop; a [ray](Self::cast_ray) is
-    /// stopped by the border, too.
+    /// Exact. A hit is where the motion would start to overlap the solid: a body that touches and
+    /// moves in hits at 0, one that slides along, moves away, grazes, or ends touching does not
+    /// hit. A body without size is a point that the inside of the solid and walls stop; a
+    /// [ray](Self::cast_ray) is stopped by the border, too.
     ///
-    /// It is the first hit of [`Mover::move_and_slide`](crate::Mover::move_and_slide) only with one-way faces asked for,
-    /// `RayRules { one_way: true, ..Inside::Hit.into() }`: `Inside` alone passes them, as a mover that drops through does.
+    /// It is the first hit of [`Mover::move_and_slide`](crate::Mover::move_and_slide) only with
+    /// one-way faces asked for, `RayRules { one_way: true, ..Inside::Hit.into() }`: `Inside` alone
+    /// passes them, as a mover that drops through does.
     ///
-    /// - [`RayRules::one_way`]: whether one-way faces stop what is entirely in front of them and moves in, as they stop movers.
-    /// - [`RayRules::inside`], where the body overlaps the level already: [`Inside::Hit`] hits at 0. [`Inside::Ignore`] passes the parts of the surface
-    ///   that it overlaps and hits others; then the body at the hit may still overlap the former.
+    /// - [`RayRules::one_way`]: whether one-way faces stop what is entirely in front of them and
+    ///   moves in, as they stop movers.
+    /// - [`RayRules::inside`], where the body overlaps the level already: [`Inside::Hit`] hits at
+    ///   0. [`Inside::Ignore`] passes the parts of the surface that it overlaps and hits others;
+    ///   then the body at the hit may still overlap the former.
     ///
-    /// The body at the hit is on the faces along x and y that it hits, at slopes, corners and arcs at most 2 raw early, and verified not to
-    /// overlap the level; wedged where no lattice point near the hit is free, it is at the start.
+    /// The body at the hit is on the faces along x and y that it hits, at slopes, corners and arcs
+    /// at most 2 raw early, and verified not to overlap the level; wedged where no lattice point
+    /// near the hit is free, it is at the start.
     ///
     /// ```text
     ///   +---+---+---+---+
@@ -65,8 +71,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where a component of the motion or a half extent is not below 2^28 raw (4096 units), the motion would leave the
-    /// [domain](crate::num::DOMAIN), or it comes to more than [`Mover::CELLS`](crate::Mover::CELLS) cells.
+    /// [`RangeError`] where a component of the motion or a half extent is not below 2^28 raw (4096
+    /// units), the motion would leave the [domain](crate::num::DOMAIN), or it comes to more than
+    /// [`Mover::CELLS`](crate::Mover::CELLS) cells.
     #[doc(alias("sweep", "shapecast", "swept AABB"))]
     pub fn cast_shape<B: Body>(
         &self,
@@ -104,7 +111,8 @@ casts! {
     [] SegmentMap<'_>
 }
 casts! {
-    /// What a box or circle that moves by `motion` first runs into, in either level, of the surface that [`features`](Self::features) shows.
+    /// What a box or circle that moves by `motion` first runs into, in either level, of the surface
+    /// that [`features`](Self::features) shows.
     [A: World, C: World] Joined<'_, A, C>
 }
 casts! {

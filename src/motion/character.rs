@@ -92,7 +92,8 @@ pub struct Character<B = Aabb> {
     body: B,
     limits: Aabb,
     floor: Option<Support>,
-    /// The motion of the solid that it has jumped off: its flight is what it is on still ground, seen from there.
+    /// The motion of the solid that it has jumped off: its flight is what it is on still ground,
+    /// seen from there.
     base: Vec2,
     /// Whether the button was down in the last frame.
     held: bool,
@@ -279,7 +280,8 @@ impl<B: Body> Character<B> {
         let rate = if stands { feel.acceleration } else { feel.air_acceleration };
         let (base, base_fall) =
             (self.base, if feel.falls_to_larger_y() { self.base.y } else { self.base.y.saturating_neg() });
-        // What falls off a solid that sinks falls as much faster; what is above one that rises no more slowly.
+        // What falls off a solid that sinks falls as much faster; what is above one that rises no
+        // more slowly.
         let fastest = feel.fall.saturating_add(base_fall.max(Fx::ZERO));
         let mut run = toward(self.velocity.x.saturating_sub(base.x), input.run, rate);
         let against_wall = self.wall_age <= 1 && input.run.signum() == Fx::from(self.wall) && self.wall != 0;

@@ -1,4 +1,5 @@
-//! What a body touches: the features within the rounding distance of its place, and which way each of them faces there.
+//! What a body touches: the features within the rounding distance of its place, and which way each
+//! of them faces there.
 
 use super::body::Body;
 use super::plane::{NEAR, Pipe, into};
@@ -13,11 +14,13 @@ use crate::world::{Feature, Geometry, ends, normal};
 pub(super) enum Bend {
     /// A face.
     Flat,
-    /// A face that a body is beside: it touches the end, where any side of the body may be what goes along it.
+    /// A face that a body is beside: it touches the end, where any side of the body may be what
+    /// goes along it.
     End,
     /// A corner, or an arc from outside: the normal is the body as seen from the centre.
     Convex,
-    /// A quarter pipe of the quadrant of these signs, which the body's point must not leave by more than `room` from the centre.
+    /// A quarter pipe of the quadrant of these signs, which the body's point must not leave by more
+    /// than `room` from the centre.
     Concave { signs: (i8, i8), room: i32 },
 }
 
@@ -72,7 +75,8 @@ pub(super) fn surroundings(bounds: &Aabb, distance: u32) -> Aabb {
     hull(bounds, Raw::ZERO, Raw::ZERO, distance as i32 + 1)
 }
 
-/// Whether the bounds of a feature have a point in a region: cursors give what is in the cells that it touches.
+/// Whether the bounds of a feature have a point in a region: cursors give what is in the cells that
+/// it touches.
 pub(super) fn reaches(feature: &Feature, region: &Aabb) -> bool {
     let (a, b) = match feature.geometry {
         Geometry::Face { a, dir, len, .. } => ends(Raw::of(a), dir, len),
@@ -119,8 +123,8 @@ fn is_within<B: Body>(body: &B, a: Raw, b: Raw, reach: i32) -> bool {
     }
 }
 
-/// Whether a point is over a face, or beside it by no more than the rounding distance or up to half more: a circle that is farther aside touches the face's
-/// end, if anything.
+/// Whether a point is over a face, or beside it by no more than the rounding distance or up to half
+/// more: a circle that is farther aside touches the face's end, if anything.
 fn is_over(c: Raw, a: Raw, end: Raw, dir: Axis) -> bool {
     let along = |v: Raw| dir.dot(Axis::new(v.x, v.y));
     let aside = umul(dir.x.unsigned_abs(), NEAR).wrapping_add(umul(dir.y.unsigned_abs(), NEAR)) as i64;
@@ -134,7 +138,8 @@ fn in_disc(m: Raw, r: i32) -> bool {
 
 /// Hands over the planes that a feature is to a body which touches it; whether that is so.
 ///
-/// A box meets corners and arcs by its corners, and either of its sides may be what goes along them.
+/// A box meets corners and arcs by its corners, and either of its sides may be what goes along
+/// them.
 pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMut(Plane)) -> bool {
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } => {
@@ -176,7 +181,8 @@ pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMu
                     return true;
                 }
             }
-            // Beyond its ends it is a corner; to a circle the end of a pipe is that of a face too, or a cusp, a corner of its own.
+            // Beyond its ends it is a corner; to a circle the end of a pipe is that of a face too,
+            // or a cusp, a corner of its own.
             let corner = |end: Raw, plane: &mut dyn FnMut(Plane)| {
                 is_near(body, end, end) && (!convex && B::MEETS_CORNERS || is_at_corner(body, end, plane))
             };

@@ -48,8 +48,8 @@ pub struct Feel {
     pub acceleration: Fx,
     /// How much the speed changes per frame in the air.
     pub air_acceleration: Fx,
-    /// How far the body keeps to a falling ground: [`Walker::with_snap`](crate::Walker::with_snap). One and a half of the
-    /// running speed is enough for tiles.
+    /// How far the body keeps to a falling ground: [`Walker::with_snap`](crate::Walker::with_snap).
+    /// One and a half of the running speed is enough for tiles.
     pub snap: Fx,
     /// How high a step it climbs: [`Walker::with_step`](crate::Walker::with_step).
     pub step: Fx,

@@ -1,9 +1,11 @@
 //! Motion: where a body ends up when it moves through a level.
 //!
-//! [`Mover::move_and_slide`] sweeps a box or a circle against the level's [features](crate::world::Feature), stops it exactly where
-//! it first touches, lets the [`Response`] decide what becomes of its velocity, and goes on with what is left of the motion, at most
-//! [`Mover::ITERATIONS`] times. Nothing is stored that the level's exact overlap test rejects (*verify, then commit*), so a body that
-//! starts outside of the solid ends outside of it, whatever the speed.
+//! [`Mover::move_and_slide`] sweeps a box or a circle against the level's
+//! [features](crate::world::Feature), stops it exactly where it first touches, lets the
+//! [`Response`] decide what becomes of its velocity, and goes on with what is left of the motion,
+//! at most [`Mover::ITERATIONS`] times. Nothing is stored that the level's exact overlap test
+//! rejects (*verify, then commit*), so a body that starts outside of the solid ends outside of it,
+//! whatever the speed.
 //!
 //! | question | answer |
 //! |---|---|
@@ -20,12 +22,15 @@
 //!
 //! # Doors
 //!
-//! A door is closed by changing tiles, which moves no body, or by moving a [`Solid`](crate::Solid), which does. Any of these keeps bodies out of it:
+//! A door is closed by changing tiles, which moves no body, or by moving a [`Solid`](crate::Solid),
+//! which does. Any of these keeps bodies out of it:
 //!
 //! - **Ask first.** While `door.overlaps(&body)` is true for any body, the door stays open.
-//! - **Let it come.** A door that is a moving [`Solid`](crate::Solid) pushes what is in its way, by [`Mover::ride`], or says that it is
-//!   [squashed](Ride::Squashed): then stop the door, or the body is lost. Once it is closed its tiles may take over.
-//! - **Remember.** Keep the last place where the level did not overlap the body, and put the body back there.
+//! - **Let it come.** A door that is a moving [`Solid`](crate::Solid) pushes what is in its way, by
+//!   [`Mover::ride`], or says that it is [squashed](Ride::Squashed): then stop the door, or the
+//!   body is lost. Once it is closed its tiles may take over.
+//! - **Remember.** Keep the last place where the level did not overlap the body, and put the body
+//!   back there.
 //!
 //! ```
 //! use tilesat::prelude::*;
@@ -47,11 +52,13 @@
 //!
 //! # Time: fixed steps and slow motion
 //!
-//! There is no time step: a velocity is the motion of one call. Call at a fixed rate, and collect the time between two pictures until it makes
-//! a step; then a run depends on nothing but its input, and a replay is the list of keys.
+//! There is no time step: a velocity is the motion of one call. Call at a fixed rate, and collect
+//! the time between two pictures until it makes a step; then a run depends on nothing but its
+//! input, and a replay is the list of keys.
 //!
-//! Slow motion is *fewer steps*, not smaller velocities: half a velocity is rounded anew, gravity would have to shrink with the square, and the
-//! run would be another one. Between two steps draw a point between two places, with [`Toi::of`](crate::Toi::of), and never move a body there.
+//! Slow motion is *fewer steps*, not smaller velocities: half a velocity is rounded anew, gravity
+//! would have to shrink with the square, and the run would be another one. Between two steps draw a
+//! point between two places, with [`Toi::of`](crate::Toi::of), and never move a body there.
 //!
 //! ```
 //! use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Toi, Vec2};
@@ -100,9 +107,11 @@ mod plane;
 pub mod response {
     //! The response toolkit: what becomes of a velocity, a pair or a string of points at a contact.
     //!
-    //! Small functions and plain values over the public types, for movers and for games that resolve contacts by themselves: project out, split the velocity
-    //! at the surface, scale both parts, and only where it moves in; share a push by the masses. Lengths are units, velocities units a frame, accelerations
-    //! units a frame and frame. Rounding never gains speed, never leads into a surface and is the same for both signs.
+    //! Small functions and plain values over the public types, for movers and for games that
+    //! resolve contacts by themselves: project out, split the velocity at the surface, scale both
+    //! parts, and only where it moves in; share a push by the masses. Lengths are units, velocities
+    //! units a frame, accelerations units a frame and frame. Rounding never gains speed, never
+    //! leads into a surface and is the same for both signs.
     //!
     //! | question | answer |
     //! |---|---|
@@ -114,8 +123,9 @@ pub mod response {
     //! | and their velocities? | [`exchange`] |
     //! | ropes, chains, ragdolls? | [`Particle`]s joined by [`Stick`]s, brought to their lengths by [`relax`], asleep when [`Quiet`] |
     //!
-    //! The ideas are those of the tutorials and the talk on N by Metanet Software (projection, split velocities, Verlet points); friction is
-    //! Coulomb's, and the points are those of Jakobsen's *Advanced Character Physics* (2001).
+    //! The ideas are those of the tutorials and the talk on N by Metanet Software (projection,
+    //! split velocities, Verlet points); friction is Coulomb's, and the points are those of
+    //! Jakobsen's *Advanced Character Physics* (2001).
 
     mod acceleration;
     mod impact;
@@ -140,12 +150,12 @@ mod sweep_round;
 #[cfg(all(test, not(target_os = "none")))]
 mod tests;
 mod walk {
-    //! Walking: what a character needs beyond [`Mover::move_and_slide`](super::Mover::move_and_slide), for the games
-    //! that have one.
+    //! Walking: what a character needs beyond
+    //! [`Mover::move_and_slide`](super::Mover::move_and_slide), for the games that have one.
     //!
-    //! On the ground a [`Walker`] goes by *legs* along the floor: a sweep along it, which the floor's bends upward,
-    //! steps and walls end, and a look down from its end, which finds where the floor bends downward. In the air it
-    //! moves as its mover does, up to the first floor.
+    //! On the ground a [`Walker`] goes by *legs* along the floor: a sweep along it, which the
+    //! floor's bends upward, steps and walls end, and a look down from its end, which finds where
+    //! the floor bends downward. In the air it moves as its mover does, up to the first floor.
 
     mod assist;
     mod ground;

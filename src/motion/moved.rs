@@ -16,20 +16,22 @@ pub struct Moved<B> {
     pub body: B,
     /// The velocity that is left after the response; feed it to the next call.
     pub velocity: Vec2,
-    /// Motion that was not made: what a stopped body had left, or what a body in a tight place could not use in
-    /// [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces.
+    /// Motion that was not made: what a stopped body had left, or what a body in a tight place
+    /// could not use in [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces.
     pub remaining: Vec2,
     /// What was hit.
     pub hits: Hits,
-    /// Whether a hit faced "up" within the mover's [slope limit](super::Mover::with_slope_limit), 45 degrees at first. Always false for a mover
-    /// without an up. Only what the motion ran into counts: a body at rest reports no floor, so add gravity in every frame, on the ground too.
+    /// Whether a hit faced "up" within the mover's [slope limit](super::Mover::with_slope_limit),
+    /// 45 degrees at first. Always false for a mover without an up. Only what the motion ran into
+    /// counts: a body at rest reports no floor, so add gravity in every frame, on the ground too.
     pub floor: bool,
     /// Whether a hit was neither floor nor ceiling.
     pub wall: bool,
     /// Whether a hit faced "down" within the same limit.
     pub ceiling: bool,
     /// The flags of all tiles that were hit, or-ed. Tiles that are not solid are never hit: ask
-    /// [`TileMap::flags_touched`](crate::TileMap::flags_touched), or [`TileMap::flags_swept`](crate::TileMap::flags_swept) at high speed.
+    /// [`TileMap::flags_touched`](crate::TileMap::flags_touched), or
+    /// [`TileMap::flags_swept`](crate::TileMap::flags_swept) at high speed.
     pub flags: u8,
     /// What the call did.
     pub work: Work,
@@ -63,7 +65,8 @@ impl<B: Body> Moved<B> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Work {
-    /// Sweeps of the whole remaining motion, at most [`Mover::ITERATIONS`](super::Mover::ITERATIONS).
+    /// Sweeps of the whole remaining motion, at most
+    /// [`Mover::ITERATIONS`](super::Mover::ITERATIONS).
     pub iterations: u32,
     /// Features that were swept against.
     pub features: u32,
@@ -71,10 +74,13 @@ pub struct Work {
     pub checks: u32,
 }
 
-/// The body overlaps the level before it moves; nothing was moved. A call without velocity moves nothing and does not look.
+/// The body overlaps the level before it moves; nothing was moved. A call without velocity moves
+/// nothing and does not look.
 ///
-/// It comes from a level that changed (a [door](crate::motion#doors) that closed), or from a body put into the solid. A way out, for games that want
-/// one: [`escape`](super::escape) pushes it out by the nearest surface that it reaches. It is `Stuck` too where it reaches none, or none is free.
+/// It comes from a level that changed (a [door](crate::motion#doors) that closed), or from a body
+/// put into the solid. A way out, for games that want one: [`escape`](super::escape) pushes it out
+/// by the nearest surface that it reaches. It is `Stuck` too where it reaches none, or none is
+/// free.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stuck {
@@ -122,8 +128,9 @@ impl core::error::Error for MoveError {}
 /// One thing that a moving body ran into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hit {
-    /// The part of the motion that was used up when it was hit. Exact floor for the first hit on a face along x or y, and for a
-    /// box on the slope of a tile; early by less than a raw unit of way elsewhere; later hits of one call add the roundings of the earlier ones.
+    /// The part of the motion that was used up when it was hit. Exact floor for the first hit on a
+    /// face along x or y, and for a box on the slope of a tile; early by less than a raw unit of
+    /// way elsewhere; later hits of one call add the roundings of the earlier ones.
     pub toi: Toi,
     /// The exact normal of what was hit: out of the solid, toward the body.
     pub axis: Axis,
@@ -151,7 +158,8 @@ impl Hit {
 /// Plain data: a copy is a snapshot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hits {
-    /// In halves: 48 bytes are made and copied in line, 96 by a library's routine for memory of any size.
+    /// In halves: 48 bytes are made and copied in line, 96 by a library's routine for memory of any
+    /// size.
     early: [Option<Hit>; 2],
     late: [Option<Hit>; 2],
     seen: u8,
@@ -171,7 +179,8 @@ impl Hits {
         Self { early: [Some(hit), None], late: [None; 2], seen: 1 }
     }
 
-    /// Whether a feature is told of already, or one with the same normal, as which a face that is cut is told of once.
+    /// Whether a feature is told of already, or one with the same normal, as which a face that is
+    /// cut is told of once.
     pub(super) fn tell_of(&self, axis: Axis, feature: &Feature) -> bool {
         let is = |hit: &Hit| (hit.cell, hit.index, hit.source) == (feature.cell, feature.index, feature.source);
         self.iter().any(|hit| hit.axis == axis || is(hit))

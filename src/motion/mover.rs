@@ -18,13 +18,16 @@ pub enum Response {
     /// Goes on along the surface.
     #[default]
     Slide,
-    /// Stops at the first contact; its velocity is then zero, and [`Moved::remaining`] is the motion not made.
+    /// Stops at the first contact; its velocity is then zero, and [`Moved::remaining`] is the
+    /// motion not made.
     Touch,
-    /// Passes one-way faces, to drop through a platform; slides along the solid. The first one-way face that it passes in a call is reported
-    /// among the hits, and is neither floor, wall nor ceiling.
+    /// Passes one-way faces, to drop through a platform; slides along the solid. The first one-way
+    /// face that it passes in a call is reported among the hits, and is neither floor, wall nor
+    /// ceiling.
     DropThrough,
-    /// Is mirrored at the surface: exactly at a face along x or y; elsewhere rounding may take up to 2 raw units of speed. It never gains any.
-    /// For less bounce, and for bounces that do not lose those either, see [`Mover::with_surface`].
+    /// Is mirrored at the surface: exactly at a face along x or y; elsewhere rounding may take up
+    /// to 2 raw units of speed. It never gains any. For less bounce, and for bounces that do not
+    /// lose those either, see [`Mover::with_surface`].
     Bounce,
 }
 
@@ -81,7 +84,8 @@ impl Mover {
         }
     }
 
-    /// A mover that tells floor, wall and ceiling apart; `up` may have any length (zero is no up). On a screen whose y grows downward it is [`Axis::NEG_Y`].
+    /// A mover that tells floor, wall and ceiling apart; `up` may have any length (zero is no up).
+    /// On a screen whose y grows downward it is [`Axis::NEG_Y`].
     #[must_use]
     pub const fn platformer(up: Axis) -> Self {
         Self { up: if up.is_zero() { None } else { Some(up) }, ..Self::new() }
@@ -89,12 +93,14 @@ impl Mover {
 }
 
 impl<S: Law> Mover<S> {
-    /// The same mover for bodies with friction and restitution. Movers without link no code for them.
+    /// The same mover for bodies with friction and restitution. Movers without link no code for
+    /// them.
     ///
-    /// Restitution acts with [`Response::Bounce`] alone, and that response has to be chosen too: at first a mover slides. Friction acts with all but
-    /// [`Response::Touch`].
+    /// Restitution acts with [`Response::Bounce`] alone, and that response has to be chosen too: at
+    /// first a mover slides. Friction acts with all but [`Response::Touch`].
     ///
-    /// They are part of the mover, so they may differ from call to call: by the body, or by the flags of the tile that it stood on.
+    /// They are part of the mover, so they may differ from call to call: by the body, or by the
+    /// flags of the tile that it stood on.
     ///
     /// ```
     /// use tilesat::{Axis, Fx, Mover, Ratio, Response, Surface};
@@ -115,10 +121,12 @@ impl<S: Law> Mover<S> {
         Self { response, bounce, ..self }
     }
 
-    /// The same mover with another limit between floor and wall: the steepest floor rises by `rise` over `run`, 1 : 1 (45 degrees) at first.
+    /// The same mover with another limit between floor and wall: the steepest floor rises by `rise`
+    /// over `run`, 1 : 1 (45 degrees) at first.
     ///
-    /// Exact: a slope as steep as the limit is floor. What faces down up to as steeply is ceiling, the rest is wall. With `run` 0 all
-    /// that faces up at all is floor, with `rise` 0 only what is level.
+    /// Exact: a slope as steep as the limit is floor. What faces down up to as steeply is ceiling,
+    /// the rest is wall. With `run` 0 all that faces up at all is floor, with `rise` 0 only what is
+    /// level.
     ///
     /// ```
     /// use tilesat::{Axis, Mover};
@@ -131,12 +139,14 @@ impl<S: Law> Mover<S> {
         Self { limit: SlopeLimit { rise, run }, ..self }
     }
 
-    /// The same mover that passes one-way faces, or no longer does: for the frames in which a player asks to drop through a platform, with
-    /// any response. They are reported as by [`Response::DropThrough`].
+    /// The same mover that passes one-way faces, or no longer does: for the frames in which a
+    /// player asks to drop through a platform, with any response. They are reported as by
+    /// [`Response::DropThrough`].
     ///
-    /// Gravity must act in that frame: the body passes what it moves into, and one that stands and has no velocity down stands on. One frame is
-    /// enough where it leads into the face by a raw unit or more, for then the body is no longer entirely in front of it. A mover that drops through is
-    /// not carried by one-way [`Solid`](crate::Solid)s either.
+    /// Gravity must act in that frame: the body passes what it moves into, and one that stands and
+    /// has no velocity down stands on. One frame is enough where it leads into the face by a raw
+    /// unit or more, for then the body is no longer entirely in front of it. A mover that drops
+    /// through is not carried by one-way [`Solid`](crate::Solid)s either.
     #[must_use]
     #[doc(alias("one way platform", "jump-through", "fall-through"))]
     pub const fn with_drop_through(self, drop_through: bool) -> Self {
@@ -151,34 +161,42 @@ impl<S: Law> Mover<S> {
 
     /// Moves a body by its velocity (units per call) through a level.
     ///
-    /// The body is swept, so no speed tunnels. It ends exactly on the faces along x and y that it hits, and what they do to the motion is
-    /// exact: a box that lands still goes on by its whole sideways motion. At a slope, a corner or an arc it ends at most 2 raw early
-    /// and never inside; wedged where no lattice point near the contact is free, up to 66 raw early, and if none is free there either where that piece
-    /// of its motion began.
-    /// What is left of the velocity is its longest projection that nothing is in the way of, of all surfaces that the body touches *at that place*: what it
-    /// has left behind has no say.
-    /// Along the slopes of tiles it goes exactly: the velocity is a multiple of the slope's direction, less than one multiple short. Through a
-    /// quarter pipe it goes by one chord a call and comes out as fast as it went in, less some 3 raw a call.
-    /// Sliding never lengthens the velocity and bouncing never raises its square (with a [`Speed`](super::Speed), not above that).
+    /// The body is swept, so no speed tunnels. It ends exactly on the faces along x and y that it
+    /// hits, and what they do to the motion is exact: a box that lands still goes on by its whole
+    /// sideways motion. At a slope, a corner or an arc it ends at most 2 raw early and never
+    /// inside; wedged where no lattice point near the contact is free, up to 66 raw early, and if
+    /// none is free there either where that piece of its motion began. What is left of the velocity
+    /// is its longest projection that nothing is in the way of, of all surfaces that the body
+    /// touches *at that place*: what it has left behind has no say. Along the slopes of tiles it
+    /// goes exactly: the velocity is a multiple of the slope's direction, less than one multiple
+    /// short. Through a quarter pipe it goes by one chord a call and comes out as fast as it went
+    /// in, less some 3 raw a call. Sliding never lengthens the velocity and bouncing never raises
+    /// its square (with a [`Speed`](super::Speed), not above that).
     ///
-    /// A body that gravity presses between surfaces (a V, a bowl, two domes, a slope and a wall) comes to rest, for gravities up to a twentieth of a
-    /// tile a call: each way that it makes is a part of its velocity, so nothing hums.
+    /// A body that gravity presses between surfaces (a V, a bowl, two domes, a slope and a wall)
+    /// comes to rest, for gravities up to a twentieth of a tile a call: each way that it makes is a
+    /// part of its velocity, so nothing hums.
     ///
-    /// A body without velocity stays where it is, and nothing is asked of the level, not even whether the body is in the solid: nothing that
-    /// could lead into it is done. `overlaps` of the level tells.
+    /// A body without velocity stays where it is, and nothing is asked of the level, not even
+    /// whether the body is in the solid: nothing that could lead into it is done. `overlaps` of the
+    /// level tells.
     ///
-    /// Mirrored scenes give mirrored bits, save where a circle meets two corners, slopes or arcs at the same moment and as squarely (+x goes first);
-    /// translated scenes give the same bits; exchanging x and y does too, save for ties (x goes first) and a raw unit at corners.
+    /// Mirrored scenes give mirrored bits, save where a circle meets two corners, slopes or arcs at
+    /// the same moment and as squarely (+x goes first); translated scenes give the same bits;
+    /// exchanging x and y does too, save for ties (x goes first) and a raw unit at corners.
     ///
-    /// Cost: where no cell that the motion passes over holds anything, one look at each. Else at most [`Mover::ITERATIONS`] sweeps over the cells under the motion, enumerated in pieces as long as a cell or the body (that
-    /// many look-ups also where a fast body is far from the map), and one or two exact overlap tests a sweep; [`Moved::work`] counts them. No division
+    /// Cost: where no cell that the motion passes over holds anything, one look at each. Else at
+    /// most [`Mover::ITERATIONS`] sweeps over the cells under the motion, enumerated in pieces as
+    /// long as a cell or the body (that many look-ups also where a fast body is far from the map),
+    /// and one or two exact overlap tests a sweep; [`Moved::work`] counts them. No division
     /// instruction; one square root for each slope (circles), corner and arc that is hit.
     ///
     /// # Errors
-    /// [`MoveError::Range`] where a velocity component or a half extent is not below 2^28 raw (4096 units; a velocity whose length is below
-    /// that stays acceptable however it is turned), the motion would leave the domain, or it comes to more than [`Mover::CELLS`] cells;
-    /// [`MoveError::Stuck`] where the body overlaps
-    /// the level already, it is to move, and the mover [reports](StartInside) that; without a velocity nothing is asked of the level.
+    /// [`MoveError::Range`] where a velocity component or a half extent is not below 2^28 raw (4096
+    /// units; a velocity whose length is below that stays acceptable however it is turned), the
+    /// motion would leave the domain, or it comes to more than [`Mover::CELLS`] cells;
+    /// [`MoveError::Stuck`] where the body overlaps the level already, it is to move, and the mover
+    /// [reports](StartInside) that; without a velocity nothing is asked of the level.
     #[inline(never)]
     #[doc(alias("moveAndCollide", "move_and_collide", "moveAndSlide", "world:move"))]
     pub fn move_and_slide<W: World, B: Body>(
@@ -241,11 +259,13 @@ impl<S: Law> Mover<S> {
         self.go_on(world, body, velocity, around, &mut first, &FirstHit { work, inside, guarded })
     }
 
-    /// Whether a hit takes all of a motion and leaves nothing: what most bodies that rest come to. It is what [`respond`](Self::respond) finds for them
-    /// as well, found without all that the others need.
+    /// Whether a hit takes all of a motion and leaves nothing: what most bodies that rest come to.
+    /// It is what [`respond`](Self::respond) finds for them as well, found without all that the
+    /// others need.
     ///
-    /// The face is touched, so none of the motion is made; the motion is straight into it, so nothing of it is along the face, for friction neither;
-    /// and all of one plane along x or y, nothing is askew that could [wedge](Self::wedge) it.
+    /// The face is touched, so none of the motion is made; the motion is straight into it, so
+    /// nothing of it is along the face, for friction neither; and all of one plane along x or y,
+    /// nothing is askew that could [wedge](Self::wedge) it.
     fn rests(&self, d: Raw, entry: &Entry, feature: &Feature) -> bool {
         let Entry { num, normal, ref step, .. } = *entry;
         let straight = (normal.x == 0 && d.x == 0) || (normal.y == 0 && d.y == 0);

@@ -1,20 +1,25 @@
 //! Which of the hits of one motion is the first. The order of visits plays no part; the first of
 //! these that tells two hits apart decides:
 //!
-//! 1. The earlier one. A vertex or an arc, whose time is a bound, is before a face where that is so exactly.
+//! 1. The earlier one. A vertex or an arc, whose time is a bound, is before a face where that is so
+//!    exactly.
 //! 2. A face before a vertex or an arc.
-//! 3. Of two faces, or of two others, what is not met at its end alone; what opposes the motion more; then the normal, by the longer part along x, the longer
-//!    part along y, and +x and +y before -x and -y.
-//! 4. Of one surface what is solid, not one-way; then the level, the row, the column and the index that are less. The flags of both count.
+//! 3. Of two faces, or of two others, what is not met at its end alone; what opposes the motion
+//!    more; then the normal, by the longer part along x, the longer part along y, and +x and +y
+//!    before -x and -y.
+//! 4. Of one surface what is solid, not one-way; then the level, the row, the column and the index
+//!    that are less. The flags of both count.
 
 use super::body::{Body, Entry};
 use crate::num::{Axis, Raw, add128, imul, less128, mul_div, mul64, sqr64, umul};
 use crate::world::{Feature, Geometry, World};
 
-/// The first hit so far: of faces, whose times are exact, and of vertices and arcs, whose times are lower bounds.
+/// The first hit so far: of faces, whose times are exact, and of vertices and arcs, whose times are
+/// lower bounds.
 ///
-/// Each is the first by an order of its own, and the two are compared by what is exact of both once all are known. So the order of visits does
-/// not matter, as it might if bounds and exact times were in one order: of three, each could be before the next.
+/// Each is the first by an order of its own, and the two are compared by what is exact of both once
+/// all are known. So the order of visits does not matter, as it might if bounds and exact times
+/// were in one order: of three, each could be before the next.
 pub(super) struct First {
     flat: Candidate,
     round: Candidate,
@@ -86,8 +91,9 @@ impl First {
 
 /// Whether a body meets a vertex or an arc before the moment at which it meets a face.
 ///
-/// Where it does so by a bound that is early by less than a raw unit of way, the place at the moment of the face decides: inside of the disc that
-/// it enters, or already leaving it; outside of the disc that it leaves.
+/// Where it does so by a bound that is early by less than a raw unit of way, the place at the
+/// moment of the face decides: inside of the disc that it enters, or already leaving it; outside of
+/// the disc that it leaves.
 fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), flat: &Entry) -> bool {
     if umul(round.num, flat.den) >= umul(flat.num, round.den) {
         return false;
@@ -111,10 +117,11 @@ fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), f
     }
 }
 
-/// Whether the point `m` that moves by `d` has entered the disc of radius `r` around the origin before a moment, or left it.
+/// Whether the point `m` that moves by `d` has entered the disc of radius `r` around the origin
+/// before a moment, or left it.
 ///
-/// With the moment as a fraction, in units of its divisor: |m| and r are below 2^30, |d| below 2^28 and the fraction's terms up to 2^30, so the
-/// point is below 2^61 and its square below 2^122.
+/// With the moment as a fraction, in units of its divisor: |m| and r are below 2^30, |d| below 2^28
+/// and the fraction's terms up to 2^30, so the point is below 2^61 and its square below 2^122.
 #[inline(never)]
 fn is_past(m: Raw, r: i32, leaves: bool, d: Raw, at: &Entry) -> bool {
     let coordinate = |m: i32, d: i32| imul(m, at.den as i32).wrapping_add(imul(d, at.num as i32)).unsigned_abs();

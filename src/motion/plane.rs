@@ -1,4 +1,5 @@
-//! Which way a surface faces, and what becomes of a velocity along it: at a plane, and through a quarter pipe.
+//! Which way a surface faces, and what becomes of a velocity along it: at a plane, and through a
+//! quarter pipe.
 
 use super::body::kernel::Kernel;
 use super::response::{Law, Reply};
@@ -58,9 +59,11 @@ impl Default for SlopeLimit {
     }
 }
 
-/// The rounding distance: a body that is pushed off by the rounding at one surface still touches another that is within this many raw units.
+/// The rounding distance: a body that is pushed off by the rounding at one surface still touches
+/// another that is within this many raw units.
 ///
-/// A place at a hit is at most 2 raw early on each axis, so of two surfaces that a body has come to one is at most 2 sqrt 2 raw off.
+/// A place at a hit is at most 2 raw early on each axis, so of two surfaces that a body has come to
+/// one is at most 2 sqrt 2 raw off.
 pub(super) const NEAR: u32 = 4;
 
 /// The longer component of a displacement.
@@ -68,7 +71,8 @@ pub(super) fn way(made: Raw) -> u32 {
     made.x.unsigned_abs().max(made.y.unsigned_abs())
 }
 
-/// The component of `v` along the normal, scaled: negative means into the plane. |v| < 2^29, |n| < 2^30: below 2^60.
+/// The component of `v` along the normal, scaled: negative means into the plane. |v| < 2^29, |n| <
+/// 2^30: below 2^60.
 pub(super) fn into(v: Raw, n: Axis) -> i64 {
     n.dot(Axis::new(v.x, v.y))
 }
@@ -78,8 +82,8 @@ pub(super) const fn may_be_askew<B: Kernel, W: World>() -> bool {
     B::MEETS_CORNERS || !W::BLOCKS
 }
 
-/// `v` without its part along the normal, less what friction takes: never into the plane, never longer than `v` (both exactly), zero where `v` has
-/// no part along it.
+/// `v` without its part along the normal, less what friction takes: never into the plane, never
+/// longer than `v` (both exactly), zero where `v` has no part along it.
 pub(super) fn project<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S) -> Raw {
     let rub = |along: i64, into: i64| if S::SMOOTH { along } else { surface.surface().rub(along, into) };
     if n.x == 0 || n.y == 0 || !may_be_askew::<B, W>() {
@@ -95,7 +99,8 @@ pub(super) fn project<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S)
     if into(out, n) >= 0 && out.len2() <= v.len2() { out } else { Raw { x: 0, y: 0 } }
 }
 
-/// Exactly along a slope of tiles: the largest multiple of its direction that is not longer than the exact projection.
+/// Exactly along a slope of tiles: the largest multiple of its direction that is not longer than
+/// the exact projection.
 #[inline(never)]
 fn project_slope(along: i64, n: Axis) -> Raw {
     // |v| < 2^29 and |n|^2 <= 8: the dot product is below 2^31.
@@ -104,8 +109,8 @@ fn project_slope(along: i64, n: Axis) -> Raw {
     Raw { x: n.y.wrapping_neg().wrapping_mul(k), y: n.x.wrapping_mul(k) }
 }
 
-/// A velocity of at most `speed` along the tangent (-n.y, n.x), or against it: the largest multiple of the direction of a slope of tiles, elsewhere
-/// as [`tangent`].
+/// A velocity of at most `speed` along the tangent (-n.y, n.x), or against it: the largest multiple
+/// of the direction of a slope of tiles, elsewhere as [`tangent`].
 pub(super) fn lies_along<B: Kernel, W: World>(speed: u32, n: Axis, against: bool) -> Raw {
     let small = n.x.unsigned_abs() <= 2 && n.y.unsigned_abs() <= 2;
     if W::BLOCKS || !small || n.x == 0 || n.y == 0 {
@@ -127,21 +132,24 @@ pub(super) fn tangential(along: i64, n: Axis) -> u32 {
     div_sqrt(along.unsigned_abs(), n.length_squared())
 }
 
-/// A velocity along the tangent (-n.y, n.x), or against it, of at most `speed` and not into the plane.
+/// A velocity along the tangent (-n.y, n.x), or against it, of at most `speed` and not into the
+/// plane.
 #[inline(never)]
 pub(super) fn tangent(speed: u32, n: Axis, against: bool) -> Raw {
     if n.x == 0 || n.y == 0 {
         let speed = if against { (speed as i32).wrapping_neg() } else { speed as i32 };
         return Raw { x: n.y.signum().wrapping_neg().wrapping_mul(speed), y: n.x.signum().wrapping_mul(speed) };
     }
-    // Less two raw for the roundings below, less what the unit vector's error can add: 2 parts in 2^30 of it.
+    // Less two raw for the roundings below, less what the unit vector's error can add: 2 parts in
+    // 2^30 of it.
     let safe = speed.saturating_sub(2 + (speed >> 26));
     let (ux, uy) = n.unit().raw();
     let (tx, ty) = if against { (uy, -ux) } else { (-uy, ux) };
     Raw { x: toward(safe, tx, n.x), y: toward(safe, ty, n.y) }
 }
 
-/// `speed * unit` (Q30), rounded up or down as `side` is positive or negative, beyond the error of `unit` (below 2 units).
+/// `speed * unit` (Q30), rounded up or down as `side` is positive or negative, beyond the error of
+/// `unit` (below 2 units).
 fn toward(speed: u32, unit: i32, side: i32) -> i32 {
     const BELOW_ONE: u64 = (1 << 30) - 1;
     let (product, error) = (umul(speed, unit.unsigned_abs()), 2 * u64::from(speed));
@@ -156,7 +164,8 @@ fn toward(speed: u32, unit: i32, side: i32) -> i32 {
     }
 }
 
-/// `v` after a bounce: never longer than it (or its reference speed), never into the plane; unchanged where it does not move in.
+/// `v` after a bounce: never longer than it (or its reference speed), never into the plane;
+/// unchanged where it does not move in.
 pub(super) fn reflect<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S, reply: Reply) -> Raw {
     if S::SMOOTH && !may_be_askew::<B, W>() {
         if into(v, n) >= 0 {
@@ -190,10 +199,13 @@ pub(super) struct Chord {
 }
 
 impl Pipe {
-    /// The way of a body of velocity `v` in the time `rest`; none where it is pressed straight into the pipe.
+    /// The way of a body of velocity `v` in the time `rest`; none where it is pressed straight into
+    /// the pipe.
     ///
-    /// Its end is the end of the way along the tangent, drawn to the disc, which brings nothing farther apart; not beyond the
-    /// end of the arc, where the time that the chord takes decides what is left. The speed along the pipe stays what it is, less a few raw and what friction takes.
+    /// Its end is the end of the way along the tangent, drawn to the disc, which brings nothing
+    /// farther apart; not beyond the end of the arc, where the time that the chord takes decides
+    /// what is left. The speed along the pipe stays what it is, less a few raw and what friction
+    /// takes.
     pub(super) fn chord<S: Law>(&self, v: Raw, rest: Toi, surface: &S) -> Option<Chord> {
         let n = inward(self.m);
         let along = across(v, n);

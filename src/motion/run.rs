@@ -1,5 +1,5 @@
-//! What one call of the mover does to its body: the first hit of a motion, the place at the hit, the rest of the motion, the way along a
-//! quarter pipe.
+//! What one call of the mover does to its body: the first hit of a motion, the place at the hit,
+//! the rest of the motion, the way along a quarter pipe.
 
 use super::body::{Body, Entry};
 use super::contact::Plane;
@@ -24,13 +24,15 @@ pub(super) struct Run<'m, B> {
     pub(super) motion: Raw,
     /// The part of the call's time that is left.
     pub(super) rest: Toi,
-    /// The velocity that is projected at the next hit: the one that the body had before all that it still touches.
+    /// The velocity that is projected at the next hit: the one that the body had before all that it
+    /// still touches.
     pub(super) before: Raw,
     /// What the motion runs along.
     pub(super) along: Option<Plane>,
     /// Whether it has come farther than roundings take it.
     pub(super) came: bool,
-    /// Whether it came flying to the first of what it touches: then what it comes to next is met with the velocity that is left.
+    /// Whether it came flying to the first of what it touches: then what it comes to next is met
+    /// with the velocity that is left.
     pub(super) flew: bool,
     /// Whether nothing has been hit yet.
     pub(super) is_first: bool,
@@ -38,7 +40,8 @@ pub(super) struct Run<'m, B> {
     pub(super) tried: Raw,
     /// What led nowhere from this place.
     pub(super) shut: Shut,
-    /// Whether the motion is along a way that is bound, up to what binds it, because no way is free.
+    /// Whether the motion is along a way that is bound, up to what binds it, because no way is
+    /// free.
     pub(super) creeps: bool,
     pub(super) pass_one_way: bool,
     /// Whether the body has been in the solid all the time.
@@ -51,7 +54,8 @@ pub(super) struct Run<'m, B> {
     pub(super) after: Toi,
 }
 
-/// Where a body was, to be put back to: a place in the solid is one only for what has been there all the time.
+/// Where a body was, to be put back to: a place in the solid is one only for what has been there
+/// all the time.
 #[derive(Clone, Copy)]
 pub(super) struct Checkpoint<B> {
     body: B,
@@ -130,11 +134,13 @@ impl<'m, B: Body> Run<'m, B> {
 
     /// Moves up to the hit, not against `u`; returns the displacement made.
     ///
-    /// Where a box meets blocks the first displacement is certain: at the exact place of the hit it is on the outer side of one face's line of
-    /// each rectangle of solid, those lines are integers, and rounding toward the integer start passes none.
+    /// Where a box meets blocks the first displacement is certain: at the exact place of the hit it
+    /// is on the outer side of one face's line of each rectangle of solid, those lines are
+    /// integers, and rounding toward the integer start passes none.
     #[inline(never)]
     pub(super) fn place<W: World>(&mut self, world: &W, d: Raw, entry: &Entry, u: Raw) -> Raw {
-        // Corners: rounding away from one corner may graze another. Lattice neighbours toward the start, then aside, then two back.
+        // Corners: rounding away from one corner may graze another. Lattice neighbours toward the
+        // start, then aside, then two back.
         const STEPS: [(i32, i32); 7] = [(0, 0), (-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
         let q = entry.displacement(d);
         if q.is_zero() {
@@ -147,7 +153,8 @@ impl<'m, B: Body> Run<'m, B> {
             for (x, y) in STEPS {
                 let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
                 let q = on_the_way(q.add(step), d);
-                // Each way made is a part of the velocity, so with the same velocity no place comes again.
+                // Each way made is a part of the velocity, so with the same velocity no place comes
+                // again.
                 if (q.is_zero() || u.dot(q) > 0) && self.take(world, q, W::CERTAIN && W::BLOCKS && !B::MEETS_CORNERS) {
                     return q;
                 }
@@ -157,8 +164,9 @@ impl<'m, B: Body> Run<'m, B> {
         Raw::ZERO
     }
 
-    /// Takes the first displacement that the exact overlap test accepts, else stays; returns the displacement made. None leads beyond either
-    /// end of the motion `d`, and so none out of the domain.
+    /// Takes the first displacement that the exact overlap test accepts, else stays; returns the
+    /// displacement made. None leads beyond either end of the motion `d`, and so none out of the
+    /// domain.
     pub(super) fn commit<W: World>(&mut self, world: &W, d: Raw, displacements: &[Raw]) -> Raw {
         let mut choices = displacements.iter().map(|&q| on_the_way(q, d));
         choices.find(|&q| self.take(world, q, false)).unwrap_or(Raw::ZERO)
@@ -166,14 +174,16 @@ impl<'m, B: Body> Run<'m, B> {
 
     /// Makes a motion that meets nothing.
     ///
-    /// Among tiles its end is certain: the sweeps are exact and the surface is all around the solid, so what starts outside and hits nothing ends
-    /// outside. Where not all tiles are blocks that is not so of bodies without area, which may go in between two features.
+    /// Among tiles its end is certain: the sweeps are exact and the surface is all around the
+    /// solid, so what starts outside and hits nothing ends outside. Where not all tiles are blocks
+    /// that is not so of bodies without area, which may go in between two features.
     pub(super) fn arrive<W: World>(&mut self, world: &W, d: Raw) {
         let certain = W::CERTAIN && (W::BLOCKS || margin(&self.moved.body.bounds()) == 0);
         self.take(world, d, certain);
     }
 
-    /// Moves by a displacement if the exact overlap test accepts its end; what is `certain` or known needs no test.
+    /// Moves by a displacement if the exact overlap test accepts its end; what is `certain` or
+    /// known needs no test.
     #[inline(never)]
     fn take<W: World>(&mut self, world: &W, q: Raw, certain: bool) -> bool {
         let candidate = self.moved.body.shifted(q);
@@ -187,8 +197,9 @@ impl<'m, B: Body> Run<'m, B> {
         takes
     }
 
-    /// Whether a rounded displacement leads through a one-way face: no overlap test would object, and the body would fall through. Faces
-    /// along x and y need no such care, rounding keeps a body on its side of them.
+    /// Whether a rounded displacement leads through a one-way face: no overlap test would object,
+    /// and the body would fall through. Faces along x and y need no such care, rounding keeps a
+    /// body on its side of them.
     #[inline(never)]
     fn passes_one_way<W: World>(&mut self, world: &W, q: Raw) -> bool {
         let mut features = world.features(&hull(&self.moved.body.bounds(), Raw::ZERO, q, 1));
@@ -203,8 +214,9 @@ impl<'m, B: Body> Run<'m, B> {
 
     /// What is left of the motion where the velocity becomes another.
     ///
-    /// A component that is kept, dropped or reversed (all that faces along the axes do) acts on the rest of the motion exactly, so nothing is
-    /// lost by rounding; any other is the new velocity times the time that is left.
+    /// A component that is kept, dropped or reversed (all that faces along the axes do) acts on the
+    /// rest of the motion exactly, so nothing is lost by rounding; any other is the new velocity
+    /// times the time that is left.
     pub(super) fn turned(&self, to: Raw) -> Raw {
         let rest = self.rest;
         let component = |left: i32, was: i32, now: i32| {

@@ -1,4 +1,5 @@
-//! The search for the first hit of a motion: what is known of the level around it, which parts it asks, and in which order.
+//! The search for the first hit of a motion: what is known of the level around it, which parts it
+//! asks, and in which order.
 
 use super::Mover;
 use super::body::{Body, Entry};
@@ -120,7 +121,8 @@ fn is_inside(region: &Aabb) -> bool {
     lo.x.min(lo.y) > -DOMAIN && hi.x.max(hi.y) < DOMAIN
 }
 
-/// What the inside of the bounds covers between two displacements, `margin` raw units larger on every side.
+/// What the inside of the bounds covers between two displacements, `margin` raw units larger on
+/// every side.
 pub(super) fn hull(bounds: &Aabb, from: Raw, to: Raw, margin: i32) -> Aabb {
     let (a, b) = (bounds.lo(), bounds.hi());
     let lo = Raw { x: a.x + from.x.min(to.x) - margin, y: a.y + from.y.min(to.y) - margin };
@@ -147,8 +149,8 @@ impl<'a, B: Body> Search<'a, B> {
         Self { body, around, pass_one_way: false, pressed: None, features: 0, guarded: false }
     }
 
-    /// Looks for the first hit of the motion. Cells are visited piece by piece so that the work is linear in the motion's length; the sweeps
-    /// themselves always see the whole motion.
+    /// Looks for the first hit of the motion. Cells are visited piece by piece so that the work is
+    /// linear in the motion's length; the sweeps themselves always see the whole motion.
     #[inline(never)]
     pub(super) fn find_first<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
         let bounds = self.body.bounds();
@@ -233,7 +235,8 @@ impl<'a, B: Body> Search<'a, B> {
     #[inline(never)]
     pub(super) fn meet_all<W: World>(&mut self, world: &W, features: &mut W::Features<'_>, d: Raw, first: &mut First) {
         let body = self.body;
-        // By reference, as all that is larger than a few words: copies of features and entries would be most of the stack.
+        // By reference, as all that is larger than a few words: copies of features and entries
+        // would be most of the stack.
         while let Some(feature) = &if W::GRID { world.next_here(features) } else { features.next() } {
             self.features += 1;
             if feature.one_way && self.pass_one_way {
@@ -270,9 +273,10 @@ fn part(d: Raw, k: u32, n: u32) -> Raw {
     Raw { x: of(d.x), y: of(d.y) }
 }
 
-/// In how many pieces, a power of two, the cells under a motion are visited: no shorter than the body either, or each would visit the body's own
-/// cells again. Up to half as long again is one piece: a look-up more costs less than another start. At most 2^21, for a motion below 2^29 in cells of
-/// 2^8.
+/// In how many pieces, a power of two, the cells under a motion are visited: no shorter than the
+/// body either, or each would visit the body's own cells again. Up to half as long again is one
+/// piece: a look-up more costs less than another start. At most 2^21, for a motion below 2^29 in
+/// cells of 2^8.
 pub(super) fn pieces<W: World>(world: &W, bounds: &Aabb, d: Raw) -> u32 {
     let longest = way(d);
     let side = Raw::of(bounds.size());
@@ -307,19 +311,22 @@ fn count_cells<W: World>(world: &W, bounds: &Aabb, d: Raw) -> Result<(), RangeEr
     Err(RangeError { what: Quantity::Cells, value: cells.min(i32::MAX as u64) as i32 })
 }
 
-/// What the inside of the bounds covers in one of the pieces of a motion. Where there are more, displacements are rounded: a raw unit larger then.
+/// What the inside of the bounds covers in one of the pieces of a motion. Where there are more,
+/// displacements are rounded: a raw unit larger then.
 pub(super) fn piece_of(bounds: &Aabb, from: Raw, to: Raw, pieces: u32) -> Aabb {
     hull(bounds, from, to, if pieces == 1 { margin(bounds) } else { 1 })
 }
 
 impl<B: Body> Search<'_, B> {
-    /// Takes the first end of an arc at which a body that has no extent across its motion runs into the solid, where that is before all else that
-    /// it meets.
+    /// Takes the first end of an arc at which a body that has no extent across its motion runs into
+    /// the solid, where that is before all else that it meets.
     ///
-    /// The gap between a convex arc and the surface that it touches closes to nothing: both are tangent to the motion, and what is solid behind the
-    /// end of the arc has no face there. A quarter pipe ends on the line of the wall beside it, where a body that comes down the wall passes the arc.
-    /// Only a motion along x or y gets to either. From the end on it is in the inside of the
-    /// solid, or in none for at least half a cell: a raw unit farther tells which. What has a face there is met by that, at the same moment.
+    /// The gap between a convex arc and the surface that it touches closes to nothing: both are
+    /// tangent to the motion, and what is solid behind the end of the arc has no face there. A
+    /// quarter pipe ends on the line of the wall beside it, where a body that comes down the wall
+    /// passes the arc. Only a motion along x or y gets to either. From the end on it is in the
+    /// inside of the solid, or in none for at least half a cell: a raw unit farther tells which.
+    /// What has a face there is met by that, at the same moment.
     ///
     /// ```text
     ///       ....          the arc ends at P with the motion's direction;      ....|o         the pipe ends at P, across the motion

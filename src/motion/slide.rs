@@ -29,7 +29,8 @@ impl<S: Law> Mover<S> {
         if into < 0 && may_be_askew::<B, W>() { project::<B, W, _>(v, up.perp(), &Smooth) } else { v }
     }
 
-    /// Records a hit, up to which the motion has `used` so much of its time; what it is to a body that does not pass it.
+    /// Records a hit, up to which the motion has `used` so much of its time; what it is to a body
+    /// that does not pass it.
     #[inline(never)]
     pub(super) fn meet<B: Body>(
         &self,
@@ -49,8 +50,8 @@ impl<S: Law> Mover<S> {
         Some(side)
     }
 
-    /// Gives the velocity its direction after a hit: of a motion `d`, of which the displacement `made` led up to it. Whether it is still to be
-    /// [chosen](Self::go_along) from the ways on.
+    /// Gives the velocity its direction after a hit: of a motion `d`, of which the displacement
+    /// `made` led up to it. Whether it is still to be [chosen](Self::go_along) from the ways on.
     #[inline(never)]
     pub(super) fn respond<W: World, B: Body, const WALKS: bool>(
         &self,
@@ -60,7 +61,8 @@ impl<S: Law> Mover<S> {
         (side, entry, feature): (SurfaceRole, &Entry, &Feature),
     ) -> bool {
         let time = run.rest.raw() - run.after.raw();
-        // floor(time (den - num) / den): what was used, rounded up where it is not exact, is not left.
+        // floor(time (den - num) / den): what was used, rounded up where it is not exact, is not
+        // left.
         let part = u32::from(umul(used, entry.den) != umul(time, entry.num));
         run.rest = Toi::clamped(run.after.raw() + time - used - part);
         run.after = Toi::ZERO;
@@ -99,8 +101,8 @@ impl<S: Law> Mover<S> {
         }
     }
 
-    /// Takes the longest of the ways on from the present place that is free, after a displacement up to a hit, if it was one. Where none is
-    /// free, the body [creeps](Run::creeps), or it stops.
+    /// Takes the longest of the ways on from the present place that is free, after a displacement
+    /// up to a hit, if it was one. Where none is free, the body [creeps](Run::creeps), or it stops.
     #[inline(never)]
     pub(super) fn go_along<W: World, B: Body>(
         &self,
@@ -171,7 +173,8 @@ impl<S: Law> Mover<S> {
         }
     }
 
-    /// Goes on after a creeping motion `d`: from the place up to what it met, where it met anything.
+    /// Goes on after a creeping motion `d`: from the place up to what it met, where it met
+    /// anything.
     #[inline(never)]
     pub(super) fn creep<W: World, B: Body>(
         &self,
@@ -198,7 +201,8 @@ impl<S: Law> Mover<S> {
         made
     }
 
-    /// Records what else holds a body that stops: what the longest of the ways that led nowhere runs into.
+    /// Records what else holds a body that stops: what the longest of the ways that led nowhere
+    /// runs into.
     #[inline(never)]
     fn report_binding<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, ways: &Ways) {
         run.moved.work.iterations += 1;
@@ -206,7 +210,8 @@ impl<S: Law> Mover<S> {
             let mut first = First::none();
             ways.binding(world, &run.moved.body, probe, &run.moved.hits, &mut first);
             let Some((entry, feature)) = first.hit::<B, W>(&run.moved.body, probe) else { continue };
-            // At the body's place, from which mirrored bodies look alike: the probe's end is rounded.
+            // At the body's place, from which mirrored bodies look alike: the probe's end is
+            // rounded.
             let mut normal = entry.normal;
             touched(&run.moved.body, feature, |plane| {
                 if plane.bend == Bend::Convex {
@@ -219,8 +224,9 @@ impl<S: Law> Mover<S> {
     }
 }
 
-/// Whether a hit takes one component of the velocity and leaves the other, whatever else is near: a face along x or y that the body
-/// does not meet at its end. What the body touches beside it is met by the sweep that follows.
+/// Whether a hit takes one component of the velocity and leaves the other, whatever else is near: a
+/// face along x or y that the body does not meet at its end. What the body touches beside it is met
+/// by the sweep that follows.
 ///
 /// A body that runs along another such face stops: both components are bound.
 fn is_plain<B: Body>(run: &Run<'_, B>, entry: &Entry) -> bool {
@@ -231,10 +237,12 @@ fn is_plain<B: Body>(run: &Run<'_, B>, entry: &Entry) -> bool {
         && (run.v == run.before || run.along.is_some_and(|p| straight(p.normal) && p.bend == Bend::Flat))
 }
 
-/// Whether a body lay already on what it has hit: on its plane within the rounding distance, wherever that is cut, or on a hop.
+/// Whether a body lay already on what it has hit: on its plane within the rounding distance,
+/// wherever that is cut, or on a hop.
 ///
-/// A body that flies to a convex corner or arc lay on it a call ago where it has left it along its own tangent: going `s` along a tangent it rises off a circle
-/// of radius `rho` by `s^2 / 2 rho`, for s well below rho.
+/// A body that flies to a convex corner or arc lay on it a call ago where it has left it along its
+/// own tangent: going `s` along a tangent it rises off a circle of radius `rho` by `s^2 / 2 rho`,
+/// for s well below rho.
 fn lay_on<B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: &Feature) -> bool {
     let n = hit.normal;
     let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
@@ -258,8 +266,8 @@ fn is_hop(plane: &Plane, u: Raw, made: Raw) -> bool {
 }
 
 impl<B: Body> Run<'_, B> {
-    /// Whether what the body has just run along may still be touched: of a tangent that is so while it turns by less than a quarter of its length, of
-    /// faces the [ways](Ways::keep) tell.
+    /// Whether what the body has just run along may still be touched: of a tangent that is so while
+    /// it turns by less than a quarter of its length, of faces the [ways](Ways::keep) tell.
     fn may_keep(&self, made: Raw) -> bool {
         self.along.is_some_and(|plane| match plane.bend {
             Bend::Convex => made.len2() << 4 <= plane.normal.length_squared(),
@@ -267,7 +275,8 @@ impl<B: Body> Run<'_, B> {
         })
     }
 
-    /// Sets out along what the body touches where all ways are bound, but not in the very last place; whether a way is left to try.
+    /// Sets out along what the body touches where all ways are bound, but not in the very last
+    /// place; whether a way is left to try.
     fn creep_along<W: World>(&mut self, ways: &Ways) -> bool {
         for on in ways.iter().filter(|on| on.along.is_some_and(|p| p.pipe().is_none()) && on.can_creep()) {
             let d = self.along_plane::<W>(on.v, on.along);
@@ -279,8 +288,10 @@ impl<B: Body> Run<'_, B> {
         false
     }
 
-    /// The longest free way that does not lead into the plane of what was hit. Where something else binds those, any: the body may be beside what it hit, where that
-    /// ends or by the rounding of its place. A body without area is beside nothing: it may stand where two surfaces touch and leave no face.
+    /// The longest free way that does not lead into the plane of what was hit. Where something else
+    /// binds those, any: the body may be beside what it hit, where that ends or by the rounding of
+    /// its place. A body without area is beside nothing: it may stand where two surfaces touch and
+    /// leave no face.
     fn choose<W: World>(&self, world: &W, ways: &mut Ways, hit: Axis, passes: bool) -> Option<Way> {
         let body = &self.moved.body;
         let is_shut = |way: &Way| self.shut.holds(way.probe());
@@ -322,9 +333,11 @@ impl<B: Body> Run<'_, B> {
         v
     }
 
-    /// The rest of the motion at a velocity along a plane: along a slope of tiles to the last bit, and into no plane.
+    /// The rest of the motion at a velocity along a plane: along a slope of tiles to the last bit,
+    /// and into no plane.
     ///
-    /// What enters one does so because it was rounded toward zero, by less than a raw unit on each axis: so far it is put back.
+    /// What enters one does so because it was rounded toward zero, by less than a raw unit on each
+    /// axis: so far it is put back.
     fn along_plane<W: World>(&self, v: Raw, along: Option<Plane>) -> Raw {
         let d = self.turned(v);
         let Some(Plane { normal: n, .. }) = along else { return d };

@@ -1,4 +1,5 @@
-//! What a moving box and a moving circle enter of each kind of feature, and the corners and arcs that a box meets with a side.
+//! What a moving box and a moving circle enter of each kind of feature, and the corners and arcs
+//! that a box meets with a side.
 
 use super::body::Entry;
 use super::body::kernel::Kernel;
@@ -35,7 +36,8 @@ impl Kernel for Aabb {
         match feature.geometry {
             Geometry::Face { dir, .. } if dir.x == 0 || dir.y == 0 => self.sweep_block(d, feature),
             Geometry::Face { a, dir, len, joined } => {
-                // A box reaches beyond the slope's line exactly where the corner does that is nearest to it; the normal is (dir.y, -dir.x).
+                // A box reaches beyond the slope's line exactly where the corner does that is
+                // nearest to it; the normal is (dir.y, -dir.x).
                 let (corner, _) = self.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
                 sweep_slope(corner, 0, d, &Face { a: Raw::of(a), dir, len, joined })
             }
@@ -54,7 +56,8 @@ impl Kernel for Aabb {
 
     #[inline]
     fn sweep_block(&self, d: Raw, feature: &Feature) -> Option<Entry> {
-        // A block's corners need no test: its faces, closed where the motion enters them, cover what a box can hit.
+        // A block's corners need no test: its faces, closed where the motion enters them, cover
+        // what a box can hit.
         match feature.geometry {
             Geometry::Face { a, dir, len, joined } => {
                 sweep_face((self.lo(), self.hi()), 0, d, &Face { a: Raw::of(a), dir, len, joined })
@@ -128,11 +131,13 @@ impl Kernel for Circle {
         let (c, r) = (self.c(), self.r());
         match feature.geometry {
             Geometry::Face { a, dir, len, joined } => {
-                // A circle without radius is a box without size: it may touch a face's free end and pass.
+                // A circle without radius is a box without size: it may touch a face's free end and
+                // pass.
                 let joined = if r == 0 { joined } else { [true; 2] };
                 sweep_face((c, c), r, d, &Face { a: Raw::of(a), dir, len, joined })
             }
-            // The cone of a block's corner is a quadrant; on its borders, and outside of it, the faces are in charge.
+            // The cone of a block's corner is a quadrant; on its borders, and outside of it, the
+            // faces are in charge.
             Geometry::Vertex { p, e_in, e_out } => {
                 let quadrant = Axis::new(e_in.x.wrapping_sub(e_out.x), e_in.y.wrapping_sub(e_out.y));
                 enter_quarter(c.sub(Raw::of(p)), r, d, quadrant, false)
@@ -154,9 +159,11 @@ impl Kernel for Circle {
     }
 }
 
-/// Entry of a side of the box that lands on a convex corner: along x or y, wherever that direction points out of both edges.
+/// Entry of a side of the box that lands on a convex corner: along x or y, wherever that direction
+/// points out of both edges.
 ///
-/// Where one of the edges is parallel to the side, its face is met by the whole side; then the corner adds nothing.
+/// Where one of the edges is parallel to the side, its face is met by the whole side; then the
+/// corner adds nothing.
 #[inline(never)]
 pub(super) fn sweep_peak(lo: Raw, hi: Raw, d: Raw, p: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
     let side = |out: i32, back: i32| if (out < 0) != (back < 0) && out != 0 && back != 0 { out.signum() } else { 0 };
@@ -165,7 +172,8 @@ pub(super) fn sweep_peak(lo: Raw, hi: Raw, d: Raw, p: Raw, e_in: Axis, e_out: Ax
     first
 }
 
-/// Entry of a side of the box that lands on a point of the surface whose normal there is parallel to x or y; none where it is zero.
+/// Entry of a side of the box that lands on a point of the surface whose normal there is parallel
+/// to x or y; none where it is zero.
 #[inline(never)]
 pub(super) fn sweep_end(lo: Raw, hi: Raw, d: Raw, p: Raw, normal: Axis) -> Option<Entry> {
     if normal.is_zero() {
@@ -175,8 +183,9 @@ pub(super) fn sweep_end(lo: Raw, hi: Raw, d: Raw, p: Raw, normal: Axis) -> Optio
     sweep_face((lo, hi), 0, d, &Face { a: p, dir, len: 0, joined: [false; 2] })
 }
 
-/// Entry through a convex arc: of the corner of the box that is nearest to its centre through the arc itself, or of a side that lands on an end, where
-/// the normal is along x or y. A flat face that goes on from there is met by the same side.
+/// Entry through a convex arc: of the corner of the box that is nearest to its centre through the
+/// arc itself, or of a side that lands on an end, where the normal is along x or y. A flat face
+/// that goes on from there is met by the same side.
 #[inline(never)]
 pub(super) fn sweep_round((lo, hi): (Raw, Raw), corner: Raw, d: Raw, arc: (Raw, i32, Axis)) -> Option<Entry> {
     let (centre, radius, quadrant) = arc;
@@ -242,8 +251,8 @@ mod tests {
         })
     }
 
-    /// When the box starts to overlap, as a fraction: clipping the motion by the half-planes of the sum of the solid and the mirrored box,
-    /// whose edges are the solid's and those along x and y.
+    /// When the box starts to overlap, as a fraction: clipping the motion by the half-planes of the
+    /// sum of the solid and the mirrored box, whose edges are the solid's and those along x and y.
     fn oracle(solid: &[Point], lo: Point, size: Point, d: Point) -> Option<(i64, i64)> {
         let n = solid.len();
         let mut normals = vec![(1, 0), (-1, 0), (0, 1), (0, -1)];
@@ -268,7 +277,8 @@ mod tests {
         (from.0 * to.1 < to.0 * from.1).then_some(from)
     }
 
-    /// All solids, small boxes (also without width or height), places and motions: hit or not, and when, exactly.
+    /// All solids, small boxes (also without width or height), places and motions: hit or not, and
+    /// when, exactly.
     #[test]
     fn box_against_convex_solids() {
         let mut hits = 0u32;

@@ -13,12 +13,15 @@ pub(super) struct Face {
     pub(super) joined: [bool; 2],
 }
 
-/// Entry of the box `lo..hi`, grown by `r` all around, moving by `d` through a face along x or y, if the motion would start to overlap beyond it.
+/// Entry of the box `lo..hi`, grown by `r` all around, moving by `d` through a face along x or y,
+/// if the motion would start to overlap beyond it.
 ///
-/// With gap g >= 0 and speed s > 0 into the face, the entry time is g/s; the motion overlaps beyond the face only if it goes on
-/// after touching (g < s). At that moment the box must span a part of the face: strictly, or touch the face's end while moving
-/// over it, or, without width, touch an end beyond which the solid goes on. (One with width then spans a part of what goes on there.) Of a disc the
-/// point that is nearest to the line must meet the closed face: it is a box without size to which all ends are joined.
+/// With gap g >= 0 and speed s > 0 into the face, the entry time is g/s; the motion overlaps beyond
+/// the face only if it goes on after touching (g < s). At that moment the box must span a part of
+/// the face: strictly, or touch the face's end while moving over it, or, without width, touch an
+/// end beyond which the solid goes on. (One with width then spans a part of what goes on there.) Of
+/// a disc the point that is nearest to the line must meet the closed face: it is a box without size
+/// to which all ends are joined.
 #[inline(never)]
 pub(super) fn sweep_face((lo, hi): (Raw, Raw), r: i32, d: Raw, face: &Face) -> Option<Entry> {
     let Face { a, dir, len, joined } = *face;
@@ -52,10 +55,11 @@ pub(super) fn sweep_face((lo, hi): (Raw, Raw), r: i32, d: Raw, face: &Face) -> O
     spans.then_some(Entry { num: gap as u32, den: into as u32, normal, at_end, step: None })
 }
 
-/// The sign of `reach + along * gap / into`, for `0 <= gap < into`: how far a body is over a face's end when it meets the face's line.
+/// The sign of `reach + along * gap / into`, for `0 <= gap < into`: how far a body is over a face's
+/// end when it meets the face's line.
 ///
-/// Where it has the same sign at both ends of the motion, that is the answer: no product. Else differences are below 2^31 and speeds
-/// below 2^30, so the products are below 2^61.
+/// Where it has the same sign at both ends of the motion, that is the answer: no product. Else
+/// differences are below 2^31 and speeds below 2^30, so the products are below 2^61.
 pub(super) fn over(reach: i32, along: i32, gap: i32, into: i32) -> i32 {
     let end = reach.wrapping_add(along);
     if gap == 0 || reach.signum() == end.signum() {
@@ -64,16 +68,20 @@ pub(super) fn over(reach: i32, along: i32, gap: i32, into: i32) -> i32 {
     imul(reach, into).wrapping_add(imul(along, gap)).signum() as i32
 }
 
-/// Entry of the disc of radius `r` around `c` through the face; of a point, such as the corner of a box, where that is 0.
+/// Entry of the disc of radius `r` around `c` through the face; of a point, such as the corner of a
+/// box, where that is 0.
 ///
-/// In units of |dir|: the centre's height over the face's line, `gap`, is an integer, and it is compared with r |dir| by squares. The
-/// disc must start entirely in front, end nearer than its radius, and meet the closed face with the point that is nearest to the line.
-/// Heights are below 2^61, their squares below 2^122.
+/// In units of |dir|: the centre's height over the face's line, `gap`, is an integer, and it is
+/// compared with r |dir| by squares. The disc must start entirely in front, end nearer than its
+/// radius, and meet the closed face with the point that is nearest to the line. Heights are below
+/// 2^61, their squares below 2^122.
 ///
-/// A point passes over the part of the slope on whose side of an end the line of its motion runs: with m from the end to the point, `sign(m x d)`,
-/// for any direction of the slope (the time of crossing cancels out). What an end means is as [`sweep_face`] has it: the
-/// corner of a box enters there where it moves over the face. With the motion into the face, that is into the direction, along x or y, of the next
-/// part of the surface on which the box could be too. A box without width or height has none: it may be stopped by an acute corner that it only grazes.
+/// A point passes over the part of the slope on whose side of an end the line of its motion runs:
+/// with m from the end to the point, `sign(m x d)`, for any direction of the slope (the time of
+/// crossing cancels out). What an end means is as [`sweep_face`] has it: the corner of a box enters
+/// there where it moves over the face. With the motion into the face, that is into the direction,
+/// along x or y, of the next part of the surface on which the box could be too. A box without width
+/// or height has none: it may be stopped by an acute corner that it only grazes.
 ///
 /// ```text
 ///      +----+          |m|, |d| below 2^30 and 2^28, |dir| below 2^30: products below 2^59 and 2^61
@@ -120,7 +128,8 @@ pub(super) fn sweep_slope(c: Raw, r: i32, d: Raw, face: &Face) -> Option<Entry> 
     Some(Entry { num, den, normal, at_end, step: None })
 }
 
-/// `num / den` with a divisor that fits an [`Entry`]: exact where it does already, as for all slopes of tiles, else less by one part in 2^29.
+/// `num / den` with a divisor that fits an [`Entry`]: exact where it does already, as for all
+/// slopes of tiles, else less by one part in 2^29.
 fn fraction(num: u64, den: u64) -> (u32, u32) {
     let shift = (64 - leading_zeros64(den)).saturating_sub(30);
     if shift == 0 { (num as u32, den as u32) } else { ((num >> shift) as u32, ((den >> shift) as u32).wrapping_add(1)) }

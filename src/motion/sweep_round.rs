@@ -7,8 +7,8 @@ use crate::query::cast::moment::{exit_time, ratio};
 use crate::query::cast::side::{along, offset_to_radius};
 use core::cmp::Ordering;
 
-/// The entry of a crossing. A body that is over a corner or an arc from the start does not enter: such a one-way corner is passed, and of the solid
-/// only a body that started in it is there.
+/// The entry of a crossing. A body that is over a corner or an arc from the start does not enter:
+/// such a one-way corner is passed, and of the solid only a body that started in it is there.
 pub(super) fn entry(hit: &Crossing, m: Raw, d: Raw) -> Option<Entry> {
     if hit.starts_inside(m) {
         return None;
@@ -26,8 +26,9 @@ const fn is_unit(e: Axis) -> bool {
     (e.x == 0 || e.y == 0) && e.x.wrapping_add(e.y).unsigned_abs() == 1
 }
 
-/// Entry of the point `m` (centre relative to the corner) moving by `d` into the disc of radius `r`, inside the open cone of a corner: of any angle
-/// below 180 degrees, cusps included. On the cone's borders, and outside of it, the faces are in charge.
+/// Entry of the point `m` (centre relative to the corner) moving by `d` into the disc of radius
+/// `r`, inside the open cone of a corner: of any angle below 180 degrees, cusps included. On the
+/// cone's borders, and outside of it, the faces are in charge.
 #[inline(never)]
 pub(super) fn sweep_cone(m: Raw, r: i32, d: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
     if !comes_along(m, d, e_in) || !comes_along(m, d, e_out.reversed()) {
@@ -38,7 +39,8 @@ pub(super) fn sweep_cone(m: Raw, r: i32, d: Raw, e_in: Axis, e_out: Axis) -> Opt
     if inside { entry(hit, m, d) } else { None }
 }
 
-/// Whether a point is ever over each half-plane of a quadrant: where not, it enters nothing there, and no product has to tell.
+/// Whether a point is ever over each half-plane of a quadrant: where not, it enters nothing there,
+/// and no product has to tell.
 pub(super) fn comes_to_quadrant(m: Raw, d: Raw, quadrant: Axis, closed: bool) -> bool {
     let comes = |m: i32, d: i32, sign: i32| {
         let far = if (d < 0) == (sign < 0) { m.wrapping_add(d) } else { m };
@@ -48,7 +50,8 @@ pub(super) fn comes_to_quadrant(m: Raw, d: Raw, quadrant: Axis, closed: bool) ->
     comes(m.x, d.x, quadrant.x) && comes(m.y, d.y, quadrant.y)
 }
 
-/// Whether a point enters the disc around the origin in a quadrant, its borders included where `closed`; `cross` is m x d.
+/// Whether a point enters the disc around the origin in a quadrant, its borders included where
+/// `closed`; `cross` is m x d.
 #[inline(never)]
 pub(super) fn enters_quadrant(m: Raw, r: i32, d: Raw, quadrant: Axis, cross: i64, closed: bool) -> bool {
     let flipped = |v: i32, sign: i32| if sign < 0 { v.wrapping_neg() } else { v };
@@ -62,9 +65,11 @@ pub(super) fn enters_quadrant(m: Raw, r: i32, d: Raw, quadrant: Axis, cross: i64
     enters_where(m.x, d.x, d.y, cross, r, closed) && enters_where(m.y, d.y, d.x, cross.wrapping_neg(), r, closed)
 }
 
-/// Whether the point enters the disc at a moment T with `u > 0` (or `u >= 0` where `closed`), where `u` runs from `u0` by `p`.
+/// Whether the point enters the disc at a moment T with `u > 0` (or `u >= 0` where `closed`), where
+/// `u` runs from `u0` by `p`.
 ///
-/// `q` is the other component of the motion. At the moment s with u = 0 the other coordinate is -cross/p, so against the disc's radius:
+/// `q` is the other component of the motion. At the moment s with u = 0 the other coordinate is
+/// -cross/p, so against the disc's radius:
 /// |cross| ? r |p|, exactly, in 64 bits. The point approaches the disc's centre at s iff cross p q > 0.
 #[inline(never)]
 fn enters_where(u0: i32, p: i32, q: i32, cross: i64, r: i32, closed: bool) -> bool {
@@ -89,7 +94,8 @@ fn comes_along(m: Raw, d: Raw, e: Axis) -> bool {
     u > 0 || u.wrapping_add(along(e, d)) > 0
 }
 
-/// The same with u = e . m for any direction: at the moment s the point is on the line across e, `|cross| |e| / |e.d|` from the centre.
+/// The same with u = e . m for any direction: at the moment s the point is on the line across e,
+/// `|cross| |e| / |e.d|` from the centre.
 #[inline(never)]
 fn enters_along(m: Raw, d: Raw, e: Axis, cross: i64, r: i32) -> bool {
     let (u0, du) = (along(e, m), along(e, d));
@@ -106,13 +112,15 @@ fn enters_along(m: Raw, d: Raw, e: Axis, cross: i64, r: i32) -> bool {
     in_time(offset(cross, e, r, du), approaching, du > 0, false)
 }
 
-/// As [`offset_to_radius`], where `|e|` is 1 or the root of 2 or 5 mostly by one product: the length of the offset between two sums of its halves.
+/// As [`offset_to_radius`], where `|e|` is 1 or the root of 2 or 5 mostly by one product: the
+/// length of the offset between two sums of its halves.
 fn offset(cross: i64, e: Axis, r: i32, du: i64) -> Ordering {
     let (size, speed) = (cross.unsigned_abs(), du.unsigned_abs());
     if speed >> 32 == 0 && e.x.unsigned_abs().max(e.y.unsigned_abs()) <= 2 {
         let (short, long) = match e.x.wrapping_mul(e.x).wrapping_add(e.y.wrapping_mul(e.y)) {
             1 => (size, size),
-            // 45/32 < sqrt(2) < 23/16, and 71/32 < sqrt(5) < 9/4, of sizes below 2^60; 4 make up for what the shifts drop.
+            // 45/32 < sqrt(2) < 23/16, and 71/32 < sqrt(5) < 9/4, of sizes below 2^60; 4 make up
+            // for what the shifts drop.
             2 => (size + (size >> 2) + (size >> 3) + (size >> 5), size + (size >> 1) - (size >> 4) + 4),
             5 => (2 * size + (size >> 3) + (size >> 4) + (size >> 5), 2 * size + (size >> 2) + 4),
             _ => (0, u64::MAX),
@@ -128,17 +136,21 @@ fn offset(cross: i64, e: Axis, r: i32, du: i64) -> Ordering {
     offset_to_radius(cross, e, r, du)
 }
 
-/// Whether the entry into the disc is after s where `rising`, else before it; where `closed` at s will do.
+/// Whether the entry into the disc is after s where `rising`, else before it; where `closed` at s
+/// will do.
 ///
-/// Inside the disc at s: T < s. On its rim: T = s while approaching, else T < s. Outside: T > s while approaching, else T < s.
+/// Inside the disc at s: T < s. On its rim: T = s while approaching, else T < s. Outside: T > s
+/// while approaching, else T < s.
 fn in_time(offset: Ordering, approaching: bool, rising: bool, closed: bool) -> bool {
     let at_once = closed && offset.is_eq();
     if rising { approaching && (offset.is_gt() || at_once) } else { !approaching || offset.is_lt() || at_once }
 }
 
-/// Entry of the point `m` (as seen from the arc's centre) moving by `d` into the disc of radius `r`, in the quadrant, which is `closed` or not.
+/// Entry of the point `m` (as seen from the arc's centre) moving by `d` into the disc of radius
+/// `r`, in the quadrant, which is `closed` or not.
 ///
-/// Who starts inside of the disc is on another side of the solid, and passes the quadrant's border inside or after leaving: no entry.
+/// Who starts inside of the disc is on another side of the solid, and passes the quadrant's border
+/// inside or after leaving: no entry.
 #[inline(never)]
 pub(super) fn enter_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis, closed: bool) -> Option<Entry> {
     if !comes_to_quadrant(m, d, quadrant, closed) {
@@ -150,8 +162,9 @@ pub(super) fn enter_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis, closed: bool
 
 /// The point `m` leaving the disc of radius `r` by `d`, in the closed quadrant.
 ///
-/// It leaves where the reversed motion enters. A motion that only touches the disc, as from a floor into a quarter pipe, leaves it
-/// there; on the border of the quadrant it does so only if it goes on into the quadrant, not if it comes out of it.
+/// It leaves where the reversed motion enters. A motion that only touches the disc, as from a floor
+/// into a quarter pipe, leaves it there; on the border of the quadrant it does so only if it goes
+/// on into the quadrant, not if it comes out of it.
 #[inline(never)]
 pub(super) fn leave_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<Entry> {
     let (end, rr) = (m.add(d), usqr(r as u32));
@@ -166,8 +179,8 @@ pub(super) fn leave_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<En
         return None;
     }
     let back = d.reversed();
-    // Reversed, the same line has the opposite moment: (m + d) x -d = -(m x d). A tangent does not approach, so it is taken where it goes on
-    // into the quadrant and not where it comes out.
+    // Reversed, the same line has the opposite moment: (m + d) x -d = -(m x d). A tangent does not
+    // approach, so it is taken where it goes on into the quadrant and not where it comes out.
     if !enters_quadrant(end, r, back, quadrant, cross.wrapping_neg(), true) {
         return None;
     }
@@ -180,8 +193,9 @@ pub(super) fn leave_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<En
     Some(Entry { num: t.raw(), den: Toi::ONE.raw(), normal, at_end: true, step: Some(step) })
 }
 
-/// The same for the corner of a box. Exactly through an end of the arc and out of its quarter it passes: what the arc bounds ends there as well.
-/// A circle does not, it reaches farther to the side.
+/// The same for the corner of a box. Exactly through an end of the arc and out of its quarter it
+/// passes: what the arc bounds ends there as well. A circle does not, it reaches farther to the
+/// side.
 pub(super) fn leave_by_corner(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<Entry> {
     let passes = |x: i32, y: i32, along: i32| {
         let end = Raw { x: x.wrapping_mul(r), y: y.wrapping_mul(r) };
@@ -192,7 +206,8 @@ pub(super) fn leave_by_corner(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<
     if passes { None } else { leave_quarter(m, r, d, quadrant) }
 }
 
-/// The same where the disc is a point: a body as wide as the pipe comes to its centre, touches all of it, and goes on against an end.
+/// The same where the disc is a point: a body as wide as the pipe comes to its centre, touches all
+/// of it, and goes on against an end.
 #[inline(never)]
 pub(super) fn leave_centre(m: Raw, d: Raw, quadrant: Axis) -> Option<Entry> {
     let (a, b) = (d.len2(), m.dot(d).wrapping_neg());
@@ -213,7 +228,8 @@ pub(super) fn leave_centre(m: Raw, d: Raw, quadrant: Axis) -> Option<Entry> {
 mod tests {
     use super::{Axis, offset, offset_to_radius};
 
-    /// Around the offset that is the radius, by parts of it and by raw units: bounds say what exact squares say.
+    /// Around the offset that is the radius, by parts of it and by raw units: bounds say what exact
+    /// squares say.
     #[test]
     #[allow(clippy::cast_precision_loss, reason = "only to come near the edge")]
     fn bounds_of_offsets_are_on_both_sides() {

@@ -1,8 +1,10 @@
-//! The ways on from a place: a velocity and its projections on all that the body touches there, and which of them is free.
+//! The ways on from a place: a velocity and its projections on all that the body touches there, and
+//! which of them is free.
 //!
-//! What is kept of a velocity is its projection on the cone of the directions that are free at the body's *present* place. That cone need not be convex; its
-//! boundary consists of tangents of what is touched. So the longest projection that nothing touched is in the way of is the answer, and what the body
-//! has left behind has no say.
+//! What is kept of a velocity is its projection on the cone of the directions that are free at the
+//! body's *present* place. That cone need not be convex; its boundary consists of tangents of what
+//! is touched. So the longest projection that nothing touched is in the way of is the answer, and
+//! what the body has left behind has no say.
 
 use super::body::{Body, Entry};
 use super::contact::{Bend, Plane, may_reach, reaches, surroundings, touched};
@@ -32,7 +34,8 @@ pub(super) struct Way {
 
 /// No way is bound by something that is farther than this.
 ///
-/// Two planes [`NEAR`] apart at an angle `a` meet within `NEAR / sin a`: 13 raw for the slopes of tiles, 64 for planes that differ by four degrees.
+/// Two planes [`NEAR`] apart at an angle `a` meet within `NEAR / sin a`: 13 raw for the slopes of
+/// tiles, 64 for planes that differ by four degrees.
 const FAR: u32 = 64;
 
 impl Way {
@@ -54,8 +57,8 @@ impl Way {
 
     /// Binds it, where it leads into a feature.
     fn bind_by<W: World, B: Body>(&mut self, body: &B, feature: &Feature) {
-        // The gap to a pipe opens with the square of the way, so no probe tells that a way leads into
-        // it; its normal does.
+        // The gap to a pipe opens with the square of the way, so no probe tells that a way leads
+        // into it; its normal does.
         if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
             let mut pipe = None;
             touched(body, feature, |plane| pipe = Some(plane).filter(Plane::is_inside_pipe).or(pipe));
@@ -72,14 +75,14 @@ impl Way {
         }
     }
 
-    /// The length of what it is of a velocity, before it is rounded: `along / |normal|`. Computed where it is asked: a list of
-    /// eight is 128 bytes of stack shorter.
+    /// The length of what it is of a velocity, before it is rounded: `along / |normal|`. Computed
+    /// where it is asked: a list of eight is 128 bytes of stack shorter.
     fn length(&self, of: Raw) -> (u64, u64) {
         self.along.map_or((u64::MAX, 1), |p| (across(of, p.normal).unsigned_abs(), p.normal.length_squared()))
     }
 
-    /// The velocity itself, then its longer projections; of one length, mirrored or not, the one longer along x, then +. Then the planes decide in the same
-    /// way: never the order of visits.
+    /// The velocity itself, then its longer projections; of one length, mirrored or not, the one
+    /// longer along x, then +. Then the planes decide in the same way: never the order of visits.
     fn goes_before(&self, other: &Self, of: Raw) -> bool {
         if self.along.is_none() || other.along.is_none() {
             return self.along.is_none();
@@ -104,8 +107,9 @@ fn meets<W: World, B: Body>(probe: Raw, body: &B, feature: &Feature) -> Option<E
     }
 }
 
-/// The way of a probe up to what it meets there, if that binds it: within the rounding distance of way, or within [`FAR`] and the rounding
-/// distance along the normal. So it does not matter how a face is cut.
+/// The way of a probe up to what it meets there, if that binds it: within the rounding distance of
+/// way, or within [`FAR`] and the rounding distance along the normal. So it does not matter how a
+/// face is cut.
 fn room_to(probe: Raw, entry: &Entry) -> Option<u8> {
     let room = mul_div(way(probe), entry.num, entry.den);
     let n = entry.normal;
@@ -153,7 +157,8 @@ impl Near {
 
 /// Reads the features within [`FAR`] of a body.
 ///
-/// The visitor is called through a pointer: three copies of the walk over a level took 2 KB of flash.
+/// The visitor is called through a pointer: three copies of the walk over a level took 2 KB of
+/// flash.
 #[inline(never)]
 fn each_near<W: World, B: Body>(world: &W, body: &B, passes: bool, visit: &mut dyn FnMut(&Feature)) {
     let region = surroundings(&body.bounds(), FAR);
@@ -166,15 +171,18 @@ fn each_near<W: World, B: Body>(world: &W, body: &B, passes: bool, visit: &mut d
 }
 
 impl Ways {
-    /// More planes than these touch no body at a place: four cells meet in a point, and a body touches at most two of the sides of each. Of more, in levels of
-    /// many small segments, the shortest ways are left out.
+    /// More planes than these touch no body at a place: four cells meet in a point, and a body
+    /// touches at most two of the sides of each. Of more, in levels of many small segments, the
+    /// shortest ways are left out.
     const MAX: usize = 8;
 
     /// A constant: as the result of a function it would be made twice, and copied.
     pub(super) const NONE: Self = Self { ways: [None; Self::MAX], near: Near::NONE };
 
-    /// Reads the ways of a velocity from the body's place, and along what was hit, in the time that is left; which of them are free is not known yet.
-    /// Whether there is nothing else within [`FAR`] than the face that was hit: then the way along it is free, and the velocity leads into it.
+    /// Reads the ways of a velocity from the body's place, and along what was hit, in the time that
+    /// is left; which of them are free is not known yet. Whether there is nothing else within
+    /// [`FAR`] than the face that was hit: then the way along it is free, and the velocity leads
+    /// into it.
     ///
     /// In place: the list takes some 600 bytes, of which a chip has no second ones.
     #[inline(never)]
@@ -211,7 +219,8 @@ impl Ways {
         alone && hit.is_some_and(|plane| plane.bend == Bend::Flat && into(v, plane.normal) < 0)
     }
 
-    /// Between two corners or arcs the way leads across the line through their centres, as through a gap that is as wide as the body.
+    /// Between two corners or arcs the way leads across the line through their centres, as through
+    /// a gap that is as wide as the body.
     fn consider_gaps<W: World, B: Body>(&mut self, v: Raw, time: Toi) {
         // What is added moves others back by one: so some pairs come twice, and none is left out.
         for k in 0..Self::MAX {
@@ -245,12 +254,14 @@ impl Ways {
                 // At the end of the pipe already, where its tangent leads on.
                 plane.bend = Bend::Flat;
             } else {
-                // A tangent leads into what is beyond the pipe's end: no probe is longer than a chord.
+                // A tangent leads into what is beyond the pipe's end: no probe is longer than a
+                // chord.
                 let longer = if way(chord.way) < 2 * FAR { pipe.chord(long(v), Toi::ONE, &Smooth) } else { None };
                 probe = longer.unwrap_or(chord).way;
             }
         }
-        // What is slower than its rounding leads nowhere: so what gravity presses into a shallow wedge comes to rest.
+        // What is slower than its rounding leads nowhere: so what gravity presses into a shallow
+        // wedge comes to rest.
         let is_exact = plane.normal.x == 0 || plane.normal.y == 0;
         if !along.is_zero() && (is_exact || way(along) > NEAR) {
             let n = plane.normal;
@@ -296,8 +307,8 @@ impl Ways {
 
     /// The longest free way of those that are asked for.
     ///
-    /// One after the other, because the first is free most of the time; all at once where each would
-    /// ask the level again.
+    /// One after the other, because the first is free most of the time; all at once where each
+    /// would ask the level again.
     #[inline(never)]
     pub(super) fn first_free<W: World, B: Body>(
         &mut self,
@@ -320,13 +331,13 @@ impl Ways {
         self.ways.get(k)?.as_ref()
     }
 
-    /// What binds a way beside what was hit: the first of what is touched that its probe meets and that
-    /// is not reported yet.
+    /// What binds a way beside what was hit: the first of what is touched that its probe meets and
+    /// that is not reported yet.
     #[inline(never)]
     pub(super) fn binding<W: World, B: Body>(&self, world: &W, body: &B, probe: Raw, hits: &Hits, first: &mut First) {
         self.near.each(world, body, true, &mut |feature| {
-            // One-way faces are reported where they are run into: beside them it is their front that
-            // counts.
+            // One-way faces are reported where they are run into: beside them it is their front
+            // that counts.
             if feature.one_way {
                 return;
             }
@@ -347,7 +358,8 @@ impl Ways {
     }
 }
 
-/// A multiple of a velocity that is at least twice as long as [`FAR`]; the velocity itself where that is.
+/// A multiple of a velocity that is at least twice as long as [`FAR`]; the velocity itself where
+/// that is.
 pub(super) fn long(v: Raw) -> Raw {
     let (mut v, mut size) = (v, way(v));
     while size != 0 && size < 2 * FAR {

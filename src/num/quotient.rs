@@ -76,11 +76,11 @@ pub const fn isqrt64(n: u64) -> u32 {
 /// Heron's method on an `f64`: constant functions have no root, and `u64::isqrt` takes 90
 /// instructions.
 ///
-/// Halving the bits of a positive `f64` halves its exponent: with the constant, the result is within
-/// 3.5 % of the root. A step takes a relative error e to e^2 / 2: three take it below 2^-45, and
-/// roundings add 2^-51. A root is below 2^32, so the candidate is at most one off, either way. The
-/// lowest bit of `n` is dropped first, because a signed conversion is one instruction: that changes
-/// the root of an odd `n` by less than one.
+/// Halving the bits of a positive `f64` halves its exponent: with the constant, the result is
+/// within 3.5 % of the root. A step takes a relative error e to e^2 / 2: three take it below 2^-45,
+/// and roundings add 2^-51. A root is below 2^32, so the candidate is at most one off, either way.
+/// The lowest bit of `n` is dropped first, because a signed conversion is one instruction: that
+/// changes the root of an odd `n` by less than one.
 #[inline(always)]
 #[expect(clippy::cast_precision_loss, reason = "what the rounding does is derived above")]
 pub(super) const fn isqrt_float(n: u64) -> u32 {

@@ -227,10 +227,10 @@ mod fraction {
 }
 
 mod roots_at_run_time {
-    use crate::num::quotient::{isqrt64, root64};
+    use crate::num::quotient::{isqrt_words, isqrt64, root64};
 
     /// Beside squares, where floors change, from roots near powers of two and from a walk over all
-    /// sizes.
+    /// sizes: by the processor, by floats and by words.
     #[test]
     fn they_are_those_of_constants() {
         let walked = (0..200_000u64).map(|k| k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (32 + k % 24));
@@ -238,11 +238,11 @@ mod roots_at_run_time {
             .flat_map(|bits| (0..2000).flat_map(move |by| [(1u64 << bits) + by, (1 << bits) - by.min(1 << bits)]));
         for root in walked.chain(near).filter(|root| root >> 32 == 0) {
             for n in [root * root, (root * root).saturating_sub(1), root * root + 1, root * root + 2 * root] {
-                assert_eq!(root64(n), isqrt64(n), "{n}");
+                assert_eq!([root64(n), isqrt64(n)], [isqrt_words(n); 2], "{n}");
             }
         }
         for n in [u64::MAX, u64::MAX - 1, 1 << 63, (1 << 63) - 1, u64::MAX - (1 << 10), u64::MAX - (1 << 11)] {
-            assert_eq!(root64(n), isqrt64(n), "{n}");
+            assert_eq!([root64(n), isqrt64(n)], [isqrt_words(n); 2], "{n}");
         }
     }
 }

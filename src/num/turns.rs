@@ -3,11 +3,13 @@
 use super::{Axis, Fx, umul};
 
 impl Axis {
-    /// The direction at an angle in turns, counter-clockwise (y up) from +x: a quarter is +y. About 2^30 long.
+    /// The direction at an angle in turns, counter-clockwise (y up) from +x: a quarter is +y. About
+    /// 2^30 long.
     ///
-    /// Quarter turns are exact, and mirrored and turned angles give mirrored and turned directions bit for bit. Others
-    /// are within 2^-23 of the exact direction. Whole turns change nothing: an [`Fx`] has 65536 steps per turn.
-    /// Cost: 14 products, some 400 instructions on a Cortex-M0; none in a constant.
+    /// Quarter turns are exact, and mirrored and turned angles give mirrored and turned directions
+    /// bit for bit. Others are within 2^-23 of the exact direction. Whole turns change nothing: an
+    /// [`Fx`] has 65536 steps per turn. Cost: 14 products, some 400 instructions on a Cortex-M0;
+    /// none in a constant.
     ///
     /// ```
     /// use tilesat::{Axis, fx};
@@ -30,10 +32,12 @@ impl Axis {
     }
 }
 
-/// `(pi/2)^k / k!` in parts of 2^30, for k = 1, 3, ... 11: signs alternate, and each partial sum stays positive.
+/// `(pi/2)^k / k!` in parts of 2^30, for k = 1, 3, ... 11: signs alternate, and each partial sum
+/// stays positive.
 const SERIES: [u32; 6] = [1_686_629_713, 693_598_668, 85_569_306, 5_026_995, 172_272, 3_864];
 
-/// `sin(pi/2 x)` in parts of 2^30, for x in parts of 2^14 up to 1: the sine's series to x^11, whose rest is below 6e-8.
+/// `sin(pi/2 x)` in parts of 2^30, for x in parts of 2^14 up to 1: the sine's series to x^11, whose
+/// rest is below 6e-8.
 const fn quarter_sine(x: u32) -> i32 {
     if x == 1 << 14 {
         return 1 << 30;

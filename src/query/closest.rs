@@ -335,7 +335,8 @@ pub(super) const fn to_segment(p: Raw, a: Raw, b: Raw) -> u32 {
     }
 }
 
-/// From a circle whose centre has the given distance. Rounding down commutes with whole numbers: floor(x - r) = floor(x) - r.
+/// From a circle whose centre has the given distance. Rounding down commutes with whole numbers:
+/// floor(x - r) = floor(x) - r.
 pub(super) const fn from_border(centre: u32, radius: i32) -> Fx {
     let rest = centre.saturating_sub(radius as u32);
     Fx::from_bits(if rest > i32::MAX as u32 { i32::MAX } else { rest as i32 })

@@ -1,4 +1,5 @@
-//! The bodies of a scene: what a game gives, boxes and circles mixed, and what a step keeps of each.
+//! The bodies of a scene: what a game gives, boxes and circles mixed, and what a step keeps of
+//! each.
 
 use super::Shape;
 use super::way::BodyWay;
@@ -29,19 +30,25 @@ pub struct SceneBody {
     pub shape: Shape,
     /// Units a step. A body without a mass does not move by it, but others feel it: a conveyor.
     pub velocity: Vec2,
-    /// In any unit that all bodies share; `None` is a wall, a platform, a trigger: no step moves it.
+    /// In any unit that all bodies share; `None` is a wall, a platform, a trigger: no step moves
+    /// it.
     pub mass: Option<NonZeroU8>,
-    /// Its friction and restitution at the level. Where two bodies meet, the surface of the one that bounces more counts, at a tie the one with less friction.
+    /// Its friction and restitution at the level. Where two bodies meet, the surface of the one
+    /// that bounces more counts, at a tie the one with less friction.
     pub surface: Surface,
-    /// Whom it meets. [Sensors](Filter::sensor) are told, push nobody and are pushed by nobody; [still](Filter::still) is the scene's to say.
+    /// Whom it meets. [Sensors](Filter::sensor) are told, push nobody and are pushed by nobody;
+    /// [still](Filter::still) is the scene's to say.
     pub filter: Filter,
-    /// Given by the game, unique among the bodies: with that no result depends on the order of insertion. A name for the game's own use, too. Where two have one key, the
-    /// slot decides which of a pair is `a`; nothing else changes.
+    /// Given by the game, unique among the bodies: with that no result depends on the order of
+    /// insertion. A name for the game's own use, too. Where two have one key, the slot decides
+    /// which of a pair is `a`; nothing else changes.
     pub key: u32,
-    /// Gravity does nothing to it: a balloon, a bullet, a lift. It falls asleep in the air where it hardly moves.
+    /// Gravity does nothing to it: a balloon, a bullet, a lift. It falls asleep in the air where it
+    /// hardly moves.
     pub floats: bool,
-    /// It meets others [on its whole way](super#fast-bodies), however slow it is: a crusher among small things. What moves by more than half of its smaller side in a
-    /// step does so without being told to.
+    /// It meets others [on its whole way](super#fast-bodies), however slow it is: a crusher among
+    /// small things. What moves by more than half of its smaller side in a step does so without
+    /// being told to.
     pub fast: bool,
 }
 
@@ -102,7 +109,8 @@ pub(super) struct Slot {
     pub(super) told: bool,
     /// For how many steps it has hardly moved.
     pub(super) quiet: u8,
-    /// How many bodies are between it and the level or a fixed body that carries it, as of the last step.
+    /// How many bodies are between it and the level or a fixed body that carries it, as of the last
+    /// step.
     pub(super) support: u8,
     /// The slot of that fixed body.
     pub(super) ground: u16,
@@ -118,7 +126,8 @@ pub(super) struct Tally {
     pub(super) high: Vec2,
     /// The sum of the changes of its velocity.
     pub(super) kick: Vec2,
-    /// How many bodies run into it; when all have made their steps, the fewest quiet steps of those that it stands for.
+    /// How many bodies run into it; when all have made their steps, the fewest quiet steps of those
+    /// that it stands for.
     pub(super) hits: u16,
     /// Another body that it touches, directly or not; itself where it stands for all of them.
     pub(super) link: u16,

@@ -42,7 +42,8 @@ impl Top {
 }
 
 impl Meeting {
-    /// `None` where neither can be moved. What is too slow to rise by more than gravity takes in two steps does not bounce.
+    /// `None` where neither can be moved. What is too slow to rise by more than gravity takes in
+    /// two steps does not bounce.
     pub(super) fn of(a: &Slot, b: &Slot, axis: Axis, gravity: Vec2) -> Option<Self> {
         let (one, other) = (&a.body, &b.body);
         let masses = match (one.mass, other.mass) {
@@ -56,7 +57,8 @@ impl Meeting {
         Some(Self { axis, masses, surface, a: one.velocity, b: other.velocity, moves_a, moves_b })
     }
 
-    /// A is below B and carried, so what runs into it runs into the ground: seen from there, B has no more energy afterwards.
+    /// A is below B and carried, so what runs into it runs into the ground: seen from there, B has
+    /// no more energy afterwards.
     pub(super) fn onto(slots: &[Slot], a: &Slot, b: &Slot, axis: Axis, gravity: Vec2) -> Self {
         Self {
             axis,
@@ -99,15 +101,17 @@ impl Meeting {
         self.axis.dot_vec(self.a - self.b) > 0
     }
 
-    /// Whether they run into each other faster than by what gravity gives in two steps: what rests does not.
+    /// Whether they run into each other faster than by what gravity gives in two steps: what rests
+    /// does not.
     pub(super) fn lands(&self, gravity: Vec2) -> bool {
         self.is_hit() && size(self.a - self.b) > size(gravity).saturating_mul(2)
     }
 
     /// By what the velocities change, where the body with more hits has so many.
     ///
-    /// Of each change only that part counts, so of the changes of one body no more than one whole one does; what it ends with is then a mean of what it had and
-    /// of what its hits give it, and no mean of velocities has more energy than the mean of their energies.
+    /// Of each change only that part counts, so of the changes of one body no more than one whole
+    /// one does; what it ends with is then a mean of what it had and of what its hits give it, and
+    /// no mean of velocities has more energy than the mean of their energies.
     pub(super) fn kicks(&self, hits: u16) -> (Vec2, Vec2) {
         let Ok((a, b)) = exchange(self.a, self.b, self.axis, self.masses, &self.surface) else {
             return (Vec2::ZERO, Vec2::ZERO);
@@ -116,11 +120,12 @@ impl Meeting {
     }
 }
 
-/// Whether a body does not give way to one on top of it: it lies on the level, or on bodies that do, and the push that it gets goes into the ground. If it gave
-/// way, a pile would sink into itself.
+/// Whether a body does not give way to one on top of it: it lies on the level, or on bodies that
+/// do, and the push that it gets goes into the ground. If it gave way, a pile would sink into
+/// itself.
 ///
-/// Not where it rises from what carries it; nor, where there is friction, where it goes sideways on that by more than gravity gives in a step: then it takes the one on
-/// top along.
+/// Not where it rises from what carries it; nor, where there is friction, where it goes sideways on
+/// that by more than gravity gives in a step: then it takes the one on top along.
 fn carries(slots: &[Slot], lower: &Slot, gravity: Vec2, slick: bool) -> bool {
     let v = lower.body.velocity - lower.ground_velocity(slots);
     lower.support != ALOFT

@@ -21,7 +21,8 @@ pub(super) struct Met {
 }
 
 impl Met {
-    /// In the order of the pair, so that it does not matter who asks. From when on both are on these ways: what was before is over.
+    /// In the order of the pair, so that it does not matter who asks. From when on both are on
+    /// these ways: what was before is over.
     #[inline(never)]
     pub(super) fn of(one: (Handle, &Slot), other: (Handle, &Slot)) -> Option<Self> {
         let pair = pair(one, other);
@@ -37,7 +38,8 @@ impl Met {
         let (left_a, left_b) = (a.way.left(from), b.way.left(from));
         let hit = p.cast_moving(left_a, &q, left_b)?;
         if !hit.inside {
-            // The cast's own displacements are shares of how far they come nearer, which may be nothing: so one goes by the time, the other as far from it as the cast says.
+            // The cast's own displacements are shares of how far they come nearer, which may be
+            // nothing: so one goes by the time, the other as far from it as the cast says.
             let nearer = hit.displacement - hit.displacement_b;
             let (by_a, by_b) = if swept(a) {
                 (hit.toi.of(left_b) + nearer, hit.toi.of(left_b))
@@ -80,7 +82,8 @@ impl Shape {
     }
 }
 
-/// The others that may be on a body's way: those that are slow where the broad phase has them, and all that are swept.
+/// The others that may be on a body's way: those that are slow where the broad phase has them, and
+/// all that are swept.
 pub(super) fn each_near<B: BroadPhase>(
     near: &B,
     slots: &[Slot],

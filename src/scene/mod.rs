@@ -1,8 +1,11 @@
-//! A scene: a level, a broad phase and bodies, tied together for those who want one call a frame.
+//! A scene: a level, a broad phase and bodies in one call per frame.
 //!
-//! [`Scene`] is made of public parts alone, and each of them can be used without it: a [`BroadPhase`](crate::broad::BroadPhase) says who is near whom,
-//! [`contact`](crate::query::Contacts) how two bodies overlap, [`separate`](crate::motion::response::separate) and
-//! [`exchange`](crate::motion::response::exchange) what that does to them, and a [`Mover`](crate::Mover) takes each through the level. It is plain data.
+//! [`Scene`] is made of public parts alone, and each of them can be used without it: a
+//! [`BroadPhase`](crate::broad::BroadPhase) finds the bodies that are near each other,
+//! [`contact`](crate::query::Contacts) how two bodies overlap,
+//! [`separate`](crate::motion::response::separate) and
+//! [`exchange`](crate::motion::response::exchange) what that does to them, and a
+//! [`Mover`](crate::Mover) takes each through the level. It is plain data.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;
@@ -41,40 +44,60 @@
 //!      v               +--+   velocities: a mean           ______`o___
 //! ```
 //!
-//! 1. Gravity is added to the velocities of all bodies awake, but of those that [float](SceneBody::floats).
-//! 2. Every pair that touches, and that the game [lets count](Scene::step_with), is told; sensors do no more than that. Where two overlap, each gets its share of the [push](crate::motion::response::separate) that parts them, and of the
-//!    [change of velocity](crate::motion::response::exchange) where they approach. Of all pushes on a body the farthest to each side count, so two floors push no higher than one;
-//!    of its n changes, each counts for 1/n.
-//! 3. Each body is [moved](crate::Mover::move_and_slide) by its push and then by its velocity, and bounces off the level as its surface says, but not where it
-//!    meets it at no more than what gravity gives in two steps: what lies there would hum above it. It is not stored anywhere that the
-//!    level's exact overlap test rejects.
-//! 4. What lies on others is moved after them, from the lowest up, and comes out of those that are carried themselves, in the same step.
+//! 1. Gravity is added to the velocities of all bodies that are awake and do not
+//!    [float](SceneBody::floats).
+//! 2. Every pair that touches, and that the game [lets count](Scene::step_with), is reported;
+//!    sensors do no more than that. Where two overlap, each gets its share of the
+//!    [push](crate::motion::response::separate) that parts them, and of the
+//!    [change of velocity](crate::motion::response::exchange) where they approach. Of all pushes on
+//!    a body the farthest to each side count, so two floors push no higher than one; of its n
+//!    changes, each counts for 1/n.
+//! 3. Each body is [moved](crate::Mover::move_and_slide) by its push and then by its velocity, and
+//!    bounces off the level as its surface says, but not where it meets it at no more than what
+//!    gravity gives in two steps: what lies there would hum above it. It is not stored anywhere
+//!    that the level's exact overlap test rejects.
+//! 4. What lies on others is moved after them, from the lowest up, and comes out of those that are
+//!    carried themselves, in the same step.
 //! 5. What is fast is moved last, from one thing that it meets to the next.
 //! 6. What has hardly moved for some steps, and all that it touches with it, falls asleep.
 //!
 //! # What holds
 //!
-//! - **No body enters the solid.** One that is in it already, or could not be moved for another reason, is [held](SceneEvent::Held): it stays and has no velocity.
-//! - **Bodies may overlap** after a step, where the level leaves no room, where many push. The next step tells how deep, and pushes again.
+//! - **No body enters the solid.** One that is in it already, or could not be moved for another
+//!   reason, is [held](SceneEvent::Held): it stays and has no velocity.
+//! - **Bodies may overlap** after a step, where the level leaves no room, where many push. The next
+//!   step tells how deep, and pushes again.
 //! - **Nothing fast passes anything**: see [below](self#fast-bodies).
-//! - **Order does not matter**: neither that of insertion nor that of the broad phase, nor which one it is, where keys are unique (or else slots decide). Only events come in no particular order.
-//! - **Images**: mirrored scenes give mirrored bits and moved scenes the same, as far as the [mover](crate::Mover::move_and_slide) and
-//!   [degenerate](crate::query::Contact::is_degenerate) contacts (two coincident centres) do.
-//! - **Momentum** is kept exactly, and **energy** (mass times speed squared) does not grow, exactly, where two free bodies meet and no third; in a crowd both are up to less
-//!   than a raw unit of velocity for each meeting. Energy gained by gravity and by pushes apart is not counted.
-//! - **Piles stand**: what lies on the level, or on bodies that do, is not pushed down by what is on top of it; there momentum goes into the ground. Support
-//!   reaches a whole pile within a step, and velocities count relative to what carries it: a pile on a lift that moves evenly is the pile at rest, bit for bit. Boxes of a
-//!   column keep their order and do not sink into each other. Balls that lie askew overlap by a raw unit.
-//! - **Asleep costs nothing**: a step with all asleep is a look at a counter. A body wakes where one that is awake touches it, where it is pushed, [placed](Scene::place) or
-//!   [woken](Scene::wake), and where the scene is told of a region that [changed](Scene::wake_region): a tile that is gone, a [`Solid`](crate::Solid) that
-//!   moves, which stops bodies but does not push or carry them (a fixed body does). Sensors wake nobody. It wakes what it touches in
-//!   the step after, with the whole pile of those that touch each other.
+//! - **Order does not matter**: neither that of insertion nor that of the broad phase, nor which
+//!   one it is, where keys are unique (or else slots decide). Only events come in no particular
+//!   order.
+//! - **Images**: mirrored scenes give mirrored bits and moved scenes the same, as far as the
+//!   [mover](crate::Mover::move_and_slide) and [degenerate](crate::query::Contact::is_degenerate)
+//!   contacts (two coincident centres) do.
+//! - **Momentum** is kept exactly, and **energy** (mass times speed squared) does not grow,
+//!   exactly, where two free bodies meet and no third; in a crowd both are up to less than a raw
+//!   unit of velocity for each meeting. Energy gained by gravity and by pushes apart is not
+//!   counted.
+//! - **Piles stand**: what lies on the level, or on bodies that do, is not pushed down by what is
+//!   on top of it; there momentum goes into the ground. Support reaches a whole pile within a step,
+//!   and velocities count relative to what carries it: a pile on a lift that moves evenly is the
+//!   pile at rest, bit for bit. Boxes of a column keep their order and do not sink into each other.
+//!   Balls that lie askew overlap by a raw unit.
+//! - **Asleep costs nothing**: a step with all asleep is a look at a counter. A body wakes where
+//!   one that is awake touches it, where it is pushed, [placed](Scene::place) or
+//!   [woken](Scene::wake), and where you name a region that [changed](Scene::wake_region): a tile
+//!   that is gone, a [`Solid`](crate::Solid) that moves, which stops bodies but does not push or
+//!   carry them (a fixed body does). Sensors wake nobody. It wakes what it touches in the step
+//!   after, with the whole pile of those that touch each other.
 //!
 //! # Fast bodies
 //!
-//! A body is fast where it moves by more than half of its smaller side in a step, by its velocity and by what pushes it, or where it is [flagged](SceneBody::fast): a look at where it starts
-//! would miss whom it meets on its way. It makes its step from event to event: up to the first thing that it runs into, the level or a body, by the exact cast of two that
-//! [both move](crate::query::CastShape::cast_moving); there it bounces or slides, and goes on for the rest of the step. All such events of a scene come in the order of their times. At one time
+//! A body is fast where it moves by more than half of its smaller side in a step, by its velocity
+//! and by what pushes it, or where it is [flagged](SceneBody::fast): a look at where it starts
+//! would miss whom it meets on its way. It makes its step from event to event: up to the first
+//! thing that it runs into, the level or a body, by the exact cast of two that
+//! [both move](crate::query::CastShape::cast_moving); there it bounces or slides, and goes on for
+//! the rest of the step. All such events of a scene come in the order of their times. At one time
 //! the level comes first, then the pair with the smaller keys.
 //!
 //! ```text
@@ -85,15 +108,21 @@
 //!               +--+  its way in this step  |#
 //! ```
 //!
-//! - Two exchange velocities at most once a step, and are told once, with the time and with how hard ([`SceneEvent::Meet`]). Where they run into each other again they are led along each
+//! - Two exchange velocities at most once a step, and are reported once, with the time and with how
+//!   hard ([`SceneEvent::Meet`]). Where they run into each other again they are led along each
 //!   other until the step ends.
 //! - What is slow, or sleeps, and is hit has its new velocity from the next step on.
-//! - Sensors on the way are told, too, each time that they are entered.
-//! - After three bodies or eight events of a step a body waits for the next step where it is; none passes it.
-//! - Two that are *not* fast may still pass each other where they clip each other or are squeezed: large and slow among small things wants the flag.
-//! - A fixed body is moved by the game between steps, so it is never on a way: what it jumps over it does not meet.
+//! - Sensors on the way are reported, too, each time that a body enters one.
+//! - After three bodies or eight events of a step a body waits for the next step where it is; none
+//!   passes it.
+//! - Two that are *not* fast may still pass each other where they clip each other or are squeezed:
+//!   large and slow among small things wants the flag.
+//! - A fixed body is moved by the game between steps, so it is never on a way: what it jumps over
+//!   it does not meet.
 //!
-//! A fast body with nobody in reach is moved as all others are, so that costs a region query. Else each event takes two casts through the level and a region query, and a test of each other fast body.
+//! A fast body with nobody in reach is moved as all others are, so that costs a region query. Else
+//! each event takes two casts through the level and a region query, and a test of each other fast
+//! body.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;
@@ -119,17 +148,21 @@
 //! # Cost
 //!
 //! On a Cortex-M0, 64 bodies, boxes and circles, among tiles of all shapes, with a
-//! [`SortSweep`](crate::broad::SortSweep): 247 000 instructions per step while they fly and land, at
-//! most 504 000, most of them the mover's; 995 000 where all lie in nooks of slopes and none may
+//! [`SortSweep`](crate::broad::SortSweep): 247 000 instructions per step while they fly and land,
+//! at most 504 000, most of them the mover's; 995 000 where all lie in nooks of slopes and none may
 //! sleep; 32 where all do. Stack: 3072 bytes.
 //!
 //! # Games in a scene
 //!
-//! **Moving platforms** are `fixed` bodies that the game [places](crate::Scene::place), not [`Solid`](crate::Solid)s: those are level for a step, stop what runs into them, and neither
-//! push nor carry; a body that one moves into is [held](SceneEvent::Held). Give the platform the velocity that it has, and place it *after* the step, in which those on it move
-//! with it. Up and down that is all; sideways it carries by friction, as a conveyor does, which is such a body that stays where it is. Where two meet, the surface of
-//! the one that bounces more counts, else that with less friction: so *both* need friction. Placed without its velocity, a platform that rises pushes, and one that goes sideways or
-//! down leaves from under what stands on it. What it crushes against the level overlaps it, and is told so.
+//! **Moving platforms** are `fixed` bodies that the game [places](crate::Scene::place), not
+//! [`Solid`](crate::Solid)s: those are level for a step, stop what runs into them, and neither push
+//! nor carry; a body that one moves into is [held](SceneEvent::Held). Give the platform the
+//! velocity that it has, and place it *after* the step, in which those on it move with it. Up and
+//! down that is all; sideways it carries by friction, as a conveyor does, which is such a body that
+//! stays where it is. Where two meet, the surface of the one that bounces more counts, else that
+//! with less friction: so *both* need friction. If you place it without its velocity, a platform
+//! that rises pushes, and one that goes sideways or down leaves from under what stands on it. What
+//! it crushes against the level overlaps it, and is reported.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;
@@ -154,9 +187,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **A hero** that a [`Walker`](crate::Walker) moves is in the scene as a body that [floats](SceneBody::floats), with a mass and no velocity. Each frame: walk it through the level, `place` it, `step`,
-//! and go on from where the scene has pushed it, which the level allows. It is told of triggers and pushes crates by being in their way; what hits it changes its velocity in
-//! the scene: add that to the walker's or not, and set it to zero. As a `fixed` body it would be pushed by nobody, and told of nothing that is fixed itself. The walker does not know that it
+//! **A hero** that a [`Walker`](crate::Walker) moves is in the scene as a body that
+//! [floats](SceneBody::floats), with a mass and no velocity. Each frame: walk it through the level,
+//! `place` it, `step`, and go on from where the scene has pushed it, which the level allows. It
+//! meets triggers, and pushes crates by being in their way; what hits it changes its velocity in
+//! the scene: add that to the walker's or not, and set it to zero. As a `fixed` body it would be
+//! pushed by nobody, and would meet nothing that is fixed itself. The walker does not know that it
 //! stands on a crate: [`is_supported`](crate::Scene::is_supported) does.
 //!
 //! ```
@@ -189,37 +225,43 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Sensors** wake nobody, whatever is done with them. One with a mass is told of sleepers when it has been placed; give it `floats`. A fixed one and a body that sleeps
-//! both rest: where it is put on one, nobody is told until that one wakes; call [`wake`](crate::Scene::wake) for what [`near`](crate::Scene::near) finds there.
+//! **Sensors** wake nobody, whatever is done with them. One with a mass meets sleepers when you
+//! have placed it; give it `floats`. A fixed one and a body that sleeps both rest: where it is put
+//! on one, nothing is reported until that one wakes; call [`wake`](crate::Scene::wake) for what
+//! [`near`](crate::Scene::near) finds there.
 //!
-//! **Keys** must be unique for results that do not depend on the order of insertion. Where two are equal nothing fails: the one in the smaller slot is `a`, and slots depend on that order.
+//! **Keys** must be unique for results that do not depend on the order of insertion. Where two are
+//! equal nothing fails: the one in the smaller slot is `a`, and slots depend on that order.
 //!
-//! **Grids with [`Border::Refuse`](crate::broad::Border::Refuse)**: a body that would leave is held at its last place in every step, without a velocity, until it falls asleep there. It is the game's to
-//! remove it when it is told, or to have a border that takes all.
+//! **Grids with [`Border::Refuse`](crate::broad::Border::Refuse)**: a body that would leave is held
+//! at its last place in every step, without a velocity, until it falls asleep there. It is the
+//! game's to remove it when it is told, or to have a border that takes all.
 //!
-//! **Rollback** copies the scene, and with it all that the game's own rules read: [`PairEvents`](crate::broad::PairEvents), [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change, solids.
+//! **Rollback** copies the scene, and with it all that the game's own rules read:
+//! [`PairEvents`](crate::broad::PairEvents), [`Exceptions`](crate::broad::Exceptions), the bytes of
+//! tiles that change, solids.
 
 mod body;
+mod error;
 mod meeting;
 mod met;
 mod pairs;
 mod piles;
 mod set;
+mod shape;
 mod step;
 mod swept;
 mod way;
 
 pub use body::SceneBody;
+pub use error::{SceneError, SceneFault};
 pub use set::{Scene, Sleep};
+pub use shape::Shape;
 
-use crate::broad::{BroadError, Handle, Pair};
-use crate::error::RangeError;
-use crate::motion::{Hits, MoveError};
-use crate::num::{Axis, Fx, Raw, Toi, Vec2};
-use crate::query::{Contact, Contacts, Overlaps, Touches};
-use crate::shape::{Aabb, Circle};
-use crate::world::World;
-use core::fmt;
+use crate::broad::{Handle, Pair};
+use crate::motion::Hits;
+use crate::num::{Axis, Fx, Toi};
+use crate::query::Contact;
 
 /// What a scene's bodies carry in its broad phase.
 pub type SceneTag = crate::broad::Keyed<crate::Filter>;
@@ -227,15 +269,16 @@ pub type SceneTag = crate::broad::Keyed<crate::Filter>;
 /// What happened in a step, as it happens; in no particular order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SceneEvent<'a> {
-    /// Two bodies, sensors too, touched at the step's start. In every step in which they do and one of them is awake: for begin and end feed `pair` to
-    /// [`PairEvents`](crate::broad::PairEvents).
+    /// Two bodies, sensors too, touched at the step's start. In every step in which they do and one
+    /// of them is awake: for begin and end feed `pair` to [`PairEvents`](crate::broad::PairEvents).
     Touch {
         /// Who; `a` has the smaller key.
         pair: Pair,
         /// How they overlap, from `a` to `b`; none where they only touch.
         contact: Option<&'a Contact>,
     },
-    /// Two bodies of which one is [fast](self#fast-bodies) ran into each other on their way, sensors too.
+    /// Two bodies of which one is [fast](self#fast-bodies) ran into each other on their way,
+    /// sensors too.
     Meet {
         /// Who; `a` has the smaller key.
         pair: Pair,
@@ -243,7 +286,7 @@ pub enum SceneEvent<'a> {
         toi: Toi,
         /// The normal, from `a` to `b`.
         axis: Axis,
-        /// How fast they came nearer along the normal, in units a step, to nearest.
+        /// How fast they came nearer along the normal, in units per step, to nearest.
         speed: Fx,
     },
     /// A body ran into the level.
@@ -263,7 +306,7 @@ pub enum SceneEvent<'a> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stepped {
-    /// Bodies that the level was asked about: those awake. Zero where all sleep.
+    /// Bodies that were moved through the level: those awake. Zero where all sleep.
     pub moved: u16,
     /// Bodies of those that were [held](SceneEvent::Held).
     pub held: u16,
@@ -275,170 +318,7 @@ pub struct Stepped {
     pub pairs: u32,
     /// Pairs of bodies that touched at the step's start.
     pub touching: u32,
-    /// Pairs of bodies that overlapped then and are no sensors; what is left of that shows in the next step.
+    /// Pairs of bodies that overlapped then and are no sensors; what is left of that shows in the
+    /// next step.
     pub overlapping: u32,
-}
-
-/// What was refused, and of which body; that body, or the scene, is as it was.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SceneError {
-    /// The body; none where it is about the call: a body that is not in yet, a gravity.
-    pub body: Option<Handle>,
-    /// What is wrong.
-    pub fault: SceneFault,
-}
-
-/// Why.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum SceneFault {
-    /// The broad phase does not know it, or has no room or place for it.
-    Broad(BroadError),
-    /// It overlaps the level, or would leave the domain, or is too fast or too large.
-    Move(MoveError),
-}
-
-impl SceneError {
-    pub(super) fn of(body: Handle, fault: impl Into<SceneFault>) -> Self {
-        Self { body: Some(body), fault: fault.into() }
-    }
-
-    pub(super) fn call(fault: impl Into<SceneFault>) -> Self {
-        Self { body: None, fault: fault.into() }
-    }
-}
-
-impl From<BroadError> for SceneFault {
-    fn from(e: BroadError) -> Self {
-        Self::Broad(e)
-    }
-}
-
-impl From<MoveError> for SceneFault {
-    fn from(e: MoveError) -> Self {
-        Self::Move(e)
-    }
-}
-
-impl From<RangeError> for SceneFault {
-    fn from(e: RangeError) -> Self {
-        Self::Move(e.into())
-    }
-}
-
-impl fmt::Display for SceneError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(body) = self.body {
-            write!(f, "body {} (generation {}): ", body.slot(), body.generation())?;
-        }
-        match self.fault {
-            SceneFault::Broad(e) => e.fmt(f),
-            SceneFault::Move(e) => e.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for SceneError {}
-
-/// A box or a circle; the pair queries ask the kernel of the two that meet.
-///
-/// ```
-/// use tilesat::prelude::*;
-/// use tilesat::scene::Shape;
-/// use tilesat::{Aabb, Axis, Circle, Fx, Vec2};
-/// let crate_: Shape = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(10, 10))?.into();
-/// let ball: Shape = Circle::new(Vec2::from_ints(12, 5), Fx::from_num(3))?.into();
-/// assert_eq!(crate_.contact(&ball).map(|contact| contact.axis()), Some(Axis::X));
-/// # Ok::<(), tilesat::RangeError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Shape {
-    /// A box.
-    Aabb(Aabb),
-    /// A circle.
-    Circle(Circle),
-}
-
-impl From<Aabb> for Shape {
-    fn from(aabb: Aabb) -> Self {
-        Self::Aabb(aabb)
-    }
-}
-
-impl From<Circle> for Shape {
-    fn from(circle: Circle) -> Self {
-        Self::Circle(circle)
-    }
-}
-
-impl Shape {
-    /// The same somewhere else; the caller knows that it is inside of the domain.
-    pub(super) fn shifted(&self, by: Vec2) -> Self {
-        match self {
-            Self::Aabb(aabb) => {
-                let by = Raw::of(by);
-                Self::Aabb(Aabb::from_raw_unchecked(aabb.lo().add(by), aabb.hi().add(by)))
-            }
-            Self::Circle(circle) => Self::Circle(Circle::from_raw_unchecked(circle.c().add(Raw::of(by)), circle.r())),
-        }
-    }
-
-    /// The box around it.
-    #[must_use]
-    pub const fn aabb(&self) -> Aabb {
-        match self {
-            Self::Aabb(aabb) => *aabb,
-            Self::Circle(circle) => circle.aabb(),
-        }
-    }
-
-    /// The minimum corner of a box, the centre of a circle.
-    #[must_use]
-    pub const fn position(&self) -> Vec2 {
-        match self {
-            Self::Aabb(aabb) => aabb.min(),
-            Self::Circle(circle) => circle.centre(),
-        }
-    }
-
-    /// Whether it overlaps a level: strict and exact.
-    #[must_use]
-    pub fn overlaps_level(&self, level: &impl World) -> bool {
-        match self {
-            Self::Aabb(aabb) => level.overlaps_aabb(aabb),
-            Self::Circle(circle) => level.overlaps_circle(circle),
-        }
-    }
-}
-
-/// A verb of the pair queries, by what the two shapes are.
-macro_rules! verb {
-    ($a:ident, $b:ident, $verb:ident) => {
-        match ($a, $b) {
-            (Shape::Aabb(a), Shape::Aabb(b)) => a.$verb(b),
-            (Shape::Aabb(a), Shape::Circle(b)) => a.$verb(b),
-            (Shape::Circle(a), Shape::Aabb(b)) => a.$verb(b),
-            (Shape::Circle(a), Shape::Circle(b)) => a.$verb(b),
-        }
-    };
-}
-
-impl Contacts<Shape> for Shape {
-    fn contact(&self, b: &Shape) -> Option<Contact> {
-        verb!(self, b, contact)
-    }
-}
-
-impl Overlaps<Shape> for Shape {
-    fn overlaps(&self, b: &Shape) -> bool {
-        verb!(self, b, overlaps)
-    }
-}
-
-impl Touches<Shape> for Shape {
-    fn touches(&self, b: &Shape) -> bool {
-        verb!(self, b, touches)
-    }
 }

@@ -1,4 +1,5 @@
-//! What the contacts at a step's start do to two bodies: who pushes whom, who lies on whom, and who rests with whom.
+//! What the contacts at a step's start do to two bodies: who pushes whom, who lies on whom, and who
+//! rests with whom.
 
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
 use super::meeting::{Meeting, Top, toward};
@@ -9,7 +10,8 @@ use crate::motion::response::separate;
 use crate::num::Vec2;
 use crate::query::{Contact, Contacts};
 
-/// Those of all pairs of which one is awake: by the tags of those that are not, or one by one where they are few.
+/// Those of all pairs of which one is awake: by the tags of those that are not, or one by one where
+/// they are few.
 pub(super) fn each_pair<B: BroadPhase>(near: &mut B, movers: &[Handle], each: impl FnMut(Pair)) {
     if movers.len() > near.len() >> 1 {
         near.pairs(each);
@@ -71,7 +73,8 @@ pub(super) fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, counts: &mut i
     }
 }
 
-/// Two bodies touch: one may lie on the other; whether it is left to what comes after the steps of those below.
+/// Two bodies touch: one may lie on the other; whether it is left to what comes after the steps of
+/// those below.
 pub(super) fn lay(slots: &mut [Slot], pair: Pair, contact: Option<&Contact>, gravity: Vec2) -> bool {
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(top) = upper(a, b, contact, gravity) else { return false };

@@ -1,7 +1,9 @@
 //! What lies on others is carried from the ground up.
 //!
-//! Each such body makes its step after all that is below it. It comes out of those that are carried themselves, from where they have come to, and
-//! its velocity meets that of what carries them all. So support reaches the whole pile within a step, and a pile in a frame that moves is the pile at rest.
+//! Each such body makes its step after all that is below it. It comes out of those that are carried
+//! themselves, from where they have come to, and its velocity meets that of what carries them all.
+//! So support reaches the whole pile within a step, and a pile in a frame that moves is the pile at
+//! rest.
 
 use super::body::{ALOFT, Mode, Slot};
 use super::meeting::{Meeting, Top, carried, toward};
@@ -18,7 +20,8 @@ use crate::query::{Contact, Contacts};
 use crate::world::World;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
-    /// Moves those that lie on others; whether one has been quiet for long enough. Apart, because a scene without piles needs neither its registers nor its stack.
+    /// Moves those that lie on others; whether one has been quiet for long enough. Apart, because a
+    /// scene without piles needs neither its registers nor its stack.
     #[inline(never)]
     pub(super) fn settle<W: World>(
         &mut self,
@@ -47,7 +50,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     }
 }
 
-/// Puts those that lie to the front from a place on, the lowest first, then by keys, then by slots; where they end.
+/// Puts those that lie to the front from a place on, the lowest first, then by keys, then by slots;
+/// where they end.
 fn from_the_lowest(movers: &mut [Handle], from: usize, slots: &[Slot], gravity: Vec2) -> usize {
     let slot = |handle: Option<&Handle>| handle.and_then(|handle| slots.get(handle.slot()));
     let rank = |handle: Option<&Handle>| {
@@ -132,7 +136,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
         size(slot.tally.push()) > size(self.trip.gravity).saturating_mul(2) && self.lift(handle, &slot, counts)
     }
 
-    /// Finds those on top that have made their steps and lay on nobody, where a body was pushed into them; whether there are any.
+    /// Finds those on top that have made their steps and lay on nobody, where a body was pushed
+    /// into them; whether there are any.
     fn lift(&mut self, handle: Handle, lower: &Slot, counts: &mut impl FnMut(Pair) -> bool) -> bool {
         let Self { near, slots, trip, .. } = self;
         let mut any = false;
@@ -220,7 +225,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
                 each(other, lower, &contact);
             }
         };
-        // Who else is there is found when it is touched. A ball that rolls from one to the other and back would not come to rest by that.
+        // Who else is there is found when it is touched. A ball that rolls from one to the other
+        // and back would not come to rest by that.
         let rolls = matches!(slot.body.shape, Shape::Circle(_)) || slot.way.pace == Pace::Moved;
         let only = self.slots.get(usize::from(slot.tally.under)).filter(|_| !rolls);
         if let Some(lower) = only {
@@ -241,7 +247,8 @@ impl Slot {
         bounds.lo().add(bounds.hi()).dot(Raw::of(gravity)).wrapping_neg()
     }
 
-    /// How the game moves it after the step along gravity, where it is fixed; across that it may be a conveyor.
+    /// How the game moves it after the step along gravity, where it is fixed; across that it may be
+    /// a conveyor.
     fn lift(&self, gravity: Vec2) -> Vec2 {
         let ((x, y), v) = (gravity.raw(), self.body.velocity);
         match (self.mode == Mode::Fixed, x == 0, y == 0) {
@@ -261,7 +268,8 @@ impl Slot {
         placed.unwrap_or(shape)
     }
 
-    /// It is carried by another one, and by what carries that; of several by the one with the fewest between, then by that on the ground with the smallest key.
+    /// It is carried by another one, and by what carries that; of several by the one with the
+    /// fewest between, then by that on the ground with the smallest key.
     pub(super) fn lie_on(&mut self, slots: &[Slot], lower: &Self, at: Handle) {
         let key = |ground: u16| slots.get(usize::from(ground)).map_or(0, |slot| slot.body.key);
         let ground = if lower.mode == Mode::Fixed { at.slot() as u16 } else { lower.ground };
@@ -271,7 +279,8 @@ impl Slot {
         }
     }
 
-    /// Whether it comes to lie on another one, or goes on with it: what does not, like what the level carries, gives way to what it overlaps.
+    /// Whether it comes to lie on another one, or goes on with it: what does not, like what the
+    /// level carries, gives way to what it overlaps.
     pub(super) fn lies_on(&self, lower: &Self, gravity: Vec2) -> bool {
         self.body.mass.is_some() && self.support != 0 && self.height(gravity) > lower.height(gravity)
     }
@@ -286,7 +295,8 @@ impl Slot {
     }
 }
 
-/// A push that leaves what is oblique overlapping by a raw unit at most: rounded outward, as it is, it would part what goes on lying there.
+/// A push that leaves what is oblique overlapping by a raw unit at most: rounded outward, as it is,
+/// it would part what goes on lying there.
 fn still_touching(push: Vec2, axis: Axis) -> Vec2 {
     if axis.x == 0 || axis.y == 0 {
         return push;

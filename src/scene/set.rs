@@ -1,4 +1,5 @@
-//! The bodies together: who is in, who is awake, what a game changes between steps, and whom that wakes.
+//! The bodies together: who is in, who is awake, what a game changes between steps, and whom that
+//! wakes.
 
 use super::body::{Mode, Slot, Tally};
 use super::{SceneBody, SceneError, Shape};
@@ -8,8 +9,10 @@ use crate::num::{Fx, MOTION, Vec2, check_motion};
 use crate::query::Touches;
 use crate::shape::Aabb;
 
-/// When bodies fall asleep: after so many steps in a row in which each of those that touch, directly or not, has moved by less than `still` on either axis, or in all of them
-/// together by no more than what gravity gives in two steps; and, where there is gravity, ran into the level or into another body.
+/// When bodies fall asleep: after so many steps in a row in which each of those that touch,
+/// directly or not, has moved by less than `still` on either axis, or in all of them together by no
+/// more than what gravity gives in two steps; and, where there is gravity, ran into the level or
+/// into another body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Sleep {
     /// Units a step. What moves more slowly than that on purpose never gets there.
@@ -36,10 +39,13 @@ impl Sleep {
 
 /// Up to N bodies in a broad phase, moved through a level by one call a frame.
 ///
-/// `B` is any [`BroadPhase`] with [`SceneTag`](super::SceneTag)s and room for N bodies: `Scene<SortSweep<64, SceneTag>, 64>`. The [module](super) says what a step does.
+/// `B` is any [`BroadPhase`] with [`SceneTag`](super::SceneTag)s and room for N bodies:
+/// `Scene<SortSweep<64, SceneTag>, 64>`. The [module](super) says what a step does.
 ///
-/// Plain data: a copy is a snapshot, and to assign it is to roll back. What the game keeps beside it is part of a snapshot too: its
-/// [`PairEvents`](crate::broad::PairEvents) and [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 156 bytes a body and those of the broad phase.
+/// Plain data: a copy is a snapshot, and to assign it is to roll back. What the game keeps beside
+/// it is part of a snapshot too: its [`PairEvents`](crate::broad::PairEvents) and
+/// [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 156 bytes a body
+/// and those of the broad phase.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<B, const N: usize> {
     pub(crate) near: B,
@@ -64,7 +70,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         Self { near, slots: [Slot::FREE; N], awake: [Handle::new(0, 0); N], count: 0, sleep }
     }
 
-    /// The broad phase: for rays, regions and nearest bodies, and for the tags of bodies (`still` is who rests or is fixed).
+    /// The broad phase: for rays, regions and nearest bodies, and for the tags of bodies (`still`
+    /// is who rests or is fixed).
     #[must_use]
     pub const fn near(&self) -> &B {
         &self.near
@@ -73,7 +80,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// Takes a body in, awake; what it touches wakes up, but nobody where it is a sensor.
     ///
     /// # Errors
-    /// [`Full`](BroadError::Full), what the broad phase refuses, and velocities that no step can make; nothing was changed.
+    /// [`Full`](BroadError::Full), what the broad phase refuses, and velocities that no step can
+    /// make; nothing was changed.
     pub fn insert(&mut self, body: &SceneBody) -> Result<Handle, SceneError> {
         check_motion(body.velocity, MOTION).map_err(SceneError::call)?;
         let handle = self.near.insert(&body.shape.aabb(), body.tag(body.mass.is_none())).map_err(SceneError::call)?;
@@ -103,7 +111,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         Ok(body)
     }
 
-    /// All bodies, also those that sleep or are fixed, in the order of their slots; that is no canonical order, for which there are keys.
+    /// All bodies, also those that sleep or are fixed, in the order of their slots; that is no
+    /// canonical order, for which there are keys.
     ///
     /// Cost: a look at each of the N slots.
     pub fn bodies(&self) -> impl Iterator<Item = (Handle, &SceneBody)> {
@@ -127,7 +136,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         self.slot(handle).map(|slot| slot.mode == Mode::Awake)
     }
 
-    /// Whether the level carried it in the last step, or bodies that the level carries did; fixed bodies are.
+    /// Whether the level carried it in the last step, or bodies that the level carries did; fixed
+    /// bodies are.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -135,8 +145,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         self.slot(handle).map(|slot| slot.support != super::body::ALOFT)
     }
 
-    /// Whether two bodies touch of whom the last step did not tell, because both rested when it began: for
-    /// [`PairEvents::finish`](crate::broad::PairEvents::finish). Not where one was removed.
+    /// Whether two bodies touch of whom the last step did not tell, because both rested when it
+    /// began: for [`PairEvents::finish`](crate::broad::PairEvents::finish). Not where one was
+    /// removed.
     #[must_use]
     pub fn rests(&self, pair: &Pair) -> bool {
         let rested = |slot: &&Slot| slot.mode != Mode::Awake || !slot.told;
@@ -165,7 +176,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// Changes a body's velocity by so much, and wakes it.
     ///
     /// # Errors
-    /// [`Stale`](crate::broad::BroadError::Stale), and velocities that no step can make; nothing was changed.
+    /// [`Stale`](crate::broad::BroadError::Stale), and velocities that no step can make; nothing
+    /// was changed.
     pub fn push(&mut self, handle: Handle, by: Vec2) -> Result<(), SceneError> {
         let velocity = self.body(handle)?.velocity;
         self.set_velocity(handle, velocity.saturating_add(by))
@@ -179,17 +191,20 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         self.alter(handle, |body| body.velocity = velocity)
     }
 
-    /// Puts a body somewhere else, also in another shape; wakes it, and what it touched before and touches then. A fixed body is moved by this alone.
+    /// Puts a body somewhere else, also in another shape; wakes it, and what it touched before and
+    /// touches then. A fixed body is moved by this alone.
     ///
     /// # Errors
-    /// [`Stale`](crate::broad::BroadError::Stale) and what the broad phase refuses; nothing was changed. The level is not asked: the next step [holds](super::SceneEvent::Held) what overlaps it.
+    /// [`Stale`](crate::broad::BroadError::Stale) and what the broad phase refuses; nothing was
+    /// changed. The level is not asked: the next step [holds](super::SceneEvent::Held) what
+    /// overlaps it.
     pub fn place(&mut self, handle: Handle, shape: impl Into<Shape>) -> Result<(), SceneError> {
         let shape = shape.into();
         self.alter(handle, |body| body.shape = shape)
     }
 
-    /// Changes a body in any way, also what it looks like, whom it meets, its key, and whether it has a mass; wakes it, and what it touched before and touches then.
-    /// Sensors wake nobody else.
+    /// Changes a body in any way, also what it looks like, whom it meets, its key, and whether it
+    /// has a mass; wakes it, and what it touched before and touches then. Sensors wake nobody else.
     ///
     /// `change` gets a copy, which is taken as a whole or not at all. The handle stays what it was.
     ///
@@ -209,7 +224,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// ```
     ///
     /// # Errors
-    /// [`Stale`](crate::broad::BroadError::Stale), velocities that no step can make, and what the broad phase refuses; nothing was changed. The level is not asked, as in [`place`](Self::place).
+    /// [`Stale`](crate::broad::BroadError::Stale), velocities that no step can make, and what the
+    /// broad phase refuses; nothing was changed. The level is not asked, as in
+    /// [`place`](Self::place).
     pub fn alter(&mut self, handle: Handle, change: impl FnOnce(&mut SceneBody)) -> Result<(), SceneError> {
         let before = *self.body(handle)?;
         let mut body = before;
@@ -226,7 +243,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         slot.body = body;
         let tag = body.tag(slot.mode != Mode::Awake);
         self.near.set_tag(handle, tag).map_err(|e| SceneError::of(handle, e))?;
-        // What it still touches is woken by the next step, but not where it is fixed; what it let go of by nothing else.
+        // What it still touches is woken by the next step, but not where it is fixed; what it let
+        // go of by nothing else.
         let what = |body: &SceneBody| (body.shape, body.mass, body.filter);
         if body.mass.is_none() || what(&body) != what(&before) {
             self.stir(&before);
@@ -245,7 +263,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         Ok(())
     }
 
-    /// Wakes the bodies whose boxes touch a region, borders included: that of a tile which changes, of an explosion. What they touch wakes in the step after.
+    /// Wakes the bodies whose boxes touch a region, borders included: that of a tile which changes,
+    /// of an explosion. What they touch wakes in the step after.
     ///
     /// Cost: a region query.
     pub fn wake_region(&mut self, region: &Aabb) {
@@ -300,7 +319,8 @@ fn unsettle(slots: &mut [Slot], handle: Handle) {
     }
 }
 
-/// Puts a body that sleeps into the list of those awake. It has been quiet as long as before: what only touches it does not keep a heap from falling asleep.
+/// Puts a body that sleeps into the list of those awake. It has been quiet as long as before: what
+/// only touches it does not keep a heap from falling asleep.
 pub(super) fn rouse(slots: &mut [Slot], awake: &mut [Handle], count: &mut usize, handle: Handle) {
     let Some(slot) = slots.get_mut(handle.slot()).filter(|slot| slot.mode == Mode::Asleep) else { return };
     let Some(place) = awake.get_mut(*count) else { return };

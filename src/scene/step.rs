@@ -16,15 +16,18 @@ use crate::query::{Contacts, Touches};
 use crate::world::World;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
-    /// Moves all that is awake by one step; gravity is what the step adds to velocities, zero for games that are seen from above.
+    /// Moves all that is awake by one step; gravity is what the step adds to velocities, zero for
+    /// games that are seen from above.
     ///
     /// See the [module](super) for what happens, and in which order. `each` is told of it.
     ///
-    /// Cost: of what sleeps, nothing. Of what is awake, the enumeration of its pairs, twice where bodies run into each other; of each body a
-    /// [`move_and_slide`](crate::Mover::move_and_slide), and another one where bodies push it.
+    /// Cost: of what sleeps, nothing. Of what is awake, the enumeration of its pairs, twice where
+    /// bodies run into each other; of each body a [`move_and_slide`](crate::Mover::move_and_slide),
+    /// and another one where bodies push it.
     ///
     /// # Errors
-    /// [`SceneError`] where the gravity is no motion; nothing was changed. A body that cannot be moved is no error of the step: it is [held](SceneEvent::Held).
+    /// [`SceneError`] where the gravity is no motion; nothing was changed. A body that cannot be
+    /// moved is no error of the step: it is [held](SceneEvent::Held).
     pub fn step<W: World>(
         &mut self,
         level: &W,
@@ -34,10 +37,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         self.step_with(level, gravity, |_| true, each)
     }
 
-    /// [`step`](Self::step) in which only those pairs count that the game lets: one that it refuses neither pushes nor wakes nor is told.
+    /// [`step`](Self::step) in which only those pairs count that the game lets: one that it refuses
+    /// neither pushes nor wakes nor is told.
     ///
-    /// `counts` is asked of each pair that touches, and once more where the two run into each other: it must say the same both times. What a
-    /// [`Filter`](crate::Filter) can say it should say instead: that costs less.
+    /// `counts` is asked of each pair that touches, and once more where the two run into each
+    /// other: it must say the same both times. What a [`Filter`](crate::Filter) can say it should
+    /// say instead: that costs less.
     ///
     /// ```
     /// use tilesat::broad::{Exceptions, Ignore, SortSweep};
@@ -131,7 +136,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         self.count += woken;
     }
 
-    /// What touches a body that was woken since there were so many awake wakes with it: a pile wakes as a whole.
+    /// What touches a body that was woken since there were so many awake wakes with it: a pile
+    /// wakes as a whole.
     #[inline(never)]
     fn wake_along(&mut self, from: usize, counts: &mut impl FnMut(Pair) -> bool) {
         let Self { near, slots, awake, count, .. } = self;
@@ -157,7 +163,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         }
     }
 
-    /// Each body against the level, and what is fast against the others, too; whether one has been quiet for long enough.
+    /// Each body against the level, and what is fast against the others, too; whether one has been
+    /// quiet for long enough.
     fn travel<W: World>(
         &mut self,
         level: &W,
@@ -326,7 +333,8 @@ impl<W: World> Trip<'_, W> {
     /// What is known of a body that has come so far.
     pub(super) fn arrive(&self, slot: &mut Slot, by: Vec2, support: u8, free: bool) {
         let is_still = self.is_still(slot, by);
-        // Slow where nothing holds it is the start or the top of a flight: asleep there it would hang in the air, and out of reach of what wakes.
+        // Slow where nothing holds it is the start or the top of a flight: asleep there it would
+        // hang in the air, and out of reach of what wakes.
         let Tally { low, high, under, .. } = slot.tally;
         let weight = slot.body.weight(self.gravity);
         let flies = weight != Vec2::ZERO && free && under == NOBODY && (low, high) == (Vec2::ZERO, Vec2::ZERO);
@@ -338,8 +346,8 @@ impl<W: World> Trip<'_, W> {
         }
     }
 
-    /// Whether it has hardly moved: in this step, or since it has been quiet. In a heap there may be something that two push to and fro for
-    /// ever, by what gravity gives.
+    /// Whether it has hardly moved: in this step, or since it has been quiet. In a heap there may
+    /// be something that two push to and fro for ever, by what gravity gives.
     fn is_still(&self, slot: &mut Slot, by: Vec2) -> bool {
         let (x, y) = by.raw();
         let still = x.unsigned_abs().max(y.unsigned_abs()) < self.still.to_bits().max(0).unsigned_abs();

@@ -1,8 +1,11 @@
 //! What is fast meets others and the level on its whole way, in the order of the times.
 //!
-//! Each has a straight way in the rest of the step, and knows what ends it first: the level, another body, or the step. The earliest of all ends is acted on, and whom that
-//! changed looks again. What is slow has made its step before, and counts as on the straight way from where it was: hit, it has another velocity, but keeps that way, and
-//! what hit it goes on so that it does not come into it. Two that meet again in the step are led along each other; their velocities meet in the next one.
+//! Each has a straight way in the rest of the step, and knows what ends it first: the level,
+//! another body, or the step. The earliest of all ends is acted on, and whom that changed looks
+//! again. What is slow has made its step before, and counts as on the straight way from where it
+//! was: hit, it has another velocity, but keeps that way, and what hit it goes on so that it does
+//! not come into it. Two that meet again in the step are led along each other; their velocities
+//! meet in the next one.
 
 use super::body::{ALOFT, NOBODY, Slot};
 use super::meeting::{Meeting, Top, approach, toward};
@@ -38,7 +41,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         }
     }
 
-    /// Moves those that are fast; whether one has been quiet for long enough. Apart, because most steps need neither its registers nor its stack.
+    /// Moves those that are fast; whether one has been quiet for long enough. Apart, because most
+    /// steps need neither its registers nor its stack.
     #[inline(never)]
     pub(super) fn sweep<W: World>(
         &mut self,
@@ -83,7 +87,8 @@ where
     C: FnMut(Pair) -> bool,
     E: FnMut(SceneEvent<'_>),
 {
-    // Calls, not one function: the mover goes some 2 KB deeper from here, and a call's own stack is free again when it returns.
+    // Calls, not one function: the mover goes some 2 KB deeper from here, and a call's own stack is
+    // free again when it returns.
     fn run(&mut self) {
         self.launch();
         while let Some(handle) = self.earliest() {
@@ -117,7 +122,8 @@ where
         self.look_again(|_, _| true);
     }
 
-    /// Whose way ends first: of those at one time the level's, then that of the pair with the smaller keys, then slots.
+    /// Whose way ends first: of those at one time the level's, then that of the pair with the
+    /// smaller keys, then slots.
     fn earliest(&self) -> Option<Handle> {
         let swept = |handle: &&Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.way.pace == Pace::Swept);
         self.movers.iter().filter(swept).copied().min_by_key(|handle| {
@@ -154,7 +160,8 @@ where
         }
     }
 
-    /// What ends a body's way first; of bodies met at one time the one with the smaller key, then slot.
+    /// What ends a body's way first; of bodies met at one time the one with the smaller key, then
+    /// slot.
     #[inline(never)]
     fn look(&mut self, handle: Handle, slot: &Slot) -> Result<(Toi, End), SceneFault> {
         let since = slot.way.since;
@@ -229,7 +236,8 @@ where
             let Some(slot) = self.slots.get_mut(at.slot()).filter(|slot| slot.way.pace == Pace::Swept) else {
                 continue;
             };
-            // The level is asked, because the place is rounded: what goes along a floor may come to lead into it.
+            // The level is asked, because the place is rounded: what goes along a floor may come to
+            // lead into it.
             if let Ok(shape) = self.trip.slide(&slot.body.shape, place - slot.body.shape.position()) {
                 slot.body.shape = shape;
             }

@@ -19,7 +19,8 @@ pub(super) struct BodyWay {
     pub(super) pace: Pace,
 }
 
-/// How often a way may be turned in a step; then the body waits for the next one. Between plates that close there is no last time.
+/// How often a way may be turned in a step; then the body waits for the next one. Between plates
+/// that close there is no last time.
 pub(super) const TURNS: u8 = 8;
 
 /// How a body makes its step.

@@ -6,7 +6,8 @@ use crate::num::{Fx, Raw, Vec2};
 
 /// All points within a radius of a segment: a stadium, standing, lying or slanted.
 ///
-/// Equal ends are legal and act as a circle, a radius of zero as a segment. Reversing the ends changes no result.
+/// Equal ends are legal and act as a circle, a radius of zero as a segment. Reversing the ends
+/// changes no result.
 ///
 /// ```text
 ///   .-------------------.
@@ -33,8 +34,8 @@ impl Capsule {
     /// A capsule from the ends of its core and its radius.
     ///
     /// # Errors
-    /// [`RangeError`] where the radius is negative, or an end, the radius or a point of the capsule is outside of the
-    /// [domain](crate::num::DOMAIN).
+    /// [`RangeError`] where the radius is negative, or an end, the radius or a point of the capsule
+    /// is outside of the [domain](crate::num::DOMAIN).
     pub const fn new(a: Vec2, b: Vec2, radius: Fx) -> Result<Self, RangeError> {
         // Its ends are circles.
         match Circle::new(a, radius) {

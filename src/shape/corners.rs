@@ -6,8 +6,8 @@ use core::ops::Deref;
 
 /// A shape as the hull of its corners, grown by a radius.
 ///
-/// Corners are strictly convex and counter-clockwise (y up): two are a segment, one is a point. A corner and the radius
-/// together stay inside the domain.
+/// Corners are strictly convex and counter-clockwise (y up): two are a segment, one is a point. A
+/// corner and the radius together stay inside the domain.
 pub(crate) trait Convex {
     /// The corners, computed or lent.
     type Corners<'a>: Deref<Target = [Vec2]>
@@ -35,14 +35,15 @@ impl Few {
         Self { points: [p; 4], count: 1 }
     }
 
-    /// Equal ends are one point, others are put in lexicographic order: reversing them changes nothing.
+    /// Equal ends are one point, others are put in lexicographic order: reversing them changes
+    /// nothing.
     fn line(a: Vec2, b: Vec2) -> Self {
         let (a, b) = if b.raw() < a.raw() { (b, a) } else { (a, b) };
         Self { points: [a, b, a, b], count: if a == b { 1 } else { 2 } }
     }
 
-    /// The parallelogram `at + {0, u} + {0, v}`, with `v` on the left of `u`; where one of them is zero, a segment or a
-    /// point.
+    /// The parallelogram `at + {0, u} + {0, v}`, with `v` on the left of `u`; where one of them is
+    /// zero, a segment or a point.
     fn parallelogram(at: Raw, u: Raw, v: Raw) -> Self {
         let (b, c) = (at.add(u), at.add(v));
         if u.is_zero() || v.is_zero() {
@@ -113,7 +114,8 @@ impl Convex for OrientedBox {
 
     #[inline]
     fn outline(&self) -> Few {
-        // Half of a side is below 2^29, and the corners are inside the domain: whole sides are below 2^30.
+        // Half of a side is below 2^29, and the corners are inside the domain: whole sides are
+        // below 2^30.
         let (u, v) = (Raw::of(self.along()), Raw::of(self.across()));
         Few::parallelogram(Raw::of(self.centre()).sub(u).sub(v), u.add(u), v.add(v))
     }

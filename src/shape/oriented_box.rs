@@ -6,10 +6,10 @@ use crate::num::{Axis, DOMAIN, Fx, Raw, Vec2, check_coordinate, check_radius, to
 
 /// A box in any direction, with square or rounded corners.
 ///
-/// It keeps its centre and two half sides, each rounded **once**, at construction, to the nearest raw vector. From then on
-/// it is exactly the parallelogram of its four [corners](Self::corners), and every query is exact about that. Along x and y
-/// nothing is rounded: such a box gives the answers of an [`Aabb`]. A box of no width or height is legal and acts as a
-/// segment or a point.
+/// It keeps its centre and two half sides, each rounded **once**, at construction, to the nearest
+/// raw vector. From then on it is exactly the parallelogram of its four [corners](Self::corners),
+/// and every query is exact about that. Along x and y nothing is rounded: such a box gives the
+/// answers of an [`Aabb`]. A box of no width or height is legal and acts as a segment or a point.
 ///
 /// ```text
 ///            +
@@ -43,13 +43,13 @@ pub struct OrientedBox {
 impl OrientedBox {
     /// A box from its centre, half its size, and the direction of its first side.
     ///
-    /// The direction's length means nothing; `Axis::X` is an upright box. [`Axis::from_turns`] gives it from an angle.
-    /// Each component of a half side is rounded to nearest, so that quarter turns and mirror images of the direction give
-    /// turned and mirrored boxes bit for bit.
+    /// The direction's length means nothing; `Axis::X` is an upright box. [`Axis::from_turns`]
+    /// gives it from an angle. Each component of a half side is rounded to nearest, so that quarter
+    /// turns and mirror images of the direction give turned and mirrored boxes bit for bit.
     ///
     /// # Errors
-    /// [`RangeError`] where the direction is zero, a half extent is negative, or a corner is outside of the
-    /// [domain](crate::num::DOMAIN).
+    /// [`RangeError`] where the direction is zero, a half extent is negative, or a corner is
+    /// outside of the [domain](crate::num::DOMAIN).
     pub const fn new(centre: Vec2, half: Vec2, direction: Axis) -> Result<Self, RangeError> {
         let h = Raw::of(half);
         if h.x < 0 || h.x >= DOMAIN {
@@ -63,16 +63,19 @@ impl OrientedBox {
         }
         let d = Raw { x: direction.x, y: direction.y };
         let left = direction.perp();
-        // Two sides that are not zero are never parallel after rounding: the larger component of the direction is at least
-        // 0.7 of its length, so that of each side is at least 1 raw, and u x v = |ux vy| + |uy vx| > 0.
+        // Two sides that are not zero are never parallel after rounding: the larger component of
+        // the direction is at least 0.7 of its length, so that of each side is at least 1 raw, and
+        // u x v = |ux vy| + |uy vx| > 0.
         let (along, across) = (toward(d, h.x), toward(Raw { x: left.x, y: left.y }, h.y));
         Self { centre, along: along.vec2(), across: across.vec2(), radius: Fx::ZERO }.checked()
     }
 
-    /// This box with a radius around it: corners become round, and every side moves out by `radius`.
+    /// This box with a radius around it: corners become round, and every side moves out by
+    /// `radius`.
     ///
     /// # Errors
-    /// [`RangeError`] where the radius is negative or leads out of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] where the radius is negative or leads out of the
+    /// [domain](crate::num::DOMAIN).
     pub const fn with_radius(self, radius: Fx) -> Result<Self, RangeError> {
         if let Err(e) = check_radius(radius) {
             return Err(e);
@@ -80,7 +83,8 @@ impl OrientedBox {
         Self { radius, ..self }.checked()
     }
 
-    /// The outermost points in every direction: sums of three parts below 2^29 and one below 2^29, so below 2^31.
+    /// The outermost points in every direction: sums of three parts below 2^29 and one below 2^29,
+    /// so below 2^31.
     const fn checked(self) -> Result<Self, RangeError> {
         if let Err(e) = check_coordinate(self.centre) {
             return Err(e);
@@ -114,7 +118,8 @@ impl OrientedBox {
         self.along
     }
 
-    /// Half of the second side, a right angle counter-clockwise (y up) of the first one, within rounding.
+    /// Half of the second side, a right angle counter-clockwise (y up) of the first one, within
+    /// rounding.
     #[must_use]
     pub const fn across(&self) -> Vec2 {
         self.across

@@ -6,9 +6,9 @@ use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
 
 /// A convex polygon with room for `N` corners, square or rounded.
 ///
-/// Corners are exact. They are kept in one canonical order: counter-clockwise (y up, that is positive
-/// [`perp_dot`](Vec2::perp_dot) from side to side), from the lowest y and there the lowest x. So polygons are equal where
-/// their points are, whatever order they were given in.
+/// Corners are exact. They are kept in one canonical order: counter-clockwise (y up, that is
+/// positive [`perp_dot`](Vec2::perp_dot) from side to side), from the lowest y and there the lowest
+/// x. So polygons are equal where their points are, whatever order they were given in.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -48,7 +48,8 @@ impl<const N: usize> ConvexPolygon<N> {
     ///
     /// # Errors
     /// [`PolygonError`]: fewer than three or more than `N` corners, one outside of the [domain](crate::num::DOMAIN),
-    /// repeated, on a line with its neighbours, or turning the other way than the first; a path that winds round twice.
+    /// repeated, on a line with its neighbours, or turning the other way than the first; a path
+    /// that winds round twice.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loops")]
     pub const fn new(corners: &[Vec2]) -> Result<Self, PolygonError> {
         let n = corners.len();
@@ -82,7 +83,8 @@ impl<const N: usize> ConvexPolygon<N> {
             } else if turn != first_turn {
                 return Err(PolygonError::Reflex { at: (i + 1) % n });
             }
-            // A path that always turns one way winds as often as its sides come from the lower half of directions to the upper.
+            // A path that always turns one way winds as often as its sides come from the lower half
+            // of directions to the upper.
             rises += (is_lower(e) && !is_lower(f)) as usize;
             if is_lower_point(p, Raw::of(corners[lowest])) {
                 lowest = i;
@@ -100,9 +102,11 @@ impl<const N: usize> ConvexPolygon<N> {
         Ok(Self { points, count: n, radius: Fx::ZERO })
     }
 
-    /// The convex hull of any points, in any order: the smallest convex polygon that holds them all. Exact.
+    /// The convex hull of any points, in any order: the smallest convex polygon that holds them
+    /// all. Exact.
     ///
-    /// Points inside and on the sides are left out. Cost: one product pair per point and corner of the hull.
+    /// Points inside and on the sides are left out. Cost: one product pair per point and corner of
+    /// the hull.
     ///
     /// # Errors
     /// [`PolygonError`]: a point outside of the [domain](crate::num::DOMAIN), no three points that are not on one line, or
@@ -123,7 +127,8 @@ impl<const N: usize> ConvexPolygon<N> {
             }
             i += 1;
         }
-        // Gift wrapping: from each corner on to the point that has all others on its left, of several the farthest.
+        // Gift wrapping: from each corner on to the point that has all others on its left, of
+        // several the farthest.
         let (mut out, mut count, mut at) = ([Vec2::ZERO; N], 0, lowest);
         loop {
             if count == N {
@@ -149,10 +154,12 @@ impl<const N: usize> ConvexPolygon<N> {
         if count < 3 { Err(PolygonError::TooFew { count }) } else { Ok(Self { points: out, count, radius: Fx::ZERO }) }
     }
 
-    /// This polygon with a radius around it: corners become round, and every side moves out by `radius`.
+    /// This polygon with a radius around it: corners become round, and every side moves out by
+    /// `radius`.
     ///
     /// # Errors
-    /// [`RangeError`] where the radius is negative or leads out of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] where the radius is negative or leads out of the
+    /// [domain](crate::num::DOMAIN).
     pub const fn with_radius(self, radius: Fx) -> Result<Self, RangeError> {
         if let Err(e) = check_radius(radius) {
             return Err(e);

@@ -1,17 +1,11 @@
-//! Capsules, oriented boxes and convex polygons against levels.
+//! A convex shape as a level meets it.
 //!
-//! A level asks about its pieces one by one: boxes, polygons and quarters of discs, or segments and one winding number. Only a program that
-//! asks about one of these shapes links any of it.
+//! A level asks about its pieces one by one: boxes, polygons and quarters of discs, or segments and
+//! one winding number. Only a program that asks about one of these shapes links any of it.
 
-use super::joined::Joined;
-use super::level::World;
-use super::placed::Placed;
-use super::segment_map::SegmentMap;
-use super::solids::Solids;
-use super::tile_map::{Set, Store, TileMap};
 use crate::num::Raw;
-use crate::query::{Core, Overlaps, Touches, meets};
-use crate::shape::{Aabb, Capsule, Convex, ConvexPolygon, OrientedBox};
+use crate::query::{Core, meets};
+use crate::shape::{Aabb, Convex};
 
 /// A convex shape before a level that is shifted by an offset.
 #[derive(Clone, Copy, Debug)]
@@ -46,45 +40,4 @@ impl ConvexBody<'_> {
         let (lo, hi) = (self.bounds.lo(), self.bounds.hi());
         (lo.x == hi.x || lo.y == hi.y).then_some(&self.bounds)
     }
-}
-
-/// Asks a level about a shape.
-fn ask<W: World, B: Convex>(world: &W, shape: &B, bounds: Aabb, closed: bool) -> bool {
-    let corners = shape.outline();
-    let core = Core { corners: &corners, radius: shape.rounding() };
-    world.meets_convex(&ConvexBody { core, bounds, offset: Raw::ZERO }, closed)
-}
-
-macro_rules! convex_meets {
-    ([$($parameters:tt)*] $level:ty, [$($n:tt)*] $body:ty) => {
-        impl<$($parameters)* $($n)*> Overlaps<$body> for $level {
-            fn overlaps(&self, b: &$body) -> bool {
-                ask(self, b, b.aabb(), false)
-            }
-        }
-
-        impl<$($parameters)* $($n)*> Touches<$body> for $level {
-            fn touches(&self, b: &$body) -> bool {
-                ask(self, b, b.aabb(), true)
-            }
-        }
-    };
-}
-
-macro_rules! all_convex {
-    ($([$($parameters:tt)*] $level:ty;)*) => {
-        $(
-            convex_meets! { [$($parameters)*] $level, [] Capsule }
-            convex_meets! { [$($parameters)*] $level, [] OrientedBox }
-            convex_meets! { [$($parameters)*] $level, [const N: usize] ConvexPolygon<N> }
-        )*
-    };
-}
-
-all_convex! {
-    [S: Set, T: Store,] TileMap<'_, S, T>;
-    [] SegmentMap<'_>;
-    [] Solids<'_>;
-    [A: World, B: World,] Joined<'_, A, B>;
-    [W: World,] Placed<'_, W>;
 }

@@ -35,6 +35,7 @@ mod grid;
 mod joined;
 mod level;
 mod measure;
+mod meets;
 mod placed;
 mod ray;
 mod rooms;

@@ -23,7 +23,8 @@ fn hash<const BUCKETS: usize, const N: usize, const LARGE: bool>() -> SpatialHas
     SpatialHash::new(Fx::from_bits(CELL)).unwrap()
 }
 
-/// Runs a check on structures of all forms: rows that are a part of a block, a block, and more; with large bodies and without.
+/// Runs a check on structures of all forms: rows that are a part of a block, a block, and more;
+/// with large bodies and without.
 macro_rules! on_all {
     ($check:expr) => {
         $check(&Twin::new(grid::<1, 48, false>((0, 0), 4)));
@@ -38,7 +39,8 @@ macro_rules! on_all {
     };
 }
 
-/// Two boxes in every relation to each other, to lines of cells and to the border that there is on an axis; on the other they touch, or just do not.
+/// Two boxes in every relation to each other, to lines of cells and to the border that there is on
+/// an axis; on the other they touch, or just do not.
 #[test]
 fn two_boxes_in_all_relations_on_a_line() {
     fn check(twin: &Twin) {
@@ -123,7 +125,8 @@ fn large_bodies_are_taken_where_there_is_a_list_for_them() {
     check(&Twin::new(hash::<64, 48, true>()));
 }
 
-/// Enumerates with a budget and so much room, while bodies are removed as `lose` says; gives all pairs.
+/// Enumerates with a budget and so much room, while bodies are removed as `lose` says; gives all
+/// pairs.
 fn enumerate<const ROOM: usize>(twin: &mut Twin, budget: u32, mut lose: impl FnMut(&mut Twin)) -> Vec<Pair> {
     let (mut cursor, mut all) = (PairCursor::new(), Vec::new());
     for _ in 0..200_000 {
@@ -198,7 +201,8 @@ fn enumerations_go_on_with_any_budget() {
     on_all!(check);
 }
 
-/// Bodies are removed between any two tests: whoever stays is in all its pairs once, and whoever is gone is in no later one.
+/// Bodies are removed between any two tests: whoever stays is in all its pairs once, and whoever is
+/// gone is in no later one.
 #[test]
 fn bodies_may_go_during_an_enumeration() {
     fn check(fresh: &Twin) {
@@ -263,7 +267,8 @@ fn what_is_refused_changes_nothing() {
     assert!(twin.near.is_empty());
 }
 
-/// All bodies at once, of which some are refused: the others move, and the first that is refused is told.
+/// All bodies at once, of which some are refused: the others move, and the first that is refused is
+/// told.
 #[test]
 fn frames_move_all_bodies() {
     fn check(fresh: &Twin) {

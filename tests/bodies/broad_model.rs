@@ -16,7 +16,8 @@ fn cases() -> u32 {
     tilesat_judge::cases(3_000)
 }
 
-/// Quarters of a cell, mostly near each other, and at most 2 raw beside them: on the lines of cells and close to them.
+/// Quarters of a cell, mostly near each other, and at most 2 raw beside them: on the lines of cells
+/// and close to them.
 fn at() -> impl Strategy<Value = At> {
     (prop_oneof![4 => 0i64..16, 2 => -8i64..72, 1 => -400i64..400], -2i64..=2)
 }
@@ -51,7 +52,8 @@ fn op() -> impl Strategy<Value = Op> {
     ]
 }
 
-/// Cells of 2 raw to 4096 units, at the middle, at the ends of the domain and far outside of the grid.
+/// Cells of 2 raw to 4096 units, at the middle, at the ends of the domain and far outside of the
+/// grid.
 fn cells() -> impl Strategy<Value = Cells> {
     let origin =
         || prop_oneof![Just(0), Just(-1), Just(-(1 << 29) + 1), Just((1 << 29) - 1), Just(1000 << 16), -99_999..99_999];
@@ -98,7 +100,8 @@ fn random_operations() {
     assert!(pairs > 20 * u64::from(cases()) && hits > 20 * u64::from(cases()), "{pairs} pairs, {hits} hits");
 }
 
-/// Two boxes in all positions to each other and to the cells, of 4 raw, near all borders of the grid.
+/// Two boxes in all positions to each other and to the cells, of 4 raw, near all borders of the
+/// grid.
 struct TwoBoxes(u64);
 
 impl Check for TwoBoxes {
@@ -193,7 +196,8 @@ fn all_small_ways() {
     }
 }
 
-/// The reference against itself: touched where some moment of a fine division is, and just at the time that was told.
+/// The reference against itself: touched where some moment of a fine division is, and just at the
+/// time that was told.
 #[test]
 fn the_reference() {
     let b = Rect { lo: (2, -1), hi: (5, 1) };
@@ -214,7 +218,8 @@ fn the_reference() {
     }
 }
 
-/// Buffers hold the answer alone: what was in them is gone, also where the question is refused. Only `pairs_from` appends.
+/// Buffers hold the answer alone: what was in them is gone, also where the question is refused.
+/// Only `pairs_from` appends.
 struct Buffers;
 
 impl Check for Buffers {
@@ -297,8 +302,9 @@ fn nearest_without_a_limit() {
     }
 }
 
-/// The pairs of movers on both sides of zero and at both ends of the domain, each named twice: which body comes first is a matter of keys, not of
-/// slots nor of who moved; and all are back where they were.
+/// The pairs of movers on both sides of zero and at both ends of the domain, each named twice:
+/// which body comes first is a matter of keys, not of slots nor of who moved; and all are back
+/// where they were.
 struct Movers;
 
 impl Check for Movers {

@@ -1,7 +1,9 @@
-//! The pairs of all broad phases are those of the definition, as sets, each once, frame after frame; in canonical order they are the same bits
-//! whatever the order of insertion (invariant P26, torture scenes 29, 38, 47).
+//! The pairs of all broad phases are those of the definition, as sets, each once, frame after
+//! frame; in canonical order they are the same bits whatever the order of insertion (invariant P26,
+//! torture scenes 29, 38, 47).
 //!
-//! `TILESAT_FRAMES` sets the number of random frames (default 12 000); from a million on it shows how far it is.
+//! `TILESAT_FRAMES` sets the number of random frames (default 12 000); from a million on it shows
+//! how far it is.
 
 use heapless::Vec as Room;
 use std::collections::HashMap;
@@ -87,7 +89,8 @@ fn sorted(phase: &mut Near<Mark>) -> Vec<(u32, u32)> {
     out.iter().map(|pair| keys(phase, *pair)).collect()
 }
 
-/// In chunks, some bodies leaving half way: pairs of those that stay come once, and pairs with the others at most once, while they were there.
+/// In chunks, some bodies leaving half way: pairs of those that stay come once, and pairs with the
+/// others at most once, while they were there.
 fn resumed(phase: &mut Near<Mark>, handles: &mut HashMap<u32, Handle>, frame: &Frame, random: &mut Random, what: &str) {
     let (mut cursor, mut found, mut chunks) = (PairCursor::new(), Vec::new(), 0);
     let mut leave = frame.leave.clone();
@@ -200,7 +203,8 @@ fn orders(n: usize) -> Vec<Vec<usize>> {
     shorter.iter().flat_map(|order| (0..n).map(move |at| [&order[..at], &[n - 1], &order[at..]].concat())).collect()
 }
 
-/// Torture scene 47: the same scene, every order of insertion of six, with ties of distances and of times.
+/// Torture scene 47: the same scene, every order of insertion of six, with ties of distances and of
+/// times.
 struct Permutation(Option<Answers>);
 
 impl Check for Permutation {
@@ -240,7 +244,8 @@ fn scene_47_every_order_of_six() {
     assert_eq!(answers.ray.iter().map(|hit| hit.0).collect::<Vec<_>>(), [0, 2, 5, 3, 4]);
 }
 
-/// Torture scene 29: as large as a cell, larger by one raw, without size, on the lines of cells and outside of the grid.
+/// Torture scene 29: as large as a cell, larger by one raw, without size, on the lines of cells and
+/// outside of the grid.
 struct Sizes;
 
 impl Check for Sizes {
@@ -279,7 +284,8 @@ fn scene_29_sizes() {
     everywhere(8, Cells { side: 8, origin: (-2, 5) }, &mut Sizes);
 }
 
-/// Torture scene 38: four bodies are pushed into a corner, where all of them end at one place; every order of insertion, every frame.
+/// Torture scene 38: four bodies are pushed into a corner, where all of them end at one place;
+/// every order of insertion, every frame.
 struct Corner(Vec<Vec<(u32, u32)>>);
 
 impl Check for Corner {
@@ -317,7 +323,8 @@ fn scene_38_four_in_a_corner() {
     assert_eq!(check.0[19], [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]);
 }
 
-/// A slot has 70 000 tenants: no handle of the last 32 767 is taken for the present one, and other bodies keep theirs.
+/// A slot has 70 000 tenants: no handle of the last 32 767 is taken for the present one, and other
+/// bodies keep theirs.
 struct Tenants;
 
 impl Check for Tenants {

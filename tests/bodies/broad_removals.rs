@@ -11,7 +11,8 @@ fn raw(x: i32, y: i32, w: i32, h: i32) -> Aabb {
     Aabb::new(Vec2::from_raw(x, y), Vec2::from_raw(x + w, y + h)).unwrap()
 }
 
-/// NIL read as a number of a cell is a place beyond the grid: a large body that becomes small there is refused, too.
+/// NIL read as a number of a cell is a place beyond the grid: a large body that becomes small there
+/// is refused, too.
 #[test]
 fn refuse_refuses_what_was_large() {
     // 4 columns, 2047 * 8 rows of 1/4 unit; place(65535) is column 3, row 16383.

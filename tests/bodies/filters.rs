@@ -66,7 +66,8 @@ fn the_whole_table() {
             }
         }
     }
-    // Of 36 pairs of groups 3 pair always, 2 never, 31 as masks say: 7 of 16 layers of one and masks of the other meet, each way. Flags agree in 9 of 16.
+    // Of 36 pairs of groups 3 pair always, 2 never, 31 as masks say: 7 of 16 layers of one and
+    // masks of the other meet, each way. Flags agree in 9 of 16.
     assert_eq!(paired, 4 * 9 * (3 * 256 + 31 * 7 * 7));
 }
 

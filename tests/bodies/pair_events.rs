@@ -1,4 +1,5 @@
-//! Events of pairs and exceptions against sets written down from the definitions: all frames of a few pairs, many of many, and bodies that move, rest and leave.
+//! Events of pairs and exceptions against sets written down from the definitions: all frames of a
+//! few pairs, many of many, and bodies that move, rest and leave.
 
 use std::collections::{BTreeMap, BTreeSet};
 use tilesat::broad::{BroadError, BroadPhase, BruteForce, Exceptions, Handle, Ignore, Pair, PairEvent, PairEvents};
@@ -32,7 +33,8 @@ fn play<const M: usize>(events: &mut PairEvents<M, u8>, fed: &[u8], held: impl F
     (events.iter().collect(), done)
 }
 
-/// Every frame after every frame that can be: all orders of feeding up to four of four pairs, all that may rest.
+/// Every frame after every frame that can be: all orders of feeding up to four of four pairs, all
+/// that may rest.
 fn every_frame<const M: usize>() -> usize {
     let mut feeds = vec![vec![]];
     for from in 0.. {
@@ -52,7 +54,8 @@ fn every_frame<const M: usize>() -> usize {
                 assert_eq!(play(&mut events, feed, held), expected, "M={M} {last:?} {feed:?} {rests:b}");
                 assert!(events.pairs().eq(last.iter().copied()));
                 assert!((0..5).all(|pair| events.contains(pair) == last.contains(&pair)));
-                // What was told is all there is to know: the same is the same bits, whatever came before and in whichever order, but for counts.
+                // What was told is all there is to know: the same is the same bits, whatever came
+                // before and in whichever order, but for counts.
                 let mut bits = events;
                 bits.feed(9);
                 bits.cancel();
@@ -260,7 +263,8 @@ fn ask(terms: &mut Terms, room: usize, pair: usize, ignore: Ignore) -> bool {
     fits
 }
 
-/// All frames of all exceptions that three bodies can have: said before or after the pairs came, in either order of handles.
+/// All frames of all exceptions that three bodies can have: said before or after the pairs came, in
+/// either order of handles.
 fn every_exception<const M: usize>() -> usize {
     const NAMES: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
     let mut near = BruteForce::<3>::new();

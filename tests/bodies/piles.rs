@@ -1,4 +1,5 @@
-//! Scenes: what lies on each other. Columns keep their order and do not sink, on the floor and on lifts; heaps in a pit fall asleep. Units, y down.
+//! Scenes: what lies on each other. Columns keep their order and do not sink, on the floor and on
+//! lifts; heaps in a pit fall asleep. Units, y down.
 
 use tilesat::broad::{Handle, SortSweep};
 use tilesat::scene::{SceneBody, SceneTag, Shape, Sleep};
@@ -10,7 +11,8 @@ static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 
 type Piles = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
-/// A pit of cells of 16, so many wide and high; its floor is at `16 * high`, its walls at 16 and `16 * (wide - 1)`.
+/// A pit of cells of 16, so many wide and high; its floor is at `16 * high`, its walls at 16 and
+/// `16 * (wide - 1)`.
 fn pit(wide: usize, high: usize) -> String {
     let row = format!("#{}#\n", ".".repeat(wide - 2));
     row.repeat(high) + &"#".repeat(wide) + "\n"
@@ -115,7 +117,8 @@ fn columns_that_stand_stay() {
     assert!(wrong.is_empty(), "{} of 225 columns\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// A lift of the game's own, which is placed after the step, with a column of crates that rub; far above the level.
+/// A lift of the game's own, which is placed after the step, with a column of crates that rub; far
+/// above the level.
 struct Lift {
     scene: Piles,
     platform: Handle,
@@ -176,7 +179,8 @@ fn a_pile_on_a_lift_is_the_pile_at_rest() {
     assert!(wrong.is_empty(), "{} of 30\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// On the floor and on lifts that go up, down and aside and turn round; none may sleep. `TILESAT_FRAMES` makes it a soak.
+/// On the floor and on lifts that go up, down and aside and turn round; none may sleep.
+/// `TILESAT_FRAMES` makes it a soak.
 #[test]
 fn stacks_of_ten_rest_for_ten_thousand_frames() {
     let rows = pit(4, 2);

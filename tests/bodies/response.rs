@@ -135,7 +135,8 @@ fn parts_add_up_and_are_nearest() {
     }
 }
 
-/// Elastic reflections for ever: the speed is never above the start, and at the end all but a few raw units of it are left.
+/// Elastic reflections for ever: the speed is never above the start, and at the end all but a few
+/// raw units of it are left.
 #[test]
 fn a_million_reflections() {
     let mut r = Random::new(9);
@@ -199,7 +200,8 @@ fn named_replies() {
     assert_eq!(dull.respond(v + Vec2::from_raw(0, 1), Axis::NEG_Y), Ok(Vec2::from_raw(10 << 16, -(8 << 16) - 1)));
 }
 
-/// A bounce is drawn to its reference from far off, up and down, and stays in the direction of the mirror image.
+/// A bounce is drawn to its reference from far off, up and down, and stays in the direction of the
+/// mirror image.
 #[test]
 fn a_bounce_is_drawn_to_its_reference() {
     let mut r = Random::new(10);

@@ -33,7 +33,8 @@ fn len2(a: P, b: P) -> i128 {
     x * x + y * y
 }
 
-/// Whether a disc overlaps a solid cell: its distance from the cell's square is less than its radius.
+/// Whether a disc overlaps a solid cell: its distance from the cell's square is less than its
+/// radius.
 fn inside(c: P) -> bool {
     let rows: Vec<&[u8]> = STAIRS.lines().map(str::as_bytes).collect();
     rows.iter().enumerate().any(|(y, row)| {
@@ -99,7 +100,8 @@ fn off(link: &Link, points: &[Particle]) -> f64 {
     ((len2(raw(a), raw(b)) as f64).sqrt() - f64::from(link.stick.length().to_bits())).abs() / PX as f64
 }
 
-/// A doll that falls; `awake` frames without sleep, then until it sleeps. The worst stick ever, and at rest.
+/// A doll that falls; `awake` frames without sleep, then until it sleeps. The worst stick ever, and
+/// at rest.
 fn fall(start: P, awake: u32) -> (f64, f64) {
     let map: TileMap<'_> = TileMap::of_ascii(STAIRS, &KINDS).unwrap();
     let mover = Mover::new().with_surface(Surface::new(Ratio::ZERO, Ratio::HALF));

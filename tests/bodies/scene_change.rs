@@ -1,4 +1,5 @@
-//! Scenes: pairs that the game refuses, bodies that it changes, bodies that float, sensors that wake nobody. Units, y down.
+//! Scenes: pairs that the game refuses, bodies that it changes, bodies that float, sensors that
+//! wake nobody. Units, y down.
 
 use core::num::NonZeroU8;
 use tilesat::broad::{BroadError, BroadPhase, BruteForce, Handle, SortSweep, Tag};

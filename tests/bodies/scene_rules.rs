@@ -1,5 +1,7 @@
-//! Scenes: nothing depends on the order of insertion or on the broad phase; a copy is a snapshot; mirrored and moved scenes run beside each other bit for
-//! bit; the solid is never entered; meetings keep momentum and gain no energy. `TILESAT_CASES` makes the runs longer. Raw units, y down.
+//! Scenes: nothing depends on the order of insertion or on the broad phase; a copy is a snapshot;
+//! mirrored and moved scenes run beside each other bit for bit; the solid is never entered;
+//! meetings keep momentum and gain no energy. `TILESAT_CASES` makes the runs longer. Raw units, y
+//! down.
 
 use core::num::NonZeroU8;
 use tilesat::broad::{BroadPhase, BruteForce, LooseGrid, SortSweep, SpatialHash};
@@ -255,7 +257,8 @@ fn sums<'a>(bodies: impl Iterator<Item = &'a SceneBody>) -> ((i128, i128), i128)
     })
 }
 
-/// Two at a time: exactly. In a crowd up to roundings: less than a raw unit a component of each change.
+/// Two at a time: exactly. In a crowd up to roundings: less than a raw unit a component of each
+/// change.
 #[test]
 fn meetings_keep_momentum_and_gain_no_energy() {
     let level = Level { tiles: vec![0], width: 1, height: 1, cell: PX, x: 0, y: 0, outside: Outside::Empty };
@@ -312,8 +315,8 @@ fn meetings_keep_momentum_and_gain_no_energy() {
     assert!(met > 300);
 }
 
-/// One body above another on a floor, also sloping: a step has no more energy after it than with its gravity before it, but for a rounding of a change that goes
-/// against gravity.
+/// One body above another on a floor, also sloping: a step has no more energy after it than with
+/// its gravity before it, but for a rounding of a change that goes against gravity.
 #[test]
 fn what_lies_on_a_body_gains_no_energy() {
     let mut carried = 0;

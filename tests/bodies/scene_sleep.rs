@@ -1,4 +1,5 @@
-//! Scenes: who rests, who wakes, what that costs; stacks; sensors and fixed bodies; refusals. Units, y down.
+//! Scenes: who rests, who wakes, what that costs; stacks; sensors and fixed bodies; refusals.
+//! Units, y down.
 
 use core::num::NonZeroU8;
 use tilesat::broad::{Border, BroadError, BroadPhase, Handle, LooseGrid, Pair, PairEvent, PairEvents, SortSweep};

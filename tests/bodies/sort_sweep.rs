@@ -1,4 +1,5 @@
-//! Brute force and sort and sweep against a list of boxes: any life of bodies, enumerations in parts, what a part costs.
+//! Brute force and sort and sweep against a list of boxes: any life of bodies, enumerations in
+//! parts, what a part costs.
 
 use heapless::Vec as Room;
 use std::collections::BTreeSet;
@@ -17,7 +18,8 @@ fn boxed([left, top, right, bottom]: Sides) -> Aabb {
     Aabb::new(Vec2::from_raw(left as i32, top as i32), Vec2::from_raw(right as i32, bottom as i32)).unwrap()
 }
 
-/// A box of up to 4 raw units a side on a lattice of 10: half of all are in touch exactly, or miss by one.
+/// A box of up to 4 raw units a side on a lattice of 10: half of all are in touch exactly, or miss
+/// by one.
 fn any(r: &mut Random, origin: [i64; 2]) -> Sides {
     let (x, y) = (origin[0] + r.below(10), origin[1] + r.below(6));
     [x, y, x + r.below(5), y + r.below(5)]
@@ -86,7 +88,8 @@ fn remove(near: &mut Near<()>, list: &mut List, some: usize) {
 const ORIGINS: [[i64; 2]; 3] =
     [[-5, -3], [DOMAIN as i64 - 400, 7 - DOMAIN as i64], [1 - DOMAIN as i64, DOMAIN as i64 - 40]];
 
-/// Slots are freed, taken again and moved in every order; sometimes much happens between two enumerations, sometimes nothing.
+/// Slots are freed, taken again and moved in every order; sometimes much happens between two
+/// enumerations, sometimes nothing.
 fn any_life(new: fn() -> Near<()>) {
     let mut r = Random::new(3);
     let (mut asked, mut found) = (0, 0);
@@ -112,7 +115,8 @@ fn any_life_of_bodies() {
     any_life(|| Near::new(SortSweep::<N>::new()));
 }
 
-/// An enumeration in parts of a few tests and a few pairs, while bodies are removed and others enumerate.
+/// An enumeration in parts of a few tests and a few pairs, while bodies are removed and others
+/// enumerate.
 fn in_parts(new: fn() -> Near<()>) {
     let mut r = Random::new(5);
     let mut cut = 0;
@@ -203,7 +207,8 @@ fn tests(near: &mut Near<()>) -> usize {
     (1..9_999).find(|_| near.pairs_from(&mut cursor, 1, &mut Room::<_, 1>::new()).is_ok()).unwrap()
 }
 
-/// N - 1 where nothing touches in x, and N (N - 1) / 2 where all do, whatever the order that they came in.
+/// N - 1 where nothing touches in x, and N (N - 1) / 2 where all do, whatever the order that they
+/// came in.
 #[test]
 fn tests_are_counted() {
     let of = |mut near: Near<()>, sides: fn(i64) -> Sides| {

@@ -1,4 +1,5 @@
-//! Two bodies, of which one is fast, in one step: an exact swept test of its own judges them, in `i128`.
+//! Two bodies, of which one is fast, in one step: an exact swept test of its own judges them, in
+//! `i128`.
 
 use super::swept::{NOWHERE, PX, ball, body_of, boxed, launch, level, meetings, scene, vec2};
 use tilesat::Vec2;
@@ -27,7 +28,8 @@ fn enters_disc(p: (i128, i128), d: (i128, i128), c: (i128, i128), r: i128) -> bo
     within(m) || within(end) || (0 < along && along < dd && cross * cross < rr * dd)
 }
 
-/// Whether a shape that moves by `d` overlaps another one on its way: the Minkowski sum, in its parts.
+/// Whether a shape that moves by `d` overlaps another one on its way: the Minkowski sum, in its
+/// parts.
 fn sweeps(a: &Shape, d: (i128, i128), b: &Shape) -> bool {
     let wide = |v: Vec2| (i128::from(v.raw().0), i128::from(v.raw().1));
     let parts = |shape: &Shape| match shape {
@@ -42,7 +44,8 @@ fn sweeps(a: &Shape, d: (i128, i128), b: &Shape) -> bool {
         || [lo, hi, (lo.0, hi.1), (hi.0, lo.1)].iter().any(|&corner| enters_disc(alo, d, corner, r))
 }
 
-/// One step of two, of which one is fast: they meet exactly where the judge says so, once, and neither ends in or beyond the other.
+/// One step of two, of which one is fast: they meet exactly where the judge says so, once, and
+/// neither ends in or beyond the other.
 #[test]
 fn two_meet_where_their_ways_do() {
     let map = level(NOWHERE);
@@ -85,7 +88,8 @@ fn two_meet_where_their_ways_do() {
             continue;
         }
         let (time, ends) = (told[0].1, (a.shape.position().raw(), b.shape.position().raw()));
-        // Where the second one is when they meet, and the way of the first one as seen from it, before and after.
+        // Where the second one is when they meet, and the way of the first one as seen from it,
+        // before and after.
         let at = |from: Vec2, v: (i32, i32)| {
             let part = |v: i32| (i64::from(v) * i64::from(time.raw())) >> 30;
             (i128::from(from.raw().0) + i128::from(part(v.0)), i128::from(from.raw().1) + i128::from(part(v.1)))

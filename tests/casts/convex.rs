@@ -1,5 +1,5 @@
-//! Casts of capsules, turned boxes and polygons, on each other and on plain shapes, against the exact judge: hits and misses, exact moments,
-//! places that do not overlap, exchanged pairs.
+//! Casts of capsules, turned boxes and polygons, on each other and on plain shapes, against the
+//! exact judge: hits and misses, exact moments, places that do not overlap, exchanged pairs.
 //!
 //! `TILESAT_CASES` sets the number of cases a pair and class (default 700).
 

@@ -1,5 +1,5 @@
-//! Rays against capsules, turned boxes and polygons, sharp and rounded: every one of a small lattice, and streams that touch, nearly touch and cross
-//! the domain, against the exact judge.
+//! Rays against capsules, turned boxes and polygons, sharp and rounded: every one of a small
+//! lattice, and streams that touch, nearly touch and cross the domain, against the exact judge.
 //!
 //! `TILESAT_CASES` sets the number of rays a kind and class (default 1500).
 
@@ -14,8 +14,9 @@ use tilesat_judge::oracle::figure::{LIMIT, Point};
 use tilesat_judge::oracle::int256::Int256;
 use tilesat_judge::oracle::kernel::point;
 
-/// Whether the ray is stopped, by the definition: where it comes to the closed set from outside, a tangent of what is rounded aside; from the
-/// border where it goes in; from on what has no inside where it leaves its line.
+/// Whether the ray is stopped, by the definition: where it comes to the closed set from outside, a
+/// tangent of what is rounded aside; from the border where it goes in; from on what has no inside
+/// where it leaves its line.
 fn is_stopped<N: Number>(set: &Forbidden, d: Point) -> bool {
     if set.touched::<N>(d, 0) {
         if set.radius > 0 || set.hull.len() > 2 {
@@ -28,12 +29,14 @@ fn is_stopped<N: Number>(set: &Forbidden, d: Point) -> bool {
     set.touched::<N>(d, ONE) && (set.radius == 0 || goes_in::<N>(set, d))
 }
 
-/// Whether the ray, if it went on for ever, would come into the open set, in which it does not start.
+/// Whether the ray, if it went on for ever, would come into the open set, in which it does not
+/// start.
 fn goes_in<N: Number>(set: &Forbidden, d: Point) -> bool {
     if set.radius == 0 {
         return d != (0, 0) && set.met::<N>((d.0 << 31, d.1 << 31), ONE);
     }
-    // Where its line is within the radius of a corner, or crosses a side: that part of it is ahead, or all of it is behind.
+    // Where its line is within the radius of a corner, or crosses a side: that part of it is ahead,
+    // or all of it is behind.
     let cross = |p: Point, q: Point| i128::from(p.0) * i128::from(q.1) - i128::from(p.1) * i128::from(q.0);
     let dot = |p: Point| i128::from(p.0) * i128::from(d.0) + i128::from(p.1) * i128::from(d.1);
     let reach = i128::from(set.radius).pow(2) * dot(d);
@@ -126,7 +129,8 @@ fn every_ray_of_a_lattice() {
 fn rays(class: Class) {
     let mut stopped = 0;
     for kind in KINDS.into_iter().skip(3) {
-        // A point of the other shape, whose place is the class's, is where the ray starts, ends or passes.
+        // A point of the other shape, whose place is the class's, is where the ray starts, ends or
+        // passes.
         let mut stream = Pairs::new((kind, Kind::Circle), class, 0x7a5);
         let mut done = 0;
         while done < tilesat_judge::cases(1500) {

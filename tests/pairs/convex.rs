@@ -1,7 +1,8 @@
-//! Capsules, turned boxes and convex polygons, with each other and with the plain shapes: every answer against the exact judge, in
-//! both argument orders.
+//! Capsules, turned boxes and convex polygons, with each other and with the plain shapes: every
+//! answer against the exact judge, in both argument orders.
 //!
-//! `TILESAT_CASES` sets the number of cases a pair and class (default 2 000; the full run takes 10 000 000).
+//! `TILESAT_CASES` sets the number of cases a pair and class (default 2 000; the full run takes 10
+//! 000 000).
 
 use std::time::Instant;
 use tilesat::query::Separation;

@@ -1,10 +1,12 @@
-//! All triangles and quadrangles of a small lattice with each other, and with rounded corners: exhaustive up to a move.
+//! All triangles and quadrangles of a small lattice with each other, and with rounded corners:
+//! exhaustive up to a move.
 
 use tilesat_judge::convex::shape::{Shape, hull};
 use tilesat_judge::convex::verify::Pair;
 use tilesat_judge::oracle::figure::Point;
 
-/// Every strictly convex polygon of `corners` corners with its points on a lattice of `side` by `side`.
+/// Every strictly convex polygon of `corners` corners with its points on a lattice of `side` by
+/// `side`.
 fn polygons(side: i64, corners: usize) -> Vec<Vec<Point>> {
     let all: Vec<Point> = (0..side * side).map(|i| (i % side, i / side)).collect();
     let mut found = Vec::new();

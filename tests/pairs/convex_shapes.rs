@@ -1,4 +1,5 @@
-//! How capsules, turned boxes and polygons are built: what is refused, what is rounded, and what order does not matter.
+//! How capsules, turned boxes and polygons are built: what is refused, what is rounded, and what
+//! order does not matter.
 
 use tilesat::prelude::*;
 use tilesat::{
@@ -138,7 +139,8 @@ fn any_order_of_corners_gives_one_polygon() {
     assert_eq!(ConvexPolygon::<6>::hull(&[]), Err(PolygonError::TooFew { count: 0 }));
 }
 
-/// Boxes half a unit in extent, nine tenths apart: two points a tenth deep, the same at every origin. (`LargeWorldManifoldTest` of box2d.)
+/// Boxes half a unit in extent, nine tenths apart: two points a tenth deep, the same at every
+/// origin. (`LargeWorldManifoldTest` of box2d.)
 #[test]
 fn two_points_at_every_origin() {
     let unit = |at: (i16, i16)| {
@@ -154,7 +156,8 @@ fn two_points_at_every_origin() {
     }
 }
 
-/// A tilted box rests on a corner, and where its lower side is inside on two, whose names stay while it sinks.
+/// A tilted box rests on a corner, and where its lower side is inside on two, whose names stay
+/// while it sinks.
 #[test]
 fn points_keep_their_names() {
     let floor = Aabb::new(Vec2::from_ints(-100, 0), Vec2::from_ints(100, 50)).unwrap();

@@ -1,4 +1,5 @@
-//! Mirrored, transposed, moved and exchanged scenes of convex shapes give mirrored, transposed, equal and exchanged bits.
+//! Mirrored, transposed, moved and exchanged scenes of convex shapes give mirrored, transposed,
+//! equal and exchanged bits.
 //!
 //! Exempt are degenerate contacts, whose axis is a convention.
 
@@ -63,7 +64,8 @@ fn moved_scenes() {
     });
 }
 
-/// A turned box along x and y is an [`Aabb`](tilesat::Aabb), a capsule without length a circle, one without radius a segment: the same bits.
+/// A turned box along x and y is an [`Aabb`](tilesat::Aabb), a capsule without length a circle, one
+/// without radius a segment: the same bits.
 #[test]
 fn plain_shapes_in_other_words() {
     let words = |s: &Shape| match *s {

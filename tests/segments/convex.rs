@@ -1,4 +1,5 @@
-//! Capsules and polygons against segment maps, solids and joined levels: by the exact judges of pairs and of winding numbers.
+//! Capsules and polygons against segment maps, solids and joined levels: by the exact judges of
+//! pairs and of winding numbers.
 
 use tilesat::prelude::*;
 use tilesat::{Aabb, Capsule, ConvexPolygon, Fx, Joined, PathKind, SegmentMap, Solid, Solids};
@@ -12,7 +13,8 @@ fn near(p: P) -> Point {
     (p.0 as i64, p.1 as i64)
 }
 
-/// Whether the inside of the polygons has a point between two others: on both sides of the middle of a piece that no edge crosses.
+/// Whether the inside of the polygons has a point between two others: on both sides of the middle
+/// of a piece that no edge crosses.
 fn line_inside(scene: &Scene, p: P, q: P) -> bool {
     let d = sub(q, p);
     // Where edges cross the line, in parts of 2^40.

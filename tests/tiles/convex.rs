@@ -1,8 +1,9 @@
 //! Capsules, turned boxes and polygons against maps of all shapes.
 //!
-//! A shape is all discs of its radius around the points of its core: one that overlaps the level shows that the shape does, by the judge of
-//! circles. Where the library says so and no sampled disc does, one that is larger by the samples' spacing has to. What touches to the
-//! bit is asked of shapes that are boxes and circles by other names, and of tangents with whole numbers.
+//! A shape is all discs of its radius around the points of its core: one that overlaps the level
+//! shows that the shape does, by the judge of circles. Where the library says so and no sampled
+//! disc does, one that is larger by the samples' spacing has to. What touches to the bit is asked
+//! of shapes that are boxes and circles by other names, and of tangents with whole numbers.
 
 use tilesat::{Aabb, Capsule, Circle, ConvexPolygon, Fx, OrientedBox, TileKind, TileKinds, TileMap, TileShape, Vec2};
 use tilesat::{Axis, world::AllShapes, world::Placed};
@@ -81,7 +82,8 @@ fn mosaics_equal_their_discs() {
             let r = [0, 0, level.cell / 4, level.cell, random.within(0, size)][random.below(5) as usize];
             let asked = ask(&map, &core, r);
             let discs = samples(&core, 9);
-            // A disc of no radius is the inside of the union; two points on a line are asked as such.
+            // A disc of no radius is the inside of the union; two points on a line are asked as
+            // such.
             let shown = |r: i64| discs.iter().any(|&c| judge.overlaps(Body::Circle { c, r }));
             let spacing = 3 * size / 9 + 3;
             let case = || format!("{level:?} {core:?} {r}");
@@ -115,7 +117,8 @@ fn mosaics_equal_their_discs() {
     assert!(yes > done / 5 && no > done / 20 && close < yes / 5, "{yes} {no} {close}");
 }
 
-/// Upright boxes and capsules without length are what they are by name, thin ones included: bit for bit, on all shapes of tiles.
+/// Upright boxes and capsules without length are what they are by name, thin ones included: bit for
+/// bit, on all shapes of tiles.
 #[test]
 fn boxes_and_circles_by_other_names() {
     let mut random = Random::new(78);
@@ -144,7 +147,8 @@ fn boxes_and_circles_by_other_names() {
     assert!(touched > 100, "{touched}");
 }
 
-/// A dome and a pipe of radius 5 k, and the tangents at (3 k, 4 k): they touch, and one raw unit further they overlap.
+/// A dome and a pipe of radius 5 k, and the tangents at (3 k, 4 k): they touch, and one raw unit
+/// further they overlap.
 #[test]
 fn tangents_of_arcs() {
     static KINDS: TileKinds = {

@@ -10,7 +10,8 @@ pub(crate) struct Error {
     pub(crate) places: Vec<(String, usize)>,
 }
 
-/// The errors of a build of the library; constants are computed in it, which a check alone would not do.
+/// The errors of a build of the library; constants are computed in it, which a check alone would
+/// not do.
 pub(crate) fn errors(tree: &Path) -> Vec<Error> {
     let out = Command::new("cargo")
         .args(["build", "--lib", "--profile", "mutants", "--message-format", "json", "--quiet"])
@@ -39,7 +40,8 @@ fn error(message: &Value) -> Error {
             let file = span["file_name"].as_str().unwrap_or_default().to_owned();
             places.push((file, span["line_start"].as_u64().unwrap_or(0) as usize));
         }
-        // Of an evaluation all that it went through; of other errors the rest is what is declared elsewhere.
+        // Of an evaluation all that it went through; of other errors the rest is what is declared
+        // elsewhere.
         if evaluation {
             pending.extend(message["children"].as_array().into_iter().flatten());
         }

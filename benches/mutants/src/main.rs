@@ -1,9 +1,13 @@
-//! Weaves the mutants that cargo-mutants lists into one program, so that all of them are compiled once.
+//! Weaves the mutants that cargo-mutants lists into one program, so that all of them are compiled
+//! once.
 //!
-//! `weave LIST.json TREE [--of N --seed K] [--only FILE]` takes all, or those numbered K, K + N, ..., or those that a file names, and changes the
-//! sources of a copied tree: the body of each function becomes a match over a number that the environment variable `MUTANT` gives when the program
-//! starts, with an arm for each mutant of the function and the body as it was for all other numbers. Functions that the compiler runs for constants, and mutants that are no valid program, are found by building and left out.
-//! Writes `mutants.tsv` into the tree: number, verdict before any test (`woven`, `unviable`, `constant`), name.
+//! `weave LIST.json TREE [--of N --seed K] [--only FILE]` takes all, or those numbered K, K + N,
+//! ..., or those that a file names, and changes the sources of a copied tree: the body of each
+//! function becomes a match over a number that the environment variable `MUTANT` gives when the
+//! program starts, with an arm for each mutant of the function and the body as it was for all other
+//! numbers. Functions that the compiler runs for constants, and mutants that are no valid program,
+//! are found by building and left out. Writes `mutants.tsv` into the tree: number, verdict before
+//! any test (`woven`, `unviable`, `constant`), name.
 
 mod built;
 mod mutant;

@@ -107,7 +107,8 @@ impl Source {
     }
 }
 
-/// Where the block begins that ends a function; strings and characters in it hold no braces of their own that do not match.
+/// Where the block begins that ends a function; strings and characters in it hold no braces of
+/// their own that do not match.
 fn open_brace(text: &[char], from: usize, to: usize) -> usize {
     let mut depth = 0;
     for at in (from..to).rev() {

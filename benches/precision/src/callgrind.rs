@@ -1,4 +1,5 @@
-//! Counting instructions: the program runs itself under callgrind, which counts around single passes only.
+//! Counting instructions: the program runs itself under callgrind, which counts around single
+//! passes only.
 
 use std::ffi::CString;
 use std::path::Path;
@@ -14,7 +15,8 @@ const STOP_INSTRUMENTATION: u64 = 0x4354_0005;
 #[inline(never)]
 fn request(code: u64, argument: u64) {
     let arguments = [code, argument, 0, 0, 0, 0];
-    // SAFETY: four rotations by 128 bits in all and an exchange of a register with itself: no effect but on rdx, which is told.
+    // SAFETY: four rotations by 128 bits in all and an exchange of a register with itself: no
+    // effect but on rdx, which is told.
     unsafe {
         std::arch::asm!(
             "rol rdi, 3", "rol rdi, 13", "rol rdi, 61", "rol rdi, 51", "xchg rbx, rbx",

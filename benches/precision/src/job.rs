@@ -47,7 +47,8 @@ struct Loop<P, O, F, A> {
 }
 
 impl<P, O, F: Fn(&P) -> O, A> Job<A> for Loop<P, O, F, A> {
-    /// Each input is hidden from the compiler and each answer is stored whole: the cost of one call, not of a loop that can be vectorised.
+    /// Each input is hidden from the compiler and each answer is stored whole: the cost of one
+    /// call, not of a loop that can be vectorised.
     #[inline(never)]
     fn pass(&mut self) {
         for (input, output) in self.inputs.iter().zip(&mut self.outputs) {

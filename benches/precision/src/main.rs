@@ -1,18 +1,28 @@
-//! Run time against error: tilesat beside textbook code and other libraries, all on the same inputs.
+//! Run time against error: tilesat beside textbook code and other libraries, all on the same
+//! inputs.
 //!
-//! `run.sh` does it all. The parts: what is judged and timed (`measure`), instructions on the host (`count`), then from the results' CSV
-//! alone pictures and pages (`show`). `soak` asks one pair of shapes for hours.
+//! `run.sh` does it all. The parts: what is judged and timed (`measure`), instructions on the host
+//! (`count`), then from the results' CSV alone pictures and pages (`show`). `soak` asks one pair of
+//! shapes for hours.
 //!
 //! How to read it:
-//! - Every answer is held against exact integers of 256 bits, which a test holds equal to big rationals. They share no code with the library.
-//! - A backend is wrong by the convention that suits it better over a class: touching is overlapping, or it is not. tilesat's is the strict one.
-//! - Who moves bodies: rapier2d's controller stands for parry2d's casts, with which it slides; Box2D's mover is a capsule, so circles alone;
-//!   Chipmunk2D has none. On microcontrollers bodies are moved and pairs of boxes told by what runs without an allocator: ours and the textbook's.
-//! - Lengths are raw integers, 65 536 a pixel. A float gets the nearest value to each, so an f32 loses digits far from the origin, as in a game.
-//! - Bodies that move are judged where they are, as what their numbers mean exactly, and so each has its own way through a level (`moves/truth.rs`).
-//! - A time is that of the thread, and is thrown away where it strays (`run.rs`, `stray.rs`); one whose code has another count since is, too.
-//! - Of pairs of boxes, one that overlaps and is not told is wrong; what only touches may be told or not (`broad/truth.rs`).
-//! - A query's cost is that of one call from a loop: operands in memory, the whole answer stored. Libraries differ in what they return.
+//! - Every answer is held against exact integers of 256 bits, which a test holds equal to big
+//!   rationals. They share no code with the library.
+//! - A backend is wrong by the convention that suits it better over a class: touching is
+//!   overlapping, or it is not. tilesat's is the strict one.
+//! - Who moves bodies: rapier2d's controller stands for parry2d's casts, with which it slides;
+//!   Box2D's mover is a capsule, so circles alone; Chipmunk2D has none. On microcontrollers bodies
+//!   are moved and pairs of boxes told by what runs without an allocator: ours and the textbook's.
+//! - Lengths are raw integers, 65 536 a pixel. A float gets the nearest value to each, so an f32
+//!   loses digits far from the origin, as in a game.
+//! - Bodies that move are judged where they are, as what their numbers mean exactly, and so each
+//!   has its own way through a level (`moves/truth.rs`).
+//! - A time is that of the thread, and is thrown away where it strays (`run.rs`, `stray.rs`); one
+//!   whose code has another count since is, too.
+//! - Of pairs of boxes, one that overlaps and is not told is wrong; what only touches may be told
+//!   or not (`broad/truth.rs`).
+//! - A query's cost is that of one call from a loop: operands in memory, the whole answer stored.
+//!   Libraries differ in what they return.
 
 mod broad;
 mod callgrind;

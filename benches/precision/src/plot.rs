@@ -1,4 +1,5 @@
-//! Pictures of the results: cost against error, both on logarithmic scales; a panel a class, a point a backend and question.
+//! Pictures of the results: cost against error, both on logarithmic scales; a panel a class, a
+//! point a backend and question.
 
 use crate::record::Row;
 use std::collections::BTreeMap;
@@ -49,7 +50,8 @@ fn style(backend: &str) -> (&'static str, char) {
     STYLES.iter().find(|s| s.0 == backend).map_or(("#000000", 'o'), |s| (s.1, s.2))
 }
 
-/// A sign at a place. Full is a yes or no, hollow is all that a contact tells, half-way is what tells it when asked.
+/// A sign at a place. Full is a yes or no, hollow is all that a contact tells, half-way is what
+/// tells it when asked.
 fn sign(out: &mut String, (x, y): (f64, f64), backend: &str, asked: &str) {
     let (colour, shape) = style(backend);
     let fill = match asked {

@@ -15,7 +15,8 @@ pub fn is_library(backend: &str) -> bool {
     ["parry2d", "ncollide2d", "Box2D", "Chipmunk2D", "rapier2d", "broccoli"].iter().any(|l| backend.starts_with(l))
 }
 
-/// Whether it tells pairs of many boxes: ours are several, and a game takes the one that suits its number of bodies.
+/// Whether it tells pairs of many boxes: ours are several, and a game takes the one that suits its
+/// number of bodies.
 pub fn is_broad(workload: &str) -> bool {
     workload.starts_with("pairs of boxes")
 }
@@ -25,7 +26,8 @@ pub fn is_move(workload: &str) -> bool {
     workload.starts_with("move")
 }
 
-/// What ours says first: the cheapest answer of a workload. Of pairs of boxes each backend has answers of its own.
+/// What ours says first: the cheapest answer of a workload. Of pairs of boxes each backend has
+/// answers of its own.
 pub fn first_asked(workload: &str) -> &'static str {
     let starts = ["rays", "cast", "move", "pairs of boxes", "tiles: cast", "building"];
     let asked = ["ray", "cast", "move", "pairs", "cast", "build"];
@@ -46,7 +48,8 @@ pub fn usual_class(workload: &str) -> &'static str {
 }
 
 impl<'a> Question<'a> {
-    /// All that ours answers, the cheapest answer of each workload first; what is only part of another answer is not told.
+    /// All that ours answers, the cheapest answer of each workload first; what is only part of
+    /// another answer is not told.
     pub fn all(rows: &'a [Row]) -> Vec<Self> {
         let mut all = Vec::new();
         for workload in workloads(rows) {
@@ -89,7 +92,8 @@ impl<'a> Question<'a> {
         }
     }
 
-    /// The row of some backends that answers it in a class: the cheapest that is right there, or else the cheapest.
+    /// The row of some backends that answers it in a class: the cheapest that is right there, or
+    /// else the cheapest.
     pub fn best(self, rows: &'a [Row], class: &str, of: impl Fn(&Row) -> bool) -> Option<&'a Row> {
         let all = || rows.iter().filter(|r| self.is_of(r) && r.class() == class && of(r));
         cheapest(all().filter(|r| is_right(r)), "host").or_else(|| cheapest(all(), "host"))
@@ -107,7 +111,8 @@ impl<'a> Question<'a> {
     }
 }
 
-/// Boxes that move are another function than circles that do; columns of boxes are another scene than boxes that are scattered.
+/// Boxes that move are another function than circles that do; columns of boxes are another scene
+/// than boxes that are scattered.
 fn is_alike(a: &str, b: &str) -> bool {
     ["box up", "boxes in columns"].iter().all(|other| a.contains(other) == b.contains(other))
 }

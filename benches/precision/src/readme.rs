@@ -83,7 +83,8 @@ fn line(out: &mut String, rows: &[Row], question: Question<'_>, class: &str) {
     );
 }
 
-/// The classes in which textbook f64 is wrong and those in which it is not, and which of the two is cheaper there.
+/// The classes in which textbook f64 is wrong and those in which it is not, and which of the two is
+/// cheaper there.
 fn floats(rows: &[Row]) -> String {
     // The workloads that fail in the same classes, and how often at most.
     let mut wrong: Vec<(String, Vec<&str>, f64)> = Vec::new();

@@ -1,7 +1,8 @@
-//! The results: a row a workload, class, backend and question. Everything that is shown is made from this file alone.
+//! The results: a row a workload, class, backend and question. Everything that is shown is made
+//! from this file alone.
 //!
-//! A cell that was not measured is empty. Another workload adds rows, another measure a column to [`COLUMNS`]; parts that
-//! were measured by different programs are joined by their keys.
+//! A cell that was not measured is empty. Another workload adds rows, another measure a column to
+//! [`COLUMNS`]; parts that were measured by different programs are joined by their keys.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -9,7 +10,8 @@ use std::fmt::Write;
 /// What identifies a row.
 pub const KEYS: [&str; 4] = ["workload", "class", "backend", "asked"];
 
-/// What a row may hold. Errors are in pixels, or of a time in pixels of way; `ulp` in units of the backend's own format.
+/// What a row may hold. Errors are in pixels, or of a time in pixels of way; `ulp` in units of the
+/// backend's own format.
 pub const COLUMNS: [&str; 25] = [
     "queries",
     // Answers that are wrong by the strict convention, and by the one where touching counts.
@@ -19,12 +21,13 @@ pub const COLUMNS: [&str; 25] = [
     "mean_px",
     "max_ulp",
     "mean_ulp",
-    // Times of impact beyond the true one, of all hits, and how far into the other shape that leads.
+    // Times of impact beyond the true one, of all hits, and how far into the other shape that
+    // leads.
     "late",
     "hits",
     "deepest_px",
-    // Of frames that move a body: ends deeper than a 64th of a pixel and than a pixel, through the solid, and not at all though it could; of
-    // pairs of boxes: those that are apart.
+    // Of frames that move a body: ends deeper than a 64th of a pixel and than a pixel, through the
+    // solid, and not at all though it could; of pairs of boxes: those that are apart.
     "deep",
     "lost",
     "tunnels",
@@ -39,7 +42,8 @@ pub const COLUMNS: [&str; 25] = [
     "m4f",
     "m4f_hit",
     "m4f_miss",
-    // Bytes of the query with all that it pulls in; in a row without a class, or with what its classes begin with.
+    // Bytes of the query with all that it pulls in; in a row without a class, or with what its
+    // classes begin with.
     "flash_m0",
     "flash_m4f",
 ];
@@ -86,14 +90,16 @@ impl Row {
         &self.key[3]
     }
 
-    /// Wrong answers in a million, tunnels among them, by the convention that suits the backend better; `None` where nothing was judged.
+    /// Wrong answers in a million, tunnels among them, by the convention that suits the backend
+    /// better; `None` where nothing was judged.
     pub fn wrong_per_million(&self) -> Option<f64> {
         let strict = self.get("wrong")?;
         let wrong = self.get("wrong_closed").map_or(strict, |closed| strict.min(closed));
         Some((wrong + self.get("tunnels").unwrap_or(0.0)) * 1e6 / self.get("queries")?)
     }
 
-    /// Takes the cells of a later part. A time is that of the code that was counted: with another count it goes, unless there is a new one.
+    /// Takes the cells of a later part. A time is that of the code that was counted: with another
+    /// count it goes, unless there is a new one.
     fn renew(&mut self, part: Self) {
         if let (Some(old), Some(new)) = (self.get("host"), part.get("host"))
             && (new - old).abs() > old * SAME
@@ -163,7 +169,8 @@ pub fn from_csv(text: &str) -> Result<Vec<Row>, String> {
         .collect()
 }
 
-/// Rows of all parts, in the order in which keys come first; a later part's cell replaces an earlier one's.
+/// Rows of all parts, in the order in which keys come first; a later part's cell replaces an
+/// earlier one's.
 pub fn join(parts: impl IntoIterator<Item = Row>) -> Vec<Row> {
     let mut rows: Vec<Row> = Vec::new();
     for part in parts {

@@ -61,18 +61,20 @@ fn cpu_time() -> u64 {
     time.tv_sec as u64 * 1_000_000_000 + time.tv_nsec as u64
 }
 
-/// How far the middle one of some passes may be above the fastest. All take the same instructions, so more is the machine's doing.
+/// How far the middle one of some passes may be above the fastest. All take the same instructions,
+/// so more is the machine's doing.
 const STEADY: f64 = 1.25;
 
-/// The fastest of some passes, if most were about as fast: else the machine was busy, and the time says nothing.
+/// The fastest of some passes, if most were about as fast: else the machine was busy, and the time
+/// says nothing.
 fn steady(mut passes: Vec<f64>) -> Option<f64> {
     passes.sort_by(f64::total_cmp);
     let (fastest, middle) = (*passes.first()?, passes[passes.len() / 2]);
     (middle <= fastest * STEADY).then_some(fastest)
 }
 
-/// Sets the time of a query in each row, by a job of inputs that hold so many queries each. The jobs take turns, so that what disturbs one
-/// disturbs all; a time that strays is not set.
+/// Sets the time of a query in each row, by a job of inputs that hold so many queries each. The
+/// jobs take turns, so that what disturbs one disturbs all; a time that strays is not set.
 pub fn time<A>(rows: &mut [Row], jobs: &mut [Box<dyn Job<A>>], queries: usize, sizes: &Sizes) {
     let mut passes = vec![Vec::new(); jobs.len()];
     for _ in 0..sizes.passes {

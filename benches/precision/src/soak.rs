@@ -1,7 +1,9 @@
-//! One pair of shapes after the other, for as long as it takes: yes or no around touches, against exact integers.
+//! One pair of shapes after the other, for as long as it takes: yes or no around touches, against
+//! exact integers.
 //!
-//! Around each generated pair its neighbours are asked too, up to 2 raw units away in each direction and with radii one more and one less.
-//! The judge of this many is plain 64- and 128-bit integers; every so often it is itself held against the 256-bit one.
+//! Around each generated pair its neighbours are asked too, up to 2 raw units away in each
+//! direction and with radii one more and one less. The judge of this many is plain 64- and 128-bit
+//! integers; every so often it is itself held against the 256-bit one.
 
 use crate::pairs::name;
 use crate::peers::exact::Shape as Plain;
@@ -16,7 +18,8 @@ use tilesat_judge::oracle::generate::{CLASSES, Pairs};
 use tilesat_judge::oracle::measure::Measure;
 use tilesat_textbook::exact;
 
-/// Generated pairs a chunk: what is done between two looks at the clock, and what a seed stands for.
+/// Generated pairs a chunk: what is done between two looks at the clock, and what a seed stands
+/// for.
 const CHUNK: u32 = 20_000;
 /// Every so many generated pairs the judge is judged.
 const SAMPLE: u32 = 50;

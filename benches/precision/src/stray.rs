@@ -2,8 +2,8 @@
 
 use crate::record::Row;
 
-/// How far the ns per instruction of one class may be from those of the same answer in the other classes. Branches that are guessed
-/// wrong explain less.
+/// How far the ns per instruction of one class may be from those of the same answer in the other
+/// classes. Branches that are guessed wrong explain less.
 const FAR: f64 = 3.0;
 
 /// Takes away the times that stray from the middle one of the same answer's.

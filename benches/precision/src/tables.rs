@@ -1,4 +1,5 @@
-//! Tables of the page, as Markdown: a line a question, a column a backend. All classes are in the rows' own file.
+//! Tables of the page, as Markdown: a line a question, a column a backend. All classes are in the
+//! rows' own file.
 
 use crate::question::{Question, usual_class};
 use crate::record::Row;
@@ -50,7 +51,8 @@ fn answers<'a>(rows: &'a [Row], question: Question<'a>, class: &str) -> [Option<
     COLUMNS.map(|(_, backends)| question.best(rows, class, |r| backends.contains(&r.backend())))
 }
 
-/// What it costs and what is wrong; and the class where it is wrong most often, if that is another one.
+/// What it costs and what is wrong; and the class where it is wrong most often, if that is another
+/// one.
 fn cost(rows: &[Row], question: Question<'_>, row: &Row) -> Option<String> {
     let ns = row.get("ns").map(|ns| format!(" / {}", short(ns))).unwrap_or_default();
     let wrong = row.wrong_per_million()?;
@@ -129,7 +131,8 @@ fn share(row: &Row, n: f64) -> String {
     row.get("queries").map_or_else(String::new, |all| short(n * 1e6 / all))
 }
 
-/// All classes of a workload that has few rows of its own: bodies among bodies, or what only ours does.
+/// All classes of a workload that has few rows of its own: bodies among bodies, or what only ours
+/// does.
 pub fn classes(rows: &[Row], workload: &str) -> String {
     let mut out = String::new();
     let question = Question { workload, asked: crate::question::first_asked(workload) };

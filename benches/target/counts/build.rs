@@ -1,4 +1,5 @@
-//! Tells the firmware which core it is built for, and the linker which programs want a whole board: see `memory.x`.
+//! Tells the firmware which core it is built for, and the linker which programs want a whole board:
+//! see `memory.x`.
 
 fn main() {
     let target = std::env::var("TARGET").unwrap_or_default();

@@ -2,10 +2,11 @@
 
 use crate::num::{DOMAIN, Raw, Vec2, check_motion, mul_div};
 
-/// A change of velocity by `by` in every `frames` frames, exact: in frame k the velocity has changed by `k by / frames`, rounded toward zero.
+/// A change of velocity by `by` in every `frames` frames, exact: in frame k the velocity has
+/// changed by `k by / frames`, rounded toward zero.
 ///
-/// What is left below a raw unit is kept in a [`Carry`], one for each body, and acts when it has become a unit; so it belongs to the velocity,
-/// and a position never feels it.
+/// What is left below a raw unit is kept in a [`Carry`], one for each body, and acts when it has
+/// become a unit; so it belongs to the velocity, and a position never feels it.
 ///
 /// ```
 /// use tilesat::{Vec2, motion::{Acceleration, Carry}};
@@ -20,8 +21,9 @@ use crate::num::{DOMAIN, Raw, Vec2, check_motion, mul_div};
 ///
 /// # At rest
 ///
-/// A body that lies on a floor would get no velocity in most frames of a weak gravity, and a mover reports only what a body runs into: its `floor` would
-/// flicker. So fill the carry of a body that is supported, and it presses on the floor by at least a raw unit in every frame:
+/// A body that lies on a floor would get no velocity in most frames of a weak gravity, and a mover
+/// reports only what a body runs into: its `floor` would flicker. So fill the carry of a body that
+/// is supported, and it presses on the floor by at least a raw unit in every frame:
 ///
 /// ```
 /// # use tilesat::prelude::*;
@@ -51,7 +53,8 @@ pub struct Acceleration {
     frames: i32,
 }
 
-/// What of a velocity is below a raw unit: a number of parts on each axis, in which only its [`Acceleration`] counts.
+/// What of a velocity is below a raw unit: a number of parts on each axis, in which only its
+/// [`Acceleration`] counts.
 ///
 /// Plain data, to be kept beside the velocity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -67,8 +70,8 @@ impl Carry {
 }
 
 impl Acceleration {
-    /// A change by `by` in every `frames` frames; `None` where that is no frame or more than 2^30, or a component of `by` is outside of
-    /// the [domain](crate::num::DOMAIN).
+    /// A change by `by` in every `frames` frames; `None` where that is no frame or more than 2^30,
+    /// or a component of `by` is outside of the [domain](crate::num::DOMAIN).
     #[must_use]
     pub const fn new(by: Vec2, frames: u32) -> Option<Self> {
         if frames == 0 || frames > 1 << 30 || check_motion(by, DOMAIN).is_err() {
@@ -79,9 +82,11 @@ impl Acceleration {
         Some(Self { whole: (x.0, y.0), part: (x.1, y.1), frames: frames as i32 })
     }
 
-    /// The velocity after one frame more, and what is left below a raw unit. Saturates at the ends of 16.16.
+    /// The velocity after one frame more, and what is left below a raw unit. Saturates at the ends
+    /// of 16.16.
     ///
-    /// Mirrored input gives mirrored bits. Cost: additions and compares, 43 instructions on a Cortex-M0.
+    /// Mirrored input gives mirrored bits. Cost: additions and compares, 43 instructions on a
+    /// Cortex-M0.
     #[must_use]
     pub const fn act(&self, velocity: Vec2, carry: Carry) -> (Vec2, Carry) {
         let (x, left_x) = self.one(self.whole.0, self.part.0, carry.x);
@@ -89,8 +94,8 @@ impl Acceleration {
         (velocity.saturating_add(Vec2::from_raw(x, y)), Carry { x: left_x, y: left_y })
     }
 
-    /// The carry of a body that a surface holds: full on the axes on which it came out with no velocity, so that the next frame gives a whole unit
-    /// there, and as it was on the others.
+    /// The carry of a body that a surface holds: full on the axes on which it came out with no
+    /// velocity, so that the next frame gives a whole unit there, and as it was on the others.
     ///
     /// It costs less than a raw unit a frame of accuracy when the body leaves the surface.
     #[must_use]

@@ -1,4 +1,5 @@
-//! What an impact does to velocities: to one at a surface, and to those of two bodies that meet, which share a push as well.
+//! What an impact does to velocities: to one at a surface, and to those of two bodies that meet,
+//! which share a push as well.
 
 use super::Surface;
 use super::reply::{Rule, reply, settle};
@@ -18,9 +19,11 @@ pub struct Split {
 
 /// Splits a velocity at a normal of any length.
 ///
-/// The normal part is rounded to nearest (halves toward zero), the tangent is the rest, so both are within half a raw unit of the exact parts and their sum
-/// is `v`. Exact at normals along x and y. A zero normal gives all to the tangent. How hard something was hit is the
-/// [`length`](Vec2::length) of the normal part. Mirrored input gives mirrored bits. Cost: two long divisions, some 1730 instructions on a Cortex-M0.
+/// The normal part is rounded to nearest (halves toward zero), the tangent is the rest, so both are
+/// within half a raw unit of the exact parts and their sum is `v`. Exact at normals along x and y.
+/// A zero normal gives all to the tangent. How hard something was hit is the
+/// [`length`](Vec2::length) of the normal part. Mirrored input gives mirrored bits. Cost: two long
+/// divisions, some 1730 instructions on a Cortex-M0.
 ///
 /// ```
 /// use tilesat::{Axis, Vec2, motion::response::split};
@@ -53,7 +56,8 @@ pub fn slide(v: Vec2, normal: Axis) -> Result<Vec2, RangeError> {
     Surface::SLICK.respond(v, normal)
 }
 
-/// A velocity whose part into a surface is turned round, times `restitution`: [`Surface::respond`] without friction.
+/// A velocity whose part into a surface is turned round, times `restitution`: [`Surface::respond`]
+/// without friction.
 ///
 /// # Errors
 /// [`RangeError`] where a component of `v` is outside of the [domain](crate::num::DOMAIN).
@@ -97,7 +101,8 @@ impl Masses {
 
     /// The masses of A and B in any common unit; `None` where one is zero.
     ///
-    /// Small whole numbers are meant: the velocities of the two change in multiples of them, so that momentum is exact.
+    /// Small whole numbers are meant: the velocities of the two change in multiples of them, so
+    /// that momentum is exact.
     #[must_use]
     pub const fn new(a: u8, b: u8) -> Option<Self> {
         if a == 0 || b == 0 {
@@ -141,7 +146,8 @@ const fn quotient(of: u8, by: u8) -> u8 {
     crate::num::mul_div(of as u32, 1, by as u32) as u8
 }
 
-/// The displacements of A and B that end their overlap: A takes `share_of_a` of the push, B the rest.
+/// The displacements of A and B that end their overlap: A takes `share_of_a` of the push, B the
+/// rest.
 ///
 /// ```text
 ///     before          share 1/2          share 1           share 0
@@ -152,10 +158,12 @@ const fn quotient(of: u8, by: u8) -> u8 {
 ///                   both by half     A alone               B alone
 /// ```
 ///
-/// Each component is rounded away from zero, so that the two together are the [`push_out`](Contact::push_out) or a raw unit a component more:
-/// after both moves `overlaps` is false. It does not matter which of the two is A, and mirrored input gives mirrored bits ([degenerate](Contact::is_degenerate)
-/// contacts excepted). [`Masses::share_of_a`] is the share that keeps the centre of mass where it is. The moves may lead out of the domain or into
-/// a level: `translated` says the first, a [`Mover`](crate::Mover) minds the second.
+/// Each component is rounded away from zero, so that the two together are the
+/// [`push_out`](Contact::push_out) or a raw unit a component more: after both moves `overlaps` is
+/// false. It does not matter which of the two is A, and mirrored input gives mirrored bits
+/// ([degenerate](Contact::is_degenerate) contacts excepted). [`Masses::share_of_a`] is the share
+/// that keeps the centre of mass where it is. The moves may lead out of the domain or into a level:
+/// `translated` says the first, a [`Mover`](crate::Mover) minds the second.
 ///
 /// Cost: that of `push_out`, and four products.
 ///
@@ -177,17 +185,22 @@ pub const fn separate(contact: &Contact, share_of_a: Ratio) -> (Vec2, Vec2) {
     (Raw { x: a.of_raw_up(push.x), y: a.of_raw_up(push.y) }.vec2(), by_b.vec2())
 }
 
-/// The velocities of A and B after they have met with the `normal` from A to B ([`Contact::axis`]); unchanged where they do not approach.
+/// The velocities of A and B after they have met with the `normal` from A to B ([`Contact::axis`]);
+/// unchanged where they do not approach.
 ///
-/// The velocity of A as seen from B is answered as by [`Surface::respond`]; what that changes is shared out by the masses in whole steps: one step
-/// changes A by the mass of B and B by the mass of A, in raw units and lowest terms. So, exactly:
+/// The velocity of A as seen from B is answered as by [`Surface::respond`]; what that changes is
+/// shared out by the masses in whole steps: one step changes A by the mass of B and B by the mass
+/// of A, in raw units and lowest terms. So, exactly:
 ///
 /// - **momentum** along x and along y is what it was (of what is not fixed);
-/// - **energy**, mass times speed squared, is never more than it was (seen from the one that is fixed, if one is);
+/// - **energy**, mass times speed squared, is never more than it was (seen from the one that is
+///   fixed, if one is);
 /// - they do not approach any more.
 ///
-/// The price is a rounding of up to two sums of the masses (in lowest terms; 2 for equal ones) in raw units on the relative velocity. A contact slower
-/// than that may have no such answer; it is then left as it is. It does not matter which of the two is A, and mirrored input gives mirrored bits.
+/// The price is a rounding of up to two sums of the masses (in lowest terms; 2 for equal ones) in
+/// raw units on the relative velocity. A contact slower than that may have no such answer; it is
+/// then left as it is. It does not matter which of the two is A, and mirrored input gives mirrored
+/// bits.
 ///
 /// Cost: some 1140 instructions on a Cortex-M0 along x and y, 4500 elsewhere.
 ///

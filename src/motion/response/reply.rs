@@ -13,11 +13,13 @@ pub(in crate::motion) struct Rule {
     pub(in crate::motion) reference: u64,
 }
 
-/// The velocity after a contact with a plane of normal `n`; `v` itself where it does not move in, or `n` is zero.
+/// The velocity after a contact with a plane of normal `n`; `v` itself where it does not move in,
+/// or `n` is zero.
 ///
-/// With s = v.n < 0 and c = v.t along the tangent t = (-n.y, n.x), all in the length of n, the contact gives `j = (1 + restitution) |s|`
-/// along the normal and takes `min(|c|, friction j)` along the tangent. j is rounded down, what friction takes is rounded up. For |v| < 2^29.5 and any
-/// normal: |s| and |c| are below 2^61.
+/// With s = v.n < 0 and c = v.t along the tangent t = (-n.y, n.x), all in the length of n, the
+/// contact gives `j = (1 + restitution) |s|` along the normal and takes `min(|c|, friction j)`
+/// along the tangent. j is rounded down, what friction takes is rounded up. For |v| < 2^29.5 and
+/// any normal: |s| and |c| are below 2^61.
 pub(in crate::motion) fn reply(v: Raw, n: Axis, rule: &Rule) -> Raw {
     let s = n.dot(Axis::new(v.x, v.y));
     if s >= 0 {
@@ -39,7 +41,8 @@ fn straight(into: i32, along: i32, rule: &Rule) -> (i32, i32) {
     if rule.friction == Ratio::ZERO {
         return (back.wrapping_neg(), along);
     }
-    // Rounded up once: ceil(ceil(a / b) / b) = ceil(a / b^2). Below 2^60; what is taken, below 2^30.
+    // Rounded up once: ceil(ceil(a / b) / b) = ceil(a / b^2). Below 2^60; what is taken, below
+    // 2^30.
     let change = umul(into.unsigned_abs(), Ratio::ONE.raw() + rule.restitution.raw());
     let taken = rule.friction.of_wide_up(change).wrapping_add(u64::from(Ratio::ONE.raw()) - 1) >> 30;
     let left = along.unsigned_abs().saturating_sub(taken as u32) as i32;
@@ -75,7 +78,8 @@ impl Rule {
         self.restitution == Ratio::ONE && self.friction == Ratio::ZERO
     }
 
-    /// A mirror image, drawn to the reference; not drawn where that magnifies its rounding into the surface.
+    /// A mirror image, drawn to the reference; not drawn where that magnifies its rounding into the
+    /// surface.
     #[inline(never)]
     fn at_speed(&self, out: Raw, v: Raw, n: Axis) -> Raw {
         let square = v.len2();
@@ -88,8 +92,8 @@ impl Rule {
         settle(out, n, square.min(self.reference), 1).unwrap_or(Raw { x: 0, y: 0 })
     }
 
-    /// An exact mirror image, drawn to a reference that is more than 2 raw away: what roundings at other surfaces have left does not
-    /// count.
+    /// An exact mirror image, drawn to a reference that is more than 2 raw away: what roundings at
+    /// other surfaces have left does not count.
     fn drawn(&self, out: Raw, v: Raw, n: Axis) -> Raw {
         let square = v.len2();
         if square == self.reference || !self.loses_nothing() {
@@ -104,18 +108,22 @@ fn along(n: Axis, k: i64, nn: u64) -> Raw {
     Raw { x: scaled(n.x, k, nn), y: scaled(n.y, k, nn) }
 }
 
-/// The vector nearest to `q`, in steps of `step` from it, that is not into the plane and whose square is at most `bound`; none where there is
-/// none within two steps. At a normal along x or y steps of more than one leave the other component alone.
+/// The vector nearest to `q`, in steps of `step` from it, that is not into the plane and whose
+/// square is at most `bound`; none where there is none within two steps. At a normal along x or y
+/// steps of more than one leave the other component alone.
 ///
-/// Around a velocity that is rounded to nearest there is one in steps of 1: what is allowed looks like a quarter plane there at the worst (a grazing
-/// reply), and that holds a disc of half a diagonal within a diagonal and a half. Of the equally near the longest, then the one with the longer x, then
-/// the one more out of the plane; what is left of ties are the two ways along the plane, of which neither is taken: mirrored input gives mirrored bits.
+/// Around a velocity that is rounded to nearest there is one in steps of 1: what is allowed looks
+/// like a quarter plane there at the worst (a grazing reply), and that holds a disc of half a
+/// diagonal within a diagonal and a half. Of the equally near the longest, then the one with the
+/// longer x, then the one more out of the plane; what is left of ties are the two ways along the
+/// plane, of which neither is taken: mirrored input gives mirrored bits.
 pub(super) fn settle(q: Raw, n: Axis, bound: u64, step: i32) -> Option<Raw> {
     let (square, out) = (q.len2() as i64, n.dot(Axis::new(q.x, q.y)));
     if square as u64 <= bound && out >= 0 {
         return Some(q);
     }
-    // What one step in x or y adds to the dot product and, but for the square of the step, to the square: no product for each candidate.
+    // What one step in x or y adds to the dot product and, but for the square of the step, to the
+    // square: no product for each candidate.
     let (nx, ny) = (imul(n.x, step), imul(n.y, step));
     let (sx, sy) = (imul(q.x, step.wrapping_mul(2)), imul(q.y, step.wrapping_mul(2)));
     let (unit, pinned) = (step.wrapping_mul(step), step != 1);
@@ -151,10 +159,12 @@ pub(super) fn settle(q: Raw, n: Axis, bound: u64, step: i32) -> Option<Raw> {
     None
 }
 
-/// What replies to a velocity: [`reply`], of which a program without a mover that bounces links nothing.
+/// What replies to a velocity: [`reply`], of which a program without a mover that bounces links
+/// nothing.
 pub(in crate::motion) type Reply = fn(Raw, Axis, &Rule) -> Raw;
 
-/// Whether a mover bounces, and by what. A function by its address: code that is named where nobody asks for it would be linked all the same.
+/// Whether a mover bounces, and by what. A function by its address: code that is named where nobody
+/// asks for it would be linked all the same.
 #[derive(Clone, Copy, Default)]
 pub(in crate::motion) struct Bounce(pub(in crate::motion) Option<Reply>);
 

@@ -11,8 +11,9 @@ use core::fmt;
 
 /// A point whose velocity is the way from where it was to where it is.
 ///
-/// So whatever moves it, a [`Stick`](super::Stick) for example, changes its velocity with it, and nothing has to be told to the others. In a level it is
-/// a small circle that only a mover moves: it never ends inside.
+/// So whatever moves it, a [`Stick`](super::Stick) for example, changes its velocity with it, and
+/// nothing has to be told to the others. In a level it is a small circle that only a mover moves:
+/// it never ends inside.
 ///
 /// ```
 /// use tilesat::{Ratio, Vec2, motion::response::Particle};
@@ -48,22 +49,24 @@ impl Particle {
         self.position - self.previous
     }
 
-    /// The velocity of the next step: `drag` of this one is lost, rounded so that it always loses (toward rest, a raw unit at least where there is
-    /// drag), and the acceleration is added.
+    /// The velocity of the next step: `drag` of this one is lost, rounded so that it always loses
+    /// (toward rest, a raw unit at least where there is drag), and the acceleration is added.
     #[must_use]
     fn next_velocity(&self, acceleration: Vec2, drag: Ratio) -> Vec2 {
         let (v, keep) = (Raw::of(self.velocity()), drag.complement());
         Vec2::from_raw(keep.of_raw(v.x), keep.of_raw(v.y)) + acceleration
     }
 
-    /// The point a step later, in free space. Saturates at the ends of 16.16. Mirrored input gives mirrored bits.
+    /// The point a step later, in free space. Saturates at the ends of 16.16. Mirrored input gives
+    /// mirrored bits.
     #[must_use]
     pub fn step(self, acceleration: Vec2, drag: Ratio) -> Self {
         let velocity = self.next_velocity(acceleration, drag);
         Self { position: self.position + velocity, previous: self.position }
     }
 
-    /// The point a step later in a level, as a circle of this radius; its velocity is what the mover left of it.
+    /// The point a step later in a level, as a circle of this radius; its velocity is what the
+    /// mover left of it.
     ///
     /// Cost: one call of the mover.
     ///
@@ -82,7 +85,8 @@ impl Particle {
         Ok(Self::moving(moved.position(), moved.velocity))
     }
 
-    /// The point pushed through a level as far as that lets it, along what it meets; its velocity changes by what it made of the push.
+    /// The point pushed through a level as far as that lets it, along what it meets; its velocity
+    /// changes by what it made of the push.
     ///
     /// # Errors
     /// As [`step_in`](Self::step_in).
@@ -123,8 +127,8 @@ pub struct Stick {
     slack: bool,
 }
 
-/// What the roundings of one correction leave at most: a component of each share is short by less than a raw unit, together by one, which
-/// is sqrt(2), and sqrt(1/2) comes from the direction.
+/// What the roundings of one correction leave at most: a component of each share is short by less
+/// than a raw unit, together by one, which is sqrt(2), and sqrt(1/2) comes from the direction.
 const NEAR: u32 = 3;
 
 impl Stick {
@@ -150,7 +154,8 @@ impl Stick {
         }
     }
 
-    /// The same with another share of A in the corrections: [`Masses::share_of_a`](super::Masses::share_of_a), zero where A is nailed down.
+    /// The same with another share of A in the corrections:
+    /// [`Masses::share_of_a`](super::Masses::share_of_a), zero where A is nailed down.
     #[must_use]
     pub const fn with_share_of_a(self, share_of_a: Ratio) -> Self {
         Self { share_of_a, ..self }
@@ -162,14 +167,18 @@ impl Stick {
         self.length
     }
 
-    /// By how much to move the ends; nothing where their distance is less than 3 raw units off, exactly.
+    /// By how much to move the ends; nothing where their distance is less than 3 raw units off,
+    /// exactly.
     ///
-    /// From the exact difference of the ends, along which each component is rounded to nearest, each end gets its share rounded toward zero: so
-    /// nothing is ever corrected too far, and one correction leaves the distance less than 3 raw units off, where it stays as it is. It does
-    /// not matter which end is A, and mirrored input gives mirrored bits; only where both ends are one point do they part along x, A to the left.
-    /// The ends must be inside the [domain](crate::num::DOMAIN).
+    /// From the exact difference of the ends, along which each component is rounded to nearest,
+    /// each end gets its share rounded toward zero: so nothing is ever corrected too far, and one
+    /// correction leaves the distance less than 3 raw units off, where it stays as it is. It does
+    /// not matter which end is A, and mirrored input gives mirrored bits; only where both ends are
+    /// one point do they part along x, A to the left. The ends must be inside the
+    /// [domain](crate::num::DOMAIN).
     ///
-    /// Cost: two quotients by a root where it corrects, some 1380 instructions on a Cortex-M0; 100 where it does not.
+    /// Cost: two quotients by a root where it corrects, some 1380 instructions on a Cortex-M0; 100
+    /// where it does not.
     #[must_use]
     pub const fn pull(&self, a: Vec2, b: Vec2) -> (Vec2, Vec2) {
         let (e, length) = (Raw::of(b).sub(Raw::of(a)), self.length.to_bits());
@@ -229,16 +238,20 @@ impl fmt::Display for RelaxError {
 
 impl core::error::Error for RelaxError {}
 
-/// Brings linked points nearer to their distances, link after link, at most `rounds` times, or until nothing moves: the rounds taken.
+/// Brings linked points nearer to their distances, link after link, at most `rounds` times, or
+/// until nothing moves: the rounds taken.
 ///
-/// Each correction goes through the mover as a circle of this radius, so no point ends inside the level, however hard it is pulled. More
-/// rounds make stiffer links; what a blocked point cannot give, its partner gives in the next round. The order of the links is part of
-/// the model: the last ones are kept best.
+/// Each correction goes through the mover as a circle of this radius, so no point ends inside the
+/// level, however hard it is pulled. More rounds make stiffer links; what a blocked point cannot
+/// give, its partner gives in the next round. The order of the links is part of the model: the last
+/// ones are kept best.
 ///
-/// A frame of a ragdoll is [`Particle::step_in`] for each point, then this, then [`Quiet::watch`](super::Quiet::watch). Split a frame in two or four, with a part of the velocity each, where
-/// points are much faster than the links are long.
+/// A frame of a ragdoll is [`Particle::step_in`] for each point, then this, then
+/// [`Quiet::watch`](super::Quiet::watch). Split a frame in two or four, with a part of the velocity
+/// each, where points are much faster than the links are long.
 ///
-/// Cost: for each round and link a [`pull`](Stick::pull), and where it is not satisfied two calls of the mover.
+/// Cost: for each round and link a [`pull`](Stick::pull), and where it is not satisfied two calls
+/// of the mover.
 ///
 /// # Errors
 /// [`RelaxError`] where a link names a point that is not there, or the mover refuses one.
@@ -278,9 +291,10 @@ pub fn relax<W: World, S: Law>(
 
 /// For how many steps in a row points have hardly moved.
 ///
-/// Corrections that work against each other and against a floor may hum for ever, by a hundredth of a unit or so; a body of points is put to sleep
-/// instead: when it has been [quiet](Self::for_steps) for some steps, make each point [`Particle::at`] its position, and step none of them
-/// until something touches it. Plain data, to be kept beside the points.
+/// Corrections that work against each other and against a floor may hum for ever, by a hundredth of
+/// a unit or so; a body of points is put to sleep instead: when it has been
+/// [quiet](Self::for_steps) for some steps, make each point [`Particle::at`] its position, and step
+/// none of them until something touches it. Plain data, to be kept beside the points.
 ///
 /// ```
 /// use tilesat::{Fx, Vec2, motion::response::{Particle, Quiet}};
@@ -305,7 +319,8 @@ impl Quiet {
 
     /// One step more in which no component of a velocity reached `still`, or none at all.
     ///
-    /// Call it after the corrections of the step. Twice the acceleration of one step is a good `still`: what falls passes that in its third step.
+    /// Call it after the corrections of the step. Twice the acceleration of one step is a good
+    /// `still`: what falls passes that in its third step.
     #[must_use]
     pub fn watch(self, points: &[Particle], still: Fx) -> Self {
         let all = points.iter().all(|point| {

@@ -31,8 +31,8 @@ impl Press {
         Self { speed, comes: along > 0, key: solid.key(), normal }
     }
 
-    /// Faster, then the smaller key, then geometry: the same for mirrored normals as long as it can be. What comes by less than a raw unit is
-    /// faster than what stands.
+    /// Faster, then the smaller key, then geometry: the same for mirrored normals as long as it can
+    /// be. What comes by less than a raw unit is faster than what stands.
     fn goes_before(&self, other: &Self) -> bool {
         let key = |p: &Self| {
             let n = p.normal;
@@ -52,10 +52,12 @@ pub(super) struct Pushes<'a, B> {
 }
 
 impl<B: Body> Pushes<'_, B> {
-    /// `None` if the body comes clear of all solids by `made`; else what it has to make instead of `d`, of which that is what the level allowed.
+    /// `None` if the body comes clear of all solids by `made`; else what it has to make instead of
+    /// `d`, of which that is what the level allowed.
     ///
-    /// A solid goes its motion straight while the body goes `made` straight: seen from the solid, the body goes by the difference, and a hit
-    /// of that motion is a push, at any speed. Faces leave a room, and all of them together decide; only where no face is hit a corner pushes a
+    /// A solid goes its motion straight while the body goes `made` straight: seen from the solid,
+    /// the body goes by the difference, and a hit of that motion is a push, at any speed. Faces
+    /// leave a room, and all of them together decide; only where no face is hit a corner pushes a
     /// circle off, along its normal.
     #[inline(never)]
     pub(super) fn ask(&mut self, d: Raw, made: Raw) -> Option<Raw> {
@@ -91,7 +93,8 @@ impl<B: Body> Pushes<'_, B> {
         Some(self.room.nearest(if faces { d } else { corners.from(made) }))
     }
 
-    /// The normal of what the body runs into on its way past a solid, and the entry; no entry where it is in the solid from the start to the end.
+    /// The normal of what the body runs into on its way past a solid, and the entry; no entry where
+    /// it is in the solid from the start to the end.
     fn hit(&self, solid: &Solid, made: Raw, relative: Raw) -> Option<(Axis, Option<Entry>)> {
         let (body, bounds) = (self.body, self.body.bounds());
         let (lo, hi) = (bounds.lo(), bounds.hi());
@@ -126,7 +129,8 @@ fn first<B: Body>(solid: &Solid, body: &B, d: Raw) -> Option<Entry> {
     best
 }
 
-/// The side of a solid that is nearest for a box that overlaps it; of two the one that the solid goes to, then the one along x, then +.
+/// The side of a solid that is nearest for a box that overlaps it; of two the one that the solid
+/// goes to, then the one along x, then +.
 fn way_out(solid: &Solid, lo: Raw, hi: Raw) -> Axis {
     let (a, b, motion) = (solid.lo(), solid.hi(), Raw::of(solid.motion()));
     let sides = [
@@ -144,13 +148,15 @@ fn way_out(solid: &Solid, lo: Raw, hi: Raw) -> Axis {
     best.2
 }
 
-/// What takes a body off a corner after the rest of its motion: along the normal, or along one axis where the room ends on the other.
+/// What takes a body off a corner after the rest of its motion: along the normal, or along one axis
+/// where the room ends on the other.
 fn off(rest: Raw, made: Raw, n: Axis, room: &Clearance) -> Raw {
     let into = n.dot(Axis::new(rest.x, rest.y));
     if into >= 0 {
         return Raw { x: 0, y: 0 };
     }
-    // The part of `rest` against the normal: |n_i| v / n.n, below |rest|, and one more for the rounding.
+    // The part of `rest` against the normal: |n_i| v / n.n, below |rest|, and one more for the
+    // rounding.
     let part = |component: i32| {
         let size = mul_div_wide(into.unsigned_abs(), component.unsigned_abs(), n.length_squared()) as i32;
         size.wrapping_add(1).wrapping_mul(component.signum())
@@ -194,7 +200,8 @@ impl Shift {
 mod tests {
     use super::{Axis, Clearance, Raw, off};
 
-    /// Where there is no room along one axis, a corner of 45 degrees is left along the other one, by both parts of what is in it.
+    /// Where there is no room along one axis, a corner of 45 degrees is left along the other one,
+    /// by both parts of what is in it.
     #[test]
     fn beside_a_wall_a_corner_pushes_along_it() {
         for (x, y) in [(1, 1), (-1, 1), (1, -1), (-1, -1)] {

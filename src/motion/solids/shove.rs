@@ -1,4 +1,5 @@
-//! A displacement that something forces on a body: what the solids leave of it, and the way through the level.
+//! A displacement that something forces on a body: what the solids leave of it, and the way through
+//! the level.
 
 use crate::motion::body::Body;
 use crate::motion::plane::{NEAR, into, way};
@@ -10,7 +11,8 @@ use crate::world::{Solid, World};
 
 /// Bounds of a body's displacement in one tick, axis by axis.
 ///
-/// They only ever shrink, by a maximum and a minimum, so it does not matter which solid is asked first.
+/// They only ever shrink, by a maximum and a minimum, so it does not matter which solid is asked
+/// first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Clearance {
     pub(super) lo: Raw,
@@ -23,7 +25,8 @@ impl Clearance {
     pub(super) const ALL: Self =
         Self { lo: Raw { x: -Self::FAR, y: -Self::FAR }, hi: Raw { x: Self::FAR, y: Self::FAR } };
 
-    /// Behind a solid's face with the outward normal `n`: no nearer to where it stops than touching it.
+    /// Behind a solid's face with the outward normal `n`: no nearer to where it stops than touching
+    /// it.
     pub(super) fn behind<B: Body>(&mut self, body: &B, solid: &Solid, n: Axis) {
         let (lo, hi, motion, bounds) = (solid.lo(), solid.hi(), Raw::of(solid.motion()), body.bounds());
         // From the body's side to the solid's opposite one at its new place.
@@ -51,7 +54,8 @@ impl Clearance {
         (self.lo.x > -Self::FAR || self.hi.x < Self::FAR, self.lo.y > -Self::FAR || self.hi.y < Self::FAR)
     }
 
-    /// The same room for a body that wanted to make `d` and could only make `made`: on that side the level has no more.
+    /// The same room for a body that wanted to make `d` and could only make `made`: on that side
+    /// the level has no more.
     pub(super) fn in_level(&self, d: Raw, made: Raw) -> Self {
         let mut room = *self;
         if made.x < d.x {
@@ -82,8 +86,9 @@ pub(super) struct Shove {
 impl Shove {
     /// Moves a body by what is not zero, never into the level.
     ///
-    /// At a slope, a corner or an arc it keeps what it makes along the axis that is `held`, and yields along the other one, if that is not more
-    /// than twice as far; at a wall across the axis it stops. So what a lift pushes up along a slanted ceiling rises as far as the lift does.
+    /// At a slope, a corner or an arc it keeps what it makes along the axis that is `held`, and
+    /// yields along the other one, if that is not more than twice as far; at a wall across the axis
+    /// it stops. So what a lift pushes up along a slanted ceiling rises as far as the lift does.
     ///
     /// ```text
     ///         \ ceiling                held: y. The slope makes the body yield to the left,
@@ -125,7 +130,8 @@ impl Shove {
                 *plane = Some(entry.normal);
             }
             d = yielding(rest, entry.normal, self.held);
-            // A tangent of a quarter pipe leads into it again: the body takes a steeper way, through the inside of the pipe.
+            // A tangent of a quarter pipe leads into it again: the body takes a steeper way,
+            // through the inside of the pipe.
             if W::ROUND && pressed > 0 && entry.step.is_some() {
                 d = steeper(d, rest, entry.normal, pressed);
             }
@@ -140,7 +146,8 @@ impl Shove {
 
 /// `rest` with as little more along one axis as takes it out of the plane with the normal `n`.
 ///
-/// With v = -rest . n > 0 that is v / |n|, on the axis of that component: below 2^31 as the other component is at most twice as large.
+/// With v = -rest . n > 0 that is v / |n|, on the axis of that component: below 2^31 as the other
+/// component is at most twice as large.
 fn yielding(rest: Raw, n: Axis, held: (bool, bool)) -> Raw {
     if n.x == 0 || n.y == 0 {
         return Raw { x: if n.x == 0 { rest.x } else { 0 }, y: if n.y == 0 { rest.y } else { 0 } };

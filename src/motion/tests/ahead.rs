@@ -1,4 +1,5 @@
-//! What a motion is handed of a level's surface, against all of the surface: the first hit is the same.
+//! What a motion is handed of a level's surface, against all of the surface: the first hit is the
+//! same.
 
 use super::std::vec::Vec;
 use super::{Entry, Kernel, Raw, Vec2, vec2};

@@ -146,7 +146,8 @@ fn on_all_scales() {
     }
 }
 
-/// Along a floor into a quarter pipe: the line touches the arc's inner disc in its end only. Out of it again nothing is hit.
+/// Along a floor into a quarter pipe: the line touches the arc's inner disc in its end only. Out of
+/// it again nothing is hit.
 #[test]
 fn a_tangent_floor() {
     let arc = feature(Geometry::Arc { centre: vec2((0, 0)), radius: 100, quadrant: Axis::new(1, 1), convex: false });

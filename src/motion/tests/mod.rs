@@ -64,7 +64,8 @@ fn first(body: &Circle, d: P, features: &[Feature]) -> Option<Entry> {
     first.hit::<Circle, SegmentMap<'_>>(body, d).map(|hit| *hit.0)
 }
 
-/// The boundary of a polygon that turns from x toward y (its solid is on the left): a face an edge, a vertex where it is convex.
+/// The boundary of a polygon that turns from x toward y (its solid is on the left): a face an edge,
+/// a vertex where it is convex.
 fn outline(points: &[P]) -> Vec<Feature> {
     let n = points.len();
     let edge = |i: usize| {

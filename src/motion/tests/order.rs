@@ -1,4 +1,5 @@
-//! A corner and a wall that a circle meets at one moment, or a raw unit of way apart: 3-4-5 triangles, so that the moments are fractions.
+//! A corner and a wall that a circle meets at one moment, or a raw unit of way apart: 3-4-5
+//! triangles, so that the moments are fractions.
 
 use super::std::vec::Vec;
 use super::{P, circle, first, outline};
@@ -15,7 +16,8 @@ const VIEWS: [fn(P) -> P; 8] = [
     |p| (-p.1, -p.0),
 ];
 
-/// A circle of radius 5 that comes to the origin touches the corner (3, 4) and, `late` raw units later, the wall x = 5.
+/// A circle of radius 5 that comes to the origin touches the corner (3, 4) and, `late` raw units
+/// later, the wall x = 5.
 ///
 /// ```text
 ///            |####         its corner is that of a step before the wall

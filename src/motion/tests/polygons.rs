@@ -1,4 +1,5 @@
-//! Against polygons, exactly: a motion overlaps before a moment iff its swept segment comes nearer than the radius to an edge.
+//! Against polygons, exactly: a motion overlaps before a moment iff its swept segment comes nearer
+//! than the radius to an edge.
 
 use super::super::body::{Entry, kernel::Kernel};
 use super::std::vec::Vec;
@@ -86,7 +87,8 @@ struct Tally {
     ties: u64,
 }
 
-/// One motion: hit or not, never late, early by less than a raw unit of way, and a free place at the end.
+/// One motion: hit or not, never late, early by less than a raw unit of way, and a free place at
+/// the end.
 fn check(solid: &[P], c: P, r: i64, d: P, tally: &mut Tally) {
     if r == 0 || d == (0, 0) || enters(solid, c, r, (0, 0), 0, 1) || contains(solid, c) {
         return;
@@ -136,7 +138,8 @@ pub(super) const SOLIDS: [&[P]; 12] = [
     &[(2, 0), (4, 4), (0, 4)],
     &[(0, 2), (2, 0), (4, 2), (2, 4)],
     &[(1, 0), (3, 1), (2, 3)],
-    // A V of 45 degrees, one of 45 and of half of that slope, a slope that ends at a wall, a wedge under a ceiling, a peak.
+    // A V of 45 degrees, one of 45 and of half of that slope, a slope that ends at a wall, a wedge
+    // under a ceiling, a peak.
     &[(0, 0), (2, 2), (4, 0), (4, 4), (0, 4)],
     &[(0, 0), (2, 2), (4, 1), (4, 4), (0, 4)],
     &[(0, 3), (3, 2), (3, 0), (4, 0), (4, 4), (0, 4)],
@@ -187,7 +190,8 @@ fn random(seed: u64, n: u64, size: i64, longest: i64) -> Tally {
         let motion = if r.one_in(3) { 64 } else { longest };
         let d = (r.sign() * r.magnitude(motion), r.sign() * r.magnitude(motion));
         let (at, e) = target(&mut r, &solid);
-        // The centre comes to the radius from an edge, or passes a point at that distance, or anything near; within two raw.
+        // The centre comes to the radius from an edge, or passes a point at that distance, or
+        // anything near; within two raw.
         let offset = match r.below(4) {
             0 => across(d, radius * r.sign()),
             1 => (r.around(radius), r.around(radius)),

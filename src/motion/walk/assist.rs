@@ -12,7 +12,8 @@ use crate::num::{Fx, Raw, Vec2};
 use crate::world::World;
 
 impl<S: Law> Mover<S> {
-    /// Puts a body aside that would run into something by at most `reach`, so that its motion just passes.
+    /// Puts a body aside that would run into something by at most `reach`, so that its motion just
+    /// passes.
     ///
     /// ```text
     ///     ________            ________        a head under a corner, a foot under a ledge
@@ -21,9 +22,11 @@ impl<S: Law> Mover<S> {
     ///         [o]                    [o]      [o]->       ->    [o]      a gap as wide as the body
     /// ```
     ///
-    /// Call it before the motion, with the velocity of the motion; it does nothing where that meets no face along x or y, nor on a floor. The way aside is
-    /// the least that lets the motion come farther, exactly, and free; of two that are equally long the one that the velocity leads to, then the one to the right of
-    /// the motion. A body in free motion aside of `reach` units a call may come past a gap in one frame: a `reach` of the speed finds them all.
+    /// Call it before the motion, with the velocity of the motion; it does nothing where that meets
+    /// no face along x or y, nor on a floor. The way aside is the least that lets the motion come
+    /// farther, exactly, and free; of two that are equally long the one that the velocity leads to,
+    /// then the one to the right of the motion. A body in free motion aside of `reach` units a call
+    /// may come past a gap in one frame: a `reach` of the speed finds them all.
     ///
     /// Cost: a sweep along the motion; where that hits, up to six of `reach` more.
     ///
@@ -41,7 +44,8 @@ impl<S: Law> Mover<S> {
     /// ```
     ///
     /// # Errors
-    /// As [`move_and_slide`](Self::move_and_slide), and [`MoveError::Range`] where `reach` is negative or not below 2^28 raw.
+    /// As [`move_and_slide`](Self::move_and_slide), and [`MoveError::Range`] where `reach` is
+    /// negative or not below 2^28 raw.
     #[doc(alias = "corner_correction")]
     pub fn assist<W: World, B: Body>(&self, world: &W, body: &B, velocity: Vec2, reach: Fx) -> Result<B, MoveError> {
         let reach = checked(reach, Quantity::Assist)?;
@@ -68,7 +72,8 @@ impl<S: Law> Mover<S> {
         let first = if side.dot(d) < 0 { [side.reversed(), side] } else { [side, side.reversed()] };
         for side in first {
             let Some((least, free)) = past(world, run, &hit, side) else { continue };
-            // The place at the hit was rounded: what the motion comes nearer to on its way may need the next unit.
+            // The place at the hit was rounded: what the motion comes nearer to on its way may need
+            // the next unit.
             let next = least.add(Raw { x: side.x.signum(), y: side.y.signum() });
             let passes = [least, next].into_iter().filter(|aside| !aside.is_zero() && way(*aside) <= way(free));
             let found = passes.filter(|&aside| best.is_none_or(|best| way(aside) < way(best)));
@@ -78,7 +83,8 @@ impl<S: Law> Mover<S> {
     }
 }
 
-/// Whether the motion comes farther into the face from a place aside, where it may also lead along what is beside a gap.
+/// Whether the motion comes farther into the face from a place aside, where it may also lead along
+/// what is beside a gap.
 fn farther<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, aside: Raw) -> bool {
     let n = hit.entry.normal;
     let Some(next) = run.look_from(world, aside, hit.d) else { return true };
@@ -89,7 +95,8 @@ fn farther<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, asi
     depth < was || (beside && run.look_from(world, aside.add(to), ahead).is_none())
 }
 
-/// The least way aside past what was hit: back from the end of the way that is free there, up to the side of it, a raw unit into its face.
+/// The least way aside past what was hit: back from the end of the way that is free there, up to
+/// the side of it, a raw unit into its face.
 fn past<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, side: Raw) -> Option<(Raw, Raw)> {
     let free = match run.look(world, side) {
         Some(ground) => ground.drop(),

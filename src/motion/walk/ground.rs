@@ -14,7 +14,8 @@ use crate::world::{Cell, Feature, Geometry, World};
 
 /// The floor under a body.
 ///
-/// Plain data; where a body stands on several tiles of one height, their flags are or-ed and the cell is one of theirs.
+/// Plain data; where a body stands on several tiles of one height, their flags are or-ed and the
+/// cell is one of theirs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Support {
@@ -44,25 +45,29 @@ impl From<Hit> for Support {
     }
 }
 
-/// How far below a body a floor still carries it, raw: bodies come to rest at slopes and corners up to 2 raw early on each axis.
+/// How far below a body a floor still carries it, raw: bodies come to rest at slopes and corners up
+/// to 2 raw early on each axis.
 pub(in crate::motion) const CONTACT: i32 = 8;
 
-/// How far down a wedged body is not free to go, raw. A way slower than the rounding distance leads nowhere, so what is flatter than 1 in 256 holds
-/// each body, as it does where gravity is a 64th of a unit.
+/// How far down a wedged body is not free to go, raw. A way slower than the rounding distance leads
+/// nowhere, so what is flatter than 1 in 256 holds each body, as it does where gravity is a 64th of
+/// a unit.
 const DROP: i32 = 1 << 10;
 
 impl Mover {
     /// The floor that carries a body which does not move: within 8 raw units of it, against "up".
     ///
-    /// Floor is what the mover's slope limit says; one-way faces carry what is entirely above them, unless the mover drops through. A
-    /// mover without an "up" has no floor.
+    /// Floor is what the mover's slope limit says; one-way faces carry what is entirely above them,
+    /// unless the mover drops through. A mover without an "up" has no floor.
     ///
-    /// What gravity wedges between walls, where no direction that leads down is free, is supported too: its axis is "up", and the feature is the first below.
+    /// What gravity wedges between walls, where no direction that leads down is free, is supported
+    /// too: its axis is "up", and the feature is the first below.
     ///
     /// Cost: one sweep over the cells that the body touches.
     ///
     /// # Errors
-    /// [`RangeError`] where a half extent or radius is not below 2^28 raw, or the body is over more than [`Mover::CELLS`] cells.
+    /// [`RangeError`] where a half extent or radius is not below 2^28 raw, or the body is over more
+    /// than [`Mover::CELLS`] cells.
     pub fn supported<W: World, B: Body>(&self, world: &W, body: &B) -> Result<Option<Support>, RangeError> {
         body.check_size()?;
         let around = 2 * (CONTACT + 1);
@@ -96,13 +101,16 @@ pub(super) trait Look {
     /// What a body meets on a way that it does not make, on what of it is [`within`] the domain.
     fn look<W: World>(&mut self, world: &W, d: Raw) -> Option<Ground>;
 
-    /// The same from another place, whatever is in the way to there and at it: what the body is in the solid of is no hit on the way out of it.
+    /// The same from another place, whatever is in the way to there and at it: what the body is in
+    /// the solid of is no hit on the way out of it.
     fn look_from<W: World>(&mut self, world: &W, to: Raw, d: Raw) -> Option<Ground>;
 
-    /// What carries the body: the floor within [`CONTACT`] below, also beside a wall that leans on the body from below, or what [wedges](Self::wedge) it.
+    /// What carries the body: the floor within [`CONTACT`] below, also beside a wall that leans on
+    /// the body from below, or what [wedges](Self::wedge) it.
     fn floor_near<W: World>(&mut self, world: &W, mover: &Mover, up: Axis) -> Option<Support>;
 
-    /// What holds a body without being floor: the first that is below it, where of the directions that are free at its place none leads down.
+    /// What holds a body without being floor: the first that is below it, where of the directions
+    /// that are free at its place none leads down.
     fn wedge<W: World>(&mut self, world: &W, up: Axis) -> Option<Support>;
 }
 
@@ -172,7 +180,8 @@ impl Mover {
     }
 }
 
-/// The part of a way that does not leave the domain, to the last raw unit along x and y; none where the bounds do already.
+/// The part of a way that does not leave the domain, to the last raw unit along x and y; none where
+/// the bounds do already.
 #[inline(never)]
 pub(super) fn within(bounds: &Aabb, d: Raw) -> Raw {
     if check_inside(bounds, d).is_ok() {
@@ -188,7 +197,8 @@ pub(super) fn within(bounds: &Aabb, d: Raw) -> Raw {
         if long <= room {
             return d;
         }
-        // Rounded toward zero, so what fits goes on fitting; the component that is cut comes out as the room itself.
+        // Rounded toward zero, so what fits goes on fitting; the component that is cut comes out as
+        // the room itself.
         let part = |c: i32| (mul_div(c.unsigned_abs(), room, long) as i32).wrapping_mul(c.signum());
         Raw { x: part(d.x), y: part(d.y) }
     };
@@ -196,7 +206,8 @@ pub(super) fn within(bounds: &Aabb, d: Raw) -> Raw {
     cut(d, d.y, room(d.y, lo.y, hi.y))
 }
 
-/// A length along an axis, or against it where it is negative; exact along x and y, elsewhere each component is rounded toward zero.
+/// A length along an axis, or against it where it is negative; exact along x and y, elsewhere each
+/// component is rounded toward zero.
 pub(super) fn along(axis: Axis, length: i32) -> Raw {
     if axis.x == 0 || axis.y == 0 {
         return Raw { x: axis.x.signum().wrapping_mul(length), y: axis.y.signum().wrapping_mul(length) };

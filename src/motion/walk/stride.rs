@@ -47,7 +47,8 @@ enum On {
 }
 
 impl<'a, W: World, B: Body> Stride<'a, W, B> {
-    /// How often a body that is blocked may go by roundings to a place with a way on: down to its floor, along it, down again, and one to see.
+    /// How often a body that is blocked may go by roundings to a place with a way on: down to its
+    /// floor, along it, down again, and one to see.
     const CREEPS: u32 = 4;
 
     pub(super) fn new(walker: &'a Walker, world: &'a W, run: Run<'a, B>, up: Axis, floor: Axis) -> Self {
@@ -119,7 +120,8 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         tangent(if self.speed == 0 { 0 } else { length }, self.up, self.against)
     }
 
-    /// The next way to make: of a landing on level ground what is left of the motion, to the last bit.
+    /// The next way to make: of a landing on level ground what is left of the motion, to the last
+    /// bit.
     fn leg(&mut self) -> Raw {
         if core::mem::take(&mut self.lands) {
             return project::<B, W, _>(self.run.motion, self.floor, &Smooth);
@@ -127,7 +129,8 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         if W::ROUND && self.run.on_chord { self.run.motion } else { self.velocity(self.run.rest) }
     }
 
-    /// What is at most the walker's snap below: one raw unit farther, because what is only touched is not met.
+    /// What is at most the walker's snap below: one raw unit farther, because what is only touched
+    /// is not met.
     fn look_down(&mut self) -> Option<Ground> {
         let d = along(self.up, -(self.walker.snap + 1).max(CONTACT));
         self.run.look(self.world, d)
@@ -172,9 +175,11 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         }
     }
 
-    /// Where a leg is blocked: on by the longest way along a floor, or level, that the cone of free directions at this place leaves of the level speed.
+    /// Where a leg is blocked: on by the longest way along a floor, or level, that the cone of free
+    /// directions at this place leaves of the level speed.
     ///
-    /// At a joint of a ramp and a corridor no lattice place may be in reach from which one of them is free: then it goes up to where that is.
+    /// At a joint of a ramp and a corridor no lattice place may be in reach from which one of them
+    /// is free: then it goes up to where that is.
     #[inline(never)]
     fn squeeze(&mut self) -> bool {
         if !may_be_askew::<B, W>() {
@@ -216,8 +221,9 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
 
     /// Goes up to what is met on a way; whether that is anywhere.
     ///
-    /// The time of a corner or an arc is a lower bound, less than a raw unit early, so the next place may be free too. No face is passed on the way
-    /// there: one that is touched is met before the corner, and the others are a raw unit away at least.
+    /// The time of a corner or an arc is a lower bound, less than a raw unit early, so the next
+    /// place may be free too. No face is passed on the way there: one that is touched is met before
+    /// the corner, and the others are a raw unit away at least.
     fn creep(&mut self, d: Raw) -> bool {
         let Some(hit) = self.run.look(self.world, d) else { return false };
         let next = Raw { x: d.x.signum(), y: d.y.signum() };
@@ -236,8 +242,9 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         }
     }
 
-    /// After a whole chord: whether time is left for the ground beyond it. One that ends where the pipe is too steep is not made, nor is the leg that
-    /// led to it: so it does not creep to the limit, and over it by a rounding.
+    /// After a whole chord: whether time is left for the ground beyond it. One that ends where the
+    /// pipe is too steep is not made, nor is the leg that led to it: so it does not creep to the
+    /// limit, and over it by a rounding.
     fn leave_chord(&mut self, ground: Option<&Ground>) -> bool {
         (self.run.rest, self.run.after, self.run.on_chord) = (self.run.after, Toi::ZERO, false);
         let Some(ground) = ground else { return false };
@@ -251,7 +258,8 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         true
     }
 
-    /// After a whole leg: whether the ground under it bent down, so that a part of the leg is to be made along the new floor.
+    /// After a whole leg: whether the ground under it bent down, so that a part of the leg is to be
+    /// made along the new floor.
     ///
     /// ```text
     ///   o--->X----> d       X is where the line of the leg and the line of the ground at its end, `drop` below, meet:
@@ -305,7 +313,8 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
 
 /// Steps: up, forward, down.
 impl<W: World, B: Body> Stride<'_, W, B> {
-    /// Climbs the step in front, if it is one: up by what it needs, forward by the rest of the leg, down to level ground. Else the body stays where it is.
+    /// Climbs the step in front, if it is one: up by what it needs, forward by the rest of the leg,
+    /// down to level ground. Else the body stays where it is.
     #[inline(never)]
     pub(super) fn climb(&mut self) -> bool {
         let forward = self.forward(self.run.rest.of_raw(self.speed as i32) as u32);
@@ -367,8 +376,9 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         true
     }
 
-    /// Whether the box around a raised circle meets a one-way face in front of it: the free end of such a face holds no circle, but where it is higher than
-    /// the circle's lowest point, it is higher than the step.
+    /// Whether the box around a raised circle meets a one-way face in front of it: the free end of
+    /// such a face holds no circle, but where it is higher than the circle's lowest point, it is
+    /// higher than the step.
     fn passes_one_way(&mut self, bounds: &Aabb, d: Raw) -> bool {
         let mut features = self.world.features(&hull(bounds, Raw::ZERO, d, 1));
         while let Some(feature) = &features.next() {
@@ -382,8 +392,9 @@ impl<W: World, B: Body> Stride<'_, W, B> {
 
     /// What carries the body on this ground.
     ///
-    /// A circle comes down to the edge of a step before it is over the step, or still when it is beyond. There it is on its way, and stands,
-    /// if there is level floor at the end of the same way down from half its width farther on.
+    /// A circle comes down to the edge of a step before it is over the step, or still when it is
+    /// beyond. There it is on its way, and stands, if there is level floor at the end of the same
+    /// way down from half its width farther on.
     pub(super) fn footing(&mut self, ground: &Ground) -> Option<Support> {
         self.walker.mover.support(ground).or_else(|| self.beyond(ground, Raw::ZERO))
     }

@@ -14,14 +14,16 @@ use crate::world::World;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum SlopeSpeed {
-    /// The part of the velocity along the slope, `s cos a`: slower the steeper it is, upward and downward alike.
+    /// The part of the velocity along the slope, `s cos a`: slower the steeper it is, upward and
+    /// downward alike.
     #[default]
     Projected,
     /// `s` itself, along every floor.
     Constant,
 }
 
-/// A body that walks on floors: it keeps to the ground on slopes and small steps, climbs steps, and does not slip.
+/// A body that walks on floors: it keeps to the ground on slopes and small steps, climbs steps, and
+/// does not slip.
 ///
 /// ```text
 ///   snap                  step                slope
@@ -31,9 +33,11 @@ pub enum SlopeSpeed {
 ///            `._____
 /// ```
 ///
-/// It stands while the `floor` that the last frame returned is handed to [`walk`](Self::walk) and its velocity does not rise; else it flies as
-/// [`Mover::move_and_slide`] says and lands on the first floor that it meets. What is steeper than the mover's
-/// [slope limit](Mover::with_slope_limit) is wall: a walker stops there, and what it falls on such a slope it slides down.
+/// It stands while the `floor` that the last frame returned is handed to [`walk`](Self::walk) and
+/// its velocity does not rise; else it flies as [`Mover::move_and_slide`] says and lands on the
+/// first floor that it meets. What is steeper than the mover's
+/// [slope limit](Mover::with_slope_limit) is wall: a walker stops there, and what it falls on such
+/// a slope it slides down.
 ///
 /// Plain data: a copy is a snapshot.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -48,10 +52,11 @@ pub struct Walker {
 /// Where a walker ended up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Walked<B> {
-    /// The motion. On a floor its velocity is level (across "up"): the speed that walking goes on with; in the air it is what it was when it
-    /// left the ground or what flying left of it.
+    /// The motion. On a floor its velocity is level (across "up"): the speed that walking goes on
+    /// with; in the air it is what it was when it left the ground or what flying left of it.
     ///
-    /// Its `wall` is what still blocks after the last step that was made: true is the sign to turn round. A step's face is among its `hits` all the same.
+    /// Its `wall` is what still blocks after the last step that was made: true is the sign to turn
+    /// round. A step's face is among its `hits` all the same.
     pub moved: Moved<B>,
     /// What it stands on; hand it to the next call.
     pub floor: Option<Support>,
@@ -76,11 +81,13 @@ impl Walker {
         Self { mover, snap: 0, step: 0, speed: SlopeSpeed::Projected }
     }
 
-    /// The same walker that keeps to a ground which falls by up to `length` a call: one and a half of its speed is enough for slopes of 45 degrees and
-    /// what lies between two of them. Ledges of exactly that height are followed down too.
+    /// The same walker that keeps to a ground which falls by up to `length` a call: one and a half
+    /// of its speed is enough for slopes of 45 degrees and what lies between two of them. Ledges of
+    /// exactly that height are followed down too.
     ///
-    /// With moving solids, hand the same length to [`Mover::ride`] as `follow` while the body stands: a lift that sinks by more than `follow` and less
-    /// than the snap would draw the walker down in each frame and never carry it across.
+    /// With moving solids, hand the same length to [`Mover::ride`] as `follow` while the body
+    /// stands: a lift that sinks by more than `follow` and less than the snap would draw the walker
+    /// down in each frame and never carry it across.
     ///
     /// # Errors
     /// [`RangeError`] where the length is negative or not below 2^28 raw.
@@ -110,33 +117,42 @@ impl Walker {
         Self { speed, ..self }
     }
 
-    /// The same walker that drops through one-way floors, or no longer does: see [`Mover::with_drop_through`].
+    /// The same walker that drops through one-way floors, or no longer does: see
+    /// [`Mover::with_drop_through`].
     #[must_use]
     pub const fn with_drop_through(self, drop_through: bool) -> Self {
         Self { mover: self.mover.with_drop_through(drop_through), ..self }
     }
 
-    /// Walks or flies for one frame: `floor` is what the last call returned, `None` at first and for a body that was put elsewhere.
+    /// Walks or flies for one frame: `floor` is what the last call returned, `None` at first and
+    /// for a body that was put elsewhere.
     ///
-    /// **On a floor**, unless the velocity rises: what the velocity has across "up" is the speed of walking, what it has downward does not count, so
-    /// nothing slips. It goes along the floor, up and down where that bends. At a wall, at what is steeper than the slope limit and under a ceiling
-    /// it stops, and its velocity is zero. Where the ground falls away by more than the snap it flies on, with the velocity that it had along the floor.
+    /// **On a floor**, unless the velocity rises: what the velocity has across "up" is the speed of
+    /// walking, what it has downward does not count, so nothing slips. It goes along the floor, up
+    /// and down where that bends. At a wall, at what is steeper than the slope limit and under a
+    /// ceiling it stops, and its velocity is zero. Where the ground falls away by more than the
+    /// snap it flies on, with the velocity that it had along the floor.
     ///
-    /// **In the air** it is [`Mover::move_and_slide`] until it meets a floor, where it walks for the rest of the frame; only that the walls, which
-    /// steep slopes are, take what the velocity has against them across "up", so that pushing does not climb them. The mover's response
-    /// is what it does there.
+    /// **In the air** it is [`Mover::move_and_slide`] until it meets a floor, where it walks for
+    /// the rest of the frame; only that the walls, which steep slopes are, take what the velocity
+    /// has against them across "up", so that pushing does not climb them. The mover's response is
+    /// what it does there.
     ///
-    /// The way of a frame is never longer than the velocity (and what it rose on steps and was drawn down), but for up to 4 raw of roundings at joints;
-    /// shorter by less than 2 raw on a slope of tiles and up to 10 around the joints of slopes. A circle goes around a corner by the tangents to its way, so it
-    /// loses up to a fifth of a frame's way there once, and more where corners follow each other within a frame. Through a quarter pipe it goes by
-    /// chords, and stops before its slope passes the limit. Mirrored scenes give mirrored bits, tiles and polygons of the same
-    /// ground the same bits.
+    /// The way of a frame is never longer than the velocity (and what it rose on steps and was
+    /// drawn down), but for up to 4 raw of roundings at joints; shorter by less than 2 raw on a
+    /// slope of tiles and up to 10 around the joints of slopes. A circle goes around a corner by
+    /// the tangents to its way, so it loses up to a fifth of a frame's way there once, and more
+    /// where corners follow each other within a frame. Through a quarter pipe it goes by chords,
+    /// and stops before its slope passes the limit. Mirrored scenes give mirrored bits, tiles and
+    /// polygons of the same ground the same bits.
     ///
-    /// Steps lead to level ground alone. A circle climbs by its lowest point, so it takes some frames, and what it meets no steeper than the slope limit
-    /// is no step. Its `floor` is then the one that the step leads to. Snapping and steps pass one-way faces as every motion does: they
-    /// hold what is entirely above them.
+    /// Steps lead to level ground alone. A circle climbs by its lowest point, so it takes some
+    /// frames, and what it meets no steeper than the slope limit is no step. Its `floor` is then
+    /// the one that the step leads to. Snapping and steps pass one-way faces as every motion does:
+    /// they hold what is entirely above them.
     ///
-    /// Cost: walking on even ground, two sweeps over the cells under the motion, at most four legs with two each; a step tried is up to ten more.
+    /// Cost: walking on even ground, two sweeps over the cells under the motion, at most four legs
+    /// with two each; a step tried is up to ten more.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Fx, Mover, SlopeSpeed, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2, Walker};

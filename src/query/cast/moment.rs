@@ -319,8 +319,8 @@ fn passes_closely(cross: u64, r: u32, d: Raw) -> bool {
     less128(sqr64(cross), mul64(usqr(r), d.len2()))
 }
 
-/// Bounds of the length of a vector, below 2^30 per component: from x the larger component and y the
-/// smaller one, by shifts.
+/// Bounds of the length of a vector, below 2^30 per component: from x the larger component and y
+/// the smaller one, by shifts.
 ///
 /// At least `x + 3 y / 8` less 1/16 and 1/256 of that, since `sqrt(1 + (3/8)^2) < 256 / 239`; at
 /// most `x + 7 y / 16`, since that is more than sqrt(2) - 1. The fractions that the shifts drop are

@@ -74,8 +74,9 @@ fn enter<const N: usize>(strips: [Strip; N]) -> Course<EdgeMoment> {
 }
 
 impl EdgeMoment {
-    /// Of two entries the later one; at one moment the one that opposes the motion more, then the one more along x, then the one that is
-    /// on a definite side of the motion, which exchanging the shapes does not change.
+    /// Of two entries the later one; at one moment the one that opposes the motion more, then the
+    /// one more along x, then the one that is on a definite side of the motion, which exchanging
+    /// the shapes does not change.
     pub(in crate::query) fn later(self, b: Self) -> Self {
         match mul64(self.gap, b.speed).cmp(&mul64(b.gap, self.speed)) {
             Ordering::Less => b,
@@ -282,16 +283,18 @@ fn enter_strip(circle: &Circle, (a, b): (Raw, Raw), d: Raw) -> Option<Slope> {
 }
 
 impl Slope {
-    /// A side whose height falls to the root of `reach`, all below 2^62 (the reach 2^124), between its ends.
+    /// A side whose height falls to the root of `reach`, all below 2^62 (the reach 2^124), between
+    /// its ends.
     pub(in crate::query) const fn new(gap: u64, into: u64, reach: (u64, u64), axis: Axis) -> Self {
         Self { gap, into, reach, axis }
     }
 
     /// The exact floor.
     ///
-    /// At a moment T, in parts of 2^30, the height is g + f / 2^30 with g the whole part of `gap - into T / 2^30`. It is below the
-    /// root of the reach where g^2 + 2 g f / 2^30 + f^2 / 2^60 is below the reach: where not already its whole parts tell, what is left of
-    /// the reach is at most 2 g, so in parts of 2^60 all sides are below 2^123.
+    /// At a moment T, in parts of 2^30, the height is g + f / 2^30 with g the whole part of
+    /// `gap - into T / 2^30`. It is below the root of the reach where g^2 + 2 g f / 2^30 + f^2 /
+    /// 2^60 is below the reach: where not already its whole parts tell, what is left of the reach
+    /// is at most 2 g, so in parts of 2^60 all sides are below 2^123.
     pub(in crate::query) fn exact_toi(&self) -> Toi {
         last_before(self.bound(), |t| {
             // into * T in parts of 2^30: into is below 2^61, and split to leave the whole part.

@@ -1,8 +1,9 @@
 //! When a moving shape starts to overlap another one.
 //!
-//! As seen from B, the motion of A moves the origin against the sum. Without radii it comes in where it is last before one of the sides,
-//! if it has not left another one by then. With radii it comes in through a side moved out by them, between its ends, or else
-//! through the disc around a corner.
+//! As seen from B, the motion of A moves the origin against the sum. Without radii it comes in
+//! where it is last before one of the sides, if it has not left another one by then. With radii it
+//! comes in through a side moved out by them, between its ends, or else through the disc around a
+//! corner.
 
 use super::exit::over;
 use super::place::Place;
@@ -53,7 +54,8 @@ pub(super) fn enter(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<ConvexGate> {
     }
 }
 
-/// The direction out of B across a side of the sum, and how fast the origin comes in by it: below 2^61.
+/// The direction out of B across a side of the sum, and how fast the origin comes in by it: below
+/// 2^61.
 pub(super) const fn inward(side: &PolygonSide, d: Raw) -> (Axis, i64) {
     (Axis::new(side.edge.y.wrapping_neg(), side.edge.x), d.cross(side.edge))
 }
@@ -117,7 +119,8 @@ fn rounded(a: Core<'_>, b: Core<'_>, radius: i32, d: Raw) -> Option<ConvexGate> 
     first.map(|(_, disc)| ConvexGate::Disc(disc))
 }
 
-/// Of two discs, each with a lower bound of its moment that is early by less than four raw units of way: exactly, where these do not tell.
+/// Of two discs, each with a lower bound of its moment that is early by less than four raw units of
+/// way: exactly, where these do not tell.
 pub(super) fn is_earlier((s, a): (Toi, Disc), (t, b): (Toi, Disc), d: Raw) -> bool {
     let way = d.x.unsigned_abs().max(d.y.unsigned_abs());
     if umul(s.raw().abs_diff(t.raw()), way) >> 32 == 0 { a.exact_toi(d) < b.exact_toi(d) } else { s < t }
@@ -147,7 +150,8 @@ fn through(side: &PolygonSide, radius: i32, d: Raw) -> Option<ConvexGate> {
     Some(straight(side, radius, d))
 }
 
-/// A side along x or y, where the root is whole: the gap in raw units less the radii, which is not negative.
+/// A side along x or y, where the root is whole: the gap in raw units less the radii, which is not
+/// negative.
 pub(super) fn straight(side: &PolygonSide, radius: i32, d: Raw) -> ConvexGate {
     let (out, overlap) = over(side.edge, side.from);
     let gap = overlap.wrapping_neg().wrapping_sub(i64::from(radius)) as u64;

@@ -7,7 +7,8 @@ use crate::num::{Axis, Raw, sqr64};
 use crate::query::closest::Square;
 use crate::query::contact::Contact;
 
-/// The least exit, and the side of the sum that it is across; none where it is from corner to corner.
+/// The least exit, and the side of the sum that it is across; none where it is from corner to
+/// corner.
 pub(super) struct Exit {
     pub(super) contact: Contact,
     pub(super) side: Option<PolygonSide>,
@@ -38,8 +39,9 @@ impl Exit {
     }
 }
 
-/// The side of the sum that is nearest to an origin inside or on the border, and whether another one is as near. Of several
-/// the one whose normal is first in the documented order, whatever corner the walk began at.
+/// The side of the sum that is nearest to an origin inside or on the border, and whether another
+/// one is as near. Of several the one whose normal is first in the documented order, whatever
+/// corner the walk began at.
 fn least(a: Core<'_>, b: Core<'_>) -> Option<(PolygonSide, bool)> {
     let mut best: Option<(Square, PolygonSide)> = None;
     let mut tie = false;
@@ -63,7 +65,8 @@ fn least(a: Core<'_>, b: Core<'_>) -> Option<(PolygonSide, bool)> {
 /// The contact across a side of the sum, from A to B.
 fn across(side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Contact {
     let (axis, overlap) = over(side.edge, side.from);
-    // The deepest point is the corner that the side is moved along, or the middle of what two sides share.
+    // The deepest point is the corner that the side is moved along, or the middle of what two sides
+    // share.
     let (core, on_a) = match (side.of_a, side.of_b) {
         (true, false) => (b.corner(side.b), false),
         (false, _) => (a.corner(side.a), true),
@@ -73,7 +76,8 @@ fn across(side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Contact {
     if on_a { contact } else { contact.on_b() }
 }
 
-/// The axis out of the sum over the line along `e` through `at`, and how far the origin is behind it, times the axis' length.
+/// The axis out of the sum over the line along `e` through `at`, and how far the origin is behind
+/// it, times the axis' length.
 ///
 /// Along x and y the axis has length one, and the height divides by the side's length.
 pub(super) const fn over(e: Raw, at: Raw) -> (Axis, i64) {
@@ -94,7 +98,8 @@ pub(super) const fn normal(edge: Raw) -> Raw {
     Raw { x: edge.y, y: edge.x.wrapping_neg() }
 }
 
-/// The order of normals in a tie: along x, along y, others; positive x, then positive y; then counter-clockwise from +x.
+/// The order of normals in a tie: along x, along y, others; positive x, then positive y; then
+/// counter-clockwise from +x.
 ///
 /// Components are below 2^31: products of two and their sum are below 2^63.
 fn before(n: Raw, m: Raw) -> bool {

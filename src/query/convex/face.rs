@@ -47,9 +47,11 @@ impl Facing {
         Self { a, b, ends: (inner(a.0, b.1, side.edge), inner(a.1, b.0, side.edge.reversed())) }
     }
 
-    /// The middle on one of the two sides, and whether that is A's: exact along x and y, else within a raw unit.
+    /// The middle on one of the two sides, and whether that is A's: exact along x and y, else
+    /// within a raw unit.
     ///
-    /// Which side it is on and half a unit are settled by geometry, so that exchanging the shapes changes nothing.
+    /// Which side it is on and half a unit are settled by geometry, so that exchanging the shapes
+    /// changes nothing.
     pub(super) fn middle(&self) -> (Raw, bool) {
         let on_a = !precedes(first(self.b.0, self.b.1), first(self.a.0, self.a.1));
         let (p, q) = if on_a { self.a } else { self.b };

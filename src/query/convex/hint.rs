@@ -6,8 +6,10 @@ use crate::num::{Raw, less128, mul64, sqr64, usqr};
 
 /// Where two shapes were last seen apart: the side of one of them that the other one was behind.
 ///
-/// Shapes that are near but apart mostly stay so from frame to frame, by the same side. Keep one of these for each pair of bodies, and
-/// give it to [`overlaps_from`](crate::query::OverlapsFrom::overlaps_from). It is a hint: whatever it holds, also of another pair, no answer changes.
+/// Shapes that are near but apart mostly stay so from frame to frame, by the same side. Keep one of
+/// these for each pair of bodies, and give it to
+/// [`overlaps_from`](crate::query::OverlapsFrom::overlaps_from). It is a hint: whatever it holds,
+/// also of another pair, no answer changes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Separation {
@@ -22,7 +24,8 @@ impl Separation {
         Self { a: side.a as u16, b: side.b as u16, of_b: !side.of_a }
     }
 
-    /// Whether the side still separates the shapes: three signs of products, and two squares where there are radii.
+    /// Whether the side still separates the shapes: three signs of products, and two squares where
+    /// there are radii.
     fn separates(self, a: Core<'_>, b: Core<'_>) -> bool {
         let (a, i, b, j) = if self.of_b { (b, self.b, a, self.a) } else { (a, self.a, b, self.b) };
         let (i, j) = (usize::from(i), usize::from(j));

@@ -7,10 +7,12 @@ use crate::num::{Axis, Raw, cmp_squares, scaled};
 use crate::query::contact::Contact;
 use core::cmp::Ordering;
 
-/// A part of a shape's border, by its index: stable while the shape moves, and of a box while it turns.
+/// A part of a shape's border, by its index: stable while the shape moves, and of a box while it
+/// turns.
 ///
-/// Corners are counted from a box's `min` or [`corners`](crate::OrientedBox::corners)`()[0]`, a segment's lexicographically first end, a
-/// polygon's first vertex; a side has the index of the corner that it begins at, counter-clockwise (y up).
+/// Corners are counted from a box's `min` or [`corners`](crate::OrientedBox::corners)`()[0]`, a
+/// segment's lexicographically first end, a polygon's first vertex; a side has the index of the
+/// corner that it begins at, counter-clockwise (y up).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Part {
@@ -32,11 +34,13 @@ pub struct ManifoldPoint {
     pub part_b: Part,
 }
 
-/// How two shapes rest on each other: the least exit, and the one or two points at which a solver holds them.
+/// How two shapes rest on each other: the least exit, and the one or two points at which a solver
+/// holds them.
 ///
-/// The axis is that of [`contact`](crate::query::Contacts::contact). The first point is the deepest one and is exact. The second is the
-/// end of what faces each other of the side that the axis is across and the side of the other shape that leans on it, where that
-/// is inside as well: a lattice point within a raw unit of the exact one, with its own exact depth, rounded up.
+/// The axis is that of [`contact`](crate::query::Contacts::contact). The first point is the deepest
+/// one and is exact. The second is the end of what faces each other of the side that the axis is
+/// across and the side of the other shape that leans on it, where that is inside as well: a lattice
+/// point within a raw unit of the exact one, with its own exact depth, rounded up.
 ///
 /// ```text
 ///      +-------+
@@ -58,7 +62,8 @@ impl Manifold {
         self.first.contact.axis()
     }
 
-    /// The one or two points, the deeper one first, of equal ones the one that comes first lexicographically.
+    /// The one or two points, the deeper one first, of equal ones the one that comes first
+    /// lexicographically.
     pub fn points(&self) -> impl Iterator<Item = &ManifoldPoint> {
         core::iter::once(&self.first).chain(&self.second)
     }
@@ -111,8 +116,8 @@ fn both(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Mani
     Manifold { first, second: apart.then_some(second) }
 }
 
-/// Of a side and the corner that is deepest behind it: that corner, and the end of the flatter one of the sides beside it, cut to what
-/// faces the side.
+/// Of a side and the corner that is deepest behind it: that corner, and the end of the flatter one
+/// of the sides beside it, cut to what faces the side.
 fn one(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Manifold {
     // Whether it is A that leans on a side of B.
     let on_a = side.of_b;
@@ -129,7 +134,8 @@ fn one(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Manif
     let second = leaning(core, deepest, if on_a { e } else { e.reversed() }).and_then(|lean| {
         let start = core.corner(deepest);
         let v = core.corner(lean.end).sub(start);
-        // The deepest corner faces the side; beyond its ends the other one does not. Products are below 2^62.
+        // The deepest corner faces the side; beyond its ends the other one does not. Products are
+        // below 2^62.
         let (from, to, room) = (e.dot(start.sub(p)), e.dot(start.add(v).sub(p)), e.dot(q.sub(p)));
         let cut = |bound: i64| {
             let (share, whole) = (bound.wrapping_sub(from).wrapping_abs(), to.wrapping_sub(from).unsigned_abs());
@@ -157,8 +163,8 @@ struct Lean {
     end: usize,
 }
 
-/// Of the two sides beside a corner the one that is more parallel to `way`, in which the next one leads away; none where both lead
-/// the other way.
+/// Of the two sides beside a corner the one that is more parallel to `way`, in which the next one
+/// leads away; none where both lead the other way.
 fn leaning(core: Core<'_>, at: usize, way: Raw) -> Option<Lean> {
     if core.corners.len() < 2 {
         return None;

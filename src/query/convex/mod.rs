@@ -1,8 +1,10 @@
-//! The verbs for capsules, oriented boxes and convex polygons: with each other and with boxes, circles and segments.
+//! The verbs for capsules, oriented boxes and convex polygons: with each other and with boxes,
+//! circles and segments.
 //!
-//! One mechanism for all pairs. A shape is a few corners with a radius around them, and a pair is the sum A + (-B), whose
-//! sides [`walk::Walk`] merges from theirs. Questions are about the origin and that polygon.
-//! Only pairs with one of these shapes come here: a game of boxes and circles links none of it.
+//! One mechanism for all pairs. A shape is a few corners with a radius around them, and a pair is
+//! the sum A + (-B), whose sides [`walk::Walk`] merges from theirs. Questions are about the origin
+//! and that polygon. Only pairs with one of these shapes come here: a game of boxes and circles
+//! links none of it.
 
 mod cast;
 mod exit;
@@ -37,8 +39,9 @@ pub use manifold::{Manifold, ManifoldPoint, Part};
 
 /// How two shapes rest on each other: one or two points.
 ///
-/// `Some` exactly where [`overlaps`](Overlaps::overlaps) is true. `manifold(a, b)` and `manifold(b, a)` mirror each other as
-/// [`contact`](Contacts::contact) does. For all pairs of shapes. Cost: a contact and some hundred instructions.
+/// `Some` exactly where [`overlaps`](Overlaps::overlaps) is true. `manifold(a, b)` and
+/// `manifold(b, a)` mirror each other as [`contact`](Contacts::contact) does. For all pairs of
+/// shapes. Cost: a contact and some hundred instructions.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -71,8 +74,9 @@ macro_rules! with_cores {
 
 /// Whether two shapes overlap, asked frame after frame.
 ///
-/// The same answer as [`overlaps`](Overlaps::overlaps), sooner where the side that separated the shapes last still does. For all pairs of
-/// shapes but boxes, circles and segments among themselves, which need none.
+/// The same answer as [`overlaps`](Overlaps::overlaps), sooner where the side that separated the
+/// shapes last still does. For all pairs of shapes but boxes, circles and segments among
+/// themselves, which need none.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -228,24 +232,29 @@ macro_rules! points {
         impl<$($n)*> $a {
             /// The point of the shape that is nearest to `p`: `p` itself where it is inside.
             ///
-            /// Each component is within a raw unit of the exact one; `p` may be anywhere. Mirrored points give mirrored bits.
+            /// Each component is within a raw unit of the exact one; `p` may be anywhere. Mirrored
+            /// points give mirrored bits.
             #[must_use]
             pub fn closest_point(&self, p: Vec2) -> Vec2 {
                 point::closest(Core { corners: &self.outline(), radius: self.rounding() }, p)
             }
 
-            /// The first point of the shape that a ray from `origin` along `motion` meets, or `None` where it ends before.
+            /// The first point of the shape that a ray from `origin` along `motion` meets, or
+            /// `None` where it ends before.
             ///
-            /// Exact, by the rules of [`Aabb::cast_ray`] for sharp corners and of [`Circle::cast_ray`] for rounded shapes. A hit is where
-            /// the ray comes in, at the very end of the motion too. From the border, moving in hits at 0. A shape without
-            /// area and radius is met as a [segment](Segment::cast_ray) or a point is. At a sharp corner the side whose normal is more
-            /// along x is hit.
+            /// Exact, by the rules of [`Aabb::cast_ray`] for sharp corners and of
+            /// [`Circle::cast_ray`] for rounded shapes. A hit is where the ray comes in, at the
+            /// very end of the motion too. From the border, moving in hits at 0. A shape without
+            /// area and radius is met as a [segment](Segment::cast_ray) or a point is. At a sharp
+            /// corner the side whose normal is more along x is hit.
             ///
-            /// The time of a sharp side is the exact floor. Rounded ones have a lower bound, early by less than a raw unit of way for motions
-            /// up to 4096 units, and by less than four for any. The displacement is never inside, and less than 2 raw short of the border
+            /// The time of a sharp side is the exact floor. Rounded ones have a lower bound, early
+            /// by less than a raw unit of way for motions up to 4096 units, and by less than four
+            /// for any. The displacement is never inside, and less than 2 raw short of the border
             /// for motions up to 4096 units.
             ///
-            /// Cost: two products for each side, and one root where a slanted side or a corner of a rounded shape is hit.
+            /// Cost: two products for each side, and one root where a slanted side or a corner of a
+            /// rounded shape is hit.
             ///
             /// ```
             /// use tilesat::{Axis, Capsule, Inside, Vec2, fx};
@@ -256,7 +265,8 @@ macro_rules! points {
             /// ```
             ///
             /// # Errors
-            /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+            /// [`RangeError`] where the start or the end is outside of the
+            /// [domain](crate::num::DOMAIN).
             pub fn cast_ray(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
                 ray::cast_ray(Core { corners: &self.outline(), radius: self.rounding() }, origin, motion, inside)
             }

@@ -1,4 +1,5 @@
-//! The points of two shapes that are nearest to each other, and the point of a shape that is nearest to any point.
+//! The points of two shapes that are nearest to each other, and the point of a shape that is
+//! nearest to any point.
 
 use super::exit::normal;
 use super::face::{Facing, face};

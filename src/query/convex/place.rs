@@ -26,7 +26,8 @@ impl Place {
             if height > 0 {
                 continue;
             }
-            // Outside of this side's line, or on it. The foot is on the side, or one of its ends is nearer than all between.
+            // Outside of this side's line, or on it. The foot is on the side, or one of its ends is
+            // nearer than all between.
             let along = side.along();
             let corner = if along < 0 {
                 Corner { at: side.from, a: side.a, b: side.b }
@@ -47,7 +48,8 @@ impl Place {
         }
     }
 
-    /// Whether the origin is nearer than `radius` (or as near, for closed sets); radii are below 2^30.
+    /// Whether the origin is nearer than `radius` (or as near, for closed sets); radii are below
+    /// 2^30.
     ///
     /// A height is below 2^62 and a square length below 2^63: both sides are below 2^124.
     pub(super) fn within<const CLOSED: bool>(&self, radius: i32) -> bool {
@@ -75,7 +77,8 @@ pub(crate) fn meets<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
     if radius == 0 { sharp::<CLOSED>(a, b).is_ok() } else { Place::of(a, b).within::<CLOSED>(radius) }
 }
 
-/// The same without radii: the first side that the origin is not inside of settles it, and is the error. A point has none.
+/// The same without radii: the first side that the origin is not inside of settles it, and is the
+/// error. A point has none.
 pub(super) fn sharp<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> Result<(), Option<PolygonSide>> {
     let walk = SideWalk::new(a, b);
     let mut inside = CLOSED && walk.corner().at.is_zero();
@@ -84,7 +87,8 @@ pub(super) fn sharp<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> Result<(), 
         if height < 0 {
             return Err(Some(side));
         }
-        // On the line of a side: a closed sum holds what is between its ends. A flat one has no other sides to say so.
+        // On the line of a side: a closed sum holds what is between its ends. A flat one has no
+        // other sides to say so.
         if height == 0 && (!CLOSED || side.along() < 0 || side.along() as u64 > side.len2()) {
             return Err(Some(side));
         }

@@ -12,7 +12,8 @@ pub(super) fn contains(core: Core<'_>, p: Vec2) -> bool {
     check_coordinate(p).is_ok() && holds(core, p, core.radius)
 }
 
-/// Rounded down: the least of rounded distances is the rounded least. `Fx::MAX` where the core is 2^31 raw away or more.
+/// Rounded down: the least of rounded distances is the rounded least. `Fx::MAX` where the core is
+/// 2^31 raw away or more.
 pub(super) fn distance(core: Core<'_>, p: Vec2) -> Fx {
     if contains(core, p) {
         return Fx::ZERO;

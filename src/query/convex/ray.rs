@@ -1,7 +1,7 @@
 //! Rays against a convex shape: the closed counterpart of its casts.
 //!
-//! Seen from the shape a ray is a point that moves. Motions are below 2^30 a component, and so are differences: products of a side
-//! with either stay below 2^62, as in a cast.
+//! Seen from the shape a ray is a point that moves. Motions are below 2^30 a component, and so are
+//! differences: products of a side with either stay below 2^62, as in a cast.
 
 use super::cast::{ConvexGate, inward, is_earlier, straight};
 use super::place::Place;
@@ -42,7 +42,8 @@ pub(super) fn cast_ray(
 /// The ray starts strictly inside.
 struct Within;
 
-/// Of a polygon: the latest side that the ray comes in by, if it has not left another one before then.
+/// Of a polygon: the latest side that the ray comes in by, if it has not left another one before
+/// then.
 fn sharp(eye: Core<'_>, shape: Core<'_>, d: Raw) -> Result<Option<ConvexGate>, Within> {
     let (mut entry, mut exit): (Option<EdgeMoment>, Option<(u64, u64)>) = (None, None);
     // On a side's line without coming in by it: from the border such a ray does not lead inside.
@@ -86,7 +87,8 @@ fn last(a: EdgeMoment, b: EdgeMoment) -> EdgeMoment {
     a.later(b)
 }
 
-/// Of a rounded shape that the ray starts outside of: a side moved out, or the first disc around a corner.
+/// Of a rounded shape that the ray starts outside of: a side moved out, or the first disc around a
+/// corner.
 fn rounded(eye: Core<'_>, shape: Core<'_>, d: Raw) -> Option<ConvexGate> {
     let walk = SideWalk::new(eye, shape);
     let mut first: Option<(Toi, Disc)> = None;
@@ -107,7 +109,8 @@ fn rounded(eye: Core<'_>, shape: Core<'_>, d: Raw) -> Option<ConvexGate> {
     first.map(|(_, disc)| ConvexGate::Disc(disc))
 }
 
-/// The side moved out by the radius, where the ray comes in by it between its ends, at the very end of its way too.
+/// The side moved out by the radius, where the ray comes in by it between its ends, at the very end
+/// of its way too.
 fn through(side: &PolygonSide, radius: i32, d: Raw) -> Option<ConvexGate> {
     let height = side.height();
     let (axis, speed) = inward(side, d);

@@ -1,7 +1,7 @@
 //! Convex shapes against a quarter of a disc, and against a square without one.
 //!
-//! Both are seen from the arc's centre, with the quarter in the positive quadrant. Points are below 2^31 there, as levels may be
-//! shifted: products are below 2^62.
+//! Both are seen from the arc's centre, with the quarter in the positive quadrant. Points are below
+//! 2^31 there, as levels may be shifted: products are below 2^62.
 
 use super::place::{meets, sharp};
 use super::walk::Core;
@@ -49,9 +49,9 @@ impl ArcCell {
 
     /// Whether a shape overlaps, or touches, the quarter of the disc.
     ///
-    /// Grown by the shape's radius the quarter is that of a larger disc, and all that is as near to its two straight sides. For a
-    /// shape without radius that overlaps the square, its part in the quadrant is the limit of the part inside: the quarter's
-    /// closed side is asked.
+    /// Grown by the shape's radius the quarter is that of a larger disc, and all that is as near to
+    /// its two straight sides. For a shape without radius that overlaps the square, its part in the
+    /// quadrant is the limit of the part inside: the quarter's closed side is asked.
     pub(crate) fn convex_meets<const CLOSED: bool>(&self, core: Core<'_>) -> bool {
         if core.radius == 0 && !CLOSED && !self.overlaps_square(core) {
             return false;
@@ -64,8 +64,9 @@ impl ArcCell {
 
     /// Whether a shape overlaps, or touches, the rest of the square.
     ///
-    /// What is farthest from the centre of a convex part of the square is one of its corners: a corner of the shape, or on the border.
-    /// On the sides through the centre nothing but their ends is solid, and these are ends of the far sides, too.
+    /// What is farthest from the centre of a convex part of the square is one of its corners: a
+    /// corner of the shape, or on the border. On the sides through the centre nothing but their
+    /// ends is solid, and these are ends of the far sides, too.
     pub(crate) fn concave_meets<const CLOSED: bool>(&self, core: Core<'_>) -> bool {
         let s = self.side;
         let rest = s.wrapping_sub(core.radius);
@@ -97,10 +98,11 @@ impl ArcCell {
         meets::<CLOSED>(core, Core { corners: &[self.placed(a.0, a.1), self.placed(b.0, b.1)], radius: 0 })
     }
 
-    /// Whether the core has a point of the closed quadrant that is nearer to the centre than `reach`, or as near where `CLOSED`.
+    /// Whether the core has a point of the closed quadrant that is nearer to the centre than
+    /// `reach`, or as near where `CLOSED`.
     ///
-    /// The nearest one is the centre, a corner, a foot on a side, or where a side leaves the quadrant: on the quadrant's border inside of the shape
-    /// others are nearer.
+    /// The nearest one is the centre, a corner, a foot on a side, or where a side leaves the
+    /// quadrant: on the quadrant's border inside of the shape others are nearer.
     fn reaches_sector<const CLOSED: bool>(&self, core: Core<'_>, reach: i32) -> bool {
         // Up to the arc's end, which only closed sets hold.
         let along = |a: Raw, b: Raw| crosses(a, b, reach) || (CLOSED && crosses_at(a, b, reach));
@@ -117,7 +119,8 @@ const fn swapped(p: Raw) -> Raw {
     Raw { x: p.y, y: p.x }
 }
 
-/// Where the line through two points is on y = 0, if they are on different sides: as a fraction with a positive divisor.
+/// Where the line through two points is on y = 0, if they are on different sides: as a fraction
+/// with a positive divisor.
 fn at_zero(a: Raw, b: Raw) -> Option<(i64, i32)> {
     let den = b.y.wrapping_sub(a.y);
     if (a.y > 0) == (b.y > 0) && (a.y < 0) == (b.y < 0) {
@@ -152,7 +155,8 @@ fn has_foot<const CLOSED: bool>(a: Raw, b: Raw, reach: i32) -> bool {
     if CLOSED { !less128(limit, square) } else { less128(square, limit) }
 }
 
-/// Whether a polygon holds the origin; what has no area does so on a side, which is asked elsewhere.
+/// Whether a polygon holds the origin; what has no area does so on a side, which is asked
+/// elsewhere.
 fn holds_origin(core: Core<'_>, mut ends: impl Iterator<Item = (Raw, Raw)>) -> bool {
     let (mut left, mut right) = (false, false);
     core.corners.len() > 2

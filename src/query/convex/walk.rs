@@ -1,8 +1,9 @@
 //! The border of A + (-B), side by side: what every question about two convex shapes is asked of.
 //!
-//! A and B overlap where the origin is inside that sum, and its sides are those of A and the reversed ones of B in the order of
-//! their directions. They are merged one at a time: no list is kept, and parallel sides come once, as one. One product
-//! pair a side orders it, one asks it where the origin is.
+//! A and B overlap where the origin is inside that sum, and its sides are those of A and the
+//! reversed ones of B in the order of their directions. They are merged one at a time: no list is
+//! kept, and parallel sides come once, as one. One product pair a side orders it, one asks it where
+//! the origin is.
 
 use crate::num::{Raw, SPLIT, Vec2};
 
@@ -71,7 +72,8 @@ struct Ring<'a, const REVERSED: bool> {
 }
 
 impl<'a, const REVERSED: bool> Ring<'a, REVERSED> {
-    /// From the lowest corner, of two the left one: there the first side leads upward or to the right.
+    /// From the lowest corner, of two the left one: there the first side leads upward or to the
+    /// right.
     fn new(core: Core<'a>) -> Self {
         let (mut at, mut here) = (0, Self::place(core, 0));
         for (i, p) in core.corners.iter().enumerate() {
@@ -127,8 +129,9 @@ impl Iterator for SideWalk<'_> {
     type Item = PolygonSide;
 
     fn next(&mut self) -> Option<PolygonSide> {
-        // Both stand in the same half turn: a ring's next side is less than a half turn beyond its last one, which the other
-        // ring's next side is not before. Only a segment turns by just a half, and parallel sides go together.
+        // Both stand in the same half turn: a ring's next side is less than a half turn beyond its
+        // last one, which the other ring's next side is not before. Only a segment turns by just a
+        // half, and parallel sides go together.
         let order = match (self.a.left, self.b.left) {
             (0, 0) => return None,
             (_, 0) => 1,
@@ -158,9 +161,11 @@ pub(super) struct Corner {
     pub(super) b: usize,
 }
 
-/// The sign of `e x f`, for components of which one vector's are below 2^31 and the other's below 2^30.
+/// The sign of `e x f`, for components of which one vector's are below 2^31 and the other's below
+/// 2^30.
 ///
-/// Where a product is a call: of two products with different signs the larger one is known without computing them.
+/// Where a product is a call: of two products with different signs the larger one is known without
+/// computing them.
 #[inline]
 pub(super) const fn turn(e: Raw, f: Raw) -> i64 {
     if SPLIT {

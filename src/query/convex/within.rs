@@ -6,8 +6,9 @@ use crate::num::{Raw, Vec2, less128, mul64, sqr64, usqr};
 
 /// Whether every point of B is one of A; closed and exact.
 ///
-/// A shape is where its extent in every direction reaches, so A grown by r holds B grown by s where A grown by r - s holds B, or,
-/// if that is negative, where A has room for a disc of s - r around every corner of B.
+/// A shape is where its extent in every direction reaches, so A grown by r holds B grown by s where
+/// A grown by r - s holds B, or, if that is negative, where A has room for a disc of s - r around
+/// every corner of B.
 pub(super) fn contains(a: Core<'_>, b: Core<'_>) -> bool {
     let rest = a.radius.wrapping_sub(b.radius);
     b.corners

@@ -60,8 +60,8 @@ impl<'a> SegmentMap<'a> {
     /// Writes the level of these paths to the start of `out`, and returns its number of bytes.
     /// [`from_bytes`](Self::from_bytes) reads them.
     ///
-    /// Cost: [`measure`](Self::measure) and as much again. Each edge of a polygon is compared with those of the runs near it, each end of a
-    /// segment with the segments of its cell.
+    /// Cost: [`measure`](Self::measure) and as much again. Each edge of a polygon is compared with
+    /// those of the runs near it, each end of a segment with the segments of its cell.
     ///
     /// # Errors
     /// As [`measure`](Self::measure), and [`SegmentMapError::TooSmall`]: `out` is unchanged then.

@@ -3,11 +3,12 @@
 use super::path::{Path, PathEdge, point, reversed};
 use crate::num::Raw;
 
-/// Runs of consecutive edges are at most so many: 1.5 KB of stack while a level is built. Of 4000 edges around one polygon building takes 860 M instructions on
-/// x86-64 without runs.
+/// Runs of consecutive edges are at most so many: 1.5 KB of stack while a level is built. Of 4000
+/// edges around one polygon building takes 860 M instructions on x86-64 without runs.
 const RUNS: usize = 64;
 
-/// The edges of all polygons in their order, in runs of one length, each with a box around it: what is not near the box is near none of the run.
+/// The edges of all polygons in their order, in runs of one length, each with a box around it: what
+/// is not near the box is near none of the run.
 pub(super) struct Runs {
     all: [EdgeRun; RUNS],
     count: usize,
@@ -88,7 +89,8 @@ pub(super) struct EdgeIndex {
     pub(super) point: usize,
 }
 
-/// Up to where, in multiples of the edge's direction from `t` on, nothing changes, and whether the edge is left there.
+/// Up to where, in multiples of the edge's direction from `t` on, nothing changes, and whether the
+/// edge is left there.
 ///
 /// ```text
 ///   edge      ------------------------->      Of m edges one way and n the other, the first min(m, n) of each are cancelled:
@@ -96,7 +98,8 @@ pub(super) struct EdgeIndex {
 ///   is left   ----->|       |->               edges against it. Nothing needs to be remembered.
 /// ```
 ///
-/// Cost: all runs, the edges of those whose box meets that of this edge, and the area of the polygons whose edges overlap it.
+/// Cost: all runs, the edges of those whose box meets that of this edge, and the area of the
+/// polygons whose edges overlap it.
 #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
 pub(super) const fn left_from(
     paths: &[Path<'_>],

@@ -1,5 +1,5 @@
-//! Convex shapes against the solid of a segment map, by the rules of boxes and circles: the segments first, then one point of
-//! the shape.
+//! Convex shapes against the solid of a segment map, by the rules of boxes and circles: the
+//! segments first, then one point of the shape.
 
 use super::overlap::Spoke;
 use super::{Kind, Seg, SegmentMap};
@@ -28,23 +28,25 @@ impl SegmentMap<'_> {
         if core.radius > 0 || core.corners.len() < 3 {
             return beside > 0;
         }
-        // No segment leads from a corner into the shape: between the corner's sides all is as solid as in their middle.
+        // No segment leads from a corner into the shape: between the corner's sides all is as solid
+        // as in their middle.
         let (next, last) = (seen(1), seen(core.before(0)));
         self.winding_toward(p, beside, next.sub(p).add(last.sub(p)), true) > 0
     }
 
-    /// The winding number just ahead of a point in a direction, below 2^31 a component: on the left of a segment that
-    /// leaves it that way, or on its right.
+    /// The winding number just ahead of a point in a direction, below 2^31 a component: on the left
+    /// of a segment that leaves it that way, or on its right.
     fn winding_toward(&self, p: Raw, beside: i32, dir: Raw, on_left: bool) -> i32 {
         let way = Spoke { dir, change: 0 };
         let passed = |ray: &Spoke| ray.up_to(&way) && (on_left || !way.up_to(ray));
         self.spokes(p).filter(passed).fold(beside, |w, ray| w.wrapping_add(ray.change))
     }
 
-    /// Whether the inside of the solid has a point between two points: where both sides of the way are solid, at its start or
-    /// after a crossing.
+    /// Whether the inside of the solid has a point between two points: where both sides of the way
+    /// are solid, at its start or after a crossing.
     ///
-    /// Cost: the square of the number of the level's segments. Only shapes without area that are not along x or y ask it.
+    /// Cost: the square of the number of the level's segments. Only shapes without area that are
+    /// not along x or y ask it.
     fn line_inside(&self, p: Raw, q: Raw) -> bool {
         let (way, beside) = (q.sub(p), self.winding_beside(p));
         let start = [true, false].map(|on_left| self.winding_toward(p, beside, way, on_left));
@@ -87,7 +89,8 @@ impl Crossed {
         if den == 0 || !(left || right) {
             return None;
         }
-        // From left to right the solid, on the segment's left, is ahead. The way's parameter is a x e / way x e.
+        // From left to right the solid, on the segment's left, is ahead. The way's parameter is a x
+        // e / way x e.
         let sign = den.signum() as i32;
         let num = if den > 0 { num.wrapping_neg() } else { num };
         let den = den.unsigned_abs();

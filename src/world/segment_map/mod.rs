@@ -97,12 +97,14 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 ///
 /// # Bounds
 ///
-/// At most 32768 segments, and 65535 pairs of a segment and a cell whose closed square it meets: larger cells make fewer. Building takes 2 KB of
-/// stack and no memory but the bytes. It compares an edge of a polygon with 64 boxes around runs of edges, and with the edges of the runs near it; and
-/// each end of a segment with the segments of its cell, so that smaller cells make it faster.
+/// At most 32768 segments, and 65535 pairs of a segment and a cell whose closed square it meets:
+/// larger cells make fewer. Building takes 2 KB of stack and no memory but the bytes. It compares
+/// an edge of a polygon with 64 boxes around runs of edges, and with the edges of the runs near it;
+/// and each end of a segment with the segments of its cell, so that smaller cells make it faster.
 ///
-/// The compiler builds some 600 segments before its limit on constants (the lint `long_running_const_eval`), which a level of 2000 may be
-/// allowed to exceed, at the price of 20 seconds: `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Larger levels are
+/// The compiler builds some 600 segments before its limit on constants (the lint
+/// `long_running_const_eval`), which a level of 2000 may be allowed to exceed, at the price of 20
+/// seconds: `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Larger levels are
 /// built on the host, and their bytes are included.
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("ChainShape", "polyline", "EdgeShape"))]

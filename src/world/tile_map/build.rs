@@ -46,8 +46,8 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
 }
 
 impl<'a> TileMap<'a, Blocks, Bits> {
-    /// A map of one bit per tile, row after row without gaps, the least significant bit of each byte
-    /// first: a clear bit is id 0, a set one id 1.
+    /// A map of one bit per tile, row after row without gaps, the least significant bit of each
+    /// byte first: a clear bit is id 0, a set one id 1.
     ///
     /// ```
     /// use tilesat::{Cell, TileKind, TileKinds, TileMap};
@@ -75,7 +75,8 @@ impl<'a> TileMap<'a, Blocks, Bits> {
 }
 
 impl<'a, S: Set> TileMap<'a, S, Bytes> {
-    /// A map of one byte per tile, row after row, on a grid, that can hold the shapes of any [`Set`].
+    /// A map of one byte per tile, row after row, on a grid, that can hold the shapes of any
+    /// [`Set`].
     ///
     /// ```
     /// use tilesat::{AllShapes, Circle, Fx, Grid, Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2};
@@ -129,8 +130,9 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(())
     }
 
-    /// Sets the stride: each row begins `stride` tiles after the one before. The map is then a window
-    /// into a wider level, or has padded rows. It loses its [occupancy](Self::with_occupancy).
+    /// Sets the stride: each row begins `stride` tiles after the one before. The map is then a
+    /// window into a wider level, or has padded rows. It loses its
+    /// [occupancy](Self::with_occupancy).
     ///
     /// # Errors
     /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] where the data ends

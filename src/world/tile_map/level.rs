@@ -1,4 +1,5 @@
-//! A tile map as a level: its cells, which of them a box of coordinates reaches, and where there is anything at all.
+//! A tile map as a level: its cells, which of them a box of coordinates reaches, and where there is
+//! anything at all.
 
 use super::clear::is_clear;
 use super::surface::BlockSurface;

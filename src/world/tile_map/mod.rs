@@ -87,7 +87,8 @@ pub struct TileMap<'a, S: Set = Blocks, T: Store = Bytes> {
     pub(in crate::world) grid: Grid,
     pub(in crate::world) stride: u16,
     pub(in crate::world) outside: Outside,
-    /// Of an [`Occupied`] map bits of the tiles that are not empty, and of areas that hold one; or none.
+    /// Of an [`Occupied`] map bits of the tiles that are not empty, and of areas that hold one; or
+    /// none.
     pub(in crate::world) occupied: &'a [u32],
     pub(in crate::world) marker: PhantomData<(S, T)>,
 }

@@ -5,15 +5,15 @@ use crate::world::error::TileMapError;
 use crate::world::tile_map::kind::TileShape;
 use core::marker::PhantomData;
 
-/// An area is a square of `2^AREA_LOG` cells a side: a word is a row of one. Across an empty map of 2048 cells a ray takes 2.3 k instructions on x86-64
-/// with 32 cells, 4.8 k with 16.
+/// An area is a square of `2^AREA_LOG` cells a side: a word is a row of one. Across an empty map of
+/// 2048 cells a ray takes 2.3 k instructions on x86-64 with 32 cells, 4.8 k with 16.
 pub(super) const AREA_LOG: u32 = 5;
 /// Cells of a side of an area.
 pub(super) const AREA: i32 = 1 << AREA_LOG;
 
 impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
-    /// The words that [`fill_occupancy`](Self::fill_occupancy) needs: one for each 32 columns begun, for every row; and one for each 1024 columns
-    /// begun, for every 32 rows begun.
+    /// The words that [`fill_occupancy`](Self::fill_occupancy) needs: one for each 32 columns
+    /// begun, for every row; and one for each 1024 columns begun, for every 32 rows begun.
     #[must_use]
     pub const fn occupancy_words(&self) -> usize {
         self.tile_words().wrapping_add((self.words_an_area_row() * self.area_rows()) as usize)
@@ -35,8 +35,9 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         (self.grid.y.count as u32).div_ceil(1 << AREA_LOG)
     }
 
-    /// Writes one bit a tile, set where its shape is not empty: bit `x % 32` of word `x / 32` of each row. After all rows, the same for areas of 32 x 32
-    /// tiles, set where one of them is not empty. Words beyond are left alone.
+    /// Writes one bit a tile, set where its shape is not empty: bit `x % 32` of word `x / 32` of
+    /// each row. After all rows, the same for areas of 32 x 32 tiles, set where one of them is not
+    /// empty. Words beyond are left alone.
     ///
     /// # Errors
     /// [`TileMapError::Occupancy`] where the words are too few; nothing is written then.
@@ -67,13 +68,14 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(())
     }
 
-    /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy) at hand: the same answers, faster where much is empty.
+    /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy) at hand: the same
+    /// answers, faster where much is empty.
     ///
-    /// What is asked of many cells then passes 32 empty tiles by one test, and a ray each empty area of 32 x 32 tiles. A body a few cells wide looks
-    /// at as few tiles as without.
+    /// What is asked of many cells then passes 32 empty tiles by one test, and a ray each empty
+    /// area of 32 x 32 tiles. A body a few cells wide looks at as few tiles as without.
     ///
-    /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the compiler for a `const` map. After a tile is written, fill
-    /// them again.
+    /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the
+    /// compiler for a `const` map. After a tile is written, fill them again.
     ///
     /// ```
     /// use tilesat::{Blocks, Cell, TileKind, TileKinds, TileMap, TileMapError, world::Occupied};
@@ -128,7 +130,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(TileMap { data, kinds, grid, stride, outside, occupied: words, marker: PhantomData })
     }
 
-    /// The row of the first word that is missing. A row has at least one word, so the division is by no zero.
+    /// The row of the first word that is missing. A row has at least one word, so the division is
+    /// by no zero.
     const fn too_few(&self, found: usize) -> TileMapError {
         let row = match found.checked_sub(self.tile_words()) {
             Some(areas) => self.row_of_area_word(areas as u32),
@@ -179,7 +182,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The first column from `x` to `last`, both in the map, whose tile is not known to be empty; beyond `last` where there is none.
+    /// The first column from `x` to `last`, both in the map, whose tile is not known to be empty;
+    /// beyond `last` where there is none.
     #[inline]
     pub(in crate::world) const fn next_occupied(&self, x: i32, last: i32, y: i32) -> i32 {
         let row = self.words_a_row().wrapping_mul(y as u32);
@@ -204,7 +208,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         (areas, self.words_an_area_row() as i32)
     }
 
-    /// A word of occupancy; of a map whose tiles are others than it was made of, all may be occupied.
+    /// A word of occupancy; of a map whose tiles are others than it was made of, all may be
+    /// occupied.
     #[inline]
     #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
     const fn occupied_word(&self, word: u32) -> u32 {

@@ -18,8 +18,8 @@ levels! {
         /// Whether a shape overlaps the solid: whether it reaches the inside of the union
         /// of all tiles' solids.
         ///
-        /// Takes boxes, circles, [`Capsule`](crate::Capsule), [`OrientedBox`](crate::OrientedBox) and
-        /// [`ConvexPolygon`](crate::ConvexPolygon).
+        /// Takes boxes, circles, [`Capsule`](crate::Capsule), [`OrientedBox`](crate::OrientedBox)
+        /// and [`ConvexPolygon`](crate::ConvexPolygon).
         ///
         /// Strict and exact, for slopes and arcs too, and without a root. A body that touches a
         /// wall or fills a gap exactly does not overlap. A body without area is a circle of radius
@@ -72,8 +72,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.any_full(self.solid_range_of(lo, hi), |_| true)
     }
 
-    /// A side of no length on a cell's border is inside the solid only where the cells on both sides are full: then the open range is
-    /// reversed, and starts at the first of the two.
+    /// A side of no length on a cell's border is inside the solid only where the cells on both
+    /// sides are full: then the open range is reversed, and starts at the first of the two.
     #[inline(never)]
     const fn thin_overlaps_blocks(&self, lo: Raw, hi: Raw) -> bool {
         let mut range = self.open_range(lo, hi);

@@ -128,7 +128,8 @@ fn phase<B: BroadPhase<Tag = Kind>>(run: &mut Run<'_>, of: &'static str, empty: 
     let mut other = Random::new(3);
     let mut filled = false;
     run.family(of, VECTORS / 4, QUERIES, |number, _, hashes| {
-        // All four are given the same bodies and the same questions, so their lines differ in the name alone.
+        // All four are given the same bodies and the same questions, so their lines differ in the
+        // name alone.
         let r = &mut other;
         if !filled {
             fill(&mut near, r, &mut hashes[0]);
@@ -142,7 +143,8 @@ fn phase<B: BroadPhase<Tag = Kind>>(run: &mut Run<'_>, of: &'static str, empty: 
 }
 
 pub(crate) fn run(run: &mut Run<'_>) {
-    // 16 x 8 cells of 32 units: half of the bodies are outside at times, some are larger than a cell.
+    // 16 x 8 cells of 32 units: half of the bodies are outside at times, some are larger than a
+    // cell.
     let corner = Vec2::from_ints(-256, -128);
     phase(run, "brute_force", Some(BruteForce::<BODIES, Kind>::new()));
     phase(run, "sort_sweep", Some(SortSweep::<BODIES, Kind>::new()));

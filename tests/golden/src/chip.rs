@@ -1,4 +1,5 @@
-//! A part of golden on a chip; a number on the command line is how many vectors each family is given.
+//! A part of golden on a chip; a number on the command line is how many vectors each family is
+//! given.
 
 use tilesat_chip::{number, println, process};
 

@@ -1,7 +1,7 @@
 //! How the library's values go into a hash: every field, in the order of its declaration.
 //!
-//! But for the counters of work done, which are no part of an answer: they have families of their own (`work`), so that a search that takes another way
-//! to the same answers changes those alone.
+//! But for the counters of work done, which are no part of an answer: they have families of their
+//! own (`work`), so that a search that takes another way to the same answers changes those alone.
 
 use tilesat::broad::{BroadError, BroadHit, Handle, Nearest, Pair, QueryError};
 use tilesat::motion::{BodyHit, MoveError, Moved, Ridden, Walked, Work};

@@ -5,13 +5,15 @@ use core::fmt;
 use super::hash::Hash;
 use super::random::Random;
 
-/// Vectors of each query at least. Where it is asked of several kinds of shapes or levels, each with a family of its own, they share them.
+/// Vectors of each query at least. Where it is asked of several kinds of shapes or levels, each
+/// with a family of its own, they share them.
 pub const VECTORS: u32 = 100_000;
 
 /// Vectors before which no query has a hash.
 pub const LEAST: u32 = 1_000;
 
-/// After so many vectors of a family, and after its last one, its hash is told: who runs only a part can compare it.
+/// After so many vectors of a family, and after its last one, its hash is told: who runs only a
+/// part can compare it.
 const MARKS: [u32; 2] = [LEAST, 10_000];
 
 /// One line of the result.
@@ -60,7 +62,8 @@ impl<'a> Run<'a> {
         self.total.word(line.hash.value());
     }
 
-    /// Draws `all` vectors, one after the other, or as many as are wanted: `each` is given its number, the generator, and a hash for each of the queries.
+    /// Draws `all` vectors, one after the other, or as many as are wanted: `each` is given its
+    /// number, the generator, and a hash for each of the queries.
     pub fn family<const N: usize>(
         &mut self,
         of: &'static str,

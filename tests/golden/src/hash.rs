@@ -4,8 +4,9 @@ use core::fmt;
 
 /// 32 bits over a stream of 32-bit words.
 ///
-/// A step is a bijection of the state for each word and of the word for each state, so one word that changes always changes the hash. A word costs a
-/// rotation, an exclusive or and a multiplication on every core.
+/// A step is a bijection of the state for each word and of the word for each state, so one word
+/// that changes always changes the hash. A word costs a rotation, an exclusive or and a
+/// multiplication on every core.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hash(u32);
 
@@ -39,8 +40,9 @@ impl fmt::Display for Hash {
     }
 }
 
-/// A value as words in a fixed order: all of its fields, and for a choice first a number that says which. Little of a type is known here but its public
-/// face, so that what is hashed is what a game can see.
+/// A value as words in a fixed order: all of its fields, and for a choice first a number that says
+/// which. Little of a type is known here but its public face, so that what is hashed is what a game
+/// can see.
 pub trait Encode {
     fn encode(self, hash: &mut Hash);
 }

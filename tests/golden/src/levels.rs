@@ -36,7 +36,8 @@ const fn kinds(slopes: bool, arcs: bool) -> TileKinds {
     kinds
 }
 
-/// A third of the tiles empty, a third full, the rest of every shape: whatever can lie beside each other does.
+/// A third of the tiles empty, a third full, the rest of every shape: whatever can lie beside each
+/// other does.
 static TILES: [u8; CELLS] = {
     let (mut tiles, mut random, mut i) = ([0; CELLS], Random::new(5), 0);
     while i < CELLS {
@@ -95,7 +96,8 @@ const fn at<const N: usize>(points: [(i16, i16); N]) -> [Vec2; N] {
     out
 }
 
-/// In half cells: hills, a cave with a hole, teeth, walls that cross, one-way chains, a joint of two polygons.
+/// In half cells: hills, a cave with a hole, teeth, walls that cross, one-way chains, a joint of
+/// two polygons.
 const GROUND: [Vec2; 9] = at([(0, 32), (0, 26), (8, 26), (12, 22), (18, 25), (26, 25), (30, 29), (36, 26), (36, 32)]);
 const BESIDE: [Vec2; 4] = at([(36, 32), (36, 26), (48, 26), (48, 32)]);
 const CAVE: [Vec2; 6] = at([(4, 2), (16, 2), (20, 6), (18, 12), (8, 14), (2, 8)]);

@@ -1,4 +1,5 @@
-//! The ninja of the example for ten thousand frames: its script, then keys of a generator, and again.
+//! The ninja of the example for ten thousand frames: its script, then keys of a generator, and
+//! again.
 
 use tilesat_games::ninja::{Keys, Ninja, Script, level};
 

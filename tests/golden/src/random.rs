@@ -54,7 +54,8 @@ impl Random {
 pub(crate) enum Class {
     /// Anywhere in 64 units, sizes to 16 units: ordinary scenes.
     Uniform,
-    /// On a lattice of a few steps of a unit or of a raw unit, sizes from 0: exact touches, ties, degenerate shapes.
+    /// On a lattice of a few steps of a unit or of a raw unit, sizes from 0: exact touches, ties,
+    /// degenerate shapes.
     Lattice,
     /// Touching at a point with an exact normal, then moved by up to 2 raw units.
     Near,
@@ -129,7 +130,8 @@ pub(crate) fn any_point(r: &mut Random, class: Class, at: Vec2) -> Vec2 {
     point(cx + x + r.small(few), cy + y + r.small(few))
 }
 
-/// A motion of a class; of classes with small scenes half of them lead from `a` to `b`, give or take a little.
+/// A motion of a class; of classes with small scenes half of them lead from `a` to `b`, give or
+/// take a little.
 pub(crate) fn any_motion(r: &mut Random, class: Class, a: Vec2, b: Vec2) -> Vec2 {
     let ((ax, ay), (bx, by)) = (a.raw(), b.raw());
     let toward = |v: i32| v.clamp(1 - MOTION, MOTION - 1);
@@ -149,7 +151,8 @@ pub(crate) trait Draw: Sized {
     /// With its place near `at`, and a size that `step` and `small` or else `bits` bound.
     fn spread(p: Vec2, q: (i32, i32)) -> Self;
 
-    /// Whose border has `at`, all of it on the side of the line through it to which `n` points; as large as `size` says.
+    /// Whose border has `at`, all of it on the side of the line through it to which `n` points; as
+    /// large as `size` says.
     fn touching(at: (i32, i32), n: Direction, size: i32, r: &mut Random) -> Self;
 
     /// A point by which to aim at it.

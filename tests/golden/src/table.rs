@@ -102,7 +102,8 @@ impl Table {
         self
     }
 
-    /// What is not as in the reviewed table, each family by its name. A run of fewer vectors is compared as far as it went.
+    /// What is not as in the reviewed table, each family by its name. A run of fewer vectors is
+    /// compared as far as it went.
     pub fn differences(&self, reviewed: &Self) -> Vec<String> {
         let mut found = Vec::new();
         for ((query, of), row) in &self.rows {
@@ -125,7 +126,8 @@ impl Table {
         found
     }
 
-    /// Its part of the changelog's list for a version: a line a query, with every kind and its last hash.
+    /// Its part of the changelog's list for a version: a line a query, with every kind and its last
+    /// hash.
     pub fn outputs(&self, version: &str) -> Vec<String> {
         let mut queries = BTreeMap::<&str, String>::new();
         for ((query, of), row) in self.rows.iter().filter(|(_, row)| row.since == version) {

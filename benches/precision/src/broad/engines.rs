@@ -57,7 +57,8 @@ impl Phase for Broccoli {
     }
 }
 
-/// Its dynamic tree by itself: boxes in it are larger by what a body goes in a frame, and the exact ones are asked in the end.
+/// Its dynamic tree by itself: boxes in it are larger by what a body goes in a frame, and the exact
+/// ones are asked in the end.
 struct Box2dTree {
     tree: b2DynamicTree,
     /// What the tree has: numbers and boxes.
@@ -130,7 +131,8 @@ impl Phase for Box2dTree {
     }
 
     fn frame(&mut self, boxes: &[b2AABB], pairs: &mut Answer) {
-        // SAFETY: the tree is there, its proxies are those of the boxes, and the callback gets what it asks for.
+        // SAFETY: the tree is there, its proxies are those of the boxes, and the callback gets what
+        // it asks for.
         unsafe {
             for (bounds, (id, fat)) in boxes.iter().zip(&mut self.proxies) {
                 if !holds(fat, bounds) {

@@ -35,7 +35,8 @@ impl Truth {
     }
 }
 
-/// Missing is a pair that overlaps and is not told; extra is one that does not even touch, or is told twice. Of pairs that only touch both is right.
+/// Missing is a pair that overlaps and is not told; extra is one that does not even touch, or is
+/// told twice. Of pairs that only touch both is right.
 pub fn judge(row: &mut Row, truths: &[Truth], answers: &[Answer]) {
     let (mut pairs, mut missing, mut extra) = (0, 0, 0);
     for (truth, answer) in truths.iter().zip(answers) {

@@ -101,7 +101,8 @@ fn apart(r: &mut Random, kinds: (Kind, Kind), motion: impl Fn(Point, Point) -> P
     Case { a: a.moved(at), b, d: motion(at, c) }
 }
 
-/// A way past what is nearest: with a Pythagorean direction, so that the touch is exact before it is moved by 2 raw.
+/// A way past what is nearest: with a Pythagorean direction, so that the touch is exact before it
+/// is moved by 2 raw.
 fn grazing(r: &mut Random, kinds: (Kind, Kind)) -> Option<Case> {
     let (m, n) = (r.within(2, 20), r.within(1, 19));
     if n >= m {

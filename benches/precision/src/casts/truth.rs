@@ -1,8 +1,9 @@
 //! When a motion first makes two shapes overlap, exactly enough.
 //!
-//! Whether it does is one question about the polygon of all differences: the way of the one shape, grown by the other one, holds the
-//! origin inside. When is the first moment in one of the pieces that the grown shape is made of: two boxes and four discs, of a segment a
-//! strip and two discs. Each piece is entered at a fraction, or at a root without cancellation, so 15 digits are right.
+//! Whether it does is one question about the polygon of all differences: the way of the one shape,
+//! grown by the other one, holds the origin inside. When is the first moment in one of the pieces
+//! that the grown shape is made of: two boxes and four discs, of a segment a strip and two discs.
+//! Each piece is entered at a fraction, or at a root without cancellation, so 15 digits are right.
 
 use super::classes::Case;
 use crate::job::Format;
@@ -20,7 +21,8 @@ pub struct Truth {
     length: f64,
 }
 
-/// A point that moves, and what it may not enter: a box, a point or a segment from one to the other end, grown by a radius.
+/// A point that moves, and what it may not enter: a box, a point or a segment from one to the other
+/// end, grown by a radius.
 struct Relative {
     p: Point,
     lo: Point,
@@ -117,7 +119,8 @@ fn enters_box(p: Point, d: Point, lo: Point, hi: Point) -> Option<f64> {
     less(from, to).then(|| from.0 as f64 / from.1 as f64)
 }
 
-/// When a point comes as near as `r` to a segment's line, if that is beside the segment; there it comes from outside.
+/// When a point comes as near as `r` to a segment's line, if that is beside the segment; there it
+/// comes from outside.
 fn enters_strip(p: Point, d: Point, a: Point, b: Point, r: i64) -> Option<f64> {
     let (e, m) = ((b.0 - a.0, b.1 - a.1), (p.0 - a.0, p.1 - a.1));
     let cross = |p: Point, q: Point| i128::from(p.0) * i128::from(q.1) - i128::from(p.1) * i128::from(q.0);
@@ -221,7 +224,8 @@ mod tests {
         &x * &x + &y * &y - q(r) * q(r)
     }
 
-    /// A little before the moment they are apart; a little after it they overlap. Where none is, they are apart all the way.
+    /// A little before the moment they are apart; a little after it they overlap. Where none is,
+    /// they are apart all the way.
     #[test]
     fn moments_separate_apart_from_overlap() {
         let little = Q::new(BigInt::from(1), BigInt::from(1u64 << 44));

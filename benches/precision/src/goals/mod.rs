@@ -9,7 +9,8 @@ use crate::show::workloads;
 use crate::tables::short;
 use std::fmt::Write;
 
-/// Something that misses a goal: the question, its class, and what is there; and how many times what is allowed.
+/// Something that misses a goal: the question, its class, and what is there; and how many times
+/// what is allowed.
 struct Miss {
     question: String,
     text: String,

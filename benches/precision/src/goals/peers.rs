@@ -1,4 +1,5 @@
-//! Goals against everyone else: in each class the fastest whose answers there are exact, and the fastest of any.
+//! Goals against everyone else: in each class the fastest whose answers there are exact, and the
+//! fastest of any.
 
 use super::at_most;
 use crate::question::{Question, is_right};

@@ -1,4 +1,5 @@
-//! Building of a map of segments: ground in slopes, one chain. Beside it parry2d's polyline, which is a tree of the same segments.
+//! Building of a map of segments: ground in slopes, one chain. Beside it parry2d's polyline, which
+//! is a tree of the same segments.
 
 use super::Asked;
 use crate::job::{Format, List};
@@ -24,7 +25,8 @@ pub fn all(largest: usize) -> Vec<Asked<Chain, bool>> {
         .collect()
 }
 
-/// Slopes from a pixel to a pixel and a half wide, forth and back over the domain in rows of 8 pixels.
+/// Slopes from a pixel to a pixel and a half wide, forth and back over the domain in rows of 8
+/// pixels.
 fn chain(n: usize) -> Chain {
     let (mut r, mut at, mut ahead) = (Random::new(0xb11d), (-4000i64 << 16, -4000i64 << 16), 1);
     let mut points = vec![at];

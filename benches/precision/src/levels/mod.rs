@@ -1,4 +1,5 @@
-//! The workloads of whole levels: circles among tiles, rays across empty maps, and building of segment maps.
+//! The workloads of whole levels: circles among tiles, rays across empty maps, and building of
+//! segment maps.
 
 mod build;
 mod empty;

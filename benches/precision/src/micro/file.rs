@@ -1,4 +1,5 @@
-//! What the inputs of microcontrollers look like: 32-bit words, and names as a number and so many bytes.
+//! What the inputs of microcontrollers look like: 32-bit words, and names as a number and so many
+//! bytes.
 
 /// A workload and a class.
 pub type Names<'a> = (&'a str, &'a str);
@@ -24,7 +25,8 @@ impl File {
         self.0.extend(bytes);
     }
 
-    /// The names, some words about all records, their number and length, and what backends answered.
+    /// The names, some words about all records, their number and length, and what backends
+    /// answered.
     pub fn class<R: AsRef<[i64]>>(
         &mut self,
         names: Names<'_>,

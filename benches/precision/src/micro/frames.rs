@@ -76,7 +76,8 @@ fn told(backend: &Backend<scenes::Frame, Vec<(u32, u32)>>, frames: &[scenes::Fra
     (backend.name, backend.asked, pairs.fold(0, u32::wrapping_add))
 }
 
-/// Of each class of at most so many boxes where they are and how many cells that is; of each frame the boxes.
+/// Of each class of at most so many boxes where they are and how many cells that is; of each frame
+/// the boxes.
 pub fn broad(most: usize) -> File {
     let mut out = File::default();
     for class in scenes::CLASSES.into_iter().filter(|class| class.bodies <= most) {

@@ -1,4 +1,5 @@
-//! The inputs that microcontrollers get: the first of the host's, as many as fit beside the code in 256 KiB of flash.
+//! The inputs that microcontrollers get: the first of the host's, as many as fit beside the code in
+//! 256 KiB of flash.
 
 use super::file::File;
 use super::frames;

@@ -29,7 +29,8 @@ pub fn counts(core: &str, printed: &str) -> Result<Vec<Row>, String> {
             let fields: Vec<&str> = line.split('|').collect();
             let (key, values) = fields.split_at(fields.len().saturating_sub(columns.len()));
             let mut row = match *key {
-                // Bytes are those of a function: they are noted at each class that it serves by who shows them.
+                // Bytes are those of a function: they are noted at each class that it serves by who
+                // shows them.
                 [workload, backend, asked] if sizes => Row::new(workload, "", backend, asked),
                 [workload, class, backend, asked] => Row::new(workload, class, backend, asked),
                 _ => return Err(wrong()),

@@ -1,4 +1,5 @@
-//! Sequences of motions: a body sets out from a free place, and is steered this way and that, whatever is in its way.
+//! Sequences of motions: a body sets out from a free place, and is steered this way and that,
+//! whatever is in its way.
 
 use super::room::{Body, Room};
 use tilesat_judge::Random;

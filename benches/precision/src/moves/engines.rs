@@ -1,4 +1,5 @@
-//! The character movers of engines, as their manuals have them. Their levels are convex pieces, one static collider each.
+//! The character movers of engines, as their manuals have them. Their levels are convex pieces, one
+//! static collider each.
 
 use super::backends::fine;
 use super::classes::{Case, FRAMES};
@@ -46,7 +47,8 @@ fn rapier_world(level: &Level) -> &'static World {
 /// A shape, where it is, and how far it reaches from there.
 type Rapier = (Box<dyn Shape>, Vector, Vector);
 
-/// It slides along whatever it meets: nothing is too steep, and nothing is stepped up or snapped to.
+/// It slides along whatever it meets: nothing is too steep, and nothing is stepped up or snapped
+/// to.
 pub fn rapier(list: &mut List<Case, Answer>, level: &'static Level) {
     const NO_STEP: Option<CharacterAutostep> = None;
     const NO_SNAP: Option<CharacterLength> = None;
@@ -123,7 +125,8 @@ unsafe extern "C" fn gather(_: b2ShapeId, result: *const b2PlaneResult, context:
     planes.count < planes.planes.len()
 }
 
-/// Its mover is a capsule: circles are ones whose ends are one point, and of boxes it has none. The loop is that of its sample.
+/// Its mover is a capsule: circles are ones whose ends are one point, and of boxes it has none. The
+/// loop is that of its sample.
 pub fn box2d(list: &mut List<Case, Answer>, level: &'static Level) {
     const ROUNDS: usize = 5;
     const TOLERANCE: f32 = 0.01;
@@ -154,7 +157,8 @@ pub fn box2d(list: &mut List<Case, Answer>, level: &'static Level) {
             let ends = motions.map(|d| {
                 let target = b2Vec2 { x: at.x + d.x, y: at.y + d.y };
                 for _ in 0..ROUNDS {
-                    // SAFETY: planes of zeros are planes; the world is there; the callback gets the planes.
+                    // SAFETY: planes of zeros are planes; the world is there; the callback gets the
+                    // planes.
                     let step = unsafe {
                         let mut planes: Planes = std::mem::zeroed();
                         let context = (&raw mut planes).cast();

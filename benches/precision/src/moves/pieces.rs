@@ -1,4 +1,5 @@
-//! The tiles of a level as convex polygons, for engines that know no arcs: none holds less of the plane than its tile.
+//! The tiles of a level as convex polygons, for engines that know no arcs: none holds less of the
+//! plane than its tile.
 
 use tilesat_judge::shapes::level::{Level, shape};
 use tilesat_judge::shapes::region::Region;

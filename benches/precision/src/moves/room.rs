@@ -1,6 +1,8 @@
-//! Levels, as tiles and as sets of points of the plane, and whether a body is in the solid, exactly.
+//! Levels, as tiles and as sets of points of the plane, and whether a body is in the solid,
+//! exactly.
 //!
-//! A body's place is an exact number of 512ths of a raw unit: an f32 at one pixel or beyond is one as well.
+//! A body's place is an exact number of 512ths of a raw unit: an f32 at one pixel or beyond is one
+//! as well.
 
 use tilesat::{Outside, TileShape};
 use tilesat_games::platformer::ninja;
@@ -18,7 +20,8 @@ pub enum Map {
     Blocks,
     /// The same, but any of the 33 solid shapes.
     Mosaic,
-    /// The example's level: 48 x 27 cells of 24 pixels. Its one-way edges, which no other backend has, are left out.
+    /// The example's level: 48 x 27 cells of 24 pixels. Its one-way edges, which no other backend
+    /// has, are left out.
     Ninja,
 }
 
@@ -92,7 +95,8 @@ pub struct Room {
 }
 
 impl Room {
-    /// A map with a full border, from a corner on that is `origin` pixels from the origin, both ways.
+    /// A map with a full border, from a corner on that is `origin` pixels from the origin, both
+    /// ways.
     pub fn new(map: Map, origin: i64) -> Self {
         let mut r = Random::new(0x5eed + map as u64);
         let (width, height, cell) = match map {
@@ -142,7 +146,8 @@ impl Room {
         })
     }
 
-    /// By how much the body has to become smaller on all sides so that it is free, to a fine unit or two; at most all of it.
+    /// By how much the body has to become smaller on all sides so that it is free, to a fine unit
+    /// or two; at most all of it.
     pub fn depth(&self, body: &Body) -> i64 {
         if !self.overlaps(body) {
             return 0;

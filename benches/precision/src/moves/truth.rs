@@ -1,12 +1,17 @@
-//! What is wrong with a frame: its end is in the solid, it went through the solid, or nothing happened although it could have.
+//! What is wrong with a frame: its end is in the solid, it went through the solid, or nothing
+//! happened although it could have.
 //!
-//! Overlaps and depths are exact. The other two are told from many exact questions, and in doubt nothing is wrong:
-//! - A frame tunnels where no way leads from its start to its end that is at most half as long again as the motion and two pixels more, on a
-//!   lattice of one pixel, for a body that is three quarters of a pixel smaller on all sides.
-//! - A body is stuck that does not move by a 64th of a pixel, though it is free and could go a pixel within 60 degrees of its motion: in
-//!   the motion's own direction or in one that a tile's side has.
+//! Overlaps and depths are exact. The other two are told from many exact questions, and in doubt
+//! nothing is wrong:
+//! - A frame tunnels where no way leads from its start to its end that is at most half as long
+//!   again as the motion and two pixels more, on a lattice of one pixel, for a body that is three
+//!   quarters of a pixel smaller on all sides.
+//! - A body is stuck that does not move by a 64th of a pixel, though it is free and could go a
+//!   pixel within 60 degrees of its motion: in the motion's own direction or in one that a tile's
+//!   side has.
 //!
-//! A game puts a body back that fell out of the world: after a frame that tunnels or ends deeper than a pixel, the rest of the sequence is not judged.
+//! A game puts a body back that fell out of the world: after a frame that tunnels or ends deeper
+//! than a pixel, the rest of the sequence is not judged.
 
 use super::classes::{Case, FRAMES, exact};
 use super::room::{Body, FINE_PIXEL, Room};
@@ -76,10 +81,12 @@ impl Verdict {
     }
 }
 
-/// What is taken from a body that looks for a way on the lattice: as far as a place is from the nearest one, and a little.
+/// What is taken from a body that looks for a way on the lattice: as far as a place is from the
+/// nearest one, and a little.
 const NARROWER: i64 = FINE_PIXEL * 3 / 4;
 
-/// Whether a body that is a little smaller meets the solid on the straight way, at one of many places.
+/// Whether a body that is a little smaller meets the solid on the straight way, at one of many
+/// places.
 fn is_barred(room: &Room, small: &Body, d: Place) -> bool {
     let steps = (length(d) / (2 * FINE_PIXEL) as f64) as i64 + 1;
     (1..steps).any(|i| room.overlaps(&small.moved((even(d.0 * i / steps), even(d.1 * i / steps)))))
@@ -143,7 +150,8 @@ fn is_stuck(room: &Room, before: &Body, end: &Body, wanted: Place) -> bool {
             let part = if way == wanted { part } else { even(part as i64) as f64 };
             (even((way.0 as f64 * part) as i64), even((way.1 as f64 * part) as i64))
         };
-        // 60 degrees at most; in steps below what a tip that is in the way may measure, and small ones to set out from a contact.
+        // 60 degrees at most; in steps below what a tip that is in the way may measure, and small
+        // ones to set out from a contact.
         let mut steps = (1..STEPS / 16).chain((STEPS / 16..=STEPS).step_by(STEPS as usize / 32));
         let mut free = |step| !room.overlaps(&before.moved(at(step)));
         ahead >= 0.5 * length(way) * length(wanted) && steps.all(&mut free)
@@ -162,14 +170,16 @@ mod tests {
 
     const PX: i64 = 1 << 16;
 
-    /// A wall of one column in an empty room of 160 x 160, from x = 64 to 80; with a door of one cell at y = 80 to 96 or none.
+    /// A wall of one column in an empty room of 160 x 160, from x = 64 to 80; with a door of one
+    /// cell at y = 80 to 96 or none.
     fn room(door: bool) -> Room {
         let mut tiles = vec![0; 100];
         (0..10).filter(|&row| !door || row != 5).for_each(|row| tiles[row * 10 + 4] = 1);
         Room::of(Level { width: 10, height: 10, cell: 16 * PX, x: 0, y: 0, outside: Outside::Solid, tiles })
     }
 
-    /// A first frame from and to these corners of a box of 10 x 10; then it stays there and wants nothing.
+    /// A first frame from and to these corners of a box of 10 x 10; then it stays there and wants
+    /// nothing.
     fn judged(room: &Room, from: Place, wanted: Place, to: Place) -> Verdict {
         let at = |p: Place| Figure::Aabb { min: (p.0 * PX, p.1 * PX), max: ((p.0 + 10) * PX, (p.1 + 10) * PX) };
         let mut motions = [(0, 0); FRAMES];
@@ -219,10 +229,12 @@ mod tests {
         assert_eq!(judged(&room(false), (54, 20), (4, 4), (54, 20)).stuck, 1);
     }
 
-    /// To go on it would have to go by a tenth of a pixel another way first, which something else is in.
+    /// To go on it would have to go by a tenth of a pixel another way first, which something else
+    /// is in.
     #[test]
     fn what_is_wedged_is_not_stuck() {
-        // Between a steep slope and a floor, between a slope's tip and a quarter disc; by 400 raw units behind the edge of a block.
+        // Between a steep slope and a floor, between a slope's tip and a quarter disc; by 400 raw
+        // units behind the edge of a block.
         let wedges = [
             ([(5, 26), (10, 30)], (1_390_497, 1_413_310), (2_104_829, 2_097_152), (-331_959, 1_521_289)),
             ([(1, 29), (6, 12)], (1_572_864, 1_037_854), (2_166_626, 1_721_824), (-162_509, 141_606)),

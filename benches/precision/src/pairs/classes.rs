@@ -1,4 +1,5 @@
-//! Classes of pairs: the plain ones, in which no number format is ever wrong, and those in which they go wrong.
+//! Classes of pairs: the plain ones, in which no number format is ever wrong, and those in which
+//! they go wrong.
 
 use tilesat_judge::Random;
 use tilesat_judge::oracle::figure::{Figure, Kind, Point};
@@ -95,7 +96,8 @@ fn around(r: &mut Random, kind: Kind, c: Point) -> (Figure, Point) {
     }
 }
 
-/// A pair whose middles are no further apart than `share` percent of what their boxes need to be apart.
+/// A pair whose middles are no further apart than `share` percent of what their boxes need to be
+/// apart.
 fn pair(r: &mut Random, kinds: (Kind, Kind), share: i64) -> Pair {
     let c = (r.around(64 * UNIT), r.around(64 * UNIT));
     let (a, m) = around(r, kinds.0, c);
@@ -172,7 +174,8 @@ fn unit_cross(a: i64, b: i64) -> Option<(i64, i64)> {
     (c > 0 && e > 0).then_some((c, e))
 }
 
-/// A circle that all but touches the point of the other shape that is nearest to it: a centre, a corner, an end.
+/// A circle that all but touches the point of the other shape that is nearest to it: a centre, a
+/// corner, an end.
 fn square(r: &mut Random, other: Kind) -> Pair {
     loop {
         let ((x, y), radius) = nearly_right(r);

@@ -53,7 +53,8 @@ pub fn count(sizes: &Sizes) {
     for kinds in PAIRS {
         let list = backends::all(kinds);
         for class in CLASSES {
-            // The judged ones come first from the same stream, so these are the first of them; what fits is decided by all.
+            // The judged ones come first from the same stream, so these are the first of them; what
+            // fits is decided by all.
             let pairs = class.pairs(kinds, sizes.counted);
             if pairs.is_empty() {
                 continue;

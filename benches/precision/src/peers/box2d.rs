@@ -22,7 +22,8 @@ pub fn vector((x, y): (i64, i64)) -> b2Vec2 {
 
 const ORIGIN: b2Vec2 = b2Vec2 { x: 0.0, y: 0.0 };
 
-/// A shape with its place: of circles and boxes the middle, of segments, which are walls, the origin.
+/// A shape with its place: of circles and boxes the middle, of segments, which are walls, the
+/// origin.
 trait Placed: 'static {
     fn of(figure: &Figure) -> (b2Vec2, Self);
 }

@@ -1,4 +1,5 @@
-//! ncollide2d in fixed point: its generic queries over simba's I16F16, the only other library here that computes in integers.
+//! ncollide2d in fixed point: its generic queries over simba's I16F16, the only other library here
+//! that computes in integers.
 
 use crate::job::{Format, List};
 use crate::pairs::classes::Pair;
@@ -70,7 +71,8 @@ fn contact<A: Placed, B: Placed>(list: &mut List<Pair, Answer>) {
     list.only_if(fits);
 }
 
-/// Circles only: where it walks a simplex, the format's root, which is sought by Newton's rule until nothing changes, may never end.
+/// Circles only: where it walks a simplex, the format's root, which is sought by Newton's rule
+/// until nothing changes, may never end.
 pub fn pairs(list: &mut List<Pair, Answer>, kinds: (Kind, Kind)) {
     match kinds {
         (Kind::Circle, Kind::Circle) => contact::<Ball<N>, Ball<N>>(list),

@@ -1,5 +1,6 @@
-//! parry2d, in both precisions: by its general queries, as its users do, and by the special functions beneath them, which get the one
-//! place relative to the other as a difference: nothing is turned.
+//! parry2d, in both precisions: by its general queries, as its users do, and by the special
+//! functions beneath them, which get the one place relative to the other as a difference: nothing
+//! is turned.
 
 /// What both precisions share: the modules below differ in the crate and its number.
 macro_rules! parry {
@@ -25,7 +26,8 @@ macro_rules! parry {
                 Vector::new(length(x as f64), length(y as f64))
             }
 
-            /// A shape with its place: of balls and boxes the middle, of segments, which are walls, the origin.
+            /// A shape with its place: of balls and boxes the middle, of segments, which are walls,
+            /// the origin.
             pub trait Placed: Shape + Sized {
                 fn of(figure: &Figure) -> (Pose, Self);
             }

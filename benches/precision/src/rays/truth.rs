@@ -1,7 +1,9 @@
-//! What a ray meets, exactly: where it touches the solid first, and where it first enters its inside.
+//! What a ray meets, exactly: where it touches the solid first, and where it first enters its
+//! inside.
 //!
-//! Between two crossings of lines a ray is in one cell, or on the line between two; at a crossing it touches up to four. Crossings are
-//! fractions below 2^30, so that products of two fit 64 bits; no cell is skipped and nothing is walked.
+//! Between two crossings of lines a ray is in one cell, or on the line between two; at a crossing
+//! it touches up to four. Crossings are fractions below 2^30, so that products of two fit 64 bits;
+//! no cell is skipped and nothing is walked.
 
 use super::classes::Ray;
 use super::level::{CELL, Level};
@@ -98,8 +100,8 @@ pub type Answer = Option<f64>;
 /// How far from the true place an answer still means the same cell.
 const NEAR: f64 = 1.0 / 64.0;
 
-/// Holds answers against the truth. An answer is right that fits one of the conventions: libraries that walk cells
-/// have one side of a cell closed, and are not told which.
+/// Holds answers against the truth. An answer is right that fits one of the conventions: libraries
+/// that walk cells have one side of a cell closed, and are not told which.
 pub fn judge(row: &mut Row, truths: &[Truth], answers: &[Answer], format: Format) {
     let (mut wrong, mut closed, mut hits, mut late) = (0u32, 0u32, 0u32, 0u32);
     let (mut max, mut sum, mut n) = ((0.0f64, 0.0f64), (0.0, 0.0), 0u32);
@@ -125,7 +127,8 @@ pub fn judge(row: &mut Row, truths: &[Truth], answers: &[Answer], format: Format
         sum = (sum.0 + px.abs(), sum.1 + ulps);
         n += 1;
     }
-    // What fits neither is wrong; what the closed convention alone says is told beside it, and is never fewer.
+    // What fits neither is wrong; what the closed convention alone says is told beside it, and is
+    // never fewer.
     row.set("queries", truths.len() as f64).set("hits", hits.into()).set("late", late.into());
     row.set("wrong", wrong.into()).set("wrong_closed", closed.into());
     if n > 0 {

@@ -1,4 +1,5 @@
-//! Circles among solid cells: every cell that the circle's box, or the box of its whole way, covers.
+//! Circles among solid cells: every cell that the circle's box, or the box of its whole way,
+//! covers.
 
 use crate::dda::{CELL, Grid};
 use crate::shape::{Aabb, Circle, Vector};

@@ -1,9 +1,11 @@
-//! Rays through a grid of solid cells: the walk of Amanatides and Woo over a number format, and the same in exact integers.
+//! Rays through a grid of solid cells: the walk of Amanatides and Woo over a number format, and the
+//! same in exact integers.
 
 use crate::Scalar;
 use crate::shape::Vector;
 
-/// Square cells of so many pixels, a power of two, one byte each: not zero is solid. Outside of it a ray ends.
+/// Square cells of so many pixels, a power of two, one byte each: not zero is solid. Outside of it
+/// a ray ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Grid<'a, const SIDE: i32 = CELL> {
     pub cells: &'a [u8],
@@ -90,7 +92,8 @@ fn exact_axis<const SIDE: i32>(o: i32, d: i32) -> (i32, i32, i32) {
     if d < 0 { (low, -d, -1) } else { (cell - low, d, 1) }
 }
 
-/// Lines are ordered by comparing products; through a corner it steps to the opposite cell. Motions are below 2^30.
+/// Lines are ordered by comparing products; through a corner it steps to the opposite cell. Motions
+/// are below 2^30.
 pub fn cast_exact<const SIDE: i32>(grid: &Grid<'_, SIDE>, o: (i32, i32), d: (i32, i32)) -> Option<ExactHit> {
     let shift = Grid::<SIDE>::SHIFT;
     let (mut x, mut y) = (o.0 >> shift, o.1 >> shift);

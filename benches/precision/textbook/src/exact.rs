@@ -1,6 +1,8 @@
-//! The same booleans in integers wide enough for every product: never wrong, and nothing is tested before the deciding comparison.
+//! The same booleans in integers wide enough for every product: never wrong, and nothing is tested
+//! before the deciding comparison.
 //!
-//! Not the library's code: what its answers cost without its filters. Coordinates are below 2^29, so that sums of two products are below 2^62.
+//! Not the library's code: what its answers cost without its filters. Coordinates are below 2^29,
+//! so that sums of two products are below 2^62.
 
 /// Raw units.
 #[derive(Clone, Copy, Debug)]

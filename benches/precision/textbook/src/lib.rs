@@ -1,8 +1,10 @@
-//! What collision code looks like where nobody thinks about rounding: the formulas of the textbooks, written once over a number format.
+//! What collision code looks like where nobody thinks about rounding: the formulas of the
+//! textbooks, written once over a number format.
 //!
-//! They decide whether a pair overlaps, and tell depth and normal. Floating point, Q16.16 as hobby code has it, and Q16.16
-//! in wider registers are instances; [`exact`] has the same questions in integers that cannot be wrong, and no filter in front.
-//! All of it runs without a standard library, so that the same code is counted on a microcontroller.
+//! They decide whether a pair overlaps, and tell depth and normal. Floating point, Q16.16 as hobby
+//! code has it, and Q16.16 in wider registers are instances; [`exact`] has the same questions in
+//! integers that cannot be wrong, and no filter in front. All of it runs without a standard
+//! library, so that the same code is counted on a microcontroller.
 
 #![no_std]
 

@@ -1,5 +1,5 @@
-//! Pairs: whether they overlap, and how. Where a circle may be a point or a segment has no length, touching is overlapping: strictly, they would
-//! overlap nothing.
+//! Pairs: whether they overlap, and how. Where a circle may be a point or a segment has no length,
+//! touching is overlapping: strictly, they would overlap nothing.
 
 use crate::Scalar;
 use crate::shape::{Aabb, Circle, Contact, Segment, Vector};

@@ -102,7 +102,8 @@ fn root64(v: f64) -> f64 {
     v.sqrt()
 }
 
-/// What a program without a standard library gets, with an FPU too: the instruction has no stable name there.
+/// What a program without a standard library gets, with an FPU too: the instruction has no stable
+/// name there.
 #[cfg(target_os = "none")]
 #[inline]
 fn root32(v: f32) -> f32 {
@@ -115,7 +116,8 @@ fn root64(v: f64) -> f64 {
     libm::sqrt(v)
 }
 
-/// Q16.16 as games without a library have it: every product is cut to 32 bits at once, rounds down and wraps.
+/// Q16.16 as games without a library have it: every product is cut to 32 bits at once, rounds down
+/// and wraps.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Q16(i32);
 

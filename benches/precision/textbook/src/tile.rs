@@ -1,4 +1,5 @@
-//! Boxes and circles out of tiles: one contact for each kind of tile, as hobby code has it, and none for what tiles are together.
+//! Boxes and circles out of tiles: one contact for each kind of tile, as hobby code has it, and
+//! none for what tiles are together.
 
 use crate::Scalar;
 use crate::pair::{contact_aabb_aabb, contact_circle_aabb};
@@ -18,7 +19,8 @@ pub enum Tile<S> {
     Empty,
     Full,
     Polygon(Polygon<S>),
-    /// A quarter disc: its centre is a corner of the cell, and `toward` (1 or -1 each) leads into the cell.
+    /// A quarter disc: its centre is a corner of the cell, and `toward` (1 or -1 each) leads into
+    /// the cell.
     Disc {
         centre: Vector<S>,
         toward: Vector<S>,
@@ -86,7 +88,8 @@ fn away<S: Scalar>(d: Vector<S>, r: S) -> Option<Exit<S>> {
     (distance > S::ZERO).then(|| Exit { depth: r - distance, along: Vector { x: d.x / distance, y: d.y / distance } })
 }
 
-/// The exits through the two straight sides that meet in the centre, of what reaches `(x, y)` beyond them.
+/// The exits through the two straight sides that meet in the centre, of what reaches `(x, y)`
+/// beyond them.
 fn through_sides<S: Scalar>(reach: Vector<S>) -> Exit<S> {
     let x = Exit { depth: reach.x, along: Vector { x: -S::ONE, y: S::ZERO } };
     shorter(x, Exit { depth: reach.y, along: Vector { x: S::ZERO, y: -S::ONE } })

@@ -4,7 +4,8 @@ use crate::Scalar;
 use crate::shape::Vector;
 use crate::tile::{Polygon, Tile};
 
-/// What it is, the number of corners, then five corners and five normals of a polygon, or the centre of an arc and where it leads; raw.
+/// What it is, the number of corners, then five corners and five normals of a polygon, or the
+/// centre of an arc and where it leads; raw.
 pub type RawTile = [i32; 22];
 
 pub const EMPTY: i32 = 0;

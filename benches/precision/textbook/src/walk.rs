@@ -1,5 +1,5 @@
-//! A body that goes through a level of tiles and slides: by one axis after the other, to where it goes or along all that it crosses, or in
-//! small steps and out again.
+//! A body that goes through a level of tiles and slides: by one axis after the other, to where it
+//! goes or along all that it crosses, or in small steps and out again.
 
 use crate::Scalar;
 use crate::shape::{Aabb, Vector};
@@ -17,7 +17,8 @@ pub struct Level<'a, S> {
     pub tiles: &'a [Tile<S>; 34],
 }
 
-/// What keeps a body that stands on a line out of the cell behind it: about a thousandth of a pixel.
+/// What keeps a body that stands on a line out of the cell behind it: about a thousandth of a
+/// pixel.
 const LITTLE: i32 = 64;
 /// As far as a body goes before it is pushed out, in pixels.
 const STEP: i32 = 4;
@@ -91,7 +92,8 @@ pub fn by_axes<S: Scalar>(level: &Level<'_, S>, body: &Aabb<S>, motion: Vector<S
     Aabb { lo, hi: lo + size }
 }
 
-/// Of blocks: x first, then y, and all columns and rows on the way are looked at. No slack: a body that stands on a line is beside it.
+/// Of blocks: x first, then y, and all columns and rows on the way are looked at. No slack: a body
+/// that stands on a line is beside it.
 pub fn by_columns<S: Scalar>(level: &Level<'_, S>, body: &Aabb<S>, motion: Vector<S>) -> Aabb<S> {
     let size = body.hi - body.lo;
     let mut lo = body.lo;

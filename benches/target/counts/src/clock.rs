@@ -1,7 +1,8 @@
 //! What an emulated core tells of the instructions that it has run.
 //!
-//! Under `-icount shift=10` one instruction takes 1024 ns of virtual time. On Cortex-M timers run off that time: SysTick at 12.5 to
-//! 25 MHz, so it moves by 12.8 to 25.6 ticks an instruction. A RISC-V core counts retired instructions itself.
+//! Under `-icount shift=10` one instruction takes 1024 ns of virtual time. On Cortex-M timers run
+//! off that time: SysTick at 12.5 to 25 MHz, so it moves by 12.8 to 25.6 ticks an instruction. A
+//! RISC-V core counts retired instructions itself.
 
 /// A count that goes up or down by so much an instruction.
 pub trait Clock {
@@ -45,7 +46,8 @@ mod arm {
 
         #[inline(always)]
         fn now() -> u32 {
-            // SAFETY: SysTick's current value register exists on every Cortex-M board used here; reading it has no effect.
+            // SAFETY: SysTick's current value register exists on every Cortex-M board used here;
+            // reading it has no effect.
             unsafe { CURRENT.read_volatile() }
         }
 
@@ -103,7 +105,8 @@ mod riscv {
         #[inline(always)]
         fn now() -> u32 {
             let count: u32;
-            // SAFETY: firmware runs in machine mode, where this register can be read; reading it has no effect.
+            // SAFETY: firmware runs in machine mode, where this register can be read; reading it
+            // has no effect.
             unsafe { asm!("csrr {0}, minstret", out(reg) count) };
             count
         }

@@ -1,4 +1,5 @@
-//! An exact instruction counter for the emulator: a clock, and how many of its ticks an instruction takes.
+//! An exact instruction counter for the emulator: a clock, and how many of its ticks an instruction
+//! takes.
 //!
 //! A known loop gives the divisor, so no clock rate is written down here.
 

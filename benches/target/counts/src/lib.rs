@@ -1,4 +1,5 @@
-//! What the counting firmwares share: the counter, the measurement of a row, its inputs, and what the core needs to start.
+//! What the counting firmwares share: the counter, the measurement of a row, its inputs, and what
+//! the core needs to start.
 
 //! On a computer the crate is empty.
 #![no_std]

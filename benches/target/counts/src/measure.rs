@@ -1,8 +1,9 @@
 //! One row of the table: a query over a fixed set of inputs.
 //!
-//! A query is called through a pointer with its operands by reference, so that nothing is inlined or folded.
-//! *By reference* is that call minus an empty call of the same signature. *Kernel* is that call minus a call which does nothing but
-//! load the operand words that the query needs in that class: the count with operands in registers.
+//! A query is called through a pointer with its operands by reference, so that nothing is inlined
+//! or folded. *By reference* is that call minus an empty call of the same signature. *Kernel* is
+//! that call minus a call which does nothing but load the operand words that the query needs in
+//! that class: the count with operands in registers.
 
 use crate::CORE;
 use crate::clock::{Clock, Short};
@@ -16,7 +17,8 @@ use core::hint::black_box;
 use core::mem::MaybeUninit;
 use tilesat_chip::{eprintln, println, process};
 
-/// A query on two operands. The wrapper makes the empty call and the loads the same type as the query.
+/// A query on two operands. The wrapper makes the empty call and the loads the same type as the
+/// query.
 pub type Query<A, B, R> = fn(&A, &B) -> MaybeUninit<R>;
 
 /// How many inputs a row is measured on.
@@ -25,7 +27,8 @@ const INPUTS: u32 = 64;
 /// Kernel instructions that a row may take on a Cortex-M0 and on a Cortex-M3.
 pub type Budget = Option<(u32, u32)>;
 
-/// An instruction that does nothing, by which the emulator's plugin knows where a call that it models begins and ends.
+/// An instruction that does nothing, by which the emulator's plugin knows where a call that it
+/// models begins and ends.
 macro_rules! mark {
     ($instruction:literal) => {
         // SAFETY: changes nothing.
@@ -83,7 +86,8 @@ impl Table {
         process::exit(i32::from(self.wrong != 0))
     }
 
-    /// One row: `next` makes an input of the class, `loads` is the baseline for it, `expect` tells whether the answer is the class's.
+    /// One row: `next` makes an input of the class, `loads` is the baseline for it, `expect` tells
+    /// whether the answer is the class's.
     pub fn row<A, B, R>(
         &mut self,
         name: &str,
@@ -123,7 +127,8 @@ impl Table {
     }
 }
 
-/// Instructions of one call: without those of the loads, and without those of an empty call alone. `query` runs once.
+/// Instructions of one call: without those of the loads, and without those of an empty call alone.
+/// `query` runs once.
 pub fn sample<A, B, R>(
     counter: &Counter<Short>,
     query: Query<A, B, R>,
@@ -158,7 +163,8 @@ pub fn nothing<A, B, R>(_: &A, _: &B) -> MaybeUninit<R> {
     MaybeUninit::uninit()
 }
 
-/// A call that loads the first `NA` words of A and the first `NB` of B, however the compiler likes to.
+/// A call that loads the first `NA` words of A and the first `NB` of B, however the compiler likes
+/// to.
 #[inline(never)]
 pub fn load<A, B, R, const NA: usize, const NB: usize>(a: &A, b: &B) -> MaybeUninit<R> {
     const {
@@ -166,7 +172,8 @@ pub fn load<A, B, R, const NA: usize, const NB: usize>(a: &A, b: &B) -> MaybeUni
         assert!(NA == 0 || align_of::<A>() >= 4);
         assert!(NB == 0 || align_of::<B>() >= 4);
     }
-    // SAFETY: inside both operands and aligned, by the assertions; the operands of the rows have no padding.
+    // SAFETY: inside both operands and aligned, by the assertions; the operands of the rows have no
+    // padding.
     unsafe {
         words::<NA>(core::ptr::from_ref(a).cast());
         words::<NB>(core::ptr::from_ref(b).cast());

@@ -1,16 +1,20 @@
-//! How much stack a call takes, exactly for what ran: the memory below is painted before it, and read after it.
+//! How much stack a call takes, exactly for what ran: the memory below is painted before it, and
+//! read after it.
 
 use crate::measure::Query;
 use core::arch::asm;
 use core::hint::black_box;
 
-/// Words that are painted below the caller: more than any query takes, and less than a scene of 64 bodies leaves of 16 KB.
+/// Words that are painted below the caller: more than any query takes, and less than a scene of 64
+/// bodies leaves of 16 KB.
 const WORDS: usize = 768;
 const PAINT: u32 = 0x5a5a_a5a5;
 
-/// Bytes of stack that a query takes, its return address included, its operands and its answer not: they are the caller's.
+/// Bytes of stack that a query takes, its return address included, its operands and its answer not:
+/// they are the caller's.
 ///
-/// A deepest word that happens to be written with the paint's value is missed; with several inputs it is not.
+/// A deepest word that happens to be written with the paint's value is missed; with several inputs
+/// it is not.
 #[inline(never)]
 pub fn depth<A, B, R>(query: Query<A, B, R>, a: &A, b: &B) -> u32 {
     let (query, a, b) = black_box((query, a, b));
@@ -25,7 +29,8 @@ pub fn depth<A, B, R>(query: Query<A, B, R>, a: &A, b: &B) -> u32 {
 #[inline(always)]
 fn used(bottom: *const u32) -> u32 {
     let mut i = 0;
-    // SAFETY: still below the caller's frame, which has not moved, and inside of RAM; nothing else runs.
+    // SAFETY: still below the caller's frame, which has not moved, and inside of RAM; nothing else
+    // runs.
     while i < WORDS && unsafe { bottom.add(i).read_volatile() } == PAINT {
         i += 1;
     }
@@ -36,7 +41,8 @@ fn used(bottom: *const u32) -> u32 {
 #[inline(always)]
 fn paint() -> *const u32 {
     let mut at: *const u32;
-    // SAFETY: no interrupt is enabled, so memory below the stack pointer belongs to nobody; it is inside of RAM, whose 16 KB are mostly stack.
+    // SAFETY: no interrupt is enabled, so memory below the stack pointer belongs to nobody; it is
+    // inside of RAM, whose 16 KB are mostly stack.
     #[cfg(target_arch = "arm")]
     unsafe {
         asm!(

@@ -1,4 +1,5 @@
-//! The frame of a program that holds one query and everything it pulls in, and of one that holds all there is.
+//! The frame of a program that holds one query and everything it pulls in, and of one that holds
+//! all there is.
 //!
 //! On a computer the programs are only checked: their `main` does nothing.
 
@@ -25,7 +26,8 @@ pub fn frame<B: BroadPhase<Tag = ()>>(mut near: B, boxes: &[Aabb], moved: &[Aabb
     sum
 }
 
-/// A program whose entry runs `$query` on operands that the compiler knows nothing of, and stores the whole answer.
+/// A program whose entry runs `$query` on operands that the compiler knows nothing of, and stores
+/// the whole answer.
 #[macro_export]
 macro_rules! program {
     (|$a:ident: $A:ty, $b:ident: $B:ty| $query:expr) => {
@@ -53,9 +55,11 @@ macro_rules! program {
     };
 }
 
-/// A whole game: its state in a static, so that the linker tells how large it is, and a frame without end.
+/// A whole game: its state in a static, so that the linker tells how large it is, and a frame
+/// without end.
 ///
-/// `$begin` makes of the state the game in it; what a frame needs of the outside it reads by [`port`].
+/// `$begin` makes of the state the game in it; what a frame needs of the outside it reads by
+/// [`port`].
 #[macro_export]
 macro_rules! game {
     ($State:ty = $empty:expr, $level:ident = $load:expr, |$state:ident| $begin:expr, |$game:ident| $frame:expr) => {
@@ -111,7 +115,8 @@ pub fn port() -> u32 {
     unsafe { (0x4000_0000 as *const u32).read_volatile() }
 }
 
-/// A program that holds all these functions, each with arguments that the compiler knows nothing of: what they link, they may run.
+/// A program that holds all these functions, each with arguments that the compiler knows nothing
+/// of: what they link, they may run.
 ///
 /// Its panics all end in a function that cannot be inlined away, so that none is missed.
 #[macro_export]
@@ -144,9 +149,11 @@ macro_rules! everything {
     };
 }
 
-/// Links these expressions, each as the body of a function that the compiler cannot know the callers of, with its whole answer.
+/// Links these expressions, each as the body of a function that the compiler cannot know the
+/// callers of, with its whole answer.
 ///
-/// The function's symbol says which expression it is, and for which types: the table of stack bounds is made by it.
+/// The function's symbol says which expression it is, and for which types: the table of stack
+/// bounds is made by it.
 #[macro_export]
 macro_rules! keep {
     ($(|$($x:ident: $t:ty),*| $answer:expr;)+) => {

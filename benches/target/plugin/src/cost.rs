@@ -1,7 +1,8 @@
 //! What each instruction of ARMv6-M costs on a Cortex-M0+, by the timings in its reference manual.
 //!
-//! With a multiplier of one cycle, as the RP2040 and most others have it, and memory without wait states. An access to memory is two
-//! cycles; a port with accesses of one cycle is not modelled. So is no stall by another bus master, by flash or by its cache.
+//! With a multiplier of one cycle, as the RP2040 and most others have it, and memory without wait
+//! states. An access to memory is two cycles; a port with accesses of one cycle is not modelled. So
+//! is no stall by another bus master, by flash or by its cache.
 
 /// What an instruction costs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -49,7 +50,8 @@ pub fn of(code: u16) -> Cost {
     }
 }
 
-/// The cost of one of four bytes, of which this is the first half: BL, and reads and writes of special registers and barriers, all three.
+/// The cost of one of four bytes, of which this is the first half: BL, and reads and writes of
+/// special registers and barriers, all three.
 pub fn of_long(_: u16) -> Cost {
     Plain(3)
 }

@@ -1,7 +1,9 @@
-//! A plugin of QEMU that models the cycles of a Cortex-M0+ from what a program for the Cortex-M0 runs.
+//! A plugin of QEMU that models the cycles of a Cortex-M0+ from what a program for the Cortex-M0
+//! runs.
 //!
-//! It tells them of every stretch between `mov r9, r9` and `mov r10, r10`, two instructions that do nothing and that no compiler writes:
-//! `instructions N cycles M`, the second of the two not among them. Written for version 1 of the plugin interface.
+//! It tells them of every stretch between `mov r9, r9` and `mov r10, r10`, two instructions that do
+//! nothing and that no compiler writes: `instructions N cycles M`, the second of the two not among
+//! them. Written for version 1 of the plugin interface.
 
 mod cost;
 
@@ -96,7 +98,8 @@ fn tell(text: &str) {
 }
 
 extern "C" fn translated(_: u64, block: *mut c_void) {
-    // SAFETY: the emulator's own objects, asked only while it lends them; an instruction is two or four bytes.
+    // SAFETY: the emulator's own objects, asked only while it lends them; an instruction is two or
+    // four bytes.
     unsafe {
         for i in 0..qemu_plugin_tb_n_insns(block) {
             let instruction = qemu_plugin_tb_get_insn(block, i);

@@ -263,8 +263,8 @@ const OVER_Y: FourCells = 4;
 const AHEAD: FourCells = 8;
 const ALL: FourCells = 15;
 
-/// For each [`FourCells`], whether a face between columns is met (then one between rows): a full cell
-/// behind one that is not.
+/// For each [`FourCells`], whether a face between columns is met (then one between rows): a full
+/// cell behind one that is not.
 const FACES: [u32; 2] = {
     let (mut faces, mut around) = ([0, 0], 0);
     while around < 16 {

@@ -6,7 +6,8 @@ use crate::world::tile_map::occupancy::{AREA, AREA_LOG};
 use crate::world::tile_map::{Set, Store, TileMap};
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// [`run_from`](Self::run_from) that passes empty areas: pieces of it, each as far as into the next area.
+    /// [`run_from`](Self::run_from) that passes empty areas: pieces of it, each as far as into the
+    /// next area.
     #[inline(never)]
     pub(super) fn run_open<const ANY: bool>(&self, x: &Lane, y: &Lane, mut e: i32, even: bool) -> BlockRun {
         let (mut u, mut v, cell) = (*x, *y, self.grid.cell as u32);
@@ -27,8 +28,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// Goes on through empty areas, to where the next line leads out of the last of them. The new lead is returned, and whether the motion ends, or
-    /// leaves the map, in one.
+    /// Goes on through empty areas, to where the next line leads out of the last of them. The new
+    /// lead is returned, and whether the motion ends, or leaves the map, in one.
     ///
     /// ```text
     ///   +-------+-------+-------+     Each step is over a border of an area, which is a line of cells too: the lead of the next two
@@ -38,7 +39,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///   |       |   `-x_|  #    |
     /// ```
     ///
-    /// A corner of areas is left to be looked at. Bits: a lead divided by a cell is below 2^31, and sizes times the side of an area below 2^35.
+    /// A corner of areas is left to be looked at. Bits: a lead divided by a cell is below 2^31, and
+    /// sizes times the side of an area below 2^35.
     #[inline]
     fn pass(&self, x: &mut Lane, y: &mut Lane, e: i32, even: bool) -> (i32, bool) {
         let (areas, stride) = self.areas();

@@ -1,4 +1,5 @@
-//! Decodes what the firmware logged and compares it with the reviewed lines, and the types that came with those that the documentation lists.
+//! Decodes what the firmware logged and compares it with the reviewed lines, and the types that
+//! came with those that the documentation lists.
 //!
 //! ```text
 //! tilesat-defmt-check PROGRAM.elf FRAMES DOCUMENTATION EXPECTED [--accept]

@@ -1,10 +1,12 @@
-//! The public types, as rustdoc lists them: what is private or hidden is not there, and what is added is, without a list to keep.
+//! The public types, as rustdoc lists them: what is private or hidden is not there, and what is
+//! added is, without a list to keep.
 
 use std::collections::BTreeSet;
 use std::error::Error;
 use std::path::Path;
 
-/// Where each public struct, enum and union is defined: `tilesat::num::vec2::Vec2`, as `core::any::type_name` says it too.
+/// Where each public struct, enum and union is defined: `tilesat::num::vec2::Vec2`, as
+/// `core::any::type_name` says it too.
 ///
 /// A type that two modules show is defined once, and so is here once.
 pub(crate) fn public(docs: &Path) -> Result<BTreeSet<String>, Box<dyn Error>> {

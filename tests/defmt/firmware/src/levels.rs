@@ -1,4 +1,5 @@
-//! Levels of tiles, of lines, of solids, joined and placed; what they are asked, and the cursors that answer.
+//! Levels of tiles, of lines, of solids, joined and placed; what they are asked, and the cursors
+//! that answer.
 
 use crate::tell;
 use tilesat::heapless::Vec;

@@ -1,4 +1,5 @@
-//! Logs a value of every public type: one frame each, of the type's path and the value. The host decodes them (`check`).
+//! Logs a value of every public type: one frame each, of the type's path and the value. The host
+//! decodes them (`check`).
 
 #![no_std]
 #![no_main]

@@ -1,4 +1,5 @@
-//! Golden hashes: every public query over fixed vectors, and ten thousand frames of three games, the same bits on every target.
+//! Golden hashes: every public query over fixed vectors, and ten thousand frames of three games,
+//! the same bits on every target.
 //!
 //! ```text
 //! cargo run --release -p tilesat-golden                  on this computer: a line for each query and each kind of shape or level,
@@ -19,7 +20,8 @@ use std::process::ExitCode;
 use tilesat_golden::table::{PATH, Table, VERSION};
 use tilesat_golden::{LEAST, VECTORS};
 
-/// For a page or a script: runs all with at most so many vectors; the import `golden.line` is given each line as text.
+/// For a page or a script: runs all with at most so many vectors; the import `golden.line` is given
+/// each line as text.
 #[cfg(target_arch = "wasm32")]
 #[allow(unsafe_code, reason = "names that the host finds, and a function that it has")]
 mod page {

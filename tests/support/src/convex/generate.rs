@@ -1,4 +1,5 @@
-//! Streams of pairs: anywhere, on small lattices, touching to the bit, nearly touching, up to the ends of the domain.
+//! Streams of pairs: anywhere, on small lattices, touching to the bit, nearly touching, up to the
+//! ends of the domain.
 
 use super::shape::{Kind, MOST, Shape, hull, sum};
 use crate::oracle::figure::{LIMIT, Point};
@@ -11,7 +12,8 @@ pub enum Class {
     Uniform,
     /// A few lattice points of any spacing: full of ties, parallels and flat shapes.
     Lattice,
-    /// The origin on the border of the sum: a corner, a point of a side, or an arc by a Pythagorean triple.
+    /// The origin on the border of the sum: a corner, a point of a side, or an arc by a Pythagorean
+    /// triple.
     Touch,
     /// The same, and then up to 2 raw off.
     Near,
@@ -89,7 +91,8 @@ fn touch(r: &mut Random, a: Shape, b: Shape) -> (Shape, Shape) {
     let g = gcd(e.0, e.1).max(1);
     let k = if r.one_in(3) { 0 } else { r.within(0, g) };
     let on = (p.0 + e.0 / g * k, p.1 + e.1 / g * k);
-    // Out of there by the radii, in a direction in which that is whole: an axis, a triple, or across the side if it is one.
+    // Out of there by the radii, in a direction in which that is whole: an axis, a triple, or
+    // across the side if it is one.
     let n = sum.radius;
     let (x, y, h) = [(1, 0, 1), (3, 4, 5), (5, 12, 13), (4, 3, 5), (0, 1, 1)][r.below(5) as usize];
     let out = if n % h == 0 { (r.sign() * x * n / h, r.sign() * y * n / h) } else { (r.sign() * n, 0) };

@@ -1,6 +1,8 @@
-//! The convex family: capsules, turned boxes and polygons with each other and with the three plain shapes.
+//! The convex family: capsules, turned boxes and polygons with each other and with the three plain
+//! shapes.
 //!
-//! The judge is that of [`oracle`](crate::oracle): the sum `A + (-B)` as an explicit hull, and the origin's place in it.
+//! The judge is that of [`oracle`](crate::oracle): the sum `A + (-B)` as an explicit hull, and the
+//! origin's place in it.
 
 pub mod ask;
 pub mod generate;

@@ -57,7 +57,8 @@ pub fn pairs() -> impl Iterator<Item = (Kind, Kind)> {
     (3..6).flat_map(|i| (0..=i).map(move |j| (KINDS[i], KINDS[j])))
 }
 
-/// `h d / |d|` for a component `d` of a direction with the square `square`, to nearest: twice it rounded down, and half of that up.
+/// `h d / |d|` for a component `d` of a direction with the square `square`, to nearest: twice it
+/// rounded down, and half of that up.
 fn part(h: i64, d: i64, square: u128) -> i64 {
     let twice = 2 * u128::from(h.unsigned_abs()) * u128::from(d.unsigned_abs());
     let floor = (twice * twice / square).isqrt() as i64;

@@ -1,4 +1,5 @@
-//! What the library says about a pair, held against the judge. Failures print the pair as raw integers.
+//! What the library says about a pair, held against the judge. Failures print the pair as raw
+//! integers.
 
 use super::ask;
 use super::shape::{Shape, sum};
@@ -79,7 +80,8 @@ impl<'a> Pair<'a> {
         exit::verify_points(contact, (&seen(a, p), a.radius()), (&seen(b, q), b.radius()), &case);
     }
 
-    /// One or two points, along the contact's axis, on their shapes, as deep as they are there, and mirrored in the other order.
+    /// One or two points, along the contact's axis, on their shapes, as deep as they are there, and
+    /// mirrored in the other order.
     pub fn manifold(&self) {
         let (a, b) = (self.a, self.b);
         let (Some(found), Some(contact)) = (ask::manifold(a, b), ask::contact(a, b)) else {

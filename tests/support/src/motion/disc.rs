@@ -11,7 +11,8 @@ pub fn overlaps(c: P, r: i64, a: P, b: P) -> bool {
     len2(gap) < i128::from(r) * i128::from(r)
 }
 
-/// Whether a disc of positive radius that does not overlap the square does so at a moment up to `until`.
+/// Whether a disc of positive radius that does not overlap the square does so at a moment up to
+/// `until`.
 ///
 /// The sum of square and disc is two boxes and four discs around the corners.
 pub fn enters(c: P, r: i64, d: P, a: P, b: P, until: Time) -> bool {
@@ -28,7 +29,8 @@ fn enters_disc(m: P, r: i64, d: P, until: Time) -> bool {
         return false;
     }
     let (a, rr) = (len2(d), i128::from(r) * i128::from(r));
-    // The nearest moment is toward / a. Motions are below 2^29 and distances below 2^30.5 on each axis: products below 2^123.
+    // The nearest moment is toward / a. Motions are below 2^29 and distances below 2^30.5 on each
+    // axis: products below 2^123.
     if toward * i128::from(until.den) >= a * i128::from(until.num) {
         let at = |m: i64, d: i64| {
             let scaled = i128::from(m) * i128::from(until.den) + i128::from(d) * i128::from(until.num);
@@ -41,13 +43,15 @@ fn enters_disc(m: P, r: i64, d: P, until: Time) -> bool {
     cross * cross < rr * a
 }
 
-/// The first moment at which the foremost point of a circle on some axis meets a face, its ends included, and moves in.
+/// The first moment at which the foremost point of a circle on some axis meets a face, its ends
+/// included, and moves in.
 pub fn first_face(level: &Level, body: &Body, d: P) -> Option<Time> {
     let Body::Disc { c, r } = *body else { panic!("a circle is needed") };
     let mut first: Option<Time> = None;
     for (x, y) in level.cells_along(body, d).filter(|&(x, y)| level.full(x, y)) {
         let (a, b) = level.square(x, y);
-        // The gap along the motion, the speed, and the place beside it: low end, speed, length of the face.
+        // The gap along the motion, the speed, and the place beside it: low end, speed, length of
+        // the face.
         let x_face =
             (if d.0 > 0 { a.0 - c.0 } else { c.0 - b.0 } - r, d.0.abs(), c.1 - a.1, d.1, (x - d.0.signum(), y));
         let y_face =

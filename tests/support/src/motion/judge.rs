@@ -6,16 +6,17 @@ use super::rect::{self, First};
 use super::{P, Time, add, disc, dot, len2, path, point};
 use tilesat::{Hit, Mover, Response};
 
-/// Whether a circle goes on for 64 raw units without entering the solid: its place beside a corner is rounded, so the tangent there may lead into the corner
-/// by less than a raw unit although the circle is past it.
+/// Whether a circle goes on for 64 raw units without entering the solid: its place beside a corner
+/// is rounded, so the tangent there may lead into the corner by less than a raw unit although the
+/// circle is past it.
 fn passes(level: &Level, body: &Body, v: P) -> bool {
     let way = v.0.abs().max(v.1.abs());
     let (v, way) = if way < 64 { ((v.0 * 64, v.1 * 64), way * 64) } else { (v, way) };
     matches!(body, Body::Disc { .. }) && !disc::enters_solid(level, body, v, Time::new(64, way))
 }
 
-/// How early a circle's corner contact may be reported, in parts of 2^30: a few roundings of 31 bits, and the roots of short motions,
-/// which are whole raw units (less than a raw unit of way).
+/// How early a circle's corner contact may be reported, in parts of 2^30: a few roundings of 31
+/// bits, and the roots of short motions, which are whole raw units (less than a raw unit of way).
 fn early(d: P) -> i64 {
     (8 + (2 << 30) / len2(d)) as i64
 }
@@ -78,7 +79,8 @@ pub fn offset(from: &Body, to: &Body) -> P {
     (b.0 - a.0, b.1 - a.1)
 }
 
-/// Whether each hit names something that is there, with its flags, and the summary agrees (up is -y; what is crossed is no floor).
+/// Whether each hit names something that is there, with its flags, and the summary agrees (up is
+/// -y; what is crossed is no floor).
 fn judge_hits(level: &Level, response: Response, out: &Outcome) -> Result<(), String> {
     let (mut floor, mut wall, mut ceiling, mut flags) = (false, false, false, 0);
     for hit in out.hits.iter() {
@@ -146,7 +148,8 @@ pub fn first_hit(level: &Level, body: &Body, d: P, hit: Option<Hit>) -> Result<(
                     Err(format!("a one-way face at another time: {hit:?}, exact {one_way:?}"))
                 };
             }
-            // The time of a corner is a lower bound: it may come before a face that is met as much earlier.
+            // The time of a corner is a lower bound: it may come before a face that is met as much
+            // earlier.
             let face = disc::first_face(level, body, d).unwrap_or(Time::END);
             let wrong = if hit.index < 4 {
                 disc::enters_corner(level, body, d, face)
@@ -185,12 +188,13 @@ pub fn first_hit(level: &Level, body: &Body, d: P, hit: Option<Hit>) -> Result<(
     }
 }
 
-/// Where the first contact stops a body: the exact place for a box, within [`ASIDE`] of it for a circle's corner contact, and not
-/// beyond a one-way face that the exact motion has not passed.
+/// Where the first contact stops a body: the exact place for a box, within [`ASIDE`] of it for a
+/// circle's corner contact, and not beyond a one-way face that the exact motion has not passed.
 pub fn first_place(level: &Level, start: &Body, d: P, touched: &Outcome) -> Result<(), String> {
     let Some(hit) = touched.hits.first() else { return Ok(()) };
     let moved = offset(start, &touched.body);
-    // Faces: the normal's axis is exact, the other one is rounded toward the start: from the gap, not from the reported time.
+    // Faces: the normal's axis is exact, the other one is rounded toward the start: from the gap,
+    // not from the reported time.
     let exact = if hit.index < 4 {
         let (num, den) = gap(level, start, d, &hit);
         Time::new(num, den).part_of(d)
@@ -223,8 +227,9 @@ pub fn first_place(level: &Level, start: &Body, d: P, touched: &Outcome) -> Resu
     if passed { Err("went through a one-way face".to_owned()) } else { Ok(()) }
 }
 
-/// A circle that slides along one corner and reaches another may have no free lattice place there, and ends farther back or stays. After `s` along a tangent the
-/// first corner is `s^2 / 2r` away: beyond two raw, roundings are no obstacle any more.
+/// A circle that slides along one corner and reaches another may have no free lattice place there,
+/// and ends farther back or stays. After `s` along a tangent the first corner is `s^2 / 2r` away:
+/// beyond two raw, roundings are no obstacle any more.
 fn wedged(body: &Body, exact: P) -> bool {
     let Body::Disc { r, .. } = *body else { return false };
     len2(exact) < 4 * i128::from(r)

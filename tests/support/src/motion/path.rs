@@ -1,4 +1,5 @@
-//! Where a motion must end, from its reported hits: boxes exactly, circles from legs of straight motion, in floating point, within a few raw.
+//! Where a motion must end, from its reported hits: boxes exactly, circles from legs of straight
+//! motion, in floating point, within a few raw.
 //!
 //! The other checks say what must not happen; this one says that the body gets on.
 
@@ -25,8 +26,9 @@ fn near(a: P, b: V, within: f64) -> bool {
     (a.0 as f64 - b.0).abs() <= within && (a.1 as f64 - b.1).abs() <= within
 }
 
-/// What a motion has touched so far, and the velocity that it came to that with. A circle that lay on the first when its motion began is pressed against
-/// all that it has slid along since by the velocity of the start; one that came flying comes to the next with what the last has left.
+/// What a motion has touched so far, and the velocity that it came to that with. A circle that lay
+/// on the first when its motion began is pressed against all that it has slid along since by the
+/// velocity of the start; one that came flying comes to the next with what the last has left.
 struct Touched {
     by: V,
     planes: Vec<Plane>,
@@ -43,7 +45,8 @@ struct Plane {
     one_way: bool,
 }
 
-/// Whether a body is over a face that goes on from cell to cell; `None` within some raw units of where that changes.
+/// Whether a body is over a face that goes on from cell to cell; `None` within some raw units of
+/// where that changes.
 fn is_over(level: &Level, body: &Body, plane: &Plane) -> Option<bool> {
     let along_x = plane.normal.0 == 0.0;
     let n = (plane.normal.0 as i64, plane.normal.1 as i64);
@@ -67,8 +70,9 @@ impl Touched {
     /// By how much a plane may have been left and counts as touched, in raw units.
     const NEAR: f64 = 4.0;
 
-    /// Drops what a leg has left: faces by rising or by going past their end, corners by another way than round them, or by flying past. Whether that is
-    /// certain: not where a body just passes the end of a face.
+    /// Drops what a leg has left: faces by rising or by going past their end, corners by another
+    /// way than round them, or by flying past. Whether that is certain: not where a body just
+    /// passes the end of a face.
     fn slide(&mut self, leg: V, level: &Level, there: &Body) -> bool {
         let (way, lies) = (leg.0.abs().max(leg.1.abs()), self.lies);
         let mut certain = true;
@@ -105,8 +109,9 @@ impl Touched {
     }
 }
 
-/// Whether a circle of velocity `v` lies on what it hits after a leg: it is as near as roundings leave it, or as a step along a corner's tangent does, which
-/// rises by `s^2 / 2 rho` over a way `s`. `None` where a raw unit would decide that.
+/// Whether a circle of velocity `v` lies on what it hits after a leg: it is as near as roundings
+/// leave it, or as a step along a corner's tangent does, which rises by `s^2 / 2 rho` over a way
+/// `s`. `None` where a raw unit would decide that.
 fn lies(leg: V, v: V, hit: &Hit) -> Option<bool> {
     let n = (f64::from(hit.axis.x), f64::from(hit.axis.y));
     let (rho, was) = (n.0.hypot(n.1), (n.0 - leg.0).hypot(n.1 - leg.1));
@@ -126,13 +131,14 @@ fn lies(leg: V, v: V, hit: &Hit) -> Option<bool> {
     if over.abs() < 3.0 || (4.0 * s - rho).abs() < 4.0 { None } else { Some(over < 0.0) }
 }
 
-/// Away from zero: a way that leads into a wall by a part of a raw unit is bound too. What is no part at all is the noise of floats.
+/// Away from zero: a way that leads into a wall by a part of a raw unit is bound too. What is no
+/// part at all is the noise of floats.
 fn outward(c: f64) -> f64 {
     if c.abs() < 1.0e-6 { 0.0 } else { c.abs().ceil().copysign(c) }
 }
 
-/// Whether velocity and place are what the hits imply. Corners with hits at the same place are not judged: planes that are touched
-/// together are projected on together.
+/// Whether velocity and place are what the hits imply. Corners with hits at the same place are not
+/// judged: planes that are touched together are projected on together.
 pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let hits: Vec<&Hit> = out.hits.iter().collect();
     let corners = hits.iter().any(|h| h.index >= 4);
@@ -140,7 +146,8 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     let leg = |vel: V, time: f64| (vel.0 * time, vel.1 * time);
     let plus = |a: V, b: V| (a.0 + b.0, a.1 + b.1);
     let mut first_leg = None;
-    // A circle between two corners may stay where it is, a little before the contact: then both are touched together.
+    // A circle between two corners may stay where it is, a little before the contact: then both are
+    // touched together.
     let wedge = if let Body::Disc { r, .. } = *start { 2.0 * (r as f64).sqrt() } else { 0.0 };
     let slides = matches!(response, Response::Slide | Response::DropThrough);
     let mut touched = Touched { by: vel, planes: Vec::new(), lies: false };
@@ -180,7 +187,8 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
             }
         }
     }
-    // Four hits use up the iterations: what is left is reported and not made, and where the last left it is seen in the next call.
+    // Four hits use up the iterations: what is left is reported and not made, and where the last
+    // left it is seen in the next call.
     if corners && hits.len() as u32 == Mover::ITERATIONS {
         return Ok(());
     }
@@ -192,11 +200,13 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     let radius = hits.iter().filter(|h| h.index >= 4).map(|h| f64::from(h.axis.x).hypot(f64::from(h.axis.y)));
     let turns = 3.0 * length / radius.fold(f64::INFINITY, f64::min);
     let rounding = (8.0 + length / f64::from(1 << 24) + turns) * hits.len().max(1) as f64;
-    // What the hits do not tell: something else that was touched at the end, in the way for the next 64 raw units.
+    // What the hits do not tell: something else that was touched at the end, in the way for the
+    // next 64 raw units.
     let disc = matches!(start, Body::Disc { r, .. } if *r > 0);
     let blocked = |d: V, far: f64, rounded: fn(f64) -> f64| {
         let way = d.0.abs().max(d.1.abs()).max(1.0);
-        // Away from zero: a way that leads into a wall by a part of a raw unit is bound too. What is no part at all is the noise of floats.
+        // Away from zero: a way that leads into a wall by a part of a raw unit is bound too. What
+        // is no part at all is the noise of floats.
         let d = (rounded(d.0 * far / way) as i64, rounded(d.1 * far / way) as i64);
         let one_way = || response != Response::DropThrough && rect::first_one_way(level, &out.body, d).is_some();
         disc && (disc::enters_solid(level, &out.body, d, super::Time::END) || one_way())
@@ -204,7 +214,8 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     if blocked(vel, 64.0, outward) {
         return Ok(());
     }
-    // Between several surfaces of which one is round a raw unit decides which of them are touched: then the velocity that is left leads on freely.
+    // Between several surfaces of which one is round a raw unit decides which of them are touched:
+    // then the velocity that is left leads on freely.
     if disc && corners && hits.len() > 1 && out.v != (0, 0) {
         let on = (out.v.0 as f64, out.v.1 as f64);
         return if blocked(on, 4.0, f64::trunc) { Err(format!("is blocked at once, by {:?}", out.v)) } else { Ok(()) };
@@ -223,7 +234,8 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     }
 }
 
-/// A box's motion along each axis is exact: from face to face, and what is left of the speed after the last one.
+/// A box's motion along each axis is exact: from face to face, and what is left of the speed after
+/// the last one.
 pub fn box_is_exact(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let ((lo, hi), (end, _)) = (start.bounds(), out.body.bounds());
     let size = (hi.0 - lo.0, hi.1 - lo.1);

@@ -1,4 +1,5 @@
-//! Bodies without area: the moments at which they start to reach the inside of the union of all full cells.
+//! Bodies without area: the moments at which they start to reach the inside of the union of all
+//! full cells.
 
 use super::body::Body;
 use super::level::Level;
@@ -6,7 +7,8 @@ use super::{P, Time};
 
 /// The first moment after which the body is in the solid.
 ///
-/// What it overlaps can change only where one of its sides crosses a line of the grid. Between two such moments one sample decides.
+/// What it overlaps can change only where one of its sides crosses a line of the grid. Between two
+/// such moments one sample decides.
 pub fn first_solid(level: &Level, body: &Body, d: P) -> Option<Time> {
     let (lo, hi) = body.bounds();
     let mut moments = vec![Time::START, Time::END];

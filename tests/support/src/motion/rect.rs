@@ -7,7 +7,8 @@ use super::{P, Time, dot};
 
 /// When a box with area enters the open square, and through which sides: (x, y).
 ///
-/// The box relative to the square is a point against the open sum of both; each axis gives an open interval of time.
+/// The box relative to the square is a point against the open sum of both; each axis gives an open
+/// interval of time.
 pub fn enters(lo: P, hi: P, d: P, a: P, b: P) -> Option<(Time, (bool, bool))> {
     let x = span(a.0 - hi.0, b.0 - lo.0, d.0)?;
     let y = span(a.1 - hi.1, b.1 - lo.1, d.1)?;
@@ -20,7 +21,8 @@ fn later(a: Option<Time>, b: Option<Time>) -> Option<Time> {
     a.into_iter().chain(b).max()
 }
 
-/// The open interval of time in which `d * t` is strictly between `lo` and `hi`; `None` ends are infinite.
+/// The open interval of time in which `d * t` is strictly between `lo` and `hi`; `None` ends are
+/// infinite.
 pub fn span(lo: i64, hi: i64, d: i64) -> Option<(Option<Time>, Option<Time>)> {
     match d.signum() {
         0 => (lo < 0 && 0 < hi).then_some((None, None)),
@@ -29,7 +31,8 @@ pub fn span(lo: i64, hi: i64, d: i64) -> Option<(Option<Time>, Option<Time>)> {
     }
 }
 
-/// A moment at which something is hit, and the faces that are met then: normal, and whether over a length and not at an end only.
+/// A moment at which something is hit, and the faces that are met then: normal, and whether over a
+/// length and not at an end only.
 #[derive(Clone, Debug)]
 pub struct First {
     pub time: Time,
@@ -80,7 +83,8 @@ pub fn first_solid(level: &Level, body: &Body, d: P) -> Option<First> {
     first
 }
 
-/// The first one-way face that blocks the motion: the body is entirely in front of it, moves in, and starts to overlap beyond it.
+/// The first one-way face that blocks the motion: the body is entirely in front of it, moves in,
+/// and starts to overlap beyond it.
 pub fn first_one_way(level: &Level, body: &Body, d: P) -> Option<First> {
     let (lo, hi) = body.bounds();
     let mut first = None;

@@ -25,7 +25,8 @@ pub fn blocks(r: &mut Random, size: P, cell: i64, solid: i64, one_way: i64) -> L
     Level { tiles, width: size.0, height: size.1, cell, origin: (0, 0), outside: Outside::Solid }
 }
 
-/// A body of random kind and size with area, half of them in whole units; up to `largest` units wide.
+/// A body of random kind and size with area, half of them in whole units; up to `largest` units
+/// wide.
 pub fn any_body(r: &mut Random, largest: i64) -> Body {
     let size = |r: &mut Random| {
         if r.one_in(2) { px(r.within(2, largest)) } else { r.within(2, px(largest)) }

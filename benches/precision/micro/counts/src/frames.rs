@@ -1,4 +1,5 @@
-//! Rows of what goes on from frame to frame: bodies that move, and broad phases. Every backend's answers have to be the host's.
+//! Rows of what goes on from frame to frame: bodies that move, and broad phases. Every backend's
+//! answers have to be the host's.
 
 use crate::inputs::{Class, Reader};
 use crate::table::{Key, Mean, Query, Table};

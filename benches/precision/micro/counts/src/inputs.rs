@@ -1,4 +1,5 @@
-//! The host's inputs: of each workload and class its names, some words about all of it, so many records of so many words, and what the host's backends answered.
+//! The host's inputs: of each workload and class its names, some words about all of it, so many
+//! records of so many words, and what the host's backends answered.
 
 /// What is read of the inputs so far.
 #[derive(Clone, Copy)]

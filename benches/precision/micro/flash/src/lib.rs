@@ -1,6 +1,8 @@
-//! Each query as a function under its row's name. Linked with one of them as the entry, what is left is what it pulls in.
+//! Each query as a function under its row's name. Linked with one of them as the entry, what is
+//! left is what it pulls in.
 //!
-//! One library has queries, one movers, one broad phases: what many functions of a library call is not inlined in any of them. On a computer the crate is empty.
+//! One library has queries, one movers, one broad phases: what many functions of a library call is
+//! not inlined in any of them. On a computer the crate is empty.
 
 #![cfg_attr(target_os = "none", no_std)]
 #![cfg(target_os = "none")]

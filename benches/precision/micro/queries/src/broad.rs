@@ -133,7 +133,8 @@ impl<S: Scalar, const N: usize> Phase<N> for Sorted<S, N> {
     }
 }
 
-/// Calls a macro for each broad phase of N boxes: the row's keys, and what holds them in so many blocks of 32 cells, or buckets.
+/// Calls a macro for each broad phase of N boxes: the row's keys, and what holds them in so many
+/// blocks of 32 cells, or buckets.
 #[macro_export]
 macro_rules! each_broad {
     ($each:ident $n:literal, $blocks:literal, $buckets:literal) => {

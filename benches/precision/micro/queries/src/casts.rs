@@ -24,7 +24,8 @@ pub fn sweep<A: parry2d::shape::Shape, B: parry2d::shape::Shape>(
     cast_shapes(&c.a.0, c.d, &c.a.1, &c.b.0, PVector::ZERO, &c.b.1, options).ok().flatten()
 }
 
-/// Calls a macro for each cast: the row's keys, its input and answer, how it is asked, and whether the answer is a hit.
+/// Calls a macro for each cast: the row's keys, its input and answer, how it is asked, and whether
+/// the answer is a hit.
 #[macro_export]
 macro_rules! each_cast {
     ($each:ident) => {

@@ -1,4 +1,5 @@
-//! What is asked on microcontrollers: the same queries as on the host, one list for the counts and for the sizes.
+//! What is asked on microcontrollers: the same queries as on the host, one list for the counts and
+//! for the sizes.
 
 #![no_std]
 

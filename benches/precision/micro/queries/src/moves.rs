@@ -139,9 +139,11 @@ impl<S: Scalar> Exact for Aabb<S> {
     }
 }
 
-/// Calls a macro for each mover: the row's keys and its kind of body, its level, body and motion, and how a frame is asked.
+/// Calls a macro for each mover: the row's keys and its kind of body, its level, body and motion,
+/// and how a frame is asked.
 ///
-/// Textbook boxes go by axes among blocks, all else in steps. Their f64 would not fit beside the others into 256 KiB of flash.
+/// Textbook boxes go by axes among blocks, all else in steps. Their f64 would not fit beside the
+/// others into 256 KiB of flash.
 #[macro_export]
 macro_rules! each_move {
     ($each:ident) => {

@@ -18,7 +18,8 @@ pub fn seen<A, B>(p: &(At<A>, At<B>)) -> Pose {
     Pose::from_translation(p.0.0.translation - p.1.0.translation)
 }
 
-/// Calls a macro for each query of a pair: the row's keys, its input and answer, how it is asked, and whether the answer is yes.
+/// Calls a macro for each query of a pair: the row's keys, its input and answer, how it is asked,
+/// and whether the answer is yes.
 #[macro_export]
 macro_rules! each_pair {
     ($each:ident) => {

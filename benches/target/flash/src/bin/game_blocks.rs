@@ -1,4 +1,5 @@
-//! The platformer among blocks as the firmware plays it: a player that plays by itself, 16 boxes and 16 balls, coins, spikes, ladders, a goal.
+//! The platformer among blocks as the firmware plays it: a player that plays by itself, 16 boxes
+//! and 16 balls, coins, spikes, ladders, a goal.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat_flash::Later;
 use tilesat_games::platformer::flash::{RULES, level};

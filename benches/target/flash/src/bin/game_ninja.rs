@@ -1,4 +1,5 @@
-//! The ninja of the example, one circle that runs, slides and jumps among all tile shapes, with a pad.
+//! The ninja of the example, one circle that runs, slides and jumps among all tile shapes, with a
+//! pad.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat_flash::{Later, port};
 use tilesat_games::ninja::{Keys, Ninja, level};

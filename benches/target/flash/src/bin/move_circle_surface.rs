@@ -1,4 +1,5 @@
-//! One body of this shape that moves and slides through a tile map of this set, with friction and restitution.
+//! One body of this shape that moves and slides through a tile map of this set, with friction and
+//! restitution.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::motion::Mover;
 use tilesat::world::{AllShapes, TileMap};

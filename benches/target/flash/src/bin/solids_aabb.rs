@@ -1,4 +1,5 @@
-//! One body of this shape in a game with platforms: it rides on them, and moves and slides through a tile map that they are joined to.
+//! One body of this shape in a game with platforms: it rides on them, and moves and slides through
+//! a tile map that they are joined to.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::motion::Mover;
 use tilesat::world::{Joined, Solid, Solids, TileMap};

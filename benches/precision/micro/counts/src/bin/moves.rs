@@ -1,4 +1,5 @@
-//! Prints what frames of bodies that move cost. For the boards mps2-an385 and mps2-an386, which have the longer clock.
+//! Prints what frames of bodies that move cost. For the boards mps2-an385 and mps2-an386, which
+//! have the longer clock.
 
 #![no_std]
 #![no_main]

@@ -1,4 +1,5 @@
-//! Rows of moving solids: four platforms in a room of blocks, one of them under the body or beside it.
+//! Rows of moving solids: four platforms in a room of blocks, one of them under the body or beside
+//! it.
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{Body, MoveError, Mover, Ridden, Ride};

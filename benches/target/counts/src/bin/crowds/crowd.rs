@@ -1,4 +1,5 @@
-//! A crowd in a walled world: bodies of 6 to 24 units that move by at most 2 units a frame and turn round at the walls.
+//! A crowd in a walled world: bodies of 6 to 24 units that move by at most 2 units a frame and turn
+//! round at the walls.
 
 use tilesat::{Aabb, Vec2};
 use tilesat_counts::inputs::{Random, UNIT};

@@ -1,7 +1,7 @@
 //! Rows of broad phases: a frame moves all bodies and enumerates all pairs.
 //!
-//! The boxes of the frame are at hand: what the game does to find them is not counted, handing them over is. For mps2-an385, on which code for the
-//! Cortex-M0 runs as well.
+//! The boxes of the frame are at hand: what the game does to find them is not counted, handing them
+//! over is. For mps2-an385, on which code for the Cortex-M0 runs as well.
 
 #![no_std]
 #![no_main]
@@ -39,7 +39,8 @@ fn main() -> ! {
     process::exit(i32::from(wrong != 0))
 }
 
-/// Every structure in every world, with N bodies: a block is 32 cells of 32 x 32 units, each body has 4 of them where there is room for all.
+/// Every structure in every world, with N bodies: a block is 32 cells of 32 x 32 units, each body
+/// has 4 of them where there is room for all.
 #[inline(never)]
 fn all<const N: usize, const BLOCKS: usize, const BUCKETS: usize>(timer: &Timer, wrong: &mut u32) {
     for world in World::ALL {
@@ -50,7 +51,8 @@ fn all<const N: usize, const BLOCKS: usize, const BUCKETS: usize>(timer: &Timer,
                 World::Fixed => row::<N, _, _>(timer, "grid", world, grid::<24, N, _, 5>, grid::<24, N, _, 5>),
                 World::Cluster => row::<N, _, _>(timer, "grid", world, grid::<2, N, _, 3>, grid::<2, N, _, 3>),
                 World::Density => {
-                    // Cells are half as wide as a body's square, and the world is as wide as high, or twice as wide.
+                    // Cells are half as wide as a body's square, and the world is as wide as high,
+                    // or twice as wide.
                     row::<N, _, _>(timer, "grid", world, square_grid::<BLOCKS, N, _>, square_grid::<BLOCKS, N, _>)
                 }
             },
@@ -145,7 +147,8 @@ fn rounds(bodies: usize) -> u32 {
 
 type Frame<B, const N: usize> = fn(&mut B, &[Handle; N], &[Aabb; N]) -> u32;
 
-/// Some frames after some that put an order right: instructions of one, and a number that tells the pairs.
+/// Some frames after some that put an order right: instructions of one, and a number that tells the
+/// pairs.
 #[inline(never)]
 fn frames<const N: usize, B: BroadPhase>(
     timer: &Timer,

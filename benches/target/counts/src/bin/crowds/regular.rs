@@ -1,6 +1,8 @@
-//! The grid that is not in the library, for comparison: every body is in each cell that its box touches, up to four of them.
+//! The grid that is not in the library, for comparison: every body is in each cell that its box
+//! touches, up to four of them.
 //!
-//! A pair is found in every cell that both are in, and told in the one that holds the lower corner of what the two boxes share.
+//! A pair is found in every cell that both are in, and told in the one that holds the lower corner
+//! of what the two boxes share.
 
 use tilesat::Aabb;
 

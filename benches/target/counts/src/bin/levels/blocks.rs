@@ -1,4 +1,5 @@
-//! Rows of motion in levels of blocks: a quarter of the cells are full, at random, in a closed room; and a body at rest.
+//! Rows of motion in levels of blocks: a quarter of the cells are full, at random, in a closed
+//! room; and a body at rest.
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{Body, Memo, MoveError, Moved, Mover};
@@ -82,7 +83,8 @@ fn again<B: Body + PartialEq>((body, velocity): &(B, Vec2), (map, memo): &(Map, 
     MaybeUninit::new(memo.move_and_slide(&mover, map, 0, body, *velocity))
 }
 
-/// On a floor where it has fallen to: with a quarter unit of gravity, with a memo of that, and without gravity.
+/// On a floor where it has fallen to: with a quarter unit of gravity, with a memo of that, and
+/// without gravity.
 fn at_rest<B: Body + PartialEq>(
     table: &mut Table,
     map: Map,

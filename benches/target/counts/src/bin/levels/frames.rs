@@ -1,4 +1,5 @@
-//! Rows of many random frames in a level of all shapes: not the mean of a few but the far end of all.
+//! Rows of many random frames in a level of all shapes: not the mean of a few but the far end of
+//! all.
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{Body, MoveError, Moved, Mover};
@@ -54,8 +55,9 @@ fn row<B: Body>(counter: &Counter<Short>, name: &str, map: &Map, next: impl Fn(&
     tell("frames", format_args!("{name}, most of {FRAMES}"), largest[0], None);
 }
 
-/// What a block costs whose cell a ball's bounds reach and which it does not meet: between two blocks, less the same beside one. It has a side
-/// and a corner there that the motion leaves, or passes.
+/// What a block costs whose cell a ball's bounds reach and which it does not meet: between two
+/// blocks, less the same beside one. It has a side and a corner there that the motion leaves, or
+/// passes.
 fn missed(table: &mut Table) {
     static TWO: [u8; 12] = [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0];
     static ONE: [u8; 12] = [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0];
@@ -73,7 +75,8 @@ fn missed(table: &mut Table) {
     }
 }
 
-/// The frame that took most of 110 000 in maps of 25, 40 and 60 % by up to 60 units: down a pit of two slopes, a corner and an arc.
+/// The frame that took most of 110 000 in maps of 25, 40 and 60 % by up to 60 units: down a pit of
+/// two slopes, a corner and an arc.
 fn worst(table: &mut Table) {
     static DENSE: [u8; SIDE * SIDE] = tiles(102);
     let (Some(map), Some(ball)) = (on(&DENSE, SIDE as u16, SIDE as u16), circle((5_416_021, 20_534_139), 10 * UNIT))

@@ -35,7 +35,8 @@ impl Placed for Segment {
     }
 }
 
-/// Shapes apart in a 64 unit square, and a motion from anywhere in it to anywhere else that hits or misses.
+/// Shapes apart in a 64 unit square, and a motion from anywhere in it to anywhere else that hits or
+/// misses.
 fn pair<A: CastShape<B> + Overlaps<B> + Placed, B: Placed>(r: &mut Random, hits: bool) -> Option<(Moving<A>, B)> {
     let (a, b) = (A::any(r)?, B::any(r)?);
     let by = vec(r.point()) - vec(r.point());

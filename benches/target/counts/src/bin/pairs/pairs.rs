@@ -38,7 +38,8 @@ fn boxes_with_boxes(table: &mut Table) {
     };
     let hit = |r: &mut Random| pair(r).filter(|(a, b)| boxes(a, b) == Boxes::Overlap);
     table.row("AABB-AABB overlaps, hit", Some((20, 18)), overlaps, |_, _| load::<_, _, _, 4, 4>, hit, |&yes| yes);
-    // The order of the tests is the library's; the first of them carries the budget of the first reject.
+    // The order of the tests is the library's; the first of them carries the budget of the first
+    // reject.
     let rejects: [(&str, Budget, Boxes, bool); 4] = [
         ("AABB-AABB overlaps, first reject (A right)", Some((10, 10)), Boxes::ApartInX, false),
         ("AABB-AABB overlaps, second reject (A left)", None, Boxes::ApartInX, true),

@@ -1,4 +1,5 @@
-//! Prints what queries on levels of segments and motion in them cost: apart from the tiles, for one chip's flash is too small for both.
+//! Prints what queries on levels of segments and motion in them cost: apart from the tiles, for one
+//! chip's flash is too small for both.
 
 #![no_std]
 #![no_main]

@@ -1,0 +1,68 @@
+//! Why a scene refuses a call, or holds a body.
+
+use crate::broad::{BroadError, Handle};
+use crate::error::RangeError;
+use crate::motion::MoveError;
+use core::fmt;
+
+/// What was refused, and of which body; that body, or the scene, is as it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SceneError {
+    /// The body; none where it is about the call: a body that is not in yet, a gravity.
+    pub body: Option<Handle>,
+    /// What is wrong.
+    pub fault: SceneFault,
+}
+
+/// Why.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum SceneFault {
+    /// The broad phase does not know it, or has no room or place for it.
+    Broad(BroadError),
+    /// It overlaps the level, or would leave the domain, or is too fast or too large.
+    Move(MoveError),
+}
+
+impl SceneError {
+    pub(super) fn of(body: Handle, fault: impl Into<SceneFault>) -> Self {
+        Self { body: Some(body), fault: fault.into() }
+    }
+
+    pub(super) fn call(fault: impl Into<SceneFault>) -> Self {
+        Self { body: None, fault: fault.into() }
+    }
+}
+
+impl From<BroadError> for SceneFault {
+    fn from(e: BroadError) -> Self {
+        Self::Broad(e)
+    }
+}
+
+impl From<MoveError> for SceneFault {
+    fn from(e: MoveError) -> Self {
+        Self::Move(e)
+    }
+}
+
+impl From<RangeError> for SceneFault {
+    fn from(e: RangeError) -> Self {
+        Self::Move(e.into())
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(body) = self.body {
+            write!(f, "body {} (generation {}): ", body.slot(), body.generation())?;
+        }
+        match self.fault {
+            SceneFault::Broad(e) => e.fmt(f),
+            SceneFault::Move(e) => e.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for SceneError {}

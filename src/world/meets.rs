@@ -1,0 +1,53 @@
+//! What capsules, oriented boxes and convex polygons ask of every kind of level.
+
+use super::convex::ConvexBody;
+use super::joined::Joined;
+use super::level::World;
+use super::placed::Placed;
+use super::segment_map::SegmentMap;
+use super::solids::Solids;
+use super::tile_map::{Set, Store, TileMap};
+use crate::num::Raw;
+use crate::query::{Core, Overlaps, Touches};
+use crate::shape::{Aabb, Capsule, Convex, ConvexPolygon, OrientedBox};
+
+/// Asks a level about a shape.
+fn ask<W: World, B: Convex>(world: &W, shape: &B, bounds: Aabb, closed: bool) -> bool {
+    let corners = shape.outline();
+    let core = Core { corners: &corners, radius: shape.rounding() };
+    world.meets_convex(&ConvexBody { core, bounds, offset: Raw::ZERO }, closed)
+}
+
+macro_rules! convex_meets {
+    ([$($parameters:tt)*] $level:ty, [$($n:tt)*] $body:ty) => {
+        impl<$($parameters)* $($n)*> Overlaps<$body> for $level {
+            fn overlaps(&self, b: &$body) -> bool {
+                ask(self, b, b.aabb(), false)
+            }
+        }
+
+        impl<$($parameters)* $($n)*> Touches<$body> for $level {
+            fn touches(&self, b: &$body) -> bool {
+                ask(self, b, b.aabb(), true)
+            }
+        }
+    };
+}
+
+macro_rules! all_convex {
+    ($([$($parameters:tt)*] $level:ty;)*) => {
+        $(
+            convex_meets! { [$($parameters)*] $level, [] Capsule }
+            convex_meets! { [$($parameters)*] $level, [] OrientedBox }
+            convex_meets! { [$($parameters)*] $level, [const N: usize] ConvexPolygon<N> }
+        )*
+    };
+}
+
+all_convex! {
+    [S: Set, T: Store,] TileMap<'_, S, T>;
+    [] SegmentMap<'_>;
+    [] Solids<'_>;
+    [A: World, B: World,] Joined<'_, A, B>;
+    [W: World,] Placed<'_, W>;
+}
