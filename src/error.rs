@@ -40,6 +40,9 @@ pub enum Quantity {
     Cells,
     /// The direction of a box: it has none where both components are zero.
     Direction,
+    /// How far the core of a capsule that is to be moved is off the vertical or the horizontal, or
+    /// zero where the capsule has no radius.
+    Capsule,
 }
 
 /// An input outside of the range that keeps arithmetic exact; nothing was changed.
@@ -67,6 +70,7 @@ impl fmt::Display for RangeError {
                     "the motion visits too many cells, {value} or more: shorten it, or enlarge the cells"
                 );
             }
+            Quantity::Capsule => "a capsule that moves stands or lies, and has a radius",
             // The settings of walkers and riders.
             _ => "it must be from 0 to below 4096 units",
         };

@@ -24,8 +24,10 @@ struct BlockSweep<'a, W, B> {
     d: Raw,
     /// The corner of the bounds that goes first: the motion comes to no face behind it.
     front: Raw,
-    /// What of the body meets a face: all of a box, the nearest point of a disc.
+    /// What of the body meets a face: its core.
     span: (Raw, Raw),
+    /// The radius around it.
+    r: i32,
     /// Whether the body has no extent along one of the axes: then it matters what lies beside a
     /// face.
     thin: bool,
@@ -54,11 +56,10 @@ impl<B: Body> Search<'_, B> {
         let bounds = body.bounds();
         let (a, b) = (bounds.lo(), bounds.hi());
         let front = Raw { x: if d.x > 0 { b.x } else { a.x }, y: if d.y > 0 { b.y } else { a.y } };
-        let c = Raw { x: (a.x + b.x) >> 1, y: (a.y + b.y) >> 1 };
-        let span = if B::MEETS_CORNERS { (c, c) } else { (a, b) };
+        let (span, r) = (body.core_box(), body.rounding());
         let (thin, pressed) = (a.x == b.x || a.y == b.y, self.pressed);
         let mut sweep =
-            BlockSweep { world, body, d, front, span, thin, pressed, is_odd: false, corners: (a, b), first };
+            BlockSweep { world, body, d, front, span, r, thin, pressed, is_odd: false, corners: (a, b), first };
         // One cursor for all cells of other shapes.
         let mut features = None;
         while let Some(block) = world.next_cell(cells) {
@@ -103,12 +104,12 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
             self.meet_face(block, 1, Raw { x: hi.x, y: lo.y }, Axis::Y, height);
         }
         if B::MEETS_CORNERS && !self.thin {
-            // A disc comes to a corner where its centre is in the corner's open quadrant, and moves
-            // toward one of its sides.
-            let (c, to) = (self.span.0, self.span.0.add(d));
-            let (left, right) = (c.x.min(to.x) < lo.x, c.x.max(to.x) > hi.x);
+            // A rounded body comes to a corner where the nearest corner of its core is in the open
+            // quadrant, and moves toward one of its sides.
+            let (first, last) = self.span;
+            let (left, right) = (last.x + d.x.min(0) < lo.x, first.x + d.x.max(0) > hi.x);
             if left || right {
-                let (above, below) = (c.y.min(to.y) < lo.y, c.y.max(to.y) > hi.y);
+                let (above, below) = (last.y + d.y.min(0) < lo.y, first.y + d.y.max(0) > hi.y);
                 if above && right && (d.x < 0 || d.y > 0) {
                     self.meet_corner(block, 4, 1, -1);
                 }
@@ -189,14 +190,13 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
 
     /// Whether the bounds of the motion hold a corner with their inside.
     fn comes_to(&self, p: Raw, x: i32, y: i32) -> bool {
-        let (c, d, r) = (self.span.0, self.d, self.front.sub(self.span.0));
+        let ((first, last), d) = (self.span, self.d);
         // From outside of the corner, by at least the radius all the time: no.
-        let along = |c: i32, d: i32, p: i32, side: i32, r: i32| {
-            let (from, to) = (c.wrapping_sub(p), c.wrapping_add(d).wrapping_sub(p));
-            let nearest = if side > 0 { from.min(to) } else { from.max(to).wrapping_neg() };
-            nearest < r.wrapping_abs()
+        let along = |first: i32, last: i32, d: i32, p: i32, side: i32| {
+            let nearest = if side > 0 { first + d.min(0) - p } else { p - last - d.max(0) };
+            nearest < self.r
         };
-        along(c.x, d.x, p.x, x, r.x) && along(c.y, d.y, p.y, y, r.y)
+        along(first.x, last.x, d.x, p.x, x) && along(first.y, last.y, d.y, p.y, y)
     }
 
     #[inline(never)]

@@ -1,15 +1,19 @@
 //! What a mover can move.
 
 use crate::num::{Axis, Raw, Vec2, cmp_squares, mul_div, umul};
-use crate::shape::{Aabb, Circle};
+use crate::shape::{Aabb, Capsule, Circle};
 use core::cmp::Ordering;
 
-/// A shape that [`Mover::move_and_slide`](super::Mover::move_and_slide) can move: [`Aabb`] or
-/// [`Circle`].
+/// A shape that [`Mover::move_and_slide`](super::Mover::move_and_slide) can move: [`Aabb`],
+/// [`Circle`], or a [`Capsule`] that stands or lies.
+///
+/// A capsule whose core is slanted, or which has no radius, is refused as a
+/// [`RangeError`](crate::RangeError) of [`Quantity::Capsule`](crate::Quantity::Capsule).
 ///
 /// Sealed: its kernels are part of the exactness argument.
 pub trait Body: kernel::Kernel {
-    /// The reference position: the centre of a circle, the minimum corner of a box.
+    /// The reference position: the minimum corner of a box, the centre of a circle, the first end
+    /// of a capsule's core.
     fn position(&self) -> Vec2;
 }
 
@@ -22,6 +26,12 @@ impl Body for Aabb {
 impl Body for Circle {
     fn position(&self) -> Vec2 {
         self.centre()
+    }
+}
+
+impl Body for Capsule {
+    fn position(&self) -> Vec2 {
+        self.a()
     }
 }
 
@@ -150,8 +160,16 @@ pub(super) mod kernel {
         fn sweep(&self, d: Raw, feature: &Feature) -> Option<Entry>;
         /// The same for worlds of [`BLOCKS`](World::BLOCKS).
         fn sweep_block(&self, d: Raw, feature: &Feature) -> Option<Entry>;
+        /// The box of the points that have the [radius](Self::rounding) around them: all of a
+        /// box, the centre of a circle, the segment in the middle of a capsule.
+        fn core_box(&self) -> (Raw, Raw);
+        /// The radius of its corners.
+        fn rounding(&self) -> i32;
         /// What meets an arc: a point, and the radius of the disc around it.
         fn toward(&self, quadrant: Axis) -> (Raw, i32);
+        /// Whether it is within a distance of a segment: along x and y for a box, which is not
+        /// rounded.
+        fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool;
         /// Whether the body overlaps the level: strict and exact.
         fn overlaps_world<W: World>(&self, world: &W) -> bool;
         /// Whether a point is in the inside of the level's solid, by the tests that such bodies

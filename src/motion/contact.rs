@@ -99,36 +99,32 @@ pub(super) fn may_reach<B: Body>(body: &B, feature: &Feature, distance: u32) -> 
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } => {
             let (a, b) = ends(Raw::of(a), dir, len);
-            is_within(body, a, b, distance)
+            body.is_within(a, b, distance)
         }
-        Geometry::Vertex { p, .. } => is_within(body, Raw::of(p), Raw::of(p), distance),
+        Geometry::Vertex { p, .. } => body.is_within(Raw::of(p), Raw::of(p), distance),
         Geometry::Arc { .. } => true,
     }
 }
 
-/// Whether a body is within the rounding distance of a segment.
+/// Whether a body is within the rounding distance of a segment, in a way for which it does not
+/// matter how a face is cut.
 fn is_near<B: Body>(body: &B, a: Raw, b: Raw) -> bool {
-    is_within(body, a, b, REACH)
+    body.is_within(a, b, REACH)
 }
 
-/// Whether a body is within a distance of a segment: along x and y for a box, which is not rounded;
-/// so it does not matter how a face is cut.
-fn is_within<B: Body>(body: &B, a: Raw, b: Raw, reach: i32) -> bool {
-    if B::MEETS_CORNERS {
-        let (c, r) = body.toward(Axis::X);
-        meet::circle_segment::<true>(c, r.wrapping_add(reach), a, b)
+/// Whether what of a rounded body is nearest to a face is over it, or beside it by no more than the
+/// rounding distance or up to half more: what is farther aside touches the face's end, if anything.
+fn is_over<B: Body>(body: &B, a: Raw, end: Raw, dir: Axis) -> bool {
+    // Of a face along x or y all of the core may be nearest, of a slope one end.
+    let (first, last) = if dir.x == 0 || dir.y == 0 {
+        (body.toward(dir.reversed()).0, body.toward(dir).0)
     } else {
-        let (bounds, reach) = (body.bounds(), Raw { x: reach, y: reach });
-        meet::segment_aabb::<true>(a, b, bounds.lo().sub(reach), bounds.hi().add(reach))
-    }
-}
-
-/// Whether a point is over a face, or beside it by no more than the rounding distance or up to half
-/// more: a circle that is farther aside touches the face's end, if anything.
-fn is_over(c: Raw, a: Raw, end: Raw, dir: Axis) -> bool {
+        let (nearest, _) = body.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
+        (nearest, nearest)
+    };
     let along = |v: Raw| dir.dot(Axis::new(v.x, v.y));
     let aside = umul(dir.x.unsigned_abs(), NEAR).wrapping_add(umul(dir.y.unsigned_abs(), NEAR)) as i64;
-    along(c.sub(a)) >= -aside && along(c.sub(end)) <= aside
+    along(last.sub(a)) >= -aside && along(first.sub(end)) <= aside
 }
 
 /// Whether a point is in the closed disc around the origin.
@@ -146,7 +142,7 @@ pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMu
             let (a, end) = ends(Raw::of(a), dir, len);
             let near = is_near(body, a, end);
             if near {
-                let over = !B::MEETS_CORNERS || is_over(body.toward(Axis::X).0, a, end, dir);
+                let over = !B::MEETS_CORNERS || is_over(body, a, end, dir);
                 let bend = if over { Bend::Flat } else { Bend::End };
                 plane(Plane { normal: normal(dir), bend });
             }
@@ -195,8 +191,13 @@ pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMu
 fn is_at_corner<B: Body>(body: &B, p: Raw, plane: &mut dyn FnMut(Plane)) -> bool {
     let near = is_near(body, p, p);
     if near && B::MEETS_CORNERS {
-        let m = body.toward(Axis::X).0.sub(p);
-        if !m.is_zero() {
+        let (lo, hi) = body.core_box();
+        let nearest = Raw { x: p.x.max(lo.x).min(hi.x), y: p.y.max(lo.y).min(hi.y) };
+        let m = nearest.sub(p);
+        if (lo.x < p.x && p.x < hi.x) || (lo.y < p.y && p.y < hi.y) {
+            // Beside the flat side of a capsule, along which the way is straight.
+            plane(Plane::flat(Axis::new(m.x.signum(), m.y.signum())));
+        } else if !m.is_zero() {
             plane(Plane { normal: Axis::new(m.x, m.y), bend: Bend::Convex });
         }
     } else if near {

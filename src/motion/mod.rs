@@ -145,6 +145,7 @@ mod search;
 mod slide;
 mod solids;
 mod sweep_body;
+mod sweep_capsule;
 mod sweep_face;
 mod sweep_round;
 #[cfg(all(test, not(target_os = "none")))]

@@ -11,7 +11,7 @@
 //!    that are less. The flags of both count.
 
 use super::body::{Body, Entry};
-use crate::num::{Axis, Raw, add128, imul, less128, mul_div, mul64, sqr64, umul};
+use crate::num::{Raw, add128, imul, less128, mul_div, mul64, sqr64, umul};
 use crate::world::{Feature, Geometry, World};
 
 /// The first hit so far: of faces, whose times are exact, and of vertices and arcs, whose times are
@@ -105,7 +105,7 @@ fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), f
     }
     match feature.geometry {
         Geometry::Vertex { p, .. } => {
-            let (c, r) = body.toward(Axis::X);
+            let (c, r) = body.toward(round.normal.reversed());
             is_past(c.sub(Raw::of(p)), r, false, d, flat)
         }
         Geometry::Arc { centre, radius, quadrant, convex } => {

@@ -57,9 +57,8 @@ impl Around {
         check_cells(world, &bounds, d)?;
         let pieces = pieces(world, &bounds, d);
         let first = if pieces == 1 { d } else { Raw::ZERO };
-        let r = if B::MEETS_CORNERS { bounds.hi().x.wrapping_sub(bounds.lo().x) >> 1 } else { 0 };
         self.region = piece_of(&bounds, Raw::ZERO, first, pieces);
-        world.look(&self.region, Some(r), &mut self.seen);
+        world.look(&self.region, Some(body.rounding()), &mut self.seen);
         Ok(if pieces == 1 && self.is_empty() && is_inside(&self.region) { 0 } else { pieces })
     }
 

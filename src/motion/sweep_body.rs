@@ -7,6 +7,7 @@ use super::sweep_face::{Face, sweep_face, sweep_slope};
 use super::sweep_round::{enter_quarter, is_square, leave_by_corner, leave_centre, leave_quarter, sweep_cone};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw};
+use crate::query::meet;
 use crate::shape::{Aabb, Circle};
 use crate::world::{Feature, Geometry, World};
 
@@ -66,9 +67,21 @@ impl Kernel for Aabb {
         }
     }
 
+    fn core_box(&self) -> (Raw, Raw) {
+        (self.lo(), self.hi())
+    }
+
+    fn rounding(&self) -> i32 {
+        0
+    }
+
     fn toward(&self, quadrant: Axis) -> (Raw, i32) {
-        let (lo, hi) = (self.lo(), self.hi());
-        (Raw { x: if quadrant.x > 0 { hi.x } else { lo.x }, y: if quadrant.y > 0 { hi.y } else { lo.y } }, 0)
+        (corner(self.lo(), self.hi(), quadrant), 0)
+    }
+
+    fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool {
+        let reach = Raw { x: reach, y: reach };
+        meet::segment_aabb::<true>(a, b, self.lo().sub(reach), self.hi().add(reach))
     }
 
     fn overlaps_world<W: World>(&self, world: &W) -> bool {
@@ -133,7 +146,6 @@ impl Kernel for Circle {
             Geometry::Face { a, dir, len, joined } => {
                 // A circle without radius is a box without size: it may touch a face's free end and
                 // pass.
-                let joined = if r == 0 { joined } else { [true; 2] };
                 sweep_face((c, c), r, d, &Face { a: Raw::of(a), dir, len, joined })
             }
             // The cone of a block's corner is a quadrant; on its borders, and outside of it, the
@@ -146,8 +158,20 @@ impl Kernel for Circle {
         }
     }
 
+    fn core_box(&self) -> (Raw, Raw) {
+        (self.c(), self.c())
+    }
+
+    fn rounding(&self) -> i32 {
+        self.r()
+    }
+
     fn toward(&self, _: Axis) -> (Raw, i32) {
         (self.c(), self.r())
+    }
+
+    fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool {
+        meet::circle_segment::<true>(self.c(), self.r().wrapping_add(reach), a, b)
     }
 
     fn overlaps_world<W: World>(&self, world: &W) -> bool {
@@ -159,6 +183,11 @@ impl Kernel for Circle {
     }
 }
 
+/// The corner of a box that is farthest in a quadrant.
+pub(super) const fn corner(lo: Raw, hi: Raw, quadrant: Axis) -> Raw {
+    Raw { x: if quadrant.x > 0 { hi.x } else { lo.x }, y: if quadrant.y > 0 { hi.y } else { lo.y } }
+}
+
 /// Entry of a side of the box that lands on a convex corner: along x or y, wherever that direction
 /// points out of both edges.
 ///
@@ -167,20 +196,20 @@ impl Kernel for Circle {
 #[inline(never)]
 pub(super) fn sweep_peak(lo: Raw, hi: Raw, d: Raw, p: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
     let side = |out: i32, back: i32| if (out < 0) != (back < 0) && out != 0 && back != 0 { out.signum() } else { 0 };
-    let mut first = sweep_end(lo, hi, d, p, Axis::new(0, side(e_in.y, e_out.y)));
-    keep_first(&mut first, sweep_end(lo, hi, d, p, Axis::new(side(e_in.x, e_out.x), 0)).as_ref(), d);
+    let mut first = sweep_end((lo, hi), 0, d, p, Axis::new(0, side(e_in.y, e_out.y)));
+    keep_first(&mut first, sweep_end((lo, hi), 0, d, p, Axis::new(side(e_in.x, e_out.x), 0)).as_ref(), d);
     first
 }
 
-/// Entry of a side of the box that lands on a point of the surface whose normal there is parallel
-/// to x or y; none where it is zero.
+/// Entry of a side of the box, grown by `r`, that lands on a point of the surface whose normal there
+/// is parallel to x or y; none where it is zero.
 #[inline(never)]
-pub(super) fn sweep_end(lo: Raw, hi: Raw, d: Raw, p: Raw, normal: Axis) -> Option<Entry> {
+pub(super) fn sweep_end(core: (Raw, Raw), r: i32, d: Raw, p: Raw, normal: Axis) -> Option<Entry> {
     if normal.is_zero() {
         return None;
     }
     let dir = Axis::new(normal.y.wrapping_neg(), normal.x);
-    sweep_face((lo, hi), 0, d, &Face { a: p, dir, len: 0, joined: [false; 2] })
+    sweep_face(core, r, d, &Face { a: p, dir, len: 0, joined: [false; 2] })
 }
 
 /// Entry through a convex arc: of the corner of the box that is nearest to its centre through the
@@ -191,7 +220,7 @@ pub(super) fn sweep_round((lo, hi): (Raw, Raw), corner: Raw, d: Raw, arc: (Raw, 
     let (centre, radius, quadrant) = arc;
     let end = |normal: Axis| {
         let p = centre.add(Raw { x: normal.x.wrapping_mul(radius), y: normal.y.wrapping_mul(radius) });
-        sweep_end(lo, hi, d, p, normal)
+        sweep_end((lo, hi), 0, d, p, normal)
     };
     let mut first = end(Axis::new(quadrant.x, 0));
     keep_first(&mut first, end(Axis::new(0, quadrant.y)).as_ref(), d);
@@ -201,7 +230,7 @@ pub(super) fn sweep_round((lo, hi): (Raw, Raw), corner: Raw, d: Raw, arc: (Raw, 
 
 /// Takes the other of two entries where it is the first.
 #[inline(never)]
-fn keep_first(first: &mut Option<Entry>, other: Option<&Entry>, d: Raw) {
+pub(super) fn keep_first(first: &mut Option<Entry>, other: Option<&Entry>, d: Raw) {
     if let Some(other) = other {
         if first.as_ref().is_none_or(|first| other.before_askew(first, d)) {
             *first = Some(*other);

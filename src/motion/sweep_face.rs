@@ -20,8 +20,8 @@ pub(super) struct Face {
 /// the face only if it goes on after touching (g < s). At that moment the box must span a part of
 /// the face: strictly, or touch the face's end while moving over it, or, without width, touch an
 /// end beyond which the solid goes on. (One with width then spans a part of what goes on there.) Of
-/// a disc the point that is nearest to the line must meet the closed face: it is a box without size
-/// to which all ends are joined.
+/// a disc the point that is nearest to the line must meet the closed face, of a capsule one of the
+/// points that are.
 #[inline(never)]
 pub(super) fn sweep_face((lo, hi): (Raw, Raw), r: i32, d: Raw, face: &Face) -> Option<Entry> {
     let Face { a, dir, len, joined } = *face;
@@ -46,11 +46,12 @@ pub(super) fn sweep_face((lo, hi): (Raw, Raw), r: i32, d: Raw, face: &Face) -> O
     };
     let over_start = over(last, along, gap, into);
     let over_end = over(len.wrapping_sub(first), along.wrapping_neg(), gap, into);
-    let thin = lo_t == hi_t;
-    let meets =
-        |over: i32, moving_over: bool, joined: bool| over > 0 || (over == 0 && (moving_over || (thin && joined)));
+    let (thin, round) = (lo_t == hi_t, r != 0);
+    let meets = |over: i32, moving_over: bool, joined: bool| {
+        over > 0 || (over == 0 && (moving_over || round || (thin && joined)))
+    };
     let spans = meets(over_start, along > 0, joined[0]) && meets(over_end, along < 0, joined[1]);
-    let at_end = (over_start == 0 && !joined[0]) || (over_end == 0 && !joined[1]);
+    let at_end = !round && ((over_start == 0 && !joined[0]) || (over_end == 0 && !joined[1]));
     let normal = crate::world::normal(dir);
     spans.then_some(Entry { num: gap as u32, den: into as u32, normal, at_end, step: None })
 }

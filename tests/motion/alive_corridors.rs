@@ -12,11 +12,19 @@ const GOAT: Mover = Mover::platformer(Axis::NEG_Y).with_slope_limit(2, 1);
 const RAMPS: [(&str, u8, u8); 6] =
     [("flat", 1, 1), ("45", 8, 9), ("mild", 24, 25), ("steep low", 28, 29), ("steep high", 32, 33), ("dome", 12, 13)];
 
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    Box,
+    Ball,
+    Standing,
+    Lying,
+}
+
 /// One run: whether the body gets in.
 struct Run {
     ramp: (&'static str, u8, u8),
     cell: i64,
-    round: bool,
+    kind: Kind,
     mirror: bool,
     less: i64,
     offset: i64,
@@ -43,10 +51,15 @@ impl Run {
         let (level, cell, high) = (self.level(), self.cell, self.cell - self.less);
         let map = level.all();
         let flip = |x: i64, wide: i64| if self.mirror { 6 * cell - x - wide } else { x };
-        let mut body = if self.round {
-            Body::Disc((flip(2 * cell - high / 2 - self.offset, 0), 2 * cell - high / 2), high / 2)
-        } else {
-            Body::Rect((flip(2 * cell - cell / 2 - self.offset, cell / 2), 2 * cell - high), (cell / 2, high))
+        let ball = (flip(2 * cell - high / 2 - self.offset, 0), 2 * cell - high / 2);
+        let (r, feet) = (high / 4, flip(2 * cell - high / 4 - self.offset, 0));
+        let mut body = match self.kind {
+            Kind::Box => {
+                Body::Rect((flip(2 * cell - cell / 2 - self.offset, cell / 2), 2 * cell - high), (cell / 2, high))
+            }
+            Kind::Ball => Body::Disc(ball, high / 2),
+            Kind::Standing => Body::Pill((feet, 2 * cell - r), (0, 2 * r - high), r),
+            Kind::Lying => Body::Pill(ball, (if self.mirror { cell / 4 } else { -cell / 4 }, 0), high / 2),
         };
         let speed = cell / self.part;
         let v = (if self.mirror { -speed } else { speed }, speed / self.fall);
@@ -81,21 +94,15 @@ impl Run {
 
 fn runs() -> impl Iterator<Item = Run> {
     let sizes = [1 << 20, 2 * 54_321].into_iter().flat_map(|cell| (0..6).map(move |less| (cell, less)));
-    let kinds = RAMPS.into_iter().flat_map(|ramp| (0..4).map(move |k| (ramp, k & 1 == 1, k & 2 == 2)));
+    let bodies = [Kind::Box, Kind::Ball, Kind::Standing, Kind::Lying];
+    let kinds = RAMPS
+        .into_iter()
+        .flat_map(move |ramp| bodies.into_iter().flat_map(move |kind| [(ramp, kind, false), (ramp, kind, true)]));
     sizes.flat_map(move |(cell, less)| {
-        kinds.clone().flat_map(move |(ramp, round, mirror)| {
+        kinds.clone().flat_map(move |(ramp, kind, mirror)| {
             let pushes = [2, 5, 8, 16, 37, 64].into_iter().flat_map(|part| [10, 3, 1].map(|fall| (part, fall)));
             pushes.flat_map(move |(part, fall)| {
-                [100, 3000, cell / 8, cell / 2].map(|offset| Run {
-                    ramp,
-                    cell,
-                    round,
-                    mirror,
-                    less,
-                    offset,
-                    part,
-                    fall,
-                })
+                [100, 3000, cell / 8, cell / 2].map(|offset| Run { ramp, cell, kind, mirror, less, offset, part, fall })
             })
         })
     })
@@ -108,8 +115,8 @@ fn judge(runs: impl Iterator<Item = Run>, walks: bool) {
         all += 1;
         if !run.gets_in(walks) {
             out += 1;
-            let Run { ramp, cell, round, mirror, less, offset, part, fall } = run;
-            first.get_or_insert((ramp, cell, round, mirror, less, offset, part, fall));
+            let Run { ramp, cell, kind, mirror, less, offset, part, fall } = run;
+            first.get_or_insert((ramp, cell, kind, mirror, less, offset, part, fall));
         }
     }
     assert_eq!(out, 0, "never in, of {all}: such as {first:?}");

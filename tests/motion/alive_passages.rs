@@ -212,6 +212,7 @@ fn rests_have_a_floor() {
                 let (lo, hi) = body.bounds();
                 let supported = match body {
                     Body::Rect(..) => mover.supported(&map, &Aabb::new(vec2(lo), vec2(hi)).unwrap()),
+                    Body::Pill(p, core, r) => mover.supported(&map, &Body::capsule(p, core, r)),
                     Body::Disc(c, r) => mover.supported(&map, &Circle::new(vec2(c), fx(r)).unwrap()),
                 };
                 assert!(supported.unwrap().is_some(), "{seed} {frame}: {body:?}, {push:?}");

@@ -26,13 +26,13 @@ fn stops_dead(map: &TileMap<'_, AllShapes>, room: &Room, mut body: Body, speed: 
     false
 }
 
-/// Boxes and balls of five heights at 23 speeds from 16 places on a ramp of 45 degrees, into a
+/// Boxes, balls and standing capsules of five heights at 23 speeds from 16 places on a ramp of 45 degrees, into a
 /// corridor of one tile.
 #[test]
 fn a_ramp_under_a_ceiling() {
     let level = drawn(&["...#########", "............", "../#########", "############"], 16 * PX, &SHAPES);
     let (map, room) = (level.all(), Room::new(&level));
-    let (mut all, mut stopped) = (0, [0, 0]);
+    let (mut all, mut stopped) = (0, [0; 3]);
     for high in [10, 12, 13, 14, 15] {
         for (eighths, place) in (8..=96).step_by(4).flat_map(|v| (0..16).map(move |p| (v, p))) {
             let right = 34 * PX + place * 30_011;
@@ -40,6 +40,7 @@ fn a_ramp_under_a_ceiling() {
             let bodies = [
                 Body::Rect((right - 8 * PX, bottom - high * PX), (8 * PX, high * PX)),
                 Body::Disc((right - 5 * PX, bottom - high * PX / 2 - 5 * PX), high * PX / 2),
+                Body::Pill((right - 4 * PX, bottom - 6 * PX), (0, (8 - high) * PX), 4 * PX),
             ];
             all += 1;
             for (kind, body) in bodies.into_iter().enumerate() {
@@ -47,7 +48,7 @@ fn a_ramp_under_a_ceiling() {
             }
         }
     }
-    assert_eq!(stopped, [0, 0], "boxes and balls that stop dead in free space, of {all} each");
+    assert_eq!(stopped, [0; 3], "boxes, balls and capsules that stop dead in free space, of {all} each");
 }
 
 /// What is behind a body is not in its way: past the end of a slope of the floor, of one of the

@@ -3,11 +3,12 @@
 
 #![allow(clippy::cast_precision_loss, reason = "directions and lengths below 2^30")]
 
-use tilesat::{Axis, Mover};
+use tilesat::{Axis, Cell, Mover};
 use tilesat_judge::Random;
 use tilesat_judge::rooms::body::{Body, Outcome};
 use tilesat_judge::rooms::room::{FINE, Room};
 use tilesat_judge::rooms::{P, PX, len2, mosaic};
+use tilesat_judge::shapes::level::Level;
 
 const PLAYER: Mover = Mover::platformer(Axis::NEG_Y);
 
@@ -36,7 +37,13 @@ fn before_last(v: P, out: &Outcome) -> (f64, f64) {
 /// Both the velocity before the last hit and the one of the call must have: what lay on a surface
 /// is pressed against it by the call's velocity all the time, and what came flying has no more than
 /// that surface left it.
-fn way_on(room: &Room, before: Body, v: P, out: &Outcome) -> Option<P> {
+///
+/// A quarter pipe on the way turns the velocity: what is left of it no hit shows.
+fn way_on(room: &Room, level: &Level, before: Body, v: P, out: &Outcome) -> Option<P> {
+    let last = out.hits.len().saturating_sub(1);
+    if out.hits.iter().take(last).any(|hit| hit.index == 8 && is_pipe(level, hit.cell)) {
+        return None;
+    }
     let made = (out.body.position().0 - before.position().0, out.body.position().1 - before.position().1);
     if out.v != (0, 0) || 100 * len2(made) >= len2(v) || len2(v) <= 4 * len2((PX, 0)) {
         return None;
@@ -48,6 +55,12 @@ fn way_on(room: &Room, before: Body, v: P, out: &Outcome) -> Option<P> {
     let along = |u: (f64, f64), d: P| u.0 * d.0 as f64 + u.1 * d.1 as f64 > PX as f64 * (len2(d) as f64).sqrt();
     let has = |d: P| along(u, d) && along((v.0 as f64, v.1 as f64), d);
     ways.filter(|&d| d != (0, 0) && has(d)).find(|&d| is_free(room, out.body, d))
+}
+
+fn is_pipe(level: &Level, cell: Cell) -> bool {
+    let (x, y) = (i64::from(cell.x), i64::from(cell.y));
+    let inside = (0..level.width).contains(&x) && (0..level.height).contains(&y);
+    inside && (14..=17).contains(&level.tiles[(y * level.width + x) as usize])
 }
 
 fn play(levels: u64, seed: u64) {
@@ -77,8 +90,11 @@ fn play(levels: u64, seed: u64) {
             let mut v = [(r.around(k), 0), (0, r.around(k)), (k, -k), (r.around(k), r.around(k))][r.below(4) as usize];
             let gravity = [0, cell / 40, cell / 20][r.below(3) as usize];
             let push = (r.around(cell / 4), r.around(cell / 4));
-            let mut body =
-                if r.one_in(2) { Body::Disc(at, hx) } else { Body::Rect((at.0 - hx, at.1 - hy), (2 * hx, 2 * hy)) };
+            let mut body = match r.below(3) {
+                0 => Body::Disc(at, hx),
+                1 => Body::Rect((at.0 - hx, at.1 - hy), (2 * hx, 2 * hy)),
+                _ => Body::Pill(at, if r.one_in(2) { (hy, 0) } else { (0, -hy) }, hx),
+            };
             if room.overlaps(body, (0, 0), 0) {
                 continue;
             }
@@ -90,7 +106,7 @@ fn play(levels: u64, seed: u64) {
                 let out = body.step(&PLAYER, &map, v).unwrap();
                 frames += 1;
                 stops += u32::from(out.v == (0, 0));
-                if let Some(way) = way_on(&room, body, v, &out) {
+                if let Some(way) = way_on(&room, &level, body, v, &out) {
                     dead.push((
                         cell,
                         level.tiles.clone(),

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use tilesat::{Axis, Mover, TileShape, motion::Work};
 use tilesat_judge::Random;
 use tilesat_judge::rooms::body::Body;
-use tilesat_judge::rooms::frames::{any_body, any_velocity};
+use tilesat_judge::rooms::frames::{any_body, any_capsule, any_velocity};
 use tilesat_judge::rooms::hull::meets;
 use tilesat_judge::rooms::{P, drawn, mosaic};
 use tilesat_judge::shapes::level::Level;
@@ -111,8 +111,14 @@ fn around_each_shape() {
             let near = |r: &mut Random| 32 * r.below(32) + if r.one_in(2) { 0 } else { r.within(-2, 2) };
             let size = |r: &mut Random| if r.one_in(8) { 0 } else { 32 * r.below(8) + r.within(1, 3) };
             let at = (near(&mut r), near(&mut r));
-            let body =
-                if r.one_in(2) { Body::Disc(at, size(&mut r)) } else { Body::Rect(at, (size(&mut r), size(&mut r))) };
+            let body = match r.below(3) {
+                0 => Body::Disc(at, size(&mut r)),
+                1 => Body::Rect(at, (size(&mut r), size(&mut r))),
+                _ => {
+                    let long = size(&mut r);
+                    Body::Pill(at, if r.one_in(2) { (long, 0) } else { (0, -long) }, size(&mut r).max(1))
+                }
+            };
             let d = (16 * r.within(-12, 12) + r.within(-1, 1), 16 * r.within(-12, 12) + r.within(-1, 1));
             frame(&level, &judge, body, d, &mut tally);
         }
@@ -132,10 +138,10 @@ fn within_a_raw_unit_of_each_shape() {
             let judge = Judge::new(&level);
             for _ in 0..tilesat_judge::frames(100_000) / 2000 {
                 let size = |r: &mut Random| if r.one_in(8) { r.below(4) } else { r.within(1, cell) };
-                let body = if r.one_in(3) {
-                    Body::Rect((0, 0), (size(&mut r), size(&mut r)))
-                } else {
-                    Body::Disc((0, 0), size(&mut r))
+                let body = match r.below(4) {
+                    0 => Body::Rect((0, 0), (size(&mut r), size(&mut r))),
+                    1 => any_capsule(&mut r, cell),
+                    _ => Body::Disc((0, 0), size(&mut r)),
                 };
                 let short = |r: &mut Random| if r.one_in(2) { r.within(-1, 1) } else { r.around(cell / 2) };
                 let d = (short(&mut r), short(&mut r));

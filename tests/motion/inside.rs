@@ -27,6 +27,7 @@ fn freed<W: World>(world: &W, body: Body) -> Result<Body, Stuck> {
             let b = Circle::new(vec2(c), Fx::from_bits(r as i32)).unwrap();
             escape(world, &b).map(|b| body.at(point(b.centre())))
         }
+        Body::Pill(..) => panic!("no capsule is pushed out"),
     }
 }
 

@@ -8,6 +8,7 @@
 use tilesat::{Axis, Mover, Response, Toi};
 use tilesat_judge::Random;
 use tilesat_judge::rooms::body::{Body, Outcome};
+use tilesat_judge::rooms::frames::any_capsule;
 use tilesat_judge::rooms::room::{FINE, Room};
 use tilesat_judge::rooms::view::View;
 use tilesat_judge::rooms::{P, PX, len2, mosaic};
@@ -36,10 +37,10 @@ fn each(seed: u64, one_way: i64, tiles: i64, mut check: impl FnMut(&mut Random, 
         let scene = Scene { room: Room::new(&level), level };
         for _ in 0..100 {
             let size = |r: &mut Random| 2 + r.below(2 * cell);
-            let kind = if r.one_in(2) {
-                Body::Rect((0, 0), (size(&mut r), size(&mut r)))
-            } else {
-                Body::Disc((0, 0), size(&mut r) / 2)
+            let kind = match r.below(3) {
+                0 => Body::Rect((0, 0), (size(&mut r), size(&mut r))),
+                1 => Body::Disc((0, 0), size(&mut r) / 2),
+                _ => any_capsule(&mut r, cell),
             };
             let body = kind.at((r.below(20 * cell), r.below(15 * cell)));
             if !scene.room.overlaps(body, (0, 0), 0) {
@@ -69,6 +70,7 @@ fn p8_scaling() {
         let big = match body {
             Body::Rect(p, size) => Body::Rect(double(p), double(size)),
             Body::Disc(c, r) => Body::Disc(double(c), 2 * r),
+            Body::Pill(c, core, r) => Body::Pill(double(c), double(core), 2 * r),
         };
         let (a, b) = (step(TOUCH, s, body, v), big.step(&TOUCH, &large.all(), double(v)).unwrap());
         assert_eq!(a.hits.len(), b.hits.len(), "{body:?} by {v:?}");
@@ -171,7 +173,7 @@ fn p20_no_tunnel_at_sixteen_tiles() {
         assert!(!s.room.overlaps(step(UP, s, body, v).body, (0, 0), 0), "{body:?} by {v:?}");
         hits += u64::from(!out.hits.is_empty());
     });
-    assert!(hits > cases() / 4);
+    assert!(hits > cases() / 5);
 }
 
 /// P25: work is bounded by the cells under the motion, ten features a cell, and by the iterations.

@@ -24,6 +24,7 @@ fn circle(body: Body) -> Circle {
 fn overlaps(map: &TileMap<'_, AllShapes>, body: Body) -> bool {
     match body {
         Body::Disc(..) => map.overlaps(&circle(body)),
+        Body::Pill(p, core, r) => map.overlaps(&Body::capsule(p, core, r)),
         Body::Rect(..) => map.overlaps(&Aabb::new(vec2(body.bounds().0), vec2(body.bounds().1)).unwrap()),
     }
 }
@@ -147,6 +148,10 @@ fn p10_p11_p12_casts() {
                 .cast_shape(&circle(body), vec2(v), rules)
                 .unwrap()
                 .map(|f| (f.hit.toi.raw(), point(f.body.centre()), f.inside)),
+            Body::Pill(p, core, r) => map
+                .cast_shape(&Body::capsule(p, core, r), vec2(v), rules)
+                .unwrap()
+                .map(|f| (f.hit.toi.raw(), point(f.body.a()), f.inside)),
             Body::Rect(..) => {
                 let b = Aabb::new(vec2(body.bounds().0), vec2(body.bounds().1)).unwrap();
                 map.cast_shape(&b, vec2(v), rules).unwrap().map(|f| (f.hit.toi.raw(), point(f.body.min()), f.inside))

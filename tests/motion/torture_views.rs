@@ -55,6 +55,7 @@ fn judged(body: Body) -> Shape {
     match body {
         Body::Rect(..) => Shape::Box { lo: wide(body.bounds().0), hi: wide(body.bounds().1) },
         Body::Disc(c, r) => Shape::Circle { c: wide(c), r: r.into() },
+        Body::Pill(..) => panic!("no capsule"),
     }
 }
 
@@ -199,6 +200,7 @@ fn p8_scaling_changes_no_answer() {
         let any = of(w.scene.body(r));
         for b in [body, any] {
             let answers = |map: &SegmentMap, b: Body, v: P| match b {
+                Body::Pill(..) => panic!("no capsule"),
                 Body::Disc(c, r) => {
                     let b = Circle::new(vec2(c), Fx::from_bits(r as i32)).unwrap();
                     (map.overlaps(&b), map.touches(&b), map.cast_shape(&b, vec2(v), RULES).unwrap().is_some())
@@ -211,6 +213,7 @@ fn p8_scaling_changes_no_answer() {
             let scaled = match b {
                 Body::Disc(c, r) => Body::Disc(by(&c), r * j),
                 Body::Rect(p, s) => Body::Rect(by(&p), by(&s)),
+                Body::Pill(p, core, r) => Body::Pill(by(&p), by(&core), r * j),
             };
             let here = answers(map, b, v);
             assert_eq!(answers(&large, scaled, by(&v)), here, "{j} times: {b:?} by {v:?} in {:?}", w.drawing);
@@ -222,6 +225,7 @@ fn p8_scaling_changes_no_answer() {
 
 fn cast(map: &SegmentMap, body: Body, v: P) -> Option<(u32, P, bool)> {
     match body {
+        Body::Pill(..) => panic!("no capsule"),
         Body::Disc(c, r) => {
             let b = Circle::new(vec2(c), Fx::from_bits(r as i32)).unwrap();
             let found = map.cast_shape(&b, vec2(v), RULES).unwrap()?;

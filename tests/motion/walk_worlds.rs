@@ -62,6 +62,7 @@ pub(super) fn step<W: World>(
             let b = Circle::new(vec2(c), fx(r)).unwrap();
             walker.walk(world, &b, vec2(v), floor).map(|w| frame(body, &w))
         }
+        Body::Pill(p, e, r) => walker.walk(world, &Body::capsule(p, e, r), vec2(v), floor).map(|w| frame(body, &w)),
     }
 }
 
@@ -94,10 +95,13 @@ fn play(seed: u64, tally: &mut Tally) {
     let walker = Walker::new(mover).with_slope_speed(kind).with_snap(fx(snap)).unwrap().with_step(fx(height)).unwrap();
     for _ in 0..6 {
         let p = (r.within(16 * PX, 240 * PX), r.within(16 * PX, 170 * PX));
-        let mut body = if r.one_in(2) {
-            Body::Rect(p, (r.within(PX, 14 * PX), r.within(PX, 20 * PX)))
-        } else {
-            Body::Disc(p, r.within(PX / 2, 9 * PX))
+        let mut body = match r.below(3) {
+            0 => Body::Rect(p, (r.within(PX, 14 * PX), r.within(PX, 20 * PX))),
+            1 => Body::Disc(p, r.within(PX / 2, 9 * PX)),
+            _ => {
+                let long = r.within(0, 16 * PX);
+                Body::Pill(p, if r.one_in(4) { (long, 0) } else { (0, long) }, r.within(PX / 2, 8 * PX))
+            }
         };
         if room.overlaps(body, (0, 0), 0) {
             continue;

@@ -285,18 +285,18 @@ impl<S: Law> Mover<S> {
         if !B::MEETS_CORNERS {
             return gap == 0 && from < end && start < to && self.side(n) == SurfaceRole::Floor;
         }
-        // How far the centre is beyond the nearer end of the side; 0 over the side itself.
-        let middle = from + (to - from) / 2;
-        let beyond = (start - middle).max(middle - end).max(0);
+        // How far the core is beyond the nearer end of the side; 0 over the side itself.
+        let radius = body.rounding();
+        let (before, after) = (start - (to - radius), from + radius - end);
+        let beyond = before.max(after).max(0);
         if beyond == 0 || solid.one_way().is_some() {
             return beyond == 0 && gap == 0 && self.side(n) == SurfaceRole::Floor;
         }
-        let radius = (to - from) / 2;
         let (above, reach) = (gap + radius, radius + CONTACT);
         if above <= 0 || beyond > reach || above > reach {
             return false;
         }
-        let aside = if middle < start { beyond.wrapping_neg() } else { beyond };
+        let aside = if before > 0 { beyond.wrapping_neg() } else { beyond };
         let normal = if n.x == 0 { Axis::new(aside, n.y * above) } else { Axis::new(n.x * above, aside) };
         let square = |v: i32| usqr(v.unsigned_abs());
         square(above) + square(beyond) <= square(reach) && self.side(normal) == SurfaceRole::Floor

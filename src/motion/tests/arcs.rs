@@ -1,9 +1,9 @@
 //! Against quarter discs and quarter pipes, by exact overlap tests at many moments.
 
-use super::super::body::kernel::Kernel;
+use super::super::body::{Body, kernel::Kernel};
 use super::std::vec::Vec;
 use super::std::{format, println};
-use super::{P, Random, cases, circle, feature, first, raw, vec2};
+use super::{P, Random, capsule, cases, circle, feature, first, raw, vec2};
 use crate::num::Axis;
 use crate::world::{Feature, Geometry};
 
@@ -25,11 +25,36 @@ fn outline(a: i64, convex: bool) -> Vec<Feature> {
     }
 }
 
+type Wide = (i128, i128);
+
+/// Whether the box that stands or lies around a capsule's core overlaps the solid.
+fn box_overlaps(lo: Wide, hi: Wide, a: i128, convex: bool) -> bool {
+    if convex {
+        // The point of it that is nearest to the centre, in the quarter.
+        let (x, y) = (lo.0.max(0), lo.1.max(0));
+        return hi.0 > 0 && hi.1 > 0 && x * x + y * y < a * a;
+    }
+    // The point in the square that is farthest.
+    let (x, y) = (hi.0.min(a), hi.1.min(a));
+    let in_square = lo.0 < a && hi.0 > 0 && lo.1 < a && hi.1 > 0;
+    in_square && x * x + y * y > a * a
+}
+
+/// Whether a capsule overlaps the solid, all in units of 1 / `den`; of equal ends a circle.
+fn capsule_overlaps(c: Wide, size: Wide, r: i128, a: i128, convex: bool) -> bool {
+    let end = (c.0 + size.0, c.1 + size.1);
+    let flat = if size.0 == 0 { (r, 0) } else { (0, r) };
+    overlaps(c, r, a, convex)
+        || (size != (0, 0)
+            && (overlaps(end, r, a, convex)
+                || box_overlaps((c.0 - flat.0, c.1 - flat.1), (end.0 + flat.0, end.1 + flat.1), a, convex)))
+}
+
 /// Whether the circle overlaps the solid, all in units of 1 / `den`.
-fn overlaps(c: (i128, i128), r: i128, a: i128, convex: bool) -> bool {
-    let near = |p: (i128, i128)| (c.0 - p.0).pow(2) + (c.1 - p.1).pow(2) < r * r;
+fn overlaps(c: Wide, r: i128, a: i128, convex: bool) -> bool {
+    let near = |p: Wide| (c.0 - p.0).pow(2) + (c.1 - p.1).pow(2) < r * r;
     // To a segment along x or y.
-    let side = |p: (i128, i128), q: (i128, i128)| near((c.0.clamp(p.0, q.0), c.1.clamp(p.1, q.1)));
+    let side = |p: Wide, q: Wide| near((c.0.clamp(p.0, q.0), c.1.clamp(p.1, q.1)));
     let (inside, square) = (c.0 >= 0 && c.1 >= 0, c.0 * c.0 + c.1 * c.1);
     if convex {
         return if inside { square < (a + r).pow(2) } else { side((0, 0), (a, 0)) || side((0, 0), (0, a)) };
@@ -49,18 +74,27 @@ struct Tally {
     aside: u64,
 }
 
-fn check(a: i64, convex: bool, c: P, r: i64, d: P, tally: &mut Tally) {
+fn check(arc: (i64, bool), (c, size, r): (P, P, i64), d: P, tally: &mut Tally) {
+    if size == (0, 0) {
+        check_body(&circle(c, r), arc, (c, size, r), d, tally);
+    } else {
+        check_body(&capsule(c, size, r), arc, (c, size, r), d, tally);
+    }
+}
+
+fn check_body<B: Body>(body: &B, (a, convex): (i64, bool), (c, size, r): (P, P, i64), d: P, tally: &mut Tally) {
+    let wide = |p: P, by: i128| (i128::from(p.0) * by, i128::from(p.1) * by);
     let at = |num: i128, den: i128| {
         let part = |c: i64, d: i64| i128::from(c) * den + i128::from(d) * num;
-        overlaps((part(c.0, d.0), part(c.1, d.1)), i128::from(r) * den, i128::from(a) * den, convex)
+        let c = (part(c.0, d.0), part(c.1, d.1));
+        capsule_overlaps(c, wide(size, den), i128::from(r) * den, i128::from(a) * den, convex)
     };
     if r == 0 || d == (0, 0) || at(0, 1) {
         return;
     }
-    let case = || format!("{convex} {a} circle {c:?} {r} by {d:?}");
-    let body = circle(c, r);
+    let case = || format!("{convex} {a} {c:?} {size:?} {r} by {d:?}");
     let features = outline(a, convex);
-    let Some(entry) = first(&body, d, &features) else {
+    let Some(entry) = first(body, d, &features) else {
         tally.misses += 1;
         for k in 0..=64 {
             assert!(!at(k, 64), "missed at {k}: {}", case());
@@ -84,7 +118,7 @@ fn check(a: i64, convex: bool, c: P, r: i64, d: P, tally: &mut Tally) {
     }
     let q = entry.displacement(raw(d));
     let (x, y) = (i128::from(c.0) + i128::from(q.x), i128::from(c.1) + i128::from(q.y));
-    tally.aside += u64::from(overlaps((x, y), r.into(), a.into(), convex));
+    tally.aside += u64::from(capsule_overlaps((x, y), wide(size, 1), r.into(), a.into(), convex));
     assert!(entry.normal.x != 0 || entry.normal.y != 0);
 }
 
@@ -104,7 +138,27 @@ fn exhaustively() {
             for x in -7..=14 {
                 for y in -7..=14 {
                     for k in 0..11 * 11 {
-                        check(a, convex, (x, y), r, (3 * (k % 11 - 5), k / 11 - 5), &mut tally);
+                        let d = (3 * (k % 11 - 5), k / 11 - 5);
+                        check((a, convex), ((x, y), (0, 0), r), d, &mut tally);
+                    }
+                }
+            }
+        }
+        balanced(&tally, 1000);
+    }
+}
+
+/// Standing and lying capsules, of which an end or a side comes to an arc.
+#[test]
+fn capsules_exhaustively() {
+    for convex in [true, false] {
+        let mut tally = Tally::default();
+        for (a, r, size) in [(10, 5, (0, 3)), (5, 5, (4, 0)), (5, 8, (0, 2)), (10, 1, (12, 0)), (10, 4, (0, 7))] {
+            for x in -18..=14 {
+                for y in -14..=14 {
+                    for k in 0..11 * 11 {
+                        let d = (3 * (k % 11 - 5), k / 11 - 5);
+                        check((a, convex), ((x, y), size, r), d, &mut tally);
                     }
                 }
             }
@@ -116,34 +170,48 @@ fn exhaustively() {
 #[test]
 fn on_all_scales() {
     for (seed, bits) in [(1, 8), (2, 14), (3, 20), (4, 24)] {
-        let (mut r, mut tally) = (Random::new(seed), Tally::default());
-        for _ in 0..cases(20_000) {
-            let a = (1 << bits) - r.magnitude(1 << (bits - 1));
-            let convex = r.one_in(2);
-            let radius = 1 + if r.one_in(2) { r.below(a) } else { r.magnitude(2 * a) };
-            let longest = if r.one_in(4) { 16 } else { 1 << (bits + 1) };
-            let d = (r.sign() * r.magnitude(longest), r.sign() * r.magnitude(longest));
-            // The centre on the arc of the sum or difference, or near an end of it.
-            let rim = if convex { a + radius } else { (a - radius).max(0) };
-            let angle = f64::from(r.below(1 << 20) as i32) / f64::from(1 << 20) * core::f64::consts::FRAC_PI_2;
-            let there = match r.below(4) {
-                0 => (rim, 0),
-                1 => (0, rim),
-                _ => ((rim as f64 * angle.cos()) as i64, (rim as f64 * angle.sin()) as i64),
-            };
-            let d = if r.one_in(4) {
-                // Along the arc.
-                let scale = longest as f64 / rim.max(1) as f64 * f64::from(r.sign() as i32);
-                ((-there.1 as f64 * scale) as i64, (there.0 as f64 * scale) as i64)
-            } else {
-                d
-            };
-            let back = if r.one_in(3) { 0 } else { r.below(1 << 20) };
-            let c = (there.0 - ((d.0 * back) >> 20) + r.around(1), there.1 - ((d.1 * back) >> 20) + r.around(1));
-            check(a, convex, c, radius, d, &mut tally);
-        }
-        balanced(&tally, cases(20_000) / 20);
+        all_scales(seed, bits, false);
     }
+}
+
+#[test]
+fn capsules_on_all_scales() {
+    for (seed, bits) in [(5, 8), (6, 14), (7, 20), (8, 24)] {
+        all_scales(seed, bits, true);
+    }
+}
+
+fn all_scales(seed: u64, bits: u32, is_capsule: bool) {
+    let (mut r, mut tally) = (Random::new(seed), Tally::default());
+    for _ in 0..cases(20_000) {
+        let a = (1 << bits) - r.magnitude(1 << (bits - 1));
+        let convex = r.one_in(2);
+        let radius = 1 + if r.one_in(2) { r.below(a) } else { r.magnitude(2 * a) };
+        let longest = if r.one_in(4) { 16 } else { 1 << (bits + 1) };
+        let d = (r.sign() * r.magnitude(longest), r.sign() * r.magnitude(longest));
+        // The centre on the arc of the sum or difference, or near an end of it.
+        let rim = if convex { a + radius } else { (a - radius).max(0) };
+        let angle = f64::from(r.below(1 << 20) as i32) / f64::from(1 << 20) * core::f64::consts::FRAC_PI_2;
+        let there = match r.below(4) {
+            0 => (rim, 0),
+            1 => (0, rim),
+            _ => ((rim as f64 * angle.cos()) as i64, (rim as f64 * angle.sin()) as i64),
+        };
+        let d = if r.one_in(4) {
+            // Along the arc.
+            let scale = longest as f64 / rim.max(1) as f64 * f64::from(r.sign() as i32);
+            ((-there.1 as f64 * scale) as i64, (there.0 as f64 * scale) as i64)
+        } else {
+            d
+        };
+        let back = if r.one_in(3) { 0 } else { r.below(1 << 20) };
+        let c = (there.0 - ((d.0 * back) >> 20) + r.around(1), there.1 - ((d.1 * back) >> 20) + r.around(1));
+        let long = if is_capsule { 1 + r.magnitude(2 * a) } else { 0 };
+        let size = if r.one_in(2) { (long, 0) } else { (0, long) };
+        let c = if is_capsule && r.one_in(2) { (c.0 - size.0, c.1 - size.1) } else { c };
+        check((a, convex), (c, size, radius), d, &mut tally);
+    }
+    balanced(&tally, cases(20_000) / 20);
 }
 
 /// Along a floor into a quarter pipe: the line touches the arc's inner disc in its end only. Out of

@@ -1,4 +1,4 @@
-//! The circle's kernels against exact algebra that shares nothing with them.
+//! The kernels of circles and capsules against exact algebra that shares nothing with them.
 
 #![allow(
     clippy::expect_used,
@@ -19,10 +19,10 @@ mod polygons;
 mod symmetry;
 
 use self::std::vec::Vec;
-use super::body::{Entry, kernel::Kernel};
+use super::body::{Body, Entry, kernel::Kernel};
 use super::order::First;
-use crate::num::{Axis, Raw, Vec2};
-use crate::shape::Circle;
+use crate::num::{Axis, Fx, Raw, Vec2};
+use crate::shape::{Capsule, Circle};
 use crate::world::{Cell, Feature, Geometry, SegmentMap};
 use tilesat_judge::{Random, cases};
 
@@ -53,15 +53,20 @@ fn circle(c: P, r: i64) -> Circle {
     Circle::from_raw_unchecked(raw(c), r as i32)
 }
 
+/// A capsule whose core is as long as `size`, which is along x or y.
+fn capsule(c: P, size: P, r: i64) -> Capsule {
+    Capsule::from_raw_unchecked(raw(c), raw((c.0 + size.0, c.1 + size.1)), Fx::from_bits(r as i32))
+}
+
 /// The first hit of all, as the mover takes it.
-fn first(body: &Circle, d: P, features: &[Feature]) -> Option<Entry> {
+fn first<B: Body>(body: &B, d: P, features: &[Feature]) -> Option<Entry> {
     let (d, mut first) = (raw(d), First::none());
     for feature in features {
         if let Some(entry) = body.sweep(d, feature) {
-            first.add::<Circle, SegmentMap<'_>>(&entry, feature, d);
+            first.add::<B, SegmentMap<'_>>(&entry, feature, d);
         }
     }
-    first.hit::<Circle, SegmentMap<'_>>(body, d).map(|hit| *hit.0)
+    first.hit::<B, SegmentMap<'_>>(body, d).map(|hit| *hit.0)
 }
 
 /// The boundary of a polygon that turns from x toward y (its solid is on the left): a face an edge,

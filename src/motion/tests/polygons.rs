@@ -1,10 +1,10 @@
-//! Against polygons, exactly: a motion overlaps before a moment iff its swept segment comes nearer
+//! Against polygons, exactly: a motion overlaps before a moment iff what its core sweeps comes nearer
 //! than the radius to an edge.
 
-use super::super::body::{Entry, kernel::Kernel};
+use super::super::body::Entry;
 use super::std::vec::Vec;
 use super::std::{format, println, vec};
-use super::{P, Random, cases, circle, first, outline, raw};
+use super::{Body, P, Random, capsule, cases, circle, first, outline, raw};
 use num_bigint::BigInt;
 
 type Big = BigInt;
@@ -42,21 +42,38 @@ fn point_near(p: &Wide, a: &Wide, b: &Wide, rr: &Big) -> bool {
     &across * &across < rr * &square
 }
 
-/// Whether the motion `num / den` of the way comes nearer to the polygon's border than `r`.
-fn enters(solid: &[P], c: P, r: i64, d: P, num: i64, den: i64) -> bool {
+fn side(p: &Wide, a: &Wide, b: &Wide) -> Big {
+    cross(&sub(b, a), &sub(p, a))
+}
+
+/// Whether two segments are nearer to each other than the root of `rr`, which is not 0.
+fn near((a, b): (&Wide, &Wide), (p, q): (&Wide, &Wide), rr: &Big) -> bool {
+    let apart = |p: &Big, q: &Big| (p < &zero()) != (q < &zero()) && *p != zero() && *q != zero();
+    point_near(p, a, b, rr)
+        || point_near(q, a, b, rr)
+        || point_near(a, p, q, rr)
+        || point_near(b, p, q, rr)
+        || (apart(&side(a, p, q), &side(b, p, q)) && apart(&side(p, a, b), &side(q, a, b)))
+}
+
+/// A body: an end of its core, how far it is to the other one, the radius.
+type Round = (P, P, i64);
+
+/// Whether the motion `num / den` of the way comes nearer to the polygon's border than the radius:
+/// the core sweeps a parallelogram.
+fn enters(solid: &[P], (c, size, r): Round, d: P, num: i64, den: i64) -> bool {
     let big = |p: P| (Big::from(p.0) * den, Big::from(p.1) * den);
+    let plus = |p: &Wide, q: P, by: i64| (&p.0 + Big::from(q.0) * by, &p.1 + Big::from(q.1) * by);
     let start = big(c);
-    let end = (&start.0 + Big::from(d.0) * num, &start.1 + Big::from(d.1) * num);
+    let (far, end) = (plus(&start, size, den), plus(&start, d, num));
+    let swept = [start, far.clone(), plus(&far, d, num), end];
     let rr = Big::from(r) * Big::from(r) * den * den;
+    let sides = |k: usize| (&swept[k], &swept[(k + 1) % 4]);
     (0..solid.len()).any(|i| {
         let (a, b) = (big(solid[i]), big(solid[(i + 1) % solid.len()]));
-        let side = |p: &Wide, a: &Wide, b: &Wide| cross(&sub(b, a), &sub(p, a));
-        let apart = |p: &Big, q: &Big| (p < &zero()) != (q < &zero()) && *p != zero() && *q != zero();
-        point_near(&start, &a, &b, &rr)
-            || point_near(&end, &a, &b, &rr)
-            || point_near(&a, &start, &end, &rr)
-            || (apart(&side(&a, &start, &end), &side(&b, &start, &end))
-                && apart(&side(&start, &a, &b), &side(&end, &a, &b)))
+        let turns: Vec<_> = (0..4).map(|k| side(&a, sides(k).0, sides(k).1)).collect();
+        let is_in = turns.iter().all(|t| *t > zero()) || turns.iter().all(|t| *t < zero());
+        is_in || (0..4).any(|k| near(sides(k), (&a, &b), &rr))
     })
 }
 
@@ -89,38 +106,47 @@ struct Tally {
 
 /// One motion: hit or not, never late, early by less than a raw unit of way, and a free place at
 /// the end.
-fn check(solid: &[P], c: P, r: i64, d: P, tally: &mut Tally) {
-    if r == 0 || d == (0, 0) || enters(solid, c, r, (0, 0), 0, 1) || contains(solid, c) {
+fn check(solid: &[P], round: Round, d: P, tally: &mut Tally) {
+    let (c, size, r) = round;
+    if r == 0 || d == (0, 0) || enters(solid, round, (0, 0), 0, 1) || contains(solid, c) {
         return;
     }
-    let body = circle(c, r);
-    let case = || format!("{solid:?} circle {c:?} {r} by {d:?}");
+    if size == (0, 0) {
+        check_body(&circle(c, r), solid, round, d, tally);
+    } else {
+        check_body(&capsule(c, size, r), solid, round, d, tally);
+    }
+}
+
+fn check_body<B: Body>(body: &B, solid: &[P], round: Round, d: P, tally: &mut Tally) {
+    let case = || format!("{solid:?} {round:?} by {d:?}");
+    let (c, size, r) = round;
     let features = outline(solid);
-    let Some(entry) = first(&body, d, &features) else {
+    let Some(entry) = first(body, d, &features) else {
         tally.misses += 1;
-        assert!(!enters(solid, c, r, d, 1, 1), "missed: {}", case());
+        assert!(!enters(solid, round, d, 1, 1), "missed: {}", case());
         return;
     };
     tally.hits += 1;
     let (num, den) = (i64::from(entry.num), i64::from(entry.den));
-    assert!(!enters(solid, c, r, d, num, den), "late {entry:?}: {}", case());
+    assert!(!enters(solid, round, d, num, den), "late {entry:?}: {}", case());
     // A corner goes before a face along x or y only if it is met before the exact moment of that.
     let exact = |e: &Entry| e.step.is_none() && (e.normal.x == 0 || e.normal.y == 0);
     for face in features.iter().filter_map(|f| body.sweep(raw(d), f)).filter(exact) {
-        let before = entry.step.is_none() || enters(solid, c, r, d, face.num.into(), face.den.into());
+        let before = entry.step.is_none() || enters(solid, round, d, face.num.into(), face.den.into());
         assert!(before, "{entry:?} before {face:?}: {}", case());
         tally.ties += u64::from(entry.step.is_some());
     }
     let length = ((d.0 * d.0 + d.1 * d.1) as f64).sqrt();
     let raw_of_way = (f64::from(1 << 30) / length) as i64;
     let until = ((num << 30) / den + 8 + raw_of_way).min(1 << 30);
-    assert!(enters(solid, c, r, d, until, 1 << 30), "early {entry:?}: {}", case());
+    assert!(enters(solid, round, d, until, 1 << 30), "early {entry:?}: {}", case());
     let q = entry.displacement(raw(d));
     let place = |x: i32, y: i32| {
         let within = |q: i32, d: i64| i64::from(q).clamp(d.min(0), d.max(0));
         (c.0 + within(q.x + x, d.0), c.1 + within(q.y + y, d.1))
     };
-    let free = |at: P| !enters(solid, at, r, (0, 0), 0, 1);
+    let free = |at: P| !enters(solid, (at, size, r), (0, 0), 0, 1);
     let (sx, sy) = (d.0.signum() as i32, d.1.signum() as i32);
     if !free(place(0, 0)) {
         tally.aside += 1;
@@ -182,7 +208,7 @@ fn across(e: P, length: i64) -> P {
     ((e.1 as f64 * scale).round() as i64, (-e.0 as f64 * scale).round() as i64)
 }
 
-fn random(seed: u64, n: u64, size: i64, longest: i64) -> Tally {
+fn random(seed: u64, n: u64, size: i64, longest: i64, is_capsule: bool) -> Tally {
     let (mut r, mut tally) = (Random::new(seed), Tally::default());
     for _ in 0..n {
         let solid = any_polygon(&mut r, size);
@@ -200,8 +226,13 @@ fn random(seed: u64, n: u64, size: i64, longest: i64) -> Tally {
         let back = r.within(0, 1 << 20);
         let part = |c: i64| (c * back) >> 20;
         let c = (at.0 + offset.0 - part(d.0) + r.around(2), at.1 + offset.1 - part(d.1) + r.around(2));
-        if c.0.abs().max(c.1.abs()) < (1 << 29) {
-            check(&solid, c, radius, d, &mut tally);
+        // Of a capsule, an end of the core comes there, or a point between the ends.
+        let long = if is_capsule { 1 + r.magnitude(longest.min(4 * size)) } else { 0 };
+        let size = if r.one_in(2) { (long, 0) } else { (0, long) };
+        let part = if r.one_in(2) { r.below(2) << 10 } else { r.within(0, 1 << 10) };
+        let c = (c.0 - ((size.0 * part) >> 10), c.1 - ((size.1 * part) >> 10));
+        if c.0.abs().max(c.1.abs()) + long < (1 << 29) {
+            check(&solid, (c, size, radius), d, &mut tally);
         }
     }
     println!("{tally:?}");
@@ -211,7 +242,7 @@ fn random(seed: u64, n: u64, size: i64, longest: i64) -> Tally {
 #[test]
 fn slopes_on_all_scales() {
     for (seed, bits) in [(1, 6), (2, 12), (3, 20), (4, 24)] {
-        let tally = random(seed, cases(4000), 1 << bits, 1 << (bits + 2));
+        let tally = random(seed, cases(4000), 1 << bits, 1 << (bits + 2), false);
         assert!(tally.hits > cases(4000) / 8 && tally.misses > cases(4000) / 16);
         assert!(tally.aside <= tally.hits / 20 && tally.stays <= tally.aside);
     }
@@ -220,8 +251,10 @@ fn slopes_on_all_scales() {
 /// Edges and motions as long as the domain allows: directions of 2^29, motions and radii of 2^28.
 #[test]
 fn at_the_limits() {
-    let tally = random(9, cases(4000), (1 << 28) - 1, (1 << 28) - 1);
-    assert!(tally.hits > cases(4000) / 16 && tally.misses > cases(4000) / 16);
+    for is_capsule in [false, true] {
+        let tally = random(9, cases(4000), (1 << 28) - 1, (1 << 28) - 1, is_capsule);
+        assert!(tally.hits > cases(4000) / 16 && tally.misses > cases(4000) / 32);
+    }
 }
 
 /// Tiny numbers, where every tie happens.
@@ -233,9 +266,35 @@ fn exhaustively() {
         for k in 0..14 * 14 * 7 * 7 * 2 {
             let at = (k % 14 - 4, k / 14 % 14 - 4);
             let d = (3 * (k / 196 % 7 - 3), 2 * (k / 1372 % 7 - 3));
-            check(&solid, at, if k / 9604 == 0 { 2 } else { 5 }, d, &mut tally);
+            check(&solid, (at, (0, 0), if k / 9604 == 0 { 2 } else { 5 }), d, &mut tally);
         }
     }
     println!("{tally:?}");
     assert!(tally.hits > 10_000 && tally.misses > 5_000);
+}
+
+#[test]
+fn capsules_on_all_scales() {
+    for (seed, bits) in [(5, 6), (6, 12), (7, 20), (8, 24)] {
+        let tally = random(seed, cases(4000), 1 << bits, 1 << (bits + 2), true);
+        assert!(tally.hits > cases(4000) / 8 && tally.misses > cases(4000) / 32);
+        assert!(tally.aside <= tally.hits / 20 && tally.stays <= tally.aside);
+    }
+}
+
+/// Standing and lying, on the lattice where every tie happens.
+#[test]
+fn capsules_exhaustively() {
+    let mut tally = Tally::default();
+    for solid in SOLIDS {
+        let solid: Vec<P> = solid.iter().map(|p| (2 * p.0, 2 * p.1)).collect();
+        for k in 0..14 * 14 * 7 * 7 * 4 {
+            let at = (k % 14 - 4, k / 14 % 14 - 4);
+            let d = (3 * (k / 196 % 7 - 3), 2 * (k / 1372 % 7 - 3));
+            let (size, r) = [((0, 3), 2), ((4, 0), 2), ((0, 2), 5), ((8, 0), 1)][(k / 9604) as usize];
+            check(&solid, (at, size, r), d, &mut tally);
+        }
+    }
+    println!("{tally:?}");
+    assert!(tally.hits > 20_000 && tally.misses > 10_000);
 }

@@ -394,7 +394,7 @@ impl<W: World, B: Body> Stride<'_, W, B> {
     ///
     /// A circle comes down to the edge of a step before it is over the step, or still when it is
     /// beyond. There it is on its way, and stands, if there is level floor at the end of the same
-    /// way down from half its width farther on.
+    /// way down from its radius farther on.
     pub(super) fn footing(&mut self, ground: &Ground) -> Option<Support> {
         self.walker.mover.support(ground).or_else(|| self.beyond(ground, Raw::ZERO))
     }
@@ -403,8 +403,7 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         if !B::MEETS_CORNERS || ground.entry.step.is_none() {
             return None;
         }
-        let size = Raw::of(self.run.moved.body.bounds().size());
-        let forward = self.forward((size.x.max(size.y) >> 1) as u32);
+        let forward = self.forward(self.run.moved.body.rounding() as u32);
         if forward.is_zero() {
             return None;
         }

@@ -2,14 +2,23 @@
 
 use super::{P, Time, add};
 use tilesat::{
-    Aabb, Circle, Fx, MoveError, Mover, Response, TileMap, Vec2,
+    Aabb, Capsule, Circle, Fx, MoveError, Mover, Response, TileMap, Vec2,
     motion::{Hits, Work},
 };
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Body {
-    Rect { lo: P, hi: P },
-    Disc { c: P, r: i64 },
+    Rect {
+        lo: P,
+        hi: P,
+    },
+    /// A circle, or a capsule: the end of the core with the smaller coordinates, how far along x or y
+    /// the other end is, the radius.
+    Disc {
+        c: P,
+        core: P,
+        r: i64,
+    },
 }
 
 /// A result of the mover, in plain integers.
@@ -52,7 +61,7 @@ impl Body {
     }
 
     pub fn disc(c: P, r: i64) -> Self {
-        Self::Disc { c, r }
+        Self::Disc { c, core: (0, 0), r }
     }
 
     /// The corner of a box with the smaller coordinates, the centre of a circle.
@@ -66,7 +75,7 @@ impl Body {
     pub fn bounds(&self) -> (P, P) {
         match *self {
             Self::Rect { lo, hi } => (lo, hi),
-            Self::Disc { c, r } => ((c.0 - r, c.1 - r), (c.0 + r, c.1 + r)),
+            Self::Disc { c, core, r } => ((c.0 - r, c.1 - r), (c.0 + core.0 + r, c.1 + core.1 + r)),
         }
     }
 
@@ -84,7 +93,7 @@ impl Body {
     pub fn moved(&self, d: P) -> Self {
         match *self {
             Self::Rect { lo, hi } => Self::Rect { lo: add(lo, d), hi: add(hi, d) },
-            Self::Disc { c, r } => Self::Disc { c: add(c, d), r },
+            Self::Disc { c, core, r } => Self::Disc { c: add(c, d), core, r },
         }
     }
 
@@ -95,7 +104,11 @@ impl Body {
                 let (a, b) = (f(lo), f(hi));
                 Self::Rect { lo: (a.0.min(b.0), a.1.min(b.1)), hi: (a.0.max(b.0), a.1.max(b.1)) }
             }
-            Self::Disc { c, r } => Self::Disc { c: f(c), r },
+            Self::Disc { c, core, r } => {
+                let (a, b) = (f(c), f(add(c, core)));
+                let (lo, hi) = ((a.0.min(b.0), a.1.min(b.1)), (a.0.max(b.0), a.1.max(b.1)));
+                Self::Disc { c: lo, core: (hi.0 - lo.0, hi.1 - lo.1), r }
+            }
         }
     }
 
@@ -109,12 +122,21 @@ impl Body {
                 let body = Self::Rect { lo: point(moved.body.min()), hi: point(moved.body.max()) };
                 Ok(outcome(body, &moved))
             }
-            Self::Disc { c, r } => {
+            Self::Disc { c, core: (0, 0), r } => {
                 let body = Circle::new(vec2(c), Fx::from_bits(i32::try_from(r).unwrap())).unwrap();
                 let moved = mover.move_and_slide(map, &body, vec2(v))?;
                 assert_eq!(moved.position(), moved.body.centre());
-                let body = Self::Disc { c: point(moved.body.centre()), r: i64::from(moved.body.radius().to_bits()) };
-                Ok(outcome(body, &moved))
+                let r = i64::from(moved.body.radius().to_bits());
+                Ok(outcome(Self::disc(point(moved.body.centre()), r), &moved))
+            }
+            Self::Disc { c, core, r } => {
+                let radius = Fx::from_bits(i32::try_from(r).unwrap());
+                let body = Capsule::new(vec2(c), vec2(add(c, core)), radius).unwrap();
+                let moved = mover.move_and_slide(map, &body, vec2(v))?;
+                assert_eq!(moved.position(), moved.body.a());
+                let (c, end) = (point(moved.body.a()), point(moved.body.b()));
+                let core = (end.0 - c.0, end.1 - c.1);
+                Ok(outcome(Self::Disc { c, core, r: i64::from(moved.body.radius().to_bits()) }, &moved))
             }
         }
     }

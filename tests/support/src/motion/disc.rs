@@ -1,9 +1,17 @@
-//! Circles: whether a motion enters the open disc sum of a square, up to a given moment.
+//! Circles and capsules: whether a motion enters the open disc sum of a square, up to a given moment.
+//!
+//! A capsule meets a square where the disc around one end of its core meets the square that is drawn
+//! out by the core toward the other side.
 
 use super::body::Body;
 use super::level::Level;
 use super::rect;
 use super::{P, Time, dot, len2};
+
+/// What meets the first end of a core: a square and all that is before it by the core.
+pub fn drawn_out((a, b): (P, P), core: P) -> (P, P) {
+    ((a.0 - core.0, a.1 - core.1), b)
+}
 
 /// Whether the open disc meets the open square.
 pub fn overlaps(c: P, r: i64, a: P, b: P) -> bool {
@@ -46,22 +54,34 @@ fn enters_disc(m: P, r: i64, d: P, until: Time) -> bool {
 /// The first moment at which the foremost point of a circle on some axis meets a face, its ends
 /// included, and moves in.
 pub fn first_face(level: &Level, body: &Body, d: P) -> Option<Time> {
-    let Body::Disc { c, r } = *body else { panic!("a circle is needed") };
+    let Body::Disc { c, core, r } = *body else { panic!("a circle is needed") };
     let mut first: Option<Time> = None;
     for (x, y) in level.cells_along(body, d).filter(|&(x, y)| level.full(x, y)) {
-        let (a, b) = level.square(x, y);
+        let (a, b) = drawn_out(level.square(x, y), core);
         // The gap along the motion, the speed, and the place beside it: low end, speed, length of
         // the face.
-        let x_face =
-            (if d.0 > 0 { a.0 - c.0 } else { c.0 - b.0 } - r, d.0.abs(), c.1 - a.1, d.1, (x - d.0.signum(), y));
-        let y_face =
-            (if d.1 > 0 { a.1 - c.1 } else { c.1 - b.1 } - r, d.1.abs(), c.0 - a.0, d.0, (x, y - d.1.signum()));
-        for (gap, speed, beside, along, across) in [x_face, y_face] {
+        let x_face = (
+            if d.0 > 0 { a.0 - c.0 } else { c.0 - b.0 } - r,
+            d.0.abs(),
+            c.1 - a.1,
+            d.1,
+            b.1 - a.1,
+            (x - d.0.signum(), y),
+        );
+        let y_face = (
+            if d.1 > 0 { a.1 - c.1 } else { c.1 - b.1 } - r,
+            d.1.abs(),
+            c.0 - a.0,
+            d.0,
+            b.0 - a.0,
+            (x, y - d.1.signum()),
+        );
+        for (gap, speed, beside, along, along_face, across) in [x_face, y_face] {
             if gap < 0 || gap >= speed || level.full(across.0, across.1) {
                 continue;
             }
             let at = i128::from(beside) * i128::from(speed) + i128::from(along) * i128::from(gap);
-            if at >= 0 && at <= i128::from(level.cell) * i128::from(speed) {
+            if at >= 0 && at <= i128::from(along_face) * i128::from(speed) {
                 first = first.into_iter().chain([Time::new(gap, speed)]).min();
             }
         }
@@ -71,18 +91,18 @@ pub fn first_face(level: &Level, body: &Body, d: P) -> Option<Time> {
 
 /// Whether a circle enters the disc around some corner of a full cell before `until`.
 pub fn enters_corner(level: &Level, body: &Body, d: P, until: Time) -> bool {
-    let Body::Disc { c, r } = *body else { panic!("a circle is needed") };
+    let Body::Disc { c, core, r } = *body else { panic!("a circle is needed") };
     level.cells_along(body, d).filter(|&(x, y)| level.full(x, y)).any(|(x, y)| {
-        let (a, b) = level.square(x, y);
+        let (a, b) = drawn_out(level.square(x, y), core);
         [a, b, (a.0, b.1), (b.0, a.1)].iter().any(|&p| enters_disc((c.0 - p.0, c.1 - p.1), r, d, until))
     })
 }
 
 /// Whether a circle enters the solid up to `until`.
 pub fn enters_solid(level: &Level, body: &Body, d: P, until: Time) -> bool {
-    let Body::Disc { c, r } = *body else { panic!("a circle is needed") };
+    let Body::Disc { c, core, r } = *body else { panic!("a circle is needed") };
     level.cells_along(body, d).any(|(x, y)| {
-        let (a, b) = level.square(x, y);
+        let (a, b) = drawn_out(level.square(x, y), core);
         level.full(x, y) && enters(c, r, d, a, b, until)
     })
 }

@@ -7,7 +7,7 @@
 
 use super::body::{Body, Outcome};
 use super::level::Level;
-use super::{P, disc, len2, rect};
+use super::{P, Time, disc, len2, rect};
 use tilesat::{Hit, Mover, Response};
 
 type V = (f64, f64);
@@ -55,14 +55,15 @@ fn is_over(level: &Level, body: &Body, plane: &Plane) -> Option<bool> {
         if plane.one_way { level.one_way(x, y) } else { level.full(x, y) && !level.full(x + n.0, y + n.1) }
     };
     let (lo, hi) = match *body {
-        Body::Disc { c, .. } => (c, c),
+        Body::Disc { c, core, .. } => (c, super::add(c, core)),
         Body::Rect { lo, hi } => (lo, hi),
     };
     let cell = |p: P, by: i64| if along_x { level.column(p.0 + by) } else { level.row(p.1 + by) };
     let any = |by: i64| (cell(lo, -by)..=cell(hi, by)).any(is_face);
     let (wide, narrow) = (any(16), cell(lo, 16) <= cell(hi, -16) && (cell(lo, 16)..=cell(hi, -16)).any(is_face));
-    let disc = matches!(body, Body::Disc { .. });
-    let narrow = if disc { (cell(lo, -16)..=cell(hi, 16)).all(is_face) } else { narrow };
+    // What is over a face with one point.
+    let thin = matches!(body, Body::Disc { core, .. } if (if along_x { core.0 } else { core.1 }) == 0);
+    let narrow = if thin { (cell(lo, -16)..=cell(hi, 16)).all(is_face) } else { narrow };
     if wide == narrow { Some(wide) } else { None }
 }
 
@@ -107,6 +108,22 @@ impl Touched {
         });
         free.max_by(|a, b| a.0.hypot(a.1).total_cmp(&b.0.hypot(b.1))).unwrap_or_default()
     }
+}
+
+/// The velocity along a face whose end is the corner that was hit last, where that is what a body
+/// goes on by: one that is as high over the face as its radius passes the corner, though the tangent
+/// there leads off the face.
+fn along_an_end(level: &Level, there: &Body, touched: &Touched, v: P) -> Option<V> {
+    let last = touched.planes.last().filter(|plane| plane.corner)?;
+    let n = last.normal;
+    let faces = [(n.0.signum(), 0.0), (0.0, n.1.signum())].into_iter();
+    let ends = faces.filter(|face| last.radius - (face.0 * n.0 + face.1 * n.1) <= Touched::NEAR);
+    ends.map(|face| respond(touched.by, face, Response::Slide)).find(|way| {
+        let d = (way.0 as i64, way.1 as i64);
+        near(v, *way, 1.0)
+            && rect::first_one_way(level, there, d).is_none()
+            && !disc::enters_solid(level, there, d, Time::new(1, 16))
+    })
 }
 
 /// Whether a circle of velocity `v` lies on what it hits after a leg: it is as near as roundings
@@ -186,6 +203,9 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
                 vel = respond(vel, normal, response);
             }
         }
+    }
+    if let Some(way) = along_an_end(level, &out.body, &touched, out.v) {
+        vel = way;
     }
     // Four hits use up the iterations: what is left is reported and not made, and where the last
     // left it is seen in the next call.

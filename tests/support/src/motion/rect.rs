@@ -100,7 +100,7 @@ pub fn first_one_way(level: &Level, body: &Body, d: P) -> Option<First> {
         // Positions at that moment, scaled by the speed.
         let at = |v: i64, face: i64| i128::from(v - face) * i128::from(d.1) + i128::from(d.0) * i128::from(gap);
         let (spans, over) = match *body {
-            Body::Disc { c, r } if r > 0 => (at(c.0, a.0) >= 0 && at(c.0, b.0) <= 0, true),
+            Body::Disc { c, core, r } if r > 0 => (at(c.0 + core.0, a.0) >= 0 && at(c.0, b.0) <= 0, true),
             _ => {
                 let (right, left) = (at(hi.0, a.0), at(lo.0, b.0));
                 let goes_on = |x: i64| level.full(x, y) || level.one_way(x, y);
@@ -120,7 +120,10 @@ impl Body {
     pub fn reaches(&self, a: P, b: P) -> bool {
         match *self {
             Self::Rect { .. } => true,
-            Self::Disc { c, r } => disc::overlaps(c, r, a, b),
+            Self::Disc { c, core, r } => {
+                let (a, b) = disc::drawn_out((a, b), core);
+                disc::overlaps(c, r, a, b)
+            }
         }
     }
 }

@@ -31,11 +31,13 @@ pub fn any_body(r: &mut Random, largest: i64) -> Body {
     let size = |r: &mut Random| {
         if r.one_in(2) { px(r.within(2, largest)) } else { r.within(2, px(largest)) }
     };
-    if r.one_in(2) {
-        let size = (size(r), size(r));
-        Body::rect((0, 0), size)
-    } else {
-        Body::disc((0, 0), (size(r) / 2).max(1))
+    match r.below(5) {
+        0 | 1 => Body::rect((0, 0), (size(r), size(r))),
+        2 | 3 => Body::disc((0, 0), (size(r) / 2).max(1)),
+        _ => {
+            let (long, radius) = (size(r), (size(r) / 2).max(1));
+            Body::Disc { c: (0, 0), core: if r.one_in(2) { (long, 0) } else { (0, long) }, r: radius }
+        }
     }
 }
 

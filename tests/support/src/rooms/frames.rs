@@ -108,7 +108,7 @@ pub fn frame(r: &mut Random, s: &Scene, views: &[View], tally: &mut Tally) -> Ou
     let out = out.unwrap_or_else(|e| panic!("{}", describe(s, &format!("{e:?}"))));
     assert!(!s.room.overlaps(out.body, (0, 0), 0), "{}", describe(s, "ends inside"));
     assert!(len2(out.v) <= len2(s.v), "{}", describe(s, "is faster"));
-    let round = matches!(s.body, Body::Disc(..));
+    let round = !matches!(s.body, Body::Rect(..));
     tally.round += u64::from(round);
     assert!(out.hits.len() as u32 <= out.work.iterations && out.work.iterations <= Mover::ITERATIONS);
     if out.hits.is_empty() {
@@ -149,5 +149,16 @@ pub fn any_body(r: &mut Random, cell: i64) -> Body {
         2 => cell,
         _ => 2 + r.below(3 * cell),
     };
-    if r.one_in(3) { Body::Rect((0, 0), (size(r), size(r))) } else { Body::Disc((0, 0), (size(r) / 2).max(1)) }
+    match r.below(4) {
+        0 => Body::Rect((0, 0), (size(r), size(r))),
+        1 => any_capsule(r, cell),
+        _ => Body::Disc((0, 0), (size(r) / 2).max(1)),
+    }
+}
+
+/// A standing or lying capsule of up to two cells, its first end either one.
+pub fn any_capsule(r: &mut Random, cell: i64) -> Body {
+    let radius = [cell / 4, cell / 3, 1 + r.magnitude(cell / 2), 1 + r.below(cell)][r.below(4) as usize];
+    let long = [cell / 2, cell / 4, r.magnitude(cell), r.below(2 * cell)][r.below(4) as usize] * r.sign();
+    Body::Pill((0, 0), if r.one_in(2) { (long, 0) } else { (0, long) }, radius)
 }

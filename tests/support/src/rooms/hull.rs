@@ -28,6 +28,10 @@ fn cross(a: Point, b: Point) -> i128 {
 /// Whether a body that moves by `d` has a point in the inside of a region at some moment. One
 /// without area is a raw unit larger on every side.
 pub fn meets(region: &Region, body: Body, d: P) -> bool {
+    if let Some(parts) = body.parts() {
+        let has_area = |(lo, hi): (P, P)| lo.0 < hi.0 && lo.1 < hi.1;
+        return parts.into_iter().any(|part| has_area(part.bounds()) && meets(region, part, d));
+    }
     let (a, d) = (body.bounds(), wide(d));
     match (region, body) {
         (Region::Polygon(points), Body::Disc(c, r)) if r > 0 => near_polygon(points, wide(c), d, r.into()),

@@ -24,6 +24,9 @@ impl Room {
 
     /// Whether the body overlaps the solid after `num / FINE` of a motion.
     pub fn overlaps(&self, body: Body, d: P, num: i64) -> bool {
+        if let Some(parts) = body.parts() {
+            return parts.into_iter().any(|part| self.overlaps(part, d, num));
+        }
         let (lo, hi) = body.bounds();
         let l = &self.level;
         // One raw unit more: the place may be a fraction.
@@ -53,7 +56,7 @@ impl Room {
                         let (c, r) = (scaled(c), i128::from(r * FINE));
                         solid.contains(c) || solid.border_within(c, r, false)
                     }
-                    Body::Rect(..) => solid.meets_box(p, q, true),
+                    Body::Rect(..) | Body::Pill(..) => solid.meets_box(p, q, true),
                 })
             })
         })

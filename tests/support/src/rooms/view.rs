@@ -29,6 +29,7 @@ impl View {
     pub fn body(self, b: Body) -> Body {
         match b {
             Body::Disc(c, r) => Body::Disc(self.point(c), r),
+            Body::Pill(c, core, r) => Body::Pill(self.point(c), self.direction(core), r),
             Body::Rect(..) => {
                 let (lo, hi) = b.bounds();
                 let (p, q) = (self.point(lo), self.point(hi));
