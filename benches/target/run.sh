@@ -99,6 +99,8 @@ programs=(
     'move_circle_slopes:move_and_slide, circle, Slopes:0'
     'move_circle_shapes:move_and_slide, circle, AllShapes:0'
     'move_circle_surface:move_and_slide, circle, AllShapes, friction:0'
+    'move_capsule:move_and_slide, capsule, Blocks:0'
+    'move_capsule_shapes:move_and_slide, capsule, AllShapes:0'
     'ride_aabb:ride on solids, AABB, Blocks:0'
     'ride_circle:ride on solids, circle, Blocks:0'
     'solids_aabb:a game with solids, AABB, Blocks:0'
@@ -260,12 +262,12 @@ measure_all() {
             present+=("$core")
         fi
     done
-    build_counts "${present[*]#*:}" pairs levels segments bodies
+    build_counts "${present[*]#*:}" pairs levels capsules segments bodies
     for core in "${present[@]}"; do
         target=${core#*:} how=run_on
         [[ $core != M0:* ]] || find_plugin
         [[ $core != M0:* || -z $model ]] || how=run_modelled
-        for bin in pairs levels segments bodies; do
+        for bin in pairs levels capsules segments bodies; do
             start "$how" "$target" "$bin"
         done
     done

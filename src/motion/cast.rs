@@ -24,7 +24,7 @@ pub struct BodyHit<B> {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// What a box or circle that moves by `motion` first runs into, or `None` where the way is
+    /// What a box, circle or capsule that moves by `motion` first runs into, or `None` where the way is
     /// free.
     ///
     /// Exact. A hit is where the motion would start to overlap the solid: a body that touches and
@@ -107,20 +107,20 @@ macro_rules! casts {
 }
 
 casts! {
-    /// What a box or circle that moves by `motion` first runs into, walls included.
+    /// What a box, circle or capsule that moves by `motion` first runs into, walls included.
     [] SegmentMap<'_>
 }
 casts! {
-    /// What a box or circle that moves by `motion` first runs into, in either level, of the surface
+    /// What a box, circle or capsule that moves by `motion` first runs into, in either level, of the surface
     /// that [`features`](Self::features) shows.
     [A: World, C: World] Joined<'_, A, C>
 }
 casts! {
-    /// What a box or circle that moves by `motion` first runs into, where the level is placed now.
+    /// What a box, circle or capsule that moves by `motion` first runs into, where the level is placed now.
     [W: World] Placed<'_, W>
 }
 casts! {
-    /// What a box or circle that moves by `motion` first runs into, where the solids are now.
+    /// What a box, circle or capsule that moves by `motion` first runs into, where the solids are now.
     [] Solids<'_>
 }
 

@@ -60,7 +60,8 @@ impl Step {
 /// rides on [`Solid`]s.
 ///
 /// One call per frame does it all: [`step`](Self::step), or [`step_on`](Self::step_on) where solids
-/// move. Each links only what it uses. `B` is the body: an [`Aabb`] or a [`Circle`](crate::Circle).
+/// move. Each links only what it uses. `B` is the body: an [`Aabb`], a
+/// [`Circle`](crate::Circle), or a [`Capsule`](crate::Capsule) that stands or lies.
 /// Plain data: a copy is a snapshot.
 ///
 /// ```

@@ -1,6 +1,6 @@
 //! Motion: where a body ends up when it moves through a level.
 //!
-//! [`Mover::move_and_slide`] sweeps a box or a circle against the level's
+//! [`Mover::move_and_slide`] sweeps a box, a circle or a capsule against the level's
 //! [features](crate::world::Feature), stops it exactly where it first touches, lets the
 //! [`Response`] decide what becomes of its velocity, and goes on with what is left of the motion,
 //! at most [`Mover::ITERATIONS`] times. Nothing is stored that the level's exact overlap test
@@ -13,6 +13,7 @@
 //! | touching and sliding along, or moving away? | not a hit |
 //! | a corner that is hit by a box on both sides at once? | the side that opposes the motion more, the vertical one on a tie |
 //! | a circle at a corner? | rounded: the exact disc, no square corners |
+//! | a capsule at a corner? | its ends go around as discs, its sides slide straight |
 //! | from slope to slope, from a floor into a quarter pipe? | no joint is felt; the part of the velocity along the surface is kept |
 //! | a wedge that is too narrow? | it stops where it touches both sides, and rests there |
 //! | gravity in a V, a bowl, between domes? | it comes to rest and stays: the same place and velocity for ever |

@@ -9,6 +9,8 @@ use crate::num::{Fx, Raw, Vec2};
 /// Equal ends are legal and act as a circle, a radius of zero as a segment. Reversing the ends
 /// changes no result.
 ///
+/// A capsule that stands or lies is a [`Body`](crate::Body): movers, walkers and characters take it.
+///
 /// ```text
 ///   .-------------------.
 ///  (  a ------------- b  )      the core a-b, and `radius` around it
@@ -23,6 +25,21 @@ use crate::num::{Fx, Raw, Vec2};
 /// let corner = Aabb::new(Vec2::from_ints(15, 29), Vec2::from_ints(40, 40))?;
 /// assert!(hero.aabb().overlaps(&corner) && !hero.overlaps(&corner)); // its feet are round
 /// # Ok::<(), tilesat::RangeError>(())
+/// ```
+///
+/// A capsule that runs into a corner with its feet goes over it; a box stops there:
+///
+/// ```
+/// use tilesat::{Aabb, Axis, Capsule, Mover, TileKind, TileKinds, TileMap, Vec2, fx};
+/// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+/// let level = TileMap::from_ascii("....\n....\n..##", &KINDS)?; // a block from (32, 32)
+/// let mover = Mover::platformer(Axis::NEG_Y);
+/// let hero = Capsule::new(Vec2::from_ints(20, 17), Vec2::from_ints(20, 27), fx!(6))?; // feet at y = 33
+/// let moved = mover.move_and_slide(&level, &hero, Vec2::from_ints(10, 0))?;
+/// assert!(moved.body.b().y < hero.b().y && moved.velocity.x > fx!(5)); // up, and on
+/// let boxed = mover.move_and_slide(&level, &hero.aabb(), Vec2::from_ints(10, 0))?;
+/// assert!(boxed.wall && boxed.velocity.x == 0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Capsule {

@@ -4,12 +4,12 @@
 
 use tilesat::{AllShapes, TileMap};
 use tilesat_judge::solids::judge::Block;
-use tilesat_judge::solids::ticks::{ALL, CELL, SIDE, Scene, Seen, balls, boxes, grid, tiles};
+use tilesat_judge::solids::ticks::{ALL, CELL, SIDE, Scene, Seen, balls, boxes, capsules, grid, tiles};
 use tilesat_judge::solids::twins::{BLOCKS, KINDS, mirrored_level};
 use tilesat_judge::{Random, cases};
 
 #[test]
-fn boxes_and_circles_among_blocks() {
+fn bodies_among_blocks() {
     let (mut random, mut seen) = (Random::new(81), Seen::default());
     for _ in 0..cases(600) {
         let tiles = tiles(&mut random, 1);
@@ -26,6 +26,7 @@ fn boxes_and_circles_among_blocks() {
         let scene = Scene { level: &level, mirror: &mirror, moved: &moved, by, cells: Some(cells) };
         scene.play(boxes, 40, &mut random, &mut seen);
         scene.play(balls, 40, &mut random, &mut seen);
+        scene.play(capsules, 40, &mut random, &mut seen);
     }
     println!("{seen:?}");
     let least = [seen.free, seen.carried, seen.pushed, seen.squashed, seen.exact, seen.alone];
@@ -33,7 +34,7 @@ fn boxes_and_circles_among_blocks() {
 }
 
 #[test]
-fn boxes_and_circles_among_all_shapes() {
+fn bodies_among_all_shapes() {
     let (mut random, mut seen) = (Random::new(82), Seen::default());
     for _ in 0..cases(600) {
         let tiles = tiles(&mut random, 37);
@@ -45,6 +46,7 @@ fn boxes_and_circles_among_all_shapes() {
         let scene = Scene { level: &level, mirror: &mirror, moved: &moved, by, cells: None };
         scene.play(boxes, 40, &mut random, &mut seen);
         scene.play(balls, 40, &mut random, &mut seen);
+        scene.play(capsules, 40, &mut random, &mut seen);
     }
     println!("{seen:?}");
     assert!(seen.free > 9 && seen.carried > 9 && seen.pushed > 9 && seen.squashed > 9, "{seen:?}");

@@ -1,7 +1,7 @@
 //! Against polygons, exactly: a motion overlaps before a moment iff what its core sweeps comes nearer
 //! than the radius to an edge.
 
-use super::super::body::Entry;
+use super::super::body::{Entry, kernel::Kernel as _};
 use super::std::vec::Vec;
 use super::std::{format, println, vec};
 use super::{Body, P, Random, capsule, cases, circle, first, outline, raw};
@@ -297,4 +297,23 @@ fn capsules_exhaustively() {
     }
     println!("{tally:?}");
     assert!(tally.hits > 20_000 && tally.misses > 10_000);
+}
+
+/// All segments of a lattice around capsules: within a distance or not, its border included.
+#[test]
+fn within_a_distance_of_capsules() {
+    let (mut yes, mut no) = (0, 0);
+    for (size, r, reach) in [((0, 5), 2, 1), ((4, 0), 1, 4), ((0, 7), 1, 0), ((0, 0), 3, 2)] {
+        let body = capsule((0, 0), size, r);
+        for k in 0..11 * 13 * 11 * 13 {
+            let (a, b) = ((k % 11 - 5, k / 11 % 13 - 4), (k / 143 % 11 - 5, k / 1573 - 4));
+            // In thousandths: squares of distances are multiples of 1 / 245 at most.
+            let fine = |p: P| (Big::from(1000 * p.0), Big::from(1000 * p.1));
+            let rr = Big::from((1000 * (r + reach)).pow(2) + 1);
+            let wanted = near((&fine((0, 0)), &fine(size)), (&fine(a), &fine(b)), &rr);
+            assert_eq!(body.is_within(raw(a), raw(b), reach as i32), wanted, "{size:?} {r} {a:?} {b:?} {reach}");
+            *if wanted { &mut yes } else { &mut no } += 1;
+        }
+    }
+    assert!(yes > 10_000 && no > 5_000, "{yes} {no}");
 }

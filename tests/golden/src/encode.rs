@@ -7,7 +7,7 @@ use tilesat::broad::{BroadError, BroadHit, Handle, Nearest, Pair, QueryError};
 use tilesat::motion::{BodyHit, MoveError, Moved, Ridden, Walked, Work};
 use tilesat::world::{Cell, Feature, Geometry, Near, RayHit, TileAt, WorldContact};
 use tilesat::{
-    Aabb, Axis, CastHit, Circle, Contact, Fx, Hit, Quantity, RangeError, Ratio, Toi, UnitVec2, Vec2,
+    Aabb, Axis, Capsule, CastHit, Circle, Contact, Fx, Hit, Quantity, RangeError, Ratio, Toi, UnitVec2, Vec2,
     error::Truncated,
     motion::{Ride, Speed, Stuck, Support},
     query::MovingHit,
@@ -41,6 +41,7 @@ fields! {
     |s: Speed| s.squared();
     |b: Aabb| b.min(), b.max();
     |c: Circle| c.centre(), c.radius();
+    |c: Capsule| c.a(), c.b(), c.radius();
     |e: RangeError| quantity(e.what), e.value;
     |t: Truncated| t.seen, t.kept;
     |h: CastHit| h.toi, h.axis, h.displacement, h.inside;
@@ -106,6 +107,7 @@ fn quantity(what: Quantity) -> u32 {
         Quantity::Length => 12,
         Quantity::StepHeight => 13,
         Quantity::Assist => 15,
+        Quantity::Capsule => 16,
         _ => 0,
     }
 }

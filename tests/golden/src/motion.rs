@@ -3,7 +3,7 @@
 use tilesat::motion::{Body, escape};
 use tilesat::world::{Pushable, Solid, World};
 use tilesat::{
-    Aabb, Axis, Circle, Fx, MoveError, Mover, Ratio, Response, SlopeSpeed, Surface, Vec2, Walker,
+    Aabb, Axis, Capsule, Circle, Fx, MoveError, Mover, Ratio, Response, SlopeSpeed, Surface, Vec2, Walker,
     motion::{StartInside, Support},
 };
 
@@ -15,6 +15,9 @@ use super::random::{Class, Random, UNIT, any_motion};
 use super::world::Vector;
 
 const QUERIES: [&str; 7] = ["move_and_slide", "bounce_and_slide", "walk", "ride", "supported", "escape", "motion_work"];
+
+/// Capsules are not pushed out.
+const OF_CAPSULES: [&str; 6] = ["move_and_slide", "bounce_and_slide", "walk", "ride", "supported", "motion_work"];
 
 const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::DropThrough, Response::Bounce];
 
@@ -35,6 +38,16 @@ struct Trip<B> {
 }
 
 impl<B: Body + Pushable + Encode> Trip<B> {
+    fn escape(&mut self, level: &impl World, number: u32, frees: &mut Hash) {
+        let free = escape(level, &self.body);
+        frees.add(free);
+        if let (Ok(free), true) = (free, number % 4 != 3) {
+            self.body = free;
+        }
+    }
+}
+
+impl<B: Body + Encode> Trip<B> {
     fn new(body: B) -> Self {
         Self { body, velocity: Vec2::ZERO, floor: None }
     }
@@ -46,15 +59,9 @@ impl<B: Body + Pushable + Encode> Trip<B> {
         number: u32,
         by: Vec2,
         r: &mut Random,
-        hashes: &mut [Hash; 7],
+        [slides, bounces, walks, rides, stands, work]: [&mut Hash; 6],
     ) {
-        let [slides, bounces, walks, rides, stands, frees, work] = hashes;
         let mover = mover(number);
-        let free = escape(level, &self.body);
-        frees.add(free);
-        if let (Ok(free), true) = (free, number % 4 != 3) {
-            self.body = free;
-        }
         stands.add(mover.supported(level, &self.body));
         let speed = [SlopeSpeed::Projected, SlopeSpeed::Constant][number as usize / 2 % 2];
         let walker = Walker::new(mover).with_slope_speed(speed);
@@ -110,11 +117,44 @@ fn trips<W: World>(run: &mut Run<'_>, of: &'static str, level: impl Fn(u32) -> O
         };
         let list = levels::solids(r, at);
         let list = if number.is_multiple_of(2) { &list[..] } else { &[] };
-        let trip = (&mut ball, &mut block);
-        match (trip, number / 16 % 2) {
-            ((Some(ball), _), 0) => ball.ask(&level, list, number, by, r, hashes),
-            ((_, Some(block)), _) => block.ask(&level, list, number, by, r, hashes),
+        let [slides, bounces, walks, rides, stands, frees, work] = hashes;
+        let hashes = [slides, bounces, walks, rides, stands, work];
+        match (&mut ball, &mut block) {
+            (Some(ball), _) if number / 16 % 2 == 0 => {
+                ball.escape(&level, number, frees);
+                ball.ask(&level, list, number, by, r, hashes);
+            }
+            (_, Some(block)) => {
+                block.escape(&level, number, frees);
+                block.ask(&level, list, number, by, r, hashes);
+            }
             _ => {}
+        }
+    });
+}
+
+/// Sixteen vectors a trip, standing and lying capsules in turn; one that starts in the solid, or is
+/// slanted, is refused.
+pub(crate) fn run_capsules(run: &mut Run<'_>) {
+    let mut trip = None;
+    run.family("capsules", VECTORS / 3 + 1, OF_CAPSULES, |number, r, hashes| {
+        let Some(level) = levels::shapes(number / 16 * 6) else { return };
+        let v = Vector::draw(number, r, level.origin(), levels::SIZE);
+        if number.is_multiple_of(16) {
+            let (end, long) = (v.ball.centre(), r.signed(20));
+            let core = match number / 16 % 8 {
+                0 | 1 => Vec2::from_raw(long, 0),
+                7 => Vec2::from_raw(long, 9),
+                _ => Vec2::from_raw(0, long),
+            };
+            trip = Capsule::new(end, end + core, v.ball.radius()).ok().map(Trip::new);
+        }
+        let by = Vec2::from_raw(r.signed(19), r.signed(19));
+        let list = levels::solids(r, level.origin());
+        let list = if number.is_multiple_of(2) { &list[..] } else { &[] };
+        if let Some(trip) = &mut trip {
+            let [slides, bounces, walks, rides, stands, work] = hashes;
+            trip.ask(&level, list, number, by, r, [slides, bounces, walks, rides, stands, work]);
         }
     });
 }

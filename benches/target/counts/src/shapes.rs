@@ -33,6 +33,17 @@ pub const fn tiles(dense: u32) -> [u8; SIDE * SIDE] {
     tiles
 }
 
+/// A quarter of the cells are full, at random.
+pub static BLOCKS: [u8; SIDE * SIDE] = {
+    let (mut tiles, mut i, mut state) = ([0; SIDE * SIDE], 0, 1u32);
+    while i < SIDE * SIDE {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        tiles[i] = (state >> 30 == 0) as u8;
+        i += 1;
+    }
+    tiles
+};
+
 pub type Map = TileMap<'static, AllShapes>;
 
 /// The level of these rows.

@@ -1,7 +1,7 @@
 //! Exact answers about boxes and circles in plain integers, of no code of the library's.
 
 use super::{P, raw};
-use tilesat::{Aabb, Body, Circle, Solid};
+use tilesat::{Aabb, Body, Capsule, Circle, Solid};
 
 /// A box from `lo` to `hi`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -152,5 +152,51 @@ impl Judged for Circle {
         };
         let corners = [block.lo, (block.hi.0, block.lo.1), block.hi, (block.lo.0, block.hi.1)];
         centre.passes(d, grown(r, 0)) || centre.passes(d, grown(0, r)) || corners.into_iter().any(near)
+    }
+}
+
+/// A capsule meets a block where the disc around the end of its core with the smaller coordinates
+/// meets the block that is drawn out by the core.
+struct End {
+    disc: Circle,
+    core: P,
+}
+
+impl End {
+    fn of(capsule: &Capsule) -> Self {
+        let core = capsule.core().aabb();
+        let (lo, hi) = (raw(core.min()), raw(core.max()));
+        Self { disc: super::disc(lo, capsule.radius().to_bits().into()), core: (hi.0 - lo.0, hi.1 - lo.1) }
+    }
+
+    fn drawn_out(&self, block: Block) -> Block {
+        Block { lo: (block.lo.0 - self.core.0, block.lo.1 - self.core.1), hi: block.hi }
+    }
+}
+
+impl Judged for Capsule {
+    const IS_BOX: bool = false;
+
+    fn block(&self) -> Block {
+        Block::of(&self.aabb())
+    }
+
+    fn in_block(&self, block: Block) -> bool {
+        let end = End::of(self);
+        end.disc.in_block(end.drawn_out(block))
+    }
+
+    fn at(&self, d: P) -> Self {
+        self.translated(super::vec2(d)).unwrap()
+    }
+
+    fn mirrored(&self) -> Self {
+        let turn = |p: tilesat::Vec2| super::vec2((-raw(p).0, raw(p).1));
+        Self::new(turn(self.a()), turn(self.b()), self.radius()).unwrap()
+    }
+
+    fn goes_through(&self, d: P, block: Block) -> bool {
+        let end = End::of(self);
+        end.disc.goes_through(d, end.drawn_out(block))
     }
 }

@@ -322,6 +322,14 @@ pub fn balls(random: &mut Random) -> tilesat::Circle {
     disc((coordinate(random), coordinate(random)), r)
 }
 
+/// Standing and lying.
+pub fn capsules(random: &mut Random) -> tilesat::Capsule {
+    let (at, long) = ((coordinate(random), coordinate(random)), random.within(-CELL, CELL));
+    let r = [CELL / 4, CELL / 3, 1, random.within(1, CELL / 2)][random.below(4) as usize];
+    let end = if random.one_in(3) { (at.0 + long, at.1) } else { (at.0, at.1 + long) };
+    tilesat::Capsule::new(vec2(at), vec2(end), tilesat::Fx::from_bits(r as i32)).unwrap()
+}
+
 pub fn tiles(random: &mut Random, ids: i64) -> Vec<u8> {
     let dense = random.within(2, 12);
     (0..SIDE * SIDE).map(|_| if random.one_in(dense) { random.within(1, ids) as u8 } else { 0 }).collect()

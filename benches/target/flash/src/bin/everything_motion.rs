@@ -7,8 +7,8 @@ use tilesat::motion::response::{
 use tilesat::motion::{Hit, Hits, Walked, escape};
 use tilesat::world::{AllShapes, Bits, Blocks, Joined, Placed, SegmentMap, Slopes, Solid, Solids, TileMap};
 use tilesat::{
-    Aabb, Axis, Character, Circle, Contact, Feel, Fx, Input, Moved, Mover, Ratio, Response, SlopeSpeed, Surface, Vec2,
-    Walker,
+    Aabb, Axis, Capsule, Character, Circle, Contact, Feel, Fx, Input, Moved, Mover, Ratio, Response, SlopeSpeed,
+    Surface, Vec2, Walker,
     motion::{Acceleration, Carry, Energy, Masses, Speed, StartInside, Support},
 };
 use tilesat_flash::keep;
@@ -27,6 +27,13 @@ macro_rules! moves {
             |w: &Walker, l: &$level, b: &$body, v: Vec2, floor: Option<Support>| w.walk(l, b, v, floor);
             |c: &mut Character<$body>, l: &$level, i: Input| c.step(l, i);
             |c: &mut Character<$body>, l: &$level, solids: &mut [Solid], i: Input| c.step_on(l, solids, i);
+        })+
+    };
+}
+
+macro_rules! escapes {
+    ($($level:ty),+; $body:ty) => {
+        $(keep! {
             |l: &$level, b: &$body| escape(l, b);
         })+
     };
@@ -48,12 +55,27 @@ fn boxes() {
         TileMap<'_>, TileMap<'_, Blocks, Bits>, TileMap<'_, Slopes>, TileMap<'_, AllShapes>, SegmentMap<'_>, Solids<'_>,
         Both<'_>, Doors<'_>, Placed<'_, TileMap<'_>>; Aabb
     );
+    escapes!(
+        TileMap<'_>, TileMap<'_, Blocks, Bits>, TileMap<'_, Slopes>, TileMap<'_, AllShapes>, SegmentMap<'_>, Solids<'_>,
+        Both<'_>, Doors<'_>, Placed<'_, TileMap<'_>>; Aabb
+    );
 }
 
 fn circles() {
     moves!(
         TileMap<'_>, TileMap<'_, Blocks, Bits>, TileMap<'_, Slopes>, TileMap<'_, AllShapes>, SegmentMap<'_>, Solids<'_>,
         Both<'_>, Doors<'_>, Placed<'_, TileMap<'_>>; Circle
+    );
+    escapes!(
+        TileMap<'_>, TileMap<'_, Blocks, Bits>, TileMap<'_, Slopes>, TileMap<'_, AllShapes>, SegmentMap<'_>, Solids<'_>,
+        Both<'_>, Doors<'_>, Placed<'_, TileMap<'_>>; Circle
+    );
+}
+
+fn capsules() {
+    moves!(
+        TileMap<'_>, TileMap<'_, Blocks, Bits>, TileMap<'_, Slopes>, TileMap<'_, AllShapes>, SegmentMap<'_>, Solids<'_>,
+        Both<'_>, Doors<'_>, Placed<'_, TileMap<'_>>; Capsule
     );
 }
 
@@ -125,4 +147,4 @@ fn responses() {
     particles!(TileMap<'_>, TileMap<'_, AllShapes>, SegmentMap<'_>, Both<'_>);
 }
 
-tilesat_flash::everything!(boxes, circles, movers, responses);
+tilesat_flash::everything!(boxes, circles, capsules, movers, responses);

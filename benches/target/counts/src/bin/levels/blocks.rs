@@ -6,28 +6,16 @@ use tilesat::motion::{Body, Memo, MoveError, Moved, Mover};
 use tilesat::{Aabb, Axis, Circle, Fx, Grid, Outside, TileKind, TileKinds, TileMap, Vec2};
 use tilesat_counts::inputs::{Random, UNIT, circle, vec};
 use tilesat_counts::measure::{Query, Table, load};
-
-const SIDE: usize = 32;
-const CELL: i32 = 24;
+use tilesat_counts::shapes::{BLOCKS, CELL, SIDE};
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
-
-static TILES: [u8; SIDE * SIDE] = {
-    let (mut tiles, mut i, mut state) = ([0; SIDE * SIDE], 0, 1u32);
-    while i < SIDE * SIDE {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        tiles[i] = (state >> 30 == 0) as u8;
-        i += 1;
-    }
-    tiles
-};
 
 type Map = TileMap<'static>;
 type Step<B> = Result<Moved<B>, MoveError>;
 
 pub fn rows(table: &mut Table) {
     let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_bits(CELL * UNIT), Vec2::ZERO);
-    let Some(map) = grid.ok().and_then(|grid| Map::on_grid(&TILES, grid, &KINDS).ok()) else {
+    let Some(map) = grid.ok().and_then(|grid| Map::on_grid(&BLOCKS, grid, &KINDS).ok()) else {
         table.wrong += 1;
         return;
     };

@@ -1,0 +1,8 @@
+//! One body of this shape that moves and slides through a tile map.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+use tilesat::motion::Mover;
+use tilesat::world::TileMap;
+use tilesat::{Axis, Capsule, Vec2};
+tilesat_flash::program!(|map: TileMap<'static>, input: (Capsule, Vec2)| {
+    Mover::platformer(Axis::NEG_Y).move_and_slide(map, &input.0, input.1)
+});
