@@ -125,7 +125,7 @@ impl Entry {
     fn part(&self, d: i32, out: i32) -> i32 {
         let size = d.unsigned_abs();
         if size == self.den {
-            // The whole way into a face along x or y is `num`: its time is this part of the motion.
+            // Across a face along x or y the component equals `den`, so its part is `num`.
             return if d < 0 { (self.num as i32).wrapping_neg() } else { self.num as i32 };
         }
         let part = mul_div(size, self.num, self.den);

@@ -190,6 +190,7 @@ pub(super) const fn corner(lo: Raw, hi: Raw, quadrant: Axis) -> Raw {
 
 /// Entry of a side of the box that lands on a convex corner: along x or y, wherever that direction
 /// points out of both edges.
+///
 /// If one of the edges is parallel to the side, the whole side meets that edge's face. The corner
 /// then adds nothing.
 #[inline(never)]
