@@ -16,6 +16,10 @@ use crate::world::{Feature, Geometry, World};
 
 /// The first hit so far, kept separately for faces, which have exact times, and for vertices and
 /// arcs, which have lower bounds.
+///
+/// Each is the first in its own order. Once all are known, the two are compared by exact values of
+/// both. Bounds and exact times in one order could form a cycle: of three hits, each could precede
+/// the next. The order of visits would then matter.
 pub(super) struct First {
     flat: Candidate,
     round: Candidate,

@@ -5,6 +5,9 @@ use crate::num::{DOMAIN, Raw, Vec2, check_motion, mul_div};
 /// A change of velocity by `by` in every `frames` frames, exact: after k frames the velocity has
 /// changed by `k by / frames`, rounded toward zero.
 ///
+/// A [`Carry`], one per body, keeps the rest below a raw unit until it adds up to a unit. The carry
+/// belongs to the velocity; it never changes a position directly.
+///
 /// ```
 /// use tilesat::{Vec2, motion::{Acceleration, Carry}};
 /// // A third of a raw unit a frame, downward: slow motion, or dust.

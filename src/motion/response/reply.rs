@@ -15,6 +15,11 @@ pub(in crate::motion) struct Rule {
 
 /// The velocity after a contact with a plane of normal `n`. `v` itself if it does not move in, or
 /// `n` is zero.
+///
+/// Let s = v.n < 0, and c = v.t along the tangent t = (-n.y, n.x), both scaled by |n|. The contact
+/// gives `j = (1 + restitution) |s|` along the normal and takes `min(|c|, friction j)` along the
+/// tangent. j is rounded down, the friction up. For |v| < 2^29.5 and any normal, |s| and |c| are
+/// below 2^61.
 pub(in crate::motion) fn reply(v: Raw, n: Axis, rule: &Rule) -> Raw {
     let s = n.dot(Axis::new(v.x, v.y));
     if s >= 0 {
