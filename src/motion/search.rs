@@ -329,10 +329,10 @@ impl<B: Body> Search<'_, B> {
     /// is hit at the same moment.
     ///
     /// ```text
-    ///       ....          the arc ends at P along the motion; the floor        ....|o         the pipe ends at P, across the motion
-    ///   .solid..`.        and the solid above it continue behind P            wall|V       .
-    ///   ..........P<--- o                                                     ....P    . `
-    ///   .......solid.....                                                     ......solid..
+    ///       ....          the arc ends at P along the motion; the floor   ....|o         the pipe ends at P, across the motion
+    ///   .solid..`.        and the solid above it continue behind P        wall|V       .
+    ///   ..........P<--- o                                                 ....P    . `
+    ///   .......solid.....                                                 ......solid..
     /// ```
     #[inline(never)]
     pub(super) fn meet_cusp<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
