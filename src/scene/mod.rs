@@ -46,6 +46,20 @@
 //!
 //! 1. Gravity is added to the velocities of all bodies that are awake and do not
 //!    [float](SceneBody::floats).
+//! 2. Every touching pair that the game [accepts](Scene::step_with) is reported; sensors do no more
+//!    than that. If two overlap, each gets its share of the
+//!    [push](crate::motion::response::separate) that parts them. If they approach, each gets its
+//!    share of the [change of velocity](crate::motion::response::exchange). Of all pushes on a body
+//!    the farthest to each side count, so two floors push no higher than one. Of its n changes,
+//!    each counts for 1/n.
+//! 3. Each body is [moved](crate::Mover::move_and_slide) by its push and then by its velocity. It
+//!    bounces off the level as its surface says. A body that meets the level at no more than the
+//!    gravity of two steps does not bounce: it would jitter there. Every new position passes the
+//!    level's exact overlap test.
+//! 4. Bodies that lie on others are moved after them, from the lowest up. In the same step they
+//!    come out of bodies that are carried themselves.
+//! 5. Fast bodies are moved last, from one hit to the next.
+//! 6. Bodies that have hardly moved for some steps fall asleep, together with all that they touch.
 //!
 //! # What holds
 //!
