@@ -1,5 +1,5 @@
-//! The first hit in a level that is a grid of tiles: full cells straight from the grid, of which
-//! only those features are made that a motion comes to.
+//! The first hit in a level that is a grid of tiles. It reads full cells straight from the grid,
+//! and makes only the features that a motion comes to.
 
 use super::body::{Body, Entry};
 use super::order::First;
@@ -8,7 +8,7 @@ use super::search::{Held, Search};
 use crate::num::{Axis, Raw};
 use crate::world::{Block, Cell, Cells, Feature, Fill, Geometry, World};
 
-/// Where a body is along a side, from the start of its motion to the end.
+/// The position of a body along a side, from the start of its motion to the end.
 enum Over {
     /// Over its inside all the time.
     Inside,
@@ -22,18 +22,17 @@ struct BlockSweep<'a, W, B> {
     world: &'a W,
     body: &'a B,
     d: Raw,
-    /// The corner of the bounds that goes first: the motion comes to no face behind it.
+    /// The corner of the bounds that goes first. The motion comes to no face behind it.
     front: Raw,
-    /// What of the body meets a face: its core.
+    /// The part of the body that meets a face: its core.
     span: (Raw, Raw),
     /// The radius around it.
     r: i32,
-    /// Whether the body has no extent along one of the axes: then it matters what lies beside a
-    /// face.
+    /// Whether the body has no extent along one of the axes. The cells beside a face then matter.
     thin: bool,
-    /// A velocity, of which only what opposes it is a hit.
+    /// A velocity: only surfaces that oppose it are hits.
     pressed: Option<Raw>,
-    /// Whether the cell is beside what is solid in part, so that its features are to be asked for.
+    /// Whether the cell is beside a partly solid one, so its features must be read.
     is_odd: bool,
     /// The corners of the full cell that is met.
     corners: (Raw, Raw),
@@ -41,8 +40,8 @@ struct BlockSweep<'a, W, B> {
 }
 
 impl<B: Body> Search<'_, B> {
-    /// Takes the hits of some cells, less those that were visited `before`; each full one counts as
-    /// a feature.
+    /// Takes the hits of some cells, less those that were visited `before`. Each full cell counts
+    /// as a feature.
     #[inline(never)]
     pub(super) fn meet_cells<W: World>(
         &mut self,
@@ -87,8 +86,8 @@ impl<B: Body> Search<'_, B> {
 }
 
 impl<W: World, B: Body> BlockSweep<'_, W, B> {
-    /// The faces that the motion comes to, one across each axis, and for what is round the corners
-    /// that have a face that opposes it.
+    /// The faces that the motion comes to, one across each axis. For a rounded body also the
+    /// corners that have a face which opposes it.
     fn meet_full(&mut self, block: &Block) {
         let ((lo, hi), d, front) = (self.world.corners(block), self.d, self.front);
         self.corners = (lo, hi);
@@ -104,7 +103,7 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
             self.meet_face(block, 1, Raw { x: hi.x, y: lo.y }, Axis::Y, height);
         }
         if B::MEETS_CORNERS && !self.thin {
-            // A rounded body comes to a corner where the nearest corner of its core is in the open
+            // A rounded body comes to a corner if the nearest corner of its core is in the open
             // quadrant, and moves toward one of its sides.
             let (first, last) = self.span;
             let (left, right) = (last.x + d.x.min(0) < lo.x, first.x + d.x.max(0) > hi.x);
@@ -139,7 +138,7 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
             _ => self.body.sweep_block(self.d, &found),
         };
         if self.thin || entry.as_ref().is_some_and(|entry| entry.at_end) {
-            // Corner to corner it matters what lies beside the face.
+            // Corner to corner, the cells beside the face matter.
             if !W::BLOCKS {
                 self.is_odd = true;
                 return;
@@ -151,7 +150,7 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
         self.add(entry.as_ref(), &found);
     }
 
-    /// Where over a side the motion leads.
+    /// The part of a side that the motion leads over.
     fn over(&self, dir: Axis) -> Over {
         let ((lo, hi), (a, b), d) = (self.span, self.corners, self.d);
         let (before, after, d) = if dir.x == 0 { (hi.y - a.y, b.y - lo.y, d.y) } else { (hi.x - a.x, b.x - lo.x, d.x) };
@@ -165,7 +164,7 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
         }
     }
 
-    /// The entry of what stays over a face into it.
+    /// The entry into a face of a body that stays over the face.
     fn enter(&self, a: Raw, dir: Axis) -> Option<Entry> {
         let (gap, into) = if dir.x == 0 { (a.x - self.front.x, self.d.x) } else { (a.y - self.front.y, self.d.y) };
         let (gap, into) = (gap.unsigned_abs(), into.unsigned_abs());
@@ -181,17 +180,17 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
         if !self.comes_to(p, x, y) || !self.is_free(block, x, 0) || !self.is_free(block, 0, y) {
             return;
         }
-        // The edges as a block has them, solid on the left: of the two orders the one that turns.
+        // The edges in a block's order, solid on the left: of the two orders the one that turns.
         let (along, down) = (Axis::new(x, 0), Axis::new(0, y.wrapping_neg()));
         let (e_in, e_out) = if x == y { (down.reversed(), along.reversed()) } else { (along, down) };
         let found = feature(block, index, Geometry::Vertex { p: p.vec2(), e_in, e_out });
         self.add(self.body.sweep_block(self.d, &found).as_ref(), &found);
     }
 
-    /// Whether the bounds of the motion hold a corner with their inside.
+    /// Whether the inside of the motion's bounds holds a corner.
     fn comes_to(&self, p: Raw, x: i32, y: i32) -> bool {
         let ((first, last), d) = (self.span, self.d);
-        // From outside of the corner, by at least the radius all the time: no.
+        // No, if it stays outside of the corner by at least the radius.
         let along = |first: i32, last: i32, d: i32, p: i32, side: i32| {
             let nearest = if side > 0 { first + d.min(0) - p } else { p - last - d.max(0) };
             nearest < self.r
@@ -212,8 +211,8 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
         }
     }
 
-    /// Whether nothing beside a full cell covers its side; of what covers it in part the features
-    /// tell.
+    /// Whether no cell beside a full cell covers its side. If a cell covers it in part, the
+    /// features decide.
     fn is_free(&mut self, block: &Block, x: i32, y: i32) -> bool {
         let fill = self.world.fill(block.x.wrapping_add(x), block.y.wrapping_add(y));
         self.is_odd |= !W::BLOCKS && fill == Fill::Part;

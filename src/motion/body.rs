@@ -1,4 +1,4 @@
-//! What a mover can move.
+//! The shapes that a mover can move.
 
 use crate::num::{Axis, Raw, Vec2, cmp_squares, mul_div, umul};
 use crate::shape::{Aabb, Capsule, Circle};
@@ -7,7 +7,7 @@ use core::cmp::Ordering;
 /// A shape that [`Mover::move_and_slide`](super::Mover::move_and_slide) can move: [`Aabb`],
 /// [`Circle`], or a [`Capsule`] that stands or lies.
 ///
-/// A capsule whose core is slanted, or which has no radius, is refused as a
+/// A capsule with a slanted core, or without a radius, is refused with a
 /// [`RangeError`](crate::RangeError) of [`Quantity::Capsule`](crate::Quantity::Capsule).
 ///
 /// Sealed: its kernels are part of the exactness argument.
@@ -42,11 +42,11 @@ pub struct Entry {
     pub(super) den: u32,
     /// Out of the solid, toward the body.
     pub(super) normal: Axis,
-    /// Whether others of the same moment go first: where a box meets a face at its free end only,
-    /// corner to corner, another face that it meets over a length, because then the motion along
-    /// that one passes this end; where a body meets the end of a quarter pipe, what is beyond it.
+    /// Whether other hits of the same moment go first. A box may meet a face only at its free end,
+    /// corner to corner, and another face over a length: the motion along that one passes this end.
+    /// A body may meet the end of a quarter pipe: the surface beyond it goes first.
     pub(super) at_end: bool,
-    /// The displacement up to a vertex or an arc, rounded out of the solid; faces have `None`, see
+    /// The displacement up to a vertex or an arc, rounded out of the solid. Faces have `None`, see
     /// [`displacement`](Self::displacement).
     pub(super) step: Option<Raw>,
 }
@@ -54,7 +54,7 @@ pub struct Entry {
 impl Entry {
     /// Whether this hit comes before `other`: earlier, else face before its end, else more opposed
     /// to the motion, else by the normal, x first. Only geometry decides, never the order of
-    /// visits. Of faces, or of vertices and arcs; for normals of one length.
+    /// visits. Compares faces, or vertices and arcs, with normals of equal length.
     pub(super) fn before(&self, other: &Self, d: Raw) -> bool {
         let key = |e: &Self| (e.against(d), e.normal.x.unsigned_abs(), e.normal.x, e.normal.y);
         self.precedes(other).unwrap_or_else(|| key(self) > key(other))
@@ -76,12 +76,12 @@ impl Entry {
             }
             unequal => unequal,
         };
-        // Of two lengths of one direction the longer one, mirrored or not.
+        // Of two lengths in one direction it takes the longer, mirrored or not.
         let key = |e: &Self| (e.normal.x.unsigned_abs(), e.normal.y.unsigned_abs(), e.normal.x, e.normal.y);
         opposition.then_with(|| key(self).cmp(&key(other))).is_gt()
     }
 
-    /// How far the motion goes against the normal, in its length.
+    /// How far the motion goes against the normal, scaled by the normal's length.
     fn against(&self, d: Raw) -> i64 {
         self.normal.dot(Axis::new(d.x, d.y)).wrapping_neg()
     }
@@ -108,10 +108,10 @@ impl Entry {
         umul(self.num, other.den).cmp(&umul(other.num, self.den))
     }
 
-    /// The displacement up to the hit. On the axis of a face along x or y it is exact, on the other
-    /// one the exact part rounded toward the start; an integer half-plane that the exact point
-    /// keeps, the rounded point keeps too. At a slope each component is rounded to the side that
-    /// the normal points to, so that the sum only gains height.
+    /// The displacement up to the hit. On the axis of a face along x or y it is exact. On the other
+    /// axis it is the exact part, rounded toward the start. If the exact point keeps to an integer
+    /// half-plane, so does the rounded point. At a slope each component is rounded to the side that
+    /// the normal points to, and the sum only gains height.
     pub(super) fn displacement(&self, d: Raw) -> Raw {
         self.step.unwrap_or_else(|| {
             let slope = self.normal.x != 0 && self.normal.y != 0;
@@ -120,12 +120,12 @@ impl Entry {
         })
     }
 
-    /// The component `d` up to the hit, rounded up where that leads to the side of `out`, else
+    /// The component `d` up to the hit: rounded up if that leads to the side of `out`, otherwise
     /// toward the start.
     fn part(&self, d: i32, out: i32) -> i32 {
         let size = d.unsigned_abs();
         if size == self.den {
-            // The way into a face along x or y, which is what its time is a part of.
+            // Across a face along x or y the component equals `den`, so its part is `num`.
             return if d < 0 { (self.num as i32).wrapping_neg() } else { self.num as i32 };
         }
         let part = mul_div(size, self.num, self.den);
@@ -145,30 +145,30 @@ pub(super) mod kernel {
     use crate::world::{Feature, World};
 
     pub trait Kernel: Copy {
-        /// Whether normals may be askew: where not, the code for them is not linked.
+        /// Whether normals may be askew. If not, the code for them is not linked.
         const MEETS_CORNERS: bool;
-        /// Whether it matters how faces are joined.
+        /// Whether the joints of faces matter.
         fn meets_joints(&self) -> bool;
         /// The bounding box.
         fn bounds(&self) -> Aabb;
         /// Refuses bodies with a half extent or radius of 2^28 or more.
         fn check_size(&self) -> Result<(), RangeError>;
-        /// Moved by a displacement that keeps it inside the domain.
+        /// The body moved by a displacement that keeps it inside the domain.
         fn shifted(&self, d: Raw) -> Self;
         /// The first moment of the motion at which the body would start to overlap the feature, if
         /// any.
         fn sweep(&self, d: Raw, feature: &Feature) -> Option<Entry>;
         /// The same for worlds of [`BLOCKS`](World::BLOCKS).
         fn sweep_block(&self, d: Raw, feature: &Feature) -> Option<Entry>;
-        /// The box of the points that have the [radius](Self::rounding) around them: all of a
-        /// box, the centre of a circle, the segment in the middle of a capsule.
+        /// The box of the points that have the [radius](Self::rounding) around them: all of a box,
+        /// the centre of a circle, the segment in the middle of a capsule.
         fn core_box(&self) -> (Raw, Raw);
         /// The radius of its corners.
         fn rounding(&self) -> i32;
-        /// What meets an arc: a point, and the radius of the disc around it.
+        /// The part that meets an arc: a point, and the radius of the disc around it.
         fn toward(&self, quadrant: Axis) -> (Raw, i32);
-        /// Whether it is within a distance of a segment: along x and y for a box, which is not
-        /// rounded.
+        /// Whether it is within a distance of a segment. For a box, which is not rounded, the
+        /// distance is along x and y.
         fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool;
         /// Whether the body overlaps the level: strict and exact.
         fn overlaps_world<W: World>(&self, world: &W) -> bool;

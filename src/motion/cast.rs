@@ -9,42 +9,42 @@ use crate::num::{MOTION, Raw, Toi, Vec2, check_motion, mul_div};
 use crate::query::CastHit;
 use crate::world::{Cell, Inside, Joined, Placed, RayRules, SegmentMap, Set, Solids, Store, TileMap, World};
 
-/// What a body that was cast through a level ran into.
+/// The hit of a body that was cast through a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BodyHit<B> {
-    /// What was hit, when, and its normal. Of a start inside the time is 0, the axis is as
-    /// [`CastHit::inside`] says, and the rest says nothing.
+    /// The hit, its time and its normal. If the body starts inside, the time is 0, the axis is that
+    /// of [`CastHit::inside`], and the other fields have no meaning.
     pub hit: Hit,
-    /// The body at the hit. It does not overlap the level, save where it did before.
+    /// The body at the hit. It overlaps the level only if it did before.
     pub body: B,
     /// Whether the body overlapped the level before the motion; only with [`Inside::Hit`].
     pub inside: bool,
-    /// What the cast did.
+    /// The work of the cast.
     pub work: Work,
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// What a box, circle or capsule that moves by `motion` first runs into, or `None` where the way is
+    /// The first hit of a box, circle or capsule that moves by `motion`, or `None` if the way is
     /// free.
     ///
-    /// Exact. A hit is where the motion would start to overlap the solid: a body that touches and
-    /// moves in hits at 0, one that slides along, moves away, grazes, or ends touching does not
-    /// hit. A body without size is a point that the inside of the solid and walls stop; a
-    /// [ray](Self::cast_ray) is stopped by the border, too.
+    /// Exact. A hit is where the motion would start to overlap the solid. A body that touches and
+    /// moves in hits at 0. A body that slides along, moves away, grazes, or ends touching does not
+    /// hit. A body without size is a point that walls and the inside of the solid stop; the border
+    /// of the solid stops a [ray](Self::cast_ray), too.
     ///
-    /// It is the first hit of [`Mover::move_and_slide`](crate::Mover::move_and_slide) only with
-    /// one-way faces asked for, `RayRules { one_way: true, ..Inside::Hit.into() }`: `Inside` alone
-    /// passes them, as a mover that drops through does.
+    /// The result equals the first hit of [`Mover::move_and_slide`](crate::Mover::move_and_slide)
+    /// only if you include one-way faces: `RayRules { one_way: true, ..Inside::Hit.into() }`.
+    /// `Inside` alone passes them, like a mover that drops through.
     ///
-    /// - [`RayRules::one_way`]: whether one-way faces stop what is entirely in front of them and
-    ///   moves in, as they stop movers.
-    /// - [`RayRules::inside`], where the body overlaps the level already: [`Inside::Hit`] hits at
-    ///   0. [`Inside::Ignore`] passes the parts of the surface that it overlaps and hits others;
-    ///   then the body at the hit may still overlap the former.
+    /// - [`RayRules::one_way`]: whether one-way faces stop a body that is entirely in front of them
+    ///   and moves in, as they stop movers.
+    /// - [`RayRules::inside`]: the answer if the body already overlaps the level. [`Inside::Hit`]
+    ///   hits at 0. [`Inside::Ignore`] passes the parts of the surface that it overlaps and hits
+    ///   others. The body at the hit may then still overlap the former.
     ///
-    /// The body at the hit is on the faces along x and y that it hits, at slopes, corners and arcs
-    /// at most 2 raw early, and verified not to overlap the level; wedged where no lattice point
-    /// near the hit is free, it is at the start.
+    /// The body at the hit is on the faces along x and y that it hits. At slopes, corners and arcs
+    /// it is at most 2 raw early. It is verified not to overlap the level. If it is wedged and no
+    /// lattice point near the hit is free, it is at the start.
     ///
     /// ```text
     ///   +---+---+---+---+
@@ -54,9 +54,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///   +---+---+---+---+
     /// ```
     ///
-    /// Cost: a look at the cells under the motion where it meets none. Else one sweep over them, in
-    /// pieces as long as a cell or the body, so linear in its length, and one or two exact overlap
-    /// tests; [`BodyHit::work`] counts them.
+    /// Cost: a look at the cells under the motion if they are empty. Otherwise one sweep over them,
+    /// in pieces as long as a cell or the body, so linear in the motion's length, and one or two
+    /// exact overlap tests. [`BodyHit::work`] counts them.
     ///
     /// ```
     /// use tilesat::{Axis, Circle, Fx, Inside, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -71,8 +71,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where a component of the motion or a half extent is not below 2^28 raw (4096
-    /// units), the motion would leave the [domain](crate::num::DOMAIN), or it comes to more than
+    /// [`RangeError`] if a component of the motion or a half extent is not below 2^28 raw (4096
+    /// units), the motion would leave the [domain](crate::num::DOMAIN), or it visits more than
     /// [`Mover::CELLS`](crate::Mover::CELLS) cells.
     #[doc(alias("sweep", "shapecast", "swept AABB"))]
     pub fn cast_shape<B: Body>(
@@ -85,12 +85,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 }
 
-/// The same of another kind of level.
+/// Generates the same method for another kind of level.
 macro_rules! casts {
     ($(#[$doc:meta])* [$($parameters:tt)*] $world:ty) => {
         impl<$($parameters)*> $world {
             $(#[$doc])*
-            /// By the rules of [`TileMap::cast_shape`].
+            /// Follows the rules of [`TileMap::cast_shape`].
             ///
             /// # Errors
             /// As there.
@@ -107,20 +107,22 @@ macro_rules! casts {
 }
 
 casts! {
-    /// What a box, circle or capsule that moves by `motion` first runs into, walls included.
+    /// The first hit of a box, circle or capsule that moves by `motion`, walls included.
     [] SegmentMap<'_>
 }
 casts! {
-    /// What a box, circle or capsule that moves by `motion` first runs into, in either level, of the surface
-    /// that [`features`](Self::features) shows.
+    /// The first hit of a box, circle or capsule that moves by `motion`, in either level, on the
+    /// surface that [`features`](Self::features) returns.
     [A: World, C: World] Joined<'_, A, C>
 }
 casts! {
-    /// What a box, circle or capsule that moves by `motion` first runs into, where the level is placed now.
+    /// The first hit of a box, circle or capsule that moves by `motion`, with the level at its
+    /// current position.
     [W: World] Placed<'_, W>
 }
 casts! {
-    /// What a box, circle or capsule that moves by `motion` first runs into, where the solids are now.
+    /// The first hit of a box, circle or capsule that moves by `motion`, with the solids at their
+    /// current positions.
     [] Solids<'_>
 }
 

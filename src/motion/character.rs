@@ -8,7 +8,7 @@ use crate::num::{Axis, Fx, Vec2};
 use crate::shape::Aabb;
 use crate::world::{Joined, Solid, Solids, World};
 
-/// What became of a character in one frame.
+/// The state of a character after one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Outcome {
@@ -22,10 +22,10 @@ pub enum Outcome {
         /// Out of that solid, toward the body.
         normal: Axis,
     },
-    /// It overlaps the level, so it did not move: a door closed on it, or a solid that squashed it
-    /// has not passed yet.
+    /// It overlaps the level and did not move: a door closed on it, or a solid that squashed it has
+    /// not passed yet.
     Stuck,
-    /// It is entirely below its limits, or beside them. Above them it may fly.
+    /// It is entirely below its limits, or beside them. It may fly above them.
     OutOfLevel,
 }
 
@@ -34,19 +34,19 @@ pub enum Outcome {
 #[must_use = "the outcome says whether the character lives"]
 #[expect(clippy::struct_excessive_bools, reason = "independent answers, each asked by name")]
 pub struct Step {
-    /// What became of it.
+    /// The state after the frame.
     pub outcome: Outcome,
     /// Whether it jumped.
     pub jumped: bool,
-    /// Whether it came down on a floor.
+    /// Whether it landed on a floor.
     pub landed: bool,
-    /// Whether a wall holds it.
+    /// Whether a wall blocks it.
     pub wall: bool,
     /// Whether its head hit a ceiling.
     pub ceiling: bool,
-    /// The flags of all tiles, segments and solids that it ran into, or-ed.
+    /// The flags of all tiles, segments and solids that it hit, or-ed.
     pub flags: u8,
-    /// What it ran into.
+    /// The hits of the frame.
     pub hits: Hits,
 }
 
@@ -59,10 +59,9 @@ impl Step {
 /// The hero of a platformer: it runs, jumps, walks on slopes and steps, drops through platforms and
 /// rides on [`Solid`]s.
 ///
-/// One call per frame does it all: [`step`](Self::step), or [`step_on`](Self::step_on) where solids
-/// move. Each links only what it uses. `B` is the body: an [`Aabb`], a
-/// [`Circle`](crate::Circle), or a [`Capsule`](crate::Capsule) that stands or lies.
-/// Plain data: a copy is a snapshot.
+/// One call per frame does all of it: [`step`](Self::step), or [`step_on`](Self::step_on) if solids
+/// move. Each links only the code that it uses. `B` is the body: an [`Aabb`], a
+/// [`Circle`](crate::Circle), or a [`Capsule`](crate::Capsule). Plain data: a copy is a snapshot.
 ///
 /// ```
 /// use tilesat::{Aabb, Character, Feel, Input, Outcome, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -80,7 +79,7 @@ impl Step {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Where you need another rule, call the same pieces yourself: [`Walker::walk`], [`Mover::ride`],
+/// If you need another rule, call the pieces yourself: [`Walker::walk`], [`Mover::ride`],
 /// [`Solid::move_all`], [`Joined`].
 #[doc(alias = "CharacterBody2D")]
 #[doc(alias = "KinematicCharacterController")]
@@ -93,35 +92,35 @@ pub struct Character<B = Aabb> {
     body: B,
     limits: Aabb,
     floor: Option<Support>,
-    /// The motion of the solid that it has jumped off: its flight is what it is on still ground,
-    /// seen from there.
+    /// The motion of the solid that it jumped off. Seen from there, its flight is that on still
+    /// ground.
     base: Vec2,
     /// Whether the button was down in the last frame.
     held: bool,
-    /// Whether it rises by a jump of its own.
+    /// Whether it rises from its own jump.
     jumps: bool,
-    /// For how many more frames a press counts.
+    /// For how many more frames a press of the button counts.
     wish: u8,
     /// Frames since it stood; the largest number after a jump.
     away: u8,
-    /// On which side the last wall was, -1 or 1, and how many frames ago.
+    /// The side of the last wall, -1 or 1, and how many frames ago it was there.
     wall: i8,
     wall_age: u8,
 }
 
-/// A frame that has been thought of: the velocity, and who walks by it.
+/// The plan of a frame: the velocity, and the walker that will make it.
 struct Plan {
     walker: Walker,
-    /// What it still has to go in this frame.
+    /// The motion still to make in this frame.
     velocity: Vec2,
-    /// What of the motion a solid has made already.
+    /// The part of the motion that a solid has already made.
     made: Vec2,
     jumped: bool,
 }
 
 impl<B: Body> Character<B> {
-    /// A character in the air. `limits` is usually the level's box: where the body leaves it at the
-    /// sides or below, the answer is [`Outcome::OutOfLevel`].
+    /// A character in the air. `limits` is usually the level's box. Once the body is outside of it
+    /// at the sides or below, [`step`](Self::step) returns [`Outcome::OutOfLevel`].
     #[must_use]
     pub const fn new(body: B, limits: Aabb, feel: Feel) -> Self {
         Self {
@@ -140,25 +139,25 @@ impl<B: Body> Character<B> {
         }
     }
 
-    /// Puts the character elsewhere, in the air and at rest. Checks nothing: the next step is
-    /// [`Outcome::Stuck`] in the solid.
+    /// Puts the character at another position, in the air and at rest. Checks nothing: if it is in
+    /// the solid, the next step returns [`Outcome::Stuck`].
     pub fn place(&mut self, body: B) {
         *self = Self { held: self.held, ..Self::new(body, self.limits, self.feel) };
     }
 
-    /// Its body.
+    /// The body at its current position.
     #[must_use]
     pub const fn body(&self) -> &B {
         &self.body
     }
 
-    /// What it stands on.
+    /// The floor that it stands on.
     #[must_use]
     pub const fn floor(&self) -> Option<Support> {
         self.floor
     }
 
-    /// Whether it stands.
+    /// Whether it stands on a floor.
     #[doc(alias = "is_on_floor")]
     #[doc(alias = "grounded")]
     #[must_use]
@@ -175,19 +174,19 @@ impl<B: Body> Character<B> {
         }
     }
 
-    /// One frame in a level without moving solids.
+    /// Moves the character for one frame in a level without moving solids.
     ///
-    /// Cost: [`Walker::walk`].
+    /// Cost: that of [`Walker::walk`].
     ///
     /// # Errors
-    /// [`RangeError`] where a speed or the body's half extent is not below 4096 units, or the
-    /// [`Feel`]'s snap or step is negative or not below that. The character stays as it was.
+    /// [`RangeError`] if a speed or the body's half extent is not below 4096 units, or the
+    /// [`Feel`]'s snap or step is negative or not below that. The character is then unchanged.
     pub fn step<W: World>(&mut self, level: &W, input: Input) -> Result<Step, RangeError> {
         self.step_carried(level, input, Vec2::ZERO)
     }
 
     /// The second half of [`step_on`](Self::step_on), in a level [`Joined`] with the solids at
-    /// their new places. `carry` is what [`ride`](Self::ride) returned.
+    /// their new positions. `carry` is the motion that [`ride`](Self::ride) returned.
     ///
     /// # Errors
     /// As [`step`](Self::step).
@@ -200,16 +199,16 @@ impl<B: Body> Character<B> {
         Ok(step)
     }
 
-    /// One frame among solids that move: the solids take the character along or push it, go by
-    /// their [motions](Solid::with_motion), and then it walks.
+    /// Moves the character for one frame among moving solids. They carry or push it, then all go by
+    /// their [motions](Solid::with_motion), and then the character walks.
     ///
-    /// All solids have moved when the call returns, even where it returns an error. With several
+    /// When the call returns, all solids have moved, even if it returns an error. With several
     /// characters, call [`ride`](Self::ride) for each, then [`Solid::move_all`], then
     /// [`step_carried`](Self::step_carried) for each.
     ///
-    /// A jump off a solid takes the solid's motion along: seen from a solid that keeps its motion,
-    /// the flight is that on still ground. In the frame of the jump the character moves by its
-    /// velocity alone.
+    /// A jump off a solid adds the solid's motion. Seen from a solid that keeps its motion, the
+    /// flight is that on still ground. In the frame of the jump the character moves by its own
+    /// velocity only.
     ///
     /// Cost: [`Mover::ride`] and [`Walker::walk`] in a [`Joined`] level.
     ///
@@ -217,7 +216,7 @@ impl<B: Body> Character<B> {
     /// As [`step`](Self::step).
     pub fn step_on<W: World>(&mut self, level: &W, solids: &mut [Solid], input: Input) -> Result<Step, RangeError> {
         let mut next = *self;
-        // One type of level for both: the mover is linked once.
+        // Both calls use one type of level, which links the mover once.
         let nothing = Solids::new(&[]);
         let ridden = next.ride(&Joined::new(level, &nothing), solids, input.drop);
         Solid::move_all(solids);
@@ -231,11 +230,11 @@ impl<B: Body> Character<B> {
         Ok(step)
     }
 
-    /// The first half of [`step_on`](Self::step_on): goes where the solids take or push the
-    /// character. They are still at their old places.
+    /// The first half of [`step_on`](Self::step_on): moves the character as far as the solids carry
+    /// or push it. The solids are still at their old positions.
     ///
-    /// Returns what became of it, and the motion of the solid that it stood on, or how far it was
-    /// pushed in the air.
+    /// Returns the outcome and a motion: that of the solid that it stood on, or in the air how far
+    /// it was pushed.
     ///
     /// # Errors
     /// As [`step`](Self::step).
@@ -259,7 +258,7 @@ impl<B: Body> Character<B> {
         Mover::platformer(if self.feel.falls_to_larger_y() { Axis::NEG_Y } else { Axis::Y })
     }
 
-    /// The size of gravity.
+    /// The magnitude of gravity.
     const fn pull(&self) -> Fx {
         if self.feel.falls_to_larger_y() { self.feel.gravity } else { self.feel.gravity.saturating_neg() }
     }
@@ -281,8 +280,8 @@ impl<B: Body> Character<B> {
         let rate = if stands { feel.acceleration } else { feel.air_acceleration };
         let (base, base_fall) =
             (self.base, if feel.falls_to_larger_y() { self.base.y } else { self.base.y.saturating_neg() });
-        // What falls off a solid that sinks falls as much faster; what is above one that rises no
-        // more slowly.
+        // Off a sinking solid it falls faster by the solid's speed. Above a rising one it falls no
+        // slower.
         let fastest = feel.fall.saturating_add(base_fall.max(Fx::ZERO));
         let mut run = toward(self.velocity.x.saturating_sub(base.x), input.run, rate);
         let against_wall = self.wall_age <= 1 && input.run.signum() == Fx::from(self.wall) && self.wall != 0;
@@ -316,13 +315,13 @@ impl<B: Body> Character<B> {
         let made = match (stands, jumped) {
             (true, true) => carry,
             (true, false) => Vec2::ZERO,
-            // What pushes it where it goes makes a part of its way.
+            // A push in its own direction makes a part of its way.
             (false, _) => Vec2::new(shared(carry.x, velocity.x), shared(carry.y, velocity.y)),
         };
         Ok(Plan { walker, velocity: velocity - made, made, jumped })
     }
 
-    /// Takes over where a walk ended.
+    /// Applies the result of a walk.
     fn settle(&mut self, plan: &Plan, walked: Result<Walked<B>, MoveError>) -> Result<Step, RangeError> {
         let walked = match walked {
             Ok(walked) => walked,
@@ -335,7 +334,8 @@ impl<B: Body> Character<B> {
         let moved = &walked.moved;
         let landed = self.floor.is_none() && walked.floor.is_some();
         (self.body, self.floor) = (moved.body, walked.floor);
-        // What nothing has taken of the velocity goes on; on a solid it is seen from there again.
+        // The parts of the velocity that nothing changed go on. On a solid, the velocity counts as
+        // seen from the solid again.
         let (now, was) = (moved.velocity, plan.velocity);
         let kept = |v: Vec2| {
             let part = |now, was, v| if now == was { v } else { Fx::ZERO };
@@ -373,7 +373,7 @@ impl<B: Body> Character<B> {
     }
 }
 
-/// What a refused motion means; the rest is the caller's error.
+/// The outcome that a refused motion means. The remaining errors are the caller's.
 fn refused(e: MoveError) -> Result<Outcome, RangeError> {
     match e {
         MoveError::Stuck(_) => Ok(Outcome::Stuck),
@@ -383,7 +383,7 @@ fn refused(e: MoveError) -> Result<Outcome, RangeError> {
     }
 }
 
-/// What two motions have in common.
+/// The part that two motions have in common.
 fn shared(a: Fx, b: Fx) -> Fx {
     if a < 0 { a.max(b).min(Fx::ZERO) } else { a.min(b).max(Fx::ZERO) }
 }

@@ -1,5 +1,5 @@
-//! What a body touches: the features within the rounding distance of its place, and which way each
-//! of them faces there.
+//! The surfaces that a body touches: the features within the rounding distance of its position, and
+//! which way each of them faces there.
 
 use super::body::Body;
 use super::plane::{NEAR, Pipe, into};
@@ -9,23 +9,22 @@ use crate::query::meet;
 use crate::shape::Aabb;
 use crate::world::{Feature, Geometry, ends, normal};
 
-/// How a touched surface turns where the body goes on along it.
+/// How a touched surface turns as the body moves along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Bend {
     /// A face.
     Flat,
-    /// A face that a body is beside: it touches the end, where any side of the body may be what
-    /// goes along it.
+    /// The end of a face that a body is beside. Any side of the body may move along it.
     End,
-    /// A corner, or an arc from outside: the normal is the body as seen from the centre.
+    /// A corner, or an arc from outside: the normal points from its centre to the body.
     Convex,
-    /// A quarter pipe of the quadrant of these signs, which the body's point must not leave by more
-    /// than `room` from the centre.
+    /// A quarter pipe of the quadrant of these signs. The body's point must stay within `room` of
+    /// the centre.
     Concave { signs: (i8, i8), room: i32 },
 }
 
 impl Bend {
-    /// What bends more says more of how the body goes on.
+    /// A surface that bends more says more about how the body continues.
     pub(super) fn rank(self) -> u8 {
         match self {
             Self::End => 0,
@@ -36,10 +35,10 @@ impl Bend {
     }
 }
 
-/// A plane that a body may go along: the tangent of what it touches.
+/// A plane that a body may move along: the tangent of a touched surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Plane {
-    /// Out of the solid; at corners and arcs not reduced.
+    /// Out of the solid; not reduced at corners and arcs.
     pub(super) normal: Axis,
     pub(super) bend: Bend,
 }
@@ -49,18 +48,18 @@ impl Plane {
         Self { normal, bend: Bend::Flat }
     }
 
-    /// The end of a face, of which no side is known: it faces a velocity.
+    /// The end of a face, with no known side: it faces a velocity.
     pub(super) fn against(self, v: Raw) -> Self {
         let turns = self.bend == Bend::End && into(v, self.normal) > 0;
         if turns { Self { normal: self.normal.reversed(), ..self } } else { self }
     }
 
-    /// Whether it is the tangent of a pipe, and not at one of its ends.
+    /// Whether it is the tangent of a pipe, and not at one of the pipe's ends.
     pub(super) fn is_inside_pipe(&self) -> bool {
         matches!(self.bend, Bend::Concave { .. }) && self.normal.x != 0 && self.normal.y != 0
     }
 
-    /// The pipe that it is the tangent of.
+    /// The pipe of this tangent.
     pub(super) fn pipe(&self) -> Option<Pipe> {
         let Bend::Concave { signs: (x, y), room } = self.bend else { return None };
         let (n, quadrant) = (self.normal, Axis::new(x.into(), y.into()));
@@ -70,13 +69,13 @@ impl Plane {
 
 const REACH: i32 = NEAR as i32;
 
-/// Holds all that is so near to a body.
+/// The box that holds all features this near to a body.
 pub(super) fn surroundings(bounds: &Aabb, distance: u32) -> Aabb {
     hull(bounds, Raw::ZERO, Raw::ZERO, distance as i32 + 1)
 }
 
-/// Whether the bounds of a feature have a point in a region: cursors give what is in the cells that
-/// it touches.
+/// Whether the bounds of a feature have a point in a region. Cursors return the features of all
+/// cells that the region touches.
 pub(super) fn reaches(feature: &Feature, region: &Aabb) -> bool {
     let (a, b) = match feature.geometry {
         Geometry::Face { a, dir, len, .. } => ends(Raw::of(a), dir, len),
@@ -91,8 +90,8 @@ pub(super) fn reaches(feature: &Feature, region: &Aabb) -> bool {
     overlap(a.x, b.x, lo.x, hi.x) && overlap(a.y, b.y, lo.y, hi.y)
 }
 
-/// Whether a body may come to a feature by a displacement of so much along x and y. Arcs are not
-/// looked at closely.
+/// Whether a body may reach a feature by a displacement of at most `distance` along x and y. Arcs
+/// are not tested closely.
 pub(super) fn may_reach<B: Body>(body: &B, feature: &Feature, distance: u32) -> bool {
     // The diagonal is shorter than twice the side.
     let distance = distance as i32 * 2;
@@ -106,16 +105,16 @@ pub(super) fn may_reach<B: Body>(body: &B, feature: &Feature, distance: u32) -> 
     }
 }
 
-/// Whether a body is within the rounding distance of a segment, in a way for which it does not
-/// matter how a face is cut.
+/// Whether a body is within the rounding distance of a segment. The answer does not depend on how a
+/// face is cut.
 fn is_near<B: Body>(body: &B, a: Raw, b: Raw) -> bool {
     body.is_within(a, b, REACH)
 }
 
-/// Whether what of a rounded body is nearest to a face is over it, or beside it by no more than the
-/// rounding distance or up to half more: what is farther aside touches the face's end, if anything.
+/// Whether the part of a rounded body nearest to a face is over the face, or beside it by at most 1
+/// to 1.5 times the rounding distance. A body farther aside can only touch the face's end.
 fn is_over<B: Body>(body: &B, a: Raw, end: Raw, dir: Axis) -> bool {
-    // Of a face along x or y all of the core may be nearest, of a slope one end.
+    // For a face along x or y all of the core may be nearest, for a slope one end.
     let (first, last) = if dir.x == 0 || dir.y == 0 {
         (body.toward(dir.reversed()).0, body.toward(dir).0)
     } else {
@@ -132,10 +131,10 @@ fn in_disc(m: Raw, r: i32) -> bool {
     r >= 0 && meet::in_disc::<true>(m.x.unsigned_abs(), m.y.unsigned_abs(), r as u32)
 }
 
-/// Hands over the planes that a feature is to a body which touches it; whether that is so.
+/// Passes the planes of a feature to `plane` if the body touches the feature. Returns whether it
+/// does.
 ///
-/// A box meets corners and arcs by its corners, and either of its sides may be what goes along
-/// them.
+/// A box meets corners and arcs by its corners, and either of its sides may move along them.
 pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMut(Plane)) -> bool {
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } => {
@@ -177,8 +176,8 @@ pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMu
                     return true;
                 }
             }
-            // Beyond its ends it is a corner; to a circle the end of a pipe is that of a face too,
-            // or a cusp, a corner of its own.
+            // Beyond its ends an arc is a corner. To a circle the end of a pipe is also the end of
+            // a face, or a cusp, a corner of its own.
             let corner = |end: Raw, plane: &mut dyn FnMut(Plane)| {
                 is_near(body, end, end) && (!convex && B::MEETS_CORNERS || is_at_corner(body, end, plane))
             };

@@ -1,15 +1,14 @@
-//! What a player wants of a character, and how the character moves by it.
+//! The player's input, and the numbers that decide how a character moves.
 
 use super::SlopeSpeed;
 use crate::num::Fx;
 
-/// What the player wants in one frame.
+/// The player's input for one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Input {
     /// The speed to run at, in units per frame: negative to the left.
     pub run: Fx,
-    /// Whether the jump button is down. The character notices by itself when it is pressed and
-    /// released.
+    /// Whether the jump button is down. The character detects presses and releases itself.
     pub jump: bool,
     /// Whether to drop through one-way floors in this frame.
     pub drop: bool,
@@ -17,8 +16,8 @@ pub struct Input {
 
 /// How a [`Character`](crate::Character) moves. Lengths are units, times are frames.
 ///
-/// The default suits cells of 16 units at 60 frames per second: a jump 42.75 units high that takes
-/// 18 frames to its top. Change what you like, in any frame:
+/// The default suits cells of 16 units at 60 frames per second. A jump rises 42.75 units in 18
+/// frames. Change any value, in any frame:
 ///
 /// ```
 /// use tilesat::{Feel, fx};
@@ -27,7 +26,7 @@ pub struct Input {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Feel {
-    /// What the velocity gains per frame. Positive pulls toward larger y, as on a screen; negative
+    /// The velocity gained per frame. Positive pulls toward larger y, as on a screen. Negative
     /// pulls the other way, and "up" follows.
     pub gravity: Fx,
     /// The fastest fall.
@@ -35,34 +34,32 @@ pub struct Feel {
     /// The speed at which a jump starts. With a gravity of g, a jump of n g rises by g n (n + 1) /
     /// 2 in n frames.
     pub jump: Fx,
-    /// The speed that a rising jump keeps when the button is released. As large as `jump`: all
+    /// The speed that a rising jump keeps when the button is released. If it equals `jump`, all
     /// jumps are equally high.
     pub jump_cut: Fx,
-    /// For so many frames after the body has walked off the floor, or has left a wall, it can still
-    /// jump.
+    /// For how many frames after the body walked off the floor, or left a wall, it can still jump.
     pub coyote: u8,
-    /// A press of the button counts for so many more frames, so that it may come before the
-    /// landing.
+    /// For how many more frames a press of the button counts, if it comes before the landing.
     pub buffer: u8,
     /// How much the speed changes per frame on a floor, toward [`Input::run`].
     pub acceleration: Fx,
     /// How much the speed changes per frame in the air.
     pub air_acceleration: Fx,
-    /// How far the body keeps to a falling ground: [`Walker::with_snap`](crate::Walker::with_snap).
-    /// One and a half of the running speed is enough for tiles.
+    /// How far the body follows falling ground: [`Walker::with_snap`](crate::Walker::with_snap).
+    /// One and a half times the running speed is enough for tiles.
     pub snap: Fx,
-    /// How high a step it climbs: [`Walker::with_step`](crate::Walker::with_step).
+    /// The highest step that it climbs: [`Walker::with_step`](crate::Walker::with_step).
     pub step: Fx,
-    /// How fast it is on slopes.
+    /// How fast it walks on slopes.
     pub slope_speed: SlopeSpeed,
-    /// The speed away from a wall that a jump off it starts with; no such jumps where `None`.
+    /// The speed away from a wall at the start of a wall jump. `None`: no wall jumps.
     pub wall_jump: Option<Fx>,
-    /// The fastest fall while it runs against a wall; as elsewhere where `None`.
+    /// The fastest fall while it runs against a wall. `None`: as elsewhere.
     pub wall_slide: Option<Fx>,
 }
 
 impl Feel {
-    /// See [`Feel`].
+    /// The values that the type's documentation describes.
     pub const DEFAULT: Self = Self {
         gravity: Fx::from_bits(0x4000), // 0.25
         fall: Fx::from_bits(6 << 16),

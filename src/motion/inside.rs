@@ -1,4 +1,4 @@
-//! Bodies that start in the solid: a door closed on them, or they were put there.
+//! Bodies that start in the solid: a door closed on them, or the game put them there.
 
 use super::Stuck;
 use super::body::{Body, kernel::Kernel};
@@ -6,23 +6,23 @@ use super::run::check_inside;
 use crate::num::Raw;
 use crate::world::{OneWay, Pushable, World, contacts_of};
 
-/// What a [`Mover`](super::Mover) does with a body that overlaps the level already. To push it out
+/// How a [`Mover`](super::Mover) treats a body that already overlaps the level. To push it out
 /// first, see [`escape`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum StartInside {
-    /// Nothing moves: [`Stuck`].
+    /// Nothing moves: the call returns [`Stuck`].
     #[default]
     Report,
-    /// What it overlaps does not stop it, so it can always leave, in any direction; all else does.
-    /// Until the first place of a motion where it is free it may end in the solid again, after it
-    /// never does. The next call asks anew.
+    /// The surfaces that the body overlaps do not stop it, so it can always leave, in any
+    /// direction. All other surfaces do. The motion may end in the solid again until its first free
+    /// position, and never after it. The next call tests again.
     ///
-    /// **No gravity while it is inside.** Where a door of tiles has closed on a body, the floor
-    /// below it has no face any more (solid lies on solid), so nothing stops what falls there: it
-    /// goes through the floor, and out of the world. Ask `overlaps` of the level before each call,
-    /// and while that is true give the body a velocity across "up" alone.
-    /// [Doors](crate::motion#doors) tells how it does not come to that.
+    /// **No gravity while it is inside.** If a door of tiles has closed on a body, the floor below
+    /// it has no face any more (solid lies on solid). A body that falls there goes through the
+    /// floor, and out of the world. Test `overlaps` of the level before each call. While that is
+    /// true, give the body a velocity across "up" only. [Doors](crate::motion#doors) shows how to
+    /// avoid this.
     ///
     /// ```text
     ///        | door |
@@ -35,22 +35,22 @@ pub enum StartInside {
 /// How often [`escape`] pushes at most.
 const PUSHES: u32 = 4;
 
-/// The body at the free place that is found by pushing it out of the solid, at most four times; the
-/// same body where it is free already.
+/// Pushes a body out of the solid, at most four times, and returns it at the free position. A body
+/// that is free already comes back unchanged.
 ///
-/// Each push is out of the feature that its [contacts](crate::TileMap::contacts) tell first: the
-/// nearest, by the depth rounded up to raw units, at most 4 raw more than that. So it never goes
-/// farther than the surface that it reaches: deep inside of the solid, where it reaches none, and
-/// in gaps narrower than the body, there is no way out. One-way faces do not count.
+/// Each push leads out of the first feature of its [contacts](crate::TileMap::contacts): the
+/// nearest, by the depth rounded up to raw units, at most 4 raw more. So a push never goes farther
+/// than the surface that the body reaches. Deep inside of the solid, where the body reaches no
+/// surface, and in gaps narrower than the body there is no way out. One-way faces do not count.
 ///
-/// **It finds no way out of a door that is wider than the body** once the body is all between its
-/// two sides: it reaches neither. Of a body 10 wide in a door of one tile, from x = 32 to 48, the
-/// one at x = 31 goes 9 to the left, the one at 39 goes 9 to the right, and those from 32 to 38 are
-/// [`Stuck`]. For doors see [there](crate::motion#doors).
+/// **It finds no way out of a door that is wider than the body** once the body is between both
+/// sides: it reaches neither. Take a body 10 wide in a door of one tile, from x = 32 to 48. At x =
+/// 31 it goes 9 to the left, at 39 it goes 9 to the right. From 32 to 38 the result is [`Stuck`].
+/// [Doors](crate::motion#doors) shows how to avoid this.
 ///
-/// Cost: an exact overlap test, and where that is true the [contacts](crate::TileMap::contacts) of
-/// one body, each at most four times, and one test more. It links the contacts; a game that does
-/// not call it does not.
+/// Cost: an exact overlap test. If that is true, the [contacts](crate::TileMap::contacts) of one
+/// body and another test, at most four times. Only a game that calls it links the code for
+/// contacts.
 ///
 /// ```
 /// use tilesat::motion::escape;
@@ -63,7 +63,7 @@ const PUSHES: u32 = 4;
 /// ```
 ///
 /// # Errors
-/// [`Stuck`] where no push is left that could free it, or a push would leave the domain.
+/// [`Stuck`] if no further push could free it, or a push would leave the domain.
 pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, Stuck> {
     let stuck = Stuck { at: body.position().raw() };
     let mut body = *body;
@@ -72,7 +72,7 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
             return Ok(body);
         }
         let mut nearest = heapless::Vec::<_, 1>::new();
-        // More than the one that is kept are no error here.
+        // More contacts than the one kept are no error here.
         let _ = contacts_of(world, &body, OneWay::Ignore, &mut nearest);
         let push = Raw::of(nearest.first().ok_or(stuck)?.push_out());
         check_inside(&Kernel::bounds(&body), push).map_err(|_| stuck)?;

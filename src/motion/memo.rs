@@ -5,12 +5,12 @@ use super::{Body, MoveError, Moved, Mover, Work};
 use crate::num::Vec2;
 use crate::world::World;
 
-/// The last call of a body that it left where it was, and the answer.
+/// The last call that left its body where it was, and the answer.
 ///
-/// A body at rest makes the same call in each frame: the same place, the same velocity (gravity's
-/// first step), the same mover. A memo answers such a call by comparing them, whatever holds the
-/// body: a floor, a V, two domes. The answer is that of [`Mover::move_and_slide`], bit for bit, but
-/// for [`Moved::work`], which is zero.
+/// A body at rest makes the same call in each frame: the same position, the same velocity
+/// (gravity's first step), the same mover. A memo answers such a call by comparing the arguments,
+/// whatever holds the body: a floor, a V, two domes. The answer is that of
+/// [`Mover::move_and_slide`], bit for bit, except [`Moved::work`], which is zero.
 ///
 /// One memo belongs to one body. It is plain data: a copy is a snapshot.
 ///
@@ -48,7 +48,7 @@ struct Last<B, S> {
 }
 
 impl<B, S> Memo<B, S> {
-    /// A memo of nothing.
+    /// An empty memo.
     #[must_use]
     pub const fn new() -> Self {
         Self { last: None }
@@ -67,21 +67,21 @@ impl<B, S> Default for Memo<B, S> {
 }
 
 impl<B: Body + PartialEq, S: Law + PartialEq> Memo<B, S> {
-    /// Moves a body as [`Mover::move_and_slide`] does, or gives the last answer again.
+    /// Moves a body as [`Mover::move_and_slide`] does, or repeats the last answer.
     ///
-    /// `version` stands for the level. Give another number whenever its answers may have changed:
-    /// a door opened, a [`Solid`](crate::Solid) moved, another room. A number that you count up is
+    /// `version` stands for the level. Pass another number whenever the level may have changed: a
+    /// door opened, a [`Solid`](crate::Solid) moved, another room. Any number that you count up is
     /// enough, and one number serves all bodies.
     ///
-    /// Cost: a repeated call is one comparison of the memo with the arguments and one copy of the
-    /// answer. Any other costs what `move_and_slide` does, and a copy where the body stays.
+    /// Cost: a repeated call compares the memo with the arguments and copies the answer. Any other
+    /// call costs as much as `move_and_slide`, plus a copy if the body stays.
     ///
     /// # Errors
-    /// Those of `move_and_slide`. The memo then holds nothing.
+    /// Those of `move_and_slide`. The memo is then empty.
     ///
     /// # Panics
-    /// In builds with debug assertions a repeated call is made as well, and a level that changed
-    /// without another version is found out.
+    /// Builds with debug assertions also make the repeated call. They panic if the level changed
+    /// without another version.
     pub fn move_and_slide<W: World>(
         &mut self,
         mover: &Mover<S>,

@@ -1,37 +1,37 @@
 //! Motion: where a body ends up when it moves through a level.
 //!
 //! [`Mover::move_and_slide`] sweeps a box, a circle or a capsule against the level's
-//! [features](crate::world::Feature), stops it exactly where it first touches, lets the
-//! [`Response`] decide what becomes of its velocity, and goes on with what is left of the motion,
-//! at most [`Mover::ITERATIONS`] times. Nothing is stored that the level's exact overlap test
-//! rejects (*verify, then commit*), so a body that starts outside of the solid ends outside of it,
-//! whatever the speed.
+//! [features](crate::world::Feature) and stops it exactly where it first touches. The [`Response`]
+//! then decides the new velocity, and the rest of the motion goes on with it, at most
+//! [`Mover::ITERATIONS`] times. Every new position passes the level's exact overlap test before it
+//! is kept (*verify, then commit*). A body that starts outside of the solid therefore ends outside
+//! of it, at any speed.
 //!
 //! | question | answer |
 //! |---|---|
-//! | does a seam between tiles stop or lift a body? | no: interior faces and flat joints have no features |
-//! | touching and sliding along, or moving away? | not a hit |
-//! | a corner that is hit by a box on both sides at once? | the side that opposes the motion more, the vertical one on a tie |
-//! | a circle at a corner? | rounded: the exact disc, no square corners |
-//! | a capsule at a corner? | its ends go around as discs, its sides slide straight |
-//! | from slope to slope, from a floor into a quarter pipe? | no joint is felt; the part of the velocity along the surface is kept |
-//! | a wedge that is too narrow? | it stops where it touches both sides, and rests there |
-//! | gravity in a V, a bowl, between domes? | it comes to rest and stays: the same place and velocity for ever |
-//! | one-way faces? | block what is entirely in front when the motion starts, and moves in; nothing else |
-//! | a platform moves under the body, a door against it? | [`Mover::ride`] carries it, pushes it, or says that it is [squashed](Ride::Squashed) |
-//! | the body starts inside the solid? | [`Stuck`]: nothing moves; or as [`StartInside`] says (then **no gravity while it is inside**, or it falls through the floor below a closed door); [`escape`] pushes out what reaches the surface. Better: never [close a door](#doors) on it |
+//! | Does a seam between tiles stop or lift a body? | No: interior faces and flat joints have no features. |
+//! | Is a surface a hit if the body touches it, but does not move into it? | No. Add gravity in every frame, on the ground too, or `floor` stays false. |
+//! | A box hits a corner on both sides at once? | It hits the side that opposes the motion more, the vertical one on a tie. |
+//! | A circle at a corner? | It goes around as an exact disc: no square corners. |
+//! | A capsule at a corner? | Its ends go around as discs, its sides slide straight. |
+//! | From slope to slope, from a floor into a quarter pipe? | The body feels no joint, and keeps the part of its velocity along the surface. |
+//! | A wedge that is too narrow? | The body stops where it touches both sides, and rests there. |
+//! | Gravity in a V, a bowl, between domes? | The body comes to rest and stays: the same position and velocity for ever. |
+//! | One-way faces? | They block a body that is entirely in front when the motion starts, and that moves in. They block nothing else. |
+//! | A platform moves under the body, a door against it? | [`Mover::ride`] carries it, pushes it, or reports that it is [squashed](Ride::Squashed). |
+//! | The body starts inside the solid? | [`Stuck`]: nothing moves. [`StartInside::Ignore`] lets it leave, but then use **no gravity while it is inside**, or it falls through the floor below a closed door. [`escape`] pushes out a body that reaches the surface. Better: never [close a door](#doors) on it. |
 //!
 //! # Doors
 //!
-//! A door is closed by changing tiles, which moves no body, or by moving a [`Solid`](crate::Solid),
-//! which does. Any of these keeps bodies out of it:
+//! You close a door by changing tiles, which moves no body, or by moving a [`Solid`](crate::Solid),
+//! which does. Each of these keeps bodies out of it:
 //!
 //! - **Ask first.** While `door.overlaps(&body)` is true for any body, the door stays open.
-//! - **Let it come.** A door that is a moving [`Solid`](crate::Solid) pushes what is in its way, by
-//!   [`Mover::ride`], or says that it is [squashed](Ride::Squashed): then stop the door, or the
-//!   body is lost. Once it is closed its tiles may take over.
-//! - **Remember.** Keep the last place where the level did not overlap the body, and put the body
-//!   back there.
+//! - **Let it come.** A door that is a moving [`Solid`](crate::Solid) pushes bodies out of its way
+//!   with [`Mover::ride`], or reports that one is [squashed](Ride::Squashed). Then stop the door,
+//!   or the body is lost. Once the door is closed, tiles can replace it.
+//! - **Remember.** Keep the last position at which the level did not overlap the body, and put the
+//!   body back there.
 //!
 //! ```
 //! use tilesat::prelude::*;
@@ -54,12 +54,12 @@
 //! # Time: fixed steps and slow motion
 //!
 //! There is no time step: a velocity is the motion of one call. Call at a fixed rate, and collect
-//! the time between two pictures until it makes a step; then a run depends on nothing but its
-//! input, and a replay is the list of keys.
+//! the time between two pictures until it fills a step. A run then depends only on its input, and a
+//! replay is the list of keys.
 //!
-//! Slow motion is *fewer steps*, not smaller velocities: half a velocity is rounded anew, gravity
-//! would have to shrink with the square, and the run would be another one. Between two steps draw a
-//! point between two places, with [`Toi::of`](crate::Toi::of), and never move a body there.
+//! For slow motion, take *fewer steps*, not smaller velocities. Half a velocity is rounded again,
+//! gravity would have to shrink with the square, and the run would differ. Between two steps, draw
+//! a point between two positions with [`Toi::of`](crate::Toi::of), and never move a body there.
 //!
 //! ```
 //! use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Toi, Vec2};
@@ -106,27 +106,29 @@ mod mover;
 mod order;
 mod plane;
 pub mod response {
-    //! The response toolkit: what becomes of a velocity, a pair or a string of points at a contact.
+    //! The response toolkit: how a contact changes a velocity, a pair of bodies or a string of
+    //! points.
     //!
     //! Small functions and plain values over the public types, for movers and for games that
-    //! resolve contacts by themselves: project out, split the velocity at the surface, scale both
-    //! parts, and only where it moves in; share a push by the masses. Lengths are units, velocities
-    //! units a frame, accelerations units a frame and frame. Rounding never gains speed, never
-    //! leads into a surface and is the same for both signs.
+    //! resolve contacts themselves. They push a body out, split its velocity at the surface, and
+    //! scale both parts, only where the body moves in. Two bodies share a push by their masses.
+    //! Lengths are in units, velocities in units per frame, accelerations in units per frame
+    //! squared. Rounding never gains speed, never leads into a surface, and is the same for both
+    //! signs.
     //!
     //! | question | answer |
     //! |---|---|
-    //! | which part of this velocity is into the surface? | [`split`] |
-    //! | what is the velocity after the contact? | [`slide`], [`bounce`], [`respond`]; a [`Surface`] in a mover |
-    //! | how does a ball bounce for ever? | a [`Speed`] beside its velocity; its [`Energy`] where there is gravity |
-    //! | what if gravity is less than a raw unit a frame? | an [`Acceleration`] with a [`Carry`] |
-    //! | how do two bodies get out of each other? | [`separate`], by their [`Masses`] |
-    //! | and their velocities? | [`exchange`] |
-    //! | ropes, chains, ragdolls? | [`Particle`]s joined by [`Stick`]s, brought to their lengths by [`relax`], asleep when [`Quiet`] |
+    //! | Which part of this velocity goes into the surface? | [`split`] |
+    //! | What is the velocity after the contact? | [`slide`], [`bounce`], [`respond`]; a [`Surface`] in a mover |
+    //! | How does a ball bounce for ever? | Keep a [`Speed`] beside its velocity, or its [`Energy`] where there is gravity. |
+    //! | What if gravity is less than a raw unit per frame? | Use an [`Acceleration`] with a [`Carry`]. |
+    //! | How do two bodies get out of each other? | [`separate`], by their [`Masses`] |
+    //! | And their velocities? | [`exchange`] |
+    //! | Ropes, chains, ragdolls? | Join [`Particle`]s with [`Stick`]s. [`relax`] brings them to their lengths; let them sleep when [`Quiet`]. |
     //!
-    //! The ideas are those of the tutorials and the talk on N by Metanet Software (projection,
-    //! split velocities, Verlet points); friction is Coulomb's, and the points are those of
-    //! Jakobsen's *Advanced Character Physics* (2001).
+    //! The ideas come from the tutorials and the talk on N by Metanet Software (projection, split
+    //! velocities, Verlet points). Friction is Coulomb's. The points are those of Jakobsen's
+    //! *Advanced Character Physics* (2001).
 
     mod acceleration;
     mod impact;
@@ -153,11 +155,11 @@ mod sweep_round;
 mod tests;
 mod walk {
     //! Walking: what a character needs beyond
-    //! [`Mover::move_and_slide`](super::Mover::move_and_slide), for the games that have one.
+    //! [`Mover::move_and_slide`](super::Mover::move_and_slide).
     //!
-    //! On the ground a [`Walker`] goes by *legs* along the floor: a sweep along it, which the
-    //! floor's bends upward, steps and walls end, and a look down from its end, which finds where
-    //! the floor bends downward. In the air it moves as its mover does, up to the first floor.
+    //! On the ground a [`Walker`] moves by *legs*. Each leg is a sweep along the floor, which ends
+    //! at an upward bend, a step or a wall. A look down from its end finds where the floor bends
+    //! downward. In the air it moves as its mover does, up to the first floor.
 
     mod assist;
     mod ground;

@@ -1,4 +1,4 @@
-//! The results of a motion, and what it ran into.
+//! The results of a motion, and its hits.
 
 use super::Body;
 use crate::error::{RangeError, Truncated};
@@ -12,33 +12,34 @@ use core::slice::Iter;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias("KinematicCollision2D", "cols"))]
 pub struct Moved<B> {
-    /// The body at its new place; it does not overlap the level.
+    /// The body at its new position. It does not overlap the level.
     pub body: B,
-    /// The velocity that is left after the response; feed it to the next call.
+    /// The velocity after the response. Pass it to the next call.
     pub velocity: Vec2,
-    /// Motion that was not made: what a stopped body had left, or what a body in a tight place
-    /// could not use in [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces.
+    /// The motion that was not made: the rest of a stopped body's motion, or the part that a body
+    /// in a tight place could not use in [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces.
     pub remaining: Vec2,
-    /// What was hit.
+    /// The hits, in order.
     pub hits: Hits,
     /// Whether a hit faced "up" within the mover's [slope limit](super::Mover::with_slope_limit),
-    /// 45 degrees at first. Always false for a mover without an up. Only what the motion ran into
-    /// counts: a body at rest reports no floor, so add gravity in every frame, on the ground too.
+    /// 45 degrees by default. Always false for a mover without an up. Only surfaces that the motion
+    /// ran into count. A body without velocity reports no floor: add gravity in every frame, on the
+    /// ground too.
     pub floor: bool,
     /// Whether a hit was neither floor nor ceiling.
     pub wall: bool,
     /// Whether a hit faced "down" within the same limit.
     pub ceiling: bool,
-    /// The flags of all tiles that were hit, or-ed. Tiles that are not solid are never hit: ask
-    /// [`TileMap::flags_touched`](crate::TileMap::flags_touched), or
+    /// The flags of all tiles that were hit, or-ed. Tiles that are not solid are never hit. For
+    /// those use [`TileMap::flags_touched`](crate::TileMap::flags_touched), or
     /// [`TileMap::flags_swept`](crate::TileMap::flags_swept) at high speed.
     pub flags: u8,
-    /// What the call did.
+    /// The work of the call.
     pub work: Work,
 }
 
 impl<B: Body> Moved<B> {
-    /// A body that has hit nothing yet, in as many sweeps.
+    /// A body that has hit nothing yet, after this many sweeps.
     #[inline]
     pub(super) fn freely(body: B, velocity: Vec2, iterations: u32) -> Self {
         Self {
@@ -61,7 +62,7 @@ impl<B: Body> Moved<B> {
     }
 }
 
-/// Counters of the work that a call did, for budgets and tests.
+/// Counters of the work of a call, for budgets and tests.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Work {
@@ -74,28 +75,27 @@ pub struct Work {
     pub checks: u32,
 }
 
-/// The body overlaps the level before it moves; nothing was moved. A call without velocity moves
-/// nothing and does not look.
+/// The body overlaps the level before it moves, and nothing was moved. A call without velocity
+/// moves nothing and does not look.
 ///
-/// It comes from a level that changed (a [door](crate::motion#doors) that closed), or from a body
-/// put into the solid. A way out, for games that want one: [`escape`](super::escape) pushes it out
-/// by the nearest surface that it reaches. It is `Stuck` too where it reaches none, or none is
-/// free.
+/// The level changed (a [door](crate::motion#doors) closed), or the game put the body into the
+/// solid. If you want a way out, [`escape`](super::escape) pushes the body out by the nearest
+/// surface that it reaches. It returns `Stuck` too if it reaches none, or none is free.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stuck {
-    /// Where it is, as [`Moved::position`], raw.
+    /// The position of the body, as [`Moved::position`], raw.
     pub at: (i32, i32),
 }
 
-/// Why a motion was refused; the body stays as it was.
+/// Why a motion was refused. The body stays as it was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum MoveError {
     /// The velocity or the body is too large, for numbers or for the level's cells, or the motion
     /// would leave the domain.
     Range(RangeError),
-    /// The body overlaps the level already.
+    /// The body already overlaps the level.
     Stuck(Stuck),
 }
 
@@ -125,14 +125,14 @@ impl fmt::Display for MoveError {
 
 impl core::error::Error for MoveError {}
 
-/// One thing that a moving body ran into.
+/// One hit of a moving body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hit {
-    /// The part of the motion that was used up when it was hit. Exact floor for the first hit on a
-    /// face along x or y, and for a box on the slope of a tile; early by less than a raw unit of
-    /// way elsewhere; later hits of one call add the roundings of the earlier ones.
+    /// The part of the motion made before the hit. Exact, rounded down, for the first hit on a face
+    /// along x or y, and for a box on the slope of a tile. Elsewhere early by less than a raw unit
+    /// of way. Later hits of one call add the roundings of the earlier ones.
     pub toi: Toi,
-    /// The exact normal of what was hit: out of the solid, toward the body.
+    /// The exact normal of the surface: out of the solid, toward the body.
     pub axis: Axis,
     /// The cell of the level.
     pub cell: Cell,
@@ -158,15 +158,15 @@ impl Hit {
 /// Plain data: a copy is a snapshot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hits {
-    /// In halves: 48 bytes are made and copied in line, 96 by a library's routine for memory of any
-    /// size.
+    /// In halves: 48 bytes are made and copied inline, but 96 by a library routine for memory of
+    /// any size.
     early: [Option<Hit>; 2],
     late: [Option<Hit>; 2],
     seen: u8,
 }
 
 impl Hits {
-    /// How many hits are kept: one for each iteration.
+    /// How many hits are kept: one per iteration.
     pub const CAPACITY: usize = 4;
 
     #[inline]
@@ -179,8 +179,8 @@ impl Hits {
         Self { early: [Some(hit), None], late: [None; 2], seen: 1 }
     }
 
-    /// Whether a feature is told of already, or one with the same normal, as which a face that is
-    /// cut is told of once.
+    /// Whether the hits already report this feature, or one with the same normal. A face that is
+    /// cut is therefore reported once.
     pub(super) fn tell_of(&self, axis: Axis, feature: &Feature) -> bool {
         let is = |hit: &Hit| (hit.cell, hit.index, hit.source) == (feature.cell, feature.index, feature.source);
         self.iter().any(|hit| hit.axis == axis || is(hit))
@@ -199,7 +199,7 @@ impl Hits {
         self.into_iter()
     }
 
-    /// How many are kept.
+    /// The number of hits kept.
     #[must_use]
     pub fn len(&self) -> usize {
         (self.seen as usize).min(Self::CAPACITY)
@@ -220,7 +220,7 @@ impl Hits {
     /// Copies the hits into a vector of any capacity, first to last.
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the earliest.
+    /// [`Truncated`] if they do not fit. `out` then holds the earliest.
     pub fn copy_to(&self, out: &mut heapless::VecView<Hit>) -> Result<(), Truncated> {
         for (kept, hit) in self.iter().enumerate() {
             if out.push(*hit).is_err() {

@@ -11,27 +11,27 @@ use super::{Hit, Hits, MoveError, Moved, StartInside, Stuck, Work};
 use crate::num::{Axis, MOTION, Raw, Toi, Vec2, check_motion, mul_div};
 use crate::world::{Feature, World};
 
-/// What a body does when it runs into something. The words are bump.lua's.
+/// How a body responds to what it hits. The words are bump.lua's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Response {
-    /// Goes on along the surface.
+    /// Slides along the surface.
     #[default]
     Slide,
-    /// Stops at the first contact; its velocity is then zero, and [`Moved::remaining`] is the
+    /// Stops at the first contact. Its velocity is then zero, and [`Moved::remaining`] is the
     /// motion not made.
     Touch,
-    /// Passes one-way faces, to drop through a platform; slides along the solid. The first one-way
-    /// face that it passes in a call is reported among the hits, and is neither floor, wall nor
-    /// ceiling.
+    /// Passes one-way faces, to drop through a platform, and slides along the solid.
+    /// [`Moved::hits`] lists the first one-way face that it passes in a call. That face is neither
+    /// floor, wall nor ceiling.
     DropThrough,
-    /// Is mirrored at the surface: exactly at a face along x or y; elsewhere rounding may take up
-    /// to 2 raw units of speed. It never gains any. For less bounce, and for bounces that do not
-    /// lose those either, see [`Mover::with_surface`].
+    /// Bounces off the surface like a mirror image: exact at a face along x or y. Elsewhere
+    /// rounding may take up to 2 raw units of speed. It never gains speed. [`Mover::with_surface`]
+    /// sets less bounce, and bounces that do not lose those units either.
     Bounce,
 }
 
-/// How bodies move: the direction that is up, and the response to what they hit.
+/// How bodies move: the direction that is up, and the response to hits.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -61,16 +61,16 @@ pub struct Mover<S = Smooth> {
 }
 
 impl Mover {
-    /// The most pieces that one motion is made of.
+    /// The most pieces that one motion consists of.
     pub const ITERATIONS: u32 = 4;
 
-    /// The most cells that one motion may come to, counted for each of its
-    /// [pieces](Self::move_and_slide): longer ones, and those of larger bodies, are refused. A
-    /// square of 512 cells a side, or 4096 units a call for a body of one cell where that is a
-    /// unit.
+    /// The most cells that one motion may visit, counted for each of its
+    /// [pieces](Self::move_and_slide). Longer motions, and motions of larger bodies, are refused.
+    /// The limit is a square of 512 cells a side, or 4096 units per call for a body of one cell
+    /// where a cell is a unit.
     pub const CELLS: u32 = 1 << 18;
 
-    /// A mover without an "up", for games that are seen from above: every hit is a wall.
+    /// A mover without an "up", for games seen from above: every hit is a wall.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -84,8 +84,8 @@ impl Mover {
         }
     }
 
-    /// A mover that tells floor, wall and ceiling apart; `up` may have any length (zero is no up).
-    /// On a screen whose y grows downward it is [`Axis::NEG_Y`].
+    /// A mover that distinguishes floor, wall and ceiling. `up` may have any length; zero means no
+    /// up. On a screen whose y grows downward it is [`Axis::NEG_Y`].
     #[must_use]
     pub const fn platformer(up: Axis) -> Self {
         Self { up: if up.is_zero() { None } else { Some(up) }, ..Self::new() }
@@ -93,14 +93,14 @@ impl Mover {
 }
 
 impl<S: Law> Mover<S> {
-    /// The same mover for bodies with friction and restitution. Movers without link no code for
-    /// them.
+    /// The same mover for bodies with friction and restitution. A mover without a surface links no
+    /// code for them.
     ///
-    /// Restitution acts with [`Response::Bounce`] alone, and that response has to be chosen too: at
-    /// first a mover slides. Friction acts with all but [`Response::Touch`].
+    /// Restitution acts only with [`Response::Bounce`], and a new mover slides: choose that
+    /// response too. Friction acts with every response but [`Response::Touch`].
     ///
-    /// They are part of the mover, so they may differ from call to call: by the body, or by the
-    /// flags of the tile that it stood on.
+    /// The surface is part of the mover, so it can differ from call to call: by the body, or by the
+    /// flags of the tile that the body stood on.
     ///
     /// ```
     /// use tilesat::{Axis, Fx, Mover, Ratio, Response, Surface};
@@ -121,12 +121,12 @@ impl<S: Law> Mover<S> {
         Self { response, bounce, ..self }
     }
 
-    /// The same mover with another limit between floor and wall: the steepest floor rises by `rise`
-    /// over `run`, 1 : 1 (45 degrees) at first.
+    /// The same mover with another limit between floor and wall. The steepest floor rises by `rise`
+    /// over `run`; the default is 1 : 1 (45 degrees).
     ///
-    /// Exact: a slope as steep as the limit is floor. What faces down up to as steeply is ceiling,
-    /// the rest is wall. With `run` 0 all that faces up at all is floor, with `rise` 0 only what is
-    /// level.
+    /// Exact: a slope as steep as the limit is floor. A surface that faces down at most as steeply
+    /// is ceiling, and the rest is wall. With `run` 0 every surface that faces up at all is floor.
+    /// With `rise` 0 only level ground is.
     ///
     /// ```
     /// use tilesat::{Axis, Mover};
@@ -139,21 +139,21 @@ impl<S: Law> Mover<S> {
         Self { limit: SlopeLimit { rise, run }, ..self }
     }
 
-    /// The same mover that passes one-way faces, or no longer does: for the frames in which a
-    /// player asks to drop through a platform, with any response. They are reported as by
+    /// The same mover that passes one-way faces, or no longer does. Use it in the frames in which a
+    /// player wants to drop through a platform, with any response. Hits report the faces as with
     /// [`Response::DropThrough`].
     ///
-    /// Gravity must act in that frame: the body passes what it moves into, and one that stands and
-    /// has no velocity down stands on. One frame is enough where it leads into the face by a raw
-    /// unit or more, for then the body is no longer entirely in front of it. A mover that drops
-    /// through is not carried by one-way [`Solid`](crate::Solid)s either.
+    /// Gravity must act in that frame: the body passes only what it moves into. A body that stands
+    /// and has no downward velocity stands on. One frame is enough if it moves into the face by a
+    /// raw unit or more: then the body is no longer entirely in front of it. One-way
+    /// [`Solid`](crate::Solid)s do not carry a mover that drops through, either.
     #[must_use]
     #[doc(alias("one way platform", "jump-through", "fall-through"))]
     pub const fn with_drop_through(self, drop_through: bool) -> Self {
         Self { drop_through, ..self }
     }
 
-    /// The same mover with another answer to bodies that overlap the level already.
+    /// The same mover with another answer for bodies that already overlap the level.
     #[must_use]
     pub const fn with_inside(self, inside: StartInside) -> Self {
         Self { inside, ..self }
@@ -162,41 +162,44 @@ impl<S: Law> Mover<S> {
     /// Moves a body by its velocity (units per call) through a level.
     ///
     /// The body is swept, so no speed tunnels. It ends exactly on the faces along x and y that it
-    /// hits, and what they do to the motion is exact: a box that lands still goes on by its whole
-    /// sideways motion. At a slope, a corner or an arc it ends at most 2 raw early and never
-    /// inside; wedged where no lattice point near the contact is free, up to 66 raw early, and if
-    /// none is free there either where that piece of its motion began. What is left of the velocity
-    /// is its longest projection that nothing is in the way of, of all surfaces that the body
-    /// touches *at that place*: what it has left behind has no say. Along the slopes of tiles it
-    /// goes exactly: the velocity is a multiple of the slope's direction, less than one multiple
-    /// short. Through a quarter pipe it goes by one chord a call and comes out as fast as it went
-    /// in, less some 3 raw a call. Sliding never lengthens the velocity and bouncing never raises
-    /// its square (with a [`Speed`](super::Speed), not above that).
+    /// hits, and they change the motion exactly: a box that lands still makes its whole sideways
+    /// motion. At a slope, a corner or an arc it ends at most 2 raw early, and never inside. If it
+    /// is wedged and no lattice point near the contact is free, it ends up to 66 raw early. If none
+    /// is free there either, it ends where that piece of its motion began.
+    ///
+    /// The remaining velocity is the longest projection of the velocity that no surface blocks.
+    /// Only the surfaces count that the body touches *at that position*, not those that it has left
+    /// behind. Along the slopes of tiles the direction is exact: the velocity is a multiple of the
+    /// slope's direction, less than one multiple short. Through a quarter pipe the body moves by
+    /// one chord per call. It leaves as fast as it entered, less about 3 raw per call. Sliding
+    /// never lengthens the velocity. Bouncing never raises its square (with a
+    /// [`Speed`](super::Speed), not above that).
     ///
     /// A body that gravity presses between surfaces (a V, a bowl, two domes, a slope and a wall)
-    /// comes to rest, for gravities up to a twentieth of a tile a call: each way that it makes is a
-    /// part of its velocity, so nothing hums.
+    /// comes to rest, for gravities up to a twentieth of a tile per call squared. Every way that it
+    /// makes is a part of its velocity, so it does not jitter.
     ///
-    /// A body without velocity stays where it is, and nothing is asked of the level, not even
-    /// whether the body is in the solid: nothing that could lead into it is done. `overlaps` of the
-    /// level tells.
+    /// With zero velocity the call returns at once. It does not look at the level, and does not
+    /// report a body inside the solid. Use `overlaps` of the level to test for that.
     ///
-    /// Mirrored scenes give mirrored bits, save where a circle meets two corners, slopes or arcs at
-    /// the same moment and as squarely (+x goes first); translated scenes give the same bits;
-    /// exchanging x and y does too, save for ties (x goes first) and a raw unit at corners.
+    /// Mirrored scenes give mirrored bits, except where a circle meets two corners, slopes or arcs
+    /// at the same moment and equally squarely (+x goes first). Translated scenes give the same
+    /// bits. So do scenes with x and y exchanged, except for ties (x goes first) and a raw unit at
+    /// corners.
     ///
-    /// Cost: where no cell that the motion passes over holds anything, one look at each. Else at
-    /// most [`Mover::ITERATIONS`] sweeps over the cells under the motion, enumerated in pieces as
-    /// long as a cell or the body (that many look-ups also where a fast body is far from the map),
-    /// and one or two exact overlap tests a sweep; [`Moved::work`] counts them. No division
-    /// instruction; one square root for each slope (circles), corner and arc that is hit.
+    /// Cost: where all cells under the motion are empty, one look at each. Otherwise at most
+    /// [`Mover::ITERATIONS`] sweeps over these cells, in pieces as long as a cell or the body. A
+    /// fast body far from the map takes as many look-ups. Each sweep needs one or two exact overlap
+    /// tests; [`Moved::work`] counts them. No division instruction; one square root for each slope
+    /// (circles), corner and arc that is hit.
     ///
     /// # Errors
-    /// [`MoveError::Range`] where a velocity component or a half extent is not below 2^28 raw (4096
-    /// units; a velocity whose length is below that stays acceptable however it is turned), the
-    /// motion would leave the domain, or it comes to more than [`Mover::CELLS`] cells;
-    /// [`MoveError::Stuck`] where the body overlaps the level already, it is to move, and the mover
-    /// [reports](StartInside) that; without a velocity nothing is asked of the level.
+    /// - [`MoveError::Range`] if a velocity component or a half extent is not below 2^28 raw (4096
+    ///   units). A velocity shorter than that stays acceptable in every direction.
+    /// - [`MoveError::Range`] if the motion would leave the domain, or visits more than
+    ///   [`Mover::CELLS`] cells.
+    /// - [`MoveError::Stuck`] if the body moves, already overlaps the level, and the mover
+    ///   [reports](StartInside) that.
     #[inline(never)]
     #[doc(alias("moveAndCollide", "move_and_collide", "moveAndSlide", "world:move"))]
     pub fn move_and_slide<W: World, B: Body>(
@@ -218,7 +221,7 @@ impl<S: Law> Mover<S> {
         self.run_into(world, body, velocity, pieces, &mut around)
     }
 
-    /// Apart, because most bodies fly: they need no frame for what the others do.
+    /// A separate function: most bodies fly, and need no stack for the rest.
     #[inline(never)]
     fn run_into<W: World, B: Body>(
         &self,
@@ -231,7 +234,7 @@ impl<S: Law> Mover<S> {
         let d = Raw::of(velocity);
         let mut work = Work { iterations: 1, features: 0, checks: 0 };
         let bounds = body.bounds();
-        // The place before the motion has been looked at.
+        // The body's own position has already been looked at.
         let free = around.is_free_in_sight(&piece_of(&bounds, Raw::ZERO, Raw::ZERO, 1));
         let inside = !free && self.is_inside(world, body, &mut work)?;
         check_inside(&bounds, d)?;
@@ -259,13 +262,12 @@ impl<S: Law> Mover<S> {
         self.go_on(world, body, velocity, around, &mut first, &FirstHit { work, inside, guarded })
     }
 
-    /// Whether a hit takes all of a motion and leaves nothing: what most bodies that rest come to.
-    /// It is what [`respond`](Self::respond) finds for them as well, found without all that the
-    /// others need.
+    /// Whether a hit takes all of a motion and leaves nothing, as for most resting bodies. The
+    /// answer is that of [`respond`](Self::respond), found without the work that other hits need.
     ///
-    /// The face is touched, so none of the motion is made; the motion is straight into it, so
-    /// nothing of it is along the face, for friction neither; and all of one plane along x or y,
-    /// nothing is askew that could [wedge](Self::wedge) it.
+    /// The body touches the face, so it makes none of the motion. The motion is straight into the
+    /// face, so no part is left along it, for friction neither. A single plane along x or y leaves
+    /// nothing askew that could [wedge](Self::wedge) the body.
     fn rests(&self, d: Raw, entry: &Entry, feature: &Feature) -> bool {
         let Entry { num, normal, ref step, .. } = *entry;
         let straight = (normal.x == 0 && d.x == 0) || (normal.y == 0 && d.y == 0);
@@ -280,7 +282,7 @@ impl<S: Law> Mover<S> {
             }
     }
 
-    /// Goes on with a motion of which the first hit is known.
+    /// Continues a motion after its first hit has been found.
     #[inline(never)]
     fn go_on<W: World, B: Body>(
         &self,
@@ -318,7 +320,7 @@ impl<S: Law> Mover<S> {
         Ok(run)
     }
 
-    /// Whether the body overlaps the level, where that is no error.
+    /// Whether the body overlaps the level, if that is no error.
     fn is_inside<W: World, B: Body>(&self, world: &W, body: &B, work: &mut Work) -> Result<bool, Stuck> {
         work.checks += 1;
         let inside = body.overlaps_world(world);
@@ -328,7 +330,7 @@ impl<S: Law> Mover<S> {
         Ok(inside)
     }
 
-    /// Makes the motion; where it `WALKS` up to the first floor.
+    /// Makes the motion. With `WALKS`, it ends at the first floor.
     pub(super) fn slide<W: World, B: Body, const WALKS: bool>(
         &self,
         world: &W,
@@ -348,7 +350,7 @@ impl<S: Law> Mover<S> {
         Ok(())
     }
 
-    /// Makes a motion up to its first hit; whether that is all.
+    /// Makes a motion up to its first hit. Returns whether the motion is complete.
     #[inline(never)]
     fn follow<W: World, B: Body, const WALKS: bool>(
         &self,
@@ -358,7 +360,7 @@ impl<S: Law> Mover<S> {
         first: &First,
     ) -> bool {
         let mut hit = first.hit::<B, W>(&run.moved.body, d);
-        // What is to be chosen from the ways on.
+        // Whether to choose among the ways on, and the motion made so far.
         let (mut chooses, mut made) = (false, Raw::ZERO);
         if may_be_askew::<B, W>() && run.creeps {
             (chooses, made) = (true, self.creep::<W, B>(world, run, d, hit.take()));
@@ -383,7 +385,7 @@ impl<S: Law> Mover<S> {
     }
 }
 
-/// What is known of a motion whose first hit is.
+/// The results known when a motion has found its first hit.
 struct FirstHit {
     work: Work,
     inside: bool,

@@ -1,31 +1,32 @@
-//! Which of the hits of one motion is the first. The order of visits plays no part; the first of
-//! these that tells two hits apart decides:
+//! Chooses the first of the hits of one motion. The order of visits plays no part. The first of
+//! these rules that distinguishes two hits decides:
 //!
-//! 1. The earlier one. A vertex or an arc, whose time is a bound, is before a face where that is so
-//!    exactly.
+//! 1. The earlier one. A vertex or an arc, whose time is a bound, precedes a face only if that is
+//!    exactly true.
 //! 2. A face before a vertex or an arc.
-//! 3. Of two faces, or of two others, what is not met at its end alone; what opposes the motion
-//!    more; then the normal, by the longer part along x, the longer part along y, and +x and +y
-//!    before -x and -y.
-//! 4. Of one surface what is solid, not one-way; then the level, the row, the column and the index
-//!    that are less. The flags of both count.
+//! 3. Of two faces, or of two others: a hit that is not only at the feature's end, then the one that
+//!    opposes the motion more. Then the normal decides: by the longer part along x, the longer part
+//!    along y, and +x and +y before -x and -y.
+//! 4. On one surface: solid before one-way, then the smaller level, row, column and index. The flags
+//!    of both count.
 
 use super::body::{Body, Entry};
 use crate::num::{Raw, add128, imul, less128, mul_div, mul64, sqr64, umul};
 use crate::world::{Feature, Geometry, World};
 
-/// The first hit so far: of faces, whose times are exact, and of vertices and arcs, whose times are
-/// lower bounds.
+/// The first hit so far, kept separately for faces, which have exact times, and for vertices and
+/// arcs, which have lower bounds.
 ///
-/// Each is the first by an order of its own, and the two are compared by what is exact of both once
-/// all are known. So the order of visits does not matter, as it might if bounds and exact times
-/// were in one order: of three, each could be before the next.
+/// Each is the first in its own order. Once all are known, the two are compared by exact values of
+/// both. Bounds and exact times in one order could form a cycle: of three hits, each could precede
+/// the next. The order of visits would then matter.
 pub(super) struct First {
     flat: Candidate,
     round: Candidate,
 }
 
-/// The first of an order: both or none. Apart, so that each is written in its place.
+/// The first hit of an order, entry and feature, or neither. A separate type, which is written in
+/// place.
 struct Candidate {
     entry: Option<Entry>,
     feature: Option<Feature>,
@@ -52,7 +53,7 @@ impl First {
         Self { flat: Candidate::empty(), round: Candidate::empty() }
     }
 
-    /// Takes a hit that is before all others.
+    /// Takes a hit that precedes all others.
     pub(super) fn only(&mut self, entry: &Entry, feature: &Feature) {
         self.flat = Candidate::empty();
         self.round.put(entry, feature);
@@ -70,13 +71,13 @@ impl First {
         }
     }
 
-    /// Whether there is one in the first `piece` of so many pieces of the motion.
+    /// Whether there is a hit in the first `piece` of `pieces` pieces of the motion.
     pub(super) fn is_within(&self, piece: u32, pieces: u32) -> bool {
         let within = |slot: &Candidate| slot.entry.as_ref().is_some_and(|e| umul(e.num, pieces) <= umul(e.den, piece));
         within(&self.flat) || within(&self.round)
     }
 
-    /// The first of all; of one moment the face.
+    /// The first of all hits; of the same moment, the face.
     pub(super) fn hit<B: Body, W: World>(&self, body: &B, d: Raw) -> Option<(&Entry, &Feature)> {
         if (W::BLOCKS && !B::MEETS_CORNERS) || self.round.entry.is_none() {
             return self.flat.hit();
@@ -91,9 +92,9 @@ impl First {
 
 /// Whether a body meets a vertex or an arc before the moment at which it meets a face.
 ///
-/// Where it does so by a bound that is early by less than a raw unit of way, the place at the
-/// moment of the face decides: inside of the disc that it enters, or already leaving it; outside of
-/// the disc that it leaves.
+/// If the bound is early by less than a raw unit of way, the position at the moment of the face
+/// decides. The vertex or arc is earlier if the body is then inside of the disc that it enters, or
+/// already leaving it, or outside of the disc that it leaves.
 fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), flat: &Entry) -> bool {
     if umul(round.num, flat.den) >= umul(flat.num, round.den) {
         return false;
@@ -117,11 +118,12 @@ fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), f
     }
 }
 
-/// Whether the point `m` that moves by `d` has entered the disc of radius `r` around the origin
-/// before a moment, or left it.
+/// Whether the point `m` that moves by `d` has, before a moment, entered the disc of radius `r`
+/// around the origin, or left it.
 ///
-/// With the moment as a fraction, in units of its divisor: |m| and r are below 2^30, |d| below 2^28
-/// and the fraction's terms up to 2^30, so the point is below 2^61 and its square below 2^122.
+/// The moment is a fraction, and values are in units of its divisor. |m| and r are below 2^30, |d|
+/// below 2^28 and the fraction's terms at most 2^30. So the point is below 2^61 and its square
+/// below 2^122.
 #[inline(never)]
 fn is_past(m: Raw, r: i32, leaves: bool, d: Raw, at: &Entry) -> bool {
     let coordinate = |m: i32, d: i32| imul(m, at.den as i32).wrapping_add(imul(d, at.num as i32)).unsigned_abs();
@@ -131,12 +133,12 @@ fn is_past(m: Raw, r: i32, leaves: bool, d: Raw, at: &Entry) -> bool {
         return less128(rim, square);
     }
     let toward = m.dot(d).wrapping_neg();
-    // It enters: it comes nearer until `toward` / |d|^2.
+    // It enters: it approaches the centre until the time `toward` / |d|^2.
     less128(square, rim) || toward <= 0 || !less128(mul64(d.len2(), at.num.into()), mul64(toward as u64, at.den.into()))
 }
 
-/// Two features that are one surface at the moment of the hit: the solid one stands for both, else
-/// the first row by row, with the flags of both.
+/// Merges two features that are one surface at the moment of the hit. The solid one stands for
+/// both, otherwise the first row by row, with the flags of both.
 fn merge(into: &mut Feature, other: &Feature) {
     let flags = into.flags | other.flags;
     let key = |f: &Feature| (f.one_way, f.source, f.cell.y, f.cell.x, f.index);

@@ -1,4 +1,4 @@
-//! Which way a surface faces, and what becomes of a velocity along it: at a plane, and through a
+//! Which way a surface faces, and how it changes a velocity along it: at a plane, and through a
 //! quarter pipe.
 
 use super::body::kernel::Kernel;
@@ -6,7 +6,7 @@ use super::response::{Law, Reply};
 use crate::num::{Axis, Raw, Toi, div_sqrt, isqrt64_ceil, mul_div, umul};
 use crate::world::World;
 
-/// What a surface is to a body that stands.
+/// The role of a surface for a body that stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SurfaceRole {
     Floor,
@@ -14,7 +14,7 @@ pub(super) enum SurfaceRole {
     Ceiling,
 }
 
-/// The steepest floor, and ceiling: as high as `rise` where it is as wide as `run`.
+/// The steepest floor, and ceiling: it rises by `rise` over `run`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct SlopeLimit {
@@ -26,13 +26,13 @@ impl SlopeLimit {
     /// 45 degrees.
     pub(super) const DEFAULT: Self = Self { rise: 1, run: 1 };
 
-    /// What a surface with this normal is: floor where `|n x up| run <= (n . up) rise`, exact.
+    /// The role of a surface with this normal: floor if `|n x up| run <= (n . up) rise`, exact.
     ///
     /// Blocks need neither product: one of the two is zero.
     pub(super) fn side(self, up: Axis, normal: Axis) -> SurfaceRole {
         let (along, across) = (normal.dot(up), normal.perp_dot(up));
         let (a, c) = (along.unsigned_abs(), across.unsigned_abs());
-        // At 45 degrees, as at first, no product is needed.
+        // 45 degrees, the default, need no product.
         let is_steep = |a, c| {
             if self.rise == self.run { a < c && self.run != 0 } else { times(a, self.rise) < times(c, self.run) }
         };
@@ -59,11 +59,11 @@ impl Default for SlopeLimit {
     }
 }
 
-/// The rounding distance: a body that is pushed off by the rounding at one surface still touches
-/// another that is within this many raw units.
+/// The rounding distance. A body that rounding pushes off one surface still touches another that is
+/// within this many raw units.
 ///
-/// A place at a hit is at most 2 raw early on each axis, so of two surfaces that a body has come to
-/// one is at most 2 sqrt 2 raw off.
+/// A position at a hit is at most 2 raw early on each axis. Of two surfaces that a body has met,
+/// one is therefore at most 2 sqrt 2 raw off.
 pub(super) const NEAR: u32 = 4;
 
 /// The longer component of a displacement.
@@ -71,19 +71,20 @@ pub(super) fn way(made: Raw) -> u32 {
     made.x.unsigned_abs().max(made.y.unsigned_abs())
 }
 
-/// The component of `v` along the normal, scaled: negative means into the plane. |v| < 2^29, |n| <
-/// 2^30: below 2^60.
+/// The component of `v` along the normal, scaled: negative means into the plane. With |v| < 2^29
+/// and
+/// |n| < 2^30 it is below 2^60.
 pub(super) fn into(v: Raw, n: Axis) -> i64 {
     n.dot(Axis::new(v.x, v.y))
 }
 
-/// Whether normals may be askew: where not, the code for them is not linked.
+/// Whether normals may be askew. If not, the code for them is not linked.
 pub(super) const fn may_be_askew<B: Kernel, W: World>() -> bool {
     B::MEETS_CORNERS || !W::BLOCKS
 }
 
-/// `v` without its part along the normal, less what friction takes: never into the plane, never
-/// longer than `v` (both exactly), zero where `v` has no part along it.
+/// `v` without its part along the normal, less the friction. Never into the plane, never longer
+/// than `v` (both exactly); zero if `v` has no part along it.
 pub(super) fn project<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S) -> Raw {
     let rub = |along: i64, into: i64| if S::SMOOTH { along } else { surface.surface().rub(along, into) };
     if n.x == 0 || n.y == 0 || !may_be_askew::<B, W>() {
@@ -109,8 +110,8 @@ fn project_slope(along: i64, n: Axis) -> Raw {
     Raw { x: n.y.wrapping_neg().wrapping_mul(k), y: n.x.wrapping_mul(k) }
 }
 
-/// A velocity of at most `speed` along the tangent (-n.y, n.x), or against it: the largest multiple
-/// of the direction of a slope of tiles, elsewhere as [`tangent`].
+/// A velocity of at most `speed` along the tangent (-n.y, n.x), or against it. At a slope of tiles
+/// it is the largest multiple of the slope's direction, elsewhere the result of [`tangent`].
 pub(super) fn lies_along<B: Kernel, W: World>(speed: u32, n: Axis, against: bool) -> Raw {
     let small = n.x.unsigned_abs() <= 2 && n.y.unsigned_abs() <= 2;
     if W::BLOCKS || !small || n.x == 0 || n.y == 0 {
@@ -121,7 +122,7 @@ pub(super) fn lies_along<B: Kernel, W: World>(speed: u32, n: Axis, against: bool
     Raw { x: n.y.wrapping_neg().wrapping_mul(k), y: n.x.wrapping_mul(k) }
 }
 
-/// `v` along the tangent (-n.y, n.x), in its length.
+/// `v` along the tangent (-n.y, n.x), scaled by the tangent's length.
 pub(super) fn across(v: Raw, n: Axis) -> i64 {
     n.perp_dot(Axis::new(v.x, v.y))
 }
@@ -140,15 +141,15 @@ pub(super) fn tangent(speed: u32, n: Axis, against: bool) -> Raw {
         let speed = if against { (speed as i32).wrapping_neg() } else { speed as i32 };
         return Raw { x: n.y.signum().wrapping_neg().wrapping_mul(speed), y: n.x.signum().wrapping_mul(speed) };
     }
-    // Less two raw for the roundings below, less what the unit vector's error can add: 2 parts in
-    // 2^30 of it.
+    // Less two raw for the roundings below, and less the error of the unit vector: 2 parts in 2^30
+    // of the speed.
     let safe = speed.saturating_sub(2 + (speed >> 26));
     let (ux, uy) = n.unit().raw();
     let (tx, ty) = if against { (uy, -ux) } else { (-uy, ux) };
     Raw { x: toward(safe, tx, n.x), y: toward(safe, ty, n.y) }
 }
 
-/// `speed * unit` (Q30), rounded up or down as `side` is positive or negative, beyond the error of
+/// `speed * unit` (Q30), rounded up if `side` is positive, down if negative, beyond the error of
 /// `unit` (below 2 units).
 fn toward(speed: u32, unit: i32, side: i32) -> i32 {
     const BELOW_ONE: u64 = (1 << 30) - 1;
@@ -158,14 +159,14 @@ fn toward(speed: u32, unit: i32, side: i32) -> i32 {
         let size = (product.wrapping_add(error).wrapping_add(BELOW_ONE) >> 30) as i32;
         if unit < 0 { size.wrapping_neg() } else { size }
     } else {
-        // Toward zero; it may pass it by the error.
+        // Toward zero; the error may take it past zero.
         let size = (product as i64).wrapping_sub(error as i64) >> 30;
         if unit < 0 { (size as i32).wrapping_neg() } else { size as i32 }
     }
 }
 
-/// `v` after a bounce: never longer than it (or its reference speed), never into the plane;
-/// unchanged where it does not move in.
+/// `v` after a bounce: never longer than `v` (or its reference speed), never into the plane.
+/// Unchanged if it does not move in.
 pub(super) fn reflect<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S, reply: Reply) -> Raw {
     if S::SMOOTH && !may_be_askew::<B, W>() {
         if into(v, n) >= 0 {
@@ -184,7 +185,7 @@ pub(super) fn reflect<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S,
 pub(super) struct Pipe {
     /// The point as seen from the centre.
     pub(super) m: Raw,
-    /// What it must not be farther than.
+    /// The largest distance from the centre.
     pub(super) r: i32,
     pub(super) quadrant: Axis,
 }
@@ -194,18 +195,17 @@ pub(super) struct Chord {
     pub(super) way: Raw,
     /// Along the pipe at the end of the way.
     pub(super) velocity: Raw,
-    /// The part of the time that is left there.
+    /// The part of the time that is left at the end of the way.
     pub(super) after: Toi,
 }
 
 impl Pipe {
-    /// The way of a body of velocity `v` in the time `rest`; none where it is pressed straight into
-    /// the pipe.
+    /// The way of a body of velocity `v` in the time `rest`. None if the velocity points
+    /// straight into the pipe.
     ///
-    /// Its end is the end of the way along the tangent, drawn to the disc, which brings nothing
-    /// farther apart; not beyond the end of the arc, where the time that the chord takes decides
-    /// what is left. The speed along the pipe stays what it is, less a few raw and what friction
-    /// takes.
+    /// The way ends where the end of the way along the tangent is drawn to the disc, which moves no
+    /// two points apart. It does not pass the end of the arc; there the time of the chord decides
+    /// how much is left. The speed along the pipe stays the same, less a few raw and the friction.
     pub(super) fn chord<S: Law>(&self, v: Raw, rest: Toi, surface: &S) -> Option<Chord> {
         let n = inward(self.m);
         let along = across(v, n);

@@ -1,5 +1,5 @@
-//! What one call of the mover does to its body: the first hit of a motion, the place at the hit,
-//! the rest of the motion, the way along a quarter pipe.
+//! What one call of the mover does to its body: it finds the first hit, the position at the hit,
+//! the rest of the motion, and the way along a quarter pipe.
 
 use super::body::{Body, Entry};
 use super::contact::Plane;
@@ -16,37 +16,36 @@ use crate::world::{Feature, World};
 /// The state of one call.
 #[expect(clippy::struct_excessive_bools, reason = "facts that are independent of each other")]
 pub(super) struct Run<'m, B> {
-    /// The result so far, where the caller wants it.
+    /// The result so far, stored where the caller wants it.
     pub(super) moved: &'m mut Moved<B>,
     around: &'m mut Around,
     pub(super) v: Raw,
-    /// The motion that is left to make.
+    /// The rest of the motion.
     pub(super) motion: Raw,
     /// The part of the call's time that is left.
     pub(super) rest: Toi,
-    /// The velocity that is projected at the next hit: the one that the body had before all that it
-    /// still touches.
+    /// The velocity to project at the next hit: the one that the body had before it met the
+    /// surfaces that it still touches.
     pub(super) before: Raw,
-    /// What the motion runs along.
+    /// The plane that the motion runs along.
     pub(super) along: Option<Plane>,
-    /// Whether it has come farther than roundings take it.
+    /// Whether it has come farther than rounding can take it.
     pub(super) came: bool,
-    /// Whether it came flying to the first of what it touches: then what it comes to next is met
-    /// with the velocity that is left.
+    /// Whether it flew to the first of the surfaces that it touches. It then meets the next surface
+    /// with the remaining velocity.
     pub(super) flew: bool,
     /// Whether nothing has been hit yet.
     pub(super) is_first: bool,
-    /// The probe of the way that the motion is along.
+    /// The probe of the current way.
     pub(super) tried: Raw,
-    /// What led nowhere from this place.
+    /// The ways that led nowhere from this position.
     pub(super) shut: Shut,
-    /// Whether the motion is along a way that is bound, up to what binds it, because no way is
-    /// free.
+    /// Whether no way is free, and the motion follows a bound way up to the surface that binds it.
     pub(super) creeps: bool,
     pub(super) pass_one_way: bool,
     /// Whether the body has been in the solid all the time.
     pub(super) inside: bool,
-    /// Whether one-way faces are near that may be askew.
+    /// Whether one-way faces that may be askew are near.
     pub(super) guarded: bool,
     /// Whether the motion is a chord of a quarter pipe, not the velocity times the time.
     pub(super) on_chord: bool,
@@ -54,8 +53,8 @@ pub(super) struct Run<'m, B> {
     pub(super) after: Toi,
 }
 
-/// Where a body was, to be put back to: a place in the solid is one only for what has been there
-/// all the time.
+/// A position that a body can be put back to. A position in the solid is allowed only for a body
+/// that has been in the solid all the time.
 #[derive(Clone, Copy)]
 pub(super) struct Checkpoint<B> {
     body: B,
@@ -63,10 +62,10 @@ pub(super) struct Checkpoint<B> {
 }
 
 impl<'m, B: Body> Run<'m, B> {
-    /// How far back from a hit a place is looked for, raw.
+    /// How far back from a hit the search for a free position goes, raw.
     const FARTHEST: u32 = 64;
 
-    /// Of a body that has hit nothing yet; something may be known of the level already.
+    /// The run of a body that has hit nothing yet. Parts of the level may already be known.
     #[inline]
     pub(super) fn new(moved: &'m mut Moved<B>, around: &'m mut Around) -> Self {
         let v = Raw::of(moved.velocity);
@@ -127,34 +126,34 @@ impl<'m, B: Body> Run<'m, B> {
         self.guarded |= search.guarded;
     }
 
-    /// Moves up to the hit; returns the displacement made.
+    /// Moves up to the hit. Returns the displacement made.
     pub(super) fn advance<W: World>(&mut self, world: &W, d: Raw, entry: &Entry) -> Raw {
         self.place(world, d, entry, d)
     }
 
-    /// Moves up to the hit, not against `u`; returns the displacement made.
+    /// Moves up to the hit, not against `u`. Returns the displacement made.
     ///
-    /// Where a box meets blocks the first displacement is certain: at the exact place of the hit it
-    /// is on the outer side of one face's line of each rectangle of solid, those lines are
+    /// If a box meets blocks, the first displacement is certain. At the exact position of the hit
+    /// the box is on the outer side of one face's line of each rectangle of solid. Those lines are
     /// integers, and rounding toward the integer start passes none.
     #[inline(never)]
     pub(super) fn place<W: World>(&mut self, world: &W, d: Raw, entry: &Entry, u: Raw) -> Raw {
-        // Corners: rounding away from one corner may graze another. Lattice neighbours toward the
-        // start, then aside, then two back.
+        // Corners: rounding away from one corner may graze another. Tries lattice neighbours toward
+        // the start, then aside, then two back.
         const STEPS: [(i32, i32); 7] = [(0, 0), (-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
         let q = entry.displacement(d);
         if q.is_zero() {
             return q;
         }
-        // In a gap that closes slowly the room for that is farther back.
+        // In a gap that closes slowly, there is room only farther back.
         let mut back = 0;
         while back < way(q).min(2 * Self::FARTHEST) {
             let q = q.sub(back_on(d, back));
             for (x, y) in STEPS {
                 let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
                 let q = on_the_way(q.add(step), d);
-                // Each way made is a part of the velocity, so with the same velocity no place comes
-                // again.
+                // Each way made is a part of the velocity. With the same velocity no position
+                // therefore repeats.
                 if (q.is_zero() || u.dot(q) > 0) && self.take(world, q, W::CERTAIN && W::BLOCKS && !B::MEETS_CORNERS) {
                     return q;
                 }
@@ -164,9 +163,9 @@ impl<'m, B: Body> Run<'m, B> {
         Raw::ZERO
     }
 
-    /// Takes the first displacement that the exact overlap test accepts, else stays; returns the
-    /// displacement made. None leads beyond either end of the motion `d`, and so none out of the
-    /// domain.
+    /// Takes the first displacement that the exact overlap test accepts; otherwise the body stays.
+    /// Returns the displacement made. None leads beyond either end of the motion `d`, and so none
+    /// out of the domain.
     pub(super) fn commit<W: World>(&mut self, world: &W, d: Raw, displacements: &[Raw]) -> Raw {
         let mut choices = displacements.iter().map(|&q| on_the_way(q, d));
         choices.find(|&q| self.take(world, q, false)).unwrap_or(Raw::ZERO)
@@ -174,16 +173,16 @@ impl<'m, B: Body> Run<'m, B> {
 
     /// Makes a motion that meets nothing.
     ///
-    /// Among tiles its end is certain: the sweeps are exact and the surface is all around the
-    /// solid, so what starts outside and hits nothing ends outside. Where not all tiles are blocks
-    /// that is not so of bodies without area, which may go in between two features.
+    /// Among tiles its end is certain: the sweeps are exact and the surface surrounds the solid. A
+    /// body that starts outside and hits nothing therefore ends outside. If not all tiles are
+    /// blocks, bodies without area are an exception: they may pass between two features.
     pub(super) fn arrive<W: World>(&mut self, world: &W, d: Raw) {
         let certain = W::CERTAIN && (W::BLOCKS || margin(&self.moved.body.bounds()) == 0);
         self.take(world, d, certain);
     }
 
-    /// Moves by a displacement if the exact overlap test accepts its end; what is `certain` or
-    /// known needs no test.
+    /// Moves by a displacement if the exact overlap test accepts its end. A `certain` or known end
+    /// needs no test.
     #[inline(never)]
     fn take<W: World>(&mut self, world: &W, q: Raw, certain: bool) -> bool {
         let candidate = self.moved.body.shifted(q);
@@ -197,8 +196,8 @@ impl<'m, B: Body> Run<'m, B> {
         takes
     }
 
-    /// Whether a rounded displacement leads through a one-way face: no overlap test would object,
-    /// and the body would fall through. Faces along x and y need no such care, rounding keeps a
+    /// Whether a rounded displacement leads through a one-way face. No overlap test would object,
+    /// and the body would fall through. Faces along x and y do not need this test: rounding keeps a
     /// body on its side of them.
     #[inline(never)]
     fn passes_one_way<W: World>(&mut self, world: &W, q: Raw) -> bool {
@@ -212,11 +211,11 @@ impl<'m, B: Body> Run<'m, B> {
         false
     }
 
-    /// What is left of the motion where the velocity becomes another.
+    /// The rest of the motion after the velocity changes.
     ///
-    /// A component that is kept, dropped or reversed (all that faces along the axes do) acts on the
-    /// rest of the motion exactly, so nothing is lost by rounding; any other is the new velocity
-    /// times the time that is left.
+    /// A component that is kept, dropped or reversed (by any face along the axes) changes the rest
+    /// of the motion exactly, without rounding. Any other component is the new velocity times the
+    /// remaining time.
     pub(super) fn turned(&self, to: Raw) -> Raw {
         let rest = self.rest;
         let component = |left: i32, was: i32, now: i32| {
@@ -233,12 +232,12 @@ impl<'m, B: Body> Run<'m, B> {
         Raw { x: component(self.motion.x, self.v.x, to.x), y: component(self.motion.y, self.v.y, to.y) }
     }
 
-    /// What the velocity makes in a part of the call's time.
+    /// The displacement that the velocity makes in a part of the call's time.
     pub(super) fn made_in(&self, time: Toi) -> Raw {
         Raw { x: time.of_raw(self.v.x), y: time.of_raw(self.v.y) }
     }
 
-    /// After a whole motion: the time that a chord left, for the velocity at its end.
+    /// After a whole motion: uses the time that a chord left, with the velocity at its end.
     pub(super) fn follow(&mut self) {
         (self.rest, self.after, self.on_chord) = (self.after, Toi::ZERO, false);
         self.motion = self.made_in(self.rest);
@@ -262,7 +261,7 @@ impl<'m, B: Body> Run<'m, B> {
     }
 
     pub(super) fn record(&mut self, normal: Axis, feature: &Feature, toi: Toi) {
-        // A corner's time is a lower bound: it is not before that of what was hit before it.
+        // A corner's time is a lower bound. It is set to no earlier than the previous hit.
         let last = self.moved.hits.iter().last().map_or(toi, |hit| hit.toi);
         self.moved.flags |= feature.flags;
         self.moved.hits.push(Hit::of(normal, feature, toi.max(last)));
@@ -315,7 +314,7 @@ pub(super) fn check_inside(bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
     Ok(())
 }
 
-/// So much of the longest component of a motion, and of the other in proportion.
+/// This much of the longest component of a motion, and the other component in proportion.
 fn back_on(d: Raw, back: u32) -> Raw {
     let of = |c: i32| {
         let part = mul_div(c.unsigned_abs(), back, way(d)) as i32;
@@ -329,7 +328,7 @@ fn on_the_way(q: Raw, d: Raw) -> Raw {
     Raw { x: q.x.clamp(d.x.min(0), d.x.max(0)), y: q.y.clamp(d.y.min(0), d.y.max(0)) }
 }
 
-/// By how much bounds without area are grown, so that they have an inside.
+/// How much bounds without area are grown to give them an inside.
 pub(super) fn margin(bounds: &Aabb) -> i32 {
     let size = Raw::of(bounds.size());
     i32::from(size.x == 0 || size.y == 0)

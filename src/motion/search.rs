@@ -1,5 +1,5 @@
-//! The search for the first hit of a motion: what is known of the level around it, which parts it
-//! asks, and in which order.
+//! The search for the first hit of a motion: the known parts of the level, the parts to look at,
+//! and their order.
 
 use super::Mover;
 use super::body::{Body, Entry};
@@ -11,20 +11,20 @@ use crate::num::{Axis, DOMAIN, Raw, leading_zeros32, umul};
 use crate::shape::Aabb;
 use crate::world::{Cells, Geometry, MotionPiece, Seen, World};
 
-/// A region that was looked at, and what of it a body may meet.
+/// A region that was looked at, and the part of it that may hold something.
 ///
-/// Most starts, ends and slides need no more than comparisons with the box that holds that. Bodies
-/// without area have no inside: theirs are [grown](hull) by a raw unit.
+/// Most starts, ends and slides need only comparisons with the box around that part. Bodies without
+/// area have no inside: theirs are [grown](hull) by a raw unit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Around {
     region: Aabb,
     seen: Seen,
 }
 
-/// What a region may hold.
+/// The contents that a region may have.
 pub(super) struct Held {
     pub(super) bounds: Aabb,
-    /// The cells that the inside of the bounds meets, where they are known.
+    /// The cells that the inside of the bounds meets, if they are known.
     pub(super) cells: Option<Cells>,
 }
 
@@ -33,8 +33,8 @@ impl Around {
     pub(super) const NOTHING: Self =
         Self { region: Aabb::from_raw_unchecked(Raw { x: 1, y: 1 }, Raw { x: 0, y: 0 }), seen: Seen::NOTHING };
 
-    /// Looks at what a body comes through in one of the pieces of a motion, unless that is known
-    /// already; tells the region.
+    /// Looks at the region that a body passes in one of the pieces of a motion, unless it is
+    /// already known. Returns the region.
     pub(super) fn look<W: World>(&mut self, world: &W, bounds: &Aabb, from: Raw, to: Raw, pieces: u32) -> Aabb {
         let region = piece_of(bounds, from, to, pieces);
         if !self.has_seen(&region) {
@@ -44,13 +44,13 @@ impl Around {
         region
     }
 
-    /// In how many [pieces] the cells under the motion of a call are visited; 0 where a body flies,
-    /// as most do: where it meets nothing of all that its motion comes to, no more is asked. Only
-    /// this first look tells apart the cells that the body passes: in all others it is near what it
-    /// has met, and that took 3 % more instructions than it saved.
+    /// In how many [pieces] the cells under the motion of a call are visited. Returns 0 if the body
+    /// meets nothing anywhere on its motion and flies, as most bodies do. Only this first look
+    /// distinguishes the cells that the body passes. In later looks the body is near what it has
+    /// met, and that took 3 % more instructions than it saved.
     ///
     /// # Errors
-    /// Where it comes to too many cells.
+    /// If the motion visits too many cells.
     #[inline]
     pub(super) fn begin<W: World, B: Body>(&mut self, world: &W, body: &B, d: Raw) -> Result<u32, RangeError> {
         let bounds = body.bounds();
@@ -62,7 +62,7 @@ impl Around {
         Ok(if pieces == 1 && self.is_empty() && is_inside(&self.region) { 0 } else { pieces })
     }
 
-    /// What a known region may hold.
+    /// The contents that a known region may have.
     pub(super) fn held_of(&self, region: &Aabb) -> Option<Held> {
         if *region == self.region {
             self.held_of_all()
@@ -71,13 +71,13 @@ impl Around {
         }
     }
 
-    /// What all of the known region may hold. Where its cells are known, they alone count.
+    /// The contents that all of the known region may have. If its cells are known, only they count.
     pub(super) fn held_of_all(&self) -> Option<Held> {
         let bounds = if self.seen.cells.is_some() { self.seen.held? } else { self.held_in(&self.region)? };
         Some(Held { bounds, cells: self.seen.cells })
     }
 
-    /// The cells in all of the known region, where they are known and there are any.
+    /// The cells in all of the known region, if they are known and there are any.
     pub(super) fn known_cells(&self) -> Option<Cells> {
         if self.seen.held.is_some() { self.seen.cells } else { None }
     }
@@ -90,17 +90,17 @@ impl Around {
         (lo.x < hi.x && lo.y < hi.y).then_some(Aabb::from_raw_unchecked(lo, hi))
     }
 
-    /// Whether all of the region that was looked at holds nothing.
+    /// Whether the region that was looked at is empty.
     pub(super) fn is_empty(&self) -> bool {
         self.seen.held.is_none()
     }
 
-    /// Whether a region is known to hold nothing.
+    /// Whether a region is known to be empty.
     pub(super) fn is_free(&self, region: &Aabb) -> bool {
         self.has_seen(region) && self.is_free_in_sight(region)
     }
 
-    /// The same of a region that is known.
+    /// The same for a region that is known.
     pub(super) fn is_free_in_sight(&self, region: &Aabb) -> bool {
         self.seen.held.is_none_or(|held| {
             let ((a, b), (lo, hi)) = ((region.lo(), region.hi()), (held.lo(), held.hi()));
@@ -120,8 +120,8 @@ fn is_inside(region: &Aabb) -> bool {
     lo.x.min(lo.y) > -DOMAIN && hi.x.max(hi.y) < DOMAIN
 }
 
-/// What the inside of the bounds covers between two displacements, `margin` raw units larger on
-/// every side.
+/// The box that the inside of the bounds covers between two displacements, `margin` raw units
+/// larger on every side.
 pub(super) fn hull(bounds: &Aabb, from: Raw, to: Raw, margin: i32) -> Aabb {
     let (a, b) = (bounds.lo(), bounds.hi());
     let lo = Raw { x: a.x + from.x.min(to.x) - margin, y: a.y + from.y.min(to.y) - margin };
@@ -129,17 +129,17 @@ pub(super) fn hull(bounds: &Aabb, from: Raw, to: Raw, margin: i32) -> Aabb {
     Aabb::from_raw_unchecked(lo, hi)
 }
 
-/// What the first hit of a body's motion depends on, beside the level.
+/// The conditions of the first hit of a body's motion, besides the level.
 pub(super) struct Search<'a, B> {
     pub(super) body: &'a B,
     pub(super) around: &'a mut Around,
     /// Whether one-way faces are no hits.
     pub(super) pass_one_way: bool,
-    /// A velocity, of which only what opposes it is a hit.
+    /// A velocity: only surfaces that oppose it are hits.
     pub(super) pressed: Option<Raw>,
     /// How many features were swept against.
     pub(super) features: u32,
-    /// Whether one-way faces are near that may be askew.
+    /// Whether one-way faces that may be askew are near.
     pub(super) guarded: bool,
 }
 
@@ -148,8 +148,8 @@ impl<'a, B: Body> Search<'a, B> {
         Self { body, around, pass_one_way: false, pressed: None, features: 0, guarded: false }
     }
 
-    /// Looks for the first hit of the motion. Cells are visited piece by piece so that the work is
-    /// linear in the motion's length; the sweeps themselves always see the whole motion.
+    /// Looks for the first hit of the motion. Visiting cells piece by piece keeps the work linear
+    /// in the motion's length. The sweeps themselves always see the whole motion.
     #[inline(never)]
     pub(super) fn find_first<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
         let bounds = self.body.bounds();
@@ -163,7 +163,7 @@ impl<'a, B: Body> Search<'a, B> {
         self.find_cusp(world, d, first);
     }
 
-    /// The same of a motion in so many pieces; where it is one, the level has been looked at.
+    /// The same for a motion in so many pieces. If it is one, the level has been looked at.
     pub(super) fn find_first_in<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
         if pieces == 1 {
             match self.around.known_cells() {
@@ -218,7 +218,7 @@ impl<'a, B: Body> Search<'a, B> {
         self.meet_all(world, &mut self.ahead(world, held, before, d), d, first);
     }
 
-    /// What lies ahead in a piece of the motion.
+    /// The features ahead in a piece of the motion.
     pub(super) fn ahead<'w, W: World>(
         &self,
         world: &'w W,
@@ -230,12 +230,11 @@ impl<'a, B: Body> Search<'a, B> {
         world.features_ahead(&MotionPiece { piece: &held.bounds, cells: held.cells, before, whole, d, joints })
     }
 
-    /// Takes the hits of all that a cursor has to give, of a grid in the cell that it is in.
+    /// Takes the hits of all features that a cursor returns; in a grid, of its current cell.
     #[inline(never)]
     pub(super) fn meet_all<W: World>(&mut self, world: &W, features: &mut W::Features<'_>, d: Raw, first: &mut First) {
         let body = self.body;
-        // By reference, as all that is larger than a few words: copies of features and entries
-        // would be most of the stack.
+        // By reference: copies of features and entries would be most of the stack.
         while let Some(feature) = &if W::GRID { world.next_here(features) } else { features.next() } {
             self.features += 1;
             if feature.one_way && self.pass_one_way {
@@ -272,9 +271,9 @@ fn part(d: Raw, k: u32, n: u32) -> Raw {
     Raw { x: of(d.x), y: of(d.y) }
 }
 
-/// In how many pieces, a power of two, the cells under a motion are visited: no shorter than the
-/// body either, or each would visit the body's own cells again. Up to half as long again is one
-/// piece: a look-up more costs less than another start. At most 2^21, for a motion below 2^29 in
+/// In how many pieces, a power of two, the cells under a motion are visited. A piece is no shorter
+/// than the body, or each would visit the body's own cells again. Up to half as long again is one
+/// piece: one more look-up costs less than another start. At most 2^21, for a motion below 2^29 in
 /// cells of 2^8.
 pub(super) fn pieces<W: World>(world: &W, bounds: &Aabb, d: Raw) -> u32 {
     let longest = way(d);
@@ -287,9 +286,9 @@ pub(super) fn pieces<W: World>(world: &W, bounds: &Aabb, d: Raw) -> u32 {
     1 << log
 }
 
-/// Refuses a motion that comes to more than [`Mover::CELLS`] cells.
+/// Refuses a motion that visits more than [`Mover::CELLS`] cells.
 ///
-/// A hull of up to 256 cells a side never does: in one piece it meets 258 squared at most, in
+/// A hull of up to 256 cells a side never does: in one piece it meets at most 258 squared, in
 /// pieces longer than the body fewer.
 #[inline]
 pub(super) fn check_cells<W: World>(world: &W, bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
@@ -310,28 +309,30 @@ fn count_cells<W: World>(world: &W, bounds: &Aabb, d: Raw) -> Result<(), RangeEr
     Err(RangeError { what: Quantity::Cells, value: cells.min(i32::MAX as u64) as i32 })
 }
 
-/// What the inside of the bounds covers in one of the pieces of a motion. Where there are more,
-/// displacements are rounded: a raw unit larger then.
+/// The box that the inside of the bounds covers in one of the pieces of a motion. With several
+/// pieces, displacements are rounded, and the box is a raw unit larger.
 pub(super) fn piece_of(bounds: &Aabb, from: Raw, to: Raw, pieces: u32) -> Aabb {
     hull(bounds, from, to, if pieces == 1 { margin(bounds) } else { 1 })
 }
 
 impl<B: Body> Search<'_, B> {
-    /// Takes the first end of an arc at which a body that has no extent across its motion runs into
-    /// the solid, where that is before all else that it meets.
+    /// Handles the end of an arc at which a body without extent across its motion enters the solid.
+    /// Takes the first such end that precedes all other hits.
     ///
-    /// The gap between a convex arc and the surface that it touches closes to nothing: both are
-    /// tangent to the motion, and what is solid behind the end of the arc has no face there. A
-    /// quarter pipe ends on the line of the wall beside it, where a body that comes down the wall
-    /// passes the arc. Only a motion along x or y gets to either. From the end on it is in the
-    /// inside of the solid, or in none for at least half a cell: a raw unit farther tells which.
-    /// What has a face there is met by that, at the same moment.
+    /// The gap between a convex arc and the surface that it touches closes to nothing. Both are
+    /// tangent to the motion, and the solid behind the end of the arc has no face there. A quarter
+    /// pipe ends on the line of the wall beside it, where a body that comes down the wall passes
+    /// the arc. Only a motion along x or y reaches either.
+    ///
+    /// From the end on, the body is inside of the solid, or outside of it, for at least half a
+    /// cell. The test therefore looks a raw unit farther. If the solid has a face there, the face
+    /// is hit at the same moment.
     ///
     /// ```text
-    ///       ....          the arc ends at P with the motion's direction;      ....|o         the pipe ends at P, across the motion
-    ///   .solid..`.        the floor goes on behind P, and so does the         wall|V       .
-    ///   ..........P<--- o solid above it                                      ....P    . `
-    ///   .......solid.....                                                     ......solid..
+    ///       ....          the arc ends at P along the motion; the floor   ....|o         the pipe ends at P, across the motion
+    ///   .solid..`.        and the solid above it continue behind P        wall|V       .
+    ///   ..........P<--- o                                                 ....P    . `
+    ///   .......solid.....                                                 ......solid..
     /// ```
     #[inline(never)]
     pub(super) fn meet_cusp<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {

@@ -1,4 +1,5 @@
-//! What a mover does at a hit: the place, the ways on from there, and the one that it takes.
+//! What a mover does at a hit: it finds the position, the ways on from there, and takes one of
+//! them.
 
 use super::body::{Body, Entry};
 use super::contact::{Bend, Plane, touched};
@@ -16,21 +17,21 @@ impl<S: Law> Mover<S> {
         self.drop_through || self.response == Response::DropThrough
     }
 
-    /// What a surface with this normal is; without an up all are walls.
+    /// The role of a surface with this normal. Without an up all surfaces are walls.
     pub(super) fn side(&self, normal: Axis) -> SurfaceRole {
         self.up.map_or(SurfaceRole::Wall, |up| self.limit.side(up, normal))
     }
 
-    /// What a walker keeps of a velocity at a wall: it does not climb by what it has across "up".
+    /// The velocity that a walker keeps at a wall. Its part across "up" does not make it climb.
     fn stopped<W: World, B: Body>(&self, v: Raw, normal: Axis) -> Raw {
         let Some(up) = self.up else { return v };
         let into = across(v, up).signum() * up.perp_dot(normal).signum();
-        // Faces of blocks stop a body along x or y, as well as their walls need it.
+        // Faces of blocks stop a body along x or y, which is all that their walls need.
         if into < 0 && may_be_askew::<B, W>() { project::<B, W, _>(v, up.perp(), &Smooth) } else { v }
     }
 
-    /// Records a hit, up to which the motion has `used` so much of its time; what it is to a body
-    /// that does not pass it.
+    /// Records a hit, after the motion has `used` this much of its time. Returns the surface's
+    /// role, or `None` if the body passes it.
     #[inline(never)]
     pub(super) fn meet<B: Body>(
         &self,
@@ -50,8 +51,8 @@ impl<S: Law> Mover<S> {
         Some(side)
     }
 
-    /// Gives the velocity its direction after a hit: of a motion `d`, of which the displacement
-    /// `made` led up to it. Whether it is still to be [chosen](Self::go_along) from the ways on.
+    /// Gives the velocity its direction after a hit. The displacement `made` of the motion `d` led
+    /// up to the hit. Returns whether to [choose](Self::go_along) from the ways on.
     #[inline(never)]
     pub(super) fn respond<W: World, B: Body, const WALKS: bool>(
         &self,
@@ -61,8 +62,8 @@ impl<S: Law> Mover<S> {
         (side, entry, feature): (SurfaceRole, &Entry, &Feature),
     ) -> bool {
         let time = run.rest.raw() - run.after.raw();
-        // floor(time (den - num) / den): what was used, rounded up where it is not exact, is not
-        // left.
+        // floor(time (den - num) / den): the used time is rounded up if it is not exact, and does
+        // not remain.
         let part = u32::from(umul(used, entry.den) != umul(time, entry.num));
         run.rest = Toi::clamped(run.after.raw() + time - used - part);
         run.after = Toi::ZERO;
@@ -101,8 +102,8 @@ impl<S: Law> Mover<S> {
         }
     }
 
-    /// Takes the longest of the ways on from the present place that is free, after a displacement
-    /// up to a hit, if it was one. Where none is free, the body [creeps](Run::creeps), or it stops.
+    /// Takes the longest free way on from the present position, after a displacement up to a hit,
+    /// if there was one. If none is free, the body [creeps](Run::creeps), or it stops.
     #[inline(never)]
     pub(super) fn go_along<W: World, B: Body>(
         &self,
@@ -122,7 +123,7 @@ impl<S: Law> Mover<S> {
         let mut ways = Ways::NONE;
         if let Some((entry, _)) = hit {
             run.came |= way(made) > NEAR;
-            // It is read as well: where the body had to stay back from it, it is not near.
+            // The hit is passed on too: if the body had to stay back from it, it is not near.
             let bend = if entry.step.is_none() { Bend::Flat } else { Bend::Convex };
             of_hit = Some(Plane { normal: entry.normal, bend });
         }
@@ -153,12 +154,12 @@ impl<S: Law> Mover<S> {
             return;
         }
         ways.settle_all(world, &run.moved.body, passes);
-        // One look is for what binds it.
+        // One look is reserved for the surface that binds it.
         let looks = run.moved.work.iterations;
         if looks + 1 < Mover::ITERATIONS && run.creep_along::<W>(&ways) {
             return;
         }
-        // What comes farther with each call goes on in the next one.
+        // A body that comes farther with each call continues in the next one.
         if run.came && looks >= Mover::ITERATIONS && hit.is_some() {
             let mut creeps = ways.iter().filter(|way| way.along.is_some() && way.can_creep());
             let v = creeps.find(|way| into(way.v, normal) >= 0).map_or(Raw::ZERO, |way| way.v);
@@ -173,8 +174,7 @@ impl<S: Law> Mover<S> {
         }
     }
 
-    /// Goes on after a creeping motion `d`: from the place up to what it met, where it met
-    /// anything.
+    /// Continues after a creeping motion `d`: from the position at its hit, if it hit something.
     #[inline(never)]
     pub(super) fn creep<W: World, B: Body>(
         &self,
@@ -201,8 +201,7 @@ impl<S: Law> Mover<S> {
         made
     }
 
-    /// Records what else holds a body that stops: what the longest of the ways that led nowhere
-    /// runs into.
+    /// Records what else holds a body that stops: the hit of the longest way that led nowhere.
     #[inline(never)]
     fn report_binding<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, ways: &Ways) {
         run.moved.work.iterations += 1;
@@ -210,7 +209,7 @@ impl<S: Law> Mover<S> {
             let mut first = First::none();
             ways.binding(world, &run.moved.body, probe, &run.moved.hits, &mut first);
             let Some((entry, feature)) = first.hit::<B, W>(&run.moved.body, probe) else { continue };
-            // At the body's place, from which mirrored bodies look alike: the probe's end is
+            // At the body's position, from which mirrored bodies look alike. The probe's end is
             // rounded.
             let mut normal = entry.normal;
             touched(&run.moved.body, feature, |plane| {
@@ -224,9 +223,9 @@ impl<S: Law> Mover<S> {
     }
 }
 
-/// Whether a hit takes one component of the velocity and leaves the other, whatever else is near: a
-/// face along x or y that the body does not meet at its end. What the body touches beside it is met
-/// by the sweep that follows.
+/// Whether a hit takes one component of the velocity and leaves the other, whatever else is near.
+/// That is a face along x or y which the body does not meet at its end. The following sweep meets
+/// the other surfaces that the body touches.
 ///
 /// A body that runs along another such face stops: both components are bound.
 fn is_plain<B: Body>(run: &Run<'_, B>, entry: &Entry) -> bool {
@@ -237,12 +236,12 @@ fn is_plain<B: Body>(run: &Run<'_, B>, entry: &Entry) -> bool {
         && (run.v == run.before || run.along.is_some_and(|p| straight(p.normal) && p.bend == Bend::Flat))
 }
 
-/// Whether a body lay already on what it has hit: on its plane within the rounding distance,
-/// wherever that is cut, or on a hop.
+/// Whether a body already lay on the surface that it hit: on its plane within the rounding
+/// distance, wherever that is cut, or on a hop.
 ///
-/// A body that flies to a convex corner or arc lay on it a call ago where it has left it along its
-/// own tangent: going `s` along a tangent it rises off a circle of radius `rho` by `s^2 / 2 rho`,
-/// for s well below rho.
+/// A body that flies to a convex corner or arc lay on it one call ago if it left along its own
+/// tangent. Moving `s` along a tangent, it rises off a circle of radius `rho` by `s^2 / 2 rho`, for
+/// s well below rho.
 fn lay_on<B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: &Feature) -> bool {
     let n = hit.normal;
     let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
@@ -266,8 +265,9 @@ fn is_hop(plane: &Plane, u: Raw, made: Raw) -> bool {
 }
 
 impl<B: Body> Run<'_, B> {
-    /// Whether what the body has just run along may still be touched: of a tangent that is so while
-    /// it turns by less than a quarter of its length, of faces the [ways](Ways::keep) tell.
+    /// Whether the body may still touch the surface that it has just run along. It touches a
+    /// tangent while that turns by less than a quarter of its length. For faces the
+    /// [ways](Ways::keep) decide.
     fn may_keep(&self, made: Raw) -> bool {
         self.along.is_some_and(|plane| match plane.bend {
             Bend::Convex => made.len2() << 4 <= plane.normal.length_squared(),
@@ -275,8 +275,8 @@ impl<B: Body> Run<'_, B> {
         })
     }
 
-    /// Sets out along what the body touches where all ways are bound, but not in the very last
-    /// place; whether a way is left to try.
+    /// Moves along a touched surface if all ways are bound, but not in the very last position.
+    /// Returns whether there was a way left to try.
     fn creep_along<W: World>(&mut self, ways: &Ways) -> bool {
         for on in ways.iter().filter(|on| on.along.is_some_and(|p| p.pipe().is_none()) && on.can_creep()) {
             let d = self.along_plane::<W>(on.v, on.along);
@@ -288,10 +288,10 @@ impl<B: Body> Run<'_, B> {
         false
     }
 
-    /// The longest free way that does not lead into the plane of what was hit. Where something else
-    /// binds those, any: the body may be beside what it hit, where that ends or by the rounding of
-    /// its place. A body without area is beside nothing: it may stand where two surfaces touch and
-    /// leave no face.
+    /// The longest free way that does not lead into the plane of the hit surface. If something else
+    /// binds those, any free way: the body may be beside the surface that it hit, at its end or by
+    /// the rounding of its position. A body without area is beside nothing: it may stand where two
+    /// surfaces touch and leave no face.
     fn choose<W: World>(&self, world: &W, ways: &mut Ways, hit: Axis, passes: bool) -> Option<Way> {
         let body = &self.moved.body;
         let is_shut = |way: &Way| self.shut.holds(way.probe());
@@ -308,7 +308,7 @@ impl<B: Body> Run<'_, B> {
         self.is_first = false;
     }
 
-    /// Takes a way; its velocity at the start.
+    /// Takes a way. Returns the velocity at its start.
     fn follow_way<W: World, S: Law>(&mut self, way: &Way, surface: &S) -> Raw {
         (self.along, self.tried) = (way.along, way.probe());
         let Some(plane) = way.along else {
@@ -320,7 +320,7 @@ impl<B: Body> Run<'_, B> {
                 (self.v, self.motion, self.after) = (chord.velocity, chord.way, chord.after);
                 self.on_chord = !self.motion.is_zero();
                 if !self.on_chord {
-                    // At the end of the pipe already.
+                    // Already at the end of the pipe.
                     self.follow();
                 }
             } else {
@@ -333,11 +333,11 @@ impl<B: Body> Run<'_, B> {
         v
     }
 
-    /// The rest of the motion at a velocity along a plane: along a slope of tiles to the last bit,
-    /// and into no plane.
+    /// The rest of the motion at a velocity along a plane. Along a slope of tiles it is exact to
+    /// the last bit, and it enters no plane.
     ///
-    /// What enters one does so because it was rounded toward zero, by less than a raw unit on each
-    /// axis: so far it is put back.
+    /// A motion enters a plane only because it was rounded toward zero, by less than a raw unit on
+    /// each axis. It is moved back that far.
     fn along_plane<W: World>(&self, v: Raw, along: Option<Plane>) -> Raw {
         let d = self.turned(v);
         let Some(Plane { normal: n, .. }) = along else { return d };

@@ -1,5 +1,5 @@
-//! What a moving box and a moving circle enter of each kind of feature, and the corners and arcs
-//! that a box meets with a side.
+//! Sweeps a box and a circle against each kind of feature, and the sides of a box against corners
+//! and arcs.
 
 use super::body::Entry;
 use super::body::kernel::Kernel;
@@ -37,8 +37,8 @@ impl Kernel for Aabb {
         match feature.geometry {
             Geometry::Face { dir, .. } if dir.x == 0 || dir.y == 0 => self.sweep_block(d, feature),
             Geometry::Face { a, dir, len, joined } => {
-                // A box reaches beyond the slope's line exactly where the corner does that is
-                // nearest to it; the normal is (dir.y, -dir.x).
+                // A box reaches beyond the slope's line exactly if its corner nearest to the line
+                // does. The normal is (dir.y, -dir.x).
                 let (corner, _) = self.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
                 sweep_slope(corner, 0, d, &Face { a: Raw::of(a), dir, len, joined })
             }
@@ -58,7 +58,7 @@ impl Kernel for Aabb {
     #[inline]
     fn sweep_block(&self, d: Raw, feature: &Feature) -> Option<Entry> {
         // A block's corners need no test: its faces, closed where the motion enters them, cover
-        // what a box can hit.
+        // everything that a box can hit.
         match feature.geometry {
             Geometry::Face { a, dir, len, joined } => {
                 sweep_face((self.lo(), self.hi()), 0, d, &Face { a: Raw::of(a), dir, len, joined })
@@ -148,8 +148,8 @@ impl Kernel for Circle {
                 // pass.
                 sweep_face((c, c), r, d, &Face { a: Raw::of(a), dir, len, joined })
             }
-            // The cone of a block's corner is a quadrant; on its borders, and outside of it, the
-            // faces are in charge.
+            // The cone of a block's corner is a quadrant. On its borders, and outside of it, the
+            // faces are responsible.
             Geometry::Vertex { p, e_in, e_out } => {
                 let quadrant = Axis::new(e_in.x.wrapping_sub(e_out.x), e_in.y.wrapping_sub(e_out.y));
                 enter_quarter(c.sub(Raw::of(p)), r, d, quadrant, false)
@@ -191,8 +191,8 @@ pub(super) const fn corner(lo: Raw, hi: Raw, quadrant: Axis) -> Raw {
 /// Entry of a side of the box that lands on a convex corner: along x or y, wherever that direction
 /// points out of both edges.
 ///
-/// Where one of the edges is parallel to the side, its face is met by the whole side; then the
-/// corner adds nothing.
+/// If one of the edges is parallel to the side, the whole side meets that edge's face. The corner
+/// then adds nothing.
 #[inline(never)]
 pub(super) fn sweep_peak(lo: Raw, hi: Raw, d: Raw, p: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
     let side = |out: i32, back: i32| if (out < 0) != (back < 0) && out != 0 && back != 0 { out.signum() } else { 0 };
@@ -201,8 +201,8 @@ pub(super) fn sweep_peak(lo: Raw, hi: Raw, d: Raw, p: Raw, e_in: Axis, e_out: Ax
     first
 }
 
-/// Entry of a side of the box, grown by `r`, that lands on a point of the surface whose normal there
-/// is parallel to x or y; none where it is zero.
+/// Entry of a side of the box, grown by `r`, that lands on a point of the surface with a normal
+/// parallel to x or y. None if the normal is zero.
 #[inline(never)]
 pub(super) fn sweep_end(core: (Raw, Raw), r: i32, d: Raw, p: Raw, normal: Axis) -> Option<Entry> {
     if normal.is_zero() {
@@ -212,9 +212,9 @@ pub(super) fn sweep_end(core: (Raw, Raw), r: i32, d: Raw, p: Raw, normal: Axis) 
     sweep_face(core, r, d, &Face { a: p, dir, len: 0, joined: [false; 2] })
 }
 
-/// Entry through a convex arc: of the corner of the box that is nearest to its centre through the
-/// arc itself, or of a side that lands on an end, where the normal is along x or y. A flat face
-/// that goes on from there is met by the same side.
+/// Entry through a convex arc. Either the corner of the box nearest to the arc's centre enters the
+/// arc itself, or a side lands on an end with a normal along x or y. The same side also meets a
+/// flat face that continues from there.
 #[inline(never)]
 pub(super) fn sweep_round((lo, hi): (Raw, Raw), corner: Raw, d: Raw, arc: (Raw, i32, Axis)) -> Option<Entry> {
     let (centre, radius, quadrant) = arc;
@@ -228,7 +228,7 @@ pub(super) fn sweep_round((lo, hi): (Raw, Raw), corner: Raw, d: Raw, arc: (Raw, 
     first
 }
 
-/// Takes the other of two entries where it is the first.
+/// Replaces an entry by another one that precedes it.
 #[inline(never)]
 pub(super) fn keep_first(first: &mut Option<Entry>, other: Option<&Entry>, d: Raw) {
     if let Some(other) = other {
@@ -280,8 +280,9 @@ mod tests {
         })
     }
 
-    /// When the box starts to overlap, as a fraction: clipping the motion by the half-planes of the
-    /// sum of the solid and the mirrored box, whose edges are the solid's and those along x and y.
+    /// When the box starts to overlap, as a fraction. It clips the motion by the half-planes of the
+    /// sum of the solid and the mirrored box. The edges of that sum are the solid's and those along
+    /// x and y.
     fn oracle(solid: &[Point], lo: Point, size: Point, d: Point) -> Option<(i64, i64)> {
         let n = solid.len();
         let mut normals = vec![(1, 0), (-1, 0), (0, 1), (0, -1)];
@@ -306,8 +307,8 @@ mod tests {
         (from.0 * to.1 < to.0 * from.1).then_some(from)
     }
 
-    /// All solids, small boxes (also without width or height), places and motions: hit or not, and
-    /// when, exactly.
+    /// All solids, small boxes (also without width or height), positions and motions: hit or not,
+    /// and when, exactly.
     #[test]
     fn box_against_convex_solids() {
         let mut hits = 0u32;

@@ -1,5 +1,4 @@
-//! What a moving capsule enters: with its round ends what a circle does, with its flat sides what a
-//! box does.
+//! Sweeps a moving capsule: its round ends like a circle, its flat sides like a box.
 
 use super::body::Entry;
 use super::body::kernel::Kernel;
@@ -12,9 +11,9 @@ use crate::query::meet;
 use crate::shape::{Aabb, Capsule, Circle};
 use crate::world::{Feature, Geometry, World};
 
-/// A capsule is the discs around the two ends of its core, and the box between them. A surface whose
-/// normal is not across the core meets one of the discs before the box; so the exactness of each
-/// sweep is that of a circle's or of a box's.
+/// A capsule consists of the discs around the two ends of its core, and the box between them. A
+/// surface with a normal not across the core meets one of the discs before the box. Each sweep is
+/// therefore as exact as that of a circle or of a box.
 ///
 /// ```text
 ///      .---.
@@ -87,7 +86,8 @@ impl Kernel for Capsule {
             Geometry::Face { a, dir, len, joined } => {
                 sweep_face(self.core_box(), r, d, &Face { a: Raw::of(a), dir, len, joined })
             }
-            // Of a block's corner the quadrant inside of its faces is left; a flat side meets them.
+            // Only the quadrant inside of its faces remains of a block's corner; a flat side meets
+            // the faces.
             Geometry::Vertex { p, e_in, e_out } => {
                 let quadrant = Axis::new(e_in.x.wrapping_sub(e_out.x), e_in.y.wrapping_sub(e_out.y));
                 let (end, _) = self.toward(quadrant.reversed());
@@ -119,8 +119,8 @@ impl Kernel for Capsule {
             || meet::segment_aabb::<true>(a, b, lo.sub(flat), hi.add(flat))
     }
 
-    /// The inside of a capsule is that of its discs and its box: of the sides between them each
-    /// point but the ends is inside of a disc.
+    /// The inside of a capsule is that of its discs and its box. Every point of the sides between
+    /// them, except the ends, is inside of a disc.
     fn overlaps_world<W: World>(&self, world: &W) -> bool {
         let ((lo, hi), r) = (self.core_box(), self.rounding());
         let flat = Raw { x: if lo.x == hi.x { r } else { 0 }, y: if lo.x == hi.x { 0 } else { r } };
@@ -138,7 +138,7 @@ impl Kernel for Capsule {
 enum Part {
     /// The disc around an end of the core.
     End(Raw),
-    /// A flat side, which faces so.
+    /// A flat side that faces this way.
     Side(Axis),
 }
 
@@ -148,7 +148,7 @@ impl Capsule {
     fn sweep_corner(&self, d: Raw, p: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
         match self.part_toward(d, p)? {
             Part::End(end) => sweep_cone(end.sub(p), self.rounding(), d, e_in, e_out),
-            // Where the side is parallel to an edge the face is in charge.
+            // If the side is parallel to an edge, the face is responsible.
             Part::Side(normal) => {
                 let leads_out = |e: Axis| normal.dot(e) > 0;
                 let is_met = leads_out(e_in) && leads_out(e_out.reversed());
@@ -157,8 +157,8 @@ impl Capsule {
         }
     }
 
-    /// Entry through a convex arc: of an end of the core, or of a flat side that lands on the end of
-    /// the arc that it is parallel to.
+    /// Entry through a convex arc: of an end of the core, or of a flat side that lands on the
+    /// parallel end of the arc.
     #[inline(never)]
     fn sweep_bulge(&self, d: Raw, (centre, radius, quadrant): (Raw, i32, Axis)) -> Option<Entry> {
         let ((lo, hi), r) = (self.core_box(), self.rounding());
@@ -170,8 +170,8 @@ impl Capsule {
         first
     }
 
-    /// With which part the capsule meets a point on its way, if it comes beside it: exactly, by where
-    /// along the core the point is when it comes to the line of a flat side.
+    /// The part of the capsule that meets a point on its way, if it passes beside it. Exact: it
+    /// depends on where along the core the point is when it reaches the line of a flat side.
     ///
     /// ```text
     ///        |   disc
@@ -202,7 +202,7 @@ impl Capsule {
         } else if before < 0 {
             Some(Part::End(lo))
         } else if gap < 0 {
-            // It is inside.
+            // The point is inside.
             None
         } else {
             let out = speed.signum().wrapping_neg();

@@ -1,4 +1,4 @@
-//! A moving box or circle against straight faces: along x and y, and of any direction.
+//! Sweeps a box or a circle against straight faces: along x and y, and in any direction.
 
 use super::body::Entry;
 use crate::num::{Axis, Raw, Toi, imul, leading_zeros64};
@@ -16,12 +16,12 @@ pub(super) struct Face {
 /// Entry of the box `lo..hi`, grown by `r` all around, moving by `d` through a face along x or y,
 /// if the motion would start to overlap beyond it.
 ///
-/// With gap g >= 0 and speed s > 0 into the face, the entry time is g/s; the motion overlaps beyond
-/// the face only if it goes on after touching (g < s). At that moment the box must span a part of
-/// the face: strictly, or touch the face's end while moving over it, or, without width, touch an
-/// end beyond which the solid goes on. (One with width then spans a part of what goes on there.) Of
-/// a disc the point that is nearest to the line must meet the closed face, of a capsule one of the
-/// points that are.
+/// With gap g >= 0 and speed s > 0 into the face, the entry time is g/s. The motion overlaps beyond
+/// the face only if it continues after touching (g < s). At that moment the box must span a part of
+/// the face strictly, or touch the face's end while moving over it. A box without width may also
+/// touch an end beyond which the solid continues. (A box with width then spans a part of what
+/// continues.) For a disc, the point nearest to the line must meet the closed face; for a capsule,
+/// one of these points.
 #[inline(never)]
 pub(super) fn sweep_face((lo, hi): (Raw, Raw), r: i32, d: Raw, face: &Face) -> Option<Entry> {
     let Face { a, dir, len, joined } = *face;
@@ -59,8 +59,8 @@ pub(super) fn sweep_face((lo, hi): (Raw, Raw), r: i32, d: Raw, face: &Face) -> O
 /// The sign of `reach + along * gap / into`, for `0 <= gap < into`: how far a body is over a face's
 /// end when it meets the face's line.
 ///
-/// Where it has the same sign at both ends of the motion, that is the answer: no product. Else
-/// differences are below 2^31 and speeds below 2^30, so the products are below 2^61.
+/// If the sign is the same at both ends of the motion, that is the answer, without a product.
+/// Otherwise differences are below 2^31 and speeds below 2^30, so the products are below 2^61.
 pub(super) fn over(reach: i32, along: i32, gap: i32, into: i32) -> i32 {
     let end = reach.wrapping_add(along);
     if gap == 0 || reach.signum() == end.signum() {
@@ -69,20 +69,20 @@ pub(super) fn over(reach: i32, along: i32, gap: i32, into: i32) -> i32 {
     imul(reach, into).wrapping_add(imul(along, gap)).signum() as i32
 }
 
-/// Entry of the disc of radius `r` around `c` through the face; of a point, such as the corner of a
-/// box, where that is 0.
+/// Entry of the disc of radius `r` around `c` through the face. Radius 0 is a point, such as the
+/// corner of a box.
 ///
-/// In units of |dir|: the centre's height over the face's line, `gap`, is an integer, and it is
+/// In units of |dir|, the centre's height over the face's line, `gap`, is an integer. It is
 /// compared with r |dir| by squares. The disc must start entirely in front, end nearer than its
-/// radius, and meet the closed face with the point that is nearest to the line. Heights are below
-/// 2^61, their squares below 2^122.
+/// radius, and meet the closed face with its point nearest to the line. Heights are below 2^61,
+/// their squares below 2^122.
 ///
-/// A point passes over the part of the slope on whose side of an end the line of its motion runs:
-/// with m from the end to the point, `sign(m x d)`, for any direction of the slope (the time of
-/// crossing cancels out). What an end means is as [`sweep_face`] has it: the corner of a box enters
-/// there where it moves over the face. With the motion into the face, that is into the direction,
-/// along x or y, of the next part of the surface on which the box could be too. A box without width
-/// or height has none: it may be stopped by an acute corner that it only grazes.
+/// A point passes over the part of the slope on the side of an end where the line of its motion
+/// runs. With m from the end to the point, that side is `sign(m x d)`, for any direction of the
+/// slope: the time of crossing cancels out. An end counts as in [`sweep_face`]: the corner of a box
+/// enters there if it moves over the face. The motion into the face is then also a motion, along x
+/// or y, into the next part of the surface that the box could be on. A box without width or height
+/// has no such part: an acute corner that it only grazes may stop it.
 ///
 /// ```text
 ///      +----+          |m|, |d| below 2^30 and 2^28, |dir| below 2^30: products below 2^59 and 2^61
@@ -129,8 +129,8 @@ pub(super) fn sweep_slope(c: Raw, r: i32, d: Raw, face: &Face) -> Option<Entry> 
     Some(Entry { num, den, normal, at_end, step: None })
 }
 
-/// `num / den` with a divisor that fits an [`Entry`]: exact where it does already, as for all
-/// slopes of tiles, else less by one part in 2^29.
+/// `num / den` with a divisor that fits an [`Entry`]. Exact if it already fits, as for all slopes
+/// of tiles; otherwise less by one part in 2^29.
 fn fraction(num: u64, den: u64) -> (u32, u32) {
     let shift = (64 - leading_zeros64(den)).saturating_sub(30);
     if shift == 0 { (num as u32, den as u32) } else { ((num >> shift) as u32, ((den >> shift) as u32).wrapping_add(1)) }

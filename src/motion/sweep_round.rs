@@ -1,4 +1,4 @@
-//! A moving circle against convex corners of any angle, and against quarter arcs.
+//! Sweeps a moving circle against convex corners of any angle, and against quarter arcs.
 
 use super::body::Entry;
 use crate::num::{Axis, Raw, Toi, less128, mul64, sqr64, umul, usqr};
@@ -8,7 +8,7 @@ use crate::query::cast::side::{along, offset_to_radius};
 use core::cmp::Ordering;
 
 /// The entry of a crossing. A body that is over a corner or an arc from the start does not enter:
-/// such a one-way corner is passed, and of the solid only a body that started in it is there.
+/// it passes such a one-way corner, and it can be over a solid one only if it started in the solid.
 pub(super) fn entry(hit: &Crossing, m: Raw, d: Raw) -> Option<Entry> {
     if hit.starts_inside(m) {
         return None;
@@ -28,7 +28,7 @@ const fn is_unit(e: Axis) -> bool {
 
 /// Entry of the point `m` (centre relative to the corner) moving by `d` into the disc of radius
 /// `r`, inside the open cone of a corner: of any angle below 180 degrees, cusps included. On the
-/// cone's borders, and outside of it, the faces are in charge.
+/// cone's borders, and outside of it, the faces are responsible.
 #[inline(never)]
 pub(super) fn sweep_cone(m: Raw, r: i32, d: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
     if !comes_along(m, d, e_in) || !comes_along(m, d, e_out.reversed()) {
@@ -39,8 +39,8 @@ pub(super) fn sweep_cone(m: Raw, r: i32, d: Raw, e_in: Axis, e_out: Axis) -> Opt
     if inside { entry(hit, m, d) } else { None }
 }
 
-/// Whether a point is ever over each half-plane of a quadrant: where not, it enters nothing there,
-/// and no product has to tell.
+/// Whether a point is ever over each half-plane of a quadrant. If not, it enters nothing there, and
+/// no product is needed.
 pub(super) fn comes_to_quadrant(m: Raw, d: Raw, quadrant: Axis, closed: bool) -> bool {
     let comes = |m: i32, d: i32, sign: i32| {
         let far = if (d < 0) == (sign < 0) { m.wrapping_add(d) } else { m };
@@ -50,12 +50,12 @@ pub(super) fn comes_to_quadrant(m: Raw, d: Raw, quadrant: Axis, closed: bool) ->
     comes(m.x, d.x, quadrant.x) && comes(m.y, d.y, quadrant.y)
 }
 
-/// Whether a point enters the disc around the origin in a quadrant, its borders included where
+/// Whether a point enters the disc around the origin in a quadrant, its borders included if
 /// `closed`; `cross` is m x d.
 #[inline(never)]
 pub(super) fn enters_quadrant(m: Raw, r: i32, d: Raw, quadrant: Axis, cross: i64, closed: bool) -> bool {
     let flipped = |v: i32, sign: i32| if sign < 0 { v.wrapping_neg() } else { v };
-    // Mirrored into the first quadrant, the moment changes its sign with each mirror.
+    // Mirrored into the first quadrant: each mirror changes the sign of the moment.
     let (m, d, mirrored) = (
         Raw { x: flipped(m.x, quadrant.x), y: flipped(m.y, quadrant.y) },
         Raw { x: flipped(d.x, quadrant.x), y: flipped(d.y, quadrant.y) },
@@ -65,8 +65,8 @@ pub(super) fn enters_quadrant(m: Raw, r: i32, d: Raw, quadrant: Axis, cross: i64
     enters_where(m.x, d.x, d.y, cross, r, closed) && enters_where(m.y, d.y, d.x, cross.wrapping_neg(), r, closed)
 }
 
-/// Whether the point enters the disc at a moment T with `u > 0` (or `u >= 0` where `closed`), where
-/// `u` runs from `u0` by `p`.
+/// Whether the point enters the disc at a moment T with `u > 0` (or `u >= 0` if `closed`), as `u`
+/// runs from `u0` by `p`.
 ///
 /// `q` is the other component of the motion. At the moment s with u = 0 the other coordinate is
 /// -cross/p, so against the disc's radius:
@@ -94,7 +94,7 @@ fn comes_along(m: Raw, d: Raw, e: Axis) -> bool {
     u > 0 || u.wrapping_add(along(e, d)) > 0
 }
 
-/// The same with u = e . m for any direction: at the moment s the point is on the line across e,
+/// The same with u = e . m for any direction. At the moment s the point is on the line across e,
 /// `|cross| |e| / |e.d|` from the centre.
 #[inline(never)]
 fn enters_along(m: Raw, d: Raw, e: Axis, cross: i64, r: i32) -> bool {
@@ -112,15 +112,15 @@ fn enters_along(m: Raw, d: Raw, e: Axis, cross: i64, r: i32) -> bool {
     in_time(offset(cross, e, r, du), approaching, du > 0, false)
 }
 
-/// As [`offset_to_radius`], where `|e|` is 1 or the root of 2 or 5 mostly by one product: the
-/// length of the offset between two sums of its halves.
+/// As [`offset_to_radius`], but mostly with one product if `|e|` is 1 or the root of 2 or 5: it
+/// bounds the length of the offset by two sums of its halves.
 fn offset(cross: i64, e: Axis, r: i32, du: i64) -> Ordering {
     let (size, speed) = (cross.unsigned_abs(), du.unsigned_abs());
     if speed >> 32 == 0 && e.x.unsigned_abs().max(e.y.unsigned_abs()) <= 2 {
         let (short, long) = match e.x.wrapping_mul(e.x).wrapping_add(e.y.wrapping_mul(e.y)) {
             1 => (size, size),
-            // 45/32 < sqrt(2) < 23/16, and 71/32 < sqrt(5) < 9/4, of sizes below 2^60; 4 make up
-            // for what the shifts drop.
+            // 45/32 < sqrt(2) < 23/16, and 71/32 < sqrt(5) < 9/4, for sizes below 2^60. The 4 makes
+            // up for the bits that the shifts drop.
             2 => (size + (size >> 2) + (size >> 3) + (size >> 5), size + (size >> 1) - (size >> 4) + 4),
             5 => (2 * size + (size >> 3) + (size >> 4) + (size >> 5), 2 * size + (size >> 2) + 4),
             _ => (0, u64::MAX),
@@ -136,8 +136,8 @@ fn offset(cross: i64, e: Axis, r: i32, du: i64) -> Ordering {
     offset_to_radius(cross, e, r, du)
 }
 
-/// Whether the entry into the disc is after s where `rising`, else before it; where `closed` at s
-/// will do.
+/// Whether the entry into the disc is after s if `rising`, otherwise before it. If `closed`, at s
+/// is enough.
 ///
 /// Inside the disc at s: T < s. On its rim: T = s while approaching, else T < s. Outside: T > s
 /// while approaching, else T < s.
@@ -147,10 +147,10 @@ fn in_time(offset: Ordering, approaching: bool, rising: bool, closed: bool) -> b
 }
 
 /// Entry of the point `m` (as seen from the arc's centre) moving by `d` into the disc of radius
-/// `r`, in the quadrant, which is `closed` or not.
+/// `r`, in the quadrant, with its borders if `closed`.
 ///
-/// Who starts inside of the disc is on another side of the solid, and passes the quadrant's border
-/// inside or after leaving: no entry.
+/// A point that starts inside of the disc is on another side of the solid. It passes the quadrant's
+/// border inside, or after leaving: no entry.
 #[inline(never)]
 pub(super) fn enter_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis, closed: bool) -> Option<Entry> {
     if !comes_to_quadrant(m, d, quadrant, closed) {
@@ -163,8 +163,8 @@ pub(super) fn enter_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis, closed: bool
 /// The point `m` leaving the disc of radius `r` by `d`, in the closed quadrant.
 ///
 /// It leaves where the reversed motion enters. A motion that only touches the disc, as from a floor
-/// into a quarter pipe, leaves it there; on the border of the quadrant it does so only if it goes
-/// on into the quadrant, not if it comes out of it.
+/// into a quarter pipe, leaves it there. On the border of the quadrant it leaves only if it
+/// continues into the quadrant, not if it comes out of it.
 #[inline(never)]
 pub(super) fn leave_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<Entry> {
     let (end, rr) = (m.add(d), usqr(r as u32));
@@ -180,22 +180,22 @@ pub(super) fn leave_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<En
     }
     let back = d.reversed();
     // Reversed, the same line has the opposite moment: (m + d) x -d = -(m x d). A tangent does not
-    // approach, so it is taken where it goes on into the quadrant and not where it comes out.
+    // approach. It counts if it continues into the quadrant, and not if it comes out.
     if !enters_quadrant(end, r, back, quadrant, cross.wrapping_neg(), true) {
         return None;
     }
     let t = exit_time(inner.unwrap_or(0), b, a, rra, cross);
     let step = Raw { x: t.of_raw_beside(m.x, d.x, false), y: t.of_raw_beside(m.y, d.y, false) };
     let at = m.add(step);
-    // In a pipe as wide as the body the centre itself may be the nearest place of the lattice.
+    // In a pipe as wide as the body, the centre itself may be the nearest lattice point.
     let normal = if at.is_zero() { back } else { Raw { x: at.x.wrapping_neg(), y: at.y.wrapping_neg() } };
     let normal = direction(normal);
     Some(Entry { num: t.raw(), den: Toi::ONE.raw(), normal, at_end: true, step: Some(step) })
 }
 
-/// The same for the corner of a box. Exactly through an end of the arc and out of its quarter it
-/// passes: what the arc bounds ends there as well. A circle does not, it reaches farther to the
-/// side.
+/// The same for the corner of a box. It passes exactly through an end of the arc and out of its
+/// quarter, because the solid that the arc bounds ends there too. A circle does not pass: it
+/// reaches farther to the side.
 pub(super) fn leave_by_corner(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<Entry> {
     let passes = |x: i32, y: i32, along: i32| {
         let end = Raw { x: x.wrapping_mul(r), y: y.wrapping_mul(r) };
@@ -206,8 +206,8 @@ pub(super) fn leave_by_corner(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<
     if passes { None } else { leave_quarter(m, r, d, quadrant) }
 }
 
-/// The same where the disc is a point: a body as wide as the pipe comes to its centre, touches all
-/// of it, and goes on against an end.
+/// The same if the disc is a point: a body as wide as the pipe reaches its centre, touches all of
+/// it, and moves on against an end.
 #[inline(never)]
 pub(super) fn leave_centre(m: Raw, d: Raw, quadrant: Axis) -> Option<Entry> {
     let (a, b) = (d.len2(), m.dot(d).wrapping_neg());
@@ -228,8 +228,8 @@ pub(super) fn leave_centre(m: Raw, d: Raw, quadrant: Axis) -> Option<Entry> {
 mod tests {
     use super::{Axis, offset, offset_to_radius};
 
-    /// Around the offset that is the radius, by parts of it and by raw units: bounds say what exact
-    /// squares say.
+    /// Around an offset equal to the radius, by parts of it and by raw units: the bounds agree with
+    /// exact squares.
     #[test]
     #[allow(clippy::cast_precision_loss, reason = "only to come near the edge")]
     fn bounds_of_offsets_are_on_both_sides() {

@@ -1,10 +1,10 @@
-//! The ways on from a place: a velocity and its projections on all that the body touches there, and
-//! which of them is free.
+//! The ways on from a position: a velocity and its projections on all surfaces that the body
+//! touches there, and which of them are free.
 //!
-//! What is kept of a velocity is its projection on the cone of the directions that are free at the
-//! body's *present* place. That cone need not be convex; its boundary consists of tangents of what
-//! is touched. So the longest projection that nothing touched is in the way of is the answer, and
-//! what the body has left behind has no say.
+//! A hit projects the velocity on the cone of the directions that are free at the body's *present*
+//! position. That cone need not be convex. Its boundary consists of tangents of the touched
+//! surfaces. So the answer is the longest projection that no touched surface blocks. Surfaces that
+//! the body has left behind do not count.
 
 use super::body::{Body, Entry};
 use super::contact::{Bend, Plane, may_reach, reaches, surroundings, touched};
@@ -19,20 +19,20 @@ use core::ops::Range;
 /// A way on.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way {
-    /// What it is along; `None` of the velocity itself.
+    /// The plane that it is along; `None` for the velocity itself.
     pub(super) along: Option<Plane>,
     /// The velocity at its start.
     pub(super) v: Raw,
-    /// Whether the velocity that it is a projection of leads into the plane.
+    /// Whether the projected velocity leads into the plane.
     presses: bool,
-    /// A displacement in its direction, long enough to see what is in the way.
+    /// A displacement in its direction, long enough to find what blocks it.
     probe: Raw,
-    /// How far it leads until it meets what binds it: up to [`FAR`], [`FREE`](Self::FREE), or
+    /// How far it leads before a surface binds it: up to [`FAR`], [`FREE`](Self::FREE), or
     /// [`UNKNOWN`](Self::UNKNOWN).
     room: u8,
 }
 
-/// No way is bound by something that is farther than this.
+/// Nothing farther than this binds a way.
 ///
 /// Two planes [`NEAR`] apart at an angle `a` meet within `NEAR / sin a`: 13 raw for the slopes of
 /// tiles, 64 for planes that differ by four degrees.
@@ -46,7 +46,7 @@ impl Way {
         self.room == Self::FREE
     }
 
-    /// Whether it leads on by a raw unit at least, though it is bound.
+    /// Whether it leads on by at least a raw unit, though it is bound.
     pub(super) fn can_creep(&self) -> bool {
         self.room > 0 && u32::from(self.room) <= FAR
     }
@@ -55,10 +55,10 @@ impl Way {
         self.probe
     }
 
-    /// Binds it, where it leads into a feature.
+    /// Binds it if it leads into a feature.
     fn bind_by<W: World, B: Body>(&mut self, body: &B, feature: &Feature) {
-        // The gap to a pipe opens with the square of the way, so no probe tells that a way leads
-        // into it; its normal does.
+        // The gap to a pipe opens with the square of the way. A probe does not show that a way
+        // leads into it; the pipe's normal does.
         if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
             let mut pipe = None;
             touched(body, feature, |plane| pipe = Some(plane).filter(Plane::is_inside_pipe).or(pipe));
@@ -75,28 +75,29 @@ impl Way {
         }
     }
 
-    /// The length of what it is of a velocity, before it is rounded: `along / |normal|`. Computed
-    /// where it is asked: a list of eight is 128 bytes of stack shorter.
+    /// The length of its part of a velocity, before rounding: `along / |normal|`. Computed when
+    /// needed, which makes a list of eight 128 bytes of stack shorter.
     fn length(&self, of: Raw) -> (u64, u64) {
         self.along.map_or((u64::MAX, 1), |p| (across(of, p.normal).unsigned_abs(), p.normal.length_squared()))
     }
 
-    /// The velocity itself, then its longer projections; of one length, mirrored or not, the one
-    /// longer along x, then +. Then the planes decide in the same way: never the order of visits.
+    /// The velocity itself goes first, then its longer projections. Of equal lengths, mirrored or
+    /// not, the one longer along x goes first, then +. Then the planes decide in the same way. The
+    /// order of visits never decides.
     fn goes_before(&self, other: &Self, of: Raw) -> bool {
         if self.along.is_none() || other.along.is_none() {
             return self.along.is_none();
         }
         let ((a, n), (b, m)) = (self.length(of), other.length(of));
         let along = |v: Raw| (v.x.unsigned_abs(), v.y.unsigned_abs(), v.x, v.y);
-        // What presses back first: friction is its.
+        // A plane that presses back goes first: it has the friction.
         let plane = |w: &Self| w.along.map(|p| (w.presses, along(Raw { x: p.normal.x, y: p.normal.y }), p.bend.rank()));
         let key = |w: &Self| (along(w.v), plane(w));
         cmp_squares((a, m), (b, n)).then_with(|| key(self).cmp(&key(other))).is_gt()
     }
 }
 
-/// When a probe meets a feature, if it does.
+/// The entry of a probe into a feature, if it meets it.
 fn meets<W: World, B: Body>(probe: Raw, body: &B, feature: &Feature) -> Option<Entry> {
     if W::BLOCKS {
         body.sweep_block(probe, feature)
@@ -107,9 +108,9 @@ fn meets<W: World, B: Body>(probe: Raw, body: &B, feature: &Feature) -> Option<E
     }
 }
 
-/// The way of a probe up to what it meets there, if that binds it: within the rounding distance of
-/// way, or within [`FAR`] and the rounding distance along the normal. So it does not matter how a
-/// face is cut.
+/// The way of a probe up to its hit, if that binds it: the way is at most the rounding distance, or
+/// it is at most [`FAR`] and the gap along the normal is at most the rounding distance. The answer
+/// does not depend on how a face is cut.
 fn room_to(probe: Raw, entry: &Entry) -> Option<u8> {
     let room = mul_div(way(probe), entry.num, entry.den);
     let n = entry.normal;
@@ -132,8 +133,8 @@ pub(super) struct Ways {
 
 /// The features within [`FAR`] of a body, read once for all ways.
 ///
-/// Nine in ten bodies that choose a way are near three features, or four. Where there are more, the
-/// level is asked again.
+/// Nine in ten bodies that choose a way are near three or four features. If there are more, the
+/// level is read again.
 struct Near {
     features: [Option<Feature>; 4],
     all: bool,
@@ -149,7 +150,7 @@ impl Near {
         }
     }
 
-    /// Visits all of them; one-way faces only where they are solid to the body.
+    /// Visits all of them; one-way faces only if they are solid to the body.
     fn each<W: World, B: Body>(&self, world: &W, body: &B, passes: bool, visit: &mut dyn FnMut(&Feature)) {
         if self.all { self.features.iter().flatten().for_each(visit) } else { each_near(world, body, passes, visit) }
     }
@@ -157,7 +158,7 @@ impl Near {
 
 /// Reads the features within [`FAR`] of a body.
 ///
-/// The visitor is called through a pointer: three copies of the walk over a level took 2 KB of
+/// It calls the visitor through a pointer: three copies of the walk over a level took 2 KB of
 /// flash.
 #[inline(never)]
 fn each_near<W: World, B: Body>(world: &W, body: &B, passes: bool, visit: &mut dyn FnMut(&Feature)) {
@@ -171,20 +172,20 @@ fn each_near<W: World, B: Body>(world: &W, body: &B, passes: bool, visit: &mut d
 }
 
 impl Ways {
-    /// More planes than these touch no body at a place: four cells meet in a point, and a body
-    /// touches at most two of the sides of each. Of more, in levels of many small segments, the
-    /// shortest ways are left out.
+    /// In a grid a body touches no more planes than these: four cells meet in a point, and a body
+    /// touches at most two sides of each. Levels of many small segments may have more; the
+    /// shortest ways are then left out.
     const MAX: usize = 8;
 
-    /// A constant: as the result of a function it would be made twice, and copied.
+    /// A constant: a function would make the result twice, and copy it.
     pub(super) const NONE: Self = Self { ways: [None; Self::MAX], near: Near::NONE };
 
-    /// Reads the ways of a velocity from the body's place, and along what was hit, in the time that
-    /// is left; which of them are free is not known yet. Whether there is nothing else within
-    /// [`FAR`] than the face that was hit: then the way along it is free, and the velocity leads
-    /// into it.
+    /// Reads the ways of a velocity from the body's position, and along the surface that was hit, in
+    /// the remaining time. It does not find out yet which are free. Returns whether there is nothing
+    /// within [`FAR`] but the face that was hit. The way along that face is then free, and the
+    /// velocity leads into it.
     ///
-    /// In place: the list takes some 600 bytes, of which a chip has no second ones.
+    /// In place: the list takes about 600 bytes, and a chip has no room for a copy.
     #[inline(never)]
     pub(super) fn read<W: World, B: Body>(
         &mut self,
@@ -220,9 +221,9 @@ impl Ways {
     }
 
     /// Between two corners or arcs the way leads across the line through their centres, as through
-    /// a gap that is as wide as the body.
+    /// a gap exactly as wide as the body.
     fn consider_gaps<W: World, B: Body>(&mut self, v: Raw, time: Toi) {
-        // What is added moves others back by one: so some pairs come twice, and none is left out.
+        // An added way moves others back by one: some pairs come twice, and none is left out.
         for k in 0..Self::MAX {
             let Some(a) = self.corner(k) else { continue };
             for j in k + 1..Self::MAX {
@@ -239,7 +240,7 @@ impl Ways {
         (plane.bend == Bend::Convex).then_some(plane.normal)
     }
 
-    /// Takes the projection of a velocity on a plane, where it is one.
+    /// Takes the projection of a velocity on a plane, if it is a way.
     #[inline(never)]
     fn consider<W: World, B: Body>(&mut self, plane: Plane, v: Raw, time: Toi) {
         let plane = plane.against(v);
@@ -251,17 +252,17 @@ impl Ways {
         if let Some(pipe) = if W::ROUND { plane.pipe() } else { None } {
             let Some(chord) = pipe.chord(v, time, &Smooth) else { return };
             if chord.way.is_zero() {
-                // At the end of the pipe already, where its tangent leads on.
+                // Already at the end of the pipe, where its tangent leads on.
                 plane.bend = Bend::Flat;
             } else {
-                // A tangent leads into what is beyond the pipe's end: no probe is longer than a
-                // chord.
+                // A tangent leads into the surface beyond the pipe's end. So no probe is longer
+                // than a chord.
                 let longer = if way(chord.way) < 2 * FAR { pipe.chord(long(v), Toi::ONE, &Smooth) } else { None };
                 probe = longer.unwrap_or(chord).way;
             }
         }
-        // What is slower than its rounding leads nowhere: so what gravity presses into a shallow
-        // wedge comes to rest.
+        // A way slower than its rounding leads nowhere. A body that gravity presses into a shallow
+        // wedge therefore comes to rest.
         let is_exact = plane.normal.x == 0 || plane.normal.y == 0;
         if !along.is_zero() && (is_exact || way(along) > NEAR) {
             let n = plane.normal;
@@ -283,7 +284,7 @@ impl Ways {
         }
     }
 
-    /// Frees all ways: where nothing else is near, nothing binds them.
+    /// Frees all ways: nothing else is near, so nothing binds them.
     pub(super) fn free(&mut self) {
         self.ways.iter_mut().flatten().for_each(|way| way.room = Way::FREE);
     }
@@ -293,7 +294,7 @@ impl Ways {
         self.settle::<W, B>(world, body, passes, 0..Self::MAX);
     }
 
-    /// Finds out how far some of the ways lead, unless all of that is known.
+    /// Finds out how far some of the ways lead, unless that is already known.
     #[inline(never)]
     fn settle<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool, which: Range<usize>) {
         let Some(ways) = self.ways.get_mut(which) else { return };
@@ -305,10 +306,10 @@ impl Ways {
         }
     }
 
-    /// The longest free way of those that are asked for.
+    /// The longest free way of those that `asked` accepts.
     ///
-    /// One after the other, because the first is free most of the time; all at once where each
-    /// would ask the level again.
+    /// It settles them one by one, because the first is usually free. If each would read the level
+    /// again, it settles all at once.
     #[inline(never)]
     pub(super) fn first_free<W: World, B: Body>(
         &mut self,
@@ -331,13 +332,13 @@ impl Ways {
         self.ways.get(k)?.as_ref()
     }
 
-    /// What binds a way beside what was hit: the first of what is touched that its probe meets and
-    /// that is not reported yet.
+    /// The other surface that binds a way: the first touched one that its probe meets and that the
+    /// hits do not report yet.
     #[inline(never)]
     pub(super) fn binding<W: World, B: Body>(&self, world: &W, body: &B, probe: Raw, hits: &Hits, first: &mut First) {
         self.near.each(world, body, true, &mut |feature| {
-            // One-way faces are reported where they are run into: beside them it is their front
-            // that counts.
+            // One-way faces are reported when a motion runs into them. Beside them, their front
+            // counts.
             if feature.one_way {
                 return;
             }
@@ -352,14 +353,14 @@ impl Ways {
         self.ways.iter().flatten()
     }
 
-    /// Whether a plane that the body has run along is still touched, where it is a face.
+    /// Whether the body still touches a plane that it has run along, if that is a face.
     pub(super) fn keep(&self, plane: &Plane) -> bool {
         !matches!(plane.bend, Bend::Flat | Bend::End) || self.iter().any(|way| way.along == Some(*plane))
     }
 }
 
-/// A multiple of a velocity that is at least twice as long as [`FAR`]; the velocity itself where
-/// that is.
+/// A multiple of a velocity that is at least twice as long as [`FAR`]. The velocity itself if it is
+/// that long.
 pub(super) fn long(v: Raw) -> Raw {
     let (mut v, mut size) = (v, way(v));
     while size != 0 && size < 2 * FAR {

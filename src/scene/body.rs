@@ -1,4 +1,4 @@
-//! The bodies of a scene: what a game gives, boxes and circles mixed, and what a step keeps of
+//! The bodies of a scene: what a game sets, boxes and circles mixed, and what a step keeps for
 //! each.
 
 use super::Shape;
@@ -10,7 +10,7 @@ use crate::num::{Raw, Vec2};
 use crate::shape::Aabb;
 use core::num::NonZeroU8;
 
-/// One body: what it looks like and how it behaves. Plain data.
+/// One body: its shape, and how it behaves. Plain data.
 ///
 /// ```
 /// use core::num::NonZeroU8;
@@ -26,40 +26,39 @@ use core::num::NonZeroU8;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SceneBody {
-    /// What it looks like, and where.
+    /// Its shape and position.
     pub shape: Shape,
-    /// Units a step. A body without a mass does not move by it, but others feel it: a conveyor.
+    /// Units per step. A body without a mass does not move by it, but others feel it: a conveyor.
     pub velocity: Vec2,
-    /// In any unit that all bodies share; `None` is a wall, a platform, a trigger: no step moves
+    /// In any unit that all bodies share. `None` is a wall, a platform, a trigger: no step moves
     /// it.
     pub mass: Option<NonZeroU8>,
-    /// Its friction and restitution at the level. Where two bodies meet, the surface of the one
-    /// that bounces more counts, at a tie the one with less friction.
+    /// Its friction and restitution at the level. If two bodies meet, the surface that bounces more
+    /// counts, on a tie the one with less friction.
     pub surface: Surface,
-    /// Whom it meets. [Sensors](Filter::sensor) are told, push nobody and are pushed by nobody;
-    /// [still](Filter::still) is the scene's to say.
+    /// Which bodies it meets. [Sensors](Filter::sensor) are reported; they push nobody and nobody
+    /// pushes them. The scene sets [still](Filter::still).
     pub filter: Filter,
-    /// Given by the game, unique among the bodies: with that no result depends on the order of
-    /// insertion. A name for the game's own use, too. Where two have one key, the slot decides
-    /// which of a pair is `a`; nothing else changes.
+    /// A number from the game, unique among the bodies. Unique keys make all results independent of
+    /// the order of insertion. You can use it as a name, too. If two bodies share a key, the slot
+    /// decides which of a pair is `a`; nothing else changes.
     pub key: u32,
-    /// Gravity does nothing to it: a balloon, a bullet, a lift. It falls asleep in the air where it
+    /// Gravity does not act on it: a balloon, a bullet, a lift. It falls asleep in the air if it
     /// hardly moves.
     pub floats: bool,
     /// It meets others [on its whole way](super#fast-bodies), however slow it is: a crusher among
-    /// small things. What moves by more than half of its smaller side in a step does so without
-    /// being told to.
+    /// small things. A body that moves by more than half of its smaller side in a step always does.
     pub fast: bool,
 }
 
 impl SceneBody {
-    /// A body of mass 1 at rest that stops at what it runs into and slides along it, and meets all.
+    /// A body of mass 1 at rest. It stops at surfaces, slides along them, and meets all bodies.
     #[must_use]
     pub fn new(shape: impl Into<Shape>, key: u32) -> Self {
         Self { shape: shape.into(), mass: Some(NonZeroU8::MIN), key, ..Self::NOBODY }
     }
 
-    /// One that no step moves.
+    /// A body that no step moves.
     #[must_use]
     pub fn fixed(shape: impl Into<Shape>, key: u32) -> Self {
         Self { mass: None, ..Self::new(shape, key) }
@@ -76,7 +75,7 @@ impl SceneBody {
         fast: false,
     };
 
-    /// What a step of gravity gives it.
+    /// The velocity that a step of gravity adds.
     pub(super) fn weight(&self, gravity: Vec2) -> Vec2 {
         if self.floats { Vec2::ZERO } else { gravity }
     }
@@ -86,31 +85,31 @@ impl SceneBody {
     }
 }
 
-/// What a slot is doing.
+/// The state of a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Mode {
-    /// Nobody's.
+    /// Unused.
     Free,
     /// No step moves it.
     Fixed,
-    /// It is in the list of those.
+    /// Its body is in the list of those awake.
     Awake,
     Asleep,
 }
 
-/// A body and what steps know of it.
+/// A body, and the state that steps keep for it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slot {
     pub(super) body: SceneBody,
-    /// That of the body's handle.
+    /// The generation of the body's handle.
     pub(super) generation: u16,
     pub(super) mode: Mode,
-    /// It was awake when the last step began, which told of all that it touched.
+    /// It was awake when the last step began, which reported all that it touched.
     pub(super) told: bool,
     /// For how many steps it has hardly moved.
     pub(super) quiet: u8,
-    /// How many bodies are between it and the level or a fixed body that carries it, as of the last
-    /// step.
+    /// How many bodies are between it and the level, or a fixed body that carries it, as of the
+    /// last step.
     pub(super) support: u8,
     /// The slot of that fixed body.
     pub(super) ground: u16,
@@ -118,22 +117,22 @@ pub(super) struct Slot {
     pub(super) way: BodyWay,
 }
 
-/// What a step collects for a body before anything moves.
+/// The values that a step collects for a body before anything moves.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tally {
-    /// The farthest that anything pushes it to each side.
+    /// The farthest push to each side.
     pub(super) low: Vec2,
     pub(super) high: Vec2,
     /// The sum of the changes of its velocity.
     pub(super) kick: Vec2,
-    /// How many bodies run into it; when all have made their steps, the fewest quiet steps of those
-    /// that it stands for.
+    /// How many bodies run into it. Once all have made their steps, the fewest quiet steps of the
+    /// bodies that it represents.
     pub(super) hits: u16,
-    /// Another body that it touches, directly or not; itself where it stands for all of them.
+    /// Another body that it touches, directly or not; its own slot if it represents all of them.
     pub(super) link: u16,
-    /// The slot of the one below that it touches, where that is the only one.
+    /// The slot of the one body below that it touches, if there is only one.
     pub(super) under: u16,
-    /// How far it has come while it was quiet, in 1/256 of a unit; kept from step to step.
+    /// How far it has drifted while quiet, in 1/256 of a unit; kept from step to step.
     pub(super) drift: [i8; 2],
 }
 
@@ -166,7 +165,7 @@ impl Slot {
         Self { body: *body, generation: handle.generation(), mode, support, ..Self::FREE }
     }
 
-    /// Whether a look at where it starts does not do.
+    /// Whether a look at its start is not enough.
     pub(super) fn is_fast(&self) -> bool {
         // Each is a motion: no sum wraps.
         let Tally { low, high, kick, .. } = self.tally;
@@ -184,7 +183,7 @@ impl Tally {
         Self { low: none, high: none, kick: none, hits: 0, link: slot, under: NOBODY, drift: [0; 2] }
     }
 
-    /// Where all that pushes it brings it.
+    /// The sum of all pushes on it.
     pub(super) fn push(&self) -> Vec2 {
         self.low + self.high
     }

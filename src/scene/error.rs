@@ -5,23 +5,23 @@ use crate::error::RangeError;
 use crate::motion::MoveError;
 use core::fmt;
 
-/// What was refused, and of which body; that body, or the scene, is as it was.
+/// What was refused, and for which body. That body, or the scene, is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SceneError {
-    /// The body; none where it is about the call: a body that is not in yet, a gravity.
+    /// The body. `None` if the fault is in the call: a body that is not in yet, a gravity.
     pub body: Option<Handle>,
-    /// What is wrong.
+    /// The fault.
     pub fault: SceneFault,
 }
 
-/// Why.
+/// The reason.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum SceneFault {
-    /// The broad phase does not know it, or has no room or place for it.
+    /// The broad phase does not know the body, or has no room or cell for it.
     Broad(BroadError),
-    /// It overlaps the level, or would leave the domain, or is too fast or too large.
+    /// It already overlaps the level, would leave the domain, or is too fast or too large.
     Move(MoveError),
 }
 

@@ -1,11 +1,11 @@
 //! A scene: a level, a broad phase and bodies in one call per frame.
 //!
-//! [`Scene`] is made of public parts alone, and each of them can be used without it: a
-//! [`BroadPhase`](crate::broad::BroadPhase) finds the bodies that are near each other,
-//! [`contact`](crate::query::Contacts) how two bodies overlap,
+//! [`Scene`] consists of public parts, and you can use each without it. A
+//! [`BroadPhase`](crate::broad::BroadPhase) finds the bodies that are near each other.
+//! [`contact`](crate::query::Contacts) finds how two bodies overlap.
 //! [`separate`](crate::motion::response::separate) and
-//! [`exchange`](crate::motion::response::exchange) what that does to them, and a
-//! [`Mover`](crate::Mover) takes each through the level. It is plain data.
+//! [`exchange`](crate::motion::response::exchange) part them and change their velocities. A
+//! [`Mover`](crate::Mover) moves each through the level. A scene is plain data.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;
@@ -46,59 +46,58 @@
 //!
 //! 1. Gravity is added to the velocities of all bodies that are awake and do not
 //!    [float](SceneBody::floats).
-//! 2. Every pair that touches, and that the game [lets count](Scene::step_with), is reported;
-//!    sensors do no more than that. Where two overlap, each gets its share of the
-//!    [push](crate::motion::response::separate) that parts them, and of the
-//!    [change of velocity](crate::motion::response::exchange) where they approach. Of all pushes on
-//!    a body the farthest to each side count, so two floors push no higher than one; of its n
-//!    changes, each counts for 1/n.
-//! 3. Each body is [moved](crate::Mover::move_and_slide) by its push and then by its velocity, and
-//!    bounces off the level as its surface says, but not where it meets it at no more than what
-//!    gravity gives in two steps: what lies there would hum above it. It is not stored anywhere
-//!    that the level's exact overlap test rejects.
-//! 4. What lies on others is moved after them, from the lowest up, and comes out of those that are
-//!    carried themselves, in the same step.
-//! 5. What is fast is moved last, from one thing that it meets to the next.
-//! 6. What has hardly moved for some steps, and all that it touches with it, falls asleep.
+//! 2. Every touching pair that the game [accepts](Scene::step_with) is reported; sensors do no more
+//!    than that. If two overlap, each gets its share of the
+//!    [push](crate::motion::response::separate) that parts them. If they approach, each gets its
+//!    share of the [change of velocity](crate::motion::response::exchange). Of all pushes on a body
+//!    the farthest to each side count, so two floors push no higher than one. Of its n changes,
+//!    each counts for 1/n.
+//! 3. Each body is [moved](crate::Mover::move_and_slide) by its push and then by its velocity. It
+//!    bounces off the level as its surface says. A body that meets the level at no more than the
+//!    gravity of two steps does not bounce: it would jitter there. Every new position passes the
+//!    level's exact overlap test.
+//! 4. Bodies that lie on others are moved after them, from the lowest up. In the same step they
+//!    come out of bodies that are carried themselves.
+//! 5. Fast bodies are moved last, from one hit to the next.
+//! 6. Bodies that have hardly moved for some steps fall asleep, together with all that they touch.
 //!
 //! # What holds
 //!
-//! - **No body enters the solid.** One that is in it already, or could not be moved for another
+//! - **No body enters the solid.** A body that is in it already, or cannot be moved for another
 //!   reason, is [held](SceneEvent::Held): it stays and has no velocity.
-//! - **Bodies may overlap** after a step, where the level leaves no room, where many push. The next
-//!   step tells how deep, and pushes again.
+//! - **Bodies may overlap** after a step, if the level leaves no room or many push. The next step
+//!   finds how deep, and pushes again.
 //! - **Nothing fast passes anything**: see [below](self#fast-bodies).
-//! - **Order does not matter**: neither that of insertion nor that of the broad phase, nor which
-//!   one it is, where keys are unique (or else slots decide). Only events come in no particular
-//!   order.
-//! - **Images**: mirrored scenes give mirrored bits and moved scenes the same, as far as the
+//! - **Order does not matter**, neither that of insertion nor that of the broad phase, nor the
+//!   choice of broad phase. For this, keys must be unique (otherwise slots decide). Only events
+//!   come in no particular order.
+//! - **Images**: mirrored scenes give mirrored bits and moved scenes the same bits, as far as the
 //!   [mover](crate::Mover::move_and_slide) and [degenerate](crate::query::Contact::is_degenerate)
 //!   contacts (two coincident centres) do.
-//! - **Momentum** is kept exactly, and **energy** (mass times speed squared) does not grow,
-//!   exactly, where two free bodies meet and no third; in a crowd both are up to less than a raw
-//!   unit of velocity for each meeting. Energy gained by gravity and by pushes apart is not
-//!   counted.
-//! - **Piles stand**: what lies on the level, or on bodies that do, is not pushed down by what is
-//!   on top of it; there momentum goes into the ground. Support reaches a whole pile within a step,
-//!   and velocities count relative to what carries it: a pile on a lift that moves evenly is the
-//!   pile at rest, bit for bit. Boxes of a column keep their order and do not sink into each other.
+//! - **Momentum** is kept exactly, and **energy** (mass times speed squared) never grows, exactly,
+//!   if two free bodies meet and no third. In a crowd each meeting may change both by less than a
+//!   raw unit of velocity. Energy gained from gravity and from pushes is not counted.
+//! - **Piles stand**: a body that lies on the level, or on bodies that do, is not pushed down by
+//!   those on top of it; there momentum goes into the ground. Support reaches a whole pile within a
+//!   step. Velocities count relative to the carrier: a pile on a lift that moves evenly is the pile
+//!   at rest, bit for bit. Boxes of a column keep their order and do not sink into each other.
 //!   Balls that lie askew overlap by a raw unit.
-//! - **Asleep costs nothing**: a step with all asleep is a look at a counter. A body wakes where
-//!   one that is awake touches it, where it is pushed, [placed](Scene::place) or
-//!   [woken](Scene::wake), and where you name a region that [changed](Scene::wake_region): a tile
-//!   that is gone, a [`Solid`](crate::Solid) that moves, which stops bodies but does not push or
-//!   carry them (a fixed body does). Sensors wake nobody. It wakes what it touches in the step
-//!   after, with the whole pile of those that touch each other.
+//! - **Sleep costs nothing**: a step with all bodies asleep reads a counter. A body wakes if a body
+//!   that is awake touches it, or if you push, [place](Scene::place) or [wake](Scene::wake) it. It
+//!   also wakes if you name a region that [changed](Scene::wake_region): a removed tile, or a
+//!   [`Solid`](crate::Solid) that moves, which stops bodies but does not push or carry them (a
+//!   fixed body does). Sensors wake nobody. A woken body wakes the bodies that it touches in the
+//!   next step, with the whole pile of those that touch each other.
 //!
 //! # Fast bodies
 //!
-//! A body is fast where it moves by more than half of its smaller side in a step, by its velocity
-//! and by what pushes it, or where it is [flagged](SceneBody::fast): a look at where it starts
-//! would miss whom it meets on its way. It makes its step from event to event: up to the first
-//! thing that it runs into, the level or a body, by the exact cast of two that
-//! [both move](crate::query::CastShape::cast_moving); there it bounces or slides, and goes on for
-//! the rest of the step. All such events of a scene come in the order of their times. At one time
-//! the level comes first, then the pair with the smaller keys.
+//! A body is fast if it moves by more than half of its smaller side in a step, by its velocity and
+//! by pushes, or if it is [flagged](SceneBody::fast). A test of its start alone would miss the
+//! bodies on its way. A fast body makes its step from event to event. It goes up to its first hit,
+//! the level or a body, found by the exact cast of two that [both
+//! move](crate::query::CastShape::cast_moving). There it bounces or slides, and continues for the
+//! rest of the step. All such events of a scene come in the order of their times. At one time the
+//! level comes first, then the pair with the smaller keys.
 //!
 //! ```text
 //!   t = 0        0.4          0.7           |#
@@ -108,21 +107,21 @@
 //!               +--+  its way in this step  |#
 //! ```
 //!
-//! - Two exchange velocities at most once a step, and are reported once, with the time and with how
-//!   hard ([`SceneEvent::Meet`]). Where they run into each other again they are led along each
+//! - Two bodies exchange velocities at most once per step. The event reports them once, with the
+//!   time and the speed ([`SceneEvent::Meet`]). If they hit each other again, they move along each
 //!   other until the step ends.
-//! - What is slow, or sleeps, and is hit has its new velocity from the next step on.
-//! - Sensors on the way are reported, too, each time that a body enters one.
-//! - After three bodies or eight events of a step a body waits for the next step where it is; none
-//!   passes it.
-//! - Two that are *not* fast may still pass each other where they clip each other or are squeezed:
-//!   large and slow among small things wants the flag.
-//! - A fixed body is moved by the game between steps, so it is never on a way: what it jumps over
-//!   it does not meet.
+//! - A slow or sleeping body that is hit uses its new velocity from the next step on.
+//! - Sensors on the way are reported too, each time that a body enters one.
+//! - After three bodies or eight events in a step, a body waits for the next step where it is. No
+//!   body passes it.
+//! - Two bodies that are *not* fast may still pass each other if they clip each other or are
+//!   squeezed. Flag large, slow bodies among small ones.
+//! - The game moves a fixed body between steps, so it is never on a way: it does not meet the
+//!   bodies that it jumps over.
 //!
-//! A fast body with nobody in reach is moved as all others are, so that costs a region query. Else
-//! each event takes two casts through the level and a region query, and a test of each other fast
-//! body.
+//! A fast body with nobody in reach is moved like all others; that costs one region query.
+//! Otherwise each event takes two casts through the level, a region query, and a test of each other
+//! fast body.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;
@@ -149,20 +148,23 @@
 //!
 //! On a Cortex-M0, 64 bodies, boxes and circles, among tiles of all shapes, with a
 //! [`SortSweep`](crate::broad::SortSweep): 247 000 instructions per step while they fly and land,
-//! at most 504 000, most of them the mover's; 995 000 where all lie in nooks of slopes and none may
-//! sleep; 32 where all do. Stack: 3072 bytes.
+//! at most 504 000, most of them the mover's. 995 000 if all lie in nooks of slopes and none may
+//! sleep; 32 if all sleep. Stack: 3072 bytes.
 //!
 //! # Games in a scene
 //!
 //! **Moving platforms** are `fixed` bodies that the game [places](crate::Scene::place), not
-//! [`Solid`](crate::Solid)s: those are level for a step, stop what runs into them, and neither push
-//! nor carry; a body that one moves into is [held](SceneEvent::Held). Give the platform the
-//! velocity that it has, and place it *after* the step, in which those on it move with it. Up and
-//! down that is all; sideways it carries by friction, as a conveyor does, which is such a body that
-//! stays where it is. Where two meet, the surface of the one that bounces more counts, else that
-//! with less friction: so *both* need friction. If you place it without its velocity, a platform
-//! that rises pushes, and one that goes sideways or down leaves from under what stands on it. What
-//! it crushes against the level overlaps it, and is reported.
+//! [`Solid`](crate::Solid)s. In a scene a `Solid` only blocks: for one step it is part of the
+//! level. It does not push or carry; a body that it enters is [held](SceneEvent::Held).
+//!
+//! Set the platform's velocity, and place it *after* the step, in which the bodies on it move with
+//! it. That is all for up and down. Sideways it carries by friction, and *both* need friction: if
+//! two bodies meet, the surface that bounces more counts, or else the one with less friction. A
+//! conveyor is such a body that stays where it is.
+//!
+//! If you place a platform without setting its velocity, it pushes as it rises, and slides away
+//! below its load as it goes sideways or down. A body that it crushes against the level overlaps
+//! it, and is reported.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;
@@ -188,12 +190,12 @@
 //! ```
 //!
 //! **A hero** that a [`Walker`](crate::Walker) moves is in the scene as a body that
-//! [floats](SceneBody::floats), with a mass and no velocity. Each frame: walk it through the level,
-//! `place` it, `step`, and go on from where the scene has pushed it, which the level allows. It
-//! meets triggers, and pushes crates by being in their way; what hits it changes its velocity in
-//! the scene: add that to the walker's or not, and set it to zero. As a `fixed` body it would be
-//! pushed by nobody, and would meet nothing that is fixed itself. The walker does not know that it
-//! stands on a crate: [`is_supported`](crate::Scene::is_supported) does.
+//! [floats](SceneBody::floats), with a mass and no velocity. In each frame, walk it through the
+//! level, `place` it, `step`, and continue from where the scene pushed it, which the level allows.
+//! It meets triggers, and pushes crates that it walks into. A hit changes its velocity in the
+//! scene: add that to the walker's or not, and set it to zero. A `fixed` body would not do: nobody
+//! pushes it, and it does not meet other fixed bodies. The walker does not know that it stands on a
+//! crate, but [`is_supported`](crate::Scene::is_supported) does.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;
@@ -225,19 +227,19 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Sensors** wake nobody, whatever is done with them. One with a mass meets sleepers when you
-//! have placed it; give it `floats`. A fixed one and a body that sleeps both rest: where it is put
-//! on one, nothing is reported until that one wakes; call [`wake`](crate::Scene::wake) for what
-//! [`near`](crate::Scene::near) finds there.
+//! **Sensors** wake nobody, whatever you do with them. A sensor with a mass meets sleeping bodies
+//! once you have placed it; give it `floats`. A fixed sensor and a sleeping body both rest. If you
+//! put the sensor on such a body, nothing is reported until the body wakes. Call
+//! [`wake`](crate::Scene::wake) for the bodies that [`near`](crate::Scene::near) finds there.
 //!
-//! **Keys** must be unique for results that do not depend on the order of insertion. Where two are
-//! equal nothing fails: the one in the smaller slot is `a`, and slots depend on that order.
+//! **Keys** must be unique for results that do not depend on the order of insertion. If two are
+//! equal, nothing fails: the one in the smaller slot is `a`, and slots depend on that order.
 //!
-//! **Grids with [`Border::Refuse`](crate::broad::Border::Refuse)**: a body that would leave is held
-//! at its last place in every step, without a velocity, until it falls asleep there. It is the
-//! game's to remove it when it is told, or to have a border that takes all.
+//! **Grids with [`Border::Refuse`](crate::broad::Border::Refuse)** hold a body that would leave at
+//! its last position in every step, without a velocity, until it falls asleep there. Remove it when
+//! the event reports it, or use a border that accepts all.
 //!
-//! **Rollback** copies the scene, and with it all that the game's own rules read:
+//! **Rollback** copies the scene, and with it everything that the game's own rules read:
 //! [`PairEvents`](crate::broad::PairEvents), [`Exceptions`](crate::broad::Exceptions), the bytes of
 //! tiles that change, solids.
 
@@ -263,62 +265,63 @@ use crate::motion::Hits;
 use crate::num::{Axis, Fx, Toi};
 use crate::query::Contact;
 
-/// What a scene's bodies carry in its broad phase.
+/// The tag of each body in the broad phase.
 pub type SceneTag = crate::broad::Keyed<crate::Filter>;
 
-/// What happened in a step, as it happens; in no particular order.
+/// An event of a step, reported as it happens, in no particular order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SceneEvent<'a> {
-    /// Two bodies, sensors too, touched at the step's start. In every step in which they do and one
-    /// of them is awake: for begin and end feed `pair` to [`PairEvents`](crate::broad::PairEvents).
+    /// Two bodies, sensors too, touched at the step's start. Reported in every step in which they
+    /// touch and one of them is awake. For begin and end, pass `pair` to
+    /// [`PairEvents`](crate::broad::PairEvents).
     Touch {
-        /// Who; `a` has the smaller key.
+        /// The two bodies; `a` has the smaller key.
         pair: Pair,
-        /// How they overlap, from `a` to `b`; none where they only touch.
+        /// How they overlap, from `a` to `b`; `None` if they only touch.
         contact: Option<&'a Contact>,
     },
-    /// Two bodies of which one is [fast](self#fast-bodies) ran into each other on their way,
-    /// sensors too.
+    /// Two bodies, sensors too, ran into each other on their way. One of them is
+    /// [fast](self#fast-bodies).
     Meet {
-        /// Who; `a` has the smaller key.
+        /// The two bodies; `a` has the smaller key.
         pair: Pair,
-        /// When, as a part of the step.
+        /// The time, as a part of the step.
         toi: Toi,
         /// The normal, from `a` to `b`.
         axis: Axis,
-        /// How fast they came nearer along the normal, in units per step, to nearest.
+        /// How fast they approached along the normal, in units per step, rounded to nearest.
         speed: Fx,
     },
     /// A body ran into the level.
     Level {
-        /// Who.
+        /// The body.
         body: Handle,
-        /// Into what.
+        /// Its hits.
         hits: &'a Hits,
-        /// The flags of all that, or-ed.
+        /// The flags of all hits, or-ed.
         flags: u8,
     },
-    /// A body could not be moved: it stays where it was, and has no velocity any more.
+    /// A body could not be moved. It stays where it was, and has no velocity any more.
     Held(SceneError),
 }
 
-/// What a step did: for budgets and tests.
+/// The work of a step, for budgets and tests.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stepped {
-    /// Bodies that were moved through the level: those awake. Zero where all sleep.
+    /// Bodies that were moved through the level: those awake. Zero if all sleep.
     pub moved: u16,
     /// Bodies of those that were [held](SceneEvent::Held).
     pub held: u16,
-    /// Bodies that something touched while they slept.
+    /// Sleeping bodies that were touched.
     pub woken: u16,
     /// Bodies that fell asleep.
     pub slept: u16,
-    /// Pairs of boxes looked into, twice where bodies ran into each other. Zero where all sleep.
+    /// Pairs of boxes tested, twice if bodies ran into each other. Zero if all sleep.
     pub pairs: u32,
     /// Pairs of bodies that touched at the step's start.
     pub touching: u32,
-    /// Pairs of bodies that overlapped then and are no sensors; what is left of that shows in the
-    /// next step.
+    /// Pairs of bodies that overlapped at the step's start, without sensors. A remaining overlap
+    /// counts in the next step.
     pub overlapping: u32,
 }

@@ -1,5 +1,5 @@
-//! The bodies together: who is in, who is awake, what a game changes between steps, and whom that
-//! wakes.
+//! The bodies together: those in the scene, those awake, the changes that a game makes between
+//! steps, and the bodies that these wake.
 
 use super::body::{Mode, Slot, Tally};
 use super::{SceneBody, SceneError, Shape};
@@ -9,20 +9,20 @@ use crate::num::{Fx, MOTION, Vec2, check_motion};
 use crate::query::Touches;
 use crate::shape::Aabb;
 
-/// When bodies fall asleep: after so many steps in a row in which each of those that touch,
-/// directly or not, has moved by less than `still` on either axis, or in all of them together by no
-/// more than what gravity gives in two steps; and, where there is gravity, ran into the level or
-/// into another body.
+/// When bodies fall asleep: after this many consecutive steps of rest, for all bodies that touch,
+/// directly or not. In a step of rest a body has moved by less than `still` on either axis, or in
+/// all of them together by no more than the gravity of two steps. If there is gravity, it also ran
+/// into the level or into another body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Sleep {
-    /// Units a step. What moves more slowly than that on purpose never gets there.
+    /// Units per step. A body that moves more slowly than that on purpose never arrives.
     pub still: Fx,
-    /// 0 is never.
+    /// 0 means never.
     pub steps: u8,
 }
 
 impl Sleep {
-    /// Nobody sleeps.
+    /// No body sleeps.
     pub const NEVER: Self = Self { still: Fx::ZERO, steps: 0 };
 }
 
@@ -37,15 +37,15 @@ impl Sleep {
     const DEFAULT: Self = Self { still: Fx::from_bits(1 << 11), steps: 30 };
 }
 
-/// Up to N bodies in a broad phase, moved through a level by one call a frame.
+/// Up to N bodies in a broad phase, moved through a level by one call per frame.
 ///
 /// `B` is any [`BroadPhase`] with [`SceneTag`](super::SceneTag)s and room for N bodies:
-/// `Scene<SortSweep<64, SceneTag>, 64>`. The [module](super) says what a step does.
+/// `Scene<SortSweep<64, SceneTag>, 64>`. The [module](super) describes a step.
 ///
-/// Plain data: a copy is a snapshot, and to assign it is to roll back. What the game keeps beside
-/// it is part of a snapshot too: its [`PairEvents`](crate::broad::PairEvents) and
-/// [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 156 bytes a body
-/// and those of the broad phase.
+/// Plain data: a copy is a snapshot, and assigning it rolls back. The data that your game keeps
+/// beside it is part of a snapshot too: its [`PairEvents`](crate::broad::PairEvents) and
+/// [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 156 bytes per
+/// body, plus the broad phase.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<B, const N: usize> {
     pub(crate) near: B,
@@ -53,35 +53,35 @@ pub struct Scene<B, const N: usize> {
     /// The bodies awake come first.
     pub(super) awake: [Handle; N],
     pub(crate) count: usize,
-    /// May be changed at any time.
+    /// You may change it at any time.
     pub sleep: Sleep,
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
-    /// A scene without bodies, of a broad phase without any; may be a `static`.
+    /// A scene without bodies, on an empty broad phase. It may be a `static`.
     #[must_use]
     pub const fn new(near: B) -> Self {
         Self::with_sleep(near, Sleep::DEFAULT)
     }
 
-    /// The same where bodies fall asleep sooner, later or never.
+    /// The same scene with other conditions for sleep.
     #[must_use]
     pub const fn with_sleep(near: B, sleep: Sleep) -> Self {
         Self { near, slots: [Slot::FREE; N], awake: [Handle::new(0, 0); N], count: 0, sleep }
     }
 
     /// The broad phase: for rays, regions and nearest bodies, and for the tags of bodies (`still`
-    /// is who rests or is fixed).
+    /// marks those that rest or are fixed).
     #[must_use]
     pub const fn near(&self) -> &B {
         &self.near
     }
 
-    /// Takes a body in, awake; what it touches wakes up, but nobody where it is a sensor.
+    /// Adds a body, awake, and wakes the bodies that it touches. A sensor wakes nobody.
     ///
     /// # Errors
-    /// [`Full`](BroadError::Full), what the broad phase refuses, and velocities that no step can
-    /// make; nothing was changed.
+    /// [`Full`](BroadError::Full), the errors of the broad phase, and velocities that no step can
+    /// make. Nothing is changed then.
     pub fn insert(&mut self, body: &SceneBody) -> Result<Handle, SceneError> {
         check_motion(body.velocity, MOTION).map_err(SceneError::call)?;
         let handle = self.near.insert(&body.shape.aabb(), body.tag(body.mass.is_none())).map_err(SceneError::call)?;
@@ -96,7 +96,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         Ok(handle)
     }
 
-    /// Takes a body out; what it touched wakes up, but nobody where it is a sensor.
+    /// Removes a body, and wakes the bodies that it touched. A sensor wakes nobody.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -111,8 +111,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         Ok(body)
     }
 
-    /// All bodies, also those that sleep or are fixed, in the order of their slots; that is no
-    /// canonical order, for which there are keys.
+    /// All bodies, including those that sleep or are fixed, in the order of their slots. That order
+    /// depends on insertion; sort by keys if you need a canonical one.
     ///
     /// Cost: a look at each of the N slots.
     pub fn bodies(&self) -> impl Iterator<Item = (Handle, &SceneBody)> {
@@ -120,7 +120,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         taken.map(|(at, slot)| (Handle::new(at, slot.generation), &slot.body))
     }
 
-    /// A body as it is.
+    /// The current state of a body.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -128,7 +128,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         self.slot(handle).map(|slot| &slot.body)
     }
 
-    /// Whether steps move it; fixed bodies are never awake.
+    /// Whether steps move it. Fixed bodies are never awake.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -136,8 +136,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         self.slot(handle).map(|slot| slot.mode == Mode::Awake)
     }
 
-    /// Whether the level carried it in the last step, or bodies that the level carries did; fixed
-    /// bodies are.
+    /// Whether, in the last step, the level carried it, or bodies that the level carries. Always
+    /// true for fixed bodies.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -145,8 +145,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         self.slot(handle).map(|slot| slot.support != super::body::ALOFT)
     }
 
-    /// Whether two bodies touch of whom the last step did not tell, because both rested when it
-    /// began: for [`PairEvents::finish`](crate::broad::PairEvents::finish). Not where one was
+    /// Whether two bodies touch, but the last step did not report it because both rested when it
+    /// began. Pass it to [`PairEvents::finish`](crate::broad::PairEvents::finish). False if one was
     /// removed.
     #[must_use]
     pub fn rests(&self, pair: &Pair) -> bool {
@@ -173,17 +173,17 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
-    /// Changes a body's velocity by so much, and wakes it.
+    /// Adds `by` to a body's velocity, and wakes the body.
     ///
     /// # Errors
-    /// [`Stale`](crate::broad::BroadError::Stale), and velocities that no step can make; nothing
-    /// was changed.
+    /// [`Stale`](crate::broad::BroadError::Stale), and velocities that no step can make. Nothing is
+    /// changed then.
     pub fn push(&mut self, handle: Handle, by: Vec2) -> Result<(), SceneError> {
         let velocity = self.body(handle)?.velocity;
         self.set_velocity(handle, velocity.saturating_add(by))
     }
 
-    /// Gives a body another velocity, and wakes it; where it is fixed, what it touches.
+    /// Gives a body another velocity, and wakes it. For a fixed body it wakes those that touch it.
     ///
     /// # Errors
     /// As [`push`](Self::push).
@@ -191,22 +191,22 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         self.alter(handle, |body| body.velocity = velocity)
     }
 
-    /// Puts a body somewhere else, also in another shape; wakes it, and what it touched before and
-    /// touches then. A fixed body is moved by this alone.
+    /// Moves a body elsewhere, or gives it another shape. Wakes it, and the bodies that it touched
+    /// before and touches then. Only this call moves a fixed body.
     ///
     /// # Errors
-    /// [`Stale`](crate::broad::BroadError::Stale) and what the broad phase refuses; nothing was
-    /// changed. The level is not asked: the next step [holds](super::SceneEvent::Held) what
-    /// overlaps it.
+    /// [`Stale`](crate::broad::BroadError::Stale) and the errors of the broad phase. Nothing is
+    /// changed then. The call does not look at the level: the next step
+    /// [holds](super::SceneEvent::Held) a body that overlaps it.
     pub fn place(&mut self, handle: Handle, shape: impl Into<Shape>) -> Result<(), SceneError> {
         let shape = shape.into();
         self.alter(handle, |body| body.shape = shape)
     }
 
-    /// Changes a body in any way, also what it looks like, whom it meets, its key, and whether it
-    /// has a mass; wakes it, and what it touched before and touches then. Sensors wake nobody else.
+    /// Changes a body in any way: its shape, its filter, its key, whether it has a mass. Wakes it,
+    /// and the bodies that it touched before and touches then. Sensors wake nobody else.
     ///
-    /// `change` gets a copy, which is taken as a whole or not at all. The handle stays what it was.
+    /// `change` gets a copy, which is stored as a whole or not at all. The handle stays the same.
     ///
     /// ```
     /// # use core::num::NonZeroU8;
@@ -224,8 +224,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// ```
     ///
     /// # Errors
-    /// [`Stale`](crate::broad::BroadError::Stale), velocities that no step can make, and what the
-    /// broad phase refuses; nothing was changed. The level is not asked, as in
+    /// [`Stale`](crate::broad::BroadError::Stale), velocities that no step can make, and the errors
+    /// of the broad phase. Nothing is changed then. The call does not look at the level, like
     /// [`place`](Self::place).
     pub fn alter(&mut self, handle: Handle, change: impl FnOnce(&mut SceneBody)) -> Result<(), SceneError> {
         let before = *self.body(handle)?;
@@ -243,8 +243,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         slot.body = body;
         let tag = body.tag(slot.mode != Mode::Awake);
         self.near.set_tag(handle, tag).map_err(|e| SceneError::of(handle, e))?;
-        // What it still touches is woken by the next step, but not where it is fixed; what it let
-        // go of by nothing else.
+        // The next step wakes the bodies that it still touches, except for a fixed body. Nothing
+        // else would wake those that it let go of.
         let what = |body: &SceneBody| (body.shape, body.mass, body.filter);
         if body.mass.is_none() || what(&body) != what(&before) {
             self.stir(&before);
@@ -263,8 +263,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         Ok(())
     }
 
-    /// Wakes the bodies whose boxes touch a region, borders included: that of a tile which changes,
-    /// of an explosion. What they touch wakes in the step after.
+    /// Wakes the bodies with boxes that touch a region, borders included: the region of a tile that
+    /// changed, or of an explosion. The bodies that these touch wake one step later.
     ///
     /// Cost: a region query.
     pub fn wake_region(&mut self, region: &Aabb) {
@@ -277,14 +277,14 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         self.tell_woken(from);
     }
 
-    /// Wakes what a body touches, or could.
+    /// Wakes the bodies that a body touches, or could.
     pub(super) fn stir(&mut self, body: &SceneBody) {
         if !body.filter.sensor() {
             self.wake_region(&body.shape.aabb());
         }
     }
 
-    /// Takes a body out of the list of those awake.
+    /// Removes a body from the list of those awake.
     pub(super) fn strike(&mut self, handle: Handle) {
         let awake = self.awake.get_mut(..self.count).unwrap_or_default();
         if let (Some(last), Some(at)) = (awake.last().copied(), awake.iter().position(|&other| other == handle)) {
@@ -302,7 +302,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         }
     }
 
-    /// Tells the broad phase who is awake since there were so many.
+    /// Marks the bodies woken since there were `from` awake in the broad phase.
     pub(super) fn tell_woken(&mut self, from: usize) {
         for handle in self.awake.iter().take(self.count).skip(from) {
             let Some(slot) = self.slots.get(handle.slot()) else { continue };
@@ -312,15 +312,15 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     }
 }
 
-/// What the game does to a body is no rest.
+/// A change by the game is no rest.
 fn unsettle(slots: &mut [Slot], handle: Handle) {
     if let Some(slot) = slots.get_mut(handle.slot()) {
         slot.quiet = 0;
     }
 }
 
-/// Puts a body that sleeps into the list of those awake. It has been quiet as long as before: what
-/// only touches it does not keep a heap from falling asleep.
+/// Adds a sleeping body to the list of those awake. Its quiet steps stay: a body that only touches
+/// it does not keep a heap from falling asleep.
 pub(super) fn rouse(slots: &mut [Slot], awake: &mut [Handle], count: &mut usize, handle: Handle) {
     let Some(slot) = slots.get_mut(handle.slot()).filter(|slot| slot.mode == Mode::Asleep) else { return };
     let Some(place) = awake.get_mut(*count) else { return };

@@ -5,7 +5,7 @@ use crate::query::{Contact, Contacts, Overlaps, Touches};
 use crate::shape::{Aabb, Circle};
 use crate::world::World;
 
-/// A box or a circle; the pair queries ask the kernel of the two that meet.
+/// A box or a circle. Pair queries call the kernel of the two shapes.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -38,7 +38,7 @@ impl From<Circle> for Shape {
 }
 
 impl Shape {
-    /// The same somewhere else; the caller knows that it is inside of the domain.
+    /// The same shape elsewhere. The caller ensures that it is inside of the domain.
     pub(super) fn shifted(&self, by: Vec2) -> Self {
         match self {
             Self::Aabb(aabb) => {
@@ -77,7 +77,7 @@ impl Shape {
     }
 }
 
-/// A verb of the pair queries, by what the two shapes are.
+/// Generates a verb of the pair queries, which dispatches on the two shapes.
 macro_rules! verb {
     ($a:ident, $b:ident, $verb:ident) => {
         match ($a, $b) {

@@ -16,18 +16,18 @@ use crate::query::{Contacts, Touches};
 use crate::world::World;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
-    /// Moves all that is awake by one step; gravity is what the step adds to velocities, zero for
-    /// games that are seen from above.
+    /// Moves all awake bodies by one step. A step adds `gravity` to velocities; pass zero for games
+    /// seen from above.
     ///
-    /// See the [module](super) for what happens, and in which order. `each` is told of it.
+    /// The [module](super) describes what happens, and in which order. `each` receives the events.
     ///
-    /// Cost: of what sleeps, nothing. Of what is awake, the enumeration of its pairs, twice where
-    /// bodies run into each other; of each body a [`move_and_slide`](crate::Mover::move_and_slide),
-    /// and another one where bodies push it.
+    /// Cost: sleeping bodies cost nothing. For those awake, the enumeration of their pairs, twice
+    /// if bodies run into each other. For each body a
+    /// [`move_and_slide`](crate::Mover::move_and_slide), and another one if bodies push it.
     ///
     /// # Errors
-    /// [`SceneError`] where the gravity is no motion; nothing was changed. A body that cannot be
-    /// moved is no error of the step: it is [held](SceneEvent::Held).
+    /// [`SceneError`] if the gravity is no valid motion; nothing is changed then. A body that
+    /// cannot be moved is no error of the step: it is [held](SceneEvent::Held).
     pub fn step<W: World>(
         &mut self,
         level: &W,
@@ -37,12 +37,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         self.step_with(level, gravity, |_| true, each)
     }
 
-    /// [`step`](Self::step) in which only those pairs count that the game lets: one that it refuses
-    /// neither pushes nor wakes nor is told.
+    /// Like [`step`](Self::step), but only pairs that `counts` accepts take effect. A refused pair
+    /// neither pushes nor wakes, and is not reported.
     ///
-    /// `counts` is asked of each pair that touches, and once more where the two run into each
-    /// other: it must say the same both times. What a [`Filter`](crate::Filter) can say it should
-    /// say instead: that costs less.
+    /// `counts` is called for each pair that touches, and again if the two run into each other. It
+    /// must return the same both times. Use a [`Filter`](crate::Filter) where one is enough: it
+    /// costs less.
     ///
     /// ```
     /// use tilesat::broad::{Exceptions, Ignore, SortSweep};
@@ -94,7 +94,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         Ok(stepped)
     }
 
-    /// Body against body, from the positions at the step's start.
+    /// Bodies against bodies, from the positions at the step's start.
     fn meet(
         &mut self,
         gravity: Vec2,
@@ -136,7 +136,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         self.count += woken;
     }
 
-    /// What touches a body that was woken since there were so many awake wakes with it: a pile
+    /// Wakes the bodies that touch one of those woken since the list had `from` entries: a pile
     /// wakes as a whole.
     #[inline(never)]
     fn wake_along(&mut self, from: usize, counts: &mut impl FnMut(Pair) -> bool) {
@@ -163,8 +163,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         }
     }
 
-    /// Each body against the level, and what is fast against the others, too; whether one has been
-    /// quiet for long enough.
+    /// Each body against the level, and fast bodies against the others, too. Returns whether one
+    /// has been quiet for long enough.
     fn travel<W: World>(
         &mut self,
         level: &W,
@@ -242,10 +242,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     }
 }
 
-/// What ways through the level have in common.
+/// The data that all ways through the level share.
 pub(super) struct Trip<'a, W> {
     pub(super) level: &'a W,
-    /// Slides.
+    /// A mover that slides.
     pub(super) mover: Mover<Surface>,
     pub(super) gravity: Vec2,
     still: Fx,
@@ -271,7 +271,7 @@ impl<W: World> Trip<'_, W> {
         }
     }
 
-    /// First by what pushes it, along the level; then by its velocity.
+    /// First moves by the push, along the level, then by the velocity.
     fn travel<B: Body + Into<Shape>>(
         &self,
         slot: &mut Slot,
@@ -286,7 +286,7 @@ impl<W: World> Trip<'_, W> {
         }
         let mover = self.mover.with_response(Response::Bounce).with_surface(self.surface(slot));
         let result = mover.move_and_slide(self.level, &start, slot.body.velocity + slot.tally.kick);
-        // Looked at where it is: it is long.
+        // Matched by reference: it is long.
         let moved = match &result {
             Ok(moved) => moved,
             Err(error) => return Err((*error).into()),
@@ -308,7 +308,7 @@ impl<W: World> Trip<'_, W> {
         Ok(())
     }
 
-    /// Up to the first thing that it runs into.
+    /// Moves up to the first hit.
     pub(super) fn touch(&self, shape: &Shape, by: Vec2) -> Result<Touched, SceneFault> {
         let mover = self.mover.with_response(Response::Touch);
         Ok(match shape {
@@ -317,7 +317,7 @@ impl<W: World> Trip<'_, W> {
         })
     }
 
-    /// As far as the level lets it.
+    /// Moves as far as the level allows.
     pub(super) fn slide(&self, shape: &Shape, by: Vec2) -> Result<Shape, SceneFault> {
         Ok(match shape {
             Shape::Aabb(aabb) => self.mover.move_and_slide(self.level, aabb, by)?.body.into(),
@@ -325,16 +325,16 @@ impl<W: World> Trip<'_, W> {
         })
     }
 
-    /// What the level does to a body.
+    /// The surface that the level has for a body.
     pub(super) fn surface(&self, slot: &Slot) -> Surface {
         slot.body.surface.resting_under(slot.body.weight(self.gravity))
     }
 
-    /// What is known of a body that has come so far.
+    /// Updates a body that has come this far.
     pub(super) fn arrive(&self, slot: &mut Slot, by: Vec2, support: u8, free: bool) {
         let is_still = self.is_still(slot, by);
-        // Slow where nothing holds it is the start or the top of a flight: asleep there it would
-        // hang in the air, and out of reach of what wakes.
+        // A slow body that nothing holds is at the start or the top of a flight. Asleep there it
+        // would hang in the air, where nothing wakes it.
         let Tally { low, high, under, .. } = slot.tally;
         let weight = slot.body.weight(self.gravity);
         let flies = weight != Vec2::ZERO && free && under == NOBODY && (low, high) == (Vec2::ZERO, Vec2::ZERO);
@@ -346,8 +346,8 @@ impl<W: World> Trip<'_, W> {
         }
     }
 
-    /// Whether it has hardly moved: in this step, or since it has been quiet. In a heap there may
-    /// be something that two push to and fro for ever, by what gravity gives.
+    /// Whether it has hardly moved: in this step, or since it has been quiet. In a heap, two bodies
+    /// may push another to and fro for ever, by as much as gravity gives.
     fn is_still(&self, slot: &mut Slot, by: Vec2) -> bool {
         let (x, y) = by.raw();
         let still = x.unsigned_abs().max(y.unsigned_abs()) < self.still.to_bits().max(0).unsigned_abs();
@@ -359,7 +359,7 @@ impl<W: World> Trip<'_, W> {
     }
 }
 
-/// A body that has come to the end of a motion, or to the level.
+/// A body at the end of a motion, or at the level.
 pub(super) struct Touched {
     pub(super) shape: Shape,
     pub(super) hit: Option<Hit>,
@@ -393,7 +393,7 @@ fn begin(slots: &mut [Slot], awake: &[Handle], gravity: Vec2) {
         let Some(slot) = slots.get_mut(handle.slot()) else { continue };
         slot.tally = Tally { drift: slot.tally.drift, ..Tally::of(handle.slot() as u16) };
         slot.told = true;
-        // What lay on others may be a raw unit above them, and then touches nobody.
+        // A body that lay on others may be a raw unit above them. It then touches nobody.
         let lay = gravity != Vec2::ZERO && slot.support != 0 && slot.support != ALOFT;
         (slot.way.pace, slot.way.turns) = (if lay { Pace::Lies } else { Pace::Slow }, 0);
         slot.body.velocity += slot.body.weight(gravity);

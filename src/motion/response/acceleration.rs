@@ -1,12 +1,12 @@
-//! Gravity and other steady changes of velocity, also slower ones than a raw unit a frame.
+//! Gravity and other steady changes of velocity, even slower ones than a raw unit per frame.
 
 use crate::num::{DOMAIN, Raw, Vec2, check_motion, mul_div};
 
-/// A change of velocity by `by` in every `frames` frames, exact: in frame k the velocity has
+/// A change of velocity by `by` in every `frames` frames, exact: after k frames the velocity has
 /// changed by `k by / frames`, rounded toward zero.
 ///
-/// What is left below a raw unit is kept in a [`Carry`], one for each body, and acts when it has
-/// become a unit; so it belongs to the velocity, and a position never feels it.
+/// A [`Carry`], one per body, keeps the rest below a raw unit until it adds up to a unit. The carry
+/// belongs to the velocity; it never changes a position directly.
 ///
 /// ```
 /// use tilesat::{Vec2, motion::{Acceleration, Carry}};
@@ -21,9 +21,9 @@ use crate::num::{DOMAIN, Raw, Vec2, check_motion, mul_div};
 ///
 /// # At rest
 ///
-/// A body that lies on a floor would get no velocity in most frames of a weak gravity, and a mover
-/// reports only what a body runs into: its `floor` would flicker. So fill the carry of a body that
-/// is supported, and it presses on the floor by at least a raw unit in every frame:
+/// In most frames a weak gravity gives no velocity to a body on a floor. A mover reports only the
+/// surfaces that a body runs into, so its `floor` would flicker. Fill the carry of a body that is
+/// supported. It then presses on the floor by at least a raw unit in every frame:
 ///
 /// ```
 /// # use tilesat::prelude::*;
@@ -46,17 +46,18 @@ use crate::num::{DOMAIN, Raw, Vec2, check_motion, mul_div};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Acceleration {
-    /// What each frame gives, in raw units.
+    /// The change per frame, in raw units.
     whole: (i32, i32),
-    /// And in parts of `frames`, with the sign of `whole`: smaller than that.
+    /// The rest per frame, in parts of `frames`, with the sign of `whole` and smaller than one
+    /// unit.
     part: (i32, i32),
     frames: i32,
 }
 
-/// What of a velocity is below a raw unit: a number of parts on each axis, in which only its
-/// [`Acceleration`] counts.
+/// The part of a velocity below a raw unit, as a count per axis. Only its [`Acceleration`] can
+/// interpret it.
 ///
-/// Plain data, to be kept beside the velocity.
+/// Plain data. Keep it beside the velocity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Carry {
@@ -65,13 +66,13 @@ pub struct Carry {
 }
 
 impl Carry {
-    /// Nothing.
+    /// No rest.
     pub const ZERO: Self = Self { x: 0, y: 0 };
 }
 
 impl Acceleration {
-    /// A change by `by` in every `frames` frames; `None` where that is no frame or more than 2^30,
-    /// or a component of `by` is outside of the [domain](crate::num::DOMAIN).
+    /// A change by `by` in every `frames` frames. `None` if `frames` is zero or more than 2^30, or
+    /// a component of `by` is outside of the [domain](crate::num::DOMAIN).
     #[must_use]
     pub const fn new(by: Vec2, frames: u32) -> Option<Self> {
         if frames == 0 || frames > 1 << 30 || check_motion(by, DOMAIN).is_err() {
@@ -82,8 +83,8 @@ impl Acceleration {
         Some(Self { whole: (x.0, y.0), part: (x.1, y.1), frames: frames as i32 })
     }
 
-    /// The velocity after one frame more, and what is left below a raw unit. Saturates at the ends
-    /// of 16.16.
+    /// The velocity after one more frame, and the rest below a raw unit. Saturates at the ends of
+    /// 16.16.
     ///
     /// Mirrored input gives mirrored bits. Cost: additions and compares, 43 instructions on a
     /// Cortex-M0.
@@ -94,10 +95,10 @@ impl Acceleration {
         (velocity.saturating_add(Vec2::from_raw(x, y)), Carry { x: left_x, y: left_y })
     }
 
-    /// The carry of a body that a surface holds: full on the axes on which it came out with no
-    /// velocity, so that the next frame gives a whole unit there, and as it was on the others.
+    /// The carry of a body that a surface holds. It is full on the axes on which the velocity is
+    /// zero, so the next frame gives a whole unit there. The other axes are unchanged.
     ///
-    /// It costs less than a raw unit a frame of accuracy when the body leaves the surface.
+    /// This changes the velocity by less than a raw unit when the body leaves the surface.
     #[must_use]
     pub const fn supported(&self, velocity: Vec2, carry: Carry) -> Carry {
         let v = Raw::of(velocity);
@@ -107,7 +108,7 @@ impl Acceleration {
         }
     }
 
-    /// The raw units of one frame, and the parts left. Both summands are below 2^30 in size.
+    /// The raw units of one frame, and the remaining parts. Both summands are below 2^30 in size.
     const fn one(&self, whole: i32, part: i32, carry: i32) -> (i32, i32) {
         let sum = part.wrapping_add(carry);
         if sum >= self.frames {
@@ -119,7 +120,7 @@ impl Acceleration {
         }
     }
 
-    /// Just enough parts for the next frame's to make a unit.
+    /// Just enough parts for the next frame to make a unit.
     const fn full(&self, part: i32) -> i32 {
         part.signum().wrapping_mul(self.frames).wrapping_sub(part)
     }

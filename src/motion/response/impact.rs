@@ -1,5 +1,5 @@
-//! What an impact does to velocities: to one at a surface, and to those of two bodies that meet,
-//! which share a push as well.
+//! How an impact changes velocities: of one body at a surface, and of two bodies that meet and
+//! share a push.
 
 use super::Surface;
 use super::reply::{Rule, reply, settle};
@@ -8,7 +8,7 @@ use crate::num::{Axis, DOMAIN, MOTION, Ratio, Raw, Vec2, check_motion, mul_div};
 use crate::query::Contact;
 use crate::query::round::scaled;
 
-/// A vector as the sum of a part along a normal and a part along the surface; the sum is exact.
+/// A vector as the sum of a part along a normal and a part along the surface. The sum is exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Split {
     /// Along the normal, or against it.
@@ -19,11 +19,11 @@ pub struct Split {
 
 /// Splits a velocity at a normal of any length.
 ///
-/// The normal part is rounded to nearest (halves toward zero), the tangent is the rest, so both are
-/// within half a raw unit of the exact parts and their sum is `v`. Exact at normals along x and y.
-/// A zero normal gives all to the tangent. How hard something was hit is the
-/// [`length`](Vec2::length) of the normal part. Mirrored input gives mirrored bits. Cost: two long
-/// divisions, some 1730 instructions on a Cortex-M0.
+/// The normal part is rounded to nearest (halves toward zero), and the tangent is the rest. Both
+/// are within half a raw unit of the exact parts, and their sum is `v`. Exact at normals along x
+/// and y. A zero normal puts everything into the tangent. The [`length`](Vec2::length) of the
+/// normal part says how hard the impact was. Mirrored input gives mirrored bits. Cost: two long
+/// divisions, about 1730 instructions on a Cortex-M0.
 ///
 /// ```
 /// use tilesat::{Axis, Vec2, motion::response::split};
@@ -34,7 +34,7 @@ pub struct Split {
 /// ```
 ///
 /// # Errors
-/// [`RangeError`] where a component of `v` is outside of the [domain](crate::num::DOMAIN).
+/// [`RangeError`] if a component of `v` is outside of the [domain](crate::num::DOMAIN).
 pub fn split(v: Vec2, normal: Axis) -> Result<Split, RangeError> {
     check_motion(v, DOMAIN)?;
     let along = if normal.x == 0 {
@@ -51,16 +51,16 @@ pub fn split(v: Vec2, normal: Axis) -> Result<Split, RangeError> {
 /// A velocity without its part into a surface: [`Surface::respond`] of [`Surface::SLICK`].
 ///
 /// # Errors
-/// [`RangeError`] where a component of `v` is outside of the [domain](crate::num::DOMAIN).
+/// [`RangeError`] if a component of `v` is outside of the [domain](crate::num::DOMAIN).
 pub fn slide(v: Vec2, normal: Axis) -> Result<Vec2, RangeError> {
     Surface::SLICK.respond(v, normal)
 }
 
-/// A velocity whose part into a surface is turned round, times `restitution`: [`Surface::respond`]
+/// A velocity with its part into a surface reversed, times `restitution`: [`Surface::respond`]
 /// without friction.
 ///
 /// # Errors
-/// [`RangeError`] where a component of `v` is outside of the [domain](crate::num::DOMAIN).
+/// [`RangeError`] if a component of `v` is outside of the [domain](crate::num::DOMAIN).
 pub fn bounce(v: Vec2, normal: Axis, restitution: Ratio) -> Result<Vec2, RangeError> {
     Surface::new(restitution, Ratio::ZERO).respond(v, normal)
 }
@@ -68,12 +68,12 @@ pub fn bounce(v: Vec2, normal: Axis, restitution: Ratio) -> Result<Vec2, RangeEr
 /// A velocity after a contact with restitution and friction: [`Surface::respond`].
 ///
 /// # Errors
-/// [`RangeError`] where a component of `v` is outside of the [domain](crate::num::DOMAIN).
+/// [`RangeError`] if a component of `v` is outside of the [domain](crate::num::DOMAIN).
 pub fn respond(v: Vec2, normal: Axis, restitution: Ratio, friction: Ratio) -> Result<Vec2, RangeError> {
     Surface::new(restitution, friction).respond(v, normal)
 }
 
-/// The masses of two bodies in their lowest terms, or which one of them cannot be moved.
+/// The masses of two bodies in lowest terms, or which of the two cannot be moved.
 ///
 /// ```
 /// use tilesat::{Ratio, motion::response::Masses};
@@ -85,30 +85,31 @@ pub fn respond(v: Vec2, normal: Axis, restitution: Ratio, friction: Ratio) -> Re
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Masses {
-    /// What A's velocity changes by in one step of the exchange: the mass of B in lowest terms.
+    /// The change of A's velocity in one step of the exchange: the mass of B in lowest terms.
     a: u8,
-    /// And B's: the mass of A.
+    /// The change of B's: the mass of A.
     b: u8,
 }
 
 impl Masses {
-    /// Two bodies of one mass.
+    /// Two bodies of equal mass.
     pub const EQUAL: Self = Self { a: 1, b: 1 };
-    /// A is not moved, whatever hits it: a wall, a platform, a body asleep.
+    /// Nothing moves A: it is a wall, a platform, a body asleep.
     pub const A_FIXED: Self = Self { a: 0, b: 1 };
-    /// B is not moved.
+    /// Nothing moves B.
     pub const B_FIXED: Self = Self { a: 1, b: 0 };
 
-    /// The masses of A and B in any common unit; `None` where one is zero.
+    /// The masses of A and B in any common unit. `None` if one is zero.
     ///
-    /// Small whole numbers are meant: the velocities of the two change in multiples of them, so
-    /// that momentum is exact.
+    /// Use small whole numbers: the two velocities change in multiples of them, which keeps
+    /// momentum exact.
     #[must_use]
     pub const fn new(a: u8, b: u8) -> Option<Self> {
         if a == 0 || b == 0 {
             return None;
         }
-        // Euclid's algorithm by subtraction: at most 254 rounds, none in a constant.
+        // Euclid's algorithm by subtraction: at most 254 rounds, and none at run time in a
+        // constant.
         let (mut m, mut n) = (a, b);
         while m != n {
             if m > n {
@@ -126,7 +127,7 @@ impl Masses {
         Self { a: self.b, b: self.a }
     }
 
-    /// The part of a push that A takes: the mass of B in both.
+    /// The part of a push that A takes: the mass of B divided by the sum of both.
     #[must_use]
     pub const fn share_of_a(self) -> Ratio {
         match Ratio::new(self.a as u32, self.a as u32 + self.b as u32) {
@@ -135,7 +136,7 @@ impl Masses {
         }
     }
 
-    /// By how much A and B change in one step.
+    /// How much A and B change in one step.
     pub(super) const fn steps(self) -> (i32, i32) {
         (self.a as i32, self.b as i32)
     }
@@ -158,14 +159,16 @@ const fn quotient(of: u8, by: u8) -> u8 {
 ///                   both by half     A alone               B alone
 /// ```
 ///
-/// Each component is rounded away from zero, so that the two together are the
-/// [`push_out`](Contact::push_out) or a raw unit a component more: after both moves `overlaps` is
-/// false. It does not matter which of the two is A, and mirrored input gives mirrored bits
-/// ([degenerate](Contact::is_degenerate) contacts excepted). [`Masses::share_of_a`] is the share
-/// that keeps the centre of mass where it is. The moves may lead out of the domain or into a level:
-/// `translated` says the first, a [`Mover`](crate::Mover) minds the second.
+/// Each component is rounded away from zero. The sum of both is the
+/// [`push_out`](Contact::push_out), or a raw unit per component more: after both moves `overlaps`
+/// is false. The result does not depend on which of the two is A. Mirrored input gives mirrored
+/// bits ([degenerate](Contact::is_degenerate) contacts excepted). [`Masses::share_of_a`] is the
+/// share that keeps the centre of mass where it is.
 ///
-/// Cost: that of `push_out`, and four products.
+/// The moves may lead out of the domain or into a level: `translated` reports the first, and a
+/// [`Mover`](crate::Mover) prevents the second.
+///
+/// Cost: that of `push_out`, plus four products.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -185,24 +188,23 @@ pub const fn separate(contact: &Contact, share_of_a: Ratio) -> (Vec2, Vec2) {
     (Raw { x: a.of_raw_up(push.x), y: a.of_raw_up(push.y) }.vec2(), by_b.vec2())
 }
 
-/// The velocities of A and B after they have met with the `normal` from A to B ([`Contact::axis`]);
-/// unchanged where they do not approach.
+/// The velocities of A and B after they have met with the `normal` from A to B ([`Contact::axis`]).
+/// They are unchanged if the bodies do not approach.
 ///
-/// The velocity of A as seen from B is answered as by [`Surface::respond`]; what that changes is
-/// shared out by the masses in whole steps: one step changes A by the mass of B and B by the mass
-/// of A, in raw units and lowest terms. So, exactly:
+/// The velocity of A as seen from B changes as in [`Surface::respond`]. The masses share that
+/// change in whole steps: one step changes A by the mass of B and B by the mass of A, in raw units
+/// and lowest terms. So, exactly:
 ///
-/// - **momentum** along x and along y is what it was (of what is not fixed);
-/// - **energy**, mass times speed squared, is never more than it was (seen from the one that is
-///   fixed, if one is);
-/// - they do not approach any more.
+/// - **momentum** along x and along y stays the same (of bodies that are not fixed);
+/// - **energy**, mass times speed squared, never grows (seen from the fixed body, if one is fixed);
+/// - they no longer approach.
 ///
-/// The price is a rounding of up to two sums of the masses (in lowest terms; 2 for equal ones) in
-/// raw units on the relative velocity. A contact slower than that may have no such answer; it is
-/// then left as it is. It does not matter which of the two is A, and mirrored input gives mirrored
-/// bits.
+/// The price is a rounding of the relative velocity: by up to twice the sum of the masses, in raw
+/// units and lowest terms (the sum is 2 for equal masses). A contact slower than that may have no
+/// such answer and is then left unchanged. The result does not depend on which of the two is A, and
+/// mirrored input gives mirrored bits.
 ///
-/// Cost: some 1140 instructions on a Cortex-M0 along x and y, 4500 elsewhere.
+/// Cost: about 1140 instructions on a Cortex-M0 along x and y, 4500 elsewhere.
 ///
 /// ```
 /// use tilesat::{Axis, Ratio, Surface, Vec2, motion::response::{Masses, exchange}};
@@ -216,7 +218,7 @@ pub const fn separate(contact: &Contact, share_of_a: Ratio) -> (Vec2, Vec2) {
 /// ```
 ///
 /// # Errors
-/// [`RangeError`] where a component of a velocity is not below [2^28 raw](crate::num::MOTION).
+/// [`RangeError`] if a component of a velocity is not below [2^28 raw](crate::num::MOTION).
 pub fn exchange(a: Vec2, b: Vec2, normal: Axis, masses: Masses, surface: &Surface) -> Result<(Vec2, Vec2), RangeError> {
     check_motion(a, MOTION)?;
     check_motion(b, MOTION)?;
@@ -244,7 +246,7 @@ impl Raw {
     }
 }
 
-/// How many steps are nearest to `d`, halves toward zero; for |d| < 2^31 - 2^9.
+/// How many steps come nearest to `d`, halves toward zero, for |d| < 2^31 - 2^9.
 const fn steps(d: i32, step: i32) -> i32 {
     if d == 0 {
         return 0;

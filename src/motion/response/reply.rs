@@ -1,25 +1,25 @@
-//! The velocity after a contact: the exact reply, and the lattice vector that stands for it.
+//! The velocity after a contact: the exact reply, and the lattice vector nearest to it.
 
 use crate::num::{Axis, Ratio, Raw, imul, isqrt64, umul};
 use crate::query::round::{scaled, toward};
 use core::fmt;
 
-/// What a surface does to a velocity that moves into it.
+/// How a surface changes a velocity that moves into it.
 #[derive(Clone, Copy)]
 pub(in crate::motion) struct Rule {
     pub(in crate::motion) restitution: Ratio,
     pub(in crate::motion) friction: Ratio,
-    /// What the square of the speed is to be after a bounce that loses nothing.
+    /// The square of the speed after a bounce without loss.
     pub(in crate::motion) reference: u64,
 }
 
-/// The velocity after a contact with a plane of normal `n`; `v` itself where it does not move in,
-/// or `n` is zero.
+/// The velocity after a contact with a plane of normal `n`. `v` itself if it does not move in, or
+/// `n` is zero.
 ///
-/// With s = v.n < 0 and c = v.t along the tangent t = (-n.y, n.x), all in the length of n, the
-/// contact gives `j = (1 + restitution) |s|` along the normal and takes `min(|c|, friction j)`
-/// along the tangent. j is rounded down, what friction takes is rounded up. For |v| < 2^29.5 and
-/// any normal: |s| and |c| are below 2^61.
+/// Let s = v.n < 0, and c = v.t along the tangent t = (-n.y, n.x), both scaled by |n|. The contact
+/// gives `j = (1 + restitution) |s|` along the normal and takes `min(|c|, friction j)` along the
+/// tangent. j is rounded down, the friction up. For |v| < 2^29.5 and any normal, |s| and |c| are
+/// below 2^61.
 pub(in crate::motion) fn reply(v: Raw, n: Axis, rule: &Rule) -> Raw {
     let s = n.dot(Axis::new(v.x, v.y));
     if s >= 0 {
@@ -35,14 +35,14 @@ pub(in crate::motion) fn reply(v: Raw, n: Axis, rule: &Rule) -> Raw {
     }
 }
 
-/// At a face along x or y nothing is rounded but the products with the ratios: toward zero both.
+/// At a face along x or y only the products with the ratios are rounded, both toward zero.
 fn straight(into: i32, along: i32, rule: &Rule) -> (i32, i32) {
     let back = rule.restitution.of_raw(into);
     if rule.friction == Ratio::ZERO {
         return (back.wrapping_neg(), along);
     }
-    // Rounded up once: ceil(ceil(a / b) / b) = ceil(a / b^2). Below 2^60; what is taken, below
-    // 2^30.
+    // Rounded up once: ceil(ceil(a / b) / b) = ceil(a / b^2). Below 2^60, and the part taken is
+    // below 2^30.
     let change = umul(into.unsigned_abs(), Ratio::ONE.raw() + rule.restitution.raw());
     let taken = rule.friction.of_wide_up(change).wrapping_add(u64::from(Ratio::ONE.raw()) - 1) >> 30;
     let left = along.unsigned_abs().saturating_sub(taken as u32) as i32;
@@ -69,7 +69,7 @@ fn askew(v: Raw, n: Axis, s: u64, rule: &Rule) -> Raw {
     if rule.loses_nothing() {
         return rule.at_speed(out, v, n);
     }
-    // There is always one; see there.
+    // There always is one: see `settle`.
     settle(out, n, v.len2(), 1).unwrap_or(Raw { x: 0, y: 0 })
 }
 
@@ -78,7 +78,7 @@ impl Rule {
         self.restitution == Ratio::ONE && self.friction == Ratio::ZERO
     }
 
-    /// A mirror image, drawn to the reference; not drawn where that magnifies its rounding into the
+    /// A mirror image, scaled to the reference. Not scaled if that magnifies its rounding into the
     /// surface.
     #[inline(never)]
     fn at_speed(&self, out: Raw, v: Raw, n: Axis) -> Raw {
@@ -92,8 +92,8 @@ impl Rule {
         settle(out, n, square.min(self.reference), 1).unwrap_or(Raw { x: 0, y: 0 })
     }
 
-    /// An exact mirror image, drawn to a reference that is more than 2 raw away: what roundings at
-    /// other surfaces have left does not count.
+    /// An exact mirror image, scaled to a reference that is more than 2 raw away. A smaller
+    /// difference is only rounding at other surfaces.
     fn drawn(&self, out: Raw, v: Raw, n: Axis) -> Raw {
         let square = v.len2();
         if square == self.reference || !self.loses_nothing() {
@@ -103,27 +103,27 @@ impl Rule {
     }
 }
 
-/// `n k / nn`, each component to nearest.
+/// `n k / nn`, each component rounded to nearest.
 fn along(n: Axis, k: i64, nn: u64) -> Raw {
     Raw { x: scaled(n.x, k, nn), y: scaled(n.y, k, nn) }
 }
 
-/// The vector nearest to `q`, in steps of `step` from it, that is not into the plane and whose
-/// square is at most `bound`; none where there is none within two steps. At a normal along x or y
-/// steps of more than one leave the other component alone.
+/// The vector nearest to `q`, in steps of `step` from it, that is not into the plane and has a
+/// square of at most `bound`. None if there is none within two steps. At a normal along x or y,
+/// steps of more than one do not change the other component.
 ///
-/// Around a velocity that is rounded to nearest there is one in steps of 1: what is allowed looks
-/// like a quarter plane there at the worst (a grazing reply), and that holds a disc of half a
-/// diagonal within a diagonal and a half. Of the equally near the longest, then the one with the
-/// longer x, then the one more out of the plane; what is left of ties are the two ways along the
-/// plane, of which neither is taken: mirrored input gives mirrored bits.
+/// Around a velocity rounded to nearest there always is one in steps of 1. At worst (a grazing
+/// reply) the allowed set looks like a quarter plane there. That holds a disc of half a diagonal
+/// within a diagonal and a half. Of equally near vectors it takes the longest, then the one with
+/// the longer x, then the one farther out of the plane. The only ties left are the two ways along
+/// the plane. It takes neither, so mirrored input gives mirrored bits.
 pub(super) fn settle(q: Raw, n: Axis, bound: u64, step: i32) -> Option<Raw> {
     let (square, out) = (q.len2() as i64, n.dot(Axis::new(q.x, q.y)));
     if square as u64 <= bound && out >= 0 {
         return Some(q);
     }
-    // What one step in x or y adds to the dot product and, but for the square of the step, to the
-    // square: no product for each candidate.
+    // The change of the dot product and, except for the square of the step, of the square by one
+    // step in x or y: no product per candidate.
     let (nx, ny) = (imul(n.x, step), imul(n.y, step));
     let (sx, sy) = (imul(q.x, step.wrapping_mul(2)), imul(q.y, step.wrapping_mul(2)));
     let (unit, pinned) = (step.wrapping_mul(step), step != 1);
@@ -159,12 +159,11 @@ pub(super) fn settle(q: Raw, n: Axis, bound: u64, step: i32) -> Option<Raw> {
     None
 }
 
-/// What replies to a velocity: [`reply`], of which a program without a mover that bounces links
-/// nothing.
+/// The reply to a velocity: [`reply`]. A program without a mover that bounces links none of it.
 pub(in crate::motion) type Reply = fn(Raw, Axis, &Rule) -> Raw;
 
-/// Whether a mover bounces, and by what. A function by its address: code that is named where nobody
-/// asks for it would be linked all the same.
+/// Whether a mover bounces, and with which function. It holds the function's address: a function
+/// that is named directly would be linked even if nobody calls it.
 #[derive(Clone, Copy, Default)]
 pub(in crate::motion) struct Bounce(pub(in crate::motion) Option<Reply>);
 
@@ -173,7 +172,7 @@ impl Bounce {
     pub(in crate::motion) const LINKED: Self = Self(Some(reply));
 }
 
-/// There is but one function, whose address may differ.
+/// There is only one function, but its address may differ.
 impl PartialEq for Bounce {
     fn eq(&self, other: &Self) -> bool {
         self.0.is_some() == other.0.is_some()

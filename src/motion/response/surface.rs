@@ -1,4 +1,4 @@
-//! What surfaces do to the velocity of a body that runs into them, and the speed that a bouncing
+//! How surfaces change the velocity of a body that runs into them, and the speed that a bouncing
 //! body keeps.
 
 use super::reply::{Rule, reply};
@@ -8,7 +8,7 @@ use crate::num::{
 };
 
 /// Friction and restitution, for [`Mover::with_surface`](crate::motion::Mover::with_surface) or for
-/// a velocity in hand.
+/// a single velocity.
 ///
 /// ```text
 ///   v \    ^ n      the part of v along n comes back, times the restitution;
@@ -19,11 +19,11 @@ use crate::num::{
 ///
 /// - **Restitution** acts in [`Response::Bounce`](crate::motion::Response::Bounce): 0 stops at the
 ///   surface, 1 loses nothing.
-/// - **Friction** (Coulomb's) acts in `Bounce`, `Slide` and `DropThrough`: a body rests on a slope
-///   whose tangent is at most the friction, exactly and for ever, and slides down a steeper one.
-/// - **Rest**: a bounce slower than [`resting_below`](Self::resting_below) is a slide, or gravity
-///   would keep a body humming. Zero by default.
-/// - **Speed**: with a [`Speed`], bounces at restitution 1 do not lose what rounding takes, and do
+/// - **Friction** (Coulomb's) acts in `Bounce`, `Slide` and `DropThrough`. A body rests on a slope
+///   with a tangent of at most the friction, exactly and for ever, and slides down a steeper one.
+/// - **Rest**: a bounce slower than [`resting_below`](Self::resting_below) is a slide. Without it
+///   gravity would keep a body jittering. Zero by default.
+/// - **Speed**: with a [`Speed`], bounces at restitution 1 do not lose speed to rounding, and do
 ///   not gain.
 ///
 /// ```
@@ -44,33 +44,35 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// A surface that stops what runs into it and lets slide what runs along it.
+    /// A surface without bounce and friction: it stops bodies that run into it, and lets them slide
+    /// along.
     pub const SLICK: Self = Self::new(Ratio::ZERO, Ratio::ZERO);
-    /// A surface that gives back all.
+    /// A surface that returns the whole speed.
     pub const ELASTIC: Self = Self::new(Ratio::ONE, Ratio::ZERO);
 
-    /// A surface.
+    /// A surface with this restitution and friction.
     #[must_use]
     pub const fn new(restitution: Ratio, friction: Ratio) -> Self {
         Self { restitution, friction, speed: None, rest: 0 }
     }
 
-    /// The same surface, on which bodies slide that run into it with at most this speed along the
-    /// normal (units per call; a negative one is zero).
+    /// The same surface, on which a body slides instead of bouncing if it hits with at most this
+    /// speed along the normal (units per call; a negative one is zero).
     ///
-    /// A call's gravity `g` is whole in a call that bounces, whenever in it: a bounce faster than
-    /// `g / (1 - restitution)` loses energy all the same, a slower one may get back as much as it
-    /// loses, and go on for ever. So that much, or more, lets a ball that bounces lower and lower
-    /// come to rest: twice the gravity at restitution one half.
+    /// A call that bounces applies its whole gravity `g`, whenever in the call the bounce is. A
+    /// bounce faster than `g / (1 - restitution)` still loses energy. A slower one may regain as
+    /// much as it loses, and go on for ever. With at least that speed here, a ball that bounces
+    /// lower and lower comes to rest: twice the gravity at restitution one half.
     #[must_use]
     pub const fn resting_below(self, normal_speed: Fx) -> Self {
         let raw = normal_speed.to_bits();
         Self { rest: if raw < 0 { 0 } else { raw as u32 }, ..self }
     }
 
-    /// The same surface, resting below twice a gravity at least where it bounces. A ball that
-    /// bounces in every call meets the floor with `g / (1 + restitution)` and ends each call above
-    /// it, though it does not move any more; up to a half, none goes on for ever in another way.
+    /// The same surface, resting below at least twice a gravity if it bounces. A ball that bounces
+    /// in every call meets the floor with `g / (1 + restitution)` and ends each call above it,
+    /// though it no longer moves. Up to a restitution of one half, this is the only way to go on
+    /// for ever.
     pub(crate) fn resting_under(self, gravity: Vec2) -> Self {
         let (x, y) = gravity.raw();
         let most = if self.restitution == Ratio::ZERO {
@@ -81,8 +83,8 @@ impl Surface {
         Self { rest: self.rest.max(most), ..self }
     }
 
-    /// The same surface for a body whose speed should be this: bounces at restitution 1 without
-    /// friction bring it to that, up or down.
+    /// The same surface for a body that should have this speed. Bounces at restitution 1 without
+    /// friction set the body to it, up or down.
     #[must_use]
     pub const fn with_speed(self, speed: Speed) -> Self {
         Self { speed: Some(speed), ..self }
@@ -100,19 +102,19 @@ impl Surface {
         self.friction
     }
 
-    /// A velocity after a contact with this surface; `v` itself where it does not move in, or the
+    /// A velocity after a contact with this surface. `v` itself if it does not move in, or the
     /// normal is zero.
     ///
-    /// At normals along x or y only the products with the ratios are rounded, toward rest: whole at
-    /// restitution 0 and 1 without friction. Elsewhere each component is within 2 raw of the exact
-    /// one. Never into the surface, never faster than `v` (or than the [`Speed`]), both exactly.
-    /// Mirrored input gives mirrored bits. The normal may have any length.
+    /// At normals along x or y only the products with the ratios are rounded, toward rest. They are
+    /// exact at restitution 0 and 1 without friction. Elsewhere each component is within 2 raw of
+    /// the exact one. Never into the surface, never faster than `v` (or than the [`Speed`]), both
+    /// exactly. Mirrored input gives mirrored bits. The normal may have any length.
     ///
-    /// Cost: some 300 instructions on a Cortex-M0 along x and y, 550 with friction; elsewhere two
-    /// to four long divisions, 3000 and 3400.
+    /// Cost: about 300 instructions on a Cortex-M0 along x and y, 550 with friction. Elsewhere two
+    /// to four long divisions: 3000 and 3400.
     ///
     /// # Errors
-    /// [`RangeError`] where a component of `v` is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if a component of `v` is outside of the [domain](crate::num::DOMAIN).
     pub fn respond(&self, v: Vec2, normal: Axis) -> Result<Vec2, RangeError> {
         check_motion(v, DOMAIN)?;
         let v = Raw::of(v);
@@ -132,14 +134,14 @@ impl Surface {
         self.rest != 0 && !less128(mul64(usqr(self.rest), n.length_squared()), sqr64(along))
     }
 
-    /// A speed along a bend of a radius, less what friction takes for turning the velocity on the
-    /// `way`: some speed times way by radius.
+    /// A speed along a bend of a radius, less the friction of turning the velocity on the `way`: a
+    /// part of speed times way divided by radius.
     pub(in crate::motion) fn turned(&self, speed: u32, way: Raw, radius: i32) -> u32 {
         let turn = mul_div(speed, isqrt64_ceil(way.len2()), radius.unsigned_abs());
         speed.saturating_sub(self.friction.of_wide_up(turn.into()) as u32)
     }
 
-    /// A part along a surface, less what friction takes for a part `into` it, both in one scale.
+    /// A part along a surface, less the friction of a part `into` it, both in one scale.
     pub(in crate::motion) fn rub(&self, along: i64, into: i64) -> i64 {
         let taken = self.friction.of_wide_up(into.min(0).unsigned_abs());
         let left = along.unsigned_abs().saturating_sub(taken) as i64;
@@ -153,8 +155,8 @@ pub(in crate::motion) mod law {
     use super::Surface;
     use crate::world::sealed::Sealed;
 
-    /// What a mover's bodies run into: [`Smooth`](super::Smooth), which links no code for friction
-    /// and restitution, or a [`Surface`].
+    /// How surfaces affect a mover's bodies: [`Smooth`](super::Smooth), which links no code for
+    /// friction and restitution, or a [`Surface`].
     pub trait Law: Sealed + Copy {
         /// Whether there is neither friction nor a loss.
         const SMOOTH: bool;
@@ -163,8 +165,8 @@ pub(in crate::motion) mod law {
     }
 }
 
-/// No friction, and bounces that lose nothing but roundings: what a [`Mover`](crate::motion::Mover)
-/// has without being told.
+/// No friction, and bounces that lose only roundings: the default of a
+/// [`Mover`](crate::motion::Mover).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Smooth;
@@ -186,19 +188,20 @@ impl law::Law for Surface {
     }
 }
 
-/// The square of the speed that a body should have, exact: what keeps a thousand bounces as fast as
+/// The square of the speed that a body should have, exact. It keeps a thousand bounces as fast as
 /// the first.
 ///
-/// A lattice holds no vector of exactly the right length in a new direction, so each askew bounce
-/// is a little slow: by up to a raw unit. A velocity that is mirrored again and again loses all of
-/// that; one whose length is renewed from this reference is never slower than by the last bounce's
-/// rounding. It is plain data: keep one beside the velocity.
+/// A lattice holds no vector of exactly the right length in a new direction. Each askew bounce is
+/// therefore slower by up to a raw unit, and a velocity that is mirrored again and again loses all
+/// of that. If this reference renews its length, it is never slower than by the last bounce's
+/// rounding. Plain data: keep one beside the velocity.
 ///
 /// - Free flight and bounces at restitution one leave the reference as it is.
-/// - What the game does to the velocity (a jump, a brake, a frame's gravity) changes the reference
-///   by as much: [`changed`](Self::changed).
-/// - After a bounce that is meant to lose, or friction, it is the new velocity's: [`of`](Self::of).
-/// - Under gravity, [`Energy::speed`](super::Energy::speed) says what it is at each place.
+/// - A change of the velocity by the game (a jump, a brake, a frame's gravity) changes the
+///   reference by as much: [`changed`](Self::changed).
+/// - After friction, or a bounce that should lose speed, take that of the new velocity:
+///   [`of`](Self::of).
+/// - Under gravity, [`Energy::speed`](super::Energy::speed) returns it for each position.
 ///
 /// ```
 /// use tilesat::{Axis, Vec2, motion::Speed};
@@ -234,52 +237,55 @@ impl Speed {
         Self(square)
     }
 
-    /// What it is after the game has changed the velocity: more or less by as much as the square of
-    /// that, and not below zero.
+    /// The reference after the game has changed the velocity: it changes by the difference of the
+    /// squares, and stays at least zero.
     ///
-    /// What the last bounce lost to rounding is still to be had at the next one.
+    /// The next bounce can still restore what the last bounce lost to rounding.
     #[must_use]
     pub const fn changed(self, from: Vec2, to: Vec2) -> Self {
         Self(self.0.saturating_add(to.length_squared()).saturating_sub(from.length_squared()))
     }
 
-    /// `v` mirrored at a surface, as fast as this reference; `v` itself where it does not move in
-    /// or the normal is zero.
+    /// `v` mirrored at a surface, as fast as this reference. `v` itself if it does not move in or
+    /// the normal is zero.
     ///
-    /// Exact at normals along x or y, where the reference is within 2 raw of the speed of `v`.
-    /// Elsewhere the mirror image is rounded to nearest, drawn to the length of the reference
-    /// (rounded to nearest), and where that is too long or into the surface the nearest vector is
-    /// taken that is neither: each component within 2 raw of the exact one, slower than the
-    /// reference by less than 2 raw, and never faster. Mirrored input gives mirrored bits. Cost:
-    /// two long divisions and three roots, some 4460 instructions on a Cortex-M0; a few along x and
-    /// y.
+    /// Exact at normals along x or y, if the reference is within 2 raw of the speed of `v`.
+    /// Elsewhere the mirror image is rounded to nearest and scaled to the length of the reference
+    /// (rounded to nearest). If that is too long or into the surface, the result is the nearest
+    /// vector that is neither. Each component is within 2 raw of the exact one. The result is
+    /// slower than the reference by less than 2 raw, and never faster. Mirrored input gives
+    /// mirrored bits. Cost: two long divisions and three roots, about 4460 instructions on a
+    /// Cortex-M0; a few along x and y.
     ///
     /// # Errors
-    /// [`RangeError`] where a component of `v` is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if a component of `v` is outside of the [domain](crate::num::DOMAIN).
     pub fn bounce(self, v: Vec2, normal: Axis) -> Result<Vec2, RangeError> {
         Surface::ELASTIC.with_speed(self).respond(v, normal)
     }
 
-    /// The bound of a bounce: nothing is drawn out of the domain.
+    /// The bound of a bounce: no velocity is scaled out of the domain.
     pub(super) fn bound(self) -> u64 {
         self.0.min(FASTEST)
     }
 }
 
-/// The square of the fastest velocity that a bounce may draw one to.
+/// The square of the fastest velocity that a bounce may produce.
 const FASTEST: u64 = (DOMAIN as u64 - 1) * (DOMAIN as u64 - 1);
 
 /// Twice the energy of a body of mass one, in square raw units, exact: `|v|^2 + g.v - 2 g.x`.
 ///
-/// Bodies move by `v += g; x += v`. In free flight that keeps this number to the last bit; the
-/// middle term is what the velocity's being half a frame late amounts to. A bounce within a frame
-/// does not keep it: it turns a velocity that has the whole frame's gravity already, however much
-/// of the frame is left, and the errors add up to many times the energy (in every engine that we
-/// know). So remember the energy, and let the reference speed be what the body should have where it
-/// is: the next bounce puts it right, up to what the part of a frame after it is worth, which does
-/// not add up. So no two bounces are equally high, and one may be higher than the start by about
-/// one frame's way at the speed of the bounce. A ball on one flat floor comes out as even without
-/// this; it is for valleys, boxes and tables, where the errors would grow.
+/// Bodies move by `v += g; x += v`. Free flight keeps this number to the last bit. The middle term
+/// is there because the velocity is half a frame late.
+///
+/// A bounce within a frame does not keep it. It turns a velocity that already has the whole frame's
+/// gravity, however much of the frame is left. The errors add up to many times the energy (in every
+/// engine that we know). So remember the energy, and set the reference speed to the one that the
+/// body should have at its position. The next bounce then corrects it, up to the gravity of the
+/// part of a frame after it, and that error does not add up.
+///
+/// So no two bounces are equally high. One may be higher than the start by about one frame's way at
+/// the speed of the bounce. A ball on one flat floor is as even without this. Use it for valleys,
+/// boxes and tables, where the errors would grow.
 ///
 /// ```
 /// use tilesat::{Mover, Response, Surface, Vec2, motion::Energy};
@@ -308,21 +314,21 @@ const FASTEST: u64 = (DOMAIN as u64 - 1) * (DOMAIN as u64 - 1);
 pub struct Energy(i64);
 
 impl Energy {
-    /// The energy of a body at a place, with a velocity, under a gravity in units per frame and
-    /// frame; all three inside the [domain](crate::num::DOMAIN).
+    /// The energy of a body with this position and velocity, under a gravity in units per frame
+    /// squared. All three must be inside the [domain](crate::num::DOMAIN).
     #[must_use]
     pub const fn of(position: Vec2, velocity: Vec2, gravity: Vec2) -> Self {
         Self((velocity.length_squared() as i64).wrapping_add(potential(position, velocity, gravity)))
     }
 
-    /// In square raw units; only differences mean anything.
+    /// The energy in square raw units. Only differences mean anything.
     #[must_use]
     pub const fn raw(self) -> i64 {
         self.0
     }
 
-    /// The speed that a body of this energy should have at a place, zero where it should not be
-    /// there at all; the velocity is the one it has.
+    /// The speed that a body of this energy should have at a position, or zero if it should not be
+    /// there at all. `velocity` is its current one.
     #[must_use]
     pub const fn speed(self, position: Vec2, velocity: Vec2, gravity: Vec2) -> Speed {
         let square = self.0.wrapping_sub(potential(position, velocity, gravity));

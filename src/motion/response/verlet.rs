@@ -9,11 +9,10 @@ use crate::shape::Circle;
 use crate::world::World;
 use core::fmt;
 
-/// A point whose velocity is the way from where it was to where it is.
+/// A point with a velocity given by its last two positions.
 ///
-/// So whatever moves it, a [`Stick`](super::Stick) for example, changes its velocity with it, and
-/// nothing has to be told to the others. In a level it is a small circle that only a mover moves:
-/// it never ends inside.
+/// Anything that moves it, such as a [`Stick`](super::Stick), also changes its velocity. In a level
+/// it is a small circle that only a mover moves: it never ends inside.
 ///
 /// ```
 /// use tilesat::{Ratio, Vec2, motion::response::Particle};
@@ -24,9 +23,9 @@ use core::fmt;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Particle {
-    /// Where it is.
+    /// Its position.
     pub position: Vec2,
-    /// Where it was a step ago, as far as its velocity is concerned.
+    /// Its position one step ago, as far as its velocity is concerned.
     pub previous: Vec2,
 }
 
@@ -49,29 +48,29 @@ impl Particle {
         self.position - self.previous
     }
 
-    /// The velocity of the next step: `drag` of this one is lost, rounded so that it always loses
-    /// (toward rest, a raw unit at least where there is drag), and the acceleration is added.
+    /// The velocity of the next step. It loses `drag` of this one, rounded toward rest (with drag,
+    /// by at least a raw unit), and gains the acceleration.
     #[must_use]
     fn next_velocity(&self, acceleration: Vec2, drag: Ratio) -> Vec2 {
         let (v, keep) = (Raw::of(self.velocity()), drag.complement());
         Vec2::from_raw(keep.of_raw(v.x), keep.of_raw(v.y)) + acceleration
     }
 
-    /// The point a step later, in free space. Saturates at the ends of 16.16. Mirrored input gives
-    /// mirrored bits.
+    /// The point one step later, in free space. Saturates at the ends of 16.16. Mirrored input
+    /// gives mirrored bits.
     #[must_use]
     pub fn step(self, acceleration: Vec2, drag: Ratio) -> Self {
         let velocity = self.next_velocity(acceleration, drag);
         Self { position: self.position + velocity, previous: self.position }
     }
 
-    /// The point a step later in a level, as a circle of this radius; its velocity is what the
-    /// mover left of it.
+    /// The point one step later in a level, as a circle of this radius. Its velocity is the one
+    /// that the mover returned.
     ///
     /// Cost: one call of the mover.
     ///
     /// # Errors
-    /// As [`Mover::move_and_slide`], and where the circle is outside of the domain.
+    /// As [`Mover::move_and_slide`], and if the circle is outside of the domain.
     pub fn step_in<W: World, S: Law>(
         self,
         world: &W,
@@ -85,8 +84,8 @@ impl Particle {
         Ok(Self::moving(moved.position(), moved.velocity))
     }
 
-    /// The point pushed through a level as far as that lets it, along what it meets; its velocity
-    /// changes by what it made of the push.
+    /// The point, pushed through a level as far as possible, along the surfaces that it meets. Its
+    /// velocity changes by the part of the push that it made.
     ///
     /// # Errors
     /// As [`step_in`](Self::step_in).
@@ -108,7 +107,7 @@ impl Particle {
 /// A distance between two points: a stick keeps it, a rope does not exceed it.
 ///
 /// ```text
-///    a o---->     <----o b     too long: both are drawn together, each by its share
+///    a o---->     <----o b     too long: both move together, each by its share
 ///        a o<-> <->o b         too short: a stick drives them apart, a rope lets them
 /// ```
 ///
@@ -127,15 +126,15 @@ pub struct Stick {
     slack: bool,
 }
 
-/// What the roundings of one correction leave at most: a component of each share is short by less
-/// than a raw unit, together by one, which is sqrt(2), and sqrt(1/2) comes from the direction.
+/// The largest error after one correction. A component of each share is short by less than a raw
+/// unit, both together by one, which gives sqrt(2). The direction adds sqrt(1/2).
 const NEAR: u32 = 3;
 
 impl Stick {
-    /// A stick between points of one mass.
+    /// A stick between points of equal mass.
     ///
     /// # Errors
-    /// [`RangeError`] where the length is negative or outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the length is negative or outside of the [domain](crate::num::DOMAIN).
     pub const fn new(length: Fx) -> Result<Self, RangeError> {
         match check_length(length) {
             Ok(()) => Ok(Self { length, share_of_a: Ratio::HALF, slack: false }),
@@ -155,7 +154,7 @@ impl Stick {
     }
 
     /// The same with another share of A in the corrections:
-    /// [`Masses::share_of_a`](super::Masses::share_of_a), zero where A is nailed down.
+    /// [`Masses::share_of_a`](super::Masses::share_of_a), or zero if A is nailed down.
     #[must_use]
     pub const fn with_share_of_a(self, share_of_a: Ratio) -> Self {
         Self { share_of_a, ..self }
@@ -167,18 +166,17 @@ impl Stick {
         self.length
     }
 
-    /// By how much to move the ends; nothing where their distance is less than 3 raw units off,
-    /// exactly.
+    /// How far to move each end. Zero if their distance is, exactly, less than 3 raw units off.
     ///
-    /// From the exact difference of the ends, along which each component is rounded to nearest,
-    /// each end gets its share rounded toward zero: so nothing is ever corrected too far, and one
-    /// correction leaves the distance less than 3 raw units off, where it stays as it is. It does
-    /// not matter which end is A, and mirrored input gives mirrored bits; only where both ends are
+    /// The correction follows the exact difference of the ends, each component rounded to nearest.
+    /// Each end gets its share rounded toward zero, so nothing is ever corrected too far. One
+    /// correction leaves the distance less than 3 raw units off, where it stays. The result does
+    /// not depend on which end is A, and mirrored input gives mirrored bits. Only if both ends are
     /// one point do they part along x, A to the left. The ends must be inside the
     /// [domain](crate::num::DOMAIN).
     ///
-    /// Cost: two quotients by a root where it corrects, some 1380 instructions on a Cortex-M0; 100
-    /// where it does not.
+    /// Cost: two quotients by a root, about 1380 instructions on a Cortex-M0. Without a correction
+    /// 100.
     #[must_use]
     pub const fn pull(&self, a: Vec2, b: Vec2) -> (Vec2, Vec2) {
         let (e, length) = (Raw::of(b).sub(Raw::of(a)), self.length.to_bits());
@@ -203,17 +201,18 @@ impl Stick {
 pub struct Link {
     /// The index of A.
     pub a: u8,
-    /// The index of B, another one.
+    /// The index of B, which differs from A's.
     pub b: u8,
-    /// Their distance.
+    /// The distance between them.
     pub stick: Stick,
 }
 
-/// Why points could not be brought to their distances; those before it have been.
+/// Why points could not be brought to their distances. The links before the failed one were
+/// corrected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum RelaxError {
-    /// The link of this index names a point that is not there, or one point twice.
+    /// The link of this index names a missing point, or one point twice.
     NoPoint {
         /// Which link.
         link: u32,
@@ -238,23 +237,23 @@ impl fmt::Display for RelaxError {
 
 impl core::error::Error for RelaxError {}
 
-/// Brings linked points nearer to their distances, link after link, at most `rounds` times, or
-/// until nothing moves: the rounds taken.
+/// Brings linked points nearer to their distances, link after link, until nothing moves or for at
+/// most `rounds` rounds. Returns the rounds taken.
 ///
-/// Each correction goes through the mover as a circle of this radius, so no point ends inside the
-/// level, however hard it is pulled. More rounds make stiffer links; what a blocked point cannot
-/// give, its partner gives in the next round. The order of the links is part of the model: the last
-/// ones are kept best.
+/// Each correction moves a circle of this radius with the mover, so no point ends inside the level,
+/// however hard it is pulled. More rounds make stiffer links. If a blocked point cannot move, its
+/// partner does in the next round. The order of the links is part of the model: the last ones are
+/// kept best.
 ///
 /// A frame of a ragdoll is [`Particle::step_in`] for each point, then this, then
-/// [`Quiet::watch`](super::Quiet::watch). Split a frame in two or four, with a part of the velocity
-/// each, where points are much faster than the links are long.
+/// [`Quiet::watch`](super::Quiet::watch). If points are much faster than the links are long, split
+/// a frame into two or four, with a part of the velocity each.
 ///
-/// Cost: for each round and link a [`pull`](Stick::pull), and where it is not satisfied two calls
-/// of the mover.
+/// Cost: a [`pull`](Stick::pull) for each round and link, and two calls of the mover for each link
+/// that is not satisfied.
 ///
 /// # Errors
-/// [`RelaxError`] where a link names a point that is not there, or the mover refuses one.
+/// [`RelaxError`] if a link names a missing point, or the mover refuses one.
 pub fn relax<W: World, S: Law>(
     points: &mut [Particle],
     links: &[Link],
@@ -289,12 +288,12 @@ pub fn relax<W: World, S: Law>(
     Ok(rounds)
 }
 
-/// For how many steps in a row points have hardly moved.
+/// The number of consecutive steps in which points have hardly moved.
 ///
-/// Corrections that work against each other and against a floor may hum for ever, by a hundredth of
-/// a unit or so; a body of points is put to sleep instead: when it has been
-/// [quiet](Self::for_steps) for some steps, make each point [`Particle::at`] its position, and step
-/// none of them until something touches it. Plain data, to be kept beside the points.
+/// Corrections that work against each other and against a floor may jitter for ever, by about a
+/// hundredth of a unit. Put such a body of points to sleep once it has been
+/// [quiet](Self::for_steps) for some steps. Make each point [`Particle::at`] its position, and step
+/// none of them until something touches it. Plain data: keep it beside the points.
 ///
 /// ```
 /// use tilesat::{Fx, Vec2, motion::response::{Particle, Quiet}};
@@ -317,10 +316,11 @@ impl Quiet {
     /// In motion.
     pub const NOT: Self = Self { steps: 0 };
 
-    /// One step more in which no component of a velocity reached `still`, or none at all.
+    /// Counts one more step if no component of a velocity reached `still`; otherwise starts again
+    /// at zero.
     ///
     /// Call it after the corrections of the step. Twice the acceleration of one step is a good
-    /// `still`: what falls passes that in its third step.
+    /// `still`: a falling point passes that in its third step.
     #[must_use]
     pub fn watch(self, points: &[Particle], still: Fx) -> Self {
         let all = points.iter().all(|point| {
@@ -330,7 +330,7 @@ impl Quiet {
         Self { steps: if all { self.steps.saturating_add(1) } else { 0 } }
     }
 
-    /// Whether it has been quiet for so many steps.
+    /// Whether the points have been quiet for this many steps.
     #[must_use]
     pub const fn for_steps(self, steps: u16) -> bool {
         self.steps >= steps

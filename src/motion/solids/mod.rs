@@ -1,8 +1,8 @@
-//! What moving solids do to bodies: they carry what stands on them, push what is in their way, and
-//! squash what cannot yield.
+//! Moving solids carry bodies that stand on them, push bodies in their way, and squash bodies that
+//! cannot yield.
 //!
-//! A tick has three steps. Only the first and the last are calls for each body, and none of them
-//! depends on the order of bodies or solids:
+//! A tick has three steps. Only the first and the last are calls per body, and no step depends on
+//! the order of bodies or solids:
 //!
 //! ```text
 //!   1 ride       where do the solids' motions take this body?   (solids are still at their old places)
@@ -25,25 +25,25 @@ use crate::world::{Solid, World};
 use push::Pushes;
 use shove::{Clearance, Shove};
 
-/// What the solids' motions of one tick do to a body.
+/// How the solids' motions of one tick affect a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Ride {
-    /// Nothing: it stands on none of them and is in no one's way.
+    /// It stands on no solid, and no solid moves into it.
     Free,
-    /// It stands on one of them and went with it, as far as the level and the other solids let it.
+    /// It stands on a solid and went with it, as far as the level and the other solids let it.
     Carried,
-    /// It was in the way of one that moves, and yielded.
+    /// It was in the way of a moving solid, and yielded.
     Pushed {
-        /// The key of the solid that comes against it fastest; of two the smaller one.
+        /// The key of the solid that approaches it fastest; of two, the smaller one.
         by: u16,
-        /// Out of that solid, toward the body; at a corner not reduced.
+        /// Out of that solid, toward the body; not reduced at a corner.
         normal: Axis,
     },
-    /// It was in the way and cannot yield, for the level or another solid is behind it. It stays
-    /// where it is, so it will overlap a solid that goes on.
+    /// It was in the way and could not yield: the level or another solid is behind it. It stays
+    /// where it is, and overlaps the solid once that moves.
     Squashed {
-        /// The key of the solid that comes against it fastest; of two the smaller one.
+        /// The key of the solid that approaches it fastest; of two, the smaller one.
         by: u16,
         /// Out of that solid, toward the body.
         normal: Axis,
@@ -54,35 +54,35 @@ pub enum Ride {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ridden<B> {
-    /// The body at its new place. It does not overlap the level; and no solid at its new place,
-    /// save where it is squashed.
+    /// The body at its new position. It does not overlap the level. Unless it is squashed, it does
+    /// not overlap any solid at its new position either.
     pub body: B,
-    /// What became of it.
+    /// How the solids affected it.
     pub ride: Ride,
-    /// How far it was taken.
+    /// How far it was moved.
     pub motion: Vec2,
     /// The key of the solid that it stood on.
     pub floor: Option<u16>,
-    /// What that solid and its conveyor gave it in this tick.
+    /// The motion that this solid and its conveyor gave it in this tick.
     ///
-    /// What jumps off moves by its own speed in this tick, for the solid's part is made. Add the
-    /// carry to the velocity after that move: then the flight, seen from a solid that keeps its
-    /// motion, is that on still ground.
+    /// A body that jumps off moves by its own speed in this tick: the solid's part has already been
+    /// made. Add the carry to the velocity after that move. Then the flight, seen from a solid that
+    /// keeps its motion, is that on still ground.
     pub carry: Vec2,
-    /// What the call did.
+    /// The work of the call.
     pub work: Work,
 }
 
 impl<S: Law> Mover<S> {
-    /// The most displacements of a body that are tried in one [`ride`](Self::ride).
+    /// The most displacements of a body that one [`ride`](Self::ride) tries.
     pub const ROUNDS: u32 = 8;
 
-    /// Takes a body along with what it stands on, and out of the way of what moves against it, in
-    /// one tick.
+    /// Carries a body with the solid that it stands on, and pushes it out of the way of solids that
+    /// move against it, in one tick.
     ///
-    /// The solids are still at their old places; all go by their [motions](Solid::with_motion) at
-    /// once, and straight. Ask for each body, then call [`Solid::move_all`], then move the bodies
-    /// in the level [joined](crate::Joined) with the solids.
+    /// The solids are still at their old positions. All go by their [motions](Solid::with_motion)
+    /// at once, and straight. Call this for each body, then [`Solid::move_all`], then move the
+    /// bodies in the level [joined](crate::Joined) with the solids.
     ///
     /// ```text
     ///         ceiling                 floor, wall: the mover's "up" and slope limit
@@ -94,55 +94,57 @@ impl<S: Law> Mover<S> {
     ///   ====->===  |           ||
     /// ```
     ///
-    /// - **Carried** is what touches a face that is floor, or a circle on its corner. It goes by
-    ///   exactly the solid's motion and its conveyor, so it never drifts; what the level stops,
-    ///   stops. `follow` is how far it goes down with a floor that sinks in this tick: for a body
-    ///   in the air what it falls in a tick, so that a lift that sinks faster leaves it there; for
-    ///   a [`Walker`](crate::Walker) that stands at least its [snap](crate::Walker::with_snap), see
-    ///   below. On two solids at once it goes with the one that rises most, then with the smaller
-    ///   key.
-    /// - **Pushed** is what a solid runs into, from any side, or with a
-    ///   [one-way](Solid::with_one_way) solid from in front of it. All pushes of a tick are
-    ///   combined axis by axis: the body goes no farther than to where it touches the solid. At
-    ///   slopes of the level up to 2 : 1 it yields along the other axis. A corner pushes a circle
-    ///   off along its normal. Of all that push, the one that comes fastest is named; a body that
-    ///   stands on one and is pushed by another is `Pushed`, and its `floor` says the first.
-    /// - **Squashed** is what two solids push against each other beyond the room, or one against
-    ///   the level. The body stays where it is. So is what overlaps a solid before the tick (a door
-    ///   that was put there) and still does after it.
+    /// - **Carried** is a body that touches a face that is floor, or a circle on its corner. It
+    ///   moves by exactly the motion of the solid and its conveyor, so it never drifts. The level
+    ///   can stop it. `follow` is how far it goes down with a floor that sinks in this tick. For a
+    ///   body in the air, pass its fall per tick: a lift that sinks faster leaves it there. For a
+    ///   [`Walker`](crate::Walker) that stands, pass at least its [snap](crate::Walker::with_snap),
+    ///   see below. On two solids at once it goes with the one that rises most, then with the
+    ///   smaller key.
+    /// - **Pushed** is a body that a solid runs into, from any side. A
+    ///   [one-way](Solid::with_one_way) solid pushes only bodies in front of it. All pushes of a
+    ///   tick are combined axis by axis: the body goes no farther than to where it touches the
+    ///   solid. At slopes of the level up to 2 : 1 it yields along the other axis. A corner pushes
+    ///   a circle off along its normal. If several solids push, the result names the fastest. A
+    ///   body that stands on one solid and is pushed by another is `Pushed`, and its `floor` is the
+    ///   first.
+    /// - **Squashed** is a body that two solids push against each other, or one against the level,
+    ///   with no room left. The body stays where it is. A body that overlaps a solid before the
+    ///   tick (a door put there) and still does after it is squashed too.
     ///
-    /// **A walker's snap.** Where a floor sinks by more than `follow`, the body is `Free` and stays
-    /// behind, and so it does across: with `follow` 1 and a lift that goes by (2, 2), a walker with
-    /// a snap of 3 is drawn down to the lift in each tick after it, stands all the time, and slides
-    /// off its side. With `follow` 3 it is carried.
+    /// **A walker's snap.** If a floor sinks by more than `follow`, the body is `Free` and does not
+    /// move with it, down or sideways. Take `follow` 1, a lift that moves by (2, 2), and a walker
+    /// with a snap of 3. The walker is pulled down to the lift in each following tick, stands all
+    /// the time, and slides off its side. With `follow` 3 it is carried.
     ///
-    /// **After `Squashed`** the body overlaps the solid, and each move in the level joined with the
-    /// solids is [`MoveError::Stuck`](crate::MoveError::Stuck) until the solid has passed it;
-    /// nothing moves it from within. What that means is the game's: let it wait (a move that is
-    /// stuck leaves it where it is), end it, or put it out by [`escape`](crate::motion::escape). No
-    /// overlap is too small: a body that is half a unit under a crusher's edge is squashed as well;
-    /// a game that forgives such edges escapes first, and asks who is still stuck.
+    /// **After `Squashed`** the body overlaps the solid. Every move in the level joined with the
+    /// solids is [`MoveError::Stuck`](crate::MoveError::Stuck) until the solid has passed it. The
+    /// game decides what happens: let it wait (a move that is stuck leaves it where it is), end it,
+    /// or push it out with [`escape`](crate::motion::escape). No overlap is too small: a body half
+    /// a unit under a crusher's edge is squashed too. A game that forgives such edges escapes
+    /// first, and then tests which bodies are still stuck.
     ///
-    /// No result depends on the order of the list, and bodies do not push each other, so their
-    /// order does not matter either. Solids do not push solids. A mover that drops through one-way
-    /// faces is neither carried nor pushed by one-way solids. Mirrored scenes give mirrored results
-    /// where keys are unique, save for the `normal` of what is exactly in the middle of a solid;
-    /// translated ones the same bits.
+    /// No result depends on the order of the list. Bodies do not push each other, so their order
+    /// does not matter either. Solids do not push solids. A mover that drops through one-way faces
+    /// is neither carried nor pushed by one-way solids. Mirrored scenes give mirrored results if
+    /// keys are unique, except for the `normal` of a body exactly in the middle of a solid.
+    /// Translated scenes give the same bits.
     ///
-    /// Each type of level that a program moves through takes flash of its own. A game that moves
-    /// its bodies in a joined level saves some 3 KB where it hands that type here too:
+    /// Each type of level that a program moves through links its own code. If your game moves its
+    /// bodies in a joined level, pass that type here too, which saves about 3 KB:
     /// `Joined::new(&level, &Solids::new(&[]))`.
     ///
-    /// Cost: a few comparisons for each solid that is far (130 instructions on a Cortex-M0). Else
-    /// at most [`Mover::ROUNDS`] displacements, each of up to 6 sweeps over the cells under it, and
-    /// for each solid near up to 8 sweeps against its pieces. What no solid touches costs no look
-    /// at the level.
+    /// Cost: a few comparisons for each far solid (130 instructions on a Cortex-M0). Otherwise at
+    /// most [`Mover::ROUNDS`] displacements, each of up to 6 sweeps over the cells under it, and
+    /// for each near solid up to 8 sweeps against its pieces. If no solid touches the body, the
+    /// call does not look at the level.
     ///
     /// # Errors
-    /// [`MoveError::Range`] where a half extent or radius is not below 2^28 raw, `follow` is
-    /// negative or not below that, the body would be taken out of the domain, or a way comes to
-    /// more than [`Mover::CELLS`] cells; [`MoveError::Stuck`] where it is to be moved and overlaps
-    /// the level already.
+    /// - [`MoveError::Range`] if a half extent or radius is not below 2^28 raw, or `follow` is
+    ///   negative or not below that.
+    /// - [`MoveError::Range`] if the body would leave the domain, or a way visits more than
+    ///   [`Mover::CELLS`] cells.
+    /// - [`MoveError::Stuck`] if the body is to be moved and already overlaps the level.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Fx, Mover, Solid, TileKind, TileKinds, TileMap, Vec2, motion::Ride};
@@ -215,19 +217,19 @@ impl<S: Law> Mover<S> {
     }
 }
 
-/// A solid under a body.
+/// A solid that a body stands on.
 #[derive(Clone, Copy)]
 pub(super) struct Carrier {
     pub(super) key: u16,
-    /// Its motion with the conveyor's.
+    /// Its motion plus the conveyor's.
     pub(super) carry: Raw,
     /// How far it rises in this tick, scaled by the length of "up".
     rise: i64,
 }
 
 impl Carrier {
-    /// Of several the one that rises most (it lifts the body off the others), then the smaller key,
-    /// then geometry: the order of the list plays no part.
+    /// Of several solids, chooses the one that rises most, because it lifts the body off the
+    /// others. Then the smaller key decides, then geometry. The order of the list does not matter.
     fn goes_before(&self, other: &Self) -> bool {
         let key = |c: &Self| (c.rise, u16::MAX - c.key, c.carry.x, c.carry.y);
         key(self) > key(other)
@@ -235,12 +237,12 @@ impl Carrier {
 }
 
 impl<S: Law> Mover<S> {
-    /// What carries a body: the solid whose floor it touches, unless that sinks away by more than
-    /// `follow`.
+    /// The solid that carries a body: it touches that solid's floor, unless the floor sinks by more
+    /// than `follow`.
     #[inline(never)]
     pub(super) fn carrier<B: Body>(&self, solids: &[Solid], body: &B, follow: i32) -> Option<Carrier> {
         let up = self.up?;
-        // What is farther than a contact carries nothing.
+        // A solid farther than a contact carries nothing.
         let (bounds, near) = (body.bounds(), Raw { x: CONTACT, y: CONTACT });
         let (lo, hi) = (bounds.lo().sub(near), bounds.hi().add(near));
         let mut best: Option<Carrier> = None;
@@ -269,10 +271,10 @@ impl<S: Law> Mover<S> {
         best
     }
 
-    /// Whether a body touches that side of a solid, with the part of it that is floor.
+    /// Whether a body touches that side of a solid, at a part of the side that is floor.
     ///
-    /// A face is touched exactly. A circle beyond its end stands on the corner, within what a
-    /// motion that ends there leaves.
+    /// A face is touched exactly. A circle beyond the end of the side stands on the corner, within
+    /// the rounding of a motion that ends there.
     fn lies_on<B: Body>(&self, solid: &Solid, n: Axis, body: &B) -> bool {
         let (lo, hi, bounds) = (solid.lo(), solid.hi(), body.bounds());
         let (b_lo, b_hi) = (bounds.lo(), bounds.hi());

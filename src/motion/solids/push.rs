@@ -1,4 +1,4 @@
-//! What the solids say about one displacement of a body.
+//! How the solids answer one displacement of a body.
 
 use super::shove::{Clearance, out_of};
 use crate::motion::body::{Body, Entry};
@@ -7,12 +7,12 @@ use crate::query::meet;
 use crate::world::{Solid, Solids};
 use core::slice;
 
-/// Who presses a body: the solid that comes against it fastest.
+/// The solid that presses a body: the one that approaches fastest.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Press {
     /// How far it comes in this tick, along the normal, rounded toward zero.
     speed: i32,
-    /// Whether it comes at all.
+    /// Whether it approaches at all.
     pub(super) comes: bool,
     pub(super) key: u16,
     pub(super) normal: Axis,
@@ -31,8 +31,8 @@ impl Press {
         Self { speed, comes: along > 0, key: solid.key(), normal }
     }
 
-    /// Faster, then the smaller key, then geometry: the same for mirrored normals as long as it can
-    /// be. What comes by less than a raw unit is faster than what stands.
+    /// Orders by speed, then by the smaller key, then by geometry: the same for mirrored normals as
+    /// far as possible. A solid that comes by less than a raw unit is faster than one that stands.
     fn goes_before(&self, other: &Self) -> bool {
         let key = |p: &Self| {
             let n = p.normal;
@@ -52,13 +52,13 @@ pub(super) struct Pushes<'a, B> {
 }
 
 impl<B: Body> Pushes<'_, B> {
-    /// `None` if the body comes clear of all solids by `made`; else what it has to make instead of
-    /// `d`, of which that is what the level allowed.
+    /// Returns `None` if the body gets clear of all solids by `made`, the part of `d` that the
+    /// level allowed. Otherwise returns the displacement to try instead of `d`.
     ///
-    /// A solid goes its motion straight while the body goes `made` straight: seen from the solid,
-    /// the body goes by the difference, and a hit of that motion is a push, at any speed. Faces
-    /// leave a room, and all of them together decide; only where no face is hit a corner pushes a
-    /// circle off, along its normal.
+    /// A solid goes straight by its motion while the body goes straight by `made`. Seen from the
+    /// solid, the body moves by the difference. A hit of that motion is a push, at any speed. Faces
+    /// set bounds, and all of them together decide. If no face is hit, corners push a circle off
+    /// along their normals.
     #[inline(never)]
     pub(super) fn ask(&mut self, d: Raw, made: Raw) -> Option<Raw> {
         let (mut clear, mut corners) = (true, Shift::default());
@@ -83,7 +83,7 @@ impl<B: Body> Pushes<'_, B> {
                     let rest = relative.sub(entry.displacement(relative));
                     corners.add(off(rest, made, normal, &self.room.in_level(d, made)));
                 }
-                // Nothing moves what is inside already.
+                // Nothing moves a body that is already inside.
                 None => {}
             }
         }
@@ -93,8 +93,8 @@ impl<B: Body> Pushes<'_, B> {
         Some(self.room.nearest(if faces { d } else { corners.from(made) }))
     }
 
-    /// The normal of what the body runs into on its way past a solid, and the entry; no entry where
-    /// it is in the solid from the start to the end.
+    /// The normal of the face or corner that the body hits on its way past a solid, and the entry.
+    /// No entry if the body is in the solid from the start to the end.
     fn hit(&self, solid: &Solid, made: Raw, relative: Raw) -> Option<(Axis, Option<Entry>)> {
         let (body, bounds) = (self.body, self.body.bounds());
         let (lo, hi) = (bounds.lo(), bounds.hi());
@@ -116,7 +116,7 @@ impl<B: Body> Pushes<'_, B> {
     }
 }
 
-/// The first piece of a solid that a motion runs into.
+/// The first piece of a solid that a motion hits.
 fn first<B: Body>(solid: &Solid, body: &B, d: Raw) -> Option<Entry> {
     let last = if B::MEETS_CORNERS { 8 } else { 4 };
     let mut best: Option<Entry> = None;
@@ -129,8 +129,8 @@ fn first<B: Body>(solid: &Solid, body: &B, d: Raw) -> Option<Entry> {
     best
 }
 
-/// The side of a solid that is nearest for a box that overlaps it; of two the one that the solid
-/// goes to, then the one along x, then +.
+/// The side of a solid nearest to a box that overlaps it. Of two, the one that the solid moves to,
+/// then the one along x, then +.
 fn way_out(solid: &Solid, lo: Raw, hi: Raw) -> Axis {
     let (a, b, motion) = (solid.lo(), solid.hi(), Raw::of(solid.motion()));
     let sides = [
@@ -148,14 +148,14 @@ fn way_out(solid: &Solid, lo: Raw, hi: Raw) -> Axis {
     best.2
 }
 
-/// What takes a body off a corner after the rest of its motion: along the normal, or along one axis
-/// where the room ends on the other.
+/// Takes a body off a corner after the rest of its motion: along the normal, or along one axis if
+/// the bounds stop it on the other.
 fn off(rest: Raw, made: Raw, n: Axis, room: &Clearance) -> Raw {
     let into = n.dot(Axis::new(rest.x, rest.y));
     if into >= 0 {
         return Raw { x: 0, y: 0 };
     }
-    // The part of `rest` against the normal: |n_i| v / n.n, below |rest|, and one more for the
+    // The part of `rest` against the normal: |n_i| v / n.n, below |rest|, plus one for the
     // rounding.
     let part = |component: i32| {
         let size = mul_div_wide(into.unsigned_abs(), component.unsigned_abs(), n.length_squared()) as i32;
@@ -174,7 +174,7 @@ fn off(rest: Raw, made: Raw, n: Axis, room: &Clearance) -> Raw {
     }
 }
 
-/// The largest shift each way of several, axis by axis.
+/// The largest of several shifts in each direction, axis by axis.
 #[derive(Default)]
 struct Shift {
     x: (i32, i32),
@@ -200,8 +200,8 @@ impl Shift {
 mod tests {
     use super::{Axis, Clearance, Raw, off};
 
-    /// Where there is no room along one axis, a corner of 45 degrees is left along the other one,
-    /// by both parts of what is in it.
+    /// Without room along one axis, a corner of 45 degrees pushes along the other one, by both
+    /// parts of the motion into it.
     #[test]
     fn beside_a_wall_a_corner_pushes_along_it() {
         for (x, y) in [(1, 1), (-1, 1), (1, -1), (-1, -1)] {

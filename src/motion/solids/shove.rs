@@ -1,5 +1,5 @@
-//! A displacement that something forces on a body: what the solids leave of it, and the way through
-//! the level.
+//! A displacement that a solid forces on a body: the bounds that the solids set, and the way
+//! through the level.
 
 use crate::motion::body::Body;
 use crate::motion::plane::{NEAR, into, way};
@@ -11,8 +11,7 @@ use crate::world::{Solid, World};
 
 /// Bounds of a body's displacement in one tick, axis by axis.
 ///
-/// They only ever shrink, by a maximum and a minimum, so it does not matter which solid is asked
-/// first.
+/// They only shrink, by a maximum and a minimum. The order of the solids therefore does not matter.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Clearance {
     pub(super) lo: Raw,
@@ -25,11 +24,11 @@ impl Clearance {
     pub(super) const ALL: Self =
         Self { lo: Raw { x: -Self::FAR, y: -Self::FAR }, hi: Raw { x: Self::FAR, y: Self::FAR } };
 
-    /// Behind a solid's face with the outward normal `n`: no nearer to where it stops than touching
-    /// it.
+    /// Adds the bound of a solid's face with the outward normal `n`: the body may touch the face
+    /// where it stops, and go no nearer.
     pub(super) fn behind<B: Body>(&mut self, body: &B, solid: &Solid, n: Axis) {
         let (lo, hi, motion, bounds) = (solid.lo(), solid.hi(), Raw::of(solid.motion()), body.bounds());
-        // From the body's side to the solid's opposite one at its new place.
+        // From the body's side to the solid's opposite one at its new position.
         let right = hi.add(motion).sub(bounds.lo());
         let left = lo.add(motion).sub(bounds.hi());
         match (n.x.signum(), n.y.signum()) {
@@ -44,18 +43,18 @@ impl Clearance {
         self.lo.x > self.hi.x || self.lo.y > self.hi.y
     }
 
-    /// The displacement in the room that is nearest to one.
+    /// The displacement within the bounds that is nearest to `d`.
     pub(super) fn nearest(&self, d: Raw) -> Raw {
         Raw { x: d.x.max(self.lo.x).min(self.hi.x), y: d.y.max(self.lo.y).min(self.hi.y) }
     }
 
-    /// The axes on which a face says where the body has to be.
+    /// The axes on which a face determines the body's position.
     pub(super) const fn held(&self) -> (bool, bool) {
         (self.lo.x > -Self::FAR || self.hi.x < Self::FAR, self.lo.y > -Self::FAR || self.hi.y < Self::FAR)
     }
 
-    /// The same room for a body that wanted to make `d` and could only make `made`: on that side
-    /// the level has no more.
+    /// The same bounds for a body that wanted to make `d` and could only make `made`: the level has
+    /// no more room on that side.
     pub(super) fn in_level(&self, d: Raw, made: Raw) -> Self {
         let mut room = *self;
         if made.x < d.x {
@@ -78,17 +77,17 @@ const PIECES: u32 = 6;
 /// A displacement, and how it yields.
 pub(super) struct Shove {
     pub(super) d: Raw,
-    /// The axes along which the body has to be somewhere.
+    /// The axes along which the body's position is determined.
     pub(super) held: (bool, bool),
     pub(super) passes_one_way: bool,
 }
 
 impl Shove {
-    /// Moves a body by what is not zero, never into the level.
+    /// Moves a body, and never into the level. `d` is not zero.
     ///
-    /// At a slope, a corner or an arc it keeps what it makes along the axis that is `held`, and
-    /// yields along the other one, if that is not more than twice as far; at a wall across the axis
-    /// it stops. So what a lift pushes up along a slanted ceiling rises as far as the lift does.
+    /// At a slope, a corner or an arc it keeps the motion along the axis that is `held`, and yields
+    /// along the other one, at most twice as far. At a wall across the axis it stops. A body that a
+    /// lift pushes up along a slanted ceiling therefore rises as far as the lift does.
     ///
     /// ```text
     ///         \ ceiling                held: y. The slope makes the body yield to the left,
@@ -96,7 +95,7 @@ impl Shove {
     ///      lift^
     /// ```
     ///
-    /// A call of its own: what the run keeps takes some hundred bytes of stack.
+    /// A separate function: its run takes about a hundred bytes of stack.
     #[inline(never)]
     pub(super) fn of<W: World, B: Body>(&self, body: &B, level: &W, work: &mut Work) -> Result<B, MoveError> {
         let mut d = self.d;
@@ -109,7 +108,7 @@ impl Shove {
         if run.is_stuck(level) {
             return Err(MoveError::Stuck(Stuck { at: body.position().raw() }));
         }
-        // What has pressed it at this place.
+        // The surfaces that have pressed the body at this position.
         let mut planes = [None; PIECES as usize];
         let mut pressed = 0;
         for piece in 0..PIECES as usize {
@@ -130,7 +129,7 @@ impl Shove {
                 *plane = Some(entry.normal);
             }
             d = yielding(rest, entry.normal, self.held);
-            // A tangent of a quarter pipe leads into it again: the body takes a steeper way,
+            // A tangent of a quarter pipe leads into it again. The body takes a steeper way,
             // through the inside of the pipe.
             if W::ROUND && pressed > 0 && entry.step.is_some() {
                 d = steeper(d, rest, entry.normal, pressed);
@@ -144,10 +143,10 @@ impl Shove {
     }
 }
 
-/// `rest` with as little more along one axis as takes it out of the plane with the normal `n`.
+/// `rest`, plus the least motion along one axis that takes it out of the plane with the normal `n`.
 ///
-/// With v = -rest . n > 0 that is v / |n|, on the axis of that component: below 2^31 as the other
-/// component is at most twice as large.
+/// With v = -rest . n > 0 that motion is v / |n_i|, on axis i. It is below 2^31, since the other
+/// component of n is at most twice as large.
 fn yielding(rest: Raw, n: Axis, held: (bool, bool)) -> Raw {
     if n.x == 0 || n.y == 0 {
         return Raw { x: if n.x == 0 { rest.x } else { 0 }, y: if n.y == 0 { rest.y } else { 0 } };
@@ -157,7 +156,7 @@ fn yielding(rest: Raw, n: Axis, held: (bool, bool)) -> Raw {
         (false, true) => false,
         _ => rest.x.unsigned_abs() >= rest.y.unsigned_abs(),
     };
-    // `steep` where the axis that is held runs into a wall.
+    // `steep`: the held axis runs into a wall.
     let (nx, ny) = (n.x.unsigned_abs(), n.y.unsigned_abs());
     let steep = if holds_x { nx >> 1 > ny } else { ny >> 1 > nx };
     if steep {
@@ -169,7 +168,8 @@ fn yielding(rest: Raw, n: Axis, held: (bool, bool)) -> Raw {
     if holds_x { Raw { y: rest.y.wrapping_add(out), ..rest } } else { Raw { x: rest.x.wrapping_add(out), ..rest } }
 }
 
-/// What `rest` lacks along the axis of the component `along` of the normal to be out of the plane.
+/// The motion along the axis of the component `along` of the normal that takes `rest` out of the
+/// plane.
 pub(super) fn out_of(rest: Raw, n: Axis, along: i32) -> i32 {
     let into = n.dot(Axis::new(rest.x, rest.y));
     if into >= 0 {
@@ -177,7 +177,7 @@ pub(super) fn out_of(rest: Raw, n: Axis, along: i32) -> i32 {
     }
     let (v, a) = (into.unsigned_abs(), along.unsigned_abs());
     let part = mul_div_wide(v, a, usqr(a));
-    // Rounded up: part * a = v where it is exact.
+    // Rounded up: part * a = v if it is exact.
     let part = part.wrapping_add(u32::from(crate::num::umul(part, a) != v)) as i32;
     if along < 0 { part.wrapping_neg() } else { part }
 }
@@ -196,7 +196,7 @@ fn steeper(d: Raw, rest: Raw, n: Axis, pressed: i32) -> Raw {
 mod tests {
     use super::{Axis, Raw, yielding};
 
-    /// What is left leads out of the plane or along it, and nowhere back.
+    /// The rest leads out of the plane or along it, and not back.
     #[test]
     fn what_yields_does_not_lead_in() {
         let steps = || [-70i32, -9, -1, 0, 1, 9, 70].into_iter();

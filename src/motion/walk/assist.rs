@@ -1,4 +1,4 @@
-//! Corners and gaps that a body misses by little.
+//! Nudges past corners and into gaps that a body narrowly misses.
 
 use super::ground::{Ground, Look, along, within};
 use super::walker::checked;
@@ -12,8 +12,8 @@ use crate::num::{Fx, Raw, Vec2};
 use crate::world::World;
 
 impl<S: Law> Mover<S> {
-    /// Puts a body aside that would run into something by at most `reach`, so that its motion just
-    /// passes.
+    /// Moves a body aside by at most `reach`, if it would otherwise hit something that its motion
+    /// just misses from there.
     ///
     /// ```text
     ///     ________            ________        a head under a corner, a foot under a ledge
@@ -22,13 +22,15 @@ impl<S: Law> Mover<S> {
     ///         [o]                    [o]      [o]->       ->    [o]      a gap as wide as the body
     /// ```
     ///
-    /// Call it before the motion, with the velocity of the motion; it does nothing where that meets
-    /// no face along x or y, nor on a floor. The way aside is the least that lets the motion come
-    /// farther, exactly, and free; of two that are equally long the one that the velocity leads to,
-    /// then the one to the right of the motion. A body in free motion aside of `reach` units a call
-    /// may come past a gap in one frame: a `reach` of the speed finds them all.
+    /// Call it before the motion, with the same velocity. It does nothing if the motion hits no
+    /// face along x or y, or hits a floor. The way aside is the shortest, exactly, from which the
+    /// motion comes farther, and it is free. Of two equally short ways it chooses the one that the
+    /// velocity leads to, then the one to the right of the motion.
     ///
-    /// Cost: a sweep along the motion; where that hits, up to six of `reach` more.
+    /// A body that moves sideways faster than `reach` per call can pass a gap within one frame. A
+    /// `reach` as large as the speed finds every gap.
+    ///
+    /// Cost: one sweep along the motion. If that hits, up to six more, of `reach`.
     ///
     /// ```
     /// use tilesat::{Aabb, Mover, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -44,8 +46,8 @@ impl<S: Law> Mover<S> {
     /// ```
     ///
     /// # Errors
-    /// As [`move_and_slide`](Self::move_and_slide), and [`MoveError::Range`] where `reach` is
-    /// negative or not below 2^28 raw.
+    /// As [`move_and_slide`](Self::move_and_slide), and [`MoveError::Range`] if `reach` is negative
+    /// or not below 2^28 raw.
     #[doc(alias = "corner_correction")]
     pub fn assist<W: World, B: Body>(&self, world: &W, body: &B, velocity: Vec2, reach: Fx) -> Result<B, MoveError> {
         let reach = checked(reach, Quantity::Assist)?;
@@ -58,7 +60,7 @@ impl<S: Law> Mover<S> {
         Ok(if aside.overlaps_world(world) { *body } else { aside })
     }
 
-    /// The least way aside that lets the motion of a run come farther.
+    /// The shortest way aside from which the motion of a run comes farther.
     fn aside<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, reach: i32) -> Option<Raw> {
         let d = run.motion;
         let hit = run.look(world, d)?;
@@ -72,8 +74,8 @@ impl<S: Law> Mover<S> {
         let first = if side.dot(d) < 0 { [side.reversed(), side] } else { [side, side.reversed()] };
         for side in first {
             let Some((least, free)) = past(world, run, &hit, side) else { continue };
-            // The place at the hit was rounded: what the motion comes nearer to on its way may need
-            // the next unit.
+            // The position at the hit was rounded: a surface that the motion comes nearer to may
+            // need one more unit.
             let next = least.add(Raw { x: side.x.signum(), y: side.y.signum() });
             let passes = [least, next].into_iter().filter(|aside| !aside.is_zero() && way(*aside) <= way(free));
             let found = passes.filter(|&aside| best.is_none_or(|best| way(aside) < way(best)));
@@ -83,8 +85,8 @@ impl<S: Law> Mover<S> {
     }
 }
 
-/// Whether the motion comes farther into the face from a place aside, where it may also lead along
-/// what is beside a gap.
+/// Whether the motion comes farther into the face from a position aside. There it may also lead
+/// along the side of a gap.
 fn farther<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, aside: Raw) -> bool {
     let n = hit.entry.normal;
     let Some(next) = run.look_from(world, aside, hit.d) else { return true };
@@ -95,8 +97,8 @@ fn farther<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, asi
     depth < was || (beside && run.look_from(world, aside.add(to), ahead).is_none())
 }
 
-/// The least way aside past what was hit: back from the end of the way that is free there, up to
-/// the side of it, a raw unit into its face.
+/// The shortest way aside past the hit surface: from the end of the free way back to the surface's
+/// side, a raw unit into its face.
 fn past<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, side: Raw) -> Option<(Raw, Raw)> {
     let free = match run.look(world, side) {
         Some(ground) => ground.drop(),
@@ -104,7 +106,7 @@ fn past<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, side: 
     };
     let n = hit.entry.normal;
     let ahead = hit.drop().sub(Raw { x: n.x.signum(), y: n.y.signum() });
-    // A raw unit beyond where it is: what is only touched is not met.
+    // One raw unit beyond the current position: a surface that is only touched is no hit.
     let back = free.reversed().sub(Raw { x: side.x.signum(), y: side.y.signum() });
     let edge = run.look_from(world, ahead.add(free), back)?;
     Some((free.add(edge.drop()), free))

@@ -1,4 +1,4 @@
-//! The ground below a body, and what a body stands on.
+//! The ground below a body, and the floor that it stands on.
 
 use crate::error::RangeError;
 use crate::motion::body::{Body, Entry};
@@ -14,8 +14,8 @@ use crate::world::{Cell, Feature, Geometry, World};
 
 /// The floor under a body.
 ///
-/// Plain data; where a body stands on several tiles of one height, their flags are or-ed and the
-/// cell is one of theirs.
+/// Plain data. If a body stands on several tiles of one height, their flags are or-ed and the cell
+/// is one of theirs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Support {
@@ -45,28 +45,28 @@ impl From<Hit> for Support {
     }
 }
 
-/// How far below a body a floor still carries it, raw: bodies come to rest at slopes and corners up
-/// to 2 raw early on each axis.
+/// How far below a body a floor still carries it, raw. Bodies rest up to 2 raw early on each axis
+/// at slopes and corners.
 pub(in crate::motion) const CONTACT: i32 = 8;
 
 /// How far down a wedged body is not free to go, raw. A way slower than the rounding distance leads
-/// nowhere, so what is flatter than 1 in 256 holds each body, as it does where gravity is a 64th of
-/// a unit.
+/// nowhere. Ground flatter than 1 in 256 therefore holds every body, as it does under a gravity of
+/// 1/64 unit.
 const DROP: i32 = 1 << 10;
 
 impl Mover {
     /// The floor that carries a body which does not move: within 8 raw units of it, against "up".
     ///
-    /// Floor is what the mover's slope limit says; one-way faces carry what is entirely above them,
-    /// unless the mover drops through. A mover without an "up" has no floor.
+    /// The mover's slope limit decides which surfaces are floor. One-way faces carry a body that is
+    /// entirely above them, unless the mover drops through. A mover without an "up" has no floor.
     ///
-    /// What gravity wedges between walls, where no direction that leads down is free, is supported
-    /// too: its axis is "up", and the feature is the first below.
+    /// A body that gravity wedges between walls, with no free direction that leads down, is
+    /// supported too. Its axis is then "up", and the feature is the first one below.
     ///
     /// Cost: one sweep over the cells that the body touches.
     ///
     /// # Errors
-    /// [`RangeError`] where a half extent or radius is not below 2^28 raw, or the body is over more
+    /// [`RangeError`] if a half extent or radius is not below 2^28 raw, or the body covers more
     /// than [`Mover::CELLS`] cells.
     pub fn supported<W: World, B: Body>(&self, world: &W, body: &B) -> Result<Option<Support>, RangeError> {
         body.check_size()?;
@@ -81,7 +81,7 @@ impl Mover {
     }
 }
 
-/// What a look down met.
+/// The hit of a look down.
 #[derive(Clone, Copy)]
 pub(super) struct Ground {
     /// The look.
@@ -98,19 +98,19 @@ impl Ground {
 }
 
 pub(super) trait Look {
-    /// What a body meets on a way that it does not make, on what of it is [`within`] the domain.
+    /// The first hit on a way that the body does not make, on the part of it [`within`] the domain.
     fn look<W: World>(&mut self, world: &W, d: Raw) -> Option<Ground>;
 
-    /// The same from another place, whatever is in the way to there and at it: what the body is in
-    /// the solid of is no hit on the way out of it.
+    /// The same from another position, whatever is on the way there and at it. If the body is
+    /// inside the solid, its way out is no hit.
     fn look_from<W: World>(&mut self, world: &W, to: Raw, d: Raw) -> Option<Ground>;
 
-    /// What carries the body: the floor within [`CONTACT`] below, also beside a wall that leans on
-    /// the body from below, or what [wedges](Self::wedge) it.
+    /// The floor that carries the body: within [`CONTACT`] below, also beside a wall that leans on
+    /// the body from below. Otherwise the surfaces that [wedge](Self::wedge) it.
     fn floor_near<W: World>(&mut self, world: &W, mover: &Mover, up: Axis) -> Option<Support>;
 
-    /// What holds a body without being floor: the first that is below it, where of the directions
-    /// that are free at its place none leads down.
+    /// A support that is not floor: the first feature below the body, if no free direction at its
+    /// position leads down.
     fn wedge<W: World>(&mut self, world: &W, up: Axis) -> Option<Support>;
 }
 
@@ -173,15 +173,15 @@ impl<B: Body> Look for Run<'_, B> {
 }
 
 impl Mover {
-    /// The ground as a support, where it is floor.
+    /// The ground as a support, if it is floor.
     pub(super) fn support(&self, ground: &Ground) -> Option<Support> {
         let normal = ground.entry.normal;
         (self.side(normal) == SurfaceRole::Floor).then(|| Support::of(normal, &ground.feature))
     }
 }
 
-/// The part of a way that does not leave the domain, to the last raw unit along x and y; none where
-/// the bounds do already.
+/// The part of a way that stays in the domain, to the last raw unit along x and y. Zero if the
+/// bounds leave the domain already.
 #[inline(never)]
 pub(super) fn within(bounds: &Aabb, d: Raw) -> Raw {
     if check_inside(bounds, d).is_ok() {
@@ -197,8 +197,8 @@ pub(super) fn within(bounds: &Aabb, d: Raw) -> Raw {
         if long <= room {
             return d;
         }
-        // Rounded toward zero, so what fits goes on fitting; the component that is cut comes out as
-        // the room itself.
+        // Rounded toward zero, so a component that fits still fits. The component that is cut
+        // becomes the room itself.
         let part = |c: i32| (mul_div(c.unsigned_abs(), room, long) as i32).wrapping_mul(c.signum());
         Raw { x: part(d.x), y: part(d.y) }
     };
@@ -206,8 +206,8 @@ pub(super) fn within(bounds: &Aabb, d: Raw) -> Raw {
     cut(d, d.y, room(d.y, lo.y, hi.y))
 }
 
-/// A length along an axis, or against it where it is negative; exact along x and y, elsewhere each
-/// component is rounded toward zero.
+/// A length along an axis, or against it if negative. Exact along x and y; elsewhere each component
+/// is rounded toward zero.
 pub(super) fn along(axis: Axis, length: i32) -> Raw {
     if axis.x == 0 || axis.y == 0 {
         return Raw { x: axis.x.signum().wrapping_mul(length), y: axis.y.signum().wrapping_mul(length) };

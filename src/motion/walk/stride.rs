@@ -28,27 +28,27 @@ pub(super) struct Stride<'a, W, B> {
     pub(super) speed: u32,
     against: bool,
     pub(super) stepped: Fx,
-    /// What the step leads to that was climbed last.
+    /// The floor at the top of the last step climbed.
     pub(super) climbed: Option<Support>,
-    /// Where the leg ended that was taken back to where the ground bends.
+    /// The end of a leg that was taken back to where the ground bends.
     ahead: Option<Checkpoint<B>>,
-    /// Where the last leg began, of a chord the leg that led to it.
+    /// The start of the last leg; for a chord, the start of the leg that led to it.
     before: Checkpoint<B>,
-    /// Whether it just comes down on level ground.
+    /// Whether it lands on level ground in this frame.
     lands: bool,
 }
 
-/// How a body that is blocked goes on.
+/// How a blocked body continues.
 enum On {
     /// Along this floor.
     Free(Axis),
-    /// By roundings, to a place that may have a way on.
+    /// By roundings, to a position that may have a way on.
     Creeps([Option<Raw>; 2]),
 }
 
 impl<'a, W: World, B: Body> Stride<'a, W, B> {
-    /// How often a body that is blocked may go by roundings to a place with a way on: down to its
-    /// floor, along it, down again, and one to see.
+    /// How often a blocked body may go by roundings to a position with a way on: down to its floor,
+    /// along it, down again, and one attempt to see.
     const CREEPS: u32 = 4;
 
     pub(super) fn new(walker: &'a Walker, world: &'a W, run: Run<'a, B>, up: Axis, floor: Axis) -> Self {
@@ -70,7 +70,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         }
     }
 
-    /// Walks for the time that is left.
+    /// Walks for the rest of the time.
     pub(super) fn walk(mut self) -> Result<Walked<B>, MoveError> {
         let mut legs = 0;
         let ground = loop {
@@ -104,7 +104,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         Ok(self.settle(ground))
     }
 
-    /// The velocity along the floor in a part of the call's time.
+    /// The velocity along the floor for a part of the call's time.
     pub(super) fn velocity(&self, time: Toi) -> Raw {
         let speed = time.of_raw(self.speed as i32);
         match self.walker.speed {
@@ -115,13 +115,13 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         }
     }
 
-    /// A length level ahead; none for a body that does not walk.
+    /// A horizontal way ahead of this length; zero for a body that does not walk.
     pub(super) fn forward(&self, length: u32) -> Raw {
         tangent(if self.speed == 0 { 0 } else { length }, self.up, self.against)
     }
 
-    /// The next way to make: of a landing on level ground what is left of the motion, to the last
-    /// bit.
+    /// The next way to make. After a landing on level ground this is the rest of the motion, to the
+    /// last bit.
     fn leg(&mut self) -> Raw {
         if core::mem::take(&mut self.lands) {
             return project::<B, W, _>(self.run.motion, self.floor, &Smooth);
@@ -129,14 +129,14 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         if W::ROUND && self.run.on_chord { self.run.motion } else { self.velocity(self.run.rest) }
     }
 
-    /// What is at most the walker's snap below: one raw unit farther, because what is only touched
-    /// is not met.
+    /// The ground at most the walker's snap below. The look goes one raw unit farther, because it
+    /// does not meet a surface that it only touches.
     fn look_down(&mut self) -> Option<Ground> {
         let d = along(self.up, -(self.walker.snap + 1).max(CONTACT));
         self.run.look(self.world, d)
     }
 
-    /// Where the leg ran into something: whether it goes on along it.
+    /// Handles a hit of the leg. Returns whether the body continues along the surface.
     fn turn(&mut self, hit: &Ground) -> bool {
         let Ground { d, entry, feature } = hit;
         let time = self.run.rest.raw() - self.run.after.raw();
@@ -151,7 +151,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         match side {
             SurfaceRole::Floor => {
                 if let Some(ahead) = self.ahead.take().filter(|_| way(made) <= NEAR) {
-                    // It was no bend but a ledge.
+                    // It was a ledge, not a bend.
                     self.run.put_back(ahead);
                     self.run.rest = Toi::ZERO;
                     return true;
@@ -165,7 +165,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
             SurfaceRole::Wall if self.climb() => true,
             _ if self.squeeze() => true,
             _ => {
-                // What is blocked at once does not creep along by roundings.
+                // A body that is blocked at once does not creep along by roundings.
                 if on_chord || way(made) <= NEAR {
                     self.run.put_back(self.before);
                 }
@@ -175,11 +175,11 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         }
     }
 
-    /// Where a leg is blocked: on by the longest way along a floor, or level, that the cone of free
-    /// directions at this place leaves of the level speed.
+    /// Continues from where a leg is blocked: by the longest free way along a floor, or level. The
+    /// free directions at this position and the level speed bound it.
     ///
-    /// At a joint of a ramp and a corridor no lattice place may be in reach from which one of them
-    /// is free: then it goes up to where that is.
+    /// At a joint of a ramp and a corridor, neither may be free from any lattice point in reach.
+    /// Then the body goes up to where one is.
     #[inline(never)]
     fn squeeze(&mut self) -> bool {
         if !may_be_askew::<B, W>() {
@@ -204,7 +204,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         false
     }
 
-    /// Apart, so that the list of ways is not on the stack while the body goes along them.
+    /// A separate function: the list of ways is not on the stack while the body moves along them.
     #[inline(never)]
     fn way_on(&self) -> On {
         let (body, passes) = (&self.run.moved.body, self.run.pass_one_way);
@@ -219,11 +219,11 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         On::Creeps([creeps.next(), creeps.next()])
     }
 
-    /// Goes up to what is met on a way; whether that is anywhere.
+    /// Goes up to the first hit on a way. Returns whether the body moved.
     ///
-    /// The time of a corner or an arc is a lower bound, less than a raw unit early, so the next
-    /// place may be free too. No face is passed on the way there: one that is touched is met before
-    /// the corner, and the others are a raw unit away at least.
+    /// The time of a corner or an arc is a lower bound, less than a raw unit early. The next point
+    /// may therefore be free too. No face is passed on the way: a touched face is met before the
+    /// corner, and the others are at least a raw unit away.
     fn creep(&mut self, d: Raw) -> bool {
         let Some(hit) = self.run.look(self.world, d) else { return false };
         let next = Raw { x: d.x.signum(), y: d.y.signum() };
@@ -232,7 +232,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
             || (round && !self.run.commit(self.world, d, &[next]).is_zero())
     }
 
-    /// Into a quarter pipe by a chord: along its tangent it would meet it again at once.
+    /// Enters a quarter pipe by a chord: along its tangent it would hit the pipe again at once.
     fn enter(&mut self, feature: &Feature) {
         let Geometry::Arc { centre, radius, quadrant, convex: false } = feature.geometry else { return };
         let (at, r) = self.run.moved.body.toward(quadrant);
@@ -242,9 +242,9 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         }
     }
 
-    /// After a whole chord: whether time is left for the ground beyond it. One that ends where the
-    /// pipe is too steep is not made, nor is the leg that led to it: so it does not creep to the
-    /// limit, and over it by a rounding.
+    /// After a whole chord: whether time is left for the ground beyond it. If the chord ends where
+    /// the pipe is too steep, it is not made, nor is the leg that led to it. Otherwise the body
+    /// would creep to the limit, and over it by a rounding.
     fn leave_chord(&mut self, ground: Option<&Ground>) -> bool {
         (self.run.rest, self.run.after, self.run.on_chord) = (self.run.after, Toi::ZERO, false);
         let Some(ground) = ground else { return false };
@@ -258,12 +258,12 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         true
     }
 
-    /// After a whole leg: whether the ground under it bent down, so that a part of the leg is to be
-    /// made along the new floor.
+    /// After a whole leg: whether the ground under it bent down. Then a part of the leg follows the
+    /// new floor.
     ///
     /// ```text
-    ///   o--->X----> d       X is where the line of the leg and the line of the ground at its end, `drop` below, meet:
-    ///  ______  `.  |drop    the part of the leg beyond it is  -(drop . n) / (d . n)  with the ground's normal n.
+    ///   o--->X----> d       The line of the leg meets the line of the ground at its end, `drop` below, in X.
+    ///  ______  `.  |drop    The part of the leg beyond X is  -(drop . n) / (d . n)  with the ground's normal n.
     ///        `.  `.v
     ///          `.  o
     /// ```
@@ -274,12 +274,13 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         if way(drop) <= NEAR || depth <= 0 || away <= 0 || self.walker.mover.side(n) != SurfaceRole::Floor {
             return false;
         }
-        // Two raw units beyond it: before it the new floor's direction would lead into the old one.
+        // Two raw units beyond it: before it, the new floor's direction would lead into the old
+        // one.
         let beyond = mul_div(2, Toi::ONE.raw(), way(d));
         let part = Toi::clamped(ratio(depth as u64, away as u64).raw().saturating_sub(beyond));
         let end = self.run.here();
         let back = Raw { x: part.of_raw(d.x).wrapping_neg(), y: part.of_raw(d.y).wrapping_neg() };
-        // A raw unit higher where rounding led into the floor that it comes back to.
+        // A raw unit higher, in case rounding led into the floor that it comes back to.
         let higher = back.add(Raw { x: self.up.x.signum(), y: self.up.y.signum() });
         if self.run.commit(self.world, d.reversed(), &[back, higher]).is_zero() {
             return false;
@@ -289,7 +290,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         true
     }
 
-    /// Comes down to the ground, or leaves it.
+    /// Puts the body on the ground, or lets it leave the ground.
     fn settle(mut self, ground: Option<Ground>) -> Walked<B> {
         let mut support = self.climbed.or_else(|| ground.as_ref().and_then(|ground| self.footing(ground)));
         if support.is_none() && ground.is_some() {
@@ -301,7 +302,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
         self.run.motion = self.velocity(self.run.rest);
         self.run.moved.floor |= support.is_some();
         if let (Some(ground), Some(_)) = (ground, support) {
-            // What does not walk is not drawn down by roundings either.
+            // Roundings do not pull down a body that does not walk, either.
             if way(ground.drop()) > NEAR || self.speed != 0 {
                 let made = self.run.advance(self.world, ground.d, &ground.entry);
                 snapped = if way(made) > NEAR { length(made) } else { Fx::ZERO };
@@ -313,8 +314,8 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
 
 /// Steps: up, forward, down.
 impl<W: World, B: Body> Stride<'_, W, B> {
-    /// Climbs the step in front, if it is one: up by what it needs, forward by the rest of the leg,
-    /// down to level ground. Else the body stays where it is.
+    /// Climbs the step in front, if there is one: up by its height, forward by the rest of the leg,
+    /// down to level ground. Otherwise the body stays where it is.
     #[inline(never)]
     pub(super) fn climb(&mut self) -> bool {
         let forward = self.forward(self.run.rest.of_raw(self.speed as i32) as u32);
@@ -325,7 +326,7 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         let (room, _) = self.shift(along(self.up, self.walker.step));
         self.run.put_back(start);
         let least = self.least(room, forward);
-        // What is thinner than a leg is passed over its top.
+        // A step thinner than a leg is passed over its top.
         let climbed = [least, room].into_iter().any(|raised| {
             let climbed = self.climb_by(raised, room, forward);
             if !climbed {
@@ -333,16 +334,18 @@ impl<W: World, B: Body> Stride<'_, W, B> {
             }
             climbed
         });
-        // What it is over by now blocks no more; what still does is met by the rest of the frame.
+        // The body is now over the step, which no longer blocks. The rest of the frame meets what
+        // still does.
         self.run.moved.wall &= !climbed;
         climbed
     }
 
-    /// How far the body, raised by all the `room` above it, has to rise for what is under it ahead.
+    /// How far the body must rise from its position for the ground ahead, found from `room` above
+    /// it.
     ///
     /// ```text
-    ///   ________            What is in the way at that height need not be:
-    ///   lintel  |           only what carries the body from below counts.
+    ///   ________            Obstacles at that height do not count:
+    ///   lintel  |           only ground that carries the body from below does.
     ///   --------'  o room
     ///    h _____   ^
     ///     |sill    o
@@ -362,10 +365,10 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         if made.is_zero() || (B::MEETS_CORNERS && self.passes_one_way(&bounds, made)) {
             return false;
         }
-        // To where it came from, and a little farther: on a floor of that height it touches only.
+        // Down to where it came from, and a little farther: a floor of that height is only touched.
         let down = along(self.up, -CONTACT).sub(raised);
         let Some(ground) = self.run.look(self.world, down) else { return false };
-        // The edge is no floor, however flat it is met: the step's height counts.
+        // The edge is no floor, however flatly the body meets it: the step's height counts.
         let corner = ground.entry.step.is_some();
         let floor = if corner { self.beyond(&ground, room.sub(raised)) } else { self.level(&ground) };
         let Some(floor) = floor else { return false };
@@ -376,9 +379,9 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         true
     }
 
-    /// Whether the box around a raised circle meets a one-way face in front of it: the free end of
-    /// such a face holds no circle, but where it is higher than the circle's lowest point, it is
-    /// higher than the step.
+    /// Whether the box around a raised circle meets a one-way face in front of it. The free end of
+    /// such a face does not hold a circle. But if it is higher than the circle's lowest point, it
+    /// is higher than the step.
     fn passes_one_way(&mut self, bounds: &Aabb, d: Raw) -> bool {
         let mut features = self.world.features(&hull(bounds, Raw::ZERO, d, 1));
         while let Some(feature) = &features.next() {
@@ -390,11 +393,11 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         false
     }
 
-    /// What carries the body on this ground.
+    /// The floor that carries the body on this ground.
     ///
-    /// A circle comes down to the edge of a step before it is over the step, or still when it is
-    /// beyond. There it is on its way, and stands, if there is level floor at the end of the same
-    /// way down from its radius farther on.
+    /// A circle comes down to the edge of a step before it is over the step, or while it is still
+    /// beyond. It is then on its way. It stands if the same way down, started one radius farther
+    /// on, ends on level floor.
     pub(super) fn footing(&mut self, ground: &Ground) -> Option<Support> {
         self.walker.mover.support(ground).or_else(|| self.beyond(ground, Raw::ZERO))
     }
@@ -411,14 +414,14 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         self.level(&beyond)
     }
 
-    /// The ground as a support, where it is level.
+    /// The ground as a support, if it is level.
     fn level(&self, ground: &Ground) -> Option<Support> {
         self.walker.mover.support(ground).filter(|floor| floor.axis.perp_dot(self.up) == 0)
     }
 
-    /// As far as it is free and in the domain; the part of the time that is left.
+    /// Moves as far as the way is free and in the domain. Returns the motion, and the time left.
     fn shift(&mut self, d: Raw) -> (Raw, Toi) {
-        // What is not looked at is not free.
+        // A way counts as free only if it has been looked at.
         let d = within(&self.run.moved.body.bounds(), d);
         match self.run.look(self.world, d) {
             Some(Ground { entry, .. }) => {

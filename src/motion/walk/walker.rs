@@ -10,11 +10,11 @@ use crate::motion::{Body, MoveError, Moved, Mover};
 use crate::num::{Fx, MOTION, Raw, Vec2};
 use crate::world::World;
 
-/// How fast a [`Walker`] is on a slope, at a velocity of `s` across "up".
+/// How fast a [`Walker`] is on a slope, if its velocity across "up" is `s`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum SlopeSpeed {
-    /// The part of the velocity along the slope, `s cos a`: slower the steeper it is, upward and
+    /// The part of the velocity along the slope, `s cos a`: slower on steeper slopes, upward and
     /// downward alike.
     #[default]
     Projected,
@@ -22,7 +22,7 @@ pub enum SlopeSpeed {
     Constant,
 }
 
-/// A body that walks on floors: it keeps to the ground on slopes and small steps, climbs steps, and
+/// A body that walks on floors. It keeps to the ground on slopes and small steps, climbs steps, and
 /// does not slip.
 ///
 /// ```text
@@ -33,11 +33,10 @@ pub enum SlopeSpeed {
 ///            `._____
 /// ```
 ///
-/// It stands while the `floor` that the last frame returned is handed to [`walk`](Self::walk) and
-/// its velocity does not rise; else it flies as [`Mover::move_and_slide`] says and lands on the
-/// first floor that it meets. What is steeper than the mover's
-/// [slope limit](Mover::with_slope_limit) is wall: a walker stops there, and what it falls on such
-/// a slope it slides down.
+/// It stands while you pass the `floor` of the last frame to [`walk`](Self::walk) and its velocity
+/// does not rise. Otherwise it flies as with [`Mover::move_and_slide`] and lands on the first floor
+/// that it meets. Ground steeper than the mover's [slope limit](Mover::with_slope_limit) is wall. A
+/// walker stops there, and slides down a steep slope that it falls on.
 ///
 /// Plain data: a copy is a snapshot.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,22 +51,22 @@ pub struct Walker {
 /// Where a walker ended up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Walked<B> {
-    /// The motion. On a floor its velocity is level (across "up"): the speed that walking goes on
-    /// with; in the air it is what it was when it left the ground or what flying left of it.
+    /// The motion. On a floor its velocity is level (across "up"): the speed for the next frame. In
+    /// the air it is the velocity at which it left the ground, or what flying left of it.
     ///
-    /// Its `wall` is what still blocks after the last step that was made: true is the sign to turn
-    /// round. A step's face is among its `hits` all the same.
+    /// Its `wall` is true if a wall still blocks after the last step: the sign to turn round. The
+    /// face of a step is among its `hits` either way.
     pub moved: Moved<B>,
-    /// What it stands on; hand it to the next call.
+    /// The floor that it stands on. Pass it to the next call.
     pub floor: Option<Support>,
     /// How far it rose on steps.
     pub stepped: Fx,
-    /// How far it was drawn down to the ground; 0 for what is only rounding.
+    /// How far it was pulled down to the ground; 0 for mere rounding.
     pub snapped: Fx,
 }
 
 impl<B> Walked<B> {
-    /// Whether it stands.
+    /// Whether it stands on a floor.
     #[must_use]
     pub const fn on_floor(&self) -> bool {
         self.floor.is_some()
@@ -75,22 +74,23 @@ impl<B> Walked<B> {
 }
 
 impl Walker {
-    /// A walker without snap and steps, projected on slopes. Without an "up" it only flies.
+    /// A walker without snap and steps, and projected speed on slopes. Without an "up" it only
+    /// flies.
     #[must_use]
     pub const fn new(mover: Mover) -> Self {
         Self { mover, snap: 0, step: 0, speed: SlopeSpeed::Projected }
     }
 
-    /// The same walker that keeps to a ground which falls by up to `length` a call: one and a half
-    /// of its speed is enough for slopes of 45 degrees and what lies between two of them. Ledges of
-    /// exactly that height are followed down too.
+    /// The same walker that follows ground which falls by up to `length` per call. One and a half
+    /// times its speed is enough for slopes of 45 degrees and the bends between two of them. It
+    /// also follows ledges of exactly that height down.
     ///
-    /// With moving solids, hand the same length to [`Mover::ride`] as `follow` while the body
-    /// stands: a lift that sinks by more than `follow` and less than the snap would draw the walker
-    /// down in each frame and never carry it across.
+    /// With moving solids, pass the same length to [`Mover::ride`] as `follow` while the body
+    /// stands. A lift that sinks by more than `follow` and less than the snap would otherwise pull
+    /// the walker down in each frame, and never carry it sideways.
     ///
     /// # Errors
-    /// [`RangeError`] where the length is negative or not below 2^28 raw.
+    /// [`RangeError`] if the length is negative or not below 2^28 raw.
     #[doc(alias("floor_snap_length", "snap_to_ground"))]
     pub const fn with_snap(self, length: Fx) -> Result<Self, RangeError> {
         match checked(length, Quantity::Snap) {
@@ -102,7 +102,7 @@ impl Walker {
     /// The same walker that climbs steps of up to `height` on level ground.
     ///
     /// # Errors
-    /// [`RangeError`] where the height is negative or not below 2^28 raw.
+    /// [`RangeError`] if the height is negative or not below 2^28 raw.
     #[doc(alias("autostep", "stair stepping"))]
     pub const fn with_step(self, height: Fx) -> Result<Self, RangeError> {
         match checked(height, Quantity::StepHeight) {
@@ -124,35 +124,35 @@ impl Walker {
         Self { mover: self.mover.with_drop_through(drop_through), ..self }
     }
 
-    /// Walks or flies for one frame: `floor` is what the last call returned, `None` at first and
-    /// for a body that was put elsewhere.
+    /// Walks or flies for one frame. `floor` is the one that the last call returned. Pass `None` at
+    /// first, and after you moved the body elsewhere.
     ///
-    /// **On a floor**, unless the velocity rises: what the velocity has across "up" is the speed of
-    /// walking, what it has downward does not count, so nothing slips. It goes along the floor, up
-    /// and down where that bends. At a wall, at what is steeper than the slope limit and under a
-    /// ceiling it stops, and its velocity is zero. Where the ground falls away by more than the
-    /// snap it flies on, with the velocity that it had along the floor.
+    /// **On a floor**, unless the velocity rises, the walking speed is the velocity across "up".
+    /// The downward part does not count, so nothing slips. The body follows the floor up and down
+    /// where it bends. At a wall, at ground steeper than the slope limit, and under a ceiling it
+    /// stops, and its velocity is zero. If the ground falls away by more than the snap, it flies on
+    /// with its velocity along the floor.
     ///
-    /// **In the air** it is [`Mover::move_and_slide`] until it meets a floor, where it walks for
-    /// the rest of the frame; only that the walls, which steep slopes are, take what the velocity
-    /// has against them across "up", so that pushing does not climb them. The mover's response is
-    /// what it does there.
+    /// **In the air** it moves as [`Mover::move_and_slide`] until it meets a floor, where it walks
+    /// for the rest of the frame. One thing differs: walls, and so steep slopes, take the velocity
+    /// against them across "up". Pushing therefore does not climb them. The mover's response
+    /// applies there.
     ///
-    /// The way of a frame is never longer than the velocity (and what it rose on steps and was
-    /// drawn down), but for up to 4 raw of roundings at joints; shorter by less than 2 raw on a
-    /// slope of tiles and up to 10 around the joints of slopes. A circle goes around a corner by
-    /// the tangents to its way, so it loses up to a fifth of a frame's way there once, and more
-    /// where corners follow each other within a frame. Through a quarter pipe it goes by chords,
-    /// and stops before its slope passes the limit. Mirrored scenes give mirrored bits, tiles and
-    /// polygons of the same ground the same bits.
+    /// The way of a frame is never longer than the velocity, except for steps, snapping, and up to
+    /// 4 raw of rounding at joints. It is shorter by less than 2 raw on a slope of tiles, and by up
+    /// to 10 around the joints of slopes. A circle goes around a corner by the tangents to its way.
+    /// That costs up to a fifth of the frame's way once, and more if corners follow each other
+    /// within a frame. Through a quarter pipe it moves by chords, and stops before the slope passes
+    /// the limit. Mirrored scenes give mirrored bits. Tiles and polygons of the same ground give
+    /// the same bits.
     ///
-    /// Steps lead to level ground alone. A circle climbs by its lowest point, so it takes some
-    /// frames, and what it meets no steeper than the slope limit is no step. Its `floor` is then
-    /// the one that the step leads to. Snapping and steps pass one-way faces as every motion does:
-    /// they hold what is entirely above them.
+    /// Steps lead only to level ground. A circle climbs by its lowest point, which takes several
+    /// frames; an edge that it meets no steeper than the slope limit is no step. Its `floor` is
+    /// then the one that the step leads to. Snapping and steps treat one-way faces as every motion
+    /// does: the faces hold bodies that are entirely above them.
     ///
-    /// Cost: walking on even ground, two sweeps over the cells under the motion, at most four legs
-    /// with two each; a step tried is up to ten more.
+    /// Cost: on even ground, two sweeps over the cells under the motion. At most four legs with two
+    /// sweeps each; trying a step takes up to ten more.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Fx, Mover, SlopeSpeed, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2, Walker};
