@@ -106,7 +106,7 @@ fn pairs<T: Tag, M: Meter>(
 /// near.pairs(|pair| assert_eq!((pair.a, pair.b), (b, c)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BruteForce<const N: usize, T = ()> {
     table: Table<T, N>,
 }
@@ -240,7 +240,7 @@ impl PairScan for EachScan<'_> {
 /// near.pairs(|pair| assert_eq!((pair.a, pair.b), (a, b)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias("sweep and prune", "SAP"))]
 pub struct SortSweep<const N: usize, T = ()> {
     table: Table<T, N>,

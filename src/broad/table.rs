@@ -8,7 +8,7 @@ use crate::num::{DOMAIN, Raw, Toi};
 use crate::shape::Aabb;
 
 /// N slots; plain data: a copy is a snapshot.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Table<T, const N: usize> {
     bounds: [Aabb; N],
     tags: [T; N],
@@ -17,7 +17,7 @@ pub(super) struct Table<T, const N: usize> {
     state: State,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct State {
     /// The slot freed last, or NIL.
     free: u16,
@@ -112,7 +112,7 @@ impl<'a, T: Tag> Bodies<'a, T> {
 impl<T: Tag> Bodies<'_, T> {
     /// The name of the body of a slot.
     #[inline]
-    pub(super) fn handle(&self, slot: usize) -> Handle {
+    pub(crate) fn handle(&self, slot: usize) -> Handle {
         Handle::new(slot, self.generations.get(slot).copied().unwrap_or(0))
     }
 

@@ -249,6 +249,7 @@ mod pairs;
 mod piles;
 mod set;
 mod shape;
+mod snapshot;
 mod step;
 mod swept;
 mod way;
@@ -257,6 +258,7 @@ pub use body::SceneBody;
 pub use error::{SceneError, SceneFault};
 pub use set::{Scene, Sleep};
 pub use shape::Shape;
+pub use snapshot::Snapshot;
 
 use crate::broad::{Handle, Pair};
 use crate::motion::Hits;

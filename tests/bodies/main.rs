@@ -17,6 +17,7 @@ mod scene_change;
 mod scene_rest;
 mod scene_rules;
 mod scene_sleep;
+mod scene_snapshot;
 mod sort_sweep;
 mod swept;
 mod swept_pairs;

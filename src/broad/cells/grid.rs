@@ -62,7 +62,7 @@ pub enum Border {
 /// assert!(matches!(near.insert(&wall, ()), Err(BroadError::TooLarge { .. })));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias("uniform grid", "spatial partition"))]
 pub struct LooseGrid<const BLOCKS: usize, const N: usize, T = (), const LARGE: bool = false> {
     table: Table<T, N>,

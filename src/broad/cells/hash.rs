@@ -36,7 +36,7 @@ use crate::shape::Aabb;
 /// assert_eq!(pairs, [(a, b)]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias("hash grid", "spatial hashing"))]
 pub struct SpatialHash<const BUCKETS: usize, const N: usize, T = (), const LARGE: bool = false> {
     table: Table<T, N>,
