@@ -13,6 +13,7 @@ mod response;
 mod response_pair;
 mod response_ratio;
 mod response_verlet;
+mod rollback;
 mod scene_change;
 mod scene_rest;
 mod scene_rules;
