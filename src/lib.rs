@@ -116,6 +116,8 @@ pub mod num;
 pub mod query;
 pub mod scene;
 pub mod shape;
+#[cfg(feature = "serde")]
+mod stored;
 pub mod world;
 
 pub use error::{Quantity, RangeError};

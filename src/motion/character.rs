@@ -89,23 +89,23 @@ pub struct Character<B = Aabb> {
     pub velocity: Vec2,
     /// How it moves.
     pub feel: Feel,
-    body: B,
-    limits: Aabb,
-    floor: Option<Support>,
+    pub(super) body: B,
+    pub(super) limits: Aabb,
+    pub(super) floor: Option<Support>,
     /// The motion of the solid that it has jumped off: its flight is what it is on still ground,
     /// seen from there.
-    base: Vec2,
+    pub(super) base: Vec2,
     /// Whether the button was down in the last frame.
-    held: bool,
+    pub(super) held: bool,
     /// Whether it rises by a jump of its own.
-    jumps: bool,
+    pub(super) jumps: bool,
     /// For how many more frames a press counts.
-    wish: u8,
+    pub(super) wish: u8,
     /// Frames since it stood; the largest number after a jump.
-    away: u8,
+    pub(super) away: u8,
     /// On which side the last wall was, -1 or 1, and how many frames ago.
-    wall: i8,
-    wall_age: u8,
+    pub(super) wall: i8,
+    pub(super) wall_age: u8,
 }
 
 /// A frame that has been thought of: the velocity, and who walks by it.

@@ -9,6 +9,7 @@ use crate::world::{OneWay, Pushable, World, contacts_of};
 /// What a [`Mover`](super::Mover) does with a body that overlaps the level already. To push it out
 /// first, see [`escape`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum StartInside {
     /// Nothing moves: [`Stuck`].

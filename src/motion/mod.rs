@@ -130,6 +130,8 @@ pub mod response {
     mod acceleration;
     mod impact;
     mod reply;
+    #[cfg(feature = "serde")]
+    mod stored;
     mod surface;
     mod verlet;
 
@@ -144,6 +146,8 @@ mod run;
 mod search;
 mod slide;
 mod solids;
+#[cfg(feature = "serde")]
+mod stored;
 mod sweep_body;
 mod sweep_face;
 mod sweep_round;

@@ -16,6 +16,7 @@ pub(super) enum SurfaceRole {
 
 /// The steepest floor, and ceiling: as high as `rise` where it is as wide as `run`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct SlopeLimit {
     pub(super) rise: u16,

@@ -251,6 +251,8 @@ mod set;
 mod shape;
 mod snapshot;
 mod step;
+#[cfg(feature = "serde")]
+mod stored;
 mod swept;
 mod way;
 

@@ -14,6 +14,7 @@ use crate::shape::Aabb;
 /// more than what gravity gives in two steps; and, where there is gravity, ran into the level or
 /// into another body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sleep {
     /// Units a step. What moves more slowly than that on purpose never gets there.
     pub still: Fx,

@@ -39,8 +39,8 @@ use crate::shape::Aabb;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias("hash grid", "spatial hashing"))]
 pub struct SpatialHash<const BUCKETS: usize, const N: usize, T = (), const LARGE: bool = false> {
-    table: Table<T, N>,
-    lattice: Lattice,
+    pub(in crate::broad) table: Table<T, N>,
+    pub(in crate::broad) lattice: Lattice,
     heads: [u16; BUCKETS],
     links: Links<N>,
 }

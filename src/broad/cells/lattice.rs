@@ -14,7 +14,7 @@ use crate::shape::Aabb;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lattice {
     /// Where cell (0, 0) begins.
-    origin: Raw,
+    pub(in crate::broad) origin: Raw,
     /// The side is 2^log raw, 1 to 28.
     log: u8,
 }

@@ -47,10 +47,10 @@ use crate::num::{DOMAIN, Raw, Vec2, check_motion, mul_div};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Acceleration {
     /// What each frame gives, in raw units.
-    whole: (i32, i32),
+    pub(super) whole: (i32, i32),
     /// And in parts of `frames`, with the sign of `whole`: smaller than that.
-    part: (i32, i32),
-    frames: i32,
+    pub(super) part: (i32, i32),
+    pub(super) frames: i32,
 }
 
 /// What of a velocity is below a raw unit: a number of parts on each axis, in which only its
@@ -60,8 +60,8 @@ pub struct Acceleration {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Carry {
-    x: i32,
-    y: i32,
+    pub(super) x: i32,
+    pub(super) y: i32,
 }
 
 impl Carry {
