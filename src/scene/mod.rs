@@ -237,7 +237,7 @@
 //! at its last place in every step, without a velocity, until it falls asleep there. It is the
 //! game's to remove it when it is told, or to have a border that takes all.
 //!
-//! **Rollback** copies the scene, and with it all that the game's own rules read:
+//! **Rollback** takes a [`Snapshot`], or copies the scene, and with it all that the game's own rules read:
 //! [`PairEvents`](crate::broad::PairEvents), [`Exceptions`](crate::broad::Exceptions), the bytes of
 //! tiles that change, solids.
 

@@ -103,8 +103,8 @@ fn parts_of_games_never_panic() {
         let _ = it.respond(Vec2::from_ints(3, 9), tilesat::Axis::NEG_Y);
     });
     read += corrupted(&rope(), 3000, |(_, link, masses, gravity, carry, ..): crate::values::Rope| {
-        let _ = (link.stick.pull(Vec2::ZERO, Vec2::ONE), masses.share_of_a());
-        let _ = gravity.act(Vec2::ONE, carry);
+        let _ = (link.stick.pull(Vec2::ZERO, Vec2::from_ints(1, 1)), masses.share_of_a());
+        let _ = gravity.act(Vec2::from_ints(1, 1), carry);
     });
     let (events, exceptions) = lists();
     read += corrupted(&events, 3000, |mut it: PairEvents<8>| {
@@ -124,7 +124,8 @@ fn scenes<B: BroadPhase<Tag = SceneTag> + Copy + Serialize + DeserializeOwned>(n
             for frame in 0..4 {
                 check(&it);
                 it.step(&map, Vec2::from_raw(0, 6554), |_| {}).unwrap();
-                if let Some((handle, body)) = it.bodies().nth(frame).map(|(handle, body)| (handle, *body)) {
+                let some = it.bodies().nth(frame).map(|(handle, body)| (handle, *body));
+                if let Some((handle, body)) = some {
                     it.remove(handle).unwrap();
                     let _ = it.insert(&body);
                 }

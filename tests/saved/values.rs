@@ -67,7 +67,7 @@ pub(crate) fn rubber() -> Surface {
 pub(crate) fn solids() -> Vec<Solid> {
     let shape = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(32, 8)).unwrap();
     let still = Solid::new(shape, 7).unwrap();
-    let belt = still.with_one_way(Side::Bottom).with_flags(9).with_conveyor(Vec2::from_ints(1, 0)).unwrap();
+    let belt = still.with_one_way(Side::Up).with_flags(9).with_conveyor(Vec2::from_ints(1, 0)).unwrap();
     vec![still, belt.with_motion(Vec2::from_ints(-2, 5)).unwrap()]
 }
 
