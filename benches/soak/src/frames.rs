@@ -6,6 +6,7 @@ use tilesat::{AllShapes, Axis, Mover, Response, Surface, TileMap};
 use tilesat_judge::Random;
 use tilesat_judge::motion as blocks;
 use tilesat_judge::rooms::body::{Body, Outcome};
+use tilesat_judge::rooms::frames::any_capsule;
 use tilesat_judge::rooms::{P, PX, len2, mosaic};
 use tilesat_judge::shapes::level::Level;
 
@@ -150,7 +151,11 @@ fn placed(r: &mut Random, level: &Level, room: &Room, largest: i64) -> Option<Bo
         2 => level.cell,
         _ => 2 + r.below(largest),
     };
-    let kind = if r.one_in(2) { Body::Rect((0, 0), (size(r), size(r))) } else { Body::Disc((0, 0), size(r) / 2) };
+    let kind = match r.below(3) {
+        0 => Body::Rect((0, 0), (size(r), size(r))),
+        1 => Body::Disc((0, 0), size(r) / 2),
+        _ => any_capsule(r, level.cell),
+    };
     (0..100).find_map(|_| {
         let at = (level.x + r.below(level.width * level.cell), level.y + r.below(level.height * level.cell));
         let there = kind.at(if r.one_in(2) { at } else { (at.0 & !0xffff, at.1 & !0xffff) });

@@ -60,6 +60,9 @@ impl Room {
 
     /// Whether the body overlaps the solid after `sixteenths` of a motion.
     pub fn overlaps(&self, body: Body, d: P, sixteenths: i64) -> bool {
+        if let Some(parts) = body.parts() {
+            return parts.into_iter().any(|part| self.overlaps(part, d, sixteenths));
+        }
         let (lo, hi) = body.bounds();
         let place = |p: P| {
             let at = |p: i64, d: i64, origin: i64| (p - origin) * FINE + d * sixteenths;
@@ -76,7 +79,7 @@ impl Room {
                 let solid = self.solids[usize::from(self.tiles[(row * self.width + column) as usize])];
                 match body {
                     Body::Disc(c, r) => disc(&solid, at(place(c)), r * FINE),
-                    Body::Rect(..) => rect(&solid, at(lo), at(hi)),
+                    Body::Rect(..) | Body::Pill(..) => rect(&solid, at(lo), at(hi)),
                 }
             })
         })
