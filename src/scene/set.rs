@@ -10,8 +10,8 @@ use crate::query::Touches;
 use crate::shape::Aabb;
 
 /// When bodies fall asleep: after this many consecutive steps of rest, for all bodies that touch,
-/// directly or not. In a step of rest a body has moved by less than `still` on either axis, or in
-/// all of them together by no more than the gravity of two steps. If there is gravity, it also ran
+/// directly or not. In a step of rest a body has moved by less than `still` on either axis, or
+/// since it has been quiet by no more than the gravity of two steps. If there is gravity, it also ran
 /// into the level or into another body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Sleep {
