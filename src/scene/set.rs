@@ -194,6 +194,20 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// Moves a body elsewhere, or gives it another shape. Wakes it, and the bodies that it touched
     /// before and touches then. Only this call moves a fixed body.
     ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::scene::{SceneBody, SceneTag};
+    /// use tilesat::{Aabb, Scene, Vec2};
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
+    /// let lift = scene.insert(&SceneBody::fixed(at(0)?, 1))?;
+    /// scene.place(lift, at(4)?)?;
+    /// assert_eq!(scene.body(lift)?.shape.position(), Vec2::from_ints(4, 0));
+    /// assert_eq!(scene.remove(lift)?.key, 1);
+    /// assert!(scene.place(lift, at(8)?).is_err()); // its handle is stale
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Stale`](crate::broad::BroadError::Stale) and the errors of the broad phase. Nothing is
     /// changed then. The call does not look at the level: the next step
