@@ -2,6 +2,9 @@
 
 use core::ops::{BitAnd, BitOr, Not};
 
+#[cfg(feature = "serde")]
+mod stored;
+
 /// A set of up to 16 layers.
 ///
 /// ```
@@ -11,6 +14,7 @@ use core::ops::{BitAnd, BitOr, Not};
 /// assert!((PLAYER | ENEMY).intersects(ENEMY) && !PLAYER.intersects(!PLAYER));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[doc(alias("collision_layer", "collision_mask", "InteractionGroups"))]
 pub struct LayerMask(pub u16);

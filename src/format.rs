@@ -9,7 +9,7 @@ use crate::motion::response::{Particle, Split, Stick, Surface};
 use crate::motion::{Body, BodyHit, Character, Feel, Hit, Hits, Input, Moved, Step, Walked, Walker};
 use crate::num::{Fx, Ratio, Toi, UnitVec2, Vec2};
 use crate::query::{CastHit, Contact, MovingHit};
-use crate::scene::{Scene, SceneEvent, Sleep};
+use crate::scene::{Scene, SceneEvent, Sleep, Snapshot};
 use crate::shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 use crate::world::{
     Features, Grid, Joined, JoinedFeatures, JoinedRayHits, Near, Placed, PlacedFeatures, PlacedRayHits, RayHit,
@@ -417,6 +417,12 @@ impl Format for Sleep {
 impl<B: Format, const N: usize> Format for Scene<B, N> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Scene {} awake {=usize} {}", self.near, self.count, self.sleep);
+    }
+}
+
+impl<B: Format, const N: usize> Format for Snapshot<B, N> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Snapshot {} awake {=u16} {}", self.near, self.count, self.sleep);
     }
 }
 

@@ -5,6 +5,8 @@ mod capsule;
 mod corners;
 mod oriented_box;
 mod polygon;
+#[cfg(feature = "serde")]
+mod stored;
 
 use crate::error::{Quantity, RangeError};
 use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};

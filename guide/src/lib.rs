@@ -14,6 +14,7 @@
 //! | [`many_bodies`] | broad phases, pairs, scenes |
 //! | [`rays_and_casts`] | lasers, guards, ledges |
 //! | [`drawing_and_replays`] | interpolation, slow motion, replays, rollback |
+//! | [`rollback`] | two machines: guesses, snapshots, what is played again |
 //! | [`errors`] | each error, its cause, and what a game does |
 //! | [`a_board_from_zero`] | from an empty folder to a program for a Cortex-M0 |
 //! | [`coming_from`] | bump, Godot, rapier, Celeste: their words in ours |
@@ -43,6 +44,7 @@ chapters! {
     many_bodies
     rays_and_casts
     drawing_and_replays
+    rollback
     errors
     a_board_from_zero
     coming_from

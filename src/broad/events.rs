@@ -87,7 +87,8 @@ impl<P: Copy> PairEvent<P> {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Mark {
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(super) enum Mark {
     /// It came this frame and was not there before.
     New,
     /// It was there before and did not come: not yet, or, where the frame is over, not at all.
@@ -152,13 +153,14 @@ enum Mark {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[doc(alias("on_collision_enter", "body_entered", "beginContact"))]
 pub struct PairEvents<const M: usize, P = Pair> {
-    entries: [Entry<P, Mark>; M],
-    frame: FrameState,
+    pub(super) entries: [Entry<P, Mark>; M],
+    pub(super) frame: FrameState,
 }
 
 /// Of the present frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-struct FrameState {
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct FrameState {
     fed: u32,
     lost: bool,
     /// Nothing was fed since it ended.
@@ -287,6 +289,7 @@ fn finish<P: Copy>(
 
 /// How long a pair is ignored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Ignore {
     /// In the next frame in which it comes, then no more.
@@ -329,11 +332,12 @@ pub enum Ignore {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Exceptions<const M: usize> {
     /// By the handles in ascending order.
-    entries: [Entry<Pair, Term>; M],
+    pub(super) entries: [Entry<Pair, Term>; M],
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-struct Term {
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Term {
     ignore: Ignore,
     /// In the frame under way.
     came: bool,
@@ -341,7 +345,7 @@ struct Term {
 
 /// One name for the two orders of a pair; broad phases order by key, which may change.
 #[inline]
-fn sorted(a: Handle, b: Handle) -> Pair {
+pub(super) fn sorted(a: Handle, b: Handle) -> Pair {
     if a <= b { Pair { a, b } } else { Pair { a: b, b: a } }
 }
 

@@ -81,6 +81,7 @@ impl PartialOrd for Handle {
 ///
 /// `a` is the one with the smaller [key](super::Tag::key), at equal keys with the smaller slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pair {
     /// The first body.
@@ -198,6 +199,7 @@ impl Tag for Filter {
 
 /// A tag with a key that you choose: pairs sorted by it are the same in every order of insertion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Keyed<T = ()> {
     /// Unique among the bodies.

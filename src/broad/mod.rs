@@ -33,6 +33,8 @@ mod handle;
 mod order;
 mod phase;
 mod plain;
+#[cfg(feature = "serde")]
+mod stored;
 mod table;
 #[cfg(test)]
 mod tests;

@@ -106,9 +106,9 @@ fn pairs<T: Tag, M: Meter>(
 /// near.pairs(|pair| assert_eq!((pair.a, pair.b), (b, c)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BruteForce<const N: usize, T = ()> {
-    table: Table<T, N>,
+    pub(super) table: Table<T, N>,
 }
 
 impl<const N: usize, T: Tag> BruteForce<N, T> {
@@ -240,18 +240,18 @@ impl PairScan for EachScan<'_> {
 /// near.pairs(|pair| assert_eq!((pair.a, pair.b), (a, b)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias("sweep and prune", "SAP"))]
 pub struct SortSweep<const N: usize, T = ()> {
-    table: Table<T, N>,
+    pub(super) table: Table<T, N>,
     /// Every slot once; those that were in use when it was last sorted are the first.
-    order: [u16; N],
+    pub(super) order: [u16; N],
     /// How many are sorted.
-    sorted: u16,
+    pub(super) sorted: u16,
     /// A body came or went.
-    stale: bool,
+    pub(super) stale: bool,
     /// When it was sorted.
-    epoch: u32,
+    pub(super) epoch: u32,
 }
 
 impl<const N: usize, T: Tag> SortSweep<N, T> {

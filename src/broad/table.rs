@@ -8,27 +8,27 @@ use crate::num::{DOMAIN, Raw, Toi};
 use crate::shape::Aabb;
 
 /// N slots; plain data: a copy is a snapshot.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Table<T, const N: usize> {
-    bounds: [Aabb; N],
-    tags: [T; N],
+    pub(super) bounds: [Aabb; N],
+    pub(super) tags: [T; N],
     /// Odd where the slot is taken.
-    generations: [u16; N],
-    state: State,
+    pub(super) generations: [u16; N],
+    pub(super) state: State,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct State {
     /// The slot freed last, or NIL.
-    free: u16,
+    pub(super) free: u16,
     /// Slots from here on were never taken.
-    top: u16,
+    pub(super) top: u16,
     pub(super) len: u16,
     /// A body came or moved in this epoch.
-    moved: bool,
+    pub(super) moved: bool,
     /// Counts what disturbs an enumeration. It steps at most once an enumeration, so it does not
     /// come round while one is under way.
-    epoch: u32,
+    pub(super) epoch: u32,
 }
 
 /// No slot.
@@ -36,7 +36,7 @@ pub(super) const NIL: u16 = u16::MAX;
 
 /// A slot that nobody has: no box touches it. The left side is kept, which leaves an order by it as
 /// it is; the last word is the next free slot.
-const fn dead(left: i32, next: u16) -> Aabb {
+pub(super) const fn dead(left: i32, next: u16) -> Aabb {
     Aabb::from_raw_unchecked(Raw { x: left, y: i32::MAX }, Raw { x: i32::MIN, y: next as i32 })
 }
 
@@ -112,7 +112,7 @@ impl<'a, T: Tag> Bodies<'a, T> {
 impl<T: Tag> Bodies<'_, T> {
     /// The name of the body of a slot.
     #[inline]
-    pub(super) fn handle(&self, slot: usize) -> Handle {
+    pub(crate) fn handle(&self, slot: usize) -> Handle {
         Handle::new(slot, self.generations.get(slot).copied().unwrap_or(0))
     }
 

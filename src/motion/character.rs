@@ -89,23 +89,23 @@ pub struct Character<B = Aabb> {
     pub velocity: Vec2,
     /// How it moves.
     pub feel: Feel,
-    body: B,
-    limits: Aabb,
-    floor: Option<Support>,
+    pub(super) body: B,
+    pub(super) limits: Aabb,
+    pub(super) floor: Option<Support>,
     /// The motion of the solid that it jumped off. Seen from there, its flight is that on still
     /// ground.
-    base: Vec2,
+    pub(super) base: Vec2,
     /// Whether the button was down in the last frame.
-    held: bool,
+    pub(super) held: bool,
     /// Whether it rises from its own jump.
-    jumps: bool,
+    pub(super) jumps: bool,
     /// For how many more frames a press of the button counts.
-    wish: u8,
+    pub(super) wish: u8,
     /// Frames since it stood; the largest number after a jump.
-    away: u8,
+    pub(super) away: u8,
     /// The side of the last wall, -1 or 1, and how many frames ago it was there.
-    wall: i8,
-    wall_age: u8,
+    pub(super) wall: i8,
+    pub(super) wall_age: u8,
 }
 
 /// The plan of a frame: the velocity, and the walker that will make it.

@@ -5,6 +5,7 @@ use crate::num::Fx;
 
 /// The player's input for one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Input {
     /// The speed to run at, in units per frame: negative to the left.
     pub run: Fx,
@@ -25,6 +26,7 @@ pub struct Input {
 /// # let _ = MOON;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Feel {
     /// The velocity gained per frame. Positive pulls toward larger y, as on a screen. Negative
     /// pulls the other way, and "up" follows.

@@ -9,6 +9,7 @@ use crate::world::{OneWay, Pushable, World, contacts_of};
 /// How a [`Mover`](super::Mover) treats a body that already overlaps the level. To push it out
 /// first, see [`escape`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum StartInside {
     /// Nothing moves: the call returns [`Stuck`].

@@ -133,6 +133,8 @@ pub mod response {
     mod acceleration;
     mod impact;
     mod reply;
+    #[cfg(feature = "serde")]
+    mod stored;
     mod surface;
     mod verlet;
 
@@ -147,6 +149,8 @@ mod run;
 mod search;
 mod slide;
 mod solids;
+#[cfg(feature = "serde")]
+mod stored;
 mod sweep_body;
 mod sweep_capsule;
 mod sweep_face;

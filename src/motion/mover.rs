@@ -13,6 +13,7 @@ use crate::world::{Feature, World};
 
 /// How a body responds to what it hits. The words are bump.lua's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Response {
     /// Slides along the surface.
@@ -56,7 +57,7 @@ pub struct Mover<S = Smooth> {
     pub(super) bounce: Bounce,
     pub(super) limit: SlopeLimit,
     pub(super) drop_through: bool,
-    inside: StartInside,
+    pub(super) inside: StartInside,
     pub(super) surface: S,
 }
 

@@ -19,6 +19,7 @@ use fixed::types::I2F30;
 /// assert_eq!(slope.unit().raw(), (480_191_942, 960_383_884));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[doc(alias("normal", "direction"))]
 pub struct Axis {

@@ -18,6 +18,8 @@
 mod direction;
 mod part;
 mod quotient;
+#[cfg(feature = "serde")]
+mod stored;
 #[cfg(test)]
 mod tests;
 mod turns;

@@ -28,6 +28,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 /// assert_eq!(v * fx!(20000), Vec2::new(Fx::MAX, Fx::MAX));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(alias("vector", "Point"))]
 pub struct Vec2 {
     /// Horizontal component; grows to the right.

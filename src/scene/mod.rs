@@ -239,9 +239,9 @@
 //! its last position in every step, without a velocity, until it falls asleep there. Remove it when
 //! the event reports it, or use a border that accepts all.
 //!
-//! **Rollback** copies the scene, and with it everything that the game's own rules read:
-//! [`PairEvents`](crate::broad::PairEvents), [`Exceptions`](crate::broad::Exceptions), the bytes of
-//! tiles that change, solids.
+//! **Rollback** takes a [`Snapshot`], or copies the scene. It also needs everything that the game's
+//! own rules read: [`PairEvents`](crate::broad::PairEvents),
+//! [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change, solids.
 
 mod body;
 mod error;
@@ -251,7 +251,10 @@ mod pairs;
 mod piles;
 mod set;
 mod shape;
+mod snapshot;
 mod step;
+#[cfg(feature = "serde")]
+mod stored;
 mod swept;
 mod way;
 
@@ -259,6 +262,7 @@ pub use body::SceneBody;
 pub use error::{SceneError, SceneFault};
 pub use set::{Scene, Sleep};
 pub use shape::Shape;
+pub use snapshot::Snapshot;
 
 use crate::broad::{Handle, Pair};
 use crate::motion::Hits;

@@ -14,6 +14,7 @@ use crate::shape::Aabb;
 /// since it has been quiet by no more than the gravity of two steps. If there is gravity, it also ran
 /// into the level or into another body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sleep {
     /// Units per step. A body that moves more slowly than that on purpose never arrives.
     pub still: Fx,

@@ -70,6 +70,34 @@ impl OrientedBox {
         Self { centre, along: along.vec2(), across: across.vec2(), radius: Fx::ZERO }.checked()
     }
 
+    /// A box from its half sides, as they were read.
+    ///
+    /// Those of [`new`](Self::new) are a right angle apart, each component rounded by half a raw
+    /// unit: a product of the two is off by at most half the sum of the components, and half a
+    /// unit. Two that are not zero never are parallel.
+    ///
+    /// # Errors
+    /// [`RangeError`]: `Direction` where no direction gives them, or a corner is outside of the
+    /// [domain](crate::num::DOMAIN).
+    #[cfg(feature = "serde")]
+    pub(super) fn from_sides(centre: Vec2, along: Vec2, across: Vec2) -> Result<Self, RangeError> {
+        let (u, v) = (Raw::of(along), Raw::of(across));
+        for Raw { x, y } in [u, v] {
+            for component in [x, y] {
+                if component.unsigned_abs() >= DOMAIN.unsigned_abs() {
+                    return Err(RangeError { what: Quantity::HalfExtent, value: component });
+                }
+            }
+        }
+        // Below 2^31 + 1, and below 2^61.
+        let most = [u.x, u.y, v.x, v.y].iter().map(|c| u64::from(c.unsigned_abs())).sum::<u64>() + 1;
+        let flat = u.is_zero() || v.is_zero();
+        if u.dot(v).unsigned_abs() * 2 > most || !(flat || u.cross(v) > 0) {
+            return Err(RangeError { what: Quantity::Direction, value: 0 });
+        }
+        Self { centre, along, across, radius: Fx::ZERO }.checked()
+    }
+
     /// This box with a radius around it: corners become round, and every side moves out by
     /// `radius`.
     ///

@@ -11,6 +11,7 @@ use super::tile_map::kind::TileKind;
 ///  row  1  . |   | * |   | .      * is Cell { x: 1, y: 1 }
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cell {
     /// Column. -1 and the map's width stand for everything left and right of it. For a

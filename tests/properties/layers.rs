@@ -12,7 +12,7 @@ use std::path::Path;
 /// What stands on what, from the ground up; those in one row do not import each other. The root
 /// hands names on, `format` prints everything.
 const LAYERS: [&[&str]; 7] = [
-    &["num", "error"],
+    &["num", "error", "stored"],
     &["filter", "shape"],
     &["query"],
     &["world"],

@@ -1,8 +1,8 @@
 //! What stands on a moving solid goes with it, to the last bit, for as long as it stands.
 
 use tilesat::{
-    Aabb, Axis, Body, Circle, Fx, Joined, MoveError, Mover, Quantity, RangeError, Side, Solid, Solids, TileKind,
-    TileKinds, TileMap, Vec2, motion::Ride,
+    Aabb, Axis, Body, Capsule, Circle, Fx, Joined, MoveError, Mover, Quantity, RangeError, Side, Solid, Solids,
+    TileKind, TileKinds, TileMap, Vec2, motion::Ride,
 };
 use tilesat_judge::solids::{P, disc, raw, rect, solid, vec2};
 use tilesat_judge::{Random, cases};
@@ -87,6 +87,11 @@ fn a_rider_does_not_drift_in_ten_thousand_ticks() {
         // itself.
         rides(rect((1 - 6 * UNIT, -12 * UNIT), (1, 0)), kind, None, &mut random);
         rides(disc((40 * UNIT, -4 * UNIT), 4 * UNIT), kind, None, &mut random);
+        // Standing, and lying over each edge with a part of the core.
+        let capsule = |a: P, b: P| Capsule::new(vec2(a), vec2(b), Fx::from_bits(4 << 16)).unwrap();
+        rides(capsule((9 * UNIT + 5, -4 * UNIT), (9 * UNIT + 5, -20 * UNIT)), kind, None, &mut random);
+        rides(capsule((1, -4 * UNIT), (-20 * UNIT, -4 * UNIT)), kind, None, &mut random);
+        rides(capsule((40 * UNIT - 1, -4 * UNIT), (60 * UNIT, -4 * UNIT)), kind, None, &mut random);
     }
 }
 

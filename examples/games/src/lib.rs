@@ -7,6 +7,7 @@
 //! | [`pinball`] | balls on a table of tiles and polygons: bumpers, slingshots, a kicker |
 //! | [`platformer`] | a scripted player, 16 boxes and 16 balls in a baked level |
 //! | [`platforms`] | a walker on lifts, a conveyor, steps, under a crusher |
+//! | [`rollback`] | two players over a link that loses packets: delay, prediction, rollback |
 //! | [`scroller`] | a runner in a world of 40 000 pixels, through rooms |
 //! | [`top_down`] | eight directions, no up; slips around corners |
 //!
@@ -25,5 +26,6 @@ pub mod ninja;
 pub mod pinball;
 pub mod platformer;
 pub mod platforms;
+pub mod rollback;
 pub mod scroller;
 pub mod top_down;

@@ -10,6 +10,7 @@ use crate::shape::Aabb;
 
 /// How a [`LooseGrid`] treats a body whose centre is outside of its cells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Border {
     /// It belongs to the nearest cell of the border. All answers stay the same, but many bodies
@@ -62,13 +63,13 @@ pub enum Border {
 /// assert!(matches!(near.insert(&wall, ()), Err(BroadError::TooLarge { .. })));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias("uniform grid", "spatial partition"))]
 pub struct LooseGrid<const BLOCKS: usize, const N: usize, T = (), const LARGE: bool = false> {
-    table: Table<T, N>,
-    lattice: Lattice,
-    rows: Rows,
-    border: Border,
+    pub(in crate::broad) table: Table<T, N>,
+    pub(in crate::broad) lattice: Lattice,
+    pub(in crate::broad) rows: Rows,
+    pub(in crate::broad) border: Border,
     occupied: [u32; BLOCKS],
     heads: [[u16; 32]; BLOCKS],
     links: Links<N>,

@@ -36,11 +36,11 @@ use crate::shape::Aabb;
 /// assert_eq!(pairs, [(a, b)]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias("hash grid", "spatial hashing"))]
 pub struct SpatialHash<const BUCKETS: usize, const N: usize, T = (), const LARGE: bool = false> {
-    table: Table<T, N>,
-    lattice: Lattice,
+    pub(in crate::broad) table: Table<T, N>,
+    pub(in crate::broad) lattice: Lattice,
     heads: [u16; BUCKETS],
     links: Links<N>,
 }

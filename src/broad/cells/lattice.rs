@@ -11,10 +11,10 @@ use crate::shape::Aabb;
 /// So two boxes that touch belong to the same cell or to neighbours: where a whole cell is between
 /// two cells, centres in them are more than a side of a cell apart (a cell has its lower lines and
 /// not its upper ones), and half widths add up to at most that.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lattice {
     /// Where cell (0, 0) begins.
-    origin: Raw,
+    pub(in crate::broad) origin: Raw,
     /// The side is 2^log raw, 1 to 28.
     log: u8,
 }
@@ -161,7 +161,7 @@ impl Lattice {
 }
 
 /// How cells are numbered: row by row, with a power of two of columns.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::broad) struct Rows {
     pub(in crate::broad) count: u16,
     pub(in crate::broad) log_columns: u8,

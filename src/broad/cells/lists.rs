@@ -16,7 +16,7 @@ use crate::broad::table::{Bodies, NIL, touch};
 use crate::broad::{Pair, PairCursor, PairsError, Tag};
 
 /// Links of N bodies.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::broad) struct Links<const N: usize> {
     next: [u16; N],
     prev: [u16; N],

@@ -47,11 +47,11 @@ use crate::num::{DOMAIN, Raw, Vec2, check_motion, mul_div};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Acceleration {
     /// The change per frame, in raw units.
-    whole: (i32, i32),
+    pub(super) whole: (i32, i32),
     /// The rest per frame, in parts of `frames`, with the sign of `whole` and smaller than one
     /// unit.
-    part: (i32, i32),
-    frames: i32,
+    pub(super) part: (i32, i32),
+    pub(super) frames: i32,
 }
 
 /// The part of a velocity below a raw unit, as a count per axis. Only its [`Acceleration`] can
@@ -61,8 +61,8 @@ pub struct Acceleration {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Carry {
-    x: i32,
-    y: i32,
+    pub(super) x: i32,
+    pub(super) y: i32,
 }
 
 impl Carry {

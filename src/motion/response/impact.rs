@@ -108,9 +108,9 @@ pub fn respond(v: Vec2, normal: Axis, restitution: Ratio, friction: Ratio) -> Re
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Masses {
     /// The change of A's velocity in one step of the exchange: the mass of B in lowest terms.
-    a: u8,
+    pub(super) a: u8,
     /// The change of B's: the mass of A.
-    b: u8,
+    pub(super) b: u8,
 }
 
 impl Masses {

@@ -37,10 +37,10 @@ use crate::num::{
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Surface {
-    restitution: Ratio,
-    friction: Ratio,
-    speed: Option<Speed>,
-    rest: u32,
+    pub(super) restitution: Ratio,
+    pub(super) friction: Ratio,
+    pub(super) speed: Option<Speed>,
+    pub(super) rest: u32,
 }
 
 impl Surface {
@@ -168,6 +168,7 @@ pub(in crate::motion) mod law {
 /// No friction, and bounces that lose only roundings: the default of a
 /// [`Mover`](crate::motion::Mover).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Smooth;
 
@@ -217,6 +218,7 @@ impl law::Law for Surface {
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Speed(u64);
 
@@ -310,6 +312,7 @@ const FASTEST: u64 = (DOMAIN as u64 - 1) * (DOMAIN as u64 - 1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Energy(i64);
 

@@ -22,6 +22,7 @@ use core::fmt;
 /// assert_eq!(spark.velocity(), Vec2::from_ints(2, -3));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Particle {
     /// Its position.
     pub position: Vec2,
@@ -133,9 +134,9 @@ impl Particle {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Stick {
-    length: Fx,
-    share_of_a: Ratio,
-    slack: bool,
+    pub(super) length: Fx,
+    pub(super) share_of_a: Ratio,
+    pub(super) slack: bool,
 }
 
 /// The largest error after one correction. A component of each share is short by less than a raw
@@ -209,6 +210,7 @@ impl Stick {
 
 /// A stick between two points of a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Link {
     /// The index of A.
@@ -329,6 +331,7 @@ pub fn relax<W: World, S: Law>(
 /// assert_eq!(quiet.watch(&points, Fx::from_bits(4096)), Quiet::NOT);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Quiet {
     steps: u16,

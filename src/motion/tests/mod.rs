@@ -16,6 +16,7 @@ mod ahead;
 mod arcs;
 mod order;
 mod polygons;
+mod sides;
 mod symmetry;
 
 use self::std::vec::Vec;

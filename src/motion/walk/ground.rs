@@ -17,6 +17,7 @@ use crate::world::{Cell, Feature, Geometry, World};
 /// Plain data. If a body stands on several tiles of one height, their flags are or-ed and the cell
 /// is one of theirs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Support {
     /// The exact normal of the floor.

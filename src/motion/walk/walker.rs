@@ -12,6 +12,7 @@ use crate::world::World;
 
 /// How fast a [`Walker`] is on a slope, if its velocity across "up" is `s`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum SlopeSpeed {
     /// The part of the velocity along the slope, `s cos a`: slower on steeper slopes, upward and

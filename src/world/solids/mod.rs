@@ -17,6 +17,8 @@
 
 pub(super) mod ray;
 pub(super) mod solid;
+#[cfg(feature = "serde")]
+mod stored;
 
 use super::cell::Cell;
 use super::level::{Feature, Geometry, MotionPiece, Seen, World, levels, meets_as_world, sealed};

@@ -7,6 +7,7 @@ use crate::shape::Aabb;
 /// The side of a one-way [`Solid`] that blocks. "Up" is the side of the smaller y, as in
 /// [`TileShape`](crate::TileShape)'s names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Side {
     /// Blocks bodies from the smaller y.

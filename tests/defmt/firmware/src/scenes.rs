@@ -25,6 +25,7 @@ pub(crate) fn tell_all() {
     assert!(told == 1, "a chest on the floor runs into it once a step");
     tell(&stepped.unwrap());
     tell(&scene);
+    tell(&scene.snapshot());
     scene.remove(handle).unwrap();
     let error = scene.remove(handle).unwrap_err();
     tell(&error);

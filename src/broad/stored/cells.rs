@@ -1,0 +1,166 @@
+//! Broad phases with cells: the bodies are linked into their cells again, in an order that gives
+//! the same lists.
+
+use super::slots::{Tenants, once};
+use crate::broad::cells::{Border, InCells, LooseGrid, SpatialHash};
+use crate::broad::table::{Bodies, Spatial, Table};
+use crate::broad::{BroadError, GridError, Tag};
+use crate::num::{Fx, Vec2};
+use crate::stored::{Form, Version, Wrong, ensure, read, write};
+use core::fmt;
+use heapless::Vec;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+/// Why a broad phase with cells is refused.
+enum Fault {
+    Wrong(Wrong),
+    Grid(GridError),
+    /// A body has no cell.
+    Body(usize, BroadError),
+}
+
+impl From<Wrong> for Fault {
+    fn from(e: Wrong) -> Self {
+        Self::Wrong(e)
+    }
+}
+
+impl From<GridError> for Fault {
+    fn from(e: GridError) -> Self {
+        Self::Grid(e)
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Wrong(e) => e.fmt(f),
+            Self::Grid(e) => e.fmt(f),
+            Self::Body(at, e) => write!(f, "slot {at}: {e}"),
+        }
+    }
+}
+
+/// An enumeration of pairs that is under way would miss those of bodies that were removed since: it
+/// begins again, as after a move.
+fn tenants<T: Tag, const N: usize>(table: &Table<T, N>) -> Tenants<T, N> {
+    let mut tenants = Tenants::of(table);
+    tenants.moved = true;
+    tenants
+}
+
+/// The bodies of each list, first to last; list after list.
+fn listed<const N: usize>(cells: &impl InCells) -> Vec<u16, N> {
+    let lists = cells.lists();
+    let heads = lists.heads.iter().chain(core::iter::once(&lists.large));
+    heads.flat_map(|&head| lists.from(head)).map(|slot| slot as u16).take(N).collect()
+}
+
+/// Each is put before those of its list that were there.
+fn link<const N: usize>(cells: &mut impl Spatial, order: &[u16]) -> Result<(), Fault> {
+    let bodies = cells.table();
+    once::<N>(order, bodies.bounds.len())?;
+    let len = usize::from(bodies.state.len);
+    ensure(order.len() == len, order.len(), "the order has more or fewer bodies than there are")?;
+    for &slot in order.iter().rev() {
+        let at = usize::from(slot);
+        let bodies: Bodies<'_, _> = cells.table();
+        let bounds = bodies.bounds.get(at).copied().filter(|_| bodies.handle(at).is_taken());
+        let bounds = bounds.ok_or(Wrong { at, what: "it is in the order, and it is free" })?;
+        let place = cells.admit(&bounds).map_err(|error| Fault::Body(at, error))?;
+        cells.link(at, place);
+    }
+    Ok(())
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))]
+struct Bounded<T, const N: usize> {
+    version: Version,
+    origin: Vec2,
+    cell: Fx,
+    columns: u16,
+    border: Border,
+    table: Tenants<T, N>,
+    order: Vec<u16, N>,
+}
+
+impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> Form<LooseGrid<BLOCKS, N, T, LARGE>>
+    for Bounded<T, N>
+{
+    type Fault = Fault;
+
+    fn of(grid: &LooseGrid<BLOCKS, N, T, LARGE>) -> Self {
+        Self {
+            version: Version,
+            origin: grid.lattice.origin.vec2(),
+            cell: Fx::from_bits(grid.lattice.side()),
+            columns: 1 << grid.rows.log_columns,
+            border: grid.border,
+            table: tenants(&grid.table),
+            order: listed(grid),
+        }
+    }
+
+    fn check(self) -> Result<LooseGrid<BLOCKS, N, T, LARGE>, Fault> {
+        let mut grid = LooseGrid::new(self.origin, self.cell, self.columns)?;
+        grid.table = self.table.check()?;
+        // A border that refuses is one for what comes later.
+        link::<N>(&mut grid, &self.order)?;
+        Ok(grid.with_border(self.border))
+    }
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))]
+struct Endless<T, const N: usize> {
+    version: Version,
+    cell: Fx,
+    table: Tenants<T, N>,
+    order: Vec<u16, N>,
+}
+
+impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> Form<SpatialHash<BUCKETS, N, T, LARGE>>
+    for Endless<T, N>
+{
+    type Fault = Fault;
+
+    fn of(hash: &SpatialHash<BUCKETS, N, T, LARGE>) -> Self {
+        Self {
+            version: Version,
+            cell: Fx::from_bits(hash.lattice.side()),
+            table: tenants(&hash.table),
+            order: listed(hash),
+        }
+    }
+
+    fn check(self) -> Result<SpatialHash<BUCKETS, N, T, LARGE>, Fault> {
+        let mut hash = SpatialHash::new(self.cell)?;
+        hash.table = self.table.check()?;
+        link::<N>(&mut hash, &self.order)?;
+        Ok(hash)
+    }
+}
+
+/// Both traits.
+macro_rules! cells {
+    ($name:ident $lists:ident as $form:ident) => {
+        impl<const $lists: usize, const N: usize, T: Tag + Serialize, const LARGE: bool> Serialize
+            for $name<$lists, N, T, LARGE>
+        {
+            fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+                write::<_, $form<T, N>, S>(self, to)
+            }
+        }
+
+        impl<'de, const $lists: usize, const N: usize, T: Tag + Deserialize<'de>, const LARGE: bool> Deserialize<'de>
+            for $name<$lists, N, T, LARGE>
+        {
+            fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                read::<_, $form<T, N>, D>(stringify!($name), from)
+            }
+        }
+    };
+}
+cells!(LooseGrid BLOCKS as Bounded);
+cells!(SpatialHash BUCKETS as Endless);

@@ -1,0 +1,86 @@
+//! Pairs of the last frame, and pairs that are ignored: each once, in ascending order.
+
+use crate::broad::events::{Entry, FrameState, Mark, Term, sorted};
+use crate::broad::{Exceptions, Pair, PairEvents};
+use crate::stored::{Form, Version, Wrong, ensure, read, write};
+use heapless::Vec;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound(serialize = "P: Serialize", deserialize = "P: Deserialize<'de>"))]
+struct Known<P, const M: usize> {
+    version: Version,
+    pairs: Vec<(P, Mark), M>,
+    frame: FrameState,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Ignored<const M: usize> {
+    version: Version,
+    pairs: Vec<(Pair, Term), M>,
+}
+
+fn listed<K: Copy, V: Copy, const M: usize>(entries: &[Entry<K, V>; M]) -> Vec<(K, V), M> {
+    entries.iter().map_while(|entry| entry.0).collect()
+}
+
+fn entries<K: Copy + Ord, V: Copy, const M: usize>(pairs: &Vec<(K, V), M>) -> Result<[Entry<K, V>; M], Wrong> {
+    let mut entries = [Entry(None); M];
+    let mut last = None;
+    for (at, (place, &(key, value))) in entries.iter_mut().zip(pairs).enumerate() {
+        ensure(last < Some(key), at, "the pairs of the list are not in ascending order")?;
+        (*place, last) = (Entry(Some((key, value))), Some(key));
+    }
+    Ok(entries)
+}
+
+impl<const M: usize, P: Copy + Ord> Form<PairEvents<M, P>> for Known<P, M> {
+    type Fault = Wrong;
+
+    fn of(events: &PairEvents<M, P>) -> Self {
+        Self { version: Version, pairs: listed(&events.entries), frame: events.frame }
+    }
+
+    fn check(self) -> Result<PairEvents<M, P>, Wrong> {
+        Ok(PairEvents { entries: entries(&self.pairs)?, frame: self.frame })
+    }
+}
+
+impl<const M: usize> Form<Exceptions<M>> for Ignored<M> {
+    type Fault = Wrong;
+
+    fn of(exceptions: &Exceptions<M>) -> Self {
+        Self { version: Version, pairs: listed(&exceptions.entries) }
+    }
+
+    fn check(self) -> Result<Exceptions<M>, Wrong> {
+        for (at, (pair, _)) in self.pairs.iter().enumerate() {
+            ensure(sorted(pair.a, pair.b) == *pair, at, "the smaller handle of a pair comes first")?;
+        }
+        Ok(Exceptions { entries: entries(&self.pairs)? })
+    }
+}
+
+impl<const M: usize, P: Copy + Ord + Serialize> Serialize for PairEvents<M, P> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        write::<_, Known<P, M>, S>(self, to)
+    }
+}
+
+impl<'de, const M: usize, P: Copy + Ord + Deserialize<'de>> Deserialize<'de> for PairEvents<M, P> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        read::<_, Known<P, M>, D>("PairEvents", from)
+    }
+}
+
+impl<const M: usize> Serialize for Exceptions<M> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        write::<_, Ignored<M>, S>(self, to)
+    }
+}
+
+impl<'de, const M: usize> Deserialize<'de> for Exceptions<M> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        read::<_, Ignored<M>, D>("Exceptions", from)
+    }
+}

@@ -1,0 +1,106 @@
+//! Broad phases without cells: the order of left sides has to be one, or to be found again.
+
+use super::slots::{Tenants, left, once};
+use crate::broad::{BruteForce, SortSweep, Tag};
+use crate::stored::{Form, Version, Wrong, ensure, read, write};
+use heapless::Vec;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))]
+struct Each<T, const N: usize> {
+    version: Version,
+    table: Tenants<T, N>,
+}
+
+impl<const N: usize, T: Tag> Form<BruteForce<N, T>> for Each<T, N> {
+    type Fault = Wrong;
+
+    fn of(near: &BruteForce<N, T>) -> Self {
+        Self { version: Version, table: Tenants::of(&near.table) }
+    }
+
+    fn check(self) -> Result<BruteForce<N, T>, Wrong> {
+        Ok(BruteForce { table: self.table.check()? })
+    }
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))]
+struct Sorted<T, const N: usize> {
+    version: Version,
+    table: Tenants<T, N>,
+    /// Each slot that was ever taken, once.
+    order: Vec<u16, N>,
+    sorted: u16,
+    stale: bool,
+    epoch: u32,
+}
+
+impl<const N: usize, T: Tag> Form<SortSweep<N, T>> for Sorted<T, N> {
+    type Fault = Wrong;
+
+    fn of(near: &SortSweep<N, T>) -> Self {
+        let used = near.order.get(..near.table.bodies().bounds.len()).unwrap_or_default();
+        let mut order = Vec::new();
+        let all = order.extend_from_slice(used);
+        debug_assert!(all.is_ok(), "it is as long as the array");
+        let SortSweep { sorted, stale, epoch, .. } = *near;
+        Self { version: Version, table: Tenants::of(&near.table), order, sorted, stale, epoch }
+    }
+
+    fn check(self) -> Result<SortSweep<N, T>, Wrong> {
+        let Self { table, order, sorted, stale, epoch, .. } = self;
+        let fresh = !table.moved;
+        let mut near = SortSweep { table: table.check()?, sorted, stale, epoch, ..SortSweep::new() };
+        let bodies = near.table.bodies();
+        ensure(order.len() == bodies.bounds.len(), order.len(), "the order has other slots than were taken")?;
+        once::<N>(&order, order.len())?;
+        let (first, rest) = order
+            .split_at_checked(usize::from(sorted))
+            .ok_or(Wrong { at: usize::from(sorted), what: "more is sorted than there is" })?;
+        let taken = |slot: u16| bodies.handle(usize::from(slot)).is_taken();
+        // What is stale is put together again, and what moved is sorted; the rest is used as it is.
+        let fresh = fresh && epoch == bodies.state.epoch;
+        for &slot in rest.iter().filter(|_| !stale || fresh) {
+            ensure(!taken(slot), usize::from(slot), "it is taken, and not in the order")?;
+        }
+        for &slot in first.iter().filter(|_| !stale) {
+            ensure(taken(slot), usize::from(slot), "it is free, and in the order")?;
+        }
+        let side = |slot: u16| bodies.bounds.get(usize::from(slot)).map(left);
+        for pair in first.windows(2).filter(|_| fresh) {
+            if let &[a, b] = pair {
+                ensure(side(a) <= side(b), usize::from(b), "the order is not that of left sides")?;
+            }
+        }
+        for (place, slot) in near.order.iter_mut().zip(&order) {
+            *place = *slot;
+        }
+        Ok(near)
+    }
+}
+
+impl<const N: usize, T: Tag + Serialize> Serialize for BruteForce<N, T> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        write::<_, Each<T, N>, S>(self, to)
+    }
+}
+
+impl<'de, const N: usize, T: Tag + Deserialize<'de>> Deserialize<'de> for BruteForce<N, T> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        read::<_, Each<T, N>, D>("BruteForce", from)
+    }
+}
+
+impl<const N: usize, T: Tag + Serialize> Serialize for SortSweep<N, T> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        write::<_, Sorted<T, N>, S>(self, to)
+    }
+}
+
+impl<'de, const N: usize, T: Tag + Deserialize<'de>> Deserialize<'de> for SortSweep<N, T> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        read::<_, Sorted<T, N>, D>("SortSweep", from)
+    }
+}

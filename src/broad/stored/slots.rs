@@ -1,0 +1,125 @@
+//! Handles, and the slots of a broad phase.
+
+use crate::broad::table::{NIL, State, Table, dead};
+use crate::broad::{Handle, Tag};
+use crate::num::Raw;
+use crate::shape::Aabb;
+use crate::stored::{Form, Wrong, ensure, stored};
+use heapless::Vec;
+use serde::{Deserialize, Serialize};
+
+#[derive(Serialize, Deserialize)]
+struct Name {
+    slot: u16,
+    generation: u16,
+}
+
+impl Form<Handle> for Name {
+    type Fault = Wrong;
+
+    fn of(handle: &Handle) -> Self {
+        Self { slot: handle.slot() as u16, generation: handle.generation() }
+    }
+
+    fn check(self) -> Result<Handle, Wrong> {
+        let at = usize::from(self.slot);
+        ensure(self.generation & 1 == 1, at, "a generation that names a body is odd")?;
+        Ok(Handle::new(at, self.generation))
+    }
+}
+
+stored!(Handle as Name);
+
+/// One slot that was ever taken.
+#[derive(Serialize, Deserialize)]
+enum Tenant<T> {
+    /// Of an odd generation.
+    Body { generation: u16, bounds: Aabb, tag: T },
+    /// Of an even generation, with the left side that the last body had, and the next free slot.
+    Nobody { generation: u16, left: i32, next: u16 },
+}
+
+/// The slots that were ever taken, and the first of those that are free.
+#[derive(Serialize, Deserialize)]
+#[serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))]
+pub(super) struct Tenants<T, const N: usize> {
+    slots: Vec<Tenant<T>, N>,
+    free: u16,
+    pub(super) moved: bool,
+    epoch: u32,
+}
+
+impl<T: Tag, const N: usize> Form<Table<T, N>> for Tenants<T, N> {
+    type Fault = Wrong;
+
+    fn of(table: &Table<T, N>) -> Self {
+        let mut slots = Vec::new();
+        let bodies = table.bodies();
+        for ((&generation, bounds), &tag) in bodies.generations.iter().zip(bodies.bounds).zip(bodies.tags) {
+            let tenant = if generation & 1 == 1 {
+                Tenant::Body { generation, bounds: *bounds, tag }
+            } else {
+                Tenant::Nobody { generation, left: bounds.lo().x, next: bounds.hi().y as u16 }
+            };
+            let room = slots.push(tenant).is_ok();
+            debug_assert!(room, "a table has at most N slots");
+        }
+        let State { free, moved, epoch, .. } = table.state;
+        Self { slots, free, moved, epoch }
+    }
+
+    fn check(self) -> Result<Table<T, N>, Wrong> {
+        let Self { slots, free, moved, epoch } = self;
+        let mut table = Table::new();
+        let places = table.bounds.iter_mut().zip(&mut table.tags).zip(&mut table.generations);
+        let mut len = 0;
+        for (at, (tenant, ((place, own), known))) in slots.iter().zip(places).enumerate() {
+            match *tenant {
+                Tenant::Body { generation, bounds, tag } => {
+                    ensure(generation & 1 == 1, at, "it is taken, and its generation is even")?;
+                    (*place, *own, *known) = (bounds, tag, generation);
+                    len += 1;
+                }
+                Tenant::Nobody { generation, left, next } => {
+                    ensure(generation & 1 == 0, at, "it is free, and its generation is odd")?;
+                    (*place, *known) = (dead(left, next), generation);
+                }
+            }
+        }
+        // A way along free slots that ends has been at none twice: each of them, if it is as long.
+        let (mut next, mut left) = (free, slots.len() - usize::from(len));
+        while next != NIL {
+            let at = usize::from(next);
+            let Some(Tenant::Nobody { next: then, .. }) = slots.get(at) else {
+                return Err(Wrong { at, what: "the list of free slots leads here, and it is not free" });
+            };
+            let Some(rest) = left.checked_sub(1) else {
+                return Err(Wrong { at, what: "the list of free slots leads here twice" });
+            };
+            (next, left) = (*then, rest);
+        }
+        ensure(left == 0, usize::from(free), "the list of free slots, which begins here, leaves some out")?;
+        table.state = State { free, top: slots.len() as u16, len, moved, epoch };
+        Ok(table)
+    }
+}
+
+/// Slots that come once each, all of them below `end`.
+pub(super) fn once<const N: usize>(slots: &[u16], end: usize) -> Result<(), Wrong> {
+    let mut seen = [false; N];
+    for &slot in slots {
+        let at = usize::from(slot);
+        match seen.get_mut(at).filter(|_| at < end) {
+            Some(seen) if !*seen => *seen = true,
+            Some(_) => return Err(Wrong { at, what: "it is in the order twice" }),
+            None => return Err(Wrong { at, what: "it is in the order, and was never taken" }),
+        }
+    }
+    Ok(())
+}
+
+/// Raw, of the left side.
+pub(super) const fn left(bounds: &Aabb) -> i32 {
+    let Raw { x, .. } = bounds.lo();
+    x
+}

@@ -1,0 +1,31 @@
+//! Filters: their flags by name.
+
+use super::{Filter, LayerMask};
+use crate::stored::{Form, stored};
+use core::convert::Infallible;
+use serde::{Deserialize, Serialize};
+
+#[derive(Serialize, Deserialize)]
+struct Rules {
+    layers: LayerMask,
+    mask: LayerMask,
+    group: i16,
+    still: bool,
+    sensor: bool,
+}
+
+impl Form<Filter> for Rules {
+    type Fault = Infallible;
+
+    fn of(filter: &Filter) -> Self {
+        let Filter { layers, mask, group, .. } = *filter;
+        Self { layers, mask, group, still: filter.still(), sensor: filter.sensor() }
+    }
+
+    fn check(self) -> Result<Filter, Infallible> {
+        let filter = Filter::new(self.layers, self.mask).with_group(self.group);
+        Ok(filter.with_still(self.still).with_sensor(self.sensor))
+    }
+}
+
+stored!(Filter as Rules);

@@ -1,0 +1,160 @@
+//! Movers and walkers, the hero, and memos.
+
+use super::feel::Feel;
+use super::inside::StartInside;
+use super::memo::Memo;
+use super::mover::{Mover, Response};
+use super::plane::SlopeLimit;
+use super::response::Law;
+use super::walk::{SlopeSpeed, Support, Walker};
+use super::{Body, Character};
+use crate::error::RangeError;
+use crate::num::{Axis, Fx, Vec2};
+use crate::shape::Aabb;
+use crate::stored::{Form, Version, read, stored, write};
+use core::convert::Infallible;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+#[derive(Serialize, Deserialize)]
+struct Rules<S> {
+    version: Version,
+    up: Option<Axis>,
+    response: Response,
+    limit: SlopeLimit,
+    drop_through: bool,
+    inside: StartInside,
+    surface: S,
+}
+
+impl<S: Law> Form<Mover<S>> for Rules<S> {
+    type Fault = &'static str;
+
+    fn of(mover: &Mover<S>) -> Self {
+        let Mover { up, response, limit, drop_through, inside, surface, .. } = *mover;
+        Self { version: Version, up, response, limit, drop_through, inside, surface }
+    }
+
+    fn check(self) -> Result<Mover<S>, Self::Fault> {
+        let Self { up, response, limit, drop_through, inside, surface, .. } = self;
+        if up.is_some_and(Axis::is_zero) {
+            return Err("its \"up\" is no direction: both components are zero");
+        }
+        let Mover { bounce, .. } = Mover::new().with_response(response);
+        Ok(Mover { up, response, bounce, limit, drop_through, inside, surface })
+    }
+}
+
+impl<S: Law + Serialize> Serialize for Mover<S> {
+    fn serialize<Z: Serializer>(&self, to: Z) -> Result<Z::Ok, Z::Error> {
+        write::<_, Rules<S>, Z>(self, to)
+    }
+}
+
+impl<'de, S: Law + Deserialize<'de>> Deserialize<'de> for Mover<S> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        read::<_, Rules<S>, D>("Mover", from)
+    }
+}
+
+#[derive(Serialize, Deserialize)]
+struct Gait {
+    mover: Mover,
+    snap: Fx,
+    step: Fx,
+    speed: SlopeSpeed,
+}
+
+impl Form<Walker> for Gait {
+    type Fault = RangeError;
+
+    fn of(walker: &Walker) -> Self {
+        let Walker { mover, snap, step, speed } = *walker;
+        Self { mover, snap: Fx::from_bits(snap), step: Fx::from_bits(step), speed }
+    }
+
+    fn check(self) -> Result<Walker, RangeError> {
+        Walker::new(self.mover).with_slope_speed(self.speed).with_snap(self.snap)?.with_step(self.step)
+    }
+}
+
+stored!(Walker as Gait);
+
+#[derive(Serialize, Deserialize)]
+struct Hero<B> {
+    version: Version,
+    velocity: Vec2,
+    feel: Feel,
+    body: B,
+    limits: Aabb,
+    floor: Option<Support>,
+    base: Vec2,
+    held: bool,
+    jumps: bool,
+    wish: u8,
+    away: u8,
+    wall: i8,
+    wall_age: u8,
+}
+
+impl<B: Copy> Form<Character<B>> for Hero<B> {
+    type Fault = &'static str;
+
+    fn of(hero: &Character<B>) -> Self {
+        let Character { velocity, feel, body, limits, floor, base, held, jumps, wish, away, wall, wall_age } = *hero;
+        Self { version: Version, velocity, feel, body, limits, floor, base, held, jumps, wish, away, wall, wall_age }
+    }
+
+    fn check(self) -> Result<Character<B>, Self::Fault> {
+        let Self { velocity, feel, body, limits, floor, base, held, jumps, wish, away, wall, wall_age, .. } = self;
+        if !(-1..=1).contains(&wall) {
+            return Err("the side of its last wall is -1, 0 or 1");
+        }
+        if floor.is_some_and(|floor| floor.axis.is_zero()) {
+            return Err("its floor has no normal");
+        }
+        Ok(Character { velocity, feel, body, limits, floor, base, held, jumps, wish, away, wall, wall_age })
+    }
+}
+
+impl<B: Body + Serialize> Serialize for Character<B> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        write::<_, Hero<B>, S>(self, to)
+    }
+}
+
+impl<'de, B: Body + Deserialize<'de>> Deserialize<'de> for Character<B> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        read::<_, Hero<B>, D>("Character", from)
+    }
+}
+
+/// A memo only saves time, and nothing but the level can say whether its answer is right: it is
+/// written as nothing, and read as one that is empty.
+#[derive(Serialize, Deserialize)]
+struct Forgotten {
+    version: Version,
+}
+
+impl<B, S> Form<Memo<B, S>> for Forgotten {
+    type Fault = Infallible;
+
+    fn of(_: &Memo<B, S>) -> Self {
+        Self { version: Version }
+    }
+
+    fn check(self) -> Result<Memo<B, S>, Infallible> {
+        Ok(Memo::new())
+    }
+}
+
+impl<B, S> Serialize for Memo<B, S> {
+    fn serialize<Z: Serializer>(&self, to: Z) -> Result<Z::Ok, Z::Error> {
+        write::<_, Forgotten, Z>(self, to)
+    }
+}
+
+impl<'de, B, S> Deserialize<'de> for Memo<B, S> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        read::<_, Forgotten, D>("Memo", from)
+    }
+}

@@ -1,0 +1,133 @@
+//! Scenes: what a snapshot has, where the scene and its broad phase have to agree.
+
+use super::body::{Mode, NOBODY};
+use super::snapshot::{Kept, Snapshot};
+use super::{Scene, SceneBody, Sleep};
+use crate::broad::{BroadPhase, Keyed};
+use crate::filter::Filter;
+use crate::num::{DOMAIN, Fx, Raw};
+use crate::stored::{Form, Version, Wrong, ensure, read, write};
+use heapless::Vec;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+/// What goes on from step to step of a body.
+#[derive(Serialize, Deserialize)]
+struct Lasting {
+    slot: u16,
+    body: SceneBody,
+    mode: Mode,
+    told: bool,
+    quiet: u8,
+    support: u8,
+    ground: u16,
+    drift: [i8; 2],
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound(serialize = "B: Serialize", deserialize = "B: Deserialize<'de>"))]
+struct State<B, const N: usize> {
+    version: Version,
+    near: B,
+    sleep: Sleep,
+    bodies: Vec<Lasting, N>,
+    awake: Vec<u16, N>,
+}
+
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> Form<Snapshot<B, N>> for State<B, N> {
+    type Fault = Wrong;
+
+    fn of(snapshot: &Snapshot<B, N>) -> Self {
+        let taken = snapshot.kept.iter().enumerate().filter(|(_, kept)| kept.mode != Mode::Free);
+        let bodies = taken.map(|(slot, kept)| {
+            let Kept { body, mode, told, quiet, support, ground, drift } = *kept;
+            Lasting { slot: slot as u16, body, mode, told, quiet, support, ground, drift }
+        });
+        Self {
+            version: Version,
+            near: snapshot.near,
+            sleep: snapshot.sleep,
+            bodies: bodies.collect(),
+            awake: snapshot.awake.iter().copied().take(usize::from(snapshot.count)).collect(),
+        }
+    }
+
+    fn check(self) -> Result<Snapshot<B, N>, Wrong> {
+        let Self { near, sleep, bodies, awake, .. } = self;
+        ensure(sleep.still >= Fx::ZERO, 0, "bodies fall asleep below a speed that is negative")?;
+        let (mut kept, mut next) = ([Kept::FREE; N], 0);
+        for lasting in &bodies {
+            let at = usize::from(lasting.slot);
+            ensure(at >= next, at, "bodies come in the order of their slots, each once")?;
+            next = at + 1;
+            agrees(lasting, &near)?;
+            let Some(place) = kept.get_mut(at) else { return Err(Wrong { at, what: "it is beyond the last slot" }) };
+            let Lasting { body, mode, told, quiet, support, ground, drift, .. } = *lasting;
+            let ground_is_here = ground == NOBODY || usize::from(ground) < N;
+            ensure(ground_is_here, at, "it is carried by what is beyond the last slot")?;
+            *place = Kept { body, mode, told, quiet, support, ground, drift };
+        }
+        ensure(near.len() == bodies.len(), bodies.len(), "the broad phase has more bodies")?;
+        let (mut list, mut listed) = ([0; N], [false; N]);
+        for (place, &slot) in list.iter_mut().zip(&awake) {
+            let at = usize::from(slot);
+            let is_awake = kept.get(at).is_some_and(|kept| kept.mode == Mode::Awake);
+            ensure(is_awake, at, "it is in the list of those awake, and is not")?;
+            let seen = listed.get_mut(at).is_some_and(|seen| core::mem::replace(seen, true));
+            ensure(!seen, at, "it is in the list of those awake twice")?;
+            *place = slot;
+        }
+        let count = kept.iter().filter(|kept| kept.mode == Mode::Awake).count();
+        ensure(count == awake.len(), awake.len(), "the list of those awake leaves one out")?;
+        Ok(Snapshot { near, kept, awake: list, count: count as u16, sleep })
+    }
+}
+
+/// What a scene and its broad phase both know of a body.
+fn agrees<B: BroadPhase<Tag = Keyed<Filter>>>(lasting: &Lasting, near: &B) -> Result<(), Wrong> {
+    let Lasting { slot, ref body, mode, .. } = *lasting;
+    let at = usize::from(slot);
+    let handle = near.table().handle(at);
+    ensure(near.contains(handle), at, "the broad phase has no body there")?;
+    ensure(near.bounds(handle) == Ok(body.shape.aabb()), at, "the broad phase has another box")?;
+    let known = near.tag(handle).is_ok_and(|known| known == body.tag(mode != Mode::Awake));
+    ensure(known, at, "the broad phase has another filter, key or rest")?;
+    let mode_fits = match mode {
+        Mode::Free => false,
+        Mode::Fixed => body.mass.is_none(),
+        Mode::Awake | Mode::Asleep => body.mass.is_some(),
+    };
+    ensure(mode_fits, at, "what has no mass is fixed, and nothing else is")?;
+    // A step leaves motions, and what bodies give each other on top of that. With the pushes of a
+    // step, which are motions, that stays below 2^31.
+    let Raw { x, y } = Raw::of(body.velocity);
+    let most = x.unsigned_abs().max(y.unsigned_abs());
+    ensure(most < 2 * DOMAIN.unsigned_abs(), at, "its velocity is one that no step leaves")
+}
+
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy + Serialize, const N: usize> Serialize for Snapshot<B, N> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        write::<_, State<B, N>, S>(self, to)
+    }
+}
+
+impl<'de, B: BroadPhase<Tag = Keyed<Filter>> + Copy + Deserialize<'de>, const N: usize> Deserialize<'de>
+    for Snapshot<B, N>
+{
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        read::<_, State<B, N>, D>("Scene", from)
+    }
+}
+
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy + Serialize, const N: usize> Serialize for Scene<B, N> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        self.snapshot().serialize(to)
+    }
+}
+
+impl<'de, B: BroadPhase<Tag = Keyed<Filter>> + Copy + Deserialize<'de>, const N: usize> Deserialize<'de>
+    for Scene<B, N>
+{
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        Snapshot::deserialize(from).map(|snapshot| Self::from(&snapshot))
+    }
+}

@@ -1,0 +1,159 @@
+//! Shapes, read by their constructors: a shape that exists is inside the domain.
+
+use super::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
+use crate::error::{PolygonError, RangeError};
+use crate::num::{Fx, Vec2};
+use crate::stored::{Form, read, stored, write};
+use core::fmt;
+use heapless::Vec;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+#[derive(Serialize, Deserialize)]
+struct Corners {
+    min: Vec2,
+    max: Vec2,
+}
+
+impl Form<Aabb> for Corners {
+    type Fault = RangeError;
+
+    fn of(aabb: &Aabb) -> Self {
+        Self { min: aabb.min(), max: aabb.max() }
+    }
+
+    fn check(self) -> Result<Aabb, RangeError> {
+        Aabb::new(self.min, self.max)
+    }
+}
+
+#[derive(Serialize, Deserialize)]
+struct Round {
+    centre: Vec2,
+    radius: Fx,
+}
+
+impl Form<Circle> for Round {
+    type Fault = RangeError;
+
+    fn of(circle: &Circle) -> Self {
+        Self { centre: circle.centre(), radius: circle.radius() }
+    }
+
+    fn check(self) -> Result<Circle, RangeError> {
+        Circle::new(self.centre, self.radius)
+    }
+}
+
+#[derive(Serialize, Deserialize)]
+struct Ends {
+    a: Vec2,
+    b: Vec2,
+}
+
+impl Form<Segment> for Ends {
+    type Fault = RangeError;
+
+    fn of(segment: &Segment) -> Self {
+        Self { a: segment.a(), b: segment.b() }
+    }
+
+    fn check(self) -> Result<Segment, RangeError> {
+        Segment::new(self.a, self.b)
+    }
+}
+
+#[derive(Serialize, Deserialize)]
+struct RoundEnds {
+    a: Vec2,
+    b: Vec2,
+    radius: Fx,
+}
+
+impl Form<Capsule> for RoundEnds {
+    type Fault = RangeError;
+
+    fn of(capsule: &Capsule) -> Self {
+        Self { a: capsule.a(), b: capsule.b(), radius: capsule.radius() }
+    }
+
+    fn check(self) -> Result<Capsule, RangeError> {
+        Capsule::new(self.a, self.b, self.radius)
+    }
+}
+
+/// The half sides as they were rounded: a direction that gives them is not unique.
+#[derive(Serialize, Deserialize)]
+struct Sides {
+    centre: Vec2,
+    along: Vec2,
+    across: Vec2,
+    radius: Fx,
+}
+
+impl Form<OrientedBox> for Sides {
+    type Fault = RangeError;
+
+    fn of(turned: &OrientedBox) -> Self {
+        let (centre, along, across) = (turned.centre(), turned.along(), turned.across());
+        Self { centre, along, across, radius: turned.radius() }
+    }
+
+    fn check(self) -> Result<OrientedBox, RangeError> {
+        OrientedBox::from_sides(self.centre, self.along, self.across)?.with_radius(self.radius)
+    }
+}
+
+stored!(Aabb as Corners);
+stored!(Circle as Round);
+stored!(Segment as Ends);
+stored!(Capsule as RoundEnds);
+stored!(OrientedBox as Sides);
+
+#[derive(Serialize, Deserialize)]
+struct Outline<const N: usize> {
+    corners: Vec<Vec2, N>,
+    radius: Fx,
+}
+
+/// The corners, or what is around them.
+enum PolygonFault {
+    Corners(PolygonError),
+    Radius(RangeError),
+}
+
+impl fmt::Display for PolygonFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Corners(e) => e.fmt(f),
+            Self::Radius(e) => e.fmt(f),
+        }
+    }
+}
+
+impl<const N: usize> Form<ConvexPolygon<N>> for Outline<N> {
+    type Fault = PolygonFault;
+
+    fn of(polygon: &ConvexPolygon<N>) -> Self {
+        let mut corners = Vec::new();
+        let all = corners.extend_from_slice(polygon.vertices());
+        debug_assert!(all.is_ok(), "a polygon has at most N corners");
+        Self { corners, radius: polygon.radius() }
+    }
+
+    fn check(self) -> Result<ConvexPolygon<N>, PolygonFault> {
+        let sharp = ConvexPolygon::new(&self.corners).map_err(PolygonFault::Corners)?;
+        sharp.with_radius(self.radius).map_err(PolygonFault::Radius)
+    }
+}
+
+impl<const N: usize> Serialize for ConvexPolygon<N> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        write::<_, Outline<N>, S>(self, to)
+    }
+}
+
+impl<'de, const N: usize> Deserialize<'de> for ConvexPolygon<N> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        read::<_, Outline<N>, D>("ConvexPolygon", from)
+    }
+}

@@ -1,0 +1,94 @@
+//! Plain states in any format of `serde`: what all areas share.
+//!
+//! A type without an invariant derives both traits. Any other has a *form*: plain fields, which
+//! are checked on reading by the same rules as a constructor checks its arguments.
+
+use core::fmt;
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+/// What is written of a `T`, and read back through a check.
+pub(crate) trait Form<T>: Sized {
+    /// Why a form is refused.
+    type Fault: fmt::Display;
+
+    fn of(value: &T) -> Self;
+
+    fn check(self) -> Result<T, Self::Fault>;
+}
+
+pub(crate) fn write<T, F: Form<T> + Serialize, S: Serializer>(value: &T, to: S) -> Result<S::Ok, S::Error> {
+    F::of(value).serialize(to)
+}
+
+/// The fault says what is wrong, and the name of the type in which part of a state.
+pub(crate) fn read<'de, T, F: Form<T> + Deserialize<'de>, D: Deserializer<'de>>(
+    name: &str,
+    from: D,
+) -> Result<T, D::Error> {
+    F::deserialize(from)?.check().map_err(|fault| D::Error::custom(format_args!("{name}: {fault}")))
+}
+
+/// Both traits of a type by its form.
+macro_rules! stored {
+    ($type:ident as $form:ident) => {
+        impl serde::Serialize for $type {
+            fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+                crate::stored::write::<_, $form, S>(self, to)
+            }
+        }
+
+        impl<'de> serde::Deserialize<'de> for $type {
+            fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                crate::stored::read::<_, $form, D>(stringify!($type), from)
+            }
+        }
+    };
+}
+pub(crate) use stored;
+
+/// The version of the forms in which states are written that depend on how this crate works inside.
+/// Numbers and shapes have none: they are what they are.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Version;
+
+impl Version {
+    const NUMBER: u8 = 1;
+}
+
+impl Serialize for Version {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.serialize_u8(Self::NUMBER)
+    }
+}
+
+impl<'de> Deserialize<'de> for Version {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        match u8::deserialize(from)? {
+            Self::NUMBER => Ok(Self),
+            other => {
+                let known = Self::NUMBER;
+                Err(D::Error::custom(format_args!("version {other} is unknown: this crate reads version {known}")))
+            }
+        }
+    }
+}
+
+/// A state that contradicts itself, and where.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wrong {
+    /// The slot, or the place in a list.
+    pub(crate) at: usize,
+    pub(crate) what: &'static str,
+}
+
+impl fmt::Display for Wrong {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "slot {}: {}", self.at, self.what)
+    }
+}
+
+/// That something holds, or what is wrong where it does not.
+pub(crate) const fn ensure(holds: bool, at: usize, what: &'static str) -> Result<(), Wrong> {
+    if holds { Ok(()) } else { Err(Wrong { at, what }) }
+}

@@ -1,0 +1,46 @@
+//! Solids: a box with an inside, and motions that it may make.
+
+use super::solid::{Side, Solid};
+use crate::error::RangeError;
+use crate::num::Vec2;
+use crate::shape::Aabb;
+use crate::stored::{Form, Version, stored};
+use serde::{Deserialize, Serialize};
+
+#[derive(Serialize, Deserialize)]
+struct Machine {
+    version: Version,
+    shape: Aabb,
+    motion: Vec2,
+    conveyor: Vec2,
+    key: u16,
+    flags: u8,
+    one_way: Option<Side>,
+}
+
+impl Form<Solid> for Machine {
+    type Fault = RangeError;
+
+    fn of(solid: &Solid) -> Self {
+        Self {
+            version: Version,
+            shape: solid.shape(),
+            motion: solid.motion(),
+            conveyor: solid.conveyor(),
+            key: solid.key(),
+            flags: solid.flags(),
+            one_way: solid.one_way(),
+        }
+    }
+
+    fn check(self) -> Result<Solid, RangeError> {
+        let solid = Solid::new(self.shape, self.key)?.with_flags(self.flags);
+        let solid = solid.with_conveyor(self.conveyor)?.with_motion(self.motion)?;
+        Ok(match self.one_way {
+            Some(side) => solid.with_one_way(side),
+            None => solid,
+        })
+    }
+}
+
+stored!(Solid as Machine);

@@ -1,0 +1,113 @@
+//! What was read is what was written, bit for bit, through bytes and through text.
+
+use crate::values::{Near, bouncer, grid, hash, heroes, lists, rope, rubber, scene, shapes, solids, walker};
+use core::fmt::Debug;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use tilesat::broad::{BroadPhase, BruteForce};
+use tilesat::scene::SceneTag;
+use tilesat::{Aabb, Axis, Character, Input, Memo, Mover, Scene, TileKind, TileKinds, TileMap, Vec2, fx};
+use tilesat_judge::scenes::{BODIES, check, room};
+
+pub(crate) fn bytes<T: Serialize>(value: &T) -> Vec<u8> {
+    let mut room = vec![0; 1 << 14];
+    postcard::to_slice(value, &mut room).unwrap().to_vec()
+}
+
+/// Through bytes and through text.
+fn again<T: Serialize + DeserializeOwned>(value: &T) -> T {
+    let text = serde_json::to_string(value).unwrap();
+    let read: T = serde_json::from_str(&text).unwrap_or_else(|e| panic!("{e}: {text}"));
+    let written = bytes(&read);
+    assert_eq!(written, bytes(value), "{text}");
+    postcard::from_bytes(&written).unwrap()
+}
+
+fn same<T: Serialize + DeserializeOwned + PartialEq + Debug>(value: &T) {
+    assert_eq!(again(value), *value);
+}
+
+#[test]
+fn plain_states_are_the_same() {
+    let (aabbs, circles, segments, capsules, turned, polygons) = shapes();
+    aabbs.iter().for_each(same);
+    circles.iter().for_each(same);
+    segments.iter().for_each(same);
+    capsules.iter().for_each(same);
+    turned.iter().for_each(same);
+    polygons.iter().for_each(same);
+    solids().iter().for_each(same);
+    heroes().iter().for_each(same);
+    same(&walker());
+    same(&Mover::new());
+    same(&bouncer());
+    same(&rubber());
+    same(&rope());
+    let (events, exceptions) = lists();
+    same(&events);
+    same(&exceptions);
+    assert!(events.iter().count() > 2 && again(&events).iter().eq(events.iter()));
+}
+
+#[test]
+fn a_hero_goes_on_the_same() {
+    static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    let level = TileMap::from_ascii("#......#\n#......#\n#......#\n########\n", &KINDS).unwrap();
+    for hero in heroes() {
+        let (mut one, mut other): (Character, _) = (hero, again(&hero));
+        for _ in 0..20 {
+            let input = Input { run: fx!(1), jump: true, drop: false };
+            assert_eq!(one.step(&level, input), other.step(&level, input));
+            assert_eq!(one, other);
+        }
+    }
+}
+
+/// What only saves time is not written.
+#[test]
+fn a_memo_is_read_empty() {
+    let level = room();
+    let (mover, mut memo) = (Mover::platformer(Axis::NEG_Y), Memo::new());
+    let body = Aabb::new(Vec2::from_ints(30, 54), Vec2::from_ints(38, 64)).unwrap();
+    let fall = Vec2::from_raw(0, 6554);
+    let first = memo.move_and_slide(&mover, &level, 0, &body, fall).unwrap();
+    assert_ne!(memo, Memo::new());
+    let mut read: Memo<Aabb> = again(&memo);
+    assert_eq!(read, Memo::new());
+    assert_eq!(read.move_and_slide(&mover, &level, 0, &body, fall), Ok(first));
+}
+
+fn goes_on<B: BroadPhase<Tag = SceneTag> + Copy + Serialize + DeserializeOwned + Debug>(near: B) {
+    let map = room();
+    for (seed, frames) in [(0, 0), (1, 1), (2, 7), (3, 26), (4, 60), (5, 400)] {
+        let mut one = scene(near, seed, frames);
+        let mut other: Scene<B, BODIES> = again(&one);
+        for frame in 0..40 {
+            assert_eq!(bytes(&one), bytes(&other), "{seed}, {frame}");
+            check(&other);
+            let mut told = [Vec::new(), Vec::new()];
+            for (scene, told) in [&mut one, &mut other].into_iter().zip(&mut told) {
+                let stepped =
+                    scene.step(&map, Vec2::from_raw(0, 6554), |event| told.push(format!("{event:?}"))).unwrap();
+                told.push(format!("{stepped:?}"));
+            }
+            assert_eq!(told[0], told[1], "{seed}, {frame}");
+            // New slots are the same, too.
+            if frame % 8 == 0 {
+                for scene in [&mut one, &mut other] {
+                    let (handle, body) = scene.bodies().next().map(|(handle, body)| (handle, *body)).unwrap();
+                    scene.remove(handle).unwrap();
+                    scene.insert(&body).unwrap();
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn scenes_go_on_the_same() {
+    goes_on(Near::new());
+    goes_on(BruteForce::<BODIES, SceneTag>::new());
+    goes_on(grid());
+    goes_on(hash());
+}
