@@ -24,6 +24,7 @@ fn shape(body: Body) -> Shape {
             Aabb::new(vec2(lo), vec2(hi)).unwrap().into()
         }
         Body::Disc(c, r) => Circle::new(vec2(c), Fx::from_bits(r as i32)).unwrap().into(),
+        Body::Pill(..) => panic!("scenes have no capsules"),
     }
 }
 

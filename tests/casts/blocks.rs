@@ -2,7 +2,7 @@
 //!
 //! `TILESAT_CASES` sets the number of casts a test (default 6 000).
 
-use tilesat::{RangeError, TileMap, world::RayRules};
+use tilesat::{Capsule, Fx, RangeError, TileMap, world::RayRules};
 use tilesat_judge::levels_cast::{PASSED, SEEN, as_the_mover, disc, raw, rect};
 use tilesat_judge::motion::P;
 use tilesat_judge::motion::body::Body;
@@ -46,7 +46,14 @@ fn place(r: &mut Random, level: &Level) -> P {
 fn any_body(r: &mut Random, level: &Level) -> Body {
     let size = |r: &mut Random| if r.one_in(8) { 0 } else { r.within(1, level.cell + level.cell / 2) };
     let p = place(r, level);
-    if r.one_in(2) { Body::rect(p, (size(r), size(r))) } else { Body::disc(p, size(r) / 2) }
+    match r.below(3) {
+        0 => Body::rect(p, (size(r), size(r))),
+        1 => Body::disc(p, size(r) / 2),
+        _ => {
+            let (long, radius) = (1 + size(r), (size(r) / 2).max(1));
+            Body::Disc { c: p, core: if r.one_in(2) { (long, 0) } else { (0, long) }, r: radius }
+        }
+    }
 }
 
 fn cast(map: &TileMap<'_>, body: &Body, d: P, rules: RayRules) -> Option<tilesat::Hit> {
@@ -59,7 +66,15 @@ fn cast(map: &TileMap<'_>, body: &Body, d: P, rules: RayRules) -> Option<tilesat
             }
             found.map(|f| f.hit)
         }
-        Body::Disc { c, r } => {
+        Body::Disc { c, core, r } if core != (0, 0) => {
+            let body = Capsule::new(raw(c), raw((c.0 + core.0, c.1 + core.1)), Fx::from_bits(r as i32)).unwrap();
+            let found = map.cast_shape(&body, raw(d), rules).unwrap();
+            if rules.one_way {
+                as_the_mover(map, &body, raw(d), found.as_ref());
+            }
+            found.map(|f| f.hit)
+        }
+        Body::Disc { c, r, .. } => {
             let body = disc(c, r);
             let found = map.cast_shape(&body, raw(d), rules).unwrap();
             if rules.one_way {

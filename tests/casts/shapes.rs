@@ -23,7 +23,12 @@ fn all_shapes_on_the_way() {
             let map = level.all();
             for _ in 0..24 {
                 let p = (r.within(0, 8 * 24 * PX), r.within(0, 8 * 24 * PX));
-                let shape = if r.one_in(2) { Body::Disc(p, 10 * PX) } else { Body::Rect(p, (14 * PX, 18 * PX)) };
+                let shape = [
+                    Body::Disc(p, 10 * PX),
+                    Body::Rect(p, (14 * PX, 18 * PX)),
+                    Body::Pill(p, (0, -6 * PX), 7 * PX),
+                    Body::Pill(p, (8 * PX, 0), 5 * PX),
+                ][r.below(4) as usize];
                 if room.overlaps(shape, (0, 0), 0) {
                     continue;
                 }
@@ -62,6 +67,12 @@ fn cast(map: &TileMap<'_, AllShapes>, body: Body, d: P) -> Option<(i64, Body)> {
             let found = map.cast_shape(&disc(c, r), raw(d), SEEN).unwrap();
             as_the_mover(map, &disc(c, r), raw(d), found.as_ref());
             found.map(|f| (f.hit.toi.raw().into(), body.at(point(f.body.centre()))))
+        }
+        Body::Pill(p, core, r) => {
+            let capsule = Body::capsule(p, core, r);
+            let found = map.cast_shape(&capsule, raw(d), SEEN).unwrap();
+            as_the_mover(map, &capsule, raw(d), found.as_ref());
+            found.map(|f| (f.hit.toi.raw().into(), body.at(point(f.body.a()))))
         }
     }
 }
