@@ -1,8 +1,8 @@
 //! Compact `defmt::Format` for the types that hold fixed-point numbers; the others derive it.
 //!
 //! A level logs its size and position, never its tiles; a cursor logs which level it belongs to.
-//! Broad phases, scenes and walkers log how full they are and their settings, never each body. Of
-//! pairs they log those that there are.
+//! Broad phases, scenes and walkers log how full they are and their settings, never each body. They
+//! log only the pairs that exist.
 
 use crate::broad::{BroadPhase, BruteForce, Exceptions, LooseGrid, Nearest, PairEvents, SortSweep, SpatialHash, Tag};
 use crate::motion::response::{Particle, Split, Stick, Surface};

@@ -76,6 +76,6 @@ awk -F'|' -v all=$((2 * ${#states[@]})) '
     END {
         if (rows != all) { print "the game did not come to its end"; exit 1 }
         if (!moved) print rows " rows, none moved by more than 2 %"
-        else if (other) print "another compiler: told, not failed"
+        else if (other) print "another compiler: reported, not failed"
         exit moved && !other
     }' $here/cycles.txt "$fresh"

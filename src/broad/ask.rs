@@ -344,9 +344,9 @@ pub(in crate::broad) fn cast<S: Spatial>(
 /// 2^29..2^31; x, and with it an order by x, stays.
 const ASIDE: i32 = DOMAIN << 1;
 
-/// Every pair with one of the movers, once: whom a mover met it is not met by, because it stands
-/// aside from then on. That takes no memory and asks for no order, and a mover that is named twice
-/// is aside the second time.
+/// Every pair with one of the movers, once. A mover that has been asked steps aside, so later movers
+/// do not meet it. That needs no memory and no order. A mover that is named twice is already aside
+/// the second time.
 pub(in crate::broad) fn pairs_of<S: Spatial>(
     phase: &mut S,
     movers: &[Handle],

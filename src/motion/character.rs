@@ -212,6 +212,21 @@ impl<B: Body> Character<B> {
     ///
     /// Cost: [`Mover::ride`] and [`Walker::walk`] in a [`Joined`] level.
     ///
+    /// ```
+    /// use tilesat::{Aabb, Character, Feel, Input, Outcome, Solid, TileKinds, TileMap, Vec2};
+    /// let level = TileMap::from_ascii("....\n....", &TileKinds::EMPTY)?;
+    /// let limits = Aabb::new(level.origin(), level.grid().end())?;
+    /// let boxed = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
+    /// let mut lift = [Solid::new(boxed(0, 24, 48, 4)?, 7)?];
+    /// let mut hero = Character::new(boxed(20, 10, 10, 14)?, limits, Feel::DEFAULT);
+    /// for _ in 0..3 {
+    ///     lift[0] = lift[0].with_motion(Vec2::from_ints(1, 0))?; // for one frame
+    ///     assert!(hero.step_on(&level, &mut lift, Input::default())?.outcome == Outcome::Moved);
+    /// }
+    /// assert_eq!((hero.ridden(), hero.body().min()), (Some(7), Vec2::from_ints(23, 10)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`step`](Self::step).
     pub fn step_on<W: World>(&mut self, level: &W, solids: &mut [Solid], input: Input) -> Result<Step, RangeError> {

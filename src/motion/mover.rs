@@ -148,6 +148,18 @@ impl<S: Law> Mover<S> {
     /// and has no downward velocity stands on. One frame is enough if it moves into the face by a
     /// raw unit or more: then the body is no longer entirely in front of it. One-way
     /// [`Solid`](crate::Solid)s do not carry a mover that drops through, either.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'-', TileKind::ONE_WAY_UP);
+    /// let level = TileMap::from_ascii("..\n--", &KINDS)?; // the platform is at y = 16
+    /// let (mover, gravity) = (Mover::platformer(Axis::NEG_Y), Vec2::from_ints(0, 1));
+    /// let body = Aabb::new(Vec2::from_ints(4, 6), Vec2::from_ints(14, 16))?;
+    /// assert!(mover.move_and_slide(&level, &body, gravity)?.floor);
+    /// let drops = mover.with_drop_through(true).move_and_slide(&level, &body, gravity)?;
+    /// assert_eq!((drops.floor, drops.position()), (false, Vec2::from_ints(4, 7)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     #[doc(alias("one way platform", "jump-through", "fall-through"))]
     pub const fn with_drop_through(self, drop_through: bool) -> Self {
@@ -155,6 +167,17 @@ impl<S: Law> Mover<S> {
     }
 
     /// The same mover with another answer for bodies that already overlap the level.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Mover, TileKind, TileKinds, TileMap, Vec2, motion::StartInside};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("#...", &KINDS)?; // solid up to x = 16
+    /// let (body, right) = (Aabb::new(Vec2::from_ints(12, 2), Vec2::from_ints(22, 12))?, Vec2::from_ints(8, 0));
+    /// assert!(Mover::new().move_and_slide(&level, &body, right).is_err());
+    /// let leaves = Mover::new().with_inside(StartInside::Ignore).move_and_slide(&level, &body, right)?;
+    /// assert_eq!(leaves.position(), Vec2::from_ints(20, 2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub const fn with_inside(self, inside: StartInside) -> Self {
         Self { inside, ..self }

@@ -19,7 +19,7 @@ pub(super) struct Meeting {
     pub(super) moves_b: bool,
 }
 
-/// Which of two bodies is on top of the other, as gravity sees it.
+/// Which of two bodies is on top of the other, seen along gravity.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Top {
     A,
@@ -42,8 +42,8 @@ impl Top {
 }
 
 impl Meeting {
-    /// `None` where neither can be moved. What is too slow to rise by more than gravity takes in
-    /// two steps does not bounce.
+    /// `None` if neither can be moved. A contact too slow to rise by more than gravity takes in two
+    /// steps does not bounce.
     pub(super) fn of(a: &Slot, b: &Slot, axis: Axis, gravity: Vec2) -> Option<Self> {
         let (one, other) = (&a.body, &b.body);
         let masses = match (one.mass, other.mass) {
@@ -57,8 +57,8 @@ impl Meeting {
         Some(Self { axis, masses, surface, a: one.velocity, b: other.velocity, moves_a, moves_b })
     }
 
-    /// A is below B and carried, so what runs into it runs into the ground: seen from there, B has
-    /// no more energy afterwards.
+    /// A is below B and carried, so a hit on it is a hit on the ground. Seen from there, B has no
+    /// more energy afterwards.
     pub(super) fn onto(slots: &[Slot], a: &Slot, b: &Slot, axis: Axis, gravity: Vec2) -> Self {
         Self {
             axis,
@@ -71,7 +71,7 @@ impl Meeting {
         }
     }
 
-    /// Two of which one may [carry](carries) the other.
+    /// Two bodies of which one may [carry](carries) the other.
     pub(super) fn of_pile(slots: &[Slot], a: &Slot, b: &Slot, axis: Axis, gravity: Vec2) -> Option<Self> {
         let own = Self::of(a, b, axis, gravity)?;
         let slick = own.surface.friction() == Ratio::ZERO;
@@ -101,17 +101,17 @@ impl Meeting {
         self.axis.dot_vec(self.a - self.b) > 0
     }
 
-    /// Whether they run into each other faster than by what gravity gives in two steps: what rests
-    /// does not.
+    /// Whether they run into each other faster than the gravity of two steps. Bodies at rest do
+    /// not.
     pub(super) fn lands(&self, gravity: Vec2) -> bool {
         self.is_hit() && size(self.a - self.b) > size(gravity).saturating_mul(2)
     }
 
-    /// By what the velocities change, where the body with more hits has so many.
+    /// The changes of both velocities, if the body with more hits has this many.
     ///
-    /// Of each change only that part counts, so of the changes of one body no more than one whole
-    /// one does; what it ends with is then a mean of what it had and of what its hits give it, and
-    /// no mean of velocities has more energy than the mean of their energies.
+    /// Only 1/hits of each change counts, so all changes of one body add up to at most one whole
+    /// change. Its final velocity is then a mean of its old one and of those from its hits. No mean
+    /// of velocities has more energy than the mean of their energies.
     pub(super) fn kicks(&self, hits: u16) -> (Vec2, Vec2) {
         let Ok((a, b)) = exchange(self.a, self.b, self.axis, self.masses, &self.surface) else {
             return (Vec2::ZERO, Vec2::ZERO);
@@ -120,12 +120,12 @@ impl Meeting {
     }
 }
 
-/// Whether a body does not give way to one on top of it: it lies on the level, or on bodies that
+/// Whether a body does not give way to one on top of it. It lies on the level, or on bodies that
 /// do, and the push that it gets goes into the ground. If it gave way, a pile would sink into
 /// itself.
 ///
-/// Not where it rises from what carries it; nor, where there is friction, where it goes sideways on
-/// that by more than gravity gives in a step: then it takes the one on top along.
+/// False if it rises from its carrier. With friction, also false if it moves sideways on the
+/// carrier by more than gravity gives in a step: then it takes the one on top along.
 fn carries(slots: &[Slot], lower: &Slot, gravity: Vec2, slick: bool) -> bool {
     let v = lower.body.velocity - lower.ground_velocity(slots);
     lower.support != ALOFT
@@ -133,12 +133,13 @@ fn carries(slots: &[Slot], lower: &Slot, gravity: Vec2, slick: bool) -> bool {
         && (slick || gravity.perp_dot(v).unsigned_abs() <= gravity.length_squared())
 }
 
-/// How many are between a body on top and what carries all, if the one below it has so many.
+/// How many bodies are between a body on top and the carrier of all, if the one below it has
+/// `below`.
 pub(super) fn carried(below: u8) -> u8 {
     if below == ALOFT { ALOFT } else { below + 1 }
 }
 
-/// Which of two surfaces counts: not a matter of which is A.
+/// The surface that counts of two, whichever is A.
 fn acting(a: &Surface, b: &Surface) -> Surface {
     let rank = |s: &Surface| (s.restitution().raw(), !s.friction().raw());
     if rank(a) < rank(b) { *b } else { *a }
@@ -163,7 +164,7 @@ fn part(v: Vec2, n: u16) -> Vec2 {
     Vec2::from_raw(of(x), of(y))
 }
 
-/// How fast the ends of a normal come nearer, to nearest.
+/// How fast the ends of a normal approach, rounded to nearest.
 pub(super) fn approach(axis: Axis, velocity: Vec2) -> Fx {
     let ((x, y), Raw { x: vx, y: vy }) = (axis.unit().raw(), Raw::of(velocity));
     let sum = i64::from(x) * i64::from(vx) + i64::from(y) * i64::from(vy);

@@ -1,4 +1,4 @@
-//! Where and when the ways of two bodies meet, and who may be on one.
+//! Where and when the ways of two bodies meet, and which bodies may be on one.
 
 use super::Shape;
 use super::body::{Mode, Slot};
@@ -8,7 +8,7 @@ use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2};
 use crate::query::{CastShape, Contacts, Inside, MovingHit};
 use crate::shape::Aabb;
 
-/// Where and when two run into each other.
+/// Where and when two bodies run into each other.
 pub(super) struct Met {
     pub(super) pair: Pair,
     pub(super) time: Toi,
@@ -21,8 +21,8 @@ pub(super) struct Met {
 }
 
 impl Met {
-    /// In the order of the pair, so that it does not matter who asks. From when on both are on
-    /// these ways: what was before is over.
+    /// In the order of the pair, so it does not matter which body asks. The ways start at the time
+    /// from which both bodies are on them.
     #[inline(never)]
     pub(super) fn of(one: (Handle, &Slot), other: (Handle, &Slot)) -> Option<Self> {
         let pair = pair(one, other);
@@ -38,8 +38,8 @@ impl Met {
         let (left_a, left_b) = (a.way.left(from), b.way.left(from));
         let hit = p.cast_moving(left_a, &q, left_b)?;
         if !hit.inside {
-            // The cast's own displacements are shares of how far they come nearer, which may be
-            // nothing: so one goes by the time, the other as far from it as the cast says.
+            // The cast's own displacements are shares of how far they approach, which may be zero.
+            // So one body moves by the time, and the other is as far from it as the cast says.
             let nearer = hit.displacement - hit.displacement_b;
             let (by_a, by_b) = if swept(a) {
                 (hit.toi.of(left_b) + nearer, hit.toi.of(left_b))
@@ -63,14 +63,14 @@ impl Met {
 }
 
 impl Slot {
-    /// Where its way has it at a time.
+    /// Its shape at a time, on its way.
     fn at(&self, time: Toi) -> Shape {
         self.body.shape.shifted(self.way.left(self.way.since) - self.way.left(time))
     }
 }
 
 impl Shape {
-    /// When two that move run into each other; none where a motion is too large.
+    /// When two moving shapes run into each other. `None` if a motion is too large.
     fn cast_moving(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit> {
         let hit = match (self, other) {
             (Self::Aabb(a), Self::Aabb(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
@@ -82,8 +82,8 @@ impl Shape {
     }
 }
 
-/// The others that may be on a body's way: those that are slow where the broad phase has them, and
-/// all that are swept.
+/// The other bodies that may be on a body's way: slow ones where the broad phase has them, and all
+/// that are swept.
 pub(super) fn each_near<B: BroadPhase>(
     near: &B,
     slots: &[Slot],
@@ -111,12 +111,12 @@ pub(super) fn may_meet(one: &Slot, other: &Slot) -> bool {
     other.mode != Mode::Free && one.body.filter.with_still(false).lets_pair(other.body.filter.with_still(false))
 }
 
-/// Whether one of two is told of the other, and neither pushes.
+/// Whether one of two is reported to the other, and neither pushes.
 pub(super) const fn senses(one: &Slot, other: &Slot) -> bool {
     one.body.filter.sensor() || other.body.filter.sensor()
 }
 
-/// Two in canonical order.
+/// Two bodies in canonical order.
 pub(super) fn pair(one: (Handle, &Slot), other: (Handle, &Slot)) -> Pair {
     let rank = |(handle, slot): (Handle, &Slot)| (slot.body.key, handle.slot());
     let (a, b) = if rank(one) < rank(other) { (one.0, other.0) } else { (other.0, one.0) };
@@ -128,7 +128,7 @@ pub(super) fn reach(slot: &Slot) -> u32 {
     size(slot.body.velocity + slot.tally.kick).saturating_add(size(slot.tally.push()))
 }
 
-/// A box grown to all sides, as far as the domain goes.
+/// A box grown on all sides, as far as the domain goes.
 pub(super) fn around(bounds: &Aabb, by: u32) -> Aabb {
     let by = by.min(DOMAIN as u32) as i32;
     let (lo, hi) = (bounds.lo(), bounds.hi());

@@ -103,8 +103,8 @@
 //!   t = 0        0.4          0.7           |#
 //!     o-----------o            o <----------|#   1  ball meets crate       (Meet)
 //!               +--+                        |#   2  it meets the wall      (Level)
-//!               |  |  what is slow keeps    |#   3  and what it meets next
-//!               +--+  its way in this step  |#
+//!               |  |  slow bodies keep      |#   3  and so on
+//!               +--+  their way this step  |#
 //! ```
 //!
 //! - Two bodies exchange velocities at most once per step. The event reports them once, with the

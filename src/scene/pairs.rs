@@ -1,5 +1,5 @@
-//! What the contacts at a step's start do to two bodies: who pushes whom, who lies on whom, and who
-//! rests with whom.
+//! How the contacts at a step's start affect two bodies: which pushes the other, which lies on the
+//! other, and which rest together.
 
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
 use super::meeting::{Meeting, Top, toward};
@@ -10,8 +10,8 @@ use crate::motion::response::separate;
 use crate::num::Vec2;
 use crate::query::{Contact, Contacts};
 
-/// Those of all pairs of which one is awake: by the tags of those that are not, or one by one where
-/// they are few.
+/// All pairs with at least one awake body: selected by the tags of the others, or one by one if the
+/// awake bodies are few.
 pub(super) fn each_pair<B: BroadPhase>(near: &mut B, movers: &[Handle], each: impl FnMut(Pair)) {
     if movers.len() > near.len() >> 1 {
         near.pairs(each);
@@ -21,18 +21,19 @@ pub(super) fn each_pair<B: BroadPhase>(near: &mut B, movers: &[Handle], each: im
     }
 }
 
-/// The bodies of a pair, where both are of the scene.
+/// The bodies of a pair, if both are in the scene.
 pub(super) fn both(slots: &[Slot], pair: Pair) -> Option<(&Slot, &Slot)> {
     let (a, b) = (slots.get(pair.a.slot())?, slots.get(pair.b.slot())?);
     (a.mode != Mode::Free && b.mode != Mode::Free).then_some((a, b))
 }
 
-/// Collects what a contact does to two bodies; whether they approach.
+/// Collects the effects of a contact on two bodies. Returns whether they approach.
 pub(super) fn tally(slots: &mut [Slot], pair: Pair, contact: &Contact, gravity: Vec2, carried: bool) -> bool {
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(meeting) = Meeting::of_pile(slots, a, b, contact.axis(), gravity) else { return false };
     let (by_a, by_b) = separate(contact, meeting.masses.share_of_a());
-    // What two that lie push apart others push back: by all of it, that would go on for ever.
+    // Other bodies push back the two lying bodies that a push parts. Pushing by the whole overlap
+    // would go on for ever.
     let gently =
         a.support != ALOFT && b.support != ALOFT && meeting.moves_a && meeting.moves_b && !meeting.lands(gravity);
     let is_hit = if carried { meeting.lands(gravity) } else { meeting.is_hit() };
@@ -51,7 +52,7 @@ fn half(v: Vec2) -> Vec2 {
     Vec2::from_raw(x / 2, y / 2)
 }
 
-/// What two bodies that run into each other do to their velocities.
+/// How two bodies that run into each other change their velocities.
 pub(super) fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, counts: &mut impl FnMut(Pair) -> bool) {
     let Some((a, b)) = both(slots, pair) else { return };
     if senses(a, b) {
@@ -73,8 +74,8 @@ pub(super) fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, counts: &mut i
     }
 }
 
-/// Two bodies touch: one may lie on the other; whether it is left to what comes after the steps of
-/// those below.
+/// Handles two touching bodies, one of which may lie on the other. Returns whether the pair is left
+/// until those below have made their steps.
 pub(super) fn lay(slots: &mut [Slot], pair: Pair, contact: Option<&Contact>, gravity: Vec2) -> bool {
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(top) = upper(a, b, contact, gravity) else { return false };
@@ -88,7 +89,7 @@ pub(super) fn lay(slots: &mut [Slot], pair: Pair, contact: Option<&Contact>, gra
     carried
 }
 
-/// Which of two that touch may lie on the other.
+/// Which of two touching bodies may lie on the other.
 fn upper(a: &Slot, b: &Slot, contact: Option<&Contact>, gravity: Vec2) -> Option<Top> {
     if gravity == Vec2::ZERO {
         return None;
@@ -120,7 +121,7 @@ pub(super) fn join(slots: &mut [Slot], pair: Pair) {
     }
 }
 
-/// Who stands for a body and all that it touches; the way there is halved.
+/// The representative of a body and all that it touches. The path to it is halved.
 pub(super) fn root(slots: &mut [Slot], mut at: u16) -> u16 {
     let link = |slots: &[Slot], at: u16| slots.get(usize::from(at)).map_or(at, |slot| slot.tally.link);
     for _ in 0..slots.len() {

@@ -1,8 +1,8 @@
-//! What lies on others is carried from the ground up.
+//! Bodies that lie on others are carried from the ground up.
 //!
-//! Each such body makes its step after all that is below it. It comes out of those that are carried
-//! themselves, from where they have come to, and its velocity meets that of what carries them all.
-//! So support reaches the whole pile within a step, and a pile in a frame that moves is the pile at
+//! Each such body makes its step after all that is below it. It comes out of bodies that are
+//! carried themselves, from their new positions. Its velocity meets that of the carrier of all.
+//! Support thus reaches the whole pile within a step, and a pile in a moving frame is the pile at
 //! rest.
 
 use super::body::{ALOFT, Mode, Slot};
@@ -20,8 +20,8 @@ use crate::query::{Contact, Contacts};
 use crate::world::World;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
-    /// Moves those that lie on others; whether one has been quiet for long enough. Apart, because a
-    /// scene without piles needs neither its registers nor its stack.
+    /// Moves the bodies that lie on others. Returns whether one has been quiet for long enough. A
+    /// separate function: a scene without piles needs neither its registers nor its stack.
     #[inline(never)]
     pub(super) fn settle<W: World>(
         &mut self,
@@ -50,8 +50,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     }
 }
 
-/// Puts those that lie to the front from a place on, the lowest first, then by keys, then by slots;
-/// where they end.
+/// Moves the lying bodies to the front, starting at `from`: the lowest first, then by keys, then by
+/// slots. Returns where they end.
 fn from_the_lowest(movers: &mut [Handle], from: usize, slots: &[Slot], gravity: Vec2) -> usize {
     let slot = |handle: Option<&Handle>| handle.and_then(|handle| slots.get(handle.slot()));
     let rank = |handle: Option<&Handle>| {
@@ -64,7 +64,7 @@ fn from_the_lowest(movers: &mut [Handle], from: usize, slots: &[Slot], gravity: 
             continue;
         }
         swap(movers, lying, at);
-        // From step to step hardly any changes its place.
+        // Hardly any body changes its position in the list from step to step.
         let mut to = lying;
         while to > from && rank(movers.get(to)) < rank(movers.get(to - 1)) {
             swap(movers, to - 1, to);
@@ -86,13 +86,13 @@ struct Pile<'a, B, W> {
     near: &'a mut B,
     slots: &'a mut [Slot],
     trip: &'a Trip<'a, W>,
-    /// How far what is fixed may be from where the broad phase has it.
+    /// How far a fixed body may be from where the broad phase has it.
     margin: u32,
     stepped: &'a mut Stepped,
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
-    /// One body's whole step; whether others are to be brought out of it, too.
+    /// One body's whole step. Returns whether others must be brought out of it, too.
     fn carry(
         &mut self,
         handle: Handle,
@@ -112,7 +112,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
         self.come_out(handle, known, (start, quiet), counts, each)
     }
 
-    /// What follows its way through the level, on a stack of its own.
+    /// The part after its way through the level, on a separate stack frame.
     #[inline(never)]
     fn come_out(
         &mut self,
@@ -136,8 +136,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
         size(slot.tally.push()) > size(self.trip.gravity).saturating_mul(2) && self.lift(handle, &slot, counts)
     }
 
-    /// Finds those on top that have made their steps and lay on nobody, where a body was pushed
-    /// into them; whether there are any.
+    /// Finds the bodies on top that have made their steps and lay on nobody, if a body was pushed
+    /// into them. Returns whether there are any.
     fn lift(&mut self, handle: Handle, lower: &Slot, counts: &mut impl FnMut(Pair) -> bool) -> bool {
         let Self { near, slots, trip, .. } = self;
         let mut any = false;
@@ -152,7 +152,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
         any
     }
 
-    /// Brings a body that has made its way out of those that carry it.
+    /// Brings a body that has made its way out of its carriers.
     #[inline(never)]
     fn rest(
         &mut self,
@@ -206,7 +206,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
         Ok(())
     }
 
-    /// Those that carry a body and that it overlaps where they have come to.
+    /// The carriers of a body that it overlaps at their new positions.
     fn below(
         &self,
         upper: (Handle, &Slot),
@@ -225,8 +225,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
                 each(other, lower, &contact);
             }
         };
-        // Who else is there is found when it is touched. A ball that rolls from one to the other
-        // and back would not come to rest by that.
+        // Other bodies there are found when they are touched. A ball that rolls from one to the
+        // other and back would otherwise not come to rest.
         let rolls = matches!(slot.body.shape, Shape::Circle(_)) || slot.way.pace == Pace::Moved;
         let only = self.slots.get(usize::from(slot.tally.under)).filter(|_| !rolls);
         if let Some(lower) = only {
@@ -241,14 +241,14 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
 }
 
 impl Slot {
-    /// In whatever unit: twice the middle of its box, against gravity.
+    /// In any unit: twice the middle of its box, against gravity.
     pub(super) fn height(&self, gravity: Vec2) -> i64 {
         let bounds = self.body.shape.aabb();
         bounds.lo().add(bounds.hi()).dot(Raw::of(gravity)).wrapping_neg()
     }
 
-    /// How the game moves it after the step along gravity, where it is fixed; across that it may be
-    /// a conveyor.
+    /// How the game moves a fixed body along gravity after the step. Across gravity it may be a
+    /// conveyor.
     fn lift(&self, gravity: Vec2) -> Vec2 {
         let ((x, y), v) = (gravity.raw(), self.body.velocity);
         match (self.mode == Mode::Fixed, x == 0, y == 0) {
@@ -258,7 +258,7 @@ impl Slot {
         }
     }
 
-    /// Where it is at the step's end.
+    /// Its shape at the step's end.
     fn comes_to(&self, gravity: Vec2) -> Shape {
         let (shape, by) = (self.body.shape, self.lift(gravity));
         let placed = match shape {
@@ -268,8 +268,8 @@ impl Slot {
         placed.unwrap_or(shape)
     }
 
-    /// It is carried by another one, and by what carries that; of several by the one with the
-    /// fewest between, then by that on the ground with the smallest key.
+    /// Another body carries it, and so does that body's carrier. Of several it takes the one with
+    /// the fewest between, then the one on the ground with the smallest key.
     pub(super) fn lie_on(&mut self, slots: &[Slot], lower: &Self, at: Handle) {
         let key = |ground: u16| slots.get(usize::from(ground)).map_or(0, |slot| slot.body.key);
         let ground = if lower.mode == Mode::Fixed { at.slot() as u16 } else { lower.ground };
@@ -279,13 +279,13 @@ impl Slot {
         }
     }
 
-    /// Whether it comes to lie on another one, or goes on with it: what does not, like what the
-    /// level carries, gives way to what it overlaps.
+    /// Whether it comes to lie on another body, or moves on with it. Otherwise it gives way to
+    /// bodies that it overlaps, like those that the level carries.
     pub(super) fn lies_on(&self, lower: &Self, gravity: Vec2) -> bool {
         self.body.mass.is_some() && self.support != 0 && self.height(gravity) > lower.height(gravity)
     }
 
-    /// The velocity of what carries all that is below it.
+    /// The velocity of the body that carries all below it.
     pub(super) fn ground_velocity(&self, slots: &[Slot]) -> Vec2 {
         if self.mode == Mode::Fixed {
             return self.body.velocity;
@@ -295,8 +295,8 @@ impl Slot {
     }
 }
 
-/// A push that leaves what is oblique overlapping by a raw unit at most: rounded outward, as it is,
-/// it would part what goes on lying there.
+/// A push that leaves oblique bodies overlapping by at most a raw unit. A push rounded outward
+/// would part bodies that stay in contact.
 fn still_touching(push: Vec2, axis: Axis) -> Vec2 {
     if axis.x == 0 || axis.y == 0 {
         return push;

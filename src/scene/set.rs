@@ -10,8 +10,8 @@ use crate::query::Touches;
 use crate::shape::Aabb;
 
 /// When bodies fall asleep: after this many consecutive steps of rest, for all bodies that touch,
-/// directly or not. In a step of rest a body has moved by less than `still` on either axis, or in
-/// all of them together by no more than the gravity of two steps. If there is gravity, it also ran
+/// directly or not. In a step of rest a body has moved by less than `still` on either axis, or
+/// since it has been quiet by no more than the gravity of two steps. If there is gravity, it also ran
 /// into the level or into another body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -194,6 +194,20 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
 
     /// Moves a body elsewhere, or gives it another shape. Wakes it, and the bodies that it touched
     /// before and touches then. Only this call moves a fixed body.
+    ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::scene::{SceneBody, SceneTag};
+    /// use tilesat::{Aabb, Scene, Vec2};
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
+    /// let lift = scene.insert(&SceneBody::fixed(at(0)?, 1))?;
+    /// scene.place(lift, at(4)?)?;
+    /// assert_eq!(scene.body(lift)?.shape.position(), Vec2::from_ints(4, 0));
+    /// assert_eq!(scene.remove(lift)?.key, 1);
+    /// assert!(scene.place(lift, at(8)?).is_err()); // its handle is stale
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`Stale`](crate::broad::BroadError::Stale) and the errors of the broad phase. Nothing is

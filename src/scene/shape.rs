@@ -69,6 +69,16 @@ impl Shape {
     }
 
     /// Whether it overlaps a level: strict and exact.
+    ///
+    /// ```
+    /// use tilesat::scene::Shape;
+    /// use tilesat::{Circle, TileKind, TileKinds, TileMap, Vec2, fx};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("..\n##", &KINDS)?; // the floor is at y = 16
+    /// let ball = |y| Circle::new(Vec2::from_ints(8, y), fx!(4)).map(Shape::Circle);
+    /// assert!(ball(13)?.overlaps_level(&level) && !ball(12)?.overlaps_level(&level)); // touching is not overlapping
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn overlaps_level(&self, level: &impl World) -> bool {
         match self {

@@ -1,11 +1,12 @@
-//! What is fast meets others and the level on its whole way, in the order of the times.
+//! Fast bodies meet others and the level on their whole way, in the order of the times.
 //!
-//! Each has a straight way in the rest of the step, and knows what ends it first: the level,
-//! another body, or the step. The earliest of all ends is acted on, and whom that changed looks
-//! again. What is slow has made its step before, and counts as on the straight way from where it
-//! was: hit, it has another velocity, but keeps that way, and what hit it goes on so that it does
-//! not come into it. Two that meet again in the step are led along each other; their velocities
-//! meet in the next one.
+//! Each has a straight way for the rest of the step, and knows its first end: the level, another
+//! body, or the step. The earliest of all ends is handled, and the bodies that it changed look
+//! again.
+//!
+//! A slow body has made its step before, and counts as on the straight way from its start. A hit
+//! changes its velocity, but it keeps that way; the body that hit it avoids the way. Two that meet
+//! again in the step move along each other, and their velocities meet in the next one.
 
 use super::body::{ALOFT, NOBODY, Slot};
 use super::meeting::{Meeting, Top, approach, toward};
@@ -22,7 +23,7 @@ use crate::num::{Toi, Vec2};
 use crate::world::World;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
-    /// Lets go of those that have nobody in reach: for them the level is all.
+    /// Releases those that have nobody in reach: only the level matters to them.
     #[inline(never)]
     pub(super) fn let_go(&mut self, counts: &mut impl FnMut(Pair) -> bool) {
         let Self { near, slots, .. } = self;
@@ -41,8 +42,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         }
     }
 
-    /// Moves those that are fast; whether one has been quiet for long enough. Apart, because most
-    /// steps need neither its registers nor its stack.
+    /// Moves the fast bodies. Returns whether one has been quiet for long enough. A separate
+    /// function: most steps need neither its registers nor its stack.
     #[inline(never)]
     pub(super) fn sweep<W: World>(
         &mut self,
@@ -68,12 +69,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
 struct Sweep<'a, B, W, C, E> {
     near: &'a mut B,
     slots: &'a mut [Slot],
-    /// Those that were awake before.
+    /// The bodies that were awake before.
     movers: &'a [Handle],
     room: &'a mut [Handle],
     woken: usize,
     trip: &'a Trip<'a, W>,
-    /// No slow body is farther than that from where the broad phase has it.
+    /// No slow body is farther than this from where the broad phase has it.
     margin: u32,
     stepped: &'a mut Stepped,
     counts: &'a mut C,
@@ -87,8 +88,8 @@ where
     C: FnMut(Pair) -> bool,
     E: FnMut(SceneEvent<'_>),
 {
-    // Calls, not one function: the mover goes some 2 KB deeper from here, and a call's own stack is
-    // free again when it returns.
+    // Separate calls: the mover goes about 2 KB deeper from here, and the stack of a call is free
+    // again when it returns.
     fn run(&mut self) {
         self.launch();
         while let Some(handle) = self.earliest() {
@@ -104,7 +105,7 @@ where
         self.slots.iter_mut().for_each(|slot| slot.way = BodyWay::REST);
     }
 
-    /// What pushes a body is a part of its way: there may be somebody on it.
+    /// A push is a part of the body's way: another body may be on it.
     #[inline(never)]
     fn launch(&mut self) {
         for handle in self.movers {
@@ -122,7 +123,7 @@ where
         self.look_again(|_, _| true);
     }
 
-    /// Whose way ends first: of those at one time the level's, then that of the pair with the
+    /// The body with the earliest end. At one time the level's end is first, then the pair with the
     /// smaller keys, then slots.
     fn earliest(&self) -> Option<Handle> {
         let swept = |handle: &&Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.way.pace == Pace::Swept);
@@ -139,7 +140,7 @@ where
         })
     }
 
-    /// Those of whom it is asked find out what ends their way.
+    /// Lets the bodies that `whom` selects find the ends of their ways.
     fn look_again(&mut self, whom: impl Fn(u16, End) -> bool) {
         for &handle in self.movers {
             let Some(slot) = self.slots.get(handle.slot()).copied() else { continue };
@@ -160,7 +161,7 @@ where
         }
     }
 
-    /// What ends a body's way first; of bodies met at one time the one with the smaller key, then
+    /// The first end of a body's way. Of bodies met at one time, the one with the smaller key, then
     /// slot.
     #[inline(never)]
     fn look(&mut self, handle: Handle, slot: &Slot) -> Result<(Toi, End), SceneFault> {
@@ -184,7 +185,7 @@ where
         Ok(first)
     }
 
-    /// The level answers.
+    /// Handles a hit of the level.
     #[inline(never)]
     fn bounce(&mut self, handle: Handle) {
         let Some(slot) = self.slots.get(handle.slot()).copied() else { return };
@@ -208,7 +209,7 @@ where
         self.look_again(|other, end| other == at || end == End::Body(at));
     }
 
-    /// Two meet.
+    /// Handles a meeting of two bodies.
     #[inline(never)]
     fn clash(&mut self, handle: Handle, with: u16) {
         let slots = &*self.slots;
@@ -222,7 +223,7 @@ where
             }
             self.meet(&met);
         } else if let Some(slot) = self.slots.get_mut(handle.slot()) {
-            // Not to be: whoever found it has looked at the same two.
+            // This cannot happen: the body that found it has looked at the same two.
             slot.way.turns = TURNS;
         }
         let at = handle.slot() as u16;
@@ -236,8 +237,8 @@ where
             let Some(slot) = self.slots.get_mut(at.slot()).filter(|slot| slot.way.pace == Pace::Swept) else {
                 continue;
             };
-            // The level is asked, because the place is rounded: what goes along a floor may come to
-            // lead into it.
+            // Tested against the level, because the position is rounded: a body on a floor may come
+            // to lead into it.
             if let Ok(shape) = self.trip.slide(&slot.body.shape, place - slot.body.shape.position()) {
                 slot.body.shape = shape;
             }
@@ -271,12 +272,12 @@ where
                 if !again {
                     slot.way.note(with);
                 }
-                // Whom it has met once it is led along, with the velocity that it has.
+                // A body that it has met before is led along it, with its own velocity.
                 let rate = if again { slot.way.rate } else { slot.body.velocity };
                 slot.way.go_on(met.time, rate);
             }
         }
-        // What is left of the ways must not lead into each other, whatever the velocities are.
+        // The rest of the two ways must not lead into each other, whatever the velocities are.
         let masses = match (one.way.goes(), other.way.goes()) {
             (true, true) => one.body.mass.zip(other.body.mass).and_then(|(m, n)| Masses::new(m.get(), n.get())),
             (true, false) => Some(Masses::B_FIXED),
@@ -290,7 +291,8 @@ where
         }
         for (at, from) in [(a, one), (b, other)] {
             if let Some(slot) = self.slots.get_mut(at.slot()) {
-                // What has made its step already does not fall asleep at the end of this one.
+                // A body that has made its step already does not fall asleep at the end of this
+                // one.
                 if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
                     slot.quiet = 0;
                 }
@@ -300,7 +302,7 @@ where
         }
     }
 
-    /// Tells of the sensors on a way that ends at a time.
+    /// Reports the sensors on a way that ends at a time.
     #[inline(never)]
     fn sense(&mut self, handle: Handle, slot: &Slot, until: Toi) {
         let (each, counts) = (&mut *self.each, &mut *self.counts);
@@ -317,7 +319,7 @@ where
         });
     }
 
-    /// Nothing ends its way but the step.
+    /// Only the step ends its way.
     #[inline(never)]
     fn land(&mut self, handle: Handle) {
         let swept = |slot: &&Slot| slot.way.pace == Pace::Swept;

@@ -1,25 +1,26 @@
-//! What a body does in a step once its velocity is known.
+//! The ways of a body in a step, once its velocity is known.
 
 use crate::broad::Handle;
 use crate::num::{Raw, Toi, Vec2};
 
-/// What a body does in a step, once its velocity is known: straight ways only.
+/// The way of a body in a step, once its velocity is known: straight ways only.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BodyWay {
-    /// Units in a whole step, of which it makes what is left.
+    /// Units in a whole step. The body makes the part for the rest of the step.
     pub(super) rate: Vec2,
-    /// When it is where its shape is: at the step's end, but for those that are swept.
+    /// The time at which it is at the position of its shape: the step's end, except for swept
+    /// bodies.
     pub(super) since: Toi,
     /// What ends this way, and when.
     pub(super) end: (Toi, End),
-    /// The slots of those that it has met in this step, and how many there are.
+    /// The slots of the bodies that it has met in this step, and their number.
     pub(super) met: ([u16; 3], u8),
-    /// How often it was turned; 1 for what lay on others and has made its step.
+    /// How often it was turned; 1 for a body that lay on others and has made its step.
     pub(super) turns: u8,
     pub(super) pace: Pace,
 }
 
-/// How often a way may be turned in a step; then the body waits for the next one. Between plates
+/// How often a way may be turned in a step. Then the body waits for the next one. Between plates
 /// that close there is no last time.
 pub(super) const TURNS: u8 = 8;
 
@@ -28,19 +29,19 @@ pub(super) const TURNS: u8 = 8;
 pub(super) enum Pace {
     /// It meets others where they are at the step's start, or nobody is in its reach.
     Slow,
-    /// After all that is below it, which may carry it.
+    /// It moves after all that is below it, which may carry it.
     Lies,
-    /// It has made its step, and what is below it was pushed into it.
+    /// It has made its step, and a body below was pushed into it.
     Moved,
-    /// From one thing that it meets to the next.
+    /// It moves from one hit to the next.
     Swept,
 }
 
-/// What ends a straight way.
+/// The end of a straight way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum End {
     Level,
-    /// The one in this slot.
+    /// The body in this slot.
     Body(u16),
     /// The step.
     Step,
@@ -54,27 +55,27 @@ impl BodyWay {
         matches!(self.pace, Pace::Lies | Pace::Moved)
     }
 
-    /// It has been made.
+    /// A way that has been made.
     pub(super) const fn made(rate: Vec2) -> Self {
         Self { rate, since: Toi::ONE, end: (Toi::ONE, End::Step), met: ([0; 3], 0), turns: 0, pace: Pace::Slow }
     }
 
-    /// What is left of it at a time.
+    /// The rest of it at a time.
     pub(super) fn left(&self, at: Toi) -> Vec2 {
         Toi::exact(Toi::ONE.raw().wrapping_sub(at.raw())).of(self.rate)
     }
 
-    /// From a time on with another velocity.
+    /// Continues from a time on with another velocity.
     pub(super) fn go_on(&mut self, time: Toi, velocity: Vec2) {
         (self.since, self.rate) = (time, if self.waits() { Vec2::ZERO } else { velocity });
     }
 
-    /// It is turned no more in this step.
+    /// Whether it is turned no more in this step.
     pub(super) fn waits(&self) -> bool {
         self.turns >= TURNS
     }
 
-    /// It is held: nothing that it is hit by moves it in this step.
+    /// The body is held: no hit moves it in this step.
     pub(super) const HELD: u8 = u8::MAX;
 
     pub(super) fn is_held(&self) -> bool {
@@ -86,7 +87,8 @@ impl BodyWay {
         self.pace == Pace::Swept && !self.waits()
     }
 
-    /// Whether two have met in this step already, or one of them so many that it cannot know.
+    /// Whether two have met in this step already, or one of them has met so many that it cannot
+    /// know.
     pub(super) fn has_met(&self, other: Handle) -> bool {
         let (slots, count) = &self.met;
         let known = slots.iter().take((*count).into());

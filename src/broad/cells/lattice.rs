@@ -131,7 +131,7 @@ impl Lattice {
         size.x <= side && size.y <= side
     }
 
-    /// What a box is refused with that is not.
+    /// The error for a box that is too large.
     #[cold]
     pub(in crate::broad) fn too_large(&self, bounds: &Aabb) -> BroadError {
         let size = bounds.hi().sub(bounds.lo());
@@ -252,10 +252,10 @@ const MOST_PARTS: u32 = 15;
 /// Gives windows of cells to `each` which together hold the cells of all boxes that a box touches
 /// on its way, every cell once.
 ///
-/// The way is cut into 2^k parts, none as long as a cell if that takes no more than 2^15 parts;
-/// both its ends are in the domain. What is near a part is a window, of which all four sides only
-/// ever move in the direction of the motion. So a cell that is in two windows is in all between
-/// them, and what a window has in common with the one before is what was in any of those before.
+/// The way is cut into 2^k parts, each shorter than a cell if at most 2^15 parts suffice. Both its
+/// ends are in the domain. The cells near a part form a window. All four sides of the windows only
+/// move in the direction of the motion. A cell in two windows is therefore in all windows between
+/// them. So a cell of a window was visited before exactly if it is in the previous window.
 ///
 /// ```text
 ///  +-----+--+

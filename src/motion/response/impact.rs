@@ -50,6 +50,13 @@ pub fn split(v: Vec2, normal: Axis) -> Result<Split, RangeError> {
 
 /// A velocity without its part into a surface: [`Surface::respond`] of [`Surface::SLICK`].
 ///
+/// ```
+/// use tilesat::{Axis, Vec2, motion::response::slide};
+/// let (falls, floor) = (Vec2::from_ints(3, 4), Axis::NEG_Y); // y grows downward
+/// assert_eq!(slide(falls, floor)?, Vec2::from_ints(3, 0));
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+///
 /// # Errors
 /// [`RangeError`] if a component of `v` is outside of the [domain](crate::num::DOMAIN).
 pub fn slide(v: Vec2, normal: Axis) -> Result<Vec2, RangeError> {
@@ -59,6 +66,13 @@ pub fn slide(v: Vec2, normal: Axis) -> Result<Vec2, RangeError> {
 /// A velocity with its part into a surface reversed, times `restitution`: [`Surface::respond`]
 /// without friction.
 ///
+/// ```
+/// use tilesat::{Axis, Ratio, Vec2, motion::response::bounce};
+/// let (falls, floor) = (Vec2::from_ints(3, 4), Axis::NEG_Y); // y grows downward
+/// assert_eq!(bounce(falls, floor, Ratio::HALF)?, Vec2::from_ints(3, -2));
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
+///
 /// # Errors
 /// [`RangeError`] if a component of `v` is outside of the [domain](crate::num::DOMAIN).
 pub fn bounce(v: Vec2, normal: Axis, restitution: Ratio) -> Result<Vec2, RangeError> {
@@ -66,6 +80,14 @@ pub fn bounce(v: Vec2, normal: Axis, restitution: Ratio) -> Result<Vec2, RangeEr
 }
 
 /// A velocity after a contact with restitution and friction: [`Surface::respond`].
+///
+/// ```
+/// use tilesat::{Axis, Ratio, Vec2, fx, motion::response::respond};
+/// let (falls, floor) = (Vec2::from_ints(3, 4), Axis::NEG_Y); // y grows downward
+/// let after = respond(falls, floor, Ratio::HALF, Ratio::percent(25).unwrap())?;
+/// assert_eq!(after, Vec2::new(fx!(1.5), fx!(-2))); // the normal part changed by 6, friction takes a quarter of that
+/// # Ok::<(), tilesat::RangeError>(())
+/// ```
 ///
 /// # Errors
 /// [`RangeError`] if a component of `v` is outside of the [domain](crate::num::DOMAIN).

@@ -70,6 +70,18 @@ impl Particle {
     ///
     /// Cost: one call of the mover.
     ///
+    /// ```
+    /// use tilesat::{Mover, Ratio, TileKind, TileKinds, TileMap, Vec2, fx, motion::response::Particle};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("..\n##", &KINDS)?; // the floor is at y = 16
+    /// let mut point = Particle::at(Vec2::from_ints(8, 4));
+    /// for _ in 0..20 {
+    ///     point = point.step_in(&level, &Mover::new(), fx!(2), Vec2::from_ints(0, 1), Ratio::ZERO)?;
+    /// }
+    /// assert_eq!(point, Particle::at(Vec2::from_ints(8, 14))); // it lies on the floor
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`Mover::move_and_slide`], and if the circle is outside of the domain.
     pub fn step_in<W: World, S: Law>(
@@ -253,6 +265,16 @@ impl core::error::Error for RelaxError {}
 ///
 /// Cost: a [`pull`](Stick::pull) for each round and link, and two calls of the mover for each link
 /// that is not satisfied.
+///
+/// ```
+/// use tilesat::{Mover, TileKinds, TileMap, Vec2, fx, motion::response::{Link, Particle, Stick, relax}};
+/// let level = TileMap::from_ascii("....\n....", &TileKinds::EMPTY)?;
+/// let mut points = [Particle::at(Vec2::from_ints(10, 8)), Particle::at(Vec2::from_ints(30, 8))];
+/// let links = [Link { a: 0, b: 1, stick: Stick::new(fx!(12))? }];
+/// relax(&mut points, &links, 4, &level, &Mover::new(), fx!(1))?;
+/// assert_eq!(points.map(|point| point.position), [Vec2::from_ints(14, 8), Vec2::from_ints(26, 8)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`RelaxError`] if a link names a missing point, or the mover refuses one.

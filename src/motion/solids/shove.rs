@@ -145,7 +145,7 @@ impl Shove {
 
 /// `rest`, plus the least motion along one axis that takes it out of the plane with the normal `n`.
 ///
-/// With v = -rest . n > 0 that motion is v / |n_i|, on axis i. It is below 2^31, since the other
+/// With v = -rest . n > 0 that motion is `v / |n_i|`, on axis i. It is below 2^31, since the other
 /// component of n is at most twice as large.
 fn yielding(rest: Raw, n: Axis, held: (bool, bool)) -> Raw {
     if n.x == 0 || n.y == 0 {

@@ -66,6 +66,18 @@ impl Mover {
     ///
     /// Cost: one sweep over the cells that the body touches.
     ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("..\n##", &KINDS)?; // the floor is at y = 16
+    /// let mover = Mover::platformer(Axis::NEG_Y);
+    /// let crate_ = Aabb::new(Vec2::from_ints(4, 6), Vec2::from_ints(14, 16))?;
+    /// assert_eq!(mover.supported(&level, &crate_)?.map(|floor| floor.axis), Some(Axis::NEG_Y));
+    /// let lifted = crate_.translated(Vec2::from_ints(0, -1))?;
+    /// assert_eq!(mover.supported(&level, &lifted)?, None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`RangeError`] if a half extent or radius is not below 2^28 raw, or the body covers more
     /// than [`Mover::CELLS`] cells.

@@ -64,7 +64,7 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
         }
     }
 
-    /// What comes of an event between these two; false where it is to be asked the other way round.
+    /// Handles an event between these two. False if the caller must ask the other way round.
     fn happens(&mut self, event: PairEvent, a: (Handle, Body), b: (Handle, Body)) -> bool {
         use PairEvent::{Begin, End, Stay};
         match (event, a.1.kind, b.1.kind) {
