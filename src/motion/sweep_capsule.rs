@@ -10,6 +10,7 @@ use crate::num::{Axis, MOTION, Raw};
 use crate::query::meet;
 use crate::shape::{Aabb, Capsule, Circle};
 use crate::world::{Feature, Geometry, World};
+use core::cmp::Ordering;
 
 /// A capsule consists of the discs around the two ends of its core, and the box between them. A
 /// surface with a normal not across the core meets one of the discs before the box. Each sweep is
@@ -66,13 +67,11 @@ impl Kernel for Capsule {
                     return self.sweep_bulge(d, (centre, radius, quadrant));
                 }
                 let m = self.toward(quadrant).0.sub(centre);
-                if r < radius {
-                    leave_quarter(m, radius.wrapping_sub(r), d, quadrant)
-                } else if r == radius {
-                    leave_centre(m, d, quadrant)
-                } else {
+                match r.cmp(&radius) {
+                    Ordering::Less => leave_quarter(m, radius.wrapping_sub(r), d, quadrant),
+                    Ordering::Equal => leave_centre(m, d, quadrant),
                     // It meets the arc's ends first.
-                    None
+                    Ordering::Greater => None,
                 }
             }
             _ => self.sweep_block(d, feature),

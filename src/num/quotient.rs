@@ -82,7 +82,7 @@ pub const fn isqrt64(n: u64) -> u32 {
 /// The lowest bit of `n` is dropped first, because a signed conversion is one instruction: that
 /// changes the root of an odd `n` by less than one.
 #[inline(always)]
-#[expect(clippy::cast_precision_loss, reason = "what the rounding does is derived above")]
+#[expect(clippy::cast_precision_loss, clippy::float_arithmetic, reason = "what the rounding does is derived above")]
 pub(super) const fn isqrt_float(n: u64) -> u32 {
     let x = (n >> 1) as i64 as f64 * 2.0;
     let mut root = f64::from_bits((x.to_bits() >> 1).wrapping_add(0x1ff7_a3be_a91d_9b1b));

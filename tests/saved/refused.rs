@@ -65,7 +65,7 @@ fn parts_of_games() {
     refused::<Mover<Surface>>(&bouncer(), "/up", json!({"x": 0, "y": 0}), &["Mover", "no direction"]);
     refused::<Surface>(&rubber(), "/friction", json!((1 << 30) + 1), &["Ratio", "above one"]);
     refused::<Surface>(&rubber(), "/rest", json!(1u32 << 31), &["Surface", "rest"]);
-    let (hero, standing) = (heroes()[0], heroes().into_iter().find(|hero| hero.on_floor()).unwrap());
+    let (hero, standing) = (heroes()[0], heroes().into_iter().find(Character::on_floor).unwrap());
     refused::<Character>(&hero, "/version", json!(255), &["version 255 is unknown"]);
     refused::<Character>(&hero, "/wall", json!(2), &["Character", "wall"]);
     refused::<Character>(&hero, "/limits/min/x/bits", json!(EDGE), &["Aabb", "Width"]);

@@ -14,8 +14,10 @@ use tilesat_judge::scenes::{BODIES, room};
 
 pub(crate) const EDGE: i32 = (1 << 29) - 1;
 
-pub(crate) fn shapes() -> (Vec<Aabb>, Vec<Circle>, Vec<Segment>, Vec<Capsule>, Vec<OrientedBox>, Vec<ConvexPolygon<5>>)
-{
+/// Some of each kind.
+type Shapes = (Vec<Aabb>, Vec<Circle>, Vec<Segment>, Vec<Capsule>, Vec<OrientedBox>, Vec<ConvexPolygon<5>>);
+
+pub(crate) fn shapes() -> Shapes {
     let corner = |x, y| Vec2::from_raw(x, y);
     let aabbs = [(0, 0, 0, 0), (-EDGE, -EDGE, EDGE, EDGE), (-7, 3, -7, 9)];
     let circles = [(0, 0, 0), (0, 0, EDGE), (EDGE, -EDGE, 0), (5, -9, 77_777)];

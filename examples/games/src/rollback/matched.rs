@@ -110,6 +110,7 @@ fn keys(player: usize, frame: u32) -> Keys {
 
 impl Matched {
     /// Two machines at the start, and links of one kind.
+    #[expect(clippy::large_stack_arrays, reason = "only hosts play both machines")]
     pub fn new(arena: Arena, weather: Weather, seed: u64) -> Result<Self, SceneError> {
         let alone = Game::new()?;
         let seats = [
