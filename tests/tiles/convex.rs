@@ -5,7 +5,10 @@
 //! disc does, one that is larger by the samples' spacing has to. What touches to the bit is asked
 //! of shapes that are boxes and circles by other names, and of tangents with whole numbers.
 
-use tilesat::{Aabb, Capsule, Circle, ConvexPolygon, Fx, OrientedBox, TileKind, TileKinds, TileMap, TileShape, Vec2};
+use tilesat::prelude::*;
+use tilesat::{
+    Aabb, Capsule, Circle, ConvexPolygon, Fx, Grid, OrientedBox, Outside, TileKind, TileKinds, TileMap, TileShape, Vec2,
+};
 use tilesat::{Axis, world::AllShapes, world::Placed};
 use tilesat_judge::convex::shape::hull;
 use tilesat_judge::shapes::build::mosaic;
@@ -190,4 +193,58 @@ fn tangents_of_arcs() {
         }
     }
     assert_eq!((domes, pipes), (4, 4));
+}
+
+/// Maps of blocks are the boxes of their full tiles, and of what is outside; one-way tiles are
+/// none. Levels shifted twice are shifted by both.
+#[test]
+fn blocks_equal_their_boxes() {
+    static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL).with(2, TileKind::ONE_WAY_UP);
+    let mut random = Random::new(79);
+    let mut counts = [0u64; 3];
+    for _ in 0..cases(4_000) {
+        let (width, height, side) = (random.within(1, 4), random.within(1, 3), 1 << random.within(8, 13));
+        let tiles: Vec<u8> = (0..width * height).map(|_| random.below(3) as u8).collect();
+        let at = (random.around(1 << 20), random.around(1 << 20));
+        let grid = Grid::new(width as u16, height as u16, Fx::from_bits(side as i32), vec2(at)).unwrap();
+        let outside = [Outside::Empty, Outside::Solid, Outside::Edge][random.below(3) as usize];
+        let blocks = TileMap::on_grid(&tiles, grid, &KINDS).unwrap().with_outside(outside);
+        let shapes = TileMap::<AllShapes>::of(&tiles, grid, &KINDS).unwrap().with_outside(outside);
+        let (by, rest) = (vec2((random.around(9_999), 77)), vec2((-5, random.around(9_999))));
+        let once = Placed::new(&blocks, by).unwrap();
+        let twice = Placed::new(&once, rest).unwrap();
+        // Far beyond every shape asked about here.
+        let tile = |x: i64, y: i64| {
+            let inner = tiles[(y.clamp(0, height - 1) * width + x.clamp(0, width - 1)) as usize];
+            let is_in = (0..width).contains(&x) && (0..height).contains(&y);
+            let full = match outside {
+                _ if is_in => inner == 1,
+                Outside::Empty => false,
+                Outside::Solid => true,
+                Outside::Edge => inner == 1,
+            };
+            let lo = (at.0 + x * side, at.1 + y * side);
+            full.then(|| Aabb::new(vec2(lo), vec2((lo.0 + side, lo.1 + side))).unwrap())
+        };
+        let solid: Vec<Aabb> = (-8..height + 8).flat_map(|y| (-8..width + 8).filter_map(move |x| tile(x, y))).collect();
+        for _ in 0..12 {
+            let mut point = || {
+                let x = at.0 + random.within(-4, 4 * width + 4) * side / 4;
+                (x + random.around(1), at.1 + random.within(-4, 4 * height + 4) * side / 4 + random.around(1))
+            };
+            let (p, q) = (point(), point());
+            // What is thin and along x or y runs along seams, which belong to no box.
+            let flat = p.0 == q.0 || p.1 == q.1;
+            let r = [i64::from(flat), i64::from(flat), side / 4, side][random.below(4) as usize];
+            let body = Capsule::new(vec2(p), vec2(q), Fx::from_bits(r as i32)).unwrap();
+            let wanted = (solid.iter().any(|b| body.overlaps(b)), solid.iter().any(|b| body.touches(b)));
+            let case = || format!("{tiles:?} {width} {side} {at:?} {outside:?} {body:?}");
+            assert_eq!((blocks.overlaps(&body), blocks.touches(&body)), wanted, "blocks: {}", case());
+            assert_eq!((shapes.overlaps(&body), shapes.touches(&body)), wanted, "shapes: {}", case());
+            let body = body.translated(by).unwrap().translated(rest).unwrap();
+            assert_eq!((twice.overlaps(&body), twice.touches(&body)), wanted, "placed: {}", case());
+            counts[usize::from(wanted.0) + usize::from(wanted.1)] += 1;
+        }
+    }
+    assert!(counts.iter().all(|n| *n > 1_000), "{counts:?}");
 }
