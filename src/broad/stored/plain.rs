@@ -27,7 +27,7 @@ impl<const N: usize, T: Tag> Form<BruteForce<N, T>> for Each<T, N> {
 
 #[derive(Serialize, Deserialize)]
 #[serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))]
-struct Sorted<T, const N: usize> {
+struct InOrder<T, const N: usize> {
     version: Version,
     table: Tenants<T, N>,
     /// Each slot that was ever taken, once.
@@ -37,7 +37,7 @@ struct Sorted<T, const N: usize> {
     epoch: u32,
 }
 
-impl<const N: usize, T: Tag> Form<SortSweep<N, T>> for Sorted<T, N> {
+impl<const N: usize, T: Tag> Form<SortSweep<N, T>> for InOrder<T, N> {
     type Fault = Wrong;
 
     fn of(near: &SortSweep<N, T>) -> Self {
@@ -95,12 +95,12 @@ impl<'de, const N: usize, T: Tag + Deserialize<'de>> Deserialize<'de> for BruteF
 
 impl<const N: usize, T: Tag + Serialize> Serialize for SortSweep<N, T> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        write::<_, Sorted<T, N>, S>(self, to)
+        write::<_, InOrder<T, N>, S>(self, to)
     }
 }
 
 impl<'de, const N: usize, T: Tag + Deserialize<'de>> Deserialize<'de> for SortSweep<N, T> {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        read::<_, Sorted<T, N>, D>("SortSweep", from)
+        read::<_, InOrder<T, N>, D>("SortSweep", from)
     }
 }
