@@ -15,7 +15,7 @@ use crate::filter::Filter;
 /// phase is. Two scenes with the same bodies, inserted in another order, have different ones.
 ///
 /// Size: 90 bytes for each of N slots, and the broad phase. With 64 bodies in a
-/// [`SortSweep`](crate::broad::SortSweep) that is 7840 bytes, where the scene has 12 120. Cost: one
+/// [`SortSweep`](crate::broad::SortSweep) that is 7840 bytes; the scene has 156 for each slot. Cost: one
 /// pass over the slots.
 ///
 /// ```
