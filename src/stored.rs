@@ -29,18 +29,28 @@ pub(crate) fn read<'de, T, F: Form<T> + Deserialize<'de>, D: Deserializer<'de>>(
     F::deserialize(from)?.check().map_err(|fault| D::Error::custom(format_args!("{name}: {fault}")))
 }
 
-/// Both traits of a type by its form.
+/// Both traits of a type by its form: with its parameters in brackets if it has any, and at the end
+/// those that have to be written and read themselves.
 macro_rules! stored {
     ($type:ident as $form:ident) => {
-        impl serde::Serialize for $type {
-            fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-                crate::stored::write::<_, $form, S>(self, to)
+        crate::stored::stored!([] $type<> as $form<>;);
+    };
+    ([$($parameters:tt)*] $type:ident<$($of:ident),*> as $form:ident<$($by:ident),*>; $($held:ident),*) => {
+        impl<$($parameters)*> serde::Serialize for $type<$($of),*>
+        where
+            $($held: serde::Serialize,)*
+        {
+            fn serialize<Z: serde::Serializer>(&self, to: Z) -> Result<Z::Ok, Z::Error> {
+                crate::stored::write::<_, $form<$($by),*>, Z>(self, to)
             }
         }
 
-        impl<'de> serde::Deserialize<'de> for $type {
-            fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-                crate::stored::read::<_, $form, D>(stringify!($type), from)
+        impl<'de, $($parameters)*> serde::Deserialize<'de> for $type<$($of),*>
+        where
+            $($held: serde::Deserialize<'de>,)*
+        {
+            fn deserialize<Z: serde::Deserializer<'de>>(from: Z) -> Result<Self, Z::Error> {
+                crate::stored::read::<_, $form<$($by),*>, Z>(stringify!($type), from)
             }
         }
     };

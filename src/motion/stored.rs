@@ -11,9 +11,9 @@ use super::{Body, Character};
 use crate::error::RangeError;
 use crate::num::{Axis, Fx, Vec2};
 use crate::shape::Aabb;
-use crate::stored::{Form, Version, read, stored, write};
+use crate::stored::{Form, Version, stored};
 use core::convert::Infallible;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
 struct Rules<S> {
@@ -44,17 +44,7 @@ impl<S: Law> Form<Mover<S>> for Rules<S> {
     }
 }
 
-impl<S: Law + Serialize> Serialize for Mover<S> {
-    fn serialize<Z: Serializer>(&self, to: Z) -> Result<Z::Ok, Z::Error> {
-        write::<_, Rules<S>, Z>(self, to)
-    }
-}
-
-impl<'de, S: Law + Deserialize<'de>> Deserialize<'de> for Mover<S> {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        read::<_, Rules<S>, D>("Mover", from)
-    }
-}
+stored!([S: Law] Mover<S> as Rules<S>; S);
 
 #[derive(Serialize, Deserialize)]
 struct Gait {
@@ -116,17 +106,7 @@ impl<B: Copy> Form<Character<B>> for Hero<B> {
     }
 }
 
-impl<B: Body + Serialize> Serialize for Character<B> {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        write::<_, Hero<B>, S>(self, to)
-    }
-}
-
-impl<'de, B: Body + Deserialize<'de>> Deserialize<'de> for Character<B> {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        read::<_, Hero<B>, D>("Character", from)
-    }
-}
+stored!([B: Body] Character<B> as Hero<B>; B);
 
 /// A memo only saves time, and nothing but the level can say whether its answer is right: it is
 /// written as nothing, and read as one that is empty.
@@ -147,14 +127,4 @@ impl<B, S> Form<Memo<B, S>> for Forgotten {
     }
 }
 
-impl<B, S> Serialize for Memo<B, S> {
-    fn serialize<Z: Serializer>(&self, to: Z) -> Result<Z::Ok, Z::Error> {
-        write::<_, Forgotten, Z>(self, to)
-    }
-}
-
-impl<'de, B, S> Deserialize<'de> for Memo<B, S> {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        read::<_, Forgotten, D>("Memo", from)
-    }
-}
+stored!([B, S] Memo<B, S> as Forgotten<>;);

@@ -3,10 +3,10 @@
 use super::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 use crate::error::{PolygonError, RangeError};
 use crate::num::{Fx, Vec2};
-use crate::stored::{Form, read, stored, write};
+use crate::stored::{Form, stored};
 use core::fmt;
 use heapless::Vec;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
 struct Corners {
@@ -146,14 +146,4 @@ impl<const N: usize> Form<ConvexPolygon<N>> for Outline<N> {
     }
 }
 
-impl<const N: usize> Serialize for ConvexPolygon<N> {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        write::<_, Outline<N>, S>(self, to)
-    }
-}
-
-impl<'de, const N: usize> Deserialize<'de> for ConvexPolygon<N> {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        read::<_, Outline<N>, D>("ConvexPolygon", from)
-    }
-}
+stored!([const N: usize] ConvexPolygon<N> as Outline<N>;);

@@ -6,10 +6,10 @@ use crate::broad::cells::{Border, InCells, LooseGrid, SpatialHash};
 use crate::broad::table::{Bodies, Spatial, Table};
 use crate::broad::{BroadError, GridError, Tag};
 use crate::num::{Fx, Vec2};
-use crate::stored::{Form, Version, Wrong, ensure, read, write};
+use crate::stored::{Form, Version, Wrong, ensure, stored};
 use core::fmt;
 use heapless::Vec;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 /// Why a broad phase with cells is refused.
 enum Fault {
@@ -142,25 +142,11 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> Form<Spati
     }
 }
 
-/// Both traits.
-macro_rules! cells {
-    ($name:ident $lists:ident as $form:ident) => {
-        impl<const $lists: usize, const N: usize, T: Tag + Serialize, const LARGE: bool> Serialize
-            for $name<$lists, N, T, LARGE>
-        {
-            fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-                write::<_, $form<T, N>, S>(self, to)
-            }
-        }
-
-        impl<'de, const $lists: usize, const N: usize, T: Tag + Deserialize<'de>, const LARGE: bool> Deserialize<'de>
-            for $name<$lists, N, T, LARGE>
-        {
-            fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-                read::<_, $form<T, N>, D>(stringify!($name), from)
-            }
-        }
-    };
+stored! {
+    [const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool]
+    LooseGrid<BLOCKS, N, T, LARGE> as Bounded<T, N>; T
 }
-cells!(LooseGrid BLOCKS as Bounded);
-cells!(SpatialHash BUCKETS as Endless);
+stored! {
+    [const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool]
+    SpatialHash<BUCKETS, N, T, LARGE> as Endless<T, N>; T
+}

@@ -2,9 +2,9 @@
 
 use crate::broad::events::{Entry, FrameState, Mark, Term, sorted};
 use crate::broad::{Exceptions, Pair, PairEvents};
-use crate::stored::{Form, Version, Wrong, ensure, read, write};
+use crate::stored::{Form, Version, Wrong, ensure, stored};
 use heapless::Vec;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
 #[serde(bound(serialize = "P: Serialize", deserialize = "P: Deserialize<'de>"))]
@@ -61,26 +61,6 @@ impl<const M: usize> Form<Exceptions<M>> for Ignored<M> {
     }
 }
 
-impl<const M: usize, P: Copy + Ord + Serialize> Serialize for PairEvents<M, P> {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        write::<_, Known<P, M>, S>(self, to)
-    }
-}
+stored!([const M: usize, P: Copy + Ord] PairEvents<M, P> as Known<P, M>; P);
 
-impl<'de, const M: usize, P: Copy + Ord + Deserialize<'de>> Deserialize<'de> for PairEvents<M, P> {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        read::<_, Known<P, M>, D>("PairEvents", from)
-    }
-}
-
-impl<const M: usize> Serialize for Exceptions<M> {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        write::<_, Ignored<M>, S>(self, to)
-    }
-}
-
-impl<'de, const M: usize> Deserialize<'de> for Exceptions<M> {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        read::<_, Ignored<M>, D>("Exceptions", from)
-    }
-}
+stored!([const M: usize] Exceptions<M> as Ignored<M>;);

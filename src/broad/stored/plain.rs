@@ -1,10 +1,11 @@
 //! Broad phases without cells: the order of left sides has to be one, or to be found again.
 
-use super::slots::{Tenants, left, once};
+use super::slots::{Tenants, once};
+use crate::broad::order::left;
 use crate::broad::{BruteForce, SortSweep, Tag};
-use crate::stored::{Form, Version, Wrong, ensure, read, write};
+use crate::stored::{Form, Version, Wrong, ensure, stored};
 use heapless::Vec;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
 #[serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))]
@@ -68,10 +69,13 @@ impl<const N: usize, T: Tag> Form<SortSweep<N, T>> for InOrder<T, N> {
         for &slot in first.iter().filter(|_| !stale) {
             ensure(taken(slot), usize::from(slot), "it is free, and in the order")?;
         }
-        let side = |slot: u16| bodies.bounds.get(usize::from(slot)).map(left);
         for pair in first.windows(2).filter(|_| fresh) {
             if let &[a, b] = pair {
-                ensure(side(a) <= side(b), usize::from(b), "the order is not that of left sides")?;
+                ensure(
+                    left(bodies.bounds, a) <= left(bodies.bounds, b),
+                    usize::from(b),
+                    "the order is not that of left sides",
+                )?;
             }
         }
         for (place, slot) in near.order.iter_mut().zip(&order) {
@@ -81,26 +85,6 @@ impl<const N: usize, T: Tag> Form<SortSweep<N, T>> for InOrder<T, N> {
     }
 }
 
-impl<const N: usize, T: Tag + Serialize> Serialize for BruteForce<N, T> {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        write::<_, Each<T, N>, S>(self, to)
-    }
-}
+stored!([const N: usize, T: Tag] BruteForce<N, T> as Each<T, N>; T);
 
-impl<'de, const N: usize, T: Tag + Deserialize<'de>> Deserialize<'de> for BruteForce<N, T> {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        read::<_, Each<T, N>, D>("BruteForce", from)
-    }
-}
-
-impl<const N: usize, T: Tag + Serialize> Serialize for SortSweep<N, T> {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        write::<_, InOrder<T, N>, S>(self, to)
-    }
-}
-
-impl<'de, const N: usize, T: Tag + Deserialize<'de>> Deserialize<'de> for SortSweep<N, T> {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        read::<_, InOrder<T, N>, D>("SortSweep", from)
-    }
-}
+stored!([const N: usize, T: Tag] SortSweep<N, T> as InOrder<T, N>; T);

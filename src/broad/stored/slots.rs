@@ -2,7 +2,6 @@
 
 use crate::broad::table::{NIL, State, Table, dead};
 use crate::broad::{Handle, Tag};
-use crate::num::Raw;
 use crate::shape::Aabb;
 use crate::stored::{Form, Wrong, ensure, stored};
 use heapless::Vec;
@@ -23,8 +22,9 @@ impl Form<Handle> for Name {
 
     fn check(self) -> Result<Handle, Wrong> {
         let at = usize::from(self.slot);
-        ensure(self.generation & 1 == 1, at, "a generation that names a body is odd")?;
-        Ok(Handle::new(at, self.generation))
+        let handle = Handle::new(at, self.generation);
+        ensure(handle.is_taken(), at, "a generation that names a body is odd")?;
+        Ok(handle)
     }
 }
 
@@ -55,8 +55,10 @@ impl<T: Tag, const N: usize> Form<Table<T, N>> for Tenants<T, N> {
     fn of(table: &Table<T, N>) -> Self {
         let mut slots = Vec::new();
         let bodies = table.bodies();
-        for ((&generation, bounds), &tag) in bodies.generations.iter().zip(bodies.bounds).zip(bodies.tags) {
-            let tenant = if generation & 1 == 1 {
+        for (at, (bounds, &tag)) in bodies.bounds.iter().zip(bodies.tags).enumerate() {
+            let handle = bodies.handle(at);
+            let generation = handle.generation();
+            let tenant = if handle.is_taken() {
                 Tenant::Body { generation, bounds: *bounds, tag }
             } else {
                 Tenant::Nobody { generation, left: bounds.lo().x, next: bounds.hi().y as u16 }
@@ -76,12 +78,12 @@ impl<T: Tag, const N: usize> Form<Table<T, N>> for Tenants<T, N> {
         for (at, (tenant, ((place, own), known))) in slots.iter().zip(places).enumerate() {
             match *tenant {
                 Tenant::Body { generation, bounds, tag } => {
-                    ensure(generation & 1 == 1, at, "it is taken, and its generation is even")?;
+                    ensure(Handle::new(at, generation).is_taken(), at, "it is taken, and its generation is even")?;
                     (*place, *own, *known) = (bounds, tag, generation);
                     len += 1;
                 }
                 Tenant::Nobody { generation, left, next } => {
-                    ensure(generation & 1 == 0, at, "it is free, and its generation is odd")?;
+                    ensure(!Handle::new(at, generation).is_taken(), at, "it is free, and its generation is odd")?;
                     (*place, *known) = (dead(left, next), generation);
                 }
             }
@@ -116,10 +118,4 @@ pub(super) fn once<const N: usize>(slots: &[u16], end: usize) -> Result<(), Wron
         }
     }
     Ok(())
-}
-
-/// Raw, of the left side.
-pub(super) const fn left(bounds: &Aabb) -> i32 {
-    let Raw { x, .. } = bounds.lo();
-    x
 }
