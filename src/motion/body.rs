@@ -165,12 +165,8 @@ pub(super) mod kernel {
         fn core_box(&self) -> (Raw, Raw);
         /// The radius of its corners.
         fn rounding(&self) -> i32;
-        /// The point of the core that is farthest in a quadrant: it meets an arc, with the radius
-        /// around it.
-        fn toward(&self, quadrant: Axis) -> Raw {
-            let (lo, hi) = self.core_box();
-            Raw { x: if quadrant.x > 0 { hi.x } else { lo.x }, y: if quadrant.y > 0 { hi.y } else { lo.y } }
-        }
+        /// The part that meets an arc: a point, and the radius of the disc around it.
+        fn toward(&self, quadrant: Axis) -> (Raw, i32);
         /// Whether it is within a distance of a segment. For a box, which is not rounded, the
         /// distance is along x and y.
         fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool;

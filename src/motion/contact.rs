@@ -116,9 +116,9 @@ fn is_near<B: Body>(body: &B, a: Raw, b: Raw) -> bool {
 fn is_over<B: Body>(body: &B, a: Raw, end: Raw, dir: Axis) -> bool {
     // For a face along x or y all of the core may be nearest, for a slope one end.
     let (first, last) = if dir.x == 0 || dir.y == 0 {
-        (body.toward(dir.reversed()), body.toward(dir))
+        (body.toward(dir.reversed()).0, body.toward(dir).0)
     } else {
-        let nearest = body.toward(normal(dir).reversed());
+        let (nearest, _) = body.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
         (nearest, nearest)
     };
     let along = |v: Raw| dir.dot(Axis::new(v.x, v.y));
@@ -149,7 +149,7 @@ pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMu
         }
         Geometry::Vertex { p, .. } => is_at_corner(body, Raw::of(p), &mut plane),
         Geometry::Arc { centre, radius, quadrant, convex } => {
-            let (at, r) = (body.toward(if convex { quadrant.reversed() } else { quadrant }), body.rounding());
+            let (at, r) = body.toward(if convex { quadrant.reversed() } else { quadrant });
             let m = at.sub(Raw::of(centre));
             let end =
                 |x: i32, y: i32| Raw::of(centre).add(Raw { x: x.wrapping_mul(radius), y: y.wrapping_mul(radius) });

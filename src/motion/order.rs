@@ -106,10 +106,11 @@ fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), f
     }
     match feature.geometry {
         Geometry::Vertex { p, .. } => {
-            is_past(body.toward(round.normal.reversed()).sub(Raw::of(p)), body.rounding(), false, d, flat)
+            let (c, r) = body.toward(round.normal.reversed());
+            is_past(c.sub(Raw::of(p)), r, false, d, flat)
         }
         Geometry::Arc { centre, radius, quadrant, convex } => {
-            let (at, r) = (body.toward(if convex { quadrant.reversed() } else { quadrant }), body.rounding());
+            let (at, r) = body.toward(if convex { quadrant.reversed() } else { quadrant });
             let r = if convex { radius.wrapping_add(r) } else { radius.wrapping_sub(r) };
             is_past(at.sub(Raw::of(centre)), r, !convex, d, flat)
         }

@@ -4,7 +4,7 @@
 use super::body::Entry;
 use super::body::kernel::Kernel;
 use super::sweep_face::{Face, sweep_face, sweep_slope};
-use super::sweep_round::{enter_quarter, is_square, leave_by_corner, leave_pipe, square_quadrant, sweep_cone};
+use super::sweep_round::{enter_quarter, is_square, leave_by_corner, leave_centre, leave_quarter, sweep_cone};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw};
 use crate::query::meet;
@@ -39,12 +39,12 @@ impl Kernel for Aabb {
             Geometry::Face { a, dir, len, joined } => {
                 // A box reaches beyond the slope's line exactly if its corner nearest to the line
                 // does. The normal is (dir.y, -dir.x).
-                let corner = self.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
+                let (corner, _) = self.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
                 sweep_slope(corner, 0, d, &Face { a: Raw::of(a), dir, len, joined })
             }
             Geometry::Vertex { p, e_in, e_out } => sweep_peak(lo, hi, d, Raw::of(p), e_in, e_out),
             Geometry::Arc { centre, radius, quadrant, convex } => {
-                let corner = self.toward(if convex { quadrant.reversed() } else { quadrant });
+                let (corner, _) = self.toward(if convex { quadrant.reversed() } else { quadrant });
                 let centre = Raw::of(centre);
                 if convex {
                     sweep_round((lo, hi), corner, d, (centre, radius, quadrant))
@@ -73,6 +73,10 @@ impl Kernel for Aabb {
 
     fn rounding(&self) -> i32 {
         0
+    }
+
+    fn toward(&self, quadrant: Axis) -> (Raw, i32) {
+        (corner(self.lo(), self.hi(), quadrant), 0)
     }
 
     fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool {
@@ -122,8 +126,13 @@ impl Kernel for Circle {
                 let m = c.sub(Raw::of(centre));
                 if convex {
                     enter_quarter(m, radius.wrapping_add(r), d, quadrant, true)
+                } else if r < radius {
+                    leave_quarter(m, radius.wrapping_sub(r), d, quadrant)
+                } else if r == radius {
+                    leave_centre(m, d, quadrant)
                 } else {
-                    leave_pipe(m, r, radius, d, quadrant)
+                    // It meets the arc's ends first.
+                    None
                 }
             }
             _ => self.sweep_block(d, feature),
@@ -142,7 +151,8 @@ impl Kernel for Circle {
             // The cone of a block's corner is a quadrant. On its borders, and outside of it, the
             // faces are responsible.
             Geometry::Vertex { p, e_in, e_out } => {
-                enter_quarter(c.sub(Raw::of(p)), r, d, square_quadrant(e_in, e_out), false)
+                let quadrant = Axis::new(e_in.x.wrapping_sub(e_out.x), e_in.y.wrapping_sub(e_out.y));
+                enter_quarter(c.sub(Raw::of(p)), r, d, quadrant, false)
             }
             Geometry::Arc { .. } => None,
         }
@@ -156,6 +166,10 @@ impl Kernel for Circle {
         self.r()
     }
 
+    fn toward(&self, _: Axis) -> (Raw, i32) {
+        (self.c(), self.r())
+    }
+
     fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool {
         meet::circle_segment::<true>(self.c(), self.r().wrapping_add(reach), a, b)
     }
@@ -167,6 +181,11 @@ impl Kernel for Circle {
     fn is_inside<W: World>(world: &W, p: Raw) -> bool {
         world.overlaps_circle(&Self::from_raw_unchecked(p, 0))
     }
+}
+
+/// The corner of a box that is farthest in a quadrant.
+pub(super) const fn corner(lo: Raw, hi: Raw, quadrant: Axis) -> Raw {
+    Raw { x: if quadrant.x > 0 { hi.x } else { lo.x }, y: if quadrant.y > 0 { hi.y } else { lo.y } }
 }
 
 /// Entry of a side of the box that lands on a convex corner: along x or y, wherever that direction
@@ -193,26 +212,16 @@ pub(super) fn sweep_end(core: (Raw, Raw), r: i32, d: Raw, p: Raw, normal: Axis) 
     sweep_face(core, r, d, &Face { a: p, dir, len: 0, joined: [false; 2] })
 }
 
-/// The same on the end of an arc that has this normal.
-#[inline]
-pub(super) fn sweep_arc_end(
-    core: (Raw, Raw),
-    r: i32,
-    d: Raw,
-    (centre, radius): (Raw, i32),
-    normal: Axis,
-) -> Option<Entry> {
-    let p = centre.add(Raw { x: normal.x.wrapping_mul(radius), y: normal.y.wrapping_mul(radius) });
-    sweep_end(core, r, d, p, normal)
-}
-
 /// Entry through a convex arc. Either the corner of the box nearest to the arc's centre enters the
 /// arc itself, or a side lands on an end with a normal along x or y. The same side also meets a
 /// flat face that continues from there.
 #[inline(never)]
 pub(super) fn sweep_round((lo, hi): (Raw, Raw), corner: Raw, d: Raw, arc: (Raw, i32, Axis)) -> Option<Entry> {
     let (centre, radius, quadrant) = arc;
-    let end = |normal: Axis| sweep_arc_end((lo, hi), 0, d, (centre, radius), normal);
+    let end = |normal: Axis| {
+        let p = centre.add(Raw { x: normal.x.wrapping_mul(radius), y: normal.y.wrapping_mul(radius) });
+        sweep_end((lo, hi), 0, d, p, normal)
+    };
     let mut first = end(Axis::new(quadrant.x, 0));
     keep_first(&mut first, end(Axis::new(0, quadrant.y)).as_ref(), d);
     keep_first(&mut first, enter_quarter(corner.sub(centre), radius, d, quadrant, true).as_ref(), d);

@@ -2,14 +2,15 @@
 
 use super::body::Entry;
 use super::body::kernel::Kernel;
-use super::sweep_body::{keep_first, sweep_arc_end, sweep_end};
+use super::sweep_body::{corner, keep_first, sweep_end};
 use super::sweep_face::{Face, over, sweep_face, sweep_slope};
-use super::sweep_round::{enter_quarter, is_square, leave_pipe, square_quadrant, sweep_cone};
+use super::sweep_round::{enter_quarter, is_square, leave_centre, leave_quarter, sweep_cone};
 use crate::error::{Quantity, RangeError};
-use crate::num::{Axis, Raw};
+use crate::num::{Axis, MOTION, Raw};
 use crate::query::meet;
 use crate::shape::{Aabb, Capsule, Circle};
-use crate::world::{Feature, Geometry, World, normal};
+use crate::world::{Feature, Geometry, World};
+use core::cmp::Ordering;
 
 /// A capsule consists of the discs around the two ends of its core, and the box between them. A
 /// surface with a normal not across the core meets one of the discs before the box. Each sweep is
@@ -35,12 +36,14 @@ impl Kernel for Capsule {
 
     fn check_size(&self) -> Result<(), RangeError> {
         let (lo, hi) = self.core_box();
-        let size = hi.sub(lo);
+        let (size, r) = (hi.sub(lo), self.rounding());
         let slant = size.x.min(size.y);
-        if slant != 0 || self.rounding() == 0 {
+        if slant != 0 || r == 0 {
             return Err(RangeError { what: Quantity::Capsule, value: slant });
         }
-        self.bounds().check_size()
+        // Below 2^30, as the capsule is inside the domain.
+        let largest = size.x.max(size.y).wrapping_add(r << 1);
+        if largest >> 1 < MOTION { Ok(()) } else { Err(RangeError { what: Quantity::BodySize, value: largest }) }
     }
 
     fn shifted(&self, d: Raw) -> Self {
@@ -52,7 +55,7 @@ impl Kernel for Capsule {
         let r = self.rounding();
         match feature.geometry {
             Geometry::Face { a, dir, len, joined } if dir.x != 0 && dir.y != 0 => {
-                let end = self.toward(normal(dir).reversed());
+                let (end, _) = self.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
                 sweep_slope(end, r, d, &Face { a: Raw::of(a), dir, len, joined })
             }
             Geometry::Vertex { p, e_in, e_out } if !is_square(e_in, e_out) => {
@@ -61,9 +64,14 @@ impl Kernel for Capsule {
             Geometry::Arc { centre, radius, quadrant, convex } => {
                 let centre = Raw::of(centre);
                 if convex {
-                    self.sweep_bulge(d, (centre, radius, quadrant))
-                } else {
-                    leave_pipe(self.toward(quadrant).sub(centre), r, radius, d, quadrant)
+                    return self.sweep_bulge(d, (centre, radius, quadrant));
+                }
+                let m = self.toward(quadrant).0.sub(centre);
+                match r.cmp(&radius) {
+                    Ordering::Less => leave_quarter(m, radius.wrapping_sub(r), d, quadrant),
+                    Ordering::Equal => leave_centre(m, d, quadrant),
+                    // It meets the arc's ends first.
+                    Ordering::Greater => None,
                 }
             }
             _ => self.sweep_block(d, feature),
@@ -80,8 +88,8 @@ impl Kernel for Capsule {
             // Only the quadrant inside of its faces remains of a block's corner; a flat side meets
             // the faces.
             Geometry::Vertex { p, e_in, e_out } => {
-                let quadrant = square_quadrant(e_in, e_out);
-                let end = self.toward(quadrant.reversed());
+                let quadrant = Axis::new(e_in.x.wrapping_sub(e_out.x), e_in.y.wrapping_sub(e_out.y));
+                let (end, _) = self.toward(quadrant.reversed());
                 enter_quarter(end.sub(Raw::of(p)), r, d, quadrant, false)
             }
             Geometry::Arc { .. } => None,
@@ -97,33 +105,32 @@ impl Kernel for Capsule {
         self.radius().to_bits()
     }
 
+    fn toward(&self, quadrant: Axis) -> (Raw, i32) {
+        let (lo, hi) = self.core_box();
+        (corner(lo, hi, quadrant), self.rounding())
+    }
+
     fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool {
         let ((lo, hi), r) = (self.core_box(), self.rounding().wrapping_add(reach));
-        let (low, high) = between(lo, hi, r);
+        let flat = Raw { x: if lo.x == hi.x { r } else { 0 }, y: if lo.x == hi.x { 0 } else { r } };
         meet::circle_segment::<true>(lo, r, a, b)
             || meet::circle_segment::<true>(hi, r, a, b)
-            || meet::segment_aabb::<true>(a, b, low, high)
+            || meet::segment_aabb::<true>(a, b, lo.sub(flat), hi.add(flat))
     }
 
     /// The inside of a capsule is that of its discs and its box. Every point of the sides between
     /// them, except the ends, is inside of a disc.
     fn overlaps_world<W: World>(&self, world: &W) -> bool {
         let ((lo, hi), r) = (self.core_box(), self.rounding());
-        let (low, high) = between(lo, hi, r);
-        world.overlaps_aabb(&Aabb::from_raw_unchecked(low, high))
+        let flat = Raw { x: if lo.x == hi.x { r } else { 0 }, y: if lo.x == hi.x { 0 } else { r } };
+        world.overlaps_aabb(&Aabb::from_raw_unchecked(lo.sub(flat), hi.add(flat)))
             || world.overlaps_circle(&Circle::from_raw_unchecked(lo, r))
             || world.overlaps_circle(&Circle::from_raw_unchecked(hi, r))
     }
 
     fn is_inside<W: World>(world: &W, p: Raw) -> bool {
-        Circle::is_inside(world, p)
+        world.overlaps_circle(&Circle::from_raw_unchecked(p, 0))
     }
-}
-
-/// The box between the discs of radius `r` around the ends of a core.
-const fn between(lo: Raw, hi: Raw, r: i32) -> (Raw, Raw) {
-    let flat = if lo.x == hi.x { Raw { x: r, y: 0 } } else { Raw { x: 0, y: r } };
-    (lo.sub(flat), hi.add(flat))
 }
 
 /// The part of a capsule that a moving point meets.
@@ -154,10 +161,11 @@ impl Capsule {
     #[inline(never)]
     fn sweep_bulge(&self, d: Raw, (centre, radius, quadrant): (Raw, i32, Axis)) -> Option<Entry> {
         let ((lo, hi), r) = (self.core_box(), self.rounding());
-        let end = self.toward(quadrant.reversed());
+        let (end, _) = self.toward(quadrant.reversed());
         let mut first = enter_quarter(end.sub(centre), radius.wrapping_add(r), d, quadrant, true);
         let normal = if lo.x == hi.x { Axis::new(quadrant.x, 0) } else { Axis::new(0, quadrant.y) };
-        keep_first(&mut first, sweep_arc_end((lo, hi), r, d, (centre, radius), normal).as_ref(), d);
+        let p = centre.add(Raw { x: normal.x.wrapping_mul(radius), y: normal.y.wrapping_mul(radius) });
+        keep_first(&mut first, sweep_end((lo, hi), r, d, p, normal).as_ref(), d);
         first
     }
 

@@ -22,11 +22,6 @@ pub(super) const fn is_square(e_in: Axis, e_out: Axis) -> bool {
     is_unit(e_in) && is_unit(e_out) && e_in.x != e_out.x && e_in.y != e_out.y
 }
 
-/// The quadrant outside of such a corner.
-pub(super) const fn square_quadrant(e_in: Axis, e_out: Axis) -> Axis {
-    Axis::new(e_in.x.wrapping_sub(e_out.x), e_in.y.wrapping_sub(e_out.y))
-}
-
 const fn is_unit(e: Axis) -> bool {
     (e.x == 0 || e.y == 0) && e.x.wrapping_add(e.y).unsigned_abs() == 1
 }
@@ -214,7 +209,7 @@ pub(super) fn leave_by_corner(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<
 /// The same if the disc is a point: a body as wide as the pipe reaches its centre, touches all of
 /// it, and moves on against an end.
 #[inline(never)]
-fn leave_centre(m: Raw, d: Raw, quadrant: Axis) -> Option<Entry> {
+pub(super) fn leave_centre(m: Raw, d: Raw, quadrant: Axis) -> Option<Entry> {
     let (a, b) = (d.len2(), m.dot(d).wrapping_neg());
     if m.cross(d) != 0 || b < 0 || b as u64 >= a {
         return None;
@@ -227,17 +222,6 @@ fn leave_centre(m: Raw, d: Raw, quadrant: Axis) -> Option<Entry> {
     let t = ratio(b as u64, a);
     let step = Raw { x: m.x.wrapping_neg(), y: m.y.wrapping_neg() };
     Some(Entry { num: t.raw(), den: Toi::ONE.raw(), normal, at_end: true, step: Some(step) })
-}
-
-/// What a disc of radius `r` around `m`, as seen from the centre of a quarter pipe, meets of it.
-#[inline]
-pub(super) fn leave_pipe(m: Raw, r: i32, radius: i32, d: Raw, quadrant: Axis) -> Option<Entry> {
-    match r.cmp(&radius) {
-        Ordering::Less => leave_quarter(m, radius.wrapping_sub(r), d, quadrant),
-        Ordering::Equal => leave_centre(m, d, quadrant),
-        // It meets the arc's ends first.
-        Ordering::Greater => None,
-    }
 }
 
 #[cfg(test)]

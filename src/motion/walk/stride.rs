@@ -235,9 +235,8 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
     /// Enters a quarter pipe by a chord: along its tangent it would hit the pipe again at once.
     fn enter(&mut self, feature: &Feature) {
         let Geometry::Arc { centre, radius, quadrant, convex: false } = feature.geometry else { return };
-        let body = &self.run.moved.body;
-        let m = body.toward(quadrant).sub(Raw::of(centre));
-        let pipe = Pipe { m, r: radius.wrapping_sub(body.rounding()), quadrant };
+        let (at, r) = self.run.moved.body.toward(quadrant);
+        let pipe = Pipe { m: at.sub(Raw::of(centre)), r: radius.wrapping_sub(r), quadrant };
         if let Some(chord) = pipe.chord(self.velocity(Toi::ONE), self.run.rest, &Smooth) {
             (self.run.motion, self.run.after, self.run.on_chord) = (chord.way, chord.after, true);
         }
