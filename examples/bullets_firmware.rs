@@ -1,4 +1,4 @@
-//! The bullets on a chip: 256 bullets, 32 enemies and a player on the level in flash, and the hash
+//! The bullets on a chip: 240 bullets, 32 enemies and a player on the level in flash, and the hash
 //! of 600 frames and of 10 000.
 //!
 //! ```text

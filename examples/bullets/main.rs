@@ -1,6 +1,6 @@
 //! Bullets everywhere: `cargo run --release --example bullets [-- FILE.png]`.
 //!
-//! 32 enemies fill two galleries and an arena with up to 256 bullets; the player goes its rounds
+//! 32 enemies fill two galleries and an arena with up to 240 bullets; the player goes its rounds
 //! among them, shoots, is hit, is repaired in its zone. `tilesat_games::bullets` is the game, and
 //! runs unchanged on a microcontroller (`examples/bullets_firmware.rs`), to the same hash.
 //! `check.rs` finds all pairs, all events and all walls once more in its own way, in every frame.

@@ -2,7 +2,7 @@
 //!
 //! | module | game |
 //! |---|---|
-//! | [`bullets`] | 256 bullets, 32 enemies and a player: pairs and events in fixed memory |
+//! | [`bullets`] | 240 bullets, 32 enemies and a player: pairs and events in fixed memory |
 //! | [`ninja`] | one circle among all tile shapes: slopes, quarter pipes, wall jumps |
 //! | [`pinball`] | balls on a table of tiles and polygons: bumpers, slingshots, a kicker |
 //! | [`platformer`] | a scripted player, 16 boxes and 16 balls in a baked level |

@@ -21,7 +21,7 @@ use tilesat::broad::{BroadPhase, Exceptions, Handle, PairEvents, SortSweep};
 use tilesat::heapless::Vec;
 use tilesat::{Aabb, Circle, Filter, Vec2};
 
-pub const BULLETS: usize = 256;
+pub const BULLETS: usize = 240;
 pub const ENEMIES: usize = 32;
 /// With the player and the zone.
 pub const BODIES: usize = BULLETS + ENEMIES + 2;
