@@ -6,7 +6,7 @@ BEGIN {
     program("a hero among blocks with a lift", "a `Character` among `Blocks`, with lifts")
     program("a hero among slopes with a lift", "a `Character` among `Slopes`, with lifts")
     program("33 bodies among blocks, coins, ladders", "33 bodies among blocks, with coins and ladders")
-    program("256 bullets, 32 enemies, pairs and events", "256 bullets and 32 enemies, pairs and events")
+    program("240 bullets, 32 enemies, pairs and events", "240 bullets and 32 enemies, pairs and events")
     call("AABB-AABB overlaps, hit", "two boxes overlap", "AABB-AABB overlaps", "kernel")
     call("ray, 17 cells, hit", "a ray through 17 cells of blocks", "ray, Blocks", "kernel")
     call("blocks: box moves, <= 4 a frame", "a box moves among blocks", "move_and_slide, AABB, Blocks", "kernel")
