@@ -4,6 +4,7 @@
 mod capsule;
 mod corners;
 mod oriented_box;
+mod parts;
 mod polygon;
 #[cfg(feature = "serde")]
 mod stored;
@@ -14,6 +15,7 @@ use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
 pub use capsule::Capsule;
 pub(crate) use corners::Convex;
 pub use oriented_box::OrientedBox;
+pub use parts::{ConvexParts, PartsError};
 pub use polygon::ConvexPolygon;
 
 /// An axis-aligned box, given by its two corners.

@@ -136,6 +136,7 @@ pub mod response {
     #[cfg(feature = "serde")]
     mod stored;
     mod surface;
+    mod table;
     mod verlet;
 
     pub use acceleration::{Acceleration, Carry};
@@ -143,6 +144,7 @@ pub mod response {
     pub(in crate::motion) use reply::{Bounce, Reply};
     pub(in crate::motion) use surface::law::Law;
     pub use surface::{Energy, Smooth, Speed, Surface};
+    pub use table::{ByFlags, Responses};
     pub use verlet::{Link, Particle, Quiet, RelaxError, Stick, relax};
 }
 mod run;
@@ -185,6 +187,6 @@ pub use inside::{StartInside, escape};
 pub use memo::Memo;
 pub use moved::{Hit, Hits, MoveError, Moved, Stuck, Work};
 pub use mover::{Mover, Response};
-pub use response::{Acceleration, Carry, Energy, Masses, Smooth, Speed, Surface};
+pub use response::{Acceleration, ByFlags, Carry, Energy, Masses, Responses, Smooth, Speed, Surface};
 pub use solids::{Ridden, Ride};
 pub use walk::{SlopeSpeed, Support, Walked, Walker};

@@ -3,7 +3,7 @@
 use super::body::{Body, Entry};
 use super::order::First;
 use super::plane::{SlopeLimit, SurfaceRole, may_be_askew};
-use super::response::{Bounce, Law, Smooth, Surface};
+use super::response::{Bounce, ByFlags, Law, Responses, Smooth, Surface};
 use super::run::{Run, check_inside, is_free};
 use super::search::Around;
 use super::search::{Search, check_cells, piece_of};
@@ -115,10 +115,21 @@ impl<S: Law> Mover<S> {
         Mover { up, response, bounce, limit, drop_through, inside, surface }
     }
 
+    /// The same mover with its own responses to surfaces with flags.
+    ///
+    /// A mover without such a table links no code for it. Call this after
+    /// [`with_surface`](Self::with_surface), whose mover has no table.
+    #[must_use]
+    pub const fn with_responses(self, responses: Responses) -> Mover<ByFlags<S>> {
+        let Self { up, response, bounce, limit, drop_through, inside, surface } = self;
+        let bounce = if responses.bounce == 0 { bounce } else { Bounce::LINKED };
+        Mover { up, response, bounce, limit, drop_through, inside, surface: ByFlags { surface, responses } }
+    }
+
     /// The same mover with another response.
     #[must_use]
     pub const fn with_response(self, response: Response) -> Self {
-        let bounce = if matches!(response, Response::Bounce) { Bounce::LINKED } else { Bounce::NONE };
+        let bounce = if matches!(response, Response::Bounce) { Bounce::LINKED } else { self.bounce };
         Self { response, bounce, ..self }
     }
 
@@ -286,6 +297,17 @@ impl<S: Law> Mover<S> {
         self.go_on(world, body, velocity, around, &mut first, &FirstHit { work, inside, guarded })
     }
 
+    /// The response to a hit of this feature.
+    pub(super) fn response_to(&self, feature: &Feature) -> Response {
+        let Responses { touch, bounce, slide } = self.surface.responses();
+        match feature.flags {
+            flags if flags & touch != 0 => Response::Touch,
+            flags if flags & bounce != 0 => Response::Bounce,
+            flags if flags & slide != 0 => Response::Slide,
+            _ => self.response,
+        }
+    }
+
     /// Whether a hit takes all of a motion and leaves nothing, as for most resting bodies. The
     /// answer is that of [`respond`](Self::respond), found without the work that other hits need.
     ///
@@ -299,7 +321,7 @@ impl<S: Law> Mover<S> {
             && step.is_none()
             && straight
             && !(feature.one_way && self.passes_one_way())
-            && match self.response {
+            && match self.response_to(feature) {
                 Response::Touch => false,
                 Response::Slide | Response::DropThrough => true,
                 Response::Bounce => self.surface.surface().stops(d, normal),

@@ -72,7 +72,7 @@ impl<S: Law> Mover<S> {
         if WALKS && side == SurfaceRole::Floor {
             return false;
         }
-        match (self.response, self.bounce.0) {
+        match (self.response_to(feature), self.bounce.0) {
             (Response::Touch, _) => run.v = Raw::ZERO,
             (Response::Bounce, Some(reply)) if !self.surface.surface().stops(run.v, entry.normal) => {
                 run.turn(reflect::<B, W, S>(run.v, entry.normal, &self.surface, reply));

@@ -39,7 +39,7 @@ impl<S: Law> Form<Mover<S>> for Rules<S> {
         if up.is_some_and(Axis::is_zero) {
             return Err("its \"up\" is no direction: both components are zero");
         }
-        let Mover { bounce, .. } = Mover::new().with_response(response);
+        let Mover { bounce, .. } = Mover::new().with_response(response).with_responses(surface.responses());
         Ok(Mover { up, response, bounce, limit, drop_through, inside, surface })
     }
 }

@@ -36,6 +36,9 @@ pub struct ConvexPolygon<const N: usize> {
 }
 
 impl<const N: usize> ConvexPolygon<N> {
+    /// Without corners: what fills a list before it is written.
+    pub(super) const EMPTY: Self = Self { points: [Vec2::ZERO; N], count: 0, radius: Fx::ZERO };
+
     /// A polygon from its corners, in order, either way round.
     ///
     /// ```

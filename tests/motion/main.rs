@@ -10,6 +10,7 @@ mod alive_ramps;
 mod alive_random;
 mod alive_walks;
 mod assist;
+mod by_flags;
 mod clear;
 mod floor;
 mod inside;

@@ -16,6 +16,7 @@ mod mutants;
 mod number_types;
 mod numbers;
 mod oracle_self;
+mod parts;
 mod push_out;
 mod random;
 mod symmetry;

@@ -1,6 +1,6 @@
 //! What was read is what was written, bit for bit, through bytes and through text.
 
-use crate::values::{Near, bouncer, grid, hash, heroes, lists, rope, rubber, scene, shapes, solids, walker};
+use crate::values::{Near, bouncer, grid, hash, heroes, lists, rope, rubber, scene, shapes, solids, springs, walker};
 use core::fmt::Debug;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -41,12 +41,23 @@ fn plain_states_are_the_same() {
     same(&walker());
     same(&Mover::new());
     same(&bouncer());
+    same(&springs());
     same(&rubber());
     same(&rope());
     let (events, exceptions) = lists();
     same(&events);
     same(&exceptions);
     assert!(events.iter().count() > 2 && again(&events).iter().eq(events.iter()));
+}
+
+/// What is linked for bounces is not written; it comes back with the table.
+#[test]
+fn a_table_of_responses_still_bounces() {
+    static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL.with_flags(2));
+    let level = TileMap::from_ascii("....\n####\n", &KINDS).unwrap();
+    let body = Aabb::new(Vec2::from_ints(4, 4), Vec2::from_ints(10, 14)).unwrap();
+    let moved = again(&springs()).move_and_slide(&level, &body, Vec2::from_ints(1, 4)).unwrap();
+    assert_eq!(moved.velocity, Vec2::from_ints(1, -4));
 }
 
 #[test]

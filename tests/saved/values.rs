@@ -3,7 +3,7 @@
 use core::num::NonZeroU8;
 use tilesat::broad::{BroadPhase, Exceptions, Ignore, LooseGrid, PairEvents, SortSweep, SpatialHash};
 use tilesat::motion::response::{Link, Masses, Particle, Quiet, Stick};
-use tilesat::motion::{Acceleration, Carry, Energy, Speed};
+use tilesat::motion::{Acceleration, ByFlags, Carry, Energy, Responses, Speed};
 use tilesat::scene::{SceneBody, SceneTag};
 use tilesat::{
     Aabb, Axis, Capsule, Character, Circle, ConvexPolygon, Feel, Filter, Fx, Input, LayerMask, Mover, OrientedBox,
@@ -58,6 +58,10 @@ pub(crate) fn walker() -> Walker {
 
 pub(crate) fn bouncer() -> Mover<Surface> {
     Mover::platformer(Axis::new(3, -4)).with_response(Response::Bounce).with_slope_limit(2, 1).with_surface(rubber())
+}
+
+pub(crate) fn springs() -> Mover<ByFlags> {
+    Mover::new().with_responses(Responses::NONE.bouncing(2).touching(4))
 }
 
 pub(crate) fn rubber() -> Surface {

@@ -263,6 +263,29 @@ fn a_table_knows_the_shapes_that_it_names() {
     }
 }
 
+/// Tiles with any of the flags are not solid and keep their flags; the others stay. The new table
+/// knows what it names: a set may have all that is left.
+#[test]
+fn tables_for_bodies_that_pass_flags() {
+    let (mut kinds, mut left) = (TileKinds::EMPTY, [TileKinds::EMPTY; 4]);
+    for (id, shape) in (0..=u8::MAX).zip(TileShape::ALL.into_iter().cycle()) {
+        let flags = id / 38 % 4;
+        kinds = kinds.with(id, TileKind::of(shape).with_flags(flags));
+        for (passed, left) in (0..).zip(&mut left) {
+            let shape = if flags & passed == 0 { shape } else { TileShape::Empty };
+            *left = left.with(id, TileKind::of(shape).with_flags(flags));
+        }
+    }
+    for (passed, left) in (0..).zip(left) {
+        assert_eq!(kinds.passing(passed), left, "{passed}");
+    }
+    let mixed = TileKinds::EMPTY.with(1, TileKind::FULL).with(2, TileKind::of(TileShape::SlopeTopLeft).with_flags(8));
+    let grid = Grid::new(1, 1, Fx::from_num(16), Vec2::ZERO).unwrap();
+    assert!(TileMap::<Blocks>::of(&[0], grid, &mixed).is_err());
+    assert!(TileMap::<Blocks>::of(&[0], grid, &mixed.passing(4)).is_err());
+    assert!(TileMap::<Blocks>::of(&[0], grid, &mixed.passing(12)).is_ok());
+}
+
 #[test]
 fn bounds_are_those_of_all_cells() {
     let grid = Grid::new(3, 2, Fx::from_num(8), Vec2::from_ints(-5, 7)).unwrap();

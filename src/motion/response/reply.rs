@@ -172,10 +172,10 @@ impl Bounce {
     pub(in crate::motion) const LINKED: Self = Self(Some(reply));
 }
 
-/// There is only one function, but its address may differ.
+/// The responses of a mover say whether the function is called: linking it changes no answer.
 impl PartialEq for Bounce {
-    fn eq(&self, other: &Self) -> bool {
-        self.0.is_some() == other.0.is_some()
+    fn eq(&self, _: &Self) -> bool {
+        true
     }
 }
 

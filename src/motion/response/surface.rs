@@ -153,6 +153,7 @@ pub(in crate::motion) mod law {
     //! The part of surfaces that only this crate calls.
 
     use super::Surface;
+    use crate::motion::response::table::Responses;
     use crate::world::sealed::Sealed;
 
     /// How surfaces affect a mover's bodies: [`Smooth`](super::Smooth), which links no code for
@@ -162,6 +163,10 @@ pub(in crate::motion) mod law {
         const SMOOTH: bool;
         /// The surface.
         fn surface(&self) -> Surface;
+        /// The responses to surfaces with flags.
+        fn responses(&self) -> Responses {
+            Responses::NONE
+        }
     }
 }
 

@@ -279,6 +279,43 @@ impl TileKinds {
         self
     }
 
+    /// The same table for bodies that pass the tiles with any of these flags: nothing of them is
+    /// solid. They keep their flags, so
+    /// [`TileMap::flags_swept`](crate::world::TileMap::flags_swept) and
+    /// [`tiles_in`](crate::world::TileMap::tiles_in) report all that a body passes.
+    ///
+    /// Make one table per kind of body, as a `static`, and give it to the same tiles by
+    /// [`TileMap::with_kinds`](crate::world::TileMap::with_kinds). An occupancy stays valid. Moves
+    /// and casts cost what they cost in any map.
+    ///
+    /// ```
+    /// use tilesat::{AllShapes, TileKind, TileKinds, TileMap, Vec2};
+    /// const CURTAIN: u8 = 1;
+    /// static KINDS: TileKinds =
+    ///     TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'c', TileKind::FULL.with_flags(CURTAIN));
+    /// static GHOSTS: TileKinds = KINDS.passing(CURTAIN);
+    ///
+    /// let level = TileMap::from_ascii("..c.#", &KINDS)?;
+    /// let of_ghosts = level.with_kinds::<AllShapes>(&GHOSTS)?;
+    /// let (from, way) = (Vec2::from_ints(4, 8), Vec2::from_ints(100, 0));
+    /// assert_eq!(level.cast_ray(from, way)?.unwrap().cell.x, 2);
+    /// assert_eq!(of_ghosts.cast_ray(from, way)?.unwrap().cell.x, 4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    #[doc(alias("cross", "ghost", "collision mask"))]
+    pub const fn passing(&self, flags: u8) -> Self {
+        let (mut table, mut id) = (Self::EMPTY, 0u8);
+        loop {
+            let kind = self.get(id);
+            table = table.with(id, if kind.flag(flags) { TileKind::EMPTY.with_flags(kind.flags) } else { kind });
+            id = match id.checked_add(1) {
+                Some(next) => next,
+                None => return table,
+            };
+        }
+    }
+
     /// The first id whose shape is not among these; a bit for each shape.
     pub(super) const fn beyond(&self, shapes: u64) -> Option<u8> {
         if self.named & !shapes == 0 {

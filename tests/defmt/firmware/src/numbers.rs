@@ -7,6 +7,7 @@ use tilesat::{
     Ratio, Segment, Toi, Vec2,
     error::{PolygonError, Truncated},
     query::{Part, Separation},
+    shape::{ConvexParts, PartsError},
 };
 
 pub(crate) fn tell_all() {
@@ -28,6 +29,10 @@ pub(crate) fn tell_all() {
     let corners = [Vec2::from_ints(0, 0), Vec2::from_ints(4, 0), Vec2::from_ints(0, 4)];
     tell(&ConvexPolygon::<4>::new(&corners).unwrap());
     let error: PolygonError = ConvexPolygon::<4>::new(&corners[..2]).unwrap_err();
+    tell(&error);
+    let parts = ConvexParts::<4, 2>::of(&corners).unwrap();
+    tell(&parts);
+    let error: PartsError = ConvexParts::<4, 2>::of(&corners[..2]).unwrap_err();
     tell(&error);
     tell(&circle.contact(&aabb).unwrap());
     let resting = aabb.manifold(&circle).unwrap();

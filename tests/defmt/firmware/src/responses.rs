@@ -2,7 +2,8 @@
 
 use crate::tell;
 use tilesat::motion::response::{
-    Acceleration, Carry, Energy, Link, Masses, Particle, Quiet, RelaxError, Smooth, Speed, Stick, Surface, split,
+    Acceleration, ByFlags, Carry, Energy, Link, Masses, Particle, Quiet, RelaxError, Responses, Smooth, Speed, Stick,
+    Surface, split,
 };
 use tilesat::{Axis, Fx, Ratio, Vec2};
 
@@ -10,6 +11,8 @@ pub(crate) fn tell_all() {
     let v = Vec2::from_ints(3, -4);
     tell(&Surface::new(Ratio::percent(50).unwrap(), Ratio::percent(20).unwrap()));
     tell(&Smooth);
+    tell(&Responses::NONE.bouncing(2));
+    tell(&ByFlags::<Smooth>::default());
     tell(&Speed::of(v));
     tell(&Energy::of(Vec2::from_ints(0, 9), v, Vec2::from_ints(0, 1)));
     tell(&Masses::new(2, 3).unwrap());

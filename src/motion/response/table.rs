@@ -1,0 +1,91 @@
+//! A response for each kind of surface, by its flags.
+
+use super::surface::law::Law;
+use super::{Smooth, Surface};
+
+/// Which surfaces a body responds to in its own way, by the flags of the tile, the segment or the
+/// [`Solid`](crate::Solid) that it hits.
+///
+/// A surface with none of the flags gets the mover's [`Response`](crate::Response). With flags of
+/// several kinds, touching goes before bouncing, and bouncing before sliding. The answer is for one
+/// hit: a body can bounce off a spring and slide along the floor in the same call.
+///
+/// The table says how a body responds to what stops it. For tiles that a kind of body passes, use
+/// [`TileKinds::passing`](crate::TileKinds::passing). For one-way faces, use
+/// [`Mover::with_drop_through`](crate::Mover::with_drop_through).
+///
+/// ```
+/// use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Vec2, motion::Responses};
+/// const SPRING: u8 = 1;
+/// const GLUE: u8 = 2;
+/// static KINDS: TileKinds = TileKinds::EMPTY
+///     .with(b'#', TileKind::FULL)
+///     .with(b's', TileKind::FULL.with_flags(SPRING))
+///     .with(b'g', TileKind::FULL.with_flags(GLUE));
+/// const MOVER: Mover<tilesat::motion::ByFlags> =
+///     Mover::platformer(Axis::NEG_Y).with_responses(Responses::NONE.bouncing(SPRING).touching(GLUE));
+///
+/// let level = TileMap::from_ascii("......\n##ssgg", &KINDS)?;
+/// let body = |x| Aabb::new(Vec2::from_ints(x, 4), Vec2::from_ints(x + 8, 14));
+/// let after = |x| MOVER.move_and_slide(&level, &body(x).unwrap(), Vec2::from_ints(3, 6)).map(|moved| moved.velocity);
+/// assert_eq!(after(4)?, Vec2::from_ints(3, 0)); // the floor
+/// assert_eq!(after(36)?, Vec2::from_ints(3, -6)); // the spring
+/// assert_eq!(after(68)?, Vec2::ZERO); // the glue
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[doc(alias("collision filter", "filter", "response table"))]
+pub struct Responses {
+    pub(in crate::motion) touch: u8,
+    pub(in crate::motion) bounce: u8,
+    pub(in crate::motion) slide: u8,
+}
+
+impl Responses {
+    /// Every surface gets the mover's response.
+    pub const NONE: Self = Self { touch: 0, bounce: 0, slide: 0 };
+
+    /// The same table with [`Response::Touch`](crate::Response::Touch) for surfaces with any of
+    /// these flags.
+    #[must_use]
+    pub const fn touching(self, flags: u8) -> Self {
+        Self { touch: self.touch | flags, ..self }
+    }
+
+    /// The same table with [`Response::Bounce`](crate::Response::Bounce) for surfaces with any of
+    /// these flags. The mover's [`Surface`](crate::Surface) says how much speed comes back.
+    #[must_use]
+    pub const fn bouncing(self, flags: u8) -> Self {
+        Self { bounce: self.bounce | flags, ..self }
+    }
+
+    /// The same table with [`Response::Slide`](crate::Response::Slide) for surfaces with any of
+    /// these flags.
+    #[must_use]
+    pub const fn sliding(self, flags: u8) -> Self {
+        Self { slide: self.slide | flags, ..self }
+    }
+}
+
+/// The surface of a mover that [responds by flags](crate::Mover::with_responses).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct ByFlags<S = Smooth> {
+    pub(in crate::motion) surface: S,
+    pub(in crate::motion) responses: Responses,
+}
+
+impl<S: Law> crate::world::sealed::Sealed for ByFlags<S> {}
+
+impl<S: Law> Law for ByFlags<S> {
+    const SMOOTH: bool = S::SMOOTH;
+    fn surface(&self) -> Surface {
+        self.surface.surface()
+    }
+    fn responses(&self) -> Responses {
+        self.responses
+    }
+}

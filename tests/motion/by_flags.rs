@@ -1,0 +1,188 @@
+//! Responses by the flags of what is hit. Where all that a body hits has one answer, the call is
+//! that of a mover with that response, bit for bit; and each hit gets the answer of its own flags.
+
+use std::fmt::Debug;
+
+use tilesat::motion::{Body, ByFlags, Responses};
+use tilesat::{
+    Aabb, AllShapes, Axis, Capsule, Circle, Fx, Grid, Moved, Mover, Outside, Ratio, Response, Solid, Solids, Surface,
+    TileKind, TileKinds, TileMap, TileShape, Vec2,
+};
+use tilesat_judge::Random;
+
+const SIDE: usize = 12;
+const CELL: i64 = 16 << 16;
+const GLUE: u8 = 1;
+const SPRING: u8 = 2;
+const ICE: u8 = 4;
+
+/// Every shape, once without a flag and once with each.
+static KINDS: TileKinds = {
+    let (mut kinds, mut id) = (TileKinds::EMPTY, 0);
+    while id < 4 * 38 {
+        let kind = TileKind::of(TileShape::ALL[id % 38]).with_flags([0, GLUE, SPRING, ICE][id / 38]);
+        kinds = kinds.with(id as u8, kind);
+        id += 1;
+    }
+    kinds
+};
+
+const RUBBER: Surface = Surface::new(Ratio::HALF, Ratio::percent(25).unwrap());
+const UP: Mover<Surface> = Mover::platformer(Axis::NEG_Y).with_surface(RUBBER);
+const TABLE: Mover<ByFlags<Surface>> = UP.with_responses(Responses::NONE.touching(GLUE).bouncing(SPRING).sliding(ICE));
+
+fn raw(x: i64, y: i64) -> Vec2 {
+    Vec2::from_raw(i32::try_from(x).unwrap(), i32::try_from(y).unwrap())
+}
+
+/// A few tiles in the void, whole ones among them, with some of the four flags.
+fn tiles(random: &mut Random, flags: &[i64]) -> [u8; SIDE * SIDE] {
+    let mut tiles = [0; SIDE * SIDE];
+    tiles.fill_with(|| {
+        let shape = if random.one_in(2) { 0 } else { [1, random.below(38)][random.below(2) as usize] };
+        (38 * flags[random.below(flags.len() as i64) as usize] + shape) as u8
+    });
+    tiles
+}
+
+fn level(tiles: &[u8]) -> TileMap<'_, AllShapes> {
+    let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_num(16), Vec2::ZERO).unwrap();
+    TileMap::of(tiles, grid, &KINDS).unwrap().with_outside(Outside::Empty)
+}
+
+trait Judge {
+    fn of<B: Body + PartialEq + Debug>(&mut self, level: &TileMap<'_, AllShapes>, body: B, v: Vec2);
+}
+
+/// Bodies of each kind on the lattice of quarter cells and a few raw units beside it, as they meet
+/// corners, seams and faces.
+fn try_all(seed: u64, flags: &[i64], judge: &mut impl Judge) {
+    let mut random = Random::new(seed);
+    for _ in 0..tilesat_judge::cases(400) {
+        let tiles = tiles(&mut random, flags);
+        let level = level(&tiles);
+        for n in 0..60 {
+            let mut near = || random.within(0, 4 * SIDE as i64) * CELL / 4 + random.around(2);
+            let (x, y) = (near(), near());
+            let (w, h) = (random.magnitude(CELL) + 3, random.magnitude(CELL) + 3);
+            let fastest = if random.one_in(4) { 4 * CELL } else { CELL };
+            // Straight at a face too, from where the body touches it.
+            let mut part = || if random.one_in(4) { 0 } else { random.around(fastest) };
+            let v = raw(part(), part());
+            let r = Fx::from_bits(w as i32);
+            match n % 3 {
+                0 => judge.of(&level, Aabb::new(raw(x, y), raw(x + w, y + h)).unwrap(), v),
+                1 => judge.of(&level, Circle::new(raw(x, y), r).unwrap(), v),
+                _ => judge.of(&level, Capsule::new(raw(x, y), raw(x, y + h), r).unwrap(), v),
+            }
+        }
+    }
+}
+
+fn told<B: Body>(moved: &Moved<B>) -> impl PartialEq + Debug + use<B> {
+    (moved.velocity, moved.remaining, moved.hits, (moved.floor, moved.wall, moved.ceiling), moved.flags)
+}
+
+struct One {
+    /// Of the mover under the table, so that no answer is that of the mover.
+    below: Response,
+    wanted: Response,
+    calls: u32,
+}
+
+impl Judge for One {
+    fn of<B: Body + PartialEq + Debug>(&mut self, level: &TileMap<'_, AllShapes>, body: B, v: Vec2) {
+        let by_table = TABLE.with_response(self.below).move_and_slide(level, &body, v);
+        let plain = UP.with_response(self.wanted).move_and_slide(level, &body, v);
+        match (&by_table, &plain) {
+            (Ok(one), Ok(other)) => {
+                assert_eq!((&one.body, told(one)), (&other.body, told(other)), "{body:?} by {v:?}");
+                self.calls += u32::from(!one.hits.is_empty());
+            }
+            (one, other) => assert_eq!(one.as_ref().err(), other.as_ref().err(), "{body:?} by {v:?}"),
+        }
+    }
+}
+
+#[test]
+fn levels_of_one_flag_are_levels_of_one_response() {
+    for (flag, wanted) in [(1, Response::Touch), (2, Response::Bounce), (3, Response::Slide)] {
+        for below in [Response::Touch, Response::Bounce, Response::Slide] {
+            let mut one = One { below, wanted, calls: 0 };
+            try_all(7, &[flag], &mut one);
+            assert!(one.calls > 1_000, "{}", one.calls);
+        }
+    }
+}
+
+/// How many calls hit one thing only, and how many more than one, by the answer to the first.
+struct Each {
+    once: [u32; 3],
+    more: [u32; 3],
+}
+
+impl Judge for Each {
+    fn of<B: Body + PartialEq + Debug>(&mut self, level: &TileMap<'_, AllShapes>, body: B, v: Vec2) {
+        let Ok(moved) = TABLE.move_and_slide(level, &body, v) else { return };
+        let Some(first) = moved.hits.first() else { return };
+        // A face or a corner of several tiles has the flags of all.
+        let kind_of = |flags: u8| {
+            if flags & GLUE != 0 {
+                0
+            } else if flags & SPRING != 0 {
+                1
+            } else {
+                2
+            }
+        };
+        let kind = kind_of(first.flags);
+        let response = [Response::Touch, Response::Bounce, Response::Slide][kind];
+        let plain = UP.with_response(response).move_and_slide(level, &body, v).unwrap();
+        assert_eq!(plain.hits.first(), Some(first), "{body:?} by {v:?}");
+        // All hits until the answers part are the same; nothing follows a touch.
+        if moved.hits.iter().all(|hit| kind_of(hit.flags) == kind) {
+            assert_eq!((&moved.body, told(&moved)), (&plain.body, told(&plain)), "{body:?} by {v:?}");
+            self.once[kind] += 1;
+        } else {
+            assert!(kind != 0, "{body:?} by {v:?} goes on after a touch");
+            self.more[kind] += 1;
+        }
+    }
+}
+
+#[test]
+fn each_hit_gets_its_own_answer() {
+    let mut each = Each { once: [0; 3], more: [0; 3] };
+    try_all(8, &[0, 1, 2, 3], &mut each);
+    let Each { once, more } = each;
+    assert!(once.iter().all(|&n| n > 300) && more[1] > 100 && more[2] > 100, "{once:?} {more:?}");
+}
+
+#[test]
+fn touching_goes_before_bouncing_and_that_before_sliding() {
+    let all = Responses::NONE.sliding(4).sliding(3).bouncing(2).bouncing(3).touching(1).touching(16);
+    let mover = Mover::new().with_responses(all);
+    let body = Aabb::new(Vec2::ZERO, Vec2::from_ints(8, 8)).unwrap();
+    for (flags, v) in [(1, (0, 0)), (3, (0, 0)), (7, (0, 0)), (2, (-10, 3)), (6, (-10, 3)), (4, (0, 3)), (8, (0, 3))] {
+        let wall = Aabb::new(Vec2::from_ints(10, -50), Vec2::from_ints(20, 50)).unwrap();
+        let wall = [Solid::new(wall, 0).unwrap().with_flags(flags)];
+        let moved = mover.move_and_slide(&Solids::new(&wall), &body, Vec2::from_ints(10, 3)).unwrap();
+        assert_eq!(moved.velocity, Vec2::from_ints(v.0, v.1), "flags {flags}");
+    }
+}
+
+#[test]
+fn the_order_of_the_builders_does_not_matter() {
+    let table = Responses::NONE.bouncing(SPRING);
+    let first = Mover::new().with_responses(table).with_response(Response::Touch);
+    let last = Mover::new().with_response(Response::Touch).with_responses(table);
+    assert_eq!(first, last);
+    let tiles = [0, 38 * 2 + 1];
+    let grid = Grid::new(2, 1, Fx::from_num(16), Vec2::ZERO).unwrap();
+    let level = TileMap::<AllShapes>::of(&tiles, grid, &KINDS).unwrap();
+    let body = Aabb::new(Vec2::from_ints(2, 2), Vec2::from_ints(10, 10)).unwrap();
+    for mover in [first, last] {
+        let moved = mover.move_and_slide(&level, &body, Vec2::from_ints(9, 0)).unwrap();
+        assert_eq!((moved.position(), moved.velocity), (Vec2::from_ints(5, 2), Vec2::from_ints(-9, 0)));
+    }
+}
