@@ -289,7 +289,7 @@ impl TileKinds {
     /// and casts cost what they cost in any map.
     ///
     /// ```
-    /// use tilesat::{AllShapes, TileKind, TileKinds, TileMap, Vec2};
+    /// use tilesat::{AllShapes, Inside, TileKind, TileKinds, TileMap, Vec2};
     /// const CURTAIN: u8 = 1;
     /// static KINDS: TileKinds =
     ///     TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'c', TileKind::FULL.with_flags(CURTAIN));
@@ -298,8 +298,8 @@ impl TileKinds {
     /// let level = TileMap::from_ascii("..c.#", &KINDS)?;
     /// let of_ghosts = level.with_kinds::<AllShapes>(&GHOSTS)?;
     /// let (from, way) = (Vec2::from_ints(4, 8), Vec2::from_ints(100, 0));
-    /// assert_eq!(level.cast_ray(from, way)?.unwrap().cell.x, 2);
-    /// assert_eq!(of_ghosts.cast_ray(from, way)?.unwrap().cell.x, 4);
+    /// assert_eq!(level.cast_ray(from, way, Inside::Ignore)?.unwrap().cell.x, 2);
+    /// assert_eq!(of_ghosts.cast_ray(from, way, Inside::Ignore)?.unwrap().cell.x, 4);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
