@@ -46,6 +46,10 @@ impl Way {
         self.room == Self::FREE
     }
 
+    fn is_along_face(&self) -> bool {
+        self.along.is_some_and(|plane| plane.bend.is_of_face())
+    }
+
     /// Whether it leads on by at least a raw unit, though it is bound.
     pub(super) fn can_creep(&self) -> bool {
         self.room > 0 && u32::from(self.room) <= FAR
@@ -271,11 +275,20 @@ impl Ways {
         }
     }
 
+    /// Adds a way in its order. Faces that give the same way count once: a body that touches blocks
+    /// on both sides would fill the list with them, and lose the shorter way up a slope.
     fn add(&mut self, way: &mut Way, of: Raw) {
         for slot in &mut self.ways {
             match slot {
                 None => {
                     *slot = Some(*way);
+                    return;
+                }
+                // Ways of one velocity are neighbours in this order.
+                Some(other) if other.v == way.v && other.is_along_face() && way.is_along_face() => {
+                    if way.goes_before(other, of) {
+                        *other = *way;
+                    }
                     return;
                 }
                 Some(other) if way.goes_before(other, of) => core::mem::swap(other, way),
@@ -355,7 +368,8 @@ impl Ways {
 
     /// Whether the body still touches a plane that it has run along, if that is a face.
     pub(super) fn keep(&self, plane: &Plane) -> bool {
-        !matches!(plane.bend, Bend::Flat | Bend::End) || self.iter().any(|way| way.along == Some(*plane))
+        let still = |way: &Way| way.along.is_some_and(|p| p.bend.is_of_face() && p.normal == plane.normal);
+        !plane.bend.is_of_face() || self.iter().any(still)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::P;
 use super::body::Body;
+use crate::gcd;
 use crate::shapes::level::Level;
 use crate::shapes::region::Region;
 
@@ -60,5 +61,38 @@ impl Room {
                 })
             })
         })
+    }
+
+    /// Whether all of a motion is free, its start too: at `samples` places of equal distance, and
+    /// wherever a centre or a corner of the body comes abreast of a corner or the centre of an arc.
+    ///
+    /// Between two of the latter places a body of boxes and discs only comes nearer to a piece, or
+    /// only leaves it, so a bite of a raw unit out of a corner does not slip through. These places
+    /// are rounded to the grain of a room. Along an axis or a slope of tiles they stay on the line.
+    pub fn is_free(&self, body: Body, d: P, samples: i64) -> bool {
+        let step = gcd(d.0.abs(), d.1.abs());
+        let abreast = |from: P| {
+            let from = (i128::from(from.0 * FINE), i128::from(from.1 * FINE));
+            let (x, y) = (i128::from(d.0), i128::from(d.1));
+            let square = x * x + y * y;
+            self.solids.iter().flatten().flat_map(Region::marks).filter_map(move |mark| {
+                let along = (mark.0 - from.0) * x + (mark.1 - from.1) * y;
+                // Even places, as the grain asks.
+                let at = |c: i128| ((along * c) as f64 / (2 * square) as f64).round() as i64;
+                let on_the_line = ((d.0 / step, d.1 / step), 2 * at(step.into()));
+                let place = if step < 64 { ((at(x), at(y)), 2) } else { on_the_line };
+                (along > 0 && along < square * i128::from(FINE)).then_some(place)
+            })
+        };
+        let parts = body.parts().map_or(vec![body], Vec::from);
+        let marks = parts.into_iter().flat_map(|part| match part {
+            Body::Disc(c, _) => vec![c],
+            _ => {
+                let (lo, hi) = part.bounds();
+                vec![lo, (hi.0, lo.1), hi, (lo.0, hi.1)]
+            }
+        });
+        (0..=samples).all(|k| !self.overlaps(body, d, k * FINE / samples))
+            && marks.flat_map(abreast).all(|(d, num)| !self.overlaps(body, d, num))
     }
 }

@@ -50,6 +50,15 @@ impl Region {
         }
     }
 
+    /// Its corners, and the centre of its arc: what a shape that passes is nearest to where its own
+    /// centre or corner is abreast of one of them.
+    pub fn marks(&self) -> Vec<Point> {
+        match self {
+            Self::Polygon(points) => points.clone(),
+            &Self::Arc { centre: c, far: f, .. } => vec![c, (c.0, f.1), f, (f.0, c.1)],
+        }
+    }
+
     pub fn contains(&self, p: Point) -> bool {
         match self {
             Self::Polygon(_) => {
