@@ -46,8 +46,11 @@ impl Way {
         self.room == Self::FREE
     }
 
-    fn is_along_face(&self) -> bool {
-        self.along.is_some_and(|plane| plane.bend.is_of_face())
+    fn is_along_same_line(&self, other: &Self) -> bool {
+        let face = |way: &Self| way.along.filter(|plane| plane.bend.is_of_face()).map(|plane| plane.normal);
+        let straight = |n: Axis| n.x == 0 || n.y == 0;
+        let same = |n: Axis, m: Axis| n == m || (straight(n) && n == m.reversed());
+        face(self).is_some_and(|n| face(other).is_some_and(|m| same(n, m)))
     }
 
     /// Whether it leads on by at least a raw unit, though it is bound.
@@ -133,6 +136,10 @@ fn part(c: i32, entry: &Entry) -> i32 {
 pub(super) struct Ways {
     ways: [Option<Way>; Self::MAX],
     near: Near,
+    /// The normal of a face that the motion has run along.
+    pub(super) along: Option<Axis>,
+    /// Whether the body still touches that face, if there is one.
+    pub(super) keeps: bool,
 }
 
 /// The features within [`FAR`] of a body, read once for all ways.
@@ -182,7 +189,7 @@ impl Ways {
     const MAX: usize = 8;
 
     /// A constant: a function would make the result twice, and copy it.
-    pub(super) const NONE: Self = Self { ways: [None; Self::MAX], near: Near::NONE };
+    pub(super) const NONE: Self = Self { ways: [None; Self::MAX], near: Near::NONE, along: None, keeps: false };
 
     /// Reads the ways of a velocity from the body's position, and along the surface that was hit, in
     /// the remaining time. It does not find out yet which are free. Returns whether there is nothing
@@ -202,7 +209,7 @@ impl Ways {
         for slot in &mut self.ways {
             *slot = None;
         }
-        self.near = Near::NONE;
+        (self.near, self.keeps) = (Near::NONE, self.along.is_none());
         self.add(&mut Way { along: None, v, presses: false, probe: long(v), room: Way::UNKNOWN }, v);
         let mut alone = true;
         each_near(world, body, passes, &mut |feature| {
@@ -271,12 +278,13 @@ impl Ways {
         if !along.is_zero() && (is_exact || way(along) > NEAR) {
             let n = plane.normal;
             let presses = into(v, n) < 0;
+            self.keeps |= plane.bend.is_of_face() && self.along == Some(n);
             self.add(&mut Way { along: Some(plane), v: along, presses, probe, room: Way::UNKNOWN }, v);
         }
     }
 
-    /// Adds a way in its order. Faces that give the same way count once: a body that touches blocks
-    /// on both sides would fill the list with them, and lose the shorter way up a slope.
+    /// Adds a way in its order. Faces that give one way count once: a body that touches blocks on
+    /// both sides would fill the list with them, and lose the shorter way up a slope.
     fn add(&mut self, way: &mut Way, of: Raw) {
         for slot in &mut self.ways {
             match slot {
@@ -285,7 +293,7 @@ impl Ways {
                     return;
                 }
                 // Ways of one velocity are neighbours in this order.
-                Some(other) if other.v == way.v && other.is_along_face() && way.is_along_face() => {
+                Some(other) if way.is_along_same_line(other) => {
                     if way.goes_before(other, of) {
                         *other = *way;
                     }
@@ -364,12 +372,6 @@ impl Ways {
 
     pub(super) fn iter(&self) -> impl Iterator<Item = &Way> {
         self.ways.iter().flatten()
-    }
-
-    /// Whether the body still touches a plane that it has run along, if that is a face.
-    pub(super) fn keep(&self, plane: &Plane) -> bool {
-        let still = |way: &Way| way.along.is_some_and(|p| p.bend.is_of_face() && p.normal == plane.normal);
-        !plane.bend.is_of_face() || self.iter().any(still)
     }
 }
 
