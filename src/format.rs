@@ -100,8 +100,8 @@ impl Format for SceneEvent<'_> {
             Self::Meet { pair, toi, axis, speed } => {
                 write!(f, "Meet {{ pair: {}, toi: {}, axis: {}, speed: {} }}", pair, toi, axis, Decimal(*speed));
             }
-            Self::Level { body, hits, flags } => {
-                write!(f, "Level {{ body: {}, hits: {}, flags: {} }}", body, hits, flags);
+            Self::Level { body, hits, flags, velocity } => {
+                write!(f, "Level {{ body: {}, hits: {}, flags: {}, velocity: {} }}", body, hits, flags, velocity);
             }
             Self::Held(error) => write!(f, "Held({})", error),
         }

@@ -147,6 +147,32 @@ pub struct Hit {
 }
 
 impl Hit {
+    /// How hard the body hit: the speed into the surface, in units per call. For damage, dust and
+    /// sounds.
+    ///
+    /// `velocity` is the one before the call; a scene's events
+    /// [give it](crate::scene::SceneEvent::Level). For a surface that moves, subtract its own.
+    /// Rounded as [`Axis::approach`].
+    ///
+    /// A later hit of a call gets what the velocity of the whole call has into it. That is more than
+    /// the body still had, if an earlier hit had taken a part of that.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, Fx, Mover, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("....\n....\n####", &KINDS)?;
+    /// let body = Aabb::new(Vec2::from_ints(4, 18), Vec2::from_ints(12, 28))?;
+    /// let fall = Vec2::from_ints(2, 9);
+    /// let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&level, &body, fall)?;
+    /// assert_eq!(moved.hits.first().map(|hit| hit.approach(fall)), Some(Fx::from_num(9)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    #[doc(alias("impact speed", "normal impulse"))]
+    pub const fn approach(&self, velocity: Vec2) -> Fx {
+        self.axis.approach(velocity)
+    }
+
     pub(super) const fn of(axis: Axis, feature: &Feature, toi: Toi) -> Self {
         let Feature { cell, index, flags, one_way, source, .. } = *feature;
         Self { toi, axis, cell, index, flags, one_way, source }

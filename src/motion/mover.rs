@@ -3,34 +3,13 @@
 use super::body::{Body, Entry};
 use super::order::First;
 use super::plane::{SlopeLimit, SurfaceRole, may_be_askew};
-use super::response::{Bounce, ByFlags, Law, Responses, Smooth, Surface};
+use super::response::{Bounce, ByFlags, Law, Response, Responses, Smooth, Surface};
 use super::run::{Run, check_inside, is_free};
 use super::search::Around;
 use super::search::{Search, check_cells, piece_of};
 use super::{Hit, Hits, MoveError, Moved, StartInside, Stuck, Work};
 use crate::num::{Axis, MOTION, Raw, Toi, Vec2, check_motion, mul_div};
 use crate::world::{Feature, World};
-
-/// How a body responds to what it hits. The words are bump.lua's.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Response {
-    /// Slides along the surface.
-    #[default]
-    Slide,
-    /// Stops at the first contact. Its velocity is then zero, and [`Moved::remaining`] is the
-    /// motion not made.
-    Touch,
-    /// Passes one-way faces, to drop through a platform, and slides along the solid.
-    /// [`Moved::hits`] lists the first one-way face that it passes in a call. That face is neither
-    /// floor, wall nor ceiling.
-    DropThrough,
-    /// Bounces off the surface like a mirror image: exact at a face along x or y. Elsewhere
-    /// rounding may take up to 2 raw units of speed. It never gains speed. [`Mover::with_surface`]
-    /// sets less bounce, and bounces that do not lose those units either.
-    Bounce,
-}
 
 /// How bodies move: the direction that is up, and the response to hits.
 ///
@@ -299,13 +278,7 @@ impl<S: Law> Mover<S> {
 
     /// The response to a hit of this feature.
     pub(super) fn response_to(&self, feature: &Feature) -> Response {
-        let Responses { touch, bounce, slide } = self.surface.responses();
-        match feature.flags {
-            flags if flags & touch != 0 => Response::Touch,
-            flags if flags & bounce != 0 => Response::Bounce,
-            flags if flags & slide != 0 => Response::Slide,
-            _ => self.response,
-        }
+        self.surface.responses().response_to(feature.flags).unwrap_or(self.response)
     }
 
     /// Whether a hit takes all of a motion and leaves nothing, as for most resting bodies. The

@@ -3,7 +3,7 @@
 use super::feel::Feel;
 use super::inside::StartInside;
 use super::memo::Memo;
-use super::mover::{Mover, Response};
+use super::mover::Mover;
 use super::plane::SlopeLimit;
 use super::response::Law;
 use super::walk::{SlopeSpeed, Support, Walker};

@@ -78,6 +78,37 @@ impl Axis {
         self.dot(Self::new(x, y))
     }
 
+    /// How fast a velocity leads against this direction: how hard a body hits a surface with this
+    /// normal. Zero if it leads along or away.
+    ///
+    /// Rounded to nearest, half a raw unit up; exact along x and y. Speeds of 2^30 raw and more, which
+    /// no motion has, give `Fx::MAX`.
+    ///
+    /// ```
+    /// use tilesat::{Axis, Fx, Vec2};
+    /// let falls = Vec2::from_ints(3, 4);
+    /// assert_eq!(Axis::NEG_Y.approach(falls), Fx::from_num(4));
+    /// assert_eq!(Axis::new(-3, -4).approach(falls), Fx::from_num(5));
+    /// assert_eq!(Axis::Y.approach(falls), Fx::ZERO);
+    /// ```
+    #[must_use]
+    pub const fn approach(self, velocity: Vec2) -> Fx {
+        let along = self.dot_vec(velocity);
+        if along >= 0 {
+            return Fx::ZERO;
+        }
+        // For a normal of 1, as at blocks, the quotient is the product.
+        let against = along.unsigned_abs();
+        let speed = match self.length_squared() {
+            1 => against,
+            square => {
+                let twice = div_sqrt(against << 1, square) as u64;
+                (twice + 1) >> 1
+            }
+        };
+        Fx::from_bits(if speed < 1 << 30 { speed as i32 } else { i32::MAX })
+    }
+
     /// This direction turned by a right angle: `(-y, x)`.
     #[must_use]
     pub const fn perp(self) -> Self {

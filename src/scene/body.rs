@@ -5,7 +5,7 @@ use super::Shape;
 use super::way::BodyWay;
 use crate::broad::{Handle, Keyed};
 use crate::filter::Filter;
-use crate::motion::Surface;
+use crate::motion::{Responses, Surface};
 use crate::num::{Raw, Vec2};
 use crate::shape::Aabb;
 use core::num::NonZeroU8;
@@ -37,6 +37,9 @@ pub struct SceneBody {
     /// Its friction and restitution at the level. If two bodies meet, the surface that bounces more
     /// counts, on a tie the one with less friction.
     pub surface: Surface,
+    /// The flags of the level that it touches, bounces off or slides along instead: a grenade that
+    /// sticks to mud. Surfaces without them get [`surface`](Self::surface).
+    pub responses: Responses,
     /// Which bodies it meets. [Sensors](Filter::sensor) are reported; they push nobody and nobody
     /// pushes them. The scene sets [still](Filter::still).
     pub filter: Filter,
@@ -70,6 +73,7 @@ impl SceneBody {
         velocity: Vec2::ZERO,
         mass: None,
         surface: Surface::SLICK,
+        responses: Responses::NONE,
         filter: Filter::new(crate::LayerMask::ALL, crate::LayerMask::ALL),
         key: 0,
         floats: false,

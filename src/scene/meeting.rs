@@ -4,7 +4,7 @@ use super::body::{ALOFT, Slot};
 use super::way::size;
 use crate::motion::response::exchange;
 use crate::motion::{Masses, Surface};
-use crate::num::{Axis, Fx, Ratio, Raw, Vec2, mul_div};
+use crate::num::{Axis, Ratio, Vec2, mul_div};
 
 /// How two overlapping bodies act on each other.
 #[derive(Clone, Copy)]
@@ -162,11 +162,4 @@ fn part(v: Vec2, n: u16) -> Vec2 {
     };
     let (x, y) = v.raw();
     Vec2::from_raw(of(x), of(y))
-}
-
-/// How fast the ends of a normal approach, rounded to nearest.
-pub(super) fn approach(axis: Axis, velocity: Vec2) -> Fx {
-    let ((x, y), Raw { x: vx, y: vy }) = (axis.unit().raw(), Raw::of(velocity));
-    let sum = i64::from(x) * i64::from(vx) + i64::from(y) * i64::from(vy);
-    Fx::from_bits(((sum + (1 << 29)) >> 30).clamp(0, i32::MAX.into()) as i32)
 }

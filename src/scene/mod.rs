@@ -256,6 +256,8 @@ mod step;
 #[cfg(feature = "serde")]
 mod stored;
 mod swept;
+mod trip;
+mod view;
 mod way;
 
 pub use body::SceneBody;
@@ -266,7 +268,7 @@ pub use snapshot::Snapshot;
 
 use crate::broad::{Handle, Pair};
 use crate::motion::Hits;
-use crate::num::{Axis, Fx, Toi};
+use crate::num::{Axis, Fx, Toi, Vec2};
 use crate::query::Contact;
 
 /// The tag of each body in the broad phase.
@@ -304,6 +306,9 @@ pub enum SceneEvent<'a> {
         hits: &'a Hits,
         /// The flags of all hits, or-ed.
         flags: u8,
+        /// The velocity that it hit with. [`Hit::approach`](crate::motion::Hit::approach) says from
+        /// it how hard each hit was.
+        velocity: Vec2,
     },
     /// A body could not be moved. It stays where it was, and has no velocity any more.
     Held(SceneError),

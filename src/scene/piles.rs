@@ -8,7 +8,8 @@
 use super::body::{ALOFT, Mode, Slot};
 use super::meeting::{Meeting, Top, carried, toward};
 use super::met::{around, may_meet, pair, senses};
-use super::step::{Trip, hold};
+use super::trip::{Trip, hold};
+use super::view::View;
 use super::way::{Pace, size};
 use super::{Scene, SceneEvent, SceneFault, Shape, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
@@ -17,15 +18,14 @@ use crate::motion::Masses;
 use crate::motion::response::separate;
 use crate::num::{Axis, Raw, Vec2};
 use crate::query::{Contact, Contacts};
-use crate::world::World;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// Moves the bodies that lie on others. Returns whether one has been quiet for long enough. A
     /// separate function: a scene without piles needs neither its registers nor its stack.
     #[inline(never)]
-    pub(super) fn settle<W: World>(
+    pub(super) fn settle<V: View>(
         &mut self,
-        trip: &Trip<'_, W>,
+        trip: &Trip<'_, V>,
         stepped: &mut Stepped,
         counts: &mut impl FnMut(Pair) -> bool,
         each: &mut impl FnMut(SceneEvent<'_>),
@@ -82,16 +82,16 @@ fn swap(movers: &mut [Handle], a: usize, b: usize) {
     }
 }
 
-struct Pile<'a, B, W> {
+struct Pile<'a, B, V> {
     near: &'a mut B,
     slots: &'a mut [Slot],
-    trip: &'a Trip<'a, W>,
+    trip: &'a Trip<'a, V>,
     /// How far a fixed body may be from where the broad phase has it.
     margin: u32,
     stepped: &'a mut Stepped,
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
     /// One body's whole step. Returns whether others must be brought out of it, too.
     fn carry(
         &mut self,
@@ -191,7 +191,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, W: World> Pile<'_, B, W> {
         }
         let push = slot.tally.push();
         if push != Vec2::ZERO {
-            slot.body.shape = self.trip.slide(&slot.body.shape, push)?;
+            slot.body.shape = self.trip.slide(&slot.body, push)?;
         }
         let bounds = slot.body.shape.aabb();
         if self.near.bounds(handle).is_ok_and(|known| known != bounds) {

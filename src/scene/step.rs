@@ -1,17 +1,17 @@
 //! One step of a scene.
 
 use super::body::{ALOFT, Mode, NOBODY, Slot, Tally};
-use super::meeting::toward;
 use super::met::{may_meet, pair, senses};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::set::Sleep;
 use super::set::rouse;
-use super::way::{BodyWay, Pace, size};
-use super::{Scene, SceneError, SceneEvent, SceneFault, Shape, Stepped};
+use super::trip::Trip;
+use super::view::{Each, One, View};
+use super::way::{BodyWay, Pace};
+use super::{Scene, SceneBody, SceneError, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
-use crate::motion::{Body, Hit, Moved, Mover, Response, Surface};
-use crate::num::{Fx, MOTION, Vec2, check_motion};
+use crate::num::{MOTION, Vec2, check_motion};
 use crate::query::{Contacts, Touches};
 use crate::world::World;
 
@@ -72,6 +72,56 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         &mut self,
         level: &W,
         gravity: Vec2,
+        counts: impl FnMut(Pair) -> bool,
+        each: impl FnMut(SceneEvent<'_>),
+    ) -> Result<Stepped, SceneError> {
+        self.run(&One(level), gravity, counts, each)
+    }
+
+    /// Like [`step_with`](Self::step_with), with a level for each body: ghosts that pass curtains,
+    /// or bullets that pass fences.
+    ///
+    /// `level_of` must return the same level for a body throughout the step. It costs a call for
+    /// each motion.
+    ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::scene::{SceneBody, SceneTag};
+    /// use tilesat::{Circle, Fx, Scene, TileKind, TileKinds, TileMap, Vec2};
+    /// const CURTAIN: u8 = 1;
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'c', TileKind::FULL.with_flags(CURTAIN));
+    /// static GHOSTS: TileKinds = KINDS.passing(CURTAIN);
+    /// let rows = "...c\n...c\n";
+    /// let (level, ghosts) = (TileMap::from_ascii(rows, &KINDS)?, TileMap::from_ascii(rows, &GHOSTS)?);
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let body = |y, key| Circle::new(Vec2::from_ints(40, y), Fx::from_num(4)).map(|ball| SceneBody {
+    ///     velocity: Vec2::from_ints(20, 0),
+    ///     ..SceneBody::new(ball, key)
+    /// });
+    /// let (ghost, knight) = (scene.insert(&body(8, 1)?)?, scene.insert(&body(24, 2)?)?);
+    /// let level_of = |body: &SceneBody| if body.key == 1 { &ghosts } else { &level };
+    /// scene.step_in(level_of, Vec2::ZERO, |_| true, |_| ())?;
+    /// assert_eq!(scene.body(ghost)?.shape.position(), Vec2::from_ints(60, 8));
+    /// assert_eq!(scene.body(knight)?.shape.position(), Vec2::from_ints(44, 24));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn step_in<'l, W: World + 'l>(
+        &mut self,
+        level_of: impl Fn(&SceneBody) -> &'l W,
+        gravity: Vec2,
+        counts: impl FnMut(Pair) -> bool,
+        each: impl FnMut(SceneEvent<'_>),
+    ) -> Result<Stepped, SceneError> {
+        self.run(&Each::by(level_of), gravity, counts, each)
+    }
+
+    fn run<V: View>(
+        &mut self,
+        view: &V,
+        gravity: Vec2,
         mut counts: impl FnMut(Pair) -> bool,
         mut each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
@@ -88,7 +138,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
             stepped.woken = (self.count - awake) as u16;
             self.tell_woken(awake);
         }
-        if self.travel(level, gravity, &mut stepped, &mut counts, &mut each) {
+        if self.travel(view, gravity, &mut stepped, &mut counts, &mut each) {
             self.fall_asleep(&mut stepped);
         }
         Ok(stepped)
@@ -165,17 +215,16 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
 
     /// Each body against the level, and fast bodies against the others, too. Returns whether one
     /// has been quiet for long enough.
-    fn travel<W: World>(
+    fn travel<V: View>(
         &mut self,
-        level: &W,
+        view: &V,
         gravity: Vec2,
         stepped: &mut Stepped,
         counts: &mut impl FnMut(Pair) -> bool,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
-        let mover = Mover::platformer(toward(gravity).reversed()).with_surface(Surface::SLICK);
         let Sleep { still, steps } = self.sleep;
-        let trip = Trip { level, mover, gravity, still };
+        let trip = Trip::new(view, gravity, still);
         let (mut calm, mut fast, mut piled) = (false, false, false);
         for handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
@@ -240,152 +289,6 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         stepped.slept = (self.count - left) as u16;
         self.count = left;
     }
-}
-
-/// The data that all ways through the level share.
-pub(super) struct Trip<'a, W> {
-    pub(super) level: &'a W,
-    /// A mover that slides.
-    pub(super) mover: Mover<Surface>,
-    pub(super) gravity: Vec2,
-    still: Fx,
-}
-
-impl<W: World> Trip<'_, W> {
-    /// One body's whole step.
-    pub(super) fn make(
-        &self,
-        slot: &mut Slot,
-        handle: Handle,
-        near: &mut impl BroadPhase,
-        stepped: &mut Stepped,
-        each: &mut impl FnMut(SceneEvent<'_>),
-    ) {
-        let made = match slot.body.shape {
-            Shape::Aabb(aabb) => self.travel(slot, handle, &aabb, near, each),
-            Shape::Circle(circle) => self.travel(slot, handle, &circle, near, each),
-        };
-        stepped.moved += 1;
-        if let Err(fault) = made {
-            hold(slot, handle, fault, stepped, each);
-        }
-    }
-
-    /// First moves by the push, along the level, then by the velocity.
-    fn travel<B: Body + Into<Shape>>(
-        &self,
-        slot: &mut Slot,
-        handle: Handle,
-        body: &B,
-        near: &mut impl BroadPhase,
-        each: &mut impl FnMut(SceneEvent<'_>),
-    ) -> Result<(), SceneFault> {
-        let (mut start, push) = (*body, slot.tally.push());
-        if push != Vec2::ZERO {
-            start = self.mover.move_and_slide(self.level, body, push)?.body;
-        }
-        let mover = self.mover.with_response(Response::Bounce).with_surface(self.surface(slot));
-        let result = mover.move_and_slide(self.level, &start, slot.body.velocity + slot.tally.kick);
-        // Matched by reference: it is long.
-        let moved = match &result {
-            Ok(moved) => moved,
-            Err(error) => return Err((*error).into()),
-        };
-        let by = moved.position() - body.position();
-        if by != Vec2::ZERO {
-            let shape = moved.body.into();
-            if slot.way.pace != Pace::Lies {
-                near.move_to(handle, &shape.aabb())?;
-            }
-            slot.body.shape = shape;
-        }
-        slot.way.rate = by;
-        self.arrive(slot, by, if moved.floor { 0 } else { ALOFT }, moved.hits.is_empty());
-        slot.body.velocity = moved.velocity;
-        if !moved.hits.is_empty() {
-            each(SceneEvent::Level { body: handle, hits: &moved.hits, flags: moved.flags });
-        }
-        Ok(())
-    }
-
-    /// Moves up to the first hit.
-    pub(super) fn touch(&self, shape: &Shape, by: Vec2) -> Result<Touched, SceneFault> {
-        let mover = self.mover.with_response(Response::Touch);
-        Ok(match shape {
-            Shape::Aabb(aabb) => Touched::of(&mover.move_and_slide(self.level, aabb, by)?),
-            Shape::Circle(circle) => Touched::of(&mover.move_and_slide(self.level, circle, by)?),
-        })
-    }
-
-    /// Moves as far as the level allows.
-    pub(super) fn slide(&self, shape: &Shape, by: Vec2) -> Result<Shape, SceneFault> {
-        Ok(match shape {
-            Shape::Aabb(aabb) => self.mover.move_and_slide(self.level, aabb, by)?.body.into(),
-            Shape::Circle(circle) => self.mover.move_and_slide(self.level, circle, by)?.body.into(),
-        })
-    }
-
-    /// The surface that the level has for a body.
-    pub(super) fn surface(&self, slot: &Slot) -> Surface {
-        slot.body.surface.resting_under(slot.body.weight(self.gravity))
-    }
-
-    /// Updates a body that has come this far.
-    pub(super) fn arrive(&self, slot: &mut Slot, by: Vec2, support: u8, free: bool) {
-        let is_still = self.is_still(slot, by);
-        // A slow body that nothing holds is at the start or the top of a flight. Asleep there it
-        // would hang in the air, where nothing wakes it.
-        let Tally { low, high, under, .. } = slot.tally;
-        let weight = slot.body.weight(self.gravity);
-        let flies = weight != Vec2::ZERO && free && under == NOBODY && (low, high) == (Vec2::ZERO, Vec2::ZERO);
-        (slot.quiet, slot.tally.drift) =
-            if is_still && !flies { (slot.quiet.saturating_add(1), slot.tally.drift) } else { (0, [0; 2]) };
-        slot.support = support;
-        if support == 0 || support == ALOFT {
-            slot.ground = NOBODY;
-        }
-    }
-
-    /// Whether it has hardly moved: in this step, or since it has been quiet. In a heap, two bodies
-    /// may push another to and fro for ever, by as much as gravity gives.
-    fn is_still(&self, slot: &mut Slot, by: Vec2) -> bool {
-        let (x, y) = by.raw();
-        let still = x.unsigned_abs().max(y.unsigned_abs()) < self.still.to_bits().max(0).unsigned_abs();
-        let most = (size(self.gravity) >> 7).min(126) as i32;
-        let [dx, dy] = slot.tally.drift.map(i32::from);
-        let (dx, dy) = (dx.saturating_add(x / 256), dy.saturating_add(y / 256));
-        slot.tally.drift = [dx, dy].map(|c| c.clamp(-127, 127) as i8);
-        still || (self.still > Fx::ZERO && dx.abs().max(dy.abs()) <= most)
-    }
-}
-
-/// A body at the end of a motion, or at the level.
-pub(super) struct Touched {
-    pub(super) shape: Shape,
-    pub(super) hit: Option<Hit>,
-    pub(super) floor: bool,
-    pub(super) flags: u8,
-}
-
-impl Touched {
-    fn of<B: Body + Into<Shape>>(moved: &Moved<B>) -> Self {
-        Self { shape: moved.body.into(), hit: moved.hits.first(), floor: moved.floor, flags: moved.flags }
-    }
-}
-
-/// A body that cannot be moved stays.
-pub(super) fn hold(
-    slot: &mut Slot,
-    handle: Handle,
-    fault: SceneFault,
-    stepped: &mut Stepped,
-    each: &mut impl FnMut(SceneEvent<'_>),
-) {
-    slot.body.velocity = Vec2::ZERO;
-    (slot.support, slot.quiet) = (ALOFT, slot.quiet.saturating_add(1));
-    slot.way = BodyWay { turns: BodyWay::HELD, ..BodyWay::REST };
-    stepped.held += 1;
-    each(SceneEvent::Held(SceneError::of(handle, fault)));
 }
 
 fn begin(slots: &mut [Slot], awake: &[Handle], gravity: Vec2) {

@@ -9,10 +9,11 @@
 //! again in the step move along each other, and their velocities meet in the next one.
 
 use super::body::{ALOFT, NOBODY, Slot};
-use super::meeting::{Meeting, Top, approach, toward};
+use super::meeting::{Meeting, Top, toward};
 use super::met::{Met, around, each_near, may_meet, pair, reach, senses};
 use super::set::rouse;
-use super::step::{Touched, Trip, hold};
+use super::trip::{Touched, Trip, hold};
+use super::view::View;
 use super::way::{BodyWay, End, Pace, TURNS, later, size};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
@@ -20,7 +21,6 @@ use crate::filter::Filter;
 use crate::motion::response::exchange;
 use crate::motion::{Hit, Hits, Masses, Surface};
 use crate::num::{Toi, Vec2};
-use crate::world::World;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// Releases those that have nobody in reach: only the level matters to them.
@@ -45,9 +45,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// Moves the fast bodies. Returns whether one has been quiet for long enough. A separate
     /// function: most steps need neither its registers nor its stack.
     #[inline(never)]
-    pub(super) fn sweep<W: World>(
+    pub(super) fn sweep<V: View>(
         &mut self,
-        trip: &Trip<'_, W>,
+        trip: &Trip<'_, V>,
         stepped: &mut Stepped,
         counts: &mut impl FnMut(Pair) -> bool,
         each: &mut impl FnMut(SceneEvent<'_>),
@@ -66,14 +66,14 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     }
 }
 
-struct Sweep<'a, B, W, C, E> {
+struct Sweep<'a, B, V, C, E> {
     near: &'a mut B,
     slots: &'a mut [Slot],
     /// The bodies that were awake before.
     movers: &'a [Handle],
     room: &'a mut [Handle],
     woken: usize,
-    trip: &'a Trip<'a, W>,
+    trip: &'a Trip<'a, V>,
     /// No slow body is farther than this from where the broad phase has it.
     margin: u32,
     stepped: &'a mut Stepped,
@@ -81,10 +81,10 @@ struct Sweep<'a, B, W, C, E> {
     each: &'a mut E,
 }
 
-impl<B, W, C, E> Sweep<'_, B, W, C, E>
+impl<B, V, C, E> Sweep<'_, B, V, C, E>
 where
     B: BroadPhase<Tag = Keyed<Filter>>,
-    W: World,
+    V: View,
     C: FnMut(Pair) -> bool,
     E: FnMut(SceneEvent<'_>),
 {
@@ -166,7 +166,7 @@ where
     #[inline(never)]
     fn look(&mut self, handle: Handle, slot: &Slot) -> Result<(Toi, End), SceneFault> {
         let since = slot.way.since;
-        let touched = self.trip.touch(&slot.body.shape, slot.way.left(since))?;
+        let touched = self.trip.touch(&slot.body, slot.way.left(since))?;
         let mut first = touched.hit.map_or((Toi::ONE, End::Step), |hit| (later(since, hit.toi), End::Level));
         let mut rank = (0, 0);
         let counts = &mut *self.counts;
@@ -191,18 +191,18 @@ where
         let Some(slot) = self.slots.get(handle.slot()).copied() else { return };
         let (time, _) = slot.way.end;
         self.sense(handle, &slot, time);
-        let touched = self.trip.touch(&slot.body.shape, slot.way.left(slot.way.since));
+        let touched = self.trip.touch(&slot.body, slot.way.left(slot.way.since));
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
         slot.way.turns += 1;
         if let Ok(Touched { shape, hit: Some(hit), floor, flags }) = touched {
             let velocity = slot.body.velocity;
             slot.body.shape = shape;
-            slot.body.velocity = self.trip.surface(slot).respond(velocity, hit.axis).unwrap_or(Vec2::ZERO);
+            slot.body.velocity = self.trip.after(&slot.body, &hit);
             if floor {
                 (slot.support, slot.ground) = (0, NOBODY);
             }
             let hits = Hits::one(Hit { toi: time, ..hit });
-            (self.each)(SceneEvent::Level { body: handle, hits: &hits, flags });
+            (self.each)(SceneEvent::Level { body: handle, hits: &hits, flags, velocity });
         }
         slot.way.go_on(time, slot.body.velocity);
         let at = handle.slot() as u16;
@@ -239,7 +239,7 @@ where
             };
             // Tested against the level, because the position is rounded: a body on a floor may come
             // to lead into it.
-            if let Ok(shape) = self.trip.slide(&slot.body.shape, place - slot.body.shape.position()) {
+            if let Ok(shape) = self.trip.slide(&slot.body, place - slot.body.shape.position()) {
                 slot.body.shape = shape;
             }
             slot.way.since = met.time;
@@ -248,7 +248,7 @@ where
         let (mut one, mut other) = (*one, *other);
         let again = one.way.has_met(b) || other.way.has_met(a);
         if !again {
-            let speed = approach(met.axis, one.body.velocity - other.body.velocity);
+            let speed = met.axis.approach(other.body.velocity - one.body.velocity);
             (self.each)(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
             rouse(self.slots, self.room, &mut self.woken, a);
             rouse(self.slots, self.room, &mut self.woken, b);
@@ -313,7 +313,7 @@ where
             let met = Met::of((handle, slot), (other, at)).filter(|met| met.begins && met.time < until);
             if let Some(met) = met.filter(|met| counts(met.pair)) {
                 let (a, b) = if met.pair.a == handle { (slot, at) } else { (at, slot) };
-                let speed = approach(met.axis, a.body.velocity - b.body.velocity);
+                let speed = met.axis.approach(b.body.velocity - a.body.velocity);
                 each(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
             }
         });
@@ -326,7 +326,7 @@ where
         let Some(slot) = self.slots.get(handle.slot()).filter(swept).copied() else { return };
         self.sense(handle, &slot, Toi::ONE);
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
-        if let Ok(touched) = self.trip.touch(&slot.body.shape, slot.way.left(slot.way.since)) {
+        if let Ok(touched) = self.trip.touch(&slot.body, slot.way.left(slot.way.since)) {
             slot.body.shape = touched.shape;
         }
         slot.way.since = Toi::ONE;

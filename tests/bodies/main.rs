@@ -15,6 +15,7 @@ mod response_ratio;
 mod response_verlet;
 mod rollback;
 mod scene_change;
+mod scene_levels;
 mod scene_rest;
 mod scene_rules;
 mod scene_sleep;

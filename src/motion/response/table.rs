@@ -1,14 +1,36 @@
-//! A response for each kind of surface, by its flags.
+//! What a body does at a hit, and for which surfaces it does something else.
 
 use super::surface::law::Law;
 use super::{Smooth, Surface};
 
+/// How a body responds to what it hits. The words are bump.lua's.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Response {
+    /// Slides along the surface.
+    #[default]
+    Slide,
+    /// Stops at the first contact. Its velocity is then zero, and
+    /// [`Moved::remaining`](crate::Moved::remaining) is the motion not made.
+    Touch,
+    /// Passes one-way faces, to drop through a platform, and slides along the solid.
+    /// [`Moved::hits`](crate::Moved::hits) lists the first one-way face that it passes in a call.
+    /// That face is neither floor, wall nor ceiling.
+    DropThrough,
+    /// Bounces off the surface like a mirror image: exact at a face along x or y. Elsewhere
+    /// rounding may take up to 2 raw units of speed. It never gains speed.
+    /// [`Mover::with_surface`](crate::Mover::with_surface) sets less bounce, and bounces that do not
+    /// lose those units either.
+    Bounce,
+}
+
 /// Which surfaces a body responds to in its own way, by the flags of the tile, the segment or the
 /// [`Solid`](crate::Solid) that it hits.
 ///
-/// A surface with none of the flags gets the mover's [`Response`](crate::Response). With flags of
-/// several kinds, touching goes before bouncing, and bouncing before sliding. The answer is for one
-/// hit: a body can bounce off a spring and slide along the floor in the same call.
+/// A surface with none of the flags gets the mover's [`Response`]. With flags of several kinds,
+/// touching goes before bouncing, and bouncing before sliding. The answer is for one hit: a body
+/// can bounce off a spring and slide along the floor in the same call.
 ///
 /// The table says how a body responds to what stops it. For tiles that a kind of body passes, use
 /// [`TileKinds::passing`](crate::TileKinds::passing). For one-way faces, use
@@ -47,22 +69,34 @@ impl Responses {
     /// Every surface gets the mover's response.
     pub const NONE: Self = Self { touch: 0, bounce: 0, slide: 0 };
 
-    /// The same table with [`Response::Touch`](crate::Response::Touch) for surfaces with any of
-    /// these flags.
+    /// The response to a surface with these flags, if it has its own.
+    #[must_use]
+    pub const fn response_to(self, flags: u8) -> Option<Response> {
+        if flags & self.touch != 0 {
+            Some(Response::Touch)
+        } else if flags & self.bounce != 0 {
+            Some(Response::Bounce)
+        } else if flags & self.slide != 0 {
+            Some(Response::Slide)
+        } else {
+            None
+        }
+    }
+
+    /// The same table with [`Response::Touch`] for surfaces with any of these flags.
     #[must_use]
     pub const fn touching(self, flags: u8) -> Self {
         Self { touch: self.touch | flags, ..self }
     }
 
-    /// The same table with [`Response::Bounce`](crate::Response::Bounce) for surfaces with any of
+    /// The same table with [`Response::Bounce`] for surfaces with any of
     /// these flags. The mover's [`Surface`](crate::Surface) says how much speed comes back.
     #[must_use]
     pub const fn bouncing(self, flags: u8) -> Self {
         Self { bounce: self.bounce | flags, ..self }
     }
 
-    /// The same table with [`Response::Slide`](crate::Response::Slide) for surfaces with any of
-    /// these flags.
+    /// The same table with [`Response::Slide`] for surfaces with any of these flags.
     #[must_use]
     pub const fn sliding(self, flags: u8) -> Self {
         Self { slide: self.slide | flags, ..self }

@@ -1,0 +1,174 @@
+//! The way of one body through the level.
+
+use super::body::{ALOFT, NOBODY, Slot, Tally};
+use super::meeting::toward;
+use super::view::View;
+use super::way::{BodyWay, Pace, size};
+use super::{SceneBody, SceneError, SceneEvent, SceneFault, Shape, Stepped};
+use crate::broad::{BroadPhase, Handle};
+use crate::motion::{Body, ByFlags, Hit, Moved, Mover, Response, Responses, Surface};
+use crate::num::{Fx, Ratio, Vec2};
+
+/// The data that all ways through the level share.
+pub(super) struct Trip<'a, V> {
+    view: &'a V,
+    /// A mover that slides.
+    mover: Mover<ByFlags<Surface>>,
+    pub(super) gravity: Vec2,
+    still: Fx,
+}
+
+impl<'a, V: View> Trip<'a, V> {
+    pub(super) fn new(view: &'a V, gravity: Vec2, still: Fx) -> Self {
+        let mover = Mover::platformer(toward(gravity).reversed()).with_surface(Surface::SLICK);
+        Self { view, mover: mover.with_responses(Responses::NONE), gravity, still }
+    }
+
+    /// One body's whole step.
+    pub(super) fn make(
+        &self,
+        slot: &mut Slot,
+        handle: Handle,
+        near: &mut impl BroadPhase,
+        stepped: &mut Stepped,
+        each: &mut impl FnMut(SceneEvent<'_>),
+    ) {
+        let made = match slot.body.shape {
+            Shape::Aabb(aabb) => self.travel(slot, handle, &aabb, near, each),
+            Shape::Circle(circle) => self.travel(slot, handle, &circle, near, each),
+        };
+        stepped.moved += 1;
+        if let Err(fault) = made {
+            hold(slot, handle, fault, stepped, each);
+        }
+    }
+
+    /// First moves by the push, along the level, then by the velocity.
+    fn travel<B: Body + Into<Shape>>(
+        &self,
+        slot: &mut Slot,
+        handle: Handle,
+        body: &B,
+        near: &mut impl BroadPhase,
+        each: &mut impl FnMut(SceneEvent<'_>),
+    ) -> Result<(), SceneFault> {
+        let (mut start, push, level) = (*body, slot.tally.push(), self.view.level(&slot.body));
+        if push != Vec2::ZERO {
+            start = self.mover.move_and_slide(level, body, push)?.body;
+        }
+        let velocity = slot.body.velocity + slot.tally.kick;
+        let mover = self.mover.with_response(Response::Bounce).with_surface(self.surface(&slot.body));
+        let result = mover.with_responses(slot.body.responses).move_and_slide(level, &start, velocity);
+        // Matched by reference: it is long.
+        let moved = match &result {
+            Ok(moved) => moved,
+            Err(error) => return Err((*error).into()),
+        };
+        let by = moved.position() - body.position();
+        if by != Vec2::ZERO {
+            let shape = moved.body.into();
+            if slot.way.pace != Pace::Lies {
+                near.move_to(handle, &shape.aabb())?;
+            }
+            slot.body.shape = shape;
+        }
+        slot.way.rate = by;
+        self.arrive(slot, by, if moved.floor { 0 } else { ALOFT }, moved.hits.is_empty());
+        slot.body.velocity = moved.velocity;
+        if !moved.hits.is_empty() {
+            each(SceneEvent::Level { body: handle, hits: &moved.hits, flags: moved.flags, velocity });
+        }
+        Ok(())
+    }
+
+    /// Moves up to the first hit.
+    pub(super) fn touch(&self, body: &SceneBody, by: Vec2) -> Result<Touched, SceneFault> {
+        let (mover, level) = (self.mover.with_response(Response::Touch), self.view.level(body));
+        Ok(match &body.shape {
+            Shape::Aabb(aabb) => Touched::of(&mover.move_and_slide(level, aabb, by)?),
+            Shape::Circle(circle) => Touched::of(&mover.move_and_slide(level, circle, by)?),
+        })
+    }
+
+    /// Moves as far as the level allows.
+    pub(super) fn slide(&self, body: &SceneBody, by: Vec2) -> Result<Shape, SceneFault> {
+        let level = self.view.level(body);
+        Ok(match &body.shape {
+            Shape::Aabb(aabb) => self.mover.move_and_slide(level, aabb, by)?.body.into(),
+            Shape::Circle(circle) => self.mover.move_and_slide(level, circle, by)?.body.into(),
+        })
+    }
+
+    /// The surface that the level has for a body.
+    fn surface(&self, body: &SceneBody) -> Surface {
+        body.surface.resting_under(body.weight(self.gravity))
+    }
+
+    /// The velocity of a body after a hit of the level.
+    pub(super) fn after(&self, body: &SceneBody, hit: &Hit) -> Vec2 {
+        let mut surface = self.surface(body);
+        match body.responses.response_to(hit.flags) {
+            Some(Response::Touch) => return Vec2::ZERO,
+            Some(Response::Slide) => surface = Surface::new(Ratio::ZERO, surface.friction()),
+            _ => {}
+        }
+        surface.respond(body.velocity, hit.axis).unwrap_or(Vec2::ZERO)
+    }
+
+    /// Updates a body that has come this far.
+    pub(super) fn arrive(&self, slot: &mut Slot, by: Vec2, support: u8, free: bool) {
+        let is_still = self.is_still(slot, by);
+        // A slow body that nothing holds is at the start or the top of a flight. Asleep there it
+        // would hang in the air, where nothing wakes it.
+        let Tally { low, high, under, .. } = slot.tally;
+        let weight = slot.body.weight(self.gravity);
+        let flies = weight != Vec2::ZERO && free && under == NOBODY && (low, high) == (Vec2::ZERO, Vec2::ZERO);
+        (slot.quiet, slot.tally.drift) =
+            if is_still && !flies { (slot.quiet.saturating_add(1), slot.tally.drift) } else { (0, [0; 2]) };
+        slot.support = support;
+        if support == 0 || support == ALOFT {
+            slot.ground = NOBODY;
+        }
+    }
+
+    /// Whether it has hardly moved: in this step, or since it has been quiet. In a heap, two bodies
+    /// may push another to and fro for ever, by as much as gravity gives.
+    fn is_still(&self, slot: &mut Slot, by: Vec2) -> bool {
+        let (x, y) = by.raw();
+        let still = x.unsigned_abs().max(y.unsigned_abs()) < self.still.to_bits().max(0).unsigned_abs();
+        let most = (size(self.gravity) >> 7).min(126) as i32;
+        let [dx, dy] = slot.tally.drift.map(i32::from);
+        let (dx, dy) = (dx.saturating_add(x / 256), dy.saturating_add(y / 256));
+        slot.tally.drift = [dx, dy].map(|c| c.clamp(-127, 127) as i8);
+        still || (self.still > Fx::ZERO && dx.abs().max(dy.abs()) <= most)
+    }
+}
+
+/// A body at the end of a motion, or at the level.
+pub(super) struct Touched {
+    pub(super) shape: Shape,
+    pub(super) hit: Option<Hit>,
+    pub(super) floor: bool,
+    pub(super) flags: u8,
+}
+
+impl Touched {
+    fn of<B: Body + Into<Shape>>(moved: &Moved<B>) -> Self {
+        Self { shape: moved.body.into(), hit: moved.hits.first(), floor: moved.floor, flags: moved.flags }
+    }
+}
+
+/// A body that cannot be moved stays.
+pub(super) fn hold(
+    slot: &mut Slot,
+    handle: Handle,
+    fault: SceneFault,
+    stepped: &mut Stepped,
+    each: &mut impl FnMut(SceneEvent<'_>),
+) {
+    slot.body.velocity = Vec2::ZERO;
+    (slot.support, slot.quiet) = (ALOFT, slot.quiet.saturating_add(1));
+    slot.way = BodyWay { turns: BodyWay::HELD, ..BodyWay::REST };
+    stepped.held += 1;
+    each(SceneEvent::Held(SceneError::of(handle, fault)));
+}

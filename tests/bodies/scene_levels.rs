@@ -1,0 +1,148 @@
+//! What the level is to a body of a scene: responses by flags, a level for each, how hard a hit is.
+
+use super::swept::{ball, body_of, boxed, scene, vec2};
+use tilesat::motion::Responses;
+use tilesat::scene::{SceneBody, SceneEvent};
+use tilesat::{Axis, Fx, Ratio, Surface, TileKind, TileKinds, TileMap, Vec2};
+use tilesat_judge::{Random, cases};
+
+const GLUE: u8 = 1;
+const GRASS: u8 = 2;
+const CURTAIN: u8 = 4;
+
+static KINDS: TileKinds = TileKinds::EMPTY
+    .with(b'#', TileKind::FULL)
+    .with(b'g', TileKind::FULL.with_flags(GLUE))
+    .with(b'~', TileKind::FULL.with_flags(GRASS))
+    .with(b'c', TileKind::FULL.with_flags(CURTAIN));
+static GHOSTS: TileKinds = KINDS.passing(CURTAIN);
+
+/// The approach speed against its definition, `-(v . n) / |n|` to nearest, in 128 bits: small normals
+/// and velocities exhaustively, then those at the ends of the ranges.
+#[test]
+fn approach_is_the_nearest() {
+    let check = |n: (i32, i32), v: (i32, i32)| {
+        let s = Axis::new(n.0, n.1).approach(Vec2::from_raw(v.0, v.1)).to_bits();
+        let d = -(i128::from(n.0) * i128::from(v.0) + i128::from(n.1) * i128::from(v.1));
+        let square = i128::from(n.0).pow(2) + i128::from(n.1).pow(2);
+        if d <= 0 {
+            assert_eq!(s, 0, "{n:?} {v:?}");
+        } else if s == i32::MAX && 4 * d * d >= ((1_i128 << 31) - 1).pow(2) * square {
+            // It rounds to 2^30 raw or more: no motion has that.
+        } else {
+            let s = i128::from(s);
+            let (below, above) = ((2 * s - 1).max(0), 2 * s + 1);
+            assert!(below * below * square <= 4 * d * d && 4 * d * d < above * above * square, "{n:?} {v:?}: {s}");
+        }
+    };
+    for k in 0..15_i32.pow(4) {
+        let c = |k: i32| k % 15 - 7;
+        check((c(k), c(k / 15)), (c(k / 225), c(k / 3375)));
+    }
+    let ends = [0, 1, -1, 2, 3, -5, (1 << 28) - 1, 1 - (1 << 28), (1 << 30) - 1, 1 - (1 << 30), 46341, -65536];
+    for k in 0..12_usize.pow(4) {
+        check((ends[k % 12], ends[k / 12 % 12]), (ends[k / 144 % 12], ends[k / 1728]));
+    }
+    let mut r = Random::new(7);
+    for _ in 0..cases(200_000) {
+        // Nearly along the surface, where the most is lost.
+        let v = (r.around(1 << 28) as i32, r.around(1 << 28) as i32);
+        check((v.1 + r.around(3) as i32, -v.0 + r.around(3) as i32), v);
+    }
+    assert_eq!(Axis::new(0, 0).approach(Vec2::from_ints(1, 1)), Fx::ZERO);
+    assert_eq!(Axis::new(0, -1).approach(Vec2::from_raw(0, i32::MAX)), Fx::MAX);
+}
+
+/// A rubber ball over floors of four kinds, slow and fast: all come down at one speed.
+#[test]
+fn a_body_has_its_own_responses() {
+    let map = TileMap::from_ascii("................\n................\n####gggg~~~~####", &KINDS).unwrap();
+    let rubber = Surface::new(Ratio::ONE, Ratio::ZERO);
+    for (fast, speed) in [(false, 3), (true, 3), (false, 40), (true, 40)] {
+        let body = |at: i64, responses| SceneBody {
+            velocity: Vec2::from_ints(1, speed),
+            surface: rubber,
+            floats: true,
+            fast,
+            responses,
+            ..SceneBody::new(ball((at * 64 + 30) << 16, 27 << 16, 4 << 16), at as u32)
+        };
+        let own = Responses::NONE.touching(GLUE).sliding(GRASS);
+        let bodies = [body(0, own), body(1, own), body(2, own), body(1, Responses::NONE), body(2, Responses::NONE)];
+        let expected = [(1, -speed), (0, 0), (1, 0), (1, -speed), (1, -speed)];
+        for (body, (x, y)) in bodies.iter().zip(expected) {
+            let mut scene = scene(std::slice::from_ref(body));
+            let mut told = Vec::new();
+            let stepped = scene.step(&map, Vec2::ZERO, |event| {
+                if let SceneEvent::Level { hits, velocity, .. } = event {
+                    told.extend(hits.iter().map(|hit| (velocity, hit.approach(velocity))));
+                }
+            });
+            assert_eq!(stepped.unwrap().held, 0);
+            assert_eq!(told, [(body.velocity, Fx::from_num(speed))], "{body:?}");
+            assert_eq!(body_of(&scene, body.key).velocity, Vec2::from_ints(x, y), "{body:?}");
+        }
+    }
+}
+
+/// The gravity of a step is a part of the speed that a body hits with.
+#[test]
+fn a_hit_has_the_speed_of_the_step() {
+    let map = TileMap::from_ascii("....\n....\n####", &KINDS).unwrap();
+    for fast in [false, true] {
+        let body = SceneBody { fast, ..SceneBody::new(boxed(8 << 16, 22 << 16, 8 << 16, 8 << 16), 1) };
+        let mut scene = scene(&[SceneBody { velocity: vec2(0, 5 << 16), ..body }]);
+        let mut told = Vec::new();
+        let gravity = vec2(0, 1 << 14);
+        scene
+            .step(&map, gravity, |event| {
+                if let SceneEvent::Level { velocity, .. } = event {
+                    told.push(velocity);
+                }
+            })
+            .unwrap();
+        assert_eq!(told, [vec2(0, (5 << 16) + (1 << 14))]);
+    }
+}
+
+/// With one level for all, `step_in` is `step`. With two, each body does what it does alone in its own.
+#[test]
+fn each_body_sees_its_level() {
+    let rows = "################\n#.....c....c...#\n#.....c....c...#\n#..ccc.........#\n################";
+    let (level, ghosts) = (TileMap::from_ascii(rows, &KINDS).unwrap(), TileMap::from_ascii(rows, &GHOSTS).unwrap());
+    let gravity = vec2(0, 1 << 14);
+    let mut r = Random::new(22);
+    let (mut same, mut parted) = (0, 0);
+    for _ in 0..cases(300) {
+        let bodies: Vec<_> = (0..4)
+            .map(|key| {
+                let at = (r.within(20, 60) + 44 * i64::from(key), r.within(20, 40));
+                let shape = ball(at.0 << 16, at.1 << 16, r.within(2, 4) << 16);
+                let velocity = vec2(r.around(20 << 16), r.around(20 << 16));
+                SceneBody { velocity, fast: r.one_in(2), ..SceneBody::new(shape, key) }
+            })
+            .filter(|body| matches!(body.shape, tilesat::scene::Shape::Circle(c) if !level.overlaps(&c)))
+            .collect();
+        let (mut a, mut b) = (scene(&bodies), scene(&bodies));
+        for _ in 0..20 {
+            let one = a.step(&level, gravity, |_| ()).unwrap();
+            assert_eq!(one, b.step_in(|_| &level, gravity, |_| true, |_| ()).unwrap());
+            assert_eq!(a.snapshot(), b.snapshot());
+            same += 1;
+        }
+        let is_ghost = |body: &SceneBody| body.key % 2 == 1;
+        let level_of = |body: &SceneBody| if is_ghost(body) { &ghosts } else { &level };
+        let mut both = scene(&bodies);
+        let mut alone: Vec<_> = bodies.iter().map(|body| scene(std::slice::from_ref(body))).collect();
+        for _ in 0..20 {
+            // Bodies that meet nobody: no pair counts.
+            both.step_in(level_of, gravity, |_| false, |_| ()).unwrap();
+            for (alone, body) in alone.iter_mut().zip(&bodies) {
+                alone.step(level_of(body), gravity, |_| ()).unwrap();
+                assert_eq!(body_of(alone, body.key), body_of(&both, body.key));
+            }
+        }
+        parted += bodies.iter().filter(|body| is_ghost(body)).count();
+    }
+    assert!(same > 1000 && parted > 100);
+}
