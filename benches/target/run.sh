@@ -118,7 +118,7 @@ games=(
     'hero_blocks:a hero among blocks:23500:128:23500:128'
     'hero_slopes:a hero among slopes:43000:128:42500:128'
     'hero_blocks_lift:a hero among blocks with a lift:37500:168:37500:168'
-    'hero_slopes_lift:a hero among slopes with a lift:57000:168:56000:168'
+    'hero_slopes_lift:a hero among slopes with a lift:57100:168:56000:168'
     'game_bullets:240 bullets, 32 enemies, pairs and events:70500:13800:70500:13800'
 )
 

@@ -24,10 +24,6 @@ pub(super) enum Bend {
 }
 
 impl Bend {
-    pub(super) fn is_of_face(self) -> bool {
-        matches!(self, Self::Flat | Self::End)
-    }
-
     /// A surface that bends more says more about how the body continues.
     pub(super) fn rank(self) -> u8 {
         match self {

@@ -121,7 +121,6 @@ impl<S: Law> Mover<S> {
         let first = hit.is_some() && core::mem::take(&mut run.is_first);
         let mut of_hit = None;
         let mut ways = Ways::NONE;
-        ways.along = run.along.filter(|plane| plane.bend.is_of_face()).map(|plane| plane.normal);
         if let Some((entry, _)) = hit {
             run.came |= way(made) > NEAR;
             // The hit is passed on too: if the body had to stay back from it, it is not near.
@@ -135,7 +134,7 @@ impl<S: Law> Mover<S> {
                 run.before = run.v;
             }
             let alone = ways.read::<W, B>(world, &run.moved.body, (run.before, run.rest), of_hit, passes);
-            kept = kept && (keeps || ways.keeps);
+            kept = kept && (keeps || run.along.is_some_and(|plane| ways.keep(&plane)));
             if kept || run.before == run.v {
                 break alone;
             }
@@ -214,8 +213,7 @@ impl<S: Law> Mover<S> {
             // rounded.
             let mut normal = entry.normal;
             touched(&run.moved.body, feature, |plane| {
-                // A rounded place may lie a raw unit beyond the last tangent of a corner.
-                if plane.bend == Bend::Convex && same_quadrant(plane.normal, entry.normal) {
+                if plane.bend == Bend::Convex {
                     normal = plane.normal;
                 }
             });
@@ -258,10 +256,6 @@ fn lay_on<B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: &Feature) 
     hop
 }
 
-fn same_quadrant(a: Axis, b: Axis) -> bool {
-    (a.x.signum(), a.y.signum()) == (b.x.signum(), b.y.signum())
-}
-
 fn is_hop(plane: &Plane, u: Raw, made: Raw) -> bool {
     let Plane { normal: n, bend: Bend::Convex } = *plane else { return false };
     let m = Raw { x: n.x, y: n.y };
@@ -273,7 +267,7 @@ fn is_hop(plane: &Plane, u: Raw, made: Raw) -> bool {
 impl<B: Body> Run<'_, B> {
     /// Whether the body may still touch the surface that it has just run along. It touches a
     /// tangent while that turns by less than a quarter of its length. For faces the
-    /// [ways](Ways::keeps) decide.
+    /// [ways](Ways::keep) decide.
     fn may_keep(&self, made: Raw) -> bool {
         self.along.is_some_and(|plane| match plane.bend {
             Bend::Convex => made.len2() << 4 <= plane.normal.length_squared(),

@@ -46,13 +46,6 @@ impl Way {
         self.room == Self::FREE
     }
 
-    fn is_along_same_line(&self, other: &Self) -> bool {
-        let face = |way: &Self| way.along.filter(|plane| plane.bend.is_of_face()).map(|plane| plane.normal);
-        let straight = |n: Axis| n.x == 0 || n.y == 0;
-        let same = |n: Axis, m: Axis| n == m || (straight(n) && n == m.reversed());
-        face(self).is_some_and(|n| face(other).is_some_and(|m| same(n, m)))
-    }
-
     /// Whether it leads on by at least a raw unit, though it is bound.
     pub(super) fn can_creep(&self) -> bool {
         self.room > 0 && u32::from(self.room) <= FAR
@@ -83,7 +76,7 @@ impl Way {
     }
 
     /// The length of its part of a velocity, before rounding: `along / |normal|`. Computed when
-    /// needed, which makes a list of eight 128 bytes of stack shorter.
+    /// needed, which makes a list of ten 160 bytes of stack shorter.
     fn length(&self, of: Raw) -> (u64, u64) {
         self.along.map_or((u64::MAX, 1), |p| (across(of, p.normal).unsigned_abs(), p.normal.length_squared()))
     }
@@ -136,10 +129,6 @@ fn part(c: i32, entry: &Entry) -> i32 {
 pub(super) struct Ways {
     ways: [Option<Way>; Self::MAX],
     near: Near,
-    /// The normal of a face that the motion has run along.
-    pub(super) along: Option<Axis>,
-    /// Whether the body still touches that face, if there is one.
-    pub(super) keeps: bool,
 }
 
 /// The features within [`FAR`] of a body, read once for all ways.
@@ -183,20 +172,21 @@ fn each_near<W: World, B: Body>(world: &W, body: &B, passes: bool, visit: &mut d
 }
 
 impl Ways {
-    /// In a grid a body touches no more planes than these: four cells meet in a point, and a body
-    /// touches at most two sides of each. Levels of many small segments may have more; the
-    /// shortest ways are then left out.
-    const MAX: usize = 8;
+    /// The velocity itself; at most six along x and y, which faces and their ends give on both
+    /// sides; and three slopes or corners. With eight, a body in a gap as wide as itself lost the
+    /// way up a slope: 24 dead stops in ten million random frames. In levels of many small segments
+    /// there may be more; the shortest are then left out.
+    const MAX: usize = 10;
 
     /// A constant: a function would make the result twice, and copy it.
-    pub(super) const NONE: Self = Self { ways: [None; Self::MAX], near: Near::NONE, along: None, keeps: false };
+    pub(super) const NONE: Self = Self { ways: [None; Self::MAX], near: Near::NONE };
 
     /// Reads the ways of a velocity from the body's position, and along the surface that was hit, in
     /// the remaining time. It does not find out yet which are free. Returns whether there is nothing
     /// within [`FAR`] but the face that was hit. The way along that face is then free, and the
     /// velocity leads into it.
     ///
-    /// In place: the list takes about 600 bytes, and a chip has no room for a copy.
+    /// In place: the list takes about 700 bytes, and a chip has no room for a copy.
     #[inline(never)]
     pub(super) fn read<W: World, B: Body>(
         &mut self,
@@ -209,7 +199,7 @@ impl Ways {
         for slot in &mut self.ways {
             *slot = None;
         }
-        (self.near, self.keeps) = (Near::NONE, self.along.is_none());
+        self.near = Near::NONE;
         self.add(&mut Way { along: None, v, presses: false, probe: long(v), room: Way::UNKNOWN }, v);
         let mut alone = true;
         each_near(world, body, passes, &mut |feature| {
@@ -278,25 +268,15 @@ impl Ways {
         if !along.is_zero() && (is_exact || way(along) > NEAR) {
             let n = plane.normal;
             let presses = into(v, n) < 0;
-            self.keeps |= plane.bend.is_of_face() && self.along == Some(n);
             self.add(&mut Way { along: Some(plane), v: along, presses, probe, room: Way::UNKNOWN }, v);
         }
     }
 
-    /// Adds a way in its order. Faces that give one way count once: a body that touches blocks on
-    /// both sides would fill the list with them, and lose the shorter way up a slope.
     fn add(&mut self, way: &mut Way, of: Raw) {
         for slot in &mut self.ways {
             match slot {
                 None => {
                     *slot = Some(*way);
-                    return;
-                }
-                // Ways of one velocity are neighbours in this order.
-                Some(other) if way.is_along_same_line(other) => {
-                    if way.goes_before(other, of) {
-                        *other = *way;
-                    }
                     return;
                 }
                 Some(other) if way.goes_before(other, of) => core::mem::swap(other, way),
@@ -372,6 +352,11 @@ impl Ways {
 
     pub(super) fn iter(&self) -> impl Iterator<Item = &Way> {
         self.ways.iter().flatten()
+    }
+
+    /// Whether the body still touches a plane that it has run along, if that is a face.
+    pub(super) fn keep(&self, plane: &Plane) -> bool {
+        !matches!(plane.bend, Bend::Flat | Bend::End) || self.iter().any(|way| way.along == Some(*plane))
     }
 }
 
