@@ -1,7 +1,8 @@
 //! Flags on a straight way: exact, against the distances of sets in 128 bits, and against places
 //! along the way.
 
-use tilesat::{Aabb, Circle, Fx, Grid, TileKind, TileKinds, TileMap, Vec2};
+use tilesat::world::Probe;
+use tilesat::{Aabb, Circle, Fx, Grid, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
 use tilesat_judge::Random;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::EMPTY.with_flags(1)).with(2, TileKind::FULL.with_flags(2));
@@ -75,6 +76,47 @@ fn exact_on_a_lattice() {
     assert!(touched > 10_000 && missed > 10_000, "{touched} {missed}");
 }
 
+/// Of all 36 tiles, and of solids of their boxes, those that the way comes near are reported: each
+/// once, and in order.
+#[test]
+fn every_tile_and_solid_on_the_way() {
+    fn cells<B: Probe>(map: &TileMap<'_>, body: &B, d: Vec2) -> Vec<(i64, i64)> {
+        map.tiles_swept(body, d).unwrap().map(|tile| (tile.cell.x.into(), tile.cell.y.into())).collect()
+    }
+    let mut r = Random::new(8);
+    let tiles: Vec<_> = (0..36).map(|_| r.below(3) as u8).collect();
+    let map = TileMap::on_grid(&tiles, Grid::new(6, 6, Fx::from_bits(256), raw(0, 0)).unwrap(), &KINDS).unwrap();
+    let places: Vec<(i64, i64)> = (0..36).map(|k| (k % 6, k / 6)).collect();
+    let box_of = |&(x, y): &(i64, i64)| Aabb::new(raw(x * 256, y * 256), raw(x * 256 + 256, y * 256 + 256)).unwrap();
+    let list: Vec<_> = (0..).zip(&places).map(|(key, at)| Solid::new(box_of(at), key).unwrap()).collect();
+    let part = |r: &mut Random, most: i64| r.within(-most, most) * 64 + if r.one_in(3) { r.within(-1, 1) } else { 0 };
+    let (mut most, mut none) = (0, 0);
+    for _ in 0..20_000 {
+        let p = (768 + part(&mut r, 20), 768 + part(&mut r, 20));
+        let (d, size) = ((part(&mut r, 24), part(&mut r, 24)), (r.within(0, 6) * 64, r.within(0, 6) * 64));
+        let wide = |v: (i64, i64)| (i128::from(v.0), i128::from(v.1));
+        let due = |r: i64, size: (i64, i64)| -> Vec<_> {
+            let near = |c: &&(i64, i64)| {
+                let (lo, hi) = ((c.0 * 256 - size.0, c.1 * 256 - size.1), (c.0 * 256 + 256, c.1 * 256 + 256));
+                comes_near(wide(p), wide(d), r.into(), wide(lo), wide(hi))
+            };
+            places.iter().filter(near).copied().collect()
+        };
+        let body = Aabb::new(raw(p.0, p.1), raw(p.0 + size.0, p.1 + size.1)).unwrap();
+        let disc = Circle::new(raw(p.0, p.1), Fx::from_bits(size.0 as i32)).unwrap();
+        let (boxes, discs) = (due(0, size), due(size.0, (0, 0)));
+        assert_eq!(cells(&map, &body, raw(d.0, d.1)), boxes, "{body:?} by {d:?}");
+        assert_eq!(cells(&map, &disc, raw(d.0, d.1)), discs, "{disc:?} by {d:?}");
+        assert_eq!(cells(&map, &raw(p.0, p.1), raw(d.0, d.1)), due(0, (0, 0)), "{p:?} by {d:?}");
+        let keys = |cells: &[(i64, i64)]| -> Vec<u16> { cells.iter().map(|c| (c.1 * 6 + c.0) as u16).collect() };
+        let solids = Solids::new(&list);
+        assert_eq!(solids.swept(&body, raw(d.0, d.1)).unwrap().map(Solid::key).collect::<Vec<_>>(), keys(&boxes));
+        assert_eq!(solids.swept(&disc, raw(d.0, d.1)).unwrap().map(Solid::key).collect::<Vec<_>>(), keys(&discs));
+        (most, none) = (most.max(boxes.len()), none + u32::from(boxes.is_empty()));
+    }
+    assert!(most > 20 && none > 1000, "{most} {none}");
+}
+
 #[test]
 fn out_of_range_is_refused() {
     let map = TileMap::on_grid(&[1], Grid::new(1, 1, Fx::ONE, Vec2::ZERO).unwrap(), &KINDS).unwrap();
@@ -82,4 +124,6 @@ fn out_of_range_is_refused() {
     assert!(map.flags_swept(&body, Vec2::from_ints(200, 0)).is_err());
     assert!(map.flags_swept(&body, Vec2::from_ints(0, 4096)).is_err());
     assert_eq!(map.flags_swept(&body, Vec2::from_ints(-4095, 0)), Ok(0));
+    assert!(map.tiles_swept(&body, Vec2::from_ints(200, 0)).is_err());
+    assert!(Solids::new(&[]).swept(&body, Vec2::from_ints(0, 4096)).is_err());
 }

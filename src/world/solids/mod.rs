@@ -22,10 +22,12 @@ mod stored;
 
 use super::cell::Cell;
 use super::level::{Feature, Geometry, MotionPiece, Seen, World, levels, meets_as_world, sealed};
-use crate::num::{Axis, Raw};
+use crate::error::RangeError;
+use crate::num::{Axis, Raw, Vec2};
 use crate::query::meet;
 use crate::shape::{Aabb, Circle};
 use crate::world::convex::ConvexBody;
+use crate::world::tile_map::region::{Probe, bounds_of_way};
 use solid::{Side, Solid};
 
 /// Moving boxes as a level, at their present positions. It borrows the list and needs no memory.
@@ -111,6 +113,43 @@ impl<'a> Solids<'a> {
     /// A face that others cover in part stays as it is. Cost: see [`Solids`].
     pub const fn features(&self, region: &Aabb) -> SolidFeatures<'a> {
         SolidFeatures::new(self.list, region)
+    }
+
+    /// The solids that a box, circle or point has a point in common with anywhere on a straight way,
+    /// in the order of the list: triggers, pick-ups, and doors that a ghost passes.
+    ///
+    /// One-way solids count as boxes. Exact; borders count. Cost: one or a few exact tests per
+    /// solid.
+    ///
+    /// What a body passes is not in the list that its mover sees. Keep the solids in an order in
+    /// which a part of the list is what each kind of body sees:
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Joined, Mover, Solid, Solids, TileKinds, TileMap, Vec2};
+    /// let solid = |x, key| Solid::new(Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 4, 16))?, key);
+    /// let all = [solid(40, 1)?, solid(20, 2)?, solid(30, 3)?]; // a door, and two curtains
+    /// let (doors, curtains) = all.split_at(1);
+    /// let level = TileMap::from_ascii("....", &TileKinds::EMPTY)?;
+    ///
+    /// let ghost = Aabb::new(Vec2::from_ints(4, 4), Vec2::from_ints(12, 12))?;
+    /// let seen = Solids::new(doors);
+    /// let moved = Mover::new().move_and_slide(&Joined::new(&level, &seen), &ghost, Vec2::from_ints(50, 0))?;
+    /// assert_eq!(moved.position(), Vec2::from_ints(32, 4)); // at the door
+    ///
+    /// let way = moved.position() - ghost.min();
+    /// let passed = Solids::new(curtains).swept(&ghost, way)?.map(Solid::key);
+    /// assert_eq!(passed.collect::<Vec<_>>(), [2, 3]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RangeError`] where a component of the motion is not below 2^28 raw, or it leads out of the
+    /// [domain](crate::num::DOMAIN).
+    #[doc(alias = "cross")]
+    pub fn swept<B: Probe>(&self, shape: &B, motion: Vec2) -> Result<impl Iterator<Item = &'a Solid>, RangeError> {
+        let d = Raw::of(motion);
+        bounds_of_way(shape, motion)?;
+        Ok(self.list.iter().filter(move |solid| shape.passes(d, (solid.lo(), solid.hi()))))
     }
 
     fn any(&self, meets: impl Fn(&Solid) -> bool) -> bool {
