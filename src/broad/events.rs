@@ -62,8 +62,6 @@ pub(in crate::broad) fn retain<K: Copy, V: Copy>(
 
 /// The fate of a pair in one frame. Each pair gives `Begin`, then `Stay` in each later frame, then
 /// `End`, once.
-///
-/// Of every pair comes `Begin`, then `Stay` in each later frame, then `End`, once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PairEvent<P = Pair> {
@@ -105,10 +103,10 @@ pub(super) enum Mark {
 /// [`finish`](Self::finish) ends the frame. [`iter`](Self::iter) then lists what became of each
 /// pair, in ascending order of pairs, as often as you like, until you feed the next frame.
 ///
-/// Any `P` that is `Copy + Ord` is a pair: `(Handle, Cell)`-like tuples for tiles that trigger, or
-/// the keys of two bodies. Use keys where the order of events must not depend on the order of
-/// insertion, as that of handles does. `(a, b)` and `(b, a)` are two pairs; a broad phase gives
-/// only one of them.
+/// Any `P` that is `Copy + Ord` is a pair: the keys of two bodies, or `(Handle, Cell)` for tiles
+/// that trigger and for [landings](crate::scene#games-in-a-scene). Use keys where the order of
+/// events must not depend on the order of insertion, as that of handles does. `(a, b)` and `(b, a)`
+/// are two pairs; a broad phase gives only one of them.
 ///
 /// - **Bodies at rest**: two [still](crate::Filter::still) bodies are no pair of a broad phase, but
 ///   a body that fell asleep in a trigger is still in it. `finish` therefore asks `held` about each

@@ -227,6 +227,38 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! **Landings**: a body at rest hits the floor in every step. To hear a landing once, feed what the
+//! body hits to a list of [events](crate::broad::PairEvents); the key is any pair that you choose.
+//! [`Hit::approach`](crate::motion::Hit::approach) says how hard a hit was.
+//!
+//! ```
+//! use tilesat::broad::{Handle, PairEvent, PairEvents, SortSweep};
+//! use tilesat::scene::{SceneBody, SceneEvent, SceneTag};
+//! use tilesat::{Aabb, Cell, Fx, Scene, TileKind, TileKinds, TileMap, Vec2};
+//! static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+//! let level = TileMap::from_ascii("...\n...\n...\n###", &KINDS)?; // the floor is at y = 48
+//! let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+//! let crate_ = scene.insert(&SceneBody::new(Aabb::new(Vec2::from_ints(4, 4), Vec2::from_ints(12, 12))?, 1))?;
+//! let mut contacts = PairEvents::<16, (Handle, Cell)>::new();
+//! let (mut landings, mut hardest) = (0, Fx::ZERO);
+//! for _ in 0..600 {
+//!     scene.step(&level, Vec2::from_raw(0, 1 << 14), |event| {
+//!         if let SceneEvent::Level { body, hits, velocity, .. } = event {
+//!             for hit in hits {
+//!                 contacts.feed((body, hit.cell));
+//!                 hardest = hardest.max(hit.approach(velocity));
+//!             }
+//!         }
+//!     })?;
+//!     // A body that sleeps reports nothing, and has left nothing.
+//!     contacts.finish(|(body, _)| scene.is_awake(*body).is_ok_and(|awake| !awake))?;
+//!     landings += contacts.iter().filter(|event| matches!(event, PairEvent::Begin(_))).count();
+//! }
+//! assert_eq!((landings, hardest), (1, Fx::from_num(4.25)));
+//! assert!(!scene.is_awake(crate_)? && contacts.iter().count() == 1);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! **Sensors** wake nobody, whatever you do with them. A sensor with a mass meets sleeping bodies
 //! once you have placed it; give it `floats`. A fixed sensor and a sleeping body both rest. If you
 //! put the sensor on such a body, nothing is reported until the body wakes. Call

@@ -10,7 +10,7 @@ use super::tile_map::kind::TileKind;
 ///  row  0  . +---+---+---+ .
 ///  row  1  . |   | * |   | .      * is Cell { x: 1, y: 1 }
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cell {

@@ -146,7 +146,11 @@ impl<'a> Solids<'a> {
     /// [`RangeError`] where a component of the motion is not below 2^28 raw, or it leads out of the
     /// [domain](crate::num::DOMAIN).
     #[doc(alias = "cross")]
-    pub fn swept<B: Probe>(&self, shape: &B, motion: Vec2) -> Result<impl Iterator<Item = &'a Solid>, RangeError> {
+    pub fn swept<'b, B: Probe>(
+        &self,
+        shape: &'b B,
+        motion: Vec2,
+    ) -> Result<impl Iterator<Item = &'a Solid> + use<'a, 'b, B>, RangeError> {
         let d = Raw::of(motion);
         bounds_of_way(shape, motion)?;
         Ok(self.list.iter().filter(move |solid| shape.passes(d, (solid.lo(), solid.hi()))))
