@@ -1,8 +1,10 @@
-//! A round ninja runs up slopes and quarter pipes, slides down walls and jumps from them:
+//! A round ninja runs up slopes and quarter pipes, slides down walls and jumps from them, until a
+//! mine goes off below it:
 //! `cargo run --release --example ninja [-- FILE.png]`.
 //!
 //! `tilesat_games::ninja` is the game: one circle, a few numbers, and `Mover::move_and_slide`; its
-//! level, and what the player presses. The rest draws the way to `target/ninja.png`.
+//! level, and what the player presses. The ragdoll that is left, and the rope that hangs over a
+//! corner, are points joined by sticks. The rest draws the way to `target/ninja.png`.
 #![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
 #![allow(
     clippy::std_instead_of_core,
@@ -13,10 +15,11 @@
 
 use std::process::ExitCode;
 
-use tilesat::World;
-use tilesat_games::ninja::{Ninja, Script, State, level};
+use tilesat::motion::response::Particle;
+use tilesat::{Circle, Fx, Vec2, World};
+use tilesat_games::ninja::{Ninja, Ragdoll, Rope, Script, State, level, ragdoll, rope};
 use tilesat_tools::fail::{Fail, Result};
-use tilesat_tools::picture::ink::{BOUNCE, COIN, CROSS, Ink, PLAYER, SLIDE, TOUCH};
+use tilesat_tools::picture::ink::{BOUNCE, COIN, CONTACT, CROSS, Ink, PLAYER, SLIDE, TOUCH};
 use tilesat_tools::picture::sketch::{self, Sketch};
 
 /// A minute is enough for every script.
@@ -56,17 +59,61 @@ fn play() -> Result<()> {
     }
     sketch.way(&way, 2.5, ink(ninja.state));
     sketch.ring(ninja.body.centre(), 6.0, 3.0, PLAYER);
+    let fell = die(&level, &ninja, &mut sketch)?;
+    let swung = hang(&level, &mut sketch)?;
     let summary = format!(
-        "frames={frame} jumps={} wall_jumps={} fastest={:.2} done={}",
+        "frames={frame} jumps={} wall_jumps={} fastest={:.2} done={} ragdoll_at_rest_after={fell} rope_after={swung}",
         ninja.jumps,
         ninja.wall_jumps,
         f64::from(fastest) / 65536.0,
         script.is_done()
     );
     println!("{summary}");
-    let legend = "green: on a floor; blue: along a wall; violet: in the air; yellow dots: jumps; a ring every 8 frames";
+    let legend = "green: on a floor; blue: along a wall; violet: in the air; yellow dots: jumps; a ring every 8 frames; white: limbs every 10 frames, and a rope";
     sketch.save("ninja.png", &[summary, legend.to_owned()])?;
     if script.is_done() { Ok(()) } else { Err(Fail::new("the script did not come to its end")) }
+}
+
+/// Draws the ragdoll until it lies. Returns its frames.
+fn die(level: &impl World, ninja: &Ninja, sketch: &mut Sketch) -> Result<u32> {
+    let mut doll = Ragdoll::of(ninja).map_err(|e| Fail::new(e.to_string()))?;
+    for frame in 0..FRAMES {
+        let lies = doll.step(level).map_err(|e| Fail::new(format!("ragdoll, frame {frame}: {e}")))?;
+        outside(level, &doll.points, ragdoll::RADIUS)?;
+        if lies || frame % 10 == 0 {
+            let ink = if lies { CONTACT } else { CONTACT.alpha(0.4) };
+            for link in &doll.links {
+                let ends = [link.a, link.b].map(|k| doll.points[usize::from(k)].position);
+                sketch.way(&ends, if lies { 3.0 } else { 1.5 }, ink);
+            }
+        }
+        if lies {
+            return Ok(frame);
+        }
+    }
+    Err(Fail::new("the ragdoll does not come to rest"))
+}
+
+/// Draws the rope as it begins, as it falls, and as it hangs. Returns its frames.
+fn hang(level: &impl World, sketch: &mut Sketch) -> Result<u32> {
+    let mut rope = Rope::at(level::NAIL).map_err(|e| Fail::new(e.to_string()))?;
+    for frame in 0..FRAMES {
+        let lies = rope.step(level).map_err(|e| Fail::new(format!("rope, frame {frame}: {e}")))?;
+        outside(level, &rope.points, rope::RADIUS)?;
+        if lies || frame % 10 == 0 && frame < 60 {
+            let way: Vec<Vec2> = rope.points.iter().map(|point| point.position).collect();
+            sketch.way(&way, if lies { 3.0 } else { 1.0 }, if lies { CONTACT } else { CONTACT.alpha(0.4) });
+        }
+        if lies {
+            return Ok(frame);
+        }
+    }
+    Err(Fail::new("the rope does not come to rest"))
+}
+
+fn outside(level: &impl World, points: &[Particle], radius: Fx) -> Result<()> {
+    let inside = |point: &Particle| Circle::new(point.position, radius).is_ok_and(|disc| level.overlaps_circle(&disc));
+    if points.iter().any(inside) { Err(Fail::new("a point is inside the level")) } else { Ok(()) }
 }
 
 fn ink(state: State) -> Ink {

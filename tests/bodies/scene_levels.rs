@@ -53,6 +53,13 @@ fn approach_is_the_nearest() {
     assert_eq!(Axis::new(0, -1).approach(Vec2::from_raw(0, i32::MAX)), Fx::MAX);
 }
 
+/// A body that does not move, two units to the left of one: a fast body sweeps only in company.
+fn neighbour(of: &SceneBody) -> SceneBody {
+    let at = of.shape.aabb().min();
+    let (x, y) = at.raw();
+    SceneBody::fixed(ball(i64::from(x) - (3 << 16), i64::from(y), 1 << 16), 100)
+}
+
 /// A rubber ball over floors of four kinds, slow and fast: all come down at one speed.
 #[test]
 fn a_body_has_its_own_responses() {
@@ -71,7 +78,7 @@ fn a_body_has_its_own_responses() {
         let bodies = [body(0, own), body(1, own), body(2, own), body(1, Responses::NONE), body(2, Responses::NONE)];
         let expected = [(1, -speed), (0, 0), (1, 0), (1, -speed), (1, -speed)];
         for (body, (x, y)) in bodies.iter().zip(expected) {
-            let mut scene = scene(std::slice::from_ref(body));
+            let mut scene = scene(&[*body, neighbour(body)]);
             let mut told = Vec::new();
             let stepped = scene.step(&map, Vec2::ZERO, |event| {
                 if let SceneEvent::Level { hits, velocity, .. } = event {
@@ -91,7 +98,7 @@ fn a_hit_has_the_speed_of_the_step() {
     let map = TileMap::from_ascii("....\n....\n####", &KINDS).unwrap();
     for fast in [false, true] {
         let body = SceneBody { fast, ..SceneBody::new(boxed(8 << 16, 22 << 16, 8 << 16, 8 << 16), 1) };
-        let mut scene = scene(&[SceneBody { velocity: vec2(0, 5 << 16), ..body }]);
+        let mut scene = scene(&[SceneBody { velocity: vec2(0, 5 << 16), ..body }, neighbour(&body)]);
         let mut told = Vec::new();
         let gravity = vec2(0, 1 << 14);
         scene
@@ -102,6 +109,24 @@ fn a_hit_has_the_speed_of_the_step() {
             })
             .unwrap();
         assert_eq!(told, [vec2(0, (5 << 16) + (1 << 14))]);
+    }
+}
+
+/// Through a curtain or up to it, slow and fast.
+#[test]
+fn ghosts_pass_curtains() {
+    let rows = "......c.\n......c.";
+    let (level, ghosts) = (TileMap::from_ascii(rows, &KINDS).unwrap(), TileMap::from_ascii(rows, &GHOSTS).unwrap());
+    for (speed, fast) in [(3, false), (3, true), (30, false), (60, true)] {
+        for (key, x) in [(1, 92 + speed), (2, 92)] {
+            let body = SceneBody { fast, ..SceneBody::new(ball(92 << 16, 16 << 16, 4 << 16), key) };
+            let body = SceneBody { velocity: Vec2::from_ints(speed, 0), ..body };
+            let mut scene = scene(&[body, neighbour(&body)]);
+            let level_of = |body: &SceneBody| if body.key == 1 { &ghosts } else { &level };
+            scene.step_in(level_of, Vec2::ZERO, |_| true, |_| ()).unwrap();
+            let at = body_of(&scene, key).shape.position();
+            assert_eq!(at, Vec2::from_ints(x, 16), "{speed} {fast} {key}");
+        }
     }
 }
 

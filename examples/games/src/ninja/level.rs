@@ -3,6 +3,8 @@
 use tilesat::{AllShapes, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2};
 
 pub const START: Vec2 = Vec2::from_ints(40, 340);
+/// On the block under the slopes, before its round corner.
+pub const NAIL: Vec2 = Vec2::from_ints(592, 110);
 pub const SIZE: (i32, i32) = (44 * 16, 24 * 16);
 
 const ROWS: &str = "\
