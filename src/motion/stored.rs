@@ -5,7 +5,7 @@ use super::inside::StartInside;
 use super::memo::Memo;
 use super::mover::Mover;
 use super::plane::SlopeLimit;
-use super::response::Law;
+use super::response::{Law, Response};
 use super::walk::{SlopeSpeed, Support, Walker};
 use super::{Body, Character};
 use crate::error::RangeError;
