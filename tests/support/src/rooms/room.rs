@@ -78,19 +78,19 @@ impl Room {
             self.solids.iter().flatten().flat_map(Region::marks).filter_map(move |mark| {
                 let along = (mark.0 - from.0) * x + (mark.1 - from.1) * y;
                 // Even places, as the grain asks.
-                let at = |c: i128| ((along * c) as f64 / (2 * square) as f64).round() as i64;
+                let at = |c: i128| (along * c + square).div_euclid(2 * square) as i64;
                 let on_the_line = ((d.0 / step, d.1 / step), 2 * at(step.into()));
                 let place = if step < 64 { ((at(x), at(y)), 2) } else { on_the_line };
                 (along > 0 && along < square * i128::from(FINE)).then_some(place)
             })
         };
         let parts = body.parts().map_or(vec![body], Vec::from);
-        let marks = parts.into_iter().flat_map(|part| match part {
-            Body::Disc(c, _) => vec![c],
-            _ => {
-                let (lo, hi) = part.bounds();
-                vec![lo, (hi.0, lo.1), hi, (lo.0, hi.1)]
+        let marks = parts.into_iter().flat_map(|part| {
+            if let Body::Disc(c, _) = part {
+                return vec![c];
             }
+            let (lo, hi) = part.bounds();
+            vec![lo, (hi.0, lo.1), hi, (lo.0, hi.1)]
         });
         (0..=samples).all(|k| !self.overlaps(body, d, k * FINE / samples))
             && marks.flat_map(abreast).all(|(d, num)| !self.overlaps(body, d, num))
