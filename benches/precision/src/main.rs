@@ -28,6 +28,7 @@ mod broad;
 mod callgrind;
 mod casts;
 mod goals;
+mod grids;
 mod job;
 mod levels;
 mod micro;
@@ -154,13 +155,14 @@ struct Part {
     count: fn(&Sizes),
 }
 
-const PARTS: [Part; 6] = [
+const PARTS: [Part; 7] = [
     Part { name: "pairs", measure: pairs::measure, count: pairs::count },
     Part { name: "rays", measure: rays::measure, count: rays::count },
     Part { name: "casts", measure: casts::measure, count: casts::count },
     Part { name: "moves", measure: moves::measure, count: moves::count },
     Part { name: "levels", measure: levels::measure, count: levels::count },
     Part { name: "broad", measure: broad::measure, count: broad::count },
+    Part { name: "regions", measure: broad::regions::measure, count: broad::regions::count },
 ];
 
 /// The named parts, or all.

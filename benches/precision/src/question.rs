@@ -12,7 +12,9 @@ pub struct Question<'a> {
 
 /// Other people's libraries, unlike textbook code.
 pub fn is_library(backend: &str) -> bool {
-    ["parry2d", "ncollide2d", "Box2D", "Chipmunk2D", "rapier2d", "broccoli"].iter().any(|l| backend.starts_with(l))
+    ["parry2d", "ncollide2d", "Box2D", "Chipmunk2D", "rapier2d", "broccoli", "rstar", "quadtree_rs"]
+        .iter()
+        .any(|l| backend.starts_with(l))
 }
 
 /// Whether it tells pairs of many boxes: ours are several, and a game takes the one that suits its

@@ -1,6 +1,7 @@
 //! Everything that is shown, from the rows alone: pictures, the page of results, and a short table.
 
 use crate::goals;
+use crate::grids;
 use crate::micro;
 use crate::plot::{Axes, svg};
 use crate::question::is_broad;
@@ -56,6 +57,7 @@ pub fn all(results: &Path) -> Result<(), String> {
     {
         page.push_str(&tables::classes(&rows, workload));
     }
+    page.push_str(&grids::page(&rows));
     page.push_str(&micro::page(&rows));
     let pictures = workloads(&rows).into_iter().map(|w| plots(&rows, w, &folder)).collect::<Result<Vec<_>, _>>()?;
     let _ = writeln!(page, "\n## Pictures\n\n{}.", pictures.into_iter().flatten().collect::<Vec<_>>().join("; "));

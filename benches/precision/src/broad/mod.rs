@@ -2,7 +2,9 @@
 
 mod engines;
 mod phases;
+pub mod regions;
 pub mod scenes;
+mod trees;
 mod truth;
 
 use crate::callgrind;
@@ -20,6 +22,7 @@ pub fn backends(class: Class) -> List<Frame, Answer> {
     phases::textbook::<f32>(&mut list);
     phases::textbook::<f64>(&mut list);
     engines::all(&mut list);
+    trees::all(&mut list, class);
     list
 }
 

@@ -98,28 +98,35 @@ impl<B: BroadPhase<Tag = ()> + 'static> Phase for Own<B> {
     }
 }
 
-/// The side of a cell: a box is at most 24 wide.
-const CELL: Fx = Fx::lit("32");
-
 /// For as many bodies, blocks of 32 cells, and buckets: at least 64.
-fn sized<const N: usize, const BLOCKS: usize, const BUCKETS: usize>(list: &mut List<Frame, Answer>, class: Class) {
+fn sized<const N: usize, const BLOCKS: usize, const BUCKETS: usize, const LARGE: bool>(
+    list: &mut List<Frame, Answer>,
+    class: Class,
+) {
     let corner = ours::vec2((class.origin << 16, class.origin << 16));
-    let named = |asked| (ours::NAME, asked, Format::RAW);
+    let (cell, named) = (Fx::from_num(class.cell()), |asked| (ours::NAME, asked, Format::RAW));
     add(list, named("sweep"), |boxes| Own::of(SortSweep::<N>::new(), boxes));
     add(list, named("grid"), move |boxes| {
-        Own::of(LooseGrid::<BLOCKS, N>::new(corner, CELL, class.grid_columns()).expect("a legal grid"), boxes)
+        Own::of(
+            LooseGrid::<BLOCKS, N, (), LARGE>::new(corner, cell, class.grid_columns()).expect("a legal grid"),
+            boxes,
+        )
     });
-    add(list, named("hash"), |boxes| Own::of(SpatialHash::<BUCKETS, N>::new(CELL).expect("a legal cell"), boxes));
+    add(list, named("hash"), move |boxes| {
+        Own::of(SpatialHash::<BUCKETS, N, (), LARGE>::new(cell).expect("a legal cell"), boxes)
+    });
     add(list, named("brute"), |boxes| Own::of(BruteForce::<N>::new(), boxes));
 }
 
 pub fn library(list: &mut List<Frame, Answer>, class: Class) {
-    match class.bodies {
-        8 => sized::<8, 2, 64>(list, class),
-        64 => sized::<64, 8, 64>(list, class),
-        256 => sized::<256, 32, 256>(list, class),
-        1024 => sized::<1024, 128, 1024>(list, class),
-        _ => sized::<4096, 512, 4096>(list, class),
+    match (class.bodies, class.has_large()) {
+        (8, _) => sized::<8, 2, 64, false>(list, class),
+        (64, _) => sized::<64, 8, 64, false>(list, class),
+        (256, false) => sized::<256, 32, 256, false>(list, class),
+        (256, true) => sized::<256, 32, 256, true>(list, class),
+        (1024, false) => sized::<1024, 128, 1024, false>(list, class),
+        (1024, true) => sized::<1024, 128, 1024, true>(list, class),
+        _ => sized::<4096, 512, 4096, false>(list, class),
     }
 }
 

@@ -19,9 +19,17 @@ pub enum Kind {
     Scattered,
     /// The same, and three in a hundred jump anywhere.
     Leaping,
+    /// 32 to a clump of 128 x 128 pixels, and nothing between the clumps.
+    Clumps,
+    /// Scattered, and one of half the scene's side among them, which rests.
+    Huge,
+    /// Sides from 4 to 512 pixels, half as many of twice the side; one in sixteen moves.
+    Uneven,
     /// 32 on top of each other, within 2 raw units of touching; the columns sway.
     Columns,
 }
+
+const UNEVEN: u16 = 128;
 
 #[derive(Clone, Copy, Debug)]
 pub struct Class {
@@ -35,7 +43,7 @@ const fn class(kind: Kind, bodies: usize, origin: i64) -> Class {
     Class { kind, bodies, origin }
 }
 
-pub const CLASSES: [Class; 13] = [
+pub const CLASSES: [Class; 19] = [
     class(Kind::Scattered, 8, 0),
     class(Kind::Scattered, 64, 0),
     class(Kind::Scattered, 256, 0),
@@ -49,6 +57,12 @@ pub const CLASSES: [Class; 13] = [
     class(Kind::Leaping, 4096, 0),
     class(Kind::Columns, 256, 0),
     class(Kind::Columns, 256, 7000),
+    class(Kind::Clumps, 256, 0),
+    class(Kind::Clumps, 1024, 0),
+    class(Kind::Huge, 256, 0),
+    class(Kind::Huge, 1024, 0),
+    class(Kind::Uneven, 256, 0),
+    class(Kind::Uneven, 1024, 0),
 ];
 
 /// Boxes in a column.
@@ -60,9 +74,17 @@ impl Class {
             Kind::Scattered => "boxes",
             Kind::Leaping => "boxes that leap",
             Kind::Columns => "boxes in columns",
+            Kind::Clumps => "boxes in clumps",
+            Kind::Huge => "boxes and a huge one",
+            Kind::Uneven => "boxes of uneven size",
         };
         let place = if self.origin > 0 { format!(" {} px from the origin", self.origin) } else { String::new() };
         format!("{} {what}{place}", self.bodies)
+    }
+
+    /// Whether there are boxes larger than a cell.
+    pub fn has_large(self) -> bool {
+        matches!(self.kind, Kind::Huge | Kind::Uneven)
     }
 
     /// A side of the scene in pixels.
@@ -70,15 +92,22 @@ impl Class {
         ((self.bodies as f64).sqrt() * 64.0).ceil() as i64
     }
 
-    /// Cells of 32 pixels along it: a power of two.
+    /// The side of a cell in pixels, as one would choose it: few boxes are larger. For uneven sizes
+    /// the best of 32, 64, 128 and 256.
+    pub fn cell(self) -> u16 {
+        if self.kind == Kind::Uneven { UNEVEN } else { 32 }
+    }
+
+    /// Cells along a side of the scene: a power of two.
     pub fn grid_columns(self) -> u16 {
-        (self.side() as u64).div_ceil(32).next_power_of_two() as u16
+        (self.side() as u64).div_ceil(self.cell().into()).next_power_of_two() as u16
     }
 
     pub fn frames(self, n: usize) -> Vec<Frame> {
         let mut r = Random::new(0xb0c5 + self.bodies as u64);
         let frames = match self.kind {
-            Kind::Scattered | Kind::Leaping => self.scattered(&mut r, n),
+            Kind::Scattered | Kind::Leaping | Kind::Huge => self.scattered(&mut r, n),
+            Kind::Clumps | Kind::Uneven => self.drifting(&mut r, n),
             Kind::Columns => self.columns(&mut r, n),
         };
         let by = self.origin * UNIT;
@@ -101,6 +130,9 @@ impl Class {
                 Moving { at, size, v: (r.around(2 * UNIT), r.around(2 * UNIT)) }
             })
             .collect();
+        if let (Kind::Huge, Some(first)) = (self.kind, bodies.first_mut()) {
+            *first = Moving { at: (side / 4, side / 4), size: (side / 2, side / 2), v: (0, 0) };
+        }
         let mut step = |b: &mut Moving| {
             if self.kind == Kind::Leaping && r.below(100) < 3 {
                 b.at = (r.within(0, side - b.size.0), r.within(0, side - b.size.1));
@@ -123,6 +155,41 @@ impl Class {
                 frame(&bodies)
             })
             .collect()
+    }
+
+    /// Each moves a pixel or two to and fro around a place of its own.
+    fn drifting(self, r: &mut Random, n: usize) -> Vec<Frame> {
+        let side = self.side() * UNIT;
+        let mut clump = (0, 0);
+        let bodies: Vec<(Bounds, Point)> = (0..self.bodies)
+            .map(|k| {
+                let most = side - 160 * UNIT;
+                if k % 32 == 0 {
+                    clump = (r.within(0, most), r.within(0, most));
+                }
+                let (at, size, moves) = if self.kind == Kind::Clumps {
+                    let size = (r.within(6 * UNIT, 24 * UNIT), r.within(6 * UNIT, 24 * UNIT));
+                    ((clump.0 + r.within(0, 128 * UNIT), clump.1 + r.within(0, 128 * UNIT)), size, true)
+                } else {
+                    // Of 256, 128 are 4 to 8 wide, 64 are 8 to 16, and so on.
+                    let wide = 4 << (k + 1).trailing_zeros().min(6);
+                    let size = (r.within(wide * UNIT, 2 * wide * UNIT), r.within(wide * UNIT, 2 * wide * UNIT));
+                    ((r.within(0, side - size.0), r.within(0, side - size.1)), size, k % 16 == 0)
+                };
+                let v = if moves { (r.around(2 * UNIT), r.around(2 * UNIT)) } else { (0, 0) };
+                (Bounds { lo: at, hi: (at.0 + size.0, at.1 + size.1) }, v)
+            })
+            .collect();
+        let at = |frame: usize| {
+            // Eight frames there, eight frames back.
+            let k = (frame % 16).min(16 - frame % 16) as i64;
+            let place = |(b, v): &(Bounds, Point)| {
+                let moved = |p: Point| (p.0 + v.0 * k, p.1 + v.1 * k);
+                Bounds { lo: moved(b.lo), hi: moved(b.hi) }
+            };
+            bodies.iter().map(place).collect()
+        };
+        (0..n).map(at).collect()
     }
 
     fn columns(self, r: &mut Random, n: usize) -> Vec<Frame> {

@@ -33,6 +33,15 @@ impl Truth {
         }
         Self { overlapping, touching }
     }
+
+    /// Pairs of a region and a box. The numbers of boxes begin with `held`.
+    pub fn of(regions: &Frame, boxes: &Frame, held: u32) -> Self {
+        let pairs = |apart: fn(i64, i64) -> bool| -> HashSet<(u32, u32)> {
+            let all = regions.iter().zip(0..).flat_map(|region| boxes.iter().zip(held..).map(move |b| (region, b)));
+            all.filter(|((a, _), (b, _))| meet(a, b, apart)).map(|((_, i), (_, j))| (i, j)).collect()
+        };
+        Self { overlapping: pairs(|lo, hi| lo >= hi), touching: pairs(|lo, hi| lo > hi) }
+    }
 }
 
 /// Missing is a pair that overlaps and is not told; extra is one that does not even touch, or is

@@ -1,0 +1,50 @@
+//! Our broad phases beside the trees of libraries.
+
+use crate::broad;
+use crate::record::Row;
+use std::fmt::Write;
+
+const OURS: [&str; 4] = ["sweep", "grid", "hash", "brute"];
+const TREES: [&str; 5] = ["parry2d", "Box2D", "broccoli", "rstar", "quadtree_rs"];
+
+/// Instructions of a backend's answer in a class.
+fn host(rows: &[Row], (workload, class): (&str, &str), (backend, asked): (&str, &str)) -> Option<f64> {
+    let is = |r: &&Row| (r.workload(), r.class()) == (workload, class) && (r.backend(), r.asked()) == (backend, asked);
+    rows.iter().find(is)?.get("host")
+}
+
+/// A section of the page: one table for each workload of boxes.
+pub fn page(rows: &[Row]) -> String {
+    let mut out = String::from(HEAD);
+    for workload in [broad::NAME, broad::regions::NAME] {
+        let names = OURS.iter().chain(&TREES).copied().collect::<Vec<_>>().join(" | ");
+        let _ = writeln!(out, "\n| {workload} | {names} | best tree / best of ours |\n|---|{}", "--:|".repeat(10));
+        let mut classes: Vec<&str> = Vec::new();
+        for row in rows.iter().filter(|r| r.workload() == workload && !r.class().is_empty()) {
+            if !classes.contains(&row.class()) {
+                classes.push(row.class());
+            }
+        }
+        for class in classes {
+            let of = |who| host(rows, (workload, class), who);
+            let ours = OURS.map(|asked| of(("tilesat", asked)));
+            let trees = TREES.map(|library| of((library, "tree")));
+            let least = |all: &[Option<f64>]| all.iter().flatten().copied().reduce(f64::min);
+            let ratio = least(&trees).zip(least(&ours)).map(|(tree, own)| format!("{:.2}", tree / own));
+            let cells = ours.iter().chain(&trees).map(|n| n.map_or(String::new(), |n| format!("{n:.0}")));
+            let cells = cells.chain(ratio).collect::<Vec<_>>().join(" | ");
+            let _ = writeln!(out, "| {class} | {cells} |");
+        }
+    }
+    out
+}
+
+const HEAD: &str = "
+## Grids and trees
+
+Instructions per frame. In the first table all boxes move and all pairs are told. In the second, the boxes of the first frame stay, and those of
+each frame are regions that are asked for. `clumps`: 32 boxes in 128 x 128 px, and nothing between. `a huge one`: half as wide as the scene.
+`uneven`: sides from 4 to 512 px, half as many of twice the side, and one in sixteen moves; the grid and the hash have cells of 128 px there, their
+best, and 32 px elsewhere. Larger boxes go into their separate list. rstar and quadtree_rs are packed or filled in each frame of pairs, which is
+faster than moving each box; a smallest square of the quadtree is 32 px, its best.
+";
