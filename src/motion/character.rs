@@ -186,7 +186,8 @@ impl<B: Body> Character<B> {
     }
 
     /// The second half of [`step_on`](Self::step_on), in a level [`Joined`] with the solids at
-    /// their new positions. `carry` is the motion that [`ride`](Self::ride) returned.
+    /// their new positions. `carry` is the motion that [`ride`](Self::ride) returned, whose example
+    /// shows both.
     ///
     /// # Errors
     /// As [`step`](Self::step).
@@ -250,6 +251,32 @@ impl<B: Body> Character<B> {
     ///
     /// Returns the outcome and a motion: that of the solid that it stood on, or in the air how far
     /// it was pushed.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Character, Feel, Input, Joined, Outcome, Solid, Solids, TileKinds, TileMap, Vec2};
+    /// let level = TileMap::from_ascii("....\n....", &TileKinds::EMPTY)?;
+    /// let limits = Aabb::new(level.origin(), level.grid().end())?;
+    /// let lift = Solid::new(Aabb::new(Vec2::from_ints(0, 20), Vec2::from_ints(40, 24))?, 7)?;
+    /// let mut solids = [lift.with_motion(Vec2::from_ints(1, 0))?];
+    /// let at = |x| Aabb::new(Vec2::from_ints(x, 10), Vec2::from_ints(x + 8, 20));
+    /// let mut heroes = [4, 24].map(|x| Character::new(at(x).unwrap(), limits, Feel::DEFAULT));
+    /// for _ in 0..4 {
+    ///     let mut carries = [Vec2::ZERO; 2];
+    ///     for (hero, carry) in heroes.iter_mut().zip(&mut carries) {
+    ///         let (outcome, by) = hero.ride(&level, &solids, false)?;
+    ///         assert_eq!(outcome, Outcome::Moved);
+    ///         *carry = by;
+    ///     }
+    ///     Solid::move_all(&mut solids);
+    ///     let moved = solids.map(|solid| solid.with_motion(Vec2::from_ints(1, 0)).unwrap());
+    ///     for (hero, carry) in heroes.iter_mut().zip(carries) {
+    ///         hero.step_carried(&Joined::new(&level, &Solids::new(&moved)), Input::default(), carry)?;
+    ///     }
+    ///     solids = moved;
+    /// }
+    /// assert_eq!(heroes.map(|hero| hero.body().min()), [Vec2::from_ints(8, 10), Vec2::from_ints(28, 10)]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// As [`step`](Self::step).

@@ -245,6 +245,18 @@ impl Hits {
 
     /// Copies the hits into a vector of any capacity, first to last.
     ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("..#\n..#\n###", &KINDS)?;
+    /// let body = Aabb::new(Vec2::from_ints(16, 16), Vec2::from_ints(24, 26))?;
+    /// let moved = Mover::new().move_and_slide(&level, &body, Vec2::from_ints(16, 9))?;
+    /// let mut log = heapless::Vec::<_, 8>::new(); // of several frames, or of several bodies
+    /// moved.hits.copy_to(&mut log)?;
+    /// assert_eq!(log.iter().map(|hit| hit.axis).collect::<Vec<_>>(), [Axis::NEG_X, Axis::NEG_Y]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Truncated`] if they do not fit. `out` then holds the earliest.
     pub fn copy_to(&self, out: &mut heapless::VecView<Hit>) -> Result<(), Truncated> {

@@ -176,6 +176,25 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// Adds `by` to a body's velocity, and wakes the body.
     ///
+    /// ```
+    /// use tilesat::broad::{BroadPhase, SortSweep};
+    /// use tilesat::scene::{SceneBody, SceneTag};
+    /// use tilesat::{Aabb, Scene, Vec2};
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
+    /// let (near, far) = (scene.insert(&SceneBody::new(at(10)?, 1))?, scene.insert(&SceneBody::new(at(90)?, 2))?);
+    /// // An explosion at (0, 0), of 40 units.
+    /// let mut hit = heapless::Vec::<_, 8>::new();
+    /// let region = Aabb::new(Vec2::from_ints(-40, -40), Vec2::from_ints(40, 40))?;
+    /// scene.near().in_region(&region, |handle| hit.push(handle).expect("as many places as bodies"));
+    /// for handle in hit {
+    ///     scene.push(handle, Vec2::from_ints(5, -5))?;
+    /// }
+    /// assert_eq!(scene.body(near)?.velocity, Vec2::from_ints(5, -5));
+    /// assert_eq!(scene.body(far)?.velocity, Vec2::ZERO);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Stale`](crate::broad::BroadError::Stale), and velocities that no step can make. Nothing is
     /// changed then.
@@ -280,6 +299,27 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
 
     /// Wakes the bodies with boxes that touch a region, borders included: the region of a tile that
     /// changed, or of an explosion. The bodies that these touch wake one step later.
+    ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::scene::{SceneBody, SceneTag};
+    /// use tilesat::{Aabb, Scene, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let (closed, open) = ("..\n##", "..\n#."); // a trapdoor below x = 16
+    /// let closed = TileMap::from_ascii(closed, &KINDS)?;
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let barrel = scene.insert(&SceneBody::new(Aabb::new(Vec2::from_ints(18, 8), Vec2::from_ints(26, 16))?, 1))?;
+    /// let gravity = Vec2::from_raw(0, 1 << 14);
+    /// for _ in 0..100 {
+    ///     scene.step(&closed, gravity, |_| {})?;
+    /// }
+    /// assert!(!scene.is_awake(barrel)?);
+    /// let open = TileMap::from_ascii(open, &KINDS)?;
+    /// scene.wake_region(&Aabb::new(Vec2::from_ints(16, 16), Vec2::from_ints(32, 32))?);
+    /// scene.step(&open, gravity, |_| {})?;
+    /// assert!(scene.body(barrel)?.velocity.y > 0); // it falls
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// Cost: a region query.
     pub fn wake_region(&mut self, region: &Aabb) {

@@ -100,6 +100,16 @@ impl Particle {
     /// The point, pushed through a level as far as possible, along the surfaces that it meets. Its
     /// velocity changes by the part of the push that it made.
     ///
+    /// ```
+    /// use tilesat::{Mover, TileKind, TileKinds, TileMap, Vec2, fx, motion::response::Particle};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii(".#", &KINDS)?; // the wall is at x = 16
+    /// let point = Particle::at(Vec2::from_ints(8, 8));
+    /// let pushed = point.pushed_in(&level, &Mover::new(), fx!(2), Vec2::from_ints(10, 3))?;
+    /// assert_eq!((pushed.position, pushed.velocity()), (Vec2::from_ints(14, 11), Vec2::from_ints(6, 3)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`step_in`](Self::step_in).
     pub fn pushed_in<W: World, S: Law>(

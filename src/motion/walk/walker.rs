@@ -90,6 +90,24 @@ impl Walker {
     /// stands. A lift that sinks by more than `follow` and less than the snap would otherwise pull
     /// the walker down in each frame, and never carry it sideways.
     ///
+    /// ```
+    /// use tilesat::{AllShapes, Aabb, Axis, Mover, TileKind, TileKinds, TileMap, TileShape, Vec2, Walker, fx};
+    /// static KINDS: TileKinds =
+    ///     TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'\\', TileKind::of(TileShape::SlopeBottomLeft));
+    /// let level = TileMap::<AllShapes>::of_ascii("...\n#\\.", &KINDS)?; // a slope down from (16, 16)
+    /// let (mut body, run) = (Aabb::new(Vec2::from_ints(12, 6), Vec2::from_ints(20, 16))?, Vec2::from_ints(4, 0));
+    /// let walker = Walker::new(Mover::platformer(Axis::NEG_Y)).with_snap(fx!(6))?;
+    /// let (mut floor, mut feet) = (walker.walk(&level, &body, Vec2::from_ints(0, 1), None)?.floor, Vec::new());
+    /// for _ in 0..3 {
+    ///     let walked = walker.walk(&level, &body, run, floor)?;
+    ///     (body, floor) = (walked.moved.body, walked.floor);
+    ///     feet.push(body.max().y.to_num::<i32>());
+    ///     assert!(walked.on_floor());
+    /// }
+    /// assert!(feet[2] > feet[1] && feet[1] > 16); // down the slope, and never in the air
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`RangeError`] if the length is negative or not below 2^28 raw.
     #[doc(alias("floor_snap_length", "snap_to_ground"))]
@@ -101,6 +119,20 @@ impl Walker {
     }
 
     /// The same walker that climbs steps of up to `height` on level ground.
+    ///
+    /// ```
+    /// use tilesat::{AllShapes, Aabb, Axis, Mover, TileKind, TileKinds, TileMap, TileShape, Vec2, Walker, fx};
+    /// static KINDS: TileKinds =
+    ///     TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'_', TileKind::of(TileShape::HalfBottom));
+    /// let level = TileMap::<AllShapes>::of_ascii("...\n.__\n###", &KINDS)?; // a step of 8 units at x = 16
+    /// let body = Aabb::new(Vec2::from_ints(2, 22), Vec2::from_ints(12, 32))?;
+    /// let walker = Walker::new(Mover::platformer(Axis::NEG_Y));
+    /// let floor = walker.walk(&level, &body, Vec2::from_ints(0, 1), None)?.floor;
+    /// let walk = |walker: Walker| walker.walk(&level, &body, Vec2::from_ints(8, 0), floor);
+    /// assert_eq!(walk(walker)?.moved.position(), Vec2::from_ints(6, 22)); // up to the step
+    /// assert_eq!(walk(walker.with_step(fx!(8))?)?.moved.position(), Vec2::from_ints(10, 14));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`RangeError`] if the height is negative or not below 2^28 raw.
