@@ -137,6 +137,7 @@ machine() {
     echo "| roots | on the desktop tilesat has its feature \`libm\`, so that casts of circles take the processor's root; on microcontrollers it has not |"
     echo "| rapier2d | $(version rapier2d): its character controller, which slides by parry2d's casts; its pairs are parry2d's |"
     echo "| broccoli | $(version broccoli): its tree, built again in each frame |"
+    echo "| rstar, quadtree_rs | $(version rstar), $(version quadtree_rs): packed or filled again in each frame of pairs |"
     echo "| moves without Chipmunk2D | it has no mover; Box2D's is a capsule, so it moves circles alone |"
     echo "| parry2d on microcontrollers | without an allocator: no grid for rays, and casts of circles against circles alone |"
     echo "| moves and broad phases on microcontrollers | without an allocator: ours and the textbook's; the trees of parry2d and broccoli, rapier2d and Box2D want a heap |"
