@@ -37,8 +37,9 @@ pub struct SceneBody {
     /// Its friction and restitution at the level. If two bodies meet, the surface that bounces more
     /// counts, on a tie the one with less friction.
     pub surface: Surface,
-    /// The flags of the level that it touches, bounces off or slides along instead: a grenade that
-    /// sticks to mud. Surfaces without them get [`surface`](Self::surface).
+    /// What it does where the level has flags, in place of bouncing as its
+    /// [`surface`](Self::surface) says: a grenade that stops in mud touches it, and a ball slides
+    /// along grass.
     pub responses: Responses,
     /// Which bodies it meets. [Sensors](Filter::sensor) are reported; they push nobody and nobody
     /// pushes them. The scene sets [still](Filter::still).

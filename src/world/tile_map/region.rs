@@ -164,9 +164,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The tiles that a box, circle or point has a point in common with anywhere on a straight way:
     /// every coin that a fast body takes, each once.
     ///
-    /// The tiles are those of [`flags_swept`](Self::flags_swept), row after row, solid or not; in
-    /// which order the body meets them, [`cast_shape`](Self::cast_shape) or the cells' places say.
-    /// Exact. Cost: one look-up and one exact test for each cell of the bounding box of the way.
+    /// The tiles are those of [`flags_swept`](Self::flags_swept), solid or not. They come row after
+    /// row, not in the order of the way. Exact. Cost: one look-up and one exact test for each cell
+    /// of the bounding box of the way.
     ///
     /// ```
     /// use tilesat::{Cell, Circle, Fx, TileKind, TileKinds, TileMap, Vec2};
