@@ -6,7 +6,7 @@
 #   run.sh --quick         judge, count and show with few inputs, into target/precision: nothing in the repository is written
 #   run.sh --only "STEP.." only these of: judge count micro flash show; adds to what is there
 #   run.sh --untimed       judges without times: on a machine that is busy, or for rows whose code is as it was
-#   run.sh --parts "P.."   judges and counts only these of: pairs rays casts moves levels broad; with or without --only
+#   run.sh --parts "P.."   judges and counts only these of: pairs rays casts moves levels broad regions; with or without --only
 #   run.sh --soak N        asks each pair of shapes N times around touches; goes on where it ended (target/precision/soak.txt)
 #
 # Needs a C compiler (Box2D, Chipmunk2D), valgrind (count) and the emulator of .ci/get-emulators.sh (micro).
@@ -85,8 +85,8 @@ micro() {
     mkdir -p "$PRECISION_INPUTS"
     "$bench" inputs "$PRECISION_INPUTS"
     local core part asked=(pairs rays casts moves broad)
-    # What asks whole levels is counted on the host alone.
-    ((${#parts[@]})) && mapfile -t asked < <(printf '%s\n' "${parts[@]}" | grep -vx levels)
+    # What asks whole levels, and regions, is counted on the host alone.
+    ((${#parts[@]})) && mapfile -t asked < <(printf '%s\n' "${parts[@]}" | grep -vx -e levels -e regions)
     for core in "${cores[@]}"; do
         echo "instructions on ${core%:*}: ${asked[*]}" >&2
         for part in "${asked[@]}"; do

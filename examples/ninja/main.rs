@@ -15,9 +15,8 @@
 
 use std::process::ExitCode;
 
-use tilesat::motion::response::Particle;
-use tilesat::{Circle, Fx, Vec2, World};
-use tilesat_games::ninja::{Ninja, Ragdoll, Rope, Script, State, level, ragdoll, rope};
+use tilesat::{Circle, RangeError, World};
+use tilesat_games::ninja::{Ninja, Script, State, Sticks, level, ragdoll, rope};
 use tilesat_tools::fail::{Fail, Result};
 use tilesat_tools::picture::ink::{BOUNCE, COIN, CONTACT, CROSS, Ink, PLAYER, SLIDE, TOUCH};
 use tilesat_tools::picture::sketch::{self, Sketch};
@@ -59,8 +58,8 @@ fn play() -> Result<()> {
     }
     sketch.way(&way, 2.5, ink(ninja.state));
     sketch.ring(ninja.body.centre(), 6.0, 3.0, PLAYER);
-    let fell = die(&level, &ninja, &mut sketch)?;
-    let swung = hang(&level, &mut sketch)?;
+    let fell = settle(&level, ragdoll(&ninja), FRAMES, &mut sketch)?;
+    let swung = settle(&level, rope(level::NAIL), 60, &mut sketch)?;
     let summary = format!(
         "frames={frame} jumps={} wall_jumps={} fastest={:.2} done={} ragdoll_at_rest_after={fell} rope_after={swung}",
         ninja.jumps,
@@ -74,46 +73,32 @@ fn play() -> Result<()> {
     if script.is_done() { Ok(()) } else { Err(Fail::new("the script did not come to its end")) }
 }
 
-/// Draws the ragdoll until it lies. Returns its frames.
-fn die(level: &impl World, ninja: &Ninja, sketch: &mut Sketch) -> Result<u32> {
-    let mut doll = Ragdoll::of(ninja).map_err(|e| Fail::new(e.to_string()))?;
+/// Moves points until they lie still, and draws the first frames and the last. Returns the frames.
+fn settle<const N: usize, const L: usize>(
+    level: &impl World,
+    points: std::result::Result<Sticks<N, L>, RangeError>,
+    drawn: u32,
+    sketch: &mut Sketch,
+) -> Result<u32> {
+    let mut points = points.map_err(|e| Fail::new(e.to_string()))?;
     for frame in 0..FRAMES {
-        let lies = doll.step(level).map_err(|e| Fail::new(format!("ragdoll, frame {frame}: {e}")))?;
-        outside(level, &doll.points, ragdoll::RADIUS)?;
-        if lies || frame % 10 == 0 {
-            let ink = if lies { CONTACT } else { CONTACT.alpha(0.4) };
-            for link in &doll.links {
-                let ends = [link.a, link.b].map(|k| doll.points[usize::from(k)].position);
-                sketch.way(&ends, if lies { 3.0 } else { 1.5 }, ink);
+        let lies = points.step(level).map_err(|e| Fail::new(format!("frame {frame} of points: {e}")))?;
+        let mut discs = points.points.iter().filter_map(|point| Circle::new(point.position, points.radius).ok());
+        if discs.any(|disc| level.overlaps_circle(&disc)) {
+            return Err(Fail::new(format!("frame {frame}: a point is inside the level")));
+        }
+        if lies || frame % 10 == 0 && frame < drawn {
+            let (width, ink) = if lies { (3.0, CONTACT) } else { (1.2, CONTACT.alpha(0.4)) };
+            for link in &points.links {
+                let ends = [link.a, link.b].map(|k| points.points[usize::from(k)].position);
+                sketch.way(&ends, width, ink);
             }
         }
         if lies {
             return Ok(frame);
         }
     }
-    Err(Fail::new("the ragdoll does not come to rest"))
-}
-
-/// Draws the rope as it begins, as it falls, and as it hangs. Returns its frames.
-fn hang(level: &impl World, sketch: &mut Sketch) -> Result<u32> {
-    let mut rope = Rope::at(level::NAIL).map_err(|e| Fail::new(e.to_string()))?;
-    for frame in 0..FRAMES {
-        let lies = rope.step(level).map_err(|e| Fail::new(format!("rope, frame {frame}: {e}")))?;
-        outside(level, &rope.points, rope::RADIUS)?;
-        if lies || frame % 10 == 0 && frame < 60 {
-            let way: Vec<Vec2> = rope.points.iter().map(|point| point.position).collect();
-            sketch.way(&way, if lies { 3.0 } else { 1.0 }, if lies { CONTACT } else { CONTACT.alpha(0.4) });
-        }
-        if lies {
-            return Ok(frame);
-        }
-    }
-    Err(Fail::new("the rope does not come to rest"))
-}
-
-fn outside(level: &impl World, points: &[Particle], radius: Fx) -> Result<()> {
-    let inside = |point: &Particle| Circle::new(point.position, radius).is_ok_and(|disc| level.overlaps_circle(&disc));
-    if points.iter().any(inside) { Err(Fail::new("a point is inside the level")) } else { Ok(()) }
+    Err(Fail::new("points do not come to rest"))
 }
 
 fn ink(state: State) -> Ink {

@@ -1,7 +1,7 @@
 //! Broad phases of libraries.
 
 use super::phases::{Phase, add};
-use super::scenes::{Bounds, Frame};
+use super::scenes::{Bounds, Frame, px};
 use super::truth::Answer;
 use crate::job::{Format, List};
 use crate::peers::{BROCCOLI, box2d};
@@ -21,12 +21,16 @@ struct ParryTree {
     work: BvhWorkspace,
 }
 
+pub fn parry_box(bounds: &Bounds) -> Aabb {
+    let place = crate::peers::parry::single::vector;
+    Aabb::new(place(bounds.lo), place(bounds.hi))
+}
+
 impl Phase for ParryTree {
     type Box = Aabb;
 
     fn boxed(bounds: &Bounds) -> Aabb {
-        let place = crate::peers::parry::single::vector;
-        Aabb::new(place(bounds.lo), place(bounds.hi))
+        parry_box(bounds)
     }
 
     fn frame(&mut self, boxes: &[Aabb], pairs: &mut Answer) {
@@ -46,7 +50,6 @@ impl Phase for Broccoli {
     type Box = broccoli::axgeom::Rect<f32>;
 
     fn boxed(bounds: &Bounds) -> Self::Box {
-        let px = |raw: i64| (raw as f64 / 65536.0) as f32;
         rect(px(bounds.lo.0), px(bounds.hi.0), px(bounds.lo.1), px(bounds.hi.1))
     }
 

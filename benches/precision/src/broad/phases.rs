@@ -73,60 +73,72 @@ pub fn add<P: Phase>(
     list.0.push(Backend { name, asked, format, make, fits: |_| true });
 }
 
-/// Any of the library's; the slots are given in order.
-struct Own<B>(B);
+/// What a frame asks of a broad phase.
+pub trait Ask: 'static {
+    fn ask<B: BroadPhase<Tag = ()>>(near: &mut B, boxes: &[Aabb], answer: &mut Answer);
+}
 
-impl<B: BroadPhase<Tag = ()> + 'static> Own<B> {
+/// All boxes move, and all pairs are told.
+pub struct Pairs;
+
+impl Ask for Pairs {
+    fn ask<B: BroadPhase<Tag = ()>>(near: &mut B, boxes: &[Aabb], pairs: &mut Answer) {
+        near.move_each(|handle, _| boxes[handle.slot()]).expect("boxes are smaller than cells");
+        near.pairs(|pair| pairs.push((pair.a.slot() as u32, pair.b.slot() as u32)));
+    }
+}
+
+/// Any of the library's; the slots are given in order.
+struct Own<B, A>(B, PhantomData<A>);
+
+impl<B: BroadPhase<Tag = ()> + 'static, A: Ask> Own<B, A> {
     fn of(mut near: B, boxes: &[Aabb]) -> Self {
         for bounds in boxes {
             near.insert(bounds, ()).expect("there is room for all of them");
         }
-        Self(near)
+        Self(near, PhantomData)
     }
 }
 
-impl<B: BroadPhase<Tag = ()> + 'static> Phase for Own<B> {
+impl<B: BroadPhase<Tag = ()> + 'static, A: Ask> Phase for Own<B, A> {
     type Box = Aabb;
 
     fn boxed(bounds: &Bounds) -> Aabb {
         Aabb::new(ours::vec2(bounds.lo), ours::vec2(bounds.hi)).expect("scenes stay inside the domain")
     }
 
-    fn frame(&mut self, boxes: &[Aabb], pairs: &mut Answer) {
-        self.0.move_each(|handle, _| boxes[handle.slot()]).expect("boxes are smaller than cells");
-        self.0.pairs(|pair| pairs.push((pair.a.slot() as u32, pair.b.slot() as u32)));
+    fn frame(&mut self, boxes: &[Aabb], answer: &mut Answer) {
+        A::ask(&mut self.0, boxes, answer);
     }
 }
 
 /// For as many bodies, blocks of 32 cells, and buckets: at least 64.
-fn sized<const N: usize, const BLOCKS: usize, const BUCKETS: usize, const LARGE: bool>(
+fn sized<A: Ask, const N: usize, const BLOCKS: usize, const BUCKETS: usize, const LARGE: bool>(
     list: &mut List<Frame, Answer>,
     class: Class,
 ) {
     let corner = ours::vec2((class.origin << 16, class.origin << 16));
     let (cell, named) = (Fx::from_num(class.cell()), |asked| (ours::NAME, asked, Format::RAW));
-    add(list, named("sweep"), |boxes| Own::of(SortSweep::<N>::new(), boxes));
+    add(list, named("sweep"), |boxes| Own::<_, A>::of(SortSweep::<N>::new(), boxes));
     add(list, named("grid"), move |boxes| {
-        Own::of(
-            LooseGrid::<BLOCKS, N, (), LARGE>::new(corner, cell, class.grid_columns()).expect("a legal grid"),
-            boxes,
-        )
+        let near = LooseGrid::<BLOCKS, N, (), LARGE>::new(corner, cell, class.grid_columns());
+        Own::<_, A>::of(near.expect("a legal grid"), boxes)
     });
     add(list, named("hash"), move |boxes| {
-        Own::of(SpatialHash::<BUCKETS, N, (), LARGE>::new(cell).expect("a legal cell"), boxes)
+        Own::<_, A>::of(SpatialHash::<BUCKETS, N, (), LARGE>::new(cell).expect("a legal cell"), boxes)
     });
-    add(list, named("brute"), |boxes| Own::of(BruteForce::<N>::new(), boxes));
+    add(list, named("brute"), |boxes| Own::<_, A>::of(BruteForce::<N>::new(), boxes));
 }
 
-pub fn library(list: &mut List<Frame, Answer>, class: Class) {
+pub fn library<A: Ask>(list: &mut List<Frame, Answer>, class: Class) {
     match (class.bodies, class.has_large()) {
-        (8, _) => sized::<8, 2, 64, false>(list, class),
-        (64, _) => sized::<64, 8, 64, false>(list, class),
-        (256, false) => sized::<256, 32, 256, false>(list, class),
-        (256, true) => sized::<256, 32, 256, true>(list, class),
-        (1024, false) => sized::<1024, 128, 1024, false>(list, class),
-        (1024, true) => sized::<1024, 128, 1024, true>(list, class),
-        _ => sized::<4096, 512, 4096, false>(list, class),
+        (8, _) => sized::<A, 8, 2, 64, false>(list, class),
+        (64, _) => sized::<A, 64, 8, 64, false>(list, class),
+        (256, false) => sized::<A, 256, 32, 256, false>(list, class),
+        (256, true) => sized::<A, 256, 32, 256, true>(list, class),
+        (1024, false) => sized::<A, 1024, 128, 1024, false>(list, class),
+        (1024, true) => sized::<A, 1024, 128, 1024, true>(list, class),
+        _ => sized::<A, 4096, 512, 4096, false>(list, class),
     }
 }
 

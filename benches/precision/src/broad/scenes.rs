@@ -11,6 +11,11 @@ pub struct Bounds {
     pub hi: Point,
 }
 
+/// Pixels of a raw place.
+pub fn px(raw: i64) -> f32 {
+    (raw as f64 / 65536.0) as f32
+}
+
 pub type Frame = Vec<Bounds>;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,8 +33,6 @@ pub enum Kind {
     /// 32 on top of each other, within 2 raw units of touching; the columns sway.
     Columns,
 }
-
-const UNEVEN: u16 = 128;
 
 #[derive(Clone, Copy, Debug)]
 pub struct Class {
@@ -93,9 +96,9 @@ impl Class {
     }
 
     /// The side of a cell in pixels, as one would choose it: few boxes are larger. For uneven sizes
-    /// the best of 32, 64, 128 and 256.
+    /// the best of 32, 64, 128 and 256, but for regions among 256 boxes, where 64 is.
     pub fn cell(self) -> u16 {
-        if self.kind == Kind::Uneven { UNEVEN } else { 32 }
+        if self.kind == Kind::Uneven { 128 } else { 32 }
     }
 
     /// Cells along a side of the scene: a power of two.

@@ -18,29 +18,32 @@ fn meet(a: &Bounds, b: &Bounds, apart: impl Fn(i64, i64) -> bool) -> bool {
     !(apart(a.lo.0, b.hi.0) || apart(b.lo.0, a.hi.0) || apart(a.lo.1, b.hi.1) || apart(b.lo.1, a.hi.1))
 }
 
+/// Whether they have a point in common.
+pub fn touch(a: &Bounds, b: &Bounds) -> bool {
+    meet(a, b, |lo, hi| lo > hi)
+}
+
 impl Truth {
-    pub fn new(frame: &Frame) -> Self {
+    fn among<'a>(all: impl Iterator<Item = [(&'a Bounds, u32); 2]>) -> Self {
         let (mut overlapping, mut touching) = (HashSet::new(), HashSet::new());
-        for (i, a) in frame.iter().enumerate() {
-            for (j, b) in frame.iter().enumerate().skip(i + 1) {
-                if meet(a, b, |lo, hi| lo > hi) {
-                    touching.insert((i as u32, j as u32));
-                    if meet(a, b, |lo, hi| lo >= hi) {
-                        overlapping.insert((i as u32, j as u32));
-                    }
-                }
+        for [(a, i), (b, j)] in all.filter(|[(a, _), (b, _)]| touch(a, b)) {
+            touching.insert((i, j));
+            if meet(a, b, |lo, hi| lo >= hi) {
+                overlapping.insert((i, j));
             }
         }
         Self { overlapping, touching }
     }
 
+    /// All pairs of the boxes of a frame.
+    pub fn pairs(frame: &Frame) -> Self {
+        let after = |i: u32| frame.iter().zip(0..).skip(i as usize + 1);
+        Self::among(frame.iter().zip(0..).flat_map(|a| after(a.1).map(move |b| [a, b])))
+    }
+
     /// Pairs of a region and a box. The numbers of boxes begin with `held`.
-    pub fn of(regions: &Frame, boxes: &Frame, held: u32) -> Self {
-        let pairs = |apart: fn(i64, i64) -> bool| -> HashSet<(u32, u32)> {
-            let all = regions.iter().zip(0..).flat_map(|region| boxes.iter().zip(held..).map(move |b| (region, b)));
-            all.filter(|((a, _), (b, _))| meet(a, b, apart)).map(|((_, i), (_, j))| (i, j)).collect()
-        };
-        Self { overlapping: pairs(|lo, hi| lo >= hi), touching: pairs(|lo, hi| lo > hi) }
+    pub fn regions(regions: &Frame, boxes: &Frame, held: u32) -> Self {
+        Self::among(regions.iter().zip(0..).flat_map(|region| boxes.iter().zip(held..).map(move |b| [region, b])))
     }
 }
 
@@ -70,7 +73,7 @@ mod tests {
 
     fn judged(frame: &Frame, answer: &[(u32, u32)]) -> (f64, f64, f64) {
         let mut row = Row::new("w", "c", "b", "q");
-        judge(&mut row, &[Truth::new(frame)], &[answer.to_vec()]);
+        judge(&mut row, &[Truth::pairs(frame)], &[answer.to_vec()]);
         let cell = |name| row.get(name).unwrap();
         (cell("queries"), cell("wrong"), cell("extra"))
     }

@@ -18,7 +18,7 @@ pub enum State {
 }
 
 /// Raw units (1/65536 pixel) a frame, or a frame squared.
-const GRAVITY: i32 = 4400;
+pub(super) const GRAVITY: i32 = 4400;
 const RISE: i32 = 2000;
 const RUN: i32 = 4400;
 const FLY: i32 = 2900;
