@@ -6,7 +6,7 @@ use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::set::Sleep;
 use super::set::rouse;
 use super::trip::Trip;
-use super::view::{Each, One, View};
+use super::view::{Each, View};
 use super::way::{BodyWay, Pace};
 use super::{Scene, SceneBody, SceneError, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
@@ -75,7 +75,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         counts: impl FnMut(Pair) -> bool,
         each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
-        self.run(&One(level), gravity, counts, each)
+        self.step_in(|_| level, gravity, counts, each)
     }
 
     /// Like [`step_with`](Self::step_with), with a level for each body: ghosts that pass curtains,
@@ -112,16 +112,6 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         &mut self,
         level_of: impl Fn(&SceneBody) -> &'l W,
         gravity: Vec2,
-        counts: impl FnMut(Pair) -> bool,
-        each: impl FnMut(SceneEvent<'_>),
-    ) -> Result<Stepped, SceneError> {
-        self.run(&Each::by(level_of), gravity, counts, each)
-    }
-
-    fn run<V: View>(
-        &mut self,
-        view: &V,
-        gravity: Vec2,
         mut counts: impl FnMut(Pair) -> bool,
         mut each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
@@ -138,7 +128,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
             stepped.woken = (self.count - awake) as u16;
             self.tell_woken(awake);
         }
-        if self.travel(view, gravity, &mut stepped, &mut counts, &mut each) {
+        if self.travel(&Each::by(level_of), gravity, &mut stepped, &mut counts, &mut each) {
             self.fall_asleep(&mut stepped);
         }
         Ok(stepped)

@@ -4,22 +4,13 @@ use super::SceneBody;
 use crate::world::World;
 use core::marker::PhantomData;
 
+/// The level of each body. One name for a call and for the level that it returns.
 pub(super) trait View {
     type Level: World;
     fn level(&self, body: &SceneBody) -> &Self::Level;
 }
 
-/// One level for all.
-pub(super) struct One<'l, W>(pub(super) &'l W);
-
-impl<W: World> View for One<'_, W> {
-    type Level = W;
-    fn level(&self, _: &SceneBody) -> &W {
-        self.0
-    }
-}
-
-/// A level for each.
+/// A call that says which.
 pub(super) struct Each<'l, W, F> {
     of: F,
     level: PhantomData<&'l W>,
