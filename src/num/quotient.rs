@@ -303,6 +303,9 @@ pub const fn mul_div(a: u32, b: u32, d: u32) -> u32 {
         if b == d {
             return a;
         }
+        if a == d {
+            return b;
+        }
     }
     let n = umul(a, b);
     if (n >> 32) as u32 >= d {
