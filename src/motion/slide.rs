@@ -120,7 +120,7 @@ impl<S: Law> Mover<S> {
         let passes = run.pass_one_way || self.passes_one_way();
         let first = hit.is_some() && core::mem::take(&mut run.is_first);
         let mut of_hit = None;
-        let mut ways = Ways::NONE;
+        let mut ways = Ways::none();
         if let Some((entry, _)) = hit {
             run.came |= way(made) > NEAR;
             // The hit is passed on too: if the body had to stay back from it, it is not near.
@@ -258,9 +258,15 @@ fn lay_on<B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: &Feature) 
 
 fn is_hop(plane: &Plane, u: Raw, made: Raw) -> bool {
     let Plane { normal: n, bend: Bend::Convex } = *plane else { return false };
-    let m = Raw { x: n.x, y: n.y };
+    let (m, along) = (Raw { x: n.x, y: n.y }, across(u, n));
+    // Mostly s is well above a quarter of rho, which needs no root: `s = |along| / |n|` down to a raw
+    // unit, and `|n| <= |n.x| + |n.y|`.
+    let rounding = u64::from(n.x.unsigned_abs().wrapping_add(n.y.unsigned_abs())) << 3;
+    if along.unsigned_abs() << 2 > m.len2().wrapping_add(rounding) {
+        return false;
+    }
     let (rho, was) = (isqrt64(m.len2()), isqrt64(m.sub(made).len2()));
-    let s = tangential(across(u, n), n);
+    let s = tangential(along, n);
     s <= rho >> 2 && umul(rho, was.saturating_sub(rho).saturating_sub(NEAR)) * 2 <= usqr(s)
 }
 

@@ -14,6 +14,7 @@ use super::plane::{NEAR, across, into, project, way};
 use super::response::Smooth;
 use crate::num::{Axis, Raw, Toi, cmp_squares, mul_div, umul};
 use crate::world::{Feature, Geometry, World};
+use core::array::from_fn;
 use core::ops::Range;
 
 /// A way on.
@@ -81,12 +82,28 @@ impl Way {
         self.along.map_or((u64::MAX, 1), |p| (across(of, p.normal).unsigned_abs(), p.normal.length_squared()))
     }
 
+    /// Whether it is longer than another projection, if the rounded velocities show that. They differ
+    /// from the lengths before rounding by less than 32 raw, see [`project`]. With
+    /// `|v| <= |v.x| + |v.y|`, squares then need no root: `(|v| + 64)^2`.
+    fn is_clearly_longer(&self, other: &Self) -> Option<bool> {
+        let above = |v: Raw, square: u64| {
+            let sum = u64::from(v.x.unsigned_abs()).wrapping_add(v.y.unsigned_abs().into());
+            square.wrapping_add(sum << 7).wrapping_add(1 << 12)
+        };
+        let (a, b) = (self.v.len2(), other.v.len2());
+        let longer = a > above(other.v, b);
+        (longer || b > above(self.v, a)).then_some(longer)
+    }
+
     /// The velocity itself goes first, then its longer projections. Of equal lengths, mirrored or
     /// not, the one longer along x goes first, then +. Then the planes decide in the same way. The
     /// order of visits never decides.
     fn goes_before(&self, other: &Self, of: Raw) -> bool {
         if self.along.is_none() || other.along.is_none() {
             return self.along.is_none();
+        }
+        if let Some(longer) = self.is_clearly_longer(other) {
+            return longer;
         }
         let ((a, n), (b, m)) = (self.length(of), other.length(of));
         let along = |v: Raw| (v.x.unsigned_abs(), v.y.unsigned_abs(), v.x, v.y);
@@ -141,7 +158,10 @@ struct Near {
 }
 
 impl Near {
-    const NONE: Self = Self { features: [None; 4], all: true };
+    fn clear(&mut self) {
+        self.features.iter_mut().for_each(|slot| *slot = None);
+        self.all = true;
+    }
 
     fn push(&mut self, feature: &Feature) {
         match self.features.iter_mut().find(|slot| slot.is_none()) {
@@ -156,16 +176,16 @@ impl Near {
     }
 }
 
-/// Reads the features within [`FAR`] of a body.
+/// Reads the features within [`FAR`] of a body's bounds.
 ///
 /// It calls the visitor through a pointer: three copies of the walk over a level took 2 KB of
 /// flash.
 #[inline(never)]
 fn each_near<W: World, B: Body>(world: &W, body: &B, passes: bool, visit: &mut dyn FnMut(&Feature)) {
     let region = surroundings(&body.bounds(), FAR);
-    let mut features = world.features(&region);
+    let mut features = world.features_near(&region, body.meets_joints());
     while let Some(feature) = &features.next() {
-        if !(feature.one_way && passes) && reaches(feature, &region) && may_reach(body, feature, FAR + 1) {
+        if !(feature.one_way && passes) && reaches(feature, &region) {
             visit(feature);
         }
     }
@@ -178,8 +198,11 @@ impl Ways {
     /// there may be more; the shortest are then left out.
     const MAX: usize = 10;
 
-    /// A constant: a function would make the result twice, and copy it.
-    pub(super) const NONE: Self = Self { ways: [None; Self::MAX], near: Near::NONE };
+    /// Empty slots one by one: an empty list as a constant would be copied as a whole.
+    #[inline]
+    pub(super) fn none() -> Self {
+        Self { ways: from_fn(|_| None), near: Near { features: from_fn(|_| None), all: true } }
+    }
 
     /// Reads the ways of a velocity from the body's position, and along the surface that was hit, in
     /// the remaining time. It does not find out yet which are free. Returns whether there is nothing
@@ -199,18 +222,21 @@ impl Ways {
         for slot in &mut self.ways {
             *slot = None;
         }
-        self.near = Near::NONE;
+        self.near.clear();
         self.add(&mut Way { along: None, v, presses: false, probe: long(v), room: Way::UNKNOWN }, v);
         let mut alone = true;
         each_near(world, body, passes, &mut |feature| {
-            self.near.push(feature);
-            alone &= touched(body, feature, |plane| {
+            let touches = touched(body, feature, |plane| {
                 if hit == Some(plane) {
                     return;
                 }
                 alone = false;
                 self.consider::<W, B>(plane, v, time);
             });
+            if touches || may_reach(body, feature, FAR + 1) {
+                self.near.push(feature);
+                alone &= touches;
+            }
         });
         if let Some(plane) = hit {
             self.consider::<W, B>(plane, v, time);

@@ -208,6 +208,13 @@ pub trait World: sealed::Sealed {
     /// Pieces near the region may come too.
     fn features(&self, region: &Aabb) -> Self::Features<'_>;
 
+    /// The same, for those who need to know how faces are joined or do not.
+    #[doc(hidden)]
+    fn features_near(&self, region: &Aabb, joints: bool) -> Self::Features<'_> {
+        let _ = joints;
+        self.features(region)
+    }
+
     /// Those of the features that a piece of a motion could run into and the piece before could
     /// not: not less, but more may come.
     #[doc(hidden)]

@@ -176,7 +176,7 @@ impl<B: Body> Look for Run<'_, B> {
             return None;
         }
         let down = along(up, -DROP);
-        let (mut ways, passes) = (Ways::NONE, self.pass_one_way);
+        let (mut ways, passes) = (Ways::none(), self.pass_one_way);
         ways.read::<W, B>(world, &self.moved.body, (down, Toi::ONE), None, passes);
         if ways.first_free(world, &self.moved.body, passes, &|_| true).is_some() {
             return None;

@@ -76,13 +76,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// # Ok::<(), tilesat::TileMapError>(())
     /// ```
     pub const fn features(&self, region: &Aabb) -> Features<'_, S, T> {
-        let range = self.solid_range(self.closed_range(region.lo(), region.hi()));
-        Features {
-            map: self,
-            look: CellQuery::all(region),
-            walk: self.walk_of(range, Range::NONE),
-            surface: S::CellSurface::NONE,
-        }
+        self.features_for(&CellQuery::all(region))
+    }
+
+    /// Those that a query asks for.
+    pub(super) const fn features_for(&self, look: &CellQuery) -> Features<'_, S, T> {
+        let range = self.solid_range(self.closed_range(look.region.0, look.region.1));
+        Features { map: self, look: *look, walk: self.walk_of(range, Range::NONE), surface: S::CellSurface::NONE }
     }
 
     /// Those of the features that a motion could run into, of the cells that a piece of it reaches

@@ -2,7 +2,7 @@
 //! anything at all.
 
 use super::clear::is_clear;
-use super::surface::BlockSurface;
+use super::surface::{BlockSurface, CellQuery};
 use super::{Outside, Set, Store, TileMap};
 use crate::num::Raw;
 use crate::shape::{Aabb, Circle};
@@ -10,7 +10,7 @@ use crate::world::cell::{Block, Cells, Range};
 use crate::world::convex::ConvexBody;
 use crate::world::level::{Feature, MotionPiece, Seen, World, sealed};
 use crate::world::tile_map::features::Features;
-use crate::world::tile_map::kind::{Fill, TileShape};
+use crate::world::tile_map::kind::Fill;
 
 impl<S: Set, T: Store> sealed::Sealed for TileMap<'_, S, T> {}
 
@@ -28,6 +28,11 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     #[inline]
     fn features(&self, region: &Aabb) -> Features<'_, S, T> {
         TileMap::features(self, region)
+    }
+
+    #[inline]
+    fn features_near(&self, region: &Aabb, joints: bool) -> Features<'_, S, T> {
+        self.features_for(&CellQuery { joints, ..CellQuery::all(region) })
     }
 
     #[inline]
@@ -188,32 +193,38 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The cells of a range of the map that a body in the region may meet, and another range with
     /// them.
     const fn met(&self, range: Range, mut found: Range, region: &Aabb, r: Option<i32>) -> Range {
+        if range.x0 > range.x1 {
+            return found;
+        }
         let mut y = range.y0;
         while y <= range.y1 {
             let x0 = if T::OCCUPIED { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
-            let (mut x, mut tile) = (x0, self.place(x0, y));
-            while x <= range.x1 {
-                let shape = self.kinds.get(self.id_at(tile)).shape;
-                if self.may_meet(shape, (x, y), region, r) {
-                    found = found.with(x, y);
+            let (mut tile, last) = (self.place(x0, y), self.place(range.x1, y));
+            while tile <= last {
+                let id = self.id_at(tile);
+                if !self.kinds.is_empty(id) {
+                    let x = range.x1.wrapping_sub(last.wrapping_sub(tile) as i32);
+                    self.meet(&mut found, id, (x, y), region, r);
                 }
                 tile = tile.wrapping_add(1);
-                x = x.wrapping_add(1);
             }
             y = y.wrapping_add(1);
         }
         found
     }
 
-    #[inline]
-    const fn may_meet(&self, shape: TileShape, (x, y): (i32, i32), region: &Aabb, r: Option<i32>) -> bool {
-        match shape {
-            TileShape::Empty => false,
-            TileShape::Full => true,
-            _ => match r {
-                Some(r) if S::SHAPED => !is_clear(shape, self.grid.square(x, y), (region.lo(), region.hi()), r),
-                _ => true,
-            },
+    /// Apart from the walk, which mostly comes to empty tiles and needs the registers.
+    #[inline(never)]
+    const fn meet(&self, found: &mut Range, id: u8, (x, y): (i32, i32), region: &Aabb, r: Option<i32>) {
+        let kind = self.kinds.get(id);
+        let clear = match r {
+            Some(r) if S::SHAPED && !kind.is_full() => {
+                is_clear(kind.shape, self.grid.square(x, y), (region.lo(), region.hi()), r)
+            }
+            _ => false,
+        };
+        if !clear {
+            *found = found.with(x, y);
         }
     }
 

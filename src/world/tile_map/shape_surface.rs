@@ -85,17 +85,21 @@ impl<const ROUND: bool> CellSurface for ShapeSurface<ROUND> {
             let out = direction((self.outs >> (4 * (index & 7))) as u8);
             return Some(tile.feature(index, Geometry::Vertex { p: end.vec2(), e_in: dir, e_out: out }));
         }
-        let start = tile.node(piece.start);
-        if !meets(look.region, start, end) {
-            return None;
-        }
         let inner = if index == INNER { tile.outline.inner_kind() } else { InnerKind::Line };
         let convex = matches!(inner, InnerKind::Convex);
         let arc_here = ROUND && !matches!(inner, InnerKind::Line);
         let one_way = tile.kind.one_way_side();
-        let corner = meets(look.region, end, end);
+        let corner = one_way.is_none() && meets(look.region, end, end);
+        let opposes = arc_here || look.opposes(dir);
+        if !corner && !opposes {
+            return None;
+        }
+        let start = tile.node(piece.start);
+        if !meets(look.region, start, end) {
+            return None;
+        }
         let mut joined = true;
-        if one_way.is_none() && (corner || (look.joints && !arc_here && look.opposes(dir))) {
+        if corner || (one_way.is_none() && look.joints && !arc_here && opposes) {
             if let Some(out) = tile.end::<ROUND, _>(map, piece, arc_here && !convex) {
                 joined = false;
                 if corner && look.opposes_corner(dir, direction(out)) {
@@ -109,7 +113,7 @@ impl<const ROUND: bool> CellSurface for ShapeSurface<ROUND> {
             let arc = arc(tile.kind.shape.form(), convex, tile.corners);
             return if look.opposes_arc(&arc) { Some(tile.feature(index, arc)) } else { None };
         }
-        if !look.opposes(dir) {
+        if !opposes {
             return None;
         }
         // One component of a reduced direction is one: the other way is the length.
