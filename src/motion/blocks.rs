@@ -59,14 +59,36 @@ impl<B: Body> Search<'_, B> {
         let (thin, pressed) = (a.x == b.x || a.y == b.y, self.pressed);
         let mut sweep =
             BlockSweep { world, body, d, front, span, r, thin, pressed, is_odd: false, corners: (a, b), first };
+        let Some(mut block) = self.next_odd(&mut sweep, cells, before) else { return };
+        if W::BLOCKS {
+            return;
+        }
         // One cursor for all cells of other shapes.
-        let mut features = None;
-        while let Some(block) = world.next_cell(cells) {
+        let mut features = self.ahead(world, &Held { bounds, cells: Some(Cells::NONE) }, None, d);
+        loop {
+            world.enter(&mut features, &block);
+            self.meet_all(world, &mut features, d, sweep.first);
+            match self.next_odd(&mut sweep, cells, before) {
+                Some(next) => block = next,
+                None => return,
+            }
+        }
+    }
+
+    /// Takes the hits of cells up to the next one whose features must be read.
+    #[inline(never)]
+    fn next_odd<W: World>(
+        &mut self,
+        sweep: &mut BlockSweep<'_, W, B>,
+        cells: &mut Cells,
+        before: Option<&Cells>,
+    ) -> Option<Block> {
+        while let Some(block) = sweep.world.next_cell(cells) {
             if before.is_some_and(|before| before.hold(block.x, block.y)) {
                 continue;
             }
             let is_full = block.kind.fill() == Fill::Full;
-            sweep.is_odd = !W::BLOCKS && (thin || !is_full);
+            sweep.is_odd = !W::BLOCKS && (sweep.thin || !is_full);
             if !sweep.is_odd {
                 self.features += 1;
                 if is_full {
@@ -76,12 +98,10 @@ impl<B: Body> Search<'_, B> {
                 }
             }
             if sweep.is_odd {
-                let features = features
-                    .get_or_insert_with(|| self.ahead(world, &Held { bounds, cells: Some(Cells::NONE) }, None, d));
-                world.enter(features, &block);
-                self.meet_all(world, features, d, sweep.first);
+                return Some(block);
             }
         }
+        None
     }
 }
 
