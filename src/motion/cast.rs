@@ -136,7 +136,7 @@ fn cast<W: World, B: Body>(
     body.check_size()?;
     let d = Raw::of(motion);
     check_inside(&body.bounds(), d)?;
-    let mut around = Around::NOTHING;
+    let mut around = Around::nothing();
     if around.begin(world, body, d)? == 0 {
         return Ok(None);
     }

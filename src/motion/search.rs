@@ -29,9 +29,12 @@ pub(super) struct Held {
 }
 
 impl Around {
-    /// Nothing is known: no box is inside of this one.
-    pub(super) const NOTHING: Self =
-        Self { region: Aabb::from_raw_unchecked(Raw { x: 1, y: 1 }, Raw { x: 0, y: 0 }), seen: Seen::NOTHING };
+    /// Nothing is known: no box is inside of this one. A constant would be copied as a whole.
+    #[inline]
+    pub(super) const fn nothing() -> Self {
+        let region = Aabb::from_raw_unchecked(Raw { x: 1, y: 1 }, Raw { x: 0, y: 0 });
+        Self { region, seen: Seen { held: None, cells: None } }
+    }
 
     /// Looks at the region that a body passes in one of the pieces of a motion, unless it is
     /// already known. Returns the region.
@@ -55,11 +58,15 @@ impl Around {
     pub(super) fn begin<W: World, B: Body>(&mut self, world: &W, body: &B, d: Raw) -> Result<u32, RangeError> {
         let bounds = body.bounds();
         check_cells(world, &bounds, d)?;
-        let pieces = pieces(world, &bounds, d);
-        let first = if pieces == 1 { d } else { Raw::ZERO };
-        self.region = piece_of(&bounds, Raw::ZERO, first, pieces);
+        // Most motions are one piece, and this is all that most bodies run.
+        if way(d) > piece_length(world, &bounds) {
+            self.region = piece_of(&bounds, Raw::ZERO, Raw::ZERO, 2);
+            world.look(&self.region, Some(body.rounding()), &mut self.seen);
+            return Ok(pieces(world, &bounds, d));
+        }
+        self.region = piece_of(&bounds, Raw::ZERO, d, 1);
         world.look(&self.region, Some(body.rounding()), &mut self.seen);
-        Ok(if pieces == 1 && self.is_empty() && is_inside(&self.region) { 0 } else { pieces })
+        Ok(u32::from(!self.is_empty() || !is_inside(&self.region)))
     }
 
     /// The contents that a known region may have.
@@ -276,14 +283,20 @@ fn part(d: Raw, k: u32, n: u32) -> Raw {
 /// piece: one more look-up costs less than another start. At most 2^21, for a motion below 2^29 in
 /// cells of 2^8.
 pub(super) fn pieces<W: World>(world: &W, bounds: &Aabb, d: Raw) -> u32 {
-    let longest = way(d);
-    let side = Raw::of(bounds.size());
-    let length = world.cell_size().max(side.x.max(side.y) as u32);
+    let (longest, length) = (way(d), piece_length(world, bounds));
     let mut log = 0;
-    while longest >> log > length + (length >> 1) {
+    while longest >> log > length {
         log += 1;
     }
     1 << log
+}
+
+/// The most that is one piece.
+#[inline]
+fn piece_length<W: World>(world: &W, bounds: &Aabb) -> u32 {
+    let side = Raw::of(bounds.size());
+    let length = world.cell_size().max(side.x.max(side.y) as u32);
+    length + (length >> 1)
 }
 
 /// Refuses a motion that visits more than [`Mover::CELLS`] cells.

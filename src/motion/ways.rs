@@ -13,7 +13,7 @@ use super::order::First;
 use super::plane::{NEAR, across, into, project, way};
 use super::response::Smooth;
 use crate::num::{Axis, Raw, Toi, cmp_squares, mul_div, umul};
-use crate::world::{Feature, Geometry, World};
+use crate::world::{Feature, Geometry, World, normal};
 use core::array::from_fn;
 use core::ops::Range;
 
@@ -68,6 +68,10 @@ impl Way {
             }
         }
         if self.room == 0 {
+            return;
+        }
+        // The face that a way is along is the most frequent one.
+        if matches!(feature.geometry, Geometry::Face { dir, .. } if into(self.probe, normal(dir)) >= 0) {
             return;
         }
         let Some(entry) = &meets::<W, B>(self.probe, body, feature) else { return };

@@ -172,6 +172,14 @@ impl Grid {
     #[inline]
     pub(super) const fn last_before(&self, distance: i32, first: i32) -> i32 {
         let (mut index, mut end) = (first, self.line(first.wrapping_add(1)));
+        if end >= distance {
+            return index;
+        }
+        // One step, or none, is so frequent that the loop, which is unrolled, is not for it.
+        (index, end) = (index.wrapping_add(1), end.wrapping_add(self.cell));
+        if end >= distance {
+            return index;
+        }
         while end < distance {
             (index, end) = (index.wrapping_add(1), end.wrapping_add(self.cell));
         }
@@ -199,15 +207,18 @@ impl Grid {
     ///
     /// d / 2^(log - 1) is below 2^17, and the magic's upper half at most 2^15: the product is below
     /// 2^32. The first quotient loses less than 1 of it, which is half a cell, and the second less
-    /// than 2^17 / 2^16 cells.
+    /// than 2^17 / 2^16 cells. So three steps are enough; a loop would be unrolled, and dearer.
     pub(super) const fn quotient_by_words(&self, d: u32) -> u32 {
-        let mut index = (d >> (self.log.wrapping_sub(1) & 31)).wrapping_mul(self.magic >> 16) >> 16;
-        let mut rest = d.wrapping_sub(index.wrapping_mul(self.cell as u32));
-        while rest >= self.cell as u32 {
-            rest = rest.wrapping_sub(self.cell as u32);
-            index = index.wrapping_add(1);
-        }
-        index
+        let index = (d >> (self.log.wrapping_sub(1) & 31)).wrapping_mul(self.magic >> 16) >> 16;
+        let (rest, cell) = (d.wrapping_sub(index.wrapping_mul(self.cell as u32)), self.cell as u32);
+        let steps = if rest < cell {
+            0
+        } else if rest < cell << 1 {
+            1
+        } else {
+            2 + (rest >= (cell << 1).wrapping_add(cell)) as u32
+        };
+        index.wrapping_add(steps)
     }
 
     /// How many cells a box may meet with its inside, those beyond the map included: less than

@@ -101,7 +101,7 @@ impl Shove {
         let mut d = self.d;
         check_cells(level, &body.bounds(), d)?;
         let mut moved = Moved::freely(*body, d.vec2(), 0);
-        let mut around = Around::NOTHING;
+        let mut around = Around::nothing();
         let mut run = Run::new(&mut moved, &mut around);
         run.pass_one_way = self.passes_one_way;
         run.moved.work = *work;

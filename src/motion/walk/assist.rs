@@ -52,7 +52,7 @@ impl<S: Law> Mover<S> {
     pub fn assist<W: World, B: Body>(&self, world: &W, body: &B, velocity: Vec2, reach: Fx) -> Result<B, MoveError> {
         let reach = checked(reach, Quantity::Assist)?;
         let mut moved = Moved::freely(*body, velocity, 0);
-        let mut around = Around::NOTHING;
+        let mut around = Around::nothing();
         let mut run = self.start(world, &mut moved, &mut around)?;
         check_cells(world, &body.bounds(), Raw { x: reach, y: reach })?;
         run.pass_one_way = self.passes_one_way();

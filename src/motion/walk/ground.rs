@@ -87,7 +87,7 @@ impl Mover {
         check_cells(world, &body.bounds(), Raw { x: around, y: around })?;
         let Some(up) = self.up else { return Ok(None) };
         let mut moved = Moved::freely(*body, Vec2::ZERO, 0);
-        let mut around = Around::NOTHING;
+        let mut around = Around::nothing();
         let mut run = Run::new(&mut moved, &mut around);
         run.pass_one_way = self.passes_one_way();
         Ok(run.floor_near(world, self, up))

@@ -219,7 +219,7 @@ impl Walker {
         floor: Option<Support>,
     ) -> Result<Walked<B>, MoveError> {
         let mut moved = Moved::freely(*body, velocity, 0);
-        let mut around = Around::NOTHING;
+        let mut around = Around::nothing();
         let mut run = self.mover.start(world, &mut moved, &mut around)?;
         let reach = self.snap.max(self.step);
         check_cells(world, &body.bounds(), Raw { x: reach, y: reach })?;

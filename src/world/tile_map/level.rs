@@ -167,7 +167,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         let grid = &self.grid;
         let (x0, y0) = (lo.x.wrapping_sub(grid.x.origin), lo.y.wrapping_sub(grid.y.origin));
         let (x1, y1) = (hi.x.wrapping_sub(grid.x.origin), hi.y.wrapping_sub(grid.y.origin));
-        if x0 < 0 || y0 < 0 || x1 > grid.x.size || y1 > grid.y.size {
+        // The sign of any of them; where a difference wraps, its minuend's own bound is passed.
+        if (x0 | y0 | grid.x.size.wrapping_sub(x1) | grid.y.size.wrapping_sub(y1)) < 0 {
             return None;
         }
         let (first_x, first_y) = (grid.quotient(x0 as u32) as i32, grid.quotient(y0 as u32) as i32);
