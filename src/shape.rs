@@ -1,6 +1,7 @@
 //! Shapes: small `Copy` values with private fields and checked constructors. A shape that exists is
 //! inside the domain.
 
+mod any;
 mod capsule;
 mod corners;
 mod oriented_box;
@@ -12,6 +13,7 @@ mod stored;
 use crate::error::{Quantity, RangeError};
 use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
 
+pub use any::AnyShape;
 pub use capsule::Capsule;
 pub(crate) use corners::Convex;
 pub use oriented_box::OrientedBox;

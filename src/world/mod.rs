@@ -49,6 +49,7 @@ pub use cell::Cell;
 pub(crate) use cell::{Block, Cells};
 pub use closest::{Near, OneWay};
 pub(crate) use contacts::contacts as contacts_of;
+pub(crate) use convex::ConvexBody;
 pub use contacts::{Pushable, WorldContact};
 pub use error::{SegmentFault, SegmentMapError, TileMapError};
 pub use grid::Grid;

@@ -20,7 +20,7 @@ impl Core<'_> {
     }
 
     /// The index of the next corner, counter-clockwise.
-    pub(super) const fn after(&self, index: usize) -> usize {
+    pub(crate) const fn after(&self, index: usize) -> usize {
         let next = index.wrapping_add(1);
         if next < self.corners.len() { next } else { 0 }
     }

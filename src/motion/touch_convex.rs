@@ -1,0 +1,119 @@
+//! The surfaces that a body with sides in any direction touches.
+
+use super::contact::{Bend, Plane};
+use super::plane::NEAR;
+use super::sweep_convex::{facing, facing_normal, is_within};
+use crate::num::{Axis, Raw, less128, mul64, sqr64, umul, usqr};
+use crate::query::Core;
+use crate::query::cast::side::along;
+use crate::world::{Feature, Geometry, ends, normal};
+
+const REACH: i32 = NEAR as i32;
+
+/// Passes the planes of a feature to `plane` if the body touches it. Returns whether it does.
+pub(super) fn touched(core: Core<'_>, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
+    let is_near = |p: Raw| is_within(core, p, p, REACH);
+    match feature.geometry {
+        Geometry::Face { a, dir, len, .. } => {
+            let (a, b) = ends(Raw::of(a), dir, len);
+            let near = is_within(core, a, b, REACH);
+            if near {
+                let (first, last) = facing(core, dir);
+                let over = along(dir, core.corner(last).sub(a)) >= -aside(dir)
+                    && along(dir, core.corner(first).sub(b)) <= aside(dir);
+                plane(Plane { normal: normal(dir), bend: if over { Bend::Flat } else { Bend::End } });
+            }
+            near
+        }
+        Geometry::Vertex { p, .. } => {
+            let p = Raw::of(p);
+            let near = is_near(p);
+            if near {
+                around(core, p, 0, &mut |_| true, plane);
+            }
+            near
+        }
+        Geometry::Arc { centre, radius, quadrant, convex } => {
+            let centre = Raw::of(centre);
+            let toward =
+                |n: Axis| n.x.signum().wrapping_mul(quadrant.x) >= 0 && n.y.signum().wrapping_mul(quadrant.y) >= 0;
+            let within = if convex {
+                around(core, centre, radius, &mut |n| toward(n), plane)
+            } else {
+                pipe(core, centre, radius, quadrant, plane)
+            };
+            if within {
+                return true;
+            }
+            // Beyond its ends an arc is a corner; of a pipe that is a feature of its own.
+            let mut corner = |x: i32, y: i32| {
+                let p = centre.add(Raw { x: x.wrapping_mul(radius), y: y.wrapping_mul(radius) });
+                is_near(p) && (!convex || around(core, p, 0, &mut |_| true, plane))
+            };
+            let (first, second) = (corner(quadrant.x, 0), corner(0, quadrant.y));
+            first || second
+        }
+    }
+}
+
+/// The rounding distance along a direction, times its length or up to 1.5 of that.
+fn aside(dir: Axis) -> i64 {
+    umul(dir.x.unsigned_abs(), NEAR).wrapping_add(umul(dir.y.unsigned_abs(), NEAR)) as i64
+}
+
+/// The planes of a point with a radius: of the sides of the body that it is at, and of the corner
+/// whose disc it is at. Returns whether there are any.
+fn around(
+    core: Core<'_>,
+    p: Raw,
+    radius: i32,
+    counts: &mut dyn FnMut(Axis) -> bool,
+    plane: &mut dyn FnMut(Plane),
+) -> bool {
+    let rim = radius.wrapping_add(core.radius);
+    let (far, mut any) = (usqr(rim.wrapping_add(REACH) as u32), false);
+    for i in 0..core.corners.len() {
+        let (here, next, last) = (core.corner(i), core.corner(core.after(i)), core.corner(core.before(i)));
+        let (e, m) = (next.sub(here), p.sub(here));
+        // Of the side that begins here: the point before it, beside it by the rounding at most.
+        let (height, foot, slack) = (e.cross(m).wrapping_neg(), e.dot(m), aside(Axis::new(e.x, e.y)));
+        let beyond = foot.wrapping_sub(e.len2() as i64);
+        let near = !less128(mul64(far, e.len2()), sqr64(height.unsigned_abs()));
+        if !e.is_zero() && height >= -slack && foot >= -slack && beyond <= slack && near {
+            let normal = facing_normal(core, i);
+            if counts(normal) {
+                let bend = if foot >= 0 && beyond <= 0 { Bend::Flat } else { Bend::End };
+                plane(Plane { normal, bend });
+                any = true;
+            }
+        }
+        let out = m.reversed();
+        let in_cone = next.sub(here).dot(out) >= 0 && last.sub(here).dot(out) >= 0;
+        if rim > 0 && !out.is_zero() && in_cone && out.len2() <= far && counts(Axis::new(out.x, out.y)) {
+            plane(Plane { normal: Axis::new(out.x, out.y), bend: Bend::Convex });
+            any = true;
+        }
+    }
+    any
+}
+
+/// The tangents of a quarter pipe at the corners of the body that are at it.
+fn pipe(core: Core<'_>, centre: Raw, radius: i32, quadrant: Axis, plane: &mut dyn FnMut(Plane)) -> bool {
+    let room = radius.wrapping_sub(core.radius);
+    if room <= 0 {
+        return false;
+    }
+    let signs = (quadrant.x.signum() as i8, quadrant.y.signum() as i8);
+    let in_disc = |m: Raw, r: i32| r >= 0 && m.len2() <= usqr(r as u32);
+    let mut any = false;
+    for i in 0..core.corners.len() {
+        let m = core.corner(i).sub(centre);
+        let within = m.x.wrapping_mul(quadrant.x) >= 0 && m.y.wrapping_mul(quadrant.y) >= 0 && !m.is_zero();
+        if within && !in_disc(m, room.wrapping_sub(REACH + 1)) && in_disc(m, room.wrapping_add(REACH)) {
+            let normal = Axis::new(m.x.wrapping_neg(), m.y.wrapping_neg());
+            plane(Plane { normal, bend: Bend::Concave { signs, room } });
+            any = true;
+        }
+    }
+    any
+}
