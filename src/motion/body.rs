@@ -207,6 +207,12 @@ pub(super) mod kernel {
         fn facing(&self, dir: Axis) -> (Raw, Raw) {
             (self.toward(dir.reversed()).0, self.toward(dir).0)
         }
+        /// The corner, and the radius around it, that an entry with a step is of: through the disc
+        /// around `p`, or out of it. Asked as above.
+        fn met_by(&self, p: Raw, entry: &Entry) -> (Raw, i32) {
+            let _ = p;
+            self.toward(entry.normal.reversed())
+        }
         /// Passes the planes of a feature to `plane` if it touches the feature; asked as above.
         fn touched(&self, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
             let _ = (feature, plane);

@@ -106,14 +106,16 @@ fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), f
     }
     match feature.geometry {
         Geometry::Vertex { p, .. } => {
-            let (c, r) = body.toward(round.normal.reversed());
-            is_past(c.sub(Raw::of(p)), r, false, d, flat)
+            let p = Raw::of(p);
+            let (c, r) = if B::ANGULAR { body.met_by(p, round) } else { body.toward(round.normal.reversed()) };
+            is_past(c.sub(p), r, false, d, flat)
         }
         Geometry::Arc { centre, radius, quadrant, convex } => {
             let way = if convex { quadrant.reversed() } else { quadrant };
-            let (at, r) = body.toward(if B::ANGULAR { round.normal.reversed() } else { way });
+            let centre = Raw::of(centre);
+            let (at, r) = if B::ANGULAR { body.met_by(centre, round) } else { body.toward(way) };
             let r = if convex { radius.wrapping_add(r) } else { radius.wrapping_sub(r) };
-            is_past(at.sub(Raw::of(centre)), r, !convex, d, flat)
+            is_past(at.sub(centre), r, !convex, d, flat)
         }
         Geometry::Face { .. } => true,
     }

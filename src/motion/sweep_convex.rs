@@ -77,6 +77,12 @@ macro_rules! angular {
                 (core.corner(first), core.corner(last))
             }
 
+            fn met_by(&self, p: Raw, entry: &Entry) -> (Raw, i32) {
+                let corners = self.outline();
+                let core = Core { corners: &corners, radius: Convex::rounding(self) };
+                (core.corner(met_by(core, p, entry)), core.radius)
+            }
+
             fn touched(&self, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
                 let corners = self.outline();
                 touched(Core { corners: &corners, radius: Convex::rounding(self) }, feature, plane)
@@ -138,6 +144,15 @@ pub(super) fn facing(core: Core<'_>, dir: Axis) -> (usize, usize) {
         }
     }
     (first, last)
+}
+
+/// The corner that an entry is of: on the line through `p` along the normal, of several the first
+/// against it.
+fn met_by(core: Core<'_>, p: Raw, entry: &Entry) -> usize {
+    let (step, n) = (entry.step.unwrap_or(Raw::ZERO), entry.normal);
+    let at = |i: usize| core.corner(i).add(step).sub(p);
+    let on_line = (0..core.corners.len()).filter(|&i| Raw { x: n.x, y: n.y }.cross(at(i)) == 0 && !at(i).is_zero());
+    on_line.min_by_key(|&i| along(n, at(i))).unwrap_or_else(|| facing(core, n.perp()).0)
 }
 
 /// The part of a sum with a point that a motion comes through.
@@ -422,7 +437,7 @@ impl Quarter {
         let here = core.corner(corner);
         for end in [Axis::new(self.quadrant.x, 0), Axis::new(0, self.quadrant.y)] {
             let way = self.end(end).sub(here);
-            if way.cross(d) != 0 || way.dot(d) < 0 || along(end, d) <= 0 {
+            if way.cross(d) != 0 || way.dot(d) < 0 || along(end, d) < 0 {
                 continue;
             }
             let (made, whole) = (way.dot(d) as u64, d.len2());

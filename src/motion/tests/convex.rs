@@ -12,17 +12,17 @@ type Shape = AnyShape<MOST>;
 
 /// Corners counter-clockwise, and the radius.
 #[derive(Clone, Debug)]
-struct Figure {
-    corners: Vec<P>,
-    r: i64,
+pub(super) struct Figure {
+    pub(super) corners: Vec<P>,
+    pub(super) r: i64,
 }
 
 impl Figure {
-    fn at(&self, by: P) -> Self {
+    pub(super) fn at(&self, by: P) -> Self {
         Self { corners: self.corners.iter().map(|p| (p.0 + by.0, p.1 + by.1)).collect(), r: self.r }
     }
 
-    fn shape(&self) -> Shape {
+    pub(super) fn shape(&self) -> Shape {
         let radius = Fx::from_bits(self.r as i32);
         if let [a, b] = self.corners[..] {
             return capsule(a, (b.0 - a.0, b.1 - a.1), self.r).into();
@@ -163,7 +163,7 @@ fn opposed(entry: &Entry, d: P, case: &dyn Fn() -> super::std::string::String) {
 }
 
 /// Triangles, quads, a hexagon and slanted capsules, sharp and round.
-fn figures() -> Vec<Figure> {
+pub(super) fn figures() -> Vec<Figure> {
     let corners: [&[P]; 9] = [
         &[(0, 0), (3, 0), (0, 3)],
         &[(0, 0), (4, 1), (1, 3)],

@@ -15,6 +15,7 @@ extern crate std;
 mod ahead;
 mod arcs;
 mod convex;
+mod convex_arcs;
 mod order;
 mod polygons;
 mod sides;
