@@ -10,10 +10,8 @@ use crate::shape::Aabb;
 use crate::world::{Feature, Geometry, ends, normal};
 
 /// How a touched surface turns as the body moves along it.
-///
-/// Public in a private module, because a sealed trait's method names it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bend {
+pub(super) enum Bend {
     /// A face.
     Flat,
     /// The end of a face that a body is beside. Any side of the body may move along it.
@@ -38,6 +36,8 @@ impl Bend {
 }
 
 /// A plane that a body may move along: the tangent of a touched surface.
+///
+/// Public in a private module, because a sealed trait's method names it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Plane {
     /// Out of the solid; not reduced at corners and arcs.

@@ -185,7 +185,7 @@ pub use cast::BodyHit;
 pub use character::{Character, Outcome, Step};
 
 pub use feel::{Feel, Input};
-pub use inside::{StartInside, escape};
+pub use inside::{StartInside, escape, turn};
 pub use memo::Memo;
 pub use moved::{Hit, Hits, MoveError, Moved, Stuck, Work};
 pub use mover::Mover;

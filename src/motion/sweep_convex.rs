@@ -67,13 +67,13 @@ macro_rules! angular {
             fn toward(&self, way: Axis) -> (Raw, i32) {
                 let (corners, radius) = (self.outline(), Convex::rounding(self));
                 let core = Core { corners: &corners, radius };
-                (core.corner(facing(core, way.perp().reversed()).0), radius)
+                (core.corner(core.facing(way.perp().reversed()).0), radius)
             }
 
             fn facing(&self, dir: Axis) -> (Raw, Raw) {
                 let corners = self.outline();
                 let core = Core { corners: &corners, radius: 0 };
-                let (first, last) = facing(core, dir);
+                let (first, last) = core.facing(dir);
                 (core.corner(first), core.corner(last))
             }
 
@@ -127,32 +127,13 @@ pub(super) fn is_within(core: Core<'_>, a: Raw, b: Raw, reach: i32) -> bool {
     meets::<true>(near, Core { corners, radius: 0 })
 }
 
-/// The ends of what is nearest to a face in the direction `dir`, which is below it: of a side that
-/// is parallel to it the two corners, in that direction.
-///
-/// Corners are below 2^29 and directions below 2^30: products are below 2^60.
-pub(super) fn facing(core: Core<'_>, dir: Axis) -> (usize, usize) {
-    let depth = |i: usize| along(normal(dir), core.corner(i));
-    let (mut first, mut last, mut least) = (0, 0, depth(0));
-    for i in 1..core.corners.len() {
-        let here = depth(i);
-        if here < least {
-            (first, last, least) = (i, i, here);
-        } else if here == least {
-            let ahead = along(dir, core.corner(i).sub(core.corner(last))) > 0;
-            if ahead { last = i } else { first = i }
-        }
-    }
-    (first, last)
-}
-
 /// The corner that an entry is of: on the line through `p` along the normal, of several the first
 /// against it.
 fn met_by(core: Core<'_>, p: Raw, entry: &Entry) -> usize {
     let (step, n) = (entry.step.unwrap_or(Raw::ZERO), entry.normal);
     let at = |i: usize| core.corner(i).add(step).sub(p);
     let on_line = (0..core.corners.len()).filter(|&i| Raw { x: n.x, y: n.y }.cross(at(i)) == 0 && !at(i).is_zero());
-    on_line.min_by_key(|&i| along(n, at(i))).unwrap_or_else(|| facing(core, n.perp()).0)
+    on_line.min_by_key(|&i| along(n, at(i))).unwrap_or_else(|| core.facing(n.perp()).0)
 }
 
 /// The part of a sum with a point that a motion comes through.
@@ -178,7 +159,7 @@ fn sweep_straight(core: Core<'_>, d: Raw, face: &Face) -> Option<Entry> {
     if along(normal(dir), d) >= 0 {
         return None;
     }
-    let (i, j) = facing(core, dir);
+    let (i, j) = core.facing(dir);
     let (first, last) = (core.corner(i), core.corner(j));
     if core.radius != 0 {
         return sweep_wide((first, last), core.radius, d, face);
@@ -255,16 +236,6 @@ fn sweep_side(core: Core<'_>, corner: usize, p: Raw, radius: i32, d: Raw) -> Opt
     Some(Entry { normal: entry.normal.reversed(), ..entry })
 }
 
-/// The normal of a side of the body, out of what it meets; of length one along x and y.
-pub(super) fn facing_normal(core: Core<'_>, corner: usize) -> Axis {
-    let e = core.corner(core.after(corner)).sub(core.corner(corner));
-    if e.x == 0 || e.y == 0 {
-        Axis::new(e.y.signum().wrapping_neg(), e.x.signum())
-    } else {
-        Axis::new(e.y.wrapping_neg(), e.x)
-    }
-}
-
 /// How the disc of a radius around a corner of the body comes to a point, in the body's own cone of
 /// normals there.
 fn sweep_disc(core: Core<'_>, corner: usize, p: Raw, radius: i32, d: Raw) -> Option<(Raw, Crossing)> {
@@ -290,7 +261,7 @@ fn sweep_disc(core: Core<'_>, corner: usize, p: Raw, radius: i32, d: Raw) -> Opt
 /// other if it is against both normals that bound what their cones share: this side's, and that of
 /// the other side or of the edge, whichever is nearer.
 fn sweep_sharp(core: Core<'_>, side: usize, p: Raw, d: Raw, (e_in, e_out): (Axis, Axis)) -> Option<Entry> {
-    let (next, normal) = (core.after(side), facing_normal(core, side));
+    let (next, normal) = (core.after(side), core.facing_normal(side));
     let (m, n) = (p.sub(core.corner(side)), p.sub(core.corner(next)));
     let (gap, into) = (along(normal, m).wrapping_neg(), along(normal, d).wrapping_neg());
     if gap < 0 || gap >= into {
@@ -299,7 +270,7 @@ fn sweep_sharp(core: Core<'_>, side: usize, p: Raw, d: Raw, (e_in, e_out): (Axis
     // The point goes by -d, as the side sees it.
     let (over_start, over_end) = (m.cross(d).wrapping_neg(), n.cross(d));
     let enters = |over: i64, beside: usize, edge: Axis| {
-        let other = facing_normal(core, beside);
+        let other = core.facing_normal(beside);
         let bound = if other.dot(e_in) >= 0 && other.dot(e_out) <= 0 { other } else { crate::world::normal(edge) };
         over > 0 || (over == 0 && along(bound, d) < 0)
     };
@@ -316,7 +287,7 @@ fn sweep_sharp(core: Core<'_>, side: usize, p: Raw, d: Raw, (e_in, e_out): (Axis
 fn sweep_corner(core: Core<'_>, d: Raw, p: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
     let r = core.radius;
     for i in 0..core.corners.len() {
-        let normal = facing_normal(core, i);
+        let normal = core.facing_normal(i);
         if along(normal, d) < 0 && normal.dot(e_in) > 0 && normal.dot(e_out) < 0 {
             let met =
                 if r == 0 { sweep_sharp(core, i, p, d, (e_in, e_out)) } else { sweep_side(core, i, p, r, d) };
@@ -362,7 +333,7 @@ impl Quarter {
     fn sweep_bulge(&self, core: Core<'_>, d: Raw) -> Option<Entry> {
         let radius = self.radius.wrapping_add(core.radius);
         for i in 0..core.corners.len() {
-            let normal = facing_normal(core, i);
+            let normal = core.facing_normal(i);
             if along(normal, d) < 0 && self.holds(normal) {
                 let met = sweep_side(core, i, self.centre, radius, d);
                 if met.is_some() {

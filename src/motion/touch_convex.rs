@@ -2,7 +2,7 @@
 
 use super::contact::{Bend, Plane};
 use super::plane::NEAR;
-use super::sweep_convex::{facing, facing_normal, is_within};
+use super::sweep_convex::is_within;
 use crate::num::{Axis, Raw, less128, mul64, sqr64, umul, usqr};
 use crate::query::Core;
 use crate::query::cast::side::along;
@@ -18,7 +18,7 @@ pub(super) fn touched(core: Core<'_>, feature: &Feature, plane: &mut dyn FnMut(P
             let (a, b) = ends(Raw::of(a), dir, len);
             let near = is_within(core, a, b, REACH);
             if near {
-                let (first, last) = facing(core, dir);
+                let (first, last) = core.facing(dir);
                 let over = along(dir, core.corner(last).sub(a)) >= -aside(dir)
                     && along(dir, core.corner(first).sub(b)) <= aside(dir);
                 plane(Plane { normal: normal(dir), bend: if over { Bend::Flat } else { Bend::End } });
@@ -80,7 +80,7 @@ fn around(
         let beyond = foot.wrapping_sub(e.len2() as i64);
         let near = !less128(mul64(far, e.len2()), sqr64(height.unsigned_abs()));
         if !e.is_zero() && height >= -slack && foot >= -slack && beyond <= slack && near {
-            let normal = facing_normal(core, i);
+            let normal = core.facing_normal(i);
             if counts(normal) {
                 let bend = if foot >= 0 && beyond <= 0 { Bend::Flat } else { Bend::End };
                 plane(Plane { normal, bend });
