@@ -3,6 +3,7 @@
 
 mod any;
 mod capsule;
+mod compound;
 mod corners;
 mod oriented_box;
 mod parts;
@@ -15,6 +16,8 @@ use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
 
 pub use any::AnyShape;
 pub use capsule::Capsule;
+pub(crate) use compound::kernel;
+pub use compound::{Compound, CompoundError, Single};
 pub(crate) use corners::Convex;
 pub use oriented_box::OrientedBox;
 pub use parts::{ConvexParts, PartsError};

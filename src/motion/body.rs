@@ -202,13 +202,8 @@ pub(super) mod kernel {
         fn rounding(&self) -> i32;
         /// The part that meets an arc: a point, and the radius of the disc around it.
         fn toward(&self, quadrant: Axis) -> (Raw, i32);
-        /// The ends, along a direction, of what is nearest to a face in that direction. Only asked
-        /// where it has sides in any direction.
-        fn facing(&self, dir: Axis) -> (Raw, Raw) {
-            (self.toward(dir.reversed()).0, self.toward(dir).0)
-        }
         /// The corner, and the radius around it, that an entry with a step is of: through the disc
-        /// around `p`, or out of it. Asked as above.
+        /// around `p`, or out of it. Only asked where it has sides in any direction.
         fn met_by(&self, p: Raw, entry: &Entry) -> (Raw, i32) {
             let _ = p;
             self.toward(entry.normal.reversed())

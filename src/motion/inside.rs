@@ -6,7 +6,7 @@ use super::cast::cast;
 use super::run::check_inside;
 use crate::num::Raw;
 use crate::shape::Circle;
-use crate::world::{Inside, OneWay, PushKernel, Pushable, World, contacts_of};
+use crate::world::{Inside, OneWay, Pushable, World, contacts_of};
 
 /// How a [`Mover`](super::Mover) treats a body that already overlaps the level. To push it out
 /// first, see [`escape`].

@@ -70,13 +70,6 @@ macro_rules! angular {
                 (core.corner(core.facing(way.perp().reversed()).0), radius)
             }
 
-            fn facing(&self, dir: Axis) -> (Raw, Raw) {
-                let corners = self.outline();
-                let core = Core { corners: &corners, radius: 0 };
-                let (first, last) = core.facing(dir);
-                (core.corner(first), core.corner(last))
-            }
-
             fn met_by(&self, p: Raw, entry: &Entry) -> (Raw, i32) {
                 let corners = self.outline();
                 let core = Core { corners: &corners, radius: Convex::rounding(self) };

@@ -1,12 +1,16 @@
-//! The surfaces that a body with sides in any direction touches.
+//! The surfaces that a body with sides in any direction touches, and bodies of several parts.
 
-use super::contact::{Bend, Plane};
+use super::body::{Body, Entry, kernel::Kernel};
+use super::contact::{self, Bend, Plane};
 use super::plane::NEAR;
+use super::sweep_body::keep_first;
 use super::sweep_convex::is_within;
-use crate::num::{Axis, Raw, less128, mul64, sqr64, umul, usqr};
+use crate::error::RangeError;
+use crate::num::{Axis, Raw, Vec2, less128, mul64, sqr64, umul, usqr};
 use crate::query::Core;
 use crate::query::cast::side::along;
-use crate::world::{Feature, Geometry, ends, normal};
+use crate::shape::{Aabb, Compound, Single};
+use crate::world::{Feature, Geometry, World, ends, normal};
 
 const REACH: i32 = NEAR as i32;
 
@@ -116,4 +120,93 @@ fn pipe(core: Core<'_>, centre: Raw, radius: i32, quadrant: Axis, plane: &mut dy
         }
     }
     any
+}
+
+impl<S: Single + Body, const M: usize> Body for Compound<S, M> {
+    fn position(&self) -> Vec2 {
+        self.aabb().min()
+    }
+}
+
+/// A body of several parts enters what one of them enters first, and touches what any touches.
+impl<S: Single + Body, const M: usize> Kernel for Compound<S, M> {
+    const MEETS_CORNERS: bool = true;
+    const ANGULAR: bool = true;
+
+    fn meets_joints(&self) -> bool {
+        self.parts().iter().any(Kernel::meets_joints)
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.aabb()
+    }
+
+    fn check_size(&self) -> Result<(), RangeError> {
+        self.aabb().check_size()?;
+        self.parts().iter().try_for_each(Kernel::check_size)
+    }
+
+    fn shifted(&self, d: Raw) -> Self {
+        Self::shifted(self, d)
+    }
+
+    fn sweep(&self, d: Raw, feature: &Feature) -> Option<Entry> {
+        let mut first = None;
+        for part in self.parts() {
+            keep_first(&mut first, part.sweep(d, feature).as_ref(), d);
+        }
+        first
+    }
+
+    fn sweep_block(&self, d: Raw, feature: &Feature) -> Option<Entry> {
+        let mut first = None;
+        for part in self.parts() {
+            keep_first(&mut first, part.sweep_block(d, feature).as_ref(), d);
+        }
+        first
+    }
+
+    fn core_box(&self) -> (Raw, Raw) {
+        (self.aabb().lo(), self.aabb().hi())
+    }
+
+    /// What fills its bounds.
+    fn rounding(&self) -> i32 {
+        0
+    }
+
+    fn toward(&self, way: Axis) -> (Raw, i32) {
+        let farthest = self.parts().iter().map(|part| part.toward(way)).max_by_key(|(p, _)| along(way, *p));
+        farthest.unwrap_or((Raw::ZERO, 0))
+    }
+
+    fn met_by(&self, p: Raw, entry: &Entry) -> (Raw, i32) {
+        let (step, n) = (entry.step.unwrap_or(Raw::ZERO), Raw { x: entry.normal.x, y: entry.normal.y });
+        let of_part = |part: &S| {
+            if S::ANGULAR { part.met_by(p, entry) } else { part.toward(entry.normal.reversed()) }
+        };
+        let all = self.parts().iter().map(of_part);
+        let mut on_line = all.filter(|(c, _)| n.cross(c.add(step).sub(p)) == 0);
+        on_line.next().unwrap_or_else(|| self.toward(entry.normal.reversed()))
+    }
+
+    fn touched(&self, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
+        let mut any = false;
+        for part in self.parts() {
+            any |= contact::touched(part, feature, |p| plane(p));
+        }
+        any
+    }
+
+    fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool {
+        self.parts().iter().any(|part| part.is_within(a, b, reach))
+    }
+
+    fn overlaps_world<W: World>(&self, world: &W) -> bool {
+        self.parts().iter().any(|part| part.overlaps_world(world))
+    }
+
+    fn is_inside<W: World>(world: &W, p: Raw) -> bool {
+        S::is_inside(world, p)
+    }
 }

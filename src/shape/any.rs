@@ -6,11 +6,12 @@ use crate::num::Vec2;
 
 /// A shape of any kind, for lists that mix them. Polygons have at most `N` corners.
 ///
-/// It has all verbs against all shapes, answers as the shape inside of it does, and is a
-/// [`Body`](crate::Body) of a mover. Slanted capsules move in this form only. Every pair with it
-/// takes the way of [polygons](crate::query#capsules-oriented-boxes-and-polygons): one kernel for
-/// all kinds, which costs more than the kernel of two boxes or circles. Where exits are equally
-/// short, the axis is that of polygons, too.
+/// It has all verbs against all shapes, and is a [`Body`](crate::Body) of a mover. Slanted capsules
+/// move in this form only. Yes and no, depths, distances and times are those of the shape inside of
+/// it. Every pair with it takes the way of
+/// [polygons](crate::query#capsules-oriented-boxes-and-polygons): one kernel for all kinds, which
+/// costs more than that of two boxes or circles. Where exits are equally short, the axis is that of
+/// polygons, too.
 ///
 /// It takes as much memory as the polygon, `8 N + 12` bytes on a chip. A game that asks `overlaps`
 /// of two of these links 1.5 KB for it on a Cortex-M0; the typed pairs of boxes link 0.1 KB.

@@ -50,7 +50,6 @@ pub use cell::Cell;
 pub(crate) use cell::{Block, Cells};
 pub use closest::{Near, OneWay};
 pub(crate) use contacts::contacts as contacts_of;
-pub(crate) use contacts::kernel::PushKernel;
 pub(crate) use convex::ConvexBody;
 pub use contacts::{Pushable, WorldContact};
 pub use error::{SegmentFault, SegmentMapError, TileMapError};
