@@ -43,6 +43,8 @@ pub enum Quantity {
     /// How far the core of a capsule that is to be moved is off the vertical or the horizontal, or
     /// zero where the capsule has no radius.
     Capsule,
+    /// The smaller side of the bounding box of a body that is to be moved and has no area.
+    Area,
 }
 
 /// An input outside of the range that keeps arithmetic exact; nothing was changed.
@@ -70,6 +72,7 @@ impl fmt::Display for RangeError {
                     "the motion visits too many cells, {value} or more: shorten it, or enlarge the cells"
                 );
             }
+            Quantity::Area => "a body with sides in any direction that moves has an area",
             Quantity::Capsule => "a capsule that moves stands or lies, and has a radius",
             // The settings of walkers and riders.
             _ => "it must be from 0 to below 4096 units",

@@ -1,7 +1,9 @@
 //! Shapes: small `Copy` values with private fields and checked constructors. A shape that exists is
 //! inside the domain.
 
+mod any;
 mod capsule;
+mod compound;
 mod corners;
 mod oriented_box;
 mod parts;
@@ -12,7 +14,10 @@ mod stored;
 use crate::error::{Quantity, RangeError};
 use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
 
+pub use any::AnyShape;
 pub use capsule::Capsule;
+pub(crate) use compound::kernel;
+pub use compound::{Compound, CompoundError, Single};
 pub(crate) use corners::Convex;
 pub use oriented_box::OrientedBox;
 pub use parts::{ConvexParts, PartsError};

@@ -88,7 +88,7 @@ impl<B: Body> Search<'_, B> {
                 continue;
             }
             let is_full = block.kind.fill() == Fill::Full;
-            sweep.is_odd = !W::BLOCKS && (sweep.thin || !is_full);
+            sweep.is_odd = B::ANGULAR || (!W::BLOCKS && (sweep.thin || !is_full));
             if !sweep.is_odd {
                 self.features += 1;
                 if is_full {

@@ -1,19 +1,26 @@
 //! The shapes that a mover can move.
 
 use crate::num::{Axis, Raw, Vec2, cmp_squares, mul_div, umul};
-use crate::shape::{Aabb, Capsule, Circle};
+use crate::shape::{Aabb, AnyShape, Capsule, Circle, ConvexPolygon, OrientedBox};
 use core::cmp::Ordering;
 
 /// A shape that [`Mover::move_and_slide`](super::Mover::move_and_slide) can move: [`Aabb`],
-/// [`Circle`], or a [`Capsule`] that stands or lies.
+/// [`Circle`], a [`Capsule`] that stands or lies, [`OrientedBox`], [`ConvexPolygon`], or an
+/// [`AnyShape`] of any of them.
 ///
-/// A capsule with a slanted core, or without a radius, is refused with a
-/// [`RangeError`](crate::RangeError) of [`Quantity::Capsule`](crate::Quantity::Capsule).
+/// None of them turns during a call. A slanted capsule moves as an [`AnyShape`]: as a `Capsule` it
+/// is refused with a [`RangeError`](crate::RangeError) of
+/// [`Quantity::Capsule`](crate::Quantity::Capsule), and so is one without a radius. Turned boxes
+/// and shapes of any kind are refused with [`Quantity::Area`](crate::Quantity::Area) where they
+/// have no area.
+///
+/// Boxes, circles and upright capsules are the cheap ones. The others cost about N times as much in
+/// a level, and only a game that moves one links the code for them.
 ///
 /// Sealed: its kernels are part of the exactness argument.
 pub trait Body: kernel::Kernel {
-    /// The reference position: the minimum corner of a box, the centre of a circle, the first end
-    /// of a capsule's core.
+    /// The reference position: the minimum corner of a box, the centre of a circle or a turned box,
+    /// the first end of a capsule's core, the first vertex of a polygon.
     fn position(&self) -> Vec2;
 }
 
@@ -26,6 +33,31 @@ impl Body for Aabb {
 impl Body for Circle {
     fn position(&self) -> Vec2 {
         self.centre()
+    }
+}
+
+impl Body for OrientedBox {
+    fn position(&self) -> Vec2 {
+        self.centre()
+    }
+}
+
+impl<const N: usize> Body for ConvexPolygon<N> {
+    fn position(&self) -> Vec2 {
+        self.vertices().first().copied().unwrap_or(Vec2::ZERO)
+    }
+}
+
+impl<const N: usize> Body for AnyShape<N> {
+    fn position(&self) -> Vec2 {
+        match self {
+            Self::Aabb(it) => it.position(),
+            Self::Circle(it) => it.position(),
+            Self::Segment(it) => it.a(),
+            Self::Capsule(it) => it.position(),
+            Self::OrientedBox(it) => it.position(),
+            Self::Polygon(it) => it.position(),
+        }
     }
 }
 
@@ -139,6 +171,7 @@ pub(super) mod kernel {
     //! The part of [`Body`](super::Body) that only this crate calls.
 
     use super::Entry;
+    use crate::motion::contact::Plane;
     use crate::error::RangeError;
     use crate::num::{Axis, Raw};
     use crate::shape::Aabb;
@@ -147,7 +180,9 @@ pub(super) mod kernel {
     pub trait Kernel: Copy {
         /// Whether normals may be askew. If not, the code for them is not linked.
         const MEETS_CORNERS: bool;
-        /// Whether the joints of faces matter.
+        /// Whether it has sides in any direction. If not, the code for them is not linked.
+        const ANGULAR: bool = false;
+        /// Whether the joints of faces matter. What they matter to meets no corners.
         fn meets_joints(&self) -> bool;
         /// The bounding box.
         fn bounds(&self) -> Aabb;
@@ -167,6 +202,17 @@ pub(super) mod kernel {
         fn rounding(&self) -> i32;
         /// The part that meets an arc: a point, and the radius of the disc around it.
         fn toward(&self, quadrant: Axis) -> (Raw, i32);
+        /// The corner, and the radius around it, that an entry with a step is of: through the disc
+        /// around `p`, or out of it. Only asked where it has sides in any direction.
+        fn met_by(&self, p: Raw, entry: &Entry) -> (Raw, i32) {
+            let _ = p;
+            self.toward(entry.normal.reversed())
+        }
+        /// Passes the planes of a feature to `plane` if it touches the feature; asked as above.
+        fn touched(&self, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
+            let _ = (feature, plane);
+            false
+        }
         /// Whether it is within a distance of a segment. For a box, which is not rounded, the
         /// distance is along x and y.
         fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool;

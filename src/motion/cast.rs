@@ -126,7 +126,7 @@ casts! {
     [] Solids<'_>
 }
 
-fn cast<W: World, B: Body>(
+pub(super) fn cast<W: World, B: Body>(
     world: &W,
     body: &B,
     motion: Vec2,

@@ -36,8 +36,10 @@ impl Bend {
 }
 
 /// A plane that a body may move along: the tangent of a touched surface.
+///
+/// Public in a private module, because a sealed trait's method names it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Plane {
+pub struct Plane {
     /// Out of the solid; not reduced at corners and arcs.
     pub(super) normal: Axis,
     pub(super) bend: Bend,
@@ -136,6 +138,9 @@ fn in_disc(m: Raw, r: i32) -> bool {
 ///
 /// A box meets corners and arcs by its corners, and either of its sides may move along them.
 pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMut(Plane)) -> bool {
+    if B::ANGULAR {
+        return body.touched(feature, &mut plane);
+    }
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } => {
             let (a, end) = ends(Raw::of(a), dir, len);

@@ -2,9 +2,11 @@
 
 use super::Stuck;
 use super::body::{Body, kernel::Kernel};
+use super::cast::cast;
 use super::run::check_inside;
 use crate::num::Raw;
-use crate::world::{OneWay, Pushable, World, contacts_of};
+use crate::shape::Circle;
+use crate::world::{Inside, OneWay, Pushable, World, contacts_of};
 
 /// How a [`Mover`](super::Mover) treats a body that already overlaps the level. To push it out
 /// first, see [`escape`].
@@ -49,6 +51,9 @@ const PUSHES: u32 = 4;
 /// 31 it goes 9 to the left, at 39 it goes 9 to the right. From 32 to 38 the result is [`Stuck`].
 /// [Doors](crate::motion#doors) shows how to avoid this.
 ///
+/// Takes boxes, circles, capsules in any direction that moves, turned boxes, polygons, and an
+/// [`AnyShape`](crate::shape::AnyShape) of any of them.
+///
 /// Cost: an exact overlap test. If that is true, the [contacts](crate::TileMap::contacts) of one
 /// body and another test, at most four times. Only a game that calls it links the code for
 /// contacts.
@@ -80,4 +85,48 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
         body = body.shifted(push);
     }
     if body.overlaps_world(world) { Err(stuck) } else { Ok(body) }
+}
+
+/// Turns a body in a level: exchanges it for `turned`, another orientation or size of it, and pushes
+/// that out where it has no room. It never ends inside.
+///
+/// The body must be free. Where `turned` is free too, that is the result. Elsewhere it is pushed as
+/// [`escape`] does, and only as far as its middle gets on a straight line from the body's: a wall
+/// that is thinner than the body is never between the two. One-way faces do not count.
+///
+/// It takes the start and the end, not the way between them. Turn by small steps where something
+/// thin could fit into the angle.
+///
+/// Cost: that of `escape`, and of the cast of a point where something was pushed.
+///
+/// ```
+/// use tilesat::motion::turn;
+/// use tilesat::{Axis, OrientedBox, TileKind, TileKinds, TileMap, Vec2};
+/// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+/// let map = TileMap::from_ascii("....\n....\n####", &KINDS)?; // the floor is at y = 32
+/// let plank = |y, direction| OrientedBox::new(Vec2::from_ints(32, y), Vec2::from_ints(10, 2), direction);
+/// let lying = plank(30, Axis::X)?;
+/// let standing = turn(&map, &lying, &plank(30, Axis::Y)?).unwrap();
+/// assert_eq!(standing, plank(22, Axis::Y)?); // pushed up by 8
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`Stuck`] if the body is not free, or `turned` cannot be pushed out on its side of what is
+/// between.
+pub fn turn<W: World, B: Body + Pushable>(world: &W, body: &B, turned: &B) -> Result<B, Stuck> {
+    let stuck = Stuck { at: body.position().raw() };
+    if body.overlaps_world(world) {
+        return Err(stuck);
+    }
+    if !turned.overlaps_world(world) {
+        return Ok(*turned);
+    }
+    let free = escape(world, turned)?;
+    let (from, to) = (body.middle().lo(), free.middle().lo());
+    let point = Circle::from_raw_unchecked(from, 0);
+    match cast(world, &point, to.sub(from).vec2(), Inside::Hit.into()) {
+        Ok(None) => Ok(free),
+        _ => Err(stuck),
+    }
 }

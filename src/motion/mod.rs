@@ -155,10 +155,12 @@ mod solids;
 mod stored;
 mod sweep_body;
 mod sweep_capsule;
+mod sweep_convex;
 mod sweep_face;
 mod sweep_round;
 #[cfg(all(test, not(target_os = "none")))]
 mod tests;
+mod touch_convex;
 mod walk {
     //! Walking: what a character needs beyond
     //! [`Mover::move_and_slide`](super::Mover::move_and_slide).
@@ -183,7 +185,7 @@ pub use cast::BodyHit;
 pub use character::{Character, Outcome, Step};
 
 pub use feel::{Feel, Input};
-pub use inside::{StartInside, escape};
+pub use inside::{StartInside, escape, turn};
 pub use memo::Memo;
 pub use moved::{Hit, Hits, MoveError, Moved, Stuck, Work};
 pub use mover::Mover;

@@ -288,10 +288,11 @@ impl<S: Law> Mover<S> {
     /// face, so no part is left along it, for friction neither. A single plane along x or y leaves
     /// nothing askew that could [wedge](Self::wedge) the body.
     fn rests(&self, d: Raw, entry: &Entry, feature: &Feature) -> bool {
-        let Entry { num, normal, ref step, .. } = *entry;
+        let Entry { num, normal, at_end, ref step, .. } = *entry;
         let straight = (normal.x == 0 && d.x == 0) || (normal.y == 0 && d.y == 0);
         num == 0
             && step.is_none()
+            && !at_end
             && straight
             && !(feature.one_way && self.passes_one_way())
             && match self.response_to(feature) {

@@ -63,7 +63,7 @@ impl First {
     pub(super) fn add<B: Body, W: World>(&mut self, entry: &Entry, feature: &Feature, d: Raw) {
         let all_flat = W::BLOCKS && !B::MEETS_CORNERS;
         let slot = if all_flat || entry.step.is_none() { &mut self.flat } else { &mut self.round };
-        let before = |first: &Entry| if W::BLOCKS { entry.before(first, d) } else { entry.before_askew(first, d) };
+        let before = |first: &Entry| if W::BLOCKS && !B::ANGULAR { entry.before(first, d) } else { entry.before_askew(first, d) };
         match (&slot.entry, &mut slot.feature) {
             (Some(first), Some(of)) if entry.same_as(first) => merge(of, feature),
             (Some(first), _) if !before(first) => {}
@@ -106,13 +106,16 @@ fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), f
     }
     match feature.geometry {
         Geometry::Vertex { p, .. } => {
-            let (c, r) = body.toward(round.normal.reversed());
-            is_past(c.sub(Raw::of(p)), r, false, d, flat)
+            let p = Raw::of(p);
+            let (c, r) = if B::ANGULAR { body.met_by(p, round) } else { body.toward(round.normal.reversed()) };
+            is_past(c.sub(p), r, false, d, flat)
         }
         Geometry::Arc { centre, radius, quadrant, convex } => {
-            let (at, r) = body.toward(if convex { quadrant.reversed() } else { quadrant });
+            let way = if convex { quadrant.reversed() } else { quadrant };
+            let centre = Raw::of(centre);
+            let (at, r) = if B::ANGULAR { body.met_by(centre, round) } else { body.toward(way) };
             let r = if convex { radius.wrapping_add(r) } else { radius.wrapping_sub(r) };
-            is_past(at.sub(Raw::of(centre)), r, !convex, d, flat)
+            is_past(at.sub(centre), r, !convex, d, flat)
         }
         Geometry::Face { .. } => true,
     }

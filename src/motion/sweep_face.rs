@@ -131,7 +131,7 @@ pub(super) fn sweep_slope(c: Raw, r: i32, d: Raw, face: &Face) -> Option<Entry> 
 
 /// `num / den` with a divisor that fits an [`Entry`]. Exact if it already fits, as for all slopes
 /// of tiles; otherwise less by one part in 2^29.
-fn fraction(num: u64, den: u64) -> (u32, u32) {
+pub(super) fn fraction(num: u64, den: u64) -> (u32, u32) {
     let shift = (64 - leading_zeros64(den)).saturating_sub(30);
     if shift == 0 { (num as u32, den as u32) } else { ((num >> shift) as u32, ((den >> shift) as u32).wrapping_add(1)) }
 }

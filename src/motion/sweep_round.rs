@@ -89,7 +89,7 @@ fn enters_where(u0: i32, p: i32, q: i32, cross: i64, r: i32, closed: bool) -> bo
 }
 
 /// Whether `u = e . m` is ever positive.
-fn comes_along(m: Raw, d: Raw, e: Axis) -> bool {
+pub(super) fn comes_along(m: Raw, d: Raw, e: Axis) -> bool {
     let u = along(e, m);
     u > 0 || u.wrapping_add(along(e, d)) > 0
 }
@@ -97,7 +97,7 @@ fn comes_along(m: Raw, d: Raw, e: Axis) -> bool {
 /// The same with u = e . m for any direction. At the moment s the point is on the line across e,
 /// `|cross| |e| / |e.d|` from the centre.
 #[inline(never)]
-fn enters_along(m: Raw, d: Raw, e: Axis, cross: i64, r: i32) -> bool {
+pub(super) fn enters_along(m: Raw, d: Raw, e: Axis, cross: i64, r: i32) -> bool {
     let (u0, du) = (along(e, m), along(e, d));
     let u1 = u0.wrapping_add(du);
     if u0 > 0 && u1 > 0 {

@@ -16,7 +16,8 @@
 //! All but `OverlapsFrom` are implemented for every ordered pair of [`Aabb`](crate::Aabb),
 //! [`Circle`](crate::Circle), [`Segment`](crate::Segment), [`Capsule`](crate::Capsule),
 //! [`OrientedBox`](crate::OrientedBox) and [`ConvexPolygon`](crate::ConvexPolygon); `OverlapsFrom`
-//! for those with one of the last three. `Contains` and `Distance` take a point
+//! for those with one of the last three. [`AnyShape`](crate::shape::AnyShape) has all of them, too,
+//! and a [`Compound`](crate::shape::Compound) those that its parts answer. `Contains` and `Distance` take a point
 //! ([`Vec2`](crate::Vec2)) as B, too, `CastShape` a point as A against boxes and circles.
 //! `closest_point` is a method of each shape, `cast_ray` of the first three. None of them can loop
 //! without a bound or divide, and none can fail but casts, which refuse what is out of range.
@@ -73,6 +74,7 @@
 
 pub(crate) mod cast;
 pub(crate) mod closest;
+mod compound;
 mod contact;
 mod convex;
 pub(crate) mod meet;

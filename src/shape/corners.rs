@@ -1,6 +1,7 @@
 //! What every convex shape is to the kernels: corners, and a radius around them.
 
-use super::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
+use super::any::each;
+use super::{Aabb, AnyShape, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 use crate::num::{Raw, Vec2};
 use core::ops::Deref;
 
@@ -123,6 +124,47 @@ impl Convex for OrientedBox {
     #[inline]
     fn rounding(&self) -> i32 {
         self.radius().to_bits()
+    }
+}
+
+/// The corners of a shape of any kind.
+#[derive(Clone, Copy)]
+pub(crate) enum AnyCorners<'a> {
+    Few(Few),
+    Lent(&'a [Vec2]),
+}
+
+impl Deref for AnyCorners<'_> {
+    type Target = [Vec2];
+
+    #[inline]
+    fn deref(&self) -> &[Vec2] {
+        match self {
+            Self::Few(few) => few,
+            Self::Lent(lent) => lent,
+        }
+    }
+}
+
+impl<const N: usize> Convex for AnyShape<N> {
+    type Corners<'a> = AnyCorners<'a>;
+
+    /// A call: each pair with it has one, not six.
+    #[inline(never)]
+    fn outline(&self) -> AnyCorners<'_> {
+        match self {
+            Self::Aabb(it) => AnyCorners::Few(it.outline()),
+            Self::Circle(it) => AnyCorners::Few(it.outline()),
+            Self::Segment(it) => AnyCorners::Few(it.outline()),
+            Self::Capsule(it) => AnyCorners::Few(it.outline()),
+            Self::OrientedBox(it) => AnyCorners::Few(it.outline()),
+            Self::Polygon(it) => AnyCorners::Lent(it.outline()),
+        }
+    }
+
+    #[inline]
+    fn rounding(&self) -> i32 {
+        each!(self, |it| it.rounding())
     }
 }
 

@@ -1,6 +1,6 @@
 //! Shapes, read by their constructors: a shape that exists is inside the domain.
 
-use super::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
+use super::{Aabb, Capsule, Circle, Compound, CompoundError, ConvexPolygon, OrientedBox, Segment, Single};
 use crate::error::{PolygonError, RangeError};
 use crate::num::{Fx, Vec2};
 use crate::stored::{Form, stored};
@@ -147,3 +147,25 @@ impl<const N: usize> Form<ConvexPolygon<N>> for Outline<N> {
 }
 
 stored!([const N: usize] ConvexPolygon<N> as Outline<N>;);
+
+#[derive(Serialize, Deserialize)]
+struct Pieces<S, const M: usize> {
+    parts: Vec<S, M>,
+}
+
+impl<S: Single, const M: usize> Form<Compound<S, M>> for Pieces<S, M> {
+    type Fault = CompoundError;
+
+    fn of(compound: &Compound<S, M>) -> Self {
+        let mut parts = Vec::new();
+        let all = parts.extend_from_slice(compound.parts());
+        debug_assert!(all.is_ok(), "a compound has at most M parts");
+        Self { parts }
+    }
+
+    fn check(self) -> Result<Compound<S, M>, CompoundError> {
+        Compound::new(&self.parts)
+    }
+}
+
+stored!([S: Single, const M: usize] Compound<S, M> as Pieces<S, M>; S);

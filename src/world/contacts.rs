@@ -3,7 +3,9 @@
 use super::joined::Joined;
 use super::level::{Feature, Geometry, World, ends, precedes};
 use super::measure::Measure;
+use super::placed::Placed;
 use super::segment_map::SegmentMap;
+use super::solids::Solids;
 use super::tile_map::{Set, Store, TileMap};
 use crate::error::Truncated;
 use crate::num::{Axis, Fx, Raw, Vec2, div_sqrt, mul_div_wide, toward, umul, usqr};
@@ -133,9 +135,14 @@ impl ContactRef<'_> {
         }
     }
 
-    fn before<W: World>(self, other: ContactRef<'_>) -> bool {
+    fn before<W: World>(self, other: ContactRef<'_>, by_depth: bool) -> bool {
         let corner = |c: ContactRef<'_>| matches!(c.feature.geometry, Geometry::Vertex { .. });
-        match self.measure().order::<W>(&other.measure()).then(corner(self).cmp(&corner(other))) {
+        let order = if by_depth {
+            self.contact.depth().cmp(&other.contact.depth())
+        } else {
+            self.measure().order::<W>(&other.measure())
+        };
+        match order.then(corner(self).cmp(&corner(other))) {
             Ordering::Equal => precedes(self.feature, other.feature),
             order => order == Ordering::Less,
         }
@@ -173,8 +180,8 @@ macro_rules! contacts_of {
 }
 
 contacts_of! {
-    /// Writes the features that a box or circle overlaps to `out`, which is cleared first: each
-    /// once, the nearest first.
+    /// Writes the features that a body overlaps to `out`, which is cleared first: each once, the
+    /// nearest first.
     ///
     /// A feature counts where the body is in its region. For a circle, the centre must be before or
     /// behind a face or an arc, or in the cone of a corner. Right behind a concave corner it has
@@ -182,6 +189,10 @@ contacts_of! {
     /// corner must be before or behind a slope or arc. A side of the box counts against a face
     /// along x or y, or against the corner that it faces. A box that has none of these has the
     /// nearest slope that it meets at all.
+    ///
+    /// Capsules, turned boxes and polygons follow the rules of boxes, with their own sides, and with
+    /// a disc around each corner if they are rounded. The shortest way out comes first, by the depth
+    /// rounded up to raw units; then faces and arcs before corners.
     ///
     /// Features seen from behind count only while the body's middle is in the solid: the far side
     /// of a thin wall is not a way out. Circles list the feature first whose distance from the
@@ -213,8 +224,8 @@ contacts_of! {
 }
 
 contacts_of! {
-    /// Writes the features that a box or circle overlaps to `out`, which is cleared first: each
-    /// once, the nearest first; as [`TileMap::contacts`].
+    /// Writes the features that a body overlaps to `out`, which is cleared first: each once, the
+    /// nearest first; as [`TileMap::contacts`].
     ///
     /// A wall that a body crosses pushes to the side on which the body's middle is.
     ///
@@ -224,12 +235,29 @@ contacts_of! {
 }
 
 contacts_of! {
-    /// Writes the features of both levels that a box or circle overlaps to `out`, which is cleared
-    /// first. Each comes once, the nearest first, as in [`TileMap::contacts`].
+    /// Writes the features of both levels that a body overlaps to `out`, which is cleared first. Each comes once, the nearest first, as in [`TileMap::contacts`].
     ///
     /// # Errors
     /// [`Truncated`] where they do not fit: `out` then holds the nearest.
     [A: World, B: World] Joined<'_, A, B>
+}
+
+contacts_of! {
+    /// Writes the features of the level at its current position that a body overlaps to `out`, which
+    /// is cleared first; as [`TileMap::contacts`].
+    ///
+    /// # Errors
+    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    [W: World] Placed<'_, W>
+}
+
+contacts_of! {
+    /// Writes the features of the solids at their current positions that a body overlaps to `out`,
+    /// which is cleared first; as [`TileMap::contacts`].
+    ///
+    /// # Errors
+    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    [] Solids<'_>
 }
 
 /// [`TileMap::contacts`] for any level.
@@ -240,13 +268,8 @@ pub(crate) fn contacts<W: World, B: Pushable>(
     out: &mut VecView<WorldContact>,
 ) -> Result<u32, Truncated> {
     out.clear();
-    let bounds = body.bounds();
-    // The raw units around the middle: a point, where the sides are even. Rounding must not put it
-    // on the surface, where it would not see the features before it.
-    let (lo, hi) = (bounds.lo(), bounds.hi());
-    let last = Raw { x: (lo.x + hi.x + 1) >> 1, y: (lo.y + hi.y + 1) >> 1 };
-    let behind = world.overlaps_aabb(&Aabb::from_raw_unchecked(Raw::of(bounds.centre()), last));
-    contacts_in(world, body, &bounds, behind, one_way, out)
+    let behind = world.overlaps_aabb(&body.middle());
+    contacts_in(world, body, &body.bounds(), behind, one_way, out)
 }
 
 /// The same, of a body with these bounds whose middle is in the solid or not.
@@ -278,7 +301,7 @@ fn contacts_in<W: World, B: Pushable>(
             (seen, any_in_region) = (0, true);
         }
         if !B::ROUND && !in_region {
-            if spare.as_ref().is_none_or(|spare| new.before::<W>(spare.found())) {
+            if spare.as_ref().is_none_or(|spare| new.before::<W>(spare.found(), B::BY_DEPTH)) {
                 spare = Some(new.kept());
             }
             continue;
@@ -287,12 +310,12 @@ fn contacts_in<W: World, B: Pushable>(
         let same = |f: &Feature| (f.source, f.cell, f.index) == (feature.source, feature.cell, feature.index);
         if !out.iter().any(|c| same(&c.feature)) {
             seen = seen.wrapping_add(1);
-            insert::<W>(out, new);
+            insert::<W>(out, new, B::BY_DEPTH);
         }
     }
     if let (0, Some(spare)) = (seen, &spare) {
         seen = 1;
-        insert::<W>(out, spare.found());
+        insert::<W>(out, spare.found(), B::BY_DEPTH);
     }
     let kept = out.len() as u32;
     if kept == seen { Ok(features) } else { Err(Truncated { seen, kept }) }
@@ -300,16 +323,16 @@ fn contacts_in<W: World, B: Pushable>(
 
 /// Keeps the list in order; where it is full the last goes.
 #[inline(never)]
-fn insert<W: World>(out: &mut VecView<WorldContact>, new: ContactRef<'_>) {
+fn insert<W: World>(out: &mut VecView<WorldContact>, new: ContactRef<'_>, by_depth: bool) {
     if out.is_full() || out.push(new.kept()).is_err() {
         match out.last_mut() {
-            Some(last) if new.before::<W>(last.found()) => *last = new.kept(),
+            Some(last) if new.before::<W>(last.found(), by_depth) => *last = new.kept(),
             _ => return,
         }
     }
     let mut i = out.len();
     while let Some([before, after]) = i.checked_sub(2).and_then(|first| out.get_mut(first..i)) {
-        if !after.found().before::<W>(before.found()) {
+        if !after.found().before::<W>(before.found(), by_depth) {
             return;
         }
         core::mem::swap(before, after);
@@ -317,13 +340,13 @@ fn insert<W: World>(out: &mut VecView<WorldContact>, new: ContactRef<'_>) {
     }
 }
 
-/// A shape that [`TileMap::contacts`] takes: a box or a circle. Sealed.
+/// A shape that [`TileMap::contacts`] takes: any but a segment. Sealed.
 pub trait Pushable: kernel::PushKernel {}
 
 impl Pushable for Aabb {}
 impl Pushable for Circle {}
 
-mod kernel {
+pub(super) mod kernel {
     //! The part of [`Pushable`](crate::world::Pushable) that only this crate calls.
 
     use super::{Aabb, Circle, Contact, Feature, Raw, World};
@@ -335,6 +358,17 @@ mod kernel {
         const ROUND: bool;
         /// The bounding box, with the same middle.
         fn bounds(&self) -> Aabb;
+        /// Whether contacts are in the order of their rounded depths: of bodies whose sides and
+        /// radii give distances of several kinds.
+        const BY_DEPTH: bool = false;
+        /// The raw units around the middle: a point, where the sides are even. Rounding must not
+        /// put it on the surface, where it would not see the features before it.
+        fn middle(&self) -> Aabb {
+            let bounds = self.bounds();
+            let (lo, hi) = (bounds.lo(), bounds.hi());
+            let last = Raw { x: (lo.x + hi.x + 1) >> 1, y: (lo.y + hi.y + 1) >> 1 };
+            Aabb::from_raw_unchecked(Raw::of(bounds.centre()), last)
+        }
         /// The contact with a feature, from behind as well where that is allowed, and whether it is
         /// in the feature's region.
         fn meet<W: World>(&self, feature: &Feature, behind: bool) -> Option<(Contact, bool)>;

@@ -9,7 +9,7 @@ use super::solids::Solids;
 use super::tile_map::{Set, Store, TileMap};
 use crate::num::Raw;
 use crate::query::{Core, Overlaps, Touches};
-use crate::shape::{Aabb, Capsule, Convex, ConvexPolygon, OrientedBox};
+use crate::shape::{Aabb, AnyShape, Capsule, Compound, Convex, ConvexPolygon, OrientedBox, Single};
 
 /// Asks a level about a shape.
 fn ask<W: World, B: Convex>(world: &W, shape: &B, bounds: Aabb, closed: bool) -> bool {
@@ -40,6 +40,25 @@ macro_rules! all_convex {
             convex_meets! { [$($parameters)*] $level, [] Capsule }
             convex_meets! { [$($parameters)*] $level, [] OrientedBox }
             convex_meets! { [$($parameters)*] $level, [const N: usize] ConvexPolygon<N> }
+            convex_meets! { [$($parameters)*] $level, [const N: usize] AnyShape<N> }
+
+            impl<$($parameters)* P: Single, const M: usize> Overlaps<Compound<P, M>> for $level
+            where
+                Self: Overlaps<P>,
+            {
+                fn overlaps(&self, b: &Compound<P, M>) -> bool {
+                    b.parts().iter().any(|part| Overlaps::overlaps(self, part))
+                }
+            }
+
+            impl<$($parameters)* P: Single, const M: usize> Touches<Compound<P, M>> for $level
+            where
+                Self: Touches<P>,
+            {
+                fn touches(&self, b: &Compound<P, M>) -> bool {
+                    b.parts().iter().any(|part| Touches::touches(self, part))
+                }
+            }
         )*
     };
 }

@@ -12,6 +12,7 @@ mod alive_walks;
 mod assist;
 mod by_flags;
 mod clear;
+mod convex_bodies;
 mod floor;
 mod inside;
 mod invariants;

@@ -3,6 +3,7 @@
 
 #![cfg(not(target_os = "none"))]
 
+mod any_shapes;
 mod closest_ties;
 mod convex;
 mod convex_lattice;

@@ -6,6 +6,7 @@ mod blocks;
 mod contacts;
 mod contacts_sources;
 mod convex;
+mod convex_contacts;
 mod features;
 mod joined;
 mod map;

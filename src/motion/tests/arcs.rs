@@ -8,7 +8,7 @@ use crate::num::Axis;
 use crate::world::{Feature, Geometry};
 
 /// The quarter disc of radius `a` around the origin toward +x, +y, or what it leaves of its square.
-fn outline(a: i64, convex: bool) -> Vec<Feature> {
+pub(super) fn outline(a: i64, convex: bool) -> Vec<Feature> {
     let face = |from: P, dir: Axis| feature(Geometry::Face { a: vec2(from), dir, len: a as i32, joined: [false; 2] });
     let vertex = |p: P, e_in, e_out| feature(Geometry::Vertex { p: vec2(p), e_in, e_out });
     let arc = feature(Geometry::Arc { centre: vec2((0, 0)), radius: a as i32, quadrant: Axis::new(1, 1), convex });

@@ -14,6 +14,8 @@ extern crate std;
 
 mod ahead;
 mod arcs;
+mod convex;
+mod convex_arcs;
 mod order;
 mod polygons;
 mod sides;
@@ -23,7 +25,7 @@ use self::std::vec::Vec;
 use super::body::{Body, Entry, kernel::Kernel};
 use super::order::First;
 use crate::num::{Axis, Fx, Raw, Vec2};
-use crate::shape::{Capsule, Circle};
+use crate::shape::{AnyShape, Capsule, Circle, ConvexPolygon};
 use crate::world::{Cell, Feature, Geometry, SegmentMap};
 use tilesat_judge::{Random, cases};
 

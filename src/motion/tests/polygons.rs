@@ -7,8 +7,8 @@ use super::std::{format, println, vec};
 use super::{Body, P, Random, capsule, cases, circle, first, outline, raw};
 use num_bigint::BigInt;
 
-type Big = BigInt;
-type Wide = (Big, Big);
+pub(super) type Big = BigInt;
+pub(super) type Wide = (Big, Big);
 
 fn sub(a: &Wide, b: &Wide) -> Wide {
     (&a.0 - &b.0, &a.1 - &b.1)
@@ -22,7 +22,7 @@ fn cross(a: &Wide, b: &Wide) -> Big {
     &a.0 * &b.1 - &a.1 * &b.0
 }
 
-fn zero() -> Big {
+pub(super) fn zero() -> Big {
     Big::from(0)
 }
 
@@ -42,12 +42,12 @@ fn point_near(p: &Wide, a: &Wide, b: &Wide, rr: &Big) -> bool {
     &across * &across < rr * &square
 }
 
-fn side(p: &Wide, a: &Wide, b: &Wide) -> Big {
+pub(super) fn side(p: &Wide, a: &Wide, b: &Wide) -> Big {
     cross(&sub(b, a), &sub(p, a))
 }
 
 /// Whether two segments are nearer to each other than the root of `rr`, which is not 0.
-fn near((a, b): (&Wide, &Wide), (p, q): (&Wide, &Wide), rr: &Big) -> bool {
+pub(super) fn near((a, b): (&Wide, &Wide), (p, q): (&Wide, &Wide), rr: &Big) -> bool {
     let apart = |p: &Big, q: &Big| (p < &zero()) != (q < &zero()) && *p != zero() && *q != zero();
     point_near(p, a, b, rr)
         || point_near(q, a, b, rr)
@@ -78,7 +78,7 @@ fn enters(solid: &[P], (c, size, r): Round, d: P, num: i64, den: i64) -> bool {
 }
 
 /// Whether a point is inside, by its winding.
-fn contains(solid: &[P], p: P) -> bool {
+pub(super) fn contains(solid: &[P], p: P) -> bool {
     let n = solid.len();
     let mut winding = 0;
     for i in 0..n {
@@ -174,7 +174,7 @@ pub(super) const SOLIDS: [&[P]; 12] = [
 ];
 
 /// A convex polygon, or a triangle, of any size and direction.
-fn any_polygon(r: &mut Random, size: i64) -> Vec<P> {
+pub(super) fn any_polygon(r: &mut Random, size: i64) -> Vec<P> {
     if r.one_in(2) {
         let scale = r.within(1, (size / 5).max(1));
         return SOLIDS[r.below(12) as usize].iter().map(|p| (p.0 * scale, p.1 * scale)).collect();
@@ -193,7 +193,7 @@ fn any_polygon(r: &mut Random, size: i64) -> Vec<P> {
 }
 
 /// A point of an edge: an end, near one, or between.
-fn target(r: &mut Random, solid: &[P]) -> (P, P) {
+pub(super) fn target(r: &mut Random, solid: &[P]) -> (P, P) {
     let i = r.below(solid.len() as i64) as usize;
     let (a, b) = (solid[i], solid[(i + 1) % solid.len()]);
     let e = (b.0 - a.0, b.1 - a.1);
@@ -203,7 +203,7 @@ fn target(r: &mut Random, solid: &[P]) -> (P, P) {
 }
 
 /// `v` turned by a right angle away from the solid, with a length.
-fn across(e: P, length: i64) -> P {
+pub(super) fn across(e: P, length: i64) -> P {
     let scale = length as f64 / (e.0 as f64).hypot(e.1 as f64).max(1.0);
     ((e.1 as f64 * scale).round() as i64, (-e.0 as f64 * scale).round() as i64)
 }

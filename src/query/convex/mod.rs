@@ -26,7 +26,7 @@ use super::contact::{Contact, Contacts};
 use super::overlap::{Contains, Overlaps, Touches};
 use crate::error::RangeError;
 use crate::num::{Fx, Raw, Vec2};
-use crate::shape::{Aabb, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
+use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
 use exit::Exit;
 use place::Place;
 
@@ -198,6 +198,13 @@ pair_both!([const N: usize] ConvexPolygon<N>, Circle);
 pair_both!([const N: usize] ConvexPolygon<N>, Segment);
 pair_both!([const N: usize] ConvexPolygon<N>, Capsule);
 pair_both!([const N: usize] ConvexPolygon<N>, OrientedBox);
+pair!([const N: usize, const M: usize] AnyShape<N>, AnyShape<M>);
+pair_both!([const N: usize] AnyShape<N>, Aabb);
+pair_both!([const N: usize] AnyShape<N>, Circle);
+pair_both!([const N: usize] AnyShape<N>, Segment);
+pair_both!([const N: usize] AnyShape<N>, Capsule);
+pair_both!([const N: usize] AnyShape<N>, OrientedBox);
+pair_both!([const N: usize, const M: usize] AnyShape<N>, ConvexPolygon<M>);
 
 // The other verbs of these have kernels of their own.
 manifolds!([] Aabb, Aabb);
@@ -277,3 +284,4 @@ macro_rules! points {
 points!([] Capsule);
 points!([] OrientedBox);
 points!([const N: usize] ConvexPolygon<N>);
+points!([const N: usize] AnyShape<N>);

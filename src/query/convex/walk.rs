@@ -5,7 +5,8 @@
 //! kept, and parallel sides come once, as one. One product pair a side orders it, one asks it where
 //! the origin is.
 
-use crate::num::{Raw, SPLIT, Vec2};
+use crate::num::{Axis, Raw, SPLIT, Vec2};
+use crate::query::cast::moment::along;
 
 /// A shape's corners and radius.
 #[derive(Clone, Copy, Debug)]
@@ -20,9 +21,39 @@ impl Core<'_> {
     }
 
     /// The index of the next corner, counter-clockwise.
-    pub(super) const fn after(&self, index: usize) -> usize {
+    pub(crate) const fn after(&self, index: usize) -> usize {
         let next = index.wrapping_add(1);
         if next < self.corners.len() { next } else { 0 }
+    }
+
+    /// The ends of what is nearest to a face in the direction `dir`, which is below it: of a side
+    /// that is parallel to it the two corners, in that direction.
+    ///
+    /// Corners are below 2^29 and directions below 2^30: products are below 2^60.
+    pub(crate) fn facing(&self, dir: Axis) -> (usize, usize) {
+        let out = Axis::new(dir.y, dir.x.wrapping_neg());
+        let depth = |i: usize| along(out, self.corner(i));
+        let (mut first, mut last, mut least) = (0, 0, depth(0));
+        for i in 1..self.corners.len() {
+            let here = depth(i);
+            if here < least {
+                (first, last, least) = (i, i, here);
+            } else if here == least {
+                let ahead = along(dir, self.corner(i).sub(self.corner(last))) > 0;
+                if ahead { last = i } else { first = i }
+            }
+        }
+        (first, last)
+    }
+
+    /// The normal of the side that begins at a corner, into the shape; of length one along x and y.
+    pub(crate) fn facing_normal(&self, corner: usize) -> Axis {
+        let e = self.corner(self.after(corner)).sub(self.corner(corner));
+        if e.x == 0 || e.y == 0 {
+            Axis::new(e.y.signum().wrapping_neg(), e.x.signum())
+        } else {
+            Axis::new(e.y.wrapping_neg(), e.x)
+        }
     }
 
     /// The index of the one before it.

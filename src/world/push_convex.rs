@@ -1,0 +1,183 @@
+//! The contact of a convex body with one feature that it overlaps: how deep, and which way out.
+//!
+//! As of a box: of a face the deepest part of the body, of a corner and an arc the least exit across
+//! one of the body's sides, or past one of its rounded corners, in the feature's cone of normals.
+
+use super::contacts::kernel::PushKernel;
+use super::level::{Feature, Geometry, World, ends, in_quadrant, normal, raw};
+use super::measure::into_disc;
+use crate::num::{Axis, Raw, less128, mul64, sqr64, usqr};
+use crate::query::closest::on_segment;
+use crate::query::{ArcCell, Contact, Core, meets};
+use crate::shape::{Aabb, AnyShape, Capsule, Convex, ConvexPolygon, OrientedBox};
+
+macro_rules! pushed {
+    ([$($n:tt)*] $body:ty) => {
+        impl<$($n)*> super::contacts::Pushable for $body {}
+
+        impl<$($n)*> PushKernel for $body {
+            const ROUND: bool = false;
+            const BY_DEPTH: bool = true;
+
+            fn bounds(&self) -> Aabb {
+                self.aabb()
+            }
+
+            fn middle(&self) -> Aabb {
+                middle(&self.outline())
+            }
+
+            fn meet<W: World>(&self, feature: &Feature, behind: bool) -> Option<(Contact, bool)> {
+                let corners = self.outline();
+                let core = Core { corners: &corners, radius: self.rounding() };
+                let body = Pushed { core, middle: middle(&corners).lo() };
+                match feature.geometry {
+                    Geometry::Arc { .. } if !W::ROUND => None,
+                    _ => body.meet(feature, behind),
+                }
+            }
+        }
+    };
+}
+
+pushed!([] Capsule);
+pushed!([] OrientedBox);
+pushed!([const N: usize] ConvexPolygon<N>);
+pushed!([const N: usize] AnyShape<N>);
+
+/// The raw units around the mean of the corners, which is inside of the body.
+fn middle(corners: &[crate::num::Vec2]) -> Aabb {
+    let count = corners.len().max(1) as i64;
+    let sum = corners.iter().fold((0i64, 0i64), |sum, p| {
+        let p = Raw::of(*p);
+        (sum.0.wrapping_add(p.x.into()), sum.1.wrapping_add(p.y.into()))
+    });
+    // By repeated halving: a chip has no 64-bit division.
+    let floor = |sum: i64| {
+        let (mut part, mut rest) = (0i64, sum.wrapping_add(count << 30));
+        for bit in (0..31).rev() {
+            if rest >= count << bit {
+                (part, rest) = (part.wrapping_add(1 << bit), rest.wrapping_sub(count << bit));
+            }
+        }
+        (part.wrapping_sub(1 << 30) as i32, i32::from(rest != 0))
+    };
+    let ((x, a), (y, b)) = (floor(sum.0), floor(sum.1));
+    Aabb::from_raw_unchecked(Raw { x, y }, Raw { x: x.wrapping_add(a), y: y.wrapping_add(b) })
+}
+
+struct Pushed<'a> {
+    core: Core<'a>,
+    middle: Raw,
+}
+
+impl Pushed<'_> {
+    fn meet(&self, feature: &Feature, behind: bool) -> Option<(Contact, bool)> {
+        match feature.geometry {
+            Geometry::Face { a, dir, len, joined } => {
+                let (a, b) = ends(Raw::of(a), dir, len);
+                self.face((a, b), dir, joined, behind)
+            }
+            Geometry::Vertex { p, e_in, e_out } => {
+                let p = Raw::of(p);
+                if !meets::<false>(self.core, Core { corners: &[p.vec2()], radius: 0 }) {
+                    return None;
+                }
+                let in_cone = |n: Axis| n.dot(e_in) > 0 && n.dot(e_out) < 0;
+                self.exit(p, 0, &in_cone, behind, false).map(|contact| (contact, true))
+            }
+            Geometry::Arc { centre, radius, quadrant, convex } => {
+                let centre = Raw::of(centre);
+                let cell =
+                    ArcCell { centre, left: quadrant.x < 0, above: quadrant.y < 0, side: radius };
+                let contact = if convex {
+                    if !cell.convex_meets::<false>(self.core) {
+                        return None;
+                    }
+                    let in_cone = |n: Axis| in_quadrant(Raw { x: n.x, y: n.y }, quadrant);
+                    self.exit(centre, radius, &in_cone, behind, true)
+                } else {
+                    if !cell.concave_meets::<false>(self.core) {
+                        return None;
+                    }
+                    self.pipe(centre, radius, quadrant, behind)
+                };
+                contact.map(|contact| (contact, true))
+            }
+        }
+    }
+
+    fn face(&self, (a, b): (Raw, Raw), dir: Axis, joined: [bool; 2], behind: bool) -> Option<(Contact, bool)> {
+        let n = normal(dir);
+        let line = [a.vec2(), b.vec2()];
+        let corners = if a == b { &line[..1] } else { &line };
+        let crosses = meets::<false>(self.core, Core { corners, radius: 0 });
+        if !crosses || (!behind && raw(n).dot(self.middle.sub(a)) < 0) {
+            return None;
+        }
+        let (first, last) = self.core.facing(dir);
+        let (first, last) = (self.core.corner(first), self.core.corner(last));
+        let (before, after) = (raw(dir).dot(last.sub(a)) < 0, raw(dir).dot(first.sub(b)) > 0);
+        // The middle of what a parallel side and the face share.
+        let from = if raw(dir).dot(first.sub(a)) < 0 && !before { on_segment(a, first, last) } else { first };
+        let to = if raw(dir).dot(last.sub(b)) > 0 && !after { on_segment(b, first, last) } else { last };
+        let at = Raw { x: from.x.wrapping_add(to.x) >> 1, y: from.y.wrapping_add(to.y) >> 1 };
+        let overlap = raw(n).dot(first.sub(a)).wrapping_neg();
+        let contact = Contact::new(n.reversed(), overlap, at).with_radii(self.core.radius, 0);
+        Some((contact, !((before && !joined[0]) || (after && !joined[1]))))
+    }
+
+    /// The least exit from a point with a radius, by normals in its cone. Those that the middle is
+    /// not in front of count from behind only, or, of an arc, where there are no others.
+    fn exit(&self, p: Raw, radius: i32, in_cone: &dyn Fn(Axis) -> bool, behind: bool, any: bool) -> Option<Contact> {
+        let (core, mut best, mut hidden) = (self.core, None, None);
+        let mut consider = |contact: Contact| {
+            let n = contact.axis.reversed();
+            let slot = if behind || self.is_in_front(p, radius, n) { &mut best } else { &mut hidden };
+            let key = |c: &Contact| {
+                let Axis { x, y } = c.axis.reversed();
+                (c.depth(), y != 0, x != 0, x < 0, y < 0, (y, x))
+            };
+            if slot.as_ref().is_none_or(|kept| key(&contact) < key(kept)) {
+                *slot = Some(contact);
+            }
+        };
+        for i in 0..core.corners.len() {
+            let (here, next, last) = (core.corner(i), core.corner(core.after(i)), core.corner(core.before(i)));
+            let n = core.facing_normal(i);
+            if !n.is_zero() && in_cone(n) {
+                let overlap = raw(n).dot(p.sub(here));
+                let at = on_segment(p, here, next);
+                consider(Contact::new(n.reversed(), overlap, at).with_radii(core.radius, radius));
+            }
+            let m = here.sub(p);
+            let own = next.sub(here).dot(m) >= 0 && last.sub(here).dot(m) >= 0 && !m.is_zero();
+            if core.radius.wrapping_add(radius) > 0 && own && in_cone(Axis::new(m.x, m.y)) {
+                consider(Contact::radial(here, m.reversed()).with_radii(core.radius, radius));
+            }
+        }
+        best.or(if any { hidden } else { None })
+    }
+
+    /// Whether the middle is in front of the tangent with this normal.
+    fn is_in_front(&self, p: Raw, radius: i32, n: Axis) -> bool {
+        let height = raw(n).dot(self.middle.sub(p));
+        let reach = mul64(usqr(radius.unsigned_abs()), n.length_squared());
+        height >= 0 && !less128(sqr64(height.unsigned_abs()), reach)
+    }
+
+    /// The exit of the corner that is farthest out of a quarter pipe.
+    fn pipe(&self, centre: Raw, radius: i32, quadrant: Axis, behind: bool) -> Option<Contact> {
+        let middle = self.middle.sub(centre);
+        if !behind && in_quadrant(middle, quadrant) && middle.len2() > usqr(radius.unsigned_abs()) {
+            return None;
+        }
+        let corners = (0..self.core.corners.len()).map(|i| self.core.corner(i));
+        let farthest = corners.filter(|w| in_quadrant(w.sub(centre), quadrant)).max_by_key(|w| {
+            let m = w.sub(centre);
+            (m.len2(), m.x.unsigned_abs())
+        })?;
+        let contact = into_disc(farthest, farthest.sub(centre), quadrant);
+        Some(contact.with_radii(self.core.radius, radius.wrapping_neg()))
+    }
+}
