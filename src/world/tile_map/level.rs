@@ -188,10 +188,18 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The cells of a range of the map that a body in the region may meet, and another range with
     /// them.
     const fn met(&self, range: Range, mut found: Range, region: &Aabb, r: Option<i32>) -> Range {
-        let mut y = range.y0;
+        let (mut y, (mut row, stride)) = (range.y0, if T::OCCUPIED { self.words_of(range.y0) } else { (0, 0) });
         while y <= range.y1 {
-            let x0 = if T::OCCUPIED { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
-            let (mut x, mut tile) = (x0, self.place(x0, y));
+            let mut x = range.x0;
+            if T::OCCUPIED {
+                x = self.next_occupied_in(row, x, range.x1);
+                row = row.wrapping_add(stride);
+                if x > range.x1 {
+                    y = y.wrapping_add(1);
+                    continue;
+                }
+            }
+            let mut tile = self.place(x, y);
             while x <= range.x1 {
                 let shape = self.kinds.get(self.id_at(tile)).shape;
                 if self.may_meet(shape, (x, y), region, r) {
