@@ -60,7 +60,7 @@ impl<B: Body> Search<'_, B> {
         let mut sweep =
             BlockSweep { world, body, d, front, span, r, thin, pressed, is_odd: false, corners: (a, b), first };
         let Some(mut block) = self.next_odd(&mut sweep, cells, before) else { return };
-        if W::BLOCKS {
+        if W::BLOCKS && !B::ANGULAR {
             return;
         }
         // One cursor for all cells of other shapes.

@@ -1,8 +1,8 @@
 //! Directions: two integers, always exact, or a vector of length one; vectors of a given length,
 //! rounded to the nearest lattice point; and the pairs of raw integers that kernels compute with.
 
-use super::quotient::{leading_zeros32, rsqrt};
-use super::{Fx, SPLIT, Vec2, div_sqrt, imul, mul_div_wide, umul, usqr};
+use super::quotient::{InverseRoot, leading_zeros32, rsqrt};
+use super::{Fx, LONG, SPLIT, Vec2, div_sqrt, imul, mul_div_wide, umul, usqr};
 use core::ops::Neg;
 use fixed::types::I2F30;
 
@@ -185,6 +185,12 @@ impl UnitVec2 {
         Self { x: I2F30::from_bits(x), y: I2F30::from_bits(y) }
     }
 
+    /// Of an axis of length one along x or y.
+    #[inline(always)]
+    pub(crate) const fn along(axis: Axis) -> Self {
+        Self::from_raw(axis.x.wrapping_mul(1 << 30), axis.y.wrapping_mul(1 << 30))
+    }
+
     /// Horizontal component, in `-1..=1`.
     #[must_use]
     pub const fn x(self) -> I2F30 {
@@ -276,6 +282,24 @@ pub(super) const fn unit_nearest(axis: Axis) -> UnitVec2 {
     let n = normalise(axis);
     let (x, y) = (n.nearest(n.x) as i32, n.nearest(n.y) as i32);
     UnitVec2::from_raw(if axis.x < 0 { -x } else { x }, if axis.y < 0 { -y } else { y })
+}
+
+/// [`unit_nearest`] by the reciprocal of the axis' length; for components below 2^30, neither of
+/// them zero.
+///
+/// [`normalise`] shifts the components, squares them, and rounds off 32 or 33 bits of the products.
+/// Here they are shifted by one more in the first case, less one in both, and 32 bits are rounded
+/// off. A component is at most the length: the products are at most 2^62 and a rounding error. Of
+/// one below zero, halves are rounded the other way.
+#[inline(always)]
+pub(crate) const fn unit_by(axis: Axis, inverse: InverseRoot) -> UnitVec2 {
+    UnitVec2::from_raw(nearest_by(axis.x, inverse), nearest_by(axis.y, inverse))
+}
+
+#[inline(always)]
+const fn nearest_by(component: i32, inverse: InverseRoot) -> i32 {
+    let product = ((component as i64) << (inverse.half.wrapping_sub(1) & 63)).wrapping_mul(inverse.y as i64);
+    (product.wrapping_add((1 << 31) + (component >> 31) as i64) >> 32) as i32
 }
 
 /// The magnitudes of the unit vector in Q30, never below the exact ones and at most 3 units above.
@@ -390,6 +414,10 @@ impl Raw {
     }
 
     pub(crate) const fn cross(self, o: Self) -> i64 {
+        if LONG {
+            // Where products are as wide as their difference, it saves the negation.
+            return imul(self.x, o.y).wrapping_sub(imul(self.y, o.x));
+        }
         super::dot(self.x, o.y, self.y.wrapping_neg(), o.x)
     }
 

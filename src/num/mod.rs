@@ -27,14 +27,14 @@ mod vec2;
 mod wide;
 
 pub use direction::{Axis, UnitVec2};
-pub(crate) use direction::{Raw, on_circle, scaled, toward, unit_ceil};
+pub(crate) use direction::{Raw, on_circle, scaled, toward, unit_by, unit_ceil};
 pub(crate) use part::fraction;
 pub use part::{Ratio, Toi};
+pub(crate) use quotient::{InverseRoot, leading_zeros32, leading_zeros64, root128_down, root128_up};
 pub use quotient::{div_sqrt, isqrt64, isqrt64_ceil, mul_div, mul_div_wide, recip, rsqrt};
-pub(crate) use quotient::{leading_zeros32, leading_zeros64, root128_down, root128_up};
 pub use vec2::{DOMAIN, MOTION, Vec2};
 pub(crate) use vec2::{check_coordinate, check_length, check_motion, check_radius};
-pub(crate) use wide::{LONG, add128, cmp_squares, dot, mul128, norm, square_times, sub128};
+pub(crate) use wide::{LONG, add128, cmp_squares, dot, mul128, norm, sqr_signed, square_times, sub128};
 pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split, usqr, usqr_split};
 
 /// The world's scalar: signed 16.16 fixed point. A unit is whatever the game says it is, usually a

@@ -70,7 +70,15 @@ impl Toi {
     ///
     /// While the sum is still on the side that `d` comes from, rounding toward zero keeps it away;
     /// on zero and beyond it is one more that does.
+    #[inline]
     pub(crate) const fn of_raw_beside(self, m: i32, d: i32, away: bool) -> i32 {
+        if LONG {
+            // Of positive sums, away from zero is up; the sum and the part lack the same.
+            let part = (d as i64).wrapping_mul(self.0 as i64);
+            let sum = ((m as i64) << 30).wrapping_add(part);
+            let up = if (sum > 0) == away { (1 << 30) - 1 } else { 0 };
+            return (part.wrapping_add(up) >> 30) as i32;
+        }
         let product = super::umul(d.unsigned_abs(), self.0);
         let part = (product >> 30) as i32;
         let part = if d < 0 { part.wrapping_neg() } else { part };

@@ -59,7 +59,40 @@ mod quotients {
 }
 
 mod unit {
-    use crate::num::direction::Normalised;
+    use crate::num::direction::{Normalised, unit_by, unit_nearest};
+    use crate::num::quotient::{InverseRoot, div_sqrt, isqrt64};
+    use crate::num::{Axis, sqr64};
+
+    /// Vectors of every size and of sides that differ by up to as much; those beside squares of
+    /// lengths, and of halves of the last place.
+    #[test]
+    fn one_reciprocal_root_gives_all_that_needs_one() {
+        let sizes = (0..30).flat_map(|k| [1, 2, 3, 5, 7].map(|m| (m << k) >> 2)).filter(|v| (1..1 << 30).contains(v));
+        let sides = sizes.flat_map(|v| [-1, 0, 1].map(|by| v + by)).filter(|v| (1..1 << 30).contains(v));
+        let pairs = sides.clone().flat_map(|x| sides.clone().map(move |y| (x, y)));
+        let walked = (0..400_000u64).map(|k| {
+            let bits = k.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            (((bits >> 34) >> (k % 29)) as i32 | 1, ((bits & 0x3fff_ffff) >> (k % 23)) as i32 | 1)
+        });
+        for (x, y) in pairs.chain(walked) {
+            for axis in [Axis::new(x, y), Axis::new(-x, y), Axis::new(x, -y), Axis::new(-x, -y)] {
+                let n = axis.length_squared();
+                let inverse = InverseRoot::of(n);
+                assert_eq!(unit_by(axis, inverse), unit_nearest(axis), "{axis:?}");
+                assert_eq!(inverse.root(n), isqrt64(n), "{axis:?}");
+                // Quotients below 2^31, just reached and just missed.
+                for q in [1u64, 3, 0x1234, 0x7654_3210, (1 << 31) - 1] {
+                    let s = isqrt64(n) as u64 * q;
+                    for s in [s, s + q / 2, s + q].into_iter().filter(|&s| sqr64(s) < (n >> 2, n << 62)) {
+                        assert_eq!(inverse.times(s, n), div_sqrt(s, n), "{axis:?} {s}");
+                        let floor = |q: u64| u128::from(q).pow(2) * u128::from(n) <= u128::from(s).pow(2);
+                        let q = u64::from(div_sqrt(s, n));
+                        assert!(floor(q) && !floor(q + 1), "{axis:?} {s}");
+                    }
+                }
+            }
+        }
+    }
 
     #[test]
     fn products_are_rounded_to_nearest() {

@@ -74,7 +74,12 @@ const fn norm_call(a: i32, b: i32) -> u64 {
 
 #[inline(always)]
 const fn norm_words(a: i32, b: i32) -> u64 {
-    usqr(a.unsigned_abs()).wrapping_add(usqr(b.unsigned_abs()))
+    if SPLIT {
+        usqr(a.unsigned_abs()).wrapping_add(usqr(b.unsigned_abs()))
+    } else {
+        // Of signed words: their sizes are two instructions more each.
+        (imul(a, a) as u64).wrapping_add(imul(b, b) as u64)
+    }
 }
 
 /// [`umul`] from four 16-bit products. `ARMv6-M` runs it; the tests call it everywhere.
@@ -141,6 +146,13 @@ pub const fn sqr64(a: u64) -> (u64, u64) {
     } else {
         sqr64_words(a)
     }
+}
+
+/// [`sqr64`] of the size of a signed double word.
+#[inline]
+pub(crate) const fn sqr_signed(a: i64) -> (u64, u64) {
+    // A signed product is one as well.
+    if LONG { pair((a as i128 * a as i128) as u128) } else { sqr64(a.unsigned_abs()) }
 }
 
 #[inline(always)]

@@ -1,6 +1,6 @@
 //! The boolean kernels, on raw values: strict where `CLOSED` is false, closed where it is true.
 
-use crate::num::{LONG, Raw, SPLIT, less128, mul64, sqr64, usqr};
+use crate::num::{LONG, Raw, SPLIT, less128, mul64, sqr_signed, usqr};
 
 /// `a < b`, or `a <= b` for closed sets.
 #[inline]
@@ -104,27 +104,47 @@ pub(crate) const fn circle_gaps<const CLOSED: bool>(gx: i32, gy: i32, r: i32) ->
 /// Circle against segment.
 #[inline]
 pub(crate) const fn circle_segment<const CLOSED: bool>(c: Raw, r: i32, a: Raw, b: Raw) -> bool {
-    let mut inside = false;
-    if !LONG {
-        let (lo, hi) = corners(a, b);
-        let (gx, gy) = (gap(c.x, lo.x, hi.x), gap(c.y, lo.y, hi.y));
-        if !below::<CLOSED>(gx, r) || !below::<CLOSED>(gy, r) {
-            return false;
-        }
-        if lo.x == hi.x || lo.y == hi.y {
-            return circle_gaps::<CLOSED>(gx, gy, r);
-        }
-        // Where a product is cheap the test that saves two of them is not worth its registers.
-        inside = SPLIT && gx <= 0 && gy <= 0;
+    if LONG {
+        return by_region::<CLOSED>(c, r, a, b);
     }
+    let (lo, hi) = corners(a, b);
+    let (gx, gy) = (gap(c.x, lo.x, hi.x), gap(c.y, lo.y, hi.y));
+    if !below::<CLOSED>(gx, r) || !below::<CLOSED>(gy, r) {
+        return false;
+    }
+    if lo.x == hi.x || lo.y == hi.y {
+        return circle_gaps::<CLOSED>(gx, gy, r);
+    }
+    // Where a product is cheap the test that saves two of them is not worth its registers.
+    let inside = SPLIT && gx <= 0 && gy <= 0;
     match region::<false>(c, a, b, inside) {
         Region::End(p) => circle_circle::<CLOSED>(c, p, r),
-        // |cross| is below 2^61: its square and r^2 L are below 2^122.
-        Region::Line { cross, len2 } => {
-            let (square, limit) = (sqr64(cross.unsigned_abs()), mul64(usqr(r as u32), len2));
-            if CLOSED { !less128(limit, square) } else { less128(square, limit) }
-        }
+        Region::Line { cross, len2 } => near_line::<CLOSED>(cross, r, len2),
     }
+}
+
+/// The same without a look at the bounding box, which takes more than it saves where products are
+/// cheap: seen from the first end.
+#[inline(always)]
+const fn by_region<const CLOSED: bool>(c: Raw, r: i32, a: Raw, b: Raw) -> bool {
+    let (e, m) = (b.sub(a), c.sub(a));
+    let (dot, len2, limit) = (e.dot(m), e.dot(e), usqr(r as u32));
+    let square = if dot <= 0 {
+        m.dot(m) as u64
+    } else if dot >= len2 {
+        c.sub(b).len2()
+    } else {
+        return near_line::<CLOSED>(e.cross(m), r, len2 as u64);
+    };
+    square < limit || (CLOSED && square == limit)
+}
+
+/// Whether a point is nearer to a line than `r`, by the cross product of a vector along it: below
+/// 2^61, so its square and `r^2 len2` are below 2^122.
+#[inline(always)]
+pub(crate) const fn near_line<const CLOSED: bool>(cross: i64, r: i32, len2: u64) -> bool {
+    let (square, limit) = (sqr_signed(cross), mul64(usqr(r as u32), len2));
+    if CLOSED { !less128(limit, square) } else { less128(square, limit) }
 }
 
 /// The corners of a segment's bounding box.

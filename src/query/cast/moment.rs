@@ -4,8 +4,8 @@
 
 use super::kernel::{Course, Moment};
 use crate::num::{
-    Axis, Raw, SPLIT, Toi, add128, cmp_squares, fraction, imul, leading_zeros64, less128, mul64, root128_down,
-    root128_up, sqr64, sub128, umul, usqr,
+    Axis, LONG, Raw, SPLIT, Toi, add128, cmp_squares, fraction, imul, leading_zeros64, less128, mul64, root128_down,
+    root128_up, sqr_signed, sqr64, sub128, umul, usqr,
 };
 use crate::query::meet::circle_circle;
 use core::cmp::Ordering;
@@ -16,9 +16,10 @@ use core::cmp::Ordering;
 /// This form has no cancellation. The root and the denominator are rounded up, the numerator and
 /// the quotient down, so it is never late. Each step keeps 31 bits or whole raw units: it is early
 /// by less than a raw unit of way.
-#[inline(never)]
+#[cfg_attr(not(target_pointer_width = "64"), inline(never))]
+#[cfg_attr(target_pointer_width = "64", inline)]
 pub(crate) fn entry_time(c: u64, b: u64, rra: (u64, u64), cross: i64) -> Toi {
-    let (word, shift) = word(b.wrapping_add(root128_up(sub128(rra, sqr64(cross.unsigned_abs())))));
+    let (word, shift) = word(b.wrapping_add(root128_up(sub128(rra, sqr_signed(cross)))));
     quotient(c >> shift, word.wrapping_add(1))
 }
 
@@ -206,7 +207,30 @@ fn pass(m: Raw, d: Raw, dir: Axis, at_end: bool) -> Pass {
 ///
 /// |cross| is below 2^60, the square of |dir| below 2^61: exact in 192 bits.
 pub(crate) fn offset_to_radius(cross: i64, dir: Axis, r: i32, du: i64) -> Ordering {
-    cmp_squares((cross.unsigned_abs(), dir.length_squared()), (du.unsigned_abs(), usqr(r.unsigned_abs())))
+    let (a, p) = (cross.unsigned_abs(), dir.length_squared());
+    let (b, q) = (du.unsigned_abs(), usqr(r.unsigned_abs()));
+    if LONG && let Some(order) = cmp_roughly((a, p), (b, q)) {
+        return order;
+    }
+    cmp_squares((a, p), (b, q))
+}
+
+/// Compares `a^2 p` with `b^2 q`, where floats are enough: each conversion and each product is off
+/// by at most one part in 2^53, so each side by one in 2^50; beyond one part in 2^40 the order is
+/// exact. All are below 2^62.
+#[inline]
+#[expect(clippy::cast_precision_loss, clippy::float_arithmetic, reason = "what is lost is counted above")]
+fn cmp_roughly((a, p): (u64, u64), (b, q): (u64, u64)) -> Option<Ordering> {
+    const MARGIN: f64 = 1.0 + 1.0 / (1u64 << 40) as f64;
+    let float = |n: u64| n as i64 as f64;
+    let (left, right) = (float(a) * float(a) * float(p), float(b) * float(b) * float(q));
+    if left * MARGIN < right {
+        Some(Ordering::Less)
+    } else if right * MARGIN < left {
+        Some(Ordering::Greater)
+    } else {
+        None
+    }
 }
 
 /// A motion that enters a disc around the origin: what its moment is computed from.
@@ -233,7 +257,8 @@ impl Crossing {
             return None;
         }
         let (rr, a) = (usqr(r as u32), d.len2());
-        let passes_inside = (b as u64) < a && passes(cross.unsigned_abs(), r as u32, d);
+        let passes_inside = (b as u64) < a
+            && if LONG { less128(sqr_signed(cross), mul64(rr, a)) } else { passes(cross.unsigned_abs(), r as u32, d) };
         if !passes_inside && m.add(d).len2() >= rr {
             return None;
         }
@@ -300,7 +325,12 @@ pub(crate) fn enters(m: Raw, r: i32, d: Raw) -> bool {
     // Of signed words, where a product is as cheap as their magnitudes.
     let square = |v: Raw| if SPLIT { v.len2() } else { v.dot(v) as u64 };
     let ends_inside = || square(m.add(d)) < usqr(r as u32);
-    let passes_inside = || (b as u64) < square(d) && passes(cross.unsigned_abs(), r as u32, d);
+    let passes_inside = || {
+        let a = square(d);
+        let rr = || usqr(r as u32);
+        (b as u64) < a
+            && if LONG { less128(sqr_signed(cross), mul64(rr(), a)) } else { passes(cross.unsigned_abs(), r as u32, d) }
+    };
     // The cheaper one first, by what a square costs there.
     let first = if SPLIT { passes_inside() } else { ends_inside() };
     first || if SPLIT { ends_inside() } else { passes_inside() }

@@ -197,9 +197,17 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if range.x0 > range.x1 {
             return found;
         }
-        let mut y = range.y0;
+        let (mut y, (mut row, stride)) = (range.y0, if T::OCCUPIED { self.words_of(range.y0) } else { (0, 0) });
         while y <= range.y1 {
-            let x0 = if T::OCCUPIED { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
+            let mut x0 = range.x0;
+            if T::OCCUPIED {
+                x0 = self.next_occupied_in(row, x0, range.x1);
+                row = row.wrapping_add(stride);
+                if x0 > range.x1 {
+                    y = y.wrapping_add(1);
+                    continue;
+                }
+            }
             let (mut tile, last) = (self.place(x0, y), self.place(range.x1, y));
             while tile <= last {
                 let id = self.id_at(tile);

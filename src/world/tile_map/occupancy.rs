@@ -186,7 +186,19 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// beyond `last` where there is none.
     #[inline]
     pub(in crate::world) const fn next_occupied(&self, x: i32, last: i32, y: i32) -> i32 {
-        let row = self.words_a_row().wrapping_mul(y as u32);
+        self.next_occupied_in(self.words_a_row().wrapping_mul(y as u32), x, last)
+    }
+
+    /// The first word of a row, and how many a row has: for a walk over rows.
+    #[inline]
+    pub(super) const fn words_of(&self, y: i32) -> (u32, u32) {
+        let stride = self.words_a_row();
+        (stride.wrapping_mul(y as u32), stride)
+    }
+
+    /// The same in the row of a first word.
+    #[inline]
+    pub(super) const fn next_occupied_in(&self, row: u32, x: i32, last: i32) -> i32 {
         let mut x = x;
         while x <= last {
             let bits = self.occupied_word(row.wrapping_add(x as u32 >> 5)) >> (x & 31);

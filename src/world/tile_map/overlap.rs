@@ -129,12 +129,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             return false;
         }
         let is_square = !matches!(self.outside, Outside::Edge);
-        let mut y = range.y0;
+        let (mut y, (mut words, stride)) = (range.y0, if T::OCCUPIED { self.words_of(range.y0) } else { (0, 0) });
         while y <= range.y1 {
             let (mut x, row) = (range.x0, self.place(0, y));
             loop {
                 if T::OCCUPIED {
-                    x = self.next_occupied(x, range.x1, y);
+                    x = self.next_occupied_in(words, x, range.x1);
                 }
                 if x > range.x1 {
                     break;
@@ -146,7 +146,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 }
                 x = x.wrapping_add(1);
             }
-            y = y.wrapping_add(1);
+            (y, words) = (y.wrapping_add(1), words.wrapping_add(stride));
         }
         false
     }

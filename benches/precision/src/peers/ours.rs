@@ -63,7 +63,7 @@ where
     list.add(
         (NAME, "contact", Format::RAW),
         shapes,
-        |(a, b)| a.contact(b).map(|c| (c.depth(), c.normal())),
+        |(a, b)| a.contact(b).map(|c| c.depth_and_normal()),
         |c: &Full| Answer { hit: c.is_some(), depth: c.map(|c| px(c.0)) },
     );
 }

@@ -11,14 +11,21 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[inline(never)]
     pub(super) fn run_open<const ANY: bool>(&self, x: &Lane, y: &Lane, mut e: i32, even: bool) -> BlockRun {
         let (mut u, mut v, cell) = (*x, *y, self.grid.cell as u32);
+        // Most rays end near where they start, so what begins among tiles goes a whole area on: a
+        // piece takes as much as some cells.
+        let mut ahead = AREA;
         loop {
             let before = (u.lines, v.lines);
             let (lead, is_over) = self.pass(&mut u, &mut v, e, even);
+            if (u.lines, v.lines) != before {
+                ahead = 0;
+            }
             if is_over && !ANY && matches!(self.outer(), Beyond::Nothing) {
                 return BlockRun { met: END, ..BlockRun::NONE };
             }
             e = lead;
-            let run = self.run_from::<ANY, true>(&as_far_as_border(&u), &as_far_as_border(&v), e, even);
+            let run = self.run_from::<ANY, true>(&beyond_border(&u, ahead), &beyond_border(&v, ahead), e, even);
+            ahead = 0;
             (u, v, e) = (u.crossed(run.kx, cell), v.crossed(run.ky, cell), run.lead);
             // Of a piece that could not go on, the end is that of the whole.
             if run.met & (X | Y) != 0 || (u.lines, v.lines) == before {
@@ -124,8 +131,8 @@ fn borders(lane: &Lane, first: i32) -> i32 {
     if beyond < 0 { 0 } else { (beyond >> AREA_LOG).wrapping_add(1) }
 }
 
-/// With no more lines than to the next area.
+/// With no more lines than to the next area, and some more.
 #[inline]
-fn as_far_as_border(lane: &Lane) -> Lane {
-    Lane { lines: lane.lines.min(to_border(lane)), ..*lane }
+fn beyond_border(lane: &Lane, by: i32) -> Lane {
+    Lane { lines: lane.lines.min(to_border(lane).wrapping_add(by)), ..*lane }
 }

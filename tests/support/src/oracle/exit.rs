@@ -80,6 +80,7 @@ pub fn verify(sum: &Sum, exact: &Measure, contact: &Contact, case: &str) -> Poin
         panic!("{why}: {push:?} along {axis:?} for {case}");
     }
     let normal = contact.normal().raw();
+    assert_eq!(contact.depth_and_normal(), (contact.depth(), contact.normal()), "{contact:?}");
     assert!(is_unit(axis, (normal.0.into(), normal.1.into())), "normal {normal:?} of {axis:?}");
     push
 }
