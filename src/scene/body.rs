@@ -139,8 +139,17 @@ pub(super) struct Tally {
     pub(super) link: u16,
     /// The slot of the one body below that it touches, if there is only one.
     pub(super) under: u16,
-    /// How far it has drifted while quiet, in 1/256 of a unit; kept from step to step.
-    pub(super) drift: [i8; 2],
+    /// How far it has drifted while quiet, in steps of 4 raw: coarser ones, of
+    /// which a fast fall has many and a slow rise none, add up to a drift where there is none. Kept
+    /// from step to step.
+    pub(super) drift: [i16; 2],
+}
+
+/// A displacement in the steps of a [drift](Tally::drift).
+pub(super) fn drift_of(by: Vec2) -> (i16, i16) {
+    let of = |c: i32| (c / 4).clamp(i16::MIN.into(), i16::MAX.into()) as i16;
+    let (x, y) = by.raw();
+    (of(x), of(y))
 }
 
 /// No slot.
@@ -148,6 +157,9 @@ pub(super) const NOBODY: u16 = u16::MAX;
 
 /// More than one slot.
 pub(super) const SEVERAL: u16 = u16::MAX - 1;
+
+/// No slot: at the end of the step, nothing holds the body.
+pub(super) const FLIES: u16 = u16::MAX - 2;
 
 /// Carried by nothing.
 pub(super) const ALOFT: u8 = u8::MAX;

@@ -5,7 +5,7 @@
 //! Support thus reaches the whole pile within a step, and a pile in a moving frame is the pile at
 //! rest.
 
-use super::body::{ALOFT, Mode, Slot};
+use super::body::{ALOFT, FLIES, Mode, Slot, drift_of};
 use super::meeting::{Meeting, Top, carried, toward};
 use super::met::{around, may_meet, pair, senses};
 use super::trip::{Trip, hold};
@@ -100,9 +100,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
-        let (known, quiet) = (slot.body.shape, (slot.quiet, slot.tally.drift));
+        let known = slot.body.shape;
         let moved = slot.way.pace == Pace::Moved;
-        let start = if moved { known.position() - slot.way.rate } else { known.position() };
+        let by = if moved { slot.way.rate } else { Vec2::ZERO };
+        let (start, quiet) = (known.position() - by, if moved { slot.before(by) } else { slot.rest() });
         if !moved {
             self.trip.make(slot, handle, self.near, self.stepped, each);
             if slot.way.pace != Pace::Lies {
@@ -118,7 +119,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
         &mut self,
         handle: Handle,
         known: Shape,
-        before: (Vec2, (u8, [i8; 2])),
+        before: (Vec2, (u8, [i16; 2])),
         counts: &mut impl FnMut(Pair) -> bool,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
@@ -158,7 +159,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
         &mut self,
         handle: Handle,
         slot: &mut Slot,
-        before: (Vec2, (u8, [i8; 2])),
+        before: (Vec2, (u8, [i16; 2])),
         counts: &mut impl FnMut(Pair) -> bool,
     ) -> Result<(), SceneFault> {
         let (slots, gravity) = (&*self.slots, self.trip.gravity);
@@ -241,6 +242,21 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
 }
 
 impl Slot {
+    /// For how long it has been quiet, and how far it has drifted.
+    const fn rest(&self) -> (u8, [i16; 2]) {
+        (self.quiet, self.tally.drift)
+    }
+
+    /// The same before its way in this step. Its rest ended if it has none now.
+    fn before(&self, by: Vec2) -> (u8, [i16; 2]) {
+        let ((quiet, [x, y]), (dx, dy)) = (self.rest(), drift_of(by));
+        if quiet == 0 {
+            return (0, [0; 2]);
+        }
+        let counted = u8::from(self.tally.under != FLIES);
+        (quiet - counted, [x.saturating_sub(dx), y.saturating_sub(dy)])
+    }
+
     /// In any unit: twice the middle of its box, against gravity.
     pub(super) fn height(&self, gravity: Vec2) -> i64 {
         let bounds = self.body.shape.aabb();

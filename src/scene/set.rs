@@ -9,10 +9,14 @@ use crate::num::{Fx, MOTION, Vec2, check_motion};
 use crate::query::Touches;
 use crate::shape::Aabb;
 
-/// When bodies fall asleep: after this many consecutive steps of rest, for all bodies that touch,
-/// directly or not. In a step of rest a body has moved by less than `still` on either axis, or
-/// since it has been quiet by no more than the gravity of two steps. If there is gravity, it also ran
-/// into the level or into another body.
+/// When bodies fall asleep: after this many steps of rest, for all bodies that touch, directly or
+/// not.
+///
+/// In a step of rest a body moves by less than `still` on either axis. A faster step is one of rest
+/// too, if the body has come no farther than `still` times `steps` since it rests: on the whole it
+/// was slow. (At least that is the gravity of two steps, at most a unit.) Without this, bodies in a
+/// heap that push each other to and fro would never sleep. If there is gravity, the body also runs
+/// into the level or into another body. A step in the air does not count, and does not end the rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sleep {

@@ -55,7 +55,7 @@ pub(super) struct Kept {
     pub(super) quiet: u8,
     pub(super) support: u8,
     pub(super) ground: u16,
-    pub(super) drift: [i8; 2],
+    pub(super) drift: [i16; 2],
 }
 
 impl Kept {

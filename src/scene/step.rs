@@ -1,6 +1,6 @@
 //! One step of a scene.
 
-use super::body::{ALOFT, Mode, NOBODY, Slot, Tally};
+use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
 use super::met::{may_meet, pair, senses};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::set::Sleep;
@@ -213,8 +213,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         counts: &mut impl FnMut(Pair) -> bool,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
-        let Sleep { still, steps } = self.sleep;
-        let trip = Trip::new(view, gravity, still);
+        let Sleep { steps, .. } = self.sleep;
+        let trip = Trip::new(view, gravity, self.sleep);
         let (mut calm, mut fast, mut piled) = (false, false, false);
         for handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
@@ -253,7 +253,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
             }
         }
         for handle in &*awake {
-            let Some(quiet) = slots.get(handle.slot()).map(|slot| slot.quiet) else { continue };
+            let quiet = |slot: &Slot| if slot.tally.under == FLIES { 0 } else { slot.quiet };
+            let Some(quiet) = slots.get(handle.slot()).map(quiet) else { continue };
             let root = root(slots, handle.slot() as u16);
             if let Some(slot) = slots.get_mut(usize::from(root)) {
                 slot.tally.hits = slot.tally.hits.min(quiet.into());

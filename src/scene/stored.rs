@@ -20,7 +20,7 @@ struct Lasting {
     quiet: u8,
     support: u8,
     ground: u16,
-    drift: [i8; 2],
+    drift: [i16; 2],
 }
 
 #[derive(Serialize, Deserialize)]

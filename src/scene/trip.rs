@@ -1,13 +1,13 @@
 //! The way of one body through the level.
 
-use super::body::{ALOFT, NOBODY, Slot, Tally};
+use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally, drift_of};
 use super::meeting::toward;
 use super::view::View;
 use super::way::{BodyWay, Pace, size};
-use super::{SceneBody, SceneError, SceneEvent, SceneFault, Shape, Stepped};
+use super::{SceneBody, SceneError, SceneEvent, SceneFault, Shape, Sleep, Stepped};
 use crate::broad::{BroadPhase, Handle};
 use crate::motion::{Body, ByFlags, Hit, Moved, Mover, Response, Responses, Surface};
-use crate::num::{Fx, Ratio, Vec2};
+use crate::num::{Ratio, Vec2};
 
 /// The data that all ways through the level share.
 pub(super) struct Trip<'a, V> {
@@ -15,13 +15,13 @@ pub(super) struct Trip<'a, V> {
     /// A mover that slides.
     mover: Mover<ByFlags<Surface>>,
     pub(super) gravity: Vec2,
-    still: Fx,
+    sleep: Sleep,
 }
 
 impl<'a, V: View> Trip<'a, V> {
-    pub(super) fn new(view: &'a V, gravity: Vec2, still: Fx) -> Self {
+    pub(super) fn new(view: &'a V, gravity: Vec2, sleep: Sleep) -> Self {
         let mover = Mover::platformer(toward(gravity).reversed()).with_surface(Surface::SLICK);
-        Self { view, mover: mover.with_responses(Responses::NONE), gravity, still }
+        Self { view, mover: mover.with_responses(Responses::NONE), gravity, sleep }
     }
 
     /// One body's whole step.
@@ -119,28 +119,39 @@ impl<'a, V: View> Trip<'a, V> {
     pub(super) fn arrive(&self, slot: &mut Slot, by: Vec2, support: u8, free: bool) {
         let is_still = self.is_still(slot, by);
         // A slow body that nothing holds is at the start or the top of a flight. Asleep there it
-        // would hang in the air, where nothing wakes it.
+        // would hang in the air, where nothing wakes it. In a heap it also hops, for a step now and
+        // then: such a step is not one of rest, but it does not end a rest.
         let Tally { low, high, under, .. } = slot.tally;
         let weight = slot.body.weight(self.gravity);
-        let flies = weight != Vec2::ZERO && free && under == NOBODY && (low, high) == (Vec2::ZERO, Vec2::ZERO);
-        (slot.quiet, slot.tally.drift) =
-            if is_still && !flies { (slot.quiet.saturating_add(1), slot.tally.drift) } else { (0, [0; 2]) };
+        let held = !free || (low, high) != (Vec2::ZERO, Vec2::ZERO) || !matches!(under, NOBODY | FLIES);
+        let flies = weight != Vec2::ZERO && !held;
+        if matches!(under, NOBODY | FLIES) {
+            slot.tally.under = if flies { FLIES } else { NOBODY };
+        }
+        if !is_still {
+            (slot.quiet, slot.tally.drift) = (0, [0; 2]);
+        } else if !flies {
+            slot.quiet = slot.quiet.saturating_add(1);
+        }
         slot.support = support;
         if support == 0 || support == ALOFT {
             slot.ground = NOBODY;
         }
     }
 
-    /// Whether it has hardly moved: in this step, or since it has been quiet. In a heap, two bodies
-    /// may push another to and fro for ever, by as much as gravity gives.
+    /// Whether it has hardly moved: in this step, or on the whole since it has been quiet. In a heap,
+    /// bodies that push each other to and fro would otherwise do so for ever. A body that is slow
+    /// enough to fall asleep may come as far in all the steps that it takes.
     fn is_still(&self, slot: &mut Slot, by: Vec2) -> bool {
         let (x, y) = by.raw();
-        let still = x.unsigned_abs().max(y.unsigned_abs()) < self.still.to_bits().max(0).unsigned_abs();
-        let most = (size(self.gravity) >> 7).min(126) as i32;
-        let [dx, dy] = slot.tally.drift.map(i32::from);
-        let (dx, dy) = (dx.saturating_add(x / 256), dy.saturating_add(y / 256));
-        slot.tally.drift = [dx, dy].map(|c| c.clamp(-127, 127) as i8);
-        still || (self.still > Fx::ZERO && dx.abs().max(dy.abs()) <= most)
+        let Sleep { still, steps } = self.sleep;
+        let still = still.to_bits().max(0).unsigned_abs();
+        let far = still.saturating_mul(steps.into()).max(size(self.gravity).saturating_mul(2));
+        let most = (far >> 2).min(1 << 14) as u16;
+        let ([dx, dy], (by_x, by_y)) = (slot.tally.drift, drift_of(by));
+        let (dx, dy) = (dx.saturating_add(by_x), dy.saturating_add(by_y));
+        slot.tally.drift = [dx, dy];
+        x.unsigned_abs().max(y.unsigned_abs()) < still || (still > 0 && dx.unsigned_abs().max(dy.unsigned_abs()) <= most)
     }
 }
 
