@@ -281,6 +281,7 @@ mod meeting;
 mod met;
 mod pairs;
 mod piles;
+mod rest;
 mod set;
 mod shape;
 mod snapshot;

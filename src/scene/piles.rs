@@ -8,6 +8,7 @@
 use super::body::{ALOFT, FLIES, Mode, Slot, drift_of};
 use super::meeting::{Meeting, Top, carried, toward};
 use super::met::{around, may_meet, pair, senses};
+use super::rest::Rest;
 use super::trip::{Trip, hold};
 use super::view::View;
 use super::way::{Pace, size};
@@ -19,7 +20,7 @@ use crate::motion::response::separate;
 use crate::num::{Axis, Raw, Vec2};
 use crate::query::{Contact, Contacts};
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
     /// Moves the bodies that lie on others. Returns whether one has been quiet for long enough. A
     /// separate function: a scene without piles needs neither its registers nor its stack.
     #[inline(never)]
@@ -30,12 +31,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         counts: &mut impl FnMut(Pair) -> bool,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
-        let Self { near, slots, awake, count, sleep } = self;
+        let Self { near, slots, awake, count, rests, sleep } = self;
         let movers = awake.get_mut(..*count).unwrap_or_default();
         let mut lying = from_the_lowest(movers, 0, slots, trip.gravity);
         let fixed = slots.iter().filter(|slot| slot.mode == Mode::Fixed);
         let margin = fixed.map(|slot| size(slot.lift(trip.gravity))).max().unwrap_or(0);
-        let mut pile = Pile { near, slots, trip, margin, stepped };
+        let mut pile = Pile { near, slots, rests, trip, margin, stepped };
         let mut calm = false;
         let mut at = 0;
         while at < lying {
@@ -82,16 +83,17 @@ fn swap(movers: &mut [Handle], a: usize, b: usize) {
     }
 }
 
-struct Pile<'a, B, V> {
+struct Pile<'a, B, V, const M: usize> {
     near: &'a mut B,
     slots: &'a mut [Slot],
+    rests: &'a mut [Option<Rest>; M],
     trip: &'a Trip<'a, V>,
     /// How far a fixed body may be from where the broad phase has it.
     margin: u32,
     stepped: &'a mut Stepped,
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View, const M: usize> Pile<'_, B, V, M> {
     /// One body's whole step. Returns whether others must be brought out of it, too.
     fn carry(
         &mut self,
@@ -105,7 +107,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
         let by = if moved { slot.way.rate } else { Vec2::ZERO };
         let (start, quiet) = (known.position() - by, if moved { slot.before(by) } else { slot.rest() });
         if !moved {
-            self.trip.make(slot, handle, self.near, self.stepped, each);
+            let rest = self.rests.get_mut(handle.slot());
+            self.trip.make(slot, handle, rest, self.near, self.stepped, each);
             if slot.way.pace != Pace::Lies {
                 return false;
             }
@@ -192,6 +195,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
         }
         let push = slot.tally.push();
         if push != Vec2::ZERO {
+            if let Some(rest) = self.rests.get_mut(handle.slot()) {
+                *rest = None;
+            }
             slot.body.shape = self.trip.slide(&slot.body, push)?;
         }
         let bounds = slot.body.shape.aabb();

@@ -2,6 +2,7 @@
 //! steps, and the bodies that these wake.
 
 use super::body::{Mode, Slot, Tally};
+use super::rest::Rest;
 use super::{SceneBody, SceneError, Shape};
 use crate::broad::{BroadError, BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -52,12 +53,14 @@ impl Sleep {
 /// [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 156 bytes per
 /// body, plus the broad phase.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene<B, const N: usize> {
+pub struct Scene<B, const N: usize, const M: usize = 0> {
     pub(crate) near: B,
     pub(super) slots: [Slot; N],
     /// The bodies awake come first.
     pub(super) awake: [Handle; N],
     pub(crate) count: usize,
+    /// What is remembered of the bodies in the first M slots.
+    pub(super) rests: [Option<Rest>; M],
     /// You may change it at any time.
     pub sleep: Sleep,
 }
@@ -72,7 +75,47 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// The same scene with other conditions for sleep.
     #[must_use]
     pub const fn with_sleep(near: B, sleep: Sleep) -> Self {
-        Self { near, slots: [Slot::FREE; N], awake: [Handle::new(0, 0); N], count: 0, sleep }
+        Self::remembering(near, sleep)
+    }
+}
+
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
+    /// A scene that remembers how bodies at rest lie, in the first M of its N slots.
+    ///
+    /// A body that lies tries the same way through the level in each step, and gets nowhere: down by
+    /// gravity, or aside where others push. Such a way is answered from memory, with the same bits
+    /// and the same events.
+    ///
+    /// In return, you must name each region of the level that [changes](Self::wake_region), even if
+    /// no body sleeps: a tile, a [`Solid`](crate::Solid) that moves, another level for a body. A
+    /// body that rests does not look at the level by itself. The memory is not part of a
+    /// [`snapshot`](Self::snapshot); a restored scene looks once.
+    ///
+    /// RAM: 84 bytes for each of M.
+    ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::scene::{SceneBody, SceneTag, Sleep};
+    /// use tilesat::{Aabb, Scene, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("..\n##", &KINDS)?; // the floor is at y = 16
+    /// type Crates = Scene<SortSweep<8, SceneTag>, 8, 8>;
+    /// let mut scene = Crates::remembering(SortSweep::new(), Sleep::NEVER);
+    /// let body = Aabb::new(Vec2::from_ints(4, 8), Vec2::from_ints(12, 16))?;
+    /// let crate_ = scene.insert(&SceneBody::new(body, 1))?;
+    /// let gravity = Vec2::from_raw(0, 1 << 14);
+    /// for _ in 0..100 {
+    ///     scene.step(&level, gravity, |_| {})?; // looks at the level once
+    /// }
+    /// let gone = TileMap::from_ascii("..\n..", &KINDS)?;
+    /// scene.wake_region(&gone.bounds());
+    /// scene.step(&gone, gravity, |_| {})?;
+    /// assert!(scene.body(crate_)?.velocity.y > 0); // it falls
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub const fn remembering(near: B, sleep: Sleep) -> Self {
+        Self { near, slots: [Slot::FREE; N], awake: [Handle::new(0, 0); N], count: 0, rests: [None; M], sleep }
     }
 
     /// The broad phase: for rays, regions and nearest bodies, and for the tags of bodies (`still`
@@ -177,7 +220,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     }
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
     /// Adds `by` to a body's velocity, and wakes the body.
     ///
     /// ```
@@ -328,10 +371,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// Cost: a region query.
     pub fn wake_region(&mut self, region: &Aabb) {
         let (from, slots) = (self.count, &mut self.slots);
-        let (awake, count) = (&mut self.awake, &mut self.count);
+        let (awake, count, rests) = (&mut self.awake, &mut self.count, &mut self.rests);
         self.near.in_region(region, |handle| {
             rouse(slots, awake, count, handle);
-            unsettle(slots, handle);
+            unsettle(slots, rests, handle);
         });
         self.tell_woken(from);
     }
@@ -355,7 +398,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     pub(super) fn rouse(&mut self, handle: Handle, known: bool) {
         let from = self.count;
         rouse(&mut self.slots, &mut self.awake, &mut self.count, handle);
-        unsettle(&mut self.slots, handle);
+        unsettle(&mut self.slots, &mut self.rests, handle);
         if known {
             self.tell_woken(from);
         }
@@ -372,7 +415,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
 }
 
 /// A change by the game is no rest.
-fn unsettle(slots: &mut [Slot], handle: Handle) {
+fn unsettle(slots: &mut [Slot], rests: &mut [Option<Rest>], handle: Handle) {
+    if let Some(rest) = rests.get_mut(handle.slot()) {
+        *rest = None;
+    }
     if let Some(slot) = slots.get_mut(handle.slot()) {
         slot.quiet = 0;
     }

@@ -75,7 +75,7 @@ impl Kept {
     pub(super) const FREE: Self = Self::of(&Slot::FREE);
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize> Scene<B, N, M> {
     /// The state as of now.
     ///
     /// Cost: one pass over the slots, and a copy of the broad phase.
@@ -105,6 +105,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> Scene<B, N> {
     pub fn restore(&mut self, snapshot: &Snapshot<B, N>) {
         let Snapshot { near, kept, awake, count, sleep } = snapshot;
         (self.near, self.count, self.sleep) = (*near, usize::from(*count), *sleep);
+        self.rests = [None; M];
         let bodies = near.table();
         for (at, (slot, kept)) in self.slots.iter_mut().zip(kept).enumerate() {
             *slot = kept.slot(bodies.handle(at));
@@ -115,9 +116,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> Scene<B, N> {
     }
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> From<&Snapshot<B, N>> for Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize> From<&Snapshot<B, N>>
+    for Scene<B, N, M>
+{
     fn from(snapshot: &Snapshot<B, N>) -> Self {
-        let mut scene = Self::with_sleep(snapshot.near, snapshot.sleep);
+        let mut scene = Self::remembering(snapshot.near, snapshot.sleep);
         scene.restore(snapshot);
         scene
     }

@@ -15,7 +15,7 @@ use crate::num::{MOTION, Vec2, check_motion};
 use crate::query::{Contacts, Touches};
 use crate::world::World;
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
     /// Moves all awake bodies by one step. A step adds `gravity` to velocities; pass zero for games
     /// seen from above.
     ///
@@ -220,6 +220,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             if slot.is_fast() {
                 (slot.way.pace, fast) = (Pace::Swept, true);
+                if let Some(rest) = self.rests.get_mut(handle.slot()) {
+                    *rest = None;
+                }
             }
             piled |= slot.way.pace == Pace::Lies;
         }
@@ -229,7 +232,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         for &handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             if slot.way.pace == Pace::Slow {
-                trip.make(slot, handle, &mut self.near, stepped, each);
+                trip.make(slot, handle, self.rests.get_mut(handle.slot()), &mut self.near, stepped, each);
                 calm |= slot.quiet >= steps;
             }
         }

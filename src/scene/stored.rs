@@ -118,14 +118,16 @@ impl<'de, B: BroadPhase<Tag = Keyed<Filter>> + Copy + Deserialize<'de>, const N:
     }
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy + Serialize, const N: usize> Serialize for Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy + Serialize, const N: usize, const M: usize> Serialize
+    for Scene<B, N, M>
+{
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         self.snapshot().serialize(to)
     }
 }
 
-impl<'de, B: BroadPhase<Tag = Keyed<Filter>> + Copy + Deserialize<'de>, const N: usize> Deserialize<'de>
-    for Scene<B, N>
+impl<'de, B: BroadPhase<Tag = Keyed<Filter>> + Copy + Deserialize<'de>, const N: usize, const M: usize> Deserialize<'de>
+    for Scene<B, N, M>
 {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         Snapshot::deserialize(from).map(|snapshot| Self::from(&snapshot))

@@ -22,7 +22,7 @@ use crate::motion::response::exchange;
 use crate::motion::{Hit, Hits, Masses, Surface};
 use crate::num::{Toi, Vec2};
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
     /// Releases those that have nobody in reach: only the level matters to them.
     #[inline(never)]
     pub(super) fn let_go(&mut self, counts: &mut impl FnMut(Pair) -> bool) {

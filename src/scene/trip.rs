@@ -2,6 +2,7 @@
 
 use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally, drift_of};
 use super::meeting::toward;
+use super::rest::{Causes, Rest};
 use super::view::View;
 use super::way::{BodyWay, Pace, size};
 use super::{SceneBody, SceneError, SceneEvent, SceneFault, Shape, Sleep, Stepped};
@@ -29,18 +30,38 @@ impl<'a, V: View> Trip<'a, V> {
         &self,
         slot: &mut Slot,
         handle: Handle,
+        known: Option<&mut Option<Rest>>,
         near: &mut impl BroadPhase,
         stepped: &mut Stepped,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) {
-        let made = match slot.body.shape {
-            Shape::Aabb(aabb) => self.travel(slot, handle, &aabb, near, each),
-            Shape::Circle(circle) => self.travel(slot, handle, &circle, near, each),
-        };
         stepped.moved += 1;
+        let known_rest = known.as_ref().and_then(|known| known.as_ref());
+        if let Some(rest) = known_rest.filter(|rest| rest.causes == self.causes(slot)) {
+            return self.rest(slot, handle, rest, each);
+        }
+        let made = match slot.body.shape {
+            Shape::Aabb(aabb) => self.travel(slot, handle, &aabb, known, near, each),
+            Shape::Circle(circle) => self.travel(slot, handle, &circle, known, near, each),
+        };
         if let Err(fault) = made {
             hold(slot, handle, fault, stepped, each);
         }
+    }
+
+    /// What moves a body in this step.
+    fn causes(&self, slot: &Slot) -> Causes {
+        let velocity = slot.body.velocity + slot.tally.kick;
+        Causes { push: slot.tally.push(), velocity, weight: slot.body.weight(self.gravity) }
+    }
+
+    /// The way that a body at rest would make.
+    #[inline(never)]
+    fn rest(&self, slot: &mut Slot, handle: Handle, rest: &Rest, each: &mut impl FnMut(SceneEvent<'_>)) {
+        (slot.way.rate, slot.body.velocity) = (Vec2::ZERO, rest.velocity);
+        self.arrive(slot, Vec2::ZERO, if rest.floor { 0 } else { ALOFT }, false);
+        let (hits, flags) = (rest.hits(), rest.flags());
+        each(SceneEvent::Level { body: handle, hits: &hits, flags, velocity: rest.causes.velocity });
     }
 
     /// First moves by the push, along the level, then by the velocity.
@@ -49,14 +70,18 @@ impl<'a, V: View> Trip<'a, V> {
         slot: &mut Slot,
         handle: Handle,
         body: &B,
+        mut known: Option<&mut Option<Rest>>,
         near: &mut impl BroadPhase,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> Result<(), SceneFault> {
-        let (mut start, push, level) = (*body, slot.tally.push(), self.view.level(&slot.body));
+        if let Some(known) = &mut known {
+            **known = None;
+        }
+        let (causes, level) = (self.causes(slot), self.view.level(&slot.body));
+        let (mut start, Causes { push, velocity, .. }) = (*body, causes);
         if push != Vec2::ZERO {
             start = self.mover.move_and_slide(level, body, push)?.body;
         }
-        let velocity = slot.body.velocity + slot.tally.kick;
         let mover = self.mover.with_response(Response::Bounce).with_surface(self.surface(&slot.body));
         let result = mover.with_responses(slot.body.responses).move_and_slide(level, &start, velocity);
         // Matched by reference: it is long.
@@ -73,6 +98,9 @@ impl<'a, V: View> Trip<'a, V> {
             slot.body.shape = shape;
         }
         slot.way.rate = by;
+        if let Some(known) = known {
+            *known = Rest::of(causes, by, moved);
+        }
         self.arrive(slot, by, if moved.floor { 0 } else { ALOFT }, moved.hits.is_empty());
         slot.body.velocity = moved.velocity;
         if !moved.hits.is_empty() {
