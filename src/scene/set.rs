@@ -181,7 +181,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     /// # Errors
     /// [`Stale`](BroadError::Stale).
     pub fn is_awake(&self, handle: Handle) -> Result<bool, SceneError> {
-        self.slot(handle).map(|slot| slot.mode == Mode::Awake)
+        self.slot(handle).map(Slot::is_awake)
     }
 
     /// Whether, in the last step, the level carried it, or bodies that the level carries. Always
@@ -198,7 +198,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     /// removed.
     #[must_use]
     pub fn rests(&self, pair: &Pair) -> bool {
-        let rested = |slot: &&Slot| slot.mode != Mode::Awake || !slot.told;
+        let rested = |slot: &&Slot| slot.mode != Mode::Awake;
         let [a, b] = [pair.a, pair.b].map(|handle| self.slot(handle).ok().filter(rested));
         a.zip(b).is_some_and(|(a, b)| a.body.shape.touches(&b.body.shape))
     }
@@ -322,7 +322,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
         }
         let slot = self.slot_mut(handle)?;
         slot.body = body;
-        let tag = body.tag(slot.mode != Mode::Awake);
+        let tag = body.tag(!slot.is_awake());
         self.near.set_tag(handle, tag).map_err(|e| SceneError::of(handle, e))?;
         // The next step wakes the bodies that it still touches, except for a fixed body. Nothing
         // else would wake those that it let go of.
@@ -429,7 +429,7 @@ fn unsettle(slots: &mut [Slot], rests: &mut [Option<Rest>], handle: Handle) {
 pub(super) fn rouse(slots: &mut [Slot], awake: &mut [Handle], count: &mut usize, handle: Handle) {
     let Some(slot) = slots.get_mut(handle.slot()).filter(|slot| slot.mode == Mode::Asleep) else { return };
     let Some(place) = awake.get_mut(*count) else { return };
-    (*place, slot.mode, slot.told) = (handle, Mode::Awake, false);
+    (*place, slot.mode) = (handle, Mode::Woken);
     slot.tally = Tally::of(handle.slot() as u16);
     *count += 1;
 }

@@ -1,6 +1,7 @@
 //! What of a scene goes on from one step to the next, in less room than the scene.
 
 use super::body::{Mode, Slot, Tally};
+use super::drift::Drift;
 use super::{Scene, SceneBody, Sleep};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
@@ -51,25 +52,29 @@ pub struct Snapshot<B, const N: usize> {
 pub(super) struct Kept {
     pub(super) body: SceneBody,
     pub(super) mode: Mode,
-    pub(super) told: bool,
     pub(super) quiet: u8,
     pub(super) support: u8,
     pub(super) ground: u16,
-    pub(super) drift: [i16; 2],
+    pub(super) drift: Drift,
 }
 
 impl Kept {
     const fn of(slot: &Slot) -> Self {
-        let Slot { body, mode, told, quiet, support, ground, tally, .. } = *slot;
-        Self { body, mode, told, quiet, support, ground, drift: tally.drift }
+        let Slot { body, mode, quiet, support, ground, tally, .. } = *slot;
+        Self { body, mode, quiet, support, ground, drift: tally.drift }
     }
 
     /// A step sets all the rest before it reads it; what sleeps or is fixed has made its way.
     const fn slot(&self, handle: Handle) -> Slot {
-        let Self { body, mode, told, quiet, support, ground, drift } = *self;
+        let Self { body, mode, quiet, support, ground, drift } = *self;
         let generation = if matches!(mode, Mode::Free) { 0 } else { handle.generation() };
         let tally = Tally { drift, ..Tally::of(handle.slot() as u16) };
-        Slot { body, generation, mode, told, quiet, support, ground, tally, ..Slot::FREE }
+        Slot { body, generation, mode, quiet, support, ground, tally, ..Slot::FREE }
+    }
+
+    #[cfg(feature = "serde")]
+    pub(super) const fn is_awake(&self) -> bool {
+        matches!(self.mode, Mode::Awake | Mode::Woken)
     }
 
     pub(super) const FREE: Self = Self::of(&Slot::FREE);

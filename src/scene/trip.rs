@@ -1,6 +1,7 @@
 //! The way of one body through the level.
 
-use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally, drift_of};
+use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally};
+use super::drift::Drift;
 use super::meeting::toward;
 use super::rest::{Causes, Rest};
 use super::view::View;
@@ -157,7 +158,7 @@ impl<'a, V: View> Trip<'a, V> {
             slot.tally.under = if flies { FLIES } else { NOBODY };
         }
         if !is_still {
-            (slot.quiet, slot.tally.drift) = (0, [0; 2]);
+            (slot.quiet, slot.tally.drift) = (0, Drift::NONE);
         } else if !flies {
             slot.quiet = slot.quiet.saturating_add(1);
         }
@@ -175,11 +176,8 @@ impl<'a, V: View> Trip<'a, V> {
         let Sleep { still, steps } = self.sleep;
         let still = still.to_bits().max(0).unsigned_abs();
         let far = still.saturating_mul(steps.into()).max(size(self.gravity).saturating_mul(2));
-        let most = (far >> 2).min(1 << 14) as u16;
-        let ([dx, dy], (by_x, by_y)) = (slot.tally.drift, drift_of(by));
-        let (dx, dy) = (dx.saturating_add(by_x), dy.saturating_add(by_y));
-        slot.tally.drift = [dx, dy];
-        x.unsigned_abs().max(y.unsigned_abs()) < still || (still > 0 && dx.unsigned_abs().max(dy.unsigned_abs()) <= most)
+        slot.tally.drift = slot.tally.drift.plus(by);
+        x.unsigned_abs().max(y.unsigned_abs()) < still || (still > 0 && slot.tally.drift.is_within(far))
     }
 }
 
