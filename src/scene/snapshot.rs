@@ -121,11 +121,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize> 
     }
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize> From<&Snapshot<B, N>>
-    for Scene<B, N, M>
-{
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> From<&Snapshot<B, N>> for Scene<B, N> {
     fn from(snapshot: &Snapshot<B, N>) -> Self {
-        let mut scene = Self::remembering(snapshot.near, snapshot.sleep);
+        let mut scene = Self::with_sleep(snapshot.near, snapshot.sleep);
         scene.restore(snapshot);
         scene
     }

@@ -130,6 +130,9 @@ impl<'de, B: BroadPhase<Tag = Keyed<Filter>> + Copy + Deserialize<'de>, const N:
     for Scene<B, N, M>
 {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        Snapshot::deserialize(from).map(|snapshot| Self::from(&snapshot))
+        let snapshot = Snapshot::deserialize(from)?;
+        let mut scene = Self::remembering(snapshot.near, snapshot.sleep);
+        scene.restore(&snapshot);
+        Ok(scene)
     }
 }

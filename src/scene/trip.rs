@@ -102,8 +102,8 @@ impl<'a, V: View> Trip<'a, V> {
         if let Some(known) = known {
             *known = Rest::of(causes, by, moved);
         }
-        self.arrive(slot, by, if moved.floor { 0 } else { ALOFT }, moved.hits.is_empty());
         slot.body.velocity = moved.velocity;
+        self.arrive(slot, by, if moved.floor { 0 } else { ALOFT }, moved.hits.is_empty());
         if !moved.hits.is_empty() {
             each(SceneEvent::Level { body: handle, hits: &moved.hits, flags: moved.flags, velocity });
         }
@@ -149,7 +149,7 @@ impl<'a, V: View> Trip<'a, V> {
         let is_still = self.is_still(slot, by);
         // A slow body that nothing holds is at the start or the top of a flight. Asleep there it
         // would hang in the air, where nothing wakes it. In a heap it also hops, for a step now and
-        // then: such a step is not one of rest, but it does not end a rest.
+        // then: such a step is not one of rest, but it does not end a rest. A bounce does.
         let Tally { low, high, under, .. } = slot.tally;
         let weight = slot.body.weight(self.gravity);
         let held = !free || (low, high) != (Vec2::ZERO, Vec2::ZERO) || !matches!(under, NOBODY | FLIES);
@@ -157,7 +157,8 @@ impl<'a, V: View> Trip<'a, V> {
         if matches!(under, NOBODY | FLIES) {
             slot.tally.under = if flies { FLIES } else { NOBODY };
         }
-        if !is_still {
+        let rises = self.gravity.dot(slot.body.velocity) < 0;
+        if !is_still || (rises && !slot.body.floats) {
             (slot.quiet, slot.tally.drift) = (0, Drift::NONE);
         } else if !flies {
             slot.quiet = slot.quiet.saturating_add(1);
