@@ -414,7 +414,7 @@ impl Format for Sleep {
     }
 }
 
-impl<B: Format, const N: usize> Format for Scene<B, N> {
+impl<B: Format, const N: usize, const M: usize> Format for Scene<B, N, M> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Scene {} awake {=usize} {}", self.near, self.count, self.sleep);
     }

@@ -144,7 +144,7 @@ pub mod response {
     pub(in crate::motion) use reply::{Bounce, Reply};
     pub(in crate::motion) use surface::law::Law;
     pub use surface::{Energy, Smooth, Speed, Surface};
-    pub use table::{ByFlags, Response, Responses};
+    pub use table::{ByFlags, ByHit, Response, Responses};
     pub use verlet::{Link, Particle, Quiet, RelaxError, Stick, relax};
 }
 mod run;
@@ -189,6 +189,6 @@ pub use inside::{StartInside, escape, turn};
 pub use memo::Memo;
 pub use moved::{Hit, Hits, MoveError, Moved, Stuck, Work};
 pub use mover::Mover;
-pub use response::{Acceleration, ByFlags, Carry, Energy, Masses, Response, Responses, Smooth, Speed, Surface};
+pub use response::{Acceleration, ByFlags, ByHit, Carry, Energy, Masses, Response, Responses, Smooth, Speed, Surface};
 pub use solids::{Ridden, Ride};
 pub use walk::{SlopeSpeed, Support, Walked, Walker};

@@ -205,6 +205,16 @@ impl Hits {
         Self { early: [Some(hit), None], late: [None; 2], seen: 1 }
     }
 
+    /// The hits, if there are at most two.
+    pub(crate) fn few(&self) -> Option<[Option<Hit>; 2]> {
+        (self.seen <= 2).then_some(self.early)
+    }
+
+    /// The hits of [`few`](Self::few).
+    pub(crate) fn of_few(early: [Option<Hit>; 2]) -> Self {
+        Self { early, late: [None; 2], seen: early.iter().flatten().count() as u8 }
+    }
+
     /// Whether the hits already report this feature, or one with the same normal. A face that is
     /// cut is therefore reported once.
     pub(super) fn tell_of(&self, axis: Axis, feature: &Feature) -> bool {

@@ -192,6 +192,7 @@ impl<'m, B: Body> Run<'m, B> {
         let takes = (free || self.inside) && (W::BLOCKS || !self.guarded || !self.passes_one_way(world, q));
         if takes {
             (self.moved.body, self.inside) = (candidate, !free);
+            world.made(q);
         }
         takes
     }

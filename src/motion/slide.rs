@@ -61,6 +61,7 @@ impl<S: Law> Mover<S> {
         (d, made): (Raw, Raw),
         (side, entry, feature): (SurfaceRole, &Entry, &Feature),
     ) -> bool {
+        let toi = Toi::clamped(Toi::ONE.raw() - run.rest.raw() + used);
         let time = run.rest.raw() - run.after.raw();
         // floor(time (den - num) / den): the used time is rounded up if it is not exact, and does
         // not remain.
@@ -72,7 +73,7 @@ impl<S: Law> Mover<S> {
         if WALKS && side == SurfaceRole::Floor {
             return false;
         }
-        match (self.response_to(feature), self.bounce.0) {
+        match (self.response_to(entry.normal, feature, toi), self.bounce.0) {
             (Response::Touch, _) => run.v = Raw::ZERO,
             (Response::Bounce, Some(reply)) if !self.surface.surface().stops(run.v, entry.normal) => {
                 run.turn(reflect::<B, W, S>(run.v, entry.normal, &self.surface, reply));

@@ -2,6 +2,7 @@
 //! each.
 
 use super::Shape;
+use super::drift::Drift;
 use super::way::BodyWay;
 use crate::broad::{Handle, Keyed};
 use crate::filter::Filter;
@@ -99,7 +100,10 @@ pub(super) enum Mode {
     Free,
     /// No step moves it.
     Fixed,
-    /// Its body is in the list of those awake.
+    /// Its body is in the list of those awake, and was not when the last step began: that did not
+    /// report all that it touched.
+    Woken,
+    /// It was in the list then, too.
     Awake,
     Asleep,
 }
@@ -111,8 +115,6 @@ pub(super) struct Slot {
     /// The generation of the body's handle.
     pub(super) generation: u16,
     pub(super) mode: Mode,
-    /// It was awake when the last step began, which reported all that it touched.
-    pub(super) told: bool,
     /// For how many steps it has hardly moved.
     pub(super) quiet: u8,
     /// How many bodies are between it and the level, or a fixed body that carries it, as of the
@@ -139,8 +141,8 @@ pub(super) struct Tally {
     pub(super) link: u16,
     /// The slot of the one body below that it touches, if there is only one.
     pub(super) under: u16,
-    /// How far it has drifted while quiet, in 1/256 of a unit; kept from step to step.
-    pub(super) drift: [i8; 2],
+    /// How far it has come while quiet; kept from step to step.
+    pub(super) drift: Drift,
 }
 
 /// No slot.
@@ -148,6 +150,9 @@ pub(super) const NOBODY: u16 = u16::MAX;
 
 /// More than one slot.
 pub(super) const SEVERAL: u16 = u16::MAX - 1;
+
+/// No slot: at the end of the step, nothing holds the body.
+pub(super) const FLIES: u16 = u16::MAX - 2;
 
 /// Carried by nothing.
 pub(super) const ALOFT: u8 = u8::MAX;
@@ -157,7 +162,6 @@ impl Slot {
         body: SceneBody::NOBODY,
         generation: 0,
         mode: Mode::Free,
-        told: false,
         quiet: 0,
         support: ALOFT,
         ground: NOBODY,
@@ -170,6 +174,10 @@ impl Slot {
         let mode = if fixed { Mode::Fixed } else { Mode::Asleep };
         let support = if fixed { 0 } else { ALOFT };
         Self { body: *body, generation: handle.generation(), mode, support, ..Self::FREE }
+    }
+
+    pub(super) fn is_awake(&self) -> bool {
+        matches!(self.mode, Mode::Awake | Mode::Woken)
     }
 
     /// Whether a look at its start is not enough.
@@ -187,7 +195,7 @@ impl Slot {
 impl Tally {
     pub(super) const fn of(slot: u16) -> Self {
         let none = Vec2::ZERO;
-        Self { low: none, high: none, kick: none, hits: 0, link: slot, under: NOBODY, drift: [0; 2] }
+        Self { low: none, high: none, kick: none, hits: 0, link: slot, under: NOBODY, drift: Drift::NONE }
     }
 
     /// The sum of all pushes on it.

@@ -1,6 +1,7 @@
 //! How two bodies act on each other's velocities, and which of them carries the other.
 
 use super::body::{ALOFT, Slot};
+use super::reply::Reply;
 use super::way::size;
 use crate::motion::response::exchange;
 use crate::motion::{Masses, Surface};
@@ -12,6 +13,8 @@ pub(super) struct Meeting {
     axis: Axis,
     pub(super) masses: Masses,
     surface: Surface,
+    /// They continue as one.
+    sticks: bool,
     /// The velocities that meet.
     a: Vec2,
     b: Vec2,
@@ -44,7 +47,7 @@ impl Top {
 impl Meeting {
     /// `None` if neither can be moved. A contact too slow to rise by more than gravity takes in two
     /// steps does not bounce.
-    pub(super) fn of(a: &Slot, b: &Slot, axis: Axis, gravity: Vec2) -> Option<Self> {
+    pub(super) fn of(a: &Slot, b: &Slot, (axis, reply): (Axis, Reply), gravity: Vec2) -> Option<Self> {
         let (one, other) = (&a.body, &b.body);
         let masses = match (one.mass, other.mass) {
             (None, None) => return None,
@@ -52,18 +55,20 @@ impl Meeting {
             (Some(_), None) => Masses::B_FIXED,
             (Some(m), Some(n)) => Masses::new(m.get(), n.get()).unwrap_or(Masses::EQUAL),
         };
-        let surface = acting(&one.surface, &other.surface).resting_under(gravity);
+        let surface = acting(&one.surface, &other.surface, reply).resting_under(gravity);
+        let sticks = reply == Reply::Touch;
         let (moves_a, moves_b) = (one.mass.is_some(), other.mass.is_some());
-        Some(Self { axis, masses, surface, a: one.velocity, b: other.velocity, moves_a, moves_b })
+        Some(Self { axis, masses, surface, sticks, a: one.velocity, b: other.velocity, moves_a, moves_b })
     }
 
     /// A is below B and carried, so a hit on it is a hit on the ground. Seen from there, B has no
     /// more energy afterwards.
-    pub(super) fn onto(slots: &[Slot], a: &Slot, b: &Slot, axis: Axis, gravity: Vec2) -> Self {
+    pub(super) fn onto(slots: &[Slot], a: &Slot, b: &Slot, (axis, reply): (Axis, Reply), gravity: Vec2) -> Self {
         Self {
             axis,
             masses: Masses::A_FIXED,
-            surface: acting(&a.body.surface, &b.body.surface).resting_under(gravity),
+            surface: acting(&a.body.surface, &b.body.surface, reply).resting_under(gravity),
+            sticks: reply == Reply::Touch,
             a: a.ground_velocity(slots),
             b: b.body.velocity,
             moves_a: false,
@@ -72,14 +77,20 @@ impl Meeting {
     }
 
     /// Two bodies of which one may [carry](carries) the other.
-    pub(super) fn of_pile(slots: &[Slot], a: &Slot, b: &Slot, axis: Axis, gravity: Vec2) -> Option<Self> {
-        let own = Self::of(a, b, axis, gravity)?;
-        let slick = own.surface.friction() == Ratio::ZERO;
+    pub(super) fn of_pile(
+        slots: &[Slot],
+        a: &Slot,
+        b: &Slot,
+        (axis, reply): (Axis, Reply),
+        gravity: Vec2,
+    ) -> Option<Self> {
+        let own = Self::of(a, b, (axis, reply), gravity)?;
+        let slick = own.surface.friction() == Ratio::ZERO && !own.sticks;
         Some(match Top::of(axis, toward(gravity)) {
             Top::A if own.moves_a && carries(slots, b, gravity, slick) => {
-                Self::onto(slots, b, a, axis.reversed(), gravity).swapped()
+                Self::onto(slots, b, a, (axis.reversed(), reply), gravity).swapped()
             }
-            Top::B if own.moves_b && carries(slots, a, gravity, slick) => Self::onto(slots, a, b, axis, gravity),
+            Top::B if own.moves_b && carries(slots, a, gravity, slick) => Self::onto(slots, a, b, (axis, reply), gravity),
             _ => own,
         })
     }
@@ -89,6 +100,7 @@ impl Meeting {
             axis: self.axis.reversed(),
             masses: self.masses.swapped(),
             surface: self.surface,
+            sticks: self.sticks,
             a: self.b,
             b: self.a,
             moves_a: self.moves_b,
@@ -113,7 +125,9 @@ impl Meeting {
     /// change. Its final velocity is then a mean of its old one and of those from its hits. No mean
     /// of velocities has more energy than the mean of their energies.
     pub(super) fn kicks(&self, hits: u16) -> (Vec2, Vec2) {
-        let Ok((a, b)) = exchange(self.a, self.b, self.axis, self.masses, &self.surface) else {
+        // Seen along the whole relative velocity, all of it is lost.
+        let axis = if self.sticks { toward(self.a - self.b) } else { self.axis };
+        let Ok((a, b)) = exchange(self.a, self.b, axis, self.masses, &self.surface) else {
             return (Vec2::ZERO, Vec2::ZERO);
         };
         (part(a - self.a, hits), part(b - self.b, hits))
@@ -140,9 +154,15 @@ pub(super) fn carried(below: u8) -> u8 {
 }
 
 /// The surface that counts of two, whichever is A.
-fn acting(a: &Surface, b: &Surface) -> Surface {
+fn acting(a: &Surface, b: &Surface, reply: Reply) -> Surface {
     let rank = |s: &Surface| (s.restitution().raw(), !s.friction().raw());
-    if rank(a) < rank(b) { *b } else { *a }
+    let own = if rank(a) < rank(b) { *b } else { *a };
+    match reply {
+        Reply::Slide => Surface::new(Ratio::ZERO, own.friction()),
+        Reply::Touch => Surface::SLICK,
+        Reply::Bounce => Surface::ELASTIC,
+        Reply::Meet | Reply::Cross | Reply::Ignore => own,
+    }
 }
 
 /// The direction of a vector.

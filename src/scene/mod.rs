@@ -276,11 +276,14 @@
 //! [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change, solids.
 
 mod body;
+mod drift;
 mod error;
 mod meeting;
 mod met;
 mod pairs;
 mod piles;
+mod reply;
+mod rest;
 mod set;
 mod shape;
 mod snapshot;
@@ -294,6 +297,7 @@ mod way;
 
 pub use body::SceneBody;
 pub use error::{SceneError, SceneFault};
+pub use reply::{Answer, Reply};
 pub use set::{Scene, Sleep};
 pub use shape::Shape;
 pub use snapshot::Snapshot;

@@ -4,6 +4,7 @@
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
 use super::meeting::{Meeting, Top, toward};
 use super::met::senses;
+use super::reply::{Replies, Reply};
 use super::way::Pace;
 use crate::broad::{BroadPhase, Handle, Pair};
 use crate::motion::response::separate;
@@ -28,9 +29,15 @@ pub(super) fn both(slots: &[Slot], pair: Pair) -> Option<(&Slot, &Slot)> {
 }
 
 /// Collects the effects of a contact on two bodies. Returns whether they approach.
-pub(super) fn tally(slots: &mut [Slot], pair: Pair, contact: &Contact, gravity: Vec2, carried: bool) -> bool {
+pub(super) fn tally(
+    slots: &mut [Slot],
+    pair: Pair,
+    contact: &Contact,
+    gravity: Vec2,
+    (carried, reply): (bool, Reply),
+) -> bool {
     let Some((a, b)) = both(slots, pair) else { return false };
-    let Some(meeting) = Meeting::of_pile(slots, a, b, contact.axis(), gravity) else { return false };
+    let Some(meeting) = Meeting::of_pile(slots, a, b, (contact.axis(), reply), gravity) else { return false };
     let (by_a, by_b) = separate(contact, meeting.masses.share_of_a());
     // Other bodies push back the two lying bodies that a push parts. Pushing by the whole overlap
     // would go on for ever.
@@ -53,7 +60,7 @@ fn half(v: Vec2) -> Vec2 {
 }
 
 /// How two bodies that run into each other change their velocities.
-pub(super) fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, counts: &mut impl FnMut(Pair) -> bool) {
+pub(super) fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, replies: &mut impl Replies) {
     let Some((a, b)) = both(slots, pair) else { return };
     if senses(a, b) {
         return;
@@ -61,10 +68,13 @@ pub(super) fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, counts: &mut i
     let Some(contact) = a.body.shape.contact(&b.body.shape) else { return };
     let carried = upper(a, b, Some(&contact), gravity).is_some_and(|top| is_carried(a, b, top));
     let hit = |meeting: &Meeting| if carried { meeting.lands(gravity) } else { meeting.is_hit() };
-    let Some(meeting) = Meeting::of_pile(slots, a, b, contact.axis(), gravity).filter(hit) else { return };
-    if !counts(pair) {
+    // Most pairs that touch do not approach, whatever the reply is. That is found first.
+    let met = |reply| Meeting::of_pile(slots, a, b, (contact.axis(), reply), gravity).filter(hit);
+    let Some(meeting) = met(Reply::Meet) else { return };
+    let reply = replies.to(pair);
+    let Some(meeting) = (if reply == Reply::Meet { Some(meeting) } else { met(reply).filter(|_| reply.acts()) }) else {
         return;
-    }
+    };
     let hits = |slot: &Slot, moves: bool| if moves { slot.tally.hits } else { 0 };
     let (by_a, by_b) = meeting.kicks(hits(a, meeting.moves_a).max(hits(b, meeting.moves_b)));
     for (at, by) in [(pair.a, by_a), (pair.b, by_b)] {

@@ -5,21 +5,24 @@
 //! Support thus reaches the whole pile within a step, and a pile in a moving frame is the pile at
 //! rest.
 
-use super::body::{ALOFT, Mode, Slot};
+use super::body::{ALOFT, FLIES, Mode, Slot};
+use super::drift::Drift;
 use super::meeting::{Meeting, Top, carried, toward};
 use super::met::{around, may_meet, pair, senses};
+use super::reply::{Replies, Reply};
+use super::rest::Rest;
 use super::trip::{Trip, hold};
 use super::view::View;
 use super::way::{Pace, size};
 use super::{Scene, SceneEvent, SceneFault, Shape, Stepped};
-use crate::broad::{BroadPhase, Handle, Keyed, Pair};
+use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::Masses;
 use crate::motion::response::separate;
 use crate::num::{Axis, Raw, Vec2};
 use crate::query::{Contact, Contacts};
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
     /// Moves the bodies that lie on others. Returns whether one has been quiet for long enough. A
     /// separate function: a scene without piles needs neither its registers nor its stack.
     #[inline(never)]
@@ -27,21 +30,21 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         &mut self,
         trip: &Trip<'_, V>,
         stepped: &mut Stepped,
-        counts: &mut impl FnMut(Pair) -> bool,
+        replies: &mut impl Replies,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
-        let Self { near, slots, awake, count, sleep } = self;
+        let Self { near, slots, awake, count, rests, sleep } = self;
         let movers = awake.get_mut(..*count).unwrap_or_default();
         let mut lying = from_the_lowest(movers, 0, slots, trip.gravity);
         let fixed = slots.iter().filter(|slot| slot.mode == Mode::Fixed);
         let margin = fixed.map(|slot| size(slot.lift(trip.gravity))).max().unwrap_or(0);
-        let mut pile = Pile { near, slots, trip, margin, stepped };
+        let mut pile = Pile { near, slots, rests, trip, margin, stepped };
         let mut calm = false;
         let mut at = 0;
         while at < lying {
             let Some(&handle) = movers.get(at) else { break };
             at += 1;
-            if pile.carry(handle, counts, each) {
+            if pile.carry(handle, replies, each) {
                 lying = from_the_lowest(movers, at, pile.slots, trip.gravity);
             }
             calm |= pile.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= sleep.steps);
@@ -82,34 +85,37 @@ fn swap(movers: &mut [Handle], a: usize, b: usize) {
     }
 }
 
-struct Pile<'a, B, V> {
+struct Pile<'a, B, V, const M: usize> {
     near: &'a mut B,
     slots: &'a mut [Slot],
+    rests: &'a mut [Option<Rest>; M],
     trip: &'a Trip<'a, V>,
     /// How far a fixed body may be from where the broad phase has it.
     margin: u32,
     stepped: &'a mut Stepped,
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View, const M: usize> Pile<'_, B, V, M> {
     /// One body's whole step. Returns whether others must be brought out of it, too.
     fn carry(
         &mut self,
         handle: Handle,
-        counts: &mut impl FnMut(Pair) -> bool,
+        replies: &mut impl Replies,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
-        let (known, quiet) = (slot.body.shape, (slot.quiet, slot.tally.drift));
+        let known = slot.body.shape;
         let moved = slot.way.pace == Pace::Moved;
-        let start = if moved { known.position() - slot.way.rate } else { known.position() };
+        let by = if moved { slot.way.rate } else { Vec2::ZERO };
+        let (start, quiet) = (known.position() - by, if moved { slot.before(by) } else { slot.rest() });
         if !moved {
-            self.trip.make(slot, handle, self.near, self.stepped, each);
+            let rest = self.rests.get_mut(handle.slot());
+            self.trip.make(slot, handle, rest, self.near, self.stepped, each);
             if slot.way.pace != Pace::Lies {
                 return false;
             }
         }
-        self.come_out(handle, known, (start, quiet), counts, each)
+        self.come_out(handle, known, (start, quiet), replies, each)
     }
 
     /// The part after its way through the level, on a separate stack frame.
@@ -118,14 +124,14 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
         &mut self,
         handle: Handle,
         known: Shape,
-        before: (Vec2, (u8, [i8; 2])),
-        counts: &mut impl FnMut(Pair) -> bool,
+        before: (Vec2, (u8, Drift)),
+        replies: &mut impl Replies,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
         let Some(slot) = self.slots.get(handle.slot()) else { return false };
         let mut slot = *slot;
         (slot.tally.low, slot.tally.high) = (Vec2::ZERO, Vec2::ZERO);
-        if let Err(fault) = self.rest(handle, &mut slot, before, counts) {
+        if let Err(fault) = self.rest(handle, &mut slot, before, replies) {
             slot.body.shape = known;
             hold(&mut slot, handle, fault, self.stepped, each);
         }
@@ -133,19 +139,19 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
         if let Some(place) = self.slots.get_mut(handle.slot()) {
             *place = slot;
         }
-        size(slot.tally.push()) > size(self.trip.gravity).saturating_mul(2) && self.lift(handle, &slot, counts)
+        size(slot.tally.push()) > size(self.trip.gravity).saturating_mul(2) && self.lift(handle, &slot, replies)
     }
 
     /// Finds the bodies on top that have made their steps and lay on nobody, if a body was pushed
     /// into them. Returns whether there are any.
-    fn lift(&mut self, handle: Handle, lower: &Slot, counts: &mut impl FnMut(Pair) -> bool) -> bool {
+    fn lift(&mut self, handle: Handle, lower: &Slot, replies: &mut impl Replies) -> bool {
         let Self { near, slots, trip, .. } = self;
         let mut any = false;
         near.in_region(&lower.body.shape.aabb(), |other| {
             let Some(slot) = slots.get_mut(other.slot()).filter(|slot| slot.way.turns == 0) else { return };
-            let slow = slot.mode == Mode::Awake && slot.way.pace == Pace::Slow;
+            let slow = slot.is_awake() && slot.way.pace == Pace::Slow;
             let on_top = slow && slot.lies_on(lower, trip.gravity) && may_meet(slot, lower);
-            if on_top && !senses(slot, lower) && counts(pair((handle, lower), (other, slot))) {
+            if on_top && !senses(slot, lower) && replies.to(pair((handle, lower), (other, slot))).acts() {
                 (slot.way.pace, any) = (Pace::Moved, true);
             }
         });
@@ -158,17 +164,17 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
         &mut self,
         handle: Handle,
         slot: &mut Slot,
-        before: (Vec2, (u8, [i8; 2])),
-        counts: &mut impl FnMut(Pair) -> bool,
+        before: (Vec2, (u8, Drift)),
+        replies: &mut impl Replies,
     ) -> Result<(), SceneFault> {
         let (slots, gravity) = (&*self.slots, self.trip.gravity);
         let (mut hits, mut last) = (0, None);
         let it = *slot;
-        self.below((handle, &it), counts, |other, lower, contact| {
+        self.below((handle, &it), replies, |other, lower, (contact, reply)| {
             let (_, by) = separate(contact, Masses::A_FIXED.share_of_a());
             slot.tally.pushed(still_touching(by, contact.axis()));
             slot.lie_on(slots, lower, other);
-            if let Some(meeting) = Meeting::of_pile(slots, lower, &it, contact.axis(), gravity) {
+            if let Some(meeting) = Meeting::of_pile(slots, lower, &it, (contact.axis(), reply), gravity) {
                 if meeting.is_hit() {
                     (hits, last) = (hits + 1, Some((other, meeting)));
                 }
@@ -182,8 +188,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
                 lower.body.velocity += by_lower;
             }
         } else if hits > 1 {
-            self.below((handle, &it), counts, |_, lower, contact| {
-                let meeting = Meeting::onto(self.slots, lower, &it, contact.axis(), gravity);
+            self.below((handle, &it), replies, |_, lower, (contact, reply)| {
+                let meeting = Meeting::onto(self.slots, lower, &it, (contact.axis(), reply), gravity);
                 if meeting.is_hit() {
                     slot.body.velocity += meeting.kicks(hits).1;
                 }
@@ -191,6 +197,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
         }
         let push = slot.tally.push();
         if push != Vec2::ZERO {
+            if let Some(rest) = self.rests.get_mut(handle.slot()) {
+                *rest = None;
+            }
             slot.body.shape = self.trip.slide(&slot.body, push)?;
         }
         let bounds = slot.body.shape.aabb();
@@ -210,8 +219,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
     fn below(
         &self,
         upper: (Handle, &Slot),
-        counts: &mut impl FnMut(Pair) -> bool,
-        mut each: impl FnMut(Handle, &Slot, &Contact),
+        replies: &mut impl Replies,
+        mut each: impl FnMut(Handle, &Slot, (&Contact, Reply)),
     ) {
         let (handle, slot) = upper;
         let gravity = self.trip.gravity;
@@ -221,8 +230,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
                 return;
             }
             let Some(contact) = lower.comes_to(gravity).contact(&slot.body.shape) else { return };
-            if Top::of(contact.axis(), toward(gravity)) == Top::B && counts(pair(upper, (other, lower))) {
-                each(other, lower, &contact);
+            if Top::of(contact.axis(), toward(gravity)) == Top::B {
+                let reply = replies.to(pair(upper, (other, lower)));
+                if reply.acts() {
+                    each(other, lower, (&contact, reply));
+                }
             }
         };
         // Other bodies there are found when they are touched. A ball that rolls from one to the
@@ -241,6 +253,17 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View> Pile<'_, B, V> {
 }
 
 impl Slot {
+    /// For how long it has been quiet, and how far it has come since.
+    const fn rest(&self) -> (u8, Drift) {
+        (self.quiet, self.tally.drift)
+    }
+
+    /// The same before its way in this step. Its rest ended if it has none now.
+    fn before(&self, by: Vec2) -> (u8, Drift) {
+        let counted = u8::from(self.tally.under != FLIES);
+        if self.quiet == 0 { (0, Drift::NONE) } else { (self.quiet - counted, self.tally.drift.minus(by)) }
+    }
+
     /// In any unit: twice the middle of its box, against gravity.
     pub(super) fn height(&self, gravity: Vec2) -> i64 {
         let bounds = self.body.shape.aabb();

@@ -2,6 +2,7 @@
 //! steps, and the bodies that these wake.
 
 use super::body::{Mode, Slot, Tally};
+use super::rest::Rest;
 use super::{SceneBody, SceneError, Shape};
 use crate::broad::{BroadError, BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -9,10 +10,14 @@ use crate::num::{Fx, MOTION, Vec2, check_motion};
 use crate::query::Touches;
 use crate::shape::Aabb;
 
-/// When bodies fall asleep: after this many consecutive steps of rest, for all bodies that touch,
-/// directly or not. In a step of rest a body has moved by less than `still` on either axis, or
-/// since it has been quiet by no more than the gravity of two steps. If there is gravity, it also ran
-/// into the level or into another body.
+/// When bodies fall asleep: after this many steps of rest, for all bodies that touch, directly or
+/// not.
+///
+/// In a step of rest a body moves by less than `still` on either axis. A faster step is one of rest
+/// too, if the body has come no farther than `still` times `steps` since it rests: on the whole it
+/// was slow. (At least that is the gravity of two steps, at most a unit.) Without this, bodies in a
+/// heap that push each other to and fro would never sleep. If there is gravity, the body also runs
+/// into the level or into another body. A step in the air does not count, and does not end the rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sleep {
@@ -48,12 +53,14 @@ impl Sleep {
 /// [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 156 bytes per
 /// body, plus the broad phase.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene<B, const N: usize> {
+pub struct Scene<B, const N: usize, const M: usize = 0> {
     pub(crate) near: B,
     pub(super) slots: [Slot; N],
     /// The bodies awake come first.
     pub(super) awake: [Handle; N],
     pub(crate) count: usize,
+    /// What is remembered of the bodies in the first M slots.
+    pub(super) rests: [Option<Rest>; M],
     /// You may change it at any time.
     pub sleep: Sleep,
 }
@@ -68,7 +75,47 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// The same scene with other conditions for sleep.
     #[must_use]
     pub const fn with_sleep(near: B, sleep: Sleep) -> Self {
-        Self { near, slots: [Slot::FREE; N], awake: [Handle::new(0, 0); N], count: 0, sleep }
+        Self::remembering(near, sleep)
+    }
+}
+
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
+    /// A scene that remembers how bodies at rest lie, in the first M of its N slots.
+    ///
+    /// A body that lies tries the same way through the level in each step, and gets nowhere: down by
+    /// gravity, or aside where others push. Such a way is answered from memory, with the same bits
+    /// and the same events.
+    ///
+    /// In return, you must name each region of the level that [changes](Self::wake_region), even if
+    /// no body sleeps: a tile, a [`Solid`](crate::Solid) that moves, another level for a body. A
+    /// body that rests does not look at the level by itself. The memory is not part of a
+    /// [`snapshot`](Self::snapshot); a restored scene looks once.
+    ///
+    /// RAM: 84 bytes for each of M.
+    ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::scene::{SceneBody, SceneTag, Sleep};
+    /// use tilesat::{Aabb, Scene, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("..\n##", &KINDS)?; // the floor is at y = 16
+    /// type Crates = Scene<SortSweep<8, SceneTag>, 8, 8>;
+    /// let mut scene = Crates::remembering(SortSweep::new(), Sleep::NEVER);
+    /// let body = Aabb::new(Vec2::from_ints(4, 8), Vec2::from_ints(12, 16))?;
+    /// let crate_ = scene.insert(&SceneBody::new(body, 1))?;
+    /// let gravity = Vec2::from_raw(0, 1 << 14);
+    /// for _ in 0..100 {
+    ///     scene.step(&level, gravity, |_| {})?; // looks at the level once
+    /// }
+    /// let gone = TileMap::from_ascii("..\n..", &KINDS)?;
+    /// scene.wake_region(&gone.bounds());
+    /// scene.step(&gone, gravity, |_| {})?;
+    /// assert!(scene.body(crate_)?.velocity.y > 0); // it falls
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub const fn remembering(near: B, sleep: Sleep) -> Self {
+        Self { near, slots: [Slot::FREE; N], awake: [Handle::new(0, 0); N], count: 0, rests: [None; M], sleep }
     }
 
     /// The broad phase: for rays, regions and nearest bodies, and for the tags of bodies (`still`
@@ -134,7 +181,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// # Errors
     /// [`Stale`](BroadError::Stale).
     pub fn is_awake(&self, handle: Handle) -> Result<bool, SceneError> {
-        self.slot(handle).map(|slot| slot.mode == Mode::Awake)
+        self.slot(handle).map(Slot::is_awake)
     }
 
     /// Whether, in the last step, the level carried it, or bodies that the level carries. Always
@@ -151,7 +198,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// removed.
     #[must_use]
     pub fn rests(&self, pair: &Pair) -> bool {
-        let rested = |slot: &&Slot| slot.mode != Mode::Awake || !slot.told;
+        let rested = |slot: &&Slot| slot.mode != Mode::Awake;
         let [a, b] = [pair.a, pair.b].map(|handle| self.slot(handle).ok().filter(rested));
         a.zip(b).is_some_and(|(a, b)| a.body.shape.touches(&b.body.shape))
     }
@@ -173,7 +220,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     }
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
     /// Adds `by` to a body's velocity, and wakes the body.
     ///
     /// ```
@@ -275,7 +322,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         }
         let slot = self.slot_mut(handle)?;
         slot.body = body;
-        let tag = body.tag(slot.mode != Mode::Awake);
+        let tag = body.tag(!slot.is_awake());
         self.near.set_tag(handle, tag).map_err(|e| SceneError::of(handle, e))?;
         // The next step wakes the bodies that it still touches, except for a fixed body. Nothing
         // else would wake those that it let go of.
@@ -324,10 +371,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// Cost: a region query.
     pub fn wake_region(&mut self, region: &Aabb) {
         let (from, slots) = (self.count, &mut self.slots);
-        let (awake, count) = (&mut self.awake, &mut self.count);
+        let (awake, count, rests) = (&mut self.awake, &mut self.count, &mut self.rests);
         self.near.in_region(region, |handle| {
             rouse(slots, awake, count, handle);
-            unsettle(slots, handle);
+            unsettle(slots, rests, handle);
         });
         self.tell_woken(from);
     }
@@ -351,7 +398,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     pub(super) fn rouse(&mut self, handle: Handle, known: bool) {
         let from = self.count;
         rouse(&mut self.slots, &mut self.awake, &mut self.count, handle);
-        unsettle(&mut self.slots, handle);
+        unsettle(&mut self.slots, &mut self.rests, handle);
         if known {
             self.tell_woken(from);
         }
@@ -368,7 +415,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
 }
 
 /// A change by the game is no rest.
-fn unsettle(slots: &mut [Slot], handle: Handle) {
+fn unsettle(slots: &mut [Slot], rests: &mut [Option<Rest>], handle: Handle) {
+    if let Some(rest) = rests.get_mut(handle.slot()) {
+        *rest = None;
+    }
     if let Some(slot) = slots.get_mut(handle.slot()) {
         slot.quiet = 0;
     }
@@ -379,7 +429,7 @@ fn unsettle(slots: &mut [Slot], handle: Handle) {
 pub(super) fn rouse(slots: &mut [Slot], awake: &mut [Handle], count: &mut usize, handle: Handle) {
     let Some(slot) = slots.get_mut(handle.slot()).filter(|slot| slot.mode == Mode::Asleep) else { return };
     let Some(place) = awake.get_mut(*count) else { return };
-    (*place, slot.mode, slot.told) = (handle, Mode::Awake, false);
+    (*place, slot.mode) = (handle, Mode::Woken);
     slot.tally = Tally::of(handle.slot() as u16);
     *count += 1;
 }

@@ -1,6 +1,7 @@
 //! What of a scene goes on from one step to the next, in less room than the scene.
 
 use super::body::{Mode, Slot, Tally};
+use super::drift::Drift;
 use super::{Scene, SceneBody, Sleep};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
@@ -51,31 +52,35 @@ pub struct Snapshot<B, const N: usize> {
 pub(super) struct Kept {
     pub(super) body: SceneBody,
     pub(super) mode: Mode,
-    pub(super) told: bool,
     pub(super) quiet: u8,
     pub(super) support: u8,
     pub(super) ground: u16,
-    pub(super) drift: [i8; 2],
+    pub(super) drift: Drift,
 }
 
 impl Kept {
     const fn of(slot: &Slot) -> Self {
-        let Slot { body, mode, told, quiet, support, ground, tally, .. } = *slot;
-        Self { body, mode, told, quiet, support, ground, drift: tally.drift }
+        let Slot { body, mode, quiet, support, ground, tally, .. } = *slot;
+        Self { body, mode, quiet, support, ground, drift: tally.drift }
     }
 
     /// A step sets all the rest before it reads it; what sleeps or is fixed has made its way.
     const fn slot(&self, handle: Handle) -> Slot {
-        let Self { body, mode, told, quiet, support, ground, drift } = *self;
+        let Self { body, mode, quiet, support, ground, drift } = *self;
         let generation = if matches!(mode, Mode::Free) { 0 } else { handle.generation() };
         let tally = Tally { drift, ..Tally::of(handle.slot() as u16) };
-        Slot { body, generation, mode, told, quiet, support, ground, tally, ..Slot::FREE }
+        Slot { body, generation, mode, quiet, support, ground, tally, ..Slot::FREE }
+    }
+
+    #[cfg(feature = "serde")]
+    pub(super) const fn is_awake(&self) -> bool {
+        matches!(self.mode, Mode::Awake | Mode::Woken)
     }
 
     pub(super) const FREE: Self = Self::of(&Slot::FREE);
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize> Scene<B, N, M> {
     /// The state as of now.
     ///
     /// Cost: one pass over the slots, and a copy of the broad phase.
@@ -105,6 +110,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> Scene<B, N> {
     pub fn restore(&mut self, snapshot: &Snapshot<B, N>) {
         let Snapshot { near, kept, awake, count, sleep } = snapshot;
         (self.near, self.count, self.sleep) = (*near, usize::from(*count), *sleep);
+        self.rests = [None; M];
         let bodies = near.table();
         for (at, (slot, kept)) in self.slots.iter_mut().zip(kept).enumerate() {
             *slot = kept.slot(bodies.handle(at));

@@ -1,8 +1,9 @@
 //! One step of a scene.
 
-use super::body::{ALOFT, Mode, NOBODY, Slot, Tally};
+use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
 use super::met::{may_meet, pair, senses};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
+use super::reply::{Answer, Asked, Replies, Reply};
 use super::set::Sleep;
 use super::set::rouse;
 use super::trip::Trip;
@@ -15,7 +16,7 @@ use crate::num::{MOTION, Vec2, check_motion};
 use crate::query::{Contacts, Touches};
 use crate::world::World;
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
     /// Moves all awake bodies by one step. A step adds `gravity` to velocities; pass zero for games
     /// seen from above.
     ///
@@ -37,12 +38,43 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         self.step_with(level, gravity, |_| true, each)
     }
 
-    /// Like [`step`](Self::step), but only pairs that `counts` accepts take effect. A refused pair
-    /// neither pushes nor wakes, and is not reported.
+    /// Like [`step`](Self::step), but `replies` says for each pair what it does: a
+    /// [`Reply`](super::Reply), or a `bool` for whether the pair takes effect. A refused pair neither
+    /// pushes nor wakes, and is not reported.
     ///
-    /// `counts` is called for each pair that touches, and again if the two run into each other. It
-    /// must return the same both times. Use a [`Filter`](crate::Filter) where one is enough: it
-    /// costs less.
+    /// `replies` is called for each pair that touches, and again if the two run into each other. It
+    /// must return the same in the whole step. Use a [`Filter`](crate::Filter) where one is enough:
+    /// it costs less.
+    ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::scene::{Reply, SceneBody, SceneEvent, SceneTag};
+    /// use tilesat::{Aabb, Circle, Fx, Scene, TileKinds, TileMap, Vec2};
+    /// let level = TileMap::from_ascii("....\n....\n", &TileKinds::EMPTY)?;
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 4, 16));
+    /// let friends = [scene.insert(&SceneBody::new(at(12)?, 1))?, scene.insert(&SceneBody::new(at(22)?, 2))?];
+    /// let wall = scene.insert(&SceneBody::fixed(at(40)?, 3))?;
+    /// let bullet = SceneBody::new(Circle::new(Vec2::from_ints(4, 8), Fx::ONE)?, 9);
+    /// let bullet = scene.insert(&SceneBody { velocity: Vec2::from_ints(50, 0), floats: true, ..bullet })?;
+    ///
+    /// let mut met = Vec::new();
+    /// let replies = |pair: tilesat::broad::Pair| match pair.a {
+    ///     other if other == wall => Reply::Touch,
+    ///     _ => Reply::Cross,
+    /// };
+    /// scene.step_with(&level, Vec2::ZERO, replies, |event| {
+    ///     if let SceneEvent::Meet { pair, .. } = event {
+    ///         met.push(pair.a);
+    ///     }
+    /// })?;
+    /// assert_eq!((met.contains(&friends[0]), met.contains(&friends[1])), (true, true)); // it crossed both
+    /// assert_eq!(scene.body(bullet)?.shape.position(), Vec2::from_ints(39, 8)); // and stopped at the wall
+    /// assert_eq!(scene.body(bullet)?.velocity, Vec2::ZERO);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// With a list of pairs that do not meet for a while:
     ///
     /// ```
     /// use tilesat::broad::{Exceptions, Ignore, SortSweep};
@@ -68,14 +100,14 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     ///
     /// # Errors
     /// As [`step`](Self::step).
-    pub fn step_with<W: World>(
+    pub fn step_with<W: World, A: Answer>(
         &mut self,
         level: &W,
         gravity: Vec2,
-        counts: impl FnMut(Pair) -> bool,
+        replies: impl FnMut(Pair) -> A,
         each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
-        self.step_in(|_| level, gravity, counts, each)
+        self.step_in(|_| level, gravity, replies, each)
     }
 
     /// Like [`step_with`](Self::step_with), with a level for each body: ghosts that pass curtains,
@@ -108,27 +140,28 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     ///
     /// # Errors
     /// As [`step`](Self::step).
-    pub fn step_in<'l, W: World + 'l>(
+    pub fn step_in<'l, W: World + 'l, A: Answer>(
         &mut self,
         level_of: impl Fn(&SceneBody) -> &'l W,
         gravity: Vec2,
-        mut counts: impl FnMut(Pair) -> bool,
+        replies: impl FnMut(Pair) -> A,
         mut each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
         check_motion(gravity, MOTION).map_err(SceneError::call)?;
+        let replies = &mut Asked(replies);
         let mut stepped = Stepped::default();
         if self.count == 0 {
             return Ok(stepped);
         }
         let awake = self.count;
         begin(&mut self.slots, self.awake.get(..awake).unwrap_or_default(), gravity);
-        self.meet(gravity, &mut stepped, &mut counts, &mut each);
+        self.meet(gravity, &mut stepped, replies, &mut each);
         if self.count > awake {
-            self.wake_along(awake, &mut counts);
+            self.wake_along(awake, replies);
             stepped.woken = (self.count - awake) as u16;
             self.tell_woken(awake);
         }
-        if self.travel(&Each::by(level_of), gravity, &mut stepped, &mut counts, &mut each) {
+        if self.travel(&Each::by(level_of), gravity, &mut stepped, replies, &mut each) {
             self.fall_asleep(&mut stepped);
         }
         Ok(stepped)
@@ -139,7 +172,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         &mut self,
         gravity: Vec2,
         stepped: &mut Stepped,
-        counts: &mut impl FnMut(Pair) -> bool,
+        replies: &mut impl Replies,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) {
         let Some((movers, room)) = self.awake.split_at_mut_checked(self.count) else { return };
@@ -147,11 +180,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         each_pair(&mut self.near, movers, |pair| {
             stepped.pairs += 1;
             let Some((a, b)) = both(slots, pair).filter(|(a, b)| a.body.shape.touches(&b.body.shape)) else { return };
-            if !counts(pair) {
+            let reply = replies.to(pair);
+            if reply == Reply::Ignore {
                 return;
             }
             let contact = a.body.shape.contact(&b.body.shape);
-            let senses = senses(a, b);
+            let senses = senses(a, b) || reply == Reply::Cross;
             stepped.touching += 1;
             stepped.overlapping += u32::from(contact.is_some() && !senses);
             each(SceneEvent::Touch { pair, contact: contact.as_ref() });
@@ -164,13 +198,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
             join(slots, pair);
             let carried = lay(slots, pair, contact.as_ref(), gravity);
             if let Some(contact) = contact {
-                hits |= tally(slots, pair, &contact, gravity, carried);
+                hits |= tally(slots, pair, &contact, gravity, (carried, reply));
             }
         });
         if hits {
             each_pair(&mut self.near, movers, |pair| {
                 stepped.pairs += 1;
-                kick(slots, pair, gravity, counts);
+                kick(slots, pair, gravity, replies);
             });
         }
         self.count += woken;
@@ -179,7 +213,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     /// Wakes the bodies that touch one of those woken since the list had `from` entries: a pile
     /// wakes as a whole.
     #[inline(never)]
-    fn wake_along(&mut self, from: usize, counts: &mut impl FnMut(Pair) -> bool) {
+    fn wake_along(&mut self, from: usize, replies: &mut impl Replies) {
         let Self { near, slots, awake, count, .. } = self;
         let mut at = from;
         while let Some(&handle) = awake.get(..*count).and_then(|awake| awake.get(at)) {
@@ -195,7 +229,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
                     return;
                 }
                 let pair = pair((handle, one), (other, two));
-                if counts(pair) {
+                if replies.to(pair).acts() {
                     rouse(slots, awake, count, other);
                     join(slots, pair);
                 }
@@ -210,34 +244,37 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         view: &V,
         gravity: Vec2,
         stepped: &mut Stepped,
-        counts: &mut impl FnMut(Pair) -> bool,
+        replies: &mut impl Replies,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
-        let Sleep { still, steps } = self.sleep;
-        let trip = Trip::new(view, gravity, still);
+        let Sleep { steps, .. } = self.sleep;
+        let trip = Trip::new(view, gravity, self.sleep);
         let (mut calm, mut fast, mut piled) = (false, false, false);
         for handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             if slot.is_fast() {
                 (slot.way.pace, fast) = (Pace::Swept, true);
+                if let Some(rest) = self.rests.get_mut(handle.slot()) {
+                    *rest = None;
+                }
             }
             piled |= slot.way.pace == Pace::Lies;
         }
         if fast {
-            self.let_go(counts);
+            self.let_go(replies);
         }
         for &handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             if slot.way.pace == Pace::Slow {
-                trip.make(slot, handle, &mut self.near, stepped, each);
+                trip.make(slot, handle, self.rests.get_mut(handle.slot()), &mut self.near, stepped, each);
                 calm |= slot.quiet >= steps;
             }
         }
         if piled {
-            calm |= self.settle(&trip, stepped, counts, each);
+            calm |= self.settle(&trip, stepped, replies, each);
         }
         if fast {
-            calm |= self.sweep(&trip, stepped, counts, each);
+            calm |= self.sweep(&trip, stepped, replies, each);
         }
         calm && steps != 0
     }
@@ -253,7 +290,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
             }
         }
         for handle in &*awake {
-            let Some(quiet) = slots.get(handle.slot()).map(|slot| slot.quiet) else { continue };
+            let quiet = |slot: &Slot| if slot.tally.under == FLIES { 0 } else { slot.quiet };
+            let Some(quiet) = slots.get(handle.slot()).map(quiet) else { continue };
             let root = root(slots, handle.slot() as u16);
             if let Some(slot) = slots.get_mut(usize::from(root)) {
                 slot.tally.hits = slot.tally.hits.min(quiet.into());
@@ -285,7 +323,7 @@ fn begin(slots: &mut [Slot], awake: &[Handle], gravity: Vec2) {
     for handle in awake {
         let Some(slot) = slots.get_mut(handle.slot()) else { continue };
         slot.tally = Tally { drift: slot.tally.drift, ..Tally::of(handle.slot() as u16) };
-        slot.told = true;
+        slot.mode = Mode::Awake;
         // A body that lay on others may be a raw unit above them. It then touches nobody.
         let lay = gravity != Vec2::ZERO && slot.support != 0 && slot.support != ALOFT;
         (slot.way.pace, slot.way.turns) = (if lay { Pace::Lies } else { Pace::Slow }, 0);

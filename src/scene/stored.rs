@@ -1,6 +1,7 @@
 //! Scenes: what a snapshot has, where the scene and its broad phase have to agree.
 
 use super::body::{Mode, NOBODY};
+use super::drift::Drift;
 use super::snapshot::{Kept, Snapshot};
 use super::{Scene, SceneBody, Sleep};
 use crate::broad::{BroadPhase, Keyed};
@@ -16,11 +17,10 @@ struct Lasting {
     slot: u16,
     body: SceneBody,
     mode: Mode,
-    told: bool,
     quiet: u8,
     support: u8,
     ground: u16,
-    drift: [i8; 2],
+    drift: Drift,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -39,8 +39,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> Form<Snapshot<B,
     fn of(snapshot: &Snapshot<B, N>) -> Self {
         let taken = snapshot.kept.iter().enumerate().filter(|(_, kept)| kept.mode != Mode::Free);
         let bodies = taken.map(|(slot, kept)| {
-            let Kept { body, mode, told, quiet, support, ground, drift } = *kept;
-            Lasting { slot: slot as u16, body, mode, told, quiet, support, ground, drift }
+            let Kept { body, mode, quiet, support, ground, drift } = *kept;
+            Lasting { slot: slot as u16, body, mode, quiet, support, ground, drift }
         });
         Self {
             version: Version,
@@ -61,22 +61,22 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> Form<Snapshot<B,
             next = at + 1;
             agrees(lasting, &near)?;
             let Some(place) = kept.get_mut(at) else { return Err(Wrong { at, what: "it is beyond the last slot" }) };
-            let Lasting { body, mode, told, quiet, support, ground, drift, .. } = *lasting;
+            let Lasting { body, mode, quiet, support, ground, drift, .. } = *lasting;
             let ground_is_here = ground == NOBODY || usize::from(ground) < N;
             ensure(ground_is_here, at, "it is carried by what is beyond the last slot")?;
-            *place = Kept { body, mode, told, quiet, support, ground, drift };
+            *place = Kept { body, mode, quiet, support, ground, drift };
         }
         ensure(near.len() == bodies.len(), bodies.len(), "the broad phase has more bodies")?;
         let (mut list, mut listed) = ([0; N], [false; N]);
         for (place, &slot) in list.iter_mut().zip(&awake) {
             let at = usize::from(slot);
-            let is_awake = kept.get(at).is_some_and(|kept| kept.mode == Mode::Awake);
+            let is_awake = kept.get(at).is_some_and(|kept| kept.is_awake());
             ensure(is_awake, at, "it is in the list of those awake, and is not")?;
             let seen = listed.get_mut(at).is_some_and(|seen| core::mem::replace(seen, true));
             ensure(!seen, at, "it is in the list of those awake twice")?;
             *place = slot;
         }
-        let count = kept.iter().filter(|kept| kept.mode == Mode::Awake).count();
+        let count = kept.iter().filter(|kept| kept.is_awake()).count();
         ensure(count == awake.len(), awake.len(), "the list of those awake leaves one out")?;
         Ok(Snapshot { near, kept, awake: list, count: count as u16, sleep })
     }
@@ -89,12 +89,12 @@ fn agrees<B: BroadPhase<Tag = Keyed<Filter>>>(lasting: &Lasting, near: &B) -> Re
     let handle = near.table().handle(at);
     ensure(near.contains(handle), at, "the broad phase has no body there")?;
     ensure(near.bounds(handle) == Ok(body.shape.aabb()), at, "the broad phase has another box")?;
-    let known = near.tag(handle).is_ok_and(|known| known == body.tag(mode != Mode::Awake));
+    let known = near.tag(handle).is_ok_and(|known| known == body.tag(!matches!(mode, Mode::Awake | Mode::Woken)));
     ensure(known, at, "the broad phase has another filter, key or rest")?;
     let mode_fits = match mode {
         Mode::Free => false,
         Mode::Fixed => body.mass.is_none(),
-        Mode::Awake | Mode::Asleep => body.mass.is_some(),
+        Mode::Woken | Mode::Awake | Mode::Asleep => body.mass.is_some(),
     };
     ensure(mode_fits, at, "what has no mass is fixed, and nothing else is")?;
     // A step leaves motions, and what bodies give each other on top of that. With the pushes of a
@@ -118,16 +118,21 @@ impl<'de, B: BroadPhase<Tag = Keyed<Filter>> + Copy + Deserialize<'de>, const N:
     }
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy + Serialize, const N: usize> Serialize for Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy + Serialize, const N: usize, const M: usize> Serialize
+    for Scene<B, N, M>
+{
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         self.snapshot().serialize(to)
     }
 }
 
-impl<'de, B: BroadPhase<Tag = Keyed<Filter>> + Copy + Deserialize<'de>, const N: usize> Deserialize<'de>
-    for Scene<B, N>
+impl<'de, B: BroadPhase<Tag = Keyed<Filter>> + Copy + Deserialize<'de>, const N: usize, const M: usize> Deserialize<'de>
+    for Scene<B, N, M>
 {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        Snapshot::deserialize(from).map(|snapshot| Self::from(&snapshot))
+        let snapshot = Snapshot::deserialize(from)?;
+        let mut scene = Self::remembering(snapshot.near, snapshot.sleep);
+        scene.restore(&snapshot);
+        Ok(scene)
     }
 }

@@ -4,13 +4,14 @@
 //! body, or the step. The earliest of all ends is handled, and the bodies that it changed look
 //! again.
 //!
-//! A slow body has made its step before, and counts as on the straight way from its start. A hit
+//! A slow body has made its step before, and replies as on the straight way from its start. A hit
 //! changes its velocity, but it keeps that way; the body that hit it avoids the way. Two that meet
 //! again in the step move along each other, and their velocities meet in the next one.
 
 use super::body::{ALOFT, NOBODY, Slot};
 use super::meeting::{Meeting, Top, toward};
 use super::met::{Met, around, each_near, may_meet, pair, reach, senses};
+use super::reply::{Replies, Reply};
 use super::set::rouse;
 use super::trip::{Touched, Trip, hold};
 use super::view::View;
@@ -22,10 +23,10 @@ use crate::motion::response::exchange;
 use crate::motion::{Hit, Hits, Masses, Surface};
 use crate::num::{Toi, Vec2};
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
     /// Releases those that have nobody in reach: only the level matters to them.
     #[inline(never)]
-    pub(super) fn let_go(&mut self, counts: &mut impl FnMut(Pair) -> bool) {
+    pub(super) fn let_go(&mut self, replies: &mut impl Replies) {
         let Self { near, slots, .. } = self;
         let movers = self.awake.get(..self.count).unwrap_or_default();
         let widest = movers.iter().filter_map(|handle| slots.get(handle.slot())).map(reach).max().unwrap_or(0);
@@ -34,7 +35,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
             let mut alone = true;
             near.in_region(&around(&slot.body.shape.aabb(), reach(slot).saturating_add(widest)), |other| {
                 let found = slots.get(other.slot()).filter(|at| alone && other != handle && may_meet(slot, at));
-                alone &= !found.is_some_and(|at| counts(pair((handle, slot), (other, at))));
+                alone &= found.is_none_or(|at| replies.to(pair((handle, slot), (other, at))) == Reply::Ignore);
             });
             if let Some(slot) = slots.get_mut(handle.slot()).filter(|_| alone) {
                 slot.way.pace = Pace::Slow;
@@ -49,13 +50,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         &mut self,
         trip: &Trip<'_, V>,
         stepped: &mut Stepped,
-        counts: &mut impl FnMut(Pair) -> bool,
+        replies: &mut impl Replies,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
         let from = self.count;
         let Some((movers, room)) = self.awake.split_at_mut_checked(from) else { return false };
         let (near, slots) = (&mut self.near, self.slots.as_mut_slice());
-        let mut sweep = Sweep { near, slots, movers, room, woken: 0, trip, margin: 0, stepped, counts, each };
+        let mut sweep = Sweep { near, slots, movers, room, woken: 0, trip, margin: 0, stepped, replies, each };
         sweep.run();
         let woken = sweep.woken;
         stepped.woken += woken as u16;
@@ -66,7 +67,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     }
 }
 
-struct Sweep<'a, B, V, C, E> {
+struct Sweep<'a, B, V, R, E> {
     near: &'a mut B,
     slots: &'a mut [Slot],
     /// The bodies that were awake before.
@@ -77,15 +78,15 @@ struct Sweep<'a, B, V, C, E> {
     /// No slow body is farther than this from where the broad phase has it.
     margin: u32,
     stepped: &'a mut Stepped,
-    counts: &'a mut C,
+    replies: &'a mut R,
     each: &'a mut E,
 }
 
-impl<B, V, C, E> Sweep<'_, B, V, C, E>
+impl<B, V, R, E> Sweep<'_, B, V, R, E>
 where
     B: BroadPhase<Tag = Keyed<Filter>>,
     V: View,
-    C: FnMut(Pair) -> bool,
+    R: Replies,
     E: FnMut(SceneEvent<'_>),
 {
     // Separate calls: the mover goes about 2 KB deeper from here, and the stack of a call is free
@@ -169,7 +170,7 @@ where
         let touched = self.trip.touch(&slot.body, slot.way.left(since))?;
         let mut first = touched.hit.map_or((Toi::ONE, End::Step), |hit| (later(since, hit.toi), End::Level));
         let mut rank = (0, 0);
-        let counts = &mut *self.counts;
+        let replies = &mut *self.replies;
         each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
             let waits = slot.way.waits() && (at.way.pace != Pace::Swept || at.way.waits());
             if waits || senses(slot, at) {
@@ -178,7 +179,7 @@ where
             let Some(met) = Met::of((handle, slot), (other, at)) else { return };
             let it = (met.time, first.1 == End::Level, (at.body.key, other.slot()));
             let before = it < (first.0, false, rank) || (first.1 == End::Step && met.time <= first.0);
-            if before && counts(met.pair) {
+            if before && replies.to(met.pair).acts() {
                 (first, rank) = ((met.time, End::Body(other.slot() as u16)), it.2);
             }
         });
@@ -252,7 +253,8 @@ where
             (self.each)(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
             rouse(self.slots, self.room, &mut self.woken, a);
             rouse(self.slots, self.room, &mut self.woken, b);
-            if let Some(meeting) = Meeting::of_pile(self.slots, &one, &other, met.axis, self.trip.gravity) {
+            let axis = (met.axis, self.replies.to(met.pair));
+            if let Some(meeting) = Meeting::of_pile(self.slots, &one, &other, axis, self.trip.gravity) {
                 let (by_a, by_b) = meeting.kicks(1);
                 for (slot, by) in [(&mut one, by_a), (&mut other, by_b)] {
                     if !slot.way.is_held() {
@@ -305,13 +307,15 @@ where
     /// Reports the sensors on a way that ends at a time.
     #[inline(never)]
     fn sense(&mut self, handle: Handle, slot: &Slot, until: Toi) {
-        let (each, counts) = (&mut *self.each, &mut *self.counts);
+        let (each, replies) = (&mut *self.each, &mut *self.replies);
         each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
-            if !senses(slot, at) {
+            let sensor = senses(slot, at);
+            if !R::CROSSES && !sensor {
                 return;
             }
             let met = Met::of((handle, slot), (other, at)).filter(|met| met.begins && met.time < until);
-            if let Some(met) = met.filter(|met| counts(met.pair)) {
+            let told = |reply: Reply| reply == Reply::Cross || (sensor && reply.acts());
+            if let Some(met) = met.filter(|met| told(replies.to(met.pair))) {
                 let (a, b) = if met.pair.a == handle { (slot, at) } else { (at, slot) };
                 let speed = met.axis.approach(b.body.velocity - a.body.velocity);
                 each(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });

@@ -1,13 +1,15 @@
 //! The way of one body through the level.
 
-use super::body::{ALOFT, NOBODY, Slot, Tally};
+use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally};
+use super::drift::Drift;
 use super::meeting::toward;
+use super::rest::{Causes, Rest};
 use super::view::View;
 use super::way::{BodyWay, Pace, size};
-use super::{SceneBody, SceneError, SceneEvent, SceneFault, Shape, Stepped};
+use super::{SceneBody, SceneError, SceneEvent, SceneFault, Shape, Sleep, Stepped};
 use crate::broad::{BroadPhase, Handle};
 use crate::motion::{Body, ByFlags, Hit, Moved, Mover, Response, Responses, Surface};
-use crate::num::{Fx, Ratio, Vec2};
+use crate::num::{Ratio, Vec2};
 
 /// The data that all ways through the level share.
 pub(super) struct Trip<'a, V> {
@@ -15,13 +17,13 @@ pub(super) struct Trip<'a, V> {
     /// A mover that slides.
     mover: Mover<ByFlags<Surface>>,
     pub(super) gravity: Vec2,
-    still: Fx,
+    sleep: Sleep,
 }
 
 impl<'a, V: View> Trip<'a, V> {
-    pub(super) fn new(view: &'a V, gravity: Vec2, still: Fx) -> Self {
+    pub(super) fn new(view: &'a V, gravity: Vec2, sleep: Sleep) -> Self {
         let mover = Mover::platformer(toward(gravity).reversed()).with_surface(Surface::SLICK);
-        Self { view, mover: mover.with_responses(Responses::NONE), gravity, still }
+        Self { view, mover: mover.with_responses(Responses::NONE), gravity, sleep }
     }
 
     /// One body's whole step.
@@ -29,18 +31,38 @@ impl<'a, V: View> Trip<'a, V> {
         &self,
         slot: &mut Slot,
         handle: Handle,
+        known: Option<&mut Option<Rest>>,
         near: &mut impl BroadPhase,
         stepped: &mut Stepped,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) {
-        let made = match slot.body.shape {
-            Shape::Aabb(aabb) => self.travel(slot, handle, &aabb, near, each),
-            Shape::Circle(circle) => self.travel(slot, handle, &circle, near, each),
-        };
         stepped.moved += 1;
+        let known_rest = known.as_ref().and_then(|known| known.as_ref());
+        if let Some(rest) = known_rest.filter(|rest| rest.causes == self.causes(slot)) {
+            return self.rest(slot, handle, rest, each);
+        }
+        let made = match slot.body.shape {
+            Shape::Aabb(aabb) => self.travel(slot, handle, &aabb, known, near, each),
+            Shape::Circle(circle) => self.travel(slot, handle, &circle, known, near, each),
+        };
         if let Err(fault) = made {
             hold(slot, handle, fault, stepped, each);
         }
+    }
+
+    /// What moves a body in this step.
+    fn causes(&self, slot: &Slot) -> Causes {
+        let velocity = slot.body.velocity + slot.tally.kick;
+        Causes { push: slot.tally.push(), velocity, weight: slot.body.weight(self.gravity) }
+    }
+
+    /// The way that a body at rest would make.
+    #[inline(never)]
+    fn rest(&self, slot: &mut Slot, handle: Handle, rest: &Rest, each: &mut impl FnMut(SceneEvent<'_>)) {
+        (slot.way.rate, slot.body.velocity) = (Vec2::ZERO, rest.velocity);
+        self.arrive(slot, Vec2::ZERO, if rest.floor { 0 } else { ALOFT }, false);
+        let (hits, flags) = (rest.hits(), rest.flags());
+        each(SceneEvent::Level { body: handle, hits: &hits, flags, velocity: rest.causes.velocity });
     }
 
     /// First moves by the push, along the level, then by the velocity.
@@ -49,14 +71,18 @@ impl<'a, V: View> Trip<'a, V> {
         slot: &mut Slot,
         handle: Handle,
         body: &B,
+        mut known: Option<&mut Option<Rest>>,
         near: &mut impl BroadPhase,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> Result<(), SceneFault> {
-        let (mut start, push, level) = (*body, slot.tally.push(), self.view.level(&slot.body));
+        if let Some(known) = &mut known {
+            **known = None;
+        }
+        let (causes, level) = (self.causes(slot), self.view.level(&slot.body));
+        let (mut start, Causes { push, velocity, .. }) = (*body, causes);
         if push != Vec2::ZERO {
             start = self.mover.move_and_slide(level, body, push)?.body;
         }
-        let velocity = slot.body.velocity + slot.tally.kick;
         let mover = self.mover.with_response(Response::Bounce).with_surface(self.surface(&slot.body));
         let result = mover.with_responses(slot.body.responses).move_and_slide(level, &start, velocity);
         // Matched by reference: it is long.
@@ -73,8 +99,11 @@ impl<'a, V: View> Trip<'a, V> {
             slot.body.shape = shape;
         }
         slot.way.rate = by;
-        self.arrive(slot, by, if moved.floor { 0 } else { ALOFT }, moved.hits.is_empty());
+        if let Some(known) = known {
+            *known = Rest::of(causes, by, moved);
+        }
         slot.body.velocity = moved.velocity;
+        self.arrive(slot, by, if moved.floor { 0 } else { ALOFT }, moved.hits.is_empty());
         if !moved.hits.is_empty() {
             each(SceneEvent::Level { body: handle, hits: &moved.hits, flags: moved.flags, velocity });
         }
@@ -119,28 +148,37 @@ impl<'a, V: View> Trip<'a, V> {
     pub(super) fn arrive(&self, slot: &mut Slot, by: Vec2, support: u8, free: bool) {
         let is_still = self.is_still(slot, by);
         // A slow body that nothing holds is at the start or the top of a flight. Asleep there it
-        // would hang in the air, where nothing wakes it.
+        // would hang in the air, where nothing wakes it. In a heap it also hops, for a step now and
+        // then: such a step is not one of rest, but it does not end a rest. A bounce does.
         let Tally { low, high, under, .. } = slot.tally;
         let weight = slot.body.weight(self.gravity);
-        let flies = weight != Vec2::ZERO && free && under == NOBODY && (low, high) == (Vec2::ZERO, Vec2::ZERO);
-        (slot.quiet, slot.tally.drift) =
-            if is_still && !flies { (slot.quiet.saturating_add(1), slot.tally.drift) } else { (0, [0; 2]) };
+        let held = !free || (low, high) != (Vec2::ZERO, Vec2::ZERO) || !matches!(under, NOBODY | FLIES);
+        let flies = weight != Vec2::ZERO && !held;
+        if matches!(under, NOBODY | FLIES) {
+            slot.tally.under = if flies { FLIES } else { NOBODY };
+        }
+        let rises = self.gravity.dot(slot.body.velocity) < 0;
+        if !is_still || (rises && !slot.body.floats) {
+            (slot.quiet, slot.tally.drift) = (0, Drift::NONE);
+        } else if !flies {
+            slot.quiet = slot.quiet.saturating_add(1);
+        }
         slot.support = support;
         if support == 0 || support == ALOFT {
             slot.ground = NOBODY;
         }
     }
 
-    /// Whether it has hardly moved: in this step, or since it has been quiet. In a heap, two bodies
-    /// may push another to and fro for ever, by as much as gravity gives.
+    /// Whether it has hardly moved: in this step, or on the whole since it has been quiet. In a heap,
+    /// bodies that push each other to and fro would otherwise do so for ever. A body that is slow
+    /// enough to fall asleep may come as far in all the steps that it takes.
     fn is_still(&self, slot: &mut Slot, by: Vec2) -> bool {
         let (x, y) = by.raw();
-        let still = x.unsigned_abs().max(y.unsigned_abs()) < self.still.to_bits().max(0).unsigned_abs();
-        let most = (size(self.gravity) >> 7).min(126) as i32;
-        let [dx, dy] = slot.tally.drift.map(i32::from);
-        let (dx, dy) = (dx.saturating_add(x / 256), dy.saturating_add(y / 256));
-        slot.tally.drift = [dx, dy].map(|c| c.clamp(-127, 127) as i8);
-        still || (self.still > Fx::ZERO && dx.abs().max(dy.abs()) <= most)
+        let Sleep { still, steps } = self.sleep;
+        let still = still.to_bits().max(0).unsigned_abs();
+        let far = still.saturating_mul(steps.into()).max(size(self.gravity).saturating_mul(2));
+        slot.tally.drift = slot.tally.drift.plus(by);
+        x.unsigned_abs().max(y.unsigned_abs()) < still || (still > 0 && slot.tally.drift.is_within(far))
     }
 }
 

@@ -279,6 +279,12 @@ pub trait World: sealed::Sealed {
         None
     }
 
+    /// Called with each displacement that a mover makes.
+    #[doc(hidden)]
+    fn made(&self, by: Raw) {
+        let _ = by;
+    }
+
     /// Writes what of a region with area a body in it may meet: any body, or one that is the disc
     /// of radius `r` in its bounds; where that is 0, that fills them.
     #[doc(hidden)]

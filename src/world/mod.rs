@@ -45,6 +45,7 @@ mod solids;
 #[cfg(test)]
 mod tests;
 mod tile_map;
+mod trail;
 
 pub use cell::Cell;
 pub(crate) use cell::{Block, Cells};
@@ -71,4 +72,6 @@ pub(crate) use tile_map::kind::Fill;
 pub use tile_map::kind::{TileKind, TileKinds, TileShape};
 pub use tile_map::ray::RayHits;
 pub use tile_map::region::{Probe, TileAt, Tiles};
+pub(crate) use trail::Traced;
+pub use trail::Trail;
 pub use tile_map::{AllShapes, Bits, Blocks, Bytes, Occupied, Outside, Set, Slopes, Store, TileMap};

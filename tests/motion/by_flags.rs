@@ -3,7 +3,8 @@
 
 use std::fmt::Debug;
 
-use tilesat::motion::{Body, ByFlags, Responses};
+use tilesat::motion::{Body, ByFlags, Hit, Responses};
+use tilesat::world::Trail;
 use tilesat::{
     Aabb, AllShapes, Axis, Capsule, Circle, Fx, Grid, Moved, Mover, Outside, Ratio, Response, Solid, Solids, Surface,
     TileKind, TileKinds, TileMap, TileShape, Vec2,
@@ -185,4 +186,134 @@ fn the_order_of_the_builders_does_not_matter() {
         let moved = mover.move_and_slide(&level, &body, Vec2::from_ints(9, 0)).unwrap();
         assert_eq!((moved.position(), moved.velocity), (Vec2::from_ints(5, 2), Vec2::from_ints(-9, 0)));
     }
+}
+
+/// A function that answers as the table does, and keeps what it was asked.
+struct Function {
+    calls: u32,
+}
+
+impl Judge for Function {
+    fn of<B: Body + PartialEq + Debug>(&mut self, level: &TileMap<'_, AllShapes>, body: B, v: Vec2) {
+        let table = Responses::NONE.touching(GLUE).bouncing(SPRING).sliding(ICE);
+        let asked = core::cell::RefCell::new(Vec::new());
+        let answer = |hit: &Hit| {
+            asked.borrow_mut().push(*hit);
+            table.response_to(hit.flags)
+        };
+        let by_function = UP.with_answers(&answer).move_and_slide(level, &body, v);
+        assert_eq!(by_function, TABLE.move_and_slide(level, &body, v), "{body:?} by {v:?}");
+        let Ok(moved) = by_function else { return };
+        let asked = asked.into_inner();
+        let told = |hit: &Hit| moved.hits.iter().any(|told| told == hit);
+        // A later hit may be told later than it was asked for: never before the one before it.
+        let told = |hit: &Hit| told(hit) || moved.hits.iter().any(|told| Hit { toi: hit.toi, ..*told } == *hit);
+        assert!(asked.iter().all(told), "{body:?} by {v:?}: asked {asked:?}, told {:?}", moved.hits);
+        assert!(moved.hits.is_empty() || !asked.is_empty(), "{body:?} by {v:?}: {moved:?}");
+        self.calls += u32::from(!asked.is_empty());
+    }
+}
+
+#[test]
+fn a_function_that_answers_as_a_table_is_the_table() {
+    let mut function = Function { calls: 0 };
+    try_all(9, &[0, 1, 2, 3], &mut function);
+    assert!(function.calls > 3_000, "{}", function.calls);
+}
+
+/// Every answer by the normal: each hit gets that of its own side, and no other surface is touched.
+#[test]
+fn answers_by_the_normal() {
+    let walls = [(-100, 20, 200, 10), (20, -100, 10, 200), (-100, -30, 200, 10), (-30, -100, 10, 200)];
+    let solids: Vec<_> = (0..)
+        .zip(walls)
+        .map(|(key, (x, y, w, h))| {
+            let at = Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h)).unwrap();
+            Solid::new(at, key).unwrap()
+        })
+        .collect();
+    let body = Circle::new(Vec2::ZERO, Fx::from_num(4)).unwrap();
+    for key in 0..4_u16 {
+        let answer = move |hit: &Hit| (Solids::key_of(hit.cell) == Some(key)).then_some(Response::Bounce);
+        let mover = Mover::new().with_answers(answer);
+        for (hit, v) in [(0_u16, (0, 30)), (1, (30, 0)), (2, (0, -30)), (3, (-30, 0))] {
+            let moved = mover.move_and_slide(&Solids::new(&solids), &body, Vec2::from_ints(v.0, v.1)).unwrap();
+            let back = if hit == key { Vec2::from_ints(-v.0, -v.1) } else { Vec2::ZERO };
+            assert_eq!(moved.velocity, back, "{key} {hit}");
+        }
+    }
+}
+
+/// The way that a call tells: the call is the same, its parts lead from the start to the end, and the
+/// body is free wherever one of them ends.
+struct Told {
+    parts: [u32; 5],
+}
+
+impl Judge for Told {
+    fn of<B: Body + PartialEq + Debug>(&mut self, level: &TileMap<'_, AllShapes>, body: B, v: Vec2) {
+        let mut trail = Trail::default();
+        for response in [Response::Slide, Response::Bounce] {
+            let mover = UP.with_response(response);
+            let told = mover.move_along(level, &body, v, &mut trail);
+            assert_eq!(told, mover.move_and_slide(level, &body, v), "{body:?} by {v:?}");
+            let Ok(moved) = told else {
+                assert_eq!(trail, Trail::default());
+                continue;
+            };
+            let parts: Vec<_> = trail.parts().collect();
+            assert!(parts.iter().all(|part| part.1 != Vec2::ZERO), "{body:?} by {v:?}: {parts:?}");
+            let (mut at, mut place) = (Vec2::ZERO, body.position());
+            for &(from, by) in &parts {
+                assert_eq!(from, at, "{body:?} by {v:?}: {parts:?}");
+                (at, place) = (at + by, place + by);
+            }
+            assert_eq!(place, moved.position(), "{body:?} by {v:?}: {parts:?}");
+            // A part ends at a hit, but for the last one.
+            assert!(parts.len() <= moved.hits.len() + 1, "{body:?} by {v:?}: {parts:?} {:?}", moved.hits);
+            self.parts[parts.len()] += 1;
+        }
+    }
+}
+
+#[test]
+fn the_way_that_is_told_is_the_way_that_was_made() {
+    let mut told = Told { parts: [0; 5] };
+    try_all(10, &[0], &mut told);
+    assert!(told.parts[..4].iter().all(|&n| n > 100), "{:?}", told.parts);
+}
+
+/// What crosses some tiles moves as if they were not there.
+struct Crosses {
+    passed: u32,
+}
+
+/// The same tiles, and nothing where they would be crossed.
+static GHOSTS: TileKinds = KINDS.passing(GLUE | ICE);
+
+impl Judge for Crosses {
+    fn of<B: Body + PartialEq + Debug>(&mut self, level: &TileMap<'_, AllShapes>, body: B, v: Vec2) {
+        let region = level.bounds();
+        let mut without = [151; SIDE * SIDE];
+        let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_num(16), Vec2::ZERO).unwrap();
+        for tile in level.tiles_in(&region) {
+            if !tile.kind.flag(GLUE | ICE) {
+                without[tile.cell.y as usize * SIDE + tile.cell.x as usize] = tile.id;
+            }
+        }
+        // The last id has no shape.
+        static EMPTY: TileKinds = KINDS.with(151, TileKind::EMPTY);
+        let without = TileMap::<AllShapes>::of(&without, grid, &EMPTY).unwrap().with_outside(Outside::Empty);
+        let ghosts = level.with_kinds::<AllShapes>(&GHOSTS).unwrap();
+        let moved = UP.move_and_slide(&ghosts, &body, v);
+        assert_eq!(moved, UP.move_and_slide(&without, &body, v), "{body:?} by {v:?}");
+        self.passed += u32::from(moved != UP.move_and_slide(level, &body, v));
+    }
+}
+
+#[test]
+fn crossing_a_set_of_tiles_is_moving_without_them() {
+    let mut crosses = Crosses { passed: 0 };
+    try_all(11, &[0, 1, 2, 3], &mut crosses);
+    assert!(crosses.passed > 3_000, "{}", crosses.passed);
 }

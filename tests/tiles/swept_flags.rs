@@ -1,8 +1,11 @@
 //! Flags on a straight way: exact, against the distances of sets in 128 bits, and against places
 //! along the way.
 
-use tilesat::world::Probe;
-use tilesat::{Aabb, Circle, Fx, Grid, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
+use tilesat::motion::Body;
+use tilesat::world::{Probe, Trail};
+use tilesat::{
+    Aabb, Blocks, Cell, Circle, Fx, Grid, Mover, Response, Solid, Solids, TileKind, TileKinds, TileMap, Vec2,
+};
 use tilesat_judge::Random;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::EMPTY.with_flags(1)).with(2, TileKind::FULL.with_flags(2));
@@ -115,6 +118,59 @@ fn every_tile_and_solid_on_the_way() {
         (most, none) = (most.max(boxes.len()), none + u32::from(boxes.is_empty()));
     }
     assert!(most > 20 && none > 1000, "{most} {none}");
+}
+
+/// On a way of several parts: those that one of the parts comes near, each once, whether it stops the
+/// body or is passed.
+#[test]
+fn every_tile_and_solid_on_a_trail() {
+    fn told<B: Body + Probe>(map: &TileMap<'_>, body: &B, d: Vec2) -> Option<(Trail, Vec<Cell>)> {
+        static GHOSTS: TileKinds = KINDS.with(2, TileKind::EMPTY.with_flags(2));
+        static WALLS: TileKinds = GHOSTS.with(3, TileKind::FULL);
+        let (mut trail, seen) = (Trail::default(), map.with_kinds::<Blocks>(&WALLS).unwrap());
+        Mover::new().with_response(Response::Bounce).move_along(&seen, body, d, &mut trail).ok()?;
+        Some((trail, map.tiles_on(body, &trail).unwrap().map(|tile| tile.cell).collect()))
+    }
+    let mut r = Random::new(9);
+    let places: Vec<(i64, i64)> = (0..64).map(|k| (k % 8, k / 8)).collect();
+    let box_of = |&(x, y): &(i64, i64)| Aabb::new(raw(x * 256, y * 256), raw(x * 256 + 256, y * 256 + 256)).unwrap();
+    let list: Vec<_> = (0..).zip(&places).map(|(key, at)| Solid::new(box_of(at), key).unwrap()).collect();
+    let mut parts = [0; 5];
+    for _ in 0..20_000 {
+        let tiles: Vec<_> = (0..64).map(|_| [0, 1, 2, 2, 3][r.below(5) as usize]).collect();
+        let map = TileMap::on_grid(&tiles, Grid::new(8, 8, Fx::from_bits(256), raw(0, 0)).unwrap(), &KINDS).unwrap();
+        let (p, d) = ((r.within(0, 2048), r.within(0, 2048)), (r.around(3000), r.around(3000)));
+        let size = (r.within(1, 300), r.within(1, 300));
+        let body = Aabb::new(raw(p.0, p.1), raw(p.0 + size.0, p.1 + size.1)).unwrap();
+        let disc = Circle::new(raw(p.0, p.1), Fx::from_bits(size.0 as i32)).unwrap();
+        let wide = |v: (i64, i64)| (i128::from(v.0), i128::from(v.1));
+        let due = |trail: &Trail, r: i64, size: (i64, i64)| -> Vec<(i64, i64)> {
+            let legs: Vec<_> = trail.parts().map(|(from, by)| (from.raw(), by.raw())).collect();
+            let legs = if legs.is_empty() { vec![((0, 0), (0, 0))] } else { legs };
+            let near = |c: &&(i64, i64)| {
+                let (lo, hi) = ((c.0 * 256 - size.0, c.1 * 256 - size.1), (c.0 * 256 + 256, c.1 * 256 + 256));
+                legs.iter().any(|&((x, y), (dx, dy))| {
+                    let (from, by) = ((p.0 + i64::from(x), p.1 + i64::from(y)), (dx.into(), dy.into()));
+                    comes_near(wide(from), wide(by), r.into(), wide(lo), wide(hi))
+                })
+            };
+            places.iter().filter(near).copied().collect()
+        };
+        let mut check = |told: Option<(Trail, Vec<Cell>)>, r: i64, size: (i64, i64), solids: &dyn Fn(&Trail) -> Vec<u16>| {
+            let Some((trail, cells)) = told else { return };
+            let due = due(&trail, r, size);
+            let cells: Vec<(i64, i64)> = cells.iter().map(|cell| (cell.x.into(), cell.y.into())).collect();
+            assert_eq!(cells, due, "{p:?} {size:?} by {d:?}, {trail:?}");
+            assert_eq!(solids(&trail), due.iter().map(|c| (c.1 * 8 + c.0) as u16).collect::<Vec<_>>());
+            parts[trail.parts().count()] += 1;
+        };
+        let solids = Solids::new(&list);
+        let keys = |trail: &Trail| solids.on(&body, trail).unwrap().map(Solid::key).collect();
+        check(told(&map, &body, raw(d.0, d.1)), 0, size, &keys);
+        let keys = |trail: &Trail| solids.on(&disc, trail).unwrap().map(Solid::key).collect();
+        check(told(&map, &disc, raw(d.0, d.1)), size.0, (0, 0), &keys);
+    }
+    assert!(parts.iter().all(|&n| n > 100), "{parts:?}");
 }
 
 #[test]

@@ -153,7 +153,8 @@ pub(in crate::motion) mod law {
     //! The part of surfaces that only this crate calls.
 
     use super::Surface;
-    use crate::motion::response::table::Responses;
+    use crate::motion::moved::Hit;
+    use crate::motion::response::table::{Response, Responses};
     use crate::world::sealed::Sealed;
 
     /// How surfaces affect a mover's bodies: [`Smooth`](super::Smooth), which links no code for
@@ -163,6 +164,11 @@ pub(in crate::motion) mod law {
         const SMOOTH: bool;
         /// The surface.
         fn surface(&self) -> Surface;
+        /// The response to a hit, if it is not the mover's.
+        #[inline]
+        fn response_to(&self, hit: &Hit) -> Option<Response> {
+            self.responses().response_to(hit.flags)
+        }
         /// The responses to surfaces with flags.
         fn responses(&self) -> Responses {
             Responses::NONE

@@ -27,7 +27,8 @@ use crate::num::{Axis, Raw, Vec2};
 use crate::query::meet;
 use crate::shape::{Aabb, Circle};
 use crate::world::convex::ConvexBody;
-use crate::world::tile_map::region::{Probe, bounds_of_way};
+use crate::world::tile_map::region::{Probe, bounds_of_trail, bounds_of_way};
+use crate::world::trail::Trail;
 use solid::{Side, Solid};
 
 /// Moving boxes as a level, at their present positions. It borrows the list and needs no memory.
@@ -154,6 +155,25 @@ impl<'a> Solids<'a> {
         let d = Raw::of(motion);
         bounds_of_way(shape, motion)?;
         Ok(self.list.iter().filter(move |solid| shape.passes(d, (solid.lo(), solid.hi()))))
+    }
+
+    /// The solids that a box, circle or point has a point in common with anywhere on the way that a
+    /// mover made, in the order of the list. As [`swept`](Self::swept), for a way of several
+    /// parts; `shape` is the body before the call of
+    /// [`Mover::move_along`](crate::Mover::move_along).
+    ///
+    /// # Errors
+    /// [`RangeError`] where the way leads out of the [domain](crate::num::DOMAIN).
+    #[doc(alias = "cross")]
+    pub fn on<'b, B: Probe>(
+        &self,
+        shape: &'b B,
+        trail: &Trail,
+    ) -> Result<impl Iterator<Item = &'a Solid> + use<'a, 'b, B>, RangeError> {
+        bounds_of_trail(shape, trail)?;
+        let legs = trail.legs();
+        let on = move |solid: &&Solid| legs.clone().any(|leg| shape.passes_on(leg, (solid.lo(), solid.hi())));
+        Ok(self.list.iter().filter(on))
     }
 
     fn any(&self, meets: impl Fn(&Solid) -> bool) -> bool {

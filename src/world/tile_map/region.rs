@@ -3,11 +3,12 @@
 
 use super::{Set, Store, TileMap};
 use crate::error::{RangeError, Truncated};
-use crate::num::{MOTION, Raw, Vec2, check_coordinate, check_motion};
+use crate::num::{DOMAIN, MOTION, Raw, Vec2, check_coordinate, check_motion};
 use crate::query::meet;
 use crate::shape::{Aabb, Circle};
 use crate::world::cell::{Cell, Range};
 use crate::world::tile_map::kind::TileKind;
+use crate::world::trail::Trail;
 use heapless::VecView;
 
 /// A tile of a map and its cell.
@@ -189,6 +190,27 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Ok(near.filter(move |tile| shape.passes(d, self.grid.corners(tile.cell.x.into(), tile.cell.y.into()))))
     }
 
+    /// The tiles that a box, circle or point has a point in common with anywhere on the way that a
+    /// mover made, each once.
+    ///
+    /// `shape` is the body before the call that wrote the trail. As
+    /// [`tiles_swept`](Self::tiles_swept), for a way of several parts:
+    /// [`Mover::move_along`](crate::Mover::move_along) has an example. Cost: one look-up for each cell of
+    /// the bounding box of the way, and one exact test for each part.
+    ///
+    /// # Errors
+    /// As [`flags_swept`](Self::flags_swept).
+    #[doc(alias = "cross")]
+    pub fn tiles_on<B: Probe>(&self, shape: &B, trail: &Trail) -> Result<impl Iterator<Item = TileAt>, RangeError> {
+        let (legs, whole) = (trail.legs(), bounds_of_trail(shape, trail)?);
+        let range = self.inside(self.closed_range(whole.0, whole.1));
+        let near = Tiles { map: self, range, x: range.x0, y: range.y0 };
+        Ok(near.filter(move |tile| {
+            let (lo, hi) = self.grid.corners(tile.cell.x.into(), tile.cell.y.into());
+            legs.clone().any(|leg| shape.passes_on(leg, (lo, hi)))
+        }))
+    }
+
     /// The flags of the tiles near a region that a test accepts.
     fn flags_of(&self, lo: Raw, hi: Raw, reaches: impl Fn((Raw, Raw)) -> bool) -> u8 {
         let range = self.inside(self.closed_range(lo, hi));
@@ -207,6 +229,24 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
         flags
     }
+}
+
+/// The bounds of a shape on a trail.
+pub(in crate::world) fn bounds_of_trail<B: Probe>(shape: &B, trail: &Trail) -> Result<(Raw, Raw), RangeError> {
+    let (lo, hi) = shape.bounds();
+    let (mut least, mut most) = (lo, hi);
+    for (from, by) in trail.legs() {
+        let (from, to) = (Raw::of(from), Raw::of(from.saturating_add(by)));
+        for at in [from, to] {
+            check_motion(at.vec2(), 2 * DOMAIN)?;
+            let (a, b) = (lo.add(at), hi.add(at));
+            check_coordinate(a.vec2())?;
+            check_coordinate(b.vec2())?;
+            least = Raw { x: least.x.min(a.x), y: least.y.min(a.y) };
+            most = Raw { x: most.x.max(b.x), y: most.y.max(b.y) };
+        }
+    }
+    Ok((least, most))
 }
 
 /// The bounds of a shape on a whole way.
@@ -239,6 +279,11 @@ mod probe {
         fn reaches(&self, cell: (Raw, Raw)) -> bool;
         /// Whether the shape touches a cell on a way that its bounding box touches.
         fn passes(&self, d: Raw, cell: (Raw, Raw)) -> bool;
+        /// The same on a part of a trail: seen from there, the cell has moved the other way.
+        fn passes_on(&self, (from, by): (Vec2, Vec2), (lo, hi): (Raw, Raw)) -> bool {
+            let from = Raw::of(from);
+            self.passes(Raw::of(by), (lo.sub(from), hi.sub(from)))
+        }
         /// Whether the shape touches a segment.
         fn meets(&self, a: Raw, b: Raw) -> bool;
     }

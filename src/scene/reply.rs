@@ -1,0 +1,79 @@
+//! What two bodies of a scene do when they meet.
+
+use crate::broad::Pair;
+use crate::world::sealed::Sealed;
+
+/// What two bodies do when they meet. The words are bump.lua's.
+///
+/// A reply is for a pair, so it can depend on both: a bullet crosses friends, a ghost ignores
+/// crates, a ball bounces off one kind of body and sticks to another. In piles, a body that lies on
+/// another one is carried, whatever it does when it lands.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Reply {
+    /// Nothing happens, and nothing is reported.
+    Ignore,
+    /// They pass each other. Each step in which they touch is reported, and each time that they
+    /// meet on the way of a fast body, for all bodies on it: as for [sensors](crate::Filter::sensor).
+    Cross,
+    /// Their surfaces decide.
+    #[default]
+    Meet,
+    /// They do not bounce. Their friction acts.
+    Slide,
+    /// They stop each other: both continue with the same velocity, by their masses.
+    Touch,
+    /// They bounce like mirror images, without friction and without a loss.
+    Bounce,
+}
+
+impl Reply {
+    /// Whether they push each other.
+    pub(super) const fn acts(self) -> bool {
+        !matches!(self, Self::Ignore | Self::Cross)
+    }
+}
+
+/// What a game may say about a pair: a [`Reply`], or whether the pair [meets](Reply::Meet) at all.
+pub trait Answer: Copy + Sealed {
+    /// Whether it may be [`Reply::Cross`]. A scene that never crosses pays nothing for it.
+    #[doc(hidden)]
+    const CROSSES: bool;
+
+    /// The reply.
+    fn reply(self) -> Reply;
+}
+
+impl Sealed for bool {}
+impl Sealed for Reply {}
+
+impl Answer for bool {
+    const CROSSES: bool = false;
+    fn reply(self) -> Reply {
+        if self { Reply::Meet } else { Reply::Ignore }
+    }
+}
+
+impl Answer for Reply {
+    const CROSSES: bool = true;
+    fn reply(self) -> Reply {
+        self
+    }
+}
+
+/// The game's answers, as a step asks for them.
+pub(super) trait Replies {
+    const CROSSES: bool;
+    fn to(&mut self, pair: Pair) -> Reply;
+}
+
+/// A call that answers.
+pub(super) struct Asked<F>(pub(super) F);
+
+impl<A: Answer, F: FnMut(Pair) -> A> Replies for Asked<F> {
+    const CROSSES: bool = A::CROSSES;
+    fn to(&mut self, pair: Pair) -> Reply {
+        (self.0)(pair).reply()
+    }
+}

@@ -1,0 +1,124 @@
+//! A scene that remembers how bodies at rest lie is the scene that looks each time.
+
+use super::swept::vec2;
+use tilesat::broad::{Handle, SortSweep};
+use tilesat::scene::{SceneBody, SceneEvent, SceneTag, Shape, Sleep};
+use tilesat::{
+    Aabb, AllShapes, Circle, Fx, Grid, Outside, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, TileShape, Vec2,
+};
+use tilesat_judge::{Random, cases};
+
+const BODIES: usize = 24;
+const SIDE: usize = 12;
+static KINDS: TileKinds = {
+    let (mut kinds, mut id) = (TileKinds::EMPTY, 0);
+    while id < 38 {
+        kinds = kinds.with(id as u8, TileKind::of(TileShape::ALL[id]).with_flags(1 << (id % 8)));
+        id += 1;
+    }
+    kinds
+};
+
+fn level(tiles: &[u8]) -> TileMap<'_, AllShapes> {
+    let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_num(16), Vec2::ZERO).unwrap();
+    TileMap::of(tiles, grid, &KINDS).unwrap().with_outside(Outside::Solid)
+}
+
+/// One event, as text: the order within a step is that of the awake, which memory does not change.
+fn told<const M: usize>(
+    scene: &mut Scene<SortSweep<BODIES, SceneTag>, BODIES, M>,
+    tiles: &[u8],
+    gravity: Vec2,
+) -> (String, Vec<SceneBody>) {
+    let mut events = Vec::new();
+    let mut each = |event: SceneEvent<'_>| events.push(format!("{event:?}"));
+    let stepped = scene.step(&level(tiles), gravity, &mut each).unwrap();
+    (format!("{stepped:?} {events:?}"), scene.bodies().map(|(_, body)| *body).collect())
+}
+
+fn body(r: &mut Random, key: u32) -> SceneBody {
+    let (x, y) = (r.within(0, 170 << 16), r.within(0, 170 << 16));
+    let size = r.within(3 << 16, 14 << 16) & !1;
+    let shape: Shape = if r.one_in(2) {
+        Aabb::new(vec2(x, y), vec2(x + size, y + size)).unwrap().into()
+    } else {
+        Circle::new(vec2(x + size / 2, y + size / 2), Fx::from_bits(size as i32 / 2)).unwrap().into()
+    };
+    let surface = Surface::new(Ratio::percent(r.below(60) as u8).unwrap(), Ratio::percent(r.below(90) as u8).unwrap());
+    let surface = surface.resting_below(Fx::from_num(0.5));
+    SceneBody { surface, floats: r.one_in(12), velocity: vec2(r.around(1 << 17), 0), ..SceneBody::new(shape, key) }
+}
+
+#[test]
+fn a_scene_that_remembers_is_the_scene_that_looks() {
+    let (mut rested, mut changes) = (0, 0);
+    for case in 0..cases(60) {
+        let mut r = Random::new(41_000 + case);
+        let sleep = if case % 3 == 0 { Sleep::default() } else { Sleep::NEVER };
+        let mut plain = Scene::<_, BODIES>::with_sleep(SortSweep::<BODIES, SceneTag>::new(), sleep);
+        // Half of the slots, too.
+        let mut whole = Scene::<_, BODIES, BODIES>::remembering(SortSweep::<BODIES, SceneTag>::new(), sleep);
+        let mut half = Scene::<_, BODIES, { BODIES / 2 }>::remembering(SortSweep::<BODIES, SceneTag>::new(), sleep);
+        let mut tiles = [0_u8; SIDE * SIDE];
+        tiles.fill_with(|| if r.one_in(3) { r.below(38) as u8 } else { 0 });
+        let mut gravity = vec2(0, 6554);
+        let mut handles: Vec<Handle> = Vec::new();
+        for key in 0..BODIES as u32 {
+            let body = body(&mut r, key);
+            if !body.shape.overlaps_level(&level(&tiles)) {
+                handles.push(plain.insert(&body).unwrap());
+                whole.insert(&body).unwrap();
+                half.insert(&body).unwrap();
+            }
+        }
+        for frame in 0..400 {
+            if frame > 150 && r.one_in(20) && !handles.is_empty() {
+                changes += 1;
+                let handle = handles[r.below(handles.len() as i64) as usize];
+                let by = vec2(r.around(1 << 17), r.around(1 << 17));
+                let cell = (r.below(SIDE as i64), r.below(SIDE as i64));
+                let at = (cell.0 << 20, cell.1 << 20);
+                let region = Aabb::new(vec2(at.0, at.1), vec2(at.0 + (1 << 20), at.1 + (1 << 20))).unwrap();
+                match r.below(5) {
+                    0 => {
+                        plain.push(handle, by).unwrap();
+                        whole.push(handle, by).unwrap();
+                        half.push(handle, by).unwrap();
+                    }
+                    1 => {
+                        let shape = plain.body(handle).unwrap().shape;
+                        plain.place(handle, shape).unwrap();
+                        whole.place(handle, shape).unwrap();
+                        half.place(handle, shape).unwrap();
+                    }
+                    // A tile that opens: what lay on it falls.
+                    2 | 3 => {
+                        tiles[(cell.1 * SIDE as i64 + cell.0) as usize] = 0;
+                        plain.wake_region(&region);
+                        whole.wake_region(&region);
+                        half.wake_region(&region);
+                    }
+                    _ => {
+                        let surface = Surface::new(Ratio::HALF, Ratio::percent(r.below(90) as u8).unwrap());
+                        plain.alter(handle, |body| body.surface = surface).unwrap();
+                        whole.alter(handle, |body| body.surface = surface).unwrap();
+                        half.alter(handle, |body| body.surface = surface).unwrap();
+                    }
+                }
+            }
+            if frame == 300 {
+                gravity = vec2(r.around(9000), r.around(9000));
+            }
+            if frame == 200 {
+                whole.restore(&plain.snapshot());
+            }
+            let before: Vec<_> = plain.bodies().map(|(_, body)| body.shape).collect();
+            let due = told(&mut plain, &tiles, gravity);
+            assert_eq!(told(&mut whole, &tiles, gravity), due, "{case}, {frame}");
+            assert_eq!(told(&mut half, &tiles, gravity), due, "{case}, {frame}: half");
+            rested += before.iter().zip(plain.bodies()).filter(|(was, (_, is))| **was == is.shape).count();
+        }
+    }
+    println!("{rested} rested, {changes} changes");
+    assert!(rested > 100_000 && changes > 300, "{rested} {changes}");
+}
