@@ -30,7 +30,7 @@ while (($#)); do
         ;;
     --count | --summary) only=${1#--} ;;
     *)
-        sed -n '2,15s/^# \{0,1\}//p' "$here/run.sh" >&2
+        sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$here/run.sh" >&2
         exit 2
         ;;
     esac

@@ -47,7 +47,7 @@ while (($#)); do
         shift
         ;;
     *)
-        sed -n '2,14s/^# \{0,1\}//p' "$here/run.sh" >&2
+        sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$here/run.sh" >&2
         exit 2
         ;;
     esac

@@ -15,7 +15,7 @@ case "${*:-}" in
 --short) states=("${states[0]}") ;;
 --accept) accept=1 ;;
 *)
-    sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
+    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0" >&2
     exit 2
     ;;
 esac

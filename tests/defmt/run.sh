@@ -14,7 +14,7 @@ root=$(cd "$here/../.." && pwd)
 case "${*:-}" in
 '' | --accept) ;;
 *)
-    sed -n '2,9s/^# \{0,1\}//p' "$here/run.sh" >&2
+    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$here/run.sh" >&2
     exit 2
     ;;
 esac
