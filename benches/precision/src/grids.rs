@@ -13,7 +13,7 @@ fn host(rows: &[Row], (workload, class): (&str, &str), (backend, asked): (&str, 
     rows.iter().find(is)?.get("host")
 }
 
-/// A section of the page: one table for each workload of boxes.
+/// A section of the page: one table per workload of boxes.
 pub fn page(rows: &[Row]) -> String {
     let mut out = String::from(HEAD);
     for workload in [broad::NAME, broad::regions::NAME] {

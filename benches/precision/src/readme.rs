@@ -1,11 +1,11 @@
-//! The short table, and what it says about who is better where.
+//! The short table, and the text about who is better in which class.
 
 use crate::question::{Question, cheapest, is_library, is_right};
 use crate::record::Row;
 use crate::tables::short;
 use std::fmt::Write;
 
-/// What it shows: the question, and the class by which costs are told.
+/// The content of the table: the question, and the class whose costs it shows.
 const LINES: [(&str, &str, &str); 12] = [
     ("AABB-AABB", "uniform 50 % hits", "overlaps"),
     ("circle-circle", "uniform 50 % hits", "overlaps"),
@@ -46,7 +46,7 @@ pub fn table(rows: &[Row]) -> String {
     out
 }
 
-/// A cost, and what is wrong here and where it is worst.
+/// A cost, and the errors here and in the worst class.
 fn said(rows: &[Row], question: Question<'_>, row: &Row) -> Option<String> {
     let worst = question.worst(rows, row)?.1;
     Some(format!("{}; {} / {}", short(row.get("host")?), short(row.wrong_per_million()?), short(worst)))
@@ -83,10 +83,10 @@ fn line(out: &mut String, rows: &[Row], question: Question<'_>, class: &str) {
     );
 }
 
-/// The classes in which textbook f64 is wrong and those in which it is not, and which of the two is
+/// The classes in which textbook f64 is wrong, those in which it is right, and which of the two is
 /// cheaper there.
 fn floats(rows: &[Row]) -> String {
-    // The workloads that fail in the same classes, and how often at most.
+    // The workloads that fail in the same classes, and the greatest error rate.
     let mut wrong: Vec<(String, Vec<&str>, f64)> = Vec::new();
     let (mut right, mut exact, mut cheaper) = (Vec::new(), 0, 0);
     for question in Question::all(rows) {
@@ -144,7 +144,7 @@ fn floats(rows: &[Row]) -> String {
     format!("\n{}\n", wrapped(&text))
 }
 
-/// In how many classes a backend's best takes less than ours.
+/// The number of classes in which a backend's best costs less than ours.
 fn cheaper_on(rows: &[Row], column: &str, backend: &str) -> String {
     let (mut cheaper, mut all) = (0, 0);
     for question in Question::all(rows) {
@@ -161,7 +161,7 @@ fn cheaper_on(rows: &[Row], column: &str, backend: &str) -> String {
     format!("{cheaper} of {all} classes")
 }
 
-/// In lines of at most a hundred.
+/// In lines of at most a hundred columns.
 fn wrapped(text: &str) -> String {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {

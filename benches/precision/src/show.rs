@@ -1,4 +1,4 @@
-//! Everything that is shown, from the rows alone: pictures, the page of results, and a short table.
+//! Pictures, the page of results, and a short table, all from the rows alone.
 
 use crate::goals;
 use crate::grids;
@@ -33,7 +33,7 @@ fn file_name(workload: &str) -> String {
 }
 
 /// # Errors
-/// Where the rows cannot be read or a file not be written.
+/// If it cannot read the rows or write a file.
 pub fn all(results: &Path) -> Result<(), String> {
     let mut rows = read_rows(results)?;
     stray::remove(&mut rows);
@@ -65,7 +65,7 @@ pub fn all(results: &Path) -> Result<(), String> {
     write(&results.with_file_name("readme-table.md"), &readme::table(&rows))
 }
 
-/// The pictures of a workload, and what of the page leads to them.
+/// The pictures of a workload, and the part of the page that links them.
 fn plots(rows: &[Row], workload: &str, folder: &Path) -> Result<Option<String>, String> {
     let of: Vec<&Row> = rows.iter().filter(|r| r.workload() == workload && !r.class().is_empty()).collect();
     let framed = of.iter().any(|r| r.get("tunnels").or(r.get("extra")).is_some());

@@ -12,7 +12,7 @@ pub struct Options {
     pub seed: u64,
     pub state: PathBuf,
     pub fresh: bool,
-    /// Parts of the names of the classes that are run; none: all.
+    /// Parts of the names of the classes to run. Empty: all classes.
     pub classes: Vec<String>,
 }
 
@@ -37,7 +37,7 @@ fn number(text: &str) -> Option<u64> {
     }
 }
 
-/// What was asked for, or what to say instead; `None` asks for the names.
+/// The options, or the message to print instead. `None` stands for the list of names.
 pub fn parse(mut words: impl Iterator<Item = String>) -> Result<Option<Options>, String> {
     let mut state = None;
     let mut o = Options {

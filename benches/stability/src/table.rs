@@ -1,4 +1,4 @@
-//! The tables, as Markdown: a row an engine, a column a scene.
+//! The tables as Markdown: a row per engine, a column per scene.
 
 use crate::cases::{Case, Kind};
 use crate::engines::Column;
@@ -6,7 +6,7 @@ use crate::runs::Cell;
 use crate::watch::Watched;
 use std::fmt::Write;
 
-/// The table of the cases of one kind; nothing where there are none.
+/// The table of the cases of one kind. Empty without cases.
 pub fn of(kind: Kind, cases: &[Case], columns: &[Column], results: &[Vec<Cell>]) -> String {
     let chosen: Vec<usize> = (0..cases.len()).filter(|&i| cases[i].kind == kind).collect();
     if chosen.iter().all(|&i| results[i].iter().all(Vec::is_empty)) {
@@ -101,7 +101,7 @@ fn escapes(cell: &[Watched]) -> String {
     }
 }
 
-/// Least, middle and greatest energy of the runs that stayed in.
+/// Least, median and greatest energy of the runs that stayed in the room.
 fn kept(cell: &[Watched]) -> (f64, f64, f64) {
     let mut kept: Vec<f64> = cell.iter().filter(|w| w.escaped.is_none()).map(Watched::kept).collect();
     kept.sort_by(f64::total_cmp);
@@ -111,12 +111,12 @@ fn kept(cell: &[Watched]) -> (f64, f64, f64) {
     }
 }
 
-/// A length in pixels; what is below the judge's own error (far below a raw unit) is none.
+/// A length in pixels. Lengths below the judge's own error, far below a raw unit, print as zero.
 fn length(px: f64) -> String {
     if px < 1e-7 { String::from("0") } else { number(px) }
 }
 
-/// Four digits after the leading ones of small numbers.
+/// Four digits after the leading digits of small numbers.
 fn number(x: f64) -> String {
     let size = x.abs();
     let text = if size != 0.0 && size < 1e-4 {

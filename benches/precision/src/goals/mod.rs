@@ -1,4 +1,4 @@
-//! What the library is meant to reach, and where it does not.
+//! The library's goals, and the rows that miss them.
 
 mod micro;
 mod peers;
@@ -9,15 +9,14 @@ use crate::show::workloads;
 use crate::tables::short;
 use std::fmt::Write;
 
-/// Something that misses a goal: the question, its class, and what is there; and how many times
-/// what is allowed.
+/// A missed goal: the question, its class, the backend, and how many times the allowed cost it has.
 struct Miss {
     question: String,
     text: String,
     times: f64,
 }
 
-/// One goal: how many rows it is about, and those that miss it.
+/// One goal: the number of rows that it covers, and the rows that miss it.
 struct Goal {
     text: &'static str,
     rows: usize,
@@ -35,7 +34,7 @@ fn least<'a>(rows: &'a [Row], row: &Row, column: &str, of: impl Fn(&Row) -> bool
     same.filter_map(|r| Some((r, r.get(column)?))).min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// At most `factor` times what the best of others take.
+/// At most `factor` times the best cost of others.
 fn at_most(
     rows: &[Row],
     text: &'static str,
@@ -59,13 +58,13 @@ fn at_most(
     goal
 }
 
-/// The first question of each workload that has one: yes or no, rays, casts, moves.
+/// The first question of each workload: yes or no, rays, casts, moves.
 fn first(rows: &[Row], moves: bool) -> impl Iterator<Item = Row> {
     let of = move |r: &&Row| r.backend() == "tilesat" && r.asked() == first_asked(r.workload());
     rows.iter().filter(of).filter(move |r| is_move(r.workload()) == moves).cloned()
 }
 
-/// Of our broad phases, the one that costs least in each class.
+/// The cheapest of our broad phases in each class.
 fn best_broad(rows: &[Row], column: &str) -> Vec<Row> {
     let own = |r: &&Row| r.backend() == "tilesat" && is_broad(r.workload());
     let mut classes: Vec<&str> = rows.iter().filter(own).map(Row::class).collect();
@@ -77,7 +76,7 @@ fn best_broad(rows: &[Row], column: &str) -> Vec<Row> {
         .collect()
 }
 
-/// A count of what is wrong, which is to be none.
+/// A count of faults, which must be zero.
 fn none(rows: &[Row], text: &'static str, column: &str, of: impl Fn(&str) -> bool) -> Goal {
     let own = rows.iter().filter(|r| r.backend() == "tilesat" && r.get(column).is_some() && of(r.workload()));
     let bad = own.clone().filter(|r| r.get(column) > Some(0.0));
@@ -133,7 +132,7 @@ fn goals(rows: &[Row]) -> Vec<Goal> {
     ]
 }
 
-/// A line a question: in how many classes, and where most.
+/// A line per question: the number of classes, and the worst one.
 fn misses(out: &mut String, missed: &[Miss]) {
     let mut told: Vec<&str> = Vec::new();
     for miss in missed {
@@ -150,7 +149,7 @@ fn misses(out: &mut String, missed: &[Miss]) {
     }
 }
 
-/// The part of the page that says where we lose.
+/// The part of the page that shows our losses.
 pub fn page(rows: &[Row]) -> String {
     let mut out = String::from("\n## Goals, and where they are missed\n\n");
     for goal in goals(rows).into_iter().chain(micro::goals(rows)) {

@@ -1,5 +1,5 @@
-//! Goals against everyone else: in each class the fastest whose answers there are exact, and the
-//! fastest of any.
+//! Goals against everyone else. For each class: the fastest backend with exact answers there, and
+//! the fastest of all.
 
 use super::at_most;
 use crate::question::{Question, is_right};
@@ -63,7 +63,7 @@ mod tests {
         assert!(page.contains(line), "{page}");
     }
 
-    /// A game takes the broad phase that suits it.
+    /// A game chooses the broad phase that suits it.
     #[test]
     fn the_best_broad_phase_is_held_to_the_best_of_others() {
         let own = |asked, host| row(["pairs of boxes", "8 boxes", "tilesat", asked], &[("host", host), ("wrong", 0.0)]);

@@ -17,7 +17,7 @@ are in `results.csv`.
 |---|--:|--:|--:|--:|--:|--:|--:|
 ";
 
-/// The classes whose frames are told beside the usual one.
+/// The classes of frames that the table shows beside the usual one.
 const FRAMED: [&str; 4] = ["circle up to 4 px", "box up to 4 px", "64 boxes", "256 boxes"];
 
 /// Bytes of the function that serves the row's class.
