@@ -28,11 +28,11 @@ const HEAD: &str = "<!-- precision:begin -->
 
 const FOOT: &str = "
 Instructions on x86-64; wrong answers in a million, in the class of the row / in the worst class of
-the workload. The class is half hits, generic rays, a circle or a box that goes up to 4 px per frame
-among blocks, or a frame of 256 boxes in coherent motion. A frame is wrong that ends in the solid,
-however little. On x86-64 tilesat has its feature `libm`, on the Cortex-M0 it has not. There textbook
-boxes look only where they end; on x86-64 at all columns and rows that they cross, where that is
-what is exact.
+the workload. The class of a row has half hits, or generic rays, or a circle or a box that moves up
+to 4 px per frame among blocks, or a frame of 256 boxes in coherent motion. A frame is wrong if it
+ends in the solid, even by a little. On x86-64 tilesat uses its feature `libm`, on the Cortex-M0 it
+does not. On the Cortex-M0, textbook boxes look only where they end. On x86-64 they look at all
+columns and rows that they cross, if that is exact.
 ";
 
 pub fn table(rows: &[Row]) -> String {
@@ -128,12 +128,12 @@ fn floats(rows: &[Row]) -> String {
     });
     let m0 = ["textbook f64", "textbook f32", "naive Q16.16"].map(|backend| cheaper_on(rows, "m0", backend));
     let text = format!(
-        "**Where we lose.** On a desktop textbook f64 is right in most classes. Of the {exact} classes in which it is, contacts too, it \
-         takes fewer instructions than tilesat in {cheaper}: in nearly all tests of pairs. tilesat wins where there is no FPU, where the \
-         bits must be equal on every machine, and in the classes in which f64 is wrong. Those are, in a million: {}. Its circles among \
-         blocks are {} px deep at most. It is never wrong in: {}. Among blocks alone, boxes that look at all columns and rows that they cross \
-         are right in every format, for {naive} instructions in naive Q16.16 and {double} in f64 against {ours}. On a Cortex-M0 textbook f64 \
-         takes fewer instructions than tilesat in {}, f32 in {}, and naive Q16.16, right or wrong, in {}.",
+        "**Where we lose.** On a desktop textbook f64 is right in most classes, {exact} with contacts. In {cheaper} of those, nearly all \
+         tests of pairs, it takes fewer instructions than tilesat. tilesat wins without an FPU, if the bits must be equal on every \
+         machine, and in the classes in which f64 is wrong. Those are, with errors in a million: {}. Its circles among \
+         blocks are at most {} px deep. It is never wrong in: {}. Only among blocks, boxes that look at all columns and rows that they \
+         cross are right in every format. They take {naive} instructions in naive Q16.16 and {double} in f64; ours takes {ours}. On a \
+         Cortex-M0 textbook f64 takes fewer instructions than tilesat in {}, f32 in {}, and naive Q16.16, right or wrong, in {}.",
         wrong.collect::<Vec<_>>().join("; "),
         short(deepest.fold(0.0, f64::max)),
         right.join(", "),

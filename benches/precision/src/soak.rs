@@ -78,7 +78,11 @@ pub fn run(goal: u64, state: &Path) -> Result<Vec<Row>, String> {
         if told.elapsed().as_secs() >= 5 {
             told = Instant::now();
             let least = tallies.iter().map(|t| t.queries).min().unwrap_or(0);
-            eprintln!("{:6} s: {least} of {goal} queries a pair, {} wrong", start.elapsed().as_secs(), total(&tallies));
+            eprintln!(
+                "{:6} s: {least} of {goal} queries per pair, {} wrong",
+                start.elapsed().as_secs(),
+                total(&tallies)
+            );
         }
     }
     let rows = PAIRS.iter().zip(&tallies).map(|(kinds, t)| {

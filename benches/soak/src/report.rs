@@ -40,7 +40,7 @@ pub fn progress(options: &Options, before: &State, now: &State, seconds: f64) {
 
 pub fn table(state: &State) {
     println!(
-        "Seed {}, {} in all. 0 wrong answers, 0 overlaps, 0 tunnels, 0 gains of energy: any would have ended the run.\n",
+        "Seed {}, {} in all. 0 wrong answers, 0 overlaps, 0 tunnels, 0 gains of energy: any of these would have ended the run.\n",
         state.seed,
         clock(state.seconds)
     );

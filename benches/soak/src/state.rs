@@ -91,8 +91,8 @@ impl State {
             Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(Self::new(seed)),
             Err(e) => return Err(format!("{}: {e}", path.display())),
         };
-        let state =
-            Self::parse(&text).ok_or(format!("{}: not a state of this program; --fresh forgets it", path.display()))?;
+        let state = Self::parse(&text)
+            .ok_or(format!("{}: not a state of this program; --fresh discards it", path.display()))?;
         if state.seed == seed { Ok(state) } else { Err(format!("{}: its seed is {}", path.display(), state.seed)) }
     }
 

@@ -61,7 +61,7 @@ pub fn level(scratch: &Path, seed: u64, number: u64) -> Tally {
         "{}",
         file.display()
     );
-    assert_eq!(shapes, drawn, "another level than drawn: {}", file.display());
+    assert_eq!(shapes, drawn, "the level differs from the drawing: {}", file.display());
     let kinds = baked.kinds();
     let cell = Fx::from_num(tile);
     let grid =
@@ -120,7 +120,7 @@ fn flipped(shape: u8, flips: u32) -> u8 {
     };
     let wanted: BTreeSet<_> = outline(shape).into_iter().map(turn).collect();
     let same = |id: &u8| outline(*id) == wanted && (shape < 34) == (*id < 34);
-    (0..38).find(same).unwrap_or_else(|| panic!("shape {shape} flipped by {flips} is none"))
+    (0..38).find(same).unwrap_or_else(|| panic!("shape {shape} flipped by {flips} does not exist"))
 }
 
 /// Identifies a shape by the points of a fine lattice around the middle of the cell that are in the

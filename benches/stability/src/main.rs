@@ -92,7 +92,7 @@ fn run(options: &Options) -> ExitCode {
     cases.iter_mut().for_each(|case| case.starts.truncate(options.starts));
     let columns: Vec<Column> = COLUMNS.iter().copied().filter(|column| chosen(column.name, &options.columns)).collect();
     let results = runs::all(&cases, &columns, options.frames, options.threads);
-    println!("{} frames (bounces of the elastic rooms) a run.", options.frames);
+    println!("{} frames (bounces of the elastic rooms) per run.", options.frames);
     for kind in [Kind::Floor, Kind::Valley, Kind::Bounces, Kind::LongRun(256), Kind::LongRun(128)] {
         print!("{}", table::of(kind, &cases, &columns, &results));
     }

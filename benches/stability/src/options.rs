@@ -13,9 +13,9 @@ const USAGE: &str = "\
 usage: cargo run --profile unlinked -p tilesat-stability [--features rapier] -- [OPTION]...
   --frames N    frames of each run (bounces of the elastic rooms); default 100000
   --full        1000000 frames
-  --starts N    at most so many starts a scene; default all (16)
-  --scene TEXT  only scenes whose name holds this (may be repeated)
-  --column TEXT only engines whose name holds this (may be repeated)
+  --starts N    at most N starts per scene; default all (16)
+  --scene TEXT  only scenes whose name contains this (repeatable)
+  --column TEXT only engines whose name contains this (repeatable)
   --threads N   default 2
   --list        the names";
 

@@ -12,7 +12,7 @@ pub fn of(kind: Kind, cases: &[Case], columns: &[Column], results: &[Vec<Cell>])
     if chosen.iter().all(|&i| results[i].iter().all(Vec::is_empty)) {
         return String::new();
     }
-    let mut out = format!("\n**{}**\n\n|", title(kind));
+    let mut out = format!("\n{}\n\n|", title(kind));
     for &i in &chosen {
         let _ = write!(out, " | {}", cases[i].scene.name);
     }
@@ -32,21 +32,28 @@ pub fn of(kind: Kind, cases: &[Case], columns: &[Column], results: &[Vec<Cell>])
     out
 }
 
+/// The title of a table, and what its cells show.
 fn title(kind: Kind) -> String {
-    match kind {
-        Kind::Floor => "Runs on a flat floor at 3.37 px a frame - ghost frames; speed at the end; highest pop; deepest".into(),
-        Kind::Valley => {
-            "Falls into a corner, 16 balls, the worst of each - last frame with a motion; speed at the end, raw; longest step of the \
-             last 1000 frames, raw; deepest, px"
-                .into()
-        }
-        Kind::Bounces => "Elastic bounces, 2 starts - energy left, min..max; its peak; runs that lost the body (first frame)".into(),
-        Kind::LongRun(bounce) => format!(
-            "Restitution {} - escapes of 16 runs (first frame); energy at the end / at the start, min..median..max of the runs that \
-             stayed in; deepest, px; without gravity, by how much it was ever faster than at the start",
-            f64::from(bounce) / 256.0
+    let (name, cells) = match kind {
+        Kind::Floor => (
+            "Runs on a flat floor at 3.37 px per frame".to_owned(),
+            "Ghost frames; speed at the end; highest pop; deepest, px.",
         ),
-    }
+        Kind::Valley => (
+            "Falls into a corner, the worst of 16 balls".to_owned(),
+            "Last frame with a motion; speed at the end, raw; longest step of the last 1000 frames, raw;\ndeepest, px.",
+        ),
+        Kind::Bounces => (
+            "Elastic bounces, 2 starts".to_owned(),
+            "Energy left, min..max; its peak; runs that lost the body (first frame).",
+        ),
+        Kind::LongRun(bounce) => (
+            format!("Restitution {}", f64::from(bounce) / 256.0),
+            "Escapes of 16 runs (first frame); energy at the end / at the start, min..median..max of the runs\n\
+             that stayed in; deepest, px; without gravity, the greatest excess over the start speed.",
+        ),
+    };
+    format!("**{name}**\n\n{cells}")
 }
 
 fn cell_text(case: &Case, cell: &[Watched]) -> String {

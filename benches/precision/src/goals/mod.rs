@@ -98,7 +98,7 @@ fn f32_too(own: &Row, other: &Row) -> bool {
 
 fn goals(rows: &[Row]) -> Vec<Goal> {
     let usual = |r: &Row| r.class() == usual_class(r.workload());
-    let mut soak = Goal { text: "0 wrong of 10^9 adversarial queries a pair", rows: 0, missed: Vec::new() };
+    let mut soak = Goal { text: "0 wrong of 10^9 adversarial queries per pair", rows: 0, missed: Vec::new() };
     for row in ours(rows, "overlaps").filter(|r| r.class() == "soak") {
         soak.rows += 1;
         let (n, wrong) = (row.get("queries").unwrap_or(0.0), row.get("wrong").unwrap_or(0.0));
@@ -112,7 +112,7 @@ fn goals(rows: &[Row]) -> Vec<Goal> {
         none(rows, "0 late times of impact", "late", |_| true),
         none(rows, "0 overlaps after a move", "wrong", is_move),
         none(rows, "0 tunnels", "tunnels", is_move),
-        none(rows, "0 frames stuck though there was a way", "stuck", is_move),
+        none(rows, "0 frames stuck although a way existed", "stuck", is_move),
         none(rows, "0 missing pairs of boxes", "wrong", is_broad),
         soak,
         at_most(
@@ -151,7 +151,7 @@ fn misses(out: &mut String, missed: &[Miss]) {
 
 /// The part of the page that shows our losses.
 pub fn page(rows: &[Row]) -> String {
-    let mut out = String::from("\n## Goals, and where they are missed\n\n");
+    let mut out = String::from("\n## Goals, and the classes that miss them\n\n");
     for goal in goals(rows).into_iter().chain(micro::goals(rows)) {
         if goal.rows == 0 {
             let _ = writeln!(out, "- **not measured**: {}", goal.text);
