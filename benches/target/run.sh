@@ -153,7 +153,7 @@ if [[ -n $symbols ]]; then
     build_flash "${cores[@]#*:}"
     for core in "${cores[@]}"; do
         target=${core#*:}
-        echo "$symbols on ${core%:*}: $(flash_of "$target/flash" "$symbols") B, of which the frame is $(flash_of "$target/flash" empty) B"
+        echo "$symbols on ${core%:*}: $(flash_of "$target/flash" "$symbols") B, including $(flash_of "$target/flash" empty) B of the frame"
         "$llvm/llvm-nm" --demangle --print-size --size-sort --reverse-sort --radix=d "$out/$target/flash/$symbols" |
             awk '{ size = $2 + 0; $1 = $2 = $3 = ""; printf "%6d  %s\n", size, $0 }'
     done
@@ -199,7 +199,7 @@ prove() {
             done
         done
     done
-    ((!bad)) || { echo 'run.sh: the library links what it must not' >&2; exit 1; }
+    ((!bad)) || { echo 'run.sh: the library links a panic or a long operation' >&2; exit 1; }
 }
 if ((proof)); then
     prove flash flash-fast
@@ -249,7 +249,7 @@ find_plugin() {
     if ((!told)); then
         model=''
         absent+=('M0+ cycles')
-        echo 'NO CYCLES OF THE M0+: this emulator does not take the plugin that models them (written for version 1 of the interface, as in QEMU 7.2)'
+        echo 'NO CYCLES OF THE M0+: this emulator does not load the plugin that models them (it uses version 1 of the interface, as in QEMU 7.2)'
     fi
 }
 
@@ -304,7 +304,7 @@ if ((counts)); then
     # The goal is 512 for every query. Motion, contacts, nearest points and rays among all shapes do
     # not fit it yet.
     awk -F'|' '$2 == "stack" && $4 > 512 { n++ } $2 == "stack" && $4 > most { most = $4; row = $1 ", " $3 }
-        END { printf "%d rows take more than 512 B of stack, the most %d: %s\n", n, most, row }' "$lines"
+        END { printf "%d rows take more than 512 B of stack, at most %d: %s\n", n, most, row }' "$lines"
 fi
 # Flash and static RAM of every program, and bounds of the stack of every function.
 measure_links() {
@@ -346,10 +346,10 @@ measure_links() {
 cat "$fresh"
 without=$(IFS=';'; echo "${absent[*]:-}")
 if ((accept)); then
-    ((counts)) && [[ -z $without$only_core ]] || { echo "run.sh: --accept needs all counts, there are none of: ${without:-any core}" >&2; exit 2; }
+    ((counts)) && [[ -z $without$only_core ]] || { echo "run.sh: --accept needs all counts, but has none of: ${without:-any core}" >&2; exit 2; }
     cp "$fresh" counts.txt
     write_tables
-    echo "counts.txt and the pages' tables are now this: review the difference before it is committed"
+    echo "counts.txt and the pages' tables are updated: review the difference before you commit it"
 fi
 only=''
 ((counts)) || only='flash;game flash;RAM;bound'
@@ -358,15 +358,15 @@ same=0 stale=0
 if [[ $(head -n 1 counts.txt) == "$(head -n 1 "$fresh")" ]]; then
     same=1
 else
-    echo "counts.txt was made by $(head -n 1 counts.txt): differences are told, only budgets fail"
+    echo "counts.txt comes from $(head -n 1 counts.txt): reports differences, and fails only over budgets"
 fi
 for entry in "${tables[@]}"; do
     IFS=: read -r file mark script <<<"$entry"
     if ! cmp -s <(with_table "$file" "$mark" "$script") "$root/$file"; then
         stale=1
-        echo "the table in $file is not that of counts.txt: benches/target/run.sh --readme writes it"
+        echo "the table in $file differs from counts.txt: benches/target/run.sh --readme writes it"
     fi
 done
-[[ -z $without ]] || echo "NOT COMPARED, because it was not measured: $without"
+[[ -z $without ]] || echo "NOT MEASURED, so not compared: $without"
 echo
 awk -v same_compiler=$same -v only="$only" -v without="$without" -f compare.awk counts.txt "$fresh" && ((!stale))
