@@ -157,7 +157,11 @@ impl Judge {
         let (mut found, mut phase, mut twice) = (BTreeSet::new(), flown.near, 0);
         phase.pairs(|Pair { a, b }| twice += u32::from(!found.insert((a, b))));
         if found != near || twice > 0 {
-            return Err(format!("{} pairs are near, the game found {}, {twice} of them twice", near.len(), found.len()));
+            return Err(format!(
+                "{} pairs are near, the game found {}, {twice} of them twice",
+                near.len(),
+                found.len()
+            ));
         }
         self.near += near.len() as u32;
 
