@@ -48,7 +48,7 @@ pub fn all(results: &Path) -> Result<(), String> {
     page.push_str(&goals::page(&rows));
     page.push_str("\n## Cost and errors\n\nInstructions / ns; wrong in a million; and the same in the class in which that answer is wrong most\noften, if that is another one.\n");
     page.push_str(&tables::summary(&rows));
-    page.push_str("\n## Errors of depths and times\n\nThe largest error of all classes, in px. For times also the percentage of late hits in the worst class.\n");
+    page.push_str("\n## Errors of depths and times\n\nThe largest error of all classes, in px. For times also the percentage of late hits in the\nworst class.\n");
     page.push_str(&tables::errors(&rows));
     page.push_str("\n## Frames of bodies that move\n\nPer million frames.\n");
     page.push_str(&tables::frames(&rows));
@@ -60,7 +60,10 @@ pub fn all(results: &Path) -> Result<(), String> {
     page.push_str(&grids::page(&rows));
     page.push_str(&micro::page(&rows));
     let pictures = workloads(&rows).into_iter().map(|w| plots(&rows, w, &folder)).collect::<Result<Vec<_>, _>>()?;
-    let _ = writeln!(page, "\n## Pictures\n\n{}.", pictures.into_iter().flatten().collect::<Vec<_>>().join("; "));
+    page.push_str("\n## Pictures\n\n");
+    for links in pictures.into_iter().flatten() {
+        let _ = writeln!(page, "- {links}");
+    }
     write(&results.with_file_name("results.md"), &page)?;
     write(&results.with_file_name("readme-table.md"), &readme::table(&rows))
 }

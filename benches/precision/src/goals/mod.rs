@@ -144,7 +144,7 @@ fn misses(out: &mut String, missed: &[Miss]) {
         let Some(worst) = same().max_by(|a, b| a.times.total_cmp(&b.times)) else { continue };
         let _ = match same().count() {
             1 => writeln!(out, "  - {}: {}", miss.question, worst.text),
-            n => writeln!(out, "  - {}: {n} classes, most in {}", miss.question, worst.text),
+            n => writeln!(out, "  - {}: {n} classes, worst in\n    {}", miss.question, worst.text),
         };
     }
 }
