@@ -151,8 +151,8 @@ impl Filter {
         Self { flags: if on { self.flags | flag } else { self.flags & !flag }, ..self }
     }
 
-    // Layers first: they separate most of the bodies that are near each other. Then only the sign
-    // of one group remains to be tested.
+    // Layers first: they separate most bodies that are near each other. Then only the sign of one
+    // group is left to test.
     #[inline]
     pub(crate) const fn lets_pair(self, other: Self) -> bool {
         let flags = self.flags & other.flags;

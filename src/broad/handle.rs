@@ -234,8 +234,8 @@ pub enum BroadError {
     },
     /// The handle's body was removed.
     ///
-    /// A handle of another broad phase is refused only if its slot has no body here, or one of another
-    /// generation. A body with the same slot and generation cannot be distinguished.
+    /// A handle of another broad phase is refused only if its slot has no body here, or one of
+    /// another generation. A body with the same slot and generation cannot be distinguished.
     Stale(Handle),
     /// The box is wider or higher than a cell of the grid, in raw units.
     TooLarge {

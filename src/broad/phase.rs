@@ -162,7 +162,7 @@ pub trait BroadPhase: Spatial {
     #[inline]
     #[doc(alias = "updatePairs")]
     fn pairs(&mut self, mut each: impl FnMut(Pair)) {
-        // With no budget and no pair refused nothing stops it before its end.
+        // With no budget and no refused pair, nothing stops it before its end.
         let _ = self.walk(&mut PairCursor::new(), &mut Unlimited, |pair| {
             each(pair);
             true

@@ -120,7 +120,7 @@ impl<T: Tag> Bodies<'_, T> {
     #[inline]
     pub(super) fn slot(&self, handle: Handle) -> Result<usize, BroadError> {
         let slot = handle.slot();
-        // An even generation is no handle's.
+        // No handle has an even generation.
         if self.generations.get(slot) == Some(&handle.generation()) { Ok(slot) } else { Err(BroadError::Stale(handle)) }
     }
 

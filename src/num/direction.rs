@@ -81,8 +81,8 @@ impl Axis {
     /// How fast a velocity leads against this direction: how hard a body hits a surface with this
     /// normal. Zero if it leads along or away.
     ///
-    /// Rounded to nearest, half a raw unit up; exact along x and y. Speeds of 2^30 raw and more, which
-    /// no motion has, give `Fx::MAX`.
+    /// Rounded to nearest, half a raw unit up; exact along x and y. Speeds of 2^30 raw and more,
+    /// which no motion has, give `Fx::MAX`.
     ///
     /// ```
     /// use tilesat::{Axis, Fx, Vec2};

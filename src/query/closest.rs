@@ -100,7 +100,7 @@ const fn disc_and_segment(c: Raw, r: i32, a: Raw, b: Raw) -> (Raw, Raw) {
     match region::<false>(c, a, b, false) {
         Region::End(end) => disc_and_point(c, r, end),
         Region::Line { cross, len2 } => {
-            // The way to the foot is known exactly as a direction, which the rounded foot is not.
+            // The direction to the foot is known exactly. The rounded foot is not on it.
             let e = b.sub(a);
             let (x, y) = if cross > 0 { (e.y, e.x.wrapping_neg()) } else { (e.y.wrapping_neg(), e.x) };
             (c.add(toward(Raw { x, y }, r)), foot(c, e, cross, len2))

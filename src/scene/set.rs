@@ -11,8 +11,8 @@ use crate::shape::Aabb;
 
 /// When bodies fall asleep: after this many consecutive steps of rest, for all bodies that touch,
 /// directly or not. In a step of rest a body has moved by less than `still` on either axis, or
-/// since it has been quiet by no more than the gravity of two steps. If there is gravity, it also ran
-/// into the level or into another body.
+/// since it has been quiet by no more than the gravity of two steps. If there is gravity, it also
+/// ran into the level or into another body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sleep {
@@ -278,7 +278,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
         let tag = body.tag(slot.mode != Mode::Awake);
         self.near.set_tag(handle, tag).map_err(|e| SceneError::of(handle, e))?;
         // The next step wakes the bodies that it still touches, except for a fixed body. Nothing
-        // else would wake those that it let go of.
+        // else would wake the bodies that it released.
         let what = |body: &SceneBody| (body.shape, body.mass, body.filter);
         if body.mass.is_none() || what(&body) != what(&before) {
             self.stir(&before);

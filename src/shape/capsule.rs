@@ -9,7 +9,8 @@ use crate::num::{Fx, Raw, Vec2};
 /// Equal ends are legal and act as a circle, a radius of zero as a segment. Reversing the ends
 /// changes no result.
 ///
-/// A capsule that stands or lies is a [`Body`](crate::Body): movers, walkers and characters take it.
+/// A capsule that stands or lies is a [`Body`](crate::Body): movers, walkers and characters take
+/// it.
 ///
 /// ```text
 ///   .-------------------.

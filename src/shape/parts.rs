@@ -116,7 +116,7 @@ impl<const N: usize, const M: usize> ConvexParts<N, M> {
             let (mut from, mut most, mut ends, mut i) = (0, 0, 0, 0);
             while i < rest.count {
                 let length = rest.chain(i, N);
-                // Of several as long, one that cuts the most inward corners open.
+                // On a tie, the one that cuts the most inward corners open.
                 let inward = rest.is_inward(i) as u8 + rest.is_inward(i + length - 1) as u8;
                 if length > most || (length == most && inward > ends) {
                     (from, most, ends) = (i, length, inward);
@@ -181,7 +181,7 @@ impl Rest {
         if let Err(e) = rest.check_simple() {
             return Err(e);
         }
-        // At the lowest corner, of several the left one, the inside is between the sides.
+        // At the lowest corner (on a tie the left one), the inside is between the sides.
         if rest.turn(lowest + n - 1, lowest, lowest + 1) < 0 {
             let mut i = 0;
             while i < n {
@@ -219,7 +219,7 @@ impl Rest {
                 } else {
                     meet(a, b, c, d)
                 };
-                // A side of no length is a point of the one after it.
+                // A side of length zero is a point of the next side.
                 if crosses || a.sub(b).is_zero() || c.sub(d).is_zero() {
                     return Err(PartsError::Crosses { at, other });
                 }
@@ -247,8 +247,8 @@ impl Rest {
 
     /// How many corners from `first` on are a convex part that can be cut off; below 3 none are.
     ///
-    /// A further corner adds a triangle on the diagonal: an ear of what would be left, where none of
-    /// its other corners is in it.
+    /// A further corner adds a triangle on the diagonal: an ear of what would be left, where none
+    /// of its other corners is in it.
     const fn chain(&self, first: usize, most: usize) -> usize {
         let mut length = 2;
         while length < self.count && length < most {

@@ -130,8 +130,8 @@ impl<const N: usize> ConvexPolygon<N> {
             }
             i += 1;
         }
-        // Gift wrapping: from each corner on to the point that has all others on its left, of
-        // several the farthest.
+        // Gift wrapping: from each corner on to the point that has all others on its left. On a
+        // tie, the farthest.
         let (mut out, mut count, mut at) = ([Vec2::ZERO; N], 0, lowest);
         loop {
             if count == N {

@@ -66,8 +66,8 @@ impl WorldContact {
             return self.contact.push_out();
         }
         match self.feature.geometry {
-            // Toward the centre of a hollow disc: to the last place whose both components are not
-            // beyond the exact one's.
+            // Toward the centre of a hollow disc: to the last point whose components do not exceed
+            // the exact ones.
             Geometry::Arc { radius, convex: false, .. } if self.contact.radius_a <= radius => {
                 let (room, d) = (radius.wrapping_sub(self.contact.radius_a) as u32, self.contact.axis.length_squared());
                 Vec2::from_raw(inward(x, room, d), inward(y, room, d))
@@ -273,7 +273,7 @@ fn contacts_in<W: World, B: Pushable>(
             if any_in_region {
                 continue;
             }
-            // The first in its region: those before it do not count.
+            // The first in its region: earlier ones do not count.
             out.clear();
             (seen, any_in_region) = (0, true);
         }
@@ -283,7 +283,7 @@ fn contacts_in<W: World, B: Pushable>(
             }
             continue;
         }
-        // Worlds that store features by cells may serve one for each.
+        // Levels that store features by cells may report one for each cell.
         let same = |f: &Feature| (f.source, f.cell, f.index) == (feature.source, feature.cell, feature.index);
         if !out.iter().any(|c| same(&c.feature)) {
             seen = seen.wrapping_add(1);

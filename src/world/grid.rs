@@ -146,7 +146,7 @@ impl Grid {
     const fn indices(&self, lo: i32, hi: i32, span: &GridAxis) -> (i32, i32) {
         let first = self.index(lo, span);
         let mut last = first;
-        // A few steps are cheaper than a quotient.
+        // A few steps cost less than a quotient.
         let (mut steps, mut next) = (4, span.origin.wrapping_add(self.line(first.wrapping_add(1))));
         while hi >= next && last < span.count as i32 {
             if steps == 0 {

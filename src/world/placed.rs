@@ -129,7 +129,7 @@ impl<W: World> World for Placed<'_, W> {
     const BLOCKS: bool = W::BLOCKS;
     const ROUND: bool = W::ROUND;
     const WIDE: bool = W::WIDE;
-    // Beyond its own domain a level has no surface, and a map may be solid there all the same.
+    // Beyond its own domain a level has no surface, but a map can be solid there.
     const CERTAIN: bool = false;
 
     type Features<'w>

@@ -289,7 +289,7 @@ impl<'a, S: Set> Rooms<'a, S> {
         let y = RoomAxis::of(row, self.room.1, self.world.1, self.apron);
         let (Some(x), Some(y)) = (x, y) else { return None };
         let cell = self.pattern.grid.cell;
-        // As far from 0 as the largest map is long, at most.
+        // At most as far from 0 as the largest map is long.
         let origin = Raw { x: -x.before.wrapping_mul(cell), y: -y.before.wrapping_mul(cell) };
         let first = (y.first - y.before) as u32 * self.world.0 as u32 + (x.first - x.before) as u32;
         match (

@@ -135,8 +135,8 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> InCells fo
 
     #[inline]
     fn neighbours(&self) -> Neighbours {
-        // Lists of a cell and its eight neighbours are nine different ones, so a neighbour is met
-        // in one list only.
+        // A cell and its eight neighbours have nine different lists. So each neighbour is in only
+        // one of them.
         Neighbours { stride: usize::from(Self::FACTOR), mask: BUCKETS - 1 }
     }
 

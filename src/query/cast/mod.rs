@@ -15,7 +15,7 @@ use kernel::{Course, Enter, Exchanged, InDomain, Moment};
 use moment::{Disc, enter_disc, hit_disc};
 use segments::{Capsule, EdgeMoment, enter_crossing, enter_segment};
 
-// Where motion finds these.
+// Motion uses these through this path.
 pub(crate) use moment as crossing;
 pub(crate) use moment as side;
 
@@ -282,7 +282,7 @@ casts_both!(
     unless(a.overlaps(b), || segments::gate(a, b, d)?.hits(a, d).then_some(()))
 );
 casts_both!(Aabb, Segment, EdgeMoment, |a, b, d| enter_segment(a.lo(), a.hi(), b.ra(), b.rb(), d));
-// A point is a box or a circle of no size.
+// A point is a box or a circle of size zero.
 casts!(Vec2, Aabb, SideMoment, |p, b, d| enter_box(Raw::of(*p), Raw::of(*p), b.lo(), b.hi(), d));
 casts!(
     Vec2,

@@ -64,7 +64,7 @@ fn quotient(num: u64, den: u32) -> Toi {
     if num != 0 && num >= u64::from(den) {
         return Toi::ONE;
     }
-    // A power of two is the one divisor that has 32 bits.
+    // The only 32-bit divisor is a power of two.
     Toi::exact(if num == 0 {
         0
     } else if den >> 31 != 0 {
@@ -301,7 +301,7 @@ pub(crate) fn enters(m: Raw, r: i32, d: Raw) -> bool {
     let square = |v: Raw| if SPLIT { v.len2() } else { v.dot(v) as u64 };
     let ends_inside = || square(m.add(d)) < usqr(r as u32);
     let passes_inside = || (b as u64) < square(d) && passes(cross.unsigned_abs(), r as u32, d);
-    // The cheaper one first, by what a square costs there.
+    // The cheaper one first, given the cost of a square on this core.
     let first = if SPLIT { passes_inside() } else { ends_inside() };
     first || if SPLIT { ends_inside() } else { passes_inside() }
 }

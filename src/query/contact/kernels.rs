@@ -198,7 +198,8 @@ impl Contacts<Circle> for Circle {
     fn contact(&self, b: &Circle) -> Option<Contact> {
         let v = b.c().sub(self.c());
         let r = self.r().wrapping_add(b.r());
-        // Equal centres: a radial contact of length zero along +x, whichever is A.
+        // Equal centres: the contact is radial, has length zero, and points along +x, whichever
+        // shape is A.
         circle_circle::<false>(self.c(), b.c(), r)
             .then(|| Contact::radial(self.c(), v).with_radii(self.r(), b.r()).with_degenerate(v.is_zero()))
     }
@@ -332,8 +333,8 @@ fn aabb_segment(lo: Raw, hi: Raw, a: Raw, b: Raw, prefer: i32) -> Option<Contact
     if e.x == 0 || e.y == 0 {
         return Some(flat);
     }
-    // Along x or y a sloped segment is deepest with an end: the one with the smaller coordinate
-    // where B is left along +.
+    // Along x or y, a sloped segment is deepest at an end. It is the end with the smaller
+    // coordinate if B is left along +.
     let Axis { x, y } = flat.axis;
     let first = x > 0 || (x == 0 && (y > 0) == (e.y > 0));
     let flat = Contact { core: if first { a } else { b }, ..flat.on_b() };

@@ -94,7 +94,7 @@ impl Contact {
     pub(crate) const fn radial(core: Raw, v: Raw) -> Self {
         let axis = parallel_to_unit(v);
         if v.x == 0 || v.y == 0 {
-            // Of a parallel only one component is not zero.
+            // A parallel has only one component that is not zero.
             let apart = v.x.wrapping_add(v.y).unsigned_abs() as i64;
             Self::new(axis, apart.wrapping_neg(), core)
         } else {

@@ -119,11 +119,11 @@ fn both(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Mani
 /// Of a side and the corner that is deepest behind it: that corner, and the end of the flatter one
 /// of the sides beside it, cut to what faces the side.
 fn one(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Manifold {
-    // Whether it is A that leans on a side of B.
+    // Whether A is the one that leans on a side of B.
     let on_a = side.of_b;
     let (reference, index, core, deepest) = if on_a { (b, side.b, a, side.a) } else { (a, side.a, b, side.b) };
     let (p, q) = face(reference, index);
-    // Along the side of the sum, that of B runs back.
+    // Along the side of the sum, B's side runs back.
     let (p, q) = if on_a { (q, p) } else { (p, q) };
     let point = |contact: Contact, of_side: Part, of_other: Part| {
         let (part_a, part_b) = if on_a { (of_other, of_side) } else { (of_side, of_other) };
@@ -141,7 +141,7 @@ fn one(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Manif
             let (share, whole) = (bound.wrapping_sub(from).wrapping_abs(), to.wrapping_sub(from).unsigned_abs());
             start.add(Raw { x: scaled(v.x, share, whole), y: scaled(v.y, share, whole) })
         };
-        // Along the sum a side of A begins at its own corner, one of B ends there.
+        // Along the sum, a side of A begins at its own corner, and a side of B ends there.
         let (end, of_side, of_other) = if to < 0 {
             (cut(0), corner(if on_a { reference.after(index) } else { index }), line(lean.side))
         } else if to > room {

@@ -311,7 +311,7 @@ impl<A: RayWorld, B: RayWorld> RayScan for JoinedRayHits<'_, A, B> {
         let (from_a, from_b) = (self.a.next, self.b.next);
         let met = |f: Option<Found>| f.and_then(|f| f.met);
         let ranks = |(b, a): (Met, Met)| b.touch.ranks_above(&b.feature, &a, self.d);
-        // One hit a moment.
+        // One hit per moment.
         let second = order.is_gt() || (order.is_eq() && met(from_b).zip(met(from_a)).is_some_and(ranks));
         let (found, source) = if second { (from_b, 1) } else { (from_a, 0) };
         if order.is_le() {

@@ -115,8 +115,8 @@ impl<'a> Solids<'a> {
         SolidFeatures::new(self.list, region)
     }
 
-    /// The solids that a box, circle or point has a point in common with anywhere on a straight way,
-    /// in the order of the list: triggers, pick-ups, and doors that a ghost passes.
+    /// The solids that a box, circle or point has a point in common with anywhere on a straight
+    /// way, in the order of the list: triggers, pick-ups, and doors that a ghost passes.
     ///
     /// One-way solids count as boxes. Exact; borders count. Cost: one or a few exact tests per
     /// solid.

@@ -159,7 +159,7 @@ impl SolidRayHits<'_> {
             (self.o.y, self.d.y, solid.lo().y, solid.hi().y)
         };
         let way = imul(d, time.num as i32);
-        // Where a place along the face is, seen from the crossing.
+        // Position along the face, relative to the crossing.
         let side = |place: i32| imul(place.wrapping_sub(o), time.den as i32).wrapping_sub(way);
         let (mut before, mut behind) = (side(lo) < 0, side(hi) > 0);
         for (from, to) in full(self.all.list()).filter_map(|other| in_front(solid, k, other)) {

@@ -142,7 +142,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
             return Err(TileMapError::Stride(stride));
         }
         self.stride = stride;
-        // Other tiles than the bits were made of.
+        // The bits belong to other tiles.
         self.occupied = &[];
         match self.check_length() {
             Ok(()) => Ok(self),

@@ -268,7 +268,7 @@ impl TileKinds {
         self.flags[id as usize] = kind.flags;
         self.named |= 1 << kind.shape as u64;
         if !replaced.is_empty() {
-            // Perhaps it was the last one of its shape.
+            // It may have been the last one of its shape.
             self.named = 1;
             let mut other = 0;
             while other < self.shapes.len() {

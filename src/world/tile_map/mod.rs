@@ -185,7 +185,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
     pub(in crate::world) const fn id_at(&self, tile: u32) -> u8 {
         let byte = if T::BITS == 8 { tile } else { tile >> 3 } as usize;
-        // The constructors have checked the length: the other branch is never taken.
+        // The constructors have checked the length: the program never takes the other branch.
         let byte = if byte < self.data.len() { self.data[byte] } else { 0 };
         if T::BITS == 8 { byte } else { byte >> (tile & 7) & 1 }
     }
@@ -198,7 +198,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             if S::SHAPED {
                 return if in_x == x && in_y == y { kind } else { continued(kind, x, y, in_x, in_y) };
             }
-            // Blocks are continued as they are, a one-way edge along its line alone.
+            // Blocks continue unchanged, a one-way edge only along its line.
             return match kind.one_way_side() {
                 Some(side) if (if side & 1 == 0 { in_y != y } else { in_x != x }) => {
                     TileKind::EMPTY.with_flags(kind.flags)

@@ -197,7 +197,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             let mut x = range.x0;
             while x <= range.x1 {
                 let kind = self.kinds.get(self.id(x, y));
-                // Asked in this order, most tiles cost no geometry.
+                // In this order, most tiles cost no geometry.
                 if kind.flags & !flags != 0 && reaches(self.grid.corners(x, y)) {
                     flags |= kind.flags;
                 }
@@ -268,7 +268,7 @@ mod probe {
             meet::circle_aabb::<true>(self.c(), self.r(), cell.0, cell.1)
         }
         fn passes(&self, d: Raw, (lo, hi): (Raw, Raw)) -> bool {
-            // Nearest to a way across a cell are its ends, or the cell's corners.
+            // The nearest points to a way across a cell are its ends, or the cell's corners.
             let (a, r) = (self.c(), self.r());
             let b = a.add(d);
             meet::circle_aabb::<true>(a, r, lo, hi)

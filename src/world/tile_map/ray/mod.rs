@@ -97,7 +97,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Where all that stops a ray are full cells.
     fn cast_blocks(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<RayHit>, RangeError> {
         let (o, d) = (Raw::of(origin), Raw::of(motion));
-        // Where a sum wraps, it is outside too: a start below 2^29 and a motion up to 2^31 leave at
+        // A sum that wraps is outside too: a start below 2^29 and a motion up to 2^31 leave at
         // least 2^32 - 2^31 - 2^29.
         let end = o.add(d);
         if !(in_domain(o.x) && in_domain(o.y) && in_domain(end.x) && in_domain(end.y)) {
@@ -124,7 +124,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             }
         }
         let vertical = met & Y != 0;
-        // The line crossed last is one cell before the next; a start on a line has crossed that.
+        // The last line crossed is one cell before the next. A start on a line has crossed that
+        // line.
         let (near, k, den, size) = if vertical { (y.near, ky, y.size, x.size) } else { (x.near, kx, x.size, y.size) };
         let num = near.wrapping_add(k.wrapping_sub(1).wrapping_mul(cell));
         if num > den {
