@@ -59,18 +59,18 @@ impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (what, value) = (self.what, self.value);
         let settle = match what {
-            Quantity::X | Quantity::Y => "positions stay below 8192 units on each side of the origin",
+            Quantity::X | Quantity::Y => "keep positions less than 8192 units from the origin on each axis",
             Quantity::Radius | Quantity::HalfExtent | Quantity::Length => "it must be from 0 to below 8192 units",
             Quantity::Width | Quantity::Height => "the second corner must be beyond the first",
             Quantity::MotionX | Quantity::MotionY => "shorten the motion, or begin it nearer to the origin",
-            Quantity::BodySize => "a body that moves is below 8192 units wide and high",
+            Quantity::BodySize => "a moving body must be less than 8192 units wide and high",
             Quantity::Cells => {
                 return write!(
                     f,
                     "the motion visits too many cells, {value} or more: shorten it, or enlarge the cells"
                 );
             }
-            Quantity::Capsule => "a capsule that moves stands or lies, and has a radius",
+            Quantity::Capsule => "a moving capsule must be upright or level, and have a radius",
             // The settings of walkers and riders.
             _ => "it must be from 0 to below 4096 units",
         };
@@ -93,7 +93,7 @@ pub struct Truncated {
 
 impl fmt::Display for Truncated {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "only {} of {} results fit into the list: enlarge it", self.kept, self.seen)
+        write!(f, "the list has room for {} of {} results: enlarge it", self.kept, self.seen)
     }
 }
 
@@ -148,14 +148,16 @@ impl fmt::Display for PolygonError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooFew { count } => {
-                write!(f, "a polygon needs three corners that are not on one line, and has {count}")
+                write!(f, "the polygon has {count} corners, but needs three that are not on one line")
             }
-            Self::TooMany { capacity } => write!(f, "more corners than the {capacity} that there is room for"),
+            Self::TooMany { capacity } => {
+                write!(f, "the polygon has more than {capacity} corners: raise the capacity, or leave corners out")
+            }
             Self::Range { at, error } => write!(f, "corner {at}: {error}"),
-            Self::Repeated { at } => write!(f, "corner {at} is where the one before it is"),
+            Self::Repeated { at } => write!(f, "corner {at} equals the corner before it: leave it out"),
             Self::Collinear { at } => write!(f, "corner {at} is on one line with its neighbours: leave it out"),
             Self::Reflex { at } => write!(f, "corner {at} turns the other way: take the hull, or convex parts"),
-            Self::Winds { times } => write!(f, "the corners go round {times} times, not once"),
+            Self::Winds { times } => write!(f, "the corners go round {times} times: list them once around the polygon"),
         }
     }
 }

@@ -273,7 +273,7 @@ impl fmt::Display for BroadError {
             Self::OutOfWorld { x, y } => {
                 write!(
                     f,
-                    "a centre at ({}, {}) is outside of the grid: use another `Border`",
+                    "a centre at ({}, {}) is outside the grid: use another `Border`",
                     Fx::from_bits(x),
                     Fx::from_bits(y)
                 )
@@ -300,9 +300,9 @@ impl fmt::Display for PairsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::BudgetExceeded => {
-                "the budget of tests is spent before all pairs were found: call again with the same cursor"
+                "the budget of tests ended before all pairs were found: call again with the same cursor"
             }
-            Self::Full => "there is no more room for pairs: take them out, and call again with the same cursor",
+            Self::Full => "the list of pairs is full: take the pairs out, and call again with the same cursor",
             Self::Changed => "bodies were inserted or moved during the enumeration: begin again",
         })
     }

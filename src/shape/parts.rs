@@ -51,11 +51,17 @@ pub enum PartsError {
 impl fmt::Display for PartsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::TooFew { count } => write!(f, "a polygon needs three corners and has {count}"),
-            Self::TooMany { count } => write!(f, "{count} corners, more than the {MOST} that can be cut"),
+            Self::TooFew { count } => write!(f, "the polygon has {count} corners, but needs at least three"),
+            Self::TooMany { count } => {
+                write!(f, "the polygon has {count} corners, but at most {MOST} can be cut: simplify it")
+            }
             Self::Range { at, error } => write!(f, "corner {at}: {error}"),
-            Self::Crosses { at, other } => write!(f, "side {at} meets side {other}"),
-            Self::NoRoom { capacity } => write!(f, "more convex parts than the {capacity} that there is room for"),
+            Self::Crosses { at, other } => {
+                write!(f, "side {at} meets side {other}: draw sides that meet only at corners")
+            }
+            Self::NoRoom { capacity } => {
+                write!(f, "the polygon needs more than {capacity} convex parts: raise the capacity")
+            }
         }
     }
 }

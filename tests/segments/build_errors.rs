@@ -139,5 +139,5 @@ fn errors_say_what_and_where() {
     assert_eq!(e.__text().as_str(), "path 1, point 2: out of the domain");
     let e = SegmentMapError::TooFewPoints { path: 4_294_967_295, points: 1 };
     assert_eq!(e.__text().as_str(), "path 4294967295: too few points for its kind");
-    assert_eq!(text(SegmentMapError::TooSmall { needed: 9, found: 8 }), "room for 8 bytes where the map needs 9");
+    assert_eq!(text(SegmentMapError::TooSmall { needed: 9, found: 8 }), "the buffer has 8 bytes, but the map needs 9");
 }

@@ -105,14 +105,14 @@ fn errors_say_what_and_where() {
     assert_eq!(text(TileMapError::EmptyMap), "the map has no cells: width and height must be at least 1");
     assert_eq!(
         text(TileMapError::TooManyCells(40_000)),
-        "40000 cells on a side are more than 32767: cut the world into rooms"
+        "a side of 40000 cells is longer than 32767: cut the world into rooms"
     );
     assert_eq!(
         text(TileMapError::Cell(3)),
         "a cell of 3 raw is refused: its side must be even, from 256 to 16777216 raw (256 units)"
     );
     assert_eq!(text(TileMapError::Stride(2)), "a stride of 2 is less than the width: rows would overlap");
-    assert_eq!(text(TileMapError::TooShort { needed: 9, found: 8 }), "8 bytes of tiles where the map needs 9");
+    assert_eq!(text(TileMapError::TooShort { needed: 9, found: 8 }), "the tiles have 8 bytes, but the map needs 9");
     assert_eq!(
         text(TileMapError::RowLength { row: 1, expected: 2, found: 3 }),
         "row 1 has 3 characters where row 0 has 2: make them equal"
@@ -123,7 +123,7 @@ fn errors_say_what_and_where() {
     );
     assert_eq!(
         text(TileMapError::CarriageReturn { row: 1 }),
-        "row 1 has a carriage return: end rows with line feeds alone"
+        "row 1 has a carriage return: end each row with only a line feed"
     );
     let of_another = "a shape that is not in the map's set: choose another set with `of` or `of_ascii`";
     assert_eq!(text(TileMapError::ShapeNotInSet { id: 7 }), format!("the table gives tile 7 {of_another}"));

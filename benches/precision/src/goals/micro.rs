@@ -82,14 +82,14 @@ pub fn goals(rows: &[Row]) -> Vec<Goal> {
         at_most(rows, "at most the instructions of textbook f32 on Cortex-M4F: moves", ("m4f", 1.0), moves(), f32_too),
         at_most(
             rows,
-            "at most the instructions of the best textbook f32 on Cortex-M0: the best broad phase",
+            "at most the instructions of the best textbook f32 on Cortex-M0: broad phases",
             ("m0", 1.0),
             best_broad(rows, "m0").into_iter(),
             textbook,
         ),
         at_most(
             rows,
-            "at most the instructions of the best textbook f32 on Cortex-M4F: the best broad phase",
+            "at most the instructions of the best textbook f32 on Cortex-M4F: broad phases",
             ("m4f", 1.0),
             best_broad(rows, "m4f").into_iter(),
             textbook,
