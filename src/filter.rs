@@ -117,6 +117,12 @@ impl Filter {
 
     /// Sets the group: bodies of the same group pair always if it is positive, never if it is
     /// negative. 0 is no group.
+    ///
+    /// ```
+    /// use tilesat::{Filter, broad::Tag};
+    /// let limb = Filter::default().with_group(-1);
+    /// assert!(!limb.pairs_with(&limb) && limb.pairs_with(&Filter::default()));
+    /// ```
     #[must_use]
     pub const fn with_group(self, group: i16) -> Self {
         Self { group, ..self }

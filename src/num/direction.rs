@@ -60,6 +60,11 @@ impl Axis {
     }
 
     /// The perpendicular dot product `x1 y2 - y1 x2`.
+    ///
+    /// ```
+    /// use tilesat::Axis;
+    /// assert!(Axis::X.perp_dot(Axis::Y) > 0 && Axis::X.perp_dot(Axis::Y.reversed()) < 0);
+    /// ```
     #[must_use]
     pub const fn perp_dot(self, rhs: Self) -> i64 {
         if self.x == 0 {

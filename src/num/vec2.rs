@@ -109,6 +109,12 @@ impl Vec2 {
 
     /// The perpendicular dot product `x1 y2 - y1 x2` in square raw units; positive where `rhs` is
     /// counter-clockwise of `self` (y up).
+    ///
+    /// ```
+    /// use tilesat::Vec2;
+    /// let (aim, enemy) = (Vec2::from_raw(4, 0), Vec2::from_raw(1, 3));
+    /// assert_eq!((aim.dot(enemy), aim.perp_dot(enemy)), (4, 12)); // ahead, and toward +y
+    /// ```
     #[must_use]
     pub const fn perp_dot(self, rhs: Self) -> i64 {
         imul(self.x.to_bits(), rhs.y.to_bits()).wrapping_sub(imul(self.y.to_bits(), rhs.x.to_bits()))
@@ -158,6 +164,13 @@ impl Vec2 {
 
     /// `self * factor`, each component rounded toward zero and saturating; as `*`, usable in
     /// constants.
+    ///
+    /// ```
+    /// use tilesat::{Fx, Vec2, fx};
+    /// const THROW: Vec2 = Vec2::from_ints(3, -4).saturating_mul(fx!(1.5));
+    /// assert_eq!(THROW, Vec2::new(fx!(4.5), fx!(-6)));
+    /// assert_eq!(Vec2::from_ints(30000, 0).saturating_mul(fx!(2)).x, Fx::MAX);
+    /// ```
     #[must_use]
     pub const fn saturating_mul(self, factor: Fx) -> Self {
         let (x, y) = self.raw();

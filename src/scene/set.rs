@@ -66,6 +66,16 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     }
 
     /// The same scene with other conditions for sleep.
+    ///
+    /// ```
+    /// use tilesat::broad::{Keyed, SortSweep};
+    /// use tilesat::scene::{Scene, Sleep};
+    /// use tilesat::Filter;
+    /// type Near = SortSweep<64, Keyed<Filter>>;
+    /// let late = Sleep { steps: 120, ..Sleep::default() };
+    /// let scene = Scene::<Near, 64>::with_sleep(Near::new(), late);
+    /// assert_eq!(scene.sleep.steps, 120);
+    /// ```
     #[must_use]
     pub const fn with_sleep(near: B, sleep: Sleep) -> Self {
         Self { near, slots: [Slot::FREE; N], awake: [Handle::new(0, 0); N], count: 0, sleep }

@@ -101,6 +101,14 @@ impl OrientedBox {
     /// This box with a radius around it: corners become round, and every side moves out by
     /// `radius`.
     ///
+    /// ```
+    /// use tilesat::{Axis, Circle, OrientedBox, Vec2, fx, prelude::*};
+    /// let table = OrientedBox::new(Vec2::ZERO, Vec2::from_ints(4, 2), Axis::X)?.with_radius(fx!(1))?;
+    /// let ball = Circle::new(Vec2::from_ints(6, 0), fx!(1))?;
+    /// assert!(table.touches(&ball) && !table.overlaps(&ball));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`RangeError`] where the radius is negative or leads out of the
     /// [domain](crate::num::DOMAIN).

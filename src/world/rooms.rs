@@ -138,6 +138,16 @@ impl<'a, S: Set> Room<'a, S> {
     }
 
     /// The world's cell for a cell of the room's [map](Self::map), such as that of a hit.
+    ///
+    /// ```
+    /// use tilesat::{AllShapes, Cell, Grid, Room, TileKind, TileKinds, TileMap, Vec2, fx};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let map = TileMap::<AllShapes>::of(b"###..####", Grid::new(3, 3, fx!(16), Vec2::ZERO)?, &KINDS)?;
+    /// let room = Room::new(map, 40, 7, 1)?; // one cell with an apron of one
+    /// assert_eq!(room.in_world(Cell::new(1, 1)), (40, 7));
+    /// assert!(room.holds(Vec2::from_ints(0, 15)) && !room.holds(Vec2::from_ints(16, 0)));
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
     #[must_use]
     pub const fn in_world(&self, cell: Cell) -> (i32, i32) {
         // The origin is not above 0 and not below the domain.

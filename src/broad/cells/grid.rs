@@ -149,6 +149,15 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
     }
 
     /// Sets the rule for bodies outside, from the next insertion or move on.
+    ///
+    /// ```
+    /// use tilesat::broad::{Border, BroadError, BroadPhase, LooseGrid};
+    /// use tilesat::{Aabb, Vec2, fx};
+    /// let mut near = LooseGrid::<4, 64>::new(Vec2::ZERO, fx!(32), 16)?.with_border(Border::Refuse);
+    /// let outside = Aabb::new(Vec2::from_ints(-40, 0), Vec2::from_ints(-30, 8))?;
+    /// assert!(matches!(near.insert(&outside, ()), Err(BroadError::OutOfWorld { .. })));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub const fn with_border(self, border: Border) -> Self {
         Self { border, ..self }

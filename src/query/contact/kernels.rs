@@ -76,6 +76,15 @@ impl Contact {
     /// Where a whole side of a box is as deep: the middle of the part of it that faces B. Cost: at
     /// most a unit vector and two long divisions, some thousand instructions on a Cortex-M0; exact
     /// and a few instructions for boxes.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2, prelude::*};
+    /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
+    /// let contact = at(0)?.contact(&at(6)?).unwrap();
+    /// assert_eq!(contact.point_on_a(), Vec2::from_ints(8, 4));
+    /// assert_eq!(contact.point_on_b(), Vec2::from_ints(6, 4));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     #[must_use]
     pub const fn point_on_a(&self) -> Vec2 {
         let core = if self.core_on_b { self.core.add(self.between_cores()) } else { self.core };

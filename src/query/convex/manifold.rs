@@ -69,6 +69,15 @@ impl Manifold {
     }
 
     /// The deepest point.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, OrientedBox, Vec2, fx, prelude::*};
+    /// let floor = Aabb::new(Vec2::from_ints(0, 8), Vec2::from_ints(64, 16))?;
+    /// let crate_ = OrientedBox::new(Vec2::from_ints(32, 5), Vec2::from_ints(4, 4), Axis::X)?;
+    /// let manifold = crate_.manifold(&floor).unwrap();
+    /// assert_eq!((manifold.points().count(), manifold.deepest().contact.depth()), (2, fx!(1)));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     #[must_use]
     pub const fn deepest(&self) -> &ManifoldPoint {
         &self.first

@@ -98,6 +98,14 @@ impl Solid {
 
     /// Adds a conveyor: a motion that it gives per tick to the bodies that stand on it.
     ///
+    /// ```
+    /// use tilesat::{Aabb, Solid, Vec2, world::Side};
+    /// let belt = Aabb::new(Vec2::from_ints(0, 40), Vec2::from_ints(64, 48))?;
+    /// let belt = Solid::new(belt, 1)?.with_one_way(Side::Up).with_flags(4).with_conveyor(Vec2::from_ints(1, 0))?;
+    /// assert_eq!((belt.one_way(), belt.flags(), belt.conveyor().x.to_num()), (Some(Side::Up), 4, 1));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`RangeError`] where the conveyor, or its sum with the motion of this tick, has a component
     /// of [`MOTION`] or more.

@@ -134,6 +134,15 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// window into a wider level, or has padded rows. It loses its
     /// [occupancy](Self::with_occupancy).
     ///
+    /// ```
+    /// use tilesat::{Cell, TileKind, TileKinds, TileMap};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// // The right half of rows of four tiles.
+    /// let window = TileMap::new(&b"...#..##"[2..], 2, 2, &KINDS)?.with_stride(4)?;
+    /// assert_eq!(window.kind(Cell::new(0, 1)), TileKind::FULL);
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] where the data ends
     /// before the last tile.

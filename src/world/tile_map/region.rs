@@ -85,6 +85,16 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// Writes the tiles of [`tiles_in`](Self::tiles_in) to `out`, which is cleared first.
     ///
+    /// ```
+    /// use tilesat::{Aabb, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let map = TileMap::from_ascii("..#\n#..", &KINDS)?;
+    /// let mut tiles = heapless::Vec::<_, 4>::new();
+    /// map.collect_tiles(&Aabb::new(Vec2::ZERO, Vec2::from_ints(32, 32))?, &mut tiles)?;
+    /// assert_eq!(tiles.iter().filter(|tile| tile.kind == TileKind::FULL).count(), 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Truncated`] where they do not fit: `out` then holds the first ones, and the error says how
     /// many there are.
