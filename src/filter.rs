@@ -124,12 +124,14 @@ impl Filter {
     /// assert!(!limb.pairs_with(&limb) && limb.pairs_with(&Filter::default()));
     /// ```
     #[must_use]
+    #[doc(alias = "groupIndex")]
     pub const fn with_group(self, group: i16) -> Self {
         Self { group, ..self }
     }
 
     /// Sets whether the body is at rest: two that do not move never pair.
     #[must_use]
+    #[doc(alias = "static body")]
     pub const fn with_still(self, still: bool) -> Self {
         self.with_flag(STILL, still)
     }

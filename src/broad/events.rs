@@ -328,6 +328,7 @@ pub enum Ignore {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("ignoreCollision", "add_collision_exception_with"))]
 pub struct Exceptions<const M: usize> {
     /// By the handles in ascending order.
     pub(super) entries: [Entry<Pair, Term>; M],

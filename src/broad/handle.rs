@@ -28,6 +28,7 @@ use core::fmt;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("ProxyId", "entity id"))]
 pub struct Handle {
     slot: u16,
     generation: u16,

@@ -45,7 +45,7 @@ use heapless::VecView;
 /// [`pairs_from`](Self::pairs_from) appends.
 ///
 /// Sealed: implemented by the types of this module alone.
-#[doc(alias("AABB tree", "BVH", "quadtree", "DynamicTree", "World"))]
+#[doc(alias("AABB tree", "BVH", "quadtree", "DynamicTree", "MoveProxy", "raycast", "World"))]
 pub trait BroadPhase: Spatial {
     /// Takes a body in.
     ///

@@ -66,6 +66,7 @@ impl Axis {
     /// assert!(Axis::X.perp_dot(Axis::Y) > 0 && Axis::X.perp_dot(Axis::Y.reversed()) < 0);
     /// ```
     #[must_use]
+    #[doc(alias = "cross")]
     pub const fn perp_dot(self, rhs: Self) -> i64 {
         if self.x == 0 {
             return times(self.y, rhs.x).wrapping_neg();

@@ -116,6 +116,7 @@ impl Vec2 {
     /// assert_eq!((aim.dot(enemy), aim.perp_dot(enemy)), (4, 12)); // ahead, and toward +y
     /// ```
     #[must_use]
+    #[doc(alias = "cross")]
     pub const fn perp_dot(self, rhs: Self) -> i64 {
         imul(self.x.to_bits(), rhs.y.to_bits()).wrapping_sub(imul(self.y.to_bits(), rhs.x.to_bits()))
     }
@@ -131,6 +132,7 @@ impl Vec2 {
     ///
     /// Cost: one square root, about 300 instructions on a Cortex-M0.
     #[must_use]
+    #[doc(alias = "magnitude")]
     pub const fn length(self) -> Fx {
         let root = super::isqrt64(self.length_squared());
         Fx::from_bits(if root > i32::MAX as u32 { i32::MAX } else { root as i32 })

@@ -119,6 +119,7 @@ meets_both!(Segment, Aabb, |a, b, CLOSED| meet::segment_aabb::<CLOSED>(a.ra(), a
 pub trait Contains<B: ?Sized> {
     /// Whether every point of `b` is a point of this shape; closed and exact.
     #[must_use]
+    #[doc(alias("hit test", "point in polygon", "TestPoint"))]
     fn contains(&self, b: &B) -> bool;
 }
 

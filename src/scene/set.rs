@@ -48,6 +48,7 @@ impl Sleep {
 /// [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 156 bytes per
 /// body, plus the broad phase.
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("PhysicsWorld", "simulation"))]
 pub struct Scene<B, const N: usize> {
     pub(crate) near: B,
     pub(super) slots: [Slot; N],

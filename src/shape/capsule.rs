@@ -43,6 +43,7 @@ use crate::num::{Fx, Raw, Vec2};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("pill", "stadium"))]
 pub struct Capsule {
     core: Segment,
     radius: Fx,

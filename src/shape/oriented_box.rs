@@ -33,6 +33,7 @@ use crate::num::{Axis, DOMAIN, Fx, Raw, Vec2, check_coordinate, check_radius, to
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("OBB", "rotated rectangle"))]
 pub struct OrientedBox {
     centre: Vec2,
     along: Vec2,

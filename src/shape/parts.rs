@@ -94,6 +94,7 @@ impl core::error::Error for PartsError {}
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("triangulate", "decomposition"))]
 pub struct ConvexParts<const N: usize, const M: usize> {
     parts: [ConvexPolygon<N>; M],
     count: usize,

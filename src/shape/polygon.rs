@@ -28,6 +28,7 @@ use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("PolygonShape", "Polygon"))]
 pub struct ConvexPolygon<const N: usize> {
     /// Those beyond `count` are zero.
     points: [Vec2; N],
@@ -115,6 +116,7 @@ impl<const N: usize> ConvexPolygon<N> {
     /// [`PolygonError`]: a point outside of the [domain](crate::num::DOMAIN), no three points that are not on one line, or
     /// a hull of more than `N` corners.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loops, and by the comparison with N")]
+    #[doc(alias("convex hull", "gift wrapping"))]
     pub const fn hull(points: &[Vec2]) -> Result<Self, PolygonError> {
         let n = points.len();
         if let Err(e) = check_all(points) {

@@ -47,6 +47,7 @@ use crate::num::{DOMAIN, Fx, Raw, Vec2};
 /// # Ok::<(), TileMapError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("chunk", "screen"))]
 pub struct Room<'a, S: Set = AllShapes> {
     map: TileMap<'a, S>,
     /// The cell of the world that is the room's first.
@@ -226,6 +227,7 @@ const fn apart(from: i32, to: i32, cell: i32) -> Option<i32> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("chunks", "streaming"))]
 pub struct Rooms<'a, S: Set = AllShapes> {
     /// All but the grid of each room's map.
     pattern: TileMap<'a, S>,

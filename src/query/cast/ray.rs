@@ -34,6 +34,7 @@ impl Aabb {
     ///
     /// # Errors
     /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+    #[doc(alias("raycast", "linecast"))]
     pub fn cast_ray(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
         let (o, d) = checked(origin, motion)?;
         let (lo, hi) = (self.lo(), self.hi());
@@ -68,6 +69,7 @@ impl Circle {
     ///
     /// # Errors
     /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+    #[doc(alias("raycast", "linecast"))]
     pub fn cast_ray(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
         let (o, d) = checked(origin, motion)?;
         let (m, r) = (o.sub(self.c()), self.r());
@@ -107,6 +109,7 @@ impl Segment {
     ///
     /// # Errors
     /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+    #[doc(alias("raycast", "linecast"))]
     pub fn cast_ray(&self, origin: Vec2, motion: Vec2) -> Result<Option<CastHit>, RangeError> {
         let (o, d) = checked(origin, motion)?;
         Ok(meet_segment(o, d, self.ra(), self.rb()))

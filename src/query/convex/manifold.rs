@@ -50,6 +50,7 @@ pub struct ManifoldPoint {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("contact manifold", "clipping"))]
 pub struct Manifold {
     first: ManifoldPoint,
     second: Option<ManifoldPoint>,

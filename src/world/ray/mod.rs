@@ -42,6 +42,7 @@ impl From<Inside> for RayRules {
 
 /// The hit of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(alias = "RaycastHit")]
 pub struct RayHit {
     /// When: the exact floor in 2^-30 of the fraction of the motion, for straight faces and ends of
     /// arcs.

@@ -67,6 +67,7 @@ use solid::{Side, Solid};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(alias = "moving platforms")]
 pub struct Solids<'a> {
     list: &'a [Solid],
 }

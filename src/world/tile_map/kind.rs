@@ -247,6 +247,7 @@ pub enum Fill {
 /// assert_eq!(KINDS.get(b'?'), TileKind::EMPTY);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("TileSet", "tile properties"))]
 pub struct TileKinds {
     /// A separate array: a walk over the shapes is one index away from each.
     shapes: [TileShape; 256],

@@ -153,6 +153,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// # Ok::<(), tilesat::TileMapError>(())
     /// ```
     #[must_use]
+    #[doc(alias("get_tile", "mget"))]
     pub const fn tile(&self, cell: Cell) -> Option<u8> {
         if self.holds(cell.x as i32, cell.y as i32) { Some(self.id(cell.x as i32, cell.y as i32)) } else { None }
     }
