@@ -1,8 +1,7 @@
 //! The calls that all broad phases have in common.
 
 use super::ask::{along, cast, nearest, neighbours, pairs_of, sorted_pairs, sorted_region};
-use super::table::Spatial;
-use super::table::{Budget, Unlimited};
+use super::table::{Budget, Spatial, Unlimited};
 use super::{BroadError, BroadHit, Handle, Nearest, Pair, PairCursor, PairsError, QueryError};
 use crate::error::{RangeError, Truncated};
 use crate::num::{Fx, Raw, Toi, Vec2};
@@ -41,13 +40,11 @@ use heapless::VecView;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Where there is a buffer `out` it is emptied first, also where the question is refused; only
-/// [`pairs_from`](Self::pairs_from) appends.
-///
-/// Sealed: implemented by the types of this module alone.
+/// With a list `out`, a call empties it first, even if it then fails. Only
+/// [`pairs_from`](Self::pairs_from) appends. Only the types of this module implement the trait.
 #[doc(alias("AABB tree", "BVH", "quadtree", "DynamicTree", "MoveProxy", "raycast", "World"))]
 pub trait BroadPhase: Spatial {
-    /// Takes a body in.
+    /// Inserts a body.
     ///
     /// # Errors
     /// [`Full`](BroadError::Full); grids also return [`TooLarge`](BroadError::TooLarge) or
@@ -59,7 +56,7 @@ pub trait BroadPhase: Spatial {
         Ok(handle)
     }
 
-    /// Gives a body another box: it moved, or changed its size.
+    /// Gives a body another box, because it moved or changed its size.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale), and those of [`insert`](Self::insert) but `Full`. Nothing was
@@ -73,8 +70,8 @@ pub trait BroadPhase: Spatial {
         Ok(())
     }
 
-    /// Moves every body: `to` gets its name and its box and returns the new box. One call per frame
-    /// is cheaper than one per body.
+    /// Moves every body. `to` gets its handle and its box, and returns the new box. One call per
+    /// frame is cheaper than one per body.
     ///
     /// # Errors
     /// The first refusal, as of [`move_to`](Self::move_to), with the body: it stays where it was,
@@ -84,7 +81,7 @@ pub trait BroadPhase: Spatial {
         self.move_all(to)
     }
 
-    /// Takes a body out, and gives back what it carried.
+    /// Removes a body. Returns its tag.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -94,7 +91,8 @@ pub trait BroadPhase: Spatial {
         Ok(self.slots().remove(slot))
     }
 
-    /// Whether the body is here.
+    /// Whether this broad phase has the body.
+    #[must_use]
     fn contains(&self, handle: Handle) -> bool {
         self.table().slot(handle).is_ok()
     }
@@ -119,7 +117,7 @@ pub trait BroadPhase: Spatial {
         bodies.tags.get(slot).copied().ok_or(BroadError::Stale(handle))
     }
 
-    /// Gives a body another filter or key, from the next enumeration on.
+    /// Gives a body another tag, from the next enumeration on.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -130,11 +128,13 @@ pub trait BroadPhase: Spatial {
     }
 
     /// How many bodies there are.
+    #[must_use]
     fn len(&self) -> usize {
         usize::from(self.table().state.len)
     }
 
     /// Whether there is no body.
+    #[must_use]
     fn is_empty(&self) -> bool {
         self.len() == 0
     }

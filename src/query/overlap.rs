@@ -38,6 +38,7 @@ use crate::shape::{Aabb, Circle, Segment};
 pub trait Overlaps<B: ?Sized> {
     /// Whether this shape overlaps `b`; strict and exact.
     #[doc(alias("intersects", "collides", "intersection_test"))]
+    #[must_use]
     fn overlaps(&self, b: &B) -> bool;
 }
 
@@ -57,6 +58,7 @@ pub trait Overlaps<B: ?Sized> {
 pub trait Touches<B: ?Sized> {
     /// Whether this shape and `b` have a point in common; closed and exact.
     #[doc(alias = "intersects")]
+    #[must_use]
     fn touches(&self, b: &B) -> bool;
 }
 

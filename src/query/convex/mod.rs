@@ -92,6 +92,7 @@ macro_rules! with_cores {
 /// ```
 pub trait OverlapsFrom<B: ?Sized>: Overlaps<B> {
     /// Whether this shape overlaps `b`; `last` is what the last call for this pair left there.
+    #[must_use]
     fn overlaps_from(&self, b: &B, last: &mut Separation) -> bool;
 }
 
