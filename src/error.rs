@@ -45,7 +45,7 @@ pub enum Quantity {
     Capsule,
 }
 
-/// An input outside of the range that keeps arithmetic exact; nothing was changed.
+/// An input outside the range that keeps arithmetic exact; nothing was changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RangeError {
@@ -114,7 +114,7 @@ pub enum PolygonError {
         /// The room.
         capacity: usize,
     },
-    /// A point is outside of the domain.
+    /// A point is outside the domain.
     Range {
         /// Which one, counted from zero.
         at: usize,

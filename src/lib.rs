@@ -87,10 +87,10 @@
 //! type. `serde` writes and reads every plain state that a game keeps, without a heap: numbers,
 //! shapes, heroes, movers, solids, particles, broad phases, pairs and scenes. States that depend on
 //! how this crate works inside have a version. What is read is checked as a constructor checks it:
-//! a box whose sides are exchanged, a coordinate outside of the domain, an unknown version and
-//! lists that contradict each other are errors that say what and where. A [`Memo`] is written as
-//! nothing and read empty, because only the level could check its answer. `libm` takes the
-//! processor's square root on x86-64: a cast of a circle takes 7 % fewer instructions.
+//! a box whose sides are exchanged, a coordinate outside the domain, an unknown version and lists
+//! that contradict each other are errors that say what and where. A [`Memo`] is written as nothing
+//! and read empty, because only the level could check its answer. `libm` takes the processor's
+//! square root on x86-64: a cast of a circle takes 7 % fewer instructions.
 
 #![no_std]
 #![forbid(unsafe_code)]

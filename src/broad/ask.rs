@@ -277,7 +277,7 @@ fn touched(a: &Aabb, d: Raw, b: &Aabb) -> Option<Toi> {
     (x.meets() && y.meets() && x.lasts_until(y) && y.lasts_until(x)).then(|| x.entry().max(y.entry()))
 }
 
-/// A sum that wraps is outside of the domain, too: it is at least 2^30 from zero.
+/// A sum that wraps is outside the domain, too: it is at least 2^30 from zero.
 fn checked_way(start: &Aabb, motion: Vec2) -> Result<Raw, RangeError> {
     let d = Raw::of(motion);
     let (lo, hi) = (start.lo().add(d), start.hi().add(d));

@@ -191,8 +191,8 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     /// where nothing rests.
     ///
     /// # Errors
-    /// [`Truncated`] where there were more than M pairs: the events are those of the M that were
-    /// kept. A pair that was fed twice is seen twice.
+    /// [`Truncated`] if there were more than M pairs: the events are those of the M that were kept.
+    /// A pair that was fed twice is seen twice.
     pub fn finish(&mut self, held: impl FnMut(&P) -> bool) -> Result<(), Truncated> {
         finish(&mut self.entries, &mut self.frame, held)
     }

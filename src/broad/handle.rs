@@ -245,7 +245,7 @@ pub enum BroadError {
         /// The longest that fits.
         limit: i32,
     },
-    /// The box's centre is outside of the grid, which refuses such bodies; in raw units.
+    /// The box's centre is outside the grid, which refuses such bodies; in raw units.
     OutOfWorld {
         /// The centre.
         x: i32,
@@ -361,7 +361,7 @@ pub enum GridError {
         /// The cells that there are.
         cells: u16,
     },
-    /// The origin is outside of the domain.
+    /// The origin is outside the domain.
     Origin(RangeError),
 }
 

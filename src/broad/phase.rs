@@ -74,8 +74,8 @@ pub trait BroadPhase: Spatial {
     /// frame is cheaper than one per body.
     ///
     /// # Errors
-    /// The first refusal, as of [`move_to`](Self::move_to), with the body: it stays where it was,
-    /// and the others move.
+    /// The first refusal, as of [`move_to`](Self::move_to), with the body: it stays where it was, and
+    /// the others move.
     #[inline]
     fn move_each(&mut self, to: impl FnMut(Handle, &Aabb) -> Aabb) -> Result<(), (Handle, BroadError)> {
         self.move_all(to)
@@ -193,7 +193,7 @@ pub trait BroadPhase: Spatial {
     /// Cortex-M0.
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the first ones.
+    /// [`Truncated`] if they do not fit: `out` then holds the first ones.
     ///
     /// ```
     /// use heapless::Vec;
@@ -258,7 +258,7 @@ pub trait BroadPhase: Spatial {
 
     /// Every body whose box holds a point, border included, once, in no particular order.
     ///
-    /// No box holds a point outside of the [domain](crate::num::DOMAIN).
+    /// No box holds a point outside the [domain](crate::num::DOMAIN).
     #[inline]
     fn at_point(&self, point: Vec2, each: impl FnMut(Handle)) {
         let p = Raw::of(point);
@@ -272,7 +272,7 @@ pub trait BroadPhase: Spatial {
     /// found, where k are kept.
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the first ones.
+    /// [`Truncated`] if they do not fit: `out` then holds the first ones.
     fn collect_region(&self, region: &Aabb, out: &mut VecView<Handle>) -> Result<(), Truncated> {
         sorted_region(self, region, out)
     }
@@ -303,8 +303,8 @@ pub trait BroadPhase: Spatial {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the point is outside of the [domain](crate::num::DOMAIN), or `within`
-    /// is negative.
+    /// [`RangeError`] if the point is outside the [domain](crate::num::DOMAIN), or `within` is
+    /// negative.
     fn nearest(
         &self,
         point: Vec2,
@@ -322,8 +322,7 @@ pub trait BroadPhase: Spatial {
     ///
     /// # Errors
     /// [`Range`](QueryError::Range) as `nearest`: `out` is empty then;
-    /// [`Truncated`](QueryError::Truncated) where they do not fit: `out` then holds the nearest
-    /// ones.
+    /// [`Truncated`](QueryError::Truncated) if they do not fit: `out` then holds the nearest ones.
     fn neighbours(
         &self,
         point: Vec2,
@@ -371,7 +370,7 @@ pub trait BroadPhase: Spatial {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the motion would leave the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the motion would leave the [domain](crate::num::DOMAIN).
     fn along(
         &self,
         start: &Aabb,
@@ -401,9 +400,9 @@ pub trait BroadPhase: Spatial {
     /// ```
     ///
     /// # Errors
-    /// [`Range`](QueryError::Range) where an end of the ray is outside of the
-    /// [domain](crate::num::DOMAIN): `out` is empty then; [`Truncated`](QueryError::Truncated)
-    /// where they do not fit: `out` then holds the earliest ones.
+    /// [`Range`](QueryError::Range) if an end of the ray is outside the
+    /// [domain](crate::num::DOMAIN): `out` is empty then; [`Truncated`](QueryError::Truncated) if
+    /// they do not fit: `out` then holds the earliest ones.
     fn cast_ray(
         &self,
         origin: Vec2,

@@ -8,7 +8,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 /// A position or displacement in units.
 ///
 /// Names are glam's where glam has them. Operators never panic and never wrap: they saturate at the
-/// ends of 16.16, far outside of the [domain](super::DOMAIN). The `checked_` methods return `None`
+/// ends of 16.16, far outside the [domain](super::DOMAIN). The `checked_` methods return `None`
 /// instead.
 ///
 /// | operator | rounding | overflow, and division by zero |
@@ -430,7 +430,7 @@ pub(crate) const fn check_motion(v: Vec2, limit: i32) -> Result<(), RangeError> 
     }
 }
 
-/// Refuses values outside of the open interval.
+/// Refuses values outside the open interval.
 const fn check(v: Fx, above: i32, below: i32, what: Quantity) -> Result<(), RangeError> {
     let value = v.to_bits();
     if above < value && value < below { Ok(()) } else { Err(RangeError { what, value }) }

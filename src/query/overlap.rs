@@ -107,7 +107,7 @@ meets_both!(Segment, Aabb, |a, b, CLOSED| meet::segment_aabb::<CLOSED>(a.ra(), a
 /// Both are closed sets: a shape contains itself, its corners and its border. A segment contains
 /// only points, segments along it, and boxes and circles that are as thin. Cost: comparisons for
 /// boxes, two or three squares for a circle, two products an end for a segment. It cannot fail;
-/// points outside of the [domain](crate::num::DOMAIN) are in no shape.
+/// points outside the [domain](crate::num::DOMAIN) are in no shape.
 ///
 /// ```
 /// use tilesat::prelude::*;

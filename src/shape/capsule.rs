@@ -53,8 +53,8 @@ impl Capsule {
     /// A capsule from the ends of its core and its radius.
     ///
     /// # Errors
-    /// [`RangeError`] where the radius is negative, or an end, the radius or a point of the capsule
-    /// is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the radius is negative, or an end, the radius or a point of the capsule is
+    /// outside the [domain](crate::num::DOMAIN).
     pub const fn new(a: Vec2, b: Vec2, radius: Fx) -> Result<Self, RangeError> {
         // Its ends are circles.
         match Circle::new(a, radius) {
@@ -96,7 +96,7 @@ impl Capsule {
     /// This capsule moved by `by`.
     ///
     /// # Errors
-    /// [`RangeError`] where it would leave the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if it would leave the [domain](crate::num::DOMAIN).
     pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
         Self::new(self.a().saturating_add(by), self.b().saturating_add(by), self.radius)
     }

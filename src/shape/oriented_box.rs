@@ -49,8 +49,8 @@ impl OrientedBox {
     /// turns and mirror images of the direction give turned and mirrored boxes bit for bit.
     ///
     /// # Errors
-    /// [`RangeError`] where the direction is zero, a half extent is negative, or a corner is
-    /// outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the direction is zero, a half extent is negative, or a corner is outside
+    /// the [domain](crate::num::DOMAIN).
     pub const fn new(centre: Vec2, half: Vec2, direction: Axis) -> Result<Self, RangeError> {
         let h = Raw::of(half);
         if h.x < 0 || h.x >= DOMAIN {
@@ -111,8 +111,7 @@ impl OrientedBox {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the radius is negative or leads out of the
-    /// [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the radius is negative or leads out of the [domain](crate::num::DOMAIN).
     pub const fn with_radius(self, radius: Fx) -> Result<Self, RangeError> {
         if let Err(e) = check_radius(radius) {
             return Err(e);
@@ -178,7 +177,7 @@ impl OrientedBox {
     /// This box moved by `by`.
     ///
     /// # Errors
-    /// [`RangeError`] where it would leave the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if it would leave the [domain](crate::num::DOMAIN).
     pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
         Self { centre: self.centre.saturating_add(by), ..*self }.checked()
     }

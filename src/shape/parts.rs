@@ -26,7 +26,7 @@ pub enum PartsError {
         /// How many there are.
         count: usize,
     },
-    /// A corner is outside of the domain.
+    /// A corner is outside the domain.
     Range {
         /// Which one, counted from zero.
         at: usize,

@@ -163,8 +163,7 @@ impl<const N: usize> ConvexPolygon<N> {
     /// `radius`.
     ///
     /// # Errors
-    /// [`RangeError`] where the radius is negative or leads out of the
-    /// [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the radius is negative or leads out of the [domain](crate::num::DOMAIN).
     pub const fn with_radius(self, radius: Fx) -> Result<Self, RangeError> {
         if let Err(e) = check_radius(radius) {
             return Err(e);
@@ -193,7 +192,7 @@ impl<const N: usize> ConvexPolygon<N> {
     /// This polygon moved by `by`.
     ///
     /// # Errors
-    /// [`RangeError`] where a point of it would leave the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if a point of it would leave the [domain](crate::num::DOMAIN).
     #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
     pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
         if let Err(e) = self.aabb().translated(by) {

@@ -82,8 +82,8 @@ closest_point_of! {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where `p` or `within` is outside of the [domain](crate::num::DOMAIN), or
-    /// `within` is negative.
+    /// [`RangeError`] if `p` or `within` is outside the [domain](crate::num::DOMAIN), or `within`
+    /// is negative.
     [S: Set, T: Store] TileMap<'_, S, T>
 }
 

@@ -208,7 +208,7 @@ contacts_of! {
     /// ```
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    /// [`Truncated`] if they do not fit: `out` then holds the nearest.
     [S: Set, T: Store] TileMap<'_, S, T>
 }
 
@@ -219,7 +219,7 @@ contacts_of! {
     /// A wall that a body crosses pushes to the side on which the body's middle is.
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    /// [`Truncated`] if they do not fit: `out` then holds the nearest.
     [] SegmentMap<'_>
 }
 
@@ -228,7 +228,7 @@ contacts_of! {
     /// first. Each comes once, the nearest first, as in [`TileMap::contacts`].
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    /// [`Truncated`] if they do not fit: `out` then holds the nearest.
     [A: World, B: World] Joined<'_, A, B>
 }
 

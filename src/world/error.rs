@@ -129,7 +129,7 @@ pub enum SegmentMapError {
         /// The first of the two points.
         point: u32,
     },
-    /// A point is outside of the [domain](crate::num::DOMAIN).
+    /// A point is outside the [domain](crate::num::DOMAIN).
     OutOfDomain {
         /// The path.
         path: u32,
@@ -140,7 +140,7 @@ pub enum SegmentMapError {
         /// The raw coordinate.
         value: i32,
     },
-    /// A point is outside of the given grid.
+    /// A point is outside the given grid.
     OutsideGrid {
         /// The path.
         path: u32,

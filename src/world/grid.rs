@@ -49,8 +49,8 @@ impl Grid {
     /// `origin`.
     ///
     /// # Errors
-    /// [`TileMapError`] where a count is 0 or above 32767, or the cell is odd or not in 2^8..=2^24
-    /// raw (1/256 to 256 units). Also where an end of the grid is outside of the
+    /// [`TileMapError`] if a count is 0 or above 32767, or the cell is odd or not in 2^8..=2^24 raw
+    /// (1/256 to 256 units). Also if an end of the grid is outside the
     /// [domain](crate::num::DOMAIN).
     pub const fn new(width: u16, height: u16, cell: Fx, origin: Vec2) -> Result<Self, TileMapError> {
         if width == 0 || height == 0 {

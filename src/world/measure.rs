@@ -153,8 +153,8 @@ fn roots_together(a: u64, b: u64, sum: u32) -> Ordering {
 /// `c` is its middle. `behind` says whether the back of the feature counts: where the middle is in
 /// the solid. With it, whether the box is in the feature's region.
 ///
-/// The way from a middle outside of the solid to a point of the box in it leads in through a face
-/// or arc: that one has a contact, in its region or not.
+/// The way from a middle outside the solid to a point of the box in it leads in through a face or
+/// arc: that one has a contact, in its region or not.
 #[inline(never)]
 pub(in crate::world) fn boxed<W: World>(
     lo: Raw,

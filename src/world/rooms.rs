@@ -65,8 +65,8 @@ impl<'a, S: Set> Room<'a, S> {
     /// [`Outside`].
     ///
     /// # Errors
-    /// [`TileMapError::EmptyMap`] where the apron leaves nothing, [`TileMapError::OutOfDomain`]
-    /// where the map is too large.
+    /// [`TileMapError::EmptyMap`] if the apron leaves nothing, [`TileMapError::OutOfDomain`] if the
+    /// map is too large.
     pub const fn new(map: TileMap<'a, S>, x: i32, y: i32, apron: u16) -> Result<Self, TileMapError> {
         let twice = 2 * apron as u32;
         if map.width() as u32 <= twice || map.height() as u32 <= twice {
@@ -375,7 +375,7 @@ const fn with_apron(room: u16, apron: u16) -> u16 {
     room.saturating_add(apron).saturating_add(apron)
 }
 
-/// Which room of an axis holds a coordinate of a room with this first cell; `None` outside of the
+/// Which room of an axis holds a coordinate of a room with this first cell; `None` outside the
 /// world.
 const fn index(first: i32, at: i32, cell: i32, world: u16, room: u16) -> Option<u16> {
     let Some(cells) = at.checked_div_euclid(cell) else { return None };

@@ -8,7 +8,7 @@ use crate::broad::{BroadError, GridError, Tag};
 use crate::num::{Fx, Vec2, check_coordinate};
 use crate::shape::Aabb;
 
-/// How a [`LooseGrid`] treats a body whose centre is outside of its cells.
+/// How a [`LooseGrid`] treats a body whose centre is outside its cells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -65,7 +65,7 @@ pub trait InDomain {
     /// Refuses a shape that no constructor has checked.
     ///
     /// # Errors
-    /// [`RangeError`] where it is outside of the domain.
+    /// [`RangeError`] if it is outside the domain.
     #[inline]
     fn check(&self) -> Result<(), RangeError> {
         Ok(())

@@ -66,9 +66,9 @@ pub use kernel::{CastHit, Inside, MovingHit};
 /// ```
 ///
 /// # Errors
-/// All methods: [`RangeError`] where a component of a motion is not below 2^28 raw (4096 units), or
-/// a point is outside of the [domain](crate::num::DOMAIN). A motion may lead out of the domain, and
-/// so may the displacement; `translated` says so.
+/// All methods: [`RangeError`] if a component of a motion is not below 2^28 raw (4096 units), or a
+/// point is outside the [domain](crate::num::DOMAIN). A motion may lead out of the domain, and so
+/// may the displacement; `translated` says so.
 pub trait CastShape<B: ?Sized>: Enter<B> {
     /// The hit of this shape (A), moved by `motion`, on `b` (B); `None` where it does not start to
     /// overlap.
@@ -191,7 +191,7 @@ fn first<A: Enter<B> + ?Sized, B: ?Sized>(a: &A, b: &B, d: Raw, inside: Inside) 
     }
 }
 
-/// Refuses motions that are too large, and points that are outside of the domain.
+/// Refuses motions that are too large, and points that are outside the domain.
 #[inline]
 fn check<S: InDomain + ?Sized>(shape: &S, motion: Vec2) -> Result<(), RangeError> {
     shape.check()?;

@@ -288,7 +288,7 @@ impl Crossing {
     }
 }
 
-/// Whether the point `m` that moves by `d`, outside of the disc of radius `r` before, enters it:
+/// Whether the point `m` that moves by `d`, outside the disc of radius `r` before, enters it:
 /// [`Crossing::of`] and nothing else.
 #[inline]
 pub(crate) fn enters(m: Raw, r: i32, d: Raw) -> bool {

@@ -266,8 +266,7 @@ macro_rules! points {
             /// ```
             ///
             /// # Errors
-            /// [`RangeError`] where the start or the end is outside of the
-            /// [domain](crate::num::DOMAIN).
+            /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
             pub fn cast_ray(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
                 ray::cast_ray(Core { corners: &self.outline(), radius: self.rounding() }, origin, motion, inside)
             }

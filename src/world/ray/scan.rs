@@ -18,7 +18,7 @@ pub trait RayWorld: World {
         Self: 'w;
 
     /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the domain.
+    /// [`RangeError`] if the start or the end is outside the domain.
     fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError>;
 }
 
@@ -107,7 +107,7 @@ impl<L> Clone for Scan<'_, L> {
 
 impl<'w, L: RayLevel> Scan<'w, L> {
     /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the domain.
+    /// [`RangeError`] if the start or the end is outside the domain.
     pub(in crate::world) fn new(level: &'w L, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self, RangeError> {
         let (o, d) = checked(origin, motion)?;
         Ok(Self::of(level, o, d, rules))

@@ -144,7 +144,7 @@ impl<'a> Solids<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where a component of the motion is not below 2^28 raw, or it leads out of the
+    /// [`RangeError`] if a component of the motion is not below 2^28 raw, or it leads out of the
     /// [domain](crate::num::DOMAIN).
     #[doc(alias = "cross")]
     pub fn swept<'b, B: Probe>(

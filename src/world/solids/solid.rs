@@ -71,7 +71,7 @@ impl Solid {
     /// and ties go to the smaller one.
     ///
     /// # Errors
-    /// [`RangeError`] where the box has no width or no height: nothing could overlap it.
+    /// [`RangeError`] if the box has no width or no height: nothing could overlap it.
     pub const fn new(shape: Aabb, key: u16) -> Result<Self, RangeError> {
         let size = shape.lo().sub(shape.hi());
         if size.x == 0 {
@@ -107,8 +107,8 @@ impl Solid {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the conveyor, or its sum with the motion of this tick, has a component
-    /// of [`MOTION`] or more.
+    /// [`RangeError`] if the conveyor, or its sum with the motion of this tick, has a component of
+    /// [`MOTION`] or more.
     pub const fn with_conveyor(self, conveyor: Vec2) -> Result<Self, RangeError> {
         Self { conveyor, ..self }.checked()
     }
@@ -116,8 +116,8 @@ impl Solid {
     /// Sets the motion of this tick, from its present position.
     ///
     /// # Errors
-    /// [`RangeError`] where the motion, or its sum with the conveyor, has a component of [`MOTION`]
-    /// or more. Also where it would take the box out of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the motion, or its sum with the conveyor, has a component of [`MOTION`] or
+    /// more. Also if it would take the box out of the [domain](crate::num::DOMAIN).
     ///
     /// ```
     /// use tilesat::{Aabb, Solid, Vec2};

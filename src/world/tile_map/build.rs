@@ -144,8 +144,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// ```
     ///
     /// # Errors
-    /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] where the data ends
-    /// before the last tile.
+    /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] if the data ends before
+    /// the last tile.
     pub const fn with_stride(mut self, stride: u16) -> Result<Self, TileMapError> {
         if stride < self.grid.x.count {
             return Err(TileMapError::Stride(stride));
@@ -170,8 +170,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// Sets the side of the cells.
     ///
     /// # Errors
-    /// [`TileMapError::Cell`] where it is odd or not in 2^8..=2^24 raw,
-    /// [`TileMapError::OutOfDomain`].
+    /// [`TileMapError::Cell`] if it is odd or not in 2^8..=2^24 raw, [`TileMapError::OutOfDomain`].
     pub const fn with_cell(self, cell: Fx) -> Result<Self, TileMapError> {
         self.with_grid(Grid::new(self.grid.x.count, self.grid.y.count, cell, self.grid.origin()))
     }

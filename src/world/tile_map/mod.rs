@@ -142,7 +142,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.grid.cell_at(p)
     }
 
-    /// The id of a tile; `None` outside of the map.
+    /// The id of a tile; `None` outside the map.
     ///
     /// ```
     /// use tilesat::{Cell, TileKind, TileKinds, TileMap};
@@ -158,7 +158,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if self.holds(cell.x as i32, cell.y as i32) { Some(self.id(cell.x as i32, cell.y as i32)) } else { None }
     }
 
-    /// The kind of a cell, also outside of the map, as [`Outside`] defines.
+    /// The kind of a cell, also outside the map, as [`Outside`] defines.
     #[must_use]
     pub const fn kind(&self, cell: Cell) -> TileKind {
         self.kind_at(cell.x as i32, cell.y as i32)

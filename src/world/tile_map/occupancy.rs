@@ -40,7 +40,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// empty. Words beyond are left alone.
     ///
     /// # Errors
-    /// [`TileMapError::Occupancy`] where the words are too few; nothing is written then.
+    /// [`TileMapError::Occupancy`] if the words are too few; nothing is written then.
     pub const fn fill_occupancy(&self, words: &mut [u32]) -> Result<(), TileMapError> {
         if words.len() < self.occupancy_words() {
             return Err(self.too_few(words.len()));

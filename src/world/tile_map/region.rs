@@ -53,9 +53,9 @@ impl<S: Set, T: Store> Iterator for Tiles<'_, S, T> {
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The tiles whose inside meets the region: a region that is exactly one tile gives that tile.
     ///
-    /// Every tile of the map counts, solid or not; cells outside of the map are not reported. A
-    /// region without width on a line between two columns gives both, and likewise for rows: it
-    /// misses nothing that a point touches.
+    /// Every tile of the map counts, solid or not; cells outside the map are not reported. A region
+    /// without width on a line between two columns gives both, and likewise for rows: it misses
+    /// nothing that a point touches.
     ///
     /// Cost: one look-up per tile. It cannot fail.
     ///
@@ -96,7 +96,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// ```
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the first ones, and the error says how
+    /// [`Truncated`] if they do not fit: `out` then holds the first ones, and the error says how
     /// many there are.
     pub fn collect_tiles(&self, region: &Aabb, out: &mut VecView<TileAt>) -> Result<(), Truncated> {
         out.clear();
@@ -114,7 +114,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// with: solid or not, borders included.
     ///
     /// Borders count: a body that stands exactly beside a deadly tile touches it. For tiles that
-    /// must be entered use [`tiles_in`](Self::tiles_in). What is outside of the map has no flags.
+    /// must be entered use [`tiles_in`](Self::tiles_in). What is outside the map has no flags.
     /// Exact. Cost: as [`touches`](Self::touches), but it always looks at every cell.
     ///
     /// ```
@@ -164,7 +164,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// that have a flag which is new.
     ///
     /// # Errors
-    /// [`RangeError`] where a component of the motion is not below 2^28 raw, or it leads out of the
+    /// [`RangeError`] if a component of the motion is not below 2^28 raw, or it leads out of the
     /// [domain](crate::num::DOMAIN).
     pub fn flags_swept<B: Probe>(&self, shape: &B, motion: Vec2) -> Result<u8, RangeError> {
         let (d, (lo, hi)) = (Raw::of(motion), bounds_of_way(shape, motion)?);

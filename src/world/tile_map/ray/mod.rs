@@ -72,7 +72,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
     #[inline]
     #[doc(alias("raycast", "linecast", "RayCast2D", "DDA"))]
     pub fn cast_ray(
@@ -215,7 +215,7 @@ rays! {
         /// ```
         ///
         /// # Errors
-        /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
+        /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
         line_of_sight,
     }
 }
@@ -242,7 +242,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
     pub fn cast_ray_all(
         &self,
         origin: Vec2,

@@ -81,7 +81,7 @@ impl<S: Set, T: Store> RayLevel for TileMap<'_, S, T> {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// Whether a cell outside of the map is not even a band that has features.
+    /// Whether a cell outside the map is not even a band that has features.
     #[cold]
     fn is_beyond_bands(&self, x: i32, y: i32) -> bool {
         let (width, height) = (i32::from(self.grid.x.count), i32::from(self.grid.y.count));
