@@ -263,7 +263,8 @@ const GRAVITY: i32 = 10_922;
 fn falls<W: World>(world: &W, room: &Room, percent: u8, friction: u8, seed: u64) -> u64 {
     // Gravity acts once per frame. Free flight keeps the energy v^2 / 2 + g h + g v / 2. A bounce
     // at w (after gravity) in the part T of a frame changes it by -(1 - e^2) w^2 / 2 + (1 + e) g w
-    // (1/2 - T). That is a loss for every T if w is above g / (1 - e), and otherwise for T near 1.
+    // (1/2 - T). That is a loss for every T if w is above g / (1 - e). At T = 0 it is a loss only
+    // then.
     let rest = GRAVITY * 100 / (100 - i32::from(percent)) + 1;
     let ratio = |percent| Ratio::percent(percent).unwrap();
     let surface = Surface::new(ratio(percent), ratio(friction)).resting_below(Fx::from_bits(rest));

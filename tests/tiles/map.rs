@@ -1,4 +1,4 @@
-//! Constructors, what they refuse, cells and regions of tile maps.
+//! Constructors and their refusals, cells and regions of tile maps.
 
 use heapless::Vec;
 use tilesat::world::Set;
@@ -35,7 +35,7 @@ fn a_level_is_a_constant() {
     let edge = LEVEL.with_outside(Outside::Edge);
     assert_eq!(edge.kind(Cell::new(-7, 2)), TileKind::FULL);
     assert_eq!(edge.kind(Cell::new(9, -9)), TileKind::EMPTY.with_flags(1));
-    // One-way tiles go on to the sides, not upward.
+    // One-way tiles continue to the sides, not upward.
     let platform = TileMap::from_ascii("--", &KINDS).unwrap().with_outside(Outside::Edge);
     assert_eq!(platform.kind(Cell::new(-1, 0)), TileKind::ONE_WAY_UP);
     assert_eq!(platform.kind(Cell::new(0, -1)), TileKind::EMPTY);
@@ -203,7 +203,7 @@ fn a_circle_at_a_corner() {
     assert_eq!([answers(five - 1), answers(five), answers(five + 1)], [(false, false), (true, false), (true, true)]);
 }
 
-/// A body exactly as wide as a gap fits; one raw more does not (torture scene 30, the resting
+/// A body exactly as wide as a gap fits. One raw more does not (torture scene 30, the resting
 /// part).
 #[test]
 fn a_body_as_wide_as_the_gap() {
@@ -233,8 +233,8 @@ fn points_and_lines() {
     assert!(!map.touches(&segment(20, 36, 28, 44)));
 }
 
-/// A table remembers what it names; a set's definition goes through all ids. Kinds come and are
-/// replaced, in any order.
+/// A table remembers the shapes that it names, and a set's definition looks at all ids. Kinds come
+/// and are replaced, in any order.
 #[test]
 fn a_table_knows_the_shapes_that_it_names() {
     fn refused<S: Set>(kinds: &TileKinds) -> Option<u8> {
@@ -263,8 +263,8 @@ fn a_table_knows_the_shapes_that_it_names() {
     }
 }
 
-/// Tiles with any of the flags are not solid and keep their flags; the others stay. The new table
-/// knows what it names: a set may have all that is left.
+/// Tiles with any of the flags become passable and keep their flags. The others stay. The new table
+/// knows its shapes: a set may contain the rest.
 #[test]
 fn tables_for_bodies_that_pass_flags() {
     let (mut kinds, mut left) = (TileKinds::EMPTY, [TileKinds::EMPTY; 4]);
