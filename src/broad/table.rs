@@ -393,7 +393,7 @@ pub(super) enum Stop {
 
 /// Counts the tests of an enumeration, or does not.
 pub trait Meter {
-    /// Takes one test from the budget; false where there is none left.
+    /// Takes one test from the budget. False if none is left.
     fn spend(&mut self) -> bool;
 }
 

@@ -194,7 +194,7 @@ fn named_replies() {
     assert_eq!(bounce(v, Axis::new(-4, -3), Ratio::ONE), Ok(Vec2::from_raw(-686_817, -482_345)));
     assert_eq!(respond(v, Axis::new(0, 0), Ratio::ONE, Ratio::ONE), Ok(v), "no normal, no contact");
     assert!(respond(Vec2::from_raw(1 << 29, 0), Axis::X, Ratio::ONE, Ratio::ONE).is_err());
-    // At rest below eight units a frame.
+    // At rest below eight units per frame.
     let dull = Surface::new(Ratio::ONE, Ratio::ZERO).resting_below(Fx::from_num(8));
     assert_eq!(dull.respond(v, Axis::NEG_Y), Ok(Vec2::from_ints(10, 0)));
     assert_eq!(dull.respond(v + Vec2::from_raw(0, 1), Axis::NEG_Y), Ok(Vec2::from_raw(10 << 16, -(8 << 16) - 1)));

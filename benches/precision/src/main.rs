@@ -57,7 +57,7 @@ const USAGE: &str = "tilesat-precision COMMAND [--quick] [--untimed] [--out FILE
   inputs FOLDER    writes the inputs that microcontrollers get
   add CORE FILE    adds what a microcontroller printed (m0, m4f) or a linker (flash_m0, flash_m4f)
   soak N [--state FILE]
-                   asks until each pair of shapes had N queries, and goes on where it ended
+                   runs until each pair of shapes had N queries; continues where it stopped
   show             writes the pictures and pages of the rows";
 
 struct Options {

@@ -74,7 +74,7 @@ pub(in crate::world) struct Scan<'w, L> {
     walk: Walk,
     /// The best hit so far, later than `after`.
     best: Option<Met>,
-    /// Whether that was told, and is not to be told again.
+    /// Whether the scan has already reported it.
     is_told: bool,
     /// The moment of the last hit.
     after: Option<Time>,

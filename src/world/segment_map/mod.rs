@@ -245,8 +245,7 @@ pub(in crate::world) struct Seg {
     pub(in crate::world) dir: Axis,
     /// In multiples of `dir`, at least 1.
     pub(in crate::world) len: i32,
-    /// The segment that leaves the convex vertex at the end; where there is none, there is no
-    /// vertex.
+    /// The segment that leaves the convex vertex at the end. `None` without a vertex.
     pub(in crate::world) next: Option<u16>,
     pub(in crate::world) kind: Kind,
     /// No vertex at the start: the boundary, or the one-way chain, goes on there.

@@ -93,7 +93,7 @@ impl Iterator for SegmentFeatures<'_> {
 }
 
 impl SegmentFeatures<'_> {
-    /// Goes to the next cell; false where there is none.
+    /// Goes to the next cell. False at the end.
     fn advance(&mut self) -> bool {
         if self.x < self.range.x1 {
             self.x = self.x.wrapping_add(1);

@@ -36,7 +36,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///   sliding along does not hit there.
     /// - A start inside is decided by [`RayRules::inside`]. [`Inside::Hit`] reports a hit at 0
     ///   whose axis opposes the larger component of the motion (x on a tie, +x for no motion).
-    /// - A motion of zero hits nothing, save from inside with [`Inside::Hit`].
+    /// - A motion of zero hits nothing, except from inside with [`Inside::Hit`].
     /// - One-way edges are passed, unless [`RayRules::one_way`] asks for them. What is
     ///   [`Outside`](crate::world::Outside) counts.
     ///

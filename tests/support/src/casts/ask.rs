@@ -115,7 +115,7 @@ pub fn verify<N: Number>(
 
 /// B by the reversed motion on A: the same time, and everything else reversed.
 fn exchanged(answer: &Answer, other: Result<Answer, RangeError>, case: impl Fn() -> String) {
-    // Its end may be outside of the domain.
+    // Its end may be outside the domain.
     let Ok(other) = other else { return };
     let back = answer.hit.map(|hit| CastHit { axis: -hit.axis, displacement: -hit.displacement, ..hit });
     assert_eq!(other, Answer { hit: back, ..*answer }, "exchanged: {}", case());

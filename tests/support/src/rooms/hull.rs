@@ -152,7 +152,7 @@ fn near_arc(c: Point, d: Point, r: i128, side: i128, outside: bool) -> bool {
     turn || there.into_iter().any(|(p, den)| length(p) < ((side + r) * den).pow(2))
 }
 
-/// Whether a moving box has a point in the inside of the quarter disc, or of what is outside of it
+/// Whether a moving box has a point in the inside of the quarter disc, or of the part outside it
 /// in its square.
 ///
 /// Between two moments at which a side of the box passes one of the square, its nearest and its
