@@ -1,18 +1,20 @@
 #!/usr/bin/env bash
-# get-emulators.sh [arm|riscv32|gba]: puts qemu-system-arm (or -riscv32, or mGBA as a libretro core) under target/emulators without installing
-# a package, and prints its path. One on PATH that knows the boards (a core among the system's) is preferred and nothing is fetched.
-# Exit 0: the path is on standard output. Exit 3: no emulator can be had here; the reason is on standard error.
+# get-emulators.sh [arm|riscv32|gba] finds an emulator and prints its path. It is qemu-system-arm,
+# qemu-system-riscv32, or mGBA as a libretro core. If the system has a usable one, fetches nothing.
+# Otherwise unpacks one under target/emulators, without installing a package.
+# Exit 0: the path is on standard output. Exit 3: no emulator is available; standard error has the
+# reason.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 arch=${1:-arm}
-# Where QEMU is packaged in one for all rarer machines, that one has RISC-V.
+# Some systems package QEMU once for all rarer machines. That package has RISC-V.
 case $arch in
 arm) boards=(microbit mps2-an385 mps2-an386 lm3s6965evb) packages=(qemu-system-arm) ;;
 riscv32) boards=(virt) packages=(qemu-system-riscv qemu-system-misc) ;;
 gba) boards=() packages=(libretro-mgba) ;;
 *)
-    echo "get-emulators.sh: there is none for $arch" >&2
+    echo "get-emulators.sh: there is no emulator for $arch" >&2
     exit 2
     ;;
 esac
@@ -30,7 +32,7 @@ missing() {
     exit 3
 }
 
-# The core and the libraries unpacked beside it; a core of the system has its own.
+# The core, with the libraries unpacked beside it. A core of the system finds the system's.
 core_of() {
     local core
     for core in "$1"/usr/lib/*-linux-gnu*/libretro/mgba_libretro.so "$1"/usr/lib/libretro/mgba_libretro.so; do
@@ -44,7 +46,7 @@ core_usable() {
     awk -v at="$(dirname "$1")/.." '/not found/ && system("test -e " at "/" $1) { exit 1 }' <<<"$libs"
 }
 
-# An emulator counts only when it starts and has all boards.
+# An emulator counts only if it starts and has all boards.
 usable() {
     local has board
     has=$("$1" -machine help 2>/dev/null) || return 1
@@ -72,17 +74,17 @@ else
 fi
 
 for tool in apt-get dpkg; do
-    command -v "$tool" >/dev/null || missing "there is no $program and no $tool to fetch it with"
+    command -v "$tool" >/dev/null || missing "$program is missing, and so is $tool to fetch it with"
 done
 rm -rf "$dir"
 mkdir -p "$dir/debs"
 
-# The packages apt would add for one of QEMU's on this very system: it knows which libraries are here already.
-# The trailing minus keeps qemu-utils out, which collides with a newer one on some images.
-# qemu-system-data holds boot ROMs and firmware that the boards do not use.
+# Lists the packages that apt would add for QEMU on this system: apt knows which libraries are here.
+# The trailing minus keeps qemu-utils out, which collides with a newer one on some images. The
+# boards do not use the boot ROMs and firmware in qemu-system-data.
 wanted() {
     local package=$1
-    # The core's package asks for a whole front end; of its libraries one is not on every system.
+    # The core's package depends on a whole front end. Some systems lack one of its libraries.
     if [[ $arch == gba ]]; then
         echo "$package libinih1"
         return
@@ -95,18 +97,19 @@ download() {
     for package in "${packages[@]}"; do
         list=$(wanted "$package" "$@") || continue
         [[ $list == *"$package"* ]] || continue
-        # shellcheck disable=SC2086 # one word a package
+        # shellcheck disable=SC2086 # one word per package
         (cd "$dir/debs" && apt-get "$@" download $list) >>"$dir/log" 2>&1 && return
     done
     return 1
 }
 
-# Package lists that are missing or stale are renewed in a private folder: that needs no rights and changes nothing here.
+# Fetches missing or stale package lists into a private folder. That needs no rights and changes
+# nothing else.
 private=(-o "Dir::State::Lists=$dir/lists" -o "Dir::Cache=$dir/cache" -o Debug::NoLocking=1)
 if ! download; then
     mkdir -p "$dir/lists/partial" "$dir/cache/archives/partial"
-    apt-get "${private[@]}" update >>"$dir/log" 2>&1 || missing "the package lists cannot be fetched (see target/emulators/$arch/log)"
-    download "${private[@]}" || missing "the packages of $program cannot be fetched (see target/emulators/$arch/log)"
+    apt-get "${private[@]}" update >>"$dir/log" 2>&1 || missing "cannot fetch the package lists (see target/emulators/$arch/log)"
+    download "${private[@]}" || missing "cannot fetch the packages of $program (see target/emulators/$arch/log)"
 fi
 for deb in "$dir"/debs/*.deb; do
     dpkg -x "$deb" "$dir"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Cargo's runner for bare metal: qemu.sh TARGET ELF [WORD...] runs the program on the emulated board of that target, the words as its command line.
-# The exit status is the program's own; 3 where there is no emulator, 124 where the program did not end in time.
-# QEMU_OPTIONS: more options for the emulator.
+# Cargo's runner for bare metal. qemu.sh TARGET ELF [WORD...] runs the program on the emulated board
+# of that target, with the words as its command line. Exits with the program's status, with 3
+# without an emulator, or with 124 after a time-out. QEMU_OPTIONS adds options for the emulator.
 set -euo pipefail
 
 target=$1 elf=$2
@@ -9,13 +9,14 @@ semihosting=enable=on,target=native
 for word in "$(basename "$elf")" "${@:3}"; do
     semihosting+=,arg=$word
 done
-# One instruction is 2^10 ns of virtual time (on RISC-V 1 ns): runs repeat exactly and the counting firmware reads instructions off a timer.
+# One instruction takes 2^10 ns of virtual time (on RISC-V 1 ns). So runs repeat exactly, and the
+# counting firmware reads instructions from a timer.
 arch=arm shift=10
 case $target in
 thumbv6m-*) board=(microbit) ;;
 thumbv7m-*) board=(mps2-an385) ;;
 thumbv7em-*) board=(mps2-an386) ;;
-# The boards with a Cortex-M33 have their flash elsewhere; this one takes any core.
+# The boards with a Cortex-M33 have their flash at another address. This board takes any core.
 thumbv8m.main-*) board=(lm3s6965evb -cpu cortex-m33) ;;
 riscv32*) board=(virt -bios none) arch=riscv32 shift=0 ;;
 *)
@@ -26,6 +27,6 @@ esac
 
 qemu=$("$(dirname "${BASH_SOURCE[0]}")/get-emulators.sh" "$arch") || exit 3
 
-# Without "-monitor none -serial none" the emulator would take the terminal's input.
+# Without "-monitor none -serial none" the emulator would read the terminal.
 exec timeout "${QEMU_SECONDS:-120}" "$qemu" -machine "${board[@]}" -icount "shift=$shift" \
     -nographic -monitor none -serial none -semihosting-config "$semihosting" ${QEMU_OPTIONS:-} -kernel "$elf" </dev/null

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# rustc.sh RUSTC ARGUMENT...: a RUSTC_WRAPPER that makes the same program wherever the clone lies.
-# Cargo hashes the absolute path of a dependency outside the workspace into every symbol; by their names functions are ordered, and by that
-# order inlined: 33 of 3390 reviewed numbers moved by more than 2 % from one directory to another, stack frames by up to 23 %.
+# rustc.sh RUSTC ARGUMENT...: a RUSTC_WRAPPER that builds the same program in any directory. Cargo
+# hashes the absolute path of a dependency outside the workspace into every symbol. The compiler
+# orders functions by their names, and inlines in that order. Between two directories, 33 of 3390
+# reviewed numbers moved by more than 2 %, and stack frames by up to 23 %.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,3 +1,4 @@
 #!/usr/bin/env bash
-# split.sh RUSTC ARGUMENT...: a RUSTC_WORKSPACE_WRAPPER that compiles the crates of the workspace as for cores without a long multiply.
+# split.sh RUSTC ARGUMENT...: a RUSTC_WORKSPACE_WRAPPER that compiles the workspace's crates as for
+# cores without a long multiply.
 exec "$@" --cfg tilesat_split

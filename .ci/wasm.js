@@ -1,4 +1,5 @@
-// wasm.js FILE FUNCTION NUMBER: calls a function of a program built as WebAssembly, and prints its output and its result, if it has one.
+// wasm.js FILE FUNCTION NUMBER calls a function of a program built as WebAssembly. It prints the
+// program's output and the result, if there is one.
 const [file, name, number] = process.argv.slice(2);
 const text = (at, length) => Buffer.from(instance.exports.memory.buffer, at, length).toString();
 const program = new WebAssembly.Module(require("fs").readFileSync(file));

@@ -1,5 +1,5 @@
-//! The bullets on a chip: 240 bullets, 32 enemies and a player on the level in flash, and the hash
-//! of 600 frames and of 10 000.
+//! The bullets on a chip: 240 bullets, 32 enemies and a player, with the level in flash. Prints the
+//! hash of 600 frames and of 10 000.
 //!
 //! ```text
 //! cargo run --release --example bullets_firmware                               this computer
@@ -8,7 +8,7 @@
 //!   ... riscv32imc-unknown-none-elf, riscv32imac-unknown-none-elf              RISC-V (virt, emulated)
 //! ```
 //!
-//! All of them print the same two lines, and `bullets` on a desktop the first one.
+//! All of them print the same two lines. `bullets` on a desktop prints the first one.
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg_attr(
@@ -22,9 +22,9 @@ use tilesat_games::bullets::{FRAMES, Game, Near, level};
 /// The run of the desktop example, and the run of the golden hashes.
 const RUNS: [u32; 2] = [FRAMES, 10_000];
 
-/// Runs all frames; `tell` is given the game after each of the runs.
+/// Runs all frames. Calls `tell` with the game after each of the runs.
 fn run(game: &mut Game, tell: impl Fn(&Game)) -> Result<(), TileMapError> {
-    // By reference: a copy would lie below every frame of the game.
+    // By reference: a copy would lie on the stack below every frame of the game.
     let level = &level();
     let level = level.as_ref().map_err(|failure| *failure)?;
     game.start();
@@ -54,10 +54,11 @@ mod chip {
     use super::{Game, Near, TileMapError};
     use tilesat_chip::{entry, eprintln, println, process};
 
-    /// Most of the memory of a small chip: on the stack there would be a moment with two of them.
+    /// A static takes most of the memory of a small chip. On the stack there would briefly be two
+    /// of them.
     static mut GAME: Game = Game::new(Near::new());
 
-    // Apart: what texts need would lie below every frame of the game.
+    // A separate function: otherwise the stack for text would lie below every frame of the game.
     #[inline(never)]
     fn tell(game: &Game) {
         println!("{game}");
@@ -72,7 +73,7 @@ mod chip {
     #[entry]
     fn main() -> ! {
         let game = &raw mut GAME;
-        // SAFETY: nothing else names it, and this is called once.
+        // SAFETY: nothing else names it, and this runs once.
         let game = unsafe { &mut *game };
         match super::run(game, tell) {
             Ok(()) => process::exit(0),

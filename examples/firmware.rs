@@ -1,5 +1,5 @@
-//! The platformer's player, boxes and balls on a chip: 600 frames on the level in flash, then
-//! 10 000, and each time the hash of all of them.
+//! The platformer's player, boxes and balls on a chip, with the level in flash. Prints the hash of
+//! 600 frames and of 10 000.
 //!
 //! ```text
 //! cargo run --release --example firmware                               this computer
@@ -10,7 +10,7 @@
 //! cargo firmware-defmt 2> frames.bin                                   with defmt: frames on standard error
 //! ```
 //!
-//! All of them print the same two lines; `.ci/targets` compares them.
+//! All of them print the same two lines. `.ci/targets` compares them.
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg_attr(
@@ -37,9 +37,9 @@ fn main() -> std::process::ExitCode {
     std::process::ExitCode::SUCCESS
 }
 
-/// For a page or a script: the hash of so many frames, 0 where there is no run.
+/// For a page or a script: the hash of this many frames, or 0 without a run.
 #[cfg(target_arch = "wasm32")]
-#[allow(unsafe_code, reason = "a name that the host finds is promised to be the only one")]
+#[allow(unsafe_code, reason = "a program exports this name only once")]
 #[unsafe(no_mangle)]
 pub extern "C" fn firmware_hash(frames: u32) -> u32 {
     flash::run(frames, |_, _| {}).map_or(0, |outcome| outcome.hash)
@@ -52,7 +52,7 @@ mod chip {
     #[entry]
     fn main() -> ! {
         for frames in super::RUNS {
-            // Only the first run is logged: two are the same as far as they go.
+            // Only the first run is logged: both start with the same frames.
             let logged = frames == super::RUNS[0];
             match super::flash::run(frames, |frame, report| {
                 if logged {

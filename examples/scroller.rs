@@ -1,5 +1,5 @@
-//! A runner in a world of 40 000 pixels, on a chip as on a computer: through rooms of one screen,
-//! and through rooms of eight.
+//! A runner in a world of 40 000 pixels, on a chip or on a computer. It runs through rooms of one
+//! screen, and through rooms of eight.
 //!
 //! ```text
 //! cargo run --release --example scroller                               this computer

@@ -47,7 +47,7 @@ pub enum Quantity {
     Area,
 }
 
-/// An input outside of the range that keeps arithmetic exact; nothing was changed.
+/// An input outside the range that keeps arithmetic exact; nothing was changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RangeError {
@@ -61,19 +61,19 @@ impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (what, value) = (self.what, self.value);
         let settle = match what {
-            Quantity::X | Quantity::Y => "positions stay below 8192 units on each side of the origin",
+            Quantity::X | Quantity::Y => "keep positions less than 8192 units from the origin on each axis",
             Quantity::Radius | Quantity::HalfExtent | Quantity::Length => "it must be from 0 to below 8192 units",
             Quantity::Width | Quantity::Height => "the second corner must be beyond the first",
             Quantity::MotionX | Quantity::MotionY => "shorten the motion, or begin it nearer to the origin",
-            Quantity::BodySize => "a body that moves is below 8192 units wide and high",
+            Quantity::BodySize => "a moving body must be less than 8192 units wide and high",
             Quantity::Cells => {
                 return write!(
                     f,
                     "the motion visits too many cells, {value} or more: shorten it, or enlarge the cells"
                 );
             }
-            Quantity::Area => "a body with sides in any direction that moves has an area",
-            Quantity::Capsule => "a capsule that moves stands or lies, and has a radius",
+            Quantity::Area => "a moving body with sides in any direction must have an area",
+            Quantity::Capsule => "a moving capsule must be upright or level, and have a radius",
             // The settings of walkers and riders.
             _ => "it must be from 0 to below 4096 units",
         };
@@ -96,7 +96,7 @@ pub struct Truncated {
 
 impl fmt::Display for Truncated {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "only {} of {} results fit into the list: enlarge it", self.kept, self.seen)
+        write!(f, "the list has room for {} of {} results: enlarge it", self.kept, self.seen)
     }
 }
 
@@ -117,7 +117,7 @@ pub enum PolygonError {
         /// The room.
         capacity: usize,
     },
-    /// A point is outside of the domain.
+    /// A point is outside the domain.
     Range {
         /// Which one, counted from zero.
         at: usize,
@@ -151,14 +151,16 @@ impl fmt::Display for PolygonError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooFew { count } => {
-                write!(f, "a polygon needs three corners that are not on one line, and has {count}")
+                write!(f, "the polygon has {count} corners, but needs three that are not on one line")
             }
-            Self::TooMany { capacity } => write!(f, "more corners than the {capacity} that there is room for"),
+            Self::TooMany { capacity } => {
+                write!(f, "the polygon has more than {capacity} corners: raise the capacity, or leave corners out")
+            }
             Self::Range { at, error } => write!(f, "corner {at}: {error}"),
-            Self::Repeated { at } => write!(f, "corner {at} is where the one before it is"),
+            Self::Repeated { at } => write!(f, "corner {at} equals the corner before it: leave it out"),
             Self::Collinear { at } => write!(f, "corner {at} is on one line with its neighbours: leave it out"),
             Self::Reflex { at } => write!(f, "corner {at} turns the other way: take the hull, or convex parts"),
-            Self::Winds { times } => write!(f, "the corners go round {times} times, not once"),
+            Self::Winds { times } => write!(f, "the corners go round {times} times: list them once around the polygon"),
         }
     }
 }

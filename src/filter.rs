@@ -117,13 +117,21 @@ impl Filter {
 
     /// Sets the group: bodies of the same group pair always if it is positive, never if it is
     /// negative. 0 is no group.
+    ///
+    /// ```
+    /// use tilesat::{Filter, broad::Tag};
+    /// let limb = Filter::default().with_group(-1);
+    /// assert!(!limb.pairs_with(&limb) && limb.pairs_with(&Filter::default()));
+    /// ```
     #[must_use]
+    #[doc(alias = "groupIndex")]
     pub const fn with_group(self, group: i16) -> Self {
         Self { group, ..self }
     }
 
     /// Sets whether the body is at rest: two that do not move never pair.
     #[must_use]
+    #[doc(alias = "static body")]
     pub const fn with_still(self, still: bool) -> Self {
         self.with_flag(STILL, still)
     }
@@ -151,8 +159,8 @@ impl Filter {
         Self { flags: if on { self.flags | flag } else { self.flags & !flag }, ..self }
     }
 
-    // Layers first: they separate most of the bodies that are near each other. Then only the sign
-    // of one group remains to be tested.
+    // Layers first: they separate most bodies that are near each other. Then only the sign of one
+    // group is left to test.
     #[inline]
     pub(crate) const fn lets_pair(self, other: Self) -> bool {
         let flags = self.flags & other.flags;

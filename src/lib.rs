@@ -83,20 +83,19 @@
 //!
 //! # Features
 //!
-//! None is on by default and none changes a result. `defmt` adds a compact `Format` to every
-//! public type. `serde` writes and reads every plain state that a game keeps, without a heap:
-//! numbers, shapes, heroes, movers, solids, particles, broad phases, pairs and scenes. States that
-//! depend on how this crate works inside have a version. What is read is checked as a constructor
-//! checks it: a box whose sides are exchanged, a coordinate outside of the domain, an unknown
-//! version and lists that contradict each other are errors that say what and where. A
-//! [`Memo`] is written as nothing and read empty, because only the level could check its answer. `libm` takes the processor's square root on x86-64: a cast of a
-//! circle takes 7 % fewer instructions.
+//! None is on by default and none changes a result. `defmt` adds a compact `Format` to every public
+//! type. `serde` writes and reads every plain state that a game keeps, without a heap: numbers,
+//! shapes, heroes, movers, solids, particles, broad phases, pairs and scenes. States that depend on
+//! how this crate works inside have a version. What is read is checked as a constructor checks it:
+//! a box whose sides are exchanged, a coordinate outside the domain, an unknown version and lists
+//! that contradict each other are errors that say what and where. A [`Memo`] is written as nothing
+//! and read empty, because only the level could check its answer. `libm` takes the processor's
+//! square root on x86-64: a cast of a circle takes 7 % fewer instructions.
 
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
-// Panics and floating point are refused in the library; tests and examples are
-// free.
+// Lints refuse panics and floating point in the library. Tests and examples may use them.
 #![warn(
     clippy::expect_used,
     clippy::float_arithmetic,

@@ -50,7 +50,7 @@ impl Aabb {
     /// A box from its corner with the smaller coordinates to the one with the larger ones.
     ///
     /// # Errors
-    /// [`RangeError`] where a coordinate is outside of the [domain](crate::num::DOMAIN) or `min` is
+    /// [`RangeError`] if a coordinate is outside the [domain](crate::num::DOMAIN) or `min` is
     /// beyond `max`.
     ///
     /// ```
@@ -80,7 +80,7 @@ impl Aabb {
     /// A box from its centre and half its size; exact.
     ///
     /// # Errors
-    /// [`RangeError`] where a half extent is negative or a corner is outside of the
+    /// [`RangeError`] if a half extent is negative or a corner is outside the
     /// [domain](crate::num::DOMAIN).
     ///
     /// ```
@@ -137,7 +137,7 @@ impl Aabb {
     /// This box moved by `by`.
     ///
     /// # Errors
-    /// [`RangeError`] where a corner would leave the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if a corner would leave the [domain](crate::num::DOMAIN).
     pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
         Self::new(self.min.saturating_add(by), self.max.saturating_add(by))
     }
@@ -197,8 +197,8 @@ impl Circle {
     /// A circle from its centre and radius.
     ///
     /// # Errors
-    /// [`RangeError`] where the radius is negative, or the centre, the radius or a point of the
-    /// circle is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the radius is negative, or the centre, the radius or a point of the circle
+    /// is outside the [domain](crate::num::DOMAIN).
     pub const fn new(centre: Vec2, radius: Fx) -> Result<Self, RangeError> {
         if let Err(e) = check_coordinate(centre) {
             return Err(e);
@@ -230,7 +230,7 @@ impl Circle {
     /// This circle moved by `by`.
     ///
     /// # Errors
-    /// [`RangeError`] where it would leave the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if it would leave the [domain](crate::num::DOMAIN).
     pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
         Self::new(self.centre.saturating_add(by), self.radius)
     }
@@ -278,7 +278,7 @@ impl Segment {
     /// A segment from its two ends.
     ///
     /// # Errors
-    /// [`RangeError`] where a coordinate is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if a coordinate is outside the [domain](crate::num::DOMAIN).
     pub const fn new(a: Vec2, b: Vec2) -> Result<Self, RangeError> {
         match check_coordinate(a) {
             Ok(()) => match check_coordinate(b) {
@@ -304,7 +304,7 @@ impl Segment {
     /// This segment moved by `by`.
     ///
     /// # Errors
-    /// [`RangeError`] where an end would leave the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if an end would leave the [domain](crate::num::DOMAIN).
     pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
         Self::new(self.a.saturating_add(by), self.b.saturating_add(by))
     }

@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
-# Fuzzes the library and the level readers: every input is held against the contract by the judges of the tests.
+# Fuzzes the library and the level readers. The judges of the tests check every input.
 #
-#   run.sh [TARGET...]             guided by coverage, all targets or these; wants a C++ compiler
+#   run.sh [TARGET...]             guided by coverage, all targets or these; needs a C++ compiler
 #   run.sh --seconds N [TARGET...] N seconds in all (default 360), the same for each target
-#   run.sh --replay [TARGET...]    the committed corpus, on any toolchain
+#   run.sh --replay [TARGET...]    only the committed corpus, on any toolchain
 #   run.sh --random N [TARGET...]  the same, and N changed inputs of each target
 #   run.sh --coverage              the lines of src that the committed corpus reaches, by module
-#   run.sh --keep [TARGET...]      makes the smallest corpus that covers what was found so far the committed one
+#   run.sh --keep [TARGET...]      commits the smallest corpus with all coverage that was found
 #   run.sh --list                  the targets
 #
-# The committed inputs are lines of hexadecimal digits: corpus/TARGET.hex, and in faults/TARGET.hex with the name of what each has found. What
-# was found stays below target/fuzz and is gone on from. Exit 1 where something failed, 3 where nothing could be run.
+# The committed inputs are lines of hexadecimal digits, in corpus/TARGET.hex and in
+# faults/TARGET.hex. The latter has the name of the fault behind each input. New findings stay below
+# target/fuzz, and the next run continues from them. Exit 1: an input failed. Exit 3: nothing could
+# run.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -34,7 +36,7 @@ while (($#)); do
         exit
         ;;
     --* | -*)
-        sed -n '2,13s/^# \{0,1\}//p' run.sh >&2
+        sed -n '2,/^[^#]/s/^# \{0,1\}//p' run.sh >&2
         exit 2
         ;;
     *)
@@ -49,11 +51,11 @@ while (($#)); do
 done
 ((${#targets[@]})) || targets=("${all[@]}")
 
-# Bytes of an input: of a pair a few, of a sequence of operations many.
+# Bytes of an input: few for a pair, many for a sequence of operations.
 declare -A longest=([broad]=1200 [scene]=1200 [segment_bytes]=600 [ride]=400 [tmx]=500 [ldtk]=400)
 host=$(rustc -vV | sed -n 's/^host: //p')
 
-# unpack FILE FOLDER: a file for each line.
+# unpack FILE FOLDER: writes a file per line.
 unpack() {
     local line n=0
     rm -rf "$2" && mkdir -p "$2"
@@ -64,7 +66,7 @@ unpack() {
         printf "$(sed 's/^-$//; s/../\\x&/g' <<<"$line")" >"$2/$n"
     done <"$1"
 }
-# pack FOLDER: the lines of a file.
+# pack FOLDER: prints a line per file.
 pack() {
     local file
     for file in "$1"/*; do
@@ -73,8 +75,8 @@ pack() {
     done | LC_ALL=C sort
 }
 
-# What libFuzzer wants of the compiler: counters of edges and of comparisons. There is no unsafe code to be caught by a sanitizer; without one more is
-# tried in the same time, and any toolchain will do.
+# libFuzzer needs counters of edges and of comparisons from the compiler. No sanitizer: there is no
+# unsafe code, the fuzzer runs more inputs without one, and any toolchain works.
 coverage_flags='--cfg fuzzing -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4 -Cllvm-args=-sanitizer-coverage-inline-8bit-counters
     -Cllvm-args=-sanitizer-coverage-pc-table -Cllvm-args=-sanitizer-coverage-trace-compares -Cllvm-args=-sanitizer-coverage-stack-depth'
 build_guided() {
@@ -101,7 +103,7 @@ guided() {
     for target in "${targets[@]}"; do
         program=$out/guided/$host/fuzz/$target log=$out/$target.log
         mkdir -p "$out/corpus/$target" "$out/findings/$target"
-        # 77: a finding; the log tells.
+        # 77 means a finding. The log has it.
         "$program" "$out/corpus/$target" "$out/committed/$target" "$out/faults/$target" -max_total_time="$each" -max_len="${longest[$target]:-300}" -timeout=20 -reload=0 \
             -print_final_stats=1 -artifact_prefix="$out/findings/$target/" >"$log" 2>&1 || true
         local n
@@ -122,7 +124,7 @@ guided() {
     return $found
 }
 
-# The fewest inputs that reach every edge which all inputs reach.
+# Keeps the fewest inputs that reach every edge.
 keep() {
     local target program fresh
     build_guided
@@ -137,7 +139,8 @@ keep() {
 }
 
 replay() {
-    # As the tests are built: overflow and every assertion are checked, and what they have built is not built again.
+    # Uses the test profile: it checks overflow and every assertion, and reuses what the tests
+    # built.
     cargo run --quiet --profile test --package tilesat-fuzz --example replay -- --random "$random" "${targets[@]}"
 }
 

@@ -1,17 +1,19 @@
 #!/usr/bin/env bash
-# Breaks the sources in one place at a time and asks whether a suite of seconds notices. The mutants are those of cargo-mutants; all of a part are
-# woven into one program (src/main.rs), so that each costs a run and no build. Goes on where it was stopped.
+# Breaks the sources in one place at a time, and checks that a suite of seconds fails. cargo-mutants
+# lists the mutants. src/main.rs weaves all of a part into one program, so each mutant costs a run
+# and no build. An interrupted run continues where it stopped.
 #
-#   run.sh [num] [query]      every mutant of src/num and src/query, against the judges on thinned streams
-#   run.sh again              what survived of those, against scenes and judges of the whole crate
-#   run.sh rest               a sample of the mutants of world, motion, broad and scene: those numbered K, K + N, ..., against the same
-#   run.sh --of N --seed K    of the sample (default 100, 7)
-#   run.sh --seconds N ...    starts nothing more after so many seconds (default 2700)
-#   run.sh --shard K/N ...    of the runs only every N-th, from K = 0: for several machines
-#   run.sh --count            only how many mutants there are, by module
-#   run.sh --summary          only what is known by now: figures, and the mutants that nothing noticed
+#   run.sh [num] [query]      every mutant of src/num and src/query, against thinned judges
+#   run.sh again              the survivors, against scenes and judges of the whole crate
+#   run.sh rest               a sample of the mutants of world, motion, broad and scene against the
+#                             same: numbers K, K + N, ...
+#   run.sh --of N --seed K    N and K of the sample (default 100, 7)
+#   run.sh --seconds N ...    starts no run after N seconds (default 2700)
+#   run.sh --shard K/N ...    every N-th run only, from K = 0: for several machines
+#   run.sh --count            only counts the mutants, by module
+#   run.sh --summary          only the known figures, and the survivors
 #
-# Exit 1 where a mutant survived that survivors.md does not explain, 3 where cargo-mutants is missing.
+# Exit 1: a mutant survived that survivors.md does not explain. Exit 3: cargo-mutants is missing.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -30,7 +32,7 @@ while (($#)); do
         ;;
     --count | --summary) only=${1#--} ;;
     *)
-        sed -n '2,15s/^# \{0,1\}//p' "$here/run.sh" >&2
+        sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$here/run.sh" >&2
         exit 2
         ;;
     esac
@@ -43,14 +45,15 @@ if ! cargo mutants --version >/dev/null 2>&1; then
     exit 3
 fi
 
-# How thin the streams of the judges are.
+# By how much the judges' streams are thinned.
 export TILESAT_CASES=400 TILESAT_FRAMES=400
 export RUST_BACKTRACE=0
-# A run takes less than a second, or some; a mutant that loops is told by this. Seconds of the processor, so that other things that a machine is
-# busy with make none.
+# A run takes up to a few seconds. More than this means an endless loop. Counts processor seconds,
+# so that other load on the machine does not matter.
 longest=8
 
-# The tests as they are, beside sources that are to be changed. Copied with new times: what an interruption left changed is not built upon.
+# The unchanged tests, beside sources that will change. The copies get new time stamps: cargo then
+# ignores what an interrupted run had changed.
 make_tree() {
     local tree=$1
     rm -rf "$tree/src" "$tree/tests"
@@ -61,22 +64,22 @@ make_tree() {
     mkdir -p "$tree/.cargo" && cp "$root/.cargo/mutants.toml" "$tree/.cargo"
 }
 
-# The mutants of a part as JSON.
+# Lists the mutants of a part as JSON.
 list() {
     local module modules=("$1") files=()
     [[ $1 == again ]] && modules=(num query)
     [[ $1 == rest ]] && modules=(world motion broad scene)
-    # Tests are no part of the library.
+    # Tests are not part of the library.
     for module in "${modules[@]}"; do files+=(--file "src/$module/**" --exclude "src/$module/**/tests.rs" --exclude "src/$module/tests/**"); done
     cargo mutants --in-place --list --json "${files[@]}"
 }
-# Which of the two suites a part is held against.
+# Prints which of the two suites checks a part.
 suite_of() { [[ $1 == rest || $1 == again ]] && echo rest || echo pairs; }
 executables_of() { [[ $(suite_of "$1") == rest ]] && echo bodies motion rays segments solids tiles || echo thinned bodies casts pairs rays; }
 survivors() { awk -F'\t' '$2 == "survived" { print $3 }' "$out"/num/done.tsv "$out"/query/done.tsv; }
 
-# Programs of all mutants of a part, and their table: the suite; of pairs the same on the code of cores without a long multiply; the unit tests of the
-# sources.
+# Builds the programs of all mutants of a part, and their table: the suite, and the unit tests of
+# the sources. Pairs also run the code of cores without a long multiply.
 weave() {
     local part=$1 tree=$out/$1 target=$out/$1-target options=() name
     [[ $part == rest ]] && options=(--of "$of" --seed "$seed")
@@ -98,7 +101,8 @@ program() {
         sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | xargs -I{} cp {} "$tree/program-$name"
 }
 
-# Of the suite of the whole crate: tests of seconds each, for what the others do not notice, and tests of more than that.
+# The tests of the whole crate: fast ones of seconds each, for what the others do not notice, and
+# slow ones.
 long=(neither_order_nor_broad mirrored_and_moved_scenes a_copy_is_a_snapshot no_body_enters_the_solid all_frames_of_four_pairs
     anything_over_anything every_small_velocity all_frames_of_all_exceptions every_neighbourhood_of_nine mosaics_are_their_outline
     at_rest_on_a_floor at_rest_on_a_corner what_is_left_is_what_the_raster contacts_equal_the closest_points_equal mirrored_scenes_give
@@ -106,7 +110,8 @@ long=(neither_order_nor_broad mirrored_and_moved_scenes a_copy_is_a_snapshot no_
 never=(at_rest_in_a_gap at_rest_on_a_one_way at_rest_in_a_corner a_million_frames as_many_on_ceiling p17_rest p17_pushed
     scene_38_a_stack a_ball_swings)
 
-# The tests of a program that can notice a mutant of a part, within seconds; nothing where there are none.
+# Prints the tests of a program that can notice a mutant of a part within seconds. Prints nothing if
+# there are none.
 choose() {
     local skip=("${long[@]/#/--skip=}" "${never[@]/#/--skip=}")
     case $1/$2 in
@@ -131,7 +136,7 @@ choose() {
     esac
 }
 
-# What a mutant does to the programs, one after another until one notices it.
+# Runs the programs with a mutant, one after another, until one fails.
 tell() {
     local part=$1 tree=$out/$1 id=$2 name program status chosen limit names=() executables
     read -ra executables <<<"$(executables_of "$part")"
@@ -139,7 +144,7 @@ tell() {
     names+=(unit)
     [[ $(suite_of "$part") != rest ]] || names+=("${executables[@]/#/long-}")
     for name in "${names[@]}"; do
-        # The long tests are of the same programs.
+        # The long tests are in the same programs.
         program=$tree/program-${name/#long-/suite-}
         [[ -x $program ]] || continue
         choose "$part" "$name"
@@ -168,7 +173,7 @@ run_part() {
     if [[ $(cat "$tree/state" 2>/dev/null) != "$source $tests" ]]; then
         echo "== $part: weaving"
         weave "$part"
-        # Tests only become more: what was noticed is noticed still.
+        # Tests only become more: a mutant that a test noticed stays noticed.
         if [[ $(cut -d' ' -f1 "$tree/state" 2>/dev/null) == "$source" ]]; then
             grep -v '	survived	' "$tree/done.tsv" >"$tree/kept.tsv" || true
             mv "$tree/kept.tsv" "$tree/done.tsv"
@@ -177,7 +182,7 @@ run_part() {
         fi
         echo "$source $tests" >"$tree/state"
     fi
-    # In a broken program every mutant would look caught.
+    # In a broken program every mutant would seem caught.
     if [[ $(tell "$part" 0) != survived ]]; then
         tail -40 "$tree/last.txt" >&2
         echo "run.sh: the suite of $part fails without a mutant" >&2
@@ -200,7 +205,8 @@ run_part() {
     done <"$tree/mutants.tsv"
 }
 
-# Figures by part; survivors are printed that survivors.md does not name by file and text (lines move).
+# Prints figures by part, and the survivors that survivors.md does not name by file and text. Lines
+# may move.
 summary() {
     local part name unknown=0 tree verdict
     printf '%-8s %9s %9s %9s %9s %9s %9s %9s\n' part mutants caught timeout survived unviable constant 'not run'

@@ -1,15 +1,20 @@
 #!/usr/bin/env bash
-# Measures run time against error, beside textbook code and other libraries, and writes the results: results.csv, from it plots/*.svg,
-# results.md and readme-table.md.
+# Measures run time against error, beside textbook code and other libraries. Writes results.csv, and
+# from it plots/*.svg, results.md and readme-table.md.
 #
-#   run.sh                 all: judge, time, count on the host and on microcontrollers, weigh, show (half an hour)
-#   run.sh --quick         judge, count and show with few inputs, into target/precision: nothing in the repository is written
-#   run.sh --only "STEP.." only these of: judge count micro flash show; adds to what is there
-#   run.sh --untimed       judges without times: on a machine that is busy, or for rows whose code is as it was
-#   run.sh --parts "P.."   judges and counts only these of: pairs rays casts moves levels broad regions; with or without --only
-#   run.sh --soak N        asks each pair of shapes N times around touches; goes on where it ended (target/precision/soak.txt)
+#   run.sh                 all steps: judge, time, count on the host and on microcontrollers,
+#                          weigh, show (half an hour)
+#   run.sh --quick         judge, count and show with few inputs, into target/precision; writes
+#                          nothing into the repository
+#   run.sh --only "STEP.." only these of: judge count micro flash show; keeps the other results
+#   run.sh --untimed       judges without times: on a busy machine, or for rows with unchanged code
+#   run.sh --parts "P.."   judges and counts only these of: pairs rays casts moves levels broad
+#                          regions; with or without --only
+#   run.sh --soak N        asks each pair of shapes N times around touches; continues where it
+#                          stopped (target/precision/soak.txt)
 #
-# Needs a C compiler (Box2D, Chipmunk2D), valgrind (count) and the emulator of .ci/get-emulators.sh (micro).
+# Needs a C compiler (Box2D, Chipmunk2D), valgrind (count) and the emulator of .ci/get-emulators.sh
+# (micro).
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -21,8 +26,8 @@ target=$(cd "$target" && pwd)
 export CARGO_TARGET_DIR=$target
 work=$target/precision
 
-# Chipmunk2D 7.0.0 includes a header that C libraries no longer have; both C libraries are built as for a release, at the level of the Rust
-# code: the package of Box2D would take -O2.
+# Chipmunk2D 7.0.0 includes a header that C libraries no longer have. Both C libraries use the
+# optimisation level of the Rust code; Box2D's package would use -O2.
 export CFLAGS="-I$here/compat -DNDEBUG -O3 ${CFLAGS:-}"
 
 out=$here/results.csv quick='' untimed='' steps='judge count micro flash show' soak='' parts=()
@@ -47,7 +52,7 @@ while (($#)); do
         shift
         ;;
     *)
-        sed -n '2,14s/^# \{0,1\}//p' "$here/run.sh" >&2
+        sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$here/run.sh" >&2
         exit 2
         ;;
     esac
@@ -72,7 +77,8 @@ count() {
 
 cores=(m0:thumbv6m-none-eabi m4f:thumbv7em-none-eabihf)
 
-# count_on TARGET PART. Frames take longer than the clock of a micro:bit counts: code for its core runs on the board of the Cortex-M3.
+# count_on TARGET PART. Frames take longer than a micro:bit's clock can count. So the board of the
+# Cortex-M3 runs code for the M0.
 count_on() {
     local board=$1
     [[ $1 == thumbv6m-* && $2 =~ ^(moves|broad)$ ]] && board=thumbv7m-none-eabi
@@ -85,7 +91,7 @@ micro() {
     mkdir -p "$PRECISION_INPUTS"
     "$bench" inputs "$PRECISION_INPUTS"
     local core part asked=(pairs rays casts moves broad)
-    # What asks whole levels, and regions, is counted on the host alone.
+    # Only the host counts queries on whole levels and regions.
     ((${#parts[@]})) && mapfile -t asked < <(printf '%s\n' "${parts[@]}" | grep -vx -e levels -e regions)
     for core in "${cores[@]}"; do
         echo "instructions on ${core%:*}: ${asked[*]}" >&2
@@ -96,7 +102,7 @@ micro() {
     done
 }
 
-# Each query is linked alone out of a library of its kind: what the linker keeps is what it pulls in.
+# Links each query alone from a library of its kind: the linker keeps only what the query needs.
 flash() {
     local core library kind tools elf names name
     tools=$(rustc --print sysroot)/lib/rustlib/$(rustc -vV | sed -n 's/^host: //p')/bin
@@ -105,7 +111,7 @@ flash() {
         echo "bytes on ${core%:*}" >&2
         library=$target/${core#*:}/flash/libtilesat_precision_flash.a
         for kind in queries moves broad; do
-            # Without the flags of the firmware, which lay out a board.
+            # Without the firmware's flags, which lay out a board.
             RUSTFLAGS='' cargo build --quiet --profile flash --package tilesat-precision-flash --no-default-features --features "$kind" \
                 --target "${core#*:}"
             mapfile -t names < <("$tools/llvm-nm" --format=just-symbols --extern-only --defined-only "$library" 2>/dev/null | grep -E '^[A-Za-z0-9:% -]+\|.*\|')
@@ -118,7 +124,7 @@ flash() {
     done
 }
 
-# The machine and the versions of what was used, for the page.
+# The machine and the versions of the tools, for the page.
 machine() {
     local version
     version() { awk -v name="\"$1\"" '$1 == "name" && $3 == name { getline; gsub(/"/, "", $3); print $3; exit }' "$root/Cargo.lock"; }
@@ -127,21 +133,21 @@ machine() {
     echo "| machine | $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores |"
     echo "| Rust | $(rustc --version), opt-level 3, fat LTO, one codegen unit, no target-cpu |"
     echo "| C | $(cc --version | head -n 1), -O3 -DNDEBUG without -march, as the Rust code: Box2D and Chipmunk2D |"
-    echo "| floats on microcontrollers | roots are libm's in textbook f32 and in parry2d, on the core with an FPU too |"
-    echo "| counts | $(valgrind --version 2>/dev/null || echo none); QEMU with one instruction a tick |"
+    echo "| floats on microcontrollers | textbook f32 and parry2d take roots from libm, even on the core with an FPU |"
+    echo "| counts | $(valgrind --version 2>/dev/null || echo none); QEMU with one instruction per tick |"
     echo "| parry2d, parry2d-f64 | $(version parry2d), $(version parry2d-f64) |"
-    echo "| ncollide2d over simba's I16F16 | $(version ncollide2d), $(version simba); circles only, within 127 px: beyond, its squares overflow, and the root that its other pairs need may not end |"
+    echo "| ncollide2d over simba's I16F16 | $(version ncollide2d), $(version simba); circles only, within 127 px. Beyond that its squares overflow, and the root for its other pairs may not end |"
     echo "| Box2D | of boxdd-sys $(version boxdd-sys) (C, f32) |"
     echo "| Chipmunk2D | 7.0.0, of chipmunk-sys $(version chipmunk-sys) (C, f64) |"
-    echo "| cute_c2 | missing: no package of the registry carries it. Elsewhere it took 43, 65 and 91 instructions for contacts of circles, of a circle and a box, of boxes |"
-    echo "| roots | on the desktop tilesat has its feature \`libm\`, so that casts of circles take the processor's root; on microcontrollers it has not |"
-    echo "| rapier2d | $(version rapier2d): its character controller, which slides by parry2d's casts; its pairs are parry2d's |"
+    echo "| cute_c2 | missing: no registry package contains it. Elsewhere it took 43, 65 and 91 instructions for contacts of circles, of a circle and a box, of boxes |"
+    echo "| roots | on the desktop tilesat uses its feature \`libm\`, so casts of circles take the processor's root; not on microcontrollers |"
+    echo "| rapier2d | $(version rapier2d): its character controller, which slides with parry2d's casts; its pairs are parry2d's |"
     echo "| broccoli | $(version broccoli): its tree, built again in each frame |"
     echo "| rstar, quadtree_rs | $(version rstar), $(version quadtree_rs): packed or filled again in each frame of pairs |"
-    echo "| moves without Chipmunk2D | it has no mover; Box2D's is a capsule, so it moves circles alone |"
-    echo "| parry2d on microcontrollers | without an allocator: no grid for rays, and casts of circles against circles alone |"
-    echo "| moves and broad phases on microcontrollers | without an allocator: ours and the textbook's; the trees of parry2d and broccoli, rapier2d and Box2D want a heap |"
-    echo "| tilesat without filters | no path of the library: \`exact (no filters)\` is this benchmark's own integer code |"
+    echo "| moves without Chipmunk2D | it has no mover; Box2D's is a capsule, so it moves only circles |"
+    echo "| parry2d on microcontrollers | without an allocator: no grid for rays, and only casts of circles against circles |"
+    echo "| moves and broad phases on microcontrollers | without an allocator: ours and the textbook's; the trees of parry2d and broccoli, rapier2d and Box2D need a heap |"
+    echo "| tilesat without filters | not the library's code: \`exact (no filters)\` is this benchmark's own integer code |"
 }
 
 show() {

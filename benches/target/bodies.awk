@@ -1,5 +1,6 @@
-# The rows of broad phases as Markdown, a table a world: awk -f bodies.awk counts.txt (or what pivot.awk makes of a measurement)
-# Rows of [pairs]: "sweep, 64 bodies, fixed"; of [size] and [size, filters]: "sweep, 64 bodies".
+# Prints the rows of broad phases as Markdown, one table per world: awk -f bodies.awk counts.txt
+# pivot.awk's output of a measurement works as well. Rows of [pairs] are "sweep, 64 bodies, fixed".
+# Rows of [size] and [size, filters] are "sweep, 64 bodies".
 BEGIN {
     FS = "|"
     kinds = split("brute sweep grid hash", kind, " ")
@@ -10,7 +11,7 @@ BEGIN {
 }
 
 function trim(s) { gsub(/^ +| +$/, "", s); return s }
-# 1234567 as 1 234 567.
+# Prints 1234567 as 1 234 567.
 function spaced(n, s) {
     for (s = ""; n >= 1000; n = int(n / 1000)) s = sprintf(" %03d", n % 1000) s
     return n s

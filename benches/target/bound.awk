@@ -1,15 +1,17 @@
-# The stack that each function of a program of everything takes at most: awk -v part=PART -f bound.awk DISASSEMBLY
-# The disassembly is llvm-objdump's of a program for ARMv6-M. A function's frame is all that it pushes and takes off the stack pointer; its
-# bound is its frame and the largest bound of what it calls. Prints M0|bound|PART: the expression|most (least..most)|0, of all types that it
-# is written for. Calls by pointer are the caller's own functions: what they take comes on top.
-# Fails where a function calls itself, or where the stack pointer is moved in a way that is not known here.
+# Bounds the stack of each function of a program of everything:
+#   awk -v part=PART -f bound.awk DISASSEMBLY
+# The disassembly is llvm-objdump's of a program for ARMv6-M. A function's frame is everything that
+# it pushes and subtracts from the stack pointer. Its bound is its frame plus the largest bound of
+# its callees. Prints M0|bound|PART: the expression|most (least..most)|0, over all types that the
+# expression is written for. Calls by pointer reach the caller's own functions, so add their stack.
+# Fails if a function calls itself, or changes the stack pointer in an unknown way.
 
 function hex(digits, i, n) {
     n = 0
     for (i = 1; i <= length(digits); i++) n = n * 16 + index("0123456789abcdef", substr(digits, i, 1)) - 1
     return n
 }
-# How many there are in {r4, r6, r7, lr} or {r4-r7}.
+# Counts the registers in {r4, r6, r7, lr} or {r4-r7}.
 function registers(list, item, ends, i, n, count) {
     gsub(/[{}]| */, "", list)
     count = split(list, item, ",")
@@ -27,7 +29,7 @@ function plain(address) {
     return address == "" ? "0" : address
 }
 
-# A symbol may go on in the next lines, and functions that came out the same have one address.
+# A symbol may continue in the next lines, and identical functions share one address.
 goes_on {
     gsub(/^ +/, "")
     symbol[count] = name[at] = symbol[count] " " $0
@@ -53,7 +55,8 @@ goes_on {
 }
 operation == "push" { frame[at] += 4 * registers(operands); next }
 operation == "sub" && operands ~ /^sp, #/ { sub(/.*#0x/, "", operands); frame[at] += hex(operands); next }
-# A large frame is a negative number among the constants behind the function. Back to where a frame pointer was is a function's end.
+# A large frame is a negative number among the constants behind the function. Going back to a frame
+# pointer ends a function.
 operation == "ldr" && operands ~ /, \[pc/ {
     register = operands
     sub(/,.*/, "", register)
@@ -68,7 +71,7 @@ operation ~ /^b/ && operands ~ /^0x[0-9a-f]+ </ && operands !~ /\+0x[0-9a-f]+>?$
     target = operands
     sub(/^0x/, "", target)
     sub(/ .*/, "", target)
-    # This one swaps two numbers and calls itself, once.
+    # This one swaps two numbers and calls itself once.
     if (target == at && operation == "bl" && name[at] ~ /roots_apart/) twice[at] = 1
     else if (target == at && operation == "bl") fail(at, "calls itself")
     else calls[at] = calls[at] " " target
@@ -102,7 +105,7 @@ END {
     for (i = 1; i <= count; i++) {
         if (symbol[i] !~ /^kept /) continue
         bytes = bound(address[i])
-        # The words of the expression as they are written.
+        # The words of the expression, as in the source.
         row = substr(symbol[i], 6)
         sub(/ <- .*/, "", row)
         gsub(/& /, "\\&", row)

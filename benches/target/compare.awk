@@ -1,7 +1,9 @@
-# Compares fresh tables with the reviewed ones: awk -v same_compiler=0|1 -v only=SECTIONS -v without=COLUMNS -f compare.awk counts.txt FRESH
-# SECTIONS and COLUMNS are names between semicolons, or nothing: what is compared alone, and what could not be measured here.
-# Prints a line a finding and ends with a summary line; exit status 1 where a number is above its budget, differs by more
-# than 2 % from the reviewed one, or has no counterpart. With another compiler differences are told but do not fail.
+# Compares fresh tables with the reviewed ones:
+#   awk -v same_compiler=0|1 -v only=SECTIONS -v without=COLUMNS -f compare.awk counts.txt FRESH
+# SECTIONS and COLUMNS are names between semicolons, or empty: the only ones to compare, and the
+# ones that could not be measured here. Prints a line per finding, then a summary line. Exits with 1
+# if a number exceeds its budget, differs by more than 2 % from the reviewed one, or has no
+# counterpart. With another compiler it reports differences but does not fail.
 BEGIN { FS = "|" }
 
 function trim(s) { gsub(/^ +| +$/, "", s); return s }

@@ -1,7 +1,9 @@
-# Adds the modelled cycles to what the firmware says: awk -f cycles.awk MERGED, the firmware's lines with those of the plugin between them.
-# Before each row of the firmware the plugin has told of 64 times three calls: the query, an empty one, and one that only loads its operands.
-# Fails where the plugin saw other instructions than the firmware counted, or where the known loop is not three cycles a turn; the calls around
-# the query and around nothing may differ by one branch that is taken, as the compiler lays them out: one or two cycles.
+# Adds the modelled cycles to the firmware's lines: awk -f cycles.awk MERGED
+# MERGED has the firmware's lines, with the plugin's lines between them. Before each row of the
+# firmware, the plugin has reported three calls 64 times: the query, an empty call, and a call that
+# only loads its operands. Fails if the plugin saw other instructions than the firmware counted, or
+# if the known loop is not three cycles per turn. The calls around the query and around nothing may
+# differ by one taken branch, as the compiler lays them out: one or two cycles.
 BEGIN { FS = "|" }
 
 /^instructions [0-9]+ cycles [0-9]+$/ {

@@ -1,6 +1,8 @@
-# Tables of what the firmwares and the linker say, a section a table: awk -f pivot.awk LINES
-# A line is core|section|row|value|budget; a value is "mean (least..most)" or a number, a budget of 0 is none.
-# A table has a line a row and a column a core; of the M0 also the range and the budgets, where there are any.
+# Prints tables of the output of the firmwares and the linker, one per section: awk -f pivot.awk
+# LINES
+# A line is core|section|row|value|budget. A value is "mean (least..most)" or a number. A budget of
+# 0 means none. A table has one line per row and one column per core. The M0 also has the range, and
+# its budgets if there are any.
 BEGIN {
     FS = "|"
     cores = split("M0,M3,M4F,M33,RV32,M0+ cycles", core, ",")

@@ -1,8 +1,9 @@
-# The main rows of the reviewed tables as Markdown, a query a line: awk -f readme.awk counts.txt
-# All others stay in counts.txt; those of broad phases are in a table of their own (bodies.awk).
+# Prints the main rows of the reviewed tables as Markdown, one query per line: awk -f readme.awk
+# counts.txt
+# All other rows stay in counts.txt. Those of broad phases have a separate table (bodies.awk).
 BEGIN {
     FS = "|"
-    # section, row = what the page calls it = the flash program that holds it
+    # section, row = name on the page = the flash program that holds it
     add("kernel", "AABB-AABB overlaps, hit", "two boxes overlap", "AABB-AABB overlaps")
     add("kernel", "circle-circle overlaps, near", "two circles, near, overlap", "circle-circle overlaps")
     add("kernel", "circle-AABB overlaps, near", "circle and box, near, overlap", "circle-AABB overlaps")
@@ -35,7 +36,7 @@ function add(section, row, title, program) {
 }
 function trim(s) { gsub(/^ +| +$/, "", s); return s }
 function shown(where) { return where in value ? sprintf("%.0f", value[where]) : "" }
-# 1234567 as 1 234 567.
+# Prints 1234567 as 1 234 567.
 function spaced(n, s) {
     if (n == "") return ""
     n += 0

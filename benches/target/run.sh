@@ -1,16 +1,20 @@
 #!/usr/bin/env bash
-# Prints what queries cost: instructions on five cores and cycles of a sixth, stack (in the emulator), flash, static RAM and bounds of the
-# stack (by the linker's output), and compares all with the reviewed tables of counts.txt.
+# Measures the costs of queries and compares them with the reviewed tables of counts.txt. Counts
+# instructions on five cores, cycles on a sixth, and stack, in the emulator. Takes flash, static RAM
+# and bounds of the stack from the linker's output.
 #
-#   run.sh                 print and compare; exit 1 where a number is over budget or moved by more than 2 %
-#   run.sh --accept        print, make these the reviewed tables, and write them into the README, src/boards.md and src/broad/guide.md
-#   run.sh --readme        only write the reviewed tables there
-#   run.sh --symbols BIN   what the flash program BIN links (src/bin), with sizes, on both cores
-#   run.sh --short         all tables, but of the Cortex-M0 alone: print and compare
-#   run.sh --core CORE     only queries, motion and scenes, and only on this core (M0, M3, M4F, M33, RV32): print and compare
-#   run.sh --flash-only    no emulator: flash, RAM and bounds alone
-#   run.sh --no-panic      only the proof that nothing panics: exit 1 where a program of everything links a panic or a 64-bit division
-#   run.sh --bodies        only broad phases: measure, and print their table as Markdown
+#   run.sh                 prints and compares; exit 1 if a number is over budget or moved by > 2 %
+#   run.sh --accept        prints, makes these the reviewed tables, and writes them into the README,
+#                          src/boards.md and src/broad/guide.md
+#   run.sh --readme        only writes the reviewed tables there
+#   run.sh --symbols BIN   prints the symbols that the flash program BIN (src/bin) links, with sizes
+#   run.sh --short         prints and compares all tables of the Cortex-M0 only
+#   run.sh --core CORE     prints and compares queries, motion and scenes on one core only
+#                          (M0, M3, M4F, M33, RV32)
+#   run.sh --flash-only    needs no emulator: only flash, RAM and bounds
+#   run.sh --no-panic      only proves that nothing panics; exit 1 if a program of everything links
+#                          a panic or a 64-bit division
+#   run.sh --bodies        only measures broad phases, and prints their table as Markdown
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -38,14 +42,15 @@ while (($#)); do
         shift
         ;;
     *)
-        sed -n '2,14s/^# \{0,1\}//p' "$here/run.sh" >&2
+        sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$here/run.sh" >&2
         exit 2
         ;;
     esac
     shift
 done
 
-# file : mark : what makes a table of counts.txt. The file's table is between two marks.
+# File, mark, and the command that makes a table of counts.txt. The file's table is between two
+# marks.
 tables=(README.md:short:short.awk src/boards.md:counts:readme.awk src/broad/guide.md:bodies:bodies.awk)
 root=$(cd ../.. && pwd)
 with_table() {
@@ -67,12 +72,13 @@ if ((!measure)); then
     exit 0
 fi
 
-# Those of the flash table; all rows of queries, motion and scenes are counted on more, crowds on these.
+# The cores of the flash table. Rows of queries, motion and scenes run on more cores, crowds on
+# these.
 cores=(M0:thumbv6m-none-eabi M3:thumbv7m-none-eabi)
 counted=("${cores[@]}" M4F:thumbv7em-none-eabihf M33:thumbv8m.main-none-eabihf RV32:riscv32imc-unknown-none-elf)
-# At both ends of what multiplies: nothing of 64 bits, and all of it.
+# The two ends of multiplication: none of 64 bits, and all of it.
 proved=(thumbv6m-none-eabi riscv32imc-unknown-none-elf)
-# Columns that could not be measured, or were not to be.
+# Columns that could not be measured, or that the caller left out.
 absent=()
 if ((short)); then
     absent=(M3 M4F M33 RV32)
@@ -80,8 +86,9 @@ if ((short)); then
 fi
 llvm=$(rustc --print target-libdir)/../bin
 
-# program : name in the table : budget in bytes of flash on the M0, the 46 bytes of the quoted empty program included
-# The ray's goal is 1100; closed corners, starts on lines and three kinds of outside have not been made to fit it yet.
+# Program, name in the table, and budget in bytes of flash on the M0, with the 46 bytes of the
+# quoted empty program. The goal of the ray is 1100. It does not fit yet: closed corners, starts on
+# lines and three kinds of outside.
 programs=(
     'aabb_overlaps:AABB-AABB overlaps:120'
     'circle_overlaps:circle-circle overlaps:260'
@@ -111,7 +118,8 @@ programs=(
     'pairs_hash:broad phase of 64, hash:0'
 )
 
-# program : name in the table : ceilings of flash and of static RAM on the M0, and on the M3. These are whole games.
+# Program, name in the table, and ceilings of flash and of static RAM on the M0 and on the M3. These
+# are whole games.
 games=(
     'game_blocks:33 bodies among blocks, coins, ladders:46500:2400:45500:2400'
     'game_ninja:a ninja among all shapes:44000:64:44000:64'
@@ -122,7 +130,8 @@ games=(
     'game_bullets:240 bullets, 32 enemies, pairs and events:70500:13800:70500:13800'
 )
 
-# build_flash TARGET...: without the programs of everything, which are large and belong to the proof.
+# build_flash TARGET...: builds all but the programs of everything, which are large and belong to
+# the proof.
 build_flash() {
     local source bins=()
     for source in flash/src/bin/*.rs; do
@@ -144,21 +153,23 @@ if [[ -n $symbols ]]; then
     build_flash "${cores[@]#*:}"
     for core in "${cores[@]}"; do
         target=${core#*:}
-        echo "$symbols on ${core%:*}: $(flash_of "$target/flash" "$symbols") B, of which the frame is $(flash_of "$target/flash" empty) B"
+        echo "$symbols on ${core%:*}: $(flash_of "$target/flash" "$symbols") B, including $(flash_of "$target/flash" empty) B of the frame"
         "$llvm/llvm-nm" --demangle --print-size --size-sort --reverse-sort --radix=d "$out/$target/flash/$symbols" |
             awk '{ size = $2 + 0; $1 = $2 = $3 = ""; printf "%6d  %s\n", size, $0 }'
     done
     exit 0
 fi
 
-# The proof that nothing panics: programs that hold every public function, at both ends of what a firmware is built with. All panics
-# end in the_panic, which cannot be inlined; long divisions and 128 bits are refused too.
+# The proof that nothing panics, with programs that hold every public function, at two optimisation
+# levels. All panics end in the_panic, which cannot be inlined. It refuses long divisions and 128
+# bits as well.
 refused='the_panic|rust_begin_unwind|core::panicking|_fail(ed)?(::h[0-9a-f]+)?$|__aeabi_u?ldivmod|__u?(div|mod|divmod)di[34]|__(u?(div|mod|divmod)|mul|ash[lr]|lshr)ti[345]'
-# The flags of .cargo for Arm; for RISC-V they would ask for the layout of a board.
+# The flags of .cargo are for Arm. For RISC-V they would ask for a board's layout.
 build_proof() {
     RUSTFLAGS=-Clink-arg=-Tlink.x cargo build --quiet --profile "$1" --package tilesat-flash --bin 'everything_*' "${@:2}"
 }
-# Who calls what is refused, from which line, innermost of what was inlined: built once more, with lines.
+# Prints the callers of a refused symbol with their lines, innermost inlined function first. Builds
+# once more, with line tables.
 callers() {
     local name=${2//-/_}
     (export "CARGO_PROFILE_${name^^}_DEBUG=line-tables-only" && build_proof "$2" --target "$1")
@@ -188,7 +199,7 @@ prove() {
             done
         done
     done
-    ((!bad)) || { echo 'run.sh: the library links what it must not' >&2; exit 1; }
+    ((!bad)) || { echo 'run.sh: the library links a panic or a long operation' >&2; exit 1; }
 }
 if ((proof)); then
     prove flash flash-fast
@@ -197,11 +208,12 @@ fi
 
 # The model slows the emulator down, and crowds are large.
 export QEMU_SECONDS=${QEMU_SECONDS:-600}
-# run_on TARGET BIN [BOARD]: a counting firmware, on another board where one is named.
+# run_on TARGET BIN [BOARD]: runs a counting firmware, on another board if one is named.
 run_on() {
     "$root/.ci/qemu.sh" "${3:-$1}" "$out/$1/release/$2"
 }
-# build_counts "TARGET..." PROGRAM...: for all at once, so that no core of this computer waits for the last program of a target.
+# build_counts "TARGET..." PROGRAM...: builds for all targets at once, so that no core of this
+# computer waits for the last program of a target.
 build_counts() {
     local targets
     read -ra targets <<<"$1"
@@ -209,7 +221,7 @@ build_counts() {
     echo "building the counting firmwares $* for ${targets[*]}" >&2
     cargo build --quiet --release --package tilesat-counts --features chip "${targets[@]/#/--target=}" "${@/#/--bin=}"
 }
-# Crowds do not fit the micro:bit: code for either core runs on the board of the M3.
+# Crowds do not fit the micro:bit. The M3's board runs the code of both cores.
 run_crowds() { run_on "$1" crowds thumbv7m-none-eabi; }
 if ((bodies)); then
     build_counts "${cores[*]#*:}" crowds
@@ -227,7 +239,7 @@ if [[ -n $only_core ]]; then
     [[ $only_core == M0 ]] || absent+=('M0+ cycles')
     counted=("${chosen[@]}")
 fi
-# The emulator's plugin that models cycles: its options in $model, where the emulator takes it.
+# The emulator's plugin that models cycles. Sets $model to its options, if the emulator accepts it.
 model=''
 find_plugin() {
     local told
@@ -237,11 +249,11 @@ find_plugin() {
     if ((!told)); then
         model=''
         absent+=('M0+ cycles')
-        echo 'NO CYCLES OF THE M0+: this emulator does not take the plugin that models them (written for version 1 of the interface, as in QEMU 7.2)'
+        echo 'NO CYCLES OF THE M0+: this emulator does not load the plugin that models them (it uses version 1 of the interface, as in QEMU 7.2)'
     fi
 }
 
-# run_modelled TARGET BIN: instructions and, by the plugin, cycles.
+# run_modelled TARGET BIN: prints instructions and the plugin's cycles.
 run_modelled() {
     if ! QEMU_OPTIONS=$model run_on "$1" "$2" >"$out/$2.merged" 2>&1; then
         grep -v '^instructions' "$out/$2.merged" >&2
@@ -250,7 +262,8 @@ run_modelled() {
     awk -f cycles.awk "$out/$2.merged"
 }
 
-# Lines core|section|row|value|budget of all firmwares, which run while the next ones are built.
+# Prints the lines core|section|row|value|budget of all firmwares. They run while the next ones
+# build.
 measure_all() {
     local core target bin how present=() runs=() run
     start() { "$@" >"$out/${#runs[@]}.part" & runs+=($!); }
@@ -288,9 +301,10 @@ fresh=$out/fresh.txt lines=$out/lines.txt
 : >"$lines"
 if ((counts)); then
     measure_all
-    # The goal is 512 for every query; motion, contacts, nearest points and rays among all shapes have not been made to fit it yet.
+    # The goal is 512 for every query. Motion, contacts, nearest points and rays among all shapes do
+    # not fit it yet.
     awk -F'|' '$2 == "stack" && $4 > 512 { n++ } $2 == "stack" && $4 > most { most = $4; row = $1 ", " $3 }
-        END { printf "%d rows take more than 512 B of stack, the most %d: %s\n", n, most, row }' "$lines"
+        END { printf "%d rows take more than 512 B of stack, at most %d: %s\n", n, most, row }' "$lines"
 fi
 # Flash and static RAM of every program, and bounds of the stack of every function.
 measure_links() {
@@ -316,7 +330,7 @@ measure_links() {
         ((ram == 0)) || { echo "run.sh: static levels take $ram B of RAM" >&2; exit 1; }
     done >>"$lines"
 
-    # At the level of optimisation that firmware is shipped with; --no-panic proves both.
+    # Uses the optimisation level of shipped firmware. --no-panic proves both levels.
     prove flash
     for source in flash/src/bin/everything_*.rs; do
         bin=$(basename "$source" .rs)
@@ -332,10 +346,10 @@ measure_links() {
 cat "$fresh"
 without=$(IFS=';'; echo "${absent[*]:-}")
 if ((accept)); then
-    ((counts)) && [[ -z $without$only_core ]] || { echo "run.sh: --accept needs all counts, there are none of: ${without:-any core}" >&2; exit 2; }
+    ((counts)) && [[ -z $without$only_core ]] || { echo "run.sh: --accept needs all counts, but has none of: ${without:-any core}" >&2; exit 2; }
     cp "$fresh" counts.txt
     write_tables
-    echo "counts.txt and the pages' tables are now this: review the difference before it is committed"
+    echo "counts.txt and the pages' tables are updated: review the difference before you commit it"
 fi
 only=''
 ((counts)) || only='flash;game flash;RAM;bound'
@@ -344,15 +358,15 @@ same=0 stale=0
 if [[ $(head -n 1 counts.txt) == "$(head -n 1 "$fresh")" ]]; then
     same=1
 else
-    echo "counts.txt was made by $(head -n 1 counts.txt): differences are told, only budgets fail"
+    echo "counts.txt comes from $(head -n 1 counts.txt): reports differences, and fails only over budgets"
 fi
 for entry in "${tables[@]}"; do
     IFS=: read -r file mark script <<<"$entry"
     if ! cmp -s <(with_table "$file" "$mark" "$script") "$root/$file"; then
         stale=1
-        echo "the table in $file is not that of counts.txt: benches/target/run.sh --readme writes it"
+        echo "the table in $file differs from counts.txt: benches/target/run.sh --readme writes it"
     fi
 done
-[[ -z $without ]] || echo "NOT COMPARED, because it was not measured: $without"
+[[ -z $without ]] || echo "NOT MEASURED, so not compared: $without"
 echo
 awk -v same_compiler=$same -v only="$only" -v without="$without" -f compare.awk counts.txt "$fresh" && ((!stale))

@@ -1,4 +1,5 @@
-# The README's short table: awk -f short.awk counts.txt. Whole programs first; readme.awk makes the long one.
+# Prints the README's short table: awk -f short.awk counts.txt. Whole programs come first.
+# readme.awk prints the long one.
 BEGIN {
     FS = "|"
     program("a hero among blocks", "a `Character` among `Blocks`")
@@ -21,7 +22,7 @@ function call(row, title, flash, section) {
     stack[calls] = section == "scenes" ? "scene: " row : row
 }
 function trim(s) { gsub(/^ +| +$/, "", s); return s }
-# 1234567 as 1 234 567.
+# Prints 1234567 as 1 234 567.
 function spaced(n, s) {
     if (n == "") return ""
     n = sprintf("%.0f", n) + 0

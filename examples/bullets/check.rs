@@ -1,5 +1,5 @@
-//! Every frame once more, by other means: all pairs of all bodies, what they begin and end, and the
-//! ways of all that flies.
+//! Checks every frame by other means: all pairs of all bodies, the events of their beginning and
+//! end, and the ways of all flying bodies.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -9,7 +9,7 @@ use tilesat::broad::{BroadPhase, Handle, Pair, PairEvent};
 use tilesat::{Aabb, Vec2};
 use tilesat_games::bullets::{Game, Kind, Near};
 
-/// Every body there is, by its slot.
+/// All bodies, by slot.
 pub fn everybody(near: &Near) -> Vec<Handle> {
     let mut all = Vec::new();
     let most = Vec2::from_ints(8000, 8000);
@@ -67,7 +67,7 @@ impl Plain {
         x * x + y * y <= reach * reach
     }
 
-    /// Who has to do with whom, as a table.
+    /// Which kinds of bodies affect each other, as a table.
     fn wants(&self, other: &Self) -> bool {
         use Kind::{Bullet, Patrol, Player, Shot, Spinner, Turret, Zone};
         let ordered = |a, b| {
@@ -84,7 +84,7 @@ pub struct Judge {
     room_of: BTreeMap<Handle, u8>,
     /// Pairs that have begun.
     last: BTreeSet<Names>,
-    /// Pairs that are ignored until they are apart, and whether that was said after the last
+    /// Pairs that are ignored until they separate, and whether the game added them after the last
     /// frame's pairs.
     ignored: BTreeMap<Names, bool>,
     straight: u32,
@@ -100,11 +100,11 @@ impl Judge {
         Self { rooms: Rooms::new(), room_of, last, ignored, straight: 0, bent: 0, other: 0, near: 0, events: 0 }
     }
 
-    /// No body is in the solid, on its way or at its end, or in another room than before.
+    /// No body is in the solid on its way or at its end, or in another room than before.
     pub fn flights(&mut self, before: &Game, after: &Game) -> Result<(), String> {
         for handle in everybody(&after.near) {
             let (Some(then), Some(now)) = (before.body(handle), after.body(handle)) else {
-                return Err(format!("{handle:?} came in flight"));
+                return Err(format!("{handle:?} appeared in flight"));
             };
             let (Some(from), Some(to)) = (before.circle(handle), after.circle(handle)) else { continue };
             let stands = matches!(now.kind, Kind::Zone | Kind::Turret | Kind::Spinner);
@@ -116,7 +116,7 @@ impl Judge {
             if room == 0 || self.rooms.at(to) != room {
                 return Err(format!("{:?} went from room {room} to {} at {to:?}", now.kind, self.rooms.at(to)));
             }
-            // One bounce: from + v t + w (1 - t) = to, with t as it fits best.
+            // One bounce: from + v t + w (1 - t) = to, for the best fitting t.
             let (v, w) = (spot(then.velocity), spot(now.velocity));
             let (d, e) = ((v.0 - w.0, v.1 - w.1), (to.0 - from.0 - w.0, to.1 - from.1 - w.1));
             let turned = d.0 * d.0 + d.1 * d.1;
@@ -139,7 +139,7 @@ impl Judge {
         Ok(())
     }
 
-    /// All pairs, by every two bodies, and the events that the game reported of them.
+    /// Compares all pairs of bodies with the events that the game reported for them.
     pub fn meetings(&mut self, flown: &Game, met: &Game) -> Result<(), String> {
         let bodies = Plain::all(flown);
         let (mut near, mut touching) = (BTreeSet::new(), BTreeSet::new());
@@ -157,7 +157,11 @@ impl Judge {
         let (mut found, mut phase, mut twice) = (BTreeSet::new(), flown.near, 0);
         phase.pairs(|Pair { a, b }| twice += u32::from(!found.insert((a, b))));
         if found != near || twice > 0 {
-            return Err(format!("{} pairs are near, {} were found, {twice} twice", near.len(), found.len()));
+            return Err(format!(
+                "{} pairs are near, the game found {}, {twice} of them twice",
+                near.len(),
+                found.len()
+            ));
         }
         self.near += near.len() as u32;
 
@@ -176,14 +180,14 @@ impl Judge {
             expected.insert((a, b), event);
         }
         if !met.events.iter().eq(expected.into_values()) {
-            return Err("other events than expected".to_owned());
+            return Err("unexpected events".to_owned());
         }
         self.events += met.events.iter().count() as u32;
         self.last = now;
 
         self.ignored.retain(|names, fresh| (touching.contains(names) || *fresh) && here(names.0) && here(names.1));
         self.ignored.values_mut().for_each(|fresh| *fresh = false);
-        // Shots that fly on otherwise were turned at a turret that they have begun to touch.
+        // Shots whose way bends began to touch a turret and turned there.
         for handle in everybody(&met.near) {
             let (Some(then), Some(now)) = (flown.body(handle), met.body(handle)) else { continue };
             if now.kind == Kind::Shot && now.velocity != then.velocity {
@@ -195,12 +199,12 @@ impl Judge {
         }
         let ignored = met.exceptions.iter().map(|(Pair { a, b }, _)| (a, b));
         if !ignored.eq(self.ignored.keys().copied()) {
-            return Err("other pairs are ignored than expected".to_owned());
+            return Err("unexpected pairs are ignored".to_owned());
         }
         Ok(())
     }
 
-    /// Takes down whom new bullets are not to hit: who is where they start.
+    /// Notes the bodies that new bullets must not hit: those at their start.
     pub fn shots(&mut self, met: &Game, fired: &Game) {
         let bodies = Plain::all(fired);
         for bullet in bodies.iter().filter(|body| body.kind == Kind::Bullet && !met.near.contains(body.handle)) {
@@ -215,8 +219,8 @@ fn spot(p: Vec2) -> (f64, f64) {
     (p.x.to_num(), p.y.to_num())
 }
 
-/// The first place on a leg where the circle, less a hair, is in the solid: its middle and 16
-/// points of its rim, four times a unit.
+/// The first position on a leg at which the circle, minus a tiny margin, is in the solid. Tests its
+/// middle and 16 points of its rim, four times per unit.
 fn blocked((from, to): ((f64, f64), (f64, f64)), radius: f64) -> Option<(f64, f64)> {
     let steps = ((to.0 - from.0).hypot(to.1 - from.1) * 4.0).ceil() as u32;
     (0..=steps).find_map(|step| {

@@ -1,11 +1,11 @@
 //! Bullets everywhere: `cargo run --release --example bullets [-- FILE.png]`.
 //!
-//! 32 enemies fill two galleries and an arena with up to 240 bullets; the player goes its rounds
-//! among them, shoots, is hit, is repaired in its zone. `tilesat_games::bullets` is the game, and
-//! runs unchanged on a microcontroller (`examples/bullets_firmware.rs`), to the same hash.
-//! `check.rs` finds all pairs, all events and all walls once more in its own way, in every frame.
-//! The picture, `target/bullets.png`, is the last frame, with the ways of half a second.
-#![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
+//! 32 enemies fill two galleries and an arena with up to 240 bullets. The player walks among them,
+//! shoots, gets hit, and is repaired in its zone. `tilesat_games::bullets` is the game. It runs
+//! unchanged on a microcontroller (`examples/bullets_firmware.rs`), to the same hash. In every
+//! frame, `check.rs` finds all pairs, all events and all walls again by other means. The picture,
+//! `target/bullets.png`, is the last frame, with the ways of half a second.
+#![allow(unreachable_pub, reason = "a program has no public interface; `pub` marks items that its other files use")]
 #![allow(
     clippy::std_instead_of_core,
     clippy::float_arithmetic,
@@ -29,7 +29,7 @@ use tilesat_tools::fail::{Fail, Result};
 use tilesat_tools::picture::ink::{BOUNCE, COIN, CROSS, Ink, KILL, PLANK, PLAYER, SLIDE, TOUCH, WATER};
 use tilesat_tools::picture::sketch::{self, Sketch};
 
-/// Frames whose ways are drawn.
+/// The number of frames whose ways are drawn.
 const TRAIL: u32 = 14;
 
 fn main() -> ExitCode {

@@ -7,7 +7,7 @@ use tilesat_tools::fail::{Fail, Result};
 
 /// 16 x 8 cells of 64 units.
 type Grid = LooseGrid<4, BODIES, Filter>;
-/// Cells of 32 units; the zone is larger.
+/// Cells of 32 units. The zone is larger.
 type Hash = SpatialHash<256, BODIES, Filter, true>;
 
 pub struct Others {
@@ -27,7 +27,7 @@ impl Others {
         Ok(all)
     }
 
-    /// One frame, to the same hash.
+    /// Plays one frame, to the same hash.
     pub fn step(&mut self, level: &Level, game: &Game) -> std::result::Result<(), String> {
         fn same<B: BroadPhase<Tag = Filter>>(
             name: &str,
@@ -36,7 +36,7 @@ impl Others {
             game: &Game,
         ) -> std::result::Result<(), String> {
             other.step(level);
-            if other.tally == game.tally { Ok(()) } else { Err(format!("another game with {name}: {other}")) }
+            if other.tally == game.tally { Ok(()) } else { Err(format!("the game differs with {name}: {other}")) }
         }
         same("brute force", &mut self.brute, level, game)?;
         same("a loose grid", &mut self.grid, level, game)?;

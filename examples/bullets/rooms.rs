@@ -1,9 +1,9 @@
-//! Where the solid is, from the level's letters and the shapes' definitions, and which places are
+//! Finds the solid from the level's letters and the shapes' definitions, and which points belong to
 //! one room.
 
 use tilesat_games::bullets::{ROWS, SIZE};
 
-/// Whether a place is in the solid; `u` and `v` are where it is in its cell, from its top left
+/// Whether a point is in the solid. `u` and `v` are its position in its cell, from the top left
 /// corner.
 pub fn solid(x: f64, y: f64) -> bool {
     let (column, row) = ((x / 16.0).floor(), (y / 16.0).floor());
@@ -40,7 +40,7 @@ pub fn solid(x: f64, y: f64) -> bool {
     }
 }
 
-/// Squares of one unit, each with the number of its room; 0 in the solid.
+/// Squares of one unit, each with the number of its room. 0 is in the solid.
 pub struct Rooms {
     width: usize,
     of: Vec<u8>,
@@ -61,7 +61,7 @@ impl Rooms {
             while let Some(at) = open.pop() {
                 if free[at] && of[at] == 0 {
                     of[at] = rooms;
-                    // The border is solid, so none of them is beyond an end.
+                    // The border is solid, so no square is beyond an end.
                     open.extend([at - 1, at + 1, at - width, at + width]);
                 }
             }
@@ -69,7 +69,7 @@ impl Rooms {
         Self { width, of }
     }
 
-    /// The room of a place that is half a unit or more from the solid.
+    /// The room of a point that is at least half a unit from the solid.
     pub fn at(&self, (x, y): (f64, f64)) -> u8 {
         self.of[y as usize * self.width + x as usize]
     }

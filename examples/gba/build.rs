@@ -1,4 +1,4 @@
-//! Puts the layout of the console's memory where the linker finds it.
+//! Tells the linker where to find the layout of the console's memory.
 
 use std::env;
 

@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
-# Plays the game for the Game Boy Advance with a script for its keys, in Thumb and in ARM state, with 32 bodies and with 64, and compares what the
-# motion of a frame costs, in cycles, with the reviewed table cycles.txt.
+# Measures the cost of motion in the game for the Game Boy Advance, in cycles per frame. A script
+# presses the keys. Runs in Thumb and in ARM state, with 32 bodies and with 64. Compares with the
+# reviewed table cycles.txt.
 #
-#   measure.sh            print and compare; exit 1 where a mean has moved by more than 2 %, 3 where there is no emulator
-#   measure.sh --short    the same, but in Thumb state alone
-#   measure.sh --accept   print, make this the reviewed table, write it into README.md beside it, and the last picture to gba.png
+#   measure.sh            prints and compares; exit 1 if a mean moved by more than 2 %,
+#                         exit 3 without an emulator
+#   measure.sh --short    the same, in Thumb state only
+#   measure.sh --accept   prints, makes this the reviewed table, and writes it into README.md;
+#                         writes the last picture to gba.png
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -15,7 +18,7 @@ case "${*:-}" in
 --short) states=("${states[0]}") ;;
 --accept) accept=1 ;;
 *)
-    sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
+    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0" >&2
     exit 2
     ;;
 esac
@@ -52,7 +55,7 @@ if ((accept)); then
     awk -F'|' -v table="$fresh" '
         /<!-- gba:begin/ {
             print
-            print "| GBA, state of the core | bodies | cycles a frame, mean | most | of a picture, mean | frames over a picture | stack, bytes |"
+            print "| GBA, state of the core | bodies | cycles per frame, mean | most | share of a picture, mean | frames over a picture | stack, bytes |"
             print "|---|--:|--:|--:|--:|--:|--:|"
             while ((getline row < table) > 0)
                 if (split(row, c, "|") == 8 && c[2] + 0)
@@ -62,7 +65,7 @@ if ((accept)); then
         /<!-- gba:end/ { inside = 0 }
         !inside' "$here/README.md" >"$out/README.md"
     cat "$out/README.md" >"$here/README.md"
-    echo "$here/cycles.txt, gba.png and the README's table are now this: review the difference before it is committed"
+    echo "$here/cycles.txt, gba.png and the README's table are updated: review the difference before you commit it"
 fi
 
 awk -F'|' -v all=$((2 * ${#states[@]})) '
@@ -71,7 +74,7 @@ awk -F'|' -v all=$((2 * ${#states[@]})) '
     $2 + 0 {
         rows++
         was = mean[$1 $2]
-        if ($4 > was * 1.02 || $4 < was * 0.98) { moved++; printf "%s, %d bodies: %d cycles, reviewed were %d\n", $1, $2, $4, was }
+        if ($4 > was * 1.02 || $4 < was * 0.98) { moved++; printf "%s, %d bodies: %d cycles, %d in the reviewed table\n", $1, $2, $4, was }
     }
     END {
         if (rows != all) { print "the game did not come to its end"; exit 1 }

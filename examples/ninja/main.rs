@@ -1,11 +1,10 @@
 //! A round ninja runs up slopes and quarter pipes, slides down walls and jumps from them, until a
-//! mine goes off below it:
-//! `cargo run --release --example ninja [-- FILE.png]`.
+//! mine goes off below it. Run it with `cargo run --release --example ninja [-- FILE.png]`.
 //!
-//! `tilesat_games::ninja` is the game: one circle, a few numbers, and `Mover::move_and_slide`; its
-//! level, and what the player presses. The ragdoll that is left, and the rope that hangs over a
-//! corner, are points joined by sticks. The rest draws the way to `target/ninja.png`.
-#![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
+//! `tilesat_games::ninja` is the game: one circle, a few numbers, and `Mover::move_and_slide`. It
+//! also has the level and the player's keys. The ragdoll and the rope over a corner are points
+//! joined by sticks. This file draws the way to `target/ninja.png`.
+#![allow(unreachable_pub, reason = "a program has no public interface; `pub` marks items that its other files use")]
 #![allow(
     clippy::std_instead_of_core,
     clippy::float_arithmetic,
@@ -70,10 +69,11 @@ fn play() -> Result<()> {
     println!("{summary}");
     let legend = "green: on a floor; blue: along a wall; violet: in the air; yellow dots: jumps; a ring every 8 frames; white: limbs every 10 frames, and a rope";
     sketch.save("ninja.png", &[summary, legend.to_owned()])?;
-    if script.is_done() { Ok(()) } else { Err(Fail::new("the script did not come to its end")) }
+    if script.is_done() { Ok(()) } else { Err(Fail::new("the script did not end")) }
 }
 
-/// Moves points until they lie still, and draws the first frames and the last. Returns the frames.
+/// Moves points until they lie still. Draws the first frames and the last. Returns the number of
+/// frames.
 fn settle<const N: usize, const L: usize>(
     level: &impl World,
     points: std::result::Result<Sticks<N, L>, RangeError>,

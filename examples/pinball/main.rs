@@ -1,10 +1,10 @@
-//! Balls on a pinball table: bumpers, slingshots, a kicker:
-//! `cargo run --release --example pinball [-- FILE.png]`.
+//! Balls on a pinball table with bumpers, slingshots and a kicker. Run it with `cargo run --release
+//! --example pinball [-- FILE.png]`.
 //!
-//! `tilesat_games::pinball` is the game. Its table is tiles, and polygons joined to them; its balls
-//! fall, bounce on a surface that loses a little, and are pushed by the bumpers. The picture shows
-//! the ways of five balls in twenty seconds: `target/pinball.png`.
-#![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
+//! `tilesat_games::pinball` is the game. Its table is tiles, joined to polygons. Its balls fall and
+//! bounce on a surface that takes a little of their speed, and the bumpers push them. The picture,
+//! `target/pinball.png`, shows the ways of five balls in twenty seconds.
+#![allow(unreachable_pub, reason = "a program has no public interface; `pub` marks items that its other files use")]
 #![allow(
     clippy::std_instead_of_core,
     clippy::float_arithmetic,
@@ -21,7 +21,7 @@ use tilesat_tools::picture::ink::{BOUNCE, COIN, CROSS, Ink, SLIDE, TOUCH};
 use tilesat_tools::picture::sketch::{self, Sketch};
 
 const FRAMES: u32 = 1200;
-/// Of as many balls.
+/// The number of balls.
 const INKS: [Ink; 5] = [BOUNCE, COIN, CROSS, SLIDE, TOUCH];
 
 fn main() -> ExitCode {

@@ -1,9 +1,9 @@
 //! A character plays through a Tiled level, together with 32 boxes and balls.
 //!
-//! `cargo run --release --example platformer -- --help` says what it takes. The game is
-//! `tilesat_games::platformer::sim`, and runs unchanged on a microcontroller
+//! `cargo run --release --example platformer -- --help` lists the options. The game is
+//! `tilesat_games::platformer::sim`, which runs unchanged on a microcontroller
 //! (`examples/firmware.rs`). `tilesat_tools` reads the level, checks every body in every frame
-//! (`tools/src/play`) and draws the picture; `tilesat play` does the same with any level.
+//! (`tools/src/play`) and draws the picture. `tilesat play` does the same with any level.
 #![allow(clippy::std_instead_of_core, reason = "this part runs on a desktop")]
 
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ fn own(name: &'static str) -> (&'static str, PathBuf) {
     (name, folder.join(name).with_extension("tmx"))
 }
 
-/// Where the picture goes where nobody says: to the target folder, three levels above the program.
+/// The default path of the picture: the target folder, three levels above the program.
 fn picture() -> Option<PathBuf> {
     let exe = env::current_exe().ok()?;
     Some(exe.ancestors().nth(3)?.join("platformer.png"))

@@ -1,10 +1,11 @@
-//! A character among moving platforms: `cargo run --release --example platforms [-- FILE.png]`.
+//! A character among moving platforms. Run it with `cargo run --release --example platforms [--
+//! FILE.png]`.
 //!
-//! It walks over steps and slopes, is conveyed over a pit, waits for a crusher and takes a lift. It
-//! jumps through a one-way lift, rides up and drops through the ledge there.
-//! `tilesat_games::platforms` is the game, its level and the script; this draws the picture,
+//! It walks over steps and slopes, rides a conveyor over a pit, waits for a crusher and takes a
+//! lift. It jumps through a one-way lift, rides up and drops through the ledge there.
+//! `tilesat_games::platforms` is the game with its level and script. This file draws the picture,
 //! `target/platforms.png`.
-#![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
+#![allow(unreachable_pub, reason = "a program has no public interface; `pub` marks items that its other files use")]
 #![allow(
     clippy::std_instead_of_core,
     clippy::float_arithmetic,

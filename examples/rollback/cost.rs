@@ -1,4 +1,4 @@
-//! What a snapshot costs on this computer.
+//! The cost of a snapshot on this computer.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -8,7 +8,7 @@ use tilesat_games::rollback::{Arena, BODIES, Game, Keys, Saved};
 
 const TIMES: u32 = 20_000;
 
-/// Prints the size of a snapshot, and what it takes to make, copy and restore one.
+/// Prints the size of a snapshot, and the time to make, copy and restore one.
 pub(crate) fn print(arena: Arena) -> Result<(), SceneError> {
     let mut game = Game::new()?;
     for _ in 0..60 {

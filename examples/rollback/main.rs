@@ -2,9 +2,9 @@
 //!
 //! Two machines play one game of 64 bodies over a link that loses, doubles and reorders packets.
 //! `tilesat_games::rollback` has a file for each part: keys, a link, prediction and rollback. After
-//! each frame that both have confirmed, both states are equal, bit for bit, to those of a game
-//! without a network. An account of its own says how many frames had to be played again, and no
-//! machine plays more.
+//! each frame that both have confirmed, both states equal those of a game without a network, bit
+//! for bit. An independent account counts the frames that had to be replayed, and no machine
+//! replays more.
 
 mod cost;
 
@@ -14,7 +14,7 @@ use tilesat_games::rollback::{Broken, DELAY, Matched, Totals, WINDOW, Weather, a
 
 const FRAMES: u32 = 100_000;
 
-/// Kinds of links, and which part of the frames each of them makes.
+/// Kinds of links, and each one's share of the frames.
 const LINKS: [(&str, Weather, u32); 4] = [
     ("one room", Weather { loss: 0, doubled: 0, least: 1, most: 1 }, 10),
     ("one city", Weather { loss: 2, doubled: 1, least: 2, most: 4 }, 10),
@@ -35,8 +35,8 @@ fn main() -> ExitCode {
 }
 
 fn play(frames: u32) -> Result<(), Box<dyn std::error::Error>> {
-    println!("keys are felt after {DELAY} frames; a machine plays up to {WINDOW} frames ahead\n");
-    println!("link       frames  packets    lost  twice  overtaken  rollbacks  played again  at most  waits  awake");
+    println!("keys take effect after {DELAY} frames; a machine plays up to {WINDOW} frames ahead\n");
+    println!("link       frames  packets    lost  twice  overtaken  rollbacks      replayed  at most  waits  awake");
     for (name, weather, part) in LINKS {
         let Totals { confirmed, sent, lost, doubled, overtaken, rollbacks, again, deepest, waits, awake, .. } =
             run(weather, frames / part)?;
@@ -45,7 +45,7 @@ fn play(frames: u32) -> Result<(), Box<dyn std::error::Error>> {
             awake / u64::from(confirmed.max(1)),
         );
     }
-    println!("\nall confirmed states are equal, and no frame was played again without need");
+    println!("\nall confirmed states are equal, and no frame was replayed without need");
     cost::print(arena()?)?;
     Ok(())
 }

@@ -1,10 +1,10 @@
-//! A game seen from above: no gravity, no "up", eight directions, doors that pull:
+//! A game seen from above: no gravity, no "up", eight directions, and doors that pull. Run it with
 //! `cargo run --release --example top_down [-- FILE.png]`.
 //!
-//! Two heroes get the same keys. One just slides along what it meets; the other one also slips
-//! around corners that it barely catches (`tilesat_games::top_down`). The picture shows where that
-//! leads: `target/top_down.png`.
-#![allow(unreachable_pub, reason = "a program has no outside; `pub` marks what other files of it use")]
+//! Two heroes get the same keys. One only slides along walls. The other also slips around corners
+//! that it barely catches (`tilesat_games::top_down`). The picture, `target/top_down.png`, shows
+//! both ways.
+#![allow(unreachable_pub, reason = "a program has no public interface; `pub` marks items that its other files use")]
 #![allow(
     clippy::std_instead_of_core,
     clippy::float_arithmetic,

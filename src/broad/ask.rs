@@ -228,7 +228,7 @@ pub(in crate::broad) fn neighbours<S: Spatial>(
         reach
     });
     let told = first.sort();
-    // Roots only of those that were kept.
+    // Computes roots only of the bodies that stay in the list.
     for near in out.iter_mut() {
         near.distance = distance(square_to(bodies, p, near.handle.slot()));
     }
@@ -277,7 +277,7 @@ fn touched(a: &Aabb, d: Raw, b: &Aabb) -> Option<Toi> {
     (x.meets() && y.meets() && x.lasts_until(y) && y.lasts_until(x)).then(|| x.entry().max(y.entry()))
 }
 
-/// A sum that wraps is outside of the domain, too: it is at least 2^30 from zero.
+/// A sum that wraps is outside the domain, too: it is at least 2^30 from zero.
 fn checked_way(start: &Aabb, motion: Vec2) -> Result<Raw, RangeError> {
     let d = Raw::of(motion);
     let (lo, hi) = (start.lo().add(d), start.hi().add(d));
@@ -344,9 +344,9 @@ pub(in crate::broad) fn cast<S: Spatial>(
 /// 2^29..2^31; x, and with it an order by x, stays.
 const ASIDE: i32 = DOMAIN << 1;
 
-/// Every pair with one of the movers, once. A mover that has been asked steps aside, so later movers
-/// do not meet it. That needs no memory and no order. A mover that is named twice is already aside
-/// the second time.
+/// Every pair with one of the movers, once. A mover that has been asked steps aside, so later
+/// movers do not meet it. That needs no memory and no order. A mover that is named twice is already
+/// aside the second time.
 pub(in crate::broad) fn pairs_of<S: Spatial>(
     phase: &mut S,
     movers: &[Handle],

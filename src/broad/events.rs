@@ -191,8 +191,8 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     /// where nothing rests.
     ///
     /// # Errors
-    /// [`Truncated`] where there were more than M pairs: the events are those of the M that were
-    /// kept. A pair that was fed twice is seen twice.
+    /// [`Truncated`] if there were more than M pairs: the events are those of the M that were kept.
+    /// A pair that was fed twice is seen twice.
     pub fn finish(&mut self, held: impl FnMut(&P) -> bool) -> Result<(), Truncated> {
         finish(&mut self.entries, &mut self.frame, held)
     }
@@ -242,7 +242,7 @@ fn begin<P: Copy>(entries: &mut [Entry<P, Mark>], frame: &mut FrameState) {
     }
 }
 
-// Not in line: the capacity is no constant here, one copy serves all.
+// Not inlined: without the capacity as a constant, one copy serves all.
 #[inline(never)]
 fn feed<P: Copy + Ord>(entries: &mut [Entry<P, Mark>], frame: &mut FrameState, pair: &P) {
     begin(entries, frame);
@@ -256,8 +256,8 @@ fn feed<P: Copy + Ord>(entries: &mut [Entry<P, Mark>], frame: &mut FrameState, p
     }
     let mut end = count(entries);
     if end == entries.len() {
-        // The greatest new pair makes way, or this one is it; pairs already reported never do. The
-        // new ones that stay are the smallest of all that came, in any order.
+        // The greatest new pair gives way, or this pair does. Reported pairs never do. So the new
+        // pairs that stay are the smallest of all, whatever their order.
         frame.lost = true;
         let Some(last) = entries.iter().rposition(|entry| matches!(entry, Entry(Some((_, Mark::New))))) else { return };
         end = last;
@@ -328,6 +328,7 @@ pub enum Ignore {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("ignoreCollision", "add_collision_exception_with"))]
 pub struct Exceptions<const M: usize> {
     /// By the handles in ascending order.
     pub(super) entries: [Entry<Pair, Term>; M],

@@ -28,6 +28,7 @@ use core::fmt;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("ProxyId", "entity id"))]
 pub struct Handle {
     slot: u16,
     generation: u16,
@@ -234,8 +235,8 @@ pub enum BroadError {
     },
     /// The handle's body was removed.
     ///
-    /// A handle of another broad phase is refused only if its slot has no body here, or one of another
-    /// generation. A body with the same slot and generation cannot be distinguished.
+    /// A handle of another broad phase is refused only if its slot has no body here, or one of
+    /// another generation. A body with the same slot and generation cannot be distinguished.
     Stale(Handle),
     /// The box is wider or higher than a cell of the grid, in raw units.
     TooLarge {
@@ -244,7 +245,7 @@ pub enum BroadError {
         /// The longest that fits.
         limit: i32,
     },
-    /// The box's centre is outside of the grid, which refuses such bodies; in raw units.
+    /// The box's centre is outside the grid, which refuses such bodies; in raw units.
     OutOfWorld {
         /// The centre.
         x: i32,
@@ -273,7 +274,7 @@ impl fmt::Display for BroadError {
             Self::OutOfWorld { x, y } => {
                 write!(
                     f,
-                    "a centre at ({}, {}) is outside of the grid: use another `Border`",
+                    "a centre at ({}, {}) is outside the grid: use another `Border`",
                     Fx::from_bits(x),
                     Fx::from_bits(y)
                 )
@@ -300,9 +301,9 @@ impl fmt::Display for PairsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::BudgetExceeded => {
-                "the budget of tests is spent before all pairs were found: call again with the same cursor"
+                "the budget of tests ended before all pairs were found: call again with the same cursor"
             }
-            Self::Full => "there is no more room for pairs: take them out, and call again with the same cursor",
+            Self::Full => "the list of pairs is full: take the pairs out, and call again with the same cursor",
             Self::Changed => "bodies were inserted or moved during the enumeration: begin again",
         })
     }
@@ -360,7 +361,7 @@ pub enum GridError {
         /// The cells that there are.
         cells: u16,
     },
-    /// The origin is outside of the domain.
+    /// The origin is outside the domain.
     Origin(RangeError),
 }
 

@@ -24,6 +24,36 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! One query each: at a point, in a region, near a point, and all pairs in parts. Calls with a list
+//! write their results in canonical order.
+//!
+//! ```
+//! use heapless::Vec;
+//! use tilesat::broad::{BroadPhase, Handle, Nearest, PairCursor, SortSweep};
+//! use tilesat::{Aabb, Vec2, fx};
+//! let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
+//! let mut near = SortSweep::<8>::new();
+//! let [a, b] = [near.insert(&at(0)?, ())?, near.insert(&at(8)?, ())?];
+//!
+//! let mut clicked = None;
+//! near.at_point(Vec2::from_ints(3, 3), |body| clicked = Some(body));
+//! assert_eq!(clicked, Some(a));
+//!
+//! let mut found = Vec::<Handle, 8>::new();
+//! near.collect_region(&at(4)?, &mut found)?;
+//! assert_eq!(found, [a, b]);
+//!
+//! let mut close = Vec::<Nearest, 8>::new();
+//! near.neighbours(Vec2::from_ints(20, 4), fx!(10), |_, _| true, &mut close)?;
+//! assert_eq!((close.len(), close[0].handle), (1, b));
+//!
+//! // At most 100 tests of two boxes per call. Call again with the same cursor until it is `Ok`.
+//! let (mut cursor, mut pairs) = (PairCursor::new(), Vec::<_, 8>::new());
+//! near.pairs_from(&mut cursor, 100, &mut pairs)?;
+//! assert_eq!((near.len(), pairs.len()), (2, 1));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 #![doc = include_str!("guide.md")]
 
 mod ask;

@@ -41,8 +41,8 @@ pub(in crate::broad) fn sort(order: &mut [u16], bounds: &[Aabb]) {
     }
 }
 
-/// Puts the last slot, with this key, where it belongs among the others. Returns how many of them it
-/// passed.
+/// Puts the last slot, with this key, where it belongs among the others. Returns how many of them
+/// it passed.
 #[inline(never)]
 pub(in crate::broad) fn insert(order: &[Cell<u16>], bounds: &[Aabb], key: i32) -> usize {
     let Some((last, mut below)) = order.split_last() else { return 0 };

@@ -1,8 +1,7 @@
 //! The calls that all broad phases have in common.
 
 use super::ask::{along, cast, nearest, neighbours, pairs_of, sorted_pairs, sorted_region};
-use super::table::Spatial;
-use super::table::{Budget, Unlimited};
+use super::table::{Budget, Spatial, Unlimited};
 use super::{BroadError, BroadHit, Handle, Nearest, Pair, PairCursor, PairsError, QueryError};
 use crate::error::{RangeError, Truncated};
 use crate::num::{Fx, Raw, Toi, Vec2};
@@ -41,13 +40,11 @@ use heapless::VecView;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Where there is a buffer `out` it is emptied first, also where the question is refused; only
-/// [`pairs_from`](Self::pairs_from) appends.
-///
-/// Sealed: implemented by the types of this module alone.
-#[doc(alias("AABB tree", "BVH", "quadtree", "DynamicTree", "World"))]
+/// With a list `out`, a call empties it first, even if it then fails. Only
+/// [`pairs_from`](Self::pairs_from) appends. Only the types of this module implement the trait.
+#[doc(alias("AABB tree", "BVH", "quadtree", "DynamicTree", "MoveProxy", "raycast", "World"))]
 pub trait BroadPhase: Spatial {
-    /// Takes a body in.
+    /// Inserts a body.
     ///
     /// # Errors
     /// [`Full`](BroadError::Full); grids also return [`TooLarge`](BroadError::TooLarge) or
@@ -59,7 +56,7 @@ pub trait BroadPhase: Spatial {
         Ok(handle)
     }
 
-    /// Gives a body another box: it moved, or changed its size.
+    /// Gives a body another box, because it moved or changed its size.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale), and those of [`insert`](Self::insert) but `Full`. Nothing was
@@ -73,18 +70,18 @@ pub trait BroadPhase: Spatial {
         Ok(())
     }
 
-    /// Moves every body: `to` gets its name and its box and returns the new box. One call per frame
-    /// is cheaper than one per body.
+    /// Moves every body. `to` gets its handle and its box, and returns the new box. One call per
+    /// frame is cheaper than one per body.
     ///
     /// # Errors
-    /// The first refusal, as of [`move_to`](Self::move_to), with the body: it stays where it was,
-    /// and the others move.
+    /// The first refusal, as of [`move_to`](Self::move_to), with the body: it stays where it was, and
+    /// the others move.
     #[inline]
     fn move_each(&mut self, to: impl FnMut(Handle, &Aabb) -> Aabb) -> Result<(), (Handle, BroadError)> {
         self.move_all(to)
     }
 
-    /// Takes a body out, and gives back what it carried.
+    /// Removes a body. Returns its tag.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -94,7 +91,8 @@ pub trait BroadPhase: Spatial {
         Ok(self.slots().remove(slot))
     }
 
-    /// Whether the body is here.
+    /// Whether this broad phase has the body.
+    #[must_use]
     fn contains(&self, handle: Handle) -> bool {
         self.table().slot(handle).is_ok()
     }
@@ -119,7 +117,7 @@ pub trait BroadPhase: Spatial {
         bodies.tags.get(slot).copied().ok_or(BroadError::Stale(handle))
     }
 
-    /// Gives a body another filter or key, from the next enumeration on.
+    /// Gives a body another tag, from the next enumeration on.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -130,11 +128,13 @@ pub trait BroadPhase: Spatial {
     }
 
     /// How many bodies there are.
+    #[must_use]
     fn len(&self) -> usize {
         usize::from(self.table().state.len)
     }
 
     /// Whether there is no body.
+    #[must_use]
     fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -162,7 +162,7 @@ pub trait BroadPhase: Spatial {
     #[inline]
     #[doc(alias = "updatePairs")]
     fn pairs(&mut self, mut each: impl FnMut(Pair)) {
-        // With no budget and no pair refused nothing stops it before its end.
+        // With no budget and no refused pair, nothing stops it before its end.
         let _ = self.walk(&mut PairCursor::new(), &mut Unlimited, |pair| {
             each(pair);
             true
@@ -193,7 +193,7 @@ pub trait BroadPhase: Spatial {
     /// Cortex-M0.
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the first ones.
+    /// [`Truncated`] if they do not fit: `out` then holds the first ones.
     ///
     /// ```
     /// use heapless::Vec;
@@ -258,7 +258,7 @@ pub trait BroadPhase: Spatial {
 
     /// Every body whose box holds a point, border included, once, in no particular order.
     ///
-    /// No box holds a point outside of the [domain](crate::num::DOMAIN).
+    /// No box holds a point outside the [domain](crate::num::DOMAIN).
     #[inline]
     fn at_point(&self, point: Vec2, each: impl FnMut(Handle)) {
         let p = Raw::of(point);
@@ -272,7 +272,7 @@ pub trait BroadPhase: Spatial {
     /// found, where k are kept.
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the first ones.
+    /// [`Truncated`] if they do not fit: `out` then holds the first ones.
     fn collect_region(&self, region: &Aabb, out: &mut VecView<Handle>) -> Result<(), Truncated> {
         sorted_region(self, region, out)
     }
@@ -303,8 +303,8 @@ pub trait BroadPhase: Spatial {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the point is outside of the [domain](crate::num::DOMAIN), or `within`
-    /// is negative.
+    /// [`RangeError`] if the point is outside the [domain](crate::num::DOMAIN), or `within` is
+    /// negative.
     fn nearest(
         &self,
         point: Vec2,
@@ -322,8 +322,7 @@ pub trait BroadPhase: Spatial {
     ///
     /// # Errors
     /// [`Range`](QueryError::Range) as `nearest`: `out` is empty then;
-    /// [`Truncated`](QueryError::Truncated) where they do not fit: `out` then holds the nearest
-    /// ones.
+    /// [`Truncated`](QueryError::Truncated) if they do not fit: `out` then holds the nearest ones.
     fn neighbours(
         &self,
         point: Vec2,
@@ -371,7 +370,7 @@ pub trait BroadPhase: Spatial {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the motion would leave the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the motion would leave the [domain](crate::num::DOMAIN).
     fn along(
         &self,
         start: &Aabb,
@@ -401,9 +400,9 @@ pub trait BroadPhase: Spatial {
     /// ```
     ///
     /// # Errors
-    /// [`Range`](QueryError::Range) where an end of the ray is outside of the
-    /// [domain](crate::num::DOMAIN): `out` is empty then; [`Truncated`](QueryError::Truncated)
-    /// where they do not fit: `out` then holds the earliest ones.
+    /// [`Range`](QueryError::Range) if an end of the ray is outside the
+    /// [domain](crate::num::DOMAIN): `out` is empty then; [`Truncated`](QueryError::Truncated) if
+    /// they do not fit: `out` then holds the earliest ones.
     fn cast_ray(
         &self,
         origin: Vec2,

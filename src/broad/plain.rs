@@ -163,7 +163,7 @@ impl PairScan for EachScan<'_> {
     /// stays in registers.
     #[inline(never)]
     fn next<M: Meter>(&mut self, meter: &mut M) -> Stop {
-        // Written back only at the end: they are in registers until then.
+        // Written back only at the end: until then they stay in registers.
         let Self { mut row, ref rows, ref later } = *self;
         let (mut rows, mut later) = (rows.clone(), later.clone());
         let step = 'found: loop {
@@ -373,7 +373,7 @@ impl PairScan for OrderedScan<'_> {
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     #[cfg_attr(target_pointer_width = "64", inline(always))]
     fn next<M: Meter>(&mut self, meter: &mut M) -> Stop {
-        // Written back only at the end: they are in registers until then.
+        // Written back only at the end: until then they stay in registers.
         let Self { order, bounds, mut row, ref rows, ref later } = *self;
         let (mut rows, mut later) = (rows.clone(), later.clone());
         let step = 'found: loop {

@@ -120,7 +120,7 @@ impl<T: Tag> Bodies<'_, T> {
     #[inline]
     pub(super) fn slot(&self, handle: Handle) -> Result<usize, BroadError> {
         let slot = handle.slot();
-        // An even generation is no handle's.
+        // No handle has an even generation.
         if self.generations.get(slot) == Some(&handle.generation()) { Ok(slot) } else { Err(BroadError::Stale(handle)) }
     }
 
@@ -240,7 +240,7 @@ impl<T: Tag> Slots<'_, T> {
 
 /// How bodies are found, each broad phase in its own way.
 ///
-/// Sealed: nothing outside of the crate implements it or needs to name it. The public face is
+/// Sealed: nothing outside the crate implements it or needs to name it. The public face is
 /// [`BroadPhase`](super::BroadPhase), which has its [`Tag`](Self::Tag).
 pub trait Spatial: Sized {
     /// The tag that bodies carry.
@@ -306,7 +306,7 @@ pub trait Spatial: Sized {
 
     /// The slots of all bodies whose boxes touch a region, each once, in any order.
     ///
-    /// Boxes in the table may lie outside of the domain for a while
+    /// Boxes in the table may lie outside the domain for a while
     /// ([`pairs_of`](super::BroadPhase::pairs_of)): they touch no region.
     fn visit(&self, region: &Aabb, each: impl FnMut(usize));
 
@@ -393,7 +393,7 @@ pub(super) enum Stop {
 
 /// Counts the tests of an enumeration, or does not.
 pub trait Meter {
-    /// Takes one test from the budget; false where there is none left.
+    /// Takes one test from the budget. False if none is left.
     fn spend(&mut self) -> bool;
 }
 

@@ -4,11 +4,11 @@
 //! 1. The earlier one. A vertex or an arc, whose time is a bound, precedes a face only if that is
 //!    exactly true.
 //! 2. A face before a vertex or an arc.
-//! 3. Of two faces, or of two others: a hit that is not only at the feature's end, then the one that
-//!    opposes the motion more. Then the normal decides: by the longer part along x, the longer part
-//!    along y, and +x and +y before -x and -y.
-//! 4. On one surface: solid before one-way, then the smaller level, row, column and index. The flags
-//!    of both count.
+//! 3. Of two faces, or of two others: a hit that is not only at the feature's end, then the one
+//!    that opposes the motion more. Then the normal decides: by the longer part along x, the longer
+//!    part along y, and +x and +y before -x and -y.
+//! 4. On one surface: solid before one-way, then the smaller level, row, column and index. The
+//!    flags of both count.
 
 use super::body::{Body, Entry};
 use crate::num::{Raw, add128, imul, less128, mul_div, mul64, sqr64, umul};

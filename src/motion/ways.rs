@@ -208,10 +208,10 @@ impl Ways {
         Self { ways: from_fn(|_| None), near: Near { features: from_fn(|_| None), all: true } }
     }
 
-    /// Reads the ways of a velocity from the body's position, and along the surface that was hit, in
-    /// the remaining time. It does not find out yet which are free. Returns whether there is nothing
-    /// within [`FAR`] but the face that was hit. The way along that face is then free, and the
-    /// velocity leads into it.
+    /// Reads the ways of a velocity from the body's position, and along the surface that was hit,
+    /// in the remaining time. It does not find out yet which are free. Returns whether there is
+    /// nothing within [`FAR`] but the face that was hit. The way along that face is then free, and
+    /// the velocity leads into it.
     ///
     /// In place: the list takes about 700 bytes, and a chip has no room for a copy.
     #[inline(never)]

@@ -60,7 +60,13 @@ impl Axis {
     }
 
     /// The perpendicular dot product `x1 y2 - y1 x2`.
+    ///
+    /// ```
+    /// use tilesat::Axis;
+    /// assert!(Axis::X.perp_dot(Axis::Y) > 0 && Axis::X.perp_dot(Axis::Y.reversed()) < 0);
+    /// ```
     #[must_use]
+    #[doc(alias = "cross")]
     pub const fn perp_dot(self, rhs: Self) -> i64 {
         if self.x == 0 {
             return times(self.y, rhs.x).wrapping_neg();
@@ -81,8 +87,8 @@ impl Axis {
     /// How fast a velocity leads against this direction: how hard a body hits a surface with this
     /// normal. Zero if it leads along or away.
     ///
-    /// Rounded to nearest, half a raw unit up; exact along x and y. Speeds of 2^30 raw and more, which
-    /// no motion has, give `Fx::MAX`.
+    /// Rounded to nearest, half a raw unit up; exact along x and y. Speeds of 2^30 raw and more,
+    /// which no motion has, give `Fx::MAX`.
     ///
     /// ```
     /// use tilesat::{Axis, Fx, Vec2};

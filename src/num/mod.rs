@@ -42,7 +42,7 @@ pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split,
 ///
 /// The type is [`FixedI32`](fixed::FixedI32) of the crate [`fixed`]. One raw unit is 1/65536; the
 /// largest value is just below 32768. Write constants with [`fx!`](crate::fx): `fx!(0.25)` is
-/// computed by the compiler. `Fx::lit("0.25")` outside of a `const` is parsed when the program runs
+/// computed by the compiler. `Fx::lit("0.25")` outside a `const` is parsed when the program runs
 /// (874 instructions on a Cortex-M0, and 3.9 KB of flash).
 ///
 /// # Overflow

@@ -249,7 +249,7 @@ const fn isqrt_norm(h: u32, lo: u32) -> u32 {
         r = r.wrapping_sub((2 * s + 1) as i32);
         s += 1;
     }
-    // s is the root of the high word and r its remainder; the low half of the root is about r *
+    // s is the root of the high word and r its remainder. The low half of the root is about r *
     // 2^16 / (2 s).
     let e = 0x8000_0000u32.wrapping_sub(s.wrapping_mul(y)) as i32;
     let y = min32((y as i32).wrapping_add((y as i32 >> 3).wrapping_mul(e >> 5) >> 23) as u32, 65536);
@@ -387,8 +387,8 @@ const fn divided(n: u64, d: u64) -> u32 {
 pub(super) const fn by_reciprocal(n: u64, d: u32) -> u32 {
     let shift = leading_zeros32(d);
     if d & d.wrapping_sub(1) == 0 {
-        // A power of two, as where a time is in parts of 2^30: a shift, in words. The high one is
-        // below d.
+        // A power of two, such as a time in parts of 2^30: a shift, in words. The high one is below
+        // d.
         let log = 31 - shift;
         return ((n >> 32) as u32) << ((32 - log) & 31) | n as u32 >> log;
     }

@@ -8,7 +8,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 /// A position or displacement in units.
 ///
 /// Names are glam's where glam has them. Operators never panic and never wrap: they saturate at the
-/// ends of 16.16, far outside of the [domain](super::DOMAIN). The `checked_` methods return `None`
+/// ends of 16.16, far outside the [domain](super::DOMAIN). The `checked_` methods return `None`
 /// instead.
 ///
 /// | operator | rounding | overflow, and division by zero |
@@ -109,7 +109,14 @@ impl Vec2 {
 
     /// The perpendicular dot product `x1 y2 - y1 x2` in square raw units; positive where `rhs` is
     /// counter-clockwise of `self` (y up).
+    ///
+    /// ```
+    /// use tilesat::Vec2;
+    /// let (aim, enemy) = (Vec2::from_raw(4, 0), Vec2::from_raw(1, 3));
+    /// assert_eq!((aim.dot(enemy), aim.perp_dot(enemy)), (4, 12)); // ahead, and toward +y
+    /// ```
     #[must_use]
+    #[doc(alias = "cross")]
     pub const fn perp_dot(self, rhs: Self) -> i64 {
         imul(self.x.to_bits(), rhs.y.to_bits()).wrapping_sub(imul(self.y.to_bits(), rhs.x.to_bits()))
     }
@@ -125,6 +132,7 @@ impl Vec2 {
     ///
     /// Cost: one square root, about 300 instructions on a Cortex-M0.
     #[must_use]
+    #[doc(alias = "magnitude")]
     pub const fn length(self) -> Fx {
         let root = super::isqrt64(self.length_squared());
         Fx::from_bits(if root > i32::MAX as u32 { i32::MAX } else { root as i32 })
@@ -158,6 +166,13 @@ impl Vec2 {
 
     /// `self * factor`, each component rounded toward zero and saturating; as `*`, usable in
     /// constants.
+    ///
+    /// ```
+    /// use tilesat::{Fx, Vec2, fx};
+    /// const THROW: Vec2 = Vec2::from_ints(3, -4).saturating_mul(fx!(1.5));
+    /// assert_eq!(THROW, Vec2::new(fx!(4.5), fx!(-6)));
+    /// assert_eq!(Vec2::from_ints(30000, 0).saturating_mul(fx!(2)).x, Fx::MAX);
+    /// ```
     #[must_use]
     pub const fn saturating_mul(self, factor: Fx) -> Self {
         let (x, y) = self.raw();
@@ -415,7 +430,7 @@ pub(crate) const fn check_motion(v: Vec2, limit: i32) -> Result<(), RangeError> 
     }
 }
 
-/// Refuses values outside of the open interval.
+/// Refuses values outside the open interval.
 const fn check(v: Fx, above: i32, below: i32, what: Quantity) -> Result<(), RangeError> {
     let value = v.to_bits();
     if above < value && value < below { Ok(()) } else { Err(RangeError { what, value }) }

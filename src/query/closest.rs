@@ -87,7 +87,7 @@ const fn boxes(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw) -> (Raw, Raw) {
     (Raw { x: ax, y: ay }, Raw { x: bx, y: by })
 }
 
-/// A circle and a point outside of it.
+/// A circle and a point outside it.
 const fn disc_and_point(c: Raw, r: i32, p: Raw) -> (Raw, Raw) {
     (c.add(toward(p.sub(c), r)), p)
 }
@@ -100,7 +100,7 @@ const fn disc_and_segment(c: Raw, r: i32, a: Raw, b: Raw) -> (Raw, Raw) {
     match region::<false>(c, a, b, false) {
         Region::End(end) => disc_and_point(c, r, end),
         Region::Line { cross, len2 } => {
-            // The way to the foot is known exactly as a direction, which the rounded foot is not.
+            // The direction to the foot is known exactly. The rounded foot is not on it.
             let e = b.sub(a);
             let (x, y) = if cross > 0 { (e.y, e.x.wrapping_neg()) } else { (e.y.wrapping_neg(), e.x) };
             (c.add(toward(Raw { x, y }, r)), foot(c, e, cross, len2))
@@ -207,7 +207,7 @@ impl Circle {
     /// The point of the disc that is nearest to `p`: `p` itself where it is inside.
     ///
     /// Each component is the exact one rounded to nearest, so the point may be half a raw unit
-    /// outside of the circle; mirrored points give mirrored bits. `p` may be anywhere. Cost: two
+    /// outside the circle; mirrored points give mirrored bits. `p` may be anywhere. Cost: two
     /// quotients by a root, some 1150 instructions on a Cortex-M0.
     ///
     /// ```
@@ -270,7 +270,7 @@ impl Square {
 ///
 /// Cost: at most one square root, about 300 instructions on a Cortex-M0 (500 to 950 for a sloped
 /// segment); four to six times that for a sloped segment against a box or a segment. It cannot
-/// fail. Points may be anywhere: only to one outside of the [domain](crate::num::DOMAIN) can the
+/// fail. Points may be anywhere: only to one outside the [domain](crate::num::DOMAIN) can the
 /// distance exceed `Fx`, and it is then `Fx::MAX`.
 ///
 /// ```

@@ -51,7 +51,7 @@ pub(super) const fn by_octagons<const CLOSED: bool>(x: u32, y: u32, r: u32) -> b
     if above < r || (CLOSED && above == r) {
         return true;
     }
-    // |v| >= (x + y)/sqrt(2), and this is at least 23/16 r > sqrt(2) r for r > 0: from there on a point is outside of the closed disc as
+    // |v| >= (x + y)/sqrt(2), and this is at least 23/16 r > sqrt(2) r for r > 0: from there on a point is outside the closed disc as
     // well. r = 0 does not get here: strict, no square has a point; closed, it was accepted.
     let outer = r.wrapping_add(r.wrapping_add(1) >> 1).wrapping_sub(r >> 4);
     sum < outer && squares_out_of_line::<CLOSED>(x, y, r)

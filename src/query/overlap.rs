@@ -38,6 +38,7 @@ use crate::shape::{Aabb, Circle, Segment};
 pub trait Overlaps<B: ?Sized> {
     /// Whether this shape overlaps `b`; strict and exact.
     #[doc(alias("intersects", "collides", "intersection_test"))]
+    #[must_use]
     fn overlaps(&self, b: &B) -> bool;
 }
 
@@ -57,6 +58,7 @@ pub trait Overlaps<B: ?Sized> {
 pub trait Touches<B: ?Sized> {
     /// Whether this shape and `b` have a point in common; closed and exact.
     #[doc(alias = "intersects")]
+    #[must_use]
     fn touches(&self, b: &B) -> bool;
 }
 
@@ -105,7 +107,7 @@ meets_both!(Segment, Aabb, |a, b, CLOSED| meet::segment_aabb::<CLOSED>(a.ra(), a
 /// Both are closed sets: a shape contains itself, its corners and its border. A segment contains
 /// only points, segments along it, and boxes and circles that are as thin. Cost: comparisons for
 /// boxes, two or three squares for a circle, two products an end for a segment. It cannot fail;
-/// points outside of the [domain](crate::num::DOMAIN) are in no shape.
+/// points outside the [domain](crate::num::DOMAIN) are in no shape.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -119,6 +121,7 @@ meets_both!(Segment, Aabb, |a, b, CLOSED| meet::segment_aabb::<CLOSED>(a.ra(), a
 pub trait Contains<B: ?Sized> {
     /// Whether every point of `b` is a point of this shape; closed and exact.
     #[must_use]
+    #[doc(alias("hit test", "point in polygon", "TestPoint"))]
     fn contains(&self, b: &B) -> bool;
 }
 

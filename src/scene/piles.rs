@@ -67,7 +67,7 @@ fn from_the_lowest(movers: &mut [Handle], from: usize, slots: &[Slot], gravity: 
             continue;
         }
         swap(movers, lying, at);
-        // Hardly any body changes its position in the list from step to step.
+        // Almost no body changes its position in the list from step to step.
         let mut to = lying;
         while to > from && rank(movers.get(to)) < rank(movers.get(to - 1)) {
             swap(movers, to - 1, to);
@@ -237,8 +237,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View, const M: usize> Pile<'_, B, V,
                 }
             }
         };
-        // Other bodies there are found when they are touched. A ball that rolls from one to the
-        // other and back would otherwise not come to rest.
+        // The step finds other bodies there when they are touched. Otherwise a ball that rolls
+        // between the two would not come to rest.
         let rolls = matches!(slot.body.shape, Shape::Circle(_)) || slot.way.pace == Pace::Moved;
         let only = self.slots.get(usize::from(slot.tally.under)).filter(|_| !rolls);
         if let Some(lower) = only {

@@ -53,6 +53,7 @@ impl Sleep {
 /// [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 156 bytes per
 /// body, plus the broad phase.
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("PhysicsWorld", "simulation"))]
 pub struct Scene<B, const N: usize, const M: usize = 0> {
     pub(crate) near: B,
     pub(super) slots: [Slot; N],
@@ -73,6 +74,16 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     }
 
     /// The same scene with other conditions for sleep.
+    ///
+    /// ```
+    /// use tilesat::broad::{Keyed, SortSweep};
+    /// use tilesat::scene::{Scene, Sleep};
+    /// use tilesat::Filter;
+    /// type Near = SortSweep<64, Keyed<Filter>>;
+    /// let late = Sleep { steps: 120, ..Sleep::default() };
+    /// let scene = Scene::<Near, 64>::with_sleep(Near::new(), late);
+    /// assert_eq!(scene.sleep.steps, 120);
+    /// ```
     #[must_use]
     pub const fn with_sleep(near: B, sleep: Sleep) -> Self {
         Self::remembering(near, sleep)
@@ -325,7 +336,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
         let tag = body.tag(!slot.is_awake());
         self.near.set_tag(handle, tag).map_err(|e| SceneError::of(handle, e))?;
         // The next step wakes the bodies that it still touches, except for a fixed body. Nothing
-        // else would wake those that it let go of.
+        // else would wake the bodies that it released.
         let what = |body: &SceneBody| (body.shape, body.mass, body.filter);
         if body.mass.is_none() || what(&body) != what(&before) {
             self.stir(&before);

@@ -38,6 +38,7 @@ use crate::filter::Filter;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(alias("save state", "rollback"))]
 pub struct Snapshot<B, const N: usize> {
     pub(crate) near: B,
     pub(super) kept: [Kept; N],

@@ -29,6 +29,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     /// # Errors
     /// [`SceneError`] if the gravity is no valid motion; nothing is changed then. A body that
     /// cannot be moved is no error of the step: it is [held](SceneEvent::Held).
+    #[doc(alias("simulate", "update"))]
     pub fn step<W: World>(
         &mut self,
         level: &W,

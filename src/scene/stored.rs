@@ -97,7 +97,7 @@ fn agrees<B: BroadPhase<Tag = Keyed<Filter>>>(lasting: &Lasting, near: &B) -> Re
         Mode::Woken | Mode::Awake | Mode::Asleep => body.mass.is_some(),
     };
     ensure(mode_fits, at, "what has no mass is fixed, and nothing else is")?;
-    // A step leaves motions, and what bodies give each other on top of that. With the pushes of a
+    // A step leaves motions, plus the changes that bodies give each other. With the pushes of a
     // step, which are motions, that stays below 2^31.
     let Raw { x, y } = Raw::of(body.velocity);
     let most = x.unsigned_abs().max(y.unsigned_abs());

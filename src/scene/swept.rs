@@ -238,8 +238,8 @@ where
             let Some(slot) = self.slots.get_mut(at.slot()).filter(|slot| slot.way.pace == Pace::Swept) else {
                 continue;
             };
-            // Tested against the level, because the position is rounded: a body on a floor may come
-            // to lead into it.
+            // Tested against the level, because the position is rounded: a body on a floor might
+            // lead into it.
             if let Ok(shape) = self.trip.slide(&slot.body, place - slot.body.shape.position()) {
                 slot.body.shape = shape;
             }
@@ -274,7 +274,7 @@ where
                 if !again {
                     slot.way.note(with);
                 }
-                // A body that it has met before is led along it, with its own velocity.
+                // A body that it has already met leads it, with its own velocity.
                 let rate = if again { slot.way.rate } else { slot.body.velocity };
                 slot.way.go_on(met.time, rate);
             }
@@ -293,8 +293,7 @@ where
         }
         for (at, from) in [(a, one), (b, other)] {
             if let Some(slot) = self.slots.get_mut(at.slot()) {
-                // A body that has made its step already does not fall asleep at the end of this
-                // one.
+                // A body that has already moved in this step does not fall asleep at its end.
                 if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
                     slot.quiet = 0;
                 }

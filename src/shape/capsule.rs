@@ -9,7 +9,8 @@ use crate::num::{Fx, Raw, Vec2};
 /// Equal ends are legal and act as a circle, a radius of zero as a segment. Reversing the ends
 /// changes no result.
 ///
-/// A capsule that stands or lies is a [`Body`](crate::Body): movers, walkers and characters take it.
+/// A capsule that stands or lies is a [`Body`](crate::Body): movers, walkers and characters take
+/// it.
 ///
 /// ```text
 ///   .-------------------.
@@ -42,6 +43,7 @@ use crate::num::{Fx, Raw, Vec2};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("pill", "stadium"))]
 pub struct Capsule {
     core: Segment,
     radius: Fx,
@@ -51,8 +53,8 @@ impl Capsule {
     /// A capsule from the ends of its core and its radius.
     ///
     /// # Errors
-    /// [`RangeError`] where the radius is negative, or an end, the radius or a point of the capsule
-    /// is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the radius is negative, or an end, the radius or a point of the capsule is
+    /// outside the [domain](crate::num::DOMAIN).
     pub const fn new(a: Vec2, b: Vec2, radius: Fx) -> Result<Self, RangeError> {
         // Its ends are circles.
         match Circle::new(a, radius) {
@@ -94,7 +96,7 @@ impl Capsule {
     /// This capsule moved by `by`.
     ///
     /// # Errors
-    /// [`RangeError`] where it would leave the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if it would leave the [domain](crate::num::DOMAIN).
     pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
         Self::new(self.a().saturating_add(by), self.b().saturating_add(by), self.radius)
     }

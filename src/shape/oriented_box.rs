@@ -33,6 +33,7 @@ use crate::num::{Axis, DOMAIN, Fx, Raw, Vec2, check_coordinate, check_radius, to
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("OBB", "rotated rectangle"))]
 pub struct OrientedBox {
     centre: Vec2,
     along: Vec2,
@@ -48,8 +49,8 @@ impl OrientedBox {
     /// turns and mirror images of the direction give turned and mirrored boxes bit for bit.
     ///
     /// # Errors
-    /// [`RangeError`] where the direction is zero, a half extent is negative, or a corner is
-    /// outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the direction is zero, a half extent is negative, or a corner is outside
+    /// the [domain](crate::num::DOMAIN).
     pub const fn new(centre: Vec2, half: Vec2, direction: Axis) -> Result<Self, RangeError> {
         let h = Raw::of(half);
         if h.x < 0 || h.x >= DOMAIN {
@@ -101,9 +102,16 @@ impl OrientedBox {
     /// This box with a radius around it: corners become round, and every side moves out by
     /// `radius`.
     ///
+    /// ```
+    /// use tilesat::{Axis, Circle, OrientedBox, Vec2, fx, prelude::*};
+    /// let table = OrientedBox::new(Vec2::ZERO, Vec2::from_ints(4, 2), Axis::X)?.with_radius(fx!(1))?;
+    /// let ball = Circle::new(Vec2::from_ints(6, 0), fx!(1))?;
+    /// assert!(table.touches(&ball) && !table.overlaps(&ball));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    ///
     /// # Errors
-    /// [`RangeError`] where the radius is negative or leads out of the
-    /// [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the radius is negative or leads out of the [domain](crate::num::DOMAIN).
     pub const fn with_radius(self, radius: Fx) -> Result<Self, RangeError> {
         if let Err(e) = check_radius(radius) {
             return Err(e);
@@ -169,7 +177,7 @@ impl OrientedBox {
     /// This box moved by `by`.
     ///
     /// # Errors
-    /// [`RangeError`] where it would leave the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if it would leave the [domain](crate::num::DOMAIN).
     pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
         Self { centre: self.centre.saturating_add(by), ..*self }.checked()
     }

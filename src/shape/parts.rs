@@ -26,7 +26,7 @@ pub enum PartsError {
         /// How many there are.
         count: usize,
     },
-    /// A corner is outside of the domain.
+    /// A corner is outside the domain.
     Range {
         /// Which one, counted from zero.
         at: usize,
@@ -51,11 +51,17 @@ pub enum PartsError {
 impl fmt::Display for PartsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::TooFew { count } => write!(f, "a polygon needs three corners and has {count}"),
-            Self::TooMany { count } => write!(f, "{count} corners, more than the {MOST} that can be cut"),
+            Self::TooFew { count } => write!(f, "the polygon has {count} corners, but needs at least three"),
+            Self::TooMany { count } => {
+                write!(f, "the polygon has {count} corners, but at most {MOST} can be cut: simplify it")
+            }
             Self::Range { at, error } => write!(f, "corner {at}: {error}"),
-            Self::Crosses { at, other } => write!(f, "side {at} meets side {other}"),
-            Self::NoRoom { capacity } => write!(f, "more convex parts than the {capacity} that there is room for"),
+            Self::Crosses { at, other } => {
+                write!(f, "side {at} meets side {other}: draw sides that meet only at corners")
+            }
+            Self::NoRoom { capacity } => {
+                write!(f, "the polygon needs more than {capacity} convex parts: raise the capacity")
+            }
         }
     }
 }
@@ -88,6 +94,7 @@ impl core::error::Error for PartsError {}
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("triangulate", "decomposition"))]
 pub struct ConvexParts<const N: usize, const M: usize> {
     parts: [ConvexPolygon<N>; M],
     count: usize,
@@ -116,7 +123,7 @@ impl<const N: usize, const M: usize> ConvexParts<N, M> {
             let (mut from, mut most, mut ends, mut i) = (0, 0, 0, 0);
             while i < rest.count {
                 let length = rest.chain(i, N);
-                // Of several as long, one that cuts the most inward corners open.
+                // On a tie, the one that cuts the most inward corners open.
                 let inward = rest.is_inward(i) as u8 + rest.is_inward(i + length - 1) as u8;
                 if length > most || (length == most && inward > ends) {
                     (from, most, ends) = (i, length, inward);
@@ -181,7 +188,7 @@ impl Rest {
         if let Err(e) = rest.check_simple() {
             return Err(e);
         }
-        // At the lowest corner, of several the left one, the inside is between the sides.
+        // At the lowest corner (on a tie the left one), the inside is between the sides.
         if rest.turn(lowest + n - 1, lowest, lowest + 1) < 0 {
             let mut i = 0;
             while i < n {
@@ -219,7 +226,7 @@ impl Rest {
                 } else {
                     meet(a, b, c, d)
                 };
-                // A side of no length is a point of the one after it.
+                // A side of length zero is a point of the next side.
                 if crosses || a.sub(b).is_zero() || c.sub(d).is_zero() {
                     return Err(PartsError::Crosses { at, other });
                 }
@@ -247,8 +254,8 @@ impl Rest {
 
     /// How many corners from `first` on are a convex part that can be cut off; below 3 none are.
     ///
-    /// A further corner adds a triangle on the diagonal: an ear of what would be left, where none of
-    /// its other corners is in it.
+    /// A further corner adds a triangle on the diagonal: an ear of what would be left, where none
+    /// of its other corners is in it.
     const fn chain(&self, first: usize, most: usize) -> usize {
         let mut length = 2;
         while length < self.count && length < most {

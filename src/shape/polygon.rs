@@ -28,6 +28,7 @@ use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("PolygonShape", "Polygon"))]
 pub struct ConvexPolygon<const N: usize> {
     /// Those beyond `count` are zero.
     points: [Vec2; N],
@@ -115,6 +116,7 @@ impl<const N: usize> ConvexPolygon<N> {
     /// [`PolygonError`]: a point outside of the [domain](crate::num::DOMAIN), no three points that are not on one line, or
     /// a hull of more than `N` corners.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loops, and by the comparison with N")]
+    #[doc(alias("convex hull", "gift wrapping"))]
     pub const fn hull(points: &[Vec2]) -> Result<Self, PolygonError> {
         let n = points.len();
         if let Err(e) = check_all(points) {
@@ -130,8 +132,8 @@ impl<const N: usize> ConvexPolygon<N> {
             }
             i += 1;
         }
-        // Gift wrapping: from each corner on to the point that has all others on its left, of
-        // several the farthest.
+        // Gift wrapping: from each corner on to the point that has all others on its left. On a
+        // tie, the farthest.
         let (mut out, mut count, mut at) = ([Vec2::ZERO; N], 0, lowest);
         loop {
             if count == N {
@@ -161,8 +163,7 @@ impl<const N: usize> ConvexPolygon<N> {
     /// `radius`.
     ///
     /// # Errors
-    /// [`RangeError`] where the radius is negative or leads out of the
-    /// [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the radius is negative or leads out of the [domain](crate::num::DOMAIN).
     pub const fn with_radius(self, radius: Fx) -> Result<Self, RangeError> {
         if let Err(e) = check_radius(radius) {
             return Err(e);
@@ -191,7 +192,7 @@ impl<const N: usize> ConvexPolygon<N> {
     /// This polygon moved by `by`.
     ///
     /// # Errors
-    /// [`RangeError`] where a point of it would leave the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if a point of it would leave the [domain](crate::num::DOMAIN).
     #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
     pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
         if let Err(e) = self.aabb().translated(by) {

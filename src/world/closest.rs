@@ -82,8 +82,8 @@ closest_point_of! {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where `p` or `within` is outside of the [domain](crate::num::DOMAIN), or
-    /// `within` is negative.
+    /// [`RangeError`] if `p` or `within` is outside the [domain](crate::num::DOMAIN), or `within`
+    /// is negative.
     [S: Set, T: Store] TileMap<'_, S, T>
 }
 
@@ -293,7 +293,7 @@ impl Spot {
             }
             (Geometry::Arc { centre, radius, quadrant, convex }, _) if W::ROUND => {
                 let m = p.sub(Raw::of(centre));
-                // From the centre all of the arc is as near: its end along x.
+                // From the centre all of the arc is equally near: takes its end along x.
                 let m = if m.is_zero() { Raw { x: quadrant.x, y: 0 } } else { m };
                 let axis = Axis::new(m.x, m.y);
                 (Raw::of(centre).add(toward(m, radius)), if convex { axis } else { axis.reversed() })
@@ -312,7 +312,7 @@ impl Spot {
             }
             Measure::Ring { square, radius } if W::ROUND => isqrt64(square).wrapping_sub(radius),
             Measure::Line { front, den } if !W::BLOCKS => div_sqrt(front, den),
-            // Of a level that has no others, too.
+            // The same for a level without others.
             Measure::Point { square } | Measure::Ring { square, .. } | Measure::Line { front: square, .. } => {
                 isqrt64(square)
             }

@@ -68,8 +68,8 @@ impl WorldContact {
             return self.contact.push_out();
         }
         match self.feature.geometry {
-            // Toward the centre of a hollow disc: to the last place whose both components are not
-            // beyond the exact one's.
+            // Toward the centre of a hollow disc: to the last point whose components do not exceed
+            // the exact ones.
             Geometry::Arc { radius, convex: false, .. } if self.contact.radius_a <= radius => {
                 let (room, d) = (radius.wrapping_sub(self.contact.radius_a) as u32, self.contact.axis.length_squared());
                 Vec2::from_raw(inward(x, room, d), inward(y, room, d))
@@ -219,7 +219,7 @@ contacts_of! {
     /// ```
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    /// [`Truncated`] if they do not fit: `out` then holds the nearest.
     [S: Set, T: Store] TileMap<'_, S, T>
 }
 
@@ -230,7 +230,7 @@ contacts_of! {
     /// A wall that a body crosses pushes to the side on which the body's middle is.
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    /// [`Truncated`] if they do not fit: `out` then holds the nearest.
     [] SegmentMap<'_>
 }
 
@@ -238,7 +238,7 @@ contacts_of! {
     /// Writes the features of both levels that a body overlaps to `out`, which is cleared first. Each comes once, the nearest first, as in [`TileMap::contacts`].
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    /// [`Truncated`] if they do not fit: `out` then holds the nearest.
     [A: World, B: World] Joined<'_, A, B>
 }
 
@@ -296,7 +296,7 @@ fn contacts_in<W: World, B: Pushable>(
             if any_in_region {
                 continue;
             }
-            // The first in its region: those before it do not count.
+            // The first in its region: earlier ones do not count.
             out.clear();
             (seen, any_in_region) = (0, true);
         }
@@ -306,7 +306,7 @@ fn contacts_in<W: World, B: Pushable>(
             }
             continue;
         }
-        // Worlds that store features by cells may serve one for each.
+        // Levels that store features by cells may report one for each cell.
         let same = |f: &Feature| (f.source, f.cell, f.index) == (feature.source, feature.cell, feature.index);
         if !out.iter().any(|c| same(&c.feature)) {
             seen = seen.wrapping_add(1);

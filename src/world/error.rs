@@ -71,7 +71,7 @@ impl fmt::Display for TileMapError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::EmptyMap => write!(f, "the map has no cells: width and height must be at least 1"),
-            Self::TooManyCells(n) => write!(f, "{n} cells on a side are more than 32767: cut the world into rooms"),
+            Self::TooManyCells(n) => write!(f, "a side of {n} cells is longer than 32767: cut the world into rooms"),
             Self::Cell(raw) => {
                 write!(f, "a cell of {raw} raw is refused: its side must be even, from 256 to 16777216 raw (256 units)")
             }
@@ -79,7 +79,7 @@ impl fmt::Display for TileMapError {
                 write!(f, "the map ends at {what:?} = {value} raw, out of range: move its origin, or cut it into rooms")
             }
             Self::Stride(stride) => write!(f, "a stride of {stride} is less than the width: rows would overlap"),
-            Self::TooShort { needed, found } => write!(f, "{found} bytes of tiles where the map needs {needed}"),
+            Self::TooShort { needed, found } => write!(f, "the tiles have {found} bytes, but the map needs {needed}"),
             Self::RowLength { row, expected, found } => {
                 write!(f, "row {row} has {found} characters where row 0 has {expected}: make them equal")
             }
@@ -87,10 +87,13 @@ impl fmt::Display for TileMapError {
                 write!(f, "the character at row {row}, column {column} is not ASCII: use one byte per tile")
             }
             Self::CarriageReturn { row } => {
-                write!(f, "row {row} has a carriage return: end rows with line feeds alone")
+                write!(f, "row {row} has a carriage return: end each row with only a line feed")
             }
             Self::Occupancy { row } => {
-                write!(f, "the occupancy of row {row} is missing or not that of its tiles: call `fill_occupancy` again")
+                write!(
+                    f,
+                    "the occupancy of row {row} is missing or does not match its tiles: call `fill_occupancy` again"
+                )
             }
             Self::ShapeNotInSet { id } => {
                 write!(f, "the table gives tile {id}")?;
@@ -126,7 +129,7 @@ pub enum SegmentMapError {
         /// The first of the two points.
         point: u32,
     },
-    /// A point is outside of the [domain](crate::num::DOMAIN).
+    /// A point is outside the [domain](crate::num::DOMAIN).
     OutOfDomain {
         /// The path.
         path: u32,
@@ -137,7 +140,7 @@ pub enum SegmentMapError {
         /// The raw coordinate.
         value: i32,
     },
-    /// A point is outside of the given grid.
+    /// A point is outside the given grid.
     OutsideGrid {
         /// The path.
         path: u32,
@@ -237,7 +240,7 @@ pub enum SegmentFault {
 impl fmt::Display for SegmentMapError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Empty => write!(f, "there are no points: a map needs one path at least"),
+            Self::Empty => write!(f, "there are no points: a map needs at least one path"),
             Self::TooFewPoints { path, points } => {
                 write!(f, "path {path} has {points} points: a polygon needs 3, a chain 2")
             }
@@ -248,30 +251,32 @@ impl fmt::Display for SegmentMapError {
                 write!(f, "path {path}, point {point}: {what:?} = {value} raw is out of range (8192 units)")
             }
             Self::OutsideGrid { path, point } => {
-                write!(f, "path {path}, point {point} is outside of the grid: enlarge the grid")
+                write!(f, "path {path}, point {point} is outside the grid: enlarge the grid")
             }
             Self::NoArea { path } => write!(f, "path {path} is a polygon without area: draw it as a wall"),
             Self::TooManySegments { path, point } => {
-                write!(f, "more than 32768 segments at path {path}, point {point}: cut the level in two")
+                write!(f, "path {path}, point {point} begins segment 32769 of at most 32768: cut the level in two")
             }
             Self::TooManyRefs { path, point } => {
-                write!(f, "more than 65535 segments in cells at path {path}, point {point}: use larger cells")
+                write!(f, "path {path}, point {point}: the cells list more than 65535 segments: use larger cells")
             }
             Self::Grid(e) => e.fmt(f),
-            Self::TooDeep(cell) => write!(f, "more than 127 polygons lie over each other in cell {cell:?}: merge some"),
-            Self::TooSmall { needed, found } => write!(f, "room for {found} bytes where the map needs {needed}"),
+            Self::TooDeep(cell) => write!(f, "cell {cell:?} has more than 127 polygons over each other: merge some"),
+            Self::TooSmall { needed, found } => write!(f, "the buffer has {found} bytes, but the map needs {needed}"),
             Self::NotSegments => write!(f, "the bytes are not a segment map: they do not begin with TSEG"),
             Self::Version(version) => write!(f, "version {version} of the format is unknown: bake the level again"),
             Self::Reserved => write!(f, "a reserved part of the header is not zero: bake the level again"),
             Self::Length { needed, found } => {
-                write!(f, "{found} bytes where the header says {needed}: the file is cut or has grown")
+                write!(f, "there are {found} bytes, but the header says {needed}: the file is cut off, or too long")
             }
             Self::Checksum { stored, computed } => {
                 write!(f, "the checksum is {computed:#x}, not {stored:#x}: the bytes have changed")
             }
             Self::Segment { index, fault } => write!(f, "segment {index}: {fault:?}"),
             Self::Refs(cell) => write!(f, "cell {cell:?} does not list the segments that meet it"),
-            Self::RefCount { needed, found } => write!(f, "{found} references where the segments need {needed}"),
+            Self::RefCount { needed, found } => {
+                write!(f, "the cells list {found} references, but the segments need {needed}")
+            }
             Self::Winding(cell) => write!(f, "the winding number of cell {cell:?} is wrong"),
         }
     }

@@ -49,8 +49,8 @@ impl Grid {
     /// `origin`.
     ///
     /// # Errors
-    /// [`TileMapError`] where a count is 0 or above 32767, or the cell is odd or not in 2^8..=2^24
-    /// raw (1/256 to 256 units). Also where an end of the grid is outside of the
+    /// [`TileMapError`] if a count is 0 or above 32767, or the cell is odd or not in 2^8..=2^24 raw
+    /// (1/256 to 256 units). Also if an end of the grid is outside the
     /// [domain](crate::num::DOMAIN).
     pub const fn new(width: u16, height: u16, cell: Fx, origin: Vec2) -> Result<Self, TileMapError> {
         if width == 0 || height == 0 {
@@ -146,7 +146,7 @@ impl Grid {
     const fn indices(&self, lo: i32, hi: i32, span: &GridAxis) -> (i32, i32) {
         let first = self.index(lo, span);
         let mut last = first;
-        // A few steps are cheaper than a quotient.
+        // A few steps cost less than a quotient.
         let (mut steps, mut next) = (4, span.origin.wrapping_add(self.line(first.wrapping_add(1))));
         while hi >= next && last < span.count as i32 {
             if steps == 0 {

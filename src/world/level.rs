@@ -183,6 +183,7 @@ impl Seen {
 ///
 /// Sealed: that a mover never ends in the solid rests on `features` and the tests being two views
 /// of one set of points.
+#[doc(alias("level", "map"))]
 pub trait World: sealed::Sealed {
     /// Whether all faces are along x or y and all corners a block's: then a mover links no code for
     /// others.

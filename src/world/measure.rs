@@ -153,8 +153,8 @@ fn roots_together(a: u64, b: u64, sum: u32) -> Ordering {
 /// `c` is its middle. `behind` says whether the back of the feature counts: where the middle is in
 /// the solid. With it, whether the box is in the feature's region.
 ///
-/// The way from a middle outside of the solid to a point of the box in it leads in through a face
-/// or arc: that one has a contact, in its region or not.
+/// The way from a middle outside the solid to a point of the box in it leads in through a face or
+/// arc: that one has a contact, in its region or not.
 #[inline(never)]
 pub(in crate::world) fn boxed<W: World>(
     lo: Raw,
@@ -172,7 +172,7 @@ pub(in crate::world) fn boxed<W: World>(
             }
             let deepest = Raw { x: deepest(n.x, lo.x, hi.x, a.x, b.x), y: deepest(n.y, lo.y, hi.y, a.y, b.y) };
             let m = deepest.sub(a);
-            // Beyond an end a vertex is in charge, if there is one.
+            // Beyond an end a vertex takes over, if there is one.
             let along = raw(dir).dot(m);
             let beside = (along < 0 && !joined[0]) || (along > raw(dir).dot(b.sub(a)) && !joined[1]);
             Some((Contact::new(n.reversed(), raw(n).dot(m).wrapping_neg(), deepest), !beside))
@@ -183,7 +183,7 @@ pub(in crate::world) fn boxed<W: World>(
         Geometry::Arc { centre, radius, quadrant, convex } if W::ROUND => {
             let frame = ArcFrame { centre: Raw::of(centre), quadrant };
             let (near, far) = (frame.enter(lo, hi), frame.enter(hi, lo));
-            // What of the box is in the quadrant must lie on both sides of the arc.
+            // The part of the box in the quadrant must lie on both sides of the arc.
             let first = Raw { x: near.x.max(0), y: near.y.max(0) };
             if far.x <= 0 || far.y <= 0 || !inside(first, radius) || !beyond(far, radius) {
                 return None;
@@ -337,7 +337,7 @@ fn round<W: World>(c: Raw, r: i32, feature: &Feature, behind: bool) -> Option<Co
     match feature.geometry {
         Geometry::Vertex { p, e_in, e_out } => {
             let m = c.sub(Raw::of(p));
-            // On the border of the cone the faces are in charge.
+            // On the border of the cone the faces take over.
             let in_cone = raw(e_in).dot(m) > 0 && raw(e_out).dot(m) < 0;
             let near = in_disc::<false>(m.x.unsigned_abs(), m.y.unsigned_abs(), r as u32);
             (in_cone && near).then(|| Contact::radial(c, Raw::of(p).sub(c)).with_radii(r, 0))
@@ -347,7 +347,7 @@ fn round<W: World>(c: Raw, r: i32, feature: &Feature, behind: bool) -> Option<Co
             let (x, y) = (m.x.unsigned_abs(), m.y.unsigned_abs());
             let reaches = in_disc::<false>(x, y, radius.wrapping_add(r) as u32)
                 && (r > radius || !in_disc::<true>(x, y, radius.wrapping_sub(r) as u32));
-            // Behind: inside of a solid disc, outside of a hollow one.
+            // Behind: inside a solid disc, outside a hollow one.
             let is_behind =
                 if convex { in_disc::<false>(x, y, radius as u32) } else { !in_disc::<true>(x, y, radius as u32) };
             if !in_quadrant(m, quadrant) || !reaches || (is_behind && !behind) {
@@ -374,7 +374,7 @@ pub(in crate::world) fn into_disc(core: Raw, m: Raw, quadrant: Axis) -> Contact 
     if m.is_zero() {
         return Contact::new(Axis::new(quadrant.x, 0), 0, core).with_degenerate(true);
     }
-    // That to the opposite side, turned round.
+    // The corner of the opposite side, reversed.
     let mut contact = Contact::radial(core, m);
     contact.overlap = if contact.radial { m.len2() as i64 } else { contact.overlap.wrapping_neg() };
     contact.radial = false;

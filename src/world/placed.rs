@@ -59,7 +59,7 @@ impl<'a, W: World> Placed<'a, W> {
     /// The level, shifted: a point `p` of it is at `p + offset` here.
     ///
     /// # Errors
-    /// [`RangeError`] where a component of the offset is not below [`MOTION`] (4096 units):
+    /// [`RangeError`] if a component of the offset is not below [`MOTION`] (4096 units):
     /// coordinates seen from the level stay below 2^29 + 2^28, and differences below 2^31 with
     /// products below 2^62, which all kernels take.
     pub const fn new(world: &'a W, offset: Vec2) -> Result<Self, RangeError> {
@@ -129,7 +129,7 @@ impl<W: World> World for Placed<'_, W> {
     const BLOCKS: bool = W::BLOCKS;
     const ROUND: bool = W::ROUND;
     const WIDE: bool = W::WIDE;
-    // Beyond its own domain a level has no surface, and a map may be solid there all the same.
+    // Beyond its own domain a level has no surface, but a map can be solid there.
     const CERTAIN: bool = false;
 
     type Features<'w>
@@ -231,8 +231,8 @@ rays! {
         /// ```
         ///
         /// # Errors
-        /// [`RangeError`] where the start or the end is outside of the
-        /// [domain](crate::num::DOMAIN), here or as the level sees it: less the offset.
+        /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN), here
+        /// or as the level sees it: less the offset.
         cast_ray,
         /// Whether the straight line from `a` to `b` is free of the level, as a ray from `a` sees
         /// it, and does not start inside.

@@ -47,6 +47,7 @@ use crate::num::{DOMAIN, Fx, Raw, Vec2};
 /// # Ok::<(), TileMapError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("chunk", "screen"))]
 pub struct Room<'a, S: Set = AllShapes> {
     map: TileMap<'a, S>,
     /// The cell of the world that is the room's first.
@@ -64,8 +65,8 @@ impl<'a, S: Set> Room<'a, S> {
     /// [`Outside`].
     ///
     /// # Errors
-    /// [`TileMapError::EmptyMap`] where the apron leaves nothing, [`TileMapError::OutOfDomain`]
-    /// where the map is too large.
+    /// [`TileMapError::EmptyMap`] if the apron leaves nothing, [`TileMapError::OutOfDomain`] if the
+    /// map is too large.
     pub const fn new(map: TileMap<'a, S>, x: i32, y: i32, apron: u16) -> Result<Self, TileMapError> {
         let twice = 2 * apron as u32;
         if map.width() as u32 <= twice || map.height() as u32 <= twice {
@@ -138,6 +139,16 @@ impl<'a, S: Set> Room<'a, S> {
     }
 
     /// The world's cell for a cell of the room's [map](Self::map), such as that of a hit.
+    ///
+    /// ```
+    /// use tilesat::{AllShapes, Cell, Grid, Room, TileKind, TileKinds, TileMap, Vec2, fx};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let map = TileMap::<AllShapes>::of(b"###..####", Grid::new(3, 3, fx!(16), Vec2::ZERO)?, &KINDS)?;
+    /// let room = Room::new(map, 40, 7, 1)?; // one cell with an apron of one
+    /// assert_eq!(room.in_world(Cell::new(1, 1)), (40, 7));
+    /// assert!(room.holds(Vec2::from_ints(0, 15)) && !room.holds(Vec2::from_ints(16, 0)));
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
     #[must_use]
     pub const fn in_world(&self, cell: Cell) -> (i32, i32) {
         // The origin is not above 0 and not below the domain.
@@ -216,6 +227,7 @@ const fn apart(from: i32, to: i32, cell: i32) -> Option<i32> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias("chunks", "streaming"))]
 pub struct Rooms<'a, S: Set = AllShapes> {
     /// All but the grid of each room's map.
     pattern: TileMap<'a, S>,
@@ -289,7 +301,7 @@ impl<'a, S: Set> Rooms<'a, S> {
         let y = RoomAxis::of(row, self.room.1, self.world.1, self.apron);
         let (Some(x), Some(y)) = (x, y) else { return None };
         let cell = self.pattern.grid.cell;
-        // As far from 0 as the largest map is long, at most.
+        // At most as far from 0 as the largest map is long.
         let origin = Raw { x: -x.before.wrapping_mul(cell), y: -y.before.wrapping_mul(cell) };
         let first = (y.first - y.before) as u32 * self.world.0 as u32 + (x.first - x.before) as u32;
         match (
@@ -363,7 +375,7 @@ const fn with_apron(room: u16, apron: u16) -> u16 {
     room.saturating_add(apron).saturating_add(apron)
 }
 
-/// Which room of an axis holds a coordinate of a room with this first cell; `None` outside of the
+/// Which room of an axis holds a coordinate of a room with this first cell; `None` outside the
 /// world.
 const fn index(first: i32, at: i32, cell: i32, world: u16, room: u16) -> Option<u16> {
     let Some(cells) = at.checked_div_euclid(cell) else { return None };

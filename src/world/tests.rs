@@ -61,7 +61,7 @@ mod measure {
             let k = far / 5;
             let (square, apart) = (25 * k * k, 5 * k - u64::from(radius));
             let ring = Measure::Ring { square, radius };
-            // Of the directions whose length is a number, the heights over lines are too.
+            // Directions with an integer length also have integer heights over lines.
             for length in [1u64, 2, 5, (1 << 30) - 35] {
                 let height = |front| Measure::height(front, length * length);
                 assert_eq!(order(ring, height(length * apart)), Ordering::Equal);

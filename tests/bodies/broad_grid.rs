@@ -1,4 +1,4 @@
-//! Loose grids and spatial hashes against every box compared with every other one.
+//! Loose grids and spatial hashes, compared with a test of every pair of boxes.
 
 use std::collections::BTreeSet;
 use tilesat::broad::{
@@ -23,8 +23,8 @@ fn hash<const BUCKETS: usize, const N: usize, const LARGE: bool>() -> SpatialHas
     SpatialHash::new(Fx::from_bits(CELL)).unwrap()
 }
 
-/// Runs a check on structures of all forms: rows that are a part of a block, a block, and more;
-/// with large bodies and without.
+/// Runs a check on structures of all forms: rows shorter than a block, of a block, and longer; with
+/// large bodies and without.
 macro_rules! on_all {
     ($check:expr) => {
         $check(&Twin::new(grid::<1, 48, false>((0, 0), 4)));
@@ -39,8 +39,8 @@ macro_rules! on_all {
     };
 }
 
-/// Two boxes in every relation to each other, to lines of cells and to the border that there is on
-/// an axis; on the other they touch, or just do not.
+/// Two boxes in every relation to each other, to lines of cells and to the border on one axis. On
+/// the other axis they touch, or just do not.
 #[test]
 fn two_boxes_in_all_relations_on_a_line() {
     fn check(twin: &Twin) {
@@ -66,7 +66,7 @@ fn two_boxes_in_all_relations_on_a_line() {
     on_all!(check);
 }
 
-/// Where a crowd is, and how many cells it covers to each side.
+/// The position of a crowd, and how many cells it covers to each side.
 const PLACES: [((i32, i32), i64); 6] =
     [((0, 0), 3), ((0, 0), 40), ((0, 0), 0), ((END, -END), 3), ((-END, END), 5), ((END - 60, 60 - END), 9)];
 
@@ -125,7 +125,7 @@ fn large_bodies_are_taken_where_there_is_a_list_for_them() {
     check(&Twin::new(hash::<64, 48, true>()));
 }
 
-/// Enumerates with a budget and so much room, while bodies are removed as `lose` says; gives all
+/// Enumerates with a budget and limited room, while bodies are removed as `lose` says. Returns all
 /// pairs.
 fn enumerate<const ROOM: usize>(twin: &mut Twin, budget: u32, mut lose: impl FnMut(&mut Twin)) -> Vec<Pair> {
     let (mut cursor, mut all) = (PairCursor::new(), Vec::new());
@@ -161,7 +161,7 @@ fn resumed(twin: &Twin) {
 fn crowd(mut twin: Twin, bodies: usize, cells: i64, seed: u64) -> Twin {
     let mut r = Random::new(seed);
     while twin.bodies.len() < bodies {
-        // Some are outside of a grid that refuses them.
+        // Some are outside a grid that refuses them.
         let _ = twin.insert(small(&mut r, i64::from(CELL), cells, (0, 0)));
     }
     // Slots in use and free ones, and lists in another order than slots.
@@ -201,8 +201,8 @@ fn enumerations_go_on_with_any_budget() {
     on_all!(check);
 }
 
-/// Bodies are removed between any two tests: whoever stays is in all its pairs once, and whoever is
-/// gone is in no later one.
+/// Bodies are removed between any two tests. A body that stays is in all its pairs once. A body
+/// that is gone is in no later pair.
 #[test]
 fn bodies_may_go_during_an_enumeration() {
     fn check(fresh: &Twin) {
@@ -228,7 +228,7 @@ fn bodies_may_go_during_an_enumeration() {
 fn what_is_refused_changes_nothing() {
     let refuse = grid::<1, 8, false>((0, 0), 8).with_border(Border::Refuse);
     let mut twin = Twin::new(refuse);
-    // Centres on the first line are inside, on the last outside.
+    // Centres on the first line are inside, those on the last line outside.
     for (x, ok) in [(-4, true), (-5, false), (59, true), (60, false), (END - 8, false), (-END, false)] {
         let corners = [x, 0, x + 8, 8];
         let inserted = twin.near.clone().insert(&aabb(corners), ());
@@ -267,8 +267,8 @@ fn what_is_refused_changes_nothing() {
     assert!(twin.near.is_empty());
 }
 
-/// All bodies at once, of which some are refused: the others move, and the first that is refused is
-/// told.
+/// Moves all bodies in one call, of which some are refused. The others move, and the call reports
+/// the first refusal.
 #[test]
 fn frames_move_all_bodies() {
     fn check(fresh: &Twin) {
@@ -360,7 +360,7 @@ fn refusals_say_what_would_do() {
     assert!(!columns(u16::MAX, 0).is_empty() && !columns(0, u16::MAX).is_empty());
 }
 
-/// The fewest blocks of which a number of columns that is taken covers the world.
+/// The fewest blocks with which a valid number of columns covers the world.
 #[test]
 fn blocks_for_a_world() {
     for cell in 1..=5u32 {
@@ -381,7 +381,7 @@ fn blocks_for_a_world() {
     }
 }
 
-/// What the documents say of memory: beside box, tag and the generation's 2 bytes.
+/// The documented memory: beside box, tag and the generation's 2 bytes.
 #[test]
 fn bytes_a_body_and_a_cell() {
     fn of<B>(_: &B) -> usize {

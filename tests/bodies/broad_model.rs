@@ -1,4 +1,5 @@
-//! Every broad phase beside a list of boxes: random operations, and small scenes exhaustively.
+//! Compares every broad phase with a list of boxes: random operations, and small scenes
+//! exhaustively.
 //!
 //! `TILESAT_CASES` sets the number of random sequences (default 3000).
 
@@ -16,8 +17,8 @@ fn cases() -> u32 {
     tilesat_judge::cases(3_000)
 }
 
-/// Quarters of a cell, mostly near each other, and at most 2 raw beside them: on the lines of cells
-/// and close to them.
+/// Quarters of a cell, mostly near each other, and at most 2 raw off: on the lines of cells and
+/// close to them.
 fn at() -> impl Strategy<Value = At> {
     (prop_oneof![4 => 0i64..16, 2 => -8i64..72, 1 => -400i64..400], -2i64..=2)
 }
@@ -52,8 +53,7 @@ fn op() -> impl Strategy<Value = Op> {
     ]
 }
 
-/// Cells of 2 raw to 4096 units, at the middle, at the ends of the domain and far outside of the
-/// grid.
+/// Cells of 2 raw to 4096 units, at the middle, at the ends of the domain and far outside the grid.
 fn cells() -> impl Strategy<Value = Cells> {
     let origin =
         || prop_oneof![Just(0), Just(-1), Just(-(1 << 29) + 1), Just((1 << 29) - 1), Just(1000 << 16), -99_999..99_999];
@@ -196,8 +196,8 @@ fn all_small_ways() {
     }
 }
 
-/// The reference against itself: touched where some moment of a fine division is, and just at the
-/// time that was told.
+/// Checks the reference itself. It reports a touch exactly if some moment of a fine division
+/// touches, and at its time.
 #[test]
 fn the_reference() {
     let b = Rect { lo: (2, -1), hi: (5, 1) };
@@ -218,8 +218,8 @@ fn the_reference() {
     }
 }
 
-/// Buffers hold the answer alone: what was in them is gone, also where the question is refused.
-/// Only `pairs_from` appends.
+/// Lists hold only the answer. Their old content is gone, even after an error. Only `pairs_from`
+/// appends.
 struct Buffers;
 
 impl Check for Buffers {
@@ -286,7 +286,7 @@ impl Check for Farthest {
             let expected = Nearest { handle: body, distance: Fx::from_bits(i32::try_from(length).unwrap()) };
             let ask = |within| phase.nearest(from, within, |_, _| true).unwrap();
             assert_eq!(ask(Fx::MAX), Some(expected), "{name}");
-            // The root is rounded down, and is none of a square.
+            // The root is rounded down. The number is not a square.
             assert_eq!((ask(expected.distance + Fx::DELTA), ask(expected.distance)), (Some(expected), None), "{name}");
             let mut out = Room::<Nearest, 2>::new();
             phase.neighbours(from, Fx::MAX, |_, _| true, &mut out).unwrap();
@@ -302,9 +302,9 @@ fn nearest_without_a_limit() {
     }
 }
 
-/// The pairs of movers on both sides of zero and at both ends of the domain, each named twice:
-/// which body comes first is a matter of keys, not of slots nor of who moved; and all are back
-/// where they were.
+/// The pairs of movers on both sides of zero and at both ends of the domain, each listed twice.
+/// Which body comes first depends on keys, not on slots or on who moved. All bodies return to their
+/// positions.
 struct Movers;
 
 impl Check for Movers {
@@ -336,7 +336,7 @@ fn movers_come_back_and_keys_lead() {
     everywhere(3, Cells { side: 8, origin: (-5, 1) }, &mut Movers);
 }
 
-/// What only some take: boxes wider than a cell, among many small ones.
+/// Only some structures accept boxes wider than a cell, among many small ones.
 struct Walls;
 
 impl Check for Walls {

@@ -1,9 +1,9 @@
-//! The pairs of all broad phases are those of the definition, as sets, each once, frame after
-//! frame; in canonical order they are the same bits whatever the order of insertion (invariant P26,
-//! torture scenes 29, 38, 47).
+//! All broad phases give the pairs of the definition, each once, frame after frame. In canonical
+//! order they are the same bits for every order of insertion (invariant P26, torture scenes 29, 38,
+//! 47).
 //!
-//! `TILESAT_FRAMES` sets the number of random frames (default 12 000); from a million on it shows
-//! how far it is.
+//! `TILESAT_FRAMES` sets the number of random frames (default 12 000). From a million on, the test
+//! prints its progress.
 
 use heapless::Vec as Room;
 use std::collections::HashMap;
@@ -49,7 +49,7 @@ impl Check for Play<'_> {
                 _ => {}
             }
             resumed(&mut phase, &mut handles, frame, &mut random, &what());
-            // What an enumeration does to a structure changes none of its answers.
+            // An enumeration does not change the structure's answers.
             assert_eq!(in_order(&snapshot, |phase, each| phase.pairs(each)), frame.pairs, "{}", what());
         }
     }
@@ -75,7 +75,7 @@ fn keys(phase: &Near<Mark>, pair: Pair) -> (u32, u32) {
     (phase.tag(pair.a).unwrap().key, phase.tag(pair.b).unwrap().key)
 }
 
-/// The keys of what an enumeration of a copy finds, in order.
+/// The keys of the pairs that an enumeration of a copy finds, in order.
 fn in_order(phase: &Near<Mark>, ask: impl Fn(&mut Near<Mark>, &mut dyn FnMut(Pair))) -> Vec<(u32, u32)> {
     let mut found = Vec::new();
     ask(&mut phase.clone(), &mut |pair| found.push(keys(phase, pair)));
@@ -89,8 +89,8 @@ fn sorted(phase: &mut Near<Mark>) -> Vec<(u32, u32)> {
     out.iter().map(|pair| keys(phase, *pair)).collect()
 }
 
-/// In chunks, some bodies leaving half way: pairs of those that stay come once, and pairs with the
-/// others at most once, while they were there.
+/// In chunks, while some bodies leave half way. Pairs of the remaining bodies come once. Pairs with
+/// the others come at most once, before they leave.
 fn resumed(phase: &mut Near<Mark>, handles: &mut HashMap<u32, Handle>, frame: &Frame, random: &mut Random, what: &str) {
     let (mut cursor, mut found, mut chunks) = (PairCursor::new(), Vec::new(), 0);
     let mut leave = frame.leave.clone();
@@ -152,7 +152,7 @@ fn random_frames() {
     assert!(pairs > 100 * done);
 }
 
-/// What all questions are answered with, bodies by their keys.
+/// The answers to all queries, with keys for bodies.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Answers {
     pairs: Vec<(u32, u32)>,
@@ -194,7 +194,7 @@ impl Answers {
     }
 }
 
-/// Every order of six, and of five of them after others came and went.
+/// Every order of six bodies, and of five of them after others came and went.
 fn orders(n: usize) -> Vec<Vec<usize>> {
     if n == 0 {
         return vec![vec![]];
@@ -215,7 +215,7 @@ impl Check for Permutation {
         for (number, order) in orders(6).iter().enumerate() {
             let mut phase = empty.clone();
             if number % 2 == 1 {
-                // The free slots are in another order then.
+                // Then the free slots are in another order.
                 let crumbs = [0, 1, 2, 3].map(|i| phase.insert(&aabb((i, i), (i, i)), Mark::new(99, 0)).unwrap());
                 for i in [2, 0, 3, 1] {
                     phase.remove(crumbs[(i + number / 2) % 4]).unwrap();
@@ -245,7 +245,7 @@ fn scene_47_every_order_of_six() {
 }
 
 /// Torture scene 29: as large as a cell, larger by one raw, without size, on the lines of cells and
-/// outside of the grid.
+/// outside the grid.
 struct Sizes;
 
 impl Check for Sizes {
@@ -284,8 +284,8 @@ fn scene_29_sizes() {
     everywhere(8, Cells { side: 8, origin: (-2, 5) }, &mut Sizes);
 }
 
-/// Torture scene 38: four bodies are pushed into a corner, where all of them end at one place;
-/// every order of insertion, every frame.
+/// Torture scene 38: four bodies are pushed into a corner and all end at one position. Every order
+/// of insertion, every frame.
 struct Corner(Vec<Vec<(u32, u32)>>);
 
 impl Check for Corner {
@@ -323,8 +323,8 @@ fn scene_38_four_in_a_corner() {
     assert_eq!(check.0[19], [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]);
 }
 
-/// A slot has 70 000 tenants: no handle of the last 32 767 is taken for the present one, and other
-/// bodies keep theirs.
+/// A slot has 70 000 tenants. No handle of the last 32 767 is mistaken for the present one, and
+/// other bodies keep theirs.
 struct Tenants;
 
 impl Check for Tenants {
@@ -338,7 +338,7 @@ impl Check for Tenants {
             for ago in [1, 2, 3, 255, 256, 16_383, 16_384, 32_766, 32_767] {
                 assert!(old(ago).is_none_or(|old| old != handle && !phase.contains(old)), "{name}, {ago} ago");
             }
-            // The documented end.
+            // The documented limit.
             assert!(old(32_768).is_none_or(|old| old == handle), "{name}");
             let mut pairs = Vec::new();
             phase.pairs(|pair| pairs.push((pair.a, pair.b)));

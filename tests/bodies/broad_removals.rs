@@ -11,8 +11,8 @@ fn raw(x: i32, y: i32, w: i32, h: i32) -> Aabb {
     Aabb::new(Vec2::from_raw(x, y), Vec2::from_raw(x + w, y + h)).unwrap()
 }
 
-/// NIL read as a number of a cell is a place beyond the grid: a large body that becomes small there
-/// is refused, too.
+/// NIL read as the number of a cell is a point beyond the grid. A large body that becomes small
+/// there must be refused, too.
 #[test]
 fn refuse_refuses_what_was_large() {
     // 4 columns, 2047 * 8 rows of 1/4 unit; place(65535) is column 3, row 16383.
@@ -25,7 +25,8 @@ fn refuse_refuses_what_was_large() {
     assert!(near.move_each(|_, _| to).is_err());
 }
 
-/// Removal at every point of every enumeration, budget 1: what is left is complete and single.
+/// Removal at every point of every enumeration, with budget 1. The rest is complete, without
+/// repeats.
 fn removals(name: &str, mut near: Near<()>, boxes: &[Aabb]) {
     let handles: Vec<_> = boxes.iter().map(|b| near.insert(b, ()).unwrap()).collect();
     let n = handles.len();

@@ -1,9 +1,10 @@
-//! Filters: the whole truth table of two layers, each layer by itself, and what the words mean.
+//! Filters: the whole truth table of two layers, each layer by itself, and the meaning of the
+//! words.
 
 use tilesat::broad::Tag;
 use tilesat::{Filter, LayerMask};
 
-/// What the documentation says, in its words.
+/// The documentation's sentences as code.
 #[derive(Clone, Copy, Debug)]
 struct Plain {
     layers: [bool; 2],
@@ -66,8 +67,8 @@ fn the_whole_table() {
             }
         }
     }
-    // Of 36 pairs of groups 3 pair always, 2 never, 31 as masks say: 7 of 16 layers of one and
-    // masks of the other meet, each way. Flags agree in 9 of 16.
+    // Of 36 pairs of groups, 3 pair always, 2 never, and 31 as masks decide. 7 of 16 combinations
+    // of layers and masks meet, each way. Flags agree in 9 of 16.
     assert_eq!(paired, 4 * 9 * (3 * 256 + 31 * 7 * 7));
 }
 

@@ -1,4 +1,4 @@
-//! Many bodies: broad phases, pairs and their events, what they do to each other, scenes.
+//! Many bodies: broad phases, pairs and their events, responses between bodies, and scenes.
 
 #![cfg(not(target_os = "none"))]
 

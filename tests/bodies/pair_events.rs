@@ -1,5 +1,5 @@
-//! Events of pairs and exceptions against sets written down from the definitions: all frames of a
-//! few pairs, many of many, and bodies that move, rest and leave.
+//! Events of pairs and exceptions, compared with sets from the definitions: all frames of a few
+//! pairs, many frames of many, and bodies that move, rest and leave.
 
 use std::collections::{BTreeMap, BTreeSet};
 use tilesat::broad::{BroadError, BroadPhase, BruteForce, Exceptions, Handle, Ignore, Pair, PairEvent, PairEvents};
@@ -8,7 +8,8 @@ use tilesat_judge::Random;
 
 type Told = (Vec<PairEvent<u8>>, Result<(), Truncated>);
 
-/// What must be told, from the pairs of the last frame; they become those of this one.
+/// The expected events, from the pairs of the last frame. Then these become the pairs of this
+/// frame.
 fn model(room: usize, last: &mut BTreeSet<u8>, fed: &[u8], held: impl Fn(u8) -> bool) -> Told {
     let came: BTreeSet<u8> = fed.iter().copied().collect();
     let new: Vec<u8> = came.difference(last).copied().collect();
@@ -33,8 +34,8 @@ fn play<const M: usize>(events: &mut PairEvents<M, u8>, fed: &[u8], held: impl F
     (events.iter().collect(), done)
 }
 
-/// Every frame after every frame that can be: all orders of feeding up to four of four pairs, all
-/// that may rest.
+/// Every frame after every possible frame: all orders of feeding up to four of four pairs, with all
+/// subsets at rest.
 fn every_frame<const M: usize>() -> usize {
     let mut feeds = vec![vec![]];
     for from in 0.. {
@@ -54,8 +55,8 @@ fn every_frame<const M: usize>() -> usize {
                 assert_eq!(play(&mut events, feed, held), expected, "M={M} {last:?} {feed:?} {rests:b}");
                 assert!(events.pairs().eq(last.iter().copied()));
                 assert!((0..5).all(|pair| events.contains(pair) == last.contains(&pair)));
-                // What was told is all there is to know: the same is the same bits, whatever came
-                // before and in whichever order, but for counts.
+                // The reported pairs are the whole state. Equal states are equal bits, whatever
+                // came before and in whichever order, except for counts.
                 let mut bits = events;
                 bits.feed(9);
                 bits.cancel();
@@ -86,7 +87,7 @@ fn many_frames<const M: usize>(seed: u64) {
     let (mut events, mut last) = (PairEvents::<M, u8>::default(), BTreeSet::new());
     let mut truncated = 0;
     for _ in 0..4000 {
-        // Some frames far beyond the room; pairs come back soon, so that many stay.
+        // Some frames far beyond the room. Pairs return soon, so that many stay.
         let span = r.within(1, 3 * M as i64);
         let fed: Vec<u8> = (0..r.below(2 * span)).map(|_| r.below(span) as u8).collect();
         let rests = r.next();
@@ -125,7 +126,7 @@ fn any_ordered_value_is_a_pair() {
     assert_eq!(told[0].pair(), (7, TRAP));
 }
 
-/// A body of the shadow: numbers that are never used twice, and plain integers.
+/// A body of the model: numbers that are never reused, and plain integers.
 #[derive(Clone, Debug)]
 struct Shadow {
     id: u32,
@@ -164,7 +165,7 @@ fn newcomer(r: &mut Random, near: &mut BruteForce<BODIES, Filter>, id: u32) -> S
     Shadow { id, handle: near.insert(&bounds, filter).unwrap(), at, size, filter }
 }
 
-/// Bodies that move, fall asleep, wake, leave and make way for others in the same slot.
+/// Bodies that move, fall asleep, wake, leave and are replaced by others in the same slot.
 #[test]
 fn bodies_that_move_rest_and_leave() {
     let mut r = Random::new(4);
@@ -245,7 +246,7 @@ fn bodies_that_move_rest_and_leave() {
     assert!(slept > 2000 && old_names > 1000 && counts.iter().all(|&n| n > 3000), "{slept} {old_names} {counts:?}");
 }
 
-/// What was asked for, as it was asked for: a term's end is found from its history.
+/// The calls as made. The end of a rule follows from its history.
 #[derive(Clone, Debug)]
 struct Asked {
     ignore: Ignore,
@@ -263,8 +264,8 @@ fn ask(terms: &mut Terms, room: usize, pair: usize, ignore: Ignore) -> bool {
     fits
 }
 
-/// All frames of all exceptions that three bodies can have: said before or after the pairs came, in
-/// either order of handles.
+/// All frames of all exceptions of three bodies: set before or after the pairs came, with the
+/// handles in either order.
 fn every_exception<const M: usize>() -> usize {
     const NAMES: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
     let mut near = BruteForce::<3>::new();
@@ -343,7 +344,7 @@ fn all_frames_of_all_exceptions() {
     assert_eq!(every_exception::<3>(), 64);
 }
 
-/// An ignored pair that had begun ends, and begins again when it counts again.
+/// An ignored pair that had begun ends. It begins again once it counts again.
 #[test]
 fn exceptions_and_events() {
     let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8)).unwrap();

@@ -1,5 +1,5 @@
-//! Scenes: what lies on each other. Columns keep their order and do not sink, on the floor and on
-//! lifts; heaps in a pit fall asleep. Units, y down.
+//! Scenes: piles. Columns keep their order and do not sink, on the floor and on lifts. Heaps in a
+//! pit fall asleep. Units, y down.
 
 use tilesat::broad::{Handle, SortSweep};
 use tilesat::scene::{SceneBody, SceneTag, Shape, Sleep};
@@ -11,8 +11,8 @@ static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 
 type Piles = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
-/// A pit of cells of 16, so many wide and high; its floor is at `16 * high`, its walls at 16 and
-/// `16 * (wide - 1)`.
+/// A pit of cells of 16 with this width and height. Its floor is at `16 * high`, its walls are at
+/// 16 and `16 * (wide - 1)`.
 fn pit(wide: usize, high: usize) -> String {
     let row = format!("#{}#\n", ".".repeat(wide - 2));
     row.repeat(high) + &"#".repeat(wide) + "\n"
@@ -35,7 +35,7 @@ fn bounds(scene: &Piles, handle: Handle) -> (i32, i32) {
     (bounds.min().raw().1, bounds.max().raw().1)
 }
 
-/// What is wrong with a column, from its lowest body up.
+/// The fault of a column, from its lowest body up.
 fn fault(scene: &Piles, column: &[Handle], floor: i32) -> Option<String> {
     let mut below = floor;
     for (layer, &handle) in column.iter().enumerate() {
@@ -52,7 +52,7 @@ fn fault(scene: &Piles, column: &[Handle], floor: i32) -> Option<String> {
     None
 }
 
-/// Falls, so many boxes with gaps between, from so high; how many steps until it sleeps.
+/// A number of boxes falls from a height, with gaps between. Returns the steps until it sleeps.
 fn column(scene: &mut Piles, floor: i32, count: i32, size: i32, fall: i32, gap: i32) -> Vec<Handle> {
     (0..count)
         .map(|k| {
@@ -117,8 +117,8 @@ fn columns_that_stand_stay() {
     assert!(wrong.is_empty(), "{} of 225 columns\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// A lift of the game's own, which is placed after the step, with a column of crates that rub; far
-/// above the level.
+/// The game places a lift after the step, with a column of crates with friction on it, far above
+/// the level.
 struct Lift {
     scene: Piles,
     platform: Handle,
@@ -147,7 +147,7 @@ impl Lift {
         self.scene.place(self.platform, self.bounds).unwrap();
     }
 
-    /// Where the crates are, as seen from the lift.
+    /// The crates' positions, relative to the lift.
     fn seen(&self) -> Vec<Vec2> {
         let at = |handle: &Handle| self.scene.body(*handle).unwrap().shape.position() - self.bounds.min();
         self.crates.iter().map(at).collect()
@@ -179,7 +179,7 @@ fn a_pile_on_a_lift_is_the_pile_at_rest() {
     assert!(wrong.is_empty(), "{} of 30\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// On the floor and on lifts that go up, down and aside and turn round; none may sleep.
+/// On the floor, and on lifts that move up, down and aside and turn round. None may sleep.
 /// `TILESAT_FRAMES` makes it a soak.
 #[test]
 fn stacks_of_ten_rest_for_ten_thousand_frames() {
@@ -189,11 +189,11 @@ fn stacks_of_ten_rest_for_ten_thousand_frames() {
         let mut lift = Lift::of(10);
         let start = lift.seen();
         for frame in 0..frames(10_000_u32) {
-            // To the left and up for so long as to the right and down.
+            // To the left and up for as long as to the right and down.
             let sign = if frame / 200 % 2 == 0 { 1 } else { -1 };
             lift.step(&map, Vec2::from_raw(sign * vx, sign * vy));
             for (layer, (is, was)) in (0..).zip(lift.seen().iter().zip(&start)) {
-                // Where it turns round faster than they fall they leave it for some steps.
+                // If the lift turns round faster than they fall, they leave it for some steps.
                 let turns = vy != 0 && frame % 200 < 8;
                 assert!(
                     turns || (is.y - was.y).to_bits().abs() <= layer + 1,
@@ -205,7 +205,7 @@ fn stacks_of_ten_rest_for_ten_thousand_frames() {
     }
 }
 
-/// The ball touches the topmost; all below is awake in that step.
+/// The ball touches the top crate. All crates below are awake in that step.
 #[test]
 fn piles_wake_as_a_whole() {
     let rows = pit(8, 20);
@@ -248,7 +248,7 @@ fn heaps_do_not_depend_on_the_order_of_insertion() {
     }
 }
 
-/// Speeds up sideways by a twentieth a frame to 1.
+/// Accelerates sideways by a twentieth per frame to 1.
 #[test]
 fn a_lift_that_speeds_up_takes_its_crates_along() {
     let rows = pit(4, 2);
@@ -289,7 +289,7 @@ fn heap(r: &mut Random, count: u32, balls: bool) -> Vec<SceneBody> {
         .collect()
 }
 
-/// How many steps heaps of so many may take.
+/// The steps that heaps of this size may take.
 fn bound(count: u32) -> u32 {
     500 + 20 * count
 }

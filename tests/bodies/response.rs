@@ -36,7 +36,7 @@ fn size_of(n: &BigInt) -> BigInt {
     if *n < BigInt::from(0) { -n } else { n.clone() }
 }
 
-/// All that is promised of one reply; `within` raw of the exact one.
+/// All promises about one reply, which must be `within` raw of the exact one.
 fn check(v: P, n: P, restitution: Ratio, friction: Ratio) -> P {
     let out = raw(respond(vec2(v), axis(n), restitution, friction).unwrap());
     let tell = || format!("{v:?} at {n:?}, {restitution:?} {friction:?}: {out:?}");
@@ -91,7 +91,7 @@ fn velocities_and_normals_of_all_sizes() {
         let limit = if case % 4 == 0 { i64::from(i32::MAX) } else { 1 << (case % 29 + 1) };
         let (mut v, n) = (any(&mut r, (1 << 29) - 1), any(&mut r, limit));
         if case % 3 == 0 {
-            // Grazing: along the surface, give or take a raw unit or two.
+            // Grazing: along the surface, within a raw unit or two.
             let k = 1 + (1 << 29) / (n.0.abs().max(n.1.abs()) + 1);
             let k = r.around(k);
             v = (-n.1 * k + r.around(2), n.0 * k + r.around(2));
@@ -135,7 +135,7 @@ fn parts_add_up_and_are_nearest() {
     }
 }
 
-/// Elastic reflections for ever: the speed is never above the start, and at the end all but a few
+/// Endless elastic reflections. The speed is never above the start, and at the end all but a few
 /// raw units of it are left.
 #[test]
 fn a_million_reflections() {
@@ -158,7 +158,7 @@ fn a_million_reflections() {
     }
 }
 
-/// Without the reference the same roundings add up: what it is for.
+/// Without the reference the same roundings add up. That is its purpose.
 #[test]
 fn without_a_reference_speed_bleeds() {
     let mut r = Random::new(9);
@@ -177,10 +177,10 @@ fn a_reference_follows_what_the_game_does() {
     let (v, g) = (vec2((50_000, -20_000)), vec2((0, 1_000)));
     let speed = Speed::of(v).changed(v, v + g);
     assert_eq!(speed, Speed::of(v + g));
-    // What is owed stays owed.
+    // A debt of speed stays.
     let owed = Speed::of(vec2((50_001, -20_000)));
     assert_eq!(owed.changed(v, v + g).squared() - (v + g).length_squared(), owed.squared() - v.length_squared());
-    // And what it is too fast by.
+    // So does an excess of speed.
     let fast = Speed::of(vec2((49_999, -20_000)));
     assert_eq!(fast.changed(v, v + g).squared() + v.length_squared(), (v + g).length_squared() + fast.squared());
 }
@@ -194,13 +194,13 @@ fn named_replies() {
     assert_eq!(bounce(v, Axis::new(-4, -3), Ratio::ONE), Ok(Vec2::from_raw(-686_817, -482_345)));
     assert_eq!(respond(v, Axis::new(0, 0), Ratio::ONE, Ratio::ONE), Ok(v), "no normal, no contact");
     assert!(respond(Vec2::from_raw(1 << 29, 0), Axis::X, Ratio::ONE, Ratio::ONE).is_err());
-    // At rest below eight units a frame.
+    // At rest below eight units per frame.
     let dull = Surface::new(Ratio::ONE, Ratio::ZERO).resting_below(Fx::from_num(8));
     assert_eq!(dull.respond(v, Axis::NEG_Y), Ok(Vec2::from_ints(10, 0)));
     assert_eq!(dull.respond(v + Vec2::from_raw(0, 1), Axis::NEG_Y), Ok(Vec2::from_raw(10 << 16, -(8 << 16) - 1)));
 }
 
-/// A bounce is drawn to its reference from far off, up and down, and stays in the direction of the
+/// A bounce approaches its reference from far off, up and down, and stays in the direction of the
 /// mirror image.
 #[test]
 fn a_bounce_is_drawn_to_its_reference() {
@@ -230,7 +230,7 @@ fn a_bounce_is_drawn_to_its_reference() {
         let (mirror, _) = exact(v, n, Ratio::ONE, Ratio::ZERO);
         let cross: BigInt = &mirror[0] * out.1 - &mirror[1] * out.0;
         let size = &mirror[0] * &mirror[0] + &mirror[1] * &mirror[1];
-        // Aside by at most 3 raw, more where the rounded image was short and is drawn out.
+        // Aside by at most 3 raw. More if the rounded image was short and is stretched.
         let aside = BigInt::from(3 + (3.0 * aimed / was) as i64);
         assert!(&cross * &cross <= size * &aside * &aside, "{}", tell());
         let flipped = raw(speed.bounce(vec2((v.0, -v.1)), axis((n.0, -n.1))).unwrap());

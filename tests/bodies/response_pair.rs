@@ -1,4 +1,5 @@
-//! Two bodies that meet: they part, momentum stays, energy does not grow. Exact, in 128 bits.
+//! Two bodies that meet: they separate, momentum stays, and energy does not grow. Exact, in 128
+//! bits.
 
 use tilesat::motion::response::{exchange, separate};
 use tilesat::prelude::*;
@@ -41,7 +42,7 @@ impl Shape for Aabb {
     }
 }
 
-/// Separates the two by every share, in both orders and mirrored; whether they overlapped.
+/// Separates the two by every share, in both orders and mirrored. Returns whether they overlapped.
 fn parted<A: Shape + Contacts<B> + Overlaps<B>, B: Shape + Contacts<A>>(a: A, b: B) -> bool {
     let Some(contact) = a.contact(&b) else { return false };
     let other: Contact = b.contact(&a).unwrap();
@@ -107,13 +108,13 @@ fn shapes_of_all_sizes_part() {
     }
 }
 
-/// Masses as the test knows them: zero is one that is not moved.
+/// Masses for the test. Zero is a body that does not move.
 fn masses() -> [(Masses, P); 7] {
     let of = |a: u8, b: u8| (Masses::new(a, b).unwrap(), (i64::from(a), i64::from(b)));
     [of(1, 1), of(1, 2), of(3, 1), of(6, 4), of(255, 254), (Masses::B_FIXED, (1, 0)), (Masses::A_FIXED, (0, 1))]
 }
 
-/// All that is promised of one exchange; whether it changed anything.
+/// All promises about one exchange. Returns whether it changed anything.
 fn check(a: P, b: P, n: P, (masses, (ma, mb)): (Masses, P), surface: &Surface) -> bool {
     let normal = Axis::new(n.0 as i32, n.1 as i32);
     let (new_a, new_b) = exchange(vec2(a), vec2(b), normal, masses, surface).unwrap();
@@ -204,7 +205,7 @@ fn meetings_of_all_speeds() {
     assert!(met > 10 * left);
 }
 
-/// A row of equal balls: what comes in on one side goes out on the other.
+/// A row of equal balls: the speed that enters on one side leaves on the other.
 #[test]
 fn newtons_cradle() {
     let mut v = [Vec2::from_ints(5, 0), Vec2::ZERO, Vec2::ZERO, Vec2::ZERO];

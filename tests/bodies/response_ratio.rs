@@ -4,7 +4,7 @@ use tilesat::{Fx, Ratio};
 
 const ONE: u128 = 1 << 30;
 
-/// 0, 1, powers of two and what is beside them.
+/// 0, 1, powers of two and their neighbours.
 fn words() -> Vec<u32> {
     let near = |k: u32| [(1u32 << k).wrapping_sub(1), 1 << k, (1u32 << k).wrapping_add(1)];
     (0..32).flat_map(near).chain([0, u32::MAX, 3_000_000_019, 100, 360]).collect()

@@ -85,7 +85,7 @@ fn link(a: u8, b: u8, points: &[Particle]) -> Link {
     Link { a, b, stick: Stick::new(way.length()).unwrap() }
 }
 
-/// Head, neck, hips, elbows, hands, knees and one foot, and who is tied to whom.
+/// Head, neck, hips, elbows, hands, knees and one foot, and the sticks between them.
 fn doll(at: P) -> (Vec<Particle>, Vec<Link>) {
     let body = [(0, 0), (0, 6), (0, 16), (-6, 8), (6, 8), (-10, 13), (10, 13), (-3, 23), (3, 23), (-4, 30)];
     let points: Vec<Particle> = body.iter().map(|p| Particle::at(vec2((at.0 + p.0 * PX, at.1 + p.1 * PX)))).collect();
@@ -94,14 +94,14 @@ fn doll(at: P) -> (Vec<Particle>, Vec<Link>) {
     (points, links)
 }
 
-/// How far a stick is from its length, in units.
+/// The error of a stick's length, in units.
 fn off(link: &Link, points: &[Particle]) -> f64 {
     let (a, b) = (points[usize::from(link.a)].position, points[usize::from(link.b)].position);
     ((len2(raw(a), raw(b)) as f64).sqrt() - f64::from(link.stick.length().to_bits())).abs() / PX as f64
 }
 
-/// A doll that falls; `awake` frames without sleep, then until it sleeps. The worst stick ever, and
-/// at rest.
+/// A falling doll: `awake` frames without sleep, then until it sleeps. Returns the worst stick
+/// ever, and at rest.
 fn fall(start: P, awake: u32) -> (f64, f64) {
     let map: TileMap<'_> = TileMap::of_ascii(STAIRS, &KINDS).unwrap();
     let mover = Mover::new().with_surface(Surface::new(Ratio::ZERO, Ratio::HALF));
@@ -164,7 +164,7 @@ fn a_length_that_is_none_is_called_one() {
     assert_eq!(error.to_string(), "Length is out of range: -1 (-65536 raw); it must be from 0 to below 8192 units");
 }
 
-/// A pendulum on a nailed end: its rope never gives more than the rounding.
+/// A pendulum on a nailed end. Its rope never stretches by more than the rounding.
 #[test]
 fn a_rope_holds() {
     let map: TileMap<'_> = TileMap::of_ascii(STAIRS, &KINDS).unwrap();

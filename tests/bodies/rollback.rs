@@ -1,11 +1,11 @@
-//! Two machines over links that lose packets: equal states after each confirmed frame, and nothing
-//! played again without need.
+//! Two machines over links that lose packets: equal states after each confirmed frame, and no
+//! unnecessary replay.
 
 use tilesat::TileMap;
 use tilesat_games::rollback::{Game, Keys, Matched, Totals, Weather, arena};
 use tilesat_judge::cases;
 
-/// From none to one that hardly lets anything through.
+/// From a perfect link to one that hardly lets anything through.
 const LINKS: [Weather; 5] = [
     Weather { loss: 0, doubled: 0, least: 0, most: 0 },
     Weather { loss: 0, doubled: 0, least: 5, most: 5 },
@@ -43,9 +43,10 @@ fn all_links() {
             total.overtaken += overtaken;
         }
     }
-    // What comes in time needs no rollback; the worst link has them deep, and stops the game.
+    // Packets that arrive in time need no rollback. The worst link causes deep ones, and stops the
+    // game.
     assert_eq!((sum[0].again, sum[0].waits), (0, 0));
-    // Keys that are 5 frames under way and felt after 2 are 3 frames late, each time.
+    // Keys that travel 5 frames and take effect after 2 are 3 frames late, each time.
     assert!(sum[1].rollbacks > 30 && sum[1].again == sum[1].rollbacks * 3 && sum[1].overtaken == 0, "{:?}", sum[1]);
     assert!(sum[2].doubled > 500 && sum[2].overtaken > 500 && sum[2].lost > 100, "{:?}", sum[2]);
     assert!(sum[4].waits > 0 && sum[4].again > sum[3].again, "{:?}", sum[4]);
@@ -58,7 +59,7 @@ fn the_game_is_in_the_snapshot_alone() {
     for frame in 0..200 {
         let keys = [Keys(frame as u8 / 32), Keys(7 - frame as u8 / 32)];
         game.step(&level, keys).unwrap();
-        // A game that has never been there goes on as this one.
+        // A new game continues like this one.
         let mut other = Game::new().unwrap();
         other.load(&game.save());
         let (mut one, mut two) = (game, other);

@@ -1,4 +1,4 @@
-//! Scenes: pairs that the game refuses, bodies that it changes, bodies that float, sensors that
+//! Scenes: pairs that the game refuses, bodies that it changes, floating bodies, and sensors that
 //! wake nobody. Units, y down.
 
 use core::num::NonZeroU8;
@@ -65,7 +65,7 @@ fn filled<B: BroadPhase<Tag = SceneTag>>(near: B, bodies: &[SceneBody]) -> Scene
 
 type Change = fn(&mut SceneBody);
 
-/// Where all are, who is awake.
+/// The positions of all bodies, and which are awake.
 fn seen<B: BroadPhase<Tag = SceneTag>>(scene: &Scene<B, BODIES>) -> Vec<(u32, Shape, Vec2, bool, bool)> {
     let seen = |(handle, body): (Handle, &SceneBody)| {
         (body.key, body.shape, body.velocity, scene.is_awake(handle).unwrap(), scene.is_supported(handle).unwrap())
@@ -73,7 +73,7 @@ fn seen<B: BroadPhase<Tag = SceneTag>>(scene: &Scene<B, BODIES>) -> Vec<(u32, Sh
     scene.bodies().map(seen).collect()
 }
 
-/// The filters say the same as a veto of a scene in which all meet all.
+/// The filters say the same as a veto in a scene in which all bodies meet.
 #[test]
 fn a_refused_pair_is_as_if_it_were_none() {
     let (mut refused, mut slept, mut woken) = (0, 0, 0);
@@ -129,7 +129,7 @@ fn a_veto_that_says_now_this_now_that_breaks_nothing() {
     }
 }
 
-/// Changes at random: all is kept consistent, whichever the broad phase.
+/// Random changes. The scene stays consistent on every broad phase.
 #[test]
 fn bodies_may_be_altered_in_any_way() {
     let mut turned = 0;
@@ -186,7 +186,7 @@ fn what_is_altered_wakes_its_neighbours() {
         assert!(scene.awake().is_empty());
         scene.alter(below, change).unwrap();
         assert_eq!(scene.is_awake(above), Ok(wakes), "{name}");
-        // And then the one on top knows that nothing carries it.
+        // And then the top body knows that nothing carries it.
         scene.alter(below, |body| body.filter = ghost).unwrap();
         run(&mut scene, 60);
         assert_eq!(scene.body(above).unwrap().shape, boxed(40, 54, 10, 10).into());
@@ -225,13 +225,13 @@ fn what_floats_does_not_fall() {
     let at = |scene: &Swept, handle| scene.body(handle).unwrap().shape.position();
     assert_eq!(at(&scene, lift), Vec2::from_ints(80, 40) + Vec2::from_raw(120_000, -60_000));
     run(&mut scene, 40);
-    // It sleeps in the air; a push wakes it, and nothing but the wall stops it.
+    // It sleeps in the air. A push wakes it, and only the wall stops it.
     assert_eq!(at(&scene, balloon), Vec2::from_ints(40, 20));
     assert_eq!(scene.is_awake(balloon), Ok(false));
     scene.push(balloon, Vec2::from_ints(-1, 0)).unwrap();
     run(&mut scene, 60);
     assert_eq!(at(&scene, balloon), Vec2::from_ints(16, 20));
-    // It comes down on a fixed body, and stays there.
+    // It lands on a fixed body and stays there.
     let shelf = scene.insert(&SceneBody::fixed(boxed(10, 40, 30, 4), 3)).unwrap();
     scene.set_velocity(balloon, Vec2::from_ints(0, 1)).unwrap();
     run(&mut scene, 60);
@@ -255,7 +255,8 @@ fn sensors_wake_nobody() {
     scene.set_velocity(trap, Vec2::from_ints(1, 0)).unwrap();
     scene.alter(trap, |body| body.filter.group = 3).unwrap();
     assert!(scene.awake().is_empty());
-    // Both rest, so nobody is told, until one of them moves: the sleeper, or a sensor with a mass.
+    // Both rest, so the game hears of nobody until one of them moves: the sleeper, or a sensor with
+    // a mass.
     let touches = |scene: &mut Swept| {
         let mut told = 0;
         scene.step(&room(), GRAVITY, |event| told += u32::from(matches!(event, SceneEvent::Touch { .. }))).unwrap();
@@ -268,7 +269,7 @@ fn sensors_wake_nobody() {
     assert_eq!(scene.awake(), [trap]);
     scene.remove(trap).unwrap();
     assert!(scene.awake().is_empty());
-    // What becomes solid wakes, and so does what stops being it.
+    // A body that becomes solid wakes, and so does one that stops being solid.
     let trap = scene.insert(&zone).unwrap();
     scene.alter(trap, |body| body.filter = Filter::default()).unwrap();
     assert_eq!(scene.awake(), [sleeper]);

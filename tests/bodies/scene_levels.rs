@@ -1,4 +1,4 @@
-//! What the level is to a body of a scene: responses by flags, a level for each, how hard a hit is.
+//! The level for a body of a scene: responses by flags, a level per body, and the speed of a hit.
 
 use super::swept::{ball, body_of, boxed, scene, vec2};
 use tilesat::motion::Responses;
@@ -17,8 +17,8 @@ static KINDS: TileKinds = TileKinds::EMPTY
     .with(b'c', TileKind::FULL.with_flags(CURTAIN));
 static GHOSTS: TileKinds = KINDS.passing(CURTAIN);
 
-/// The approach speed against its definition, `-(v . n) / |n|` to nearest, in 128 bits: small normals
-/// and velocities exhaustively, then those at the ends of the ranges.
+/// The approach speed against its definition, `-(v . n) / |n|` to nearest, in 128 bits. First small
+/// normals and velocities exhaustively, then those at the ends of the ranges.
 #[test]
 fn approach_is_the_nearest() {
     let check = |n: (i32, i32), v: (i32, i32)| {
@@ -28,7 +28,7 @@ fn approach_is_the_nearest() {
         if d <= 0 {
             assert_eq!(s, 0, "{n:?} {v:?}");
         } else if s == i32::MAX && 4 * d * d >= ((1_i128 << 31) - 1).pow(2) * square {
-            // It rounds to 2^30 raw or more: no motion has that.
+            // It rounds to 2^30 raw or more. No motion is that large.
         } else {
             let s = i128::from(s);
             let (below, above) = ((2 * s - 1).max(0), 2 * s + 1);
@@ -45,7 +45,7 @@ fn approach_is_the_nearest() {
     }
     let mut r = Random::new(7);
     for _ in 0..cases(200_000) {
-        // Nearly along the surface, where the most is lost.
+        // Nearly along the surface, where the rounding error is greatest.
         let v = (r.around(1 << 28) as i32, r.around(1 << 28) as i32);
         check((v.1 + r.around(3) as i32, -v.0 + r.around(3) as i32), v);
     }
@@ -60,7 +60,7 @@ fn neighbour(of: &SceneBody) -> SceneBody {
     SceneBody::fixed(ball(i64::from(x) - (3 << 16), i64::from(y), 1 << 16), 100)
 }
 
-/// A rubber ball over floors of four kinds, slow and fast: all come down at one speed.
+/// A rubber ball over floors of four kinds, slow and fast. All land at one speed.
 #[test]
 fn a_body_has_its_own_responses() {
     let map = TileMap::from_ascii("................\n................\n####gggg~~~~####", &KINDS).unwrap();
@@ -92,7 +92,7 @@ fn a_body_has_its_own_responses() {
     }
 }
 
-/// The gravity of a step is a part of the speed that a body hits with.
+/// The gravity of a step is part of the speed with which a body hits.
 #[test]
 fn a_hit_has_the_speed_of_the_step() {
     let map = TileMap::from_ascii("....\n....\n####", &KINDS).unwrap();
@@ -130,7 +130,8 @@ fn ghosts_pass_curtains() {
     }
 }
 
-/// With one level for all, `step_in` is `step`. With two, each body does what it does alone in its own.
+/// With one level for all, `step_in` is `step`. With two, each body moves as it does alone in its
+/// own level.
 #[test]
 fn each_body_sees_its_level() {
     let rows = "################\n#.....c....c...#\n#.....c....c...#\n#..ccc.........#\n################";

@@ -1,4 +1,4 @@
-//! Scenes: what sleeps is where what may wake it reaches it, and its pairs last.
+//! Scenes: a sleeping body touches everything that may wake it, and its pairs last.
 
 use tilesat::broad::{PairEvent, PairEvents, SortSweep};
 use tilesat::scene::{SceneBody, SceneEvent, SceneTag};
@@ -13,7 +13,7 @@ fn raw(x: i32, y: i32, w: i32, h: i32) -> Aabb {
 }
 type S = Scene<SortSweep<16, SceneTag>, 16>;
 
-/// A trap and a crate in it both rest; a ball wakes the crate: no pair ends that the next step
+/// A trap and a crate in it both rest. A ball wakes the crate. No pair ends that the next step
 /// begins again.
 #[test]
 fn waking_does_not_end_pairs() {
@@ -54,8 +54,8 @@ fn waking_does_not_end_pairs() {
     }
 }
 
-/// Whatever its surface and however low the gravity, what sleeps at the floor touches it: a change
-/// of the floor wakes it.
+/// Whatever its surface and however low the gravity, a body that sleeps on the floor touches it. So
+/// a change of the floor wakes it.
 #[test]
 fn what_sleeps_at_the_floor_touches_it() {
     let level = TileMap::from_ascii("............\n............\n............\n############\n", &KINDS).unwrap();
@@ -105,8 +105,8 @@ fn what_sleeps_at_the_floor_touches_it() {
     assert_eq!(bad, 0);
 }
 
-/// The same where a body carries it: gone, put elsewhere or pushed away from below, it wakes what
-/// slept on top.
+/// The same on a body that carries it. If that one is removed, moved or pushed away from below, the
+/// sleeper on top wakes.
 #[test]
 fn what_sleeps_on_a_body_wakes_with_it() {
     let level = TileMap::from_ascii("............\n............\n............\n############\n", &KINDS).unwrap();

@@ -1,7 +1,6 @@
-//! Scenes: nothing depends on the order of insertion or on the broad phase; a copy is a snapshot;
-//! mirrored and moved scenes run beside each other bit for bit; the solid is never entered;
-//! meetings keep momentum and gain no energy. `TILESAT_CASES` makes the runs longer. Raw units, y
-//! down.
+//! Scenes: the order of insertion and the broad phase change nothing. A copy is a snapshot.
+//! Mirrored and shifted scenes stay equal bit for bit. No body enters the solid. Meetings keep
+//! momentum and gain no energy. `TILESAT_CASES` makes the runs longer. Raw units, y down.
 
 use core::num::NonZeroU8;
 use tilesat::broad::{BroadPhase, BruteForce, LooseGrid, SortSweep, SpatialHash};
@@ -38,7 +37,8 @@ fn body(shape: Shape) -> Body {
     }
 }
 
-/// A level and bodies in it, some fixed, some sensors, some over each other, none in the solid.
+/// A level and bodies in it. Some are fixed, some are sensors, some overlap each other, and none is
+/// in the solid.
 fn crowd(r: &mut Random) -> (Level, Vec<SceneBody>) {
     let level = mosaic(r, (16, 12), 24 * PX, 12, 4);
     let (room, mut bodies) = (Room::new(&level), Vec::new());
@@ -71,7 +71,7 @@ fn crowd(r: &mut Random) -> (Level, Vec<SceneBody>) {
     (level, bodies)
 }
 
-/// Inserted in this order, with a stranger who leaves again, so that slots are reused.
+/// Inserted in this order, with another body that leaves again, so that slots are reused.
 fn filled<B: BroadPhase<Tag = SceneTag>>(near: B, bodies: &[&SceneBody], stranger: usize) -> Scene<B, BODIES> {
     let mut scene = Scene::with_sleep(near, Sleep { still: Fx::from_num(0.1), steps: 20 });
     let strangers: Vec<_> = (0..2).map(|_| scene.insert(bodies[stranger]).unwrap()).collect();
@@ -86,7 +86,7 @@ fn filled<B: BroadPhase<Tag = SceneTag>>(near: B, bodies: &[&SceneBody], strange
     scene
 }
 
-/// All that is to be seen of a scene, by key.
+/// The whole visible state of a scene, by key.
 fn seen<B: BroadPhase<Tag = SceneTag>>(scene: &Scene<B, BODIES>) -> Vec<(SceneBody, bool, bool)> {
     let (mut all, far) = (Vec::new(), Vec2::from_raw((1 << 29) - 1, (1 << 29) - 1));
     scene.near().in_region(&Aabb::new(Vec2::ZERO - far, far).unwrap(), |handle| {
@@ -181,7 +181,7 @@ fn mirrored_and_moved_scenes_are_images() {
                 velocity: vec2(view.direction(point(b.velocity))),
                 ..*b
             };
-            // One-way tiles have an up of their own: where up is down they are the other side's.
+            // One-way tiles have a fixed up. In a flipped scene they are those of the other side.
             let (images, level_seen) = (bodies.iter().map(image).collect::<Vec<_>>(), view.level(&level));
             let mut scene = filled(SortSweep::<BODIES, SceneTag>::new(), &bodies.iter().collect::<Vec<_>>(), 0);
             let mut other = filled(SortSweep::<BODIES, SceneTag>::new(), &images.iter().collect::<Vec<_>>(), 0);
@@ -258,7 +258,7 @@ fn sums<'a>(bodies: impl Iterator<Item = &'a SceneBody>) -> ((i128, i128), i128)
     })
 }
 
-/// Two at a time: exactly. In a crowd up to roundings: less than a raw unit a component of each
+/// Two at a time: exactly. In a crowd within roundings: less than a raw unit per component of each
 /// change.
 #[test]
 fn meetings_keep_momentum_and_gain_no_energy() {
@@ -302,7 +302,7 @@ fn meetings_keep_momentum_and_gain_no_energy() {
                 assert_eq!(q, p, "{case}");
                 assert!(f <= e, "{case}: {e} became {f}");
             } else {
-                // Of each contact: each body's change is less than a raw unit a component short.
+                // For each contact, each body's change is less than a raw unit per component short.
                 let slack = contacts * 2 * 255;
                 assert!((q.0 - p.0).abs() <= slack && (q.1 - p.1).abs() <= slack, "{case}: {p:?} became {q:?}");
                 let fastest = seen(&scene).iter().map(|s| s.0.velocity.length().to_bits()).max().unwrap();
@@ -316,8 +316,8 @@ fn meetings_keep_momentum_and_gain_no_energy() {
     assert!(met > 300);
 }
 
-/// One body above another on a floor, also sloping: a step has no more energy after it than with
-/// its gravity before it, but for a rounding of a change that goes against gravity.
+/// One body above another on a floor, also on a slope. After a step there is no more energy than
+/// before it, with its gravity. Only the rounding of a change against gravity may add some.
 #[test]
 fn what_lies_on_a_body_gains_no_energy() {
     let mut carried = 0;

@@ -1,4 +1,4 @@
-//! Scenes: who rests, who wakes, what that costs; stacks; sensors and fixed bodies; refusals.
+//! Scenes: which bodies rest, which wake, and the cost. Stacks, sensors, fixed bodies and refusals.
 //! Units, y down.
 
 use core::num::NonZeroU8;
@@ -76,7 +76,7 @@ fn stacks_come_to_rest_and_sleep() {
             slept_after += 1;
             assert!(slept_after < 200, "{height}: {:?}", scene.body(handles[0]));
         }
-        // Each sinks into the one below it by what falls in a step.
+        // Each sinks into the one below by the fall of a step.
         for (k, &handle) in handles.iter().enumerate() {
             let sunk = bottom(&scene, handle) - f64::from(128 - 10 * k as i16);
             assert!((0.0..=0.1001 * f64::from(k as u32)).contains(&sunk), "{height}: crate {k} sank by {sunk}");
@@ -140,7 +140,7 @@ fn a_touch_wakes_and_the_island_follows() {
     for step in 0..60 {
         woken.extend((0..run(&mut scene, &map, 1).woken).map(|_| step));
     }
-    // The one on top, and those below with it.
+    // The top one, and the ones below with it.
     assert_eq!(woken.len(), 4);
     assert!(woken.iter().all(|&step| step == woken[0]), "{woken:?}");
     run(&mut scene, &map, 200);
@@ -166,7 +166,7 @@ fn a_tile_that_changes_wakes_who_is_told() {
     let map = room(ROOM);
     let handles = stack(&mut scene, 3);
     run(&mut scene, &map, 60);
-    // The floor is gone; nobody knows.
+    // The floor is gone, and no body knows.
     let hole = ROOM.replace("################", "######...#######");
     let open = room(&hole);
     assert_eq!(run(&mut scene, &open, 50), Stepped::default());
@@ -207,7 +207,7 @@ fn an_island_sleeps_together() {
         (0..12).map(|k| scene.insert(&SceneBody::new(boxed(30 + 10 * k, 118, 10, 10), k as u32)).unwrap()).collect();
     let fly = scene.insert(&SceneBody::new(ball(145, 113, 5), 50)).unwrap();
     for step in 0..100 {
-        // It goes to and fro, and touches the last crate all the time.
+        // It moves to and fro, and always touches the last crate.
         scene.set_velocity(fly, Vec2::from_raw(if step % 2 == 0 { 20_000 } else { -20_000 }, 0)).unwrap();
         assert_eq!(run(&mut scene, &map, 1).slept, 0, "step {step}");
         assert!(scene.is_awake(row[0]).unwrap());
@@ -245,7 +245,7 @@ fn sensors_sense_and_do_not_push() {
         assert_eq!(scene.body(hero), alone.body(hero));
     }
     assert!(asleep(&scene, &[hero]));
-    // It begins where the boxes touch first, and does not end where it sleeps.
+    // It begins when the boxes first touch, and does not end while it sleeps.
     log.retain(|(_, event)| event.pair().a == trap && event.pair().b == hero);
     assert!(matches!(log[..], [(_, PairEvent::Begin(_))]), "{log:?}");
     let first = lone.iter().position(|shape| shape.touches(&scene.body(trap).unwrap().shape)).unwrap();
@@ -267,14 +267,14 @@ fn fixed_bodies_are_moved_by_nobody() {
         println!("{:?} {:?}", run(&mut scene, &map, 1), scene.body(stone).unwrap().shape);
     }
     assert!(asleep(&scene, &[stone]) && (bottom(&scene, stone) - 80.0).abs() < 0.11);
-    // Who stands on it wakes where it moves.
+    // A body that stands on it wakes when it moves.
     scene.place(shelf, boxed(80, 78, 60, 8)).unwrap();
     assert!(scene.is_awake(stone).unwrap() && !scene.is_awake(shelf).unwrap());
     run(&mut scene, &map, 1);
     assert!((bottom(&scene, stone) - 78.0).abs() < 0.3);
     run(&mut scene, &map, 60);
     assert!(asleep(&scene, &[stone]));
-    // So does who is touched where it comes from far away.
+    // So does a body that it touches from far away.
     let door = scene.insert(&SceneBody::fixed(boxed(20, 20, 8, 8), 3)).unwrap();
     assert!(asleep(&scene, &[stone]));
     scene.place(door, boxed(108, 60, 8, 8)).unwrap();
@@ -342,7 +342,7 @@ fn refusals_change_nothing() {
     assert_eq!(small.remove(first).map(|_| ()), stale);
     assert_eq!(small.body(first).map(|_| ()), stale);
     let other = small.insert(&body).unwrap();
-    assert_eq!((other.slot(), small.push(first, Vec2::ZERO)), (first.slot(), stale)); // another one has its place
+    assert_eq!((other.slot(), small.push(first, Vec2::ZERO)), (first.slot(), stale)); // another body has its slot
     assert!(!small.rests(&Pair { a: first, b: other }));
     small.remove(other).unwrap();
     assert_eq!(small.awake().len(), 1);
@@ -357,7 +357,7 @@ fn refusals_change_nothing() {
 
 #[test]
 fn what_cannot_be_moved_is_held_and_told() {
-    // A grid of the room's size that refuses what leaves it.
+    // A grid of the room's size that refuses bodies outside it.
     let mut scene: Scene<LooseGrid<1, 4, SceneTag>, 4> =
         Scene::new(LooseGrid::new(Vec2::ZERO, Fx::from_num(64), 4).unwrap().with_border(Border::Refuse));
     let hole = ROOM.replace("################", "......##########");

@@ -1,5 +1,5 @@
-//! Snapshots: a scene that is put back makes the same steps, to the last bit and in the same order
-//! of events. Units, y down.
+//! Snapshots: a restored scene makes the same steps, to the last bit and in the same order of
+//! events. Units, y down.
 
 use core::num::NonZeroU8;
 use tilesat::broad::{BroadPhase, BruteForce, LooseGrid, SortSweep, SpatialHash};
@@ -11,7 +11,7 @@ use tilesat_judge::{Random, cases};
 const GRAVITY: Vec2 = Vec2::from_raw(0, 6554);
 
 type Sixty<B> = Snapshot<B, 64>;
-// What a history of a rollback is made of.
+// The entry of a rollback history.
 const _: () = assert!(size_of::<Sixty<SortSweep<64, SceneTag>>>() <= 8192);
 const _: () = assert!(size_of::<Sixty<BruteForce<64, SceneTag>>>() <= 8192);
 
@@ -40,7 +40,7 @@ fn body(random: &mut Random, key: u32) -> SceneBody {
     }
 }
 
-/// What a game does to a scene between two steps.
+/// Changes that a game makes between two steps.
 fn change<B: BroadPhase<Tag = SceneTag>>(scene: &mut Scene<B, BODIES>, random: &mut Random, key: &mut u32) {
     let who = random.below(BODIES as i64) as usize;
     let handle = scene.bodies().nth(who).map(|(handle, _)| handle);
@@ -81,10 +81,10 @@ fn goes_on<B: BroadPhase<Tag = SceneTag> + Copy + PartialEq + core::fmt::Debug>(
             key += 1;
             let _ = scene.insert(&body(&mut random, key));
         }
-        // The twin was put back just now, from a state that has been anything before.
+        // The twin was just restored, from any earlier state.
         let mut twin = Scene::<B, BODIES>::new(near);
         for frame in 0..120 {
-            // The same changes for both: whatever a call of the game reads is in the snapshot, too.
+            // The same changes for both: everything that a call reads is in the snapshot.
             let seed = case * 1000 + frame;
             let mut next = key;
             change(&mut scene, &mut Random::new(seed), &mut next);

@@ -1,5 +1,5 @@
-//! Brute force and sort and sweep against a list of boxes: any life of bodies, enumerations in
-//! parts, what a part costs.
+//! Brute force and sort and sweep against a list of boxes: random lives of bodies, enumerations in
+//! parts, and the cost of a part.
 
 use heapless::Vec as Room;
 use std::collections::BTreeSet;
@@ -18,14 +18,14 @@ fn boxed([left, top, right, bottom]: Sides) -> Aabb {
     Aabb::new(Vec2::from_raw(left as i32, top as i32), Vec2::from_raw(right as i32, bottom as i32)).unwrap()
 }
 
-/// A box of up to 4 raw units a side on a lattice of 10: half of all are in touch exactly, or miss
+/// A box of up to 4 raw units per side on a lattice of 10. Half of all pairs touch exactly, or miss
 /// by one.
 fn any(r: &mut Random, origin: [i64; 2]) -> Sides {
     let (x, y) = (origin[0] + r.below(10), origin[1] + r.below(6));
     [x, y, x + r.below(5), y + r.below(5)]
 }
 
-/// What is there.
+/// The present bodies.
 #[derive(Clone, Default)]
 struct List(Vec<(Handle, Sides)>);
 
@@ -46,7 +46,7 @@ fn pairs(near: &mut Near<()>) -> BTreeSet<(Handle, Handle)> {
     found
 }
 
-/// Something that happens to bodies: one comes, goes or moves, or all move.
+/// A change: a body comes, leaves or moves, or all move.
 fn event(r: &mut Random, near: &mut Near<()>, list: &mut List, origin: [i64; 2]) {
     let some = r.below(list.0.len().max(1) as i64) as usize;
     match r.below(8) {
@@ -88,8 +88,8 @@ fn remove(near: &mut Near<()>, list: &mut List, some: usize) {
 const ORIGINS: [[i64; 2]; 3] =
     [[-5, -3], [DOMAIN as i64 - 400, 7 - DOMAIN as i64], [1 - DOMAIN as i64, DOMAIN as i64 - 40]];
 
-/// Slots are freed, taken again and moved in every order; sometimes much happens between two
-/// enumerations, sometimes nothing.
+/// Slots are freed, reused and moved in every order. Between two enumerations there are many
+/// changes, or none.
 fn any_life(new: fn() -> Near<()>) {
     let mut r = Random::new(3);
     let (mut asked, mut found) = (0, 0);
@@ -166,7 +166,7 @@ fn enumerations_in_parts() {
     in_parts(|| Near::new(SortSweep::<N>::new()));
 }
 
-/// Said once, to each that is under way; then it begins again and finds all.
+/// Each running enumeration reports it once. Then it begins again and finds all.
 fn changes(new: fn() -> Near<()>) {
     let changes: [fn(&mut Near<()>, Handle); 3] = [
         |near, body| near.move_to(body, &boxed([0, 0, 9, 9])).unwrap(),
@@ -182,7 +182,7 @@ fn changes(new: fn() -> Near<()>) {
             assert_eq!(near.pairs_from(cursor, 1 + part as u32, &mut out), Err(PairsError::BudgetExceeded));
             assert_eq!(out.len(), 1 + part);
         }
-        // Between two enumerations that both are over, changes count for nothing.
+        // Between two finished enumerations, changes do not matter.
         pairs(&mut near);
         change(&mut near, bodies[2]);
         for cursor in &mut cursors {
@@ -207,8 +207,7 @@ fn tests(near: &mut Near<()>) -> usize {
     (1..9_999).find(|_| near.pairs_from(&mut cursor, 1, &mut Room::<_, 1>::new()).is_ok()).unwrap()
 }
 
-/// N - 1 where nothing touches in x, and N (N - 1) / 2 where all do, whatever the order that they
-/// came in.
+/// N - 1 if nothing touches in x, and N (N - 1) / 2 if all do, whatever the order of insertion.
 #[test]
 fn tests_are_counted() {
     let of = |mut near: Near<()>, sides: fn(i64) -> Sides| {
@@ -222,7 +221,7 @@ fn tests_are_counted() {
     assert_eq!(of(Near::new(SortSweep::<300>::new()), |i| [0, 2 * i, 9, 2 * i + 1]), 64 * 63 / 2);
 }
 
-/// Bodies thrown anywhere: past 8 N shifts another way of sorting takes over.
+/// Bodies at random positions: beyond 8 N shifts another sorting method takes over.
 #[test]
 fn teleports() {
     let mut r = Random::new(11);
@@ -250,7 +249,7 @@ fn teleports() {
 
 static IN_FLASH_OR_RAM: SortSweep<256, Filter> = SortSweep::new();
 
-/// What the manual says.
+/// The manual's claims.
 #[test]
 fn sizes() {
     let bodies = |n: usize, tag: usize| n * (16 + tag + 2) + 12;
@@ -261,7 +260,7 @@ fn sizes() {
     assert!(IN_FLASH_OR_RAM.is_empty());
 }
 
-/// A snapshot is a copy: it goes on as the original did.
+/// A snapshot is a copy: it continues as the original did.
 #[test]
 fn snapshots() {
     let mut r = Random::new(13);

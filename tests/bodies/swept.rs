@@ -1,4 +1,5 @@
-//! What is fast passes nothing: the order in a narrow corridor, rooms that nobody leaves. Raw, y down.
+//! Fast bodies pass through nothing: the order in a narrow corridor, and rooms that nobody leaves.
+//! Raw, y down.
 
 use core::num::NonZeroU8;
 use tilesat::broad::{BroadPhase, BruteForce, Handle, LooseGrid, Pair, SortSweep, SpatialHash};
@@ -56,7 +57,7 @@ pub(super) fn body_of<B: BroadPhase<Tag = SceneTag>>(scene: &Scene<B, BODIES>, k
     *scene.body(handle(scene, key)).unwrap()
 }
 
-/// Who met whom in a step, and when.
+/// The bodies that met in a step, and the time.
 pub(super) fn meetings<B: BroadPhase<Tag = SceneTag>>(
     scene: &mut Scene<B, BODIES>,
     map: &TileMap<'_>,
@@ -79,7 +80,7 @@ fn surface(r: &mut Random) -> Surface {
     Surface::new(ratio(r), ratio(r)).resting_below(Fx::from_bits(r.below(2) as i32 * 20_000))
 }
 
-/// A velocity of up to a hundred sizes a step, small ones as often as large ones.
+/// A velocity of up to a hundred sizes per step. Small ones are as frequent as large ones.
 pub(super) fn launch(r: &mut Random, size: i64) -> Vec2 {
     let most = size * [1, 2, 8, 30, 100][r.below(5) as usize];
     vec2(r.around(most), if r.one_in(2) { 0 } else { r.around(most) })
@@ -116,7 +117,7 @@ fn a_wall_stops_what_flies_at_it() {
     at_a_wall(|| SpatialHash::<64, BODIES, SceneTag>::new(Fx::from_num(128)).unwrap());
 }
 
-/// A row of bodies from left to right, boxes and circles, of which no two fit beside each other, and doors.
+/// A row of bodies from left to right, boxes and circles. No two fit beside each other. Also doors.
 fn row(r: &mut Random, flagged: bool) -> Vec<SceneBody> {
     let count = r.within(3, 9);
     (0..count)
@@ -153,7 +154,8 @@ fn is_fast(body: &SceneBody, gravity: Vec2) -> bool {
     body.mass.is_some() && 2 * x.abs().max(y.abs()) > size.0.min(size.1)
 }
 
-/// Ways made, and how often one passed another; where not all are flagged, those count that were apart and of which one was fast.
+/// Ways, and how often one body passed another. If not all are flagged, only disjoint pairs with a
+/// fast body count.
 fn corridor(case: u64, flagged: bool, frames: u32) -> (u64, u64) {
     let (mut r, map) = (Random::new(case), level(CORRIDOR));
     let bodies = row(&mut r, flagged);
@@ -255,7 +257,7 @@ fn nobody_leaves_a_room_of_thin_walls() {
     }
 }
 
-/// Many of all kinds among tiles, up to a hundred sizes a step fast.
+/// Many bodies of all kinds among tiles, up to a hundred sizes per step fast.
 #[test]
 fn neither_order_nor_broad_phase_matters() {
     let map = level(CORRIDOR);
@@ -319,7 +321,7 @@ fn neither_order_nor_broad_phase_matters() {
 
 type Told = (Stepped, Vec<(u32, u32, u32, Fx)>, Vec<(SceneBody, bool)>);
 
-/// All that a step does, by key.
+/// All effects of a step, by key.
 fn told<B: BroadPhase<Tag = SceneTag>>(scene: &mut Scene<B, BODIES>, map: &TileMap<'_>) -> Told {
     let keys: Vec<_> = scene.bodies().map(|(handle, body)| (handle, body.key)).collect();
     let key = |of: Handle| keys.iter().find(|(handle, _)| *handle == of).unwrap().1;
@@ -335,7 +337,8 @@ fn told<B: BroadPhase<Tag = SceneTag>>(scene: &mut Scene<B, BODIES>, map: &TileM
     (stepped.unwrap(), met, bodies)
 }
 
-/// From (100, 24) to the right, before what stands at 300 and what flies: the level and bodies in the order of the times.
+/// From (100, 24) to the right, before a standing body at 300 and a flying one: the level and
+/// bodies in the order of the times.
 #[test]
 fn the_level_and_bodies_come_in_one_order() {
     let map = level(CORRIDOR);
@@ -357,18 +360,19 @@ fn the_level_and_bodies_come_in_one_order() {
         assert_eq!(stepped.unwrap().held, 0);
         told
     };
-    // The wall is at 624: to 620 and back to where one stands behind its start.
+    // The wall is at 624: to 620 and back to the body that stands behind its start.
     let mut shot = scene(&[flies(420, 400, 1), SceneBody { velocity: Vec2::ZERO, ..flies(412, 0, 2) }]);
     let told = events(&mut shot);
     assert_eq!(told, [(0.5, None)]);
     let told = events(&mut shot);
     assert_eq!(told, [(0.0, Some((0, 1, Fx::from_num(400))))]);
-    // Equal masses exchange what they have, in the middle of the step; the one that stood flies from the next step on.
+    // Equal masses exchange their velocities in the middle of the step. The standing one flies from
+    // the next step on.
     assert_eq!((body_of(&shot, 1).velocity.x, body_of(&shot, 2).velocity.x), (Fx::ZERO, Fx::from_num(-400)));
     // A row: each is met after the one before it, and the wall last.
     let mut shot = scene(&[flies(424, 392, 1), flies(532, -98, 2)]);
     let told = events(&mut shot);
-    // 100 apart at 490 a step; the first one goes back at 98, the second one at 392 to the wall.
+    // 100 apart at 490 per step. The first one turns back at 98, the second one at 392 at the wall.
     assert_eq!(told[0].1, Some((0, 1, Fx::from_num(490))));
     assert!((told[0].0 - 100.0 / 490.0).abs() < 1e-4 && told[1].1.is_none() && told[1].0 > told[0].0);
     assert_eq!(told.len(), 2);
@@ -408,7 +412,8 @@ fn what_sleeps_is_woken_by_what_flies_at_it() {
     assert_eq!(scene.awake().len(), 2);
 }
 
-/// Large and not faster than half its size, it goes beyond what is small; flagged it does not.
+/// Large and not faster than half its size, it passes beyond a small body. With the flag it does
+/// not.
 #[test]
 fn a_crusher_is_flagged() {
     let map = level(NOWHERE);
@@ -431,7 +436,7 @@ fn a_crusher_is_flagged() {
     assert!(behind(false) && !behind(true));
 }
 
-/// What the game refuses is passed.
+/// It passes pairs that the game refuses.
 #[test]
 fn what_is_refused_is_passed() {
     let map = level(NOWHERE);

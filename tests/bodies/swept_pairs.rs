@@ -1,14 +1,14 @@
-//! Two bodies, of which one is fast, in one step: an exact swept test of its own judges them, in
-//! `i128`.
+//! Two bodies, one of them fast, in one step. An independent exact swept test in `i128` judges
+//! them.
 
 use super::swept::{NOWHERE, PX, ball, body_of, boxed, launch, level, meetings, scene, vec2};
 use tilesat::Vec2;
 use tilesat::scene::{SceneBody, Shape};
 use tilesat_judge::{Random, cases};
 
-/// Exact: whether a point that moves from `p` by `d` comes into a box, borders not included.
+/// Whether a point that moves from `p` by `d` enters a box, borders excluded. Exact.
 fn enters_box(p: (i128, i128), d: (i128, i128), lo: (i128, i128), hi: (i128, i128)) -> bool {
-    // Times in which it is between the sides, as fractions of one denominator.
+    // The times at which it is between the sides, as fractions of one denominator.
     let (wide, high) = (d.0.abs().max(1), d.1.abs().max(1));
     let span = |p: i128, d: i128, lo: i128, hi: i128, scale: i128| match d.signum() {
         0 => (lo < p && p < hi).then_some((0, wide * high)),
@@ -28,8 +28,7 @@ fn enters_disc(p: (i128, i128), d: (i128, i128), c: (i128, i128), r: i128) -> bo
     within(m) || within(end) || (0 < along && along < dd && cross * cross < rr * dd)
 }
 
-/// Whether a shape that moves by `d` overlaps another one on its way: the Minkowski sum, in its
-/// parts.
+/// Whether a shape that moves by `d` overlaps another on its way: the Minkowski sum, in its parts.
 fn sweeps(a: &Shape, d: (i128, i128), b: &Shape) -> bool {
     let wide = |v: Vec2| (i128::from(v.raw().0), i128::from(v.raw().1));
     let parts = |shape: &Shape| match shape {
@@ -37,14 +36,14 @@ fn sweeps(a: &Shape, d: (i128, i128), b: &Shape) -> bool {
         Shape::Circle(circle) => (wide(circle.centre()), wide(circle.centre()), i128::from(circle.radius().to_bits())),
     };
     let ((alo, ahi, ar), (blo, bhi, br)) = (parts(a), parts(b));
-    // The corner `alo` of the one moves, the other has grown by the first one's size.
+    // The corner `alo` of the moving one. The other has grown by the first one's size.
     let (lo, hi, r) = ((blo.0 - (ahi.0 - alo.0), blo.1 - (ahi.1 - alo.1)), bhi, ar + br);
     enters_box(alo, d, (lo.0 - r, lo.1), (hi.0 + r, hi.1))
         || enters_box(alo, d, (lo.0, lo.1 - r), (hi.0, hi.1 + r))
         || [lo, hi, (lo.0, hi.1), (hi.0, lo.1)].iter().any(|&corner| enters_disc(alo, d, corner, r))
 }
 
-/// One step of two, of which one is fast: they meet exactly where the judge says so, once, and
+/// One step of two bodies, one of them fast. They meet exactly if the judge says so, once, and
 /// neither ends in or beyond the other.
 #[test]
 fn two_meet_where_their_ways_do() {
@@ -88,7 +87,7 @@ fn two_meet_where_their_ways_do() {
             continue;
         }
         let (time, ends) = (told[0].1, (a.shape.position().raw(), b.shape.position().raw()));
-        // Where the second one is when they meet, and the way of the first one as seen from it,
+        // The position of the second when they meet, and the way of the first relative to it,
         // before and after.
         let at = |from: Vec2, v: (i32, i32)| {
             let part = |v: i32| (i64::from(v) * i64::from(time.raw())) >> 30;

@@ -1,6 +1,6 @@
-//! Bodies cast through block levels against the exact first moment, and in one with the mover.
+//! Bodies cast through block levels. Compared with the exact first moment, and with the mover.
 //!
-//! `TILESAT_CASES` sets the number of casts a test (default 6 000).
+//! `TILESAT_CASES` sets the number of casts per test (default 6 000).
 
 use tilesat::{Capsule, Fx, RangeError, TileMap, world::RayRules};
 use tilesat_judge::levels_cast::{PASSED, SEEN, as_the_mover, disc, raw, rect};
@@ -10,7 +10,7 @@ use tilesat_judge::motion::judge::first_hit;
 use tilesat_judge::motion::level::Level;
 use tilesat_judge::{Random, cases};
 
-/// A block level of some density with one-way faces, not large.
+/// A small block level of random density with one-way faces.
 fn blocks(r: &mut Random) -> Level {
     let (width, density) = (r.within(2, 9), r.within(1, 5));
     let rows: Vec<String> = (0..r.within(2, 9))
@@ -106,7 +106,7 @@ fn blocks_exactly() {
                 first_hit(level, &body, d, hit).unwrap_or_else(|e| panic!("{e}: {level:?} {body:?} by {d:?}"));
                 hits += u64::from(hit.is_some());
             }
-            // One-way faces are as if not there.
+            // One-way faces have no effect.
             assert_eq!(cast(&level.map(), &body, d, PASSED), cast(&solid.map(), &body, d, PASSED));
             longer(&solid.map(), &body, d);
             done += 1;

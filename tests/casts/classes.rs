@@ -1,9 +1,8 @@
-//! Casts in the classes in which collision code goes wrong, against the exact judge: motions
-//! through a place where the shapes touch (grazing, head-on, to the very end), give or take 2 raw,
-//! near the origin, far from it, over the whole domain. And that nothing but the scene decides:
-//! mirrored, exchanged and translated scenes.
+//! Casts in the hard classes, against the exact judge: motions through a position where the shapes
+//! touch (grazing, head-on, to the very end), within 2 raw, near the origin, far from it, over the
+//! whole domain. Mirrored, exchanged and translated scenes give the same answer.
 //!
-//! `TILESAT_CASES` sets the number of cases a pair and class (default 4 000).
+//! `TILESAT_CASES` sets the number of cases per pair and class (default 4 000).
 
 use tilesat_judge::casts::ask::{Case, check};
 use tilesat_judge::casts::motions::{MOST, Motion, moving, through, views};

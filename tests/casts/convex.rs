@@ -1,7 +1,7 @@
 //! Casts of capsules, turned boxes and polygons, on each other and on plain shapes, against the
-//! exact judge: hits and misses, exact moments, places that do not overlap, exchanged pairs.
+//! exact judge: hits and misses, exact moments, free positions, exchanged pairs.
 //!
-//! `TILESAT_CASES` sets the number of cases a pair and class (default 700).
+//! `TILESAT_CASES` sets the number of cases per pair and class (default 700).
 
 use tilesat_judge::Random;
 use tilesat_judge::casts::ask::Case;
@@ -11,10 +11,11 @@ use tilesat_judge::convex::verify::cast;
 use tilesat_judge::oracle::figure::Point;
 use tilesat_judge::oracle::int256::Int256;
 
-/// One less than motions may be long.
+/// One less than the limit of motions.
 const MOST: i64 = (1 << 28) - 1;
 
-/// A start and a motion that pass through the pair's place, or end there, by up to a few lengths.
+/// A start and a motion that pass through the pair's position, or end there, by up to a few
+/// lengths.
 fn through(r: &mut Random, a: &Shape, size: i64) -> (Shape, Point) {
     let size = size.clamp(1, MOST / 2);
     let d = match r.below(4) {

@@ -1,7 +1,7 @@
-//! Rays against capsules, turned boxes and polygons, sharp and rounded: every one of a small
-//! lattice, and streams that touch, nearly touch and cross the domain, against the exact judge.
+//! Rays against capsules, turned boxes and polygons, sharp and rounded, against the exact judge:
+//! every one of a small lattice, and streams that touch, nearly touch and cross the domain.
 //!
-//! `TILESAT_CASES` sets the number of rays a kind and class (default 1500).
+//! `TILESAT_CASES` sets the number of rays per kind and class (default 1500).
 
 use tilesat::{Inside, Vec2};
 use tilesat_judge::casts::ask::is_out;
@@ -14,9 +14,9 @@ use tilesat_judge::oracle::figure::{LIMIT, Point};
 use tilesat_judge::oracle::int256::Int256;
 use tilesat_judge::oracle::kernel::point;
 
-/// Whether the ray is stopped, by the definition: where it comes to the closed set from outside, a
-/// tangent of what is rounded aside; from the border where it goes in; from on what has no inside
-/// where it leaves its line.
+/// Whether the ray stops, by the definition: it enters the closed set from outside, except for a
+/// tangent of a rounded part. From the border it must go in. From a set without an inside, it must
+/// leave the set's line.
 fn is_stopped<N: Number>(set: &Forbidden, d: Point) -> bool {
     if set.touched::<N>(d, 0) {
         if set.radius > 0 || set.hull.len() > 2 {
@@ -29,14 +29,13 @@ fn is_stopped<N: Number>(set: &Forbidden, d: Point) -> bool {
     set.touched::<N>(d, ONE) && (set.radius == 0 || goes_in::<N>(set, d))
 }
 
-/// Whether the ray, if it went on for ever, would come into the open set, in which it does not
-/// start.
+/// Whether the ray, continued for ever, would enter the open set. It does not start there.
 fn goes_in<N: Number>(set: &Forbidden, d: Point) -> bool {
     if set.radius == 0 {
         return d != (0, 0) && set.met::<N>((d.0 << 31, d.1 << 31), ONE);
     }
-    // Where its line is within the radius of a corner, or crosses a side: that part of it is ahead,
-    // or all of it is behind.
+    // The part of its line within the radius of a corner, or across a side, is ahead, or all of it
+    // is behind.
     let cross = |p: Point, q: Point| i128::from(p.0) * i128::from(q.1) - i128::from(p.1) * i128::from(q.0);
     let dot = |p: Point| i128::from(p.0) * i128::from(d.0) + i128::from(p.1) * i128::from(d.1);
     let reach = i128::from(set.radius).pow(2) * dot(d);
@@ -66,13 +65,13 @@ fn check<N: Number>(shape: &Shape, o: Point, d: Point) -> bool {
     let Some(hit) = hit else { return false };
     let toi = i64::from(hit.toi.raw());
     assert!(toi <= ONE && (toi == 0 || !set.touched::<N>(d, toi - 1)), "late: {}", case());
-    // Four raw units of way; of sharp sides nothing.
+    // Four raw units of way. For sharp sides, zero.
     let way = d.0.abs().max(d.1.abs()).max(1);
     let slack = if set.radius == 0 { 1 } else { 4 * ONE / way + 1 };
     assert!(set.touched::<N>(d, (toi + slack).min(ONE)), "early, {toi}: {}", case());
     let p = point(hit.displacement);
     assert!(!set.holds::<N>(p) && set.is_near::<N>(p, set.radius + 6), "{hit:?}: {}", case());
-    // The axis is a normal of the set there; around a corner it is the way from it.
+    // The axis is a normal of the set there. Around a corner it is the way from it.
     let along = |v: Point| i128::from(hit.axis.x) * i128::from(v.0) + i128::from(hit.axis.y) * i128::from(v.1);
     let radial = |v: &Point| {
         let way = (p.0 - v.0, p.1 - v.1);
@@ -129,14 +128,14 @@ fn every_ray_of_a_lattice() {
 fn rays(class: Class) {
     let mut stopped = 0;
     for kind in KINDS.into_iter().skip(3) {
-        // A point of the other shape, whose place is the class's, is where the ray starts, ends or
+        // A point of the other shape, at the class's position, is where the ray starts, ends or
         // passes.
         let mut stream = Pairs::new((kind, Kind::Circle), class, 0x7a5);
         let mut done = 0;
         while done < tilesat_judge::cases(1500) {
             let (shape, other) = stream.next();
             let Shape::Circle { centre: p, radius } = other else { continue };
-            // Its radius is the shape's: so touching pairs are touching points.
+            // Its radius is the shape's, so touching pairs are touching points.
             let shape = match shape {
                 Shape::Capsule { a, b, .. } => Shape::Capsule { a, b, radius },
                 Shape::Turned { centre, half, direction, .. } => Shape::Turned { centre, half, direction, radius },

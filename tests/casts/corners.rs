@@ -1,4 +1,4 @@
-//! Boxes that meet corner to corner: the side that opposes the motion more is told, x on a tie.
+//! Boxes that meet corner to corner. The side that opposes the motion more is reported, x on a tie.
 
 use tilesat::prelude::*;
 use tilesat::{Aabb, Axis, Inside, Vec2};

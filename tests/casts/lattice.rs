@@ -1,5 +1,5 @@
 //! Every pair of shapes on a small lattice, by every small motion, against the exact judge: hit or
-//! miss, time, place, normal.
+//! miss, time, position, normal.
 
 use tilesat_judge::casts::ask::{Case, check};
 use tilesat_judge::oracle::figure::{Figure, Kind, PAIRS, Point};

@@ -1,4 +1,4 @@
-//! Shapes that are cast: at each other and through levels of tiles, segments and both.
+//! Cast shapes: at each other and through levels of tiles, segments and both.
 
 #![cfg(not(target_os = "none"))]
 

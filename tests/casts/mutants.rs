@@ -1,5 +1,5 @@
-//! Casts that the streams and lattices of the other tests do not reach: found as changes of the
-//! kernels that none of those noticed.
+//! Casts that the streams and lattices of the other tests do not reach. Changes of the kernels that
+//! none of those noticed led to them.
 
 use tilesat::{Axis, Inside};
 use tilesat_judge::Random;
@@ -12,7 +12,7 @@ fn circle(x: i64, y: i64, radius: i64) -> Figure {
     Figure::Circle { centre: (x, y), radius }
 }
 
-/// Boxes that touch with a corner before a motion: both sides are met at its start.
+/// Boxes that touch with a corner before a motion meet both sides at its start.
 #[test]
 fn corner_on_corner_from_the_start() {
     let a = Figure::Aabb { min: (0, 0), max: (10, 10) };
@@ -26,8 +26,8 @@ fn corner_on_corner_from_the_start() {
     }
 }
 
-/// A circle that comes to a side level with its end has met the side, at a time that is a fraction,
-/// not the corner.
+/// A circle that comes to a side level with its end has met the side, at a fractional time, not the
+/// corner.
 #[test]
 fn at_the_end_of_a_side() {
     for (sx, sy) in [(1, 1), (-1, 1), (1, -1), (-1, -1)] {
@@ -51,7 +51,7 @@ fn at_the_end_of_a_side() {
     }
 }
 
-/// Points overlap no point, however they pass.
+/// Points overlap no point, whichever way they pass.
 #[test]
 fn points_pass_through_points() {
     for d in [(8, 0), (0, 8), (4, 0), (6, 4), (1000, 0), (1 << 27, 0)] {
@@ -59,7 +59,7 @@ fn points_pass_through_points() {
     }
 }
 
-/// Ways through less of a disc than a step of the time: in and out again between two of them.
+/// Ways through less of a disc than a step of the time: in and out again between two steps.
 #[test]
 fn grazes_shorter_than_a_step_of_time() {
     let mut hits = 0;
@@ -77,8 +77,7 @@ fn grazes_shorter_than_a_step_of_time() {
     assert!(hits > 40, "{hits}");
 }
 
-/// Slopes that are nearly parallel to x or y: one small component does not make the other one
-/// small.
+/// Slopes nearly parallel to x or y: one small component does not make the other small.
 #[test]
 fn steep_slopes() {
     let (mut r, mut hits) = (Random::new(0x57ee), 0);
@@ -93,7 +92,7 @@ fn steep_slopes() {
     }
 }
 
-/// Long slopes and large circles: the comparison at a moment needs all of its 128 bits.
+/// Long slopes and large circles. The comparison at a moment needs all of its 128 bits.
 #[test]
 fn large_circles_on_long_slopes() {
     let (mut r, mut hits) = (Random::new(0x510e), 0);

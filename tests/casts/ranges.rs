@@ -1,5 +1,5 @@
-//! What casts of shapes refuse: motions that are not below 2^28 raw, points outside of the domain;
-//! and nothing else.
+//! Casts of shapes refuse motions of 2^28 raw or more and points outside the domain, and nothing
+//! else.
 
 use tilesat::num::{DOMAIN, MOTION};
 use tilesat::prelude::*;
@@ -9,7 +9,7 @@ fn at(x: i32, y: i32) -> Vec2 {
     Vec2::from_raw(x, y)
 }
 
-/// All verbs of one pair by one motion: refused alike, or all taken.
+/// All verbs of one pair by one motion: all refuse it, or none.
 fn told<A: CastShape<B>, B: CastShape<A>>(a: &A, b: &B, motion: Vec2) -> Option<RangeError> {
     let told = a.cast_shape(b, motion, Inside::Hit).err();
     assert_eq!(a.would_hit(b, motion, Inside::Hit).err(), told);

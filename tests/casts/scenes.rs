@@ -1,5 +1,5 @@
-//! Casts in scenes that are known by name: torture scenes, what other engines' tests ask, one-way
-//! faces, starts inside.
+//! Casts in named scenes: torture scenes, cases from other engines' tests, one-way faces, starts
+//! inside.
 
 use tilesat::prelude::*;
 use tilesat::{
@@ -75,7 +75,7 @@ fn peak() {
     assert!((32 << 16) - found.body.centre().y.to_bits() <= 2 && found.hit.toi <= parts(1, 2), "{found:?}");
 }
 
-/// 21: a ray through the common end of two faces is stopped by one of them.
+/// 21: a ray through the common end of two faces stops at one of them.
 #[test]
 fn common_end() {
     let points = [at(0, 56), at(16, 40), at(32, 56)];
@@ -122,7 +122,7 @@ fn start_inside() {
     assert!(found.inside && found.hit.toi == Toi::ZERO && found.hit.axis == Axis::NEG_X && found.body == ball);
     let found = level.cast_shape(&player, at(0, 2), Inside::Hit).unwrap().unwrap();
     assert!(found.inside && found.hit.axis == Axis::NEG_Y && found.body == player);
-    // Even without a motion; outside that meets nothing.
+    // Even without a motion. Outside, no motion meets nothing.
     assert!(level.cast_shape(&player, Vec2::ZERO, Inside::Hit).unwrap().is_some());
     assert_eq!(level.cast_shape(&player, Vec2::ZERO, Inside::Ignore).unwrap(), None);
     assert_eq!(level.cast_shape(&rect(20, 10, 8, 8), Vec2::ZERO, Inside::Hit).unwrap(), None);
@@ -132,11 +132,11 @@ fn start_inside() {
     assert_eq!((found.body.centre().x, level.overlaps(&found.body)), (Fx::from_num(58), false));
     let found = level.cast_shape(&player, at(60, 1), Inside::Ignore).unwrap().unwrap();
     assert_eq!((found.hit.toi, found.hit.axis, found.body.max().x), (parts(42, 60), Axis::NEG_X, Fx::from_num(64)));
-    // Wider than the way between: it still overlaps the first wall where it hits the second one.
+    // Wider than the way between: it still overlaps the first wall when it hits the second one.
     let wide = rect(10, 10, 50, 12);
     let found = level.cast_shape(&wide, at(20, 0), Inside::Ignore).unwrap().unwrap();
     assert_eq!((found.hit.toi, found.body), (parts(4, 20), rect(14, 10, 50, 12)));
-    // Corners that it overlaps are passed too.
+    // It also passes corners that it overlaps.
     let block = map("#....#\n......\n");
     let found = block.cast_shape(&disc(at(20, 20), 8), at(80, -20), Inside::Ignore).unwrap().unwrap();
     assert_eq!((found.hit.cell.x, found.hit.axis), (5, Axis::NEG_X));

@@ -1,5 +1,5 @@
-//! Bodies cast through polygons, walls and one-way chains, alone and joined to tiles: in one with
-//! the mover, free on the way up to the hit, and where nothing is hit free all the way.
+//! Bodies cast through polygons, walls and one-way chains, alone and joined to tiles. They agree
+//! with the mover, and the way up to the hit is free. Without a hit the whole way is free.
 //!
 //! `TILESAT_CASES` sets the number of casts (default 6 000).
 
@@ -22,7 +22,7 @@ const LEDGE: [Vec2; 2] = [at(100, 50), at(80, 55)];
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'-', TileKind::ONE_WAY_UP);
 
-/// What every level offers.
+/// The calls that every level has.
 trait Castable: World {
     fn cast<B: tilesat::Body>(&self, b: &B, d: Vec2, rules: RayRules) -> Result<Option<BodyHit<B>>, RangeError>;
 }
@@ -56,7 +56,7 @@ fn check<W: Castable, B: tilesat::Body + PartialEq + core::fmt::Debug>(
     as_the_mover(world, body, raw(d), found.as_ref());
     let solid = world.cast(body, raw(d), PASSED).unwrap();
     assert!(solid.is_none_or(|f| !f.hit.one_way && f.hit.toi >= found.unwrap().hit.toi), "{body:?} by {d:?}");
-    // Sixteenths are places of the lattice.
+    // Sixteenths are points of the lattice.
     let until = solid.map_or(1 << 30, |f| f.hit.toi.raw());
     for k in (0..=16).filter(|k| k << 26 <= until) {
         let there = moved((d.0 / 16 * i64::from(k), d.1 / 16 * i64::from(k)));

@@ -1,5 +1,5 @@
-//! Bodies cast through levels of all tile shapes: every part of the way up to the hit is free, and
-//! a little farther it is not; in one with the mover.
+//! Bodies cast through levels of all tile shapes. Every part of the way up to the hit is free, and
+//! a little farther it is not. They agree with the mover.
 //!
 //! `TILESAT_CASES` sets the number of casts (default 6 000).
 
@@ -32,7 +32,7 @@ fn all_shapes_on_the_way() {
                 if room.overlaps(shape, (0, 0), 0) {
                     continue;
                 }
-                // Multiples of the parts that places are asked in.
+                // Multiples of the parts in which positions are tested.
                 let d = (r.around(120) * FINE * 128, r.around(120) * FINE * 128);
                 let found = cast(&map, shape, d);
                 done += 1;
@@ -54,7 +54,7 @@ fn all_shapes_on_the_way() {
     assert!(hits > done / 3 && unconfirmed * 1000 < hits, "{unconfirmed} of {hits} hits meet nothing");
 }
 
-/// When, and where it is then.
+/// The time, and the position then.
 fn cast(map: &TileMap<'_, AllShapes>, body: Body, d: P) -> Option<(i64, Body)> {
     match body {
         Body::Rect(..) => {

@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
-# What the feature defmt prints, on the chip, and what it costs.
+# Checks the output of the feature defmt on the chip, and its cost.
 #
-#   run.sh            runs the firmware that logs a value of every public type on an emulated Cortex-M0 and M3, decodes its frames and compares
-#                     them with expected.txt; a public type without a line fails. Then compares programs that log nothing, built with the
-#                     feature and without: they must have the same functions, and the same constants and statics of the same sizes
-#   run.sh --accept   the same, and what was decoded becomes expected.txt
+#   run.sh            runs the firmware on an emulated Cortex-M0 and M3. It logs a value of every
+#                     public type. Decodes its frames and compares them with expected.txt. A public
+#                     type without a line fails. Then compares programs that log nothing, built
+#                     with the feature and without: they must have the same functions, and the
+#                     same constants and statics of the same sizes
+#   run.sh --accept   the same, and the decoded output becomes expected.txt
 #
-# Exit 0: all well. 1: a line differs or is missing, or the feature costs something. 3: no emulator can be had here.
+# Exit 0: all is well. 1: a line differs or is missing, or the feature costs something. 3: no
+# emulator is available.
 set -euo pipefail
 exec </dev/null
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -14,7 +17,7 @@ root=$(cd "$here/../.." && pwd)
 case "${*:-}" in
 '' | --accept) ;;
 *)
-    sed -n '2,9s/^# \{0,1\}//p' "$here/run.sh" >&2
+    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$here/run.sh" >&2
     exit 2
     ;;
 esac
@@ -26,11 +29,13 @@ mkdir -p "$out/defmt"
 out=$(cd "$out" && pwd)
 llvm=$(rustc --print target-libdir)/../bin
 
-# Where rustdoc lists what is public; with the flags of `.ci/run`, so that nothing is written twice.
+# The pages of rustdoc that list the public types. The flags are those of `.ci/run`, so cargo writes
+# nothing twice.
 RUSTDOCFLAGS='-D warnings' cargo doc --quiet --no-deps --lib --all-features
 cargo build --quiet --package tilesat-defmt-check
 
-# The same symbols wherever the clone lies, as in the tables of sizes, whose programs are among those below.
+# The same symbols in any directory, as in the tables of sizes, whose programs are among those
+# below.
 export RUSTC_WRAPPER=$root/.ci/rustc.sh
 
 failed=0
@@ -53,16 +58,19 @@ for target in thumbv6m-none-eabi thumbv7m-none-eabi; do
     "$out/debug/tilesat-defmt-check" "$elf" "$frames" "$out/doc/tilesat" "$here/expected.txt" $accept || failed=1
 done
 
-# Programs of every public function of shapes, broad phases and scenes, and one that a game would be: without the feature, and with it but nothing logged.
+# Programs with every public function of shapes, broad phases and scenes, and a game. Without the
+# feature, and with it but without a log.
 programs=(everything_shapes everything_bodies everything_scenes move_circle_shapes)
-# Functions, constants and statics of a program with their sizes. Where they lie, and with it some bytes of padding, follows the compiler's hashes, which know
-# of features; so do the names' last parts. The two marks of the encoding are in no section that is loaded.
+# Functions, constants and statics of a program with their sizes. Their position, and so some bytes
+# of padding, depends on the compiler's hashes, which include features. So do the last parts of the
+# names. The two marks of the encoding are in no loaded section.
 parts() {
     "$llvm/llvm-nm" --demangle --print-size --radix=d "$1" | grep -v ' _defmt_\(encoding\|version\)_ = ' |
         awk '{ size = $2 + 0; kind = $3; $1 = $2 = $3 = ""; print size, kind $0 }' | sed 's/::h[0-9a-f]\{16\}//' | sort -k 2
 }
-# What must be the same: a function's own bytes may not be, for the order of the code, and with it a branch's length and a register's choice, follows those
-# hashes too (seen: one function of 953, by 2 bytes).
+# The parts that must be equal. A function's own bytes may differ: the order of the code follows
+# those hashes too, and with it a branch's length and the choice of a register (once in 953
+# functions, by 2 bytes).
 same() { awk '{ if ($2 ~ /[tTwW]/) $1 = "-"; print }' "$1" | diff - <(awk '{ if ($2 ~ /[tTwW]/) $1 = "-"; print }' "$2"); }
 build() {
     CARGO_TARGET_DIR=$1 cargo build --quiet --profile flash --package tilesat-flash "${programs[@]/#/--bin=}" --target thumbv6m-none-eabi "${@:2}"

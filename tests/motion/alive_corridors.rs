@@ -1,5 +1,5 @@
-//! What fits a passage gets through it (L3): bodies up to six raw units lower than a corridor,
-//! behind each ramp that reaches its floor.
+//! A body gets through every passage that it fits (L3): bodies up to six raw units lower than a
+//! corridor, behind each ramp that reaches its floor.
 
 use super::walk_worlds::{Frame, step};
 use tilesat::{Axis, Fx, Mover, Walker};
@@ -20,7 +20,7 @@ enum Kind {
     Lying,
 }
 
-/// One run: whether the body gets in.
+/// One run. Returns whether the body gets in.
 struct Run {
     ramp: (&'static str, u8, u8),
     cell: i64,
@@ -78,10 +78,10 @@ impl Run {
         false
     }
 
-    /// Whether a plain slide is to get in: its push leads up the ramp, and there is room for the
+    /// Whether a plain slide should get in: its push leads up the ramp, and there is room for the
     /// rounding at the ramp's end.
     fn slides(&self) -> bool {
-        // Up a ramp of direction (run, -rise) a push of (fall, 1) leads where fall * run > rise.
+        // Up a ramp of direction (run, -rise), a push of (fall, 1) leads if fall * run > rise.
         let leads = match self.ramp.0 {
             "flat" => return true,
             "45" => self.fall > 1,
@@ -108,7 +108,7 @@ fn runs() -> impl Iterator<Item = Run> {
     })
 }
 
-/// Runs that never get in, of those that are to.
+/// The runs that should get in, and never do.
 fn judge(runs: impl Iterator<Item = Run>, walks: bool) {
     let (mut all, mut out, mut first) = (0, 0, None);
     for run in runs.filter(|run| walks || run.slides()) {

@@ -1,4 +1,4 @@
-//! How a level is cut changes no bit (L4): tiles of one level or of two that are joined.
+//! The cut of a level changes no bit (L4): tiles of one level, or of two that are joined.
 
 use tilesat::{Axis, Joined, Mover};
 use tilesat_judge::Random;

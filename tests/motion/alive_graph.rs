@@ -1,5 +1,5 @@
-//! Bodies driven by a constant input in small levels: where one stays for good, no way of free
-//! places leads on (L6).
+//! Bodies with a constant input in small levels. If one stays for good, no way of free positions
+//! leads on (L6).
 
 #![allow(clippy::cast_precision_loss, reason = "directions and lengths below 2^30")]
 
@@ -14,8 +14,8 @@ const PLAYER: Mover = Mover::platformer(Axis::NEG_Y);
 /// Small, so that a search raw unit by raw unit goes far.
 const CELL: i64 = 256;
 
-/// Whether free places lead as far as `far` along the input, each step of one raw unit a part of
-/// it.
+/// Whether free positions lead as far as `far` along the input, in steps of one raw unit that are
+/// parts of it.
 fn leads_on(room: &Room, body: Body, v: P, far: i64) -> bool {
     let along = |d: P| d.0 * v.0 + d.1 * v.1;
     let steps = (-1..=1).flat_map(|x| (-1..=1).map(move |y| (x, y))).filter(|&d| along(d) > 0);
@@ -36,7 +36,7 @@ fn leads_on(room: &Room, body: Body, v: P, far: i64) -> bool {
     false
 }
 
-/// The place where a body stays that is driven for many frames, if it does.
+/// The position at which a body stays that is driven for many frames, if it stays.
 fn stays(map: &tilesat::TileMap<'_, tilesat::AllShapes>, mut body: Body, v: P) -> Option<Body> {
     let mut still = 0;
     for _ in 0..120 {
@@ -81,7 +81,7 @@ fn what_stays_has_no_way_on() {
         }
     }
     assert!(stayed > runs / 4, "{stayed} of {runs}");
-    // Two are known: boxes two raw units narrower than the gap between two tips of slopes, which
-    // only steps of one raw unit aside lead through.
+    // Two are known: boxes two raw units narrower than the gap between two tips of slopes. Only
+    // steps of one raw unit aside lead through.
     assert!(stuck.len() <= 2, "{} of {stayed} bodies that stay, such as {:?}", stuck.len(), stuck[0]);
 }

@@ -1,6 +1,6 @@
 //! Walkers in passages that they just fit (L3): a corridor between two ramps, and a slope under a
-//! ceiling that is parallel to it; doorways for all bodies (L8); and what comes to rest in random
-//! levels has a floor (L7).
+//! parallel ceiling. Doorways for all bodies (L8). Bodies that come to rest in random levels have a
+//! floor (L7).
 
 use super::walk_worlds::{Frame, step};
 use tilesat::{
@@ -18,7 +18,7 @@ fn fx(raw: i64) -> Fx {
     Fx::from_bits(raw as i32)
 }
 
-/// Whether a body that is driven along gets so far.
+/// Whether a driven body gets this far.
 fn arrives<W: World>(walker: &Walker, map: &W, mut body: Body, v: P, there: impl Fn(P, P) -> bool) -> bool {
     let mut floor = None;
     for _ in 0..2500 {
@@ -70,10 +70,10 @@ fn up_through_and_down() {
     }
 }
 
-/// Tiles of a column between two slopes: rows above the lower floor, from below, and ids.
+/// Tiles of a column between two slopes: the number of rows above the lower floor, and ids.
 type Column = &'static [(i64, u8)];
 
-/// The floor's tiles and the ceiling's two cells above them, and how steep they are.
+/// The floor's tiles and the ceiling's two cells above them, and their steepness.
 const SLOPES: [(&[Column], i64, i64); 3] = [
     (&[&[(0, 8), (2, 6)], &[(1, 8), (3, 6)], &[(2, 8), (4, 6)]], 1, 1),
     (&[&[(0, 20), (2, 22)], &[(0, 24), (2, 18)], &[(1, 20), (3, 22)], &[(1, 24), (3, 18)]], 1, 2),
@@ -127,8 +127,8 @@ fn along_a_slope_under_a_slope() {
     }
 }
 
-/// A sill no higher than the step, under a lintel that leaves the body on the sill room: boxes,
-/// those lower than their step, and balls, for which a unit more is left between the corners.
+/// A sill no higher than the step, under a lintel that leaves room for the body on the sill. For
+/// boxes, those lower than their step, and balls. Balls get a unit more between the corners.
 #[test]
 fn doorways() {
     static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
@@ -166,7 +166,8 @@ fn doorways() {
     }
 }
 
-/// What a walk or a slide under gravity leaves where it is, without velocity, is supported.
+/// A body that a walk or a slide under gravity leaves at its position, without velocity, is
+/// supported.
 #[test]
 fn rests_have_a_floor() {
     let mut r = Random::new(5);
@@ -200,7 +201,7 @@ fn rests_have_a_floor() {
                 run = if r.one_in(2) { 0 } else { r.around(cell / 6) };
             }
             let push = (run, v.1 + gravity);
-            // What starts in the solid is none of this.
+            // The test skips bodies that start in the solid.
             let next = if walks {
                 step(&walker, &map, body, push, floor).ok().map(|next| (next.body, next.v, next.floor))
             } else {

@@ -1,4 +1,5 @@
-//! Ramps under ceilings: nothing takes speed but what touches the body where it is (L1, L2, L5).
+//! Ramps under ceilings: a body loses speed only to surfaces that it touches at its position (L1,
+//! L2, L5).
 
 use tilesat::{AllShapes, Axis, Mover, TileMap};
 use tilesat_judge::rooms::body::Body;
@@ -9,7 +10,7 @@ const PLAYER: Mover = Mover::platformer(Axis::NEG_Y);
 const GRAVITY: i64 = PX / 4;
 const SHAPES: [(char, u8); 6] = [('/', 8), ('7', 6), ('l', 24), ('L', 20), ('u', 28), ('U', 32)];
 
-/// Whether a body that is driven to the right at a constant speed stops dead where a unit to the
+/// Whether a body that is driven to the right at a constant speed stops dead although a unit to the
 /// right is free.
 fn stops_dead(map: &TileMap<'_, AllShapes>, room: &Room, mut body: Body, speed: i64) -> bool {
     let mut v = (speed, 0);
@@ -26,8 +27,8 @@ fn stops_dead(map: &TileMap<'_, AllShapes>, room: &Room, mut body: Body, speed: 
     false
 }
 
-/// Boxes, balls and standing capsules of five heights at 23 speeds from 16 places on a ramp of 45 degrees, into a
-/// corridor of one tile.
+/// Boxes, balls and upright capsules of five heights. They start at 23 speeds from 16 positions on
+/// a ramp of 45 degrees, into a corridor of one tile.
 #[test]
 fn a_ramp_under_a_ceiling() {
     let level = drawn(&["...#########", "............", "../#########", "############"], 16 * PX, &SHAPES);
@@ -51,8 +52,8 @@ fn a_ramp_under_a_ceiling() {
     assert_eq!(stopped, [0; 3], "boxes, balls and capsules that stop dead in free space, of {all} each");
 }
 
-/// What is behind a body is not in its way: past the end of a slope of the floor, of one of the
-/// ceiling.
+/// Surfaces behind a body are not in its way: past the end of a slope of the floor, and of one of
+/// the ceiling.
 #[test]
 fn what_was_left_behind_takes_nothing() {
     let rows = ["...#####", "........", "../#####", "########"];
@@ -66,8 +67,8 @@ fn what_was_left_behind_takes_nothing() {
 }
 
 /// A body that slides up a ramp without gravity keeps its speed along the ramp, to the multiple of
-/// the direction below it; of that the ceiling takes what leads into it, whatever the height of the
-/// body, its speed and the place in the frame where it comes to the joint.
+/// the direction below it. The ceiling takes only the part that leads into it. That holds for every
+/// height of the body, every speed, and every moment of the frame at which it reaches the joint.
 #[test]
 fn the_ceiling_alone_takes_speed() {
     let scenes: [(&[&str], P); 3] = [

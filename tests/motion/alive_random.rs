@@ -1,4 +1,4 @@
-//! Random levels of all shapes: a call that ends without velocity ends where there is no way on
+//! Random levels of all shapes: a call that ends without velocity ends only if there is no way on
 //! (L1).
 
 #![allow(clippy::cast_precision_loss, reason = "directions and lengths below 2^30")]
@@ -12,13 +12,13 @@ use tilesat_judge::shapes::level::Level;
 
 const PLAYER: Mover = Mover::platformer(Axis::NEG_Y);
 
-/// Whether a unit and a bit is free in a direction, by sets of points, with a raw unit and a half to
-/// spare across it.
+/// Whether slightly more than a unit is free in a direction, by sets of points, with a raw unit and
+/// a half to spare across it.
 ///
-/// The tangent of a corner or an arc is rounded to the lattice and may graze what it follows. So a
-/// way must be free from two places, of the body's own and those two raw units beside it. A passage
-/// exactly as wide as the body is asked of a slide along flat floors alone: if all hits are
-/// straight, a straight way needs nothing to spare.
+/// The tangent of a corner or an arc is rounded to the lattice and may graze its own surface. So a
+/// way must be free from two positions, the body's own and those two raw units beside it. A passage
+/// exactly as wide as the body counts only for slides along flat floors: if all hits are straight,
+/// a straight way needs no margin.
 fn is_free(room: &Room, body: Body, d: P, all_straight: bool) -> bool {
     let length = (len2(d) as f64).sqrt();
     let times = (PX as f64 * 1.01 / length).ceil() as i64;
@@ -39,11 +39,11 @@ fn is_straight(d: P) -> bool {
     d.0 == 0 || d.1 == 0
 }
 
-/// The velocity that the body came to its last place with: what each hit before left along its
-/// surface.
+/// The velocity with which the body reached its last position: the remains of each earlier hit
+/// along its surface.
 fn before_last(v: P, out: &Outcome) -> (f64, f64) {
     let hits: Vec<_> = out.hits.iter().map(|h| (h.toi.raw(), f64::from(h.axis.x), f64::from(h.axis.y))).collect();
-    // Hits within eight raw units of way are of one place, unless it is a straight face: those are
+    // Hits within eight raw units of way have one position, except on a straight face: those are
     // not rounded.
     let (last, eight) = (hits.last().unwrap().0, (8.0 * f64::from(1 << 30) / (len2(v) as f64).sqrt()) as u32);
     let within = |h: &(u32, f64, f64)| if h.1 == 0.0 || h.2 == 0.0 { 0 } else { eight };
@@ -53,14 +53,14 @@ fn before_last(v: P, out: &Outcome) -> (f64, f64) {
     })
 }
 
-/// A direction that is free for a unit and that the velocity has more than a unit along, of a call
-/// that ended without velocity and has hardly moved.
+/// A direction that is free for a unit and along which the velocity has more than a unit. For a
+/// call that ended without velocity and has hardly moved.
 ///
-/// Both the velocity before the last hit and the one of the call must have: what lay on a surface
-/// is pressed against it by the call's velocity all the time, and what came flying has no more than
-/// that surface left it.
+/// Both the velocity before the last hit and the velocity of the call must have it. The call's
+/// velocity presses a resting body against its surface all the time. A flying body has only what
+/// that surface left.
 ///
-/// A quarter pipe on the way turns the velocity: what is left of it no hit shows.
+/// A quarter pipe on the way turns the velocity. No hit shows the rest.
 fn way_on(room: &Room, level: &Level, before: Body, v: P, out: &Outcome) -> Option<P> {
     let last = out.hits.len().saturating_sub(1);
     if out.hits.iter().take(last).any(|hit| hit.index == 8 && is_pipe(level, hit.cell)) {

@@ -1,5 +1,5 @@
-//! Walkers: what gravity wedges has a floor (L7), and what is no higher than the step is climbed
-//! wherever the body fits (L8).
+//! Walkers: a body wedged by gravity has a floor (L7). It climbs obstacles no higher than the step
+//! wherever it fits (L8).
 
 use tilesat::{Aabb, Axis, Circle, Fx, Grid, Mover, TileKind, TileKinds, TileMap, Vec2, Walker};
 use tilesat_judge::Random;

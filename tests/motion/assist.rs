@@ -1,4 +1,4 @@
-//! Corners and gaps that a body misses by little, against all ways aside that there are.
+//! Corners and gaps that a body narrowly misses, compared with all ways aside.
 
 use tilesat::{Aabb, Axis, Blocks, Circle, Fx, Grid, Inside, Mover, Quantity, TileKind, TileKinds, TileMap, Vec2};
 use tilesat_judge::Random;
@@ -20,14 +20,14 @@ fn shifted(body: &Aabb, by: (i64, i64)) -> Aabb {
     body.translated(vec2(by)).unwrap()
 }
 
-/// How far a slide leads.
+/// How far a slide gets.
 fn slide(map: &TileMap<'_, Blocks>, mover: &Mover, body: &Aabb, d: (i64, i64)) -> (i64, i64) {
     let made = (mover.move_and_slide(map, body, vec2(d)).unwrap().position() - body.min()).raw();
     (made.0.into(), made.1.into())
 }
 
-/// The least displacement aside, try by try: its whole way is free, and from its end the motion
-/// comes farther into what it ran into.
+/// The least displacement aside, try by try. Its whole way is free, and from its end the motion
+/// gets farther into the obstacle.
 fn least(map: &TileMap<'_, Blocks>, mover: &Mover, body: &Aabb, d: (i64, i64), reach: i64) -> Option<(i64, i64)> {
     let hit = map.cast_shape(body, vec2(d), Inside::Ignore).unwrap()?;
     let normal = hit.hit.axis;
@@ -42,7 +42,7 @@ fn least(map: &TileMap<'_, Blocks>, mover: &Mover, body: &Aabb, d: (i64, i64), r
     ways.into_iter().find(|&aside| {
         let free = map.cast_shape(body, vec2(aside), Inside::Ignore).unwrap().is_none();
         let from = shifted(body, aside);
-        // To the depth of the hit at least, and there farther, or along the side of a gap.
+        // At least to the depth of the hit, and there farther, or along the side of a gap.
         let reached = map.cast_shape(&from, vec2(d), Inside::Ignore).unwrap().is_none_or(|next| {
             let depth =
                 |b: &Aabb, of: &Aabb| into(((b.min() - of.min()).raw().0.into(), (b.min() - of.min()).raw().1.into()));
@@ -81,8 +81,8 @@ fn the_least_way_aside_that_leads_on() {
     assert!(asides > 300, "{asides} of {all}");
 }
 
-/// A head under a corner by up to the reach, to the raw unit; a ball too, which a corner is rounder
-/// for.
+/// A head under a corner by up to the reach, to the raw unit. Also a ball, for which a corner is
+/// rounder.
 #[test]
 fn a_head_under_a_corner() {
     let tiles: Vec<u8> = (0..SIDE * SIDE).map(|k| if k / SIDE < 3 && k % SIDE < 3 { b'#' } else { b'.' }).collect();
@@ -110,8 +110,7 @@ fn a_head_under_a_corner() {
     }
 }
 
-/// A gap exactly as wide as the body is found by a walk along the wall at any speed up to the
-/// reach.
+/// A walk along the wall at any speed up to the reach finds a gap exactly as wide as the body.
 #[test]
 fn a_gap_as_wide_as_the_body() {
     let tiles: Vec<u8> = (0..SIDE * SIDE).map(|k| if k / SIDE == 2 && k % SIDE != 3 { b'#' } else { b'.' }).collect();

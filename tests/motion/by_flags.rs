@@ -1,5 +1,6 @@
-//! Responses by the flags of what is hit. Where all that a body hits has one answer, the call is
-//! that of a mover with that response, bit for bit; and each hit gets the answer of its own flags.
+//! Responses by the flags of the surface that was hit. If all hits of a body have one answer, the
+//! call equals that of a mover with that response, bit for bit. Each hit gets the answer of its own
+//! flags.
 
 use std::fmt::Debug;
 
@@ -36,7 +37,7 @@ fn raw(x: i64, y: i64) -> Vec2 {
     Vec2::from_raw(i32::try_from(x).unwrap(), i32::try_from(y).unwrap())
 }
 
-/// A few tiles in the void, whole ones among them, with some of the four flags.
+/// A few tiles in the void, some of them full, with some of the four flags.
 fn tiles(random: &mut Random, flags: &[i64]) -> [u8; SIDE * SIDE] {
     let mut tiles = [0; SIDE * SIDE];
     tiles.fill_with(|| {
@@ -55,7 +56,7 @@ trait Judge {
     fn of<B: Body + PartialEq + Debug>(&mut self, level: &TileMap<'_, AllShapes>, body: B, v: Vec2);
 }
 
-/// Bodies of each kind on the lattice of quarter cells and a few raw units beside it, as they meet
+/// Bodies of each kind on the lattice of quarter cells and a few raw units off, so that they meet
 /// corners, seams and faces.
 fn try_all(seed: u64, flags: &[i64], judge: &mut impl Judge) {
     let mut random = Random::new(seed);
@@ -67,7 +68,7 @@ fn try_all(seed: u64, flags: &[i64], judge: &mut impl Judge) {
             let (x, y) = (near(), near());
             let (w, h) = (random.magnitude(CELL) + 3, random.magnitude(CELL) + 3);
             let fastest = if random.one_in(4) { 4 * CELL } else { CELL };
-            // Straight at a face too, from where the body touches it.
+            // Also straight at a face that the body touches.
             let mut part = || if random.one_in(4) { 0 } else { random.around(fastest) };
             let v = raw(part(), part());
             let r = Fx::from_bits(w as i32);
@@ -85,7 +86,7 @@ fn told<B: Body>(moved: &Moved<B>) -> impl PartialEq + Debug + use<B> {
 }
 
 struct One {
-    /// Of the mover under the table, so that no answer is that of the mover.
+    /// The response of the mover under the table, which no answer equals.
     below: Response,
     wanted: Response,
     calls: u32,
@@ -116,7 +117,7 @@ fn levels_of_one_flag_are_levels_of_one_response() {
     }
 }
 
-/// How many calls hit one thing only, and how many more than one, by the answer to the first.
+/// The number of calls with one hit only, and with more than one, by the answer to the first.
 struct Each {
     once: [u32; 3],
     more: [u32; 3],
@@ -140,7 +141,7 @@ impl Judge for Each {
         let response = [Response::Touch, Response::Bounce, Response::Slide][kind];
         let plain = UP.with_response(response).move_and_slide(level, &body, v).unwrap();
         assert_eq!(plain.hits.first(), Some(first), "{body:?} by {v:?}");
-        // All hits until the answers part are the same; nothing follows a touch.
+        // All hits up to the first difference are equal. Nothing follows a touch.
         if moved.hits.iter().all(|hit| kind_of(hit.flags) == kind) {
             assert_eq!((&moved.body, told(&moved)), (&plain.body, told(&plain)), "{body:?} by {v:?}");
             self.once[kind] += 1;

@@ -1,8 +1,8 @@
-//! What a call takes for free without a sweep is free all the way: judged by convex sets, which
-//! share nothing with the library.
+//! If a call moves without a sweep, its whole way is free. Convex sets that share nothing with the
+//! library judge it.
 //!
-//! Each frame that did no work but to look is held against all of the level. `TILESAT_FRAMES` sets
-//! the number of frames (default 100 000).
+//! Every frame that did no work except a look is checked against the whole level. `TILESAT_FRAMES`
+//! sets the number of frames (default 100 000).
 
 use std::time::{Duration, Instant};
 use tilesat::{Axis, Mover, TileShape, motion::Work};
@@ -14,7 +14,7 @@ use tilesat_judge::rooms::{P, drawn, mosaic};
 use tilesat_judge::shapes::level::Level;
 use tilesat_judge::shapes::region::Region;
 
-/// A level's solid with what tells where it may be met.
+/// A level's solid, and where a body may meet it.
 struct Judge {
     solids: Vec<(Region, P, P)>,
 }
@@ -46,7 +46,7 @@ impl Judge {
     }
 }
 
-/// How many frames did no work, and how many were free.
+/// The number of frames that did no work, and of free frames.
 #[derive(Default, Debug)]
 struct Tally {
     frames: u64,
@@ -64,7 +64,7 @@ fn frame(level: &Level, judge: &Judge, body: Body, d: P, tally: &mut Tally) {
     }
 }
 
-/// Random levels of all shapes; `clock` tells how far it is.
+/// Random levels of all shapes. `clock` reports the progress.
 fn worlds(seed: u64, frames: u64, fastest: i64, clock: bool) -> Tally {
     let (mut r, mut tally, mut told) = (Random::new(seed), Tally::default(), Instant::now());
     while tally.frames < frames {
@@ -96,8 +96,8 @@ fn what_is_not_swept_is_free() {
     }
 }
 
-/// Around each shape, on a lattice and just beside it: where bodies touch, pass by a raw unit, or
-/// are within one.
+/// Around each shape, on a lattice and just off it: bodies touch, pass by a raw unit, or are within
+/// one.
 #[test]
 fn around_each_shape() {
     const CELL: i64 = 256;
@@ -127,8 +127,8 @@ fn around_each_shape() {
     assert!(tally.clear > tally.free / 2 && tally.free < tally.frames * 9 / 10, "{tally:?}");
 }
 
-/// Between a way that is free and one that is not, halved down to a raw unit: bounds that are too
-/// large by any part of a body are seen there.
+/// Halves the gap between a free way and a blocked one down to a raw unit. So it finds bounds that
+/// are too large by any part of a body.
 #[test]
 fn within_a_raw_unit_of_each_shape() {
     let (mut r, mut tally) = (Random::new(6), Tally::default());
@@ -164,7 +164,7 @@ fn within_a_raw_unit_of_each_shape() {
     assert!(tally.clear > 100, "{tally:?}");
 }
 
-/// As many as `TILESAT_FRAMES` says, 10^7 if it says nothing: `cargo test --test motion clear --
+/// As many frames as `TILESAT_FRAMES` says, by default 10^7: `cargo test --test motion clear --
 /// --ignored --nocapture`.
 #[test]
 #[ignore = "minutes"]

@@ -1,5 +1,5 @@
-//! Sliding along flat rows of tiles for ever: nothing is ever felt of the seams. Speed and height
-//! stay exact, every hit is a face.
+//! Endless sliding along flat rows of tiles, without a trace of the seams. Speed and height stay
+//! exact, and every hit is a face.
 
 use tilesat::{Axis, Mover, Outside, TileMap};
 use tilesat_judge::motion::body::{Body, Outcome, px};
@@ -7,18 +7,18 @@ use tilesat_judge::motion::level::Level;
 use tilesat_judge::motion::{P, add};
 
 const CELL: i64 = 24 << 16;
-/// 3.37 units a frame, 16.16.
+/// 3.37 units per frame, 16.16.
 const SPEED: i64 = 220_856;
 const GRAVITY: i64 = 1 << 14;
 const MILLION: u32 = 1_000_000;
 
-/// A row of tiles along one side of a square map, and what "toward it" means.
+/// A row of tiles along one side of a square map, and the direction toward it.
 struct Side {
     rows: [String; 40],
     /// Along the surface and into it.
     along: P,
     into: P,
-    /// Where the surface is, on the axis of `into`.
+    /// The position of the surface, on the axis of `into`.
     surface: i64,
 }
 
@@ -49,7 +49,7 @@ impl Side {
         Mover::platformer(Axis::new(-self.into.0 as i32, -self.into.1 as i32))
     }
 
-    /// A box or circle `size` wide that touches the surface, its middle `along` units from the
+    /// A box or circle `size` wide that touches the surface, with its middle `along` units from the
     /// map's corner.
     fn body(&self, circle: bool, along: i64, size: i64) -> Body {
         let height = self.surface - (self.into.0 + self.into.1) * size / 2;
@@ -61,7 +61,7 @@ impl Side {
         }
     }
 
-    /// One frame of pushing into the surface; everything about it must be exact.
+    /// One frame of pushing into the surface. Everything about it must be exact.
     fn frame(&self, mover: &Mover, map: &TileMap<'_>, body: &Body, v: P) -> Outcome {
         let out = body.step(mover, map, add(v, scaled(self.into, GRAVITY))).unwrap();
         assert_eq!((out.v, out.body), (v, body.moved(v)), "{body:?} by {v:?}");
@@ -73,8 +73,8 @@ impl Side {
         out
     }
 
-    /// Frames at one velocity; after each ten tiles the body is put back by as many, so that the
-    /// phase goes on.
+    /// Frames at one velocity. After every ten tiles the body moves back by as many, so that the
+    /// phase continues.
     fn run(&self, circle: bool, v: P, frames: u32) {
         let level = self.level(CELL);
         let (mover, map) = (self.mover(), level.map());
@@ -155,8 +155,8 @@ fn scene_1_collinear_seam() {
     }
 }
 
-/// In a closed room the body turns at the walls; the height never changes, nor does the speed
-/// between them.
+/// In a closed room the body turns at the walls. The height never changes, nor does the speed
+/// between walls.
 #[test]
 fn to_and_fro_between_walls() {
     let rows = ["...................."; 4];

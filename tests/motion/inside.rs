@@ -43,7 +43,7 @@ fn way(a: Body, b: Body) -> P {
     (q.0 - p.0, q.1 - p.1)
 }
 
-/// A box in a block goes out by the least of its depths, x before y, + before -, to the raw unit.
+/// A box in a block leaves by the least of its depths, x before y, + before -, to the raw unit.
 #[test]
 fn out_of_a_block_by_the_nearest_side() {
     let level = alone(1);
@@ -59,8 +59,8 @@ fn out_of_a_block_by_the_nearest_side() {
                     assert_eq!(out, Ok(body));
                     continue;
                 }
-                // What it reaches counts; with its middle out of the block only the sides that it
-                // is before.
+                // Only sides within reach count. With its middle outside the block, only the sides
+                // that it is before.
                 let m = (p.0 + w / 2, p.1 + h / 2);
                 let inside = m.0 > lo && m.0 < hi && m.1 > lo && m.1 < hi;
                 let before = [m.0 >= hi, m.0 <= lo, m.1 >= hi, m.1 <= lo];
@@ -77,8 +77,8 @@ fn out_of_a_block_by_the_nearest_side() {
     }
 }
 
-/// Out of a corner by one push for each side, the least first; out of a niche as wide as the body
-/// by two, and of a narrower one by none.
+/// It leaves a corner by one push per side, the least first. It leaves a niche of its own width by
+/// two, and a narrower one by none.
 #[test]
 fn out_of_corners_and_niches() {
     let rows = rooms::drawn(&["#....", "#..#.", "#####"], 16 * PX, &[]);
@@ -93,8 +93,8 @@ fn out_of_corners_and_niches() {
     assert!(freed(&map, wide).is_err());
 }
 
-/// Torture scene 43: deep in 10 x 10 blocks there is no way out, and nothing moves; near the rim
-/// there is the nearest.
+/// Torture scene 43: deep in 10 x 10 blocks there is no way out, and nothing moves. Near the rim it
+/// takes the nearest one.
 #[test]
 fn deep_inside() {
     let mut tiles = vec![0; 400];
@@ -110,7 +110,7 @@ fn deep_inside() {
         assert_eq!(freed(&map, body), Err(Stuck { at: (middle.0 as i32, middle.1 as i32) }));
         for v in [(3 * PX, PX), (-100 * PX, 0)] {
             assert!(matches!(body.step(&UP, &map, v), Err(MoveError::Stuck(_))));
-            // Ignored, it goes where it is told, and out.
+            // With its start ignored, it moves as asked, and out.
             let out = body.step(&LEAVES, &map, v).unwrap();
             assert_eq!((way(body, out.body), out.v, out.hits.len()), (v, v, 0));
         }
@@ -119,8 +119,8 @@ fn deep_inside() {
     assert_eq!(way(rim, freed(&map, rim).unwrap()), (-13 * PX, 0));
 }
 
-/// In rooms of all shapes: free bodies stay, others come free, by no more than four times their
-/// size, or are reported.
+/// In rooms of all shapes: free bodies stay. Others get free by at most four times their size, or
+/// are reported.
 #[test]
 fn free_or_stuck() {
     let mut r = Random::new(0x43);
@@ -153,7 +153,7 @@ fn free_or_stuck() {
     assert!(freed_ones > 500 && stays > 300 && stuck > 50, "{freed_ones} freed, {stays} free, {stuck} stuck");
 }
 
-/// Around each convex shape: what is in it leaves in every direction, by its whole motion, whatever
+/// Around each convex shape: a body inside leaves in every direction, by its whole motion, whatever
 /// it reaches on the way.
 #[test]
 fn what_it_overlaps_does_not_stop_it() {
@@ -180,7 +180,7 @@ fn what_it_overlaps_does_not_stop_it() {
     assert!(cases > 100_000, "{cases}");
 }
 
-/// What it does not overlap stops it still, and once it is out it does not come in again.
+/// A shape that it does not overlap still stops it. Once outside, it does not enter again.
 #[test]
 fn everything_else_stops_it() {
     let mut r = Random::new(0x11);
@@ -200,7 +200,7 @@ fn everything_else_stops_it() {
                 let v = (r.within(-9 * PX, 9 * PX), r.within(-9 * PX, 9 * PX));
                 let Ok(out) = body.step(&LEAVES, &level.all(), v) else { break };
                 if free {
-                    // The policy changes nothing for who is free.
+                    // The policy changes nothing for free bodies.
                     assert_eq!(out, body.step(&UP, &level.all(), v).unwrap());
                 }
                 let still = body.step(&LEAVES, &level.all(), (0, 0)).unwrap();
@@ -211,16 +211,16 @@ fn everything_else_stops_it() {
         }
     }
     assert!(left > 300 && stopped > 100, "{left} left, {stopped} stopped");
-    // Half in a door: the wall behind it stops it to the raw unit, the floor too.
+    // Half in a door: the wall behind it stops it to the raw unit, and so does the floor.
     let rows = rooms::drawn(&["....#", "..#.#", "#####"], 16 * PX, &[]);
     let body = Body::Rect((40 * PX, 20 * PX), (10 * PX, 10 * PX));
     let out = body.step(&LEAVES, &rows.all(), (30 * PX, 5 * PX)).unwrap();
     assert_eq!(out.body.position(), (54 * PX, 22 * PX));
 }
 
-/// A door of one tile that closed on a body: nothing is below it, so under gravity it falls out of
-/// the world; sideways it comes out on its floor, and is stopped by that again. Pushed out it is
-/// only where it reaches a side.
+/// A door of one tile that closed on a body. Nothing is below it, so under gravity it falls out of
+/// the world. Sideways it comes out on its floor, which stops it again. It is pushed out only if it
+/// reaches a side.
 #[test]
 fn a_door_that_closed() {
     let closed = rooms::drawn(&["..#..", "..#..", "#####"], 16 * PX, &[]);

@@ -1,7 +1,7 @@
 //! Invariants of motion in levels of all shapes, by the numbers of the study they come from: P8,
 //! P9, P10, P12, P15, P16, P20, P25.
 //!
-//! Others have their places: P5, P6, P7, P11 and P14 in `motion_shapes` and `motion_symmetry`, P13
+//! Other files test the rest: P5, P6, P7, P11 and P14 in `motion_shapes` and `motion_symmetry`, P13
 //! in `cast`, P17 in `motion_rest`, P18 in `motion_shape_scenes` and `motion_floor`, P19 in
 //! `motion_torture_segments`. `TILESAT_CASES` sets the number of motions (default 20 000).
 
@@ -26,7 +26,7 @@ struct Scene {
     room: Room,
 }
 
-/// Random scenes with a body in the open, and a motion of up to `tiles` tiles.
+/// Random scenes with a free body, and a motion of up to `tiles` tiles.
 fn each(seed: u64, one_way: i64, tiles: i64, mut check: impl FnMut(&mut Random, &Scene, Body, P)) {
     let mut r = Random::new(seed);
     let mut seen = 0;
@@ -56,12 +56,12 @@ fn step(mover: Mover, s: &Scene, body: Body, v: P) -> Outcome {
     body.step(&mover, &s.level.all(), v).unwrap()
 }
 
-/// Of a first hit: which kind of surface, and where the normal points.
+/// For a first hit: the kind of surface, and the direction of the normal.
 fn first(o: &Outcome) -> Option<(u16, P)> {
     o.hits.first().map(|h| (h.index, (h.axis.x.signum().into(), h.axis.y.signum().into())))
 }
 
-/// P8: twice the size gives the same answers: what is hit first.
+/// P8: at twice the size, the same surface is hit first.
 #[test]
 fn p8_scaling() {
     each(1, 8, 4, |_, s, body, v| {
@@ -78,7 +78,7 @@ fn p8_scaling() {
     });
 }
 
-/// P9: turned by a right angle, the same bits; ties between x and y apart, where x goes first.
+/// P9: turned by a right angle, the same bits. Ties between x and y are separate: x goes first.
 #[test]
 fn p9_rotation() {
     let mut ties = 0;
@@ -102,7 +102,7 @@ fn p9_rotation() {
     assert!(ties <= cases() / 1000);
 }
 
-/// P10: moments are in [0, 1], and a longer motion in the same direction meets the same thing no
+/// P10: moments are in [0, 1]. A longer motion in the same direction meets the same surface no
 /// earlier and no later.
 #[test]
 fn p10_monotone() {
@@ -134,8 +134,8 @@ fn p12_p16_without_velocity() {
     assert!(rests > 0);
 }
 
-/// P15: the velocity that comes back leads into no face along x or y that the body touches, where
-/// the call was not cut short.
+/// P15: if the call was not cut short, the returned velocity leads into no face along x or y that
+/// the body touches.
 #[test]
 fn p15_not_into_what_is_touched() {
     let mut slides = 0;
@@ -158,8 +158,8 @@ fn p15_not_into_what_is_touched() {
     assert!(slides > cases() / 10);
 }
 
-/// P20: at up to 16 tiles a frame nothing is passed through: the way to the first contact is free
-/// at many exact places, and so is the end.
+/// P20: at up to 16 tiles per frame it passes through nothing. The way to the first contact is free
+/// at many exact positions, and so is the end.
 #[test]
 fn p20_no_tunnel_at_sixteen_tiles() {
     let mut hits = 0;
@@ -176,7 +176,8 @@ fn p20_no_tunnel_at_sixteen_tiles() {
     assert!(hits > cases() / 5);
 }
 
-/// P25: work is bounded by the cells under the motion, ten features a cell, and by the iterations.
+/// P25: work is limited by the cells under the motion, ten features per cell, and by the
+/// iterations.
 #[test]
 fn p25_work_is_bounded() {
     let mut largest = 0;
@@ -188,7 +189,7 @@ fn p25_work_is_bounded() {
             let across = |size: i64, way: i64| (size + way + 2) / cell + 2;
             let longest = len2(v).isqrt() as i64 + 1;
             let (w, h) = (hi.0 - lo.0, hi.1 - lo.1);
-            // Pieces are as long as a cell or the body, and overlap by what the body covers.
+            // Pieces are as long as a cell or the body, and overlap by the body's width.
             let pieces = longest / cell.max(w).max(h) + 1;
             let a_piece = across(w, cell.max(w).max(h)) * across(h, cell.max(w).max(h)) * 10;
             let iterations = i64::from(out.work.iterations);

@@ -1,5 +1,5 @@
-//! Balls and boxes that bounce for a long time: never in a wall, never faster than they may be,
-//! elastic ones hardly slower, damped ones at rest in the end.
+//! Balls and boxes that bounce for a long time. They are never in a wall and never too fast.
+//! Elastic ones hardly slow down, and damped ones come to rest.
 //!
 //! The judge is exact and knows only the corners of a convex room. `TILESAT_FRAMES` sets the frames
 //! of a run (default 3000).
@@ -25,7 +25,7 @@ fn len2(v: Vec2) -> i128 {
     i128::from(x) * i128::from(x) + i128::from(y) * i128::from(y)
 }
 
-/// A convex room by its corners, the inside on the left of each side where y grows up; or a disc
+/// A convex room by its corners, with the inside on the left of each side if y grows up. Or a disc
 /// around (0, 0), by its radius.
 struct Room {
     corners: Vec<P>,
@@ -52,7 +52,7 @@ impl Room {
         Self::of(&[(0, 0), (-160, -160), (160 * run, -160)])
     }
 
-    /// 13 walls that are all askew, corners on odd raw units.
+    /// 13 walls of odd angles, with corners on odd raw units.
     fn askew() -> Self {
         let corner = |k: i32| {
             let angle = (f64::from(k) + 0.23) / 13.0 * std::f64::consts::TAU;
@@ -70,8 +70,8 @@ impl Room {
         out
     }
 
-    /// Whether a body is nowhere in a wall. With d along a side and m from its start to the point,
-    /// the point is (d x m) / |d| inside.
+    /// Whether a body is in no wall. With d along a side and m from its start to the point, the
+    /// point is (d x m) / |d| inside.
     fn holds(&self, body: &impl Judged) -> bool {
         let (points, r) = body.points();
         let in_disc = |radius: i64| {
@@ -92,7 +92,7 @@ impl Room {
     }
 }
 
-/// A body as points that keep a distance from walls, raw.
+/// A body as points that keep a distance from walls, in raw units.
 trait Judged: Body + std::fmt::Debug {
     fn points(&self) -> (Vec<P>, i64);
     fn at(centre: P) -> Self;
@@ -151,7 +151,7 @@ fn starts<B: Judged>(room: &Room, seed: u64, n: usize, speed: i64) -> Vec<(B, Ve
         .collect()
 }
 
-/// At restitution one: as fast as at the start, less 2 raw at most, in every frame.
+/// At restitution one: as fast as at the start, minus at most 2 raw, in every frame.
 fn elastic<W: World, B: Judged>(world: &W, room: &Room, seed: u64, speed: i64) {
     for (mut body, mut v) in starts::<B>(room, seed, 4, speed) {
         let surface = Surface::ELASTIC.with_speed(Speed::of(v));
@@ -203,13 +203,13 @@ fn elastic_bounces_in_a_round_room() {
     }
 }
 
-/// 16 by 16 cells of 16 units, and nothing but solid around.
+/// 16 by 16 cells of 16 units, with only solid around.
 fn square_of_tiles() -> TileMap<'static> {
     static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
     TileMap::new(&[0; 256], 16, 16, &KINDS).unwrap().with_outside(tilesat::Outside::Solid)
 }
 
-/// A room of tiles and the same room of segments: the same bits, ball and box, whatever the
+/// A room of tiles and the same room of segments give the same bits, for ball and box, with every
 /// surface, with gravity and without.
 #[test]
 fn tiles_and_segments_bounce_alike() {
@@ -236,7 +236,7 @@ fn tiles_and_segments_bounce_alike() {
     alike::<Aabb>(10);
 }
 
-/// Damped, or without a speed to go by: slower and slower, or as fast.
+/// Damped, or without a reference speed: slower and slower, or as fast.
 #[test]
 fn bounces_without_a_reference_never_gain() {
     let askew = Room::askew();
@@ -256,14 +256,15 @@ fn bounces_without_a_reference_never_gain() {
     }
 }
 
-/// Raw a frame a frame.
+/// Raw units per frame per frame.
 const GRAVITY: i32 = 10_922;
 
-/// Drops balls until they rest; returns the last frame in which one moved.
+/// Drops balls until they rest. Returns the last frame in which one moved.
 fn falls<W: World>(world: &W, room: &Room, percent: u8, friction: u8, seed: u64) -> u64 {
-    // Gravity comes once a frame. A bounce at w (after gravity) in the part T of a frame changes
-    // the energy v^2 / 2 + g h + g v / 2, which free flight keeps, by -(1 - e^2) w^2 / 2 + (1 + e)
-    // g w (1/2 - T): a loss for every T where w is above g / (1 - e), and for T = 0 only there.
+    // Gravity acts once per frame. Free flight keeps the energy v^2 / 2 + g h + g v / 2. A bounce
+    // at w (after gravity) in the part T of a frame changes it by -(1 - e^2) w^2 / 2 + (1 + e) g w
+    // (1/2 - T). That is a loss for every T if w is above g / (1 - e). At T = 0 it is a loss only
+    // then.
     let rest = GRAVITY * 100 / (100 - i32::from(percent)) + 1;
     let ratio = |percent| Ratio::percent(percent).unwrap();
     let surface = Surface::new(ratio(percent), ratio(friction)).resting_below(Fx::from_bits(rest));

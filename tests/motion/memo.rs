@@ -1,4 +1,5 @@
-//! A memo answers as the call that it stands for, bit for bit, and only that one.
+//! A memo gives the same answer as the call that it replaces, bit for bit, and answers no other
+//! call.
 
 use tilesat::{
     Aabb, AllShapes, Axis, Body, Circle, Fx, Memo, MoveError, Moved, Mover, Ratio, Surface, TileKind, TileKinds,
@@ -15,8 +16,8 @@ fn without_work<B>(moved: Moved<B>) -> Moved<B> {
 
 type Map<'a> = TileMap<'a, AllShapes>;
 
-/// Drops bodies into random levels and calls with and without a memo; how many frames the memo
-/// answered, of how many.
+/// Drops bodies into random levels and calls with and without a memo. Returns how many frames the
+/// memo answered, of how many.
 fn compare<B, M: Default>(
     body: impl Fn(Vec2, Fx) -> B,
     plain: impl Fn(&Map<'_>, &B, Vec2) -> Result<Moved<B>, MoveError>,

@@ -1,5 +1,5 @@
-//! Motions, each by one scene that is told by hand: found as changes of the sources that no other
-//! test noticed.
+//! Motions, each in one scene with a known answer. Changes of the sources that no other test
+//! noticed led to them.
 
 use tilesat::{Aabb, AllShapes, Axis, Circle, Fx, Grid, Mover, TileKind, TileKinds, TileMap, TileShape, Vec2};
 
@@ -17,9 +17,9 @@ fn level(tiles: &'static [u8], width: u16) -> TileMap<'static, AllShapes> {
     TileMap::of(tiles, Grid::new(width, height, Fx::from_num(16), Vec2::ZERO).unwrap(), &KINDS).unwrap()
 }
 
-/// A ball as wide as a half-round niche comes to the niche's centre, where it touches all of it,
-/// and is pushed straight back: the niche is the same above and below the line of its motion, so
-/// there is no other direction.
+/// A ball as wide as a half-round niche reaches the niche's centre, where it touches all of it, and
+/// is pushed straight back. The niche is symmetric about the line of its motion, so there is no
+/// other direction.
 #[test]
 fn a_ball_that_fills_a_niche_is_pushed_straight_back() {
     for (tiles, width, centre, back) in [
@@ -40,8 +40,8 @@ fn a_ball_that_fills_a_niche_is_pushed_straight_back() {
     }
 }
 
-/// The gap between a dome and the floor that it touches ends in a point. What comes along the floor
-/// stops there, and what is there stays: on both sides of that line there is solid.
+/// The gap between a dome and the floor that it touches ends in a point. A body along the floor
+/// stops there, and a body in it stays: on both sides of that line is solid.
 #[test]
 fn a_point_stops_where_a_dome_touches_the_floor() {
     for (tiles, right, way) in [(b"#e##", 16, -1), (b"f###", 16, 1)] {

@@ -1,5 +1,5 @@
-//! One-way faces in all four directions, as tiles and as chains, for boxes and circles: each case
-//! changes one thing of one that lands.
+//! One-way faces in all four directions, as tiles and as chains, for boxes and circles. Each case
+//! changes one input of a landing.
 
 use tilesat::{Axis, Fx, Mover, Outside, Path, PathKind, Response, SegmentMap};
 use tilesat_judge::rooms::body::{Body, Outcome, vec2};
@@ -41,7 +41,7 @@ fn level(rows: &[&str]) -> Level {
     Level { tiles, width, height, cell: CELL, x: 0, y: 0, outside: Outside::Empty }
 }
 
-/// What a scene is played on.
+/// The level of a scene.
 enum Stage {
     Tiles(Level),
     /// Corners, left to right.
@@ -49,7 +49,7 @@ enum Stage {
 }
 
 impl Stage {
-    /// The body's motion, seen from upright again.
+    /// The body's motion, turned upright again.
     fn step(&self, views: &[View], mover: &Mover, body: Body, v: P) -> Outcome {
         let there = views.iter().fold(body, |b, view| view.body(b));
         let d = direction(views, v);
@@ -97,7 +97,7 @@ fn players(x: i64, y: i64) -> [Body; 2] {
     [Body::Rect((x, y - 20 * PX), (20 * PX, 20 * PX)), Body::Disc((x + 10 * PX, y - 10 * PX), 10 * PX)]
 }
 
-/// `lands` at this part of the way: `Some((num, den))`, with the motion across going on.
+/// `lands` at this part of the way: `Some((num, den))`. The motion across continues.
 fn case(x: i64, y: i64, v: P, lands: Option<i64>) {
     for stage in stages() {
         for views in VIEWS {
@@ -128,7 +128,7 @@ fn one_input_at_a_time() {
     // Across it, standing and landing.
     case(x, top, (-7 * PX, PX), Some(0));
     case(x, top - 4 * PX, (7 * PX, 8 * PX), Some(4 * PX));
-    // The place: below, one raw unit below, half through.
+    // The position: below, one raw unit below, half through.
     case(x, top + 50 * PX, (0, 10 * PX), None);
     case(x, top + 1, (0, 10 * PX), None);
     case(x, top + 5 * PX, (0, 10 * PX), None);
@@ -144,7 +144,7 @@ fn one_input_at_a_time() {
     case(x, top, (11 * PX, 0), None);
 }
 
-/// A jump whose highest place is exactly on the plane lands; one raw unit lower it does not.
+/// A jump whose highest point is exactly on the plane lands. One raw unit lower it does not.
 #[test]
 fn the_top_of_a_jump() {
     for (apex, lands) in [(40 * PX, true), (40 * PX + 1, false), (40 * PX - 1, true)] {
@@ -162,8 +162,8 @@ fn the_top_of_a_jump() {
     }
 }
 
-/// Torture scene 31: in from the side at heights around the plane nothing stops it; then it stands
-/// where its lower side is not below.
+/// Torture scene 31: in from the side at heights around the plane, nothing stops it. Then it stands
+/// if its lower side is not below.
 #[test]
 fn from_the_side() {
     for raw in [-PX, -2, -1, 0, 1, 2, PX, 10 * PX] {
@@ -184,8 +184,8 @@ fn from_the_side() {
     }
 }
 
-/// At the corner: what comes to the plane beside the platform passes, what spans a raw unit of it
-/// or moves over its end there lands. Boxes; the lowest point of a circle decides.
+/// At the corner: a body that reaches the plane beside the platform passes. A body with a raw unit
+/// over it, or that moves over its end there, lands. Boxes; for a circle, its lowest point decides.
 #[test]
 fn at_the_corner() {
     for (stage, views) in stages().iter().flat_map(|s| VIEWS.map(|v| (s, v))) {
@@ -205,8 +205,8 @@ fn at_the_corner() {
     }
 }
 
-/// Between two of them there is no gap, for bodies of any width, those of none too; nor between
-/// them and solid tiles or slopes.
+/// Between two of them there is no gap, for bodies of any width, even zero. Nor between them and
+/// solid tiles or slopes.
 #[test]
 fn no_fall_between_two() {
     let rows: [&[&str]; 3] = [
@@ -241,8 +241,7 @@ fn no_fall_between_two() {
     }
 }
 
-/// Beside a block: up through it along the block, a stop at the block where the one-way is none,
-/// flush from one to the other.
+/// Beside a block: up through it along the block, a stop at the block, flush from one to the other.
 #[test]
 fn beside_a_block_and_a_slope() {
     let stage = Stage::Tiles(level(&["......", "......", "--##--", "......", "......"]));
@@ -288,8 +287,8 @@ fn beside_a_block_and_a_slope() {
     }
 }
 
-/// Dropping through: with every response, reported once, no floor; what is half on a block stays;
-/// and not told so, it lands again.
+/// Dropping through: with every response, reported once, no floor. A body half on a block stays.
+/// Without the setting it lands again.
 #[test]
 fn drop_through() {
     let low = Stage::Tiles(level(&["......", "------", "------", "......", "######"]));
@@ -299,7 +298,7 @@ fn drop_through() {
         for response in all {
             let drops = mover(views).with_response(response).with_drop_through(true);
             for body in players(30 * PX, 20 * PX) {
-                // Through two of them; the first is told.
+                // Through two of them. The first is reported.
                 let out = low.step(views, &drops, body, (PX, 30 * PX));
                 assert_eq!((out.body, out.v, out.hits.len()), (body.moved((PX, 30 * PX)), (PX, 30 * PX), 1), "{out:?}");
                 assert!(!out.floor && out.hits.first().unwrap().one_way && out.hits.first().unwrap().toi.raw() == 0);
@@ -309,7 +308,7 @@ fn drop_through() {
                 if response != Response::Bounce {
                     assert_eq!(out.body.bounds().1.1, 80 * PX);
                 }
-                // In the next frame it is not above the first any more, and lands on the second.
+                // In the next frame it is no longer above the first, and lands on the second.
                 let out = low.step(views, &drops, body, (0, PX));
                 let next = low.step(views, &mover(views), out.body, (0, 60 * PX));
                 assert!(next.floor && next.body.bounds().1.1 == 40 * PX, "{next:?}");

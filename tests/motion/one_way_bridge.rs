@@ -1,4 +1,4 @@
-//! Chains that carry from above alone, around convex corners too.
+//! Chains that carry only from above, even around convex corners.
 
 use tilesat::{Aabb, Axis, Body, Circle, Fx, Moved, Mover, Path, PathKind, SegmentMap, Vec2};
 
@@ -33,7 +33,7 @@ fn a_kink_is_no_hole() {
             assert!(moved.floor && moved.body.max().raw().1 <= 100, "box at {x}: {moved:?}");
             let moved = mover.move_and_slide(map, &disc(x, -5000, 1000), fall).unwrap();
             assert!(moved.floor && moved.position().raw().1 <= -900, "circle at {x}: {moved:?}");
-            // From below it is passed, and from the side below it.
+            // It passes from below, and from the side below it.
             for d in [raw(0, -8000), raw(3000, -9000)] {
                 assert!(mover.move_and_slide(map, &square(x, 3000, 1000), d).unwrap().hits.is_empty());
                 assert!(mover.move_and_slide(map, &disc(x, 3000, 1000), d).unwrap().hits.is_empty());

@@ -9,12 +9,12 @@ const KINDS: TileKinds = TileKinds::EMPTY
     .with(3, TileKind::of(TileShape::SlopeBottomRight))
     .with(4, TileKind::of(TileShape::MildHighTopRight));
 
-/// Where a box of 10 x 10 goes whose upper right corner is in the middle of four tiles.
+/// The way of a box of 10 x 10 whose upper right corner is in the middle of four tiles.
 fn way(tiles: [u8; 4], motion: Vec2) -> Vec2 {
     way_in(&KINDS, tiles, motion).unwrap()
 }
 
-/// The same among other kinds of tiles; none where the box is in the solid.
+/// The same among other kinds of tiles. `None` if the box is in the solid.
 fn way_in(kinds: &TileKinds, tiles: [u8; 4], motion: Vec2) -> Option<Vec2> {
     let grid = Grid::new(2, 2, Fx::from_num(16), Vec2::ZERO).unwrap();
     let map = TileMap::<AllShapes>::of(&tiles, grid, kinds).unwrap();
@@ -23,8 +23,8 @@ fn way_in(kinds: &TileKinds, tiles: [u8; 4], motion: Vec2) -> Option<Vec2> {
     Some(moved.body.min() - body.min())
 }
 
-/// One solid hides a side of the corner of the other: only along its other side can the box go, and
-/// there nothing is in its way.
+/// One solid hides a side of the corner of the other. The box can move only along the other side,
+/// and nothing is in its way there.
 #[test]
 fn slides_past_a_pinch() {
     // Up along the left side of the upper tile; the slope of the lower one hides the tip's
@@ -35,7 +35,7 @@ fn slides_past_a_pinch() {
     assert_eq!(way([2, 3, 0, 0], Vec2::from_ints(2, -1)), Vec2::from_ints(2, 0));
 }
 
-/// What is left of those motions along that side is free.
+/// The part of those motions along that side is free.
 #[test]
 fn goes_along_the_open_side() {
     assert_eq!(way([0, 1, 0, 2], Vec2::from_ints(0, -2)), Vec2::from_ints(0, -2));
@@ -44,7 +44,7 @@ fn goes_along_the_open_side() {
 }
 
 /// All shapes in the three cells around the corner of the box, motions of every slope of the
-/// shapes: where one component alone is free, it does not stand still.
+/// shapes. If one component alone is free, the box does not stand still.
 #[test]
 fn never_stands_where_one_way_is_open() {
     const MOTIONS: [(i16, i16); 3] = [(1, 1), (1, 2), (2, 1)];

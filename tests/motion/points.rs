@@ -1,9 +1,9 @@
-//! Bodies without area where quarter arcs end: no way of theirs enters the solid, and what stops
-//! them is solid.
+//! Bodies without area at the ends of quarter arcs: no way of theirs enters the solid, and only
+//! solid stops them.
 //!
-//! Judged by the inequalities of the 34 shapes in whole numbers, cut at every line of the grid: a
-//! way enters the union of the tiles where it enters the inside of one of them, or goes along a
-//! line between two that both hold it.
+//! The inequalities of the 34 shapes in whole numbers judge them, cut at every line of the grid. A
+//! way enters the union of the tiles if it enters the inside of one of them, or runs along a line
+//! between two that both contain it.
 
 use core::fmt::Debug;
 use tilesat::motion::Body as Movable;
@@ -14,7 +14,7 @@ use tilesat_judge::rooms::P;
 use tilesat_judge::rooms::body::{point, vec2};
 use tilesat_judge::shapes::level::Level;
 
-/// The side of a cell, and where the four cells of a case meet.
+/// The side of a cell, and the point where the four cells of a case meet.
 const S: i64 = 256;
 
 /// A shape's inequality in the frame of its solid corner, coordinates and the side in parts of a
@@ -40,11 +40,11 @@ fn excess(id: u8, p: (i128, i128), s: i128) -> i128 {
 /// The whole of a way, in the units of a moment.
 const ALL: u32 = 1 << 30;
 
-/// Whether the way of a point from `p` by `d`, until a moment of it, enters the solid of the four
-/// cells around (S, S); elsewhere all is empty.
+/// Whether the way of a point from `p` by `d`, up to a moment of it, enters the solid of the four
+/// cells around (S, S). All other cells are empty.
 fn enters(tiles: [u8; 4], p: P, d: P, until: u32) -> bool {
-    // Moments are fractions of the way with one divisor: all lines of the grid are crossed at
-    // multiples of it.
+    // Moments are fractions of the way with one divisor, of which all crossings of lines are
+    // multiples.
     let n = i128::from(d.0.abs().max(1) * d.1.abs().max(1)) * 16;
     let at = |t: i128| (i128::from(p.0) * n + i128::from(d.0) * t, i128::from(p.1) * n + i128::from(d.1) * t);
     let half = i128::from(S / 2) * n;
@@ -71,7 +71,7 @@ fn enters(tiles: [u8; 4], p: P, d: P, until: u32) -> bool {
                 }
                 let id = tiles[(2 * row + column) as usize];
                 let inside = |q: (i128, i128)| excess(id, (q.0 - column * 2 * half, q.1 - row * 2 * half), 2 * half);
-                // Of a line the ends are deepest, of a concave arc too.
+                // On a line the ends are deepest, even of a concave arc.
                 inside(at(c[0])) < 0
                     || inside(at(c[1])) < 0
                     || ((10..14).contains(&id) && cuts_disc(id, (column, row), 2 * half, at(c[0]), at(c[1])))
@@ -97,7 +97,7 @@ fn level(tiles: [u8; 4], (x, y): P) -> Level {
 
 /// Whether one of the four cells has a convex arc that ends in their common point.
 fn has_end(tiles: [u8; 4]) -> bool {
-    // Of the cell at the top left that point is the bottom right corner; an arc ends in the two
+    // For the cell at the top left that point is the bottom right corner. An arc ends in the two
     // corners beside its solid one.
     tiles.iter().zip([[11, 13], [10, 12], [10, 12], [11, 13]]).any(|(id, ends)| ends.contains(id))
 }
@@ -108,7 +108,7 @@ struct Tally {
     hits: u64,
     free: u64,
     grazes: u64,
-    /// Starts in the solid: another matter.
+    /// The test skips starts in the solid.
     inside: u64,
 }
 
@@ -120,8 +120,7 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
-    /// What the way of a body leads to, of which the first point to arrive is at `front` and the
-    /// last one at `back`.
+    /// The result for a body whose first point is at `front` and whose last one is at `back`.
     fn judge<B>(&mut self, body: &B, back: P, front: P, d: P)
     where
         B: Movable + Debug + PartialEq,
@@ -184,8 +183,8 @@ impl Case<'_> {
 
 const WAYS: [P; 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
-/// All 287 760 quads of tiles with such an end in their middle: points and bars along the four
-/// lines through it, from both sides of it, to it and beyond.
+/// All 287 760 quads of tiles with such an end in their middle. Points and bars along the four
+/// lines through it, from both sides, to it and beyond.
 #[test]
 fn along_the_lines_of_the_grid() {
     let mut tally = Tally::default();
@@ -210,8 +209,9 @@ fn along_the_lines_of_the_grid() {
     assert!(tally.hits > 1_000_000 && tally.free > 1_000_000 && tally.inside > 0, "{tally:?}");
 }
 
-/// Each arc tile that ends there with each neighbour in each of the three other places, the rest
-/// empty or full: points from all places of a lattice of quarter cells to all of one of half cells.
+/// Each arc tile that ends there with each neighbour in each of the three other cells, the rest
+/// empty or full. Points from all positions of a lattice of quarter cells to all of one of half
+/// cells.
 #[test]
 fn from_everywhere_to_everywhere() {
     let mut tally = Tally::default();
@@ -238,7 +238,7 @@ fn from_everywhere_to_everywhere() {
     assert!(tally.hits > 1_000_000 && tally.free > 1_000_000 && tally.inside > 0, "{tally:?}");
 }
 
-/// Full tiles beside an arc that are not tiles but what is outside of the map.
+/// Full cells beside an arc that are outside the map instead of tiles.
 #[test]
 fn at_the_end_of_the_map() {
     for (id, neighbour) in (10..14).flat_map(|id| (0..34).map(move |n| (id, n))) {
@@ -255,8 +255,8 @@ fn at_the_end_of_the_map() {
     }
 }
 
-/// Points and bars on the lines of small maps, many of them along what is outside: no cast misses
-/// what it would end in, and no motion ends in the solid.
+/// Points and bars on the lines of small maps, many of them along the outside. No cast misses a
+/// solid in which it would end, and no motion ends in the solid.
 #[test]
 fn no_end_is_in_the_solid() {
     let (mut r, mut moved) = (Random::new(3), 0);
@@ -287,9 +287,9 @@ fn no_end_is_in_the_solid() {
     assert!(moved > 30_000, "{moved}");
 }
 
-/// Out of the gap below an arc into a quarter pipe that begins where the gap ends: it is the pipe
-/// that the point meets. The end of the arc, which the way up the pipe only grazes, stops a body
-/// without area; it rests there, and gathers no velocity.
+/// Out of the gap below an arc into a quarter pipe that begins where the gap ends: the point meets
+/// the pipe. The way up the pipe only grazes the end of the arc, which stops a body without area.
+/// It rests there, and gathers no velocity.
 #[test]
 fn from_under_an_arc_into_a_pipe() {
     let level = level([11, 16, 1, 1], (0, 0));

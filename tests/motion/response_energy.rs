@@ -1,4 +1,4 @@
-//! Elastic balls under gravity: the energy stays what it is, within the error of one bounce.
+//! Elastic balls under gravity: the energy stays constant, within the error of one bounce.
 
 #![allow(clippy::cast_precision_loss, reason = "tests stop at the first surprise")]
 
@@ -46,7 +46,7 @@ fn energy(ball: &Circle, v: Vec2, gravity: i32) -> i128 {
     x * x + y * y + g * y - 2 * g * h
 }
 
-/// Least and largest energy of a run, in parts of the first.
+/// Least and greatest energy of a run, relative to the first.
 fn run(map: &TileMap<'_, AllShapes>, r: &mut Random, gravity: i32, kept: bool, frames: u32) -> (f64, f64) {
     let at = Vec2::from_raw(r.within(40, 120) as i32 * 65_536, r.within(30, 70) as i32 * 65_536);
     let mut ball = Circle::new(at, Fx::from_num(6)).unwrap();
@@ -86,7 +86,7 @@ fn energy_stays() {
     }
 }
 
-/// What it is for: without it the same valley multiplies the energy.
+/// Its purpose: without it the same valley multiplies the energy.
 #[test]
 fn a_valley_without_it() {
     let map: TileMap<'_, AllShapes> = TileMap::of_ascii(VALLEY, &KINDS).unwrap();

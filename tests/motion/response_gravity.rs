@@ -1,4 +1,4 @@
-//! Accelerations below a raw unit a frame: exact in flight, silent at rest.
+//! Accelerations below a raw unit per frame: exact in flight, silent at rest.
 
 use tilesat::{
     Aabb, Axis, Body, Circle, Fx, Mover, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2,
@@ -53,7 +53,7 @@ fn stays<B: Body + PartialEq + core::fmt::Debug>(map: &TileMap<'_, Slopes>, star
     }
 }
 
-/// From less than a raw unit a frame up: bodies that lie are constant in position, velocity and
+/// From less than a raw unit per frame up: lying bodies are constant in position, velocity and
 /// flags.
 #[test]
 fn nothing_hums_at_rest() {
@@ -65,7 +65,7 @@ fn nothing_hums_at_rest() {
     }
 }
 
-/// A wind along the floor keeps its average, filled or not: only the axis that is held is filled.
+/// A wind along the floor keeps its average, filled or not: only the blocked axis is filled.
 #[test]
 fn what_is_not_held_stays_exact() {
     let map: TileMap<'_, Slopes> = TileMap::of_ascii("      \n\\    /\n#\\  /#\n######\n", &KINDS).unwrap();

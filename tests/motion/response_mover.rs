@@ -44,7 +44,7 @@ fn rect(x: i32, y: i32, side: i32) -> Aabb {
 const HILL: &str = "        \n  /\\    \n /##\\   \n/####\\  \n########\n";
 const MILD: &str = "        \n        \n  lhHL  \nlh####HL\n########\n";
 
-/// Where a body that is dropped on a surface stays: the frames it took to come to rest there.
+/// The resting position of a body that is dropped on a surface. Returns the frames that it took.
 fn comes_to_rest<B: Body + PartialEq + core::fmt::Debug>(
     map: &Map,
     start: B,
@@ -66,8 +66,8 @@ fn comes_to_rest<B: Body + PartialEq + core::fmt::Debug>(
     last
 }
 
-/// P17, slope with friction: below the angle of friction a body stays where it is, to the bit, for
-/// a million frames.
+/// P17, slope with friction: below the angle of friction a body stays at its position, to the bit,
+/// for a million frames.
 #[test]
 fn a_slope_with_friction_holds() {
     let grip = |percent| Surface::new(Ratio::ZERO, Ratio::percent(percent).unwrap());
@@ -77,14 +77,14 @@ fn a_slope_with_friction_holds() {
             let n = frames(100_000);
             assert!(comes_to_rest(&map, disc(x, 10 * PX, 4 * PX), Vec2::ZERO, grip(hold), n) < 100, "{level} {x}");
             assert!(comes_to_rest(&map, rect(x, 10 * PX, 7 * PX), Vec2::ZERO, grip(hold), n) < 100, "{level} {x}");
-            // With a little less it goes down, all the way to the level's border.
+            // With a little less it slides down, all the way to the level's border.
             let slid = comes_to_rest(&map, disc(x, 10 * PX, 4 * PX), Vec2::ZERO, grip(hold - 10), 60);
             assert_eq!(slid, 59, "{level} {x}");
         }
     }
 }
 
-/// A slope that is no tile's: the normal of a corner, of any length.
+/// A slope that no tile has: the normal of a corner, of any length.
 #[test]
 fn a_body_rests_on_a_corner_with_friction() {
     let map = map("        \n        \n   ##   \n   ##   \n        \n");
@@ -100,7 +100,7 @@ fn a_body_rests_on_a_corner_with_friction() {
 const PIPE: &str = "#          #\n#          #\n#          #\n#(        )#\n############\n";
 
 /// In a quarter pipe a body comes to rest where the slope is as steep as the friction, or on the
-/// way down; slowly thrown or fast.
+/// way down. Thrown slowly or fast.
 #[test]
 fn a_pipe_with_friction_holds() {
     let map = map(PIPE);
@@ -124,7 +124,7 @@ fn a_pipe_brakes() {
     for (percent, kept) in [(0, 1.0), (20, 0.730), (50, 0.456)] {
         let mover = UP.with_surface(Surface::new(Ratio::ZERO, Ratio::percent(percent).unwrap()));
         for start in [PX / 2, 2 * PX] {
-            // Near enough to the pipe that nothing is lost before it: a body that slides along a
+            // Near enough to the pipe that it loses nothing before: a body that slides along a
             // floor does not press on it.
             let (mut body, mut v) = (disc(100 * PX, 59 * PX, 5 * PX), Vec2::from_raw(start, 0));
             for _ in 0..400 {
@@ -141,8 +141,8 @@ fn a_pipe_brakes() {
     }
 }
 
-/// Friction takes its share of gravity in each frame: 3 units a frame are gone after 48 of them, at
-/// 1/16 a frame.
+/// Friction takes its share of gravity in each frame: 3 units per frame are gone after 48 of them,
+/// at 1/16 per frame.
 #[test]
 fn a_box_skids_to_a_stop() {
     let map =
@@ -159,8 +159,8 @@ fn a_box_skids_to_a_stop() {
     }
 }
 
-/// A ball that bounces lower and lower comes to rest, because it slides where it is slower than one
-/// frame's gravity.
+/// A ball whose bounces get lower comes to rest: it slides once it is slower than one frame's
+/// gravity.
 #[test]
 fn a_bouncing_ball_comes_to_rest() {
     let mover_rest = |percent| Surface::new(Ratio::percent(percent).unwrap(), Ratio::ZERO).resting_below(G.y);
@@ -200,7 +200,8 @@ const ROOM: &str = "\
 ##############
 ";
 
-/// Elastic for ever: never faster than at the start, and only the last bounce's rounding slower.
+/// Endless elastic bounces: never faster than at the start, and slower only by the last bounce's
+/// rounding.
 #[test]
 fn an_elastic_ball_keeps_its_speed() {
     let map = map(ROOM);
@@ -236,7 +237,7 @@ fn all_the_same<B: Body + PartialEq + core::fmt::Debug>(map: &Map, start: B, r: 
     }
 }
 
-/// No friction and no loss is what a mover does that was told of neither.
+/// No friction and no loss is the same as a mover without a surface.
 #[test]
 fn elastic_and_slick_is_the_plain_mover() {
     let mut r = Random::new(3);

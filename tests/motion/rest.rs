@@ -1,10 +1,10 @@
 //! Rest in tiles of all shapes: bodies under gravity come to rest and stay (P17, torture scenes 40
 //! and 49).
 //!
-//! A call depends on nothing but the level, the body and the velocity. So a frame that gives back
-//! its own body and velocity is followed by itself for ever; a few runs show it for
-//! `TILESAT_FRAMES` frames (default 20 000; a million in the long run). Mirrored and moved twins
-//! run beside each and must be its images bit for bit (P5, P7). Whole cells, y down.
+//! A call depends only on the level, the body and the velocity. So a frame that returns its own
+//! body and velocity repeats for ever. A few runs show it for `TILESAT_FRAMES` frames (default 20
+//! 000, a million in the long run). Mirrored and shifted twins run beside each and must be its
+//! images bit for bit (P5, P7). Whole cells, y down.
 
 use tilesat::{Axis, Mover, Ratio, Surface};
 use tilesat_judge::rooms::body::Body;
@@ -100,7 +100,7 @@ impl Play {
         self.settles_beside(start, frames, 100)
     }
 
-    /// The same, and the twins agree in the first so many frames.
+    /// The same, and the twins agree in the first frames.
     fn settles_beside(&self, start: State, frames: u32, twins: u32) -> (u32, State) {
         let mut state = start;
         for k in 0..frames {
@@ -123,7 +123,7 @@ fn level(rows: &[&str], cell: i64) -> Level {
 }
 
 /// Bodies of some sizes, over the parts of the level from `from` to `to` (in eighths of a cell),
-/// until so many have come to rest.
+/// until enough have come to rest.
 struct Drop<'a> {
     rows: &'a [&'a str],
     /// Half of a circle's width, or a box's width, at most, in eighths of a cell.
@@ -142,7 +142,7 @@ impl Drop<'_> {
             let mut r = Random::new(cell as u64);
             let mut latest = 0;
             for n in 0..cases() {
-                // A feather, and a stone; at least 16 raw, or roundings are all there is.
+                // A feather, and a stone. At least 16 raw, or rounding would be everything.
                 let gravity = (cell >> r.within(3, 7)).max(16.min(cell >> 4));
                 let play = Play { friction: self.friction, ..Play::new(&level, gravity) };
                 let (body, v) = self.any(&mut r, &play, cell, self.round.unwrap_or(n % 2 == 0));
@@ -209,7 +209,7 @@ fn p17_rest_over_a_gap() {
     drop(&GAP, 24, (16, 0), (32, 8)).rest(&CELLS);
 }
 
-/// On corners so near that a ball which slides along one of them has left it by more than roundings
+/// On corners so near that a ball that slides along one of them has left it by more than roundings
 /// when it meets the other.
 #[test]
 fn p17_balls_rest_over_a_narrow_gap() {
@@ -220,8 +220,8 @@ fn p17_balls_rest_over_a_narrow_gap() {
             let play = Play::new(&level, 16 + r.below(cell / 16));
             let radius = cell / 2 + 1 + r.below(cell / 2);
             let ball = Body::Disc((2 * cell + r.below(cell), 2 * cell - radius), radius);
-            // No twins: a ball in the middle meets both corners at once, +x first in the mirror
-            // too.
+            // No twins: a ball in the middle meets both corners at once, and +x is first in the
+            // mirror too.
             play.settles_beside((ball, (r.around(cell / 8), 0)), 12_000, 0);
         }
     }
@@ -251,7 +251,7 @@ fn p17_rest_with_friction() {
     }
 }
 
-/// A ball rolls to and fro in a bowl: it never comes higher than it was.
+/// A ball rolls to and fro in a bowl. It never gets higher than before.
 #[test]
 fn a_ball_swings_in_a_bowl() {
     let frames = frames(20_000);
@@ -265,14 +265,14 @@ fn a_ball_swings_in_a_bowl() {
             *part = (*part).min(state.0.position().1);
         }
         println!("cell {cell}: {:?}", top.iter().map(|y| y - 2 * cell).collect::<Vec<_>>());
-        // Gravity acts once a frame: what a frame falls is what heights of frames differ by.
+        // Gravity acts once per frame: heights of frames differ by the fall of a frame.
         assert!(top.iter().all(|&y| y >= 2 * cell - play.gravity), "higher than at the start: {top:?}");
         assert!(top[1] < 3 * cell, "{top:?}");
     }
 }
 
-/// Bodies that are pushed into a corner by a velocity of the game's, frame after frame: one alone
-/// ends in it, to the raw unit.
+/// Bodies that the game's velocity pushes into a corner, frame after frame. A single one ends in
+/// it, to the raw unit.
 #[test]
 fn p17_pushed_into_a_corner() {
     let rows = ["...#", "...#", "...#", "####"];
@@ -296,8 +296,8 @@ fn p17_pushed_into_a_corner() {
 }
 
 /// Torture scene 38: four bodies pushed into one corner, and out of each other by half of their
-/// depth, each from where all are at the start of the frame. No body enters the wall, and no order
-/// of the bodies matters.
+/// depth, each from the positions at the start of the frame. No body enters the wall, and the order
+/// of the bodies does not matter.
 #[test]
 fn scene_38_a_stack_in_a_corner() {
     use tilesat::prelude::*;

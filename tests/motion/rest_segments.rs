@@ -1,8 +1,8 @@
-//! Rest among polygons: wedges of any two angles, and the U; circles and boxes come to rest between
+//! Rest among polygons: wedges of any two angles, and the U. Circles and boxes come to rest between
 //! the sides and stay (P17).
 //!
-//! A frame that gives back its own body and velocity is followed by itself for ever, see
-//! `motion_rest`. Mirrored twins run beside.
+//! A frame that returns its own body and velocity repeats for ever, see `motion_rest`. Mirrored
+//! twins run beside each.
 
 use tilesat::{Aabb, Axis, Circle, Fx, Mover, PathKind, SegmentMap, Vec2};
 use tilesat_judge::segments::{Body, P, Piece, Scene, Shape};

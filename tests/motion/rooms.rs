@@ -1,8 +1,8 @@
-//! A level that is cut into rooms is the level: bodies that run over the borders, frame by frame
-//! beside the uncut level, bit for bit.
+//! A level cut into rooms behaves like the level: bodies that run over the borders equal those in
+//! the uncut level, frame by frame, bit for bit.
 //!
-//! The apron is the least that [`Room::apron_for`] allows. With a cell less there are bodies that
-//! feel the border.
+//! The apron is the least that [`Room::apron_for`] allows. With a cell less, the border affects
+//! some bodies.
 
 use std::fmt::Debug;
 use tilesat::world::World;
@@ -15,13 +15,13 @@ use tilesat_judge::rooms::frames::{RESPONSES, any_velocity};
 use tilesat_judge::rooms::{P, PX, len2, mosaic};
 use tilesat_judge::shapes::level::{KINDS, Level};
 
-/// What is beyond a level has no flags, as the outside has none.
+/// Beyond a level there are no flags, because the outside has none.
 const BEYOND: u8 = 255;
 static WITH_BEYOND: TileKinds = KINDS.with(BEYOND, TileKind::FULL);
 
 const OUTSIDES: [Outside; 3] = [Outside::Empty, Outside::Solid, Outside::Edge];
 
-/// A body that goes over to another room.
+/// A body that crosses into another room.
 trait Guest: Body + Copy + PartialEq + Debug {
     fn to(&self, by: Vec2) -> Self;
     fn is_free<W: World>(&self, world: &W) -> bool;
@@ -53,7 +53,7 @@ fn fx(raw: i64) -> Fx {
     Fx::from_bits(raw as i32)
 }
 
-/// A level's rooms of so many cells; its own first corner is the origin.
+/// A level's rooms of this many cells. Its own first corner is the origin.
 fn cut(level: &Level, room: (u16, u16), apron: u16) -> Rooms<'_> {
     let size = (level.width as u16, level.height as u16);
     Rooms::of(&level.tiles, size, fx(level.cell), &KINDS, room, apron).unwrap().with_outside(level.outside)
@@ -63,20 +63,20 @@ fn apron(level: &Level, body: i64, motion: i64) -> u16 {
     Room::<AllShapes>::apron_for(fx(level.cell), fx(body), fx(motion))
 }
 
-/// What to add to a place of the world in a room.
+/// The offset from the world to a room.
 fn into(room: &Room<'_>, cell: i64) -> Vec2 {
     let (x, y) = room.first();
     raw((-i64::from(x) * cell, -i64::from(y) * cell))
 }
 
-/// All that a motion says, with the cells of the world.
+/// The whole report of a motion, with the cells of the world.
 type Said<B> = (B, Vec<(u32, Axis, (i32, i32), u16, u8, bool)>, [Vec2; 2], [bool; 3], u8, tilesat::motion::Work);
 
 fn said<B: Guest>(moved: &Moved<B>, by: Vec2, place: impl Fn(Cell) -> (i32, i32)) -> Said<B> {
     let hits = moved.hits.iter().map(|h| (h.toi.raw(), h.axis, place(h.cell), h.index, h.flags, h.one_way)).collect();
     let (velocities, sides) = ([moved.velocity, moved.remaining], [moved.floor, moved.wall, moved.ceiling]);
-    // How many features were read is left out: what lies beyond a map is one block, and a window
-    // has another beyond.
+    // Without the number of features read: beyond a map is one block, and a window has a different
+    // surrounding.
     (moved.body.to(by), hits, velocities, sides, moved.flags, tilesat::motion::Work { features: 0, ..moved.work })
 }
 
@@ -84,8 +84,8 @@ fn here(cell: Cell) -> (i32, i32) {
     (cell.x.into(), cell.y.into())
 }
 
-/// One motion in the world and in that room of each cut which has the body's place: how many
-/// differ.
+/// One motion in the world and in the room of each cut that has the body's position. Returns how
+/// many differ.
 fn differing<B: Guest>(
     map: &TileMap<'_, AllShapes>,
     cuts: &[Rooms<'_>],
@@ -110,9 +110,9 @@ fn differing<B: Guest>(
     (cuts.iter().filter(differs).count() as u64, cuts.len() as u64)
 }
 
-/// Every place on the lattice of half cells, every velocity of a few, every cut into rooms of 1 x 1
-/// to 3 x 3 cells, with an apron that is so many cells less than it should be: how many motions
-/// differ from those in the world, and how many there were.
+/// Every position on the lattice of half cells, every velocity of a few, every cut into rooms of 1
+/// x 1 to 3 x 3 cells. The apron is this many cells too small. Returns how many motions differ from
+/// those in the world, and how many there were.
 fn lattice(levels: u64, less: u16) -> (u64, u64) {
     let mut sum = (0, 0);
     for seed in 0..levels {
@@ -121,7 +121,7 @@ fn lattice(levels: u64, less: u16) -> (u64, u64) {
         let mut level = mosaic(&mut r, (8, 7), cell, dense, 8);
         level.outside = OUTSIDES[(seed % 3) as usize];
         let map = level.all();
-        // Together as far as a cell, less, and more; the last ones so far as the apron allows.
+        // Together as far as a cell, less, and more. The last ones as far as the apron allows.
         let (side, speed) = [(8, 8), (11, 4), (12, 12), (6, 25)][(seed % 4) as usize];
         let mover = Mover::platformer(Axis::NEG_Y).with_response(RESPONSES[(seed / 4 % 4) as usize]);
         let sizes = (1..=3).flat_map(|w| (1..=3).map(move |h| (w, h)));
@@ -144,7 +144,7 @@ fn lattice(levels: u64, less: u16) -> (u64, u64) {
 fn every_border_on_a_lattice() {
     let (differ, all) = lattice(48, 0);
     assert!(differ == 0 && all > 500_000, "{differ} of {all}");
-    // The apron is not wider than it must be.
+    // The apron is not wider than necessary.
     let (differ, all) = lattice(48, 1);
     assert!(differ > all / 1000, "{differ} of {all}");
 }
@@ -164,7 +164,7 @@ impl<'a> Cut<'a> {
     }
 }
 
-/// The tiles of a part of a level and of an apron; beyond the level they are what its outside is.
+/// The tiles of a part of a level and of its apron. Beyond the level they are those of its outside.
 fn copy(level: &Level, (x, y): P, (width, height): P, apron: i64) -> Vec<u8> {
     let beyond = if level.outside == Outside::Solid { BEYOND } else { 0 };
     let cells = (y - apron..y + height + apron).flat_map(|y| (x - apron..x + width + apron).map(move |x| (x, y)));
@@ -189,7 +189,7 @@ fn rectangles(r: &mut Random, level: &Level) -> Vec<(P, P)> {
     parts
 }
 
-/// A body in the world, and its double in the rooms.
+/// A body in the world, and its copy in the rooms.
 struct Pair<'a, B> {
     body: B,
     floor: Option<Support>,
@@ -197,7 +197,7 @@ struct Pair<'a, B> {
     double: B,
 }
 
-/// Frames of one body, walking or flying; returns how often it went over.
+/// Frames of one body, walking or flying. Returns the number of crossings.
 fn run<'a, B: Guest>(
     r: &mut Random,
     level: &'a Level,
@@ -247,7 +247,7 @@ fn run<'a, B: Guest>(
             };
             (moved(&map, &pair.body).unwrap(), moved(pair.room.map(), &pair.double).unwrap())
         };
-        // A map calls all that is beyond it by one name.
+        // A map has one name for everything beyond it.
         let last = |cell: (i32, i32)| (cell.0.clamp(-1, level.width as i32), cell.1.clamp(-1, level.height as i32));
         let (expected, seen) =
             (said(&moved, Vec2::ZERO, here), said(&there, -by, |cell| last(pair.room.in_world(cell))));
@@ -255,7 +255,7 @@ fn run<'a, B: Guest>(
         (pair.body, pair.double, v) =
             (moved.body, there.body, (moved.velocity.raw().0.into(), moved.velocity.raw().1.into()));
 
-        // Goes over at the border, or up to so many cells late.
+        // Crosses at the border, or up to this many cells late.
         let place = pair.double.position();
         let near = |side: Vec2| pair.room.holds(place + side);
         let slack = late * level.cell;

@@ -1,6 +1,6 @@
-//! A level of blocks is the same level as `Blocks` and as `AllShapes`: motion gives the same bits,
-//! whatever the body, the speed and the response. Of radii below three raw units that is not said:
-//! normals so short are those of slopes, which blocks do not have.
+//! A level of blocks is the same level as `Blocks` and as `AllShapes`: motion gives the same bits
+//! for every body, speed and response. Radii below three raw units are excluded: normals that short
+//! belong to slopes, which blocks do not have.
 
 use std::fmt::Debug;
 use tilesat_judge::Random;
@@ -36,13 +36,13 @@ impl<'t> Level<'t> {
         }
     }
 
-    /// How many of the frames hit something.
+    /// The number of frames with a hit.
     fn play<B: Body + PartialEq + Debug>(&self, random: &mut Random, mover: &Mover, mut body: B) -> u32 {
         let (mut velocity, mut hits) = (Vec2::ZERO, 0);
         let gravity = random.magnitude(1 << 16);
         for frame in 0..100 {
             if frame % 25 == 0 {
-                // Up to two tiles a frame; at times as fast as the domain allows.
+                // Up to two tiles per frame. Sometimes as fast as the domain allows.
                 let fastest = if random.one_in(8) { 200 * CELL } else { 2 * CELL };
                 velocity = raw(random.around(fastest), random.around(fastest));
             }

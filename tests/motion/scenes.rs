@@ -1,8 +1,8 @@
-//! Rest, no-ops and refusals, and cases that other libraries test themselves by. Whole units, y
-//! grows downward.
+//! Rest, calls without effect, refusals, and test cases of other libraries. Whole units, y grows
+//! downward.
 //!
-//! bump.lua gives goals where this crate takes velocities, and rectangles of any size where it
-//! takes cells: each case says what was made of it.
+//! bump.lua uses goals instead of velocities, and rectangles of any size instead of cells. Each
+//! case describes its translation.
 
 use tilesat::{Aabb, Axis, Fx, Inside, MoveError, Mover, Outside, Quantity, RangeError, Response, Solid, Vec2, Walker};
 use tilesat_judge::motion::body::{Body, Outcome, RESPONSES, at, px};
@@ -33,7 +33,7 @@ fn rests(level: &Level, body: Body, v: P) {
     }
 }
 
-/// Lets a body fall until it rests, at most so many frames, then a million more.
+/// Lets a body fall until it rests, at most this many frames, then a million more.
 fn settles(level: &Level, mut body: Body, frames: u32) -> Body {
     let mut v = (0, 0);
     for _ in 0..frames {
@@ -68,9 +68,9 @@ fn at_rest_on_a_one_way() {
     rests(&level, Body::disc((0, px(8)), px(8)), (0, GRAVITY));
 }
 
-/// On a corner exactly above it the end of the face carries; a sixteenth of a unit beside it rolls
-/// off. (Within 1/500 it stays: the slide is then below two raw a frame, which is what a rounding
-/// that never gains costs.)
+/// Exactly above a corner, the end of the face carries it. A sixteenth of a unit beside, it rolls
+/// off. (Within 1/500 it stays: the slide is then below two raw per frame, which is the price of a
+/// rounding that never gains.)
 #[test]
 fn at_rest_on_a_corner() {
     let level = Level::new(&["#"], px(16));
@@ -102,7 +102,7 @@ fn at_rest_in_a_gap() {
     }
 }
 
-/// What rests, or lies anywhere, is not moved by a second call without velocity.
+/// A second call without velocity moves neither a resting body nor any other.
 #[test]
 fn without_velocity_nothing_happens() {
     let level = Level::new(&["..#", "--#", "###"], px(16));
@@ -167,17 +167,17 @@ fn what_is_out_of_range() {
 fn what_comes_to_too_many_cells() {
     let cells = i64::from(Mover::CELLS);
     let level = Level::new(&[".".repeat(1000).as_str(); 1000], 256);
-    // A look meets up to two cells more than a length has, and is a raw unit larger on each side
-    // where it is one of several, and one for the rounding.
+    // A look meets up to two cells more than a length has. As one of several, it is a raw unit
+    // larger on each side, and one for the rounding.
     let most = 511 * 256 - 5;
     let square = |side: i64| Body::rect((300, 300), (side, side));
     assert_eq!(go(&level, Response::Slide, square(most), (1, 1)).body, square(most).moved((1, 1)));
     assert_eq!(refused(&level, square(most + 1), (1, 1)), RangeError { what: Quantity::Cells, value: 513 * 513 });
     assert!(square(most + 1).step(&PLAYER, &level.map(), (0, 0)).is_ok());
-    // A map of four rows has six with what is beyond it.
+    // A map of four rows has six with its surroundings.
     let flat = Level::new(&[".".repeat(1000).as_str(); 4], 256);
     assert_eq!(go(&flat, Response::Slide, square(4 * most), (0, 1)).work.iterations, 1);
-    // A piece of a cell's length is over two cells or three: 2^17 of them are too many.
+    // A piece of a cell's length is over two or three cells: 2^17 of them are too many.
     let long = (1 << 28) - 1;
     let error = refused(&flat, square(256), (long, 0));
     assert!(error.what == Quantity::Cells && i64::from(error.value) > cells, "{error}");
@@ -244,7 +244,7 @@ fn bump_bounces_over_tunnels() {
     }
 }
 
-/// bump pushes a body that starts inside out against its motion; here it is `Stuck` and the caller
+/// bump pushes a body that starts inside out against its motion. Here it is `Stuck` and the caller
 /// decides (see scene 43).
 #[test]
 fn bump_overlap_at_the_start_is_refused() {
@@ -268,8 +268,8 @@ fn bump_touching_then_penetrating_is_one_collision() {
     assert_eq!(out.hits.first().unwrap().toi.raw(), 0);
 }
 
-/// Items in a row: bump's list of all, sorted, is here the one that is nearest; the other times are
-/// those of the motion without it.
+/// Items in a row: bump lists all, sorted. Here only the nearest is reported, and the other times
+/// are those of the motion without it.
 #[test]
 fn bump_collisions_in_order() {
     let rows = [("#.#.#", 1), ("#.#..", 3), ("#....", 5)];
@@ -280,7 +280,7 @@ fn bump_collisions_in_order() {
     }
 }
 
-/// a (0,0,1,1), b (0,2,1,2), c (2,1,1,1), from (0,0) to (5,5): slides along c into the gap of one's
+/// a (0,0,1,1), b (0,2,1,2), c (2,1,1,1), from (0,0) to (5,5): slides along c into the gap of its
 /// own width.
 #[test]
 fn bump_moves_with_each_response() {
@@ -293,8 +293,8 @@ fn bump_moves_with_each_response() {
     assert_eq!((out.body.position(), out.hits.len(), out.remaining), (at(0, 1), 1, at(0, 4)));
     let out = go(&b, Response::Bounce, a, at(0, 5));
     assert_eq!((out.body.position(), out.v), (at(0, -3), at(0, -5)));
-    // bump's cross goes through everything; ours through one-way faces only, and slides along the
-    // solid.
+    // bump's cross passes through everything. Ours passes only through one-way faces, and slides
+    // along the solid.
     assert_eq!(go(&b, Response::DropThrough, a, at(0, 5)).body.position(), at(0, 1));
     let b = Level::new(&[".", ".", "-", "-"], px(1));
     let out = go(&b, Response::DropThrough, a, at(0, 5));
@@ -303,7 +303,7 @@ fn bump_moves_with_each_response() {
 
 // PixelRoot32, test_collision_system.
 
-/// A circle of radius 5 from -20 to 20 through 0..10 is hit at 0.375: a block of 10 with the
+/// A circle of radius 5 from -20 to 20 through 0..10 is hit at 0.375: here a block of 10 with the
 /// circle's height at its middle.
 #[test]
 fn pixelroot_swept_circle() {
@@ -316,7 +316,7 @@ fn pixelroot_swept_circle() {
     ));
 }
 
-/// Its nine one-way cases, player 20 x 20, platform 60 x 16 at y = 40, each changing one thing of
+/// Its nine one-way cases, player 20 x 20, platform 60 x 16 at y = 40. Each changes one input of
 /// the first.
 mod pixelroot_one_way {
     use super::*;
@@ -351,8 +351,8 @@ mod pixelroot_one_way {
         assert!(!lands("---", px(70), at(0, -5)) && !lands("---", px(70), at(0, -50)));
     }
 
-    /// Its case "wrong normal": faces look up by their nature, so nothing but the direction of the
-    /// motion can differ.
+    /// Its case "wrong normal": faces always look up here, so only the direction of the motion can
+    /// differ.
     #[test]
     fn moving_up_from_above() {
         assert!(!lands("---", px(40), at(0, -5)));
@@ -363,20 +363,20 @@ mod pixelroot_one_way {
         assert!(lands("---", px(20), at(0, 50)) && lands("---", px(20), at(0, 100)));
     }
 
-    /// It has 20 -> 30 with no velocity and accepts; a motion is a velocity here, and without one
+    /// It has 20 -> 30 with no velocity and accepts. Here a motion is a velocity, and without one
     /// nothing is hit.
     #[test]
     fn stationary() {
         assert!(!lands("---", px(40), at(0, 0)) && lands("---", px(40), (0, 1)));
     }
 
-    /// Its velocity changes sign between the frames: what counts is the motion of this frame.
+    /// Its velocity changes sign between the frames. Only the motion of this frame counts.
     #[test]
     fn change_of_sign() {
         assert!(!lands("---", px(40), (0, -1)) && lands("---", px(40), (px(7), 1)));
     }
 
-    /// Its case "flag off, always accept" is a solid tile: it stops what comes from below too.
+    /// Its case "flag off, always accept" is a solid tile here: it also stops bodies from below.
     #[test]
     fn solid_instead() {
         let level = Level::new(&["...", "###", "..."], px(20)).with_origin(at(0, 20));
@@ -385,9 +385,8 @@ mod pixelroot_one_way {
     }
 }
 
-/// A ball that lands and slides a tenth of a unit into a corner, which is half a unit below its
-/// middle, goes up on it by what the floor has left of its velocity: it was not pressed against
-/// both by the fall.
+/// A ball that lands and slides a tenth of a unit into a corner, half a unit below its middle,
+/// climbs it with the velocity that the floor left. The fall has not pressed it against both.
 #[test]
 fn lands_before_a_corner() {
     let level = Level::new(&[".....", ".....", "...#.", "#####"], px(16));
@@ -399,7 +398,7 @@ fn lands_before_a_corner() {
     }
 }
 
-/// The room around a map is closed if it says so, at any speed.
+/// A closed room around a map is closed at any speed.
 #[test]
 fn nothing_leaves_a_closed_room() {
     let level = Level::new(&["....", "....", "...."], px(16)).with_outside(Outside::Solid);

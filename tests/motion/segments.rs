@@ -1,9 +1,8 @@
-//! Bodies among random polygons, walls and one-way chains, judged by the polygons as they were
-//! given.
+//! Bodies among random polygons, walls and one-way chains. The original polygons judge them.
 //!
-//! Each frame: no overlap, none on the way to the first contact, never faster, and a contact is
-//! followed by an overlap if the motion goes on. `TILESAT_FRAMES` sets the number of frames
-//! (default 20 000).
+//! In each frame: no overlap, none on the way to the first contact, and no gain of speed. After a
+//! contact there would be an overlap if the motion went on. `TILESAT_FRAMES` sets the number of
+//! frames (default 20 000).
 
 use tilesat::{Axis, Mover, PathKind, Response, SegmentMap};
 use tilesat_judge::Random;
@@ -79,8 +78,8 @@ fn random_polygons() {
     assert!(tally.unconfirmed <= tally.hits / 20, "{tally:?}");
 }
 
-/// A body that lands on a one-way slope slides down it to a wall or a kink and rests; roundings at
-/// what it meets there never push it through.
+/// A body that lands on a one-way slope slides down it to a wall or a kink and rests. Roundings
+/// there never push it through.
 #[test]
 fn one_way_slopes_carry() {
     let (mut r, mut rested) = (Random::new(12), 0);

@@ -1,4 +1,4 @@
-//! Scenes with slopes and arcs: joints that are none, pipes, wedges, peaks.
+//! Scenes with slopes and arcs: smooth joints, pipes, wedges, peaks.
 
 use tilesat::{Axis, Mover, Response};
 use tilesat_judge::Random;
@@ -9,8 +9,8 @@ use tilesat_judge::rooms::{P, PX, drawn, len2, mosaic};
 use tilesat_judge::shapes::level::Level;
 
 const UP: Mover = Mover::platformer(Axis::NEG_Y);
-/// Slopes by where they are solid, y down: `/` rises to the right, `\` to the left; mild ones in
-/// two halves; quarter pipes.
+/// Slopes by their solid side, y down: `/` rises to the right, `\` to the left. Mild ones in two
+/// halves. Quarter pipes.
 const SHAPES: [(char, u8); 13] = [
     ('/', 8),
     ('\\', 9),
@@ -39,7 +39,7 @@ fn disc(x: i64, y: i64, r: i64) -> Body {
     Body::Disc(px(x, y), r * PX)
 }
 
-/// Frames with a pull, each judged; the outcomes.
+/// Frames with a pull, each judged. Returns the outcomes.
 fn play(level: &Level, body: Body, v: P, gravity: i64, frames: u32) -> Vec<Outcome> {
     let room = Room::new(level);
     let (mut body, mut v) = (body, v);
@@ -135,8 +135,8 @@ fn down_a_long_slope() {
     assert!(all.iter().all(|o| o.hits.is_empty() || o.v.0 == o.v.1));
 }
 
-/// From a floor through a quarter pipe up a wall, and the same upside down; nearly all of the speed
-/// is kept.
+/// From a floor through a quarter pipe up a wall, and the same upside down. Nearly all of the speed
+/// stays.
 #[test]
 fn up_a_quarter_pipe() {
     let pipe = level(&["....#", "....#", "....#", "....#", "...)#", "#####"]);
@@ -148,7 +148,7 @@ fn up_a_quarter_pipe() {
             assert_eq!(up.body.position().0, wall, "{r} {speed}");
             let lost = speed + up.v.1;
             assert!(lost >= 0 && lost < speed / 4000 + 64, "{r} {speed}: {lost} of {speed} lost");
-            // Straight up, and nothing is lost in that.
+            // Straight up, and that loses nothing.
             assert!(all.iter().filter(|o| o.v.0 == 0 && o.v.1 != 0).all(|o| o.v.1 == up.v.1));
         } else {
             assert_eq!(up.v, (0, 0), "as wide as the pipe");
@@ -160,7 +160,7 @@ fn up_a_quarter_pipe() {
     assert!(up.v.1 < -3 * PX + 64 && up.body.position().0 == px(56, 0).0, "{up:?}");
 }
 
-/// To and fro in a half pipe under gravity: never higher than the start, and not much lower either.
+/// To and fro in a half pipe under gravity: never higher than the start, and hardly lower.
 #[test]
 fn a_half_pipe() {
     let pipe = level(&["#......#", "#......#", "#......#", "#(....)#", "########"]);
@@ -211,7 +211,7 @@ fn cut(l: &Level) -> Level {
     Level { tiles: (0..w * h).map(tile).collect(), width: w, height: h, cell: l.cell / 2, ..l.clone() }
 }
 
-/// A chain of faces in one line is one long face: worlds of straight shapes, and the same cut into
+/// A chain of collinear faces is one long face: worlds of straight shapes, and the same cut into
 /// smaller tiles, bit for bit.
 #[test]
 fn joints_are_none() {
@@ -256,8 +256,8 @@ fn joints_are_none() {
     assert!(hits as u64 > seen / 4);
 }
 
-/// A ball that comes flying to a slope and slides from it to the floor goes on along the floor,
-/// wherever on its way the frame ends.
+/// A flying ball that meets a slope and slides from it to the floor continues along the floor,
+/// whatever part of its way the frame ends in.
 #[test]
 fn lands_in_an_obtuse_corner_and_rolls_on() {
     use tilesat::{Axis, Circle, Fx, Mover, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2};
@@ -279,8 +279,8 @@ fn lands_in_an_obtuse_corner_and_rolls_on() {
     }
 }
 
-/// A box comes to the end of a quarter pipe and to the wall below it at one moment: the wall is
-/// what it hits (a face before an arc).
+/// A box reaches the end of a quarter pipe and the wall below it at one moment. It hits the wall (a
+/// face before an arc).
 #[test]
 fn a_wall_goes_before_the_end_of_a_pipe() {
     let l = Level { cell: 65536, ..drawn(&["##", ".\"", ".#"], 65536, &SHAPES) };
@@ -297,7 +297,7 @@ fn a_wall_goes_before_the_end_of_a_pipe() {
     }
 }
 
-/// A body as wide as a shaft falls to where the shaft's side turns into a quarter pipe: its
+/// A body as wide as a shaft falls to where the shaft's side turns into a quarter pipe. Its
 /// velocity ends there, frame after frame.
 #[test]
 fn a_shaft_ends_in_a_pipe() {
@@ -319,8 +319,8 @@ fn a_shaft_ends_in_a_pipe() {
     }
 }
 
-/// A point that runs into the cusp between an arc and the floor that it touches stops at its end,
-/// and says so.
+/// A point that runs into the cusp between an arc and its floor stops at its end, and the call
+/// reports it.
 #[test]
 fn a_point_in_a_cusp() {
     let shapes = [('q', 10), ('p', 11)];

@@ -1,10 +1,10 @@
-//! Random worlds of all 34 shapes: every frame judged by sets of points of the plane that share
-//! nothing with the library.
+//! Random worlds of all 34 shapes. Sets of points of the plane that share nothing with the library
+//! judge every frame.
 //!
-//! Each frame: no overlap, no overlap on the way to the first contact (P20), never faster (P14),
-//! mirrored, transposed and moved worlds give mirrored, transposed and the same bits (P5, P6, P7;
-//! full ties apart), and hardly ever is a motion refused that nothing is in the way of.
-//! `TILESAT_FRAMES` sets the number of frames (default 100 000).
+//! In each frame: no overlap, no overlap on the way to the first contact (P20), and no gain of
+//! speed (P14). Mirrored, transposed and shifted worlds give mirrored, transposed and the same bits
+//! (P5, P6, P7), except for full ties. It hardly ever refuses a free motion. `TILESAT_FRAMES` sets
+//! the number of frames (default 100 000).
 
 use tilesat_judge::Random;
 use tilesat_judge::rooms::frames::{RESPONSES, Scene, Tally, any_body, any_velocity, frame};

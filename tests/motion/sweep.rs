@@ -1,9 +1,9 @@
-//! The first hit of a motion against the exact one, over single blocks and small groups of them, on
-//! all scales and near the borders between hit and miss.
+//! The first hit of a motion against the exact one. Over single blocks and small groups, on all
+//! scales and near the borders between hit and miss.
 //!
-//! Boxes: the exact floor of `2^30 num / den`, and the side. Circles: faces likewise; corners are
-//! never late, and hit or miss is exact down to grazing. Bodies without area may pass along a free
-//! end of a face, never through the joint of two tiles.
+//! Boxes: the exact floor of `2^30 num / den`, and the side. Circles: the same for faces. At
+//! corners never late, and hit or miss is exact down to grazing. Bodies without area may pass along
+//! a free end of a face, but never through the joint of two tiles.
 
 #![allow(clippy::cast_precision_loss, reason = "tests stop at the first surprise")]
 
@@ -50,7 +50,7 @@ fn corner(r: &mut Random, level: &Level) -> P {
 const UP: Mover = Mover::platformer(Axis::NEG_Y);
 const LIMIT: i64 = 1 << 28;
 
-/// Judged if it fits the domain of motions; tells whether it hit.
+/// Judged if it fits the domain of motions. Returns whether it hit.
 fn try_motion(level: &Level, body: Body, d: P) -> Option<bool> {
     let (lo, hi) = body.bounds();
     let outside = |v: i64, d: i64| v.abs().max((v + d).abs()) >= 1 << 29;
@@ -59,10 +59,10 @@ fn try_motion(level: &Level, body: Body, d: P) -> Option<bool> {
     if too_far || too_long || level.overlaps(&body) {
         return None;
     }
-    // The judge looks at the first contact in any case; what follows it takes turns.
+    // Every case judges the first contact. Checks after it take turns.
     let mut response = RESPONSES[(d.0 ^ d.1 ^ lo.0) as usize & 3];
     if response != Response::Touch && near_the_end(hi.0 - lo.0, d.0) | near_the_end(hi.1 - lo.1, d.1) {
-        // What is turned might leave the domain.
+        // A turned scene might leave the domain.
         response = Response::Touch;
     }
     let out = check(level, UP, response, &body, d);
@@ -85,7 +85,7 @@ impl Tally {
         self.misses += u64::from(hit == Some(false));
     }
 
-    /// Both outcomes were seen often enough to mean something.
+    /// Both outcomes occurred often enough.
     fn is_balanced(&self, cases: u64) {
         println!("{} hits, {} misses", self.hits, self.misses);
         assert!(self.hits > cases / 20 && self.misses > cases / 20, "{} hits, {} misses", self.hits, self.misses);
@@ -101,7 +101,7 @@ fn motion(r: &mut Random, longest: i64) -> P {
 
 const CASES: u64 = 300_000;
 
-/// A body that is at `there`, give or take, some time during its motion by `d`.
+/// A body that is near `there` at some moment of its motion by `d`.
 fn backwards(r: &mut Random, there: Body, d: P, jitter: i64) -> Body {
     let part = r.within(0, 1 << 20);
     let back = |v: i64| -((v * part) >> 20);
@@ -126,8 +126,8 @@ fn boxes_on_all_scales() {
     tally.is_balanced(CASES);
 }
 
-/// A corner of the box passes a corner of the level within two raw, in any direction; exact ties
-/// are common.
+/// A corner of the box passes a corner of the level within two raw, in any direction. Exact ties
+/// are frequent.
 #[test]
 fn boxes_corner_to_corner() {
     let mut r = Random::new(2);
@@ -218,7 +218,7 @@ fn circles_at_the_borders_of_cones() {
     tally.is_balanced(CASES);
 }
 
-/// Tiny numbers, where every tie happens: all circles of radius 5 (3-4-5) around a corner, all
+/// Tiny numbers with all possible ties: all circles of radius 5 (3-4-5) around a corner, all
 /// motions up to 12 raw.
 #[test]
 fn circles_exhaustively() {
@@ -294,7 +294,7 @@ fn bodies_without_area() {
     tally.is_balanced(CASES);
 }
 
-/// A point runs into a wall exactly on the joint of two tiles, from every side: it must not get in
+/// A point runs into a wall exactly on the joint of two tiles, from every side. It must not get in
 /// between.
 #[test]
 fn no_leak_through_a_joint() {
@@ -330,8 +330,8 @@ fn points_pass_free_ends() {
     }
 }
 
-/// A circle wedged between two corners, where rounding away from one grazes the other: lattice
-/// places beside the first choice are taken, and only if there are none it stays.
+/// A circle wedged between two corners, where rounding away from one grazes the other. It tries
+/// lattice positions beside the first choice, and stays only if there are none.
 #[test]
 fn circles_between_two_corners() {
     let mut r = Random::new(8);
@@ -341,8 +341,8 @@ fn circles_between_two_corners() {
         let rows: [&[&str]; 3] = [&["#..", "...", "..#"], &["#.", "..", ".#"], &["#.#"]];
         let k = r.below(3) as usize;
         let level = Level::new(rows[k], cell);
-        // The corner that it runs along, as seen from the one that it runs into; and from the
-        // middle of both, how far aside it rests.
+        // The corner that it runs along, relative to the one that it runs into. Also how far aside
+        // it rests from the middle of both.
         let gap = [(cell, cell), (0, cell), (cell, 0)][k];
         let first = [(cell, cell), (cell, cell), (cell, 0)][k];
         let half = (gap.0 as f64).hypot(gap.1 as f64) / 2.0;

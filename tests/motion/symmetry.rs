@@ -1,10 +1,10 @@
-//! The same scene seen otherwise gives the same bits: mirrored, transposed, moved by any raw
+//! Another view of the same scene gives the same bits: mirrored, transposed, shifted by any raw
 //! offset, or cut into smaller cells.
 //!
-//! Exempt by contract: full ties, which go by coordinate. Transposing one between x and y, because
-//! x goes first; mirroring one between two corners that a circle meets at the same moment from
-//! exactly the middle. Cells of half the size change which features there are and the order in
-//! which they are visited, and nothing else.
+//! Exempt by contract are full ties, which coordinates decide. Transposing one between x and y
+//! changes it, because x goes first. So does mirroring one between two corners that a circle meets
+//! at the same moment from exactly the middle. Cells of half the size change which features exist
+//! and the order of visits, and nothing else.
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -16,7 +16,7 @@ use tilesat_judge::motion::level::{Level, ONE_WAY};
 use tilesat_judge::motion::scene::{any_body, any_velocity, blocks, placed};
 use tilesat_judge::motion::{P, add};
 
-/// A view of the scene: what becomes of directions, and of the level.
+/// A view of the scene: how it maps directions, and the level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum View {
     MirrorX,
@@ -72,14 +72,14 @@ impl View {
         out
     }
 
-    /// Whether the view is one that one-way tiles allow: they know one direction only.
+    /// Whether one-way tiles allow the view: they know only one direction.
     fn keeps_up(self) -> bool {
         !matches!(self, Self::MirrorY | Self::Transpose)
     }
 }
 
-/// What must be equal: all but the names of cells and the work. The directions of hits as a list of
-/// their own.
+/// The parts that must be equal: all but the names of cells and the work. The directions of hits
+/// are a separate list.
 type Bits = (Body, P, P, [bool; 3], u8, Vec<(u32, P, bool)>);
 
 fn bits(out: &Outcome, view: Option<View>) -> Bits {
@@ -93,7 +93,7 @@ fn mover(up: P, response: Response) -> Mover {
     Mover::platformer(Axis::new(up.0 as i32, up.1 as i32)).with_response(response)
 }
 
-/// How many frames of all tests parted at a tie.
+/// The frames of all tests that differed at a tie.
 static TIES: AtomicU64 = AtomicU64::new(0);
 
 struct Scene {
@@ -103,7 +103,7 @@ struct Scene {
     response: Response,
 }
 
-/// Whether two outcomes part at a full tie: hits of one moment whose normals are images of each
+/// Whether two outcomes differ at a full tie: hits of one moment whose normals are images of each
 /// other in the view.
 fn is_tie(a: &Bits, b: &Bits, view: View) -> bool {
     let Some((a, b)) = a.5.iter().zip(&b.5).find(|(a, b)| a != b) else { return false };
@@ -115,7 +115,7 @@ fn is_tie(a: &Bits, b: &Bits, view: View) -> bool {
     a.0 == b.0 && a.1 != b.1 && images.contains(&b.1)
 }
 
-/// One frame in each view against the frame itself.
+/// Compares one frame in each view with the frame itself.
 fn frame(scene: &Scene, views: &[View]) -> Outcome {
     let Scene { level, body, v, response } = scene;
     let up = (0, -1);
@@ -201,7 +201,7 @@ fn long_runs() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 2_000, failure_persistence: None, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
 
-    /// Small scenes with small numbers, where ties are common; proptest shrinks what it finds.
+    /// Small scenes with small numbers, where ties are frequent. proptest shrinks its findings.
     #[test]
     fn small_scenes(
         tiles in prop::collection::vec(prop::sample::select(&b"..#-"[..]), 16),
@@ -228,8 +228,8 @@ proptest! {
     }
 }
 
-/// A quarter of a unit, a raw unit, or thousands of units: where the scene lies does not matter, to
-/// the ends of the domain.
+/// A quarter of a unit, a raw unit, or thousands of units. The position of the scene does not
+/// matter, up to the ends of the domain.
 #[test]
 fn translation_to_the_ends_of_the_domain() {
     let mut r = Random::new(77);

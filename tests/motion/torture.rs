@@ -1,4 +1,4 @@
-//! Scenes that break movers, numbered as in the survey that they come from, with what must happen.
+//! Scenes that break movers, numbered as in the survey that lists them, with the required results.
 //! Whole units, y grows downward.
 
 use tilesat::{Axis, MoveError, Mover, Outside, Response, motion::Stuck};
@@ -26,7 +26,7 @@ fn inside_corner() -> Level {
 
 #[test]
 fn scene_1_and_2_are_in_motion_floor() {
-    // Flat rows have a file of their own; here only that a body starts there as it does everywhere.
+    // Flat rows have a separate file. Here only: a body starts there as it does everywhere.
     let floor = Level::new(&["....", "####"], px(16));
     let out = slide(&floor, Body::rect(at(8, 8), at(8, 8)), at(3, 1));
     assert_eq!((out.body.position(), out.v), (at(11, 8), at(3, 0)));
@@ -44,7 +44,7 @@ fn scene_4_box_into_an_inside_corner() {
     assert_eq!(out.axes(), [(-1, 0), (0, -1)]);
     assert!(out.hits.iter().all(|h| h.toi.raw().abs_diff(parts(3, 10)) <= 4));
     assert_eq!(out.hits.first().unwrap().toi.raw(), parts(3, 10));
-    // More opposed first, the same place in the end; not pushed out of the room at any speed.
+    // More opposed first, the same position in the end. No speed pushes it out of the room.
     for (v, first) in
         [(at(40, 39), (-1, 0)), (at(39, 40), (0, -1)), (at(4000, 4000), (-1, 0)), ((px(13), px(12)), (-1, 0))]
     {
@@ -63,7 +63,7 @@ fn scene_5_circle_into_an_inside_corner() {
     assert!(out.floor && out.wall);
 }
 
-/// Box [20,40] x [3,30], as tiles of 1: the corner of a square-cornered sum would be hit at 0.375.
+/// Box [20,40] x [3,30], as tiles of 1. The corner of a square-cornered sum would be hit at 0.375.
 #[test]
 fn scene_6_outside_corner_is_round() {
     let rows = ["####################"; 27];
@@ -95,8 +95,8 @@ fn scene_7_outside_corner_miss() {
     }
 }
 
-/// bump's perfect corner: x first, and with the axes swapped the mirrored tie is x again
-/// (documented), so the end is not transposed.
+/// bump's perfect corner: x first. With the axes swapped the mirrored tie is x again (documented),
+/// so the end is not transposed.
 #[test]
 fn scene_10_box_corner_exactly_onto_a_corner() {
     let level = Level::new(&["#"], px(8));
@@ -130,11 +130,11 @@ fn scene_11_shared_corner_is_no_hit() {
     for v in [(0, -px(1)), (px(1), 0), (0, px(1)), (-px(1), 0)] {
         assert!(slide(&level, Body::rect(at(0, 16), at(16, 16)), v).hits.is_empty());
     }
-    // Into the corner it is one.
+    // Into the corner it is solid.
     assert_eq!(slide(&level, Body::rect(at(0, 16), at(16, 16)), at(1, -1)).hits.len(), 1);
 }
 
-/// A gap of one cell in a wall, and a body exactly as wide.
+/// A gap of one cell in a wall, and a body of exactly that width.
 #[test]
 fn scene_30_through_a_gap_of_ones_own_width() {
     let rows = ["######.######", "######.######", "######.######", "######.######"];
@@ -147,14 +147,14 @@ fn scene_30_through_a_gap_of_ones_own_width() {
             assert!(out.hits.is_empty(), "{out:?}");
             assert_eq!(out.body, body.moved(at(0, speed)));
         }
-        // Inside of it, pressing against a side is no obstacle either.
+        // Inside it, pressing against a side is no obstacle either.
         let inside = body.moved(at(0, 60));
         for v in [at(3, 20), at(-3, 20), at(9, -20), (1, px(30))] {
             let out = slide(&level, inside, v);
             assert_eq!((out.body, out.v), (inside.moved((0, v.1)), (0, v.1)));
         }
     }
-    // A diagonal that is aligned at the mouth enters; one raw unit beside it stops on the top.
+    // A diagonal that is aligned at the mouth enters. One raw unit beside, it stops on the top.
     let corner = |dx: i64| Body::rect((x - px(30) + dx, -px(46)), at(16, 16));
     let hit = slide(&level, corner(-1), at(90, 90));
     assert!(hit.floor && hit.body.position().1 == -px(16));
@@ -190,7 +190,7 @@ fn scene_43_start_deep_inside() {
                     assert_eq!(refused, MoveError::Stuck(Stuck { at: (x as i32, y as i32) }), "{body:?} by {v:?}");
                 }
             }
-            // Nothing moves, nothing is asked.
+            // Nothing moves, and the call does not look at the level.
             let still = body.step(&PLAYER, &map, (0, 0)).unwrap();
             assert_eq!((still.body, still.work.checks, still.hits.len()), (body, 0, 0));
         }
@@ -202,7 +202,7 @@ fn scene_43_start_deep_inside() {
     assert!(matches!(beside.moved((1, 0)).step(&PLAYER, &level.map(), at(-1, 0)), Err(MoveError::Stuck(_))));
 }
 
-/// One-way from the side: only what is entirely above, or touches, may stand.
+/// One-way from the side: only a body entirely above it, or touching it, may stand.
 #[test]
 fn scene_31_one_way_from_the_side() {
     let level = Level::new(&["......", "..----", "......"], px(20)).with_origin(at(0, 20));
@@ -259,7 +259,7 @@ fn scene_32_one_way_steps() {
     }
 }
 
-/// Cross goes through one-way faces and says so; it is no floor then. The solid below still is.
+/// Cross passes one-way faces and reports them. It is no floor then. The solid below still is.
 #[test]
 fn cross_drops_through_a_one_way() {
     let level = Level::new(&["...", "---", "...", "###"], px(20));
@@ -273,8 +273,8 @@ fn cross_drops_through_a_one_way() {
     assert_eq!(out.v, at(1, 0));
 }
 
-/// On a flat floor with gravity and without friction; a million frames and other places are in
-/// `motion_scenes`.
+/// On a flat floor with gravity and without friction. `motion_scenes` has a million frames and
+/// other positions.
 #[test]
 fn scene_49_resting_ten_thousand_ticks() {
     let level = Level::new(&["......", "######"], px(16));

@@ -1,4 +1,4 @@
-//! Corners of polygons and walls, numbered as the torture scenes: each in eight views, far from the
+//! Corners of polygons and walls, numbered as the torture scenes. Each in eight views, far from the
 //! origin, and with its paths in either order.
 
 use tilesat::{Mover, PathKind, Response};
@@ -44,7 +44,7 @@ fn scenes_4_and_5_into_an_inside_corner() {
                 let out = room.step(near, v, same);
                 assert_eq!((out.body, out.v), (end, (0, 0)), "{near:?} by {v:?} in {room:?}");
             }
-            // In the corner it stays, whatever pushes, and leaves it freely.
+            // It stays in the corner, whatever pushes, and leaves it freely.
             assert_eq!(room.step(end, at(7, 9), same).body, end);
             let out = room.step(end, at(-3, -2), same);
             assert_eq!((out.body, out.hits.len()), (end.moved(at(-3, -2)), 0));
@@ -151,7 +151,7 @@ fn scene_11_shared_corner_is_no_hit() {
     assert_eq!(block.step(rect(0, 16, 16, 16), (1, -2), same).hits.len(), 1);
 }
 
-/// A gap of 16 between two walls 64 thick, and bodies exactly as wide.
+/// A gap of 16 between two walls 64 thick, and bodies of exactly that width.
 #[test]
 fn scene_30_through_a_gap_of_ones_own_width() {
     let banks = vec![Drawing::block(at(0, 0), at(96, 64)), Drawing::block(at(112, 0), at(208, 64))];
@@ -167,8 +167,8 @@ fn scene_30_through_a_gap_of_ones_own_width() {
                 assert_eq!((out.body, out.v), (inside.moved((0, v.1)), (0, v.1)), "{inside:?} by {v:?}");
             }
         }
-        // A diagonal that is aligned at the mouth enters, a raw unit to either side stops on the
-        // top: the box exactly there.
+        // A diagonal that is aligned at the mouth enters. A raw unit to either side, it stops on
+        // the top: the box exactly there.
         for (dx, enters) in [(-1, false), (0, true), (1, false)] {
             let body = Body::Rect((66 * PX + dx, -46 * PX), at(16, 16));
             // Aligned, it comes to a corner with its own: a tie between x and y.

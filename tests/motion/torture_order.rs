@@ -1,4 +1,4 @@
-//! What does not depend on the order in which a level was written: torture scenes 21 and 47, P19.
+//! Results do not depend on the order in which a level was written: torture scenes 21 and 47, P19.
 
 use tilesat::{
     Aabb, Inside, Joined, Mover, PathKind, Response, SegmentMap, Solid, Solids, TileKind, TileKinds, TileMap, Toi,
@@ -35,7 +35,7 @@ fn motions() -> Vec<(Body, P)> {
     bodies.iter().flat_map(|b| ways.map(|v| (*b, v))).collect()
 }
 
-/// Position, velocity, rest, and of each hit the moment and the direction; names of cells and
+/// Position, velocity, rest, and for each hit the moment and the direction. Names of cells and
 /// features may differ.
 type Bits = (Body, P, P, Vec<(u32, P, bool)>);
 
@@ -74,8 +74,8 @@ fn scene_47_six_paths_in_every_order() {
     }
 }
 
-/// Six solids in every order, keys going with the boxes, alone and joined with tiles in either
-/// order.
+/// Six solids in every order, with the keys attached to the boxes, alone and joined with tiles in
+/// either order.
 #[test]
 fn scene_47_six_solids_in_every_order() {
     static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
@@ -111,8 +111,8 @@ fn scene_47_six_solids_in_every_order() {
     }
 }
 
-/// A ray through the common end of two segments: one hit, there, with the same normal whichever was
-/// written first or is longer.
+/// A ray through the common end of two segments: one hit, there. Its normal does not depend on
+/// which was written first or is longer.
 #[test]
 fn scene_21_ray_through_a_shared_end() {
     let end = at(16, 40);
@@ -153,8 +153,8 @@ fn scene_21_ray_through_a_shared_end() {
                 if views.is_empty() {
                     assert_eq!(*seen.get_or_insert(hit.axis), hit.axis, "{drawing:?}");
                 }
-                // A raw unit to either side it meets one of the two, no sooner or later than that
-                // one's height there.
+                // A raw unit to either side, it meets one of the two, exactly at that one's height
+                // there.
                 for dx in [-1, 1] {
                     let side = ray((16 * PX + dx, 0), at(0, 200));
                     assert!(side.is_some(), "lost beside the end: {drawing:?} {views:?} {dx}");
@@ -167,7 +167,7 @@ fn scene_21_ray_through_a_shared_end() {
     }
 }
 
-/// P19: a mover alone is a mover with others before it; nothing is kept between calls.
+/// P19: a mover alone equals a mover with others before it. Nothing is kept between calls.
 #[test]
 fn p19_calls_leave_nothing_behind() {
     let drawing = Drawing::of(CELL, vec![Drawing::block(at(-100, 100), at(100, 130))]);

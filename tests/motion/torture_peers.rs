@@ -1,5 +1,5 @@
-//! What other engines' tests ask and no other file here does, and torture scenes 25, 34, 35 and 36
-//! for the bodies and levels that were left out.
+//! Cases of other engines' tests that no other file here covers. Torture scenes 25, 34, 35 and 36
+//! for the remaining bodies and levels.
 
 use tilesat::motion::escape;
 use tilesat::prelude::*;
@@ -75,7 +75,7 @@ fn parry_and_box2d_pairs() {
 }
 
 /// box2d's large worlds: the same contact, cast and motion far from the origin, bit for bit. Boxes
-/// .9 apart overlap by .1, and a ray comes to -.5.
+/// .9 apart overlap by .1, and a ray reaches -.5.
 #[test]
 fn box2d_large_world() {
     let tenth = Fx::lit("0.1").to_bits();
@@ -127,7 +127,7 @@ fn box2d_chain_and_sensor() {
         (ball, v) = (moved.body, moved.velocity);
     }
     assert_eq!((ball.centre(), v), (Vec2::from_raw(0, 1 << 15), Vec2::ZERO));
-    // From 7.4 by -20 / 60 a frame past a sensor from 1 to 2.
+    // From 7.4 by -20 / 60 per frame past a sensor from 1 to 2.
     let row = TileMap::from_ascii(".s.......", &SENSOR).unwrap().with_cell(Fx::ONE).unwrap();
     let mut bullet = Circle::new(Vec2::new(Fx::lit("7.4"), Fx::lit("0.5")), Fx::lit("0.1")).unwrap();
     let (mut begins, mut ends, mut was) = (0, 0, false);
@@ -141,7 +141,7 @@ fn box2d_chain_and_sensor() {
     assert_eq!((begins, ends), (1, 1));
 }
 
-/// 25: a centre exactly on a wall, on its end, on a tile's side and corner, and in its middle: out
+/// 25: a centre exactly on a wall, on its end, on a tile's side and corner, and in its middle. Out
 /// in one step, and never by nothing.
 #[test]
 fn scene_25_centre_on_the_surface() {
@@ -164,8 +164,8 @@ fn scene_25_centre_on_the_surface() {
         let far = a.abs().max(b.abs());
         assert!(!tile.overlaps(&free) && (3 << 16..=(5 << 16) + 4).contains(&far), "{x} {y}: {a} {b}");
     }
-    // In its middle: four ways out as long, of which the side with the smaller coordinates is told
-    // first; none where no side is reached.
+    // In its middle there are four equally short ways out. The side with the smaller coordinates is
+    // reported first. None if no side is within reach.
     let free = escape(&tile, &disc(8, 8, 9)).unwrap();
     let (a, b) = (free.centre() - at(8, 8)).raw();
     assert!(!tile.overlaps(&free) && (17 << 16..=(17 << 16) + 4).contains(&-b) && a == 0, "{a} {b}");
@@ -175,8 +175,8 @@ fn scene_25_centre_on_the_surface() {
     assert!(escape(&tile, &disc(8, 8, 5)).is_err());
 }
 
-/// 34: circles, as `solids_carry` has it for boxes: a one-way that rises faster than the body falls
-/// takes it along, one that sinks faster leaves it.
+/// 34: circles, as `solids_carry` tests boxes. A one-way that rises faster than the body falls
+/// carries it. One that sinks faster leaves it.
 #[test]
 fn scene_34_one_way_that_moves() {
     let level = TileMap::from_ascii(EMPTY, &KINDS).unwrap();
@@ -206,8 +206,8 @@ fn scene_34_one_way_that_moves() {
     }
 }
 
-/// 35: rays, circles and boxes at one-way tiles and chains, from above and from below, asked for
-/// and not.
+/// 35: rays, circles and boxes at one-way tiles and chains, from above and from below, included and
+/// excluded.
 #[test]
 fn scene_35_casts_at_one_ways() {
     let tiles = TileMap::from_ascii("....\n....\n.--.\n....\n", &KINDS).unwrap(); // the top is y = 32
@@ -229,7 +229,7 @@ fn scene_35_casts_at_one_ways() {
 }
 
 fn casts_at_a_one_way<W: World>(world: &W, cast: impl Fn(&Circle, &Aabb, Vec2, RayRules) -> (bool, bool)) {
-    // The lower side, the motion, and whether a body that moves is stopped.
+    // The lower side, the motion, and whether it stops a moving body.
     for (low, motion, stops) in [(26, 40, true), (32, 40, true), (33, 40, false), (66, -40, false), (26, 6, false)] {
         let (ball, cube) = (disc(32, low - 6, 6), rect(26, low - 12, 12, 12));
         for one_way in [false, true] {
@@ -247,8 +247,8 @@ fn casts_at_a_one_way<W: World>(world: &W, cast: impl Fn(&Circle, &Aabb, Vec2, R
     }
 }
 
-/// 36: under a ceiling of segments, from a platform, and at a wall of them: exactly the room there
-/// is, in either order of the platforms.
+/// 36: under a ceiling of segments, from a platform, and at a wall of them: exactly the available
+/// room, with the platforms in either order.
 #[test]
 fn scene_36_squashed_at_segments() {
     let bytes = bytes(&[(PathKind::Wall, &[at(-50, 0), at(90, 0), at(90, 90)])]);

@@ -10,7 +10,7 @@ const CELL: i64 = 16 * PX;
 const GRAVITY: i64 = PX / 4;
 const TICKS: usize = 10_000;
 
-/// Frames under gravity in each view; the frame from which on nothing changes is at most `settled`.
+/// Frames under gravity in each view. The frame from which on nothing changes is at most `settled`.
 /// The end, seen upright, is the same in all.
 fn rests(drawing: &Drawing, body: Body, v: P, settled: usize) -> Outcome {
     let ends = ends(drawing, body, v, settled);
@@ -40,8 +40,8 @@ fn ends(drawing: &Drawing, body: Body, v: P, settled: usize) -> Vec<Outcome> {
             let still = (out.body, out.v) == (b, v);
             (b, v) = (out.body, out.v);
             last = Some(out);
-            // Nothing but body and velocity goes into the next call, so that one is the same.
-            // Upright all ticks are played.
+            // Only body and velocity enter the next call, so it is the same. The upright view plays
+            // all ticks.
             if still && !views.is_empty() {
                 break;
             }
@@ -65,11 +65,11 @@ fn notches() -> [Drawing; 2] {
 fn scene_13_a_wedge_narrower_than_the_body() {
     let mouth = 7 * PX / 4;
     for notch in notches() {
-        // On the rims: the circle in the middle, its lowest point in the mouth by r - sqrt(r^2 -
-        // (mouth / 2)^2).
+        // On the rims: the circle in the middle, with its lowest point in the mouth by r - sqrt(r^2
+        // - (mouth / 2)^2).
         for r in [PX, 8 * PX, 40 * PX] {
-            // Exactly over the middle both rims are met at once: a tie, which mirrors need not
-            // share (two raw, see `Mover::move_and_slide`).
+            // Exactly over the middle it meets both rims at once: a tie, which mirrors need not
+            // preserve (two raw, see `Mover::move_and_slide`).
             for out in ends(&notch, Body::Disc((mouth / 2, 99 * PX - r), r), (0, 0), 3000) {
                 assert!(out.floor == (r > PX) && out.wall != out.floor, "{out:?}");
             }
@@ -85,7 +85,7 @@ fn scene_13_a_wedge_narrower_than_the_body() {
                 assert!(out.floor == (r > PX) && out.wall != out.floor, "{out:?}");
             }
         }
-        // Flat ones lie on the rims, wherever their middle is.
+        // Flat bodies lie on the rims, wherever their middle is.
         for x in [mouth / 2 - 8 * PX, mouth / 2 - 8 * PX + 1, -12 * PX, -PX] {
             let out = rests(&notch, Body::Rect((x, 80 * PX), at(16, 16)), (0, 0), 60);
             assert_eq!((out.body.position(), out.floor), ((x, 84 * PX), true));
@@ -95,7 +95,7 @@ fn scene_13_a_wedge_narrower_than_the_body() {
             let out = notch.step(Body::Disc((mouth / 2 + PX / 16, 40 * PX), 8 * PX), v, |m| m);
             assert!(out.body.position().1 < 93 * PX && out.work.iterations <= Mover::ITERATIONS, "{out:?}");
         }
-        // What is narrower than the mouth goes in until it meets both sides.
+        // A body narrower than the mouth goes in until it meets both sides.
         let out = rests(&notch, Body::Disc((mouth / 2, 90 * PX), PX / 2), (0, 0), 3000);
         assert!(out.body.position().1 > 110 * PX && out.hits.len() <= 4, "{out:?}");
     }
@@ -129,7 +129,7 @@ fn scene_40_slope_meets_wall_and_ceiling() {
     }
 }
 
-/// Flat, slope, flat, slope of the same steepness: pressed to it at walking speed, it touches the
+/// Flat, slope, flat, slope of the same steepness. Pressed to it at walking speed, it touches the
 /// ground in every frame, and nothing else.
 #[test]
 fn scene_40_no_hop_at_the_joints() {
@@ -152,7 +152,7 @@ fn scene_40_no_hop_at_the_joints() {
     }
 }
 
-/// A quarter pipe goes over into a floor and a wall with their tangents: those joints are no
+/// A quarter pipe continues into a floor and a wall along their tangents. Those joints are no
 /// corners, at any phase.
 #[test]
 fn scene_40_a_tangent_joint_is_no_corner() {
@@ -171,15 +171,15 @@ fn scene_40_a_tangent_joint_is_no_corner() {
                     assert!(out.hits.iter().all(|h| !(4..8).contains(&h.index)), "{views:?}: {out:?}");
                     (b, v) = (out.body, back(views, out.v));
                 }
-                // It went up the pipe, and lost next to nothing at the joint.
+                // It went up the pipe, and lost almost nothing at the joint.
                 assert!(v.1 < 0 || b.middle() != body.middle(), "{views:?}: {b:?}");
             }
         }
     }
 }
 
-/// Deep in a polygon: refused, and never moved; or, where that is asked for, by the motion and no
-/// more.
+/// Deep in a polygon: refused, and never moved. With the start ignored, it moves by the motion and
+/// no more.
 #[test]
 fn scene_43_start_deep_inside() {
     let block = Drawing::of(CELL, vec![Drawing::block(at(0, 0), at(160, 160))]);
@@ -188,7 +188,7 @@ fn scene_43_start_deep_inside() {
         let map = SegmentMap::from_bytes(&bytes).unwrap();
         for body in [disc(80, 85, 6), rect(74, 80, 12, 10), disc(80, 80, 0)] {
             let body = place(views, body);
-            // Nothing moves, nothing is asked.
+            // Nothing moves, and the call does not look at the level.
             assert_eq!(body.step(&mover(views), &map, (0, 0)).unwrap().body, body);
             for v in [(1, 0), at(5, 5), at(0, 300), at(-4000, 4000)] {
                 assert!(matches!(body.step(&mover(views), &map, v), Err(MoveError::Stuck(_))), "{body:?} by {v:?}");
@@ -214,7 +214,7 @@ fn scene_45_door_toggled() {
                 assert!(matches!(go(&closed, inside, v), Err(MoveError::Stuck(_))));
                 assert_eq!(go(&open, inside, v).unwrap().body, place(views, inside.moved(v)));
             }
-            // At the edge: stopped by the door's side at once, free away from it and along it.
+            // At the edge: the door's side stops it at once. It is free away from it and along it.
             let out = go(&closed, edge, at(3, 0)).unwrap();
             assert_eq!((out.body, out.hits.len(), out.wall), (place(views, edge), 1, true));
             for v in [at(-3, 0), at(0, 2)] {

@@ -1,6 +1,6 @@
 //! All 34 tile shapes: torture scene 42, and P10 to P12, P16, P20 and P25 in rooms of all of them.
 //!
-//! `TILESAT_CASES` sets the number of motions a test (default 6 000).
+//! `TILESAT_CASES` sets the number of motions per test (default 6 000).
 
 use tilesat::{Aabb, AllShapes, Circle, Fx, Inside, Mover, Outside, Response, TileMap, world::RayRules};
 use tilesat_judge::Random;
@@ -30,7 +30,8 @@ fn overlaps(map: &TileMap<'_, AllShapes>, body: Body) -> bool {
 }
 
 /// Scene 42: each shape with each neighbour, beside and below (so above and to the left too), and
-/// circles and boxes on a lattice of places: the map's answer, also in a mirror, equals the sets'.
+/// circles and boxes on a lattice of positions. The map's answer, also in a mirror, equals the
+/// sets'.
 #[test]
 fn scene_42_all_shapes_all_neighbours() {
     let cell = 32 * 64;
@@ -102,8 +103,8 @@ fn each(seed: u64, cells: i64, mut f: impl FnMut(&mut Random, &Level, &Room, Bod
     }
 }
 
-/// P20: at up to 16 tiles a frame a body is at no part of its way, nor at its end, in the solid;
-/// parts are less than a tenth of a cell.
+/// P20: at up to 16 tiles per frame a body is in the solid at no part of its way, nor at its end.
+/// Parts are less than a tenth of a cell.
 #[test]
 fn p20_sixteen_tiles_a_frame() {
     let (mut hits, mut free) = (0, 0);
@@ -120,10 +121,10 @@ fn p20_sixteen_tiles_a_frame() {
         assert!(!room.overlaps(out.body, (0, 0), 0) && len2(out.v) <= len2(v), "{}", case());
         hits += u64::from(!out.hits.is_empty());
         free += u64::from(out.hits.is_empty());
-        // P16: without its velocity it stays, and is told nothing.
+        // P16: without its velocity it stays, and nothing is reported.
         let again = out.body.step(&mover(&[]), &map, (0, 0)).unwrap();
         assert_eq!((again.body, again.v, again.hits.len()), (out.body, (0, 0), 0), "{}", case());
-        // P25: the features of the cells under each piece of the way, ten a cell at most.
+        // P25: the features of the cells under each piece of the way, at most ten per cell.
         let (lo, hi) = body.bounds();
         let across = |size: i64| (size + level.cell) / level.cell + 2;
         let pieces = v.0.abs().max(v.1.abs()) * 3 / 2 / level.cell + 2;
@@ -134,8 +135,8 @@ fn p20_sixteen_tiles_a_frame() {
     assert!(hits > free / 2 && free > 100, "{hits} hits, {free} free");
 }
 
-/// P10, P11, P12 for casts: 64 places of a way without a hit are free, longer ways hit no sooner
-/// and no later, and a way of no length hits nothing.
+/// P10, P11, P12 for casts: 64 positions of a way without a hit are free. Longer ways hit no sooner
+/// and no later. A way of no length hits nothing.
 #[test]
 fn p10_p11_p12_casts() {
     let rules = RayRules { inside: Inside::Hit, one_way: true };

@@ -11,7 +11,7 @@ use tilesat_judge::rooms::{P, PX, len2};
 const CELL: i64 = 16 * PX;
 
 /// The floor y = 100 from x = -320 to 320 in pieces of 16 units: points of one polygon, of one
-/// wall, of one chain; walls and boxes of their own, the latter beside each other.
+/// wall, of one chain. Or separate walls and boxes, the latter side by side.
 fn floors() -> Vec<Drawing> {
     let points: Vec<P> = (-20..=20).map(|k| at(16 * k, 100)).collect();
     let mut polygon = points.clone();
@@ -59,8 +59,8 @@ fn scenes_1_and_2_collinear_seam_of_segments() {
     }
 }
 
-/// Landing anywhere near a seam, from above and slanting: only the floor is hit, where and when it
-/// would be on one long segment.
+/// Landing anywhere near a seam, from above and slanting. It hits only the floor, at the same point
+/// and time as on one long segment.
 #[test]
 fn landing_on_a_seam_is_landing_on_one_segment() {
     let long: [P; 2] = [at(-320, 100), at(320, 100)];
@@ -89,7 +89,7 @@ fn landing_on_a_seam_is_landing_on_one_segment() {
     }
 }
 
-/// P18 on slopes: a random cave, and the same with points between the ends of its sides; every
+/// P18 on slopes: a random cave, and the same with points between the ends of its sides. Every
 /// frame of every body is the same bits.
 #[test]
 fn p18_a_chain_of_collinear_segments_is_one() {
@@ -148,8 +148,7 @@ fn p18_a_chain_of_collinear_segments_is_one() {
     assert!(hits > frames / 4 && askew > hits / 2, "{hits} hits, {askew} askew");
 }
 
-/// A body that lies over a seam, or whose side is on one, is as on one segment when it starts to
-/// move too.
+/// A body that lies over a seam, or whose side is on one, starts to move as on one segment.
 #[test]
 fn a_start_on_a_seam() {
     for drawing in floors() {
@@ -163,8 +162,7 @@ fn a_start_on_a_seam() {
     }
 }
 
-/// Points, and boxes without width, fall on seams and on what is a raw unit beside: there is no
-/// gap.
+/// Points, and boxes without width, fall on seams and a raw unit beside them. There is no gap.
 #[test]
 fn no_gap_at_a_seam() {
     for drawing in floors() {

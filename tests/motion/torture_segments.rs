@@ -1,5 +1,5 @@
-//! Torture scenes of the survey among segments, by its numbers, with what must happen. Whole units,
-//! y grows downward.
+//! Torture scenes of the survey among segments, by its numbers, with the required results. Whole
+//! units, y grows downward.
 
 use tilesat::{Aabb, Axis, Circle, Fx, Mover, Path, PathKind, Response, SegmentMap, Vec2, motion::Hits};
 
@@ -134,7 +134,7 @@ fn scene_10_box_corner_exactly_onto_a_corner() {
     let map = SegmentMap::from_bytes(&bytes).unwrap();
     let out = go(&map, PLAYER, Body::Rect(at(10, 10), at(2, 2)), at(-9, -9));
     assert_eq!((out.at, out.hits[0].1), (at(8, 1), Axis::X));
-    // A raw unit beside the tie the swapped axes give the swapped result.
+    // A raw unit beside the tie, the swapped axes give the swapped result.
     let (x, y) = ((-9 * ONE - 1, -9 * ONE), (-9 * ONE, -9 * ONE - 1));
     let [a, b] = [x, y].map(|v| go(&map, PLAYER, Body::Rect(at(10, 10), at(2, 2)), v));
     assert_eq!((a.hits[0].1, b.hits[0].1, a.at), (Axis::Y, Axis::X, (b.at.1, b.at.0)));
@@ -151,8 +151,7 @@ fn scene_11_shared_corner_is_no_hit() {
     assert_eq!(go(&map, PLAYER, Body::Rect(at(0, 16), at(16, 16)), at(1, -1)).hits.len(), 1);
 }
 
-/// A wedge of one degree: a body that is larger than its mouth rests on the rims, a smaller one in
-/// it.
+/// A wedge of one degree: a body larger than its mouth rests on the rims, a smaller one in it.
 #[test]
 fn scene_13_a_wedge_of_one_degree() {
     // 1.75 wide at a depth of 100.

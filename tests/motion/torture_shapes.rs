@@ -11,7 +11,7 @@ const UP: Mover = Mover::platformer(Axis::NEG_Y);
 const TOUCH: Mover = UP.with_response(Response::Touch);
 
 /// A circle whose centre is exactly on a face, on a corner, on a slope, an arc, or in the middle of
-/// a block: it is stuck, no normal is zero, and the first push clears it.
+/// a block. It is stuck, no normal is zero, and the first push clears it.
 #[test]
 fn scene_25_a_centre_exactly_on_the_surface() {
     let shapes = [('/', 8), ('d', 13)];
@@ -46,9 +46,9 @@ fn scene_25_a_centre_exactly_on_the_surface() {
     }
 }
 
-/// Every shape alone and beside a full tile on each of its sides; circles and boxes on a lattice of
-/// places move in eight directions. The way is free, what is hit would be entered, what is not hit
-/// is not there, and mirrored scenes give mirrored bits.
+/// Every shape alone and beside a full tile on each of its sides. Circles and boxes on a lattice of
+/// positions move in eight directions. The way is free, a hit would be entered, a miss has nothing
+/// there, and mirrored scenes give mirrored bits.
 #[test]
 fn scene_42_every_tile_and_its_neighbours() {
     let cell = 16 * PX;

@@ -1,7 +1,7 @@
 //! The invariants of motion among random polygons, walls and chains: P5 to P12, P14 to P16, P19 and
 //! P25.
 //!
-//! `TILESAT_CASES` sets the number of motions a test (default 12 000).
+//! `TILESAT_CASES` sets the number of motions per test (default 12 000).
 
 use tilesat::{Aabb, Circle, Fx, Inside, Mover, PathKind, Response, SegmentMap, world::RayRules};
 use tilesat_judge::drawing::{Drawing, direction, mover, place};
@@ -29,7 +29,7 @@ fn small(p: (i128, i128)) -> P {
 fn world(r: &mut Random) -> Option<World> {
     let mut scene = build::scene(r);
     (scene.origin, scene.grid) = ((0, 0), None);
-    // Edges with nothing behind them are another matter, see `PathKind::Hole`.
+    // Edges without a solid behind them are separate, see `PathKind::Hole`.
     scene.shapes.retain(|s| match s.kind {
         PathKind::Hole => false,
         PathKind::Solid => is_simple(&s.points.iter().map(|p| small(*p)).collect::<Vec<_>>()),
@@ -89,8 +89,8 @@ impl World {
     }
 }
 
-/// Whether no two sides of a polygon cross or touch but at their common end: there is solid behind
-/// each of them.
+/// Whether no two sides of a polygon cross or touch except at their common end. Then there is solid
+/// behind each of them.
 fn is_simple(points: &[P]) -> bool {
     let n = points.len();
     let cross = |o: P, a: P, b: P| ((a.0 - o.0) * (b.1 - o.1) - (a.1 - o.1) * (b.0 - o.0)).signum();
@@ -132,7 +132,7 @@ fn bits(out: &Outcome) -> Bits {
 }
 
 /// P5, P6, P7 and P9: mirrors, the transpose, all four turns and a translation give the same bits,
-/// full ties apart; P19: so does any order of the paths, without exception.
+/// except for full ties. P19: so does any order of the paths, without exception.
 #[test]
 fn p5_p6_p7_p9_p19_every_view() {
     let (mut hits, mut ties, mut r2) = (0, 0, Random::new(77));
@@ -167,7 +167,7 @@ fn p5_p6_p7_p9_p19_every_view() {
             if seen == due {
                 continue;
             }
-            // A tie: other surfaces at the same moment, as squarely.
+            // A tie: other surfaces at the same moment, equally opposed.
             let first = seen.4.iter().zip(&due.4).find(|(a, b)| a != b);
             let d = direction(views, v);
             let square = |n: P| {
@@ -239,8 +239,8 @@ fn cast(map: &SegmentMap, body: Body, v: P) -> Option<(u32, P, bool)> {
     }
 }
 
-/// P10, P11, P12: where it hits is free, 64 places of a way without a hit are, longer ways hit no
-/// sooner, and a way of no length hits nothing.
+/// P10, P11, P12: the position of a hit is free, and so are 64 positions of a way without a hit.
+/// Longer ways hit no sooner. A way of no length hits nothing.
 #[test]
 fn p10_p11_p12_casts() {
     let mut hits = 0;
@@ -257,7 +257,7 @@ fn p10_p11_p12_casts() {
         let Some((toi, there, _)) = found else { return };
         hits += 1;
         assert!(w.free(body.at(there)), "ends inside: {}", case());
-        // Three times the way: the hit is at a third of the time, give or take a raw unit of way.
+        // Three times the way: the hit is at a third of the time, within a raw unit of way.
         let long = cast(map, body, (3 * d.0, 3 * d.1)).unwrap_or_else(|| panic!("lost: {}", case()));
         let way = |toi: u32, k: i64| i128::from(toi) * i128::from(k);
         let slack = 3 + i128::from(1u64 << 31) / len2(d).isqrt().max(1);
@@ -266,8 +266,8 @@ fn p10_p11_p12_casts() {
     assert!(hits > done / 4, "{hits} of {done}");
 }
 
-/// P14, P15, P16, P25: never faster, never into what it has hit and still touches, nothing without
-/// a velocity, and so much work.
+/// P14, P15, P16, P25: no gain of speed, no velocity into a surface that it has hit and still
+/// touches, no effect without a velocity, and limited work.
 #[test]
 fn p14_p15_p16_p25_slides() {
     let mut touching = 0;

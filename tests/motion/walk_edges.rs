@@ -20,8 +20,8 @@ fn map(rows: &str, x: i16, y: i16) -> TileMap<'_> {
     TileMap::from_ascii(rows, &KINDS).unwrap().with_origin(v(x, y)).unwrap()
 }
 
-/// A step whose way up leaves the domain does not lead through the ceiling; it is climbed by what
-/// room there is.
+/// A step whose way up leaves the domain does not lead through the ceiling. The walker climbs it
+/// with the available room.
 #[test]
 fn a_step_up_to_the_edge() {
     let closed = map("........\n########\n#......#\n#...#..#\n########", 0, -8180);
@@ -42,7 +42,7 @@ fn a_step_up_to_the_edge() {
     }
 }
 
-/// A snap that is longer than the way to the edge finds the same floor as one that is not.
+/// A snap longer than the way to the edge finds the same floor as a shorter one.
 #[test]
 fn a_snap_to_the_edge() {
     for y in [8100, 8143] {
@@ -57,8 +57,8 @@ fn a_snap_to_the_edge() {
     }
 }
 
-/// What starts in the solid and ignores it is put back into it where a step fails, and goes on: the
-/// debug build checks each place.
+/// A body that starts in the solid and ignores it returns into it if a step fails, and continues.
+/// The debug build checks each position.
 #[test]
 fn steps_out_of_the_solid() {
     let map = map("......\n..#...\n.##...\n######", 0, 0);

@@ -1,5 +1,5 @@
-//! Walking from a floor of tiles to a floor of segments and back: at no phase and no speed does a
-//! joint that is flush change height or speed.
+//! Walking from a floor of tiles to a floor of segments and back. At no phase and no speed does a
+//! flush joint change height or speed.
 
 use tilesat::{
     Aabb, Axis, Circle, Fx, Grid, Joined, Mover, PathKind, SegmentMap, TileKind, TileKinds, TileMap, Vec2, World,
@@ -9,7 +9,7 @@ use tilesat_judge::{Random, cases};
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
 
-/// Raw.
+/// In raw units.
 const CELL: i128 = 16 << 16;
 
 /// The scene is seen with the floor below; it is built turned.
@@ -54,10 +54,10 @@ fn point(v: Vec2) -> P {
     (i128::from(v.raw().0), i128::from(v.raw().1))
 }
 
-/// What follows the tiles, whose floor is at height 0 from -8 cells to 0: a polygon or chain with
-/// its top at the same height; and whether the tiles can be a polygon of the same map. A slope
-/// inside of another polygon is still a face there, and a circle that is stopped by it up to a raw
-/// unit early would be stopped by it before the floor.
+/// The level after the tiles, whose floor is at height 0 from -8 cells to 0: a polygon or chain
+/// with its top at the same height. Also whether the tiles can be a polygon of the same map. A
+/// slope inside another polygon is still a face there. A circle that it stops up to a raw unit
+/// early would be stopped by it before the floor.
 fn ground(random: &mut Random) -> (bool, Vec<Shape>) {
     let c = CELL;
     let deep = [c, c / 2, 3 * c, 37][random.below(4) as usize];
@@ -90,7 +90,7 @@ struct Walk<'a, W> {
     case: &'a str,
 }
 
-/// Where a body is: its lowest corner in the turned scene, or its centre.
+/// The position of a body: its lowest corner in the turned scene, or its centre.
 trait Place: tilesat::Body + Copy + std::fmt::Debug {
     fn at(p: P, size: P, turn: Turn) -> Self;
     fn place(&self, turn: Turn) -> P;
@@ -139,7 +139,7 @@ impl<W: World> Walk<'_, W> {
         }
     }
 
-    /// Lands near the joint from above: on the floor, and on nothing else.
+    /// Lands near the joint from above: only on the floor.
     fn land<B: Place>(&self, from: P, size: P, v: P) {
         let body = B::at(from, size, self.turn);
         let moved = self.mover.move_and_slide(self.world, &body, vec2(self.turn.of(v))).unwrap();
@@ -157,7 +157,7 @@ impl<W: World> Walk<'_, W> {
                     [random.below(6) as usize];
             let gravity = [0, 1, 1 << 14, 3 << 16][random.below(4) as usize];
             let phase = i128::from(random.below(1 << 16));
-            // From far, or so near that the joint is reached with every remainder.
+            // From far, or so near that it reaches the joint with every remainder.
             let far = if random.one_in(2) { 3 * CELL + phase } else { i128::from(random.within(-3, 3)) };
             let from = (-speed.signum() * far, 0);
             self.walk::<Aabb>(from, size, speed, gravity);

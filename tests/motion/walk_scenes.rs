@@ -1,4 +1,4 @@
-//! Walkers in scenes with a name: rest, wedges, jumps, one-way floors, steep slopes, quarter pipes.
+//! Walkers in named scenes: rest, wedges, jumps, one-way floors, steep slopes, quarter pipes.
 
 use tilesat::world::World;
 use tilesat::{Aabb, Axis, Circle, Mover, Response, SlopeSpeed, TileMap, Walker, motion::Support};
@@ -40,7 +40,7 @@ fn at(x: i64, y: i64) -> P {
     (x * PX, y * PX)
 }
 
-/// Frames at one velocity, gravity on top of what the last one left.
+/// Frames at one velocity, with gravity on top of the last frame's result.
 fn play<W: World>(walker: &Walker, world: &W, shape: Shape, from: Frame, speed: i64, frames: usize) -> Vec<Frame> {
     let mut last = from;
     (0..frames)
@@ -51,7 +51,7 @@ fn play<W: World>(walker: &Walker, world: &W, shape: Shape, from: Frame, speed: 
         .collect()
 }
 
-/// Let fall until it stands.
+/// Falls until it stands.
 fn stand<W: World>(walker: &Walker, world: &W, shape: Shape, at: P) -> Frame {
     let start = shape.step(walker, world, at, (0, G), None).unwrap();
     let seen = play(walker, world, shape, start, 0, 100);
@@ -69,8 +69,8 @@ fn supported(map: &TileMap<'_, tilesat::AllShapes>, shape: Shape, at: P) -> Opti
     }
 }
 
-/// On flat ground, on slopes and in a V it stays where it is, whatever pulls it down; a probe finds
-/// the same floor, and none in the air.
+/// On flat ground, on slopes and in a V it stays at its position, whatever pulls it down. A probe
+/// finds the same floor, and none in the air.
 #[test]
 fn rest() {
     let flat_and_v = level(&["........", "........", r"#\..../#", r"##\../##", "########"]);
@@ -90,8 +90,8 @@ fn rest() {
     }
 }
 
-/// Torture scene 40: down a slope to a wall, and up into the wedge under a ceiling: it stops, once,
-/// and stays; then it goes back freely.
+/// Torture scene 40: down a slope to a wall, and up into the wedge under a ceiling. It stops, once,
+/// and stays. Then it goes back freely.
 #[test]
 fn walls_and_wedges() {
     let wall = level(&["...#....", "...#....", r"\..#....", r"#\.#....", r"##\#....", "########"]);
@@ -119,8 +119,8 @@ fn walls_and_wedges() {
     }
 }
 
-/// A jump leaves the ground at once, uphill and downhill too, and nothing draws it back; it lands
-/// where it is over again.
+/// A jump leaves the ground at once, even uphill and downhill, and nothing draws it back. It lands
+/// when it is over the ground again.
 #[test]
 fn jumps() {
     let hill = level(&["..........", "..........", "..........", "....##....", r".../##\...", "##########"]);
@@ -151,7 +151,7 @@ fn landing_is_exact() {
     }
 }
 
-/// A slope beyond the limit is a wall: a walker on the ground stops at it, in the air it does not
+/// A slope beyond the limit is a wall. A walker on the ground stops at it. In the air it does not
 /// rise along it, and falls down along it.
 #[test]
 fn steep_slopes() {
@@ -183,7 +183,7 @@ fn steep_slopes() {
     }
 }
 
-/// Into a quarter pipe it goes until that is too steep, by every speed, and neither slides back nor
+/// Into a quarter pipe it goes until that is too steep, at every speed. It neither slides back nor
 /// hops.
 #[test]
 fn quarter_pipes() {
@@ -202,9 +202,9 @@ fn quarter_pipes() {
     }
 }
 
-/// One-way floors: it walks on them, snaps down on them, not through them, jumps up through them,
-/// stays inside of one without being drawn anywhere, and drops through when told; half on a block
-/// it stays.
+/// One-way floors: it walks on them, snaps down on them but not through them, and jumps up through
+/// them. Inside one, nothing draws it anywhere. It drops through on request, and stays if it is
+/// half on a block.
 #[test]
 fn one_way_floors() {
     let scene = level(&["........", "........", "---##---", "........", "........", "########"]);
@@ -222,7 +222,7 @@ fn one_way_floors() {
         let seen = play(&walker(), &map, shape, fall, 0, 60);
         assert!(seen[59].at.1 == 80 * PX - 7 * PX && seen[59].floor.is_some());
         assert!(seen.iter().all(|f| f.snapped == 0));
-        // Up through it, by a jump that is higher.
+        // Up through it, by a higher jump.
         let up = shape.step(&walker(), &map, seen[59].at, (0, -6 * PX), seen[59].floor).unwrap();
         let seen = play(&walker(), &map, shape, up, 0, 60);
         assert_eq!((seen[59].at, seen[59].floor.is_some()), (start.at, true));
@@ -242,8 +242,8 @@ fn one_way_floors() {
     assert!(stays.at == start.at && stays.floor.is_some_and(|f| !f.one_way), "{stays:?}");
 }
 
-/// The limit is exact: a slope as steep is floor, one part in 32 000 less is wall; ceilings alike,
-/// for any length and direction of "up".
+/// The limit is exact: a slope of that steepness is floor, and one part in 32 000 less is wall. The
+/// same for ceilings, and for any length and direction of "up".
 #[test]
 fn the_limit_to_the_last_bit() {
     // Slopes of 16 units to the left and right of a middle piece, by their rise over run.

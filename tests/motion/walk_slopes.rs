@@ -1,4 +1,4 @@
-//! Walkers over hills: they keep to the ground, and their speed is what the policy says, on slopes,
+//! Walkers over hills: they keep to the ground, and their speed follows the policy, on slopes,
 //! flats and around every joint.
 
 #![allow(clippy::cast_precision_loss, clippy::float_cmp, reason = "tests stop at the first surprise")]
@@ -14,7 +14,7 @@ fn walker(speed: SlopeSpeed, snap: i64) -> Walker {
     Walker::new(mover).with_slope_speed(speed).with_snap(fx(snap)).unwrap()
 }
 
-/// What frames may be off: raw units of way.
+/// The tolerance of frames, in raw units of way.
 #[derive(Clone, Copy, Debug, Default)]
 struct Off {
     over: f64,
@@ -28,9 +28,9 @@ struct Tally {
     gap: (f64, f64),
     straight: Off,
     joints: Off,
-    /// The least part of its due that a frame made.
+    /// The least share of its due way that a frame made.
     least: f64,
-    /// The most that the body was moved farther than its due and what it was drawn down.
+    /// The most that a frame moved the body farther than its due way plus its drop.
     chord: f64,
     work: u32,
 }
@@ -46,7 +46,7 @@ impl Tally {
     };
 }
 
-/// From one end to the other; each frame is judged. Where it was.
+/// From one end to the other. Each frame is judged. Returns the positions.
 fn cross<W: World>(
     ground: &Ground,
     world: &W,
@@ -78,8 +78,8 @@ fn cross<W: World>(
         let off = if is_straight(ground, shape, a, b) { &mut tally.straight } else { &mut tally.joints };
         *off = Off { over: off.over.max(made - due), under: off.under.max(due - made) };
         let way = (b - a).hypot((out.at.1 - at.1) as f64);
-        // A dip that is shorter than a frame's way is passed over, and such a frame is drawn down;
-        // here no box does.
+        // A body passes over a dip shorter than a frame's way, and such a frame draws it down. Here
+        // no box does.
         let may_hop = matches!(shape, Shape::Disc(_)) || kind == SlopeSpeed::Projected;
         assert!(way - due <= 4.0 || may_hop, "too far: {}", tell());
         tally.chord = tally.chord.max(way - due - out.snapped as f64);
@@ -115,8 +115,8 @@ fn over_all(kind: SlopeSpeed, shape: Shape) -> Tally {
     t
 }
 
-/// Never faster than a raw unit above, never slower than the raw units that slopes and their joints
-/// cost.
+/// Never faster than a raw unit above, and slower only by the raw units that slopes and their
+/// joints cost.
 #[test]
 fn boxes_have_one_speed() {
     for shape in SHAPES.into_iter().filter(|s| matches!(s, Shape::Rect(..))) {
@@ -128,7 +128,7 @@ fn boxes_have_one_speed() {
     }
 }
 
-/// The same for circles, but for the frames in which they go around a corner: they go along its
+/// The same for circles, except for frames in which they go around a corner. They follow its
 /// tangents, which is farther than around it.
 #[test]
 fn circles_have_one_speed() {

@@ -33,14 +33,14 @@ fn play<W: World>(world: &W, shape: Shape, walker: &Walker, from: P, v: P, frame
         .collect()
 }
 
-/// A step of exactly the walker's is climbed, one raw unit more is a wall; at any phase and speed,
-/// to both sides.
+/// It climbs a step of exactly the walker's height. One raw unit more is a wall. At any phase and
+/// speed, to both sides.
 #[test]
 fn steps_to_the_raw_unit() {
     for (shape, reach) in [(BOX, 5 * PX), (DISC, 8 * PX)] {
         for left in [false, true] {
             let side = if left { -1 } else { 1 };
-            // A circle rolls over what it meets as a floor: 2.3 units at 45 degrees.
+            // A circle rolls over obstacles that it meets as a floor: 2.3 units at 45 degrees.
             for step in [PX, 4 * PX, 6 * PX].into_iter().filter(|&s| shape == BOX || s > 3 * PX) {
                 for more in [-1, 0, 1] {
                     ledge(step + more, left).with_polygon(|map| {
@@ -73,7 +73,7 @@ fn steps_to_the_raw_unit() {
     }
 }
 
-/// A ledge of exactly the snap is followed down, one raw unit more is left flying.
+/// It follows a ledge of exactly the snap down. One raw unit more leaves it flying.
 #[test]
 fn ledges_to_the_raw_unit() {
     for left in [false, true] {
@@ -101,7 +101,7 @@ fn ledges_to_the_raw_unit() {
     }
 }
 
-/// Stairs of half tiles, up and down, faster than they are wide too.
+/// Stairs of half tiles, up and down, even faster than they are wide.
 #[test]
 fn stairs_of_tiles() {
     for shape in [BOX, DISC, Shape::Rect(9 * PX, 4 * PX)] {
@@ -141,9 +141,9 @@ fn stairs_of_tiles() {
     }
 }
 
-/// A step in the same frame as a wall on top of it: the step is made, and the wall is told in that
-/// frame or the next one, not before. The step is half a tile, a ledge of a polygon or a platform
-/// on the floor.
+/// A step in the same frame as a wall on top of it. The walker makes the step, and reports the wall
+/// in that frame or the next one, not before. The step is half a tile, a ledge of a polygon or a
+/// platform on the floor.
 #[test]
 fn a_wall_behind_a_step() {
     let mut ground = Ground::of("________________", 3, 8);
@@ -174,7 +174,7 @@ fn a_wall_behind_a_step() {
                     let stop = seen.iter().position(|f| f.hit_wall).unwrap();
                     let (way, end) = (&seen[..stop], seen[stop]);
                     assert!(way.iter().all(|f| f.v == (speed, 0)), "{}", tell(&end));
-                    // Up, at the wall, and not on before the wall was told.
+                    // Up, at the wall, and not on before the call reports the wall.
                     let width = if let Shape::Rect(w, _) = shape { w } else { shape.half() };
                     assert!((9 * CELL - width - end.at.0 - 2).abs() <= 2 && end.v == (0, 0), "{}", tell(&end));
                     assert!((end.at.1 - 15 * CELL / 2 + shape.half() + 1).abs() <= 1, "{}", tell(&end));
@@ -194,7 +194,7 @@ fn a_wall_behind_a_step() {
 }
 
 /// A one-way wall of a tile that is higher than the step holds a walker from its side, however
-/// round it is; with a step as high as the wall it is stepped over.
+/// round it is. With a step as high as the wall it steps over.
 #[test]
 fn a_one_way_wall_is_as_high_as_it_is() {
     let mut ground = Ground::of("________________", 3, 8);

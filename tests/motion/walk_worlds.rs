@@ -1,4 +1,4 @@
-//! Walkers among random tiles of all shapes, at random wishes, judged frame by frame.
+//! Walkers among random tiles of all shapes, with random wishes, judged frame by frame.
 //!
 //! `TILESAT_FRAMES` sets the number of frames (default 200 000).
 
@@ -126,7 +126,7 @@ fn play(seed: u64, tally: &mut Tally) {
             assert!(out.snapped <= snap && out.stepped <= 4 * height, "{}", tell());
             if floor.is_some() && v.1 >= 0 {
                 tally.stood += 1;
-                // Never farther than the speed, but for what it rose on steps and fell to the
+                // Never farther than the speed, except for the rise of steps and the fall to the
                 // ground.
                 let most = v.0.abs() + out.stepped + out.snapped;
                 let over = (len2(d) as f64).sqrt() - most as f64;
@@ -148,7 +148,7 @@ fn play(seed: u64, tally: &mut Tally) {
                 // A body that is blocked stays blocked.
                 if out.wall && out.v == (0, 0) && v.0 != 0 && out.stepped == 0 {
                     tally.blocked += 1;
-                    // It comes nearer to what blocks it, by less and less, or stays: it never goes
+                    // It comes nearer to the obstacle, by less and less, or stays. It never goes
                     // back.
                     let mut at = out;
                     for _ in 0..6 {

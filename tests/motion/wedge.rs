@@ -1,5 +1,5 @@
-//! Bodies that slide into a gap which closes at an acute angle: they go in as far as there is a
-//! free place, and rest there.
+//! Bodies that slide into a gap that closes at an acute angle. They go in to the last free
+//! position, and rest there.
 
 #![allow(
     clippy::cast_possible_truncation,
@@ -37,8 +37,8 @@ fn exact(v: Vec2) -> [f64; 2] {
     [f64::from(v.x.to_bits()), f64::from(v.y.to_bits())]
 }
 
-/// A box that comes up a slope of one in two under a round tile. No place within two raw units of
-/// where it meets both is free.
+/// A box that comes up a slope of one in two under a round tile. No position within two raw units
+/// of the contact with both is free.
 #[test]
 fn goes_into_the_gap() {
     let mut tiles = [0; SIDE * SIDE];
@@ -55,9 +55,9 @@ fn goes_into_the_gap() {
     assert_eq!((again.body, again.velocity), (moved.body, Vec2::ZERO));
 }
 
-/// How many frames of bodies among all shapes end without velocity between a straight face and what
-/// they met after it; each where the motion along that face led, up to 512 raw units on its way,
-/// and what rounding takes.
+/// How many frames of bodies among all shapes end without velocity between a straight face and the
+/// surface that they met after it. For each, the end of the motion along that face, up to 512 raw
+/// units back on its way, and the part that rounding takes.
 fn held_frames<B: Body + Debug>(rooms: usize, mut body: impl FnMut(&mut Random) -> Option<B>) -> u32 {
     let (mut random, mut held) = (Random::new(20), 0);
     for _ in 0..rooms {
@@ -71,7 +71,7 @@ fn held_frames<B: Body + Debug>(rooms: usize, mut body: impl FnMut(&mut Random) 
                 if frame % 12 == 0 {
                     velocity = raw(random.around(30 * UNIT), random.around(30 * UNIT));
                 }
-                // In the solid from the start: no body of this test.
+                // The test skips bodies that start in the solid.
                 let Ok(moved) = Mover::new().move_and_slide(&map, &body, velocity) else { break };
                 if moved.velocity == Vec2::ZERO && moved.hits.len() == 2 {
                     let mut hits = moved.hits.iter();
@@ -93,8 +93,8 @@ fn held_frames<B: Body + Debug>(rooms: usize, mut body: impl FnMut(&mut Random) 
     held
 }
 
-/// Where a motion leads that slides along a face from one moment to another; none where the first
-/// is no face of a tile.
+/// The end of a motion that slides along a face from one moment to another. `None` if the first is
+/// not a face of a tile.
 fn along(v: Vec2, n: Axis, from: u32, to: u32) -> Option<[f64; 2]> {
     if n.x.abs().max(n.y.abs()) > 2 {
         return None;

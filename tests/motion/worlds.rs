@@ -1,8 +1,8 @@
-//! Random block worlds: every frame of every body is judged by exact integer geometry that shares
-//! nothing with the library.
+//! Random block worlds. Exact integer geometry that shares nothing with the library judges every
+//! frame of every body.
 //!
-//! Each frame: no overlap, never faster, the first hit at the exact moment and on the exact side
-//! (circles' corners: never late), free motions arrive, no body ever leaves its room.
+//! In each frame: no overlap, no gain of speed, the first hit at the exact moment and on the exact
+//! side (circles at corners: never late). Free motions arrive, and no body ever leaves its room.
 //! `TILESAT_FRAMES` sets the number of frames (default 1 000 000).
 
 use tilesat::{Axis, Mover, Outside, Response};
@@ -56,8 +56,8 @@ fn run(r: &mut Random, size: P, fastest: i64, tally: &mut Tally) {
     let room = level.room_of(&rooms, &body);
     let mut v = any_velocity(r, fastest);
     for _ in 0..FRAMES_A_BODY {
-        // A bounce off a corner keeps the length and may turn a component beyond what one call
-        // takes.
+        // A bounce off a corner keeps the length and may turn a component beyond the limit of one
+        // call.
         if len2(v) < 1 << 16 || r.one_in(20) || v.0.abs().max(v.1.abs()) > fastest << 16 {
             v = any_velocity(r, fastest);
         }
@@ -119,7 +119,7 @@ fn at_four_thousand_units_a_frame() {
     assert!(tally.hits > tally.frames / 4);
 }
 
-/// The other policies for what is outside, with bodies that go there and come back.
+/// The other policies for the outside, with bodies that go there and come back.
 #[test]
 fn outside_of_the_map() {
     let mut r = Random::new(7);
@@ -175,8 +175,8 @@ fn other_scales() {
     }
 }
 
-/// Work is bounded by the cells under the motion: each piece of at most a cell visits what the body
-/// and the piece cover.
+/// Work is limited by the cells under the motion: each piece of at most a cell visits the cells
+/// that the body and the piece cover.
 #[test]
 fn work_is_bounded() {
     let mut r = Random::new(9);
@@ -191,9 +191,9 @@ fn work_is_bounded() {
         let (lo, hi) = body.bounds();
         let across = |size: i64| (size + (1 << 20) + 2) / (16 << 16) + 2;
         let pieces = v.0.abs().max(v.1.abs()) / (16 << 16) + 1;
-        // Of a cell's eight features two faces and three corners can face a motion; bouncing
-        // changes the direction but not the length, so the longer component grows by sqrt(2) at
-        // most.
+        // Of a cell's eight features, two faces and three corners can face a motion. Bouncing
+        // changes the direction but not the length, so the longer component grows by at most
+        // sqrt(2).
         let bound =
             across(hi.0 - lo.0) * across(hi.1 - lo.1) * 5 * (pieces * 3 / 2 + 1) * i64::from(out.work.iterations);
         largest = largest.max(i64::from(out.work.features) * 100 / bound.max(1));

@@ -1,5 +1,5 @@
-//! Nearest points whose coordinates are exactly halves: rounded so that the foot stays on the side
-//! of the point that asks.
+//! Nearest points whose coordinates are exactly halves. They are rounded so that the foot stays on
+//! the side of the query's point.
 
 use tilesat::{Segment, Vec2};
 

@@ -1,8 +1,8 @@
-//! Capsules, turned boxes and convex polygons, with each other and with the plain shapes: every
-//! answer against the exact judge, in both argument orders.
+//! Capsules, turned boxes and convex polygons, with each other and with the plain shapes. The exact
+//! judge checks every answer, in both argument orders.
 //!
-//! `TILESAT_CASES` sets the number of cases a pair and class (default 2 000; the full run takes 10
-//! 000 000).
+//! `TILESAT_CASES` sets the number of cases per pair and class (default 2 000; the full run takes
+//! 10 000 000).
 
 use std::time::Instant;
 use tilesat::query::Separation;
@@ -15,7 +15,7 @@ fn run(pair: (Kind, Kind), class: Class) -> [u64; 3] {
     let cases: u64 = tilesat_judge::cases(2_000);
     let mut stream = Pairs::new(pair, class, 0x5a7);
     let mut tally = [0; 3];
-    // What other pairs left in it, and then what this one does.
+    // First the hint that other pairs left, and then the hint of this one.
     let mut hint = Separation::default();
     for _ in 0..cases {
         let (a, b) = stream.next();

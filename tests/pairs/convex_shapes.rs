@@ -1,5 +1,5 @@
-//! How capsules, turned boxes and polygons are built: what is refused, what is rounded, and what
-//! order does not matter.
+//! The constructors of capsules, turned boxes and polygons: their refusals, their rounding, and
+//! orders that do not matter.
 
 use tilesat::prelude::*;
 use tilesat::{
@@ -156,7 +156,7 @@ fn two_points_at_every_origin() {
     }
 }
 
-/// A tilted box rests on a corner, and where its lower side is inside on two, whose names stay
+/// A tilted box rests on a corner. If its lower side is inside, it rests on two, whose names stay
 /// while it sinks.
 #[test]
 fn points_keep_their_names() {

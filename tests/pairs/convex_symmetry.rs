@@ -1,7 +1,7 @@
-//! Mirrored, transposed, moved and exchanged scenes of convex shapes give mirrored, transposed,
+//! Mirrored, transposed, shifted and exchanged scenes of convex shapes give mirrored, transposed,
 //! equal and exchanged bits.
 //!
-//! Exempt are degenerate contacts, whose axis is a convention.
+//! Degenerate contacts are exempt: their axis is a convention.
 
 use super::symmetry::{MAPS, directions};
 use tilesat_judge::convex::ask;

@@ -6,14 +6,14 @@ use tilesat_judge::oracle::figure::{Figure, Point};
 use tilesat_judge::oracle::kernel;
 use tilesat_judge::oracle::verify::Pair;
 
-/// Axis, depth in raw units, degenerate; the same seen from B.
+/// Axis, depth in raw units, whether degenerate, and the same for B on A.
 #[derive(Clone, Copy)]
 enum Way {
     /// Geometry decides: from B the axis is reversed.
     Least(Point, i64),
-    /// A choice between two axes, each with a sign of its own: from B the axis is reversed.
+    /// A choice between two axes, each with its own sign: for B on A the axis is reversed.
     Axes(Point, i64),
-    /// Both signs are as good: the axis is the same from B.
+    /// Both signs are equally good: for B on A the axis is the same.
     Signs(Point, i64),
 }
 use Way::{Axes, Least, Signs};

@@ -1,7 +1,7 @@
 //! Distances, closest points and containment against the exact judge, in both argument orders and
 //! against points.
 //!
-//! `TILESAT_CASES` sets the number of cases a pair and class, ten times as many as are run here
+//! `TILESAT_CASES` sets the number of cases per pair and class, ten times as many as run here
 //! (default 100 000).
 
 use tilesat_judge::Random;
@@ -45,7 +45,7 @@ fn distances_and_closest_points_are_exact() {
     CLASSES.into_iter().for_each(sweep);
 }
 
-/// Points need not be in the domain: every pair of `i32` is a `Vec2`.
+/// Points may be outside the domain: every pair of `i32` is a `Vec2`.
 fn any_point(r: &mut Random) -> Point {
     let mut coordinate = || match r.below(4) {
         0 => i64::from(i32::MIN) + r.below(3),

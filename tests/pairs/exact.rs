@@ -1,7 +1,7 @@
-//! Every boolean of every pair against the exact judge, in both argument orders, over the classes
-//! in which collision code goes wrong.
+//! Every boolean of every pair against the exact judge, in both argument orders, over the hard
+//! classes.
 //!
-//! `TILESAT_CASES` sets the number of cases a pair and class (default 100 000; the full run takes
+//! `TILESAT_CASES` sets the number of cases per pair and class (default 100 000; the full run takes
 //! 10 000 000).
 
 use std::time::Instant;

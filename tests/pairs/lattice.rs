@@ -1,8 +1,8 @@
 //! Every pair of shapes over a lattice of nine by nine points with seven radii, judged
 //! exhaustively.
 //!
-//! Small integers hold every tie and every touch there is. The same scenes are run again enlarged
-//! to the size of the domain, where the products are largest.
+//! Small integers contain every possible tie and touch. The same scenes run again enlarged to the
+//! size of the domain, where the products are largest.
 
 use tilesat_judge::oracle::figure::{Figure, Point};
 use tilesat_judge::oracle::verify::{self, Pair};
@@ -28,7 +28,7 @@ fn circles() -> Vec<Figure> {
     points().into_iter().flat_map(|centre| RADII.map(|radius| Figure::Circle { centre, radius })).collect()
 }
 
-/// Both orders of the ends occur, in turn: which end is first depends on the pair of points alone.
+/// Both orders of the ends occur. The order depends only on the pair of points.
 fn segments() -> Vec<Figure> {
     let all = points();
     let mut list = Vec::new();

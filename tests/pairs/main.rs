@@ -1,5 +1,5 @@
-//! Two shapes: overlap, touch, contacts, distances and closest points against exact judges; and the
-//! numbers that they are made of.
+//! Two shapes: overlap, touch, contacts, distances and closest points against exact judges, and the
+//! numbers behind them.
 
 #![cfg(not(target_os = "none"))]
 

@@ -1,5 +1,5 @@
-//! Contacts that the streams and lattices of the other tests do not reach: found as changes of the
-//! kernels that none of those noticed.
+//! Contacts that the streams and lattices of the other tests do not reach. Changes of the kernels
+//! that none of those noticed led to them.
 
 use tilesat::prelude::*;
 use tilesat::{Axis, Circle, Fx, Segment, Vec2};
@@ -8,7 +8,7 @@ fn segment(a: (i32, i32), b: (i32, i32)) -> Segment {
     Segment::new(Vec2::from_raw(a.0, a.1), Vec2::from_raw(b.0, b.1)).expect("inside")
 }
 
-/// x before y before the smaller normal, whichever is A.
+/// x before y before the smaller normal, whichever shape is A.
 #[test]
 fn equal_exits_of_crossing_segments() {
     let (level, upright, steep, flat) =

@@ -1,11 +1,10 @@
-//! The public numbers against 128-bit arithmetic of the host, and the ends of what shapes are made
-//! of.
+//! The public numbers against 128-bit arithmetic of the host, and the limits of shapes.
 
 use tilesat::num::DOMAIN;
 use tilesat::{Aabb, Axis, Circle, Fx, Quantity, RangeError, Segment, Toi, Vec2, fx};
 use tilesat_judge::Random;
 
-/// Units, ends, zero, and what is beside them; each sign.
+/// Units, ends, zero, and their neighbours, with each sign.
 fn words() -> Vec<i32> {
     let sizes = [0, 1, 2, 3, 7, 65_536, (1 << 28) - 1, 1 << 28, (1 << 30) - 1, 1 << 30];
     sizes.into_iter().flat_map(|n| [n, -n]).collect()
@@ -85,7 +84,7 @@ fn times_are_parts_of_motions() {
     }
 }
 
-/// A number from which on each constructor refuses, and the last one that it takes.
+/// The first number that each constructor refuses, and the last one that it accepts.
 #[test]
 fn shapes_end_at_the_domain() {
     let most = DOMAIN - 1;
@@ -227,7 +226,7 @@ fn floating_point_and_back() {
     assert_eq!(Vec2::from_f32(x, y).map(Vec2::raw), Some((1 << 24, (1 << 24) + 4)));
 }
 
-/// The doc tests show what `fx!` refuses.
+/// The doc tests show the refusals of `fx!`.
 #[test]
 fn literals_are_constants() {
     const ALL: [Fx; 6] = [fx!(0), fx!(-0.25), fx!(32767.99999), fx!(-32768), fx!(0.1), fx!(1e-3)];

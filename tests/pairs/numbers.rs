@@ -112,7 +112,7 @@ fn check_recip(d: u32) {
     assert!(y * d <= 1 << 63 && 1 << 64 < (2 * y + 53) * d, "recip of {d}: {y}");
 }
 
-/// The steps of the tables are 2^25 wide; their ends are where the start values are worst.
+/// The steps of the tables are 2^25 wide. Their ends have the worst start values.
 fn sweep(from: u32, stride: usize, check: impl Fn(u32)) {
     (from..=u32::MAX).step_by(stride).for_each(&check);
     for knot in (u64::from(from)..1 << 32).step_by(1 << 25) {
@@ -292,8 +292,8 @@ fn unit_vectors_are_within_one_and_a_half() {
     }
 }
 
-/// Rounding is to nearest (the mean error is 0.15 units, that of the reciprocal root); truncation
-/// would keep the bound above and miss this.
+/// Rounding is to nearest (the mean error is 0.15 units, the error of the reciprocal root).
+/// Truncation would keep the bound above and miss this.
 #[test]
 #[expect(clippy::cast_precision_loss, reason = "a mean to two digits")]
 fn unit_vectors_are_not_biased() {

@@ -1,7 +1,7 @@
-//! The judge is judged: the 256-bit oracle against big rationals, and its integers against big
+//! Checks the judge: the 256-bit oracle against big rationals, and its integers against big
 //! integers.
 //!
-//! `TILESAT_RATIONAL_CASES` sets the number of cases a class, over all pairs (default 10 000; the
+//! `TILESAT_RATIONAL_CASES` sets the number of cases per class, over all pairs (default 10 000; the
 //! full run takes 1 000 000).
 
 use tilesat_judge::Random;
@@ -36,7 +36,7 @@ fn number(r: &mut Random, bits: u32) -> (Int256, BigInt) {
     let magnitude = BigUint::from_bytes_le(&bytes) & ((BigUint::from(1u8) << keep) - 1u8);
     let value = BigInt::from_biguint(if r.one_in(2) { Sign::Plus } else { Sign::Minus }, magnitude);
     let shift = |n: i64| Int256::new(n);
-    // Built from 32-bit digits by the arithmetic under test's own multiplication and addition.
+    // Built from 32-bit digits, with the multiplication and addition under test.
     let base = shift(1 << 32);
     let digits = value.magnitude().to_u32_digits();
     let built = digits.iter().rev().fold(Int256::ZERO, |sum, d| sum * base + shift(i64::from(*d)));

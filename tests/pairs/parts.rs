@@ -1,5 +1,5 @@
-//! Simple polygons as convex parts: every one of up to five corners on a small lattice, and larger
-//! ones at random. Areas are sums of cross products, points are judged by winding counts.
+//! Simple polygons as convex parts: every polygon of up to five corners on a small lattice, and
+//! larger random ones. Sums of cross products give areas, and winding counts judge points.
 
 use tilesat::shape::{ConvexParts, PartsError};
 use tilesat::{Quantity, RangeError, Vec2};
@@ -18,7 +18,8 @@ fn area(points: &[P]) -> i64 {
     (0..points.len()).map(|i| cross((0, 0), points[i], points[(i + 1) % points.len()])).sum()
 }
 
-/// How often the corners go round a point that is on none of their sides: by rays to the right.
+/// How often the corners wind around a point that is on none of their sides, counted by rays to the
+/// right.
 fn winding(points: &[P], m: P) -> i32 {
     (0..points.len())
         .map(|i| {
@@ -32,8 +33,8 @@ fn winding(points: &[P], m: P) -> i32 {
         .sum()
 }
 
-/// Whether two segments have a point in common: by clipping the second one with the line and the
-/// ends of the first, in fractions of its length.
+/// Whether two segments have a common point. Clips the second one with the line and the ends of the
+/// first, in fractions of its length.
 fn meet(a: P, b: P, c: P, d: P) -> bool {
     let along = |p: P| (p.0 - a.0) * (b.0 - a.0) + (p.1 - a.1) * (b.1 - a.1);
     let (s, t) = (cross(a, b, c), cross(a, b, d));
@@ -104,8 +105,8 @@ fn samples(width: i64, height: i64) -> Vec<P> {
     xs.iter().flat_map(|x| ys.iter().map(|y| (*x, *y))).collect()
 }
 
-/// All lists of corners on a lattice, of which the first one is the least: any list is one of these
-/// from another corner.
+/// All lists of corners on a lattice whose first corner is the least. Any list is one of these from
+/// another corner.
 fn all(n: usize, width: i64, height: i64) -> (u64, u64) {
     let lattice: Vec<P> = (0..width * height).map(|i| (i % width * UNIT, i / width * UNIT)).collect();
     let samples = samples(width - 1, height - 1);

@@ -2,7 +2,7 @@
 //! ends the overlap and is not too long, the unit normal is within 1.5 units, and (B, A) mirrors
 //! (A, B).
 //!
-//! `TILESAT_CASES` sets the number of cases a pair and class, ten times as many as are run here
+//! `TILESAT_CASES` sets the number of cases per pair and class, ten times as many as run here
 //! (default 100 000).
 
 use tilesat_judge::Random;
@@ -64,12 +64,12 @@ fn pushes_separate_shapes_of_a_few_raw_units() {
     }
 }
 
-/// Two segments whose exits over each other's lines are equally long, or differ by the move of one
-/// end by a raw unit.
+/// Two segments whose exits over each other's lines are equally long, or differ by moving one end
+/// by a raw unit.
 ///
 /// With `t` the sine of the angle between them, the exit over a line is `t` times the shorter arm
-/// of the other segment: arms of equal length in two Pythagorean directions tie exactly, and the
-/// fractions that are compared have different denominators.
+/// of the other segment. Arms of equal length in two Pythagorean directions tie exactly, and the
+/// compared fractions have different denominators.
 fn crossing_tie(r: &mut Random) -> (Figure, Figure) {
     let mut triple = || {
         let (m, n) = (r.within(2, 20), r.within(1, 19));
@@ -102,8 +102,8 @@ fn exits_that_tie_or_nearly_tie() {
     assert!(ties > cases() / 4);
 }
 
-/// The largest shapes there are, centred on each other: the deepest contacts, whose pushes lead out
-/// of the domain.
+/// The largest possible shapes, centred on each other: the deepest contacts, whose pushes leave the
+/// domain.
 #[test]
 fn deepest_contacts_of_the_domain() {
     let most = oracle::figure::LIMIT - 1;

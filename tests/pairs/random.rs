@@ -1,5 +1,5 @@
 //! The generator of the judge's scenes: a seed is a stream, and bytes are the choices that they
-//! stand for.
+//! encode.
 
 use tilesat_judge::Random;
 
@@ -9,7 +9,7 @@ fn choices(r: &mut Random) -> [i64; 6] {
 
 #[test]
 fn bytes_are_choices_low_bytes_first() {
-    // On a thread of its own: it steers all that comes after on this one.
+    // On a separate thread: it steers everything that follows on this one.
     let steered = std::thread::spawn(|| {
         let mut r = Random::steered(&[200, 1, 2, 0x34, 0x02, 1]);
         let made = choices(&mut r);

@@ -1,8 +1,8 @@
-//! Mirrored, transposed, moved and exchanged scenes give mirrored, transposed, equal and exchanged
-//! bits.
+//! Mirrored, transposed, shifted and exchanged scenes give mirrored, transposed, equal and
+//! exchanged bits.
 //!
-//! Exempt are degenerate contacts, whose axis is a convention (an x/y tie of boxes is one: x is
-//! taken, so transposing it shows).
+//! Degenerate contacts are exempt: their axis is a convention. (An x/y tie of boxes is one: x wins,
+//! so transposing it shows.)
 
 use proptest::prelude::*;
 use tilesat::Contact;
@@ -10,7 +10,7 @@ use tilesat_judge::oracle::figure::{Figure, Kind, PAIRS, Point};
 use tilesat_judge::oracle::generate::{CLASSES, Pairs, aabb};
 use tilesat_judge::oracle::kernel;
 
-/// A map of the plane onto itself that keeps distances and the origin.
+/// A map of the plane to itself that keeps distances and the origin.
 pub(super) type Map = fn(Point) -> Point;
 
 pub(super) const MAPS: [(&str, Map); 4] = [
@@ -20,8 +20,8 @@ pub(super) const MAPS: [(&str, Map); 4] = [
     ("turn", |p| (-p.1, p.0)),
 ];
 
-/// Pairs from the generators of the judge; a seed does not shrink, so small scenes come from
-/// [`small`] as well.
+/// Pairs from the judge's generators. A seed does not shrink, so small scenes come from [`small`]
+/// as well.
 fn generated() -> impl Strategy<Value = (Figure, Figure)> {
     (0..PAIRS.len(), 0..CLASSES.len(), any::<u64>())
         .prop_map(|(pair, class, seed)| Pairs::new(PAIRS[pair], CLASSES[class], seed).next())
@@ -92,8 +92,8 @@ proptest! {
             let (c, d) = (a.map(map), b.map(map));
             same(name, (&a, &b), (&c, &d), map)?;
             prop_assert_eq!(kernel::contains(&a, &b), kernel::contains(&c, &d), "{}", name);
-            // Components are rounded each for itself, ties toward the point that asks: mirror
-            // images too.
+            // Each component is rounded separately, ties toward the query's point: the same for
+            // mirror images.
             let p = b.vertices()[0];
             prop_assert_eq!(map(kernel::closest_point(&a, p)), kernel::closest_point(&c, map(p)), "{}", name);
         }

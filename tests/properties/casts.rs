@@ -21,8 +21,8 @@ fn overlaps(a: &Figure, b: &Figure) -> bool {
 proptest! {
     #![proptest_config(config(1))]
 
-    /// The time is a part of the motion, the exact judge's floor or just before it, the place free;
-    /// a way that is k times as long is hit after exactly the k-th part of the time.
+    /// The time is a part of the motion: the exact judge's floor, or just before it. The position
+    /// is free. A way that is k times as long hits after exactly the k-th part of the time.
     #[test]
     fn p10_moments((a, b, d) in motions(), k in 2i64..=9) {
         check::<Int256>(&a, &b, d, 4);
@@ -40,7 +40,7 @@ proptest! {
         }
     }
 
-    /// No hit: 64 places of the way do not overlap, the last one is its end.
+    /// No hit: 64 positions of the way do not overlap, and the last one is its end.
     #[test]
     fn p11_free_all_the_way((a, b, u) in motions()) {
         let d = (u.0 / 64 * 64, u.1 / 64 * 64);
@@ -53,7 +53,7 @@ proptest! {
         }
     }
 
-    /// No motion, no hit, but for what overlaps already.
+    /// No motion, no hit, except for an existing overlap.
     #[test]
     fn p12_no_motion((a, b) in pairs()) {
         prop_assert_eq!(ask(&a, &b, (0, 0)), Answer { hit: None, yes: false, exact: None });

@@ -1,4 +1,4 @@
-//! Many bodies: what no order and no copy changes (P19, P26), and states that are rolled back.
+//! Many bodies: neither an order nor a copy changes anything (P19, P26). Rollbacks.
 
 use super::config;
 use proptest::prelude::*;
@@ -21,12 +21,12 @@ fn aabb(((x, y), (w, h), off): (P, P, P)) -> Aabb {
     let unit = 4 << 16;
     let lo = (x * unit + off.0, y * unit + off.1);
     let raw = |p: P| Vec2::from_raw(p.0 as i32, p.1 as i32);
-    // Not larger than a cell.
+    // At most as large as a cell.
     Aabb::new(raw(lo), raw((lo.0 + w * unit, lo.1 + h * unit))).unwrap()
 }
 
-/// Pairs of the numbers that bodies were given, each once, in order; twice the same is kept to be
-/// seen.
+/// Pairs of the numbers that bodies got, each once, in order. Repeats stay, so that a test sees
+/// them.
 fn pairs<B: BroadPhase<Tag = Filter>>(
     mut near: B,
     order: &[usize],
@@ -98,7 +98,7 @@ proptest! {
     #![proptest_config(config(4))]
 
     /// Each structure finds the pairs of the definition, each once, whatever the order of insertion
-    /// and wherever the bodies came from.
+    /// and the earlier positions.
     #[test]
     fn p26_pairs_of_the_definition(now in boxes(), before in boxes(), turn in 0usize..MOST) {
         let boxes: Vec<_> = now.iter().map(|b| aabb(*b)).collect();
@@ -143,8 +143,8 @@ proptest! {
         }
     }
 
-    /// Copied, run on, rolled back and run again: the same bits, the structure's own included; and
-    /// a copy of the copy.
+    /// Copied, run on, rolled back and run again: the same bits, including the structure's own.
+    /// Also a copy of the copy.
     #[test]
     fn rolled_back_scenes(bodies in crowds(), before in 0usize..40, frames in 1usize..40) {
         let mut scene: Sweep = filled(SortSweep::new(), &bodies);
@@ -164,7 +164,7 @@ proptest! {
         prop_assert_eq!(&run(half), &first);
     }
 
-    /// A body and its velocity are all that a mover knows: rolled back, it goes the same way.
+    /// A mover's whole state is a body and its velocity: rolled back, it moves the same way.
     #[test]
     fn rolled_back_bodies(x in 40i16..200, y in 20i16..110, v in (-9i16..=9, -9i16..=9), before in 0usize..30, frames in 1usize..30) {
         let ball = Circle::new(Vec2::from_ints(x, y), Fx::from_num(5)).unwrap();
@@ -178,7 +178,7 @@ proptest! {
         prop_assert_eq!(run(), run());
     }
 
-    /// A broad phase that is copied and rolled back finds the same pairs in the same order.
+    /// A copied and rolled back broad phase finds the same pairs in the same order.
     #[test]
     fn rolled_back_broad_phases(first in boxes(), then in boxes()) {
         let mut near = SortSweep::<MOST, Filter>::new();

@@ -1,4 +1,4 @@
-//! Floors of pieces, corners to rest in, and the order of what a level is made of: P17, P18, P19.
+//! Floors of pieces, corners in which bodies rest, and the order of a level's parts: P17, P18, P19.
 
 use super::config;
 use proptest::prelude::*;
@@ -61,14 +61,14 @@ proptest! {
         let start = body.moved((x * PX / 4 + off, -150 * PX));
         let states = trajectory(&drawing, start, (0, 0), 1500);
         let last = *states.last().unwrap();
-        // Friction-free, so what does not fit in swings out first.
+        // Without friction, so a body that does not fit swings out first.
         prop_assert!(last.1 == (0, 0), "moves still: {last:?}");
         let first = states.iter().position(|s| *s == last).unwrap();
         prop_assert!(states[first..].iter().all(|s| *s == last), "moved again after {first}");
     }
 
-    /// A floor of any number of pieces is one long floor: the same bits, frame after frame; and so
-    /// it is upside down, and cut into walls of their own.
+    /// A floor of any number of pieces is one long floor: the same bits, frame after frame. The
+    /// same upside down, and as separate walls.
     #[test]
     fn p18_pieces_are_one((body, v) in above(), cuts in cuts()) {
         let ends = |cuts: &[i64]| -> Vec<P> {
@@ -84,7 +84,7 @@ proptest! {
         prop_assert_eq!(&trajectory(&Drawing::new(24 * PX, &[(PathKind::Solid, &solid)]), body, v, 60), &whole);
     }
 
-    /// Shuffled paths, and mirrored scenes: one result.
+    /// Shuffled paths and mirrored scenes give one result.
     #[test]
     fn p19_order_of_paths(order in Just((0..5usize).collect::<Vec<_>>()).prop_shuffle(), x in 0i64..64, y in 0i64..40, v in (-64i64..=64, -64i64..=64), round in any::<bool>()) {
         // Blocks side by side, a ramp, a one-way chain and a wall, all with common corners.

@@ -1,8 +1,8 @@
-//! The same bits as ever: every query's hash is the reviewed one, and the changelog names each.
-//! `.ci/targets` asks the same of all targets.
+//! The same bits as always: every query has its reviewed hash, and the changelog names each.
+//! `.ci/targets` checks all targets.
 //!
-//! A change of results is accepted with `cargo run --release -p tilesat-golden -- --accept` and
-//! with the lines that it prints, in the changelog.
+//! Accept a change of results with `cargo run --release -p tilesat-golden -- --accept`, and add the
+//! lines that it prints to the changelog.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -24,7 +24,7 @@ fn hashes_are_the_reviewed_ones() {
     assert!(differences.is_empty(), "other bits than reviewed:\n{}", differences.join("\n"));
 }
 
-/// No family has the name of another one: its hashes are after more and more vectors.
+/// No two families share a name. A family's hashes come after more and more vectors.
 #[test]
 fn families_have_names_of_their_own() {
     for (name, row) in &reviewed().rows {
@@ -32,7 +32,7 @@ fn families_have_names_of_their_own() {
     }
 }
 
-/// Every query that is hashed at all has as many vectors as promised; games have frames.
+/// Every hashed query has as many vectors as promised. Games have frames.
 #[test]
 fn queries_have_their_vectors() {
     let table = reviewed();
@@ -45,8 +45,7 @@ fn queries_have_their_vectors() {
     }
 }
 
-/// Nobody edits a hash without a line in the changelog, in the section of the version that it is
-/// from.
+/// Nobody edits a hash without a line in the changelog, in the section of the hash's version.
 #[test]
 fn the_changelog_names_every_output() {
     let (table, changelog) = (reviewed(), read("CHANGELOG.md"));

@@ -1,16 +1,16 @@
-//! The files of the library stand in layers: none reaches itself by imports, and none imports from
-//! a layer above its own.
+//! The files of the library form layers. None imports itself, even indirectly, and none imports
+//! from a layer above.
 //!
 //! An import is a path behind `use`, or one in the code that begins with `crate`, `super`, a module
-//! below or a name that was taken. What a file only hands on (`pub use`) is imported from where it
-//! is defined. Unit tests are left out.
+//! below or an imported name. If a file only re-exports (`pub use`), the import counts for the file
+//! that defines the item. Unit tests do not count.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// What stands on what, from the ground up; those in one row do not import each other. The root
-/// hands names on, `format` prints everything.
+/// The layers from the ground up. Modules in one row do not import each other. The root re-exports
+/// names, and `format` prints everything.
 const LAYERS: [&[&str]; 7] = [
     &["num", "error", "stored"],
     &["filter", "shape"],
@@ -21,14 +21,14 @@ const LAYERS: [&[&str]; 7] = [
     &["", "format"],
 ];
 
-/// Its files still import each other; what it takes from others is looked at.
+/// Its files still import each other. The test checks what it takes from others.
 const LEFT: &str = "motion";
 
 type Module = Vec<String>;
 
 #[derive(Default)]
 struct File {
-    /// What `use` takes, and what each name stands for that `use` takes or hands on.
+    /// The paths of `use`, and the meaning of each name that `use` imports or re-exports.
     taken: Vec<Module>,
     names: BTreeMap<String, Module>,
     /// The paths and words of the rest.
@@ -56,7 +56,7 @@ fn leaves(tree: &str) -> Vec<(Module, String)> {
 
 fn read(text: &str) -> File {
     let (mut file, mut statement) = (File::default(), None::<String>);
-    // Unit tests that stand in a file are its last module.
+    // Unit tests inside a file are its last module.
     let tests = text
         .find("\n#[cfg(test)]\n")
         .filter(|&at| text[at..].lines().any(|line| line.starts_with("mod ") && line.ends_with('{')));
@@ -69,7 +69,7 @@ fn read(text: &str) -> File {
             None => start.strip_prefix("pub ").unwrap_or(start),
         };
         if let Some(tree) = behind.strip_prefix("use ") {
-            // In a module that stands in a file, `super` is the file.
+            // In a module inside a file, `super` is the file.
             let inner = line.starts_with(' ');
             statement = Some(format!(
                 "{}{}",
@@ -110,7 +110,7 @@ fn read_all(folder: &Path, module: &Module, files: &mut BTreeMap<Module, File>) 
     }
 }
 
-/// The file that defines what a path names, as seen from a file.
+/// The file that defines the target of a path, as seen from a file.
 fn defining(files: &BTreeMap<Module, File>, from: &Module, path: &[String], steps: u32) -> Option<Module> {
     let (first, rest) = path.split_first()?;
     let step = steps.checked_sub(1)?;
@@ -141,7 +141,7 @@ fn files_stand_in_layers() {
     read_all(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &Module::new(), &mut files);
     let mut imports: BTreeMap<&Module, BTreeSet<Module>> = BTreeMap::new();
     for (module, file) in &files {
-        // A single word is an import only where `use` has named it.
+        // A single word is an import only if `use` has named it.
         let words = file.words.iter().filter(|path| path.len() > 1 || file.names.contains_key(&path[0]));
         let found = file.taken.iter().chain(words).filter_map(|path| defining(&files, module, path, 20));
         imports.insert(module, found.filter(|to| to != module).collect());

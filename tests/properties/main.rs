@@ -1,10 +1,9 @@
-//! The invariants P1 to P27 as properties: scenes that shrink, and scenes of the classes in which
-//! collision code goes wrong.
+//! The invariants P1 to P27 as properties: scenes that shrink, and scenes of the hard classes.
 //!
-//! The names of the tests are those of the invariants; `../README.md` has the list. Seeds are
-//! fixed, so a run is the same everywhere. `TILESAT_CASES` sets the number of cases of each pair
-//! property (default 4000; the others take a part of it). What has failed once is kept in the files
-//! `*.regressions` beside the sources, and is asked again first.
+//! The tests have the names of the invariants, which `../README.md` lists. Seeds are fixed, so a
+//! run is the same everywhere. `TILESAT_CASES` sets the number of cases of each pair property
+//! (default 4000; the others take a part of it). The files `*.regressions` beside the sources keep
+//! earlier failures, and those run first.
 
 #![cfg(not(target_os = "none"))]
 
@@ -24,7 +23,7 @@ use proptest::prelude::ProptestConfig;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
 use tilesat_judge::cases;
 
-/// A part of the number of cases that is asked for.
+/// A part of the required number of cases.
 pub(crate) fn config(divisor: u32) -> ProptestConfig {
     ProptestConfig {
         cases: (cases(4000) / divisor).max(1),

@@ -12,8 +12,8 @@ use tilesat_judge::shapes::level::Level;
 
 const SIZE: P = (6, 5);
 
-/// A small world, a body at a free place of it and a velocity. Tiles that the body lies over are
-/// taken out, so that places shrink too.
+/// A small world, a body at a free position of it and a velocity. It removes tiles that the body
+/// overlaps, so that positions can shrink too.
 #[derive(Clone, Debug)]
 pub(crate) struct Scene {
     pub(crate) level: Level,
@@ -75,7 +75,7 @@ impl Scene {
         self.body.step(&mover((0, -1), response), &self.level.all(), self.v).unwrap()
     }
 
-    /// The same call in another view, seen upright again: everything but the order and the names of
+    /// The same call in another view, seen upright again. Everything but the order and the names of
     /// hits.
     fn seen(&self, views: &[View]) -> (Body, P, P, Option<u32>) {
         let dir = |v: P| views.iter().fold(v, |v, view| view.direction(v));
@@ -103,8 +103,8 @@ proptest! {
         }
     }
 
-    /// Transposed and turned: the same first moment, and the same bits where x and y are no tie of
-    /// a corner of the motion.
+    /// Transposed and turned: the same first moment. The same bits if no tie of x and y at a corner
+    /// is involved.
     #[test]
     fn p6_p9_transposed_worlds(s in scenes(1)) {
         let here = s.seen(&[]);
@@ -130,7 +130,7 @@ proptest! {
         prop_assert!(len2(s.step(s.response).v) <= len2(s.v));
     }
 
-    /// What is left of the velocity does not lead into a plane that was hit and is touched still.
+    /// The remaining velocity does not lead into a plane that was hit and is still touched.
     #[test]
     fn p15_not_into_what_is_touched(s in scenes(1)) {
         let out = s.step(Response::Slide);
@@ -138,8 +138,8 @@ proptest! {
             let n = (i128::from(last.axis.x), i128::from(last.axis.y));
             prop_assert!(n.0 * i128::from(out.v.0) + n.1 * i128::from(out.v.1) >= 0, "{:?} along {:?}", out.v, last.axis);
         }
-        // Going on from there by what is left of the velocity starts with no hit on a plane that
-        // was hit before. (An arc is no plane: its tangent turns.)
+        // A next call with the remaining velocity does not start with a hit on a plane that was hit
+        // before. (An arc is not a plane: its tangent turns.)
         let on = Scene { body: out.body, v: out.v, ..s.clone() };
         let next = on.step(Response::Touch);
         if let (Some(hit), Body::Rect(..)) = (next.hits.first(), s.body) {
@@ -150,7 +150,7 @@ proptest! {
         }
     }
 
-    /// Without a velocity nothing happens, and a body that has come to rest stays where it is.
+    /// Without a velocity nothing happens, and a resting body stays at its position.
     #[test]
     fn p16_nothing_without_a_velocity(s in scenes(1)) {
         let out = s.step(s.response);
@@ -159,8 +159,8 @@ proptest! {
         prop_assert_eq!((again.body, again.v, again.hits.len()), (out.body, (0, 0), 0));
     }
 
-    /// Up to 16 cells a frame: neither the end nor any of 32 places before the first contact is in
-    /// the solid.
+    /// Up to 16 cells per frame: neither the end nor any of 32 positions before the first contact
+    /// is in the solid.
     #[test]
     fn p20_no_tunnels(s in scenes(16)) {
         let room = Room::new(&s.level);
@@ -175,9 +175,9 @@ proptest! {
     }
 }
 
-/// A hash of 100 000 frames of circles and boxes with all responses: the same on every machine and
-/// at every level of optimisation. A change of it is a change of results, and belongs in the
-/// changelog; `TILESAT_WRITE=1` accepts it.
+/// A hash of 100 000 frames of circles and boxes with all responses. It is the same on every
+/// machine and at every level of optimisation. A change of it is a change of results, and belongs
+/// in the changelog. `TILESAT_WRITE=1` accepts it.
 #[test]
 fn p24_hash_of_frames() {
     let mut r = Random::new(24);

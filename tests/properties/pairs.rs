@@ -1,4 +1,4 @@
-//! Two shapes that do not move: P1 to P4, P23, P27.
+//! Two shapes at rest: P1 to P4, P23, P27.
 
 use super::config;
 use super::scenes::{extremes, pairs};
@@ -29,7 +29,7 @@ fn whole(n: i64) -> BigRational {
 proptest! {
     #![proptest_config(config(1))]
 
-    /// A on B is B on A; contacts mirror each other to the bit, degenerate ones in what is not a
+    /// A on B is B on A. Contacts mirror each other to the bit; for degenerate ones, except for the
     /// convention.
     #[test]
     fn p1_exchanged((a, b) in pairs()) {
@@ -52,7 +52,7 @@ proptest! {
     fn p2_pushed_out((a, b) in pairs()) {
         for (a, b) in [(a, b), (b, a)] {
             if let Some(contact) = kernel::contact(&a, &b) {
-                // Out of the domain, the exact judge still knows.
+                // Outside the domain, the exact judge still knows.
                 let free = a.moved(point(contact.push_out()));
                 prop_assert!(!Pair::new(&free, &b).exact.overlaps(), "{:?}", contact.push_out());
                 if let Some(free) = kernel::translated(&a, point(contact.push_out())) {
@@ -73,8 +73,8 @@ proptest! {
         }
     }
 
-    /// The distance is that to the closest point, which is rounded to nearest: exact for boxes, at
-    /// most 0.71 raw off for others.
+    /// The distance is the distance to the closest point, which is rounded to nearest. It is exact
+    /// for boxes, and at most 0.71 raw off for others.
     #[test]
     fn p4_distance_and_closest_point((a, b) in pairs()) {
         let p = b.vertices()[0];
@@ -84,7 +84,8 @@ proptest! {
         prop_assert!(square >= i128::from((d - slack).max(0)).pow(2), "{d} {x:?}");
         prop_assert!(square < i128::from(d + 1 + slack).pow(2), "{d} {x:?}");
         prop_assert_eq!(kernel::contains_point(&a, p), x == p && d == 0 && kernel::touches(&a, &Figure::Circle { centre: p, radius: 0 }));
-        // Two shapes: points exactly where they are apart, and as far from each other.
+        // Two shapes have closest points exactly if they are apart, and the points are as far from
+        // each other.
         let points = kernel::closest_points(&a, &b);
         prop_assert_eq!(points.is_none(), kernel::touches(&a, &b));
         if let Some((p, q)) = points {

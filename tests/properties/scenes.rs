@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use tilesat_judge::oracle::figure::{Figure, Kind, LIMIT, PAIRS, Point};
 use tilesat_judge::oracle::generate::{CLASSES, Pairs, aabb};
 
-/// Numbers of a shape before it has a kind: two points and a radius.
+/// The numbers of a shape without its kind: two points and a radius.
 type Bare = (Point, Point, i64);
 
 fn made(kind: Kind, (p, q, r): Bare) -> Figure {
@@ -23,13 +23,13 @@ fn bare(n: std::ops::RangeInclusive<i64>) -> impl Strategy<Value = Bare> {
     (point(n.clone()), point(n.clone()), n)
 }
 
-/// What lattice scenes are multiplied by: 1 raw shapes, odd sizes, whole units, and as large as the
-/// domain takes (8 lattice steps).
+/// Factors for lattice scenes: 1 raw shapes, odd sizes, whole units, and the greatest in the domain
+/// (8 lattice steps).
 const UNITS: [i64; 6] = [1, 3, 1 << 16, 65_537, 1 << 21, (LIMIT - 8) / 24];
 
-/// A few points of a lattice of any spacing, so that touches, shared corners and ties are common,
-/// 3-4-5 triples among them; then every number moved by up to 2 raw in half of the cases; then all
-/// of it moved far away in some.
+/// A few points of a lattice of any spacing. So touches, shared corners and ties are frequent, with
+/// 3-4-5 triples. In half of the cases, then every number moves by up to 2 raw. In some, then all
+/// of it moves far away.
 fn lattice() -> impl Strategy<Value = (Figure, Figure)> {
     let jitter = prop_oneof![Just(0i64), 1i64..=2];
     let far = prop_oneof![3 => Just((0, 0)), 1 => point(-LIMIT..=LIMIT)];
@@ -61,8 +61,8 @@ fn lattice() -> impl Strategy<Value = (Figure, Figure)> {
         .prop_filter("outside of the domain", |(a, b)| a.in_domain() && b.in_domain())
 }
 
-/// Those of the exact judge's own tests: uniform, near touching, touching, far, whole domain, deep.
-/// A seed does not shrink.
+/// The classes of the exact judge's own tests: uniform, near touching, touching, far, whole domain,
+/// deep. A seed does not shrink.
 fn generated() -> impl Strategy<Value = (Figure, Figure)> {
     (0..PAIRS.len(), 0..CLASSES.len(), any::<u64>())
         .prop_map(|(pair, class, seed)| Pairs::new(PAIRS[pair], CLASSES[class], seed).next())
@@ -88,8 +88,8 @@ pub(crate) fn extremes() -> impl Strategy<Value = (Figure, Figure)> {
         .prop_filter("outside of the domain", |(a, b)| a.in_domain() && b.in_domain())
 }
 
-/// A motion of A that leads through, from or to its place, give or take a raw unit; `None` where
-/// that leaves the domain.
+/// A motion of A that leads through, from or to its position, within a raw unit. `None` if it
+/// leaves the domain.
 pub(crate) fn motions() -> impl Strategy<Value = (Figure, Figure, Point)> {
     let direction = prop_oneof![point(-8..=8), (-8i64..=8).prop_map(|x| (x, 0)), (-8i64..=8).prop_map(|y| (0, y))];
     let unit = prop_oneof![Just(1i64), Just(3), Just(1 << 16), Just(65_537), Just(1 << 21)];

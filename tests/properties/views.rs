@@ -1,4 +1,4 @@
-//! The same scene seen otherwise: P5 to P9, of pairs and of casts.
+//! Other views of the same scene: P5 to P9, for pairs and casts.
 
 use super::config;
 use super::scenes::{motions, pairs};
@@ -19,8 +19,8 @@ type Exit = (i64, Option<[Point; 3]>);
 /// Overlaps, touches, contains, distance, contact.
 type Answers = (bool, bool, bool, i64, Option<Exit>);
 
-/// All that two shapes answer, directions mapped; a degenerate contact without its axis, which is a
-/// convention.
+/// All answers of two shapes, with mapped directions. A degenerate contact has no axis here: it is
+/// a convention.
 fn answers(a: &Figure, b: &Figure, map: impl Fn(Point) -> Point) -> Answers {
     let contact = kernel::contact(a, b).map(|c| {
         let n = c.normal().raw();
@@ -90,8 +90,8 @@ proptest! {
         }
     }
 
-    /// Booleans are those of the scene times a power of two; a depth, rounded up, is at most as
-    /// many times larger.
+    /// Booleans equal those of the scene times a power of two. A depth, rounded up, grows by at
+    /// most that factor.
     #[test]
     fn p8_scaled((a, b, d) in motions(), j in 1u32..=16) {
         let (c, e) = (scaled(&a, j), scaled(&b, j));

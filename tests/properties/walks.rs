@@ -1,4 +1,4 @@
-//! Grids that rays and segments walk through: P21, P22, P25.
+//! Rays and segments that walk through grids: P21, P22, P25.
 
 use super::config;
 use proptest::prelude::*;
@@ -45,8 +45,8 @@ impl Lattice {
 }
 
 /// The moments and cells at which a ray crosses the lines of one axis: 2^-30 parts rounded down,
-/// the cell beyond the line along the axis, and across it one cell, or two where it is on a line of
-/// the other axis.
+/// and the cell beyond the line along the axis. Across it, one cell, or two on a line of the other
+/// axis.
 fn crossings(
     g: &Lattice,
     (o, across): (i64, i64),
@@ -54,14 +54,14 @@ fn crossings(
     (o0, a0): (i64, i64),
 ) -> Vec<(u32, i64, Vec<i64>)> {
     let lines = (0..=SIDE).map(|k| o0 + k * g.cell);
-    // A one-way edge is met from in front of it or from on it.
+    // A ray meets a one-way edge from in front of it or from on it.
     let mut found: Vec<_> = lines
         .filter(|&line| (line - o) * d.signum() >= 0 && (line - o).abs() <= d.abs())
         .map(|line| {
             let (num, den) = (i128::from((line - o).abs()), i128::from(d.abs()));
             let toi = ((num << 30) / den) as u32;
             let cell = if d > 0 { (line - o0) / g.cell } else { (line - o0) / g.cell - 1 };
-            // Where it is then across, times den.
+            // Its position across then, times den.
             let at = i128::from(across - a0) * den + i128::from(along) * num;
             let size = i128::from(g.cell) * den;
             let first = at.div_euclid(size) as i64;
@@ -79,8 +79,8 @@ fn crossings(
 proptest! {
     #![proptest_config(config(1))]
 
-    /// A level that is nothing but edges toward one side tells each line that a ray crosses, and
-    /// the cell beyond: exactly those of the definition, in order.
+    /// A level of only edges toward one side reports each line that a ray crosses, and the cell
+    /// beyond: exactly those of the definition, in order.
     #[test]
     fn p21_walked_cells(g in grids(), from in (place(), place()), to in (place(), place())) {
         let (o, e) = (g.at(from), g.at(to));
@@ -122,8 +122,8 @@ proptest! {
         }
     }
 
-    /// The work of a call: at most four sweeps, and no more features than the cells under the
-    /// motion have.
+    /// The work of a call: at most four sweeps, and at most the features of the cells under the
+    /// motion.
     #[test]
     fn p25_bounded_work(seed in any::<u64>(), fast in 0i64..=2000, x in -8i64..=8, y in -8i64..=8, round in any::<bool>()) {
         let mut r = Random::new(seed);
@@ -139,9 +139,9 @@ proptest! {
             let v = (x * fast * PX / 8, y * fast * PX / 8);
             let out = body.step(&Mover::platformer(Axis::NEG_Y), &level.all(), v).unwrap();
             prop_assert!(out.work.iterations <= Mover::ITERATIONS && out.hits.len() as u32 <= out.work.iterations);
-            // Cells under the box around the whole motion and one ring; no cell has more than eight
-            // faces, corners and arcs. A place is looked for among at most nine, twice for each
-            // sweep.
+            // Cells under the box around the whole motion and one ring. No cell has more than eight
+            // faces, corners and arcs. The search for a position looks at up to nine, twice for
+            // each sweep.
             let (lo, hi) = body.bounds();
             let cells = |lo: i64, hi: i64, d: i64| (hi - lo + d.abs()) / cell + 4;
             let most = cells(lo.0, hi.0, v.0) * cells(lo.1, hi.1, v.1) * 8 * i64::from(Mover::ITERATIONS);

@@ -1,5 +1,4 @@
-//! Rays through scenes that are known by name, and what other engines' tests ask of a ray against a
-//! box.
+//! Rays through named scenes, and cases of other engines' tests about a ray against a box.
 
 use tilesat::{Axis, Cell, Fx, Inside, Outside, Quantity, RangeError, RayHit, TileKind, TileKinds, TileMap, Toi, Vec2};
 
@@ -58,8 +57,8 @@ fn ray_against_one_box() {
     assert_eq!(between(&offset, ints(97, -50), ints(103, -50)).unwrap().toi, third);
 }
 
-/// impact-rs: the answer of 4/3 motions, whose own test expects 1.33332; here as 2/3 of twice the
-/// motion, exactly floored.
+/// impact-rs: the answer of 4/3 motions, for which its own test expects 1.33332. Here as 2/3 of
+/// twice the motion, exactly floored.
 #[test]
 fn ray_against_a_far_box() {
     // 6 x 8 units from (5, 6): tiles of 2 units.
@@ -70,7 +69,7 @@ fn ray_against_a_far_box() {
 }
 
 /// parry's segment and triangle cases, as far as a box has them: on the surface, just outside,
-/// pointing away, the ends included.
+/// pointing away, including the ends.
 #[test]
 fn ray_at_a_wall() {
     // A wall of x in [0, 2], y in [-10, 10].
@@ -128,8 +127,8 @@ fn through_a_grid_corner() {
     assert_eq!(at(cast("....\n#...\n....\n....")), Some((ints(16, 16), Axis::NEG_Y, Cell::new(0, 1))));
     assert_eq!(at(cast("....\n.#..\n....\n....")), Some((ints(16, 16), Axis::NEG_X, Cell::new(1, 1))));
     assert_eq!(at(cast("....\n....\n....\n....")), None);
-    // None on the way: four cells on the diagonal, three corners of two lines each; the wall beyond
-    // counts the work.
+    // None on the way: four cells on the diagonal, and three corners of two lines each. The wall
+    // beyond counts the work.
     let end = cast("....\n....\n....\n...#").unwrap();
     assert_eq!((end.point, end.cells), (ints(48, 48), 7));
     // From the other side, and the other diagonal.
@@ -158,7 +157,7 @@ fn starts_on_a_border() {
     assert_eq!(cast(-3 * one / 2, -one, 0, -1), None);
     assert_eq!(cast(-3 * one / 2, 0, 0, -1), Some((0, Axis::Y, cell)));
     assert_eq!(cast(-3 * one / 2, 0, 0, 1), None);
-    // One raw outside of the border: -1 raw lies in cell -1, not in cell 0.
+    // One raw outside the border: -1 raw lies in cell -1, not in cell 0.
     assert_eq!(map.cell_at(raw(-1, -1)), Cell::new(2, 1));
     assert_eq!(map.cell_at(raw(0, 0)), Cell::new(3, 2));
     assert_eq!(cast(-2 * one - 1, mid, 1, 0), Some((1 << 14, Axis::NEG_X, cell)));

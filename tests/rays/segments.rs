@@ -1,4 +1,4 @@
-//! Rays against segment maps: every hit in order, against each piece of the boundary on its own.
+//! Rays against segment maps: every hit in order, against each piece of the boundary separately.
 
 use tilesat::{Inside, SegmentMap, world::RayRules};
 use tilesat_judge::segments::rays::{check, faces};

@@ -1,4 +1,4 @@
-//! Rays through scenes that are known by name, with slopes, halves and arcs.
+//! Rays through named scenes, with slopes, halves and arcs.
 
 use tilesat::{
     AllShapes, Axis, Cell, Fx, Inside, Outside, RayHit, TileKind, TileKinds, TileMap, TileShape, Toi, Vec2,
@@ -43,17 +43,18 @@ fn along_a_grid_line() {
     // A slope that starts on the line is met where it rises above it, from both sides of the line.
     assert_eq!(at(between(&map("..../\n....."), ints(0, 16), ints(80, 16))), Some((ints(64, 16), Axis::new(-1, -1))));
     assert_eq!(at(between(&map("..../\n#####"), ints(0, 16), ints(80, 16))), Some((ints(64, 16), Axis::new(-1, -1))));
-    // From the other side its upright side is met, at its end.
+    // From the other side, the ray meets its upright side at its end.
     assert_eq!(at(between(&map("..../\n....."), ints(100, 16), ints(0, 16))), Some((ints(80, 16), Axis::X)));
-    // A pipe rises from the line as a tangent. Over a floor the ray goes between two solids there.
+    // A pipe rises from the line as a tangent. Over a floor, the ray goes between two solids there.
     let pipe = Some((ints(64, 16), Axis::NEG_Y));
     assert_eq!(at(between(&map("....)\n#####"), ints(0, 16), ints(80, 16))), pipe);
     assert_eq!(at(between(&map("....)\n....."), ints(0, 16), ints(80, 16))), pipe);
-    // A disc's end is on the line: a tangent to it misses, its foot is met.
+    // A disc's end is on the line: a tangent to it misses, and a ray meets its foot.
     assert_eq!(at(between(&map("d.\n.."), ints(16, 0), ints(16, 12))), None);
     assert_eq!(at(between(&map("d.\n.."), ints(16, 30), ints(16, 0))), Some((ints(16, 16), Axis::Y)));
     assert_eq!(at(between(&map("d.\n.."), ints(30, 0), ints(-8, 0))), None);
-    // Along the middle of cells: the top of halves is slid along, the corner at its start is met.
+    // Along the middle of cells: it slides along the top of halves, and meets the corner at its
+    // start.
     assert_eq!(at(between(&map(".___"), ints(0, 8), ints(64, 8))), Some((ints(16, 8), Axis::NEG_X)));
     assert_eq!(at(between(&map("____"), ints(0, 8), ints(64, 8))), None);
     assert_eq!(at(between(&map("__#_"), ints(0, 8), ints(64, 8))), Some((ints(32, 8), Axis::NEG_X)));
@@ -68,7 +69,7 @@ fn through_a_corner() {
         let hit = between(&map(text), ints(0, 0), ints(64, 64)).unwrap_or_else(|| panic!("{text}"));
         assert_eq!(hit.point, ints(16, 16), "{text}");
     }
-    // Two pipes touch with their ends; between a slope and a disc there is a gap of one point.
+    // Two pipes touch with their ends. Between a slope and a disc there is a gap of one point.
     let cast = |text, from, to| at(between(&map(text), from, to));
     assert_eq!(cast(".)..\n....", ints(0, 0), ints(32, 32)), Some((ints(16, 16), Axis::NEG_Y)));
     assert_eq!(cast("..\n(.", ints(32, 16), ints(0, 48)), Some((ints(16, 32), Axis::NEG_Y)));
@@ -152,7 +153,7 @@ fn exactly_to_the_surface() {
     }
 }
 
-/// Torture scene 21: joints of two pieces give one hit, whatever they are.
+/// Torture scene 21: joints of two pieces give one hit, whatever the pieces are.
 #[test]
 fn at_joints() {
     // Slope to slope, convex ridge, concave valley, slope to flat, pipe to floor.
@@ -171,7 +172,7 @@ fn at_joints() {
     }
 }
 
-/// Torture scene 35: one-way edges are passed, or met from their side.
+/// Torture scene 35: a ray passes one-way edges, or meets them from their side.
 #[test]
 fn one_way_edges() {
     for (text, down) in [("...\n.^.\n...", true), ("...\n.v.\n...", false)] {
@@ -200,7 +201,7 @@ fn one_way_edges() {
     assert_eq!(hits(ints(40, 8), ints(-8, 8)), [ints(16, 8)]);
 }
 
-/// Through everything: in at one side of each solid, out at the other is no hit.
+/// Through everything: in at one side of each solid. Out at the other is no hit.
 #[test]
 fn all_hits_in_order() {
     let level = map("/d.(_#");
@@ -209,11 +210,11 @@ fn all_hits_in_order() {
     assert_eq!(found, [(0, 8), (3, 3), (4, 3)]);
     let from_inside = level.cast_ray_all(ints(20, 8), ints(100, 0), Inside::Hit).unwrap();
     let found: Vec<_> = from_inside.map(|h| (h.cell.x, h.inside)).collect();
-    // Along the top of the half, whose corner is met.
+    // Along the top of the half, whose corner it meets.
     assert_eq!(found, [(1, true), (3, false), (4, false), (5, false)]);
 }
 
-/// Half an edge goes on beyond the map as half a band; a closed room has walls.
+/// Half an edge continues beyond the map as half a band. A closed room has walls.
 #[test]
 fn outside() {
     let level = map("_").with_outside(Outside::Edge);
@@ -230,8 +231,8 @@ fn outside() {
     assert!(!room.line_of_sight(ints(20, 1), ints(21, 1)).unwrap()); // in the wall
 }
 
-/// A disc that touches a floor or another disc closes the way along the tangent: what is behind the
-/// point is solid.
+/// A disc that touches a floor or another disc closes the way along the tangent: behind the point
+/// is solid.
 #[test]
 fn into_the_gap_between_an_arc_and_what_it_touches() {
     static IDS: TileKinds = TileKinds::EMPTY

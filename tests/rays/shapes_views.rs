@@ -1,4 +1,4 @@
-//! The same scene seen otherwise: as blocks, mirrored, transposed, moved. The hits are the same,
+//! Other views of the same scene: as blocks, mirrored, transposed, shifted. The hits are the same,
 //! bit for bit.
 
 use tilesat::{Axis, Blocks, Inside, Outside, RayHit, TileKind, TileKinds, TileMap, TileShape, Vec2, world::RayRules};
@@ -26,8 +26,8 @@ static BLOCKS: TileKinds = {
     kinds
 };
 
-/// A level of blocks answers the same whether its set has slopes or not, and whether one hit is
-/// asked for or all.
+/// A level of blocks gives the same answers with a set with slopes and without, for one hit and for
+/// all.
 #[test]
 fn blocks_are_the_same_in_any_set() {
     let mut random = Random::new(11);
@@ -78,7 +78,7 @@ fn turned_id(id: u8, turn: impl Fn(Point) -> Point, one_way: [u8; 4]) -> u8 {
     flags | (0..34).find(|&other| key(other, &|p| p) == wanted).unwrap()
 }
 
-/// Whether two normals at this point can be as good in all but the side that they are on.
+/// Whether two normals at this point can be equally good in all but their side.
 fn is_vertex(level: &Level, p: Vec2) -> bool {
     let on = |v: i32, origin: i64| (i64::from(v) - origin) % (level.cell / 2) == 0;
     on(p.raw().0, level.origin.0) && on(p.raw().1, level.origin.1)
@@ -135,7 +135,7 @@ fn mirrored_transposed_and_moved_scenes_give_the_same_bits() {
                     "mirror: {}",
                     case()
                 );
-                // Straight along y, a ridge has two normals that are as good.
+                // Straight along y, a ridge has two equally good normals.
                 if d.0 != 0 {
                     assert_eq!(a.axis, Axis::new(-b.axis.x, b.axis.y), "mirror: {}", case());
                 }

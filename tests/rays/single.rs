@@ -1,5 +1,5 @@
-//! Rays against single shapes: every one of a small lattice against the exact judge; tiles and
-//! walls of levels, which are the same sets; and what other engines' tests ask.
+//! Rays against single shapes: every one of a small lattice against the exact judge. Tiles and
+//! walls of levels, which are the same sets. Cases of other engines' tests.
 
 use tilesat::{
     Aabb, Axis, CastHit, Circle, Fx, Inside, Path, PathKind, Quantity, RangeError, Segment, SegmentMap, TileKind,
@@ -25,8 +25,8 @@ fn cast(shape: &Figure, o: Point, d: Point, inside: Inside) -> Option<CastHit> {
     .expect("inside the domain")
 }
 
-/// Whether the ray is stopped: where it comes to the closed set from outside, a tangent of a disc
-/// aside; from the border where it goes in; from on what has no inside where it leaves its line.
+/// Whether the ray stops: it enters the closed set from outside, except for a tangent of a disc.
+/// From the border it must go in. From a set without an inside, it must leave the set's line.
 fn is_stopped(set: &Forbidden, d: Point) -> bool {
     let flat = set.radius == 0 && set.hull.len() < 3;
     if set.touched::<i128>(d, 0) {
@@ -36,7 +36,7 @@ fn is_stopped(set: &Forbidden, d: Point) -> bool {
         let e = (set.hull.last().unwrap().0 - set.hull[0].0, set.hull.last().unwrap().1 - set.hull[0].1);
         return d != (0, 0) && (e == (0, 0) || e.0 * d.1 != e.1 * d.0);
     }
-    // A tangent does not go in however far it leads.
+    // A tangent does not go in, however far it leads.
     set.touched::<i128>(d, ONE) && (set.radius == 0 || set.met::<i128>((d.0 * 2, d.1 * 2), ONE))
 }
 
@@ -103,7 +103,7 @@ fn a_tile_is_a_box() {
     }
 }
 
-/// One wall is a segment, save that a level has no face that stops a ray along the wall.
+/// One wall is a segment, except that a level has no face that stops a ray along the wall.
 #[test]
 fn a_wall_is_a_segment() {
     let ends = [(0, 0), (2 * UNIT, UNIT)];

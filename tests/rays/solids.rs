@@ -1,6 +1,6 @@
-//! Rays against a list of solids are rays against the level of tiles that has the same cells full:
-//! every hit, in order, with one-way boxes, from inside and from borders; and joined with tiles
-//! that hold a part of them.
+//! Rays against a list of solids equal rays against the level of tiles with the same full cells:
+//! every hit, in order, with one-way boxes, from inside and from borders. Also joined with tiles
+//! that contain a part of them.
 
 use tilesat::{
     AllShapes, Axis, Fx, Grid, Inside, Joined, Path, PathKind, RayHit, Side, Solid, Solids, TileKind, TileKinds,
@@ -29,7 +29,7 @@ const RULES: [RayRules; 4] = [
 struct Scene {
     boxes: Vec<Solid>,
     union: [u8; 25],
-    /// A part of the union, as tiles; `rest` is a part of the boxes that holds what is left.
+    /// A part of the union, as tiles. `rest` is a part of the boxes that covers the remainder.
     part: [u8; 25],
     rest: Vec<Solid>,
 }
@@ -51,7 +51,7 @@ fn scene(random: &mut Random) -> Scene {
             ][k as usize]
                 .clone();
             let cells: Vec<usize> = ys.flat_map(|j| xs.clone().map(move |i| (j * SIDE + i) as usize)).collect();
-            // Where it lay in a full tile, the level of tiles would not have it.
+            // The level of tiles would not have it where it lay in a full tile.
             if cells.iter().any(|&c| s.union[c] > 0) {
                 continue;
             }
@@ -91,14 +91,14 @@ fn place(random: &mut Random) -> P {
     (one(random), one(random))
 }
 
-/// Of a solid and a one-way face at one moment it may be either.
+/// For a solid and a one-way face at one moment, it may be either.
 type Seen = (Toi, Vec2, Axis, bool);
 
 fn seen(hit: RayHit) -> Seen {
     (hit.toi, hit.point, hit.axis, hit.inside)
 }
 
-/// The box that a hit names has that face there, or holds the start.
+/// The box that a hit names has that face there, or contains the start.
 fn named(list: &[Solid], hit: &RayHit, case: &str) {
     let holder = list.iter().find(|s| Some(s.key()) == Solids::key_of(hit.cell)).unwrap();
     let (lo, hi, p) = (raw(holder.shape().min()), raw(holder.shape().max()), raw(hit.point));
@@ -119,7 +119,7 @@ fn map(tiles: &[u8]) -> TileMap<'_, AllShapes> {
     TileMap::<AllShapes>::of(tiles, grid, &KINDS).unwrap()
 }
 
-/// All hits by all rules of one ray; how many there were.
+/// All hits by all rules of one ray. Returns how many there were.
 fn alone(s: &Scene, union: &TileMap<'_, AllShapes>, o: P, e: P) -> usize {
     let (start, motion) = (vec2(o), vec2((e.0 - o.0, e.1 - o.1)));
     let boxes = Solids::new(&s.boxes);
@@ -158,7 +158,7 @@ fn rays_see_the_union_of_the_boxes() {
 }
 
 /// From every point of the lattice of half cells in and around some boxes, toward a third of them,
-/// each way.
+/// in both directions.
 #[test]
 fn all_rays_of_a_lattice() {
     let half = CELL / 2;
@@ -252,12 +252,12 @@ fn a_shot_at_a_lift_in_a_level_of_segments() {
     assert_eq!((hit.point, hit.axis, hit.source, hit.flags), (Vec2::from_ints(40, 40), Axis::NEG_Y, 1, 6));
     assert_eq!(Solids::key_of(hit.cell), Some(65_535));
     assert_eq!(Solids::key_of(down(&lift, 8).cell), None);
-    // It is gone from there after its motion.
+    // It has moved away after its motion.
     lift[0] = lift[0].with_motion(Vec2::from_ints(20, 0)).unwrap();
     Solid::move_all(&mut lift);
     assert_eq!((down(&lift, 40).point, down(&lift, 40).source), (Vec2::from_ints(40, 64), 0));
     assert_eq!(down(&lift, 84).point, Vec2::from_ints(84, 40));
-    // Its edge blocks; what slides along its side does not get hit, nor does what leaves it.
+    // Its edge blocks. A ray that slides along its side is not hit, nor is one that leaves it.
     let here = Solids::new(&lift);
     let slide = here.cast_ray(Vec2::from_ints(52, 44), Vec2::from_ints(0, 30), Inside::Hit).unwrap();
     assert_eq!(slide, None);

@@ -1,4 +1,4 @@
-//! Bytes that were changed at random: an error, or a value that any constructor would take.
+//! Randomly changed bytes: an error, or a value that any constructor would accept.
 
 use crate::same::bytes;
 use crate::values::{
@@ -15,7 +15,7 @@ use tilesat::{
 use tilesat_judge::scenes::{BODIES, check, room};
 use tilesat_judge::{Random, cases};
 
-/// Some bytes are other ones, some are gone, some are new; how many were still read.
+/// Changes, removes and adds bytes. Returns how many values were still read.
 fn corrupted<T: Serialize + DeserializeOwned>(value: &T, times: u64, mut valid: impl FnMut(T)) -> u64 {
     let written = bytes(value);
     let mut read = 0;
@@ -115,7 +115,7 @@ fn parts_of_games_never_panic() {
     assert!(read > 5000, "hardly anything is read: {read}");
 }
 
-/// A scene that is read has all that it keeps twice twice the same, and makes steps.
+/// A scene that was read has equal copies of everything that it keeps twice, and makes steps.
 fn scenes<B: BroadPhase<Tag = SceneTag> + Copy + Serialize + DeserializeOwned>(near: B) {
     let map = room();
     let mut read = 0;

@@ -1,5 +1,5 @@
-//! States that were written and read again: to the same bits, or not at all.
-//! `cargo test --test saved --features serde`.
+//! Saved and restored states: the same bits, or an error. `cargo test --test saved --features
+//! serde`.
 
 #![cfg(all(feature = "serde", not(target_os = "none")))]
 

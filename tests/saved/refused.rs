@@ -1,4 +1,4 @@
-//! What is wrong is refused, with what and where.
+//! A wrong state is refused, with the fault and its place.
 
 use crate::values::{EDGE, Near, bouncer, grid, heroes, lists, rope, rubber, scene, solids, walker};
 use core::fmt::Debug;
@@ -14,7 +14,7 @@ use tilesat::{
 };
 use tilesat_judge::scenes::BODIES;
 
-/// A value that is right, with one place that is not, is refused by these words.
+/// A correct value with one wrong part is refused with these words.
 fn refused<T: Serialize + DeserializeOwned + Debug>(value: &T, path: &str, to: Value, words: &[&str]) {
     let mut form = to_value(value).unwrap();
     let place = form.pointer_mut(path).unwrap_or_else(|| panic!("no {path}: {:?}", to_value(value)));
@@ -97,7 +97,7 @@ fn lists_of_pairs() {
     );
 }
 
-/// Every list that a scene has says something of all slots, and what one says the others have to.
+/// Every list of a scene describes all slots, and the lists must agree.
 #[test]
 fn scenes() {
     let one = scene(Near::new(), 3, 26);
@@ -144,7 +144,7 @@ fn scenes() {
     say(&format!("/bodies/{path}/body/shape/Aabb/min/x/bits"), json!(box_), &["Scene", "another box"]);
 }
 
-/// An order that would be used as it is has to be one.
+/// An order that is used unchanged must be one.
 #[test]
 fn orders_of_what_has_not_moved() {
     use tilesat::broad::{BroadPhase, SortSweep};

@@ -1,4 +1,4 @@
-//! What was read is what was written, bit for bit, through bytes and through text.
+//! A restored state equals the saved one, bit for bit, through bytes and through text.
 
 use crate::values::{Near, bouncer, grid, hash, heroes, lists, rope, rubber, scene, shapes, solids, springs, walker};
 use core::fmt::Debug;
@@ -50,7 +50,7 @@ fn plain_states_are_the_same() {
     assert!(events.iter().count() > 2 && again(&events).iter().eq(events.iter()));
 }
 
-/// What is linked for bounces is not written; it comes back with the table.
+/// The code linked for bounces is not written. It returns with the table.
 #[test]
 fn a_table_of_responses_still_bounces() {
     static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL.with_flags(2));
@@ -74,7 +74,7 @@ fn a_hero_goes_on_the_same() {
     }
 }
 
-/// What only saves time is not written.
+/// Caches are not written.
 #[test]
 fn a_memo_is_read_empty() {
     let level = room();

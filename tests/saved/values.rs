@@ -1,4 +1,4 @@
-//! Values of every kind of state, the awkward ones among them.
+//! Values of every kind of state, including unusual ones.
 
 use core::num::NonZeroU8;
 use tilesat::broad::{BroadPhase, Exceptions, Ignore, LooseGrid, PairEvents, SortSweep, SpatialHash};
@@ -127,7 +127,8 @@ pub(crate) fn hash() -> Hash {
     Hash::new(fx!(16)).unwrap()
 }
 
-/// A scene in which some sleep, some fly, some are fixed, and slots were freed and taken again.
+/// A scene in which some bodies sleep, some fly and some are fixed, with slots that were freed and
+/// reused.
 pub(crate) fn scene<B: BroadPhase<Tag = SceneTag>>(near: B, seed: u64, frames: u32) -> Scene<B, BODIES> {
     let mut random = Random::new(seed);
     let mut scene = Scene::new(near);

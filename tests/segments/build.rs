@@ -1,5 +1,5 @@
-//! The tables of segment maps: which cells a segment meets, what is inside, what is left of shared
-//! edges, where the boundary goes on.
+//! The tables of segment maps: the cells of a segment, the inside, the rest of shared edges, and
+//! where the boundary continues.
 //!
 //! `TILESAT_CASES` sets the number of random levels of each kind (default 1500).
 
@@ -116,14 +116,14 @@ fn the_domain_from_corner_to_corner() {
     check_winding(&level, &polygon_edges(&shapes));
 }
 
-/// A wall across the domain with a bend of a raw unit or none: a vertex on the side toward which it
-/// bulges, exactly.
+/// A wall across the domain with a bend of a raw unit or none. A vertex exactly on the side toward
+/// which it bulges.
 #[test]
 fn bends_of_a_raw_unit_at_any_length() {
     let (lo, hi) = (1 - (1 << 29), (1 << 29) - 1);
     for turn in [-2, -1, 0, 1, 2] {
         for p in [(1, 0), (1, 7), (123_456_789, 98_765_432), (-3, -400_000_000)] {
-            // From one corner through p toward its mirror image, and `turn` beside it.
+            // From one corner through p toward its mirror image, with `turn` beside it.
             let a = (lo, lo + 5);
             let b: (i64, i64) = (2 * p.0 - a.0, 2 * p.1 - a.1 + turn);
             if b.0 > hi || b.1 > hi || b.0 < lo || b.1 < lo {

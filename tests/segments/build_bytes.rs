@@ -1,5 +1,4 @@
-//! Bytes that are no level: cut, changed, made up. An error, whatever they are; and what is taken
-//! is right.
+//! Bytes that are no level: cut, changed, made up. All give an error, or a correct map.
 //!
 //! `TILESAT_CASES` sets the number of hostile levels (default 20 000).
 
@@ -62,7 +61,7 @@ fn every_other_length_is_refused() {
     }
 }
 
-/// The house's level with one change and a checksum that fits: what is said of it.
+/// The house's level with one change and a correct checksum, and the error.
 fn said(change: impl Fn(&mut Vec<u8>)) -> SegmentMapError {
     let mut bytes = level::bytes(&house(), 256).unwrap();
     change(&mut bytes);
@@ -103,7 +102,7 @@ fn what_is_wrong_and_where() {
     assert_eq!(said(put(at(vertex, 22), &[8])), segment(0, SegmentFault::Attributes));
     assert_eq!(said(put(at(vertex, 20), &[0xff; 2])), segment(0, SegmentFault::Attributes));
     assert_eq!(said(put(at(one_way, 20), &[0; 2])), segment(one_way as u16, SegmentFault::Next));
-    // What is next: not there, elsewhere, ending there, at a concave corner.
+    // The next segment: missing, elsewhere, ending there, at a concave corner.
     assert_eq!(said(put(at(vertex, 20), &[200, 0])), segment(0, SegmentFault::Next));
     assert_eq!(said(put(at(vertex, 20), &[2, 0])), segment(0, SegmentFault::Next));
     assert_eq!(said(put(at(vertex, 20), &[0, 0])), segment(0, SegmentFault::Next));
@@ -165,7 +164,7 @@ fn a_reference_too_many_or_too_few() {
 const WORDS: [i32; 12] =
     [0, 1, -1, 2, i32::MIN, i32::MAX, 1 << 29, -(1 << 29), 1 << 30, 256, (1 << 24) - 2, i32::MIN + 1];
 
-/// Changes what a byte form is made of: fields to extremes or to other fields, tables by a little,
+/// Changes the parts of the byte form: fields to extremes or to other fields, tables slightly,
 /// lengths with the header's counts.
 fn damage(random: &mut Random, bytes: &mut Vec<u8>) {
     let words = bytes.len() as i64 / 4;
@@ -212,7 +211,7 @@ fn damage(random: &mut Random, bytes: &mut Vec<u8>) {
             bytes.resize(len as usize, random.below(256) as u8);
         }
         _ => {
-            // The user's flags alone: a level still.
+            // Only the user's flags: still a level.
             if segments > 0 && bytes.len() as i64 > 32 + 24 * segments {
                 bytes[32 + 24 * random.below(segments) as usize + 23] = random.below(256) as u8;
             }
@@ -220,7 +219,7 @@ fn damage(random: &mut Random, bytes: &mut Vec<u8>) {
     }
 }
 
-/// What queries rely on, of a level that was taken.
+/// The conditions on which queries rely, for an accepted level.
 fn check_taken(level: &Level) {
     check_refs(level);
     for s in level.segs.iter().filter(|s| s.next != NONE) {

@@ -1,4 +1,4 @@
-//! Paths that are refused, each with the place of what is wrong.
+//! Refused paths, each with the position of the fault.
 
 use tilesat::PathKind::{Hole, OneWay, Solid, Wall};
 use tilesat::{Cell, Fx, Grid, Quantity, SegmentMap, SegmentMapError, TileMapError, Vec2};
@@ -61,7 +61,7 @@ fn grids_that_do_not_fit() {
     assert_eq!(long(32_767 * 256 + 1).unwrap_err(), SegmentMapError::Grid(TileMapError::TooManyCells(32_768)));
     let found = long((1 << 29) - 1).unwrap_err();
     assert_eq!(found, SegmentMapError::Grid(TileMapError::TooManyCells(u16::MAX)));
-    // Beside the end of the domain, the grid starts before the points.
+    // Near the end of the domain, the grid starts before the points.
     let end = (1 << 29) - 1;
     let corner = [shape(Wall, &[(end - 300, end - 256), (end, end)])];
     let level = paths::level::level(&corner, 256);
@@ -76,7 +76,7 @@ fn grids_that_do_not_fit() {
 
 #[test]
 fn too_much() {
-    // Two segments for an edge of a wall, and at most 32768.
+    // Two segments per edge of a wall, and at most 32768.
     let zigzag: Vec<Point> = (0..32_769).map(|i| (i, i & 1)).collect();
     assert!(matches!(
         bytes(&[shape(Wall, &zigzag)], 1 << 16),
@@ -139,5 +139,5 @@ fn errors_say_what_and_where() {
     assert_eq!(e.__text().as_str(), "path 1, point 2: out of the domain");
     let e = SegmentMapError::TooFewPoints { path: 4_294_967_295, points: 1 };
     assert_eq!(e.__text().as_str(), "path 4294967295: too few points for its kind");
-    assert_eq!(text(SegmentMapError::TooSmall { needed: 9, found: 8 }), "room for 8 bytes where the map needs 9");
+    assert_eq!(text(SegmentMapError::TooSmall { needed: 9, found: 8 }), "the buffer has 8 bytes, but the map needs 9");
 }

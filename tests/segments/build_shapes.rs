@@ -1,5 +1,5 @@
-//! Segment maps by hand: junctions, holes, walls, loops and one-way chains; the same bytes from the
-//! compiler and at run time.
+//! Segment maps by hand: junctions, holes, walls, loops and one-way chains. The compiler and the
+//! program build the same bytes.
 
 use tilesat::PathKind::{self, Hole, OneWay, Solid, Wall};
 use tilesat::{Fx, Path, SegmentMap, SegmentMapError, Vec2, segment_map};
@@ -12,7 +12,7 @@ fn built(shapes: &[Shape]) -> Level {
     level(&placed(shapes, U, (0, 0)), 256)
 }
 
-/// The segments as lattice points, each with its joints and the start of what is next.
+/// The segments as lattice points, each with its joints and the start of the next one.
 fn ends(level: &Level) -> Vec<(Point, Point)> {
     let lattice = |(x, y): Point| (x / U, y / U);
     level.segs.iter().map(|s| (lattice(s.a), lattice(s.b()))).collect()
@@ -69,10 +69,10 @@ fn what_is_shared_is_gone() {
     let first: Vec<_> = ends(&level).into_iter().take(5).collect();
     assert_eq!(first, [((0, 0), (4, 0)), ((4, 0), (4, 1)), ((4, 2), (4, 3)), ((4, 4), (0, 4)), ((0, 4), (0, 0))]);
     assert_eq!(nexts(&level)[..5], [Some(1), None, None, Some(4), Some(0)]);
-    // Below the step's side the wall goes on to a concave corner.
+    // Below the step's side the wall continues to a concave corner.
     assert_eq!(joined(&level)[1..3], [[false, true], [true, true]]);
 
-    // The same hole takes all away; twice the same solid is twice there.
+    // The same hole removes everything. Twice the same solid is there twice.
     let level = built(&[shape(Solid, &SQUARE), shape(Hole, &SQUARE)]);
     assert!(level.segs.is_empty() && level.winding.iter().all(|&w| w == 0));
     let level = built(&[shape(Solid, &SQUARE), shape(Solid, &reversed(&SQUARE))]);
@@ -94,8 +94,8 @@ fn a_wall_on_a_floor_is_a_junction() {
     assert_eq!((down.dir, down.start_joined, down.next), ((0, -1), false, NONE));
     let top = level.segs[..4].iter().find(|s| s.dir == (-1, 0) && s.a.1 == 2 * U).unwrap();
     assert_eq!((top.len, top.start_joined, top.end_joined), (8 * U, false, false));
-    // From below it ends in the solid; a wall from the corner leaves no vertex but that around
-    // which it is reached.
+    // From below it ends in the solid. A wall from the corner leaves only the vertex around which
+    // it is reached.
     let level = built(&[shape(Solid, &floor), shape(Wall, &[(8, 2), (8, 5)])]);
     let side = level.segs[..4].iter().position(|s| s.dir == (0, 1)).unwrap();
     assert_eq!((level.segs[side].next, level.segs[side].end_joined), (NONE, true));
@@ -104,14 +104,14 @@ fn a_wall_on_a_floor_is_a_junction() {
 
 #[test]
 fn a_corner_on_an_edge_is_a_junction() {
-    // A diamond stands with a corner on the floor: two wedges less than half a turn, no vertex; its
-    // other corners are vertices.
+    // A diamond stands with a corner on the floor: two wedges of less than half a turn, no vertex.
+    // Its other corners are vertices.
     let floor = shape(Solid, &[(0, 0), (8, 0), (8, 2), (0, 2)]);
     let diamond = shape(Solid, &[(4, 2), (6, 4), (4, 6), (2, 4)]);
     let level = built(&[floor, diamond]);
     assert_eq!(nexts(&level), [Some(1), Some(2), Some(3), Some(0), Some(5), Some(6), Some(7), None]);
     assert_eq!(joined(&level)[4], [true, false]);
-    // Two squares that touch at a corner: what lies between is a quarter turn, twice.
+    // Two squares that touch at a corner: a quarter turn lies between them, twice.
     let level = built(&[shape(Solid, &SQUARE), shape(Solid, &[(4, 4), (8, 4), (8, 8), (4, 8)])]);
     assert_eq!(level.segs.iter().filter(|s| s.next == NONE).count(), 2);
     assert_eq!(level.segs.iter().filter(|s| s.start_joined).count(), 2);
@@ -128,26 +128,26 @@ fn walls_and_loops() {
     let level = built(&[shape(Wall, &[(0, 0), (4, 0), (4, 4), (0, 0)])]);
     assert_eq!(nexts(&level), [Some(2), None, Some(4), None, Some(0), None]);
     assert!(level.winding.iter().all(|&w| w == 0));
-    // Doubled back over itself, and over a polygon's edge: nothing is cancelled.
+    // Doubled back over itself, and over a polygon's edge: nothing cancels.
     assert_eq!(built(&[shape(Wall, &[(0, 0), (4, 0), (2, 0)])]).segs.len(), 4);
     assert_eq!(built(&[shape(Solid, &SQUARE), shape(Wall, &[(0, 0), (2, 0)])]).segs.len(), 6);
 }
 
 #[test]
 fn one_way_chains() {
-    // Over a peak it goes on, at its ends not; the peak is its vertex.
+    // It continues over a peak, but not at its ends. The peak is its vertex.
     let level = built(&[shape(OneWay, &[(6, 2), (4, 3), (2, 2), (0, 2)])]);
     assert_eq!(nexts(&level), [Some(1), None, None]);
     assert_eq!(joined(&level), [[false, true], [true, true], [true, false]]);
-    // Beside a solid at the same height it goes on; the solid keeps its vertex, as bodies come
-    // through from the other side.
+    // Beside a solid at the same height it continues. The solid keeps its vertex, because bodies
+    // come through from the other side.
     let level = built(&[shape(Solid, &SQUARE), shape(OneWay, &[(7, 4), (4, 4)])]);
     assert_eq!(level.segs.iter().filter(|s| s.kind == SOLID && s.next == NONE).count(), 0);
     assert_eq!(joined(&level)[4], [false, true]);
     // From the solid's vertical side, too; around its corner it does not.
     let level = built(&[shape(Solid, &SQUARE), shape(OneWay, &[(4, 1), (7, 1)]), shape(OneWay, &[(8, 1), (4, 4)])]);
     assert_eq!(joined(&level)[4..], [[true, false], [false, false]]);
-    // Both ways at once are two chains, and each has ends of its own.
+    // In both directions at once it is two chains, each with its own ends.
     let level = built(&[shape(OneWay, &[(0, 0), (4, 0)]), shape(OneWay, &[(4, 0), (0, 0)])]);
     assert_eq!(joined(&level), [[false, false], [false, false]]);
     // A loop has no ends.

@@ -1,5 +1,5 @@
-//! Capsules and polygons against segment maps, solids and joined levels: by the exact judges of
-//! pairs and of winding numbers.
+//! Capsules and polygons against segment maps, solids and joined levels. The exact judges of pairs
+//! and of winding numbers check them.
 
 use tilesat::prelude::*;
 use tilesat::{Aabb, Capsule, ConvexPolygon, Fx, Joined, PathKind, SegmentMap, Solid, Solids};
@@ -37,7 +37,8 @@ fn line_inside(scene: &Scene, p: P, q: P) -> bool {
         let t = i128::midpoint(w[0], w[1]);
         let scale = SCALE >> 40;
         let at = (p.0 * SCALE + d.0 * t * scale, p.1 * SCALE + d.1 * t * scale);
-        // Far less than any two edges that do not meet are apart, and far more than the rounding.
+        // Far less than the distance of any two edges that do not meet, and far more than the
+        // rounding.
         let n = (-d.1 * (1 << 24), d.0 * (1 << 24));
         scene.winding((at.0 + n.0, at.1 + n.1)) > 0 && scene.winding((at.0 - n.0, at.1 - n.1)) > 0
     })
@@ -96,7 +97,7 @@ fn overlap_and_touch_equal_the_polygons() {
     assert!(yes > done / 5 && touch > done / 50 && thin > done / 100, "{yes} {touch} {thin}");
 }
 
-/// Solids are their boxes, and joined levels either of them.
+/// Solids are their boxes, and a joined level is either of its parts.
 #[test]
 fn solids_and_joined() {
     let mut random = Random::new(92);

@@ -1,5 +1,5 @@
-//! Bytes that pass the checks but are no level that anyone has built: no query panics or runs on
-//! for ever.
+//! Bytes that pass the checks but are no level that anyone has built. No query panics or runs for
+//! ever.
 
 use tilesat::SegmentMap;
 use tilesat_judge::segments::build;
@@ -24,7 +24,7 @@ fn levels_that_nobody_built_are_answered() {
     assert!(accepted > total / 3);
 }
 
-/// Single changes with a checksum that is right again: refused, or answered.
+/// Single changes with a corrected checksum: refused, or all queries work.
 #[test]
 fn damaged_bytes_are_refused_or_answered() {
     let mut random = Random::new(46);

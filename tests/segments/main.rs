@@ -1,5 +1,4 @@
-//! Maps of segments: how they are built, what their bytes say, and what bodies overlap and touch in
-//! them.
+//! Maps of segments: building, their bytes, and bodies that overlap and touch in them.
 
 #![cfg(not(target_os = "none"))]
 

@@ -1,4 +1,4 @@
-//! Segment maps as levels, against a judge that knows the input polygons only.
+//! Segment maps as levels, against a judge that knows only the input polygons.
 
 use std::collections::BTreeMap;
 use tilesat::{
@@ -40,7 +40,7 @@ fn overlap_touch_and_flags_equal_the_polygons() {
             };
             assert_eq!(overlaps, scene.overlaps(&blocking, body), "overlaps: {scene:?} {body:?}");
             assert_eq!(touches, scene.touches(&blocking, body), "touches: {scene:?} {body:?}");
-            // Where edges have cancelled their flags have gone too.
+            // Cancelled edges have lost their flags too.
             assert_eq!(flags & !scene.flags(body), 0, "flags: {scene:?} {body:?}");
             overlapped += u64::from(overlaps);
             touched += u64::from(touches && !overlaps);
@@ -61,8 +61,8 @@ fn all(map: &SegmentMap<'_>, region: &Aabb) -> BTreeMap<u16, Feature> {
     out
 }
 
-/// Every piece that a region meets comes, each once; together the faces are what is left of the
-/// polygons, walls and chains.
+/// Every piece that meets a region comes once. Together the faces are the rest of the polygons,
+/// walls and chains.
 #[test]
 fn features_come_once() {
     let mut random = Random::new(42);
@@ -115,7 +115,7 @@ fn features_come_once() {
     }
 }
 
-/// From outside of the solid the nearest point is as far away as the nearest piece, rounded down.
+/// From outside the solid the nearest point is as far away as the nearest piece, rounded down.
 #[test]
 fn nearest_points_are_as_near_as_the_pieces() {
     use tilesat_judge::segments::{cross, dot, sub};
@@ -126,11 +126,11 @@ fn nearest_points_are_as_near_as_the_pieces() {
         let bytes = scene.bytes();
         let map = SegmentMap::from_bytes(&bytes).unwrap();
         let blocking = scene.blocking();
-        // A hole in nothing, and a polygon that winds backward somewhere, have edges without solid
-        // behind them: nothing is seen from there.
+        // A hole in nothing, and a polygon that winds backward somewhere, have edges without a
+        // solid behind them. From there nothing is visible.
         let backed = |s: &segments::Piece| {
             let d = sub(s.b, s.a);
-            // Beside what may cross there, and a little to the left.
+            // Beside a possible crossing there, and a little to the left.
             (0..32)
                 .map(|i| SCALE / 32 * i + (1 << 40))
                 .all(|k| scene.winding((s.a.0 * SCALE + d.0 * k - d.1, s.a.1 * SCALE + d.1 * k + d.0)) > 0)

@@ -1,5 +1,5 @@
 //! A map of tiles and the segment map of its tiles' outlines are one level: the same overlaps, and
-//! the same surface, collinear pieces merged.
+//! the same surface with collinear pieces merged.
 
 use std::collections::{BTreeMap, BTreeSet};
 use tilesat::{
@@ -56,7 +56,7 @@ fn kinds() -> TileKinds {
     out
 }
 
-/// All lines of one direction with the parts of them that are faces, and the vertices.
+/// All lines of one direction with the parts that are faces, and the vertices.
 type Surface = (BTreeMap<(P, i128), Vec<(i128, i128)>>, BTreeSet<(P, P, P)>);
 
 fn surface(world: &impl World, scene: &Scene) -> Surface {
@@ -129,8 +129,8 @@ fn tiles_and_their_outlines_are_one_level() {
         let (pieces, case) = (scene.boundary(), || format!("{tiles:?} of {w}, {side}"));
         let ((faces, vertices), (other_faces, other_vertices)) = (surface(&map, &scene), surface(&segments, &scene));
         assert_eq!(faces, other_faces, "{}", case());
-        // Where two pieces of solid meet in a point, a tile map has the corners of both; a segment
-        // map only what a body can reach.
+        // Where two pieces of solid meet in a point, a tile map has the corners of both. A segment
+        // map has only those that a body can reach.
         for v in vertices.symmetric_difference(&other_vertices) {
             assert!(rays(&pieces, v.0) > 2, "{}: {v:?} of tiles: {}", case(), vertices.contains(v));
         }

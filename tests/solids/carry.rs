@@ -1,4 +1,4 @@
-//! What stands on a moving solid goes with it, to the last bit, for as long as it stands.
+//! A body on a moving solid moves with it, to the last bit, for as long as it stands on it.
 
 use tilesat::{
     Aabb, Axis, Body, Capsule, Circle, Fx, Joined, MoveError, Mover, Quantity, RangeError, Side, Solid, Solids,
@@ -16,8 +16,8 @@ fn empty() -> TileMap<'static> {
     TileMap::from_ascii("   \n   \n   ", &KINDS).unwrap()
 }
 
-/// One tick of a game: ride, the solids move, the body falls and lands. Returns what became of it,
-/// and whether it stands.
+/// One tick of a game: ride, the solids move, the body falls and lands. Returns the body, and
+/// whether it stands.
 fn tick<B: Body>(solids: &mut [Solid], body: &mut B, v: &mut Vec2, walk: i64) -> (Ride, bool) {
     let level = empty();
     let ridden = MOVER.ride(&level, solids, body, Fx::from_bits(GRAVITY as i32)).unwrap();
@@ -41,7 +41,7 @@ fn way(kind: i64, n: i64, random: &mut Random) -> P {
         0 => (random.around(3 * UNIT), 0),
         1 => (0, if n / 100 % 2 == 0 { -7 } else { 7 }),
         2 => (1, if n % 2 == 0 { -1 } else { 1 }),
-        // A circle: radius 30 units, 1200 ticks a round.
+        // A circle: radius 30 units, 1200 ticks per round.
         3 => {
             let at = |n: i64| {
                 let a = f64::from((n % 1200) as i32) / 600.0 * std::f64::consts::PI;
@@ -83,8 +83,8 @@ fn a_rider_does_not_drift_in_ten_thousand_ticks() {
             rides(rect((5 * UNIT, -12 * UNIT), (11 * UNIT + 1, 0)), kind, side, &mut random);
             rides(disc((7 * UNIT + 3, -4 * UNIT), 4 * UNIT), kind, side, &mut random);
         }
-        // Over the edge by all but a raw unit, and a circle whose lowest point is on the corner
-        // itself.
+        // Over the edge by all but a raw unit, and a circle whose lowest point is exactly on the
+        // corner.
         rides(rect((1 - 6 * UNIT, -12 * UNIT), (1, 0)), kind, None, &mut random);
         rides(disc((40 * UNIT, -4 * UNIT), 4 * UNIT), kind, None, &mut random);
         // Standing, and lying over each edge with a part of the core.
@@ -165,7 +165,7 @@ fn what_rises_under_a_falling_body_takes_it_along() {
             (Ride::Pushed { by: 5, normal: Axis::NEG_Y }, solids[0].shape().min().y)
         );
         body = ridden.body;
-        // From there on it stands.
+        // From then on it stands.
         solids[0] = solids[0].with_motion(vec2((0, -speed * UNIT))).unwrap();
         let ridden = MOVER.ride(&empty(), &solids, &body, Fx::ZERO).unwrap();
         assert_eq!((ridden.ride, ridden.floor), (Ride::Carried, Some(5)));
@@ -230,7 +230,7 @@ fn up_can_be_any_direction() {
         let body = rect(turn((1, 0)), turn((5, -6)));
         let ridden = mover.ride(&empty(), &list, &body, Fx::ONE).unwrap();
         assert_eq!((ridden.ride, raw(ridden.motion)), (Ride::Carried, turn((2, -3))));
-        // Without an up nothing is carried; what rises pushes.
+        // Without an up nothing carries. A rising solid pushes.
         let ridden = Mover::new().ride(&empty(), &list, &body, Fx::ONE).unwrap();
         assert_eq!(
             (ridden.ride, raw(ridden.motion)),

@@ -1,5 +1,5 @@
-//! The hero of a platformer against closed forms: jumps, their graces, floors that it drops
-//! through, and ways out of a level.
+//! The hero of a platformer against closed forms: jumps, their graces, floors through which it
+//! drops, and ways out of a level.
 
 use tilesat::{
     Aabb, Axis, Character, Feel, Fx, Input, Mover, Outcome, Quantity, RangeError, Slopes, Step, TileKind, TileKinds,
@@ -56,7 +56,7 @@ fn a_jump_rises_by_the_sum_of_its_speeds() {
             apex = apex.max(rise);
         }
         assert_eq!(apex, gravity * n * (n + 1) / 2);
-        // The button is still down: it lands, and does not jump again.
+        // The button is still down. It lands, and does not jump again.
         let landings = (0..2 * n + 4).filter(|_| hero.step(&ledge(), JUMP).unwrap().landed).count();
         assert_eq!((landings, hero.body().min().y), (1, floor));
     }
@@ -191,7 +191,7 @@ fn drops_through_one_way_floors_and_no_others() {
     assert!(hero.floor().is_some_and(|floor| floor.one_way) && hero.body().max().y == 32);
     assert_eq!(hero.step(&level, DROP).unwrap().outcome, Outcome::Moved);
     assert!(!hero.on_floor());
-    assert!(!hero.step(&level, JUMP).unwrap().jumped); // dropping is no walking off
+    assert!(!hero.step(&level, JUMP).unwrap().jumped); // dropping is not walking off
     for frame in 0..120 {
         let _ = hero.step(&level, if frame > 60 { DROP } else { NOTHING }).unwrap();
     }
@@ -219,7 +219,7 @@ fn falling_out_is_an_answer() {
             }
         }
     }
-    // Above the level is no way out. At the end of the domain there is nothing else to say.
+    // Above the level is not outside. At the end of the domain only the range error is left.
     let above = boxed(40, -900, 10, 14);
     assert_eq!(Character::new(above, limits, Feel::DEFAULT).step(&level, NOTHING).unwrap().outcome, Outcome::Moved);
     let far = Aabb::new(Vec2::from_ints(40, 8100), Vec2::from_ints(50, 8190)).unwrap();

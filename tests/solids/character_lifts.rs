@@ -19,7 +19,7 @@ fn rides<B: Body + PartialEq>(body: B, feel: Feel) {
         let sign = |v: Fx, random: &mut Random| {
             if v.abs() > 300 { -i64::from(v.signum().to_num::<i32>()) } else { random.sign() }
         };
-        // Up as fast as it likes, down by at most the snap.
+        // Up at any speed, down by at most the snap.
         let (x, y) = (sign(at.x, &mut random) * random.below(3 << 16), sign(at.y, &mut random) * random.below(5 << 16));
         lifts[0] = lifts[0].with_motion(Vec2::from_raw(x as i32, y as i32)).unwrap();
         let step = hero.step_on(&level, &mut lifts, NOTHING).unwrap();
@@ -39,9 +39,9 @@ fn a_lift_carries_without_drift() {
     rides(boxed(20, 4, 10, 14), Feel { gravity: fx!(0.6), jump: fx!(6), ..Feel::DEFAULT });
 }
 
-/// Seen from a lift that keeps its motion, a jump is that on still ground: place, frame by frame,
-/// until it lands. In its first frame the motion is the velocity alone. Lifts that sink faster than
-/// the jump rises are left too.
+/// Relative to a lift with constant motion, a jump equals one on still ground: position, frame by
+/// frame, until it lands. In its first frame the motion is only the velocity. It also leaves lifts
+/// that sink faster than the jump rises.
 #[test]
 fn a_flight_off_a_lift_is_that_on_still_ground() {
     fn plays<B: Body + PartialEq>(body: B, random: &mut Random) {

@@ -1,5 +1,5 @@
-//! What the docs of `ride` tell a game to do: the follow of a walker that stands, and what comes
-//! after a body is squashed.
+//! The advice of `ride`'s docs to a game: the follow of a standing walker, and what comes after a
+//! body is squashed.
 
 use tilesat::motion::escape;
 use tilesat::{
@@ -15,8 +15,8 @@ fn boxed(a: P, b: P) -> Aabb {
     rect((a.0 * UNIT, a.1 * UNIT), (b.0 * UNIT, b.1 * UNIT))
 }
 
-/// How often a walker with a snap of 3 is carried in 10 ticks by a lift that goes by (2, 2), and
-/// where it is on the lift then.
+/// How often a lift carries a walker with a snap of 3 in 10 ticks by (2, 2), and its final position
+/// on the lift.
 fn on_a_lift(follow: i16) -> (u32, i64, bool) {
     let level = TileMap::from_ascii("  ", &KINDS).unwrap();
     let walker = Walker::new(MOVER).with_snap(Fx::from_num(3)).unwrap();
@@ -77,7 +77,7 @@ fn half_a_unit_under_the_edge_is_squashed_and_escapes() {
     Solid::move_all(&mut edge);
     let here = Solids::new(&edge);
     assert_eq!(raw(escape(&Joined::new(&level, &here), &body).unwrap().min()), (20 * UNIT + half, 22 * UNIT));
-    // What is under the middle has nowhere to go.
+    // A body under the middle has nowhere to go.
     let mut middle = crusher(34 * UNIT);
     Solid::move_all(&mut middle);
     let here = Solids::new(&middle);

@@ -1,6 +1,5 @@
-//! A platform that lies flush with a floor, of tiles or of segments, in the level's order or the
-//! other, is one floor with it: at no phase and no speed does the joint change a walker's height or
-//! speed.
+//! A platform flush with a floor, of tiles or of segments, in the level's order or the other, is
+//! one floor with it. At no phase and no speed does the joint change a walker's height or speed.
 
 use tilesat::{
     Axis, Fx, Grid, Joined, Mover, Path, PathKind, SegmentMap, Solid, Solids, TileKind, TileKinds, TileMap, World,

@@ -1,4 +1,4 @@
-//! Solids that move: what they carry and push, and how bodies move among them.
+//! Moving solids: carrying, pushing, and bodies that move among them.
 
 #![cfg(not(target_os = "none"))]
 

@@ -1,4 +1,4 @@
-//! A placed level is the level that is built at that place, bit for bit.
+//! A placed level equals the level that is built at that position, bit for bit.
 
 use tilesat::{
     AllShapes, Axis, Body, Circle, Fx, Grid, Inside, Joined, MoveError, Moved, Mover, Outside, Path, PathKind, RayHit,
@@ -55,15 +55,15 @@ fn both<A: World, B: World, C: Body + PartialEq + std::fmt::Debug>(
     body: &C,
     v: Vec2,
 ) {
-    // A placed level may be solid beyond its domain, so that its ends are checked where a built
-    // one's are certain; and full cells that a map knows are met by their features.
+    // A placed level may be solid beyond its domain. So the test checks its ends only where a built
+    // one's are certain. Full cells that a map knows are met by their features.
     let seen = |moved: Result<Moved<C>, MoveError>| {
         moved.map(|moved| Moved { work: Work { checks: 0, features: 0, ..moved.work }, ..moved })
     };
     assert_eq!(seen(m.move_and_slide(placed, body, v)), seen(m.move_and_slide(built, body, v)), "{body:?} {v:?}");
 }
 
-/// Rays near both levels see the same, hit by hit; the levels' rays are methods of their own.
+/// Rays near both levels agree hit by hit. The levels' rays are separate methods.
 macro_rules! rays {
     ($placed:expr, $built:expr, $at:expr, $random:expr) => {
         for rules in RULES {
@@ -138,11 +138,11 @@ fn an_offset_is_checked() {
     assert!(Placed::new(&map, vec2((1 << 28, 0))).is_err() && Placed::new(&map, vec2((0, -(1 << 28)))).is_err());
     let placed = Placed::new(&map, vec2(((1 << 28) - 1, 5))).unwrap();
     assert_eq!((placed.offset(), placed.world().width()), (vec2(((1 << 28) - 1, 5)), 1));
-    // Rays go as far as the level's own domain, seen from it.
+    // Rays reach as far as the level's own domain, relative to it.
     let (seen, beyond) = (vec2(((1 << 28) - (1 << 29), 9)), vec2(((1 << 28) - (1 << 29) - 1, 9)));
     assert!(placed.cast_ray(seen, Vec2::ZERO, Inside::Hit).is_ok());
     assert!(placed.cast_ray(beyond, Vec2::ZERO, Inside::Hit).is_err());
-    // From the other end of the domain, seen from the level far outside of it, a body flies as far
+    // From the other end of the domain, relative to the level far outside it, a body flies as far
     // as it may.
     let end = (1 << 29) - 2000;
     for (sx, sy) in [(1, 1), (1, -1), (-1, 1), (-1, -1)] {
@@ -155,7 +155,7 @@ fn an_offset_is_checked() {
     }
 }
 
-/// Beyond the level's own domain nothing is taken for free that the level calls solid.
+/// Beyond the level's own domain, nothing that the level calls solid counts as free.
 #[test]
 fn beyond_its_own_domain() {
     static FULL: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);

@@ -1,5 +1,5 @@
-//! What is in the way of a moving solid yields as far as there is room, and is squashed where there
-//! is none; never into the level.
+//! A body in the way of a moving solid yields as far as there is room, and is squashed if there is
+//! none. It never enters the level.
 
 use tilesat::{
     Aabb, AllShapes, Axis, Body, Circle, Fx, Joined, MoveError, Mover, Solid, Solids, TileKind, TileKinds, TileMap,
@@ -55,7 +55,7 @@ fn a_lift_squashes_at_the_ceiling_and_a_wall_at_the_wall() {
     let level = room(); // free from (16, 16) to (48, 48)
     let body = boxed((20, 17), (36, 33)); // 16 high, 1 below the ceiling
     let lift = |up: i64| moving((16, 34), (48, 40), 7, (0, -up));
-    // 2 of room: pushed by 1, and by all of it; with half a unit less the gap would be 15.5.
+    // 2 of room: pushed by 1, and by all of it. With half a unit less, the gap would be 15.5.
     assert_eq!(ride(&level, &[lift(UNIT)], &body), (Ride::Free, body));
     let (r, b) = ride(&level, &[lift(2 * UNIT)], &body);
     assert_eq!((r, raw(b.min()).1), (pushed(7, Axis::NEG_Y), 16 * UNIT));
@@ -93,7 +93,7 @@ fn two_crushers_leave_the_room_between_them_or_squash() {
     assert_eq!((r, raw(b.max()).0), (pushed(3, Axis::X), 12 * UNIT));
     assert_eq!(ride(&level, &crushers(4 * UNIT, UNIT + 1), &body), (Ride::Squashed { by: 3, normal: Axis::X }, body));
     assert_eq!(ride(&level, &crushers(UNIT, 5 * UNIT), &body), (Ride::Squashed { by: 4, normal: Axis::NEG_X }, body));
-    // What comes faster is named, where there is room too; what is away names nobody.
+    // The faster solid is named, even if there is room. A solid that is away names nobody.
     let (r, b) = ride(&level, &crushers(UNIT, 4 * UNIT), &body);
     assert_eq!((r, raw(b.min()).0), (pushed(4, Axis::NEG_X), -UNIT));
     // Equally fast: the smaller key.
@@ -115,12 +115,12 @@ fn the_fastest_of_several_pushers_is_named() {
     assert_eq!(named(8, 3 * UNIT - 1, 4, 3 * UNIT), pushed(4, Axis::NEG_Y));
     assert_eq!(named(8, 3 * UNIT, 4, 3 * UNIT), pushed(4, Axis::NEG_Y));
     assert_eq!(named(3, 3 * UNIT, 4, 3 * UNIT), pushed(3, Axis::X));
-    // One that does not get there is not named, however fast the other is.
+    // A solid that does not get there is not named, however fast the other is.
     assert_eq!(named(8, 2 * UNIT, 4, UNIT), pushed(8, Axis::X));
-    // What goes by a body without coming nearer does not push it.
+    // A solid that passes a body without coming nearer does not push it.
     let by = moving((0, 11), (10, 15), 1, (3 * UNIT, 0));
     assert_eq!(ride(&level, &[side(8, 2 * UNIT), by], &body).0, pushed(8, Axis::X));
-    // A circle on a corner that comes by less than a raw unit, against one that stands and has the
+    // A circle on a corner that passes by less than a raw unit, against one that stands and has the
     // smaller key.
     let ball = disc((4 * UNIT, -3 * UNIT), 5 * UNIT);
     let (slow, stands) = (moving((-9, 0), (0, 9), 6, (1, 0)), moving((9, -20), (12, 20), 2, (0, 0)));
@@ -237,8 +237,8 @@ fn a_door_that_closes_on_a_body_and_on_its_edge() {
     let level = room();
     let door = moving((24, 16), (32, 48), 5, (0, 0));
     let (inside, edge) = (boxed((28, 20), (36, 28)), boxed((32, 20), (40, 28)));
-    // It was put there: the one inside is squashed as long as it is, the one at its edge touches
-    // it.
+    // It was put there: it squashes the body inside as long as it is there, and touches the one at
+    // its edge.
     assert_eq!(ride(&level, &[door], &inside), (Ride::Squashed { by: 5, normal: Axis::X }, inside));
     assert_eq!(ride(&level, &[door], &edge), (Ride::Free, edge));
     let solids = [door];
@@ -250,8 +250,8 @@ fn a_door_that_closes_on_a_body_and_on_its_edge() {
     // It goes away: who was inside is free again.
     let gone = [door.with_motion(vec2((-4 * UNIT, 0))).unwrap()];
     assert_eq!(ride(&level, &gone, &inside).0, Ride::Free);
-    // The door's ends lie in the floor's and the ceiling's plane: no edge of them is left in the
-    // joined level, at its sides they are.
+    // The door's ends lie in the floor's and the ceiling's plane. The joined level has no edge of
+    // them, but those at the door's sides.
     let at = |x: i64, y: i64| rect((x * UNIT, y * UNIT), (x * UNIT, y * UNIT));
     let corners =
         |p: &Aabb| joined.features(p).filter(|f| matches!(f.geometry, tilesat::world::Geometry::Vertex { .. })).count();
@@ -286,7 +286,7 @@ fn a_corner_pushes_a_circle_aside() {
     let (r, b) = ride(&level, &[lift], &ball);
     let (x, y) = raw(b.centre());
     assert_eq!(r, pushed(1, Axis::new(4 << 16, -3 << 16)));
-    // Along (4, -3) by 3/5: to within two raw units, and clear. That is too steep to stand on.
+    // Along (4, -3) by 3/5: within two raw units, and clear. That is too steep to stand on.
     assert!((x - 4 * UNIT - UNIT * 12 / 25).abs() <= 2 && (y + 3 * UNIT + UNIT * 9 / 25).abs() <= 2, "{x} {y}");
     // With a wall on that side it goes up by all of it.
     let wall = solid((9 * UNIT, -20 * UNIT), (10 * UNIT, 20 * UNIT), 2);

@@ -1,6 +1,6 @@
-//! The surface of a list of solids is that of the union of its boxes: a level of boxes on a lattice
-//! moves bodies as the level of tiles does that has the same cells full, alone, and joined with
-//! tiles that hold a part of them.
+//! The surface of a list of solids is that of the union of its boxes. A level of boxes on a lattice
+//! moves bodies like the level of tiles with the same full cells, alone, and joined with tiles that
+//! contain a part of them.
 
 use tilesat::{
     Axis, Body, Fx, Grid, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, World, world::Geometry,
@@ -15,7 +15,7 @@ const CELL: i64 = 1 << 10;
 struct Scene {
     boxes: Vec<Solid>,
     union: Vec<u8>,
-    /// A part of the union, as tiles; `rest` is a part of the boxes that holds what is left.
+    /// A part of the union, as tiles. `rest` is a part of the boxes that covers the remainder.
     part: Vec<u8>,
     rest: Vec<Solid>,
 }
@@ -119,7 +119,7 @@ fn two_flush_boxes_show_no_seam() {
         match f.geometry {
             Geometry::Face { a, dir, joined, .. } => {
                 faces += 1;
-                // Each of the two floors goes on in the other one.
+                // Each of the two floors continues in the other one.
                 let seam = dir == Axis::X && joined == [a == vec2((10, 0)), a == vec2((0, 0))];
                 assert!(seam || dir == Axis::NEG_X || joined == [false; 2], "{f:?}");
             }

@@ -1,6 +1,6 @@
-//! Many ticks of levels with solids and bodies in them, each one judged: no body in the level, none
-//! in a solid unless it is said to be squashed, none passed by a solid, carried ones carried
-//! exactly; and the same bits for shuffled, mirrored and translated scenes.
+//! Many ticks of levels with solids and bodies, each one judged. No body is in the level, and none
+//! is in a solid unless the call reports it as squashed. No solid passes a body, and carried bodies
+//! move exactly. Shuffled, mirrored and translated scenes give the same bits.
 
 use tilesat::{AllShapes, TileMap};
 use tilesat_judge::solids::judge::Block;

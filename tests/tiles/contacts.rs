@@ -27,8 +27,8 @@ fn wide(v: (i64, i64)) -> (i128, i128) {
     (v.0.into(), v.1.into())
 }
 
-/// The normal leads from the nearer point of the line between both to the other, within what
-/// rounding the point may turn it.
+/// The normal leads from the nearer point of the line between both to the other. Rounding the point
+/// may turn it.
 fn check_axis(near: &Near, p: (i64, i64)) {
     let (q, axis) = (point(near.point), wide((near.axis.x.into(), near.axis.y.into())));
     let m = wide((p.0 - q.0, p.1 - q.1));
@@ -124,13 +124,13 @@ fn check_list(level: &Level, judge: &Judge, body: Body) -> usize {
     let odd = wide(point(bounds.max()));
     let up = (middle.0 + ((end.0 + odd.0) % 2 != 0) as i64, middle.1 + ((end.1 + odd.1) % 2 != 0) as i64);
     let behind = judge.overlaps(Body::Box { lo: middle, hi: up });
-    // The list holds what the definitions give, once each, and nothing else.
+    // The list contains exactly the contacts of the definitions, once each.
     let mut expected: Vec<(Feature, Expected)> = map
         .features(&bounds)
         .filter(|f| !f.one_way)
         .filter_map(|f| Some((f, Expected::of(&f, body, middle, behind)?)))
         .collect();
-    // Where a box is in no region, the least of the other contacts stands for all; of a circle all
+    // If a box is in no region, the least of the other contacts represents all. For a circle all
     // count.
     if expected.iter().any(|(_, e)| e.in_region) {
         expected.retain(|(_, e)| e.in_region);
@@ -196,7 +196,7 @@ fn contacts_equal_the_definitions() {
     println!("{some} with contacts, {many} with many, of {done}");
 }
 
-/// The same level seen in a mirror, x negated.
+/// The same level in a mirror, x negated.
 fn mirrored(level: &Level) -> Level {
     let side = |id: u8| match id {
         // Halves and one-way tiles: right and left. All others: each corner and the one beside it.
@@ -275,7 +275,7 @@ fn a_ball_in_a_quarter_pipe() {
     assert_eq!(told(&found), [(8, (6, -8), 1.0)].map(|(i, a, d)| (i, (a.0 << 16, a.1 << 16), d)));
     assert_eq!(found[0].push_out(), Vec2::from_raw(39322, -52429));
     assert_eq!(found[0].point(), Vec2::from_raw(419_430, 838_861)); // (6.4, 12.8)
-    // From the centre everything is as near.
+    // From the centre everything is equally near.
     let found = contacts(&level.all(), &ball(16, 0, 17));
     let arc = found.iter().find(|c| c.feature().index == 8).unwrap();
     assert!(arc.is_degenerate() && arc.axis() == Axis::X && arc.depth() == 1);
@@ -283,8 +283,8 @@ fn a_ball_in_a_quarter_pipe() {
     assert_eq!((near.point, near.distance.to_num()), (vec2(units(0, 0)), 16));
 }
 
-/// Into what is left of a pipe beside a ball that almost fills it: a raw unit around the centre, or
-/// two, or nothing.
+/// Into the gap of a pipe beside a ball that almost fills it: a raw unit around the centre, or two,
+/// or nothing.
 #[test]
 fn a_ball_that_fills_a_pipe_is_pushed_to_its_centre() {
     let level = level(1, &[17]);
@@ -320,8 +320,8 @@ fn the_end_of_arcs_is_near_from_inside() {
     }
 }
 
-/// A raw unit or more behind a concave corner of blocks and of slopes no normal passes the centre:
-/// the faces that end there push it out.
+/// A raw unit or more behind a concave corner of blocks and of slopes, no normal passes the centre.
+/// The faces that end there push it out.
 #[test]
 fn behind_a_concave_corner() {
     let corner = level(2, &[0, 1, 1, 1]);
@@ -339,7 +339,7 @@ fn behind_a_concave_corner() {
                 assert!(map.overlaps(&ball));
                 let found = contacts(&map, &ball);
                 assert!(!found.is_empty(), "{r} {x} {y}");
-                // The nearest, then what is left.
+                // The nearest, then the rest.
                 let mut out = ball;
                 for _ in 0..3 {
                     let found = contacts(&map, &out);

@@ -15,7 +15,7 @@ fn vec2((x, y): (i64, i64)) -> Vec2 {
     Vec2::from_raw(x as i32, y as i32)
 }
 
-/// What of a contact does not name its source.
+/// A contact without the name of its source.
 fn told(found: &[WorldContact]) -> Vec<String> {
     let tell = |c: &WorldContact| {
         format!("{:?} {:?} {:?} {:?} {}", c.axis(), c.depth(), c.push_out(), c.point(), c.is_degenerate())
@@ -125,7 +125,7 @@ fn two_halves_of_a_map_are_as_near_as_the_map() {
             let same = swapped.closest_point(vec2(p), within, OneWay::Ignore).unwrap();
             assert_eq!(told_near(other), told_near(same), "{p:?} cut {cut} {level:?}");
             if let Body::Circle { r, .. } = body {
-                // From outside a circle has contacts with both where it has with one.
+                // From outside, a circle has contacts with both if it has with one.
                 let found = contacts!(pair, body);
                 assert_eq!(found.is_empty(), contacts!(level.all(), body).is_empty(), "{r} {body:?} {level:?}");
             }

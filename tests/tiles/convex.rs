@@ -1,9 +1,9 @@
 //! Capsules, turned boxes and polygons against maps of all shapes.
 //!
-//! A shape is all discs of its radius around the points of its core: one that overlaps the level
-//! shows that the shape does, by the judge of circles. Where the library says so and no sampled
-//! disc does, one that is larger by the samples' spacing has to. What touches to the bit is asked
-//! of shapes that are boxes and circles by other names, and of tangents with whole numbers.
+//! A shape is the union of discs of its radius around the points of its core. If a disc overlaps
+//! the level, so does the shape, by the judge of circles. If the library reports an overlap and no
+//! sampled disc has one, a disc larger by the samples' spacing must. Exact touches use shapes that
+//! are boxes and circles under other names, and tangents with whole numbers.
 
 use tilesat::prelude::*;
 use tilesat::{
@@ -85,7 +85,7 @@ fn mosaics_equal_their_discs() {
             let r = [0, 0, level.cell / 4, level.cell, random.within(0, size)][random.below(5) as usize];
             let asked = ask(&map, &core, r);
             let discs = samples(&core, 9);
-            // A disc of no radius is the inside of the union; two points on a line are asked as
+            // A disc of no radius is the inside of the union. Two points on a line are tested as
             // such.
             let shown = |r: i64| discs.iter().any(|&c| judge.overlaps(Body::Circle { c, r }));
             let spacing = 3 * size / 9 + 3;
@@ -120,7 +120,7 @@ fn mosaics_equal_their_discs() {
     assert!(yes > done / 5 && no > done / 20 && close < yes / 5, "{yes} {no} {close}");
 }
 
-/// Upright boxes and capsules without length are what they are by name, thin ones included: bit for
+/// Upright boxes, and capsules without length, equal the plain shapes, including thin ones: bit for
 /// bit, on all shapes of tiles.
 #[test]
 fn boxes_and_circles_by_other_names() {
@@ -150,8 +150,8 @@ fn boxes_and_circles_by_other_names() {
     assert!(touched > 100, "{touched}");
 }
 
-/// A dome and a pipe of radius 5 k, and the tangents at (3 k, 4 k): they touch, and one raw unit
-/// further they overlap.
+/// A dome and a pipe of radius 5 k, and the tangents at (3 k, 4 k). They touch, and one raw unit
+/// farther they overlap.
 #[test]
 fn tangents_of_arcs() {
     static KINDS: TileKinds = {
@@ -195,8 +195,8 @@ fn tangents_of_arcs() {
     assert_eq!((domes, pipes), (4, 4));
 }
 
-/// Maps of blocks are the boxes of their full tiles, and of what is outside; one-way tiles are
-/// none. Levels shifted twice are shifted by both.
+/// Maps of blocks are the boxes of their full tiles and of their outside. One-way tiles are none.
+/// Levels that are shifted twice are shifted by both.
 #[test]
 fn blocks_equal_their_boxes() {
     static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL).with(2, TileKind::ONE_WAY_UP);
@@ -213,7 +213,7 @@ fn blocks_equal_their_boxes() {
         let (by, rest) = (vec2((random.around(9_999), 77)), vec2((-5, random.around(9_999))));
         let once = Placed::new(&blocks, by).unwrap();
         let twice = Placed::new(&once, rest).unwrap();
-        // Far beyond every shape asked about here.
+        // Far beyond every shape in this test.
         let tile = |x: i64, y: i64| {
             let inner = tiles[(y.clamp(0, height - 1) * width + x.clamp(0, width - 1)) as usize];
             let is_in = (0..width).contains(&x) && (0..height).contains(&y);
@@ -233,7 +233,7 @@ fn blocks_equal_their_boxes() {
                 (x + random.around(1), at.1 + random.within(-4, 4 * height + 4) * side / 4 + random.around(1))
             };
             let (p, q) = (point(), point());
-            // What is thin and along x or y runs along seams, which belong to no box.
+            // Thin shapes along x or y run along seams, which belong to no box.
             let flat = p.0 == q.0 || p.1 == q.1;
             let r = [i64::from(flat), i64::from(flat), side / 4, side][random.below(4) as usize];
             let body = Capsule::new(vec2(p), vec2(q), Fx::from_bits(r as i32)).unwrap();

@@ -1,5 +1,5 @@
-//! The surface of a level: every neighbourhood, regions, joints, and that it is the border of what
-//! `overlaps` calls solid.
+//! The surface of a level: every neighbourhood, regions, joints, and that it is the border of the
+//! set that `overlaps` calls solid.
 
 use std::collections::BTreeSet;
 use tilesat::{
@@ -46,9 +46,9 @@ fn pieces(map: &TileMap, region: &Aabb) -> Vec<Piece> {
     map.features(region).map(|f| piece(&f)).collect()
 }
 
-/// The surface from directed edges: each full cell gives four, opposite ones cancel, and each end
-/// of an edge is joined to the start found first when turning toward the solid; where that turn is
-/// strictly convex there is a vertex.
+/// The surface from directed edges. Each full cell gives four, and opposite ones cancel. Each end
+/// of an edge is joined to the start found first when turning toward the solid. If that turn is
+/// strictly convex, there is a vertex.
 fn construct(level: &Level) -> BTreeSet<Piece> {
     let corner = |c: i64, r: i64| (level.x + c * level.cell, level.y + r * level.cell);
     let mut edges = Vec::new();
@@ -68,8 +68,8 @@ fn construct(level: &Level) -> BTreeSet<Piece> {
         }
     }
     let all: BTreeSet<_> = edges.iter().map(|&(a, b, _)| (a, b)).collect();
-    // A ring of cells around the map was built too, so that it cancels; its own outer edges are not
-    // of the level.
+    // A ring of cells around the map is built too, so that it cancels. Its own outer edges do not
+    // belong to the level.
     let (x0, y0) = corner(-1, -1);
     let (x1, y1) = corner(level.width + 1, level.height + 1);
     let near = |p: Point| x0 < p.0 && p.0 < x1 && y0 < p.1 && p.1 < y1;
@@ -178,7 +178,7 @@ fn every_neighbourhood_with_its_border_repeated() {
 /// One-way, direction, start and end.
 type Run = (bool, Point, Point, Point);
 
-/// What pieces cover, with faces on one line that continue each other put together.
+/// The extents of pieces, with collinear faces that continue each other joined.
 fn points(pieces: &BTreeSet<Piece>) -> (Vec<Run>, Vec<Piece>) {
     let mut faces: Vec<_> = pieces
         .iter()

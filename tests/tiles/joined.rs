@@ -1,5 +1,5 @@
-//! Two tile maps as one level, against the raster of their union: which faces and corners are left,
-//! and where bodies end up.
+//! Two tile maps as one level, against the raster of their union: the remaining faces and corners,
+//! and the ends of bodies.
 
 use std::collections::BTreeSet;
 use tilesat::{
@@ -22,7 +22,7 @@ struct Part {
     tiles: Vec<u8>,
 }
 
-/// Both maps, the raw length of a unit and where the raster's origin is.
+/// Both maps, the raw length of a unit and the position of the raster's origin.
 #[derive(Clone, Debug)]
 struct Scene {
     parts: [Part; 2],
@@ -86,7 +86,7 @@ fn everything() -> Aabb {
 
 impl Scene {
     fn random(random: &mut Random) -> Self {
-        // One of both may be a room, or go on for ever.
+        // One of both may be a room, or continue for ever.
         let outside = [Outside::Empty, Outside::Empty, Outside::Solid, Outside::Edge][random.below(4) as usize];
         let mut parts = [Part::random(random, outside), Part::random(random, Outside::Empty)];
         if random.one_in(2) {
@@ -102,7 +102,7 @@ impl Scene {
         (self.origin.0 + p.0 * self.unit, self.origin.1 + p.1 * self.unit)
     }
 
-    /// In units, where it is on the raster.
+    /// Its position on the raster, in units.
     fn units(&self, p: Point) -> Point {
         let of = |v: i64, o: i64| {
             assert_eq!((v - o).rem_euclid(self.unit), 0);
@@ -126,7 +126,7 @@ impl Scene {
         (if x < 0 { p.0 - 1 } else { p.0 }, if y < 0 { p.1 - 1 } else { p.1 })
     }
 
-    /// What of a map's feature the other map leaves, from the raster.
+    /// The part of a map's feature that the other map leaves, from the raster.
     fn left(&self, f: &Feature, other: usize) -> Option<Feature> {
         let other = &self.parts[other];
         let full = |p: Point, u: Point, v: Point| other.full(Self::square(p, u, v));
@@ -175,8 +175,8 @@ fn key(f: &Feature) -> String {
     format!("{f:?}")
 }
 
-/// Exactly the faces with a bare unit, exactly the corners that both together have, and joints
-/// where the solid goes on.
+/// Exactly the faces with a bare unit, exactly the corners of both together, and joints where the
+/// solid continues.
 #[test]
 fn what_is_left_is_what_the_raster_shows() {
     let mut random = Random::new(31);
@@ -289,7 +289,7 @@ fn bodies_move_as_through_the_union() {
     assert!(hits > moves / 8);
 }
 
-/// Rays that start outside of both maps see what they see of the one map of units.
+/// Rays that start outside both maps see the same as in the one map of units.
 #[test]
 fn rays_see_the_union() {
     let mut random = Random::new(33);

@@ -1,4 +1,4 @@
-//! Maps of tiles: what they hold, their surface, and what bodies overlap and touch in them.
+//! Maps of tiles: their content, their surface, and bodies that overlap and touch in them.
 
 #![cfg(not(target_os = "none"))]
 

@@ -1,4 +1,4 @@
-//! Constructors, what they refuse, cells and regions of tile maps.
+//! Constructors and their refusals, cells and regions of tile maps.
 
 use heapless::Vec;
 use tilesat::world::Set;
@@ -35,7 +35,7 @@ fn a_level_is_a_constant() {
     let edge = LEVEL.with_outside(Outside::Edge);
     assert_eq!(edge.kind(Cell::new(-7, 2)), TileKind::FULL);
     assert_eq!(edge.kind(Cell::new(9, -9)), TileKind::EMPTY.with_flags(1));
-    // One-way tiles go on to the sides, not upward.
+    // One-way tiles continue to the sides, not upward.
     let platform = TileMap::from_ascii("--", &KINDS).unwrap().with_outside(Outside::Edge);
     assert_eq!(platform.kind(Cell::new(-1, 0)), TileKind::ONE_WAY_UP);
     assert_eq!(platform.kind(Cell::new(0, -1)), TileKind::EMPTY);
@@ -105,14 +105,14 @@ fn errors_say_what_and_where() {
     assert_eq!(text(TileMapError::EmptyMap), "the map has no cells: width and height must be at least 1");
     assert_eq!(
         text(TileMapError::TooManyCells(40_000)),
-        "40000 cells on a side are more than 32767: cut the world into rooms"
+        "a side of 40000 cells is longer than 32767: cut the world into rooms"
     );
     assert_eq!(
         text(TileMapError::Cell(3)),
         "a cell of 3 raw is refused: its side must be even, from 256 to 16777216 raw (256 units)"
     );
     assert_eq!(text(TileMapError::Stride(2)), "a stride of 2 is less than the width: rows would overlap");
-    assert_eq!(text(TileMapError::TooShort { needed: 9, found: 8 }), "8 bytes of tiles where the map needs 9");
+    assert_eq!(text(TileMapError::TooShort { needed: 9, found: 8 }), "the tiles have 8 bytes, but the map needs 9");
     assert_eq!(
         text(TileMapError::RowLength { row: 1, expected: 2, found: 3 }),
         "row 1 has 3 characters where row 0 has 2: make them equal"
@@ -123,7 +123,7 @@ fn errors_say_what_and_where() {
     );
     assert_eq!(
         text(TileMapError::CarriageReturn { row: 1 }),
-        "row 1 has a carriage return: end rows with line feeds alone"
+        "row 1 has a carriage return: end each row with only a line feed"
     );
     let of_another = "a shape that is not in the map's set: choose another set with `of` or `of_ascii`";
     assert_eq!(text(TileMapError::ShapeNotInSet { id: 7 }), format!("the table gives tile 7 {of_another}"));
@@ -203,7 +203,7 @@ fn a_circle_at_a_corner() {
     assert_eq!([answers(five - 1), answers(five), answers(five + 1)], [(false, false), (true, false), (true, true)]);
 }
 
-/// A body exactly as wide as a gap fits; one raw more does not (torture scene 30, the resting
+/// A body exactly as wide as a gap fits. One raw more does not (torture scene 30, the resting
 /// part).
 #[test]
 fn a_body_as_wide_as_the_gap() {
@@ -233,8 +233,8 @@ fn points_and_lines() {
     assert!(!map.touches(&segment(20, 36, 28, 44)));
 }
 
-/// A table remembers what it names; a set's definition goes through all ids. Kinds come and are
-/// replaced, in any order.
+/// A table remembers the shapes that it names, and a set's definition looks at all ids. Kinds come
+/// and are replaced, in any order.
 #[test]
 fn a_table_knows_the_shapes_that_it_names() {
     fn refused<S: Set>(kinds: &TileKinds) -> Option<u8> {
@@ -263,8 +263,8 @@ fn a_table_knows_the_shapes_that_it_names() {
     }
 }
 
-/// Tiles with any of the flags are not solid and keep their flags; the others stay. The new table
-/// knows what it names: a set may have all that is left.
+/// Tiles with any of the flags become passable and keep their flags. The others stay. The new table
+/// knows its shapes: a set may contain the rest.
 #[test]
 fn tables_for_bodies_that_pass_flags() {
     let (mut kinds, mut left) = (TileKinds::EMPTY, [TileKinds::EMPTY; 4]);

@@ -1,5 +1,5 @@
-//! Levels, each by one scene that is told by hand: found as changes of the sources that no other
-//! test noticed.
+//! Levels, each in one scene with a known answer. Changes of the sources that no other test noticed
+//! led to them.
 
 use tilesat::{
     Aabb, AllShapes, Axis, Cell, Circle, Fx, Grid, Inside, Joined, Mover, Path, PathKind, SegmentMap, SegmentMapError,
@@ -18,7 +18,7 @@ fn features(level: &impl World) -> Vec<Feature> {
     level.features(&rect(-500, -500, 500, 500)).collect()
 }
 
-/// How many faces and how many corners.
+/// The number of faces and of corners.
 fn pieces(level: &impl World) -> (usize, usize) {
     let all = features(level);
     let count = |f: fn(&Geometry) -> bool| all.iter().filter(|of| f(&of.geometry)).count();
@@ -39,7 +39,7 @@ fn pairs_of_pairs_hide_nothing_that_stands_alone() {
     assert_eq!(pieces(&Joined::new(&ab, &cd)), (16, 16));
 }
 
-/// A ball of 20 units, 5 from the centre of a pipe of 16, is 9 too deep in it: pushed by as much
+/// A ball of 20 units, 5 from the centre of a pipe of 16, is 9 too deep in it. It is pushed by that
 /// toward the centre, (4, -3) / 5 of it.
 #[test]
 fn a_ball_larger_than_a_pipe_is_pushed_toward_its_centre() {
@@ -74,7 +74,7 @@ fn occupancy_is_a_bit_a_tile() {
     }
 }
 
-/// The tops of a floor's tiles go on at both ends, but at those of the floor.
+/// The tops of a floor's tiles continue at both ends, except at the ends of the floor.
 #[test]
 fn faces_of_a_floor_are_joined() {
     let map = TileMap::<AllShapes>::of(b"###", Grid::new(3, 1, Fx::from_num(16), Vec2::ZERO).unwrap(), &KINDS).unwrap();
@@ -85,7 +85,7 @@ fn faces_of_a_floor_are_joined() {
     assert_eq!(tops.collect::<Vec<_>>(), [[false, true], [true, true], [true, false]]);
 }
 
-/// Of two boxes side against side the sides are not there, and no corners at their ends.
+/// Two boxes side by side have no sides there, and no corners at their ends.
 #[test]
 fn flush_boxes_are_one() {
     for (second, hidden) in [(rect(16, 0, 32, 16), [1, 3]), (rect(0, 16, 16, 32), [2, 0])] {
@@ -101,7 +101,7 @@ fn flush_boxes_are_one() {
     }
 }
 
-/// A box that blocks on one side is that side, and nothing to what comes from the others.
+/// A box that blocks on one side is only that side for bodies, and nothing from the other sides.
 #[test]
 fn a_one_way_box_is_one_face() {
     let list = [Solid::new(rect(0, 0, 32, 8), 7).unwrap().with_one_way(Side::Up)];
@@ -122,8 +122,8 @@ fn segments(paths: &[Path<'_>], cell: i16) -> Vec<u8> {
     out
 }
 
-/// A point on the border of a polygon that is in the inside of another is in the inside: on edges
-/// of all directions.
+/// A point on the border of a polygon and in the inside of another is in the inside: on edges of
+/// all directions.
 #[test]
 fn inner_borders_are_inside() {
     let square = [(0, 0), (96, 0), (96, 96), (0, 96)].map(|(x, y)| Vec2::from_ints(x, y));
@@ -155,7 +155,7 @@ fn inner_borders_are_inside() {
     }
 }
 
-/// What the format calls its checksum: 32-bit FNV-1a with its own bytes as zero.
+/// The format's checksum: 32-bit FNV-1a with its own bytes as zero.
 fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
     bytes[28..32].fill(0);
     let sum = bytes.iter().fold(0x811c_9dc5u32, |hash, &byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193));
@@ -163,8 +163,8 @@ fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
     bytes
 }
 
-/// Both sides of a wall through a row of cells are in each of them; an offset that falls takes them
-/// out of the cell before.
+/// Both sides of a wall through a row of cells are in each of them. A falling offset takes them out
+/// of the cell before.
 #[test]
 fn offsets_that_fall_name_their_cell() {
     let wall = [(4, 8), (60, 8)].map(|(x, y)| Vec2::from_ints(x, y));
@@ -183,7 +183,7 @@ fn offsets_that_fall_name_their_cell() {
     }
 }
 
-/// In a constant a path is named as well as by the program.
+/// In a constant, the compiler names a path as the program does.
 #[test]
 fn refusals_in_constants_name_the_path() {
     let (path, point) = (12, 345);

@@ -57,8 +57,8 @@ fn same_features_and_overlaps() {
     assert!(found > 100_000, "{found} features are too few");
 }
 
-/// Maps of some areas a side, most of them empty: rays along the lattice, through corners of cells
-/// and of areas, along lines, and any others.
+/// Maps of some areas per side, most of them empty. Rays along the lattice, through corners of
+/// cells and of areas, along lines, and any others.
 #[test]
 fn same_rays() {
     let (mut r, mut hits) = (Random::new(2), 0);
@@ -96,7 +96,7 @@ fn same_rays() {
             };
             let (from, mut to) = (point(), point());
             if n % 5 == 0 {
-                // Diagonal: from the lattice it meets corners alone.
+                // Diagonal: from the lattice it meets only corners.
                 to = Vec2::from_raw(to.x.to_bits(), from.y.to_bits() + to.x.to_bits() - from.x.to_bits());
             } else if n % 7 == 0 {
                 to.y = from.y;
@@ -133,7 +133,7 @@ fn wrong_bits_are_refused() {
         let row = if bit < 9 * 32 { bit / 96 } else { 0 };
         assert_eq!(map.with_occupancy(&wrong).unwrap_err(), TileMapError::Occupancy { row: row as u16 });
     }
-    // Other rows than the bits are of.
+    // The bits belong to other rows.
     let narrow =
         TileMap::<AllShapes>::of(&tiles, Grid::new(10, 3, Fx::from_bits(256), Vec2::ZERO).unwrap(), &KINDS).unwrap();
     let mut few = [0; 4];

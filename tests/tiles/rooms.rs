@@ -1,4 +1,4 @@
-//! Which room holds a place, what it is called there, and what is no world.
+//! The room of a position, its coordinates there, and refused worlds.
 
 use tilesat::{
     AllShapes, Blocks, Cell, Fx, Grid, Outside, Quantity, Room, Rooms, TileKind, TileKinds, TileMap, TileMapError,
@@ -8,7 +8,7 @@ use tilesat::{
 static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
 const CELL: Fx = Fx::lit("16");
 
-/// Every place on a lattice around every room, far and near: where it is and how it gets there.
+/// Every position on a lattice around every room, far and near: its room and the way there.
 #[test]
 fn every_place_has_its_room() {
     let tiles: Vec<u8> = (0..7 * 5).map(|k| k % 3 % 2).collect();
@@ -46,7 +46,7 @@ fn every_place_has_its_room() {
     }
 }
 
-/// The largest world there can be: its last room, and the way there.
+/// The largest possible world: its last room, and the way there.
 #[test]
 fn sixty_five_thousand_cells() {
     let tiles = vec![0; 65_535 * 3];
@@ -81,7 +81,7 @@ fn no_worlds() {
     let refused = Rooms::<Blocks>::of(&[0; 40], (8, 5), CELL, &slopes, (2, 2), 1).map(|_| ());
     assert_eq!(refused, Err(TileMapError::ShapeNotInSet { id: 7 }));
 
-    // A room of its own map.
+    // A room with a separate map.
     let grid = Grid::new(5, 4, CELL, Vec2::from_ints(99, 99)).unwrap();
     let map = TileMap::<Blocks>::of(&[0; 20], grid, &KINDS).unwrap().with_outside(Outside::Solid);
     assert_eq!(Room::new(map, 0, 0, 2).map(|_| ()), Err(TileMapError::EmptyMap));

@@ -1,5 +1,5 @@
 //! The surface of all shapes against polygons whose half edges cancel: every pair, every corner,
-//! random mosaics, all that is outside.
+//! random mosaics, every outside.
 
 use std::collections::{BTreeMap, BTreeSet};
 use tilesat::AllShapes;
@@ -51,8 +51,8 @@ fn joints_written_down() {
     // Two quarter discs side by side: smooth on top.
     let arch = [((4, 2), down, left), ((0, 2), left, up)];
     assert_eq!(vertices(2, 1, &[12, 13]), arch.into());
-    // A quarter disc below a ceiling that is its tangent: the gap between them has no angle, and is
-    // a gap; else its corner would be a flat joint.
+    // A quarter disc below a ceiling that is its tangent. The gap between them has no angle, but it
+    // is a gap. Otherwise its corner would be a flat joint.
     let ceiling = [((0, 0), up, right), ((4, 0), right, down), ((4, 2), down, left), ((0, 2), left, up)];
     let disc = [((2, 2), up, right), ((4, 4), down, left), ((2, 4), left, up)];
     assert_eq!(vertices(2, 2, &[1, 1, 0, 13]), ceiling.into_iter().chain(disc).collect());
@@ -74,7 +74,7 @@ fn every_pair_of_neighbours() {
     }
 }
 
-/// The shapes that differ in what their borders do around a corner, as one of each.
+/// One shape for each different border around a corner.
 fn kinds_of_corner(corner: (i64, i64)) -> Vec<u8> {
     let mut kinds = BTreeMap::new();
     for id in 0..34u8 {
@@ -105,7 +105,7 @@ fn every_corner_of_four_tiles() {
 fn random_mosaics() {
     let mut random = Random::new(31);
     for i in 0..cases(8_000) {
-        // All shapes, or a few of them, so that many joints are there.
+        // All shapes, or a few of them, so that many joints occur.
         let few: Vec<u8> = (0..random.within(2, 5)).map(|_| random.below(38) as u8).collect();
         let ids = if random.one_in(2) { ids() } else { few };
         let (width, height) = if i % 4 == 0 { (5, 5) } else { (3, 3) };

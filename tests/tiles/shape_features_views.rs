@@ -1,4 +1,4 @@
-//! The surface of all shapes seen in other ways: turned, mirrored, in regions, one byte later, as
+//! Other views of the surface of all shapes: turned, mirrored, in regions, one byte later, as
 //! blocks, as slopes.
 
 use std::collections::BTreeSet;
@@ -104,8 +104,8 @@ fn a_level_of_blocks_is_the_same_in_every_set() {
     }
 }
 
-/// Without owners, and with faces that continue each other put together; what has no length goes
-/// with the face that it continues.
+/// Without owners, and with faces that continue each other joined. A piece of no length joins the
+/// face that it continues.
 fn whole(pieces: &[Piece]) -> BTreeSet<(bool, Kind)> {
     let mut out: BTreeSet<_> = pieces.iter().map(|p| (p.one_way, p.kind)).collect();
     out.retain(|(_, kind)| !matches!(kind, Kind::Face { a, b, .. } if a == b));
@@ -137,7 +137,7 @@ fn a_level_of_slopes_is_the_same_without_arcs_in_the_set() {
     }
 }
 
-/// What lies beyond a repeated border is told as a kind too, with the flags of the border tile.
+/// A kind also describes the repeated border, with the flags of the border tile.
 #[test]
 fn kinds_beyond_the_border() {
     let mosaic = Mosaic { outside: Outside::Edge, ..Mosaic::new(2, 2, vec![8, 3, 34, 17]) };

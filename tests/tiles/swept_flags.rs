@@ -1,4 +1,4 @@
-//! Flags on a straight way: exact, against the distances of sets in 128 bits, and against places
+//! Flags on a straight way: exact, against the distances of sets in 128 bits, and against positions
 //! along the way.
 
 use tilesat::motion::Body;
@@ -14,8 +14,8 @@ fn raw(x: i64, y: i64) -> Vec2 {
     Vec2::from_raw(x as i32, y as i32)
 }
 
-/// Whether a segment from `p` by `d` comes as near as `r` to the box `lo..hi`: the least over the
-/// convex way, by its three kinds of places.
+/// Whether a segment from `p` by `d` comes within `r` of the box `lo..hi`: the minimum over the
+/// convex way, by its three kinds of positions.
 fn comes_near(p: (i128, i128), d: (i128, i128), r: i128, lo: (i128, i128), hi: (i128, i128)) -> bool {
     let square = |v: (i128, i128)| v.0 * v.0 + v.1 * v.1;
     let to_box = |q: (i128, i128)| (q.0 - q.0.clamp(lo.0, hi.0), q.1 - q.1.clamp(lo.1, hi.1));
@@ -40,13 +40,13 @@ fn comes_near(p: (i128, i128), d: (i128, i128), r: i128, lo: (i128, i128), hi: (
     near || (0..4).any(|k| {
         let (a, b) = (corners[k], corners[(k + 1) % 4]);
         let (pa, pb, qa, qb) = (side(a, b, p), side(p, q, b), side(a, b, q), side(p, q, a));
-        // In one line a corner or an end has told it already.
+        // On one line, a corner or an end has already decided.
         pa * qa <= 0 && pb * qb <= 0 && (pa, pb, qa, qb) != (0, 0, 0, 0)
     })
 }
 
 /// Small lattice: cells of 256 raw, bodies and ways of multiples of odd parts, so that all touches
-/// happen, one raw unit more and less too.
+/// occur, also with one raw unit more and less.
 #[test]
 fn exact_on_a_lattice() {
     let mut r = Random::new(7);
@@ -71,7 +71,7 @@ fn exact_on_a_lattice() {
         assert_eq!(map.flags_swept(&disc, raw(d.0, d.1)).unwrap() != 0, due, "{disc:?} by {d:?} at {lo:?}");
         let due = comes_near(wide(p), wide(d), 0, wide(lo), wide(hi));
         assert_eq!(map.flags_swept(&raw(p.0, p.1), raw(d.0, d.1)).unwrap() != 0, due, "{p:?} by {d:?} at {lo:?}");
-        // No way is a place.
+        // No way is a single position.
         assert_eq!(map.flags_swept(&disc, Vec2::ZERO).unwrap(), map.flags_touched(&disc));
         assert_eq!(map.flags_swept(&body, Vec2::ZERO).unwrap(), map.flags_touched(&body));
         if flags == 0 { missed += 1 } else { touched += 1 }
@@ -79,8 +79,8 @@ fn exact_on_a_lattice() {
     assert!(touched > 10_000 && missed > 10_000, "{touched} {missed}");
 }
 
-/// Of all 36 tiles, and of solids of their boxes, those that the way comes near are reported: each
-/// once, and in order.
+/// All of the 36 tiles, and of solids of their boxes, near the way are reported, each once, and in
+/// order.
 #[test]
 fn every_tile_and_solid_on_the_way() {
     fn cells<B: Probe>(map: &TileMap<'_>, body: &B, d: Vec2) -> Vec<(i64, i64)> {

@@ -1,6 +1,6 @@
-//! Levels in a build script: a folder of them becomes Rust source, with a module for each.
+//! Bakes levels in a build script: a folder of them becomes Rust source, with a module for each.
 //!
-//! The build script is three lines, with this package among the `[build-dependencies]`:
+//! Add this package to the `[build-dependencies]`. The build script has three lines:
 //!
 //! ```no_run
 //! fn main() -> Result<(), tilesat_tools::build::Failed> {
@@ -8,7 +8,7 @@
 //! }
 //! ```
 //!
-//! And a line of the program names them, here `levels::cave::MAP` of `levels/cave.tmx`:
+//! The program includes them with one line. Here `levels::cave::MAP` comes from `levels/cave.tmx`:
 //!
 //! ```ignore
 //! include!(concat!(env!("OUT_DIR"), "/levels.rs"));
@@ -24,9 +24,9 @@ use crate::fail::Fail;
 use crate::model::map::Map;
 use crate::rules::options::Options;
 
-/// The errors of a folder of levels: a line for each that is refused.
+/// The errors of a folder of levels, one line per refused level.
 ///
-/// Where `main` returns it, the program exits with 1 and Cargo shows the lines.
+/// If `main` returns it, the program exits with 1 and Cargo shows the lines.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Failed(pub Vec<Fail>);
 
@@ -37,7 +37,7 @@ impl fmt::Display for Failed {
     }
 }
 
-/// As `main` shows it, after `Error: `.
+/// As `main` prints it, after `Error: `.
 impl fmt::Debug for Failed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "no levels\n{self}")
@@ -52,13 +52,13 @@ impl From<Fail> for Failed {
     }
 }
 
-/// Bakes all levels of a folder of the package into a file of the folder's name with `.rs` in
-/// Cargo's `OUT_DIR`. Cargo runs the build script again when one of the levels changes, or a file
-/// that one of them names.
+/// Bakes all levels of a folder of the package into a file in Cargo's `OUT_DIR`. The file has the
+/// folder's name with `.rs`. Cargo runs the build script again if a level changes, or a file that
+/// it names.
 ///
 /// # Errors
 ///
-/// As [`folder`], or this is no build script.
+/// As [`folder`], or if this is not a build script.
 pub fn levels(from: impl AsRef<Path>) -> Result<(), Failed> {
     let from = from.as_ref();
     println!("cargo:rerun-if-changed={}", from.display());
@@ -71,14 +71,14 @@ pub fn levels(from: impl AsRef<Path>) -> Result<(), Failed> {
 }
 
 /// Bakes all levels of a folder, maps of Tiled and projects of `LDtk`, into a file of Rust source.
-/// It is one module of the folder's name, with a module for each level and one table of tile kinds
-/// for all. A `tilesat.toml` in the folder is heeded.
+/// The file has one module of the folder's name, with a module for each level and one table of tile
+/// kinds for all. It uses the settings of a `tilesat.toml` in the folder.
 ///
-/// Returns the files that were read.
+/// Returns the input files.
 ///
 /// # Errors
 ///
-/// A line for each level that cannot be read or is refused. Nothing is written then.
+/// A line for each level that cannot be read or is refused. Then it writes nothing.
 pub fn folder(from: &Path, out: &Path) -> Result<Vec<PathBuf>, Failed> {
     let (mut drawn, mut options, mut read, mut failed) = (Vec::new(), Options::default(), Vec::new(), Vec::new());
     for file in files(from)? {
@@ -97,9 +97,9 @@ pub fn folder(from: &Path, out: &Path) -> Result<Vec<PathBuf>, Failed> {
         Ok(bundle) if failed.is_empty() => bundle,
         result => {
             failed.extend(refused(&drawn, &settings));
-            // Together they may have too many kinds of tiles, though each alone has not.
+            // Together they can have too many kinds of tiles, even if each alone has not.
             failed.extend(result.err().filter(|_| failed.is_empty()));
-            // By file: each line begins with its path.
+            // Grouped by file: each line begins with its path.
             failed.sort_by_key(Fail::to_string);
             return Err(Failed(failed));
         }
@@ -129,7 +129,7 @@ fn refused(drawn: &[(PathBuf, Map)], settings: &Settings) -> Vec<Fail> {
     drawn.iter().filter_map(alone).collect()
 }
 
-/// The level files of a folder, in the order of their names.
+/// The level files of a folder, sorted by name.
 fn files(folder: &Path) -> Result<Vec<PathBuf>, Failed> {
     let of_folder = |e: std::io::Error| Fail::new(format!("cannot read the folder {}: {e}", folder.display()));
     let entries: Result<Vec<_>, _> = fs::read_dir(folder).map_err(of_folder)?.collect();
@@ -145,5 +145,5 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>, Failed> {
     Ok(files)
 }
 
-/// The endings of level files.
+/// The extensions of level files.
 const ENDS: [&str; 3] = ["tmx", "tmj", "ldtk"];

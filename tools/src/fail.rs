@@ -6,11 +6,11 @@ use std::fmt;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fail(String);
 
-/// A value, or a sentence that says why there is none.
+/// A value, or a sentence about the reason that there is none.
 pub type Result<T> = std::result::Result<T, Fail>;
 
 impl Fail {
-    /// The sentence should say what is wrong, where, and what would settle it.
+    /// The sentence should say what is wrong, where, and how to fix it.
     pub fn new(message: impl Into<String>) -> Self {
         Self(message.into())
     }
@@ -23,11 +23,11 @@ impl fmt::Display for Fail {
     }
 }
 
-/// The longest line that is shown.
+/// The greatest length of a line.
 const LONGEST: usize = 1000;
 
-/// Text as it can stand on a line of a terminal: names out of a file may hold line breaks, escape
-/// codes, marks that turn the direction of writing, and be of any length.
+/// Makes text safe for one line of a terminal. Names in a file can contain line breaks, escape
+/// codes and marks that reverse the direction of writing, and can have any length.
 pub(crate) fn one_line(text: &str) -> String {
     let unseen = |c: char| {
         c.is_control()

@@ -1,18 +1,18 @@
 //! Reads, checks and bakes levels of Tiled and `LDtk` for [`tilesat`], and draws the results.
 //!
-//! A level goes through these rooms, and each knows only those before it:
+//! A level passes through these modules. Each knows only those before it:
 //!
-//! 1. [`model`] is a level as it was drawn, in one form for all formats.
-//! 2. [`read`] turns a file of any format into it: maps of Tiled in XML and JSON, projects of
+//! 1. [`model`] is a level as drawn, in one form for all formats.
+//! 2. [`read`] converts a file of any format to it: maps of Tiled in XML and JSON, and projects of
 //!    `LDtk`.
-//! 3. [`rules`] say what of it is solid, by the names that people give to tiles, layers and
-//!    objects: a [`Ground`](rules::ground::Ground).
-//! 4. [`bake`] turns that into what a firmware includes: bytes, a table, Rust source.
-//! 5. [`lint`] looks for mistakes in a level, and [`play`] runs bodies through a baked one and
-//!    checks every frame.
+//! 3. [`rules`] decide what is solid, by the names of tiles, layers and objects. The result is a
+//!    [`Ground`](rules::ground::Ground).
+//! 4. [`bake`] converts that to files that a firmware includes: bytes, a table, Rust source.
+//! 5. [`lint`] finds mistakes in a level. [`play`] runs bodies through a baked level and checks
+//!    every frame.
 //!
-//! [`picture`] draws, and [`sheet`] draws what the library says about each shape. The program
-//! `tilesat` is [`cli`] on top of them. A build script does the same by calling the library:
+//! [`picture`] draws, and [`sheet`] draws the library's answers about each shape. The program
+//! `tilesat` is [`cli`] on top of them. A build script can call the library directly:
 //!
 //! ```no_run
 //! use std::path::Path;

@@ -1,5 +1,5 @@
-//! What bytes that are taken for a segment map have to be, from the table of the layout alone: no
-//! code of the library's, no state between cells.
+//! The conditions on bytes that a segment map accepts. They come from the table of the layout
+//! alone, and share no code with the library.
 
 use tilesat_judge::segments::{Body, P, cross, gcd, sub};
 
@@ -36,8 +36,8 @@ impl Line {
         Self { a, b, dir, len, next: bytes.half(at + 20), kind: bytes.0[at + 22] & 3 }
     }
 
-    /// What it adds to the winding number just right of a point and a little above, if it is part
-    /// of a boundary.
+    /// What this segment adds to the winding number just right of a point and a little above. Only
+    /// segments of a boundary add something.
     fn winding(&self, p: P) -> i128 {
         let (before, after) = (self.a.1 <= p.1, self.b.1 <= p.1);
         if before == after || self.kind != 0 {
@@ -48,8 +48,8 @@ impl Line {
     }
 }
 
-/// Segments that lie on the grid, in exactly the cells whose closed squares they meet; the winding
-/// number of every cell; no byte more or less.
+/// Checks that segments lie on the grid, in exactly the cells whose closed squares they meet.
+/// Checks the winding number of every cell, and that no byte is missing or left over.
 pub(crate) fn check(data: &[u8]) {
     let bytes = Bytes(data);
     let count = bytes.half(6);

@@ -1,5 +1,5 @@
-//! Sequences of operations on many bodies: broad phases beside a list of boxes, scenes beside
-//! themselves.
+//! Sequences of operations on many bodies. Compares broad phases with a list of boxes, and scenes
+//! with each other.
 
 use core::num::NonZeroU8;
 use tilesat::broad::{BroadPhase, BruteForce, Handle, LooseGrid, SortSweep, Tag};
@@ -12,10 +12,10 @@ use tilesat_judge::broad::script::{At, Op, Play, Shape as Place};
 use tilesat_judge::broad::{Cells, Check, Mark, everywhere};
 use tilesat_judge::scenes::{BODIES, check, room};
 
-/// Operations in a sequence.
+/// Operations per sequence.
 const MOST: usize = 80;
 
-/// Quarters of a cell, mostly near each other, and at most 2 raw beside them.
+/// Quarters of a cell, mostly near each other, and at most 2 raw off.
 fn at(r: &mut Random) -> At {
     let quarters = match r.below(7) {
         0..=3 => r.below(16),
@@ -75,7 +75,7 @@ impl Check for Script {
     }
 }
 
-/// Every broad phase against brute force by the definitions.
+/// Compares every broad phase with brute force.
 pub(crate) fn broad(data: &[u8]) {
     let mut r = Random::steered(data);
     let end = (1 << 29) - 1;
@@ -104,7 +104,7 @@ fn shape(r: &mut Random) -> Shape {
 }
 
 fn velocity(r: &mut Random) -> Vec2 {
-    // Beyond what a step takes now and then.
+    // A motion that is sometimes longer than a step allows.
     let component = |r: &mut Random| (r.sign() * r.magnitude(1 << 29)).clamp(-(1 << 29), 1 << 29) as i32;
     if r.one_in(8) { Vec2::from_raw(component(r), component(r)) } else { slow(r) }
 }
@@ -126,7 +126,7 @@ fn body(r: &mut Random, key: u32) -> SceneBody {
     }
 }
 
-/// What a scene shows of a body, by its key.
+/// Everything that a scene shows of a body, by its key.
 type Seen = (SceneBody, bool, bool);
 
 fn seen<B: BroadPhase<Tag = SceneTag>>(scene: &Scene<B, BODIES>) -> Vec<Seen> {
@@ -138,14 +138,14 @@ fn seen<B: BroadPhase<Tag = SceneTag>>(scene: &Scene<B, BODIES>) -> Vec<Seen> {
     all
 }
 
-/// A scene, and who is who in it.
+/// A scene, and the key of each body in it.
 #[derive(Clone)]
 struct Stage<B> {
     scene: Scene<B, BODIES>,
     names: Vec<(u32, Handle)>,
 }
 
-/// What was told of a change, by keys.
+/// The reported changes, by key.
 type Told = Result<Option<Stepped>, tilesat::scene::SceneFault>;
 
 #[derive(Clone, Copy)]
@@ -201,14 +201,15 @@ impl<B: BroadPhase<Tag = SceneTag> + Copy> Stage<B> {
         }
     }
 
-    /// No body enters the solid; one that could not be moved is told, stays and has no velocity.
+    /// Checks that no body enters the solid. A body that could not move is reported, stays, and has
+    /// no velocity.
     fn step(&mut self, gravity: Vec2) -> Result<Stepped, tilesat::scene::SceneFault> {
         let before: Vec<_> = self.scene.bodies().map(|(handle, body)| (handle, *body)).collect();
         let rest_together: Vec<_> = before
             .iter()
             .flat_map(|a| before.iter().map(move |b| (a, b)))
             .filter(|((a, one), (b, other))| a.slot() < b.slot() && joins(one, other))
-            // Of two that sleep one may be woken, and the other in the step after.
+            // Of two sleeping bodies, one may wake in this step and the other in the next.
             .filter(|((a, _), (b, _))| [a, b].iter().any(|body| self.scene.is_awake(**body) == Ok(true)))
             .map(|((a, _), (b, _))| (*a, *b))
             .collect();
@@ -236,7 +237,7 @@ impl<B: BroadPhase<Tag = SceneTag> + Copy> Stage<B> {
     }
 }
 
-/// Whether two bodies touch and meet each other, so that they sleep together or not at all.
+/// Whether two bodies touch and collide, so that they sleep together or not at all.
 fn joins(one: &SceneBody, other: &SceneBody) -> bool {
     let moves = |body: &SceneBody| body.mass.is_some() && !body.filter.sensor();
     moves(one) && moves(other) && one.filter.pairs_with(&other.filter) && one.shape.touches(&other.shape)
@@ -260,8 +261,8 @@ fn change(r: &mut Random, key: &mut u32) -> Change {
     }
 }
 
-/// A scene on three broad phases at once: the same bodies in all; consistent; and after a rollback
-/// the same again.
+/// Runs a scene on three broad phases at once, with the same bodies. Checks consistency, and that a
+/// rollback repeats the results.
 pub(crate) fn scene(data: &[u8]) {
     let mut r = Random::steered(data);
     let sleep = Sleep { steps: r.below(20) as u8, ..Sleep::default() };
@@ -277,7 +278,7 @@ pub(crate) fn scene(data: &[u8]) {
         }
         if r.one_in(10) {
             if let Some(snapshot) = saved.replace(one.clone()) {
-                // Back, and the same changes once more.
+                // Rolls back and applies the same changes again.
                 let mut again: Stage<_> = snapshot;
                 for (change, expected) in &since {
                     let _ = again.make(change);
@@ -287,7 +288,7 @@ pub(crate) fn scene(data: &[u8]) {
             since.clear();
         }
         let change = change(&mut r, &mut key);
-        // What comes to rest and falls asleep takes many steps.
+        // A body needs many steps to come to rest and fall asleep.
         let times = if matches!(change, Change::Step(_)) && r.one_in(4) { r.within(2, 24) } else { 1 };
         for _ in 0..times {
             let told = one.make(&change);

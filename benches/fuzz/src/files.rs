@@ -1,5 +1,5 @@
-//! What comes from outside: bytes of segment maps, levels of Tiled and of `LDtk`. Refused in one
-//! line, or taken and then good for every question.
+//! Data from outside: bytes of segment maps, and levels of Tiled and of `LDtk`. The readers refuse
+//! them in one line, or accept them, and then every query works.
 
 use crate::accepted;
 use std::ffi::OsString;
@@ -17,8 +17,8 @@ use tilesat_tools::rules::flags::Flags;
 use tilesat_tools::rules::ground::Ground;
 use tilesat_tools::rules::options::Options;
 
-/// Bytes as they are, or a level that was built and then damaged where the input says, its checksum
-/// right again.
+/// The bytes themselves, or a level that was built and then damaged as the input says, with a
+/// corrected checksum.
 pub(crate) fn segment_bytes(data: &[u8]) {
     let mut r = Random::steered(data);
     let scene = build::scene(&mut r);
@@ -40,7 +40,7 @@ pub(crate) fn segment_bytes(data: &[u8]) {
                 let copy = bytes[at];
                 bytes.insert(at, copy);
             }
-            // What stands at the end: winding numbers; and the last byte missing.
+            // Damages the end: the winding numbers, or the last byte is missing.
             4 => {
                 let last = bytes.len() - 1 - at % 8 % bytes.len();
                 bytes[last] = bytes[last].wrapping_add(r.around(1) as u8);
@@ -62,7 +62,7 @@ pub(crate) fn segment_bytes(data: &[u8]) {
     hostile::ask(&scene, &map, &mut r);
 }
 
-/// A small change of one field of a segment, or two neighbours among the references exchanged.
+/// Changes one field of a segment slightly, or swaps two neighbouring references.
 fn wound(r: &mut Random, bytes: &mut [u8], at: usize) {
     let half = |at: usize| Some(usize::from(u16::from_le_bytes([*bytes.get(at)?, *bytes.get(at + 1)?])));
     let (Some(count), Some(width), Some(height)) = (half(6), half(20), half(22)) else { return };
@@ -81,7 +81,7 @@ fn wound(r: &mut Random, bytes: &mut [u8], at: usize) {
     }
 }
 
-/// Numbers that such files hold and should not.
+/// Numbers that such files should not hold.
 const ODD: [&str; 16] = [
     "-1",
     "0",
@@ -116,13 +116,13 @@ fn list(r: &mut Random, count: i64, separator: &str, mut item: impl FnMut(&mut R
 
 const CLASSES: [&str; 8] = ["Solid", "OneWay", "Wall", "Hole", "Kill", "SlopeTopLeft", "Ladder", ""];
 
-/// Cells of a layer: few, or a row that with large cells is longer than the domain.
+/// Cells of a layer. With large cells a long row exceeds the domain.
 fn size(r: &mut Random) -> (i64, i64) {
     let (w, h) = (r.within(0, 6), r.within(0, 6));
     if h < 6 { (w, h) } else { (7 * w, 1) }
 }
 
-/// Text of a level; whether it lists more or fewer tiles than the layer has.
+/// The text of a level, and whether it lists more or fewer tiles than the layer has.
 type Made = (String, bool);
 
 fn tmx_text(r: &mut Random) -> Made {
@@ -162,7 +162,7 @@ fn tmx_text(r: &mut Random) -> Made {
         1 => "256".to_owned(),
         _ => "16".to_owned(),
     };
-    // An empty list is one item for readers of such lists.
+    // Readers see an empty list as one item.
     let miscounts = (w * h + wrong).max(1) != (w * h).max(1);
     let text = format!(
         r#"<?xml version="1.0" encoding="UTF-8"?>
@@ -199,7 +199,7 @@ fn ldtk_text(r: &mut Random) -> Made {
     (text, (w * h + wrong).max(0) != w * h)
 }
 
-/// A file of this process and thread.
+/// A file for this process and thread.
 fn scratch(content: &[u8]) -> PathBuf {
     let name = format!("tilesat-fuzz-{}-{:?}.level", std::process::id(), std::thread::current().id());
     let path = std::env::temp_dir().join(name);
@@ -207,8 +207,8 @@ fn scratch(content: &[u8]) -> PathBuf {
     path
 }
 
-/// Text that was made, then damaged where the input says; or the input itself. And whether it has
-/// to be refused.
+/// Generated text, damaged as the input says, or the input itself. Also returns whether the readers
+/// must refuse it.
 fn file(data: &[u8], made: fn(&mut Random) -> Made) -> (PathBuf, bool) {
     let mut r = Random::steered(data);
     if r.one_in(8) {
@@ -251,7 +251,7 @@ fn lint_says(path: &Path) -> (u8, Vec<u8>, Vec<u8>) {
     (status, out, err)
 }
 
-/// Refused in one line by both tools, or a level that the library takes.
+/// Both tools refuse it in one line, or the library accepts the level.
 fn read((path, refused): &(PathBuf, bool)) {
     let told = lint_says(path);
     let (status, _, err) = &told;
@@ -260,7 +260,7 @@ fn read((path, refused): &(PathBuf, bool)) {
     assert_eq!(lint_says(path), told, "twice");
     let loaded = load(path, None);
     assert!(!refused || loaded.is_err(), "a wrong number of tiles is taken");
-    // Unreadable for one is unreadable for all.
+    // If one tool cannot read it, neither can the other.
     assert!(loaded.is_ok() || *status == 2, "{told:?}");
     let Ok(levels) = loaded else { return };
     let mut flags = Flags::default();

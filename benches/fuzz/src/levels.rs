@@ -1,4 +1,4 @@
-//! Questions about levels: tiles and segments against judges that know the definitions alone.
+//! Queries on levels. Judges that know only the definitions check tiles and segments.
 
 use tilesat::{
     Aabb, Circle, Fx, Grid, Inside, Outside, SegmentMap, TileKind, TileKinds, TileMap, Vec2, world::RayRules,
@@ -12,7 +12,7 @@ use tilesat_judge::shapes::judge::{Body as Figure, Judge};
 use tilesat_judge::shapes::level::Level;
 use tilesat_judge::shapes::met as shape_overlap;
 
-/// Questions of one level: as many as there are bytes, and not more than these.
+/// Queries per level: one per byte, up to this number.
 const QUESTIONS: u32 = 12;
 
 fn questions(mut ask: impl FnMut()) {
@@ -20,7 +20,7 @@ fn questions(mut ask: impl FnMut()) {
     (1..QUESTIONS).take_while(|_| Random::is_left()).for_each(|_| ask());
 }
 
-/// Flags of which each two tiles have one in common: the tests' own tiles have one each.
+/// Flags of which every two tiles have one in common. The tests' own tiles have one each.
 const SHARED: [u8; 3] = [0b0011, 0b0110, 0b1101];
 
 static KINDS: TileKinds = TileKinds::EMPTY
@@ -30,7 +30,7 @@ static KINDS: TileKinds = TileKinds::EMPTY
     .with(4, TileKind::FULL.with_flags(SHARED[1]))
     .with(5, TileKind::ONE_WAY_UP.with_flags(SHARED[2]));
 
-/// Blocks: rays, overlap, touch, flags.
+/// Blocks: rays, overlap, touch and flags.
 pub(crate) fn tiles(data: &[u8]) {
     let mut r = Random::steered(data);
     let level = tilesat_judge::blocks::build::level(&mut r);
@@ -59,7 +59,7 @@ pub(crate) fn tile_shapes(data: &[u8]) {
     let mut r = Random::steered(data);
     let level = tilesat_judge::shapes::build::mosaic(&mut r);
     let judge = Judge::new(&level);
-    // What one shape does wrong the others of a level often hide.
+    // Other shapes of a level often hide the fault of one. So this level has one shape.
     let alone =
         Level { width: 1, height: 1, outside: Outside::Empty, tiles: level.tiles[..1].to_vec(), ..level.clone() };
     let judge_alone = Judge::new(&alone);
@@ -91,8 +91,8 @@ pub(crate) fn tile_rays(data: &[u8]) {
     });
 }
 
-/// The flags of edges that a body touches and that have no part of their line in common with any
-/// other: of those nothing is cancelled.
+/// The flags of touched edges whose line has no part in common with any other edge. No edge cancels
+/// those.
 fn certain_flags(scene: &Scene, body: Body) -> u8 {
     let edges: Vec<((P, P), u8)> =
         scene.shapes.iter().flat_map(|s| s.edges().into_iter().map(|edge| (edge, s.flags))).collect();

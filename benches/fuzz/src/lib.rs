@@ -1,8 +1,8 @@
-//! What is asked of every input that the fuzzer makes: the contract, by the judges of the crate's
-//! tests.
+//! The checks of every input that the fuzzer makes. The judges of the crate's tests check the
+//! contract.
 //!
-//! Each target is a function of bytes that panics where the library is wrong. The programs of
-//! `fuzz_targets` give it to libFuzzer; the program `replay` runs the committed corpus on any
+//! Each target is a function of bytes that panics if the library is wrong. The programs in
+//! `fuzz_targets` pass it to libFuzzer. The program `replay` runs the committed corpus on any
 //! toolchain.
 
 mod accepted;
@@ -15,7 +15,7 @@ mod ride;
 
 type Target = fn(&[u8]);
 
-/// All targets by name.
+/// All targets, by name.
 pub const TARGETS: [(&str, Target); 19] = [
     ("overlap", pairs::overlap),
     ("contact", pairs::contact),
@@ -42,7 +42,7 @@ pub const TARGETS: [(&str, Target); 19] = [
 ///
 /// # Panics
 ///
-/// Where the library breaks its contract, and where there is no such target.
+/// If the library breaks its contract, or there is no such target.
 pub fn check(target: &str, data: &[u8]) {
     let (_, run) = TARGETS.iter().find(|(name, _)| *name == target).expect("a target of this name");
     run(data);

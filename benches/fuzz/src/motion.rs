@@ -1,5 +1,5 @@
-//! Bodies that move through levels: never inside by the exact test, never faster, the same twice,
-//! mirrored in a mirror.
+//! Bodies that move through levels. They are never inside by the exact test and never gain speed. A
+//! second run gives the same result, and a mirrored run the mirrored result.
 
 use tilesat::{Axis, Mover, Outside, Response, SegmentMap};
 use tilesat_judge::Random;
@@ -15,7 +15,7 @@ use tilesat_judge::rooms::{PX, mosaic};
 use tilesat_judge::segments::build;
 use tilesat_judge::segments::frames as polygons;
 
-/// Frames of one body: as many as there are bytes, and not more than these.
+/// Frames per body: one per byte, up to this number.
 const FRAMES: u32 = 8;
 
 /// Sides of cells, in units and in raw.
@@ -31,7 +31,7 @@ fn cell(r: &mut Random) -> i64 {
 /// A velocity in proportion to a level's cells, or of any size.
 fn velocity(r: &mut Random, cell: i64) -> P {
     let most = (1 << 28) - 1;
-    // Across at most some hundred cells: the judge looks into each of them.
+    // Crosses at most some hundred cells, because the judge looks into each of them.
     if cell >= 8 * PX && r.one_in(2) {
         return any_velocity(r, 60);
     }
@@ -48,8 +48,8 @@ fn size(r: &mut Random, cell: i64) -> i64 {
     }
 }
 
-/// Blocks and one-way tiles by the exact judge of the first hit, of places and of what is left of
-/// the velocity.
+/// Blocks and one-way tiles. The exact judge checks the first hit, the positions and the remaining
+/// velocity.
 pub(crate) fn blocks(data: &[u8]) {
     let mut r = Random::steered(data);
     let cell = cell(&mut r);
@@ -76,7 +76,7 @@ pub(crate) fn blocks(data: &[u8]) {
             v = velocity(&mut r, cell);
         }
         let (lo, hi) = body.bounds();
-        // What leaves the domain is refused; that is another question.
+        // The mover refuses to leave the domain. Other tests check that.
         if [lo.0, lo.1, hi.0, hi.1].iter().any(|at| at.abs() + v.0.abs().max(v.1.abs()) >= 1 << 29) {
             return;
         }
@@ -92,8 +92,8 @@ fn again(level: &Level, body: &Body, v: P, response: Response, out: &tilesat_jud
     assert_eq!(body.step(&mover, &level.map(), v).as_ref(), Ok(out), "twice: {level:?} {body:?} by {v:?}");
 }
 
-/// The mirror twin: x reversed. Two corners that a circle meets at once from exactly the middle are
-/// the one exception, told by the axes.
+/// The mirror twin, with x reversed. One exception: a circle that meets two corners at once from
+/// exactly the middle. There the axes decide.
 fn mirrored(level: &Level, body: &Body, v: P, response: Response, out: &tilesat_judge::motion::body::Outcome) {
     let w = level.width;
     let tiles = (0..w * level.height).map(|k| level.tile(w - 1 - k % w, k / w)).collect();
@@ -126,7 +126,7 @@ pub(crate) fn shapes(data: &[u8]) {
     let level = mosaic(&mut r, (8, 6), cell, dense, one_way);
     let room = Room::new(&level);
     let kind = mosaics::any_body(&mut r, cell);
-    // Boxes as often as not on the lattice of half cells, where corners come exactly to an end.
+    // Half of the boxes are on the lattice of half cells, where corners end exactly on corners.
     // Circles meet two slopes at once there.
     let is_box = matches!(kind, Shaped::Rect(..));
     let coordinate = |r: &mut Random, cells: i64| {
@@ -154,8 +154,8 @@ pub(crate) fn shapes(data: &[u8]) {
         let view = [View::MirrorX, View::MirrorY, View::Transpose, View::Moved(by)][r.below(4) as usize];
         let mover = mosaics::mover((0, -1), response);
         let first = body.step(&mover, &level.all(), v).expect("inside the domain");
-        // Where x and y are exchanged a tie of roundings is decided the other way, and each further
-        // bounce makes more of that raw unit.
+        // With x and y exchanged, a tie of roundings goes the other way. Each further bounce
+        // amplifies that raw unit.
         let again = response == Response::Bounce && first.hits.len() > 1;
         let view = if view == View::Transpose && again { View::MirrorX } else { view };
         let out = mosaics::frame(&mut r, &scene, &[view], &mut tally);
@@ -196,7 +196,7 @@ pub(crate) fn segments(data: &[u8]) {
             let far = i128::from(r.below(4));
             v = (far * (end.0 - p.0) + any(&mut r) / 4, far * (end.1 - p.1) + any(&mut r) / 4);
         }
-        // Sixteenths of the way are places of the lattice.
+        // Sixteenths of the way are points of the lattice.
         v = (v.0 / 16 * 16, v.1 / 16 * 16);
         let Ok(out) = polygons::step(&scene, &map, &mover, body, v) else { return };
         let case = || format!("{scene:?} {body:?} by {v:?} {response:?}");

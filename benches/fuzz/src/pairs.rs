@@ -1,4 +1,4 @@
-//! Pairs of shapes: every verb against the exact judge, on the tests' adversarial classes.
+//! Pairs of shapes. The exact judge checks every verb, on the tests' adversarial classes.
 
 use tilesat::{CastHit, Inside, Vec2};
 use tilesat_judge::Random;
@@ -11,7 +11,7 @@ use tilesat_judge::oracle::int256::Int256;
 use tilesat_judge::oracle::kernel::{self, aabb, circle, point, segment, vec2};
 use tilesat_judge::oracle::verify::{self, Pair};
 
-/// A pair in either order, and where it is from.
+/// A pair in either order, and its origin.
 fn pair(data: &[u8]) -> (Figure, Figure, Pairs, Class) {
     let mut r = Random::steered(data);
     let kinds = PAIRS[r.below(6) as usize];
@@ -37,8 +37,8 @@ pub(crate) fn contact(data: &[u8]) {
     }
 }
 
-/// Of two opposite exits that are as short the documented one is taken, whichever shape is A: to
-/// +x, else to +y; over the line of a segment to the left of its edge from the first end.
+/// Two opposite exits can be equally short. The documented one wins, whichever shape is A: to +x,
+/// else to +y. Over the line of a segment: to the left of its edge from the first end.
 fn tie(a: &Figure, b: &Figure) {
     let Some(contact) = kernel::contact(a, b).filter(tilesat::Contact::is_degenerate) else { return };
     let (pair, axis) = (Pair::new(a, b), contact.axis());
@@ -84,7 +84,8 @@ fn ray(shape: &Figure, o: Point, d: Point, inside: Inside) -> Option<CastHit> {
     .expect("inside the domain")
 }
 
-/// Yes or no, never late, never inside, as near to the first point as the contract has it.
+/// Checks whether it hits, and that the hit is never late and never inside. The contact is as near
+/// to the exact point as the contract promises.
 pub(crate) fn cast_ray(data: &[u8]) {
     let (shape, other, mut pairs, _) = pair(data);
     let r = &mut pairs.random;
@@ -113,14 +114,15 @@ pub(crate) fn cast_ray(data: &[u8]) {
     let p = point(hit.displacement);
     assert!(!set.holds::<Int256>(p) && set.is_near::<Int256>(p, set.radius + 4), "{hit:?}: {}", case());
     let along = |v: Point| i128::from(hit.axis.x) * i128::from(v.0) + i128::from(hit.axis.y) * i128::from(v.1);
-    // A graze of a disc: across the motion, give or take the rounding of the place.
+    // A disc that is grazed: its centre is across the motion, within the rounding of the position.
     let with = along(d).max(0);
     let square = i128::from(d.0).pow(2) + i128::from(d.1).pow(2);
     assert!(along(d) < 0 || (set.radius > 0 && with * with <= 2 * square), "{hit:?}: {}", case());
 }
 
-/// Where the ray comes to the closed set from outside, tangents of discs aside; from the border
-/// where it goes in; from on what has no inside where it leaves its line.
+/// A ray hits where it enters the closed set from outside; tangents of discs do not count. From the
+/// border, it hits if it goes in. From a set without an inside, it hits where it leaves the set's
+/// line.
 fn stops(set: &Forbidden, d: Point) -> bool {
     if set.touched::<Int256>(d, 0) {
         if set.radius > 0 || set.hull.len() > 2 {

@@ -1,5 +1,5 @@
-//! Bodies on, before and between solids that move: carried, pushed, squashed, and moved themselves
-//! after each tick, by the judges of the tests.
+//! Bodies on, before and between moving solids. The solids carry, push and squash them, and the
+//! bodies move after each tick. The judges of the tests check all of it.
 
 use tilesat::prelude::*;
 use tilesat::world::Set;
@@ -12,7 +12,7 @@ use tilesat_judge::solids::ticks::{
 use tilesat_judge::solids::twins::{BLOCKS, KINDS, mirrored_level};
 use tilesat_judge::solids::{raw, rect, show};
 
-/// Ticks of one scene, at most.
+/// Most ticks per scene.
 const TICKS: i64 = 12;
 
 pub(crate) fn ride(data: &[u8]) {
@@ -31,7 +31,7 @@ pub(crate) fn ride(data: &[u8]) {
     }
 }
 
-/// A level, its mirror image and itself elsewhere.
+/// A level, its mirror image and a shifted copy.
 fn play<S: Set>(r: &mut Random, tiles: &[u8], kinds: &TileKinds, cells: Option<Vec<Block>>)
 where
     for<'m> TileMap<'m, S>: World,
@@ -46,8 +46,8 @@ where
     if r.one_in(2) { scene.play(boxes, ticks, r, &mut seen) } else { scene.play(balls, ticks, r, &mut seen) }
 }
 
-/// What carries a body that is put on a solid: the motion and the belt of the one that is named,
-/// nothing where its side is farther than a contact away.
+/// The carry of a body on a named solid: its motion and its belt. Nothing if its side is farther
+/// than a contact away.
 fn carried(r: &mut Random) {
     let mut list = solids(r);
     steer(&mut list, r);

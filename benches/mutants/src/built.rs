@@ -1,4 +1,4 @@
-//! What the compiler says about a tree.
+//! The compiler's messages about a tree.
 
 use serde_json::Value;
 use std::path::Path;
@@ -6,12 +6,11 @@ use std::process::Command;
 
 pub(crate) struct Error {
     pub(crate) text: String,
-    /// Files and lines that the error is about, of all frames of an evaluation.
+    /// Files and lines of the error, of all frames of an evaluation.
     pub(crate) places: Vec<(String, usize)>,
 }
 
-/// The errors of a build of the library; constants are computed in it, which a check alone would
-/// not do.
+/// The errors of a build of the library. A check alone would not evaluate constants.
 pub(crate) fn errors(tree: &Path) -> Vec<Error> {
     let out = Command::new("cargo")
         .args(["build", "--lib", "--profile", "mutants", "--message-format", "json", "--quiet"])
@@ -40,8 +39,8 @@ fn error(message: &Value) -> Error {
             let file = span["file_name"].as_str().unwrap_or_default().to_owned();
             places.push((file, span["line_start"].as_u64().unwrap_or(0) as usize));
         }
-        // Of an evaluation all that it went through; of other errors the rest is what is declared
-        // elsewhere.
+        // For an evaluation, every frame counts. For other errors, the further places are only
+        // declarations.
         if evaluation {
             pending.extend(message["children"].as_array().into_iter().flatten());
         }

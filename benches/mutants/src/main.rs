@@ -1,13 +1,13 @@
-//! Weaves the mutants that cargo-mutants lists into one program, so that all of them are compiled
-//! once.
+//! Weaves all mutants that cargo-mutants lists into one program, so that one build compiles them.
 //!
-//! `weave LIST.json TREE [--of N --seed K] [--only FILE]` takes all, or those numbered K, K + N,
-//! ..., or those that a file names, and changes the sources of a copied tree: the body of each
-//! function becomes a match over a number that the environment variable `MUTANT` gives when the
-//! program starts, with an arm for each mutant of the function and the body as it was for all other
-//! numbers. Functions that the compiler runs for constants, and mutants that are no valid program,
-//! are found by building and left out. Writes `mutants.tsv` into the tree: number, verdict before
-//! any test (`woven`, `unviable`, `constant`), name.
+//! `weave LIST.json TREE [--of N --seed K] [--only FILE]` takes all mutants, those numbered K, K +
+//! N, ..., or those that a file names. It changes the sources of a copied tree. Each function's
+//! body becomes a match on a number, with an arm per mutant and the original body for all other
+//! numbers. The environment variable `MUTANT` gives the number when the program starts.
+//!
+//! Builds find the functions that the compiler evaluates for constants, and mutants that are no
+//! valid program. The tool leaves both out. It writes `mutants.tsv` into the tree: number, verdict
+//! before any test (`woven`, `unviable`, `constant`) and name.
 
 mod built;
 mod mutant;
@@ -20,7 +20,7 @@ use std::path::Path;
 use std::{env, fs};
 use text::Source;
 
-/// What every tree gets: the number, read before any test runs, and an end at the first failure.
+/// Code for every tree: reads the number before any test runs, and ends at the first failure.
 const ACTIVE: &str = r#"
 #[doc(hidden)]
 pub static mut ACTIVE: u32 = 0;
@@ -95,7 +95,7 @@ fn main() {
     fs::write(tree.join("mutants.tsv"), table).expect("the tree is ours");
 }
 
-/// Readies the first file of the crate.
+/// Prepares the first file of the crate.
 fn begin(tree: &Path) {
     let path = tree.join("src/lib.rs");
     let text = fs::read_to_string(&path).expect("a crate");

@@ -1,14 +1,14 @@
-//! What cargo-mutants lists.
+//! The list that cargo-mutants prints.
 
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
 
-/// A line and a column, both from 1; columns count characters.
+/// A line and a column, both from 1. Columns count characters.
 pub(crate) type Spot = (usize, usize);
 
 pub(crate) struct Mutant {
-    /// Its place in the whole list, from 1.
+    /// Its position in the whole list, from 1.
     pub(crate) id: u32,
     pub(crate) name: String,
     pub(crate) file: String,

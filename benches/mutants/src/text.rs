@@ -1,4 +1,4 @@
-//! Sources whose functions hold their mutants.
+//! Sources whose functions contain their mutants.
 
 use crate::mutant::{Mutant, Spot};
 use std::collections::BTreeSet;
@@ -15,12 +15,12 @@ pub(crate) struct Source {
 }
 
 struct Function {
-    /// Places of its braces in the text, and behind the second one.
+    /// Positions of its braces in the text: at the first, and behind the second.
     body: (usize, usize),
     mutants: Vec<(u32, usize, usize, String)>,
 }
 
-/// What a line of the woven text belongs to.
+/// The mutant that a line of the woven text belongs to.
 pub(crate) enum Place {
     Arm(u32),
     Match(End),
@@ -46,7 +46,7 @@ impl Source {
                 None => functions.push(Function { body: (open_brace(&text, from, to), to), mutants: vec![edit] }),
             }
         }
-        // Of nested functions the outer one is woven, with the mutants of both.
+        // Of nested functions, weaves the outer one with the mutants of both.
         functions.sort_by_key(|function| function.body.0);
         let mut outer: Vec<Function> = Vec::new();
         for function in functions {
@@ -107,8 +107,8 @@ impl Source {
     }
 }
 
-/// Where the block begins that ends a function; strings and characters in it hold no braces of
-/// their own that do not match.
+/// The start of the block that ends a function. Strings and characters in it have no unmatched
+/// braces.
 fn open_brace(text: &[char], from: usize, to: usize) -> usize {
     let mut depth = 0;
     for at in (from..to).rev() {

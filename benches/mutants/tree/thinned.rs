@@ -4,11 +4,11 @@ use tilesat_judge::casts::ask::check;
 use tilesat_judge::oracle::figure::{Figure, Kind, PAIRS, Point};
 use tilesat_judge::oracle::verify::{self, Pair};
 
-/// One case of so many of a lattice; primes, so that no row or column is left out.
+/// Takes one of so many cases of a lattice. These are primes, so no row or column is left out.
 const OF_PAIRS: usize = 499;
 const OF_CASTS: usize = 97;
 
-/// Touches of a lattice of nine by nine are exact with 5, points with 0.
+/// On a lattice of nine by nine, touches with 5 are exact; points need 0.
 const RADII: [i64; 7] = [0, 1, 2, 3, 4, 5, 8];
 
 fn square(from: i64, to: i64) -> impl Iterator<Item = Point> {

@@ -1,5 +1,4 @@
-//! Counting instructions: the program runs itself under callgrind, which counts around single
-//! passes only.
+//! Counts instructions. The program runs itself under callgrind, which counts single passes only.
 
 use std::ffi::CString;
 use std::path::Path;
@@ -10,13 +9,13 @@ const DUMP_STATS_AT: u64 = 0x4354_0003;
 const START_INSTRUMENTATION: u64 = 0x4354_0004;
 const STOP_INSTRUMENTATION: u64 = 0x4354_0005;
 
-/// Valgrind's client request: instructions that change nothing, and mean something to it.
+/// Valgrind's client request: instructions without effect, which mean something to it.
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 fn request(code: u64, argument: u64) {
     let arguments = [code, argument, 0, 0, 0, 0];
-    // SAFETY: four rotations by 128 bits in all and an exchange of a register with itself: no
-    // effect but on rdx, which is told.
+    // SAFETY: it rotates by 128 bits in all and exchanges a register with itself. It changes only
+    // rdx, which is declared.
     unsafe {
         std::arch::asm!(
             "rol rdi, 3", "rol rdi, 13", "rol rdi, 61", "rol rdi, 51", "xchg rbx, rbx",
@@ -26,11 +25,11 @@ fn request(code: u64, argument: u64) {
     }
 }
 
-/// Elsewhere nothing is counted: the driver finds no counts and says so.
+/// Other machines count nothing. The driver finds no counts and says so.
 #[cfg(not(target_arch = "x86_64"))]
 fn request(_: u64, _: u64) {}
 
-/// Runs passes in instrumented code; what is around them is not slowed down.
+/// Runs passes in instrumented code. The code around them runs at full speed.
 pub fn instrumented(passes: impl FnOnce()) {
     request(START_INSTRUMENTATION, 0);
     passes();
@@ -46,7 +45,7 @@ pub fn count(label: &str, pass: impl FnOnce()) {
     request(DUMP_STATS_AT, label.as_ptr() as u64);
 }
 
-/// Runs this program again, under callgrind; its dumps go to a file.
+/// Runs this program again under callgrind. Its dumps go to a file.
 pub fn run(arguments: &[String], dumps: &Path) -> std::io::Result<ExitStatus> {
     let own = std::env::current_exe()?;
     Command::new("valgrind")

@@ -13,7 +13,7 @@ fn host(rows: &[Row], (workload, class): (&str, &str), (backend, asked): (&str, 
     rows.iter().find(is)?.get("host")
 }
 
-/// A section of the page: one table for each workload of boxes.
+/// A section of the page: one table per workload of boxes.
 pub fn page(rows: &[Row]) -> String {
     let mut out = String::from(HEAD);
     for workload in [broad::NAME, broad::regions::NAME] {
@@ -42,10 +42,16 @@ pub fn page(rows: &[Row]) -> String {
 const HEAD: &str = "
 ## Grids and trees
 
-Instructions per frame. In the first table all boxes move and all pairs are told. In the second, the boxes of the first frame stay, and those of
-each frame are regions that are asked for. `clumps`: 32 boxes in 128 x 128 px, and nothing between. `a huge one`: half as wide as the scene.
-`uneven`: sides from 4 to 512 px, half as many of twice the side, and one in sixteen moves; the grid and the hash have cells of 128 px there, their
-best but for regions among 256 boxes, and 32 px elsewhere. Larger boxes go into their separate list. rstar and quadtree_rs are packed or filled in each frame of pairs, which is
-faster than moving each box. A smallest square of the quadtree is 32 px. With 64 px it takes 0.8 of that for scattered pairs, 1.3 for clumps, and
-more for all regions; with 16 px, more for pairs. It never comes near the best tree.
+Instructions per frame. In the first table all boxes move, and the broad phase reports all pairs. In
+the second, the boxes of the first frame stay, and those of each frame are regions to search.
+`clumps`: 32 boxes in 128 x 128 px, and nothing between. `a huge one`: half as wide as the scene.
+`uneven`: sides from 4 to 512 px, half as many of twice the side, and one in sixteen moves.
+
+Cells of the grid and the hash are 32 px, and 128 px in `uneven`. That is their best size there,
+except for regions among 256 boxes. Larger boxes go into a separate list.
+
+rstar and quadtree_rs are packed or filled in each frame of pairs, which is faster than moving each
+box. A smallest square of the quadtree is 32 px. With 64 px it takes 0.8 times as long for scattered
+pairs, 1.3 times for clumps, and longer for all regions. With 16 px it takes longer for pairs. It
+never comes near the best tree.
 ";

@@ -1,12 +1,12 @@
-//! One backend's loop over one class of inputs: the only thing that is timed and counted.
+//! One backend's loop over one class of inputs. Only this loop is timed and counted.
 
 use std::hint::black_box;
 use std::rc::Rc;
 
-/// What a backend computes in: what one unit in its last place is.
+/// The number format of a backend, which gives its unit in the last place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Format {
-    /// A whole number of these parts of a pixel (or of a motion).
+    /// This many parts per pixel (or per motion).
     Parts(f64),
     F32,
     F64,
@@ -32,7 +32,7 @@ impl Format {
     }
 }
 
-/// Inputs in a backend's own shapes, its answers, and the loop from ones to the others.
+/// Inputs in a backend's own shapes, its answers, and the loop between them.
 pub trait Job<A> {
     fn pass(&mut self);
     fn answers(&self) -> Vec<A>;
@@ -47,8 +47,8 @@ struct Loop<P, O, F, A> {
 }
 
 impl<P, O, F: Fn(&P) -> O, A> Job<A> for Loop<P, O, F, A> {
-    /// Each input is hidden from the compiler and each answer is stored whole: the cost of one
-    /// call, not of a loop that can be vectorised.
+    /// Hides each input from the compiler and stores each answer. So it costs a single call; the
+    /// compiler cannot vectorise the loop.
     #[inline(never)]
     fn pass(&mut self) {
         for (input, output) in self.inputs.iter().zip(&mut self.outputs) {
@@ -67,14 +67,14 @@ impl<P, O, F: Fn(&P) -> O, A> Job<A> for Loop<P, O, F, A> {
 
 type Make<I, A> = Rc<dyn Fn(&[I]) -> Box<dyn Job<A>>>;
 
-/// One row of a table: whose code, and which of its questions.
+/// One row of a table: the backend, and which of its questions.
 #[derive(Clone)]
 pub struct Backend<I, A> {
     pub name: &'static str,
     pub asked: &'static str,
     pub format: Format,
     pub make: Make<I, A>,
-    /// Whether it can be asked this at all without ending the program.
+    /// Whether this call returns without ending the program.
     pub fits: fn(&I) -> bool,
 }
 
@@ -82,7 +82,7 @@ pub struct Backend<I, A> {
 pub struct List<I, A>(pub Vec<Backend<I, A>>);
 
 impl<I: 'static, A: 'static> List<I, A> {
-    /// A backend: its shapes from the raw input, its question, and what its answer says.
+    /// A backend: its shapes from the raw input, its question, and the meaning of its answer.
     pub fn add<P: 'static, O: 'static>(
         &mut self,
         (name, asked, format): (&'static str, &'static str, Format),
@@ -98,7 +98,7 @@ impl<I: 'static, A: 'static> List<I, A> {
         self.0.push(Backend { name, asked, format, make, fits: |_| true });
     }
 
-    /// The last one is asked only in classes whose inputs all fit.
+    /// The last backend runs only in classes whose inputs all fit.
     pub fn only_if(&mut self, fits: fn(&I) -> bool) {
         if let Some(last) = self.0.last_mut() {
             last.fits = fits;

@@ -1,28 +1,28 @@
-//! Run time against error: tilesat beside textbook code and other libraries, all on the same
+//! Run time against error: tilesat beside textbook code and other libraries, all with the same
 //! inputs.
 //!
-//! `run.sh` does it all. The parts: what is judged and timed (`measure`), instructions on the host
-//! (`count`), then from the results' CSV alone pictures and pages (`show`). `soak` asks one pair of
-//! shapes for hours.
+//! `run.sh` runs all of it. `measure` judges and times, `count` counts instructions on the host,
+//! and `show` makes pictures and pages from the results' CSV alone. `soak` checks pairs of shapes
+//! for hours.
 //!
 //! How to read it:
-//! - Every answer is held against exact integers of 256 bits, which a test holds equal to big
-//!   rationals. They share no code with the library.
-//! - A backend is wrong by the convention that suits it better over a class: touching is
-//!   overlapping, or it is not. tilesat's is the strict one.
-//! - Who moves bodies: rapier2d's controller stands for parry2d's casts, with which it slides;
-//!   Box2D's mover is a capsule, so circles alone; Chipmunk2D has none. On microcontrollers bodies
-//!   are moved and pairs of boxes told by what runs without an allocator: ours and the textbook's.
-//! - Lengths are raw integers, 65 536 a pixel. A float gets the nearest value to each, so an f32
+//! - Exact integers of 256 bits check every answer. A test checks that they equal big rationals.
+//!   They share no code with the library.
+//! - Touching counts as overlapping, or it does not. Over a class, each backend is judged by the
+//!   convention that suits it better. tilesat's is the strict one.
+//! - Movers of bodies: rapier2d's controller represents parry2d's casts, with which it slides.
+//!   Box2D's mover is a capsule, so it moves circles only. Chipmunk2D has none. On microcontrollers
+//!   only code without an allocator runs: ours and the textbook's.
+//! - Lengths are raw integers, 65 536 per pixel. A float gets the nearest value to each. So an f32
 //!   loses digits far from the origin, as in a game.
-//! - Bodies that move are judged where they are, as what their numbers mean exactly, and so each
-//!   has its own way through a level (`moves/truth.rs`).
-//! - A time is that of the thread, and is thrown away where it strays (`run.rs`, `stray.rs`); one
-//!   whose code has another count since is, too.
-//! - Of pairs of boxes, one that overlaps and is not told is wrong; what only touches may be told
-//!   or not (`broad/truth.rs`).
-//! - A query's cost is that of one call from a loop: operands in memory, the whole answer stored.
-//!   Libraries differ in what they return.
+//! - Each moving body is judged at the exact position that its numbers mean. So each backend has
+//!   its own way through a level (`moves/truth.rs`).
+//! - A time is the thread's time. The program discards a time that strays (`run.rs`, `stray.rs`),
+//!   and a time whose code has another count since.
+//! - A pair of boxes that overlaps and is not reported is wrong. A pair that only touches may be
+//!   reported or not (`broad/truth.rs`).
+//! - A query's cost is that of one call in a loop, with operands in memory and the whole answer
+//!   stored. Libraries differ in what they return.
 
 mod broad;
 mod callgrind;
@@ -57,7 +57,7 @@ const USAGE: &str = "tilesat-precision COMMAND [--quick] [--untimed] [--out FILE
   inputs FOLDER    writes the inputs that microcontrollers get
   add CORE FILE    adds what a microcontroller printed (m0, m4f) or a linker (flash_m0, flash_m4f)
   soak N [--state FILE]
-                   asks until each pair of shapes had N queries, and goes on where it ended
+                   runs until each pair of shapes had N queries; continues where it stopped
   show             writes the pictures and pages of the rows";
 
 struct Options {
@@ -136,7 +136,7 @@ pub fn write(file: &Path, text: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// Rows join those of the file, which is written again.
+/// Rows join those of the file, and the file is written again.
 fn join(options: &Options, rows: impl IntoIterator<Item = Row>) -> Result<(), String> {
     let mut all = record::join(read_rows(&options.out)?.into_iter().chain(rows));
     stray::remove(&mut all);
@@ -148,7 +148,7 @@ fn add(options: &Options, core: &str, file: &Path) -> Result<(), String> {
     join(options, micro::counts(core, &printed)?)
 }
 
-/// Workloads that are measured and counted together.
+/// Workloads that share a measurement and a count.
 struct Part {
     name: &'static str,
     measure: fn(&Sizes, &mut Vec<Row>),
@@ -183,7 +183,7 @@ fn count_inside(sizes: &Sizes, parts: &[&Part]) {
     parts.iter().for_each(|part| (part.count)(sizes));
 }
 
-/// Runs `count-inside` under callgrind, and adds what it counted.
+/// Runs `count-inside` under callgrind, and adds the counts.
 fn count(options: &Options, parts: &[&str]) -> Result<(), String> {
     chosen(parts)?;
     let dumps = options.out.with_extension("callgrind");

@@ -1,5 +1,5 @@
-//! Pictures of the results: cost against error, both on logarithmic scales; a panel a class, a
-//! point a backend and question.
+//! Pictures of the results: cost against error, both on logarithmic scales. One panel per class,
+//! one point per backend and question.
 
 use crate::record::Row;
 use std::collections::BTreeMap;
@@ -14,15 +14,15 @@ const ABOVE: f64 = 22.0;
 const RIGHT: f64 = 14.0;
 const COLUMNS: usize = 3;
 
-/// What a picture shows.
+/// The content of a picture.
 pub struct Axes<'a> {
     pub title: String,
-    /// Of the rows, what lies along x and y; a row that lacks either has no point.
+    /// The values of a row along x and y. A row that lacks one has no point.
     pub x: (&'a str, fn(&Row) -> Option<f64>),
     pub y: (&'a str, fn(&Row) -> Option<f64>),
 }
 
-/// A colour a backend, and a sign.
+/// A colour per backend, and a marker.
 const STYLES: [(&str, &str, char); 20] = [
     ("tilesat", "#0a7a2f", 'o'),
     ("exact (no filters)", "#74b816", 'o'),
@@ -50,8 +50,8 @@ fn style(backend: &str) -> (&'static str, char) {
     STYLES.iter().find(|s| s.0 == backend).map_or(("#000000", 'o'), |s| (s.1, s.2))
 }
 
-/// A sign at a place. Full is a yes or no, hollow is all that a contact tells, half-way is what
-/// tells it when asked.
+/// Draws a marker. Full: a yes or no. Hollow: everything that a contact has. Half: a contact that
+/// computes the rest on request.
 fn sign(out: &mut String, (x, y): (f64, f64), backend: &str, asked: &str) {
     let (colour, shape) = style(backend);
     let fill = match asked {
@@ -96,7 +96,7 @@ impl Decades {
         (v.log10() - f64::from(self.lo)) / f64::from(self.hi - self.lo)
     }
 
-    /// Not so many that they meet.
+    /// Few enough that they do not meet.
     fn ticks(self) -> impl Iterator<Item = i32> {
         let step = ((self.hi - self.lo) / 6).max(1);
         (self.lo..=self.hi).filter(move |k| (k - self.lo) % step == 0)
@@ -110,10 +110,10 @@ fn label(power: i32) -> String {
     }
 }
 
-/// A row with its place.
+/// A row and its position.
 type Point<'a> = (&'a Row, f64, f64);
 
-/// The share of a panel's height that belongs to zero, which no logarithm has.
+/// Share of a panel's height for zero, which has no logarithm.
 const LANE: f64 = 0.2;
 
 pub fn svg(rows: &[&Row], axes: &Axes<'_>) -> String {
@@ -154,7 +154,7 @@ pub fn svg(rows: &[&Row], axes: &Axes<'_>) -> String {
     out
 }
 
-/// Whose signs there are, in the order of the rows.
+/// The backends with markers, in the order of the rows.
 fn legend<'a>(points: &[Point<'a>]) -> Vec<((&'a str, &'a str), String)> {
     let mut seen: BTreeMap<(&str, &str), ()> = BTreeMap::new();
     let mut out = Vec::new();
@@ -173,7 +173,7 @@ fn panel(out: &mut String, class: &str, points: &[&Point<'_>], axes: &Axes<'_>, 
     let across = |v: f64| LEFT + w * x.place(v);
     let up = |v: f64| if v > 0.0 { floor - h * (LANE + (1.0 - LANE) * y.place(v)) } else { floor - h * LANE / 2.0 };
     let _ = writeln!(out, "<text x='{}' y='15' text-anchor='middle' font-weight='bold'>{class}</text>", LEFT + w / 2.0);
-    // The lane of zero is another paper.
+    // The lane of zero has another background.
     let _ = writeln!(
         out,
         "<rect x='{LEFT}' y='{:.1}' width='{w}' height='{:.1}' fill='#e6f4ea'/><text x='{}' y='{:.1}' text-anchor='end'>0</text>",
@@ -214,7 +214,7 @@ fn panel(out: &mut String, class: &str, points: &[&Point<'_>], axes: &Axes<'_>, 
     );
     // The library's last, on top.
     for (row, a, b) in points.iter().rev() {
-        // In the lane of zero height means nothing: it keeps the signs apart.
+        // In the lane of zero, height means nothing. It only separates the markers.
         let kind = STYLES.iter().position(|s| s.0 == row.backend()).unwrap_or(0);
         let lift = if *b > 0.0 { 0.0 } else { (kind % 3) as f64 * 12.0 - 12.0 };
         sign(out, (across(*a), up(*b) + lift), row.backend(), row.asked());

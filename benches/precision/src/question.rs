@@ -1,24 +1,24 @@
-//! A workload's question, and whose answers to it are compared.
+//! A question of a workload, and the backends whose answers are compared.
 
 use crate::record::Row;
 use crate::show::workloads;
 
-/// A workload and what is asked of it.
+/// A workload and its question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Question<'a> {
     pub workload: &'a str,
     pub asked: &'static str,
 }
 
-/// Other people's libraries, unlike textbook code.
+/// Libraries of other people, unlike textbook code.
 pub fn is_library(backend: &str) -> bool {
     ["parry2d", "ncollide2d", "Box2D", "Chipmunk2D", "rapier2d", "broccoli", "rstar", "quadtree_rs"]
         .iter()
         .any(|l| backend.starts_with(l))
 }
 
-/// Whether it tells pairs of many boxes: ours are several, and a game takes the one that suits its
-/// number of bodies.
+/// Whether it reports pairs of many boxes. We have several broad phases, and a game chooses one by
+/// its number of bodies.
 pub fn is_broad(workload: &str) -> bool {
     workload.starts_with("pairs of boxes")
 }
@@ -28,15 +28,15 @@ pub fn is_move(workload: &str) -> bool {
     workload.starts_with("move")
 }
 
-/// What ours says first: the cheapest answer of a workload. Of pairs of boxes each backend has
-/// answers of its own.
+/// The first of our answers: the cheapest of a workload. For pairs of boxes each backend has
+/// separate answers.
 pub fn first_asked(workload: &str) -> &'static str {
     let starts = ["rays", "cast", "move", "pairs of boxes", "tiles: cast", "building"];
     let asked = ["ray", "cast", "move", "pairs", "cast", "build"];
     starts.iter().zip(asked).find(|(start, _)| workload.starts_with(**start)).map_or("overlaps", |(_, asked)| asked)
 }
 
-/// The class of a workload by which costs are told.
+/// The class of a workload whose costs are shown.
 pub fn usual_class(workload: &str) -> &'static str {
     match first_asked(workload) {
         "ray" if workload.ends_with("empty map") => "1024 x 1024 cells",
@@ -50,8 +50,8 @@ pub fn usual_class(workload: &str) -> &'static str {
 }
 
 impl<'a> Question<'a> {
-    /// All that ours answers, the cheapest answer of each workload first; what is only part of
-    /// another answer is not told.
+    /// All our answers, with the cheapest of each workload first. Leaves out parts of other
+    /// answers.
     pub fn all(rows: &'a [Row]) -> Vec<Self> {
         let mut all = Vec::new();
         for workload in workloads(rows) {
@@ -64,7 +64,7 @@ impl<'a> Question<'a> {
         all
     }
 
-    /// Whether a row answers it. A library's contact says yes or no as well.
+    /// Whether a row answers it. A library's contact also answers yes or no.
     pub fn is_of(self, row: &Row) -> bool {
         row.workload() == self.workload
             && !row.class().is_empty()
@@ -94,14 +94,14 @@ impl<'a> Question<'a> {
         }
     }
 
-    /// The row of some backends that answers it in a class: the cheapest that is right there, or
-    /// else the cheapest.
+    /// The row of some backends that answers it in a class: the cheapest correct one, else the
+    /// cheapest.
     pub fn best(self, rows: &'a [Row], class: &str, of: impl Fn(&Row) -> bool) -> Option<&'a Row> {
         let all = || rows.iter().filter(|r| self.is_of(r) && r.class() == class && of(r));
         cheapest(all().filter(|r| is_right(r)), "host").or_else(|| cheapest(all(), "host"))
     }
 
-    /// Where the same backend's answer is wrong most often: the class, and how often in a million.
+    /// The class in which the same backend is wrong most often, and how often in a million.
     pub fn worst(self, rows: &'a [Row], row: &Row) -> Option<(&'a str, f64)> {
         let same = |r: &&Row| {
             (r.workload(), r.backend(), r.asked()) == (row.workload(), row.backend(), row.asked())
@@ -113,8 +113,8 @@ impl<'a> Question<'a> {
     }
 }
 
-/// Boxes that move are another function than circles that do; columns of boxes are another scene
-/// than boxes that are scattered.
+/// Moving boxes use another function than moving circles. Columns of boxes are another scene than
+/// scattered boxes.
 fn is_alike(a: &str, b: &str) -> bool {
     ["box up", "boxes in columns"].iter().all(|other| a.contains(other) == b.contains(other))
 }

@@ -1,11 +1,11 @@
-//! The short table, and what it says about who is better where.
+//! The short table, and the text about who is better in which class.
 
 use crate::question::{Question, cheapest, is_library, is_right};
 use crate::record::Row;
 use crate::tables::short;
 use std::fmt::Write;
 
-/// What it shows: the question, and the class by which costs are told.
+/// The content of the table: the question, and the class whose costs it shows.
 const LINES: [(&str, &str, &str); 12] = [
     ("AABB-AABB", "uniform 50 % hits", "overlaps"),
     ("circle-circle", "uniform 50 % hits", "overlaps"),
@@ -28,11 +28,11 @@ const HEAD: &str = "<!-- precision:begin -->
 
 const FOOT: &str = "
 Instructions on x86-64; wrong answers in a million, in the class of the row / in the worst class of
-the workload. The class is half hits, generic rays, a circle or a box that goes up to 4 px per frame
-among blocks, or a frame of 256 boxes in coherent motion. A frame is wrong that ends in the solid,
-however little. On x86-64 tilesat has its feature `libm`, on the Cortex-M0 it has not. There textbook
-boxes look only where they end; on x86-64 at all columns and rows that they cross, where that is
-what is exact.
+the workload. The class of a row has half hits, or generic rays, or a circle or a box that moves up
+to 4 px per frame among blocks, or a frame of 256 boxes in coherent motion. A frame is wrong if it
+ends in the solid, even by a little. On x86-64 tilesat uses its feature `libm`, on the Cortex-M0 it
+does not. On the Cortex-M0, textbook boxes look only where they end. On x86-64 they look at all
+columns and rows that they cross, if that is exact.
 ";
 
 pub fn table(rows: &[Row]) -> String {
@@ -46,7 +46,7 @@ pub fn table(rows: &[Row]) -> String {
     out
 }
 
-/// A cost, and what is wrong here and where it is worst.
+/// A cost, and the errors here and in the worst class.
 fn said(rows: &[Row], question: Question<'_>, row: &Row) -> Option<String> {
     let worst = question.worst(rows, row)?.1;
     Some(format!("{}; {} / {}", short(row.get("host")?), short(row.wrong_per_million()?), short(worst)))
@@ -83,10 +83,10 @@ fn line(out: &mut String, rows: &[Row], question: Question<'_>, class: &str) {
     );
 }
 
-/// The classes in which textbook f64 is wrong and those in which it is not, and which of the two is
+/// The classes in which textbook f64 is wrong, those in which it is right, and which of the two is
 /// cheaper there.
 fn floats(rows: &[Row]) -> String {
-    // The workloads that fail in the same classes, and how often at most.
+    // The workloads that fail in the same classes, and the greatest error rate.
     let mut wrong: Vec<(String, Vec<&str>, f64)> = Vec::new();
     let (mut right, mut exact, mut cheaper) = (Vec::new(), 0, 0);
     for question in Question::all(rows) {
@@ -128,12 +128,12 @@ fn floats(rows: &[Row]) -> String {
     });
     let m0 = ["textbook f64", "textbook f32", "naive Q16.16"].map(|backend| cheaper_on(rows, "m0", backend));
     let text = format!(
-        "**Where we lose.** On a desktop textbook f64 is right in most classes. Of the {exact} classes in which it is, contacts too, it \
-         takes fewer instructions than tilesat in {cheaper}: in nearly all tests of pairs. tilesat wins where there is no FPU, where the \
-         bits must be equal on every machine, and in the classes in which f64 is wrong. Those are, in a million: {}. Its circles among \
-         blocks are {} px deep at most. It is never wrong in: {}. Among blocks alone, boxes that look at all columns and rows that they cross \
-         are right in every format, for {naive} instructions in naive Q16.16 and {double} in f64 against {ours}. On a Cortex-M0 textbook f64 \
-         takes fewer instructions than tilesat in {}, f32 in {}, and naive Q16.16, right or wrong, in {}.",
+        "**Where we lose.** On a desktop textbook f64 is right in most classes, {exact} with contacts. In {cheaper} of those, nearly all \
+         tests of pairs, it takes fewer instructions than tilesat. tilesat wins without an FPU, if the bits must be equal on every \
+         machine, and in the classes in which f64 is wrong. Those are, with errors in a million: {}. Its circles among \
+         blocks are at most {} px deep. It is never wrong in: {}. Only among blocks, boxes that look at all columns and rows that they \
+         cross are right in every format. They take {naive} instructions in naive Q16.16 and {double} in f64; ours takes {ours}. On a \
+         Cortex-M0 textbook f64 takes fewer instructions than tilesat in {}, f32 in {}, and naive Q16.16, right or wrong, in {}.",
         wrong.collect::<Vec<_>>().join("; "),
         short(deepest.fold(0.0, f64::max)),
         right.join(", "),
@@ -144,7 +144,7 @@ fn floats(rows: &[Row]) -> String {
     format!("\n{}\n", wrapped(&text))
 }
 
-/// In how many classes a backend's best takes less than ours.
+/// The number of classes in which a backend's best costs less than ours.
 fn cheaper_on(rows: &[Row], column: &str, backend: &str) -> String {
     let (mut cheaper, mut all) = (0, 0);
     for question in Question::all(rows) {
@@ -161,7 +161,7 @@ fn cheaper_on(rows: &[Row], column: &str, backend: &str) -> String {
     format!("{cheaper} of {all} classes")
 }
 
-/// In lines of at most a hundred.
+/// In lines of at most a hundred columns.
 fn wrapped(text: &str) -> String {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {

@@ -1,40 +1,39 @@
-//! The results: a row a workload, class, backend and question. Everything that is shown is made
-//! from this file alone.
+//! The results: a row per workload, class, backend and question. All pages and pictures come from
+//! this file alone.
 //!
-//! A cell that was not measured is empty. Another workload adds rows, another measure a column to
-//! [`COLUMNS`]; parts that were measured by different programs are joined by their keys.
+//! A cell that was not measured is empty. Another workload adds rows, and another measure adds a
+//! column to [`COLUMNS`]. Their keys join parts that different programs measured.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// What identifies a row.
+/// The key of a row.
 pub const KEYS: [&str; 4] = ["workload", "class", "backend", "asked"];
 
-/// What a row may hold. Errors are in pixels, or of a time in pixels of way; `ulp` in units of the
-/// backend's own format.
+/// The values of a row. Errors are in pixels; for a time, in pixels of way. `ulp` is in units of
+/// the backend's own format.
 pub const COLUMNS: [&str; 25] = [
     "queries",
-    // Answers that are wrong by the strict convention, and by the one where touching counts.
+    // Answers that are wrong by the strict convention, and by the one in which touching counts.
     "wrong",
     "wrong_closed",
     "max_px",
     "mean_px",
     "max_ulp",
     "mean_ulp",
-    // Times of impact beyond the true one, of all hits, and how far into the other shape that
-    // leads.
+    // Times of impact beyond the true one, of all hits, and how far they lead into the other shape.
     "late",
     "hits",
     "deepest_px",
-    // Of frames that move a body: ends deeper than a 64th of a pixel and than a pixel, through the
-    // solid, and not at all though it could; of pairs of boxes: those that are apart.
+    // Frames that move a body: ends deeper than a 64th of a pixel and than a pixel, through the
+    // solid, or without a possible motion. For pairs of boxes: disjoint ones.
     "deep",
     "lost",
     "tunnels",
     "stuck",
     "extra",
     "ns",
-    // Instructions a query: on the host by callgrind, on microcontrollers in the emulator.
+    // Instructions per query: on the host by callgrind, on microcontrollers in the emulator.
     "host",
     "m0",
     "m0_hit",
@@ -42,8 +41,8 @@ pub const COLUMNS: [&str; 25] = [
     "m4f",
     "m4f_hit",
     "m4f_miss",
-    // Bytes of the query with all that it pulls in; in a row without a class, or with what its
-    // classes begin with.
+    // Bytes of the query with everything that it links. In a row without a class, or with the
+    // common prefix of its classes.
     "flash_m0",
     "flash_m4f",
 ];
@@ -60,7 +59,7 @@ impl Row {
     }
 
     /// # Panics
-    /// Where there is no such column.
+    /// If there is no such column.
     pub fn set(&mut self, column: &str, value: f64) -> &mut Self {
         self.cells.insert(column_named(column).expect("a column of the table"), value);
         self
@@ -90,16 +89,16 @@ impl Row {
         &self.key[3]
     }
 
-    /// Wrong answers in a million, tunnels among them, by the convention that suits the backend
-    /// better; `None` where nothing was judged.
+    /// Wrong answers in a million, tunnels included, by the convention that suits the backend
+    /// better. `None` if nothing was judged.
     pub fn wrong_per_million(&self) -> Option<f64> {
         let strict = self.get("wrong")?;
         let wrong = self.get("wrong_closed").map_or(strict, |closed| strict.min(closed));
         Some((wrong + self.get("tunnels").unwrap_or(0.0)) * 1e6 / self.get("queries")?)
     }
 
-    /// Takes the cells of a later part. A time is that of the code that was counted: with another
-    /// count it goes, unless there is a new one.
+    /// Takes the cells of a later part. A time belongs to the code that was counted. With another
+    /// count it goes, unless there is a new time.
     fn renew(&mut self, part: Self) {
         if let (Some(old), Some(new)) = (self.get("host"), part.get("host"))
             && (new - old).abs() > old * SAME
@@ -109,20 +108,20 @@ impl Row {
         self.cells.extend(part.cells);
     }
 
-    /// Whether the convention that suits it is the one where touching counts.
+    /// Whether the convention that suits it is the one in which touching counts.
     pub fn is_closed(&self) -> bool {
         matches!((self.get("wrong"), self.get("wrong_closed")), (Some(strict), Some(closed)) if closed < strict)
     }
 }
 
-/// How far counts of the same code may be apart: what is around the loop is another time elsewhere.
+/// Counts of the same code may differ by this much: code around the loop takes a different time.
 const SAME: f64 = 0.01;
 
 fn column_named(name: &str) -> Option<&'static str> {
     COLUMNS.iter().copied().find(|c| *c == name)
 }
 
-/// Six digits are more than any of this is good for, save counts.
+/// All values except counts have at most six significant digits.
 fn number(v: f64) -> String {
     if v == v.trunc() && v.abs() < 1e15 {
         format!("{v}")
@@ -145,7 +144,7 @@ pub fn to_csv(rows: &[Row]) -> String {
 }
 
 /// # Errors
-/// A text with the number of the line that is wrong.
+/// A text with the number of the wrong line.
 pub fn from_csv(text: &str) -> Result<Vec<Row>, String> {
     let mut lines = text.lines().enumerate();
     let header: Vec<&str> = lines.next().map(|(_, l)| l.split(',').collect()).unwrap_or_default();
@@ -169,8 +168,8 @@ pub fn from_csv(text: &str) -> Result<Vec<Row>, String> {
         .collect()
 }
 
-/// Rows of all parts, in the order in which keys come first; a later part's cell replaces an
-/// earlier one's.
+/// Rows of all parts, in the order in which their keys first appear. A later part's cell replaces
+/// an earlier one.
 pub fn join(parts: impl IntoIterator<Item = Row>) -> Vec<Row> {
     let mut rows: Vec<Row> = Vec::new();
     for part in parts {

@@ -1,28 +1,28 @@
-//! How much is run, and timing.
+//! The amount of work, and timing.
 
 use crate::job::Job;
 use crate::record::Row;
 
-/// How many inputs a class has.
+/// Inputs per class.
 #[derive(Clone, Copy, Debug)]
 pub struct Sizes {
-    /// Pairs that are judged.
+    /// Pairs to judge.
     pub judged: usize,
-    /// Pairs or casts of a pass that is timed.
+    /// Pairs or casts per timed pass.
     pub timed: usize,
-    /// The first of them, which are counted: callgrind is fifty times slower.
+    /// The first of them are counted: callgrind is fifty times slower.
     pub counted: usize,
-    /// Rays a map and class, which are judged and timed.
+    /// Rays per map and class, to judge and to time.
     pub rays: usize,
-    /// Casts that are judged.
+    /// Casts to judge.
     pub casts: usize,
-    /// Sequences of frames that are judged.
+    /// Sequences of frames to judge.
     pub moves: usize,
-    /// Boxes times frames, all of which are judged and timed.
+    /// Boxes times frames, to judge and to time.
     pub boxes: usize,
-    /// The most segments of a map that is built.
+    /// The most segments of a built map.
     pub largest: usize,
-    /// Passes of which the fastest is taken; none where nothing is timed.
+    /// Passes, of which the fastest counts. Zero if nothing is timed.
     pub passes: usize,
 }
 
@@ -38,7 +38,7 @@ impl Sizes {
         largest: 10_000,
         passes: 7,
     };
-    /// For a look that takes seconds.
+    /// For a look of seconds.
     pub const QUICK: Self = Self {
         judged: 2_000,
         timed: 256,
@@ -52,29 +52,29 @@ impl Sizes {
     };
 }
 
-/// Nanoseconds for which this thread has run so far: what others do in between is not its time.
+/// Nanoseconds that this thread has run so far, without the time of other threads.
 fn cpu_time() -> u64 {
     let mut time = libc::timespec { tv_sec: 0, tv_nsec: 0 };
-    // SAFETY: the clock is there, and the place for its answer is valid.
+    // SAFETY: the clock exists, and the memory for its answer is valid.
     let failed = unsafe { libc::clock_gettime(libc::CLOCK_THREAD_CPUTIME_ID, &raw mut time) } != 0;
     assert!(!failed, "no clock of this thread");
     time.tv_sec as u64 * 1_000_000_000 + time.tv_nsec as u64
 }
 
-/// How far the middle one of some passes may be above the fastest. All take the same instructions,
-/// so more is the machine's doing.
+/// How far the median of some passes may be above the fastest. All run the same instructions, so
+/// the machine causes the rest.
 const STEADY: f64 = 1.25;
 
-/// The fastest of some passes, if most were about as fast: else the machine was busy, and the time
-/// says nothing.
+/// The fastest of some passes, if most were about as fast. Otherwise the machine was busy, and the
+/// time means nothing.
 fn steady(mut passes: Vec<f64>) -> Option<f64> {
     passes.sort_by(f64::total_cmp);
     let (fastest, middle) = (*passes.first()?, passes[passes.len() / 2]);
     (middle <= fastest * STEADY).then_some(fastest)
 }
 
-/// Sets the time of a query in each row, by a job of inputs that hold so many queries each. The
-/// jobs take turns, so that what disturbs one disturbs all; a time that strays is not set.
+/// Sets the time of a query in each row, from a job of inputs with so many queries each. The jobs
+/// take turns, so that a disturbance affects all. Does not set a time that strays.
 pub fn time<A>(rows: &mut [Row], jobs: &mut [Box<dyn Job<A>>], queries: usize, sizes: &Sizes) {
     let mut passes = vec![Vec::new(); jobs.len()];
     for _ in 0..sizes.passes {

@@ -1,4 +1,4 @@
-//! Everything that is shown, from the rows alone: pictures, the page of results, and a short table.
+//! Pictures, the page of results, and a short table, all from the rows alone.
 
 use crate::goals;
 use crate::grids;
@@ -33,7 +33,7 @@ fn file_name(workload: &str) -> String {
 }
 
 /// # Errors
-/// Where the rows cannot be read or a file not be written.
+/// If it cannot read the rows or write a file.
 pub fn all(results: &Path) -> Result<(), String> {
     let mut rows = read_rows(results)?;
     stray::remove(&mut rows);
@@ -46,13 +46,13 @@ pub fn all(results: &Path) -> Result<(), String> {
     let machine = results.with_file_name("machine.md");
     page.push_str(&std::fs::read_to_string(&machine).map_err(|e| format!("{}: {e}", machine.display()))?);
     page.push_str(&goals::page(&rows));
-    page.push_str("\n## Cost and what is wrong\n\nInstructions / ns; wrong in a million; and how many in the class in which that answer is wrong most often, where that is another one.\n");
+    page.push_str("\n## Cost and errors\n\nInstructions / ns; wrong in a million; and the same in the class in which that answer is wrong most\noften, if that is another one.\n");
     page.push_str(&tables::summary(&rows));
-    page.push_str("\n## Errors of depths and times\n\nThe largest of all classes in px, and of times how many in a hundred hits are late where most are.\n");
+    page.push_str("\n## Errors of depths and times\n\nThe largest error of all classes, in px. For times also the percentage of late hits in the\nworst class.\n");
     page.push_str(&tables::errors(&rows));
-    page.push_str("\n## Frames of bodies that move\n\nIn a million frames.\n");
+    page.push_str("\n## Frames of bodies that move\n\nPer million frames.\n");
     page.push_str(&tables::frames(&rows));
-    page.push_str("\n## Workloads by class\n\nInstructions, which answer, and what is wrong in a million.\n");
+    page.push_str("\n## Workloads by class\n\nInstructions, the answer, and errors in a million.\n");
     for workload in workloads(&rows).into_iter().filter(|w| is_broad(w) || w.contains("map") || w.starts_with("tiles"))
     {
         page.push_str(&tables::classes(&rows, workload));
@@ -60,12 +60,15 @@ pub fn all(results: &Path) -> Result<(), String> {
     page.push_str(&grids::page(&rows));
     page.push_str(&micro::page(&rows));
     let pictures = workloads(&rows).into_iter().map(|w| plots(&rows, w, &folder)).collect::<Result<Vec<_>, _>>()?;
-    let _ = writeln!(page, "\n## Pictures\n\n{}.", pictures.into_iter().flatten().collect::<Vec<_>>().join("; "));
+    page.push_str("\n## Pictures\n\n");
+    for links in pictures.into_iter().flatten() {
+        let _ = writeln!(page, "- {links}");
+    }
     write(&results.with_file_name("results.md"), &page)?;
     write(&results.with_file_name("readme-table.md"), &readme::table(&rows))
 }
 
-/// The pictures of a workload, and what of the page leads to them.
+/// The pictures of a workload, and the part of the page that links them.
 fn plots(rows: &[Row], workload: &str, folder: &Path) -> Result<Option<String>, String> {
     let of: Vec<&Row> = rows.iter().filter(|r| r.workload() == workload && !r.class().is_empty()).collect();
     let framed = of.iter().any(|r| r.get("tunnels").or(r.get("extra")).is_some());
@@ -85,27 +88,38 @@ fn plots(rows: &[Row], workload: &str, folder: &Path) -> Result<Option<String>, 
     Ok((!links.is_empty()).then(|| format!("{workload} ({})", links.join(", "))))
 }
 
-const FRAME: &str = "instructions a frame (x86-64)";
-const QUERY: &str = "instructions a query (x86-64)";
+const FRAME: &str = "instructions per frame (x86-64)";
+const QUERY: &str = "instructions per query (x86-64)";
 
 const HEAD: &str = "# Run time against error
 
-Written by `benches/precision/run.sh` from `results.csv`, which has all classes. What is asked, of whom and how it is judged: `src/main.rs`.
+Written by `benches/precision/run.sh` from `results.csv`, which has all classes. `src/main.rs`
+explains the questions, the backends and the judges.
 
-- **Wrong in a million**: yes or no against exact integers, by the convention that suits the backend better over a class: touching is
-  overlapping, or it is not. A ray is right that fits one of the two.
-- **Instructions**: callgrind, one call from a loop with operands in memory and the whole answer stored; the loop is in it (about 6).
-- **ns**: of the thread's own time the fastest of 7 passes within one run, backends in turn. A time is left out where the passes differ, and where
-  the ns per instruction stray from those of the same answer in other classes. Compare within a row's class only.
-- **Error**: of depths, and of times of impact as pixels of way. `late`: of all hits, those whose time is beyond the true one.
-- **Moves**: a frame is wrong that ends in the solid, by however little, or tunnels. Beside it: ends deeper than 1/64 px, and than 1 px. A
-  sequence of 32 frames is judged until it is lost: a pixel deep, or through a wall. Engines keep a gap of their own from the solid.
-- **Pairs of boxes**: wrong are those that overlap and are not told; a frame moves all boxes and tells all pairs. Their motion is coherent;
-  where they leap, three in a hundred jump anywhere in each frame.
-- **f64** places of bodies are judged at the nearest 2^-25 px, boxes at the nearest 2^-24 px: what is in the solid by less is not seen.
-- **Textbook boxes** among blocks: to where they go, or `(columns)` along all columns and rows that they cross. Textbook circles go in steps.
-- **Textbook contacts** have no case for a circle without a radius, which is a part of `within 2 raw of touching`, `touching exactly`,
-  `8000 px from the origin` and `whole domain`: what they miss there is the formula's fault in every format, not rounding.
-- `overlaps`, `would hit`: yes or no. `contact`: depth and normal at once. `contact (lazy)`: as it is returned, nothing rounded yet.
+- **Wrong in a million**: yes or no, compared with exact integers. Either touching counts as
+  overlapping, or it does not: the convention that suits the backend better over a class decides. A
+  ray is right if it fits one of the two.
+- **Instructions**: callgrind. One call in a loop, with operands in memory and the whole answer
+  stored. The loop is included (about 6).
+- **ns**: the thread's own time, the fastest of 7 passes in one run, with backends in turn. A time
+  is left out if the passes differ, or if the ns per instruction stray from those of the same answer
+  in other classes. Compare only within a row's class.
+- **Error**: of depths, and of times of impact as pixels of way. `late`: the share of all hits whose
+  time is beyond the true one.
+- **Moves**: a frame is wrong if it ends in the solid, even by a little, or tunnels. Also shown:
+  ends deeper than 1/64 px, and deeper than 1 px. A sequence of 32 frames counts until the body is
+  lost: a pixel deep, or through a wall. Engines keep a gap to the solid.
+- **Pairs of boxes**: a pair is wrong if it overlaps and is not reported. A frame moves all boxes
+  and reports all pairs. Motion is coherent. In `leap` classes, three in a hundred jump anywhere in
+  each frame.
+- **f64** positions of bodies are judged at the nearest 2^-25 px, boxes at the nearest 2^-24 px. The
+  judge does not see smaller overlaps.
+- **Textbook boxes** among blocks look where they end, or, with `(columns)`, at all columns and rows
+  that they cross. Textbook circles move in steps.
+- **Textbook contacts** have no case for a circle without a radius. Such circles occur in `within 2
+  raw of touching`, `touching exactly`, `8000 px from the origin` and `whole domain`. Those misses
+  are the formula's fault in every format, not rounding.
+- `overlaps`, `would hit`: yes or no. `contact`: depth and normal at once. `contact (lazy)`: the
+  contact as returned, with nothing rounded yet.
 
 ";

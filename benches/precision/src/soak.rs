@@ -1,9 +1,9 @@
-//! One pair of shapes after the other, for as long as it takes: yes or no around touches, against
-//! exact integers.
+//! Compares one pair of shapes after the other with exact integers, around touches, for any length
+//! of time.
 //!
-//! Around each generated pair its neighbours are asked too, up to 2 raw units away in each
-//! direction and with radii one more and one less. The judge of this many is plain 64- and 128-bit
-//! integers; every so often it is itself held against the 256-bit one.
+//! For each generated pair it also tests the neighbours: up to 2 raw units away in each direction,
+//! and with radii one more and one less. The judge of this many uses plain 64- and 128-bit
+//! integers. The 256-bit judge checks it for some pairs.
 
 use crate::pairs::name;
 use crate::peers::exact::Shape as Plain;
@@ -18,13 +18,12 @@ use tilesat_judge::oracle::generate::{CLASSES, Pairs};
 use tilesat_judge::oracle::measure::Measure;
 use tilesat_textbook::exact;
 
-/// Generated pairs a chunk: what is done between two looks at the clock, and what a seed stands
-/// for.
+/// Generated pairs per chunk. It looks at the clock between two chunks, and a seed stands for one.
 const CHUNK: u32 = 20_000;
-/// Every so many generated pairs the judge is judged.
+/// The slower judge checks one generated pair in so many.
 const SAMPLE: u32 = 50;
 
-/// What is known of one pair of kinds.
+/// The results for one pair of kinds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Tally {
     chunks: u64,
@@ -32,7 +31,7 @@ struct Tally {
     wrong: u64,
 }
 
-/// A line a pair of kinds, so that a run goes on where the last one ended.
+/// A line per pair of kinds, so that a run continues where the last one stopped.
 fn load(state: &Path) -> [Tally; 6] {
     let mut tallies = [Tally::default(); 6];
     let text = std::fs::read_to_string(state).unwrap_or_default();
@@ -53,21 +52,21 @@ fn store(state: &Path, tallies: &[Tally; 6]) -> Result<(), String> {
     for (kinds, t) in PAIRS.iter().zip(tallies) {
         let _ = writeln!(text, "{}|{}|{}|{}", name(*kinds), t.chunks, t.queries, t.wrong);
     }
-    // Written beside and moved over: a run that is ended at any moment leaves a whole file.
+    // Writes beside it and moves it over: a run that is stopped at any moment leaves a whole file.
     let beside = state.with_extension("new");
     std::fs::write(&beside, text)
         .and_then(|()| std::fs::rename(&beside, state))
         .map_err(|e| format!("{}: {e}", state.display()))
 }
 
-/// Asks until every pair of kinds has had `goal` queries; the rows of what there is then.
+/// Runs until every pair of kinds has had `goal` queries. Returns the rows so far.
 ///
 /// # Errors
-/// Where an answer is wrong, after all are told, and where the state cannot be written.
+/// If an answer is wrong, after reporting all, or if it cannot write the state.
 pub fn run(goal: u64, state: &Path) -> Result<Vec<Row>, String> {
     let mut tallies = load(state);
     let (start, mut told) = (Instant::now(), Instant::now());
-    // In turns, so that a run that is ended early has asked all alike.
+    // In turns, so that a run that stops early has tested all alike.
     while let Some(i) = (0..6).filter(|&i| tallies[i].queries < goal).min_by_key(|&i| tallies[i].queries) {
         let chunk = chunk(PAIRS[i], tallies[i].chunks);
         tallies[i] = Tally {
@@ -79,7 +78,11 @@ pub fn run(goal: u64, state: &Path) -> Result<Vec<Row>, String> {
         if told.elapsed().as_secs() >= 5 {
             told = Instant::now();
             let least = tallies.iter().map(|t| t.queries).min().unwrap_or(0);
-            eprintln!("{:6} s: {least} of {goal} queries a pair, {} wrong", start.elapsed().as_secs(), total(&tallies));
+            eprintln!(
+                "{:6} s: {least} of {goal} queries per pair, {} wrong",
+                start.elapsed().as_secs(),
+                total(&tallies)
+            );
         }
     }
     let rows = PAIRS.iter().zip(&tallies).map(|(kinds, t)| {
@@ -112,7 +115,7 @@ fn chunk(kinds: (Kind, Kind), seed: u64) -> Tally {
     }
 }
 
-/// A circle a raw unit smaller or larger; others as they are, once.
+/// A circle a raw unit smaller or larger. Other shapes once, unchanged.
 fn sizes(figure: Figure) -> impl Iterator<Item = Figure> {
     (-1..=1).filter_map(move |by| match figure {
         Figure::Circle { centre, radius } if radius + by >= 0 => Some(Figure::Circle { centre, radius: radius + by }),
@@ -131,7 +134,7 @@ where
     let mut tally = Tally::default();
     let mut streams = CLASSES.map(|class| Pairs::new(kinds, class, 0x50a4 + seed));
     for n in 0..CHUNK {
-        // The plain class last and least: it says the least.
+        // The plain class comes last and least: it says the least.
         let stream = if n % 64 == 0 { 0 } else { 1 + (n as usize % (CLASSES.len() - 1)) };
         let (a, b) = streams[stream].next();
         for a in sizes(a).filter(Figure::in_domain) {
@@ -142,7 +145,7 @@ where
                     continue;
                 }
                 let (other, right) = (B::of(&b), judge(&plain, &D::of(&b)));
-                // One order on even, the other on odd neighbours.
+                // One order on even neighbours, the other on odd ones.
                 let told = if (x + y) % 2 == 0 { ours.overlaps(&other) } else { other.overlaps(&ours) };
                 tally.queries += 1;
                 if told != right {

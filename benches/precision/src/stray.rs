@@ -1,12 +1,12 @@
-//! Times that stray: the machine did something else while they were taken.
+//! Times that stray: the machine was busy with something else.
 
 use crate::record::Row;
 
 /// How far the ns per instruction of one class may be from those of the same answer in the other
-/// classes. Branches that are guessed wrong explain less.
+/// classes. Mispredicted branches explain less.
 const FAR: f64 = 3.0;
 
-/// Takes away the times that stray from the middle one of the same answer's.
+/// Removes the times that stray from the median of the same answer's times.
 pub fn remove(rows: &mut [Row]) {
     let pace = |r: &Row| Some(r.get("ns")? / r.get("host")?);
     let strays: Vec<bool> = rows

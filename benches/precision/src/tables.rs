@@ -1,5 +1,5 @@
-//! Tables of the page, as Markdown: a line a question, a column a backend. All classes are in the
-//! rows' own file.
+//! Tables of the page, as Markdown: a line per question, a column per backend. The rows' file has
+//! all classes.
 
 use crate::question::{Question, usual_class};
 use crate::record::Row;
@@ -16,7 +16,7 @@ pub fn short(v: f64) -> String {
     }
 }
 
-/// Columns: of a library with several ways to ask, the best for a question.
+/// Columns: the best way of a library with several, for a question.
 const COLUMNS: [(&str, &[&str]); 12] = [
     ("tilesat", &["tilesat"]),
     ("textbook f64", &["textbook f64"]),
@@ -51,8 +51,7 @@ fn answers<'a>(rows: &'a [Row], question: Question<'a>, class: &str) -> [Option<
     COLUMNS.map(|(_, backends)| question.best(rows, class, |r| backends.contains(&r.backend())))
 }
 
-/// What it costs and what is wrong; and the class where it is wrong most often, if that is another
-/// one.
+/// Its cost and its errors. Also the class where it is wrong most often, if that is another one.
 fn cost(rows: &[Row], question: Question<'_>, row: &Row) -> Option<String> {
     let ns = row.get("ns").map(|ns| format!(" / {}", short(ns))).unwrap_or_default();
     let wrong = row.wrong_per_million()?;
@@ -61,7 +60,7 @@ fn cost(rows: &[Row], question: Question<'_>, row: &Row) -> Option<String> {
     Some(format!("{}{ns}; {}{worst}", short(row.get("host")?), short(wrong)))
 }
 
-/// The usual class of each question, and for each backend the one where it is wrong most often.
+/// The usual class of each question, and for each backend the class where it is wrong most often.
 pub fn summary(rows: &[Row]) -> String {
     let mut out = String::new();
     head(&mut out, "usual class", COLUMNS.iter().map(|c| c.0));
@@ -73,7 +72,7 @@ pub fn summary(rows: &[Row]) -> String {
     out
 }
 
-/// The largest error of all classes, and of times how many are late.
+/// The largest error of all classes, and for times the number of late ones.
 pub fn errors(rows: &[Row]) -> String {
     let mut out = String::new();
     head(&mut out, "px; late in a hundred hits", COLUMNS.iter().map(|c| c.0));
@@ -92,7 +91,7 @@ pub fn errors(rows: &[Row]) -> String {
     out
 }
 
-/// Frames of bodies that move: how many end in the solid, by how much, and what else goes wrong.
+/// Frames of moving bodies: how many end in the solid, how deep, and the other faults.
 pub fn frames(rows: &[Row]) -> String {
     let movers = [
         ("tilesat", "move"),
@@ -131,8 +130,8 @@ fn share(row: &Row, n: f64) -> String {
     row.get("queries").map_or_else(String::new, |all| short(n * 1e6 / all))
 }
 
-/// All classes of a workload that has few rows of its own: bodies among bodies, or what only ours
-/// does.
+/// All classes of a workload with few rows: bodies among bodies, or questions that only ours
+/// answers.
 pub fn classes(rows: &[Row], workload: &str) -> String {
     let mut out = String::new();
     let question = Question { workload, asked: crate::question::first_asked(workload) };

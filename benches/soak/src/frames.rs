@@ -1,5 +1,5 @@
-//! Frames of motion in random worlds, each judged: no overlap, no solid on the way to the first
-//! contact, never faster.
+//! Frames of motion in random worlds. A judge checks each frame: no overlap, no solid on the way to
+//! the first contact, and no gain of speed.
 
 use crate::room::{FINE, Room};
 use tilesat::{AllShapes, Axis, Mover, Response, Surface, TileMap};
@@ -17,12 +17,12 @@ pub const UP: Axis = Axis::NEG_Y;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum World {
-    /// All 34 shapes and one-way edges, 5 to 60 percent of them.
+    /// 5 to 60 percent of the cells hold one of all 34 shapes or a one-way edge.
     Mosaic,
-    /// 60 to 95 percent: gaps and dead ends, bodies smaller than their cells.
+    /// 60 to 95 percent: gaps and dead ends, with bodies smaller than the cells.
     Dense,
-    /// Blocks and one-way edges, judged to the moment and the side of every first hit, and by the
-    /// room that a body may not leave.
+    /// Blocks and one-way edges. The judge knows the moment and the side of every first hit, and
+    /// the room that a body may not leave.
     Blocks,
 }
 
@@ -34,7 +34,7 @@ pub struct Tally {
     pub hits: u64,
     /// Frames of circles.
     pub round: u64,
-    /// Frames whose body was at rest afterwards.
+    /// Frames after which the body was at rest.
     pub rest: u64,
     /// Frames that used all iterations.
     pub all_iterations: u64,
@@ -64,7 +64,7 @@ impl Tally {
     }
 }
 
-/// One batch of a kind of world, always the same one for its number. Panics with the input where a
+/// Runs one batch of a kind of world. Equal numbers give equal batches. Panics with the input if a
 /// frame is wrong.
 pub fn batch(row: usize, seed: u64, number: u64) -> Tally {
     let mut r = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (row as u64) << 57 ^ number);
@@ -90,11 +90,11 @@ pub fn batch(row: usize, seed: u64, number: u64) -> Tally {
     tally
 }
 
-/// A body of any kind and size for some frames in a level, whose map may come from elsewhere.
+/// Moves a body of any kind and size for some frames in a level, with a map of any origin.
 pub fn body(r: &mut Random, level: &Level, map: &TileMap<AllShapes>, largest: i64, tally: &mut Tally) {
     let room = Room::new(level);
     let Some(mut body) = placed(r, level, &room, largest) else { return };
-    // 60 px a frame in cells of 16.
+    // 60 px per frame in cells of 16.
     let fastest = (60 * level.cell / (16 * PX)).max(1);
     let response = RESPONSES[r.below(4) as usize];
     let mover = Mover::platformer(UP).with_response(response);
@@ -138,7 +138,7 @@ pub fn body(r: &mut Random, level: &Level, map: &TileMap<AllShapes>, largest: i6
     }
 }
 
-/// The way to the first contact is free at every sixteenth of the motion, and its end is.
+/// The way to the first contact is free at every sixteenth of the motion, and so is its end.
 fn way_is_free(room: &Room, body: Body, v: P, touch: &Outcome) -> bool {
     let until = touch.hits.first().map_or(FINE, |h| i64::from(h.toi.raw()) >> 26);
     !room.overlaps(touch.body, (0, 0), 0) && (1..=until).all(|k| !room.overlaps(body, v, k))

@@ -1,5 +1,5 @@
-//! A run of hours: 10^9 frames and 10^10 answers, each judged exactly, that can be stopped at any
-//! time and goes on where it was.
+//! A run of hours: 10^9 frames and 10^10 answers, each judged exactly. You can stop it at any time,
+//! and it continues from there.
 //!
 //! ```text
 //! cargo run --profile checked -p tilesat-soak                               all of it, on two cores
@@ -7,31 +7,31 @@
 //! ... -- --class tiny --queries 1e8 --frames 0 --levels 0 --state /tmp/tiny.txt             a part; --list tells the names
 //! ```
 //!
-//! Every few seconds one line tells what is done, how fast, and when it will be over; the counters
-//! are saved with it. At the end a Markdown table follows. The first wrong answer is printed with
-//! its input, and the command fails; so does a judge that disagrees with big rationals.
+//! Every few seconds it prints a line with progress, speed and the time left, and saves the
+//! counters. At the end it prints a Markdown table. At the first wrong answer it prints the input,
+//! and the command fails. It also fails if a judge disagrees with big rationals.
 //!
-//! # What is asked
+//! # What it checks
 //!
-//! - **Pairs**: each pair of shapes in nine classes, every number then moved by up to 2 raw seven
-//!   times. `overlaps` and `touches` in both orders, `contact` (depth exactly the ceiling, free
-//!   after the push), `distance` (exactly the floor), `would_hit` and `cast_shape` by a motion
-//!   through, from or to the place. The judge ([`quick`]) answers in 128-bit integers. One pair and
-//!   cast in 256 goes to the judges of the tests as well, which know axes, points, the exact floor
-//!   of the time and places.
-//! - **Frames**: circles and boxes up to 60 px a frame (in cells of 16) in random worlds of all 34
-//!   shapes and one-way edges, all responses, elastic ones too: no overlap after a frame, never
-//!   faster, and the way to the first contact free at each sixteenth of the motion. Block worlds
-//!   are judged by the tests' judge: exact first moments and sides, and a body never leaves its
-//!   room.
-//! - **Levels**: random TMX files through the reader of the level tools, compared tile by tile and
-//!   played in.
+//! - **Pairs**: each pair of shapes in nine classes, then seven times with every number moved by up
+//!   to 2 raw. It checks `overlaps` and `touches` in both orders, `contact` (depth exactly the
+//!   ceiling, free after the push) and `distance` (exactly the floor). It checks `would_hit` and
+//!   `cast_shape` with a motion through, from or to the position. The judge ([`quick`]) answers in
+//!   128-bit integers. The judges of the tests check one pair and cast in 256 as well. They know
+//!   axes, points, positions and the exact floor of the time.
+//! - **Frames**: circles and boxes at up to 60 px per frame, in cells of 16. They move in random
+//!   worlds of all 34 shapes and one-way edges, with all responses, elastic ones too. No overlap
+//!   after a frame, no gain of speed, and a free way to the first contact at each sixteenth of the
+//!   motion. The tests' judge checks block worlds: exact first moments and sides, and a body never
+//!   leaves its room.
+//! - **Levels**: random TMX files through the reader of the level tools. It compares them tile by
+//!   tile, and bodies move in them.
 //!
 //! # Honest limits
 //!
-//! Legs after the first contact are judged by their ends in levels of all shapes, and by rooms in
-//! levels of blocks. Tiles at the moment of a sixteenth only; what is thinner than that and missed
-//! between two of them would have to be thinner than a sixteenth of a frame's motion.
+//! In levels of all shapes the judge checks only the ends of legs after the first contact. In
+//! levels of blocks it checks the room. It looks at tiles only at each sixteenth. It could miss
+//! something thinner than a sixteenth of a frame's motion.
 
 mod frames;
 mod options;
@@ -66,11 +66,12 @@ fn main() -> ExitCode {
     }
 }
 
-/// How often the counters are saved and told.
+/// How often it saves and prints the counters.
 const TELL: Duration = Duration::from_secs(10);
 
 fn run(options: &Options) -> Result<ExitCode, String> {
-    // A wrong answer is told with its input; where the judge asked is of no interest.
+    // A wrong answer is printed with its input. The judge's own position in the code is of no
+    // interest.
     std::panic::set_hook(Box::new(|what| eprintln!("{what}")));
     selftest::judge(options.seed)?;
     let mut state = if options.fresh { State::new(options.seed) } else { State::load(&options.state, options.seed)? };

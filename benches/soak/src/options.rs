@@ -12,23 +12,23 @@ pub struct Options {
     pub seed: u64,
     pub state: PathBuf,
     pub fresh: bool,
-    /// Parts of the names of the classes that are run; none: all.
+    /// Parts of the names of the classes to run. Empty: all classes.
     pub classes: Vec<String>,
 }
 
 const USAGE: &str = "\
 usage: cargo run --profile checked -p tilesat-soak -- [OPTION]...
-  --frames N    frames of motion in all, earlier runs included; default 1000000000
-  --queries N   answers of pairs and casts in all; default 10000000000
-  --levels N    random TMX levels in all; default 10000
-  --minutes M   stop after so long; default 0: not before all is done
+  --frames N    all frames of motion, with earlier runs; default 1000000000
+  --queries N   all answers of pairs and casts; default 10000000000
+  --levels N    all random TMX levels; default 10000
+  --minutes M   stop after M minutes; default 0: run to the end
   --threads T   default 2
-  --seed S      default 1; another seed is another run with a state of its own
-  --class TEXT  only classes whose name holds this (may be repeated)
-  --state FILE  where the counters are kept; default soak/state-SEED.txt in the target directory
+  --seed S      default 1; another seed is another run with a separate state
+  --class TEXT  only classes whose name contains this (repeatable)
+  --state FILE  file of the counters; default soak/state-SEED.txt in the target directory
   --fresh       forget the state
   --list        the names of the classes
-Numbers may be written 1e9. It goes on where the state file says that it stopped, and exits with 1 on the first wrong answer.";
+You can write numbers as 1e9. A run continues from the state file, and exits with 1 on the first wrong answer.";
 
 fn number(text: &str) -> Option<u64> {
     match text.split_once('e') {
@@ -37,7 +37,7 @@ fn number(text: &str) -> Option<u64> {
     }
 }
 
-/// What was asked for, or what to say instead; `None` asks for the names.
+/// The options, or the message to print instead. `None` stands for the list of names.
 pub fn parse(mut words: impl Iterator<Item = String>) -> Result<Option<Options>, String> {
     let mut state = None;
     let mut o = Options {
@@ -59,7 +59,7 @@ pub fn parse(mut words: impl Iterator<Item = String>) -> Result<Option<Options>,
             o.fresh = true;
             continue;
         }
-        let value = words.next().ok_or_else(|| format!("{word}: not known, or its value is missing\n{USAGE}"))?;
+        let value = words.next().ok_or_else(|| format!("{word}: unknown option, or its value is missing\n{USAGE}"))?;
         let count = || number(&value).ok_or_else(|| format!("{word} {value}: not a number"));
         match word.as_str() {
             "--frames" => o.frames = count()?,

@@ -1,5 +1,5 @@
-//! Pairs of shapes in adversarial classes: every answer of the library against the fast judge, some
-//! against the slow ones.
+//! Pairs of shapes in adversarial classes. The fast judge checks every answer of the library, and
+//! the slow judges check some.
 
 use crate::quick;
 use tilesat::Inside;
@@ -13,20 +13,20 @@ use tilesat_judge::oracle::verify;
 
 /// Motions are smaller than this.
 const MOTION: i64 = 1 << 28;
-/// Each pair once as it was made, then so often with its numbers moved by up to 2 raw.
+/// Each pair runs once as generated, then this often with its numbers moved by up to 2 raw.
 const JITTERS: u64 = 7;
-/// How many pairs one batch makes.
+/// Pairs per batch.
 const PAIRS_A_BATCH: u64 = 5_000;
-/// One pair in so many is also given to the judges of the tests, which know axes, points, times and
-/// places.
+/// The judges of the tests also check one pair in so many. They know axes, points, times and
+/// positions.
 const THOROUGH: u64 = 256;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
-    /// Those of the tests: uniform, near touching, touching, far away, whole domain, one inside the
-    /// other.
+    /// The classes of the tests: uniform, near touching, touching, far away, whole domain, one
+    /// inside the other.
     Of(generate::Class),
-    /// A few lattice points of any spacing: full of ties.
+    /// A few lattice points of any spacing, with many ties.
     Lattice,
     /// Shapes of 0 to 3 raw, up to 4 raw apart.
     Tiny,
@@ -67,7 +67,7 @@ pub struct Tally {
     pub touches: u64,
     pub casts: u64,
     pub hits: u64,
-    /// Pairs and casts that the slow judges have seen as well.
+    /// Pairs and casts that the slow judges checked as well.
     pub thorough: u64,
 }
 
@@ -87,7 +87,7 @@ impl Tally {
     }
 }
 
-/// One batch of a row, always the same one for its number. Panics with the input where an answer is
+/// Runs one batch of a row. Equal numbers give equal batches. Panics with the input if an answer is
 /// wrong.
 pub fn batch(row: usize, seed: u64, number: u64) -> Tally {
     let (pair, (_, class)) = (pair_of(row), class_of(row));
@@ -107,7 +107,7 @@ pub fn batch(row: usize, seed: u64, number: u64) -> Tally {
     tally
 }
 
-/// Pairs as batches make them.
+/// The pairs of a batch.
 pub fn samples(row: usize, seed: u64, count: usize) -> Vec<(Figure, Figure)> {
     let mut r = Random::new(seed);
     let mut source = Source::new(pair_of(row), class_of(row).1, r.next());
@@ -160,13 +160,13 @@ fn check(r: &mut Random, a: &Figure, b: &Figure, thorough: bool, tally: &mut Tal
     }
 }
 
-/// A motion of A through its place, or from or to it, now and then not quite there.
+/// A motion of A through its position, or from or to it, and sometimes not quite there.
 fn through(r: &mut Random, a: &Figure, b: &Figure) -> Option<(Figure, Point)> {
     let most = if r.one_in(4) { MOTION - 1 } else { 64 * UNIT };
     let u = match r.below(6) {
         0 => (r.sign() * r.magnitude(most), 0),
         1 => (0, r.sign() * r.magnitude(most)),
-        // Along or across what joins two corners: grazing.
+        // Along or across the line between two corners: grazing.
         2 | 3 => {
             let corner = |r: &mut Random, f: &Figure| {
                 let (points, count) = f.corners();
@@ -210,7 +210,7 @@ fn motion(a: &Figure, b: &Figure, d: Point, thorough: bool, tally: &mut Tally) {
     }
 }
 
-/// Where pairs come from.
+/// The sources of pairs.
 struct Source {
     kinds: (Kind, Kind),
     class: Class,
@@ -262,8 +262,8 @@ fn shape(kind: Kind, p: Point, q: Point) -> Figure {
     }
 }
 
-/// The second shape sits on a corner or a side of the first, or on the circle as near as the
-/// lattice has it.
+/// The second shape sits on a corner or a side of the first. For a circle: as near to it as the
+/// lattice allows.
 fn giant(r: &mut Random, kinds: (Kind, Kind)) -> (Figure, Figure) {
     let end = LIMIT - 1;
     let mut far = || r.sign() * (end - r.magnitude(end));

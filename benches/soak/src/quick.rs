@@ -1,18 +1,18 @@
 //! A fast exact judge of pairs of shapes, in 128-bit integers.
 //!
-//! Two cores (points, segments, boxes) are compared by the intervals that the difference of both
-//! has along x, y and across every side: the origin is in the interior of `A - B` where it is
-//! strictly inside all of them and the difference has area, outside where it is outside of one.
-//! Distances are those of a corner of one core and a side of the other; each is a fraction that is
-//! compared with a radius by products. Nothing is divided, no root is taken, and nothing is shared
-//! with the library; the self test holds it equal to big rationals.
+//! It compares two cores (points, segments, boxes) by the intervals of their difference `A - B`
+//! along x, y and across every side. The origin is in the interior if it is strictly inside all
+//! intervals and the difference has area. It is outside if it is outside one interval. The distance
+//! is that of a corner of one core and a side of the other. Each distance is a fraction, compared
+//! with a radius by products. Nothing divides or takes a root, and nothing shares code with the
+//! library. The self test checks that it equals big rationals.
 //!
-//! With coordinates below 2^30 a cross product is below 2^62, its square and a squared radius times
-//! a squared length below 2^124.
+//! Coordinates are below 2^30, so a cross product is below 2^62. Its square, and a squared radius
+//! times a squared length, are below 2^124.
 
 use tilesat_judge::oracle::figure::{Figure, Point};
 
-/// Where the origin is in the difference of two cores.
+/// Position of the origin in the difference of two cores.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     Inside,
@@ -55,7 +55,7 @@ impl Core {
         &self.points[..self.count]
     }
 
-    /// Each side once; a point has one without length.
+    /// Each side once. A point has one side, without length.
     fn sides(&self) -> impl Iterator<Item = (Point, Point)> + '_ {
         let sides = if self.count < 3 { 1 } else { self.count };
         (0..sides).map(|i| (self.points[i], self.points[(i + 1) % self.count]))
@@ -73,7 +73,7 @@ impl Core {
         all.fold((first, first), |(lo, hi), h| (lo.min(h), hi.max(h)))
     }
 
-    /// How wide it is along x and y.
+    /// Its extents along x and y.
     fn size(&self) -> Point {
         let span = |n| {
             let (lo, hi) = self.span(n);
@@ -83,7 +83,7 @@ impl Core {
     }
 }
 
-/// A and B, and perhaps the way of A.
+/// A and B, and optionally the way of A.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair {
     a: Core,
@@ -97,7 +97,7 @@ impl Pair {
         Self { a, b, radius: a.radius + b.radius }
     }
 
-    /// The axes across all sides of the difference, and of a way; zero ones say nothing.
+    /// The axes across all sides of the difference and of a way. Zero axes decide nothing.
     fn axes(&self, way: Point) -> [Point; 5] {
         let across = |e: Point| (-e.1, e.0);
         [(1, 0), (0, 1), across(self.a.edge()), across(self.b.edge()), across(way)]
@@ -114,7 +114,7 @@ impl Pair {
         all.iter().enumerate().any(|(i, &u)| all[i + 1..].iter().any(|&v| cross(u, v) != 0))
     }
 
-    /// Where the origin is in `A - B`, A at all places of a way.
+    /// Position of the origin in `A - B`, with A swept along its way.
     fn place(&self, way: Point) -> Place {
         let mut place = if self.has_area() { Place::Inside } else { Place::On };
         for n in self.axes(way) {
@@ -134,7 +134,7 @@ impl Pair {
         place
     }
 
-    /// Whether cores that do not meet are nearer than a distance, or as near where `closed`.
+    /// Whether disjoint cores are nearer than a distance. With `closed`, at most that far.
     fn nearer(&self, distance: i64, closed: bool) -> bool {
         near_corners(&self.a, &self.b, distance, closed) || near_corners(&self.b, &self.a, distance, closed)
     }
@@ -170,7 +170,8 @@ impl Pair {
         }
     }
 
-    /// Whether a line along a side of the difference, its origin inside, is at most so far away.
+    /// Whether a line along a side of the difference is at most this far away. The origin is
+    /// inside.
     fn out_within(&self, d: i64) -> bool {
         d >= 0
             && self.axes((0, 0)).iter().filter(|n| **n != (0, 0)).any(|&n| {
@@ -180,12 +181,12 @@ impl Pair {
             })
     }
 
-    /// Whether A on its way along `d` comes to overlap B that it does not overlap at the start.
+    /// Whether A, moving along `d`, will overlap B. They do not overlap at the start.
     pub fn is_met(&self, d: Point) -> bool {
         if self.radius == 0 {
             return self.has_area() && self.place(d) == Place::Inside;
         }
-        // One of them is a disc: its centre makes the way.
+        // One of them is a disc: its centre moves.
         let swept = if self.a.count == 1 {
             Self { a: self.a.swept(d), ..*self }
         } else {
@@ -195,8 +196,8 @@ impl Pair {
     }
 }
 
-/// Whether a corner of one core is nearer to a side of another than a distance, or as near where
-/// `closed`.
+/// Whether a corner of one core is nearer to a side of another than a distance. With `closed`, at
+/// most that far.
 fn near_corners(a: &Core, b: &Core, distance: i64, closed: bool) -> bool {
     let limit = i128::from(distance).pow(2);
     let below = |x: i128, y: i128| if closed { x <= y } else { x < y };

@@ -1,4 +1,4 @@
-//! What is told while it runs, and the table at the end.
+//! The progress lines, and the table at the end.
 
 use crate::frames::WORLDS;
 use crate::options::Options;
@@ -16,8 +16,8 @@ fn clock(seconds: f64) -> String {
     format!("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
 }
 
-/// One line: what is done of each goal, the rates of this run, and how long the slowest of them
-/// will take.
+/// One line: progress towards each goal, the rates of this run, and the time left for the slowest
+/// goal.
 pub fn progress(options: &Options, before: &State, now: &State, seconds: f64) {
     let goals = [
         ("queries", before.answers(), now.answers(), options.queries),
@@ -40,7 +40,7 @@ pub fn progress(options: &Options, before: &State, now: &State, seconds: f64) {
 
 pub fn table(state: &State) {
     println!(
-        "Seed {}, {} in all. 0 wrong answers, 0 overlaps, 0 tunnels, 0 gains of energy: any would have ended the run.\n",
+        "Seed {}, {} in all. 0 wrong answers, 0 overlaps, 0 tunnels, 0 gains of energy: any of these would have ended the run.\n",
         state.seed,
         clock(state.seconds)
     );

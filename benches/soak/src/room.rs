@@ -1,5 +1,5 @@
-//! A level as one convex piece, or a piece with a quarter arc, a cell: does a body overlap the
-//! solid, exactly, at a sixteenth of a motion?
+//! A level of cells, each with one convex piece, or a piece with a quarter arc. Decides exactly
+//! whether a body overlaps the solid at a sixteenth of a motion.
 
 use tilesat_judge::rooms::body::Body;
 use tilesat_judge::shapes::level::{Level, shape};
@@ -7,7 +7,7 @@ use tilesat_judge::shapes::region::Region;
 
 type P = (i64, i64);
 
-/// Parts of a raw unit that places are asked in. Relative coordinates stay below 2^27: cells and
+/// Positions have this many parts per raw unit. Relative coordinates stay below 2^27: cells and
 /// bodies are below 2^22 raw.
 pub const FINE: i64 = 16;
 
@@ -15,8 +15,8 @@ pub const FINE: i64 = 16;
 enum Solid {
     Nothing,
     Polygon([P; 4], usize),
-    /// Corner of the cell around which the arc is, the one opposite, and whether the solid is
-    /// outside of the arc.
+    /// The corner of the cell at the centre of the arc, the opposite one, and whether the solid is
+    /// outside the arc.
     Arc(P, P, bool),
 }
 
@@ -30,7 +30,7 @@ pub struct Room {
 }
 
 impl Room {
-    /// Outside of it, all is solid.
+    /// Everything outside it is solid.
     pub fn new(level: &Level) -> Self {
         let half = level.cell / 2 * FINE;
         let at = |p: (i128, i128)| (p.0 as i64 * half, p.1 as i64 * half);
@@ -40,7 +40,7 @@ impl Room {
             Some(Region::Polygon(points)) => {
                 let mut out = [(0, 0); 4];
                 out.iter_mut().zip(&points).for_each(|(o, p)| *o = at(*p));
-                // In one turn.
+                // In one direction of rotation.
                 let (u, v) = (sub(out[1], out[0]), sub(out[2], out[0]));
                 if u.0 * v.1 < u.1 * v.0 {
                     out[..points.len()].reverse();
@@ -144,7 +144,7 @@ fn rect(solid: &Solid, lo: P, hi: P) -> bool {
     let corners = [lo, (hi.0, lo.1), hi, (lo.0, hi.1)];
     match *solid {
         Solid::Nothing => false,
-        // No side and no axis separates them; both have area.
+        // No side and no axis separates them, and both have area.
         Solid::Polygon(points, n) => {
             let points = &points[..n];
             let beyond = |f: fn(&P) -> i64, lo: i64, hi: i64| {
@@ -158,8 +158,8 @@ fn rect(solid: &Solid, lo: P, hi: P) -> bool {
                 })
         }
         Solid::Arc(centre, far, outside) => {
-            // What the box has in the cell: its corners are the nearest and the farthest of the
-            // centre.
+            // The part of the box in the cell. Its corners include the nearest and the farthest
+            // point from the centre.
             let cut = |lo: i64, hi: i64, c: i64, f: i64| (lo.max(c.min(f)), hi.min(c.max(f)));
             let ((x0, x1), (y0, y1)) = (cut(lo.0, hi.0, centre.0, far.0), cut(lo.1, hi.1, centre.1, far.1));
             let radius = (far.0 - centre.0).abs();

@@ -1,5 +1,5 @@
-//! The fast judge is judged: by big rationals and other means, on samples of every class, before
-//! anything else is asked.
+//! Checks the fast judge before the run: by big rationals and other means, on samples of every
+//! class.
 
 use crate::queries::{ROWS, samples};
 use crate::quick::Pair;
@@ -8,11 +8,11 @@ use tilesat_judge::num_rational::BigRational;
 use tilesat_judge::oracle::figure::Figure;
 use tilesat_judge::oracle::rational;
 
-/// Pairs of each row.
+/// Pairs per row.
 const EACH: usize = 40;
 
-/// The depth or the distance that an exact square and the radii give, by a search, must be the one
-/// that the judge takes.
+/// A search finds the depth or the distance from an exact square and the radii. The judge must
+/// agree.
 pub fn judge(seed: u64) -> Result<(), String> {
     for row in 0..ROWS {
         for (a, b) in samples(row, seed, EACH) {

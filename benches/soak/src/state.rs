@@ -1,4 +1,4 @@
-//! What a long run has done so far, in a small text file that a later run goes on from.
+//! The progress of a long run, in a small text file from which a later run continues.
 
 use crate::frames::{self, WORLDS};
 use crate::queries::{self, ROWS, class_of, pair_of};
@@ -12,7 +12,7 @@ pub struct State {
     /// Numbers of the next batches of each row.
     pub next_queries: Vec<u64>,
     pub next_frames: Vec<u64>,
-    /// The next level; so many have been played.
+    /// The number of the next level, which is also the number of levels done.
     pub next_level: u64,
     pub queries: Vec<queries::Tally>,
     pub frames: Vec<frames::Tally>,
@@ -20,7 +20,7 @@ pub struct State {
     pub levels: frames::Tally,
 }
 
-/// The first line: another program's counters are not this one's.
+/// The first line. It tells this program's counters from another's.
 const HEAD: &str = "tilesat-soak 1";
 
 impl State {
@@ -84,19 +84,19 @@ impl State {
         Some(state)
     }
 
-    /// That of the file, where it is one of this seed; a new one where there is none.
+    /// The state of the file, if it has this seed. Otherwise a new one.
     pub fn load(path: &Path, seed: u64) -> Result<Self, String> {
         let text = match std::fs::read_to_string(path) {
             Ok(text) => text,
             Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(Self::new(seed)),
             Err(e) => return Err(format!("{}: {e}", path.display())),
         };
-        let state =
-            Self::parse(&text).ok_or(format!("{}: not a state of this program; --fresh forgets it", path.display()))?;
+        let state = Self::parse(&text)
+            .ok_or(format!("{}: not a state of this program; --fresh discards it", path.display()))?;
         if state.seed == seed { Ok(state) } else { Err(format!("{}: its seed is {}", path.display(), state.seed)) }
     }
 
-    /// Never half a file: written beside it, then put in its place.
+    /// Writes a second file and then renames it, so that the file is never incomplete.
     pub fn save(&self, path: &Path) -> Result<(), String> {
         let fail = |e: std::io::Error| format!("{}: {e}", path.display());
         if let Some(folder) = path.parent() {
@@ -108,7 +108,7 @@ impl State {
     }
 }
 
-/// `circle-box near` and so on.
+/// Such as `circle-box near`.
 pub fn name(row: usize) -> String {
     let (a, b) = pair_of(row);
     format!("{a:?}-{b:?}/{}", class_of(row).0).to_lowercase()

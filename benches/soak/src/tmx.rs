@@ -1,5 +1,5 @@
-//! Random levels of Tiled through the reader of the level tools: written as a file, read, baked,
-//! compared tile by tile, and played in.
+//! Random levels of Tiled through the reader of the level tools. It writes a file, reads it, bakes
+//! it, compares it tile by tile, and moves bodies in it.
 
 use crate::frames::{self, Tally};
 use std::collections::BTreeSet;
@@ -15,20 +15,20 @@ use tilesat_tools::bake::{Settings, bake};
 use tilesat_tools::read::load;
 use tilesat_tools::rules::names;
 
-/// Bodies in each level.
+/// Bodies per level.
 const BODIES: u64 = 2;
 /// The first bit of a tile number's flips: across, down, over the diagonal.
 const FLIPS: u32 = 29;
 
-/// By shape and flips: looking for them takes longer than a level.
+/// By shape and flips: a search takes longer than a level.
 static TURNED: OnceLock<[[u8; 8]; 38]> = OnceLock::new();
 
-/// One level, always the same one for its number. Panics with the level where the reader or a frame
+/// Runs one level. Equal numbers give equal levels. Panics with the level if the reader or a frame
 /// is wrong.
 pub fn level(scratch: &Path, seed: u64, number: u64) -> Tally {
     let mut r = Random::new(seed.wrapping_mul(0xd134_2543_de82_ef95) ^ number);
     let tile = [1, 8, 16, 24, 256][r.below(5) as usize];
-    // No motion leads out of the domain: the level ends a thousand units before it.
+    // No motion leaves the domain: the level ends a thousand units before its end.
     let most = 7190 / tile;
     let (width, height) = (r.within(3, most.min(40)), r.within(3, most.min(30)));
     let density = r.within(0, 100);
@@ -44,7 +44,7 @@ pub fn level(scratch: &Path, seed: u64, number: u64) -> Tally {
         drawn.push(turned[usize::from(shape)][flips as usize]);
     }
     if drawn.iter().all(|&id| id == 0 || id > 33) {
-        // The reader wants a solid.
+        // The reader requires a solid tile.
         (cells[0], drawn[0]) = (1, 1);
     }
     let text = text(width, height, tile, named, &cells);
@@ -61,7 +61,7 @@ pub fn level(scratch: &Path, seed: u64, number: u64) -> Tally {
         "{}",
         file.display()
     );
-    assert_eq!(shapes, drawn, "another level than drawn: {}", file.display());
+    assert_eq!(shapes, drawn, "the level differs from the drawing: {}", file.display());
     let kinds = baked.kinds();
     let cell = Fx::from_num(tile);
     let grid =
@@ -84,8 +84,8 @@ fn read(file: &Path) -> Result<Baked, String> {
     first.ok_or_else(|| "no tiles".to_owned())
 }
 
-/// The map as an editor writes it: each shape is a tile of its own, named or numbered where it has
-/// a number.
+/// Writes the map as an editor does. Each shape is a separate tile, named, or numbered if it has a
+/// number.
 fn text(width: i64, height: i64, tile: i64, named: bool, cells: &[u32]) -> String {
     let mut out = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<map version=\"1.10\" orientation=\"orthogonal\" renderorder=\"right-down\" \
@@ -110,8 +110,8 @@ fn text(width: i64, height: i64, tile: i64, named: bool, cells: &[u32]) -> Strin
     out
 }
 
-/// The shape of a tile that is flipped over its diagonal, then across, then down, as its four
-/// corners and four middles of sides go.
+/// The shape of a tile that is flipped over its diagonal, then across, then down. Follows its four
+/// corners and the four middles of its sides.
 fn flipped(shape: u8, flips: u32) -> u8 {
     let (down, across, diagonal) = (flips & 2 != 0, flips & 4 != 0, flips & 1 != 0);
     let turn = |(x, y): (i64, i64)| {
@@ -120,11 +120,11 @@ fn flipped(shape: u8, flips: u32) -> u8 {
     };
     let wanted: BTreeSet<_> = outline(shape).into_iter().map(turn).collect();
     let same = |id: &u8| outline(*id) == wanted && (shape < 34) == (*id < 34);
-    (0..38).find(same).unwrap_or_else(|| panic!("shape {shape} flipped by {flips} is none"))
+    (0..38).find(same).unwrap_or_else(|| panic!("shape {shape} flipped by {flips} does not exist"))
 }
 
-/// What tells shapes apart: the places of a fine lattice, around the middle of the cell, that are
-/// in the solid; of a one-way edge its middle.
+/// Identifies a shape by the points of a fine lattice around the middle of the cell that are in the
+/// solid. For a one-way edge: by its middle.
 fn outline(id: u8) -> BTreeSet<(i64, i64)> {
     if let 34..=37 = id {
         return BTreeSet::from([[(0, -1), (1, 0), (0, 1), (-1, 0)][usize::from(id - 34)]]);

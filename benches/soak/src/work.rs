@@ -1,4 +1,4 @@
-//! What is done next, by threads that take one batch each.
+//! Chooses the next batches. Each thread takes one at a time.
 
 use crate::frames::{self, WORLDS};
 use crate::options::Options;
@@ -8,10 +8,10 @@ use crate::tmx;
 use std::path::{Path, PathBuf};
 use std::thread;
 
-/// What a thread takes at a time: so few that the end of a round is not long waited for.
+/// The share of a thread. It is small, so that the threads do not wait long for the end of a round.
 const BATCHES: u64 = 4;
 
-/// A batch; the same numbers always make the same one.
+/// A batch. Equal numbers give equal batches.
 #[derive(Clone, Copy, Debug)]
 pub enum Job {
     Queries(usize, u64),
@@ -44,8 +44,8 @@ impl Plan {
         }
     }
 
-    /// The batches of one round, some for each thread: of the goal that is farthest behind, so that
-    /// all come to their ends together.
+    /// The batches of one round, some per thread, of the goal that is farthest behind. So all goals
+    /// end together.
     pub fn round(&self, options: &Options, state: &mut State) -> Vec<Job> {
         let share = |done: u64, goal: u64| if done < goal { done as f64 / goal as f64 } else { f64::INFINITY };
         let none = |empty: bool, share: f64| if empty { f64::INFINITY } else { share };
@@ -76,8 +76,7 @@ impl Plan {
             .collect()
     }
 
-    /// Does a round and adds it up; the job that found something wrong, which its thread has
-    /// printed.
+    /// Runs a round and adds it up. Returns the job that found a fault; its thread has printed it.
     pub fn run(&self, options: &Options, state: &mut State, jobs: &[Job]) -> Result<(), Job> {
         let seed = options.seed;
         let each = jobs.len().div_ceil(options.threads as usize).max(1);

@@ -3,14 +3,14 @@
 use crate::random::starts;
 use crate::scene::{Order, PX, Point, Scene, Shape, Start, Tiles};
 
-/// What a table's cells tell of a scene.
+/// What the cells of a table show for a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Runs on a flat floor: ghosts, speed, pops.
     Floor,
-    /// Falls into a corner: whether it comes to rest.
+    /// Falls into a corner: does it come to rest?
     Valley,
-    /// A number of elastic bounces: the energy that is left.
+    /// A number of elastic bounces: the energy after them.
     Bounces,
     /// Bounces with this restitution in 1/256: escapes, energy, depth.
     LongRun(i32),
@@ -22,7 +22,7 @@ pub struct Case {
     pub starts: Vec<Start>,
 }
 
-/// 1/6 pixel a frame a frame.
+/// 1/6 pixel per frame per frame.
 const GRAVITY: i32 = 10922;
 
 pub fn all() -> Vec<Case> {
@@ -40,7 +40,7 @@ fn px(corners: &[Point]) -> Vec<Point> {
     corners.iter().map(|p| p.map(|c| c * PX)).collect()
 }
 
-/// 3.37 pixels per frame over a floor of 24-pixel pieces, or tiles, that has no end.
+/// 3.37 pixels per frame over an endless floor of 24-pixel pieces, or of tiles.
 fn floor(order: Order, walker: bool) -> Case {
     const ROWS: &str = include_str!("levels/floor.txt");
     let backward = order == Order::Backward;
@@ -65,7 +65,7 @@ fn floor(order: Order, walker: bool) -> Case {
     Case { kind: Kind::Floor, scene, starts: vec![Start { centre: [0, -10 * PX], velocity: [220_856, 0] }] }
 }
 
-/// 45 degrees on both sides, 16 balls that fall in.
+/// 45 degrees on both sides. 16 balls fall in.
 fn even() -> Case {
     const ROWS: &str = include_str!("levels/even.txt");
     let scene = Scene {
@@ -102,7 +102,7 @@ fn mild() -> Case {
     Case { kind: Kind::Valley, starts: starts(&scene, 0x5126, 16, -96 * PX, 4 * PX), scene }
 }
 
-/// Elastic bounces in a room of 24 walls that no lattice direction is along.
+/// Elastic bounces in a room of 24 walls. No wall follows a lattice direction.
 fn polygon() -> Case {
     let corner = |i: i32| {
         let angle = (f64::from(i) + 0.37) / 24.0 * std::f64::consts::TAU;

@@ -1,4 +1,5 @@
-//! The picture: energy over frames, of that at the start; one panel a scene, one line an engine.
+//! The picture: energy over frames, relative to the start. One panel per scene, one line per
+//! engine.
 
 use crate::cases::{Case, Kind};
 use crate::engines::Column;
@@ -12,7 +13,7 @@ const MARGIN: f64 = 48.0;
 const COLOURS: [&str; 10] =
     ["#0a7a2f", "#12b886", "#9775fa", "#c92a2a", "#f76707", "#1971c2", "#e8b100", "#862e9c", "#495057", "#adb5bd"];
 
-/// An SVG of all cases in which energy should stay as it is.
+/// An SVG of all cases that should keep their energy.
 pub fn svg(cases: &[Case], columns: &[Column], results: &[Vec<Cell>]) -> String {
     let chosen: Vec<usize> =
         (0..cases.len()).filter(|&i| !matches!(cases[i].kind, Kind::Valley | Kind::LongRun(128))).collect();
@@ -43,7 +44,7 @@ pub fn svg(cases: &[Case], columns: &[Column], results: &[Vec<Cell>]) -> String 
     out
 }
 
-/// Where a ratio of energies is on an axis from 0 to 1.
+/// Position of an energy ratio on an axis from 0 to 1.
 #[derive(Clone, Copy)]
 enum Scale {
     /// The greatest distance from 1.
@@ -99,7 +100,7 @@ fn panel(out: &mut String, case: &Case, row: &[Cell]) {
             y + 4.0,
         );
     }
-    // The first column last, on top.
+    // The first column comes last, so that it is on top.
     for (k, line) in lines.iter().enumerate().rev().filter(|(_, line)| !line.is_empty()) {
         let mut path = String::new();
         for (i, &(frame, ratio)) in line.iter().enumerate() {

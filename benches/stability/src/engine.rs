@@ -1,6 +1,7 @@
-//! What every column of the tables is.
+//! The interface of every column of the tables.
 
-/// Where a body is and how fast, in pixels and pixels per frame: exact for all number formats here.
+/// Position and velocity of a body, in pixels and pixels per frame. Exact for all number formats
+/// here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
     pub centre: [f64; 2],
@@ -8,7 +9,7 @@ pub struct State {
 }
 
 impl State {
-    /// Of a body that the engine has given up.
+    /// The engine has given up the body.
     pub const LOST: Self = Self { centre: [f64::NAN; 2], velocity: [f64::NAN; 2] };
 }
 
@@ -17,11 +18,11 @@ pub trait Engine {
     /// Gravity, motion, response: one frame.
     fn frame(&mut self);
 
-    /// Where the body is.
+    /// The body's position.
     fn state(&self) -> State;
 
-    /// Whether position and velocity are all that it remembers: a frame that changes neither is
-    /// then followed by none that does, and the rest of the run need not be made.
+    /// Whether position and velocity are its whole state. Then after a frame that changes neither,
+    /// no later frame does, and the run can end.
     fn forgets(&self) -> bool {
         true
     }

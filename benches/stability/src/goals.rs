@@ -1,13 +1,13 @@
-//! What this library promises of these scenes, checked on its own columns.
+//! The promises of this library for these scenes, checked on its own columns.
 
 use crate::cases::{Case, Kind};
 use crate::runs::Cell;
 use crate::watch::Watched;
 
-/// Deeper than the judge's own error, far below a raw unit (1.5e-5).
+/// More than the judge's own error, and far less than a raw unit (1.5e-5).
 const TOUCH: f64 = 1e-7;
 
-/// What is missed, a line a run.
+/// The missed goals, one line per run.
 pub fn missed(case: &Case, column: &str, cell: &Cell) -> Vec<String> {
     let mut lines = Vec::new();
     for (start, run) in cell.iter().enumerate() {
@@ -45,7 +45,7 @@ fn goals(case: &Case, column: &str, run: &Watched) -> Vec<(&'static str, bool)> 
         }
     }
     if column.contains("renewed") {
-        // Exact in integers; the ratio here is not.
+        // Integers are exact; the ratio here is not.
         goals.push(("never more energy, and nearly all of it", run.peak_energy < 1.0 + 1e-12 && run.kept() >= 0.999));
     }
     goals

@@ -1,4 +1,4 @@
-//! The scene's level as the library reads it.
+//! The scene's level, as the library reads it.
 
 use crate::scene::{Scene, Tiles};
 use tilesat::{
@@ -20,7 +20,7 @@ pub struct Levels {
 
 impl Levels {
     /// # Panics
-    /// Where the scene is no level: a mistake in this program.
+    /// If the scene is no level, which is a mistake in this program.
     pub fn new(scene: &Scene) -> Self {
         let points: Vec<Vec2> = scene.outline().iter().map(|p| Vec2::from_raw(p[0], p[1])).collect();
         let closed: Vec<Vec2> = points.iter().chain(points.first()).copied().collect();
@@ -37,7 +37,7 @@ impl Levels {
         SegmentMap::from_bytes(&self.segments).expect("bytes of a segment map")
     }
 
-    /// The tiles, where all are full or empty.
+    /// The tiles, if all are full or empty.
     pub fn blocks(&self) -> Option<TileMap<'_, Blocks>> {
         static FULL: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
         let (grid, bytes) = self.tiles.as_ref().filter(|(_, bytes)| bytes.iter().all(|c| b"#.".contains(c)))?;

@@ -4,7 +4,7 @@ pub struct Options {
     pub frames: u64,
     pub starts: usize,
     pub threads: usize,
-    /// Parts of the names of the scenes and columns that are run; none: all.
+    /// Parts of the names of the scenes and columns to run. Empty: all.
     pub scenes: Vec<String>,
     pub columns: Vec<String>,
 }
@@ -13,13 +13,13 @@ const USAGE: &str = "\
 usage: cargo run --profile unlinked -p tilesat-stability [--features rapier] -- [OPTION]...
   --frames N    frames of each run (bounces of the elastic rooms); default 100000
   --full        1000000 frames
-  --starts N    at most so many starts a scene; default all (16)
-  --scene TEXT  only scenes whose name holds this (may be repeated)
-  --column TEXT only engines whose name holds this (may be repeated)
+  --starts N    at most N starts per scene; default all (16)
+  --scene TEXT  only scenes whose name contains this (repeatable)
+  --column TEXT only engines whose name contains this (repeatable)
   --threads N   default 2
   --list        the names";
 
-/// What was asked for, or what to say instead.
+/// The options, or the message to print instead.
 pub fn parse(mut words: impl Iterator<Item = String>) -> Result<Option<Options>, String> {
     let mut options =
         Options { frames: 100_000, starts: usize::MAX, threads: 2, scenes: Vec::new(), columns: Vec::new() };

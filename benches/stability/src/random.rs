@@ -1,4 +1,4 @@
-//! Random starts, from integers alone, so that they are the same everywhere.
+//! Random starts from integers alone: equal on every machine.
 
 use crate::room::Room;
 use crate::scene::{PX, Point, Scene, Start};
@@ -13,8 +13,8 @@ fn velocity(random: &mut Random, speed: i32) -> Point {
     [part(q * q - t * t) * sign(1), part(2 * q * t) * sign(2)]
 }
 
-/// `n` starts in the room, at least a pixel from its walls, in the part of its bounding box below
-/// `top` (raw).
+/// `n` starts in the room, at least a pixel from its walls and above `top` (raw) in its bounding
+/// box.
 pub fn starts(scene: &Scene, seed: u64, n: usize, top: i32, speed: i32) -> Vec<Start> {
     let mut random = Random::new(seed);
     let room = Room::new(scene);

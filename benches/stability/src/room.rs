@@ -1,15 +1,15 @@
-//! The judge: how deep a body is in the walls of a convex room, and what energy it has. In f64 on
+//! The judge: how deep a body is in the walls of a convex room, and its energy. Uses f64, on
 //! positions that f64 holds exactly.
 
 use crate::engine::State;
 use crate::scene::{Scene, Shape};
 
 pub struct Room {
-    /// Unit normals into the room, and how far along them the centre must be.
+    /// Unit normals into the room, and the least distance of the centre along each.
     planes: Vec<([f64; 2], f64)>,
-    /// How far outside the centre is of a body that is lost: two radii beyond the contact.
+    /// A body is lost if its centre is this far outside: two radii beyond the contact.
     lost: f64,
-    /// Pixels a frame a frame.
+    /// Pixels per frame per frame.
     gravity: f64,
     lowest: f64,
 }
@@ -42,18 +42,18 @@ impl Room {
         }
     }
 
-    /// How deep the body is in a wall, in pixels; negative: how far it is from the next.
+    /// How deep the body is in a wall, in pixels. Negative: its distance to the nearest wall.
     pub fn depth(&self, centre: [f64; 2]) -> f64 {
         let deep = self.planes.iter().map(|(n, offset)| offset - n[0] * centre[0] - n[1] * centre[1]);
         deep.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Whether it is no longer in the room.
+    /// Whether it has left the room.
     pub fn is_lost(&self, state: &State, depth: f64) -> bool {
         !(state.centre[0].is_finite() && state.centre[1].is_finite()) || depth > self.lost
     }
 
-    /// How far it is above the lowest place of its centre, in pixels.
+    /// Its height above the lowest position of its centre, in pixels.
     pub fn height(&self, centre: [f64; 2]) -> f64 {
         self.lowest - centre[1]
     }

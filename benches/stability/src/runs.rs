@@ -8,13 +8,13 @@ use crate::watch::{Until, Watched, watch};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What the starts of a case came to in a column; empty where the column has no engine for it.
+/// The results of a case's starts in a column. Empty if the column has no engine for it.
 pub type Cell = Vec<Watched>;
 
-/// Frames before a room of bounces is given up, for each bounce asked for.
+/// Frames per required bounce, after which a run ends without the rest.
 const PATIENCE: u64 = 60;
 
-/// A row a case, a cell a column. Which thread makes a run does not matter to it.
+/// A row per case, a cell per column. The result does not depend on the thread that makes a run.
 pub fn all(cases: &[Case], columns: &[Column], frames: u64, threads: usize) -> Vec<Vec<Cell>> {
     let levels: Vec<Levels> = cases.iter().map(|case| Levels::new(&case.scene)).collect();
     let jobs: Vec<(usize, usize, usize)> = (0..cases.len())

@@ -1,10 +1,10 @@
-//! What a body moves in: a convex room, as segments and, where it fits, as tiles. Whole numbers,
-//! 65536 raw to a pixel, y down.
+//! The surroundings of a body: a convex room, as segments and, if it fits, as tiles. Whole numbers,
+//! 65536 raw per pixel, y down.
 
 /// A pixel.
 pub const PX: i32 = 1 << 16;
 
-/// A place or a velocity, raw.
+/// A position or a velocity, in raw units.
 pub type Point = [i32; 2];
 
 /// A ball by its radius, a box by its half extents, raw.
@@ -14,15 +14,15 @@ pub enum Shape {
     Box(Point),
 }
 
-/// Where a body begins, and how fast.
+/// A body's start position and velocity.
 #[derive(Clone, Copy, Debug)]
 pub struct Start {
     pub centre: Point,
     pub velocity: Point,
 }
 
-/// Rows of characters: `#` solid, `\` and `/` 45 degrees, `, ;` and `_ -` 26.57 degrees (low and
-/// high part); the border goes on outside.
+/// Rows of characters. `#` is solid, `\` and `/` have 45 degrees, `, ;` and `_ -` have 26.57
+/// degrees (low and high part). The border continues outside.
 #[derive(Clone, Copy, Debug)]
 pub struct Tiles {
     pub rows: &'static str,
@@ -32,7 +32,7 @@ pub struct Tiles {
     pub origin: Point,
 }
 
-/// How the walls are given to those that meet them one after the other.
+/// The form of the walls for engines that meet them one after the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
     Forward,
@@ -42,26 +42,26 @@ pub enum Order {
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub name: &'static str,
-    /// The corners of the room, which is convex; walls run from each to the next.
+    /// The corners of the convex room. A wall joins each to the next.
     pub room: Vec<Point>,
-    /// The longest wall, raw: longer ones are cut into equal pieces.
+    /// The longest wall, in raw units. Longer walls are cut into equal pieces.
     pub piece: i32,
     pub order: Order,
     pub tiles: Option<Tiles>,
     pub shape: Shape,
-    /// Restitution in 1/256: 0 slides.
+    /// Restitution in 1/256. At 0 bodies slide.
     pub bounce: i32,
-    /// Raw a frame a frame, downward.
+    /// Raw units per frame per frame, downward.
     pub gravity: i32,
-    /// The body is put back by this much when it is as far to the right or to the left, raw: a
-    /// floor without end. 0: never.
+    /// How far the scene moves the body back, once it is this far right or left, in raw units. It
+    /// makes an endless floor. 0: never.
     pub period: i32,
-    /// The height (y) of the centre at rest, where energy is zero, in pixels.
+    /// The height (y) of the centre at rest, which has energy zero, in pixels.
     pub lowest: f64,
 }
 
 impl Scene {
-    /// The walls, none longer than the scene's and the caller's limit.
+    /// The walls, none longer than the limits of the scene and the caller.
     pub fn walls(&self, limit: i32) -> Vec<[Point; 2]> {
         let longest = self.piece.min(limit);
         let mut walls = Vec::new();
@@ -79,7 +79,7 @@ impl Scene {
         walls
     }
 
-    /// What engines without a level meet: segments for a ball, solid tiles for a box.
+    /// Obstacles for engines without a level: segments for a ball, solid tiles for a box.
     pub fn obstacles(&self, limit: i32) -> Option<Vec<[Point; 2]>> {
         match self.shape {
             Shape::Ball(_) => Some(self.walls(limit)),
@@ -87,7 +87,7 @@ impl Scene {
         }
     }
 
-    /// The corners with those of the pieces between them.
+    /// The corners, and the ends of the pieces between them.
     pub fn outline(&self) -> Vec<Point> {
         let mut walls = self.walls(i32::MAX);
         if self.order == Order::Backward {
@@ -98,7 +98,7 @@ impl Scene {
 }
 
 impl Tiles {
-    /// The solid cells, as boxes: corner and opposite corner.
+    /// The solid cells as boxes: two opposite corners each.
     pub fn boxes(&self, order: Order) -> Vec<[Point; 2]> {
         let mut boxes = Vec::new();
         for (y, row) in (0..).zip(self.rows.lines()) {

@@ -1,4 +1,4 @@
-//! The tables, as Markdown: a row an engine, a column a scene.
+//! The tables as Markdown: a row per engine, a column per scene.
 
 use crate::cases::{Case, Kind};
 use crate::engines::Column;
@@ -6,13 +6,13 @@ use crate::runs::Cell;
 use crate::watch::Watched;
 use std::fmt::Write;
 
-/// The table of the cases of one kind; nothing where there are none.
+/// The table of the cases of one kind. Empty without cases.
 pub fn of(kind: Kind, cases: &[Case], columns: &[Column], results: &[Vec<Cell>]) -> String {
     let chosen: Vec<usize> = (0..cases.len()).filter(|&i| cases[i].kind == kind).collect();
     if chosen.iter().all(|&i| results[i].iter().all(Vec::is_empty)) {
         return String::new();
     }
-    let mut out = format!("\n**{}**\n\n|", title(kind));
+    let mut out = format!("\n{}\n\n|", title(kind));
     for &i in &chosen {
         let _ = write!(out, " | {}", cases[i].scene.name);
     }
@@ -32,21 +32,28 @@ pub fn of(kind: Kind, cases: &[Case], columns: &[Column], results: &[Vec<Cell>])
     out
 }
 
+/// The title of a table, and what its cells show.
 fn title(kind: Kind) -> String {
-    match kind {
-        Kind::Floor => "Runs on a flat floor at 3.37 px a frame - ghost frames; speed at the end; highest pop; deepest".into(),
-        Kind::Valley => {
-            "Falls into a corner, 16 balls, the worst of each - last frame with a motion; speed at the end, raw; longest step of the \
-             last 1000 frames, raw; deepest, px"
-                .into()
-        }
-        Kind::Bounces => "Elastic bounces, 2 starts - energy left, min..max; its peak; runs that lost the body (first frame)".into(),
-        Kind::LongRun(bounce) => format!(
-            "Restitution {} - escapes of 16 runs (first frame); energy at the end / at the start, min..median..max of the runs that \
-             stayed in; deepest, px; without gravity, by how much it was ever faster than at the start",
-            f64::from(bounce) / 256.0
+    let (name, cells) = match kind {
+        Kind::Floor => (
+            "Runs on a flat floor at 3.37 px per frame".to_owned(),
+            "Ghost frames; speed at the end; highest pop; deepest, px.",
         ),
-    }
+        Kind::Valley => (
+            "Falls into a corner, the worst of 16 balls".to_owned(),
+            "Last frame with a motion; speed at the end, raw; longest step of the last 1000 frames, raw;\ndeepest, px.",
+        ),
+        Kind::Bounces => (
+            "Elastic bounces, 2 starts".to_owned(),
+            "Energy left, min..max; its peak; runs that lost the body (first frame).",
+        ),
+        Kind::LongRun(bounce) => (
+            format!("Restitution {}", f64::from(bounce) / 256.0),
+            "Escapes of 16 runs (first frame); energy at the end / at the start, min..median..max of the runs\n\
+             that stayed in; deepest, px; without gravity, the greatest excess over the start speed.",
+        ),
+    };
+    format!("**{name}**\n\n{cells}")
 }
 
 fn cell_text(case: &Case, cell: &[Watched]) -> String {
@@ -101,7 +108,7 @@ fn escapes(cell: &[Watched]) -> String {
     }
 }
 
-/// Least, middle and greatest energy of the runs that stayed in.
+/// Least, median and greatest energy of the runs that stayed in the room.
 fn kept(cell: &[Watched]) -> (f64, f64, f64) {
     let mut kept: Vec<f64> = cell.iter().filter(|w| w.escaped.is_none()).map(Watched::kept).collect();
     kept.sort_by(f64::total_cmp);
@@ -111,12 +118,12 @@ fn kept(cell: &[Watched]) -> (f64, f64, f64) {
     }
 }
 
-/// A length in pixels; what is below the judge's own error (far below a raw unit) is none.
+/// A length in pixels. Lengths below the judge's own error, far below a raw unit, print as zero.
 fn length(px: f64) -> String {
     if px < 1e-7 { String::from("0") } else { number(px) }
 }
 
-/// Four digits after the leading ones of small numbers.
+/// Four digits after the leading digits of small numbers.
 fn number(x: f64) -> String {
     let size = x.abs();
     let text = if size != 0.0 && size < 1e-4 {

@@ -3,10 +3,10 @@
 use crate::engine::Engine;
 use crate::room::Room;
 
-/// How many samples of the energy a run keeps.
+/// Samples of the energy per run.
 pub const SAMPLES: usize = 128;
 
-/// The frames at the end in which a body that came to rest should not move.
+/// In these last frames a body that came to rest should not move.
 const LATE: u64 = 1000;
 
 #[derive(Clone, Debug)]
@@ -14,11 +14,11 @@ pub struct Watched {
     pub frames: u64,
     /// The frame in which it was lost.
     pub escaped: Option<u64>,
-    /// Pixels in a wall, at worst, before it was lost.
+    /// Greatest depth in a wall before it was lost, in pixels.
     pub deepest: f64,
     /// Frames that changed the sideways speed.
     pub turns: u64,
-    /// The greatest height above the lowest place, in pixels.
+    /// The greatest height above the lowest position, in pixels.
     pub highest: f64,
     /// The last frame that moved the centre.
     pub last_motion: u64,
@@ -26,21 +26,21 @@ pub struct Watched {
     pub late_step: f64,
     /// The velocity at the end, in pixels per frame.
     pub velocity: [f64; 2],
-    /// Energy every so many frames, of the energy at the start; the last is that of the end.
+    /// Energy every so many frames, relative to the start. The last sample is at the end.
     pub energy: Vec<f64>,
     pub every: u64,
-    /// The highest energy of all frames, of that at the start.
+    /// The highest energy of all frames, relative to the start.
     pub peak_energy: f64,
-    /// The greatest square of the speed, of that at the start: exactly at most 1 where it was never
-    /// faster, as f64 holds the squares.
+    /// The greatest square of the speed, relative to the start. It is exactly at most 1 if the body
+    /// was never faster, as f64 holds the squares.
     pub peak_square: f64,
 }
 
-/// When a run is over.
+/// Conditions for the end of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Until {
     pub frames: u64,
-    /// As soon as there were so many turns.
+    /// After so many turns.
     pub turns: u64,
 }
 
@@ -114,7 +114,7 @@ impl Watched {
         self.velocity[0].hypot(self.velocity[1]) * 65536.0
     }
 
-    /// Energy at the end, of the energy at the start.
+    /// Energy at the end, relative to the start.
     pub fn kept(&self) -> f64 {
         self.energy.last().copied().unwrap_or(1.0)
     }

@@ -1,5 +1,5 @@
-//! Tells the firmware which core it is built for, and the linker which programs want a whole board:
-//! see `memory.x`.
+//! Passes the core to the firmware, and tells the linker which programs need a whole board: see
+//! `memory.x`.
 
 fn main() {
     let target = std::env::var("TARGET").unwrap_or_default();
@@ -9,7 +9,7 @@ fn main() {
         Some("thumbv7em") => "M4F",
         Some("thumbv8m.main") => "M33",
         Some("riscv32imc") => "RV32",
-        // Not a core that is counted on: the crate is empty there.
+        // The counts do not cover this core, so the crate is empty there.
         _ => return,
     };
     println!("cargo:rustc-env=CORE={core}");

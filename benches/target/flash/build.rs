@@ -1,5 +1,5 @@
-//! Finds this folder's `link.x` for the linker: bare programs, without the start-up code that a
-//! firmware has.
+//! Finds this folder's `link.x` for the linker. The programs are bare, without the start-up code of
+//! a firmware.
 
 fn main() {
     println!("cargo:rustc-link-search={}", env!("CARGO_MANIFEST_DIR"));

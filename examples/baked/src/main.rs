@@ -1,8 +1,8 @@
 //! A firmware whose levels its build script bakes: `cargo run -p tilesat-baked`, or for a chip with
 //! `--target thumbv6m-none-eabi`.
 //!
-//! `levels` has a cave drawn with Tiled and a tower drawn with `LDtk`. A ball falls in each, and
-//! the line says where it comes to rest.
+//! `levels` has a cave drawn with Tiled and a tower drawn with `LDtk`. A ball falls in each. The
+//! program prints where it comes to rest.
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg_attr(
@@ -17,7 +17,7 @@ include!(concat!(env!("OUT_DIR"), "/levels.rs"));
 /// A minute.
 const FRAMES: u32 = 3600;
 
-/// Where a ball comes to rest.
+/// The position at which a ball comes to rest.
 fn fall(level: &impl World, from: Vec2) -> Result<Vec2, MoveError> {
     let mover = Mover::platformer(Axis::NEG_Y);
     let mut ball = Circle::new(from, Fx::lit("5"))?;

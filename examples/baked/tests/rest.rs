@@ -1,10 +1,10 @@
-//! The program runs, on what its build script has baked.
+//! Runs the program on the levels that its build script has baked.
 
 #![cfg(not(target_os = "none"))]
 
 use std::process::Command;
 
-/// On the slope of the cave it rolls to the floor; in the tower it stays on a plank.
+/// In the cave it rolls down the slope to the floor. In the tower it stays on a plank.
 #[test]
 fn balls_come_to_rest() {
     let run = Command::new(env!("CARGO_BIN_EXE_tilesat-baked")).output().unwrap();

@@ -1,4 +1,4 @@
-//! The default handlers of a chip's faults loop without end; a fault must end the run.
+//! Fault handlers that end the run. A chip's default handlers loop without end.
 
 use semihosting::{eprintln, process};
 

@@ -1,4 +1,4 @@
-//! defmt's frames go to standard error and do not mix with plain lines.
+//! Sends defmt's frames to standard error, so that they do not mix with plain lines.
 
 use semihosting::io::{Write, stderr};
 
@@ -15,11 +15,12 @@ fn put(bytes: &[u8]) {
 
 fn encoder() -> &'static mut defmt::Encoder {
     let encoder = &raw mut ENCODER;
-    // SAFETY: one thread and no interrupt handler that logs; defmt never nests these calls.
+    // SAFETY: there is one thread and no interrupt handler that logs, and defmt never nests these
+    // calls.
     unsafe { &mut *encoder }
 }
 
-// SAFETY: acquire and release need no lock where nothing can come between them.
+// SAFETY: acquire and release need no lock if nothing can interrupt them.
 unsafe impl defmt::Logger for Logger {
     fn acquire() {
         encoder().start_frame(put);

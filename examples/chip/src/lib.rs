@@ -1,5 +1,5 @@
-//! The parts that every firmware here needs to run on an emulated board: start-up, output, faults
-//! that end the run, the command line.
+//! The parts that every firmware here needs on an emulated board: start-up, output, faults that end
+//! the run, and the command line.
 //!
 //! On a computer the crate is empty.
 #![no_std]
@@ -16,7 +16,7 @@ pub use cortex_m_rt::entry;
 pub use riscv_rt::entry;
 pub use semihosting::{eprintln, println, process};
 
-/// The last number on the command line, where there is one.
+/// The last number on the command line, if there is one.
 #[must_use]
 pub fn number() -> Option<u32> {
     let words = semihosting::experimental::env::args::<64>().ok()?;

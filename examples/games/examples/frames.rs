@@ -1,5 +1,5 @@
-//! Some frames of the platformer's 33 bodies and the hash of their positions: `.ci/miri` compares
-//! the line that this prints between this computer and the machines that Miri plays.
+//! Runs some frames of the platformer's 33 bodies and prints the hash of their positions.
+//! `.ci/miri` compares this line between this computer and the machines that Miri interprets.
 
 use std::process::ExitCode;
 

@@ -6,19 +6,19 @@
 //! | [`ninja`] | one circle among all tile shapes: slopes, quarter pipes, wall jumps |
 //! | [`pinball`] | balls on a table of tiles and polygons: bumpers, slingshots, a kicker |
 //! | [`platformer`] | a scripted player, 16 boxes and 16 balls in a baked level |
-//! | [`platforms`] | a walker on lifts, a conveyor, steps, under a crusher |
+//! | [`platforms`] | a walker on lifts, on a conveyor, on steps and under a crusher |
 //! | [`rollback`] | two players over a link that loses packets: delay, prediction, rollback |
-//! | [`scroller`] | a runner in a world of 40 000 pixels, through rooms |
-//! | [`top_down`] | eight directions, no up; slips around corners |
+//! | [`scroller`] | a runner through rooms, in a world of 40 000 pixels |
+//! | [`top_down`] | eight directions, no up; the hero slips around corners |
 //!
-//! Integers only, no heap, no panic: the same frames everywhere, to the bit.
+//! Integers only, no heap, no panic: the same frames everywhere, bit for bit.
 #![no_std]
 #![warn(clippy::indexing_slicing, clippy::std_instead_of_core, clippy::float_arithmetic)]
 #![allow(
     clippy::must_use_candidate,
     clippy::missing_errors_doc,
     clippy::new_without_default,
-    reason = "read as games, not as a library: every call here has one caller or two"
+    reason = "these are games, not a library: every call here has one caller or two"
 )]
 
 pub mod bullets;

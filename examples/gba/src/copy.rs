@@ -1,9 +1,9 @@
-//! The copies that the compiler makes of structures, a tenth of the time with its own loop. Here
-//! eight words per instruction, in fast RAM.
+//! The copies of structures that the compiler makes. They take a tenth of the time with its own
+//! loop. This loop copies eight words per instruction, in fast RAM.
 
 use core::arch::global_asm;
 
-// A block at least is left where it goes around again; then words, then up to three bytes.
+// The loop repeats while at least a block is left. Then it copies words, then up to three bytes.
 global_asm!(
     r#"
     .section .iwram.copy, "ax", %progbits

@@ -22,7 +22,7 @@ pub fn start() {
     write16(LOW + 2, RUN);
 }
 
-/// Stops, and returns the cycles since the start, some ten of them its own.
+/// Stops, and returns the cycles since the start, about ten of them its own.
 #[inline(never)]
 pub fn stop() -> u32 {
     write16(LOW + 2, 0);

@@ -1,7 +1,7 @@
-//! The least that a program for the Game Boy Advance needs: start-up, registers, the emulator's
-//! log, a cycle counter, screen and keys.
+//! The minimum for a program on the Game Boy Advance: start-up, registers, the emulator's log, a
+//! cycle counter, screen and keys.
 //!
-//! All `unsafe` of the example is in `start`, `register` and `stack`; the library has none. On a
+//! All `unsafe` of the example is in `start`, `register` and `stack`. The library has none. On a
 //! computer the crate is empty.
 #![no_std]
 #![cfg(target_os = "none")]

@@ -1,5 +1,5 @@
-//! Text and the exit status to the emulator's debug log; on a console the registers are not there
-//! and nothing happens.
+//! Writes text and the exit status to the emulator's debug log. A console has no such registers, so
+//! nothing happens there.
 
 use core::fmt::{self, Write};
 use core::panic::PanicInfo;
@@ -9,10 +9,10 @@ use crate::register::{write8, write16};
 const BUFFER: u32 = 0x04ff_f600;
 const SEND: u32 = 0x04ff_f700;
 const ENABLE: u32 = 0x04ff_f780;
-/// The buffer holds so much and a zero.
+/// The buffer holds this many bytes and a zero.
 const LINE: u32 = 255;
 
-/// One line; sent when it goes out of scope.
+/// One line. It is sent when it goes out of scope.
 #[derive(Debug)]
 pub struct Line {
     length: u32,
@@ -62,14 +62,14 @@ macro_rules! println {
     }};
 }
 
-/// Tells the front end to stop with this status, or with 102 where the stack has met the data, and
-/// stays here.
+/// Tells the front end to stop with this status, or with 102 if the stack reached the data. Does
+/// not return.
 pub fn exit(status: i32) -> ! {
     let (used, all) = crate::stack::used();
     if used < all {
         println!("EXIT {status}");
     } else {
-        println!("the stack has met the data");
+        println!("the stack reached the data");
         println!("EXIT 102");
     }
     #[expect(clippy::empty_loop, reason = "a console has nowhere to return to")]

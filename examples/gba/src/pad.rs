@@ -23,7 +23,7 @@ pub enum Key {
 }
 
 impl Pad {
-    /// As it is now.
+    /// The current state.
     #[must_use]
     pub fn read() -> Self {
         Self(!read16(KEYINPUT))

@@ -1,17 +1,17 @@
 //! Memory-mapped registers and video memory.
 //!
-//! The addresses are constants of this crate, in parts of the console's map that always answer and
-//! that Rust keeps nothing in; so a volatile access is sound.
+//! The addresses are constants of this crate. They are in parts of the console's map that always
+//! respond and that Rust does not use. So a volatile access is sound.
 
 #[inline(always)]
 pub(crate) fn read16(address: u32) -> u16 {
-    // SAFETY: see above; halfword-aligned by every caller.
+    // SAFETY: see above. Every caller aligns it to a halfword.
     unsafe { (address as *const u16).read_volatile() }
 }
 
 #[inline(always)]
 pub(crate) fn write16(address: u32, value: u16) {
-    // SAFETY: see above; halfword-aligned by every caller.
+    // SAFETY: see above. Every caller aligns it to a halfword.
     unsafe { (address as *mut u16).write_volatile(value) }
 }
 

@@ -16,13 +16,13 @@ const SPRITES: u32 = 0x0700_0000;
 
 pub const WIDTH: i32 = 240;
 pub const HEIGHT: i32 = 160;
-/// Sprites that the console has.
+/// The number of sprites of the console.
 pub const MOST_SPRITES: u32 = 128;
 
-/// A picture of 8 x 8: a word a row, four bits a pixel, the left one lowest; 0 is clear.
+/// A picture of 8 x 8: a word per row, four bits per pixel, the left one lowest. 0 is clear.
 pub type Tile = [u32; 8];
 
-/// Where tiles and colours go.
+/// Addresses of tiles and colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
     Background,
@@ -40,7 +40,7 @@ pub fn on() {
     write16(DISPCNT, 0x1140);
 }
 
-/// A colour of a palette from 0 to 15, from parts of 0 to 31.
+/// A colour of a palette from 0 to 15, with components from 0 to 31.
 pub fn set_colour(layer: Layer, palette: u32, colour: u32, (red, green, blue): (u16, u16, u16)) {
     let base = if layer == Layer::Sprites { SPRITE_COLOURS } else { COLOURS };
     write16(base + ((palette & 15) * 16 + (colour & 15)) * 2, red | green << 5 | blue << 10);
@@ -54,12 +54,12 @@ pub fn set_tile(layer: Layer, number: u32, tile: &Tile) {
     }
 }
 
-/// Shows a tile of the background; `x` and `y` count tiles.
+/// Shows a tile of the background. `x` and `y` count tiles.
 pub fn set_cell(x: u32, y: u32, tile: u32, palette: u32) {
     write16(MAP + ((y & 31) * 32 + (x & 31)) * 2, (tile & 1023 | (palette & 15) << 12) as u16);
 }
 
-/// Shows a tile with its upper left pixel at a place, which may be off the screen.
+/// Shows a tile with its upper left pixel at this position, which may be off the screen.
 pub fn set_sprite(sprite: u32, (x, y): (i32, i32), tile: u32, palette: u32) {
     let at = SPRITES + (sprite & (MOST_SPRITES - 1)) * 8;
     if x <= -8 || y <= -8 || x >= WIDTH || y >= HEIGHT {
@@ -74,7 +74,7 @@ pub fn hide_sprite(sprite: u32) {
     write16(SPRITES + (sprite & (MOST_SPRITES - 1)) * 8, 0x200);
 }
 
-/// Waits for the next time that the last line has been drawn.
+/// Waits until the last line has been drawn.
 pub fn wait() {
     while read16(VCOUNT) >= HEIGHT as u16 {}
     while read16(VCOUNT) < HEIGHT as u16 {}

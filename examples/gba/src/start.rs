@@ -4,9 +4,10 @@ use core::arch::global_asm;
 
 use crate::register::write16;
 
-// The header is 192 bytes: a branch, the maker's logo and a title, of which an emulator wants only
-// the byte 0x96; the front end writes the checksum. Then two stacks, initialised data and hot code
-// to fast RAM, zeroes up to the stack, and the program, in whatever state it is.
+// The header has 192 bytes: a branch, the maker's logo and a title. An emulator checks only the
+// byte 0x96, and the front end writes the checksum. The code sets up two stacks, copies initialised
+// data and hot code to fast RAM, and clears memory up to the stack. Then it calls the program, in
+// either state of the core.
 global_asm!(
     r#"
     .section .header, "ax", %progbits
@@ -53,7 +54,7 @@ unsafe extern "Rust" {
 }
 
 /// Sets the cartridge to 3 cycles for the first and 1 for each further halfword, with prefetch, as
-/// released games do, and runs the program.
+/// released games do. Then runs the program.
 #[unsafe(no_mangle)]
 extern "C" fn start() -> ! {
     write16(WAITCNT, 0x4317);

@@ -8,7 +8,7 @@ use crate::broad::{BroadError, GridError, Tag};
 use crate::num::{Fx, Vec2, check_coordinate};
 use crate::shape::Aabb;
 
-/// How a [`LooseGrid`] treats a body whose centre is outside of its cells.
+/// How a [`LooseGrid`] treats a body whose centre is outside its cells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -96,7 +96,7 @@ impl LooseGrid<1, 1> {
             return 0;
         }
         let across = width.div_ceil(cell);
-        // More columns than that are more than all the cells that there can be, too.
+        // No world can have more columns than this, nor more cells.
         let columns = if across > 1 << 16 { 1 << 16 } else { across.next_power_of_two() };
         let cells = if columns < 4 { 4 } else { columns }.saturating_mul(height.div_ceil(cell));
         cells.div_ceil(32) as usize
@@ -149,6 +149,15 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
     }
 
     /// Sets the rule for bodies outside, from the next insertion or move on.
+    ///
+    /// ```
+    /// use tilesat::broad::{Border, BroadError, BroadPhase, LooseGrid};
+    /// use tilesat::{Aabb, Vec2, fx};
+    /// let mut near = LooseGrid::<4, 64>::new(Vec2::ZERO, fx!(32), 16)?.with_border(Border::Refuse);
+    /// let outside = Aabb::new(Vec2::from_ints(-40, 0), Vec2::from_ints(-30, 8))?;
+    /// assert!(matches!(near.insert(&outside, ()), Err(BroadError::OutOfWorld { .. })));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub const fn with_border(self, border: Border) -> Self {
         Self { border, ..self }
@@ -161,8 +170,8 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
             let (x, y) = bounds.centre().raw();
             return Err(BroadError::OutOfWorld { x, y });
         }
-        // Moving coordinates to the nearest of the grid keeps their order and makes no difference
-        // longer: neighbours stay neighbours.
+        // Clamping coordinates to the grid keeps their order and lengthens no difference. So
+        // neighbours stay neighbours.
         let last = self.rows.last();
         Ok(At { x: at.x.max(0).min(last.x), y: at.y.max(0).min(last.y) })
     }
@@ -210,7 +219,7 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for
     fn moving(&mut self) -> Moving<'_, T, impl Fn(u16, &Aabb) -> bool> {
         let (lattice, rows) = (self.lattice, self.rows);
         let stays = move |cell: u16, bounds: &Aabb| {
-            // The number of no cell is that of one beyond the grid.
+            // The number of no cell is one beyond the grid.
             lattice.at(bounds) == rows.place(cell) && lattice.holds(bounds) && !(LARGE && cell == NIL)
         };
         Moving { slots: self.table.slots(), numbers: self.links.cells(), stays }
@@ -218,8 +227,8 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for
 
     #[inline]
     fn neighbours(&self) -> Neighbours {
-        // The last cell of a row and the first of the next one are no neighbours though their
-        // numbers are: that costs tests of boxes which do not touch, as at least two cells are
+        // The last cell of a row and the first of the next have adjacent numbers, but are not
+        // neighbours. That only costs tests of boxes that do not touch: at least two cells are
         // between.
         Neighbours { stride: 1 << self.rows.log_columns(), mask: usize::MAX }
     }

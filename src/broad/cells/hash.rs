@@ -135,8 +135,8 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> InCells fo
 
     #[inline]
     fn neighbours(&self) -> Neighbours {
-        // Lists of a cell and its eight neighbours are nine different ones, so a neighbour is met
-        // in one list only.
+        // A cell and its eight neighbours have nine different lists. So each neighbour is in only
+        // one of them.
         Neighbours { stride: usize::from(Self::FACTOR), mask: BUCKETS - 1 }
     }
 
@@ -183,13 +183,13 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> InCells fo
 
 /// Factors for 2^6 to 2^15 buckets.
 ///
-/// Two cells share a list where their distance (x, y) has `x + K y` a multiple of the buckets B.
+/// Two cells share a list if `x + K y` of their distance (x, y) is a multiple of the buckets B.
 /// Such distances form a lattice; each of these factors is odd (so no two cells of a column of B
 /// share one) and of all factors the one with the largest least `|x y|` among those with neither 0:
 /// at least B / 4. The nearest to B times the golden ratio would do for some B only.
 const FACTORS: [u16; 10] = [19, 47, 75, 149, 275, 791, 1557, 2431, 6229, 12031];
 
-/// The factor for a number of buckets; refused by the compiler where there is none.
+/// The factor for a number of buckets. The compiler refuses numbers without one.
 pub(in crate::broad) const fn factor(buckets: usize) -> u16 {
     assert!(
         buckets.is_power_of_two() && buckets >= 64 && buckets <= 32_768,

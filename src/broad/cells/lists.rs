@@ -188,7 +188,7 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
             let resumed = (usize::from(cursor.a), usize::from(cursor.lane - 1), usize::from(cursor.b));
             self.cell(near, first, resumed).map_err(|stop| stop.keep(first, cursor))?;
         }
-        // A cell that was begun is done.
+        // A started cell is finished.
         let first = first + usize::from(cursor.lane != 0);
         if self.lists.occupied.is_empty() {
             for (cell, &head) in self.lists.heads.iter().enumerate().skip(first).filter(|&(_, &head)| head != NIL) {
@@ -222,7 +222,7 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
         // As long as the boxes: one comparison is enough for both.
         let Some(next) = self.lists.next.get(..bounds.len()) else { return Ok(()) };
         let head = |step| self.lists.head((cell + step) & near.mask);
-        // The three of the next row are beside each other, but for a few cells at the end.
+        // The three cells of the next row are adjacent in memory, except for a few at the end.
         let below = (cell + near.stride - 1) & near.mask;
         let [left, middle, right] = match self.lists.heads.get(below..).and_then(<[u16]>::first_chunk) {
             Some(&three) => three,
@@ -236,7 +236,7 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
                     if !self.meter.spend() {
                         return Err(Stop { i, lane, from, why: PairsError::BudgetExceeded });
                     }
-                    // Of two cells above each other most boxes fail here.
+                    // For two cells above each other, most boxes fail here.
                     if b.lo().y <= a.hi().y && touch(a, b) && !self.meet(i, from) {
                         return Err(Stop { i, lane, from, why: PairsError::Full });
                     }

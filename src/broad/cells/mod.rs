@@ -140,7 +140,7 @@ impl<C: InCells> Spatial for C {
         each: impl FnMut(Pair) -> bool,
     ) -> Result<(), PairsError> {
         let mut walk = PairWalk { bodies: InCells::table(self), lists: self.lists(), meter, each };
-        // First the pairs of bodies in cells, then those of large ones where there can be any.
+        // First the pairs of bodies in cells. Then those of large bodies, if there can be any.
         if !C::LARGE || cursor.row != CELLS_DONE {
             walk.in_cells(self.neighbours(), cursor)?;
         }

@@ -33,7 +33,7 @@ impl Random {
 /// When a box on its way first touches another one, in parts of 2^30 rounded down; closed at both
 /// ends.
 fn touched(start: &Aabb, motion: Raw, body: &Aabb) -> Option<u32> {
-    // The latest entry and the earliest leave, as fractions with a positive denominator.
+    // The latest entry and the earliest exit, as fractions with a positive denominator.
     let (mut enter, mut leave): (Fractions, Fractions) = ((0, 1), (1, 1));
     let axes = [
         (start.lo().x, start.hi().x, motion.x, body.lo().x, body.hi().x),
@@ -70,7 +70,7 @@ fn is_body(bounds: &Aabb) -> bool {
 
 fn path<B: BroadPhase<Tag = ()>>(near: &B, start: &Aabb, motion: Raw) {
     let bounds = near.table().bounds;
-    // All of the way, then up to the body touched first among all that came.
+    // The whole way, then up to the first touched body.
     for stop in [false, true] {
         let (mut came, mut until) = ([false; BODIES], Toi::ONE);
         near.visit_path(start, motion, |slot| {

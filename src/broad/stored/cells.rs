@@ -105,7 +105,7 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> Form<LooseG
     fn check(self) -> Result<LooseGrid<BLOCKS, N, T, LARGE>, Fault> {
         let mut grid = LooseGrid::new(self.origin, self.cell, self.columns)?;
         grid.table = self.table.check()?;
-        // A border that refuses is one for what comes later.
+        // A refusing border refuses only later bodies.
         link::<N>(&mut grid, &self.order)?;
         Ok(grid.with_border(self.border))
     }

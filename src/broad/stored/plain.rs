@@ -61,7 +61,7 @@ impl<const N: usize, T: Tag> Form<SortSweep<N, T>> for InOrder<T, N> {
             .split_at_checked(usize::from(sorted))
             .ok_or(Wrong { at: usize::from(sorted), what: "more is sorted than there is" })?;
         let taken = |slot: u16| bodies.handle(usize::from(slot)).is_taken();
-        // What is stale is put together again, and what moved is sorted; the rest is used as it is.
+        // Rebuilds what is stale and sorts what moved. Uses the rest unchanged.
         let fresh = fresh && epoch == bodies.state.epoch;
         for &slot in rest.iter().filter(|_| !stale || fresh) {
             ensure(!taken(slot), usize::from(slot), "it is taken, and not in the order")?;

@@ -88,7 +88,8 @@ impl<T: Tag, const N: usize> Form<Table<T, N>> for Tenants<T, N> {
                 }
             }
         }
-        // A way along free slots that ends has been at none twice: each of them, if it is as long.
+        // A finite way along free slots visits none twice. So if it has the right length, it visits
+        // each of them.
         let (mut next, mut left) = (free, slots.len() - usize::from(len));
         while next != NIL {
             let at = usize::from(next);

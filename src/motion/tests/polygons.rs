@@ -1,5 +1,5 @@
-//! Against polygons, exactly: a motion overlaps before a moment iff what its core sweeps comes nearer
-//! than the radius to an edge.
+//! Against polygons, exactly: a motion overlaps before a moment iff what its core sweeps comes
+//! nearer than the radius to an edge.
 
 use super::super::body::{Entry, kernel::Kernel as _};
 use super::std::vec::Vec;

@@ -65,7 +65,7 @@ pub trait InDomain {
     /// Refuses a shape that no constructor has checked.
     ///
     /// # Errors
-    /// [`RangeError`] where it is outside of the domain.
+    /// [`RangeError`] if it is outside the domain.
     #[inline]
     fn check(&self) -> Result<(), RangeError> {
         Ok(())
@@ -112,6 +112,7 @@ pub enum Inside {
 
 /// The hit of a shape or a ray on a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(alias("RaycastHit", "sweep result"))]
 pub struct CastHit {
     /// When: a fraction of the motion. The exact floor in 2^-30 where straight sides meet, and of a
     /// circle that meets a side along x or y; of other circles a lower bound, early by less than a

@@ -15,7 +15,7 @@ use kernel::{Course, Enter, Exchanged, InDomain, Moment};
 use moment::{Disc, enter_disc, hit_disc};
 use segments::{Capsule, EdgeMoment, enter_crossing, enter_segment};
 
-// Where motion finds these.
+// Motion uses these through this path.
 pub(crate) use moment as crossing;
 pub(crate) use moment as side;
 
@@ -66,9 +66,9 @@ pub use kernel::{CastHit, Inside, MovingHit};
 /// ```
 ///
 /// # Errors
-/// All methods: [`RangeError`] where a component of a motion is not below 2^28 raw (4096 units), or
-/// a point is outside of the [domain](crate::num::DOMAIN). A motion may lead out of the domain, and
-/// so may the displacement; `translated` says so.
+/// All methods: [`RangeError`] if a component of a motion is not below 2^28 raw (4096 units), or a
+/// point is outside the [domain](crate::num::DOMAIN). A motion may lead out of the domain, and so
+/// may the displacement; `translated` says so.
 pub trait CastShape<B: ?Sized>: Enter<B> {
     /// The hit of this shape (A), moved by `motion`, on `b` (B); `None` where it does not start to
     /// overlap.
@@ -191,7 +191,7 @@ fn first<A: Enter<B> + ?Sized, B: ?Sized>(a: &A, b: &B, d: Raw, inside: Inside) 
     }
 }
 
-/// Refuses motions that are too large, and points that are outside of the domain.
+/// Refuses motions that are too large, and points that are outside the domain.
 #[inline]
 fn check<S: InDomain + ?Sized>(shape: &S, motion: Vec2) -> Result<(), RangeError> {
     shape.check()?;
@@ -282,7 +282,7 @@ casts_both!(
     unless(a.overlaps(b), || segments::gate(a, b, d)?.hits(a, d).then_some(()))
 );
 casts_both!(Aabb, Segment, EdgeMoment, |a, b, d| enter_segment(a.lo(), a.hi(), b.ra(), b.rb(), d));
-// A point is a box or a circle of no size.
+// A point is a box or a circle of size zero.
 casts!(Vec2, Aabb, SideMoment, |p, b, d| enter_box(Raw::of(*p), Raw::of(*p), b.lo(), b.hi(), d));
 casts!(
     Vec2,

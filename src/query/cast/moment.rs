@@ -65,7 +65,7 @@ fn quotient(num: u64, den: u32) -> Toi {
     if num != 0 && num >= u64::from(den) {
         return Toi::ONE;
     }
-    // A power of two is the one divisor that has 32 bits.
+    // The only 32-bit divisor is a power of two.
     Toi::exact(if num == 0 {
         0
     } else if den >> 31 != 0 {
@@ -313,7 +313,7 @@ impl Crossing {
     }
 }
 
-/// Whether the point `m` that moves by `d`, outside of the disc of radius `r` before, enters it:
+/// Whether the point `m` that moves by `d`, outside the disc of radius `r` before, enters it:
 /// [`Crossing::of`] and nothing else.
 #[inline]
 pub(crate) fn enters(m: Raw, r: i32, d: Raw) -> bool {
@@ -331,7 +331,7 @@ pub(crate) fn enters(m: Raw, r: i32, d: Raw) -> bool {
         (b as u64) < a
             && if LONG { less128(sqr_signed(cross), mul64(rr(), a)) } else { passes(cross.unsigned_abs(), r as u32, d) }
     };
-    // The cheaper one first, by what a square costs there.
+    // The cheaper one first, given the cost of a square on this core.
     let first = if SPLIT { passes_inside() } else { ends_inside() };
     first || if SPLIT { ends_inside() } else { passes_inside() }
 }

@@ -33,7 +33,8 @@ impl Aabb {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
+    #[doc(alias("raycast", "linecast"))]
     pub fn cast_ray(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
         let (o, d) = checked(origin, motion)?;
         let (lo, hi) = (self.lo(), self.hi());
@@ -54,8 +55,8 @@ impl Circle {
     /// through it.
     ///
     /// The time is a lower bound, early by less than a raw unit of way for motions up to 4096
-    /// units, and by less than four for any. The point is outside of the circle, less than 2 raw
-    /// from it.
+    /// units, and by less than four for any. The point is outside the circle, less than 2 raw from
+    /// it.
     ///
     /// ```
     /// use tilesat::{Axis, Circle, Fx, Inside, Vec2};
@@ -67,7 +68,8 @@ impl Circle {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
+    #[doc(alias("raycast", "linecast"))]
     pub fn cast_ray(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
         let (o, d) = checked(origin, motion)?;
         let (m, r) = (o.sub(self.c()), self.r());
@@ -106,7 +108,8 @@ impl Segment {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
+    #[doc(alias("raycast", "linecast"))]
     pub fn cast_ray(&self, origin: Vec2, motion: Vec2) -> Result<Option<CastHit>, RangeError> {
         let (o, d) = checked(origin, motion)?;
         Ok(meet_segment(o, d, self.ra(), self.rb()))

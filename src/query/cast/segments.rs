@@ -91,7 +91,7 @@ impl EdgeMoment {
         let flat =
             |e: &Self, other: &Self| mul64(u64::from(e.axis.x.unsigned_abs()), u64::from(other.axis.y.unsigned_abs()));
         let order = part(&self, &b).cmp(&part(&b, &self)).then_with(|| flat(&self, &b).cmp(&flat(&b, &self)));
-        // Mirrored at the motion: the one from which a left turn leads to the other.
+        // Mirrored at the motion: the edge from which a left turn leads to the other.
         let keep = order.then_with(|| self.axis.perp_dot(b.axis).cmp(&0));
         if keep.is_lt() { b } else { self }
     }
@@ -235,7 +235,7 @@ pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Option<CapsuleGate> 
     if !comes_near(circle, lo, hi, d) {
         return None;
     }
-    // From the end that has the point on the outer side of its edge, as a face has it.
+    // From the end that has the point on the outer side of its edge, like a face.
     let edge = if b.sub(a).cross(circle.c().sub(a)) > 0 { (b, a) } else { (a, b) };
     let slope = enter_strip(circle, edge, d)?;
     let end = |end: Raw| Some(CapsuleGate::Rounded(boxes::BoxGate::Corner(end)));

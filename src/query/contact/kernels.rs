@@ -113,6 +113,15 @@ impl Contact {
     /// Where a whole side of a box is as deep: the middle of the part of it that faces B. Cost: at
     /// most a unit vector and two long divisions, some thousand instructions on a Cortex-M0; exact
     /// and a few instructions for boxes.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2, prelude::*};
+    /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
+    /// let contact = at(0)?.contact(&at(6)?).unwrap();
+    /// assert_eq!(contact.point_on_a(), Vec2::from_ints(8, 4));
+    /// assert_eq!(contact.point_on_b(), Vec2::from_ints(6, 4));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     #[must_use]
     pub const fn point_on_a(&self) -> Vec2 {
         let core = if self.core_on_b { self.core.add(self.between_cores()) } else { self.core };
@@ -263,7 +272,8 @@ impl Contacts<Circle> for Circle {
     fn contact(&self, b: &Circle) -> Option<Contact> {
         let v = b.c().sub(self.c());
         let r = self.r().wrapping_add(b.r());
-        // Equal centres: a radial contact of length zero along +x, whichever is A.
+        // Equal centres: the contact is radial, has length zero, and points along +x, whichever
+        // shape is A.
         circle_circle::<false>(self.c(), b.c(), r)
             .then(|| Contact::radial(self.c(), v).with_radii(self.r(), b.r()).with_degenerate(v.is_zero()))
     }
@@ -419,8 +429,8 @@ fn aabb_segment(lo: Raw, hi: Raw, a: Raw, b: Raw, prefer: i32) -> Option<Contact
     if e.x == 0 || e.y == 0 {
         return Some(flat);
     }
-    // Along x or y a sloped segment is deepest with an end: the one with the smaller coordinate
-    // where B is left along +.
+    // Along x or y, a sloped segment is deepest at an end. It is the end with the smaller
+    // coordinate if B is left along +.
     let Axis { x, y } = flat.axis;
     let first = x > 0 || (x == 0 && (y > 0) == (e.y > 0));
     let flat = Contact { core: if first { a } else { b }, ..flat.on_b() };

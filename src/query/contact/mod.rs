@@ -79,6 +79,14 @@ impl Contact {
     /// The convention: x before y before the normal of a segment, and the positive direction of x
     /// and y; for a segment the normal `(-e.y, e.x)` of its edge `e` from the lexicographically
     /// smaller end. See the table of [degenerate cases](crate::query#degenerate-cases).
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2, prelude::*};
+    /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
+    /// assert!(at(0)?.contact(&at(0)?).unwrap().is_degenerate()); // no side is nearer than another
+    /// assert!(!at(0)?.contact(&at(6)?).unwrap().is_degenerate());
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     #[must_use]
     pub const fn is_degenerate(&self) -> bool {
         self.degenerate
@@ -94,7 +102,7 @@ impl Contact {
     pub(crate) const fn radial(core: Raw, v: Raw) -> Self {
         let axis = parallel_to_unit(v);
         if v.x == 0 || v.y == 0 {
-            // Of a parallel only one component is not zero.
+            // A parallel has only one component that is not zero.
             let apart = v.x.wrapping_add(v.y).unsigned_abs() as i64;
             Self::new(axis, apart.wrapping_neg(), core)
         } else {

@@ -65,8 +65,8 @@ fn least(a: Core<'_>, b: Core<'_>) -> Option<(PolygonSide, bool)> {
 /// The contact across a side of the sum, from A to B.
 fn across(side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Contact {
     let (axis, overlap) = over(side.edge, side.from);
-    // The deepest point is the corner that the side is moved along, or the middle of what two sides
-    // share.
+    // The deepest point is the corner that the side moves along, or the middle of the common part
+    // of two sides.
     let (core, on_a) = match (side.of_a, side.of_b) {
         (true, false) => (b.corner(side.b), false),
         (false, _) => (a.corner(side.a), true),

@@ -37,10 +37,10 @@ pub(super) struct Facing {
 
 impl Facing {
     pub(super) fn of(side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Self {
-        // Along the side of the sum that of A runs forward and that of B back.
+        // Along the side of the sum, A's side runs forward and B's back.
         let (a, b) = (face(a, side.a), face(b, side.b));
         let inner = |p: Raw, q: Raw, way: Raw| match way.dot(p.sub(q)) {
-            // Opposite to each other: the first one, whichever shape is A.
+            // If they are opposite, the first one wins, whichever shape is A.
             0 => End { at: first(p, q), on_a: !precedes(q, p), paired: true },
             ahead => End { at: if ahead < 0 { q } else { p }, on_a: ahead > 0, paired: false },
         };

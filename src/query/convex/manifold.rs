@@ -50,6 +50,7 @@ pub struct ManifoldPoint {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("contact manifold", "clipping"))]
 pub struct Manifold {
     first: ManifoldPoint,
     second: Option<ManifoldPoint>,
@@ -69,6 +70,15 @@ impl Manifold {
     }
 
     /// The deepest point.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, OrientedBox, Vec2, fx, prelude::*};
+    /// let floor = Aabb::new(Vec2::from_ints(0, 8), Vec2::from_ints(64, 16))?;
+    /// let crate_ = OrientedBox::new(Vec2::from_ints(32, 5), Vec2::from_ints(4, 4), Axis::X)?;
+    /// let manifold = crate_.manifold(&floor).unwrap();
+    /// assert_eq!((manifold.points().count(), manifold.deepest().contact.depth()), (2, fx!(1)));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     #[must_use]
     pub const fn deepest(&self) -> &ManifoldPoint {
         &self.first
@@ -119,11 +129,11 @@ fn both(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Mani
 /// Of a side and the corner that is deepest behind it: that corner, and the end of the flatter one
 /// of the sides beside it, cut to what faces the side.
 fn one(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Manifold {
-    // Whether it is A that leans on a side of B.
+    // Whether A is the one that leans on a side of B.
     let on_a = side.of_b;
     let (reference, index, core, deepest) = if on_a { (b, side.b, a, side.a) } else { (a, side.a, b, side.b) };
     let (p, q) = face(reference, index);
-    // Along the side of the sum, that of B runs back.
+    // Along the side of the sum, B's side runs back.
     let (p, q) = if on_a { (q, p) } else { (p, q) };
     let point = |contact: Contact, of_side: Part, of_other: Part| {
         let (part_a, part_b) = if on_a { (of_other, of_side) } else { (of_side, of_other) };
@@ -141,7 +151,7 @@ fn one(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Manif
             let (share, whole) = (bound.wrapping_sub(from).wrapping_abs(), to.wrapping_sub(from).unsigned_abs());
             start.add(Raw { x: scaled(v.x, share, whole), y: scaled(v.y, share, whole) })
         };
-        // Along the sum a side of A begins at its own corner, one of B ends there.
+        // Along the sum, a side of A begins at its own corner, and a side of B ends there.
         let (end, of_side, of_other) = if to < 0 {
             (cut(0), corner(if on_a { reference.after(index) } else { index }), line(lean.side))
         } else if to > room {

@@ -92,6 +92,7 @@ macro_rules! with_cores {
 /// ```
 pub trait OverlapsFrom<B: ?Sized>: Overlaps<B> {
     /// Whether this shape overlaps `b`; `last` is what the last call for this pair left there.
+    #[must_use]
     fn overlaps_from(&self, b: &B, last: &mut Separation) -> bool;
 }
 
@@ -272,8 +273,7 @@ macro_rules! points {
             /// ```
             ///
             /// # Errors
-            /// [`RangeError`] where the start or the end is outside of the
-            /// [domain](crate::num::DOMAIN).
+            /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
             pub fn cast_ray(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
                 ray::cast_ray(Core { corners: &self.outline(), radius: self.rounding() }, origin, motion, inside)
             }

@@ -26,8 +26,8 @@ impl Place {
             if height > 0 {
                 continue;
             }
-            // Outside of this side's line, or on it. The foot is on the side, or one of its ends is
-            // nearer than all between.
+            // Outside this side's line, or on it. The foot is on the side, or one of the side's
+            // ends is the nearest point.
             let along = side.along();
             let corner = if along < 0 {
                 Corner { at: side.from, a: side.a, b: side.b }
@@ -87,8 +87,8 @@ pub(super) fn sharp<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> Result<(), 
         if height < 0 {
             return Err(Some(side));
         }
-        // On the line of a side: a closed sum holds what is between its ends. A flat one has no
-        // other sides to say so.
+        // On the line of a side: a closed sum contains the points between its ends. A flat sum has
+        // no other sides that would exclude the rest.
         if height == 0 && (!CLOSED || side.along() < 0 || side.along() as u64 > side.len2()) {
             return Err(Some(side));
         }

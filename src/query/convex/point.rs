@@ -7,7 +7,7 @@ use crate::num::{Fx, Raw, Vec2, check_coordinate, sqr64, toward, usqr};
 use crate::query::closest::{Square, from_border, on_disc, on_segment, to_segment};
 use crate::query::meet::{Region, region};
 
-/// Closed and exact. Points outside of the domain are in no shape.
+/// Closed and exact. Points outside the domain are in no shape.
 pub(super) fn contains(core: Core<'_>, p: Vec2) -> bool {
     check_coordinate(p).is_ok() && holds(core, p, core.radius)
 }

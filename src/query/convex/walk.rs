@@ -160,9 +160,9 @@ impl Iterator for SideWalk<'_> {
     type Item = PolygonSide;
 
     fn next(&mut self) -> Option<PolygonSide> {
-        // Both stand in the same half turn: a ring's next side is less than a half turn beyond its
-        // last one, which the other ring's next side is not before. Only a segment turns by just a
-        // half, and parallel sides go together.
+        // Both stand in the same half turn. A ring's next side is less than a half turn beyond its
+        // last one, and the other ring's next side is not before that. Only a segment turns by
+        // exactly a half, and parallel sides advance together.
         let order = match (self.a.left, self.b.left) {
             (0, 0) => return None,
             (_, 0) => 1,

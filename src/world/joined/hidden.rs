@@ -54,7 +54,7 @@ fn touched<W: World>(other: &W, p: Raw) -> bool {
 }
 
 /// The part of a corner's cone that is in the cones of the other level's corners at the same point;
-/// `None` where it has no inside, or where there is none: the other level is flat or concave there.
+/// `None` if it has no inside, or does not exist: the other level is flat or concave there.
 fn common_cone<W: World>(cone: (Axis, Axis), p: Raw, other: &W) -> Option<(Axis, Axis)> {
     let (mut cone, mut corners) = (cone, false);
     for f in other.features(&point(p)) {

@@ -253,14 +253,13 @@ rays! {
         /// ```
         ///
         /// # Errors
-        /// [`RangeError`] where the start or the end is outside of the
-        /// [domain](crate::num::DOMAIN).
+        /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
         cast_ray,
         /// Whether the straight line from `a` to `b` is free of both levels, and does not start
         /// inside. A ray from `a` decides it.
         ///
         /// # Errors
-        /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
+        /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
         line_of_sight,
     }
 }
@@ -311,7 +310,7 @@ impl<A: RayWorld, B: RayWorld> RayScan for JoinedRayHits<'_, A, B> {
         let (from_a, from_b) = (self.a.next, self.b.next);
         let met = |f: Option<Found>| f.and_then(|f| f.met);
         let ranks = |(b, a): (Met, Met)| b.touch.ranks_above(&b.feature, &a, self.d);
-        // One hit a moment.
+        // One hit per moment.
         let second = order.is_gt() || (order.is_eq() && met(from_b).zip(met(from_a)).is_some_and(ranks));
         let (found, source) = if second { (from_b, 1) } else { (from_a, 0) };
         if order.is_le() {

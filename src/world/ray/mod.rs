@@ -42,6 +42,7 @@ impl From<Inside> for RayRules {
 
 /// The hit of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(alias = "RaycastHit")]
 pub struct RayHit {
     /// When: the exact floor in 2^-30 of the fraction of the motion, for straight faces and ends of
     /// arcs.
@@ -406,7 +407,7 @@ fn time(m: Raw, d: Raw, r: u32, convex: bool) -> Toi {
         ((b as u64).wrapping_add(root128_down(square)), a)
     };
     let shift = (64 - den.leading_zeros()).saturating_sub(31);
-    // Only a shift drops bits that have to be made up for.
+    // Only a shift drops bits that must be corrected.
     let den = ((den >> shift) as u32).wrapping_add(u32::from(shift != 0));
     let num = ((num >> shift) as u32).min(den);
     Toi::clamped(mul_div(num, Toi::ONE.raw(), den))

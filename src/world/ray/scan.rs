@@ -18,7 +18,7 @@ pub trait RayWorld: World {
         Self: 'w;
 
     /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the domain.
+    /// [`RangeError`] if the start or the end is outside the domain.
     fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError>;
 }
 
@@ -74,7 +74,7 @@ pub(in crate::world) struct Scan<'w, L> {
     walk: Walk,
     /// The best hit so far, later than `after`.
     best: Option<Met>,
-    /// Whether that was told, and is not to be told again.
+    /// Whether the scan has already reported it.
     is_told: bool,
     /// The moment of the last hit.
     after: Option<Time>,
@@ -107,7 +107,7 @@ impl<L> Clone for Scan<'_, L> {
 
 impl<'w, L: RayLevel> Scan<'w, L> {
     /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the domain.
+    /// [`RangeError`] if the start or the end is outside the domain.
     pub(in crate::world) fn new(level: &'w L, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self, RangeError> {
         let (o, d) = checked(origin, motion)?;
         Ok(Self::of(level, o, d, rules))
@@ -165,7 +165,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
             let over = self.level.grid().next_lines(&self.walk.x, &self.walk.y, self.level.beyond());
             if let Some(best) = self.best.as_ref().filter(|best| over == 0 || self.is_before(best, over)) {
                 (self.is_told, self.after) = (true, best.touch.time);
-                // After a point within an arc there is nothing more in the step.
+                // After a point within an arc, nothing more is in the step.
                 if best.touch.time.is_some() {
                     self.stage = Stage::Look;
                 }
@@ -339,7 +339,7 @@ fn cusp<L: RayLevel>(level: &L, o: Raw, d: Raw, walk: &Walk) -> Option<Met> {
         return None;
     }
     let side = if d.x != 0 { &walk.x } else { &walk.y };
-    // The line before the next one; none is crossed yet where that is behind the start.
+    // The line before the next one. None is crossed yet if that is behind the start.
     let way = side.near.checked_sub(cell)?;
     if side.size == 0 || way > side.size {
         return None;

@@ -95,7 +95,7 @@ impl Grid {
             cell = beyond(v < 0, last);
         }
         let size = d.unsigned_abs();
-        // By a power of two that the cell is not below, and rounded up: never too few.
+        // Divides by a power of two that the cell is not below, and rounds up: never too few.
         let some = (size >> (self.log & 31)).wrapping_add(1) as i32;
         let room = last.wrapping_sub(cell);
         Lane {

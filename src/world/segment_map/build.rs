@@ -138,7 +138,7 @@ pub(super) const fn build(paths: &[Path<'_>], size: &Size, out: &mut [u8]) -> Re
 
 /// The first half of the work: the segments, and the references of the cells.
 const fn place(paths: &[Path<'_>], size: &Size, out: &mut [u8]) -> Result<(), SegmentMapError> {
-    // What is not finished is no level: this word is written last.
+    // An unfinished buffer is not a level: this word is written last.
     set_word(out, at::MAGIC, 0);
     let mut sink = Sink { grid: size.grid, out, segments: 0, refs: 0 };
     if let Err(e) = sink.take(paths) {
@@ -405,7 +405,7 @@ macro_rules! segment_map {
                 Ok(size) => size,
                 Err(e) => panic!("{}", e.__text().as_str()),
             };
-            // In two constants: the compiler limits the work for each.
+            // In two constants: the compiler limits the work in each.
             $(#[$attr])*
             const __PLACED: [u8; __SIZE.bytes()] = match __SIZE.__place(__PATHS) {
                 Ok(bytes) => bytes,

@@ -28,8 +28,8 @@ impl SegmentMap<'_> {
         if core.radius > 0 || core.corners.len() < 3 {
             return beside > 0;
         }
-        // No segment leads from a corner into the shape: between the corner's sides all is as solid
-        // as in their middle.
+        // No segment leads from a corner into the shape. So all between the corner's sides is as
+        // solid as their middle.
         let (next, last) = (seen(1), seen(core.before(0)));
         self.winding_toward(p, beside, next.sub(p).add(last.sub(p)), true) > 0
     }

@@ -245,8 +245,7 @@ pub(in crate::world) struct Seg {
     pub(in crate::world) dir: Axis,
     /// In multiples of `dir`, at least 1.
     pub(in crate::world) len: i32,
-    /// The segment that leaves the convex vertex at the end; where there is none, there is no
-    /// vertex.
+    /// The segment that leaves the convex vertex at the end. `None` without a vertex.
     pub(in crate::world) next: Option<u16>,
     pub(in crate::world) kind: Kind,
     /// No vertex at the start: the boundary, or the one-way chain, goes on there.
@@ -284,7 +283,7 @@ impl Seg {
     /// Whether a point is on the closed segment. Distances inside the domain and directions are
     /// below 2^30: the product is below 2^61.
     pub(in crate::world) const fn holds(&self, p: Raw) -> bool {
-        // Most are settled by the start.
+        // The start already decides most of them.
         let (a, dir) = (self.a, self.dir);
         let before_x = if dir.x < 0 { p.x > a.x } else { p.x < a.x };
         if before_x || if dir.y < 0 { p.y > a.y } else { p.y < a.y } {
@@ -304,7 +303,7 @@ impl Seg {
             Some((_, rest)) => rest.first_chunk(),
             None => None,
         };
-        // One check of bounds for all fields.
+        // One bounds check for all fields.
         let bytes = match bytes {
             Some(bytes) => bytes,
             None => &[0; SEGMENT],
@@ -331,7 +330,7 @@ impl Seg {
 #[inline]
 #[expect(clippy::indexing_slicing, reason = "by constants")]
 const fn field<const AT: usize>(bytes: &[u8; SEGMENT]) -> u32 {
-    // No call: the compiler counts those in constants.
+    // No call: the compiler counts calls in constants.
     bytes[AT] as u32 | (bytes[AT + 1] as u32) << 8 | (bytes[AT + 2] as u32) << 16 | (bytes[AT + 3] as u32) << 24
 }
 

@@ -179,7 +179,7 @@ fn below(seg: &Seg, q: Raw) -> i32 {
         return 0;
     }
     let side = side(seg, q);
-    // Where it goes through `q` it is passed if it does not rise: `slope e` against `e^2`.
+    // If it does not rise where it goes through `q`, the ray passes it: `slope e` against `e^2`.
     let (forward, rises) = (seg.dir.x > 0, (seg.dir.y > 0) == (seg.dir.x > 0) && seg.dir.y != 0);
     let passed = if forward { side > 0 } else { side < 0 } || (side == 0 && !rises);
     if passed { if forward { 1 } else { -1 } } else { 0 }
@@ -368,7 +368,7 @@ impl WayFrame {
         let from = seg.a.sub(self.p);
         let num = imul(from.x, seg.dir.y).wrapping_sub(imul(seg.dir.x, from.y));
         let num = if seg.dir.y < 0 { num.wrapping_neg() } else { num };
-        // Right across an upward segment is out of its solid.
+        // A ray straight across an upward segment leaves its solid.
         let change = seg.dir.y.signum().wrapping_neg();
         let inside = num > 0 && num < imul(self.length, den as i32);
         inside.then_some(Cut {

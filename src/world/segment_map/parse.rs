@@ -228,7 +228,7 @@ impl SegmentMap<'_> {
         if !leaves || !(turn > 0 || back && !one_way) || !one_way && matches!(other.kind, Kind::OneWay) {
             return Err(SegmentFault::Next);
         }
-        // What starts at a vertex of a solid or a wall is not joined there.
+        // A segment that starts at a vertex of a solid or a wall is not joined there.
         if !one_way && other.start_joined && p.x == other.a.x && p.y == other.a.y {
             return Err(SegmentFault::Attributes);
         }

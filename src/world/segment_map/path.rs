@@ -80,7 +80,7 @@ impl PathEdge {
     pub(super) const fn between(a: Raw, b: Raw) -> Self {
         let d = b.sub(a);
         let len = gcd(d.x.unsigned_abs(), d.y.unsigned_abs()) as i32;
-        // Both ends are different: the divisor is not zero.
+        // The ends differ, so the divisor is not zero.
         match (d.x.checked_div(len), d.y.checked_div(len)) {
             (Some(x), Some(y)) => Self { a, dir: Axis::new(x, y), len },
             _ => Self { a, dir: Axis::X, len: 0 },
@@ -195,7 +195,7 @@ const fn outside(p: Raw) -> Option<(Quantity, i32)> {
 /// The cells of side `cell` that hold a box, from its first corner on, except where they would
 /// leave the domain.
 pub(super) const fn grid(lo: Raw, hi: Raw, cell: Fx) -> Result<Grid, SegmentMapError> {
-    // The side is checked before it divides.
+    // The side is checked before the division.
     if let Err(e) = Grid::new(1, 1, cell, Vec2::ZERO) {
         return Err(SegmentMapError::Grid(e));
     }

@@ -189,8 +189,8 @@ impl SegmentMap<'_> {
             if before == after || !matches!(seg.kind, Kind::Solid) {
                 continue;
             }
-            // Positive where r is on the left of the segment. Upward, that is not passed; downward
-            // it is.
+            // Positive if r is on the left of the segment. Upward, the ray does not pass it.
+            // Downward it does.
             let side = Raw { x: seg.dir.x, y: seg.dir.y }.cross(r.sub(seg.a));
             if before && side <= 0 {
                 sum = sum.wrapping_sub(1);

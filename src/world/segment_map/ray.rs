@@ -60,14 +60,13 @@ rays! {
         /// ```
         ///
         /// # Errors
-        /// [`RangeError`] where the start or the end is outside of the
-        /// [domain](crate::num::DOMAIN).
+        /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
         cast_ray,
         /// Whether the straight line from `a` to `b` meets no boundary and no wall and does not
         /// start inside. A ray from `a` decides it.
         ///
         /// # Errors
-        /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
+        /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
         line_of_sight,
     }
 }

@@ -93,7 +93,7 @@ impl Iterator for SegmentFeatures<'_> {
 }
 
 impl SegmentFeatures<'_> {
-    /// Goes to the next cell; false where there is none.
+    /// Goes to the next cell. False at the end.
     fn advance(&mut self) -> bool {
         if self.x < self.range.x1 {
             self.x = self.x.wrapping_add(1);
@@ -231,8 +231,8 @@ impl SegmentMap<'_> {
         let seg = self.segment(index);
         let (end, start) = (self.turn(&seg, true), self.turn(&seg, false));
         if matches!(seg.kind, Kind::OneWay) {
-            // Around a convex corner the chain carries as well, so there is a vertex; its faces
-            // block up to there all the same.
+            // Around a convex corner the chain also carries, so there is a vertex. Its faces still
+            // block up to there.
             let next = if end.sector == MORE && end.one_way { end.index } else { None };
             return Joints { next, start_joined: goes_on(&start), end_joined: goes_on(&end) };
         }
@@ -372,8 +372,8 @@ impl SegmentMap<'_> {
                 continue;
             }
             for (there, dir, leaves) in [(seg.b() != p, seg.dir, true), (seg.a != p, seg.dir.reversed(), false)] {
-                // The solid is on the left of what leaves, so it is after it on the way to the
-                // left.
+                // The solid is on the left of a leaving segment, so it comes after it in the left
+                // turn.
                 let ray = Branch { dir, after: leaves == left, before: leaves != left };
                 let ahead = turn(along, dir);
                 if there && ahead > 0 {

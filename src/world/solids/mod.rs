@@ -68,6 +68,7 @@ use solid::{Side, Solid};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(alias = "moving platforms")]
 pub struct Solids<'a> {
     list: &'a [Solid],
 }
@@ -116,8 +117,8 @@ impl<'a> Solids<'a> {
         SolidFeatures::new(self.list, region)
     }
 
-    /// The solids that a box, circle or point has a point in common with anywhere on a straight way,
-    /// in the order of the list: triggers, pick-ups, and doors that a ghost passes.
+    /// The solids that a box, circle or point has a point in common with anywhere on a straight
+    /// way, in the order of the list: triggers, pick-ups, and doors that a ghost passes.
     ///
     /// One-way solids count as boxes. Exact; borders count. Cost: one or a few exact tests per
     /// solid.
@@ -144,7 +145,7 @@ impl<'a> Solids<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where a component of the motion is not below 2^28 raw, or it leads out of the
+    /// [`RangeError`] if a component of the motion is not below 2^28 raw, or it leads out of the
     /// [domain](crate::num::DOMAIN).
     #[doc(alias = "cross")]
     pub fn swept<'b, B: Probe>(

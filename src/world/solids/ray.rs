@@ -62,14 +62,13 @@ rays! {
         /// ```
         ///
         /// # Errors
-        /// [`RangeError`] where the start or the end is outside of the
-        /// [domain](crate::num::DOMAIN).
+        /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
         cast_ray,
         /// Whether the straight line from `a` to `b` is free of the solids, as a ray from `a` sees
         /// it, and does not start inside. One-way ones do not block it.
         ///
         /// # Errors
-        /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
+        /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
         line_of_sight,
     }
 }
@@ -159,7 +158,7 @@ impl SolidRayHits<'_> {
             (self.o.y, self.d.y, solid.lo().y, solid.hi().y)
         };
         let way = imul(d, time.num as i32);
-        // Where a place along the face is, seen from the crossing.
+        // Position along the face, relative to the crossing.
         let side = |place: i32| imul(place.wrapping_sub(o), time.den as i32).wrapping_sub(way);
         let (mut before, mut behind) = (side(lo) < 0, side(hi) > 0);
         for (from, to) in full(self.all.list()).filter_map(|other| in_front(solid, k, other)) {

@@ -71,7 +71,7 @@ impl Solid {
     /// and ties go to the smaller one.
     ///
     /// # Errors
-    /// [`RangeError`] where the box has no width or no height: nothing could overlap it.
+    /// [`RangeError`] if the box has no width or no height: nothing could overlap it.
     pub const fn new(shape: Aabb, key: u16) -> Result<Self, RangeError> {
         let size = shape.lo().sub(shape.hi());
         if size.x == 0 {
@@ -98,9 +98,17 @@ impl Solid {
 
     /// Adds a conveyor: a motion that it gives per tick to the bodies that stand on it.
     ///
+    /// ```
+    /// use tilesat::{Aabb, Solid, Vec2, world::Side};
+    /// let belt = Aabb::new(Vec2::from_ints(0, 40), Vec2::from_ints(64, 48))?;
+    /// let belt = Solid::new(belt, 1)?.with_one_way(Side::Up).with_flags(4).with_conveyor(Vec2::from_ints(1, 0))?;
+    /// assert_eq!((belt.one_way(), belt.flags(), belt.conveyor().x.to_num()), (Some(Side::Up), 4, 1));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    ///
     /// # Errors
-    /// [`RangeError`] where the conveyor, or its sum with the motion of this tick, has a component
-    /// of [`MOTION`] or more.
+    /// [`RangeError`] if the conveyor, or its sum with the motion of this tick, has a component of
+    /// [`MOTION`] or more.
     pub const fn with_conveyor(self, conveyor: Vec2) -> Result<Self, RangeError> {
         Self { conveyor, ..self }.checked()
     }
@@ -108,8 +116,8 @@ impl Solid {
     /// Sets the motion of this tick, from its present position.
     ///
     /// # Errors
-    /// [`RangeError`] where the motion, or its sum with the conveyor, has a component of [`MOTION`]
-    /// or more. Also where it would take the box out of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the motion, or its sum with the conveyor, has a component of [`MOTION`] or
+    /// more. Also if it would take the box out of the [domain](crate::num::DOMAIN).
     ///
     /// ```
     /// use tilesat::{Aabb, Solid, Vec2};

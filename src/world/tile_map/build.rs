@@ -134,15 +134,24 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// window into a wider level, or has padded rows. It loses its
     /// [occupancy](Self::with_occupancy).
     ///
+    /// ```
+    /// use tilesat::{Cell, TileKind, TileKinds, TileMap};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// // The right half of rows of four tiles.
+    /// let window = TileMap::new(&b"...#..##"[2..], 2, 2, &KINDS)?.with_stride(4)?;
+    /// assert_eq!(window.kind(Cell::new(0, 1)), TileKind::FULL);
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
+    ///
     /// # Errors
-    /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] where the data ends
-    /// before the last tile.
+    /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] if the data ends before
+    /// the last tile.
     pub const fn with_stride(mut self, stride: u16) -> Result<Self, TileMapError> {
         if stride < self.grid.x.count {
             return Err(TileMapError::Stride(stride));
         }
         self.stride = stride;
-        // Other tiles than the bits were made of.
+        // The bits belong to other tiles.
         self.occupied = &[];
         match self.check_length() {
             Ok(()) => Ok(self),
@@ -161,8 +170,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// Sets the side of the cells.
     ///
     /// # Errors
-    /// [`TileMapError::Cell`] where it is odd or not in 2^8..=2^24 raw,
-    /// [`TileMapError::OutOfDomain`].
+    /// [`TileMapError::Cell`] if it is odd or not in 2^8..=2^24 raw, [`TileMapError::OutOfDomain`].
     pub const fn with_cell(self, cell: Fx) -> Result<Self, TileMapError> {
         self.with_grid(Grid::new(self.grid.x.count, self.grid.y.count, cell, self.grid.origin()))
     }

@@ -1,5 +1,5 @@
-//! Which tiles a body is clear of wherever it is in a region: one half-plane or one disc a tile, in
-//! words alone.
+//! Which tiles a body is clear of wherever it is in a region: one half-plane or one disc per tile,
+//! in words alone.
 
 use super::outline::FormKind;
 use crate::num::{Raw, leading_zeros32};

@@ -161,7 +161,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[inline]
     pub(super) const fn walk_of(&self, range: Range, seen: Range) -> CellWalk {
         let in_map = self.holds(range.x0, range.y0) && self.holds(range.x1, range.y1);
-        // Before the first row, whose columns are over.
+        // Before the first row, which has no columns left.
         let y = range.y0.wrapping_sub(1);
         CellWalk { x: 0, y, kind: TileKind::EMPTY, tile: 0, in_map, last: -1, range, seen }
     }
@@ -248,7 +248,7 @@ impl<S: Set, T: Store> TileSource for TileMap<'_, S, T> {
     fn beside(&self, x: i32, y: i32) -> [TileShape; 4] {
         let last = (i32::from(self.grid.x.count) - 1, i32::from(self.grid.y.count) - 1);
         if 0 < x && x < last.0 && 0 < y && y < last.1 {
-            // All are tiles of the map, a fixed way apart in its data.
+            // All are tiles of the map, at a constant distance in its data.
             let (tile, row) = (self.place(x, y), u32::from(self.stride));
             let tiles = [tile.wrapping_sub(row), tile.wrapping_add(1), tile.wrapping_add(row), tile.wrapping_sub(1)];
             return tiles.map(|tile| self.kinds.get(self.id_at(tile)).shape);

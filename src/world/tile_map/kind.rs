@@ -247,6 +247,7 @@ pub enum Fill {
 /// assert_eq!(KINDS.get(b'?'), TileKind::EMPTY);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias("TileSet", "tile properties"))]
 pub struct TileKinds {
     /// A separate array: a walk over the shapes is one index away from each.
     shapes: [TileShape; 256],
@@ -268,7 +269,7 @@ impl TileKinds {
         self.flags[id as usize] = kind.flags;
         self.named |= 1 << kind.shape as u64;
         if !replaced.is_empty() {
-            // Perhaps it was the last one of its shape.
+            // It may have been the last one of its shape.
             self.named = 1;
             let mut other = 0;
             while other < self.shapes.len() {

@@ -181,7 +181,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         let range = self.open_range(region.lo(), region.hi());
         match self.outside {
             Outside::Empty => self.met(self.inside(range), Range::NOWHERE, region, r),
-            // Blocks at the border stand for everything beyond it. A region entirely beyond it has
+            // Blocks at the border represent everything beyond it. A region entirely beyond it has
             // no cell inside.
             Outside::Edge if !S::SHAPED => self.met(self.solid_range(range), Range::NOWHERE, region, r),
             Outside::Solid | Outside::Edge => {

@@ -142,7 +142,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.grid.cell_at(p)
     }
 
-    /// The id of a tile; `None` outside of the map.
+    /// The id of a tile; `None` outside the map.
     ///
     /// ```
     /// use tilesat::{Cell, TileKind, TileKinds, TileMap};
@@ -153,11 +153,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// # Ok::<(), tilesat::TileMapError>(())
     /// ```
     #[must_use]
+    #[doc(alias("get_tile", "mget"))]
     pub const fn tile(&self, cell: Cell) -> Option<u8> {
         if self.holds(cell.x as i32, cell.y as i32) { Some(self.id(cell.x as i32, cell.y as i32)) } else { None }
     }
 
-    /// The kind of a cell, also outside of the map, as [`Outside`] defines.
+    /// The kind of a cell, also outside the map, as [`Outside`] defines.
     #[must_use]
     pub const fn kind(&self, cell: Cell) -> TileKind {
         self.kind_at(cell.x as i32, cell.y as i32)
@@ -185,7 +186,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
     pub(in crate::world) const fn id_at(&self, tile: u32) -> u8 {
         let byte = if T::BITS == 8 { tile } else { tile >> 3 } as usize;
-        // The constructors have checked the length: the other branch is never taken.
+        // The constructors have checked the length: the program never takes the other branch.
         let byte = if byte < self.data.len() { self.data[byte] } else { 0 };
         if T::BITS == 8 { byte } else { byte >> (tile & 7) & 1 }
     }
@@ -198,7 +199,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             if S::SHAPED {
                 return if in_x == x && in_y == y { kind } else { continued(kind, x, y, in_x, in_y) };
             }
-            // Blocks are continued as they are, a one-way edge along its line alone.
+            // Blocks continue unchanged, a one-way edge only along its line.
             return match kind.one_way_side() {
                 Some(side) if (if side & 1 == 0 { in_y != y } else { in_x != x }) => {
                     TileKind::EMPTY.with_flags(kind.flags)

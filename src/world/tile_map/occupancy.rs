@@ -40,7 +40,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// empty. Words beyond are left alone.
     ///
     /// # Errors
-    /// [`TileMapError::Occupancy`] where the words are too few; nothing is written then.
+    /// [`TileMapError::Occupancy`] if the words are too few; nothing is written then.
     pub const fn fill_occupancy(&self, words: &mut [u32]) -> Result<(), TileMapError> {
         if words.len() < self.occupancy_words() {
             return Err(self.too_few(words.len()));
@@ -182,8 +182,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The first column from `x` to `last`, both in the map, whose tile is not known to be empty;
-    /// beyond `last` where there is none.
+    /// The first column from `x` to `last`, both in the map, whose tile is not known to be empty.
+    /// Beyond `last` if there is none.
     #[inline]
     pub(in crate::world) const fn next_occupied(&self, x: i32, last: i32, y: i32) -> i32 {
         self.next_occupied_in(self.words_a_row().wrapping_mul(y as u32), x, last)

@@ -133,7 +133,7 @@ impl TileShape {
     #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
     pub(in crate::world) const fn outline(self) -> &'static Outline {
         let [nothing, ..] = &OUTLINES;
-        // Every shape is in the table: the other branch is never taken.
+        // The table has every shape: the program never takes the other branch.
         let id = self as usize;
         if id < OUTLINES.len() { &OUTLINES[id] } else { nothing }
     }
@@ -301,7 +301,7 @@ const fn outline(form: Form) -> Outline {
     while k < 4 {
         let (corner, middle, next) = (2 * k, 2 * k + 1, (2 * k + 2) & 7);
         let ((ax, ay), (mx, my), (bx, by)) = (place(corner), place(middle), place(next));
-        // The middles of the halves: no form's border runs through one.
+        // The middles of the halves. No form's border passes through one.
         if side_of(form, (ax + mx) as i32, (ay + my) as i32, (0, 0)).0 < 0 {
             edges |= 1 << (2 * k);
         }

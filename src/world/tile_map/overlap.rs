@@ -191,7 +191,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         let (mut i, last) = if along_x { (open.x0, open.x1) } else { (open.y0, open.y1) };
         while i <= last {
             let cells = if along_x { Range { x0: i, x1: i, ..around } } else { Range { y0: i, y1: i, ..around } };
-            // Beyond the map no form ends along the border: the middle may be anywhere.
+            // Beyond the map no form ends along the border, so the middle can be anywhere.
             let middle = self.grid.line(i).wrapping_add(half);
             let (before, after, end) = if along_x {
                 let x = self.grid.x.origin.wrapping_add(middle);
@@ -200,8 +200,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 let y = self.grid.y.origin.wrapping_add(middle);
                 (lo.y < y, y < hi.y, Raw { x: lo.x, y })
             };
-            // Cells take from a half only the part that lies in them. Without such a part it is not
-            // tested.
+            // Cells take only the part of a half that lies in them. Without such a part, the half
+            // is not tested.
             if (before && self.all_hold(cells, lo, if after { end } else { hi }))
                 || (after && self.all_hold(cells, if before { end } else { lo }, hi))
             {
@@ -337,7 +337,7 @@ impl TileSolid {
     /// radius.
     pub(in crate::world) const fn meets_circle<S: Set, const CLOSED: bool>(&self, c: Raw, r: i32) -> bool {
         let (m, side) = (self.near(c, c), self.side());
-        // The box around the solid, which is all of it where nothing else is said.
+        // The box around the solid. It is the whole solid unless the code below adds to it.
         let mut size = self.hi.sub(self.lo);
         match self.form.kind {
             FormKind::Empty => return false,

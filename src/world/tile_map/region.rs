@@ -54,9 +54,9 @@ impl<S: Set, T: Store> Iterator for Tiles<'_, S, T> {
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The tiles whose inside meets the region: a region that is exactly one tile gives that tile.
     ///
-    /// Every tile of the map counts, solid or not; cells outside of the map are not reported. A
-    /// region without width on a line between two columns gives both, and likewise for rows: it
-    /// misses nothing that a point touches.
+    /// Every tile of the map counts, solid or not; cells outside the map are not reported. A region
+    /// without width on a line between two columns gives both, and likewise for rows: it misses
+    /// nothing that a point touches.
     ///
     /// Cost: one look-up per tile. It cannot fail.
     ///
@@ -86,8 +86,18 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// Writes the tiles of [`tiles_in`](Self::tiles_in) to `out`, which is cleared first.
     ///
+    /// ```
+    /// use tilesat::{Aabb, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let map = TileMap::from_ascii("..#\n#..", &KINDS)?;
+    /// let mut tiles = heapless::Vec::<_, 4>::new();
+    /// map.collect_tiles(&Aabb::new(Vec2::ZERO, Vec2::from_ints(32, 32))?, &mut tiles)?;
+    /// assert_eq!(tiles.iter().filter(|tile| tile.kind == TileKind::FULL).count(), 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the first ones, and the error says how
+    /// [`Truncated`] if they do not fit: `out` then holds the first ones, and the error says how
     /// many there are.
     pub fn collect_tiles(&self, region: &Aabb, out: &mut VecView<TileAt>) -> Result<(), Truncated> {
         out.clear();
@@ -105,7 +115,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// with: solid or not, borders included.
     ///
     /// Borders count: a body that stands exactly beside a deadly tile touches it. For tiles that
-    /// must be entered use [`tiles_in`](Self::tiles_in). What is outside of the map has no flags.
+    /// must be entered use [`tiles_in`](Self::tiles_in). What is outside the map has no flags.
     /// Exact. Cost: as [`touches`](Self::touches), but it always looks at every cell.
     ///
     /// ```
@@ -155,7 +165,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// that have a flag which is new.
     ///
     /// # Errors
-    /// [`RangeError`] where a component of the motion is not below 2^28 raw, or it leads out of the
+    /// [`RangeError`] if a component of the motion is not below 2^28 raw, or it leads out of the
     /// [domain](crate::num::DOMAIN).
     pub fn flags_swept<B: Probe>(&self, shape: &B, motion: Vec2) -> Result<u8, RangeError> {
         let (d, (lo, hi)) = (Raw::of(motion), bounds_of_way(shape, motion)?);
@@ -219,7 +229,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             let mut x = range.x0;
             while x <= range.x1 {
                 let kind = self.kinds.get(self.id(x, y));
-                // Asked in this order, most tiles cost no geometry.
+                // In this order, most tiles cost no geometry.
                 if kind.flags & !flags != 0 && reaches(self.grid.corners(x, y)) {
                     flags |= kind.flags;
                 }
@@ -313,7 +323,7 @@ mod probe {
             meet::circle_aabb::<true>(self.c(), self.r(), cell.0, cell.1)
         }
         fn passes(&self, d: Raw, (lo, hi): (Raw, Raw)) -> bool {
-            // Nearest to a way across a cell are its ends, or the cell's corners.
+            // The nearest points to a way across a cell are its ends, or the cell's corners.
             let (a, r) = (self.c(), self.r());
             let b = a.add(d);
             meet::circle_aabb::<true>(a, r, lo, hi)

@@ -203,7 +203,7 @@ impl BlockSurface {
         } else {
             (Raw { x: a.x, y: band.0.y }, Raw { x: a.x, y: band.1.y })
         };
-        // Where the region is beyond a repeated border, the line may be on either side of it.
+        // If the region is beyond a repeated border, the line can be on either side of it.
         let ((lo, hi), region) = (self.solid, look.region);
         let met = lo.x <= region.1.x && hi.x >= region.0.x && lo.y <= region.1.y && hi.y >= region.0.y;
         self.left = ((met && look.opposes(direction(side))) as Pieces) << side;
@@ -215,8 +215,8 @@ impl BlockSurface {
         if d.is_zero() {
             return reached;
         }
-        // The faces that the motion can reach: not those that its front, up to the raw unit by
-        // which the region is larger, is beyond at the start.
+        // The faces that the motion can reach. At the start, its front is beyond the others, up to
+        // the raw unit by which the region is larger.
         let ((lo, hi), (from, to)) = (self.solid, look.region);
         let up = d.y > 0 && lo.y >= to.y.wrapping_sub(d.y).wrapping_sub(1);
         let right = d.x < 0 && hi.x <= from.x.wrapping_sub(d.x).wrapping_add(1);
@@ -224,10 +224,10 @@ impl BlockSurface {
         let left = d.x > 0 && lo.x >= to.x.wrapping_sub(d.x).wrapping_sub(1);
         let faces = up as Pieces | (right as Pieces) << 1 | (down as Pieces) << 2 | (left as Pieces) << 3;
         if look.joints {
-            // What meets the joints of faces meets no corners.
+            // A body that meets the joints of faces meets no corners.
             return faces & reached;
         }
-        // A corner is met only by what moves toward one of its faces.
+        // Only a body that moves toward one of its faces meets a corner.
         let toward =
             (d.y > 0) as Pieces | ((d.x < 0) as Pieces) << 1 | ((d.y < 0) as Pieces) << 2 | ((d.x > 0) as Pieces) << 3;
         (faces | (toward | toward >> 1 | toward << 3) << 4) & reached

@@ -1,4 +1,4 @@
-//! Asks the linker for the layout of defmt's strings.
+//! Passes the layout of defmt's strings to the linker.
 
 fn main() {
     println!("cargo:rustc-link-arg-bins=-Tdefmt.x");

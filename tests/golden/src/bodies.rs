@@ -17,7 +17,7 @@ const QUERIES: [&str; 9] =
 
 type Kind = Keyed<Filter>;
 
-/// Half of it lies where a grid has cells.
+/// Half of it covers the cells of a grid.
 fn shape(r: &mut Random, class: Class) -> Aabb {
     let (x, y) = match class {
         Class::Lattice | Class::Touch => (r.small(16) * 16 * UNIT, r.small(8) * 16 * UNIT),
@@ -41,7 +41,7 @@ fn tag(r: &mut Random, key: u32) -> Kind {
     }
 }
 
-/// Keys are unique, so whatever is told in order is the same from all four.
+/// Keys are unique, so ordered answers are the same from all four.
 fn fill<B: BroadPhase<Tag = Kind>>(near: &mut B, r: &mut Random, sum: &mut Hash) {
     for key in 0..BODIES as u32 {
         let class = Class::of(key);
@@ -50,9 +50,9 @@ fn fill<B: BroadPhase<Tag = Kind>>(near: &mut B, r: &mut Random, sum: &mut Hash)
     }
 }
 
-/// A frame: most bodies move a little, one goes and comes back elsewhere.
+/// A frame: most bodies move a little. One leaves and returns at another position.
 fn advance<B: BroadPhase<Tag = Kind>>(near: &mut B, number: u32, r: &mut Random, sum: &mut Hash) {
-    // By name: bodies come in no particular order.
+    // By handle: bodies come in no particular order.
     let seed = r.word();
     let moved = near.move_each(|handle, bounds| {
         let mut r = Random::new(seed ^ (handle.slot() as u32 * 0x2545));
@@ -86,7 +86,7 @@ fn ask<B: BroadPhase<Tag = Kind>>(near: &mut B, number: u32, r: &mut Random, has
     let whole = near.collect_region(&bodies, &mut here);
     list(&here, region);
     region.add(whole);
-    // In no order: as a sum.
+    // In no order, so as a sum.
     let (mut sum, mut count) = (0u32, 0u32);
     let told = near.pairs_of(here.get(..4).unwrap_or(&here), |pair| {
         let mut one = Hash::new();
@@ -128,8 +128,8 @@ fn phase<B: BroadPhase<Tag = Kind>>(run: &mut Run<'_>, of: &'static str, empty: 
     let mut other = Random::new(3);
     let mut filled = false;
     run.family(of, VECTORS / 4, QUERIES, |number, _, hashes| {
-        // All four are given the same bodies and the same questions, so their lines differ in the
-        // name alone.
+        // All four get the same bodies and the same queries, so their lines differ only in the
+        // name.
         let r = &mut other;
         if !filled {
             fill(&mut near, r, &mut hashes[0]);

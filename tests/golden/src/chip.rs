@@ -1,12 +1,11 @@
-//! A part of golden on a chip; a number on the command line is how many vectors each family is
-//! given.
+//! A part of golden on a chip. A number on the command line limits the vectors of each family.
 
 use tilesat_chip::{number, println, process};
 
 use super::family::{LEAST, Line, Run, VECTORS};
 use super::groups::Part;
 
-/// Runs the part, tells its lines, and ends the program.
+/// Runs the part, prints its lines, and ends the program.
 pub fn run(parts: &[Part]) -> ! {
     let count = number().unwrap_or(VECTORS);
     if count < LEAST {

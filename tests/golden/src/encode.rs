@@ -1,7 +1,7 @@
-//! How the library's values go into a hash: every field, in the order of its declaration.
+//! Hashes the library's values: every field, in the order of its declaration.
 //!
-//! But for the counters of work done, which are no part of an answer: they have families of their
-//! own (`work`), so that a search that takes another way to the same answers changes those alone.
+//! Counters of work are an exception: they are not part of an answer. They have separate families
+//! (`work`), so that a search that takes another way to the same answers changes only those.
 
 use tilesat::broad::{BroadError, BroadHit, Handle, Nearest, Pair, QueryError};
 use tilesat::motion::{BodyHit, MoveError, Moved, Ridden, Walked, Work};
@@ -90,7 +90,7 @@ impl Encode for Geometry {
     }
 }
 
-/// By name: the order of the declaration is not what a release promises.
+/// By name: a release does not promise the order of the declaration.
 fn quantity(what: Quantity) -> u32 {
     match what {
         Quantity::X => 1,

@@ -1,26 +1,26 @@
-//! Families of queries: a row of hashes that are fed by one stream of vectors.
+//! Families of queries: a row of hashes of one stream of vectors.
 
 use core::fmt;
 
 use super::hash::Hash;
 use super::random::Random;
 
-/// Vectors of each query at least. Where it is asked of several kinds of shapes or levels, each
-/// with a family of its own, they share them.
+/// The least number of vectors per query. Queries of several kinds of shapes or levels, each with a
+/// separate family, share them.
 pub const VECTORS: u32 = 100_000;
 
-/// Vectors before which no query has a hash.
+/// A query has no hash before this many vectors.
 pub const LEAST: u32 = 1_000;
 
-/// After so many vectors of a family, and after its last one, its hash is told: who runs only a
-/// part can compare it.
+/// A family reports its hash after each of these numbers of vectors, and after its last. So a
+/// shorter run can compare it.
 const MARKS: [u32; 2] = [LEAST, 10_000];
 
 /// One line of the result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Line {
     pub query: &'static str,
-    /// Of what: a pair of shapes, a kind of level.
+    /// The kind: a pair of shapes, or a kind of level.
     pub of: &'static str,
     /// Vectors, or frames, so far.
     pub count: u32,
@@ -33,7 +33,7 @@ impl fmt::Display for Line {
     }
 }
 
-/// How many vectors of each family at most, and who is told.
+/// The most vectors per family, and the receiver of the lines.
 #[allow(missing_debug_implementations, reason = "it holds a function")]
 pub struct Run<'a> {
     count: u32,
@@ -62,7 +62,7 @@ impl<'a> Run<'a> {
         self.total.word(line.hash.value());
     }
 
-    /// Draws `all` vectors, one after the other, or as many as are wanted: `each` is given its
+    /// Draws `all` vectors, one after the other, or as many as the limit allows. `each` gets its
     /// number, the generator, and a hash for each of the queries.
     pub fn family<const N: usize>(
         &mut self,
@@ -71,7 +71,7 @@ impl<'a> Run<'a> {
         queries: [&'static str; N],
         mut each: impl FnMut(u32, &mut Random, &mut [Hash; N]),
     ) {
-        // A stream of its own for each, whatever comes before.
+        // A separate stream for each, whatever comes before.
         let seed = of.bytes().fold(0, |seed: u32, byte| seed.wrapping_mul(31).wrapping_add(u32::from(byte)));
         let (mut random, mut hashes) = (Random::new(seed), [Hash::new(); N]);
         for number in 0..self.count.min(all) {

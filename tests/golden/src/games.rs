@@ -1,5 +1,5 @@
-//! The two games that are firmwares of their own on chips: the platformer's bodies and the bullets,
-//! for ten thousand frames.
+//! The two games that are separate firmwares on chips: the platformer's bodies and the bullets, for
+//! ten thousand frames.
 
 use tilesat_games::bullets::{self, Game, Near};
 use tilesat_games::platformer::flash;

@@ -8,7 +8,7 @@ use super::{bodies, motion, ninja, numbers, pairs, responses, worlds};
 /// Families of some kinds.
 pub type Part = fn(&mut Run<'_>);
 
-// Groups: as much as the flash of a small chip holds, at the worst without optimisation.
+// Groups that fit the flash of a small chip, even without optimisation.
 pub const SHAPES: &[Part] = &[numbers::run, pairs::run, responses::run];
 pub const BODIES: &[Part] = &[bodies::run];
 pub const LEVELS: &[Part] = &[worlds::run_tiles, worlds::run_blocks, worlds::run_slopes, worlds::run_shapes];
@@ -21,6 +21,6 @@ pub const CAPSULES: &[Part] = &[motion::run_capsules];
 pub const NINJA: &[Part] = &[ninja::run];
 pub const GROUPS: [&[Part]; 10] = [SHAPES, BODIES, LEVELS, SEGMENTS, JOINED, MOVING, BLOCKS, MOTION, CAPSULES, NINJA];
 
-/// Firmwares of their own on chips.
+/// Separate firmwares on chips.
 #[cfg(not(target_os = "none"))]
 pub const GAMES: &[Part] = &[games::run];

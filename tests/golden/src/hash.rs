@@ -1,4 +1,4 @@
-//! The hash of a family, and how the plain values go into it.
+//! The hash of a family, and how plain values enter it.
 
 use core::fmt;
 
@@ -40,14 +40,13 @@ impl fmt::Display for Hash {
     }
 }
 
-/// A value as words in a fixed order: all of its fields, and for a choice first a number that says
-/// which. Little of a type is known here but its public face, so that what is hashed is what a game
-/// can see.
+/// A value as words in a fixed order: all of its fields, and for a choice first a number for the
+/// variant. It uses mostly the public interface of a type, so it hashes what a game can see.
 pub trait Encode {
     fn encode(self, hash: &mut Hash);
 }
 
-/// What fits a word.
+/// Values that fit a word.
 macro_rules! words {
     ($($small:ty),+) => {
         $(impl Encode for $small {

@@ -36,8 +36,8 @@ const fn kinds(slopes: bool, arcs: bool) -> TileKinds {
     kinds
 }
 
-/// A third of the tiles empty, a third full, the rest of every shape: whatever can lie beside each
-/// other does.
+/// A third of the tiles empty, a third full, the rest of every shape. So every possible
+/// neighbourhood occurs.
 static TILES: [u8; CELLS] = {
     let (mut tiles, mut random, mut i) = ([0; CELLS], Random::new(5), 0);
     while i < CELLS {
@@ -55,10 +55,10 @@ static TILES: [u8; CELLS] = {
     tiles
 };
 
-/// Where the tile maps are that are far away.
+/// The positions of distant tile maps.
 const FAR: i32 = DOMAIN - (1 << 25);
 
-/// The map of a set, at one of five places, with one of three surroundings.
+/// The map of a set, at one of five positions, with one of three surroundings.
 pub(crate) fn tiles<S: Set>(number: u32, kinds: &'static TileKinds) -> Option<TileMap<'static, S>> {
     let at = match number / 6 % 8 {
         4 => Vec2::from_raw(FAR, FAR),
@@ -124,7 +124,7 @@ pub(crate) fn segments() -> &'static SegmentMap<'static> {
     &SEGMENTS
 }
 
-/// Boxes that move: drawn anew every so often.
+/// Moving boxes, drawn anew from time to time.
 pub(crate) fn solids(r: &mut Random, at: Vec2) -> [Solid; 4] {
     [0, 1, 2, 3].map(|key| {
         let (ox, oy) = at.raw();

@@ -1,11 +1,11 @@
 //! Golden hashes: every public query over fixed vectors, and ten thousand frames of three games,
 //! the same bits on every core, at every level of optimisation, in every build.
 //!
-//! The programs of `src/bin`, the Game Boy Advance's and `tests/properties/golden.rs` run them;
+//! The programs in `src/bin`, the Game Boy Advance's and `tests/properties/golden.rs` run them.
 //! `hashes.txt` has the reviewed ones. Inputs come from a seeded generator of integers, in classes
-//! (`random.rs`): ordinary, on a lattice, touching exactly, touching give or take 2 raw units, at
-//! the ends of the domain, anywhere of any size. Every field of every answer goes into the hash of
-//! its query (`encode.rs`).
+//! (`random.rs`): ordinary, on a lattice, touching exactly, touching within 2 raw units, at the
+//! ends of the domain, and anywhere of any size. Every field of every answer enters the hash of its
+//! query (`encode.rs`).
 #![cfg_attr(target_os = "none", no_std)]
 #![allow(clippy::must_use_candidate, clippy::new_without_default, reason = "read as programs, not as a library")]
 

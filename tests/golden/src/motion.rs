@@ -16,7 +16,7 @@ use super::world::Vector;
 
 const QUERIES: [&str; 7] = ["move_and_slide", "bounce_and_slide", "walk", "ride", "supported", "escape", "motion_work"];
 
-/// Capsules are not pushed out.
+/// The library does not push out capsules.
 const OF_CAPSULES: [&str; 6] = ["move_and_slide", "bounce_and_slide", "walk", "ride", "supported", "motion_work"];
 
 const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::DropThrough, Response::Bounce];
@@ -29,7 +29,7 @@ fn mover(number: u32) -> Mover {
     mover.with_response(response).with_inside(inside).with_drop_through(number % 32 == 5)
 }
 
-/// What is carried on from vector to vector: a body that goes on from where it came to.
+/// The state from vector to vector: a body that continues from its last position.
 #[derive(Clone, Copy, Debug)]
 struct Trip<B> {
     body: B,
@@ -88,7 +88,7 @@ impl<B: Body + Encode> Trip<B> {
             Ok(moved) => {
                 self.body = moved.body;
                 let (x, y) = moved.velocity.raw();
-                // Falls on, and never so fast that it leaves the domain.
+                // Keeps falling, but never so fast that it leaves the domain.
                 self.velocity = Vec2::from_raw(x.clamp(-UNIT * 8, UNIT * 8), y.clamp(-UNIT * 8, UNIT * 8) + UNIT / 16);
                 work.add(moved.work);
             }
@@ -97,7 +97,7 @@ impl<B: Body + Encode> Trip<B> {
     }
 }
 
-/// Sixteen vectors a trip, boxes and circles in turn.
+/// Sixteen vectors per trip, boxes and circles in turn.
 fn trips<W: World>(run: &mut Run<'_>, of: &'static str, level: impl Fn(u32) -> Option<(W, Vec2)>) {
     let (mut ball, mut block) = (None, None);
     run.family(of, VECTORS / 3 + 1, QUERIES, |number, r, hashes| {
@@ -133,8 +133,8 @@ fn trips<W: World>(run: &mut Run<'_>, of: &'static str, level: impl Fn(u32) -> O
     });
 }
 
-/// Sixteen vectors a trip, standing and lying capsules in turn; one that starts in the solid, or is
-/// slanted, is refused.
+/// Sixteen vectors per trip, upright and level capsules in turn. The mover refuses one that starts
+/// in the solid, or is slanted.
 pub(crate) fn run_capsules(run: &mut Run<'_>) {
     let mut trip = None;
     run.family("capsules", VECTORS / 3 + 1, OF_CAPSULES, |number, r, hashes| {

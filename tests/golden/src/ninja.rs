@@ -9,9 +9,9 @@ use super::random::Random;
 
 /// As of the other two games.
 pub(crate) const FRAMES: [u32; 2] = [600, 10_000];
-/// Where a script has not come to its end by now it has been left for good.
+/// A script that has not ended by now has failed.
 const PATIENCE: u32 = 1800;
-/// After a script the generator has the keys for so long.
+/// After a script, the generator holds the keys for this long.
 const WILD: u32 = 900;
 
 /// Keys that stay down for a while.

@@ -13,13 +13,13 @@ use super::random::{Direction, Random};
 /// The top bit set, as `recip` and `rsqrt` want at least one of two.
 const TOP: u32 = 1 << 31;
 
-/// A word of any number of bits; often few, or a power of two give or take one.
+/// A word of any number of bits. Often few, or a power of two within one.
 fn word(r: &mut Random) -> u32 {
     let word = r.word() >> (r.word() >> 27);
     if r.once_in(4) { (1u32 << word.checked_ilog2().unwrap_or(0)).wrapping_add_signed(r.small(1)) } else { word }
 }
 
-/// A wide number; often a square, or one off.
+/// A wide number. Often a square, or one off.
 fn wide(r: &mut Random) -> u64 {
     match r.below(4) {
         0 => {

@@ -21,7 +21,7 @@ const VERBS: [&str; 10] = [
     "cast_moving",
 ];
 
-/// What all shapes can be asked about each other.
+/// The queries that all shapes have about each other.
 trait Verbs<B>:
     Overlaps<B> + Touches<B> + Contacts<B> + Contains<B> + Distance<B> + ClosestPoint<B> + CastShape<B> + Sized
 {
@@ -46,7 +46,7 @@ fn ask<A: Verbs<B>, B: Verbs<A>>(a: &A, b: &B, motion: Vec2, inside: Inside, has
     cast.add(a.would_hit(b, motion, inside));
     cast.add(a.cast_shape(b, motion, inside));
     exact.add(a.exact_toi(b, motion, inside));
-    // B goes the other half of the way, and a little aside.
+    // B moves by the other half of the way, and a little aside.
     let (x, y) = motion.raw();
     let of_b = Vec2::from_raw(-x / 2 + (y >> 9), -y / 2);
     moving.add(a.cast_moving(motion, b, of_b, inside));
@@ -62,7 +62,7 @@ fn one<A: Draw + Verbs<B>, B: Draw + Verbs<A>>(run: &mut Run<'_>, of: &'static s
     });
 }
 
-/// A point and a shape, and a ray: two fifths of the vectors for each of the three.
+/// A point and a shape, and a ray. Two fifths of the vectors for each of the three.
 fn with_point<S>(run: &mut Run<'_>, of: &'static str, ask: impl Fn(&S, Vec2, Vec2, Inside, &mut [Hash; 4]))
 where
     S: Draw + Contains<Vec2> + Distance<Vec2>,

@@ -1,4 +1,4 @@
-//! The inputs: a seeded generator of integers, and the classes that vectors are drawn from.
+//! The inputs: a seeded generator of integers, and the classes of vectors.
 
 use tilesat::num::{DOMAIN, MOTION};
 use tilesat::{Aabb, Circle, Fx, Segment, Vec2};
@@ -49,7 +49,7 @@ impl Random {
     }
 }
 
-/// What a vector is like.
+/// The class of a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Class {
     /// Anywhere in 64 units, sizes to 16 units: ordinary scenes.
@@ -68,7 +68,7 @@ pub(crate) enum Class {
 }
 
 impl Class {
-    /// Of the vector with this number: all classes come as often.
+    /// The class of the vector with this number. All classes are equally frequent.
     pub(crate) const fn of(number: u32) -> Self {
         match number % 6 {
             0 => Self::Uniform,
@@ -130,8 +130,7 @@ pub(crate) fn any_point(r: &mut Random, class: Class, at: Vec2) -> Vec2 {
     point(cx + x + r.small(few), cy + y + r.small(few))
 }
 
-/// A motion of a class; of classes with small scenes half of them lead from `a` to `b`, give or
-/// take a little.
+/// A motion of a class. In classes with small scenes, half of them lead nearly from `a` to `b`.
 pub(crate) fn any_motion(r: &mut Random, class: Class, a: Vec2, b: Vec2) -> Vec2 {
     let ((ax, ay), (bx, by)) = (a.raw(), b.raw());
     let toward = |v: i32| v.clamp(1 - MOTION, MOTION - 1);
@@ -146,16 +145,16 @@ pub(crate) fn any_motion(r: &mut Random, class: Class, a: Vec2, b: Vec2) -> Vec2
     }
 }
 
-/// A shape that can be drawn from a class.
+/// A shape that the classes can generate.
 pub(crate) trait Draw: Sized {
-    /// With its place near `at`, and a size that `step` and `small` or else `bits` bound.
+    /// With its position near `at`. `step` and `small`, or else `bits`, bound its size.
     fn spread(p: Vec2, q: (i32, i32)) -> Self;
 
-    /// Whose border has `at`, all of it on the side of the line through it to which `n` points; as
-    /// large as `size` says.
+    /// Its border contains `at`, and all of it is on the side of the line through it to which `n`
+    /// points. `size` gives its size.
     fn touching(at: (i32, i32), n: Direction, size: i32, r: &mut Random) -> Self;
 
-    /// A point by which to aim at it.
+    /// A point at which to aim.
     fn place(&self) -> Vec2;
 
     fn any(r: &mut Random, class: Class, at: Vec2) -> Self {

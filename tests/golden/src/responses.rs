@@ -1,4 +1,4 @@
-//! What becomes of a velocity.
+//! Velocities after responses.
 
 use tilesat::motion::response::{Particle, Stick, bounce, exchange, respond, separate, slide, split};
 use tilesat::prelude::*;
@@ -11,7 +11,7 @@ use super::VECTORS;
 use super::family::Run;
 use super::random::{Class, Direction, Random, pair};
 
-/// A velocity: ordinary, of a few raw units, or as large as there are.
+/// A velocity: ordinary, of a few raw units, or as large as possible.
 fn velocity(r: &mut Random, class: Class) -> Vec2 {
     let bits = match class {
         Class::Uniform | Class::Near => 18,

@@ -1,4 +1,4 @@
-//! The reviewed table, and what the changelog says of it; on a computer alone.
+//! The reviewed table, and its lines in the changelog. Only on a computer.
 #![allow(clippy::std_instead_of_core, reason = "files and strings")]
 
 use std::collections::BTreeMap;
@@ -7,7 +7,7 @@ use std::fmt::{Display, Write};
 use super::family::{Line, Run};
 use super::groups::{GAMES, GROUPS};
 
-/// The version of the library that is asked.
+/// The version of the library under test.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// The reviewed hashes, seen from the root of the repository.
@@ -19,7 +19,7 @@ const HEAD: &str = "\
 # frames) the hash. The last hash of a row stands in the changelog's list of outputs of that version.
 ";
 
-/// A family: the version that its hashes are from, and they.
+/// A family: the version of its hashes, and the hashes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
     pub since: String,
@@ -41,7 +41,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// Asks everything; `tell` is given each line as it comes, and the total.
+    /// Runs everything. `tell` gets each line as it comes, and the total.
     pub fn fresh(count: u32, mut tell: impl FnMut(&dyn Display)) -> Self {
         let mut table = Self::default();
         let mut each = |line: &Line| {
@@ -65,7 +65,7 @@ impl Table {
         }
     }
 
-    /// `None` where a line is none of a table.
+    /// `None` if the line is not one of a table.
     pub fn parse(text: &str) -> Option<Self> {
         let mut rows = Vec::new();
         for line in text.lines().filter(|line| !line.starts_with('#')) {
@@ -102,8 +102,8 @@ impl Table {
         self
     }
 
-    /// What is not as in the reviewed table, each family by its name. A run of fewer vectors is
-    /// compared as far as it went.
+    /// The differences from the reviewed table, each family by its name. A shorter run is compared
+    /// as far as it went.
     pub fn differences(&self, reviewed: &Self) -> Vec<String> {
         let mut found = Vec::new();
         for ((query, of), row) in &self.rows {
@@ -126,8 +126,8 @@ impl Table {
         found
     }
 
-    /// Its part of the changelog's list for a version: a line a query, with every kind and its last
-    /// hash.
+    /// Its part of the changelog's list for a version: a line per query, with every kind and its
+    /// last hash.
     pub fn outputs(&self, version: &str) -> Vec<String> {
         let mut queries = BTreeMap::<&str, String>::new();
         for ((query, of), row) in self.rows.iter().filter(|(_, row)| row.since == version) {

@@ -1,4 +1,4 @@
-//! All that a level is asked, of any kind of level.
+//! All queries on a level, for any kind of level.
 
 use tilesat::heapless::Vec;
 use tilesat::world::{
@@ -13,17 +13,17 @@ use super::random::{Class, Draw, Random, UNIT, any_motion};
 
 pub(crate) const VERBS: [&str; 7] =
     ["overlaps", "touches", "features", "cast_ray", "cast_ray_all", "line_of_sight", "cast_shape"];
-/// Of levels that are no list of moving boxes.
+/// For levels that are not a list of moving boxes.
 pub(crate) const SURFACE: [&str; 2] = ["closest_point", "contacts"];
 /// The counters of all of them.
 pub(crate) const WORK: &str = "work";
 
-/// So many hits of a ray are looked at.
+/// Looks at this many hits of a ray.
 const HITS: usize = 4;
 
 type Cast<T> = Result<Option<T>, RangeError>;
 
-/// The calls that all levels have, each as a method of its own.
+/// The calls that all levels have, each as a separate method.
 pub(crate) trait Asked: World {
     fn ray(&self, from: Vec2, motion: Vec2, rules: RayRules) -> Cast<RayHit>;
     fn rays(&self, from: Vec2, motion: Vec2, rules: RayRules, each: &mut dyn FnMut(RayHit)) -> Result<(), RangeError>;
@@ -88,7 +88,7 @@ surfaced!(['a, 'b, S: Set, T: Store] Joined<'a, TileMap<'b, S, T>, Solids<'b>>);
 asked!(['a, 'b] Placed<'a, SegmentMap<'b>>);
 asked!([] Solids<'_>);
 
-/// One vector: where, what, which way.
+/// One vector: a position, a body, a direction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Vector {
     pub round: bool,
@@ -120,7 +120,7 @@ impl Vector {
         let (size, other) = match class {
             Class::Lattice | Class::Touch => (r.below(4) as i32 * (HALF / 2), r.below(4) as i32 * (HALF / 2)),
             Class::Near => (r.below(4) as i32 * (HALF / 2) + r.small(2), r.below(4) as i32 * (HALF / 2) + r.small(2)),
-            // Large ones are dear: one in 64.
+            // Large ones are expensive: one in 64.
             Class::Domain if r.once_in(64) => (r.signed(24), r.signed(24)),
             Class::Domain => (r.signed(13), r.signed(13)),
             Class::Uniform | Class::Far => (r.signed(20), r.signed(20)),
@@ -156,7 +156,7 @@ fn body<B: Encode>(found: BodyFound<B>, cast: &mut Hash, work: &mut Hash) {
     cast.add(found);
 }
 
-/// Asks a level everything of [`VERBS`].
+/// Runs everything in [`VERBS`] on a level.
 pub(crate) fn ask<W: Asked>(level: &W, v: &Vector, hashes: &mut [Hash; VERBS.len()], work: &mut Hash) {
     let [overlaps, touches, features, ray, all, sight, cast] = hashes;
     if v.round {
@@ -168,7 +168,7 @@ pub(crate) fn ask<W: Asked>(level: &W, v: &Vector, hashes: &mut [Hash; VERBS.len
         touches.add(level.touches_aabb(&v.block));
         body(level.cast_box(&v.block, v.motion, v.rules), cast, work);
     }
-    // In their order, which games see too.
+    // In their order, which games can see.
     let mut count = 0u32;
     World::features(level, &v.block).for_each(|feature: Feature| {
         count += 1;
@@ -188,7 +188,7 @@ pub(crate) fn ask<W: Asked>(level: &W, v: &Vector, hashes: &mut [Hash; VERBS.len
     sight.add(level.sees(v.from(), v.from() + v.motion));
 }
 
-/// Asks a level everything of [`SURFACE`].
+/// Runs everything in [`SURFACE`] on a level.
 pub(crate) fn ask_surface<W: Surfaced>(level: &W, v: &Vector, hashes: &mut [Hash; SURFACE.len()], work: &mut Hash) {
     let [closest, contacts] = hashes;
     let near = level.near(v.from(), v.within, v.one_way);

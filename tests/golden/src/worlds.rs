@@ -57,7 +57,7 @@ pub(crate) fn run_segments(run: &mut Run<'_>) {
 
 pub(crate) fn run_joined(run: &mut Run<'_>) {
     run.family("joined", VECTORS / 10, ALL, |number, r, hashes| {
-        // Both at one place: everything lies over everything.
+        // Both at one position: everything overlaps everything.
         let near = number % (6 * 4);
         let Some((map, (verbs, surface, work))) = shapes(near).zip(split(hashes)) else { return };
         let vector = Vector::draw(number, r, Vec2::ZERO, SIZE);

@@ -1,4 +1,4 @@
-//! The library is asked every row of pairs, closest points, casts and rays.
+//! Runs every row of pairs, closest points, casts and rays through the library.
 
 use super::stored;
 use super::table::reduced;
@@ -28,7 +28,7 @@ fn pairs() {
     });
 }
 
-/// `n` is at most one half, and 2^-20 for the f64, from `num / den + arm * u / |u|`.
+/// `n` is at most one half (for the f64 2^-20) from `num / den + arm * u / |u|`.
 #[allow(clippy::cast_precision_loss, reason = "a tolerance is left for it")]
 fn is_nearest(n: i64, num: &BigInt, den: &BigInt, arm: i64, (u, w): (i64, i64)) -> bool {
     let twice: BigInt = (BigInt::from(n) * den - num) * 2;
@@ -56,7 +56,7 @@ fn closest_points() {
     });
 }
 
-/// A normal of the list, or one between two of them: a corner that is touched.
+/// A normal of the list. At a touched corner, one between two of them.
 fn is_one_of(axis: Axis, normals: &[Point]) -> bool {
     let n = reduced((axis.x.into(), axis.y.into()));
     normals.is_empty() || normals.contains(&n)

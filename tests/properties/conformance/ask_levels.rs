@@ -1,4 +1,4 @@
-//! The library is asked every row of levels and of motion in them.
+//! Runs every row of levels and of motion in them through the library.
 
 use super::levels::DIGITS;
 use super::stored;
@@ -108,7 +108,7 @@ fn motion_in_blocks() {
     });
 }
 
-/// What their tests expect of a slide is in the same row, in units.
+/// The row also has the slide that their tests expect, in units.
 #[test]
 fn ends_of_other_engines() {
     let mut seen = 0;

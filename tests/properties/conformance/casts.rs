@@ -10,8 +10,8 @@ use tilesat_judge::oracle::int256::Int256;
 
 const EACH: usize = 26;
 
-/// When a path enters a convex polygon, `num / den`, and through which sides (outward normals);
-/// `None` where its inside is not met. Coordinates are below 2^30: products of three of them are
+/// The time at which a path enters a convex polygon, `num / den`, and the sides (outward normals).
+/// `None` if it does not meet the inside. Coordinates are below 2^30: products of three of them are
 /// below 2^93.
 pub(crate) fn entry(hull: &[Point], d: Point) -> Option<((i128, i128), Vec<Point>)> {
     if hull.len() < 3 {
@@ -55,7 +55,7 @@ pub(crate) fn lowest((num, den): (i128, i128)) -> (i128, i128) {
     (num / g, den / g)
 }
 
-/// The greatest part of 2^30 for which the set is not met before it.
+/// The greatest part of 2^30 before which it does not meet the set.
 fn floor(set: &Forbidden, d: Point) -> i64 {
     let (mut low, mut high) = (0, ONE);
     while high - low > 1 {
@@ -104,7 +104,7 @@ pub(crate) fn make() -> Table {
             let most = if class == Class::Domain { (1 << 28) - 1 } else { 1 << 22 };
             let u = (r.sign() * r.magnitude(most / 9), if r.one_in(4) { 0 } else { r.sign() * r.magnitude(most / 9) });
             let (n, i) = (r.within(1, 9), r.within(0, 9));
-            // Through the place of the pair, from it, or to it; in either direction.
+            // Through the pair's position, from it, or to it, in either direction.
             let i = i.min(n);
             let start = a.moved((-u.0 * i, -u.1 * i));
             if start.in_domain() && start.moved((u.0 * n, u.1 * n)).in_domain() {

@@ -1,5 +1,5 @@
 //! `levels.csv`, `tile_rays.csv` and `tile_bodies.csv`: levels of all 34 shapes and one-way edges,
-//! rays and bodies in them.
+//! with rays and bodies.
 
 use super::table::{Table, bit, list, maybe, pair};
 use tilesat::Outside;
@@ -15,7 +15,7 @@ const LEVELS: u64 = 60;
 const RAYS: u64 = 30;
 const BODIES: u64 = 24;
 
-/// One character a shape, by its number.
+/// One character per shape, by its number.
 pub(crate) const DIGITS: &[u8; 38] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZab";
 
 fn tiles(level: &Level) -> String {
@@ -50,8 +50,8 @@ pub(crate) fn make() -> (Table, Table, Table) {
         let mut made = 0;
         while made < RAYS {
             let ((o, d), one_way) = (ray(&mut r, &level, &scene), r.one_in(3));
-            // Along a grid line there may be a gap between an arc and what it touches, where the
-            // ray goes in without a piece in its way.
+            // Along a grid line there can be a gap between an arc and the solid that it touches.
+            // The ray enters there without a piece in its way.
             let on_line = (d.0 == 0 && (o.0 - level.origin.0) % level.cell == 0)
                 || (d.1 == 0 && (o.1 - level.origin.1) % level.cell == 0);
             if arcs && on_line {
@@ -63,7 +63,7 @@ pub(crate) fn make() -> (Table, Table, Table) {
             let first = hits.first();
             let toi = first.map(|group| group[0].moment.floor_of(1 << 30));
             let normal = first.and_then(|group| group[0].normal);
-            // Only where no other piece is as good.
+            // Only if no other piece is equally good.
             let cell = first
                 .filter(|group| group.iter().all(|h| h.piece.owner == group[0].piece.owner))
                 .map(|group| group[0].piece.owner);

@@ -1,5 +1,5 @@
-//! Conformance vectors: files of inputs and exact answers, made by the exact judges and read back
-//! here; `tests/conformance/README.md` has the columns.
+//! Conformance vectors: files of inputs and exact answers. The exact judges write them, and this
+//! reads them back. `tests/conformance/README.md` has the columns.
 //!
 //! ```text
 //! cargo test --test properties conformance                     the files are what the judges make, and the library answers every row
@@ -23,7 +23,7 @@ fn folder() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/conformance"))
 }
 
-/// A file of this folder as it is.
+/// A file of this folder, unchanged.
 fn stored(name: &str) -> Table {
     let path = folder().join(name);
     let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));

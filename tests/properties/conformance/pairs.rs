@@ -1,4 +1,4 @@
-//! `pairs.csv` and `closest.csv`: two shapes that do not move, from the exact judge.
+//! `pairs.csv` and `closest.csv`: two shapes at rest, from the exact judge.
 
 use super::portable;
 use super::table::{Table, bit, figure, maybe, pair, reduced};
@@ -22,7 +22,7 @@ pub(crate) fn fraction(num: Int256, den: Int256) -> (BigInt, BigInt) {
     (ratio.numer().clone(), ratio.denom().clone())
 }
 
-/// The one shortest way out, from A to B; `None` where there is more than one.
+/// The shortest way out, from A to B. `None` if there are several.
 fn only_exit(sum: &Sum, exact: &Measure) -> Option<Point> {
     if !exact.one_exit {
         return None;
@@ -32,7 +32,7 @@ fn only_exit(sum: &Sum, exact: &Measure) -> Option<Point> {
     all.filter(|u| *u != (0, 0)).find(|u| exact.is_shortest_exit(sum, *u)).map(reduced)
 }
 
-/// The least n for which a test holds; it holds from some n on.
+/// The least n for which a test holds. It holds for all greater n.
 fn least(mut holds: impl FnMut(i64) -> bool) -> i64 {
     let (mut low, mut high) = (-1i64, 1i64 << 32);
     while high - low > 1 {
@@ -98,14 +98,15 @@ pub(crate) fn make() -> Table {
     table
 }
 
-/// The point of a shape that is nearest to a point: `(x, y) / den + arm * (ux, uy) / |u|`.
+/// The point of a shape nearest to a point: `(x, y) / den + arm * (ux, uy) / |u|`.
 pub(crate) fn closest() -> Table {
     let mut table = Table::new("id,shape,point,inside,x_num,y_num,den,arm,u");
     for (pair_of, class) in [PAIRS[0], PAIRS[1], PAIRS[3]].iter().flat_map(|p| CLASSES.map(|c| (*p, c))) {
         let mut pairs = Pairs::new(pair_of, class, 0xc1d);
         for _ in 0..20 {
             let (first, second) = pairs.next();
-            // Of the third pair the segment is asked; the point is one of the other shape's.
+            // For the third pair it is the segment's point. The other point belongs to the other
+            // shape.
             let (shape, other) =
                 if matches!(second, Figure::Segment { .. }) { (second, first) } else { (first, second) };
             let p = other.vertices()[0];

@@ -1,6 +1,5 @@
-//! The single queries of other engines' tests, as facts: inputs, and in `theirs` what their test
-//! expects where it is not what ours answers (the policy that explains it comes first). Lengths are
-//! in raw units of 2^-16.
+//! The single queries of other engines' tests, as facts. `theirs` has the result of their test if
+//! it differs from ours, after the policy that explains it. Lengths are in raw units of 2^-16.
 
 use tilesat_judge::oracle::figure::{Figure, Point};
 
@@ -42,7 +41,7 @@ const fn rect(x0: i64, y0: i64, x1: i64, y1: i64) -> Figure {
     Figure::Aabb { min: at(x0, y0), max: at(x1, y1) }
 }
 
-/// A box from its corner and size, as bump has it.
+/// A box from its corner and size, as in bump.
 const fn sized(x: i64, y: i64, w: i64, h: i64) -> Figure {
     rect(x, y, x + w, y + h)
 }
@@ -85,7 +84,7 @@ pub(crate) fn rays() -> Vec<Ray> {
         to("box2d AABBRayCast 12", "", square, at(-2, 0), at(-2, 0)),
         to("box2d AABBRayCast 13", "", square, at(-2, 0), at(-1, 0)),
         to("box2d AABBRayCast 14", "", rect(99, -51, 101, -49), at(97, -50), at(103, -50)),
-        // Theirs is a ray without an end: three times the motion has 4/3 as 4/9.
+        // Theirs is an endless ray: three times the motion has 4/3 as 4/9.
         by("impact-rs rect", "ray without an end: t 1.33332; exact 4/3", sized(5, 6, 7, 8), at(1, 2), at(9, 12)),
         by("parry issue_178_parallel_raycast", "", line(at(2, 1), at(2, 0)), at(0, 0), at(0, 4)),
         by("parry parallel_raycast", "", line(at(2, 1), at(2, -1)), at(0, 0), at(0, 4)),

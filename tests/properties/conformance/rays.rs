@@ -11,8 +11,8 @@ use tilesat_judge::oracle::int256::Int256;
 
 const EACH: usize = 300;
 
-/// Whether the ray is stopped: where it comes to the closed set from outside, a tangent of a disc
-/// aside; from the border where it goes in; from on what has no inside where it leaves its line.
+/// Whether the ray stops: it enters the closed set from outside, except for a tangent of a disc.
+/// From the border it must go in. From a set without an inside, it must leave the set's line.
 fn is_stopped(set: &Forbidden, d: Point) -> bool {
     if set.touched::<Int256>(d, 0) {
         if set.radius > 0 || set.hull.len() > 2 {
@@ -22,13 +22,12 @@ fn is_stopped(set: &Forbidden, d: Point) -> bool {
         let e = (q.0 - p.0, q.1 - p.1);
         return d != (0, 0) && (e == (0, 0) || i128::from(e.0) * i128::from(d.1) != i128::from(e.1) * i128::from(d.0));
     }
-    // A tangent does not go in however far it leads.
+    // A tangent does not go in, however far it leads.
     set.touched::<Int256>(d, ONE) && (set.radius == 0 || set.met::<Int256>((d.0 * 2, d.1 * 2), ONE))
 }
 
-/// The first moment at which a closed set is touched, rounded down: it is touched at the least
-/// whole part, and that is the moment itself where what follows at once is not before it. Of sets
-/// with an inside.
+/// The first moment of a touch of a closed set, rounded down. It touches at the least whole part.
+/// That is the moment itself if the following instant is not before it. For sets with an inside.
 fn floor(set: &Forbidden, d: Point) -> i64 {
     let (mut low, mut high) = (-1, ONE);
     while high - low > 1 {
@@ -49,7 +48,7 @@ fn first(hull: &[Point], d: Point) -> Option<((i128, i128), Vec<Point>)> {
         let e = (b.0 - a.0, b.1 - a.1);
         // t = cross(a, e) / cross(d, e), at u = cross(a, d) / cross(d, e) of the side.
         let den = cross(d, e);
-        // Out of a polygon, whose corners turn from x to y, the normal is (e.1, -e.0); a segment
+        // Out of a polygon, whose corners turn from x to y, the normal is (e.1, -e.0). A segment
         // has both.
         if den == 0 || (n > 2 && den > 0) {
             continue;
@@ -82,7 +81,7 @@ fn row(id: usize, source: &str, theirs: &str, shape: &Figure, o: Point, d: Point
     let set = Forbidden::new(&Figure::Segment { a: o, b: o }, shape);
     let inside = set.holds::<Int256>((0, 0));
     let hit = !inside && is_stopped(&set, d);
-    // Along a line without an inside there is no side to be met.
+    // Along a line without an inside, a ray meets no side.
     let exact = if hit && set.radius == 0 { first(&set.hull, d) } else { None };
     let toi = hit.then(|| exact.as_ref().map_or_else(|| floor(&set, d), |e| ((e.0.0 << 30) / e.0.1) as i64));
     let time = exact.as_ref().map(|e| e.0);

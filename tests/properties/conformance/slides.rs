@@ -1,9 +1,9 @@
-//! `slides.csv`: boxes that move among blocks and one-way edges, with the exact result where all
-//! contacts are at whole raw places.
+//! `slides.csv`: boxes that move among blocks and one-way edges, with the exact result if all
+//! contacts are at whole raw positions.
 //!
-//! The first contact of each piece of a motion is the exact judge's. Its place is on the lattice or
-//! the scene is left out, so that nothing is rounded; what is left of the motion goes on along the
-//! face, back from it, or not at all.
+//! The first contact of each piece of a motion is the exact judge's. Its position is on the
+//! lattice, or the test skips the scene, so nothing is rounded. The rest of the motion goes along
+//! the face, back from it, or ends.
 
 use super::table::{Table, bit, pair};
 use tilesat::Outside;
@@ -31,7 +31,7 @@ struct Outcome {
     hits: Vec<P>,
 }
 
-/// The whole motion; `None` where a contact is between two raw places, or there are more than
+/// The whole motion. `None` if a contact is between two raw positions, or there are more than
 /// three.
 fn exact(level: &Level, start: Body, v: P, response: Response) -> Option<Outcome> {
     let (mut body, mut v, mut rest, mut hits) = (start, v, v, Vec::new());
@@ -113,10 +113,10 @@ fn row(
     ])
 }
 
-/// Levels of cells of one unit; places and motions in units.
+/// Levels of cells of one unit. Positions and motions in units.
 fn portable(table: &mut Table) {
-    // bump's item at (0,0,8,8), seen from (10,10,2,2): goals are places, so the motion is the goal
-    // less the place.
+    // bump's item at (0,0,8,8), relative to (10,10,2,2). Goals are positions, so the motion is the
+    // goal minus the position.
     let mut block = vec!["........................"; 8];
     let rows: Vec<String> =
         block.drain(..).map(|r| format!("########{}", &r[8..])).chain((0..16).map(|_| ".".repeat(24))).collect();
@@ -138,8 +138,8 @@ fn portable(table: &mut Table) {
         let id = table.rows.len();
         table.push(&row(id, source, theirs, &bump, &body, units((goal.0 - 10, goal.1 - 10)), response).unwrap());
     }
-    // PixelRoot32's player of 20 x 20 (by its middle) and a platform whose top is y = 40: one
-    // change of input a case.
+    // PixelRoot32's player of 20 x 20 (by its middle) and a platform whose top is y = 40. One
+    // changed input per case.
     let platform = Level::new(&["......", "......", ".---..", "......", "......", "......"], 20 << 16);
     let one_way: [(&str, &str, P, P); 9] = [
         ("PixelRoot32 one-way: above, falling", "accept", (50, 30), (0, 5)),
@@ -157,7 +157,7 @@ fn portable(table: &mut Table) {
         let id = table.rows.len();
         table.push(&row(id, source, theirs, &platform, &body, units(v), RESPONSES[0]).unwrap());
     }
-    // Torture scenes 4, 11, 30: a corner of a room, a shared corner, a gap of one's own width.
+    // Torture scenes 4, 11, 30: a corner of a room, a shared corner, a gap of the body's width.
     let room = Level::new(&["......#", "......#", "......#", "......#", "......#", "......#", "#######"], 16 << 16);
     let gap = Level::new(&["....", "....", "#.##", "#.##", "#.##"], 16 << 16);
     let scenes: [(&str, &Level, P, P, P); 5] = [

@@ -1,5 +1,5 @@
-//! A table as text: a line of names, then a line a row, commas between; no cell holds a comma, a
-//! quote or a line end.
+//! A table as text: a line of names, then a line per row, with commas between. No cell contains a
+//! comma, a quote or a line end.
 
 use tilesat_judge::oracle::figure::{Figure, Point};
 
@@ -14,7 +14,7 @@ impl Table {
         Self { names: names.split(',').map(str::to_owned).collect(), rows: Vec::new() }
     }
 
-    /// Names of cases are written with semicolons for commas.
+    /// Names of cases have semicolons instead of commas.
     pub(crate) fn push(&mut self, row: &[String]) {
         assert_eq!(row.len(), self.names.len(), "{row:?}");
         let row: Vec<String> = row.iter().map(|cell| cell.replace(',', ";")).collect();
@@ -32,7 +32,7 @@ impl Table {
         Self { names: lines.next().unwrap(), rows: lines.collect() }
     }
 
-    /// Each row, asked for its cells by name.
+    /// Each row, whose cells are read by name.
     pub(crate) fn each(&self, mut f: impl FnMut(Row<'_>)) {
         self.rows.iter().for_each(|row| f(Row { table: self, row }));
     }
@@ -64,7 +64,7 @@ impl<'a> Row<'a> {
         self.text(name).parse().unwrap_or_else(|e| panic!("{name}: {e} in {:?}", self.row))
     }
 
-    /// `None` where the cell is empty.
+    /// `None` if the cell is empty.
     pub(crate) fn maybe(&self, name: &str) -> Option<i64> {
         (!self.text(name).is_empty()).then(|| self.number(name))
     }

@@ -1,4 +1,4 @@
-//! A broad phase beside a list of boxes, of which every two are compared.
+//! A broad phase beside a list of boxes, which compares every two of them.
 
 use crate::Random;
 use crate::broad::near::Near;
@@ -24,7 +24,7 @@ pub fn touch(a: Corners, b: Corners) -> bool {
 #[derive(Clone)]
 pub struct Twin {
     pub near: Near<()>,
-    /// What is there, in the order of insertion.
+    /// The present bodies, in the order of insertion.
     pub bodies: Vec<(Handle, Corners)>,
 }
 
@@ -84,8 +84,8 @@ impl Twin {
     }
 }
 
-/// A number beside a line of cells, at most two raw away from it or from the middle between lines;
-/// now and then anywhere.
+/// A number beside a line of cells, at most two raw away from it or from the middle between lines.
+/// Sometimes anywhere.
 pub fn beside(r: &mut Random, cell: i64, cells: i64) -> i32 {
     if r.one_in(8) {
         return r.around(cells * cell) as i32;

@@ -1,12 +1,11 @@
-//! Levels of polygons, walls and chains, seen from all sides, and the same question asked in each
-//! of them.
+//! Levels of polygons, walls and chains in all views, with the same query in each.
 
 use crate::rooms::body::{Body, Outcome, vec2};
 use crate::rooms::view::View;
 use crate::rooms::{P, PX};
 use tilesat::{Axis, Fx, Mover, Path, PathKind, SegmentMap};
 
-/// The eight ways in which a square can lie, and one far from the origin.
+/// The eight orientations of a square, and one far from the origin.
 pub const VIEWS: [&[View]; 9] = [
     &[],
     &[View::MirrorX],
@@ -50,7 +49,7 @@ pub fn mover(views: &[View]) -> Mover {
     Mover::platformer(Axis::new(up.0 as i32, up.1 as i32))
 }
 
-/// Paths in the order in which they are built.
+/// Paths in building order.
 #[derive(Clone, Debug)]
 pub struct Drawing {
     pub paths: Vec<(PathKind, Vec<P>)>,
@@ -93,14 +92,13 @@ impl Drawing {
         bytes
     }
 
-    /// One call, in all views and with the paths in reverse order, which must agree to the last
-    /// bit; seen upright.
+    /// One call, in all views and with the paths in reverse order. They must agree to the last bit.
+    /// Returns it upright.
     pub fn step(&self, body: Body, v: P, change: fn(Mover) -> Mover) -> Outcome {
         self.step_in(&VIEWS, body, v, change)
     }
 
-    /// The same in some of the views: a full tie between x and y goes to x, in transposed views
-    /// too.
+    /// The same in some of the views: x wins a full tie between x and y, in transposed views too.
     pub fn step_in(&self, all: &[&[View]], body: Body, v: P, change: fn(Mover) -> Mover) -> Outcome {
         let mut first = None;
         for &views in all {
@@ -127,7 +125,7 @@ fn upright(views: &[View], out: Outcome) -> Outcome {
     Outcome { body, v: back(views, out.v), remaining: back(views, out.remaining), ..out }
 }
 
-/// All but the names of what was hit and the order of hits of one moment.
+/// Everything except the names of what was hit and the order of hits of one moment.
 type Bits = (Body, P, P, [bool; 3], Option<u32>, usize);
 
 fn bits(out: &Outcome) -> Bits {

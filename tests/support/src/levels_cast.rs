@@ -1,4 +1,4 @@
-//! What casts through levels have in common.
+//! Shared checks of casts through levels.
 
 use tilesat::{Aabb, Circle, Fx, Inside, Mover, Response, Vec2, World, motion::BodyHit, world::RayRules};
 
@@ -26,7 +26,7 @@ pub fn disc(c: P, r: i64) -> Circle {
     Circle::new(raw(c), Fx::from_bits(r as i32)).unwrap()
 }
 
-/// The same first hit and place as the mover that stops at it, with one-way faces.
+/// The same first hit and position as the mover that stops at it, with one-way faces.
 pub fn as_the_mover<W: World, B: tilesat::Body + PartialEq + core::fmt::Debug>(
     world: &W,
     body: &B,

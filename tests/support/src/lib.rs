@@ -1,7 +1,7 @@
 //! Exact judges and generators of scenes, for the tests and the benchmarks.
 //!
-//! The judges share no code with the library. Each answers from the definitions, in integers that
-//! are wide enough.
+//! The judges share no code with the library. Each computes from the definitions, in wide enough
+//! integers.
 
 pub mod blocks;
 pub mod broad;
@@ -28,12 +28,12 @@ pub use random::Random;
 use std::str::FromStr;
 pub use {num_bigint, num_rational};
 
-/// The number of cases of a test: what the variable `TILESAT_CASES` says, or else `default`.
+/// The number of cases of a test: the variable `TILESAT_CASES`, or else `default`.
 pub fn cases<N: FromStr>(default: N) -> N {
     given("TILESAT_CASES", default)
 }
 
-/// The number of frames of a run: what the variable `TILESAT_FRAMES` says, or else `default`.
+/// The number of frames of a run: the variable `TILESAT_FRAMES`, or else `default`.
 pub fn frames<N: FromStr>(default: N) -> N {
     given("TILESAT_FRAMES", default)
 }

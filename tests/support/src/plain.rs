@@ -1,4 +1,4 @@
-//! Raw pairs for the tests of responses, and how many cases they run.
+//! Raw pairs for the tests of responses, and the number of their cases.
 
 use tilesat::Vec2;
 

@@ -1,4 +1,4 @@
-//! What a scene keeps twice is the same twice.
+//! Everything that a scene keeps twice is equal.
 
 use tilesat::broad::BroadPhase;
 use tilesat::scene::SceneTag;
@@ -15,7 +15,7 @@ pub fn room() -> TileMap<'static> {
     TileMap::from_ascii(ROOM, &KINDS).unwrap()
 }
 
-/// All that a scene keeps twice is the same twice.
+/// Everything that a scene keeps twice is equal.
 pub fn check<B: BroadPhase<Tag = SceneTag>>(scene: &Scene<B, BODIES>) {
     let mut awake: Vec<_> = scene.bodies().filter(|(handle, _)| scene.is_awake(*handle).unwrap()).collect();
     assert_eq!(awake.len(), scene.awake().len());

@@ -1,4 +1,4 @@
-//! A level in the forms that the library takes.
+//! A level in the forms that the library reads.
 
 use tilesat::{AllShapes, Fx, Grid, SegmentMap, TileKinds, TileMap};
 
@@ -10,15 +10,15 @@ use crate::fail::{Fail, Result};
 use crate::picture::marks::{Image, Scene, Spot};
 use crate::rules::ground::Ground;
 
-/// Cells that the report looks at; to ask about more takes too long.
+/// The report looks at no more cells than this: it would take too long.
 const MOST_COUNTED: usize = 1 << 20;
 
 /// A baked level: tiles, objects, or both.
 #[derive(Debug, Clone)]
 pub struct Baked {
-    /// The parts that it was made of, without its cells.
+    /// The parts of the level, without its cells.
     pub ground: Ground,
-    /// The solid tile layer, with the flags of all.
+    /// The solid tile layer, with the flags of all layers.
     pub tiles: Option<Level>,
     /// The meaning of its ids.
     pub kinds: TileKinds,
@@ -29,29 +29,29 @@ pub struct Baked {
 }
 
 impl Baked {
-    /// The tiles as the library sees them, and their grid.
+    /// The tiles as the library's map, and their grid.
     ///
     /// # Errors
     ///
-    /// The layer is too large for the library.
+    /// If the layer is too large for the library.
     pub fn map(&self) -> Result<Option<(TileMap<'_, AllShapes>, Grid)>> {
         let Some(level) = &self.tiles else { return Ok(None) };
         let map = level.grid().and_then(|grid| Ok((TileMap::<AllShapes>::of(&level.tiles, grid, &self.kinds)?, grid)));
         map.map(Some).map_err(|e| Fail::new(format!("layer '{}': {e}", level.layer)))
     }
 
-    /// The objects as the library sees them.
+    /// The objects as the library's map.
     ///
     /// # Errors
     ///
-    /// The library refuses the bytes, which [`bake`](super::bake) has seen it take.
+    /// If the library refuses the bytes. [`bake`](super::bake) has checked that it accepts them.
     pub fn segments(&self) -> Result<Option<SegmentMap<'_>>> {
         let Some((_, bytes, _)) = &self.objects else { return Ok(None) };
         SegmentMap::from_bytes(bytes).map(Some).map_err(|e| Fail::new(format!("the objects: {e}")))
     }
 
-    /// The cost of the level, line by line, for a body of these sides in raw units; for one of a
-    /// cell where none are given.
+    /// The cost of the level, line by line. Uses a body of these sides in raw units, or of one
+    /// cell.
     ///
     /// # Errors
     ///
@@ -91,8 +91,8 @@ impl Baked {
         Ok(lines)
     }
 
-    /// Cells, segments with their normals and vertices, over an image of the drawn level; without
-    /// one, with rays. Lines of text stand below.
+    /// Draws cells, segments with their normals, and vertices over an image of the drawn level.
+    /// Without an image it draws rays as well. Lines of text are below.
     ///
     /// # Errors
     ///

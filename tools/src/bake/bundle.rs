@@ -1,5 +1,4 @@
-//! The levels of a project, baked together: one table of tile kinds and one list of flags for all
-//! of them.
+//! Bakes the levels of a project together, with one table of tile kinds and one list of flags.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -18,12 +17,12 @@ use crate::rules::options::{Options, listed};
 use crate::rules::outline::Outline;
 use crate::rules::union;
 
-/// The settings that a project does not give.
+/// The settings that do not come from a project.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Settings {
     /// The solid.
     pub options: Options,
-    /// Side of the cells that objects are sorted into; that of a tile where it is not said.
+    /// Side of the cells that index objects. By default, that of a tile.
     pub cell: Option<Fx>,
 }
 
@@ -35,7 +34,7 @@ pub struct Bundle {
     pub kinds: Vec<TileKind>,
     /// The name of each flag bit, bit 0 first.
     pub flags: Vec<String>,
-    /// Flags that are not among the eight that the user has chosen.
+    /// Flags beyond the eight that the user has chosen.
     pub dropped: Vec<String>,
 }
 
@@ -43,8 +42,8 @@ pub struct Bundle {
 ///
 /// # Errors
 ///
-/// A level has nothing solid, or one line that names the layer or object that the library does not
-/// take, and says why.
+/// If a level has nothing solid. Otherwise one line names the layer or object that the library
+/// refuses, and the reason.
 pub fn bake(maps: &[Map], settings: &Settings) -> Result<Bundle> {
     let options = &settings.options;
     let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
@@ -91,15 +90,15 @@ fn level(map: &Map, settings: &Settings, flags: &mut Flags, ids: &mut Ids) -> Re
         let bytes = shapes.build(&outlines, cell)?;
         objects = Some((shapes, bytes, cell));
     }
-    // They are in the level's tiles now, one byte each instead of two.
+    // The level's tiles now hold them as one byte each instead of two.
     ground.cells = Vec::new();
     Ok(Baked { ground, tiles, kinds: TileKinds::EMPTY, objects, flags: Vec::new() })
 }
 
-/// The library counts how many polygons are around a point, in a byte.
+/// The library counts the polygons around a point in a byte.
 const MOST_PILED: u32 = 127;
 
-/// The outlines without polygons that are another one once more.
+/// Removes outlines without polygons that repeat another one.
 fn distinct(outlines: &[Outline]) -> Vec<Outline> {
     let mut seen = HashSet::new();
     let mut kept = Vec::new();
@@ -112,26 +111,26 @@ fn distinct(outlines: &[Outline]) -> Vec<Outline> {
     kept
 }
 
-/// How many solids have a border on one line at one place, at most; the library would find out by
-/// comparing all of them.
+/// The greatest number of solids that share a border at one point of a line. The library would have
+/// to compare all of them.
 fn pile(outlines: &[Outline]) -> u32 {
     let solid = outlines.iter().filter(|outline| outline.kind == Kind::Solid && outline.closed);
     union::depth(&solid.map(|outline| outline.points.clone()).collect::<Vec<_>>())
 }
 
 impl Bundle {
-    /// Rust source: of one level its constants and statics, of several a module for each and a
+    /// Rust source. For one level: its constants and statics. For several: a module each, and a
     /// table for all.
     pub fn source(&self) -> String {
         source::source(self)
     }
 
-    /// The same for `include!`, within a module: what a build script writes to `OUT_DIR`.
+    /// The same for `include!` within a module. A build script writes it to `OUT_DIR`.
     pub fn items(&self) -> String {
         source::items(self)
     }
 
-    /// The files for this place: source, or bytes and the source that says what they are.
+    /// The files for this path: source, or bytes and the source that describes them.
     pub fn files(&self, out: &Path, as_source: bool) -> Vec<(PathBuf, Vec<u8>)> {
         if as_source {
             return vec![(out.to_owned(), self.source().into_bytes())];
@@ -152,7 +151,7 @@ impl Bundle {
         files
     }
 
-    /// A place for each level: that of the output, or one of several with their names.
+    /// A path for each level: the output's, or one of several with their names.
     pub fn places(&self, out: &Path, extension: &str) -> Vec<PathBuf> {
         if self.levels.len() == 1 {
             return vec![out.to_owned()];

@@ -1,4 +1,4 @@
-//! The Rust items of a level of tiles.
+//! The Rust items of a tile level.
 
 use std::fmt::Write;
 
@@ -12,7 +12,7 @@ pub(crate) fn imports(kinds: &[TileKind]) -> &'static str {
     if plain { "{TileKind, TileKinds}" } else { "{TileKind, TileKinds, TileShape}" }
 }
 
-/// How many cells, how large, and where.
+/// Constants for the number, size and position of the cells.
 pub(crate) fn size(level: &Level) -> String {
     let (width, height, tile) = (level.width, level.height, level.tile);
     format!(
@@ -34,12 +34,12 @@ pub(crate) fn flags(named: &[(String, u8)]) -> String {
     text
 }
 
-/// The tiles, and the expression that their bytes are.
+/// The tiles, with the expression for their bytes.
 pub(crate) fn tiles(level: &Level, bytes: &str) -> String {
     format!("/// Row by row.\npub static TILES: &[u8; {}] = {bytes};\n", level.tiles.len())
 }
 
-/// The table of what the ids stand for.
+/// The table with the meaning of the ids.
 pub(crate) fn kinds(ids: &[TileKind]) -> String {
     let mut text = "pub static KINDS: TileKinds = TileKinds::EMPTY".to_owned();
     for (id, kind) in ids.iter().enumerate().skip(1) {

@@ -1,4 +1,4 @@
-//! A baked level, for programs: one line of JSON.
+//! A baked level as one line of JSON, for programs.
 
 use std::collections::{BTreeMap, HashSet};
 
@@ -39,11 +39,11 @@ fn in_order<S: Serializer>(flags: &[(&str, u64)], to: S) -> std::result::Result<
 }
 
 impl Baked {
-    /// The level in one line: its solid, and the rules behind it.
+    /// The level in one line: its solid, and the rules that found it.
     ///
     /// # Errors
     ///
-    /// As [`segments`](Self::segments).
+    /// The same as [`segments`](Self::segments).
     pub fn json(&self) -> Result<String> {
         let mut by_id = [0u64; 256];
         for &id in self.tiles.iter().flat_map(|level| &level.tiles) {

@@ -1,4 +1,4 @@
-//! Tile layers in, one byte per tile out.
+//! Converts tile layers to one byte per tile.
 
 use tilesat::world::Set;
 use tilesat::{
@@ -8,7 +8,7 @@ use tilesat::{
 use crate::fail::{Fail, Result};
 use crate::rules::ground::Ground;
 
-/// A level as the library takes it, together with the names the user gave.
+/// A level as the library reads it, and the names that the user gave.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Level {
     /// The layers that are solid.
@@ -17,9 +17,9 @@ pub struct Level {
     pub height: u16,
     /// Side of a tile in pixels.
     pub tile: u16,
-    /// Raw: where the first tile begins.
+    /// The first corner of the tiles, in raw units.
     pub origin: (i32, i32),
-    /// One id a tile, row by row.
+    /// One id per tile, row by row.
     pub tiles: Vec<u8>,
     /// The meaning of each id; id 0 is empty.
     pub ids: Vec<TileKind>,
@@ -27,18 +27,18 @@ pub struct Level {
     pub flags: Vec<String>,
 }
 
-/// The table of one or more levels, as it grows.
+/// The table of one or more levels, while it grows.
 #[derive(Debug, Clone)]
 pub struct Ids {
     kinds: Vec<TileKind>,
-    /// The id of each shape and flags, where it has one.
+    /// The id of each combination of shape and flags.
     known: Vec<Option<u8>>,
 }
 
 impl Default for Ids {
     fn default() -> Self {
         let mut ids = Self { kinds: Vec::new(), known: vec![None; 1 << 14] };
-        // The table is empty: this is id 0.
+        // The table is empty, so this is id 0.
         let _ = ids.id(TileKind::EMPTY);
         ids
     }
@@ -64,20 +64,20 @@ impl Ids {
 }
 
 impl Level {
-    /// The tiles of a level alone; `None` where no tile means anything: solids may be objects.
+    /// The tiles of a single level. `None` if no tile has a meaning: objects may be the solid.
     ///
     /// # Errors
     ///
-    /// There are more than 256 combinations of shape and flags.
+    /// If there are more than 256 combinations of shape and flags.
     pub fn of(ground: &Ground, flags: &[String]) -> Result<Option<Self>> {
         Self::with(ground, flags, &mut Ids::default())
     }
 
-    /// The tiles of one level of several, with the table of all.
+    /// The tiles of one level of several, with the shared table.
     ///
     /// # Errors
     ///
-    /// As [`of`](Self::of).
+    /// The same as [`of`](Self::of).
     pub fn with(ground: &Ground, flags: &[String], ids: &mut Ids) -> Result<Option<Self>> {
         if ground.cells.is_empty() {
             return Ok(None);
@@ -95,17 +95,17 @@ impl Level {
         }))
     }
 
-    /// Where the cells are.
+    /// The grid of the cells.
     ///
     /// # Errors
     ///
-    /// The level is too large for the library.
+    /// If the level is too large for the library.
     pub fn grid(&self) -> std::result::Result<Grid, TileMapError> {
         let origin = Vec2::from_raw(self.origin.0, self.origin.1);
         Grid::new(self.width, self.height, Fx::from_num(self.tile), origin)
     }
 
-    /// The table that gives the library the kind of each id.
+    /// The table in which the library looks up the kind of each id.
     pub fn kinds(&self) -> TileKinds {
         let mut kinds = TileKinds::EMPTY;
         for (id, &kind) in self.ids.iter().enumerate() {
@@ -114,13 +114,12 @@ impl Level {
         kinds
     }
 
-    /// Whether the library needs nothing but blocks for the level, which then plays with less code.
+    /// Whether the level needs only blocks. Then it links less code.
     pub fn is_blocks(&self) -> bool {
         self.ids.iter().all(|kind| Blocks::SHAPES >> kind.shape as u8 & 1 != 0)
     }
 
-    /// The surface as the library derives it: the pieces of the level's own cells, in a closed
-    /// room.
+    /// The surface as the library derives it: the pieces of the level's own cells in a closed room.
     pub fn features(&self) -> Vec<Feature> {
         let kinds = self.kinds();
         let grid = self.grid();
@@ -131,7 +130,7 @@ impl Level {
         map.features(&region).filter(|feature| map.tile(feature.cell).is_some()).collect()
     }
 
-    /// The bit of a flag; 0 where no tile has it.
+    /// The bit of a flag, or 0 if no tile has it.
     pub fn mask(&self, name: &str) -> u8 {
         self.flags.iter().position(|f| f.eq_ignore_ascii_case(name)).map_or(0, |bit| 1 << bit)
     }

@@ -1,4 +1,4 @@
-//! Turns levels into what a firmware includes, and says what they cost there.
+//! Converts levels to files that a firmware includes, and reports their cost.
 
 mod baked;
 pub mod bundle;

@@ -1,11 +1,11 @@
-//! Names of a level file as names of Rust.
+//! Converts names of a level file to Rust names.
 
-/// Words that no item can have.
+/// Words that cannot name an item.
 const KEYWORDS: &str = " as break const continue crate dyn else enum extern false fn for if impl in let loop match mod move mut pub ref \
                         return self static struct super trait true type unsafe use where while async await abstract become box do \
                         final gen macro override priv try typeof unsized virtual yield ";
 
-/// A module for each level: small letters, digits and underscores, each one different.
+/// A module name for each level: small letters, digits and underscores, each unique.
 pub(crate) fn modules<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
     let plain = |name: &str| {
         let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
@@ -19,13 +19,13 @@ pub(crate) fn modules<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
     unique(names.map(plain))
 }
 
-/// A constant for each flag: `FLAG_` and the name in capitals, each one different.
+/// A constant name for each flag: `FLAG_` and the name in capitals, each unique.
 pub(crate) fn constants<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
     unique(names.map(|name| format!("FLAG_{}", name.chars().map(plain).collect::<String>())))
 }
 
-/// A name that was there before takes a number.
+/// A repeated name gets a number.
 fn unique(names: impl Iterator<Item = String>) -> Vec<String> {
     let mut taken: Vec<String> = Vec::new();
     for name in names {

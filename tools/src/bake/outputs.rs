@@ -1,22 +1,22 @@
-//! Files that are written together: all of them or none, and never over an input.
+//! Writes files together: all of them or none, and never over an input.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::fail::{Fail, Result};
 
-/// Files to be written.
+/// Files to write.
 #[derive(Debug, Default)]
 pub struct Outputs {
     files: Vec<(PathBuf, Vec<u8>)>,
 }
 
 impl Outputs {
-    /// Whether a file could be written, before the work is done.
+    /// Checks before the work whether a file can be written.
     ///
     /// # Errors
     ///
-    /// As [`write`](Self::write), as far as it can be told.
+    /// As [`write`](Self::write), as far as it can tell beforehand.
     pub fn check(path: &Path, inputs: &[PathBuf]) -> Result<()> {
         not_read(path, &place(path)?, inputs)
     }
@@ -26,12 +26,12 @@ impl Outputs {
         self.files.push((path, bytes));
     }
 
-    /// Writes all files, first beside their places and then into them; returns where they are.
+    /// Writes all files beside their paths first, then moves them there. Returns the paths.
     ///
     /// # Errors
     ///
-    /// A file cannot be written, is no file, is written twice, or is one of those that were read.
-    /// Nothing has changed then.
+    /// If a file cannot be written, is not a regular file, is written twice, or is one of the
+    /// inputs. Then nothing has changed.
     pub fn write(&self, inputs: &[PathBuf]) -> Result<Vec<PathBuf>> {
         let places = self.files.iter().map(|(path, _)| place(path)).collect::<Result<Vec<_>>>()?;
         for (i, place) in places.iter().enumerate() {
@@ -63,7 +63,7 @@ fn cannot(path: &Path, error: &std::io::Error) -> Fail {
     Fail::new(format!("cannot write {}: {error}", path.display()))
 }
 
-/// Where a file really is: a link is followed, and stays one.
+/// The real path of a file. A link stays a link.
 fn place(path: &Path) -> Result<PathBuf> {
     match fs::metadata(path) {
         Ok(known) if known.is_file() => fs::canonicalize(path).map_err(|e| cannot(path, &e)),
@@ -78,7 +78,7 @@ fn place(path: &Path) -> Result<PathBuf> {
     }
 }
 
-/// Whether two paths lead to one file, by another name too.
+/// Whether two paths lead to one file, even under different names.
 fn is_same(input: &Path, output: &Path) -> bool {
     #[cfg(unix)]
     {
@@ -90,10 +90,10 @@ fn is_same(input: &Path, output: &Path) -> bool {
     fs::canonicalize(input).is_ok_and(|input| input == output)
 }
 
-/// Files beside their places.
+/// Files beside their paths.
 #[derive(Default)]
 struct Moves {
-    /// The new file, its path, and the file that was there before, moved aside.
+    /// The new file, its path, and the previous file, moved aside.
     files: Vec<(PathBuf, PathBuf, PathBuf)>,
 }
 
@@ -106,14 +106,14 @@ impl Moves {
         fs::write(&new, bytes)
     }
 
-    /// Puts all files into their places, or all back.
+    /// Moves all files to their paths, or restores all.
     fn finish(self) -> std::result::Result<(), (usize, std::io::Error)> {
         for (i, (new, place, old)) in self.files.iter().enumerate() {
             let aside = if place.exists() { fs::rename(place, old) } else { Ok(()) };
             if let Err(e) = aside.and_then(|()| fs::rename(new, place)) {
                 for (_, place, old) in self.files[..=i].iter().rev() {
                     if old.exists() {
-                        // Nothing better can be done about a second failure.
+                        // A second failure leaves nothing better to do.
                         let _ = fs::rename(old, place);
                     } else if *place != self.files[i].1 {
                         let _ = fs::remove_file(place);
@@ -127,7 +127,7 @@ impl Moves {
 }
 
 impl Drop for Moves {
-    /// A file that is still beside its path is not needed.
+    /// Removes a file that is still beside its path.
     fn drop(&mut self) {
         for (new, _, old) in &self.files {
             let _ = fs::remove_file(new);

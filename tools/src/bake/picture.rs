@@ -13,13 +13,13 @@ use crate::picture::ink::{COIN, CONTACT, EARTH, EDGE, FAINT, Ink, NIGHT, PLANK, 
 use crate::picture::marks::{Mark, Scene, Spot};
 use crate::picture::surface;
 
-/// Longest side that a picture aims at, in output pixels.
+/// The greatest side of a picture, in output pixels.
 const AIM: f32 = 1600.0;
 const RAYS: u32 = 96;
-/// Sub-squares of a boundary cell's side, for the shade of the solid; fewer where cells are many.
+/// Squares along a boundary cell's side that shade the solid. Fewer if there are many cells.
 const FINE: i32 = 16;
 
-/// An empty picture of the levels on these grids, and the corner of the level that it begins with.
+/// An empty picture of the levels on these grids, and the level's corner at which it begins.
 pub(crate) fn scene(grids: &[Grid]) -> (Scene, Spot) {
     let corner = |p: Vec2| surface::pixel(p);
     let (mut lo, mut hi) = ((f32::MAX, f32::MAX), (f32::MIN, f32::MIN));
@@ -36,7 +36,7 @@ pub(crate) fn scene(grids: &[Grid]) -> (Scene, Spot) {
     (scene, lo)
 }
 
-/// The cells of a level: shaded where they are solid, and their grid.
+/// The cells of a level and their grid. Solid parts are shaded.
 pub(crate) fn cells<W: World>(scene: &mut Scene, world: &W, grid: Grid, owner: Owner) {
     let side = grid.cell().to_num::<f32>();
     let count = usize::from(grid.width()) * usize::from(grid.height());
@@ -56,7 +56,7 @@ pub(crate) fn cells<W: World>(scene: &mut Scene, world: &W, grid: Grid, owner: O
     lattice(scene, grid);
 }
 
-/// The solid in a cell, in rows of sub-squares whose middle is solid.
+/// The solid of a cell, as rows of squares whose middle is solid.
 fn shade<W: World>(scene: &mut Scene, world: &W, square: &Aabb, fine: i32) {
     let ((x, y), (right, _)) = (square.min().raw(), square.max().raw());
     let step = (right - x) / fine;
@@ -126,15 +126,14 @@ fn normal(scene: &mut Scene, a: Spot, b: Spot, ink: Ink) {
     scene.line(vec![middle, tip], 1.5 * scene.unit, ink.alpha(0.8), false);
 }
 
-/// Rays in all directions from a free point near the middle of a grid; `cast` takes a start and a
+/// Rays in all directions from a free point near the middle of a grid. `cast` gets a start and a
 /// motion.
 pub(crate) fn rays<W: World>(scene: &mut Scene, world: &W, grid: Grid, cast: impl Fn(Vec2, Vec2) -> Option<Vec2>) {
     let ((x0, y0), (x1, y1)) = (grid.origin().raw(), grid.end().raw());
     let side = grid.cell().to_bits();
     let middle = Vec2::from_raw(x0.midpoint(x1), y0.midpoint(y1));
     let far = |p: Vec2| (p - middle).length_squared();
-    // The most open of the free cells: nothing touches a square of three cells around it, or of
-    // one.
+    // The most open free cell: nothing touches a square of three cells around it, or else of one.
     let free = |around: i32| {
         let places = report::cells(grid).filter_map(move |(_, square)| {
             let ((x, y), wide) = (square.min().raw(), side / 2 * around);
@@ -147,7 +146,7 @@ pub(crate) fn rays<W: World>(scene: &mut Scene, world: &W, grid: Grid, cast: imp
     let Some(start) = free(3).or_else(|| free(1)) else { return };
     let unit = scene.unit;
     let (x, y) = start.raw();
-    // How often a step goes into the way to the border.
+    // How many steps fit the way to the border.
     let room = |at: i32, lo: i32, hi: i32, step: f64| match step {
         s if s > 0.0 => f64::from(hi - at) / s,
         s if s < 0.0 => f64::from(lo - at) / s,
@@ -166,7 +165,7 @@ pub(crate) fn rays<W: World>(scene: &mut Scene, world: &W, grid: Grid, cast: imp
     scene.disc(surface::pixel(start), 4.0 * unit, SLIDE);
 }
 
-/// Moves the level into the picture and puts lines of text below it.
+/// Moves the level into the picture and adds lines of text below it.
 pub(crate) fn finish(scene: &mut Scene, origin: Spot, lines: &[String]) {
     let move_by = |p: &mut Spot| *p = (p.0 - origin.0, p.1 - origin.1);
     for mark in &mut scene.marks {
@@ -180,7 +179,7 @@ pub(crate) fn finish(scene: &mut Scene, origin: Spot, lines: &[String]) {
     let mut pen = (10.0 * unit, scene.level.1 + 4.0 * unit);
     for line in lines {
         pen.1 += 18.0 * unit;
-        // The letters are ASCII; others show as '?'.
+        // The letters are ASCII. Others show as '?'.
         let plain = |c: char| if c.is_ascii_graphic() || c == ' ' { c } else { '?' };
         scene.text(pen, line.chars().map(plain).collect::<String>(), TEXT);
     }

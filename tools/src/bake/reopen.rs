@@ -1,4 +1,4 @@
-//! Levels out of what the baker has written: Rust source, or bytes with the source beside them.
+//! Reads levels from the baker's output: Rust source, or bytes with the source beside them.
 
 use std::path::Path;
 
@@ -9,10 +9,10 @@ use super::segments::Shapes;
 use crate::fail::{Fail, Result};
 use crate::read;
 
-/// A level as a firmware has it.
+/// A level as in a firmware.
 #[derive(Debug, Clone)]
 pub struct Reopened {
-    /// Its module, where it is one of several.
+    /// Its module, if there are several.
     pub name: String,
     pub tiles: Option<Level>,
     /// The bytes of a segment map.
@@ -21,7 +21,7 @@ pub struct Reopened {
 
 type Made<T> = std::result::Result<T, String>;
 
-/// Whether a file may be one of the baker's.
+/// Whether a file may come from the baker.
 pub fn is_baked(path: &Path) -> bool {
     path.extension().is_some_and(|end| end == "rs" || end == "bin")
 }
@@ -30,7 +30,7 @@ pub fn is_baked(path: &Path) -> bool {
 ///
 /// # Errors
 ///
-/// It is not what the baker writes.
+/// If the baker does not write such a file.
 pub fn reopen(path: &Path) -> Result<Vec<Reopened>> {
     let source = if path.extension().is_some_and(|end| end == "bin") { beside(path)? } else { path.to_owned() };
     let text = read::text(&source)?;
@@ -44,7 +44,7 @@ pub fn reopen(path: &Path) -> Result<Vec<Reopened>> {
             lines.push(line);
         }
     }
-    // The text before the modules is for all of them.
+    // The text before the modules belongs to all of them.
     let shared = if parts.len() > 1 { parts.remove(0).1 } else { Vec::new() };
     let folder = source.parent().unwrap_or(Path::new(""));
     let read = parts.iter().map(|(name, lines)| level(name, &shared, lines, folder).map_err(of_file));
@@ -55,7 +55,7 @@ pub fn reopen(path: &Path) -> Result<Vec<Reopened>> {
     Ok(levels)
 }
 
-/// The source that stands beside `OUT.bin`, `OUT.tiles.bin` or `OUT.segments.bin`.
+/// The source beside `OUT.bin`, `OUT.tiles.bin` or `OUT.segments.bin`.
 fn beside(path: &Path) -> Result<std::path::PathBuf> {
     let stem = path.with_extension("");
     let whole =
@@ -135,13 +135,13 @@ fn kind(line: &str) -> Option<(usize, TileKind)> {
     Some((id.parse().ok()?, TileKind::of(shape).with_flags(flags.unwrap_or(0))))
 }
 
-/// `1, 2)` and what follows.
+/// `1, 2)` and the text after it.
 fn pair(text: &str) -> Option<(i32, i32)> {
     let (x, y) = text.split(')').next()?.split_once(", ")?;
     Some((x.parse().ok()?, y.parse().ok()?))
 }
 
-/// The bytes of an item: in the source, or in a file beside it.
+/// The bytes of an item, in the source or in a file beside it.
 fn bytes(lines: &[&str], item: &str, folder: &Path) -> Made<Option<Vec<u8>>> {
     let Some(start) = lines.iter().position(|line| line.starts_with(item)) else { return Ok(None) };
     let first = lines[start];

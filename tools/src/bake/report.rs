@@ -15,22 +15,22 @@ pub(crate) enum Class {
     Boundary,
 }
 
-/// Counted over the cells of a level.
+/// Counts over the cells of a level.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Report {
     pub empty: usize,
     pub interior: usize,
     pub boundary: usize,
-    /// Pieces in a cell, by the cell that has most, and of all cells together.
+    /// Pieces in the cell with the most, and in all cells together.
     pub most: usize,
     pub pieces: usize,
-    /// Pieces and cells that a body somewhere can have to do with in one query.
+    /// The most pieces and cells that one query of a body can visit, at any position.
     pub met: usize,
     pub walked: usize,
 }
 
-/// Which pieces count as a cell's: those that it owns, as a tile does, or all that have a point in
-/// its closed square, which is what a segment map stores.
+/// The pieces that belong to a cell. A tile owns its pieces. A segment map stores all that have a
+/// point in the cell's closed square.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Owner {
     Tile,
@@ -50,7 +50,7 @@ impl Report {
             }
             most = most.max(own);
             pieces += own;
-            // Every position of the body whose corner lies in this cell is in this region.
+            // All positions of the body whose corner lies in this cell are in this region.
             let (x, y) = square.max().raw();
             let end = Vec2::from_raw(clamped(x.saturating_add(body.0)), clamped(y.saturating_add(body.1)));
             if let Ok(region) = Aabb::new(square.min(), end) {
@@ -63,7 +63,7 @@ impl Report {
         Self { empty, interior, boundary, most, pieces, met, walked }
     }
 
-    /// Lines for the user.
+    /// Lines of the report.
     pub(crate) fn lines(&self, body: (i32, i32)) -> [String; 3] {
         let cells = self.empty + self.interior + self.boundary;
         let mean = |count: usize| format!("{}.{:02}", self.pieces / count, self.pieces * 100 / count % 100);
@@ -100,7 +100,7 @@ pub(crate) fn cells(grid: Grid) -> impl Iterator<Item = (Cell, Aabb)> {
 }
 
 pub(crate) fn own<W: World>(world: &W, cell: Cell, square: &Aabb, owner: Owner) -> Vec<Feature> {
-    // What comes may only be near the square.
+    // The iterator may also return pieces that are only near the square.
     let meets = |f: &Feature| match f.geometry {
         Geometry::Face { a, .. } => Segment::new(a, end(f)).is_ok_and(|face| face.touches(square)),
         Geometry::Vertex { p, .. } => square.contains(&p),
@@ -113,11 +113,11 @@ pub(crate) fn own<W: World>(world: &W, cell: Cell, square: &Aabb, owner: Owner) 
     world.features(square).filter(owned).collect()
 }
 
-/// Where a face ends; for others the origin.
+/// The end of a face. Other features give the origin.
 fn end(feature: &Feature) -> Vec2 {
     let Geometry::Face { a, dir, len, .. } = feature.geometry else { return Vec2::ZERO };
     let (x, y) = a.raw();
-    // Inside the domain, as the library has checked.
+    // Inside the domain: the library has checked it.
     Vec2::from_raw(x + dir.x * len, y + dir.y * len)
 }
 

@@ -7,24 +7,24 @@ use crate::rules::flags::Flags;
 use crate::rules::kind::Kind;
 use crate::rules::outline::Outline;
 
-/// Of cells: more than any flash that this is for.
+/// The most cells: more than any flash here could hold.
 const MAX_BYTES: usize = 16 << 20;
 
-/// Outlines in the form of the library.
+/// Outlines in the library's form.
 #[derive(Debug, Clone)]
 pub struct Shapes {
-    /// Of each path.
+    /// The points of each path.
     pub points: Vec<Vec<Vec2>>,
-    /// Of each path, with its flags.
+    /// The kind of each path, and its flags.
     pub kinds: Vec<(PathKind, u8)>,
 }
 
 impl Shapes {
-    /// The flags of the tiles come first; new names take the bits that are left.
+    /// Flags of tiles come first. New names take the remaining bits.
     ///
     /// # Errors
     ///
-    /// One line that names the object that is open, far out of the domain, or has the ninth flag.
+    /// One line names the object that is open, is far outside the domain, or has the ninth flag.
     pub fn of(outlines: &[Outline], flags: &mut Flags) -> Result<Self> {
         let mut shapes = Self { points: Vec::new(), kinds: Vec::new() };
         for outline in outlines {
@@ -34,7 +34,7 @@ impl Shapes {
             }
             let mut points = Vec::new();
             for (i, &(x, y)) in outline.points.iter().enumerate() {
-                // Far outside of the domain; the library refuses points that are nearer.
+                // Far outside the domain. The library refuses nearer points itself.
                 let beyond = |_| {
                     of_object(&format!(
                         "point {i} is beyond the domain of 8192 pixels; --scale makes everything smaller"
@@ -42,7 +42,7 @@ impl Shapes {
                 };
                 points.push(Vec2::from_raw(i32::try_from(x).map_err(beyond)?, i32::try_from(y).map_err(beyond)?));
             }
-            // A polygon closes itself, a chain does not.
+            // A polygon closes itself. A chain does not.
             if outline.closed && !outline.kind.has_area() {
                 points.extend(points.first().copied());
             }
@@ -62,17 +62,17 @@ impl Shapes {
         Ok(shapes)
     }
 
-    /// As the library takes them.
+    /// The paths in the library's form.
     pub fn paths(&self) -> Vec<Path<'_>> {
         let paths = self.points.iter().zip(&self.kinds);
         paths.map(|(points, &(kind, flags))| Path::new(kind, points).with_flags(flags)).collect()
     }
 
-    /// The bytes that the library takes as a map.
+    /// The bytes that the library reads as a map.
     ///
     /// # Errors
     ///
-    /// The library's message, with the object that it is about.
+    /// The library's message, with the name of the object.
     pub fn build(&self, outlines: &[Outline], cell: Fx) -> Result<Vec<u8>> {
         if self.cells(cell) * 3 > MAX_BYTES as u64 {
             return Err(Fail::new(format!("the objects take too many cells of {cell} px: use larger cells (--cell)")));
@@ -80,7 +80,8 @@ impl Shapes {
         build(&self.paths(), cell, self.cells(cell)).map_err(|error| Fail::new(named(&error, outlines)))
     }
 
-    /// The side of cells from `tile` pixels on with which a map can name all segments of each cell.
+    /// The side of cells, at least `tile` pixels, for which a map can name all segments of each
+    /// cell.
     pub fn cell(&self, tile: u16) -> Fx {
         let sides = (0..8).map(|k| u32::from(tile) << k).filter(|side| *side <= 256);
         let fits = |side: &u32| {
@@ -99,7 +100,7 @@ impl Shapes {
             let faces = if *kind == PathKind::Wall { 2 } else { 1 };
             for (a, b) in points.iter().zip(points.iter().skip(1).chain(points.first())) {
                 let ((ax, ay), (bx, by)) = (a.raw(), b.raw());
-                // A line that is not level meets about as many cells as its box has on both sides.
+                // A slanted line meets about as many cells as both sides of its box together.
                 let (wide, high) = (along(ax, bx), along(ay, by));
                 all += faces * if wide == 2 || high == 2 { wide * high / 2 } else { wide + high };
             }
@@ -121,16 +122,16 @@ impl Shapes {
 
 /// A map holds 65535 pairs of a segment and a cell.
 const MOST_REFERENCES: u64 = 60_000;
-/// Three bytes each.
+/// Three bytes per pair.
 const MOST_CELLS: u64 = 1 << 18;
 
-/// The bytes of a segment map of these paths, which has so many cells at most.
+/// The bytes of a segment map of these paths, with at most so many cells.
 ///
 /// # Errors
 ///
 /// The library's message.
 fn build(paths: &[Path<'_>], cell: Fx, cells: u64) -> std::result::Result<Vec<u8>, SegmentMapError> {
-    // To measure takes half as long as to build: there is room for the most that a map can hold.
+    // Measuring takes half as long as building. So it reserves room for the largest map.
     let segments = paths.iter().map(|path| 4 * path.points.len() + 4).sum::<usize>().min(1 << 15);
     let mut bytes = vec![0; 64 + 24 * segments + 2 * (1 << 16) + 3 * (cells as usize + 2)];
     let used = match SegmentMap::build_into(paths, cell, &mut bytes) {
@@ -141,12 +142,12 @@ fn build(paths: &[Path<'_>], cell: Fx, cells: u64) -> std::result::Result<Vec<u8
         used => used?,
     };
     bytes.truncate(used);
-    // A firmware will ask the same.
+    // Checks the bytes as a firmware will.
     SegmentMap::from_bytes(&bytes)?;
     Ok(bytes)
 }
 
-/// The library counts paths; the user knows objects.
+/// The library counts paths, but the user knows objects.
 fn named(error: &SegmentMapError, outlines: &[Outline]) -> String {
     let (path, point) = match *error {
         SegmentMapError::TooFewPoints { path, .. } | SegmentMapError::NoArea { path } => (path, None),

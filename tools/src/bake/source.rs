@@ -1,4 +1,4 @@
-//! Levels as Rust source.
+//! Writes levels as Rust source.
 
 use std::fmt::Write;
 
@@ -9,7 +9,8 @@ use super::level::Level;
 use super::segments::Shapes;
 use super::{Baked, items, names};
 
-/// The compiler builds a map of more segments than that for too long: their bytes are included.
+/// The compiler takes too long to build a map with more segments than this. Such a level includes
+/// bytes.
 const MOST_BUILT: u16 = 300;
 
 const HEAD: &str = "//! Written by `tilesat bake LEVEL -o OUT.rs`; not edited by hand.\n\
@@ -17,21 +18,21 @@ const HEAD: &str = "//! Written by `tilesat bake LEVEL -o OUT.rs`; not edited by
                     #![allow(dead_code, reason = \"a game uses what it needs\")]\n\
                     #![allow(clippy::unreadable_literal, reason = \"raw coordinates\")]\n\n";
 
-/// Where bytes come from.
+/// The source of the bytes.
 pub(crate) enum Bytes {
-    /// They stand in the source.
+    /// In the Rust source itself.
     Here,
-    /// Of the tiles and of the segments, in files beside the source.
+    /// In files beside the source, for the tiles and for the segments.
     Files(String, String),
 }
 
-/// Constants, the tiles, and the objects as `segment_map!` takes them: the compiler builds and
-/// checks the map. Several levels are modules, and share the table of kinds.
+/// Writes constants, the tiles, and the objects as `segment_map!` takes them: the compiler builds
+/// and checks the map. Several levels are modules, and share the table of kinds.
 pub(crate) fn source(bundle: &Bundle) -> String {
     HEAD.to_owned() + &items(bundle)
 }
 
-/// The same without the attributes that only the beginning of a file can have.
+/// The same without the attributes that only the start of a file can have.
 pub(crate) fn items(bundle: &Bundle) -> String {
     let mut text = String::new();
     let flags = flags(bundle);
@@ -43,7 +44,7 @@ pub(crate) fn items(bundle: &Bundle) -> String {
     text
 }
 
-/// A module for each level, and what they share; to be put into a module.
+/// A module for each level, and their shared items. It belongs into a module.
 pub(crate) fn several(bundle: &Bundle) -> String {
     let mut text = format!("use tilesat::{};\n\n", items::imports(&bundle.kinds));
     text += &items::flags(&flags(bundle));
@@ -60,7 +61,7 @@ pub(crate) fn several(bundle: &Bundle) -> String {
             map(&mut inner, tiles);
         }
         rest(&mut inner, level, &Bytes::Here);
-        // The lines of a byte string go on whatever white space stands before them.
+        // A byte string continues after any white space at the start of a line.
         let lines = inner.lines().map(|line| if line.is_empty() { "\n".to_owned() } else { format!("    {line}\n") });
         text.extend(lines);
         text += "}\n";
@@ -73,7 +74,7 @@ pub(crate) fn modules(bundle: &Bundle) -> Vec<String> {
     names::modules(bundle.levels.iter().map(|level| level.ground.name.as_str()))
 }
 
-/// The facts that the bytes of a level do not contain, as source that includes the bytes.
+/// The facts that a level's bytes do not contain, as source that includes the bytes.
 pub(crate) fn beside(bundle: &Bundle, level: &Baked, tiles: String, segments: String) -> String {
     let mut text = HEAD.replace("OUT.rs", "OUT.bin");
     alone(&mut text, level, &flags(bundle), &Bytes::Files(tiles, segments));

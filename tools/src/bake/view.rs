@@ -1,4 +1,4 @@
-//! The picture of a baked level, put together.
+//! Assembles the picture of a baked level.
 
 use tilesat::{AllShapes, Grid, Inside, Joined, RangeError, RayHit, SegmentMap, TileMap};
 
@@ -7,7 +7,7 @@ use super::report::Owner;
 use crate::picture::ink::{EARTH, KILL, NIGHT};
 use crate::picture::marks::{Image, Mark, Scene, Spot};
 
-/// The image of the drawn level, for a picture that begins at this point.
+/// The image of the drawn level, for a picture with this origin.
 pub(crate) type Drawn<'a> = dyn Fn(&Scene, Spot) -> Option<Image> + 'a;
 
 pub(crate) fn scene(
@@ -58,7 +58,7 @@ pub(crate) fn scene(
     scene
 }
 
-/// The solid lets the drawing below it through.
+/// The drawing shows through the solid.
 fn let_through(scene: &mut Scene) {
     for mark in &mut scene.marks {
         if let Mark::Rect { fill, .. } = mark {

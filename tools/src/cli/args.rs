@@ -12,7 +12,7 @@ pub(crate) fn next(parser: &mut Parser) -> Result<Option<Arg<'_>>> {
     parser.next().map_err(|e| Fail::new(e.to_string()))
 }
 
-/// An option that the subcommand does not have.
+/// The error about an option that the subcommand does not have.
 pub(crate) fn unknown(arg: &Arg<'_>) -> Fail {
     let shown = match arg {
         Arg::Short(letter) => format!("-{letter}"),
@@ -22,14 +22,14 @@ pub(crate) fn unknown(arg: &Arg<'_>) -> Fail {
     Fail::new(format!("unknown argument {shown} (see --help)"))
 }
 
-/// The value after an option. What looks like an option is none: a value was forgotten there.
+/// The value after an option. Text that looks like an option is not a value: the user forgot it.
 pub(crate) fn value(parser: &mut Parser, name: &str) -> Result<OsString> {
     let is_option = |v: &OsString| matches!(v.as_encoded_bytes(), [b'-', next, ..] if !next.is_ascii_digit());
     let given = parser.value().ok().filter(|v| !v.is_empty() && !is_option(v));
     given.ok_or_else(|| Fail::new(format!("{name} needs a value")))
 }
 
-/// Fills a slot that is empty.
+/// Fills an empty slot.
 pub(crate) fn once<T>(slot: &mut Option<T>, name: &str, value: T) -> Result<()> {
     match slot.replace(value) {
         None => Ok(()),
@@ -37,12 +37,12 @@ pub(crate) fn once<T>(slot: &mut Option<T>, name: &str, value: T) -> Result<()> 
     }
 }
 
-/// A value that is text.
+/// A text value.
 pub(crate) fn text(parser: &mut Parser, name: &str) -> Result<String> {
     value(parser, name)?.into_string().map_err(|_| Fail::new(format!("{name} needs UTF-8 text")))
 }
 
-/// A path that is no option's value.
+/// A path that is not an option's value.
 pub(crate) fn path(value: OsString) -> Result<std::path::PathBuf> {
     if value.is_empty() {
         return Err(Fail::new("an empty argument where a level was expected"));
@@ -57,7 +57,7 @@ pub(crate) fn number(parser: &mut Parser, name: &str) -> Result<u32> {
     shown.parse().map_err(|_| Fail::new(format!("{name} needs a whole number from 0 to {}, got {shown}", u32::MAX)))
 }
 
-/// `10x14` in raw.
+/// Converts `10x14` to raw units.
 pub(crate) fn sides(parser: &mut Parser, name: &str) -> Result<(i32, i32)> {
     let text = text(parser, name)?;
     let (width, height) =
@@ -65,12 +65,12 @@ pub(crate) fn sides(parser: &mut Parser, name: &str) -> Result<(i32, i32)> {
     Ok((raw(width, name)?, raw(height, name)?))
 }
 
-/// Pixels in raw.
+/// Converts pixels to raw units.
 pub(crate) fn length(parser: &mut Parser, name: &str) -> Result<i32> {
     raw(&value(parser, name)?.to_string_lossy(), name)
 }
 
-/// Raw, above 0 and inside the domain.
+/// Raw units, above 0 and inside the domain.
 fn raw(shown: &str, name: &str) -> Result<i32> {
     let raw = Decimal::parse(shown.as_bytes()).map(Decimal::raw).filter(|raw| (1..1 << 29).contains(raw));
     let raw = raw.and_then(|raw| i32::try_from(raw).ok());

@@ -1,4 +1,4 @@
-//! `tilesat bake`: levels in, what a firmware includes out.
+//! `tilesat bake`: converts levels to files that a firmware includes.
 
 use std::ffi::{OsStr, OsString};
 use std::io::Write;
@@ -45,7 +45,7 @@ struct Options {
     input: Input,
     out: Option<(PathBuf, Format)>,
     cell: Option<Fx>,
-    /// Raw.
+    /// In raw units.
     body: Option<(i32, i32)>,
     picture: Option<PathBuf>,
     json: bool,
@@ -57,7 +57,7 @@ enum Format {
     Source,
 }
 
-/// Runs the subcommand; returns the exit status.
+/// Runs the subcommand. Returns the exit status.
 pub(crate) fn run(args: impl Iterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
     let result = parse(args).and_then(|options| match options {
         None => {
@@ -69,7 +69,7 @@ pub(crate) fn run(args: impl Iterator<Item = OsString>, out: &mut dyn Write, err
     status("tilesat bake", result, err)
 }
 
-/// `None` where help is asked for.
+/// `None` if the user asks for help.
 fn parse(args: impl Iterator<Item = OsString>) -> Result<Option<Options>> {
     let (mut file, mut out, mut cell, mut body, mut picture, mut json) = (None, None, None, None, None, None);
     let mut input = Input::default();
@@ -163,12 +163,12 @@ fn job(job: Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<u8> {
     Ok(0)
 }
 
-/// A line that a program reads is not shortened; in JSON no control character stands for itself.
+/// A line for programs is not shortened. JSON escapes control characters.
 fn tell_whole(out: &mut dyn Write, line: &str) {
     let _ = writeln!(out, "{line}");
 }
 
-/// The result for a level.
+/// The report about a level.
 fn told(baked: &Baked, bundle: &Bundle, lines: &[String], out: &mut dyn Write) {
     if bundle.levels.len() > 1 {
         tell(out, &format!("level   {}", baked.ground.name));

@@ -1,5 +1,5 @@
-//! The level that a subcommand works on, and the options that say what is solid. All subcommands
-//! share these arguments, and the file of the project.
+//! The input level of a subcommand, and the options that define its solid. All subcommands share
+//! these arguments and the project file.
 
 use std::path::{Path, PathBuf};
 
@@ -14,13 +14,13 @@ use crate::read::{self, Levels};
 use crate::rules::names;
 use crate::rules::options::Options;
 
-/// The text about it in the usage of each subcommand.
+/// The text about the level in the usage of each subcommand.
 pub(crate) const LEVEL: &str = "
 LEVEL is a map of Tiled (.tmx, .tmj; finite or infinite, in any encoding) or a
 project of LDtk (.ldtk).
 ";
 
-/// The same for the options.
+/// The text about the options.
 pub(crate) const OPTIONS: &str = "
 A tile is solid by the first of these rules that applies:
   a  its class or a true property: Collision, Solid, Collides, Collidable, Wall,
@@ -55,7 +55,7 @@ the property kind chooses solid, hole, wall (a chain that blocks from both sides
 one-way (a chain that blocks from its left: draw floors to the right).
 ";
 
-/// A level file, and what the user says about it.
+/// A level file, and the user's options for it.
 #[derive(Debug, Default)]
 pub(crate) struct Input {
     pub(crate) level: Option<String>,
@@ -63,7 +63,7 @@ pub(crate) struct Input {
 }
 
 impl Input {
-    /// Takes an argument that all subcommands have; `false` for another one.
+    /// Reads an argument that all subcommands have. Returns `false` for other arguments.
     pub(crate) fn take(&mut self, name: &str, parser: &mut Parser) -> Result<bool> {
         let options = &mut self.options;
         match name {
@@ -88,19 +88,19 @@ impl Input {
         Ok(true)
     }
 
-    /// The levels of a file, with what the project file beside it says.
+    /// The levels of a file, with the settings of the project file beside it.
     pub(crate) fn load(self, path: &Path) -> Result<(Levels, Options)> {
         let mut levels = read::load(path, self.level.as_deref())?;
         let (options, file) = project::beside(path)?;
         levels.files.extend(file);
-        // A level does not have to contain everything that the project names.
+        // The project file may name things that a level does not contain.
         unknown(&levels, &self.options).map_err(|why| Fail::new(format!("{}: {why}", path.display())))?;
         let options = options.then(self.options);
         Ok((levels, options))
     }
 }
 
-/// Layers and names of options that no level has: most likely a mistake.
+/// Layers and names of options that no level has. They are probably mistakes.
 fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String> {
     let all = || levels.maps.iter().flat_map(|map| &map.layers);
     let layers: Vec<&str> = all().map(|layer| layer.name.as_str()).collect();
@@ -132,7 +132,7 @@ fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String
     }
     names.retain(|name| !name.trim().is_empty());
     names.sort_unstable();
-    // `TILESET:ID`, `LAYER:VALUE` and a value's number name a tile that may be unused.
+    // `TILESET:ID`, `LAYER:VALUE` and a value's number may name an unused tile.
     let is_place = |name: &str| name.contains(':') || name.bytes().all(|b| b.is_ascii_digit());
     let given = options.shapes.iter().map(|(name, _)| name).chain(&options.flags);
     match given.into_iter().find(|name| !is_place(name) && !names.iter().any(|known| crate::rules::same(known, name))) {
@@ -141,7 +141,7 @@ fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String
     }
 }
 
-/// Names, each once, and not too many.
+/// Unique names, up to a limit.
 fn shown(names: &[&str]) -> String {
     let mut seen: Vec<&str> = Vec::new();
     for name in names {
@@ -179,7 +179,7 @@ pub(crate) fn scale(text: &str) -> std::result::Result<(u32, u32), String> {
     }
 }
 
-/// The file that `LEVEL` is.
+/// The file that `LEVEL` names.
 pub(crate) fn given(file: Option<PathBuf>) -> Result<PathBuf> {
     file.ok_or_else(|| Fail::new("no level given (see --help)"))
 }

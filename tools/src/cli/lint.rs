@@ -1,4 +1,4 @@
-//! `tilesat lint`: a level in, its mistakes out.
+//! `tilesat lint`: reports the mistakes of a level.
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -42,7 +42,7 @@ struct Options {
 
 const BODY: &str = "a body (--body, --circle)";
 
-/// Runs the subcommand; returns the exit status.
+/// Runs the subcommand. Returns the exit status.
 pub(crate) fn run(args: impl Iterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
     let result = parse(args).and_then(|options| match options {
         None => {
@@ -54,7 +54,7 @@ pub(crate) fn run(args: impl Iterator<Item = OsString>, out: &mut dyn Write, err
     status("tilesat lint", result, err)
 }
 
-/// `None` where help is asked for.
+/// `None` if the user asks for help.
 fn parse(args: impl Iterator<Item = OsString>) -> Result<Option<Options>> {
     let (mut file, mut body, mut small, mut strict) = (None, None, None, None);
     let mut input = Input::default();

@@ -1,4 +1,4 @@
-//! The program `tilesat`: its subcommands, their arguments, what they print.
+//! The program `tilesat`: its subcommands, their arguments and their output.
 
 mod args;
 mod bake;
@@ -28,7 +28,7 @@ Checks, bakes and plays levels of Tiled and LDtk for the crate tilesat.
 tilesat COMMAND --help lists the arguments of each.
 ";
 
-/// The whole program but for the process around it; returns the exit status.
+/// The whole program except for the process around it. Returns the exit status.
 pub fn run(args: impl IntoIterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
     let mut args = args.into_iter();
     let command = args.next();

@@ -1,4 +1,4 @@
-//! `tilesat play`: a level in, a run and its picture out. The example `platformer` is this with
+//! `tilesat play`: plays a level and draws the run. The example `platformer` does the same with
 //! built-in levels.
 
 use std::ffi::OsString;
@@ -19,7 +19,7 @@ use crate::play::{self, Arena, constants};
 use crate::rules::names;
 use crate::rules::options::listed;
 
-/// Runs the program; returns the exit status.
+/// Runs the program. Returns the exit status.
 pub fn run(
     program: &Program,
     args: impl IntoIterator<Item = OsString>,
@@ -51,7 +51,7 @@ fn job(program: &Program, options: Options, out: &mut dyn Write, err: &mut dyn W
         }
         return Ok(0);
     }
-    // Before the run: a long one then never ends without its picture.
+    // Checked before the run: a long one must not end without its picture.
     for file in options.png.iter().chain(&options.svg) {
         Outputs::check(file, &files)?;
     }
@@ -83,10 +83,10 @@ fn job(program: &Program, options: Options, out: &mut dyn Write, err: &mut dyn W
     Ok(u8::from(run.overlaps + run.escaped + run.refused > 0))
 }
 
-/// A level, the files that it came from, and what the user should know.
+/// A level, its files, and notes for the user.
 type Drawn = (Arena, Vec<PathBuf>, Vec<String>);
 
-/// The level of a file, drawn or baked.
+/// The level in a file, drawn or baked.
 fn arena(path: &Path, input: Input) -> Result<Drawn> {
     let of_file = |fail: Fail| Fail::new(format!("{}: {fail}", path.display()));
     if reopen::is_baked(path) {

@@ -14,11 +14,11 @@ use crate::fail::{Fail, Result};
 /// A program that plays levels.
 #[derive(Debug, Clone)]
 pub struct Program {
-    /// The beginning of its usage and its errors.
+    /// The start of its usage and of its errors.
     pub name: &'static str,
-    /// Levels that `--level` knows by name, the first being played where no level is given.
+    /// Levels that `--level` finds by name. The first one is the default level.
     pub levels: Vec<(&'static str, PathBuf)>,
-    /// Where the picture goes where nobody says.
+    /// The default path of the picture.
     pub picture: Option<PathBuf>,
 }
 
@@ -49,7 +49,7 @@ The last line is  frames=N bodies=N contacts=N overlaps=N escaped=N hash=XXXXXXX
 Exit status: 0 no error, 1 an overlap or an escape, 2 bad arguments or a bad file.
 ";
 
-/// The job.
+/// The task.
 pub(super) struct Options {
     pub(super) file: PathBuf,
     pub(super) input: Input,
@@ -84,7 +84,7 @@ impl Program {
         own.map(|(_, path)| path.clone()).ok_or_else(|| Fail::new(unknown()))
     }
 
-    /// `None` where help is asked for.
+    /// `None` if the user asks for help.
     pub(super) fn parse(&self, args: impl IntoIterator<Item = OsString>) -> Result<Option<Options>> {
         let place = if self.levels.is_empty() { "LEVEL" } else { "LEVEL or --level" };
         let (mut level, mut frames, mut seed) = (None, None, None);

@@ -1,4 +1,4 @@
-//! `tilesat.toml` beside the levels: what a project says once about all of them.
+//! `tilesat.toml` beside the levels: settings that a project gives once for all of them.
 
 use std::path::{Path, PathBuf};
 
@@ -31,11 +31,11 @@ struct File {
     scale: Option<String>,
 }
 
-/// The options of the file beside a level, and the file if it exists.
+/// The options in the file beside a level, and the file if it exists.
 ///
 /// # Errors
 ///
-/// One line that names the file and says what in it is not known.
+/// One line that names the file and the unknown entry.
 pub(super) fn beside(level: &Path) -> Result<(Options, Option<PathBuf>)> {
     let path = level.with_file_name(NAME);
     if !path.exists() {

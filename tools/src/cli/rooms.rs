@@ -1,4 +1,4 @@
-//! `tilesat rooms`: a world in, rooms out that a firmware includes.
+//! `tilesat rooms`: converts a world to rooms that a firmware includes.
 
 use std::ffi::{OsStr, OsString};
 use std::io::Write;
@@ -43,7 +43,7 @@ struct Options {
     motion: Option<Fx>,
 }
 
-/// Runs the subcommand; returns the exit status.
+/// Runs the subcommand. Returns the exit status.
 pub(crate) fn run(args: impl Iterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
     let result = parse(args).and_then(|options| match options {
         None => {
@@ -55,7 +55,7 @@ pub(crate) fn run(args: impl Iterator<Item = OsString>, out: &mut dyn Write, err
     status("tilesat rooms", result, err)
 }
 
-/// `None` where help is asked for.
+/// `None` if the user asks for help.
 fn parse(args: impl Iterator<Item = OsString>) -> Result<Option<Options>> {
     let (mut file, mut out, mut room, mut body, mut motion) = (None, None, None, None, None);
     let mut input = Input::default();
@@ -85,7 +85,7 @@ fn parse(args: impl Iterator<Item = OsString>) -> Result<Option<Options>> {
     Ok(Some(Options { file, out, input, room, body, motion }))
 }
 
-/// `20x15`.
+/// Reads `20x15`.
 fn cells(text: &str) -> Result<(u16, u16)> {
     let count = |text: &str| text.parse().ok().filter(|&count: &u16| count > 0);
     let pair = text.split_once('x').and_then(|(width, height)| Some((count(width)?, count(height)?)));

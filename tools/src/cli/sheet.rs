@@ -1,4 +1,4 @@
-//! `tilesat sheet`: pictures of what the library says about tiles.
+//! `tilesat sheet`: draws the library's answers about tiles.
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -25,7 +25,7 @@ Draws the library's answers about tiles into this folder:
 Exit status: 0 drawn, 2 bad arguments or a folder that cannot be written.
 ";
 
-/// Runs the subcommand; returns the exit status.
+/// Runs the subcommand. Returns the exit status.
 pub(crate) fn run(args: impl Iterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
     let result = parse(args).and_then(|folder| match folder {
         None => {
@@ -44,7 +44,7 @@ pub(crate) fn run(args: impl Iterator<Item = OsString>, out: &mut dyn Write, err
     status("tilesat sheet", result, err)
 }
 
-/// `None` where help is asked for.
+/// `None` if the user asks for help.
 fn parse(args: impl Iterator<Item = OsString>) -> Result<Option<PathBuf>> {
     let mut folder = None;
     let mut parser = Parser::from_args(args);

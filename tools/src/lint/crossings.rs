@@ -9,7 +9,8 @@ use super::index::Work;
 use super::scene::Scene;
 use crate::rules::kind::Kind;
 
-/// Returns the outlines that cross another one or themselves, and those of which it is not known.
+/// Returns the outlines that cross another one or themselves, and those that were not checked to
+/// the end.
 pub(super) fn check(scene: &mut Scene<'_>) -> HashSet<usize> {
     let mut crossed = HashSet::new();
     let mut work = Work::for_edges(scene.edges.len());
@@ -57,12 +58,12 @@ fn touches_itself(scene: &mut Scene<'_>, who: Vec<Who>, at: Point) {
     scene.say((Warning, "self-touch"), who, at, "the outline touches itself", why);
 }
 
-/// Only corners that come twice; neighbours share one anyway.
+/// Only corners that occur twice. Neighbours share a corner anyway.
 fn shared_end(scene: &mut Scene<'_>, [s, t]: [&Edge; 2], at: Point) {
     let Some(outline) = s.outline.filter(|_| s.outline == t.outline) else { return };
     let points = &scene.drawing.outlines[outline].points;
     let apart = s.number.abs_diff(t.number);
-    // Points that repeat the one before are said to be so.
+    // Another check reports points that repeat the one before.
     let repeats = points[s.number.min(t.number)..=s.number.max(t.number)].iter().all(|&p| p == at);
     if apart > 0 && !repeats && points[s.number] == at && points[t.number] == at {
         touches_itself(scene, vec![scene.who(s), scene.who(t)], at);

@@ -1,4 +1,4 @@
-//! Outlines as edges that know where the solid is.
+//! Outlines as edges with a solid side.
 
 use super::geometry::{Edge, Point, Side, doubled_area};
 use crate::rules::kind::Kind;
@@ -9,7 +9,7 @@ pub(super) fn in_domain(p: Point) -> bool {
     p.0.abs() < 1 << 29 && p.1.abs() < 1 << 29
 }
 
-/// Whether an outline can be built at all. The checks of outlines find the faults of the others.
+/// Whether an outline can be built at all. The checks of outlines report the faults of the others.
 pub(super) fn is_sound(outline: &Outline) -> bool {
     let enough = outline.points.len() >= if outline.closed { 3 } else { 2 };
     enough && (outline.closed || !outline.kind.has_area()) && outline.points.iter().all(|&p| in_domain(p))

@@ -9,7 +9,7 @@ use super::geometry::Point;
 pub enum Severity {
     /// The library refuses it, or bodies meet something that nobody drew.
     Error,
-    /// The library does exactly as drawn, but hardly as meant.
+    /// The library follows the drawing, but the author probably meant something else.
     Warning,
     Note,
 }
@@ -29,7 +29,7 @@ impl fmt::Display for Severity {
 pub struct Finding {
     pub severity: Severity,
     pub code: &'static str,
-    /// The object or layer, and another one where two are involved.
+    /// The object or layer, and a second one if two are involved.
     pub who: Vec<Who>,
     pub at: Point,
     pub what: String,
@@ -37,7 +37,7 @@ pub struct Finding {
     pub why: &'static str,
 }
 
-/// An object or a tile layer, and which of its edges, 0 being that from its first point.
+/// An object or a tile layer, and one of its edges. Edge 0 starts at its first point.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Who {
     pub id: u32,
@@ -46,7 +46,7 @@ pub struct Who {
 }
 
 impl fmt::Display for Finding {
-    /// Names out of a file may hold line breaks; a finding is one line.
+    /// A finding is one line, but names in a file can contain line breaks.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let who = match &self.who[..] {
             [Who { title, edge: Some(i), .. }, Who { title: other, edge: Some(j), .. }] if title == other => {
@@ -72,7 +72,7 @@ pub(super) fn place((x, y): Point) -> String {
     format!("({}, {})", pixels(x), pixels(y))
 }
 
-/// Raw as pixels. Five decimals distinguish all raw numbers.
+/// Raw units as pixels. Five decimals distinguish all raw numbers.
 pub(super) fn pixels(raw: i64) -> String {
     let scaled = (i128::from(raw.unsigned_abs()) * 100_000 + (1 << 15)) >> 16;
     let sign = if raw < 0 && scaled > 0 { "-" } else { "" };

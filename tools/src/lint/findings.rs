@@ -1,16 +1,16 @@
-//! All that the linter says: of each kind the first findings, and how many there are.
+//! The linter's report: the first findings of each kind, and their number.
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use super::finding::{Finding, Severity};
 
-/// So many findings of a kind are shown; the others are counted.
+/// The findings of a kind to show. The others are counted.
 pub const SHOWN: usize = 50;
-/// How many of a kind are listed: more of them are one mistake.
+/// The findings of a kind to count. More of them are one mistake.
 pub const COUNTED: usize = 100_000;
 
-/// Findings in their order, the worst first, each once.
+/// Unique findings in order, the worst first.
 #[derive(Debug, Clone, Default)]
 pub struct Findings {
     kinds: BTreeMap<(Severity, &'static str), Kind>,
@@ -18,16 +18,16 @@ pub struct Findings {
 
 #[derive(Debug, Clone, Default)]
 struct Kind {
-    /// The first in order, not those that came first.
+    /// The first findings in order, not in time.
     shown: BTreeSet<Finding>,
-    /// The hashes of all of them.
+    /// The hashes of all findings.
     known: HashSet<u64>,
     /// Whether there are more than are counted.
     more: bool,
 }
 
 impl Findings {
-    /// Whether no more of a kind are counted; says that there is one more.
+    /// Whether no more of a kind are counted. Also notes that there is one more.
     pub(super) fn is_full(&mut self, severity: Severity, code: &'static str) -> bool {
         let Some(kind) = self.kinds.get_mut(&(severity, code)) else { return false };
         kind.more |= kind.known.len() >= COUNTED;
@@ -46,13 +46,13 @@ impl Findings {
         }
     }
 
-    /// How many there are; of a kind at most [`COUNTED`].
+    /// The number of findings, at most [`COUNTED`] of a kind.
     pub fn count(&self, severity: Severity) -> usize {
         let of_it = self.kinds.iter().filter(|((of, _), _)| *of == severity);
         of_it.map(|(_, kind)| kind.known.len()).sum()
     }
 
-    /// A line for each that is shown, and one for the others of its kind.
+    /// A line for each finding that is shown, and one for the others of its kind.
     pub fn lines(&self) -> Vec<String> {
         let mut lines = Vec::new();
         for ((severity, code), kind) in &self.kinds {

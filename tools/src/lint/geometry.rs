@@ -1,24 +1,24 @@
-//! How two edges meet, exactly.
+//! Decides exactly how two edges meet.
 //!
 //! Raw coordinates of a file stay below 2^37 (a million pixels and offsets). Products stay below
-//! 2^76, and everything here is far from the ends of `i128`.
+//! 2^76, far from the ends of `i128`.
 
 pub type Point = (i64, i64);
 
-/// A straight piece of an outline or of a tile layer's surface; the solid, where it has one, lies
+/// A straight piece of an outline or of a tile layer's surface. If it has a solid side, that is
 /// right of its way (y down).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Edge {
     pub a: Point,
     pub b: Point,
-    /// Which outline; `None` is the tile layer.
+    /// The outline. `None` is the tile layer.
     pub outline: Option<usize>,
-    /// Which of the outline's edges.
+    /// The number of the edge in its outline.
     pub number: usize,
     pub side: Side,
 }
 
-/// What blocks.
+/// The side that blocks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     /// The surface of a solid or of a hole.
@@ -53,17 +53,17 @@ impl Edge {
     }
 }
 
-/// How two edges meet that have a length each.
+/// How two edges of positive length meet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Meeting {
     /// Not at all, or in a common end.
     Apart,
     SharedEnd(Point),
-    /// In one point within both; rounded to raw.
+    /// In one point within both, rounded to raw units.
     Cross(Point),
     /// An end of one within the other.
     Tee(Point),
-    /// Along a common piece, which is here.
+    /// Along this common piece.
     Overlap {
         at: Point,
         reversed: bool,
@@ -71,7 +71,7 @@ pub enum Meeting {
     },
 }
 
-/// Positive where c lies right of the way from a to b, seen with y down.
+/// Positive if c lies right of the way from a to b, seen with y down.
 pub fn orient(a: Point, b: Point, c: Point) -> i128 {
     let (bx, by) = (i128::from(b.0 - a.0), i128::from(b.1 - a.1));
     let (cx, cy) = (i128::from(c.0 - a.0), i128::from(c.1 - a.1));
@@ -99,7 +99,7 @@ pub fn meet(s: &Edge, t: &Edge) -> Meeting {
 }
 
 fn on_one_line(s: &Edge, t: &Edge) -> Meeting {
-    // Points of one line are in the same order as their coordinates, x first.
+    // Points of one line in the order of their coordinates, x first.
     let order = |e: &Edge| (e.a.min(e.b), e.a.max(e.b));
     let ((s_lo, s_hi), (t_lo, t_hi)) = (order(s), order(t));
     let (lo, hi) = (s_lo.max(t_lo), s_hi.min(t_hi));
@@ -123,27 +123,27 @@ fn nearest(numerator: i128, denominator: i128) -> i128 {
     (2 * n + d).div_euclid(2 * d)
 }
 
-/// Whether an edge stands between two points: they lie on different sides of it and see each other
-/// through it.
+/// Whether an edge separates two points: they lie on different sides of its line, and the way
+/// between them crosses the edge.
 pub fn hides(edge: &Edge, p: Point, q: Point) -> bool {
     let split = orient(edge.a, edge.b, p).signum() * orient(edge.a, edge.b, q).signum() < 0;
     split && orient(p, q, edge.a).signum() * orient(p, q, edge.b).signum() <= 0
 }
 
-/// Twice the area, positive where the solid lies right of the way (y down).
+/// Twice the area, positive if the solid lies right of the way (y down).
 pub fn doubled_area(points: &[Point]) -> i128 {
     let Some(&origin) = points.first() else { return 0 };
     points.windows(2).map(|pair| orient(origin, pair[0], pair[1])).sum()
 }
 
-/// How often a polygon winds around a point that is not on it; the point has doubled coordinates.
+/// How often a polygon winds around a point that is not on it. The point has doubled coordinates.
 pub fn winding(points: &[Point], p: Point) -> i32 {
     let next = points.iter().cycle().skip(1);
     points.iter().zip(next).map(|(&a, &b)| crossed(a, b, p)).sum()
 }
 
-/// How an edge crosses the ray from a point of doubled coordinates along x: 1 where the point is on
-/// the right of its way, else -1.
+/// How an edge crosses the ray from a point of doubled coordinates along x. It is 1 if the point is
+/// right of its way, else -1.
 pub fn crossed(a: Point, b: Point, p: Point) -> i32 {
     let double = |q: Point| (2 * q.0, 2 * q.1);
     let (a, b) = (double(a), double(b));

@@ -1,5 +1,4 @@
-//! Which edges are near each other: a tree of boxes, and an account of the work that is spent in
-//! it.
+//! Finds edges that are near each other: a tree of boxes, with a limit on the work.
 
 use super::geometry::{Edge, Point, orient};
 
@@ -43,13 +42,14 @@ impl Bounds {
     }
 }
 
-/// How many boxes a check may look at: enough for any level that is drawn with care. Where things
-/// lie over each other, all pairs are too many; then n log n of them.
+/// The boxes that a check may look at. They suffice for every carefully drawn level. If many things
+/// overlap, all pairs are too many, and this allows n log n of them.
 #[derive(Debug)]
 pub(super) struct Work(u64);
 
 impl Work {
-    /// Levels of real games take less than 100 boxes an edge; a twentieth of the factor would do.
+    /// Levels of real games need less than 100 boxes per edge. A twentieth of the factor would
+    /// suffice.
     pub(super) fn for_edges(count: usize) -> Self {
         let count = count as u64;
         Self(128 * (count + 1024) * u64::from(count.max(2).ilog2()))
@@ -67,15 +67,15 @@ impl Work {
 
 const CHILDREN: usize = 8;
 
-/// The edges in the order of the tree's leaves, and the boxes: of each edge, of each eight of
-/// these, and so on up to one.
+/// The edges in the order of the tree's leaves. The boxes of each edge, of each eight of these, and
+/// so on up to one.
 pub(super) struct Index {
     order: Vec<usize>,
     boxes: Vec<Vec<Bounds>>,
 }
 
 impl Index {
-    /// Strips along x that hold as many edges as there are strips, each sorted along y.
+    /// As many strips along x as edges per strip, each sorted along y.
     pub(super) fn new(edges: &[Edge]) -> Self {
         let mut order: Vec<usize> = (0..edges.len()).collect();
         order.sort_by_key(|&i| edges[i].middle().0);
@@ -91,13 +91,14 @@ impl Index {
         Self { order, boxes }
     }
 
-    /// All edges within `margin` of this one, and some further away; fewer where the work is spent.
+    /// All edges within `margin` of this one, and some that are farther. Fewer once the work is
+    /// used up.
     pub(super) fn near<'a>(&'a self, edge: &Edge, margin: i64, work: &'a mut Work) -> Near<'a> {
         let window = Bounds::of([edge.a, edge.b]).fattened(margin);
         Near { along: Some((*edge, margin)), ..self.within(window, work) }
     }
 
-    /// All edges with a box that meets another; fewer where the work is spent.
+    /// All edges whose box meets another. Fewer once the work is used up.
     pub(super) fn within<'a>(&'a self, window: Bounds, work: &'a mut Work) -> Near<'a> {
         let top = self.boxes.len() - 1;
         let stack = self.boxes[top].iter().map(|_| (top, 0)).collect();
@@ -109,9 +110,9 @@ impl Index {
 pub(super) struct Near<'a> {
     index: &'a Index,
     window: Bounds,
-    /// The edge that they are to be near to, and how near.
+    /// The edge whose neighbours it looks for, and the distance.
     along: Option<(Edge, i64)>,
-    /// Boxes to look at: their level, and their place there.
+    /// Boxes to look at: their level and index.
     stack: Vec<(usize, usize)>,
     work: &'a mut Work,
 }

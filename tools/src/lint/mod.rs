@@ -22,17 +22,17 @@ use crate::fail::{Fail, Result};
 use crate::rules::ground::Ground;
 use scene::Scene;
 
-/// As many edges as a segment map can hold.
+/// The most edges of a segment map.
 const MAX_EDGES: usize = 65_534;
 
 /// All findings about a level.
 ///
-/// Its time and memory are n log n in the edges and linear in the tiles. Where so many things lie
-/// over each other that all pairs of them are too many, a check ends early and says so.
+/// Time and memory are n log n in the edges and linear in the tiles. If so many things overlap that
+/// all pairs are too many, a check ends early and reports it.
 ///
 /// # Errors
 ///
-/// It has more edges or faces than can be compared.
+/// If it has more edges or faces than can be compared.
 pub fn check(drawing: &Ground, rules: &Rules) -> Result<Findings> {
     let edges = edges::of(&drawing.outlines);
     if edges.len() > MAX_EDGES {

@@ -1,4 +1,4 @@
-//! Solids within solids and holes in nothing.
+//! Finds solids within solids and holes in nothing.
 
 use std::collections::HashSet;
 
@@ -8,7 +8,7 @@ use super::index::{Bounds, Work};
 use super::scene::Scene;
 use crate::rules::kind::Kind;
 
-/// Outlines that cross others are on both sides of them; that has been said.
+/// Outlines that cross others are on both sides of them. Another check reports those.
 pub(super) fn check(scene: &mut Scene<'_>, crossing: &HashSet<usize>) {
     let mut work = Work::for_edges(scene.edges.len());
     let edges = scene.edges.clone();
@@ -41,8 +41,8 @@ pub(super) fn check(scene: &mut Scene<'_>, crossing: &HashSet<usize>) {
     }
 }
 
-/// How many solids, less holes, lie around an outline of these edges, and by which of them; `None`
-/// if it lies on others all along.
+/// The number of solids, minus holes, around an outline of these edges, and their names. `None` if
+/// it lies on others everywhere.
 fn surroundings(scene: &Scene<'_>, edges: &[Edge], work: &mut Work) -> Option<(Edge, i32)> {
     for edge in edges {
         let middle = (edge.a.0 + edge.b.0, edge.a.1 + edge.b.1);
@@ -57,8 +57,8 @@ fn surroundings(scene: &Scene<'_>, edges: &[Edge], work: &mut Work) -> Option<(E
     None
 }
 
-/// How many solids, less holes, hold a point of doubled coordinates: all edges have the solid on
-/// the same side.
+/// The number of solids, minus holes, that contain a point of doubled coordinates. All edges have
+/// the solid on the same side.
 pub(super) fn depth(scene: &Scene<'_>, point: Point, without: Option<usize>, work: &mut Work) -> i32 {
     let hit = scene.index.within(Bounds::ray(point), work).map(|j| &scene.edges[j]);
     let counts = |edge: &&Edge| scene.bounds_inside(edge) && (without.is_none() || edge.outline != without);

@@ -1,4 +1,4 @@
-//! Checks of each outline by itself.
+//! Checks each outline by itself.
 
 use super::edges::{in_domain, is_sound};
 use super::finding::Severity::{Error, Note, Warning};
@@ -97,8 +97,8 @@ fn corners(scene: &mut Scene<'_>, i: usize, outline: &Outline) {
         let (before, corner, after) = (at(k), at(k + 1), at(k + 2));
         let cross = super::geometry::orient(corner, before, after).abs();
         let dot = dot(corner, before, after);
-        // Less than an eighth of a radian, 7 degrees. Edges that lie on each other are found as
-        // such.
+        // Less than an eighth of a radian, 7 degrees. Another check finds edges that lie on each
+        // other.
         if cross != 0 && dot > 0 && cross < dot / 8 {
             let who = vec![scene.owner(i, Some((k + 1) % count))];
             let what = "an angle of less than 7 degrees where this edge begins";

@@ -1,4 +1,4 @@
-//! Room between two faces that is too narrow for the body.
+//! Finds room between two faces that is too narrow for the body.
 
 use super::finding::Severity::Warning;
 use super::finding::pixels;
@@ -10,10 +10,10 @@ type Wide = (i128, i128);
 
 /// The room between two faces, measured along a direction.
 struct Gap {
-    /// Rounded down to raw.
+    /// Rounded down to raw units.
     least: i128,
     most: i128,
-    /// Raw points of the faces that are in front of each other, half way along.
+    /// Raw points of the faces that are opposite each other, half way along.
     ends: [Point; 2],
 }
 
@@ -46,7 +46,7 @@ pub(super) fn check(scene: &mut Scene<'_>) {
     }
 }
 
-/// All sides that block: a wall has two.
+/// All sides that block. A wall has two.
 fn faces(scene: &Scene<'_>) -> Vec<Edge> {
     let mut faces = Vec::new();
     for edge in scene.edges.iter().chain(scene.surface.iter().flat_map(|surface| &surface.edges)) {
@@ -74,7 +74,7 @@ fn too_narrow(body: Body, s: &Edge, t: &Edge, first: bool) -> Option<(Gap, Strin
             };
             narrow(gap(s, t, axis)?, need, word)
         }
-        // Along the normal of the longer one, and of the first of equals.
+        // Along the normal of the longer one. On a tie, of the first.
         Body::Circle { radius } => {
             let (a, b) = (s.length_squared(), t.length_squared());
             let dot = s.normal().0 * t.normal().0 + s.normal().1 * t.normal().1;
@@ -85,7 +85,7 @@ fn too_narrow(body: Body, s: &Edge, t: &Edge, first: bool) -> Option<(Gap, Strin
     }
 }
 
-/// Faces that meet are a corner, which is a pocket only if its mouth is too narrow.
+/// Faces that meet are a corner. A corner is a pocket only if its mouth is too narrow.
 fn narrow(gap: Gap, need: i64, word: &str) -> Option<(Gap, String)> {
     let need = i128::from(need);
     if gap.most >= need && (gap.least == 0 || gap.least >= need) {
@@ -99,7 +99,7 @@ fn narrow(gap: Gap, need: i64, word: &str) -> Option<(Gap, String)> {
     Some((gap, what))
 }
 
-/// `None` where `t` is not in front of `s`, seen along `n`.
+/// `None` if `t` is not in front of `s`, seen along `n`.
 fn gap(s: &Edge, t: &Edge, n: Wide) -> Option<Gap> {
     let dot = |(x, y): Wide, (z, w): Wide| x * z + y * w;
     if dot(s.normal(), n) <= 0 || dot(t.normal(), n) >= 0 {
@@ -122,7 +122,7 @@ fn gap(s: &Edge, t: &Edge, n: Wide) -> Option<Gap> {
     if first < 0 || last < 0 || first + last == 0 {
         return None;
     }
-    // In raw, rounded down: the root of a quotient rounded down is the rounded quotient.
+    // In raw units, rounded down. The root of a quotient rounded down is the rounded quotient.
     let raw = |v: i128| (v * v / square).isqrt();
     let middle = (from + to).div_euclid(2);
     let back = |v: i128| {

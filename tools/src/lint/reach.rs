@@ -1,4 +1,4 @@
-//! One-way edges that nothing can come down on.
+//! Finds one-way edges that nothing can land on.
 
 use super::finding::Severity::Warning;
 use super::geometry::{Edge, Point, Side};
@@ -59,7 +59,7 @@ fn blocked(scene: &Scene<'_>, edge: &Edge, blockers: &[Edge], index: &Index, wor
     doubled.into_iter().all(&mut buried).then_some("it lies within the solid")
 }
 
-/// How far in front of the edge a body that stands on it reaches: in raw, rounded up, and in
+/// How far in front of the edge a body that stands on it reaches: in raw units, rounded up, and in
 /// lengths of the edge's normal.
 fn room(body: Option<Body>, edge: &Edge) -> (i64, i128) {
     let (x, y) = edge.normal();
@@ -94,8 +94,8 @@ fn cover(edge: &Edge, blocker: &Edge, room: i128) -> Option<(i128, i128)> {
     if u == 0 || from.1.max(to.1) < 0 || from.1.min(to.1) >= room {
         return None;
     }
-    // Where the blocker is at a height; u and v are below 2^62. Rounded into the part that is
-    // covered.
+    // The position of the blocker at a height. u and v are below 2^62. Rounds into the covered
+    // part.
     let at = |height: i128, up: bool| {
         let numerator = (height - from.1) * u;
         from.0 + if up { -(-numerator).div_euclid(v) } else { numerator.div_euclid(v) }

@@ -1,4 +1,4 @@
-//! A level as the checks see it, and what they find.
+//! A level for the checks, and their findings.
 
 use std::rc::Rc;
 
@@ -21,18 +21,18 @@ pub enum Body {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Rules {
     pub body: Option<Body>,
-    /// Edges shorter and polygons thinner than this, raw, are slivers.
+    /// Slivers: edges shorter than this and polygons thinner than this, in raw units.
     pub small: i64,
 }
 
-/// A level as the checks see it.
+/// A level for the checks.
 pub(crate) struct Scene<'a> {
     pub drawing: &'a Ground,
     pub rules: &'a Rules,
-    /// Of outlines, oriented: the solid lies right of the way (y down). No edge without length,
-    /// none out of the domain.
+    /// Edges of outlines, oriented: the solid lies right of the way (y down). None has length zero
+    /// or is outside the domain.
     pub edges: Vec<Edge>,
-    /// Which edges are near each other.
+    /// The index of edges that are near each other.
     pub index: Index,
     pub surface: Option<Surface>,
     pub findings: Findings,
@@ -72,7 +72,7 @@ impl<'a> Scene<'a> {
         self.say((Severity::Warning, "unfinished"), vec![self.who(at)], at.a, what, why);
     }
 
-    /// An edge's owner; an edge number is that of the drawing.
+    /// An edge's owner. Edge numbers are those of the drawing.
     pub(super) fn who(&self, edge: &Edge) -> Who {
         match edge.outline {
             Some(outline) => self.owner(outline, Some(edge.number)),
@@ -89,7 +89,7 @@ impl<'a> Scene<'a> {
         Who { id: 0, title: format!("tile layer '{layer}'").into(), edge: None }
     }
 
-    /// Whether an edge is one of the border of a solid or a hole that has an inside.
+    /// Whether an edge belongs to the border of a solid or a hole that has an inside.
     pub(super) fn bounds_inside(&self, edge: &Edge) -> bool {
         edge.outline.is_some_and(|outline| self.insides[outline])
     }

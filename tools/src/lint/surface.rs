@@ -14,18 +14,18 @@ use crate::fail::{Fail, Result};
 
 pub(super) struct Surface {
     pub layer: String,
-    /// Faces, the aligned ones of neighbours joined to one. Arcs are chords.
+    /// Faces, with aligned neighbours joined to one. Arcs become chords.
     pub edges: Vec<Edge>,
-    /// One-way tiles that have no face, by column and row.
+    /// One-way tiles without a face, by column and row.
     pub hidden: Vec<(u16, u16)>,
     level: Level,
 }
 
-/// Those of a checkerboard of 512 x 512 tiles.
+/// The features of a checkerboard of 512 x 512 tiles.
 const MAX_FEATURES: usize = 1 << 20;
 
-/// The smallest cell of the library, raw: a level of any size fits its domain when it is drawn as
-/// small as that.
+/// The smallest cell of the library, in raw units. Drawn this small, a level of any size fits its
+/// domain.
 const CELL: i32 = 1 << 8;
 
 pub(super) fn of(level: Level) -> Result<Surface> {
@@ -80,7 +80,7 @@ impl Surface {
     }
 }
 
-/// The edges of a piece of the surface, which is enlarged.
+/// The edges of a piece of the surface, scaled up.
 fn pieces(feature: &Feature, scale: i64) -> Vec<Edge> {
     let side = if feature.one_way { Side::OneWay } else { Side::Solid };
     let edge = |a, b| Edge { a, b, outline: None, number: 0, side };
@@ -96,8 +96,8 @@ fn pieces(feature: &Feature, scale: i64) -> Vec<Edge> {
             // Cosines of 0, 22.5, 45, 67.5 and 90 degrees in 65536ths.
             let cos = [65536, 60547, 46341, 25080, 0];
             let at = |k: usize| (x + sx * ((r * cos[k]) >> 16), y + sy * ((r * cos[4 - k]) >> 16));
-            // From the side toward x to the side toward y is to the right (y down) in two of the
-            // quadrants.
+            // In two of the quadrants, the direction from the side toward x to the side toward y is
+            // to the right (y down).
             let right = (sx * sy > 0) == convex;
             (0..4).map(|k| if right { edge(at(k), at(k + 1)) } else { edge(at(k + 1), at(k)) }).collect()
         }
@@ -105,9 +105,9 @@ fn pieces(feature: &Feature, scale: i64) -> Vec<Edge> {
     }
 }
 
-/// Faces in one line, end to end, as one.
+/// Joins collinear faces that meet end to end.
 fn joined(mut faces: Vec<Edge>) -> Vec<Edge> {
-    // Faces of one line and direction come together, in the order in which it passes them.
+    // Faces of one line and direction are adjacent, in their order along it.
     let line = |e: &Edge| {
         let (x, y) = e.dir();
         let divisor = gcd(x.unsigned_abs(), y.unsigned_abs()).max(1) as i128;

@@ -1,7 +1,8 @@
-//! Numbers of a level file, exact until they are rounded once.
+//! Numbers of a level file, exact until one rounding.
 //!
-//! Readers of levels commonly hold coordinates as `f32`, whose 24 bits are fewer than the 29 of a
-//! raw coordinate. Whether a point lies on the raw lattice, and how far from it, needs all digits.
+//! Readers of levels commonly store coordinates as `f32`. Its 24 bits are fewer than the 29 of a
+//! raw coordinate. All digits matter for whether a point lies on the raw lattice, and for its
+//! distance.
 
 use std::ops::{Add, Neg, Sub};
 
@@ -11,14 +12,14 @@ pub struct Decimal(i128);
 
 const PLACES: i32 = 26;
 const ONE: i128 = 10i128.pow(PLACES as u32);
-/// Far beyond the domain: a sum of several still says "outside of the domain".
+/// Far beyond the domain: a sum of several is still outside.
 const LIMIT: i128 = 1_000_000 * ONE;
 
 impl Decimal {
     pub const ZERO: Self = Self(0);
 
-    /// `-12.5`, `3`, `.5`, `1.2e-05`. Digits beyond 26 places are cut off; `None` for anything else
-    /// and from a million on.
+    /// `-12.5`, `3`, `.5`, `1.2e-05`. Cuts digits after 26 places. `None` for anything else, and
+    /// from a million on.
     pub fn parse(text: &[u8]) -> Option<Self> {
         let text = std::str::from_utf8(text).ok()?.trim();
         let (number, exponent) = match text.split_once(['e', 'E']) {
@@ -34,7 +35,7 @@ impl Decimal {
             return None;
         }
         let mut value = 0i128;
-        // The weight of the first digit; each following one is one lower.
+        // The weight of the first digit. Each following weight is one lower.
         let mut place = exponent.checked_add(i32::try_from(whole.len()).ok()?)?;
         for digit in whole.bytes().chain(fraction.bytes()) {
             let digit = i128::from(char::from(digit).to_digit(10)?);
@@ -62,7 +63,7 @@ impl Decimal {
         Self(whole.saturating_add(self.0 % d * n / d).clamp(-LIMIT, LIMIT))
     }
 
-    /// For a point of a rotated object, which is no decimal. Saturates.
+    /// For a point of a rotated object, which is not a decimal. Saturates.
     #[allow(clippy::cast_precision_loss, reason = "sines are not decimals")]
     pub fn from_f64(value: f64) -> Self {
         Self(((value * ONE as f64) as i128).clamp(-LIMIT, LIMIT))
@@ -74,13 +75,13 @@ impl Decimal {
         self.0 as f64 / ONE as f64
     }
 
-    /// The nearest raw unit, halves up: a moved level has the same shape.
+    /// The nearest raw unit, halves up: a shifted level keeps its shape.
     pub fn raw(self) -> i64 {
         let scaled = self.0 << 16;
         (scaled + ONE / 2).div_euclid(ONE) as i64
     }
 
-    /// How far [`raw`](Self::raw) is off, in thousandths of a raw unit, rounded up.
+    /// The error of [`raw`](Self::raw), in thousandths of a raw unit, rounded up.
     pub fn off_lattice(self) -> i64 {
         let error = ((self.0 << 16) - i128::from(self.raw()) * ONE).abs();
         let thousandth = ONE / 1000;

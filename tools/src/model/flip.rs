@@ -2,10 +2,10 @@
 
 use tilesat::TileShape;
 
-/// The three flip bits of a tile in a layer. Tiled draws a quarter turn as two of them.
+/// The three flip bits of a tile in a layer. Tiled writes a quarter turn as two of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Flip {
-    /// Rows become columns. Comes first.
+    /// Rows become columns. This flip comes first.
     pub diagonal: bool,
     /// Left becomes right.
     pub horizontal: bool,
@@ -16,9 +16,9 @@ pub struct Flip {
 impl Flip {
     /// The tile after the flip.
     ///
-    /// After empty and full come groups of four that turn right: halves and one-way edges by side,
-    /// from the top; all others by corner, from the top left. The diagonal keeps the corners on it
-    /// and makes mild slopes steep.
+    /// After empty and full come groups of four that turn right. Halves and one-way edges go by
+    /// side, from the top. All others go by corner, from the top left. The diagonal keeps the
+    /// corners on it, and makes mild slopes steep.
     pub fn of(self, shape: TileShape) -> TileShape {
         let id = shape as usize;
         if id < 2 {
@@ -28,7 +28,7 @@ impl Flip {
         let sides = matches!(group, 0 | 8);
         if self.diagonal {
             turn = if sides { 3 - turn } else { (4 - turn) % 4 };
-            // Mild low, mild high, steep low, steep high are groups 4 to 7.
+            // Groups 4 to 7 are mild low, mild high, steep low and steep high.
             group ^= if (4..8).contains(&group) { 2 } else { 0 };
         }
         if self.horizontal {

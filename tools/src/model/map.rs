@@ -1,4 +1,4 @@
-//! A level: its layers, and what the numbers in them mean.
+//! A level: its layers, and the meaning of the numbers in them.
 
 use std::rc::Rc;
 
@@ -7,23 +7,23 @@ use super::flip::Flip;
 use super::object::{Object, Spot};
 use super::tileset::Tileset;
 
-/// A level as it was drawn.
+/// A level as drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Map {
-    /// `LDtk`'s name of the level; of Tiled's maps the name of the file.
+    /// `LDtk`'s name of the level. For Tiled's maps, the name of the file.
     pub name: String,
     /// Side of a cell in pixels.
     pub tile: u16,
-    /// Columns and rows, where layers have none.
+    /// Columns and rows, if there are no layers.
     pub size: (u32, u32),
     pub tilesets: Vec<Rc<Tileset>>,
-    /// The meaning of the numbers in the layers; 0 is empty.
+    /// The meaning of the numbers in the layers. 0 is empty.
     pub palette: Vec<Placed>,
-    /// The lowest first; groups are flattened.
+    /// The lowest comes first. Groups are flattened.
     pub layers: Vec<Layer>,
-    /// Where it lies among the levels of its world.
+    /// Its position among the levels of its world.
     pub place: Option<Place>,
-    /// Whether its name and classes come from `LDtk`, which names values and not layers.
+    /// Whether its name and classes come from `LDtk`, which names values instead of layers.
     pub values: bool,
 }
 
@@ -44,7 +44,7 @@ pub enum Placed {
     },
 }
 
-/// The room of a level in its world, in pixels.
+/// The area of a level in its world, in pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Place {
     pub x: i32,
@@ -62,7 +62,7 @@ pub struct Layer {
     pub marks: Vec<String>,
     /// Names, classes and true properties of the groups around it.
     pub groups: Vec<String>,
-    /// Of it and the groups around it, in pixels.
+    /// The offset of the layer and of the groups around it, in pixels.
     pub offset: Spot,
     pub content: Content,
 }
@@ -79,19 +79,19 @@ pub enum Content {
 /// The cells of a tile layer, from the column and row `at` on.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Tiles {
-    /// Side of a cell in pixels; the layers of an `LDtk` level may differ.
+    /// Side of a cell in pixels. The layers of an `LDtk` level may differ.
     pub tile: u16,
     pub at: (i32, i32),
     pub width: u32,
     pub height: u32,
-    /// Row by row, as places in the palette.
+    /// Indices into the palette, row by row.
     pub cells: Vec<u32>,
-    /// Whether the editor has drawn it after another layer. Its name then says nothing.
+    /// Whether the editor has drawn it from another layer. Then its name has no meaning.
     pub derived: bool,
 }
 
 impl Tiles {
-    /// The cells that something stands in.
+    /// The cells that are not empty.
     pub fn drawn(&self) -> impl Iterator<Item = (i32, i32, u32)> + '_ {
         let rows = self.cells.chunks(self.width.max(1) as usize).zip(self.at.1..);
         rows.flat_map(|(row, y)| {
@@ -107,7 +107,7 @@ impl Layer {
         Self { name: name.to_owned(), class: String::new(), marks: Vec::new(), groups: Vec::new(), offset, content }
     }
 
-    /// The tiles, where it has them.
+    /// The tiles, if it has any.
     pub fn tiles(&self) -> Option<&Tiles> {
         if let Content::Tiles(tiles) = &self.content { Some(tiles) } else { None }
     }

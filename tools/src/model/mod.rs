@@ -1,5 +1,4 @@
-//! Levels as they were drawn, in the one form into which all formats are read. Nothing here knows
-//! what is solid.
+//! Levels as drawn, in one form for all formats. Nothing here knows what is solid.
 
 pub mod decimal;
 pub mod flip;

@@ -18,13 +18,13 @@ pub enum Form {
     Polyline(Vec<Spot>),
     Point,
     Text,
-    /// A picture out of a tileset, on top of the object's own point.
+    /// A tileset's picture, drawn above the object's own point.
     Tile,
-    /// Made from a template that cannot be read, and why.
+    /// Made from a template that cannot be read, and the reason.
     Missing(String),
 }
 
-/// An object, with its template filled in.
+/// An object, with the values of its template.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Object {
     pub id: u32,
@@ -33,7 +33,7 @@ pub struct Object {
     pub properties: Properties,
     pub at: Spot,
     pub size: Spot,
-    /// Degrees, clockwise where y grows downward.
+    /// Degrees, clockwise if y grows downward.
     pub rotation: Decimal,
     pub form: Form,
 }

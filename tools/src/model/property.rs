@@ -1,13 +1,13 @@
-//! The properties that an author wrote beside a tile, an object or a layer.
+//! The properties of a tile, an object or a layer.
 
 /// The value of a property.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Value {
     Bool(bool),
-    /// As it stands in the file.
+    /// As in the file.
     Number(String),
     Text(String),
-    /// A list, a class of properties, a reference to an object.
+    /// A list, a class of properties, or a reference to an object.
     Other,
 }
 
@@ -16,7 +16,7 @@ pub enum Value {
 pub struct Properties(pub Vec<(String, Value)>);
 
 impl Properties {
-    /// The names of those that are true. Old versions of Tiled knew no types and wrote the word.
+    /// The names of the true properties. Old versions of Tiled had no types and wrote the word.
     pub fn marks(&self) -> impl Iterator<Item = &str> {
         let is_true = |value: &Value| match value {
             Value::Bool(is) => *is,
@@ -26,14 +26,14 @@ impl Properties {
         self.0.iter().filter(move |(_, value)| is_true(value)).map(|(name, _)| name.as_str())
     }
 
-    /// The names of numbers that are not 0, which some authors write for true.
+    /// The names of numbers that are not 0. Some authors use them for true.
     pub fn ones(&self) -> impl Iterator<Item = &str> {
         let is_one =
             |value: &Value| matches!(value, Value::Number(digits) if digits.parse().is_ok_and(|v: f64| v != 0.0));
         self.0.iter().filter(move |(_, value)| is_one(value)).map(|(name, _)| name.as_str())
     }
 
-    /// The value of a property as text, whatever its type; its name in any case.
+    /// The value of a property as text, whatever its type. Ignores case in the name.
     pub fn text(&self, name: &str) -> Option<String> {
         let found = self.0.iter().find(|(key, _)| key.eq_ignore_ascii_case(name));
         found.and_then(|(_, value)| match value {

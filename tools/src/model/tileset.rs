@@ -6,36 +6,36 @@ use std::path::PathBuf;
 use super::object::Object;
 use super::property::Properties;
 
-/// Tiles of one picture, or of a picture each.
+/// Tiles of one picture, or with a picture each.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Tileset {
     pub name: String,
-    /// Of a tile, in pixels.
+    /// Size of a tile, in pixels.
     pub size: (u32, u32),
-    /// Tiles in a row of the picture.
+    /// Tiles per row of the picture.
     pub columns: u32,
-    /// Ids are below this; `None` where the file does not say.
+    /// Ids are below this. `None` if the file does not say.
     pub count: Option<u32>,
-    /// Around the tiles of the picture, and between them.
+    /// The margin around the tiles of the picture, and the spacing between them.
     pub margin: u32,
     pub spacing: u32,
-    /// How far tiles are drawn from their place.
+    /// The drawing offset of the tiles.
     pub offset: (i32, i32),
     /// Whether tiles are drawn as large as a cell, whatever their size.
     pub fits_grid: bool,
     pub image: Option<PathBuf>,
-    /// Those of which more is known than their picture.
+    /// The tiles with more data than their picture.
     pub tiles: HashMap<u32, Tile>,
 }
 
-/// The known facts of a tile.
+/// The data of a tile.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Tile {
     pub class: String,
     pub properties: Properties,
-    /// Drawn in the collision editor.
+    /// Shapes from the collision editor.
     pub shapes: Vec<Object>,
-    /// Its own picture, and the size of that.
+    /// Its own picture, and the picture's size.
     pub image: Option<(PathBuf, (u32, u32))>,
 }
 

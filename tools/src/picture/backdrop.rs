@@ -1,4 +1,4 @@
-//! A level as it was drawn, below a picture of its solid: the images of its tiles, if they exist.
+//! Draws a level below a picture of its solid, with the images of its tiles if they exist.
 
 use std::collections::HashMap;
 use std::fs;
@@ -12,10 +12,10 @@ use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
 use crate::rules::ground::Ground;
 
-/// Of an image file, and of what it unpacks to.
+/// The most bytes of an image file, and of its pixels.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// The tiles of a map for a picture that begins at this point of its ground; `None` without images.
+/// The tiles of a map for a picture with this origin. `None` without images.
 pub fn image(scene: &Scene, corner: Spot, map: &Map, ground: &Ground, scale: Option<(u32, u32)>) -> Option<Image> {
     let zoom = scale.map_or(1.0, |(n, d)| n as f32 / d as f32) * scene.scale;
     let (width, height) = ((scene.level.0 * scene.scale) as usize, (scene.level.1 * scene.scale) as usize);
@@ -42,17 +42,17 @@ pub fn image(scene: &Scene, corner: Spot, map: &Map, ground: &Ground, scale: Opt
     sources.images.values().any(Option::is_some).then_some(image)
 }
 
-/// An image, where a tile begins in it, and how large it is.
+/// An image, the position of a tile in it, and the tile's size.
 type Part<'a> = (&'a Image, (u32, u32), (u32, u32));
 
-/// The images that were read; none for a file that is no PNG.
+/// The images that were read. `None` for a file that is not a PNG.
 #[derive(Default)]
 struct Sources {
     images: HashMap<PathBuf, Option<Image>>,
 }
 
 impl Sources {
-    /// The image of a tile, where it begins there and how large it is.
+    /// The image of a tile, its position there and its size.
     fn tile(&mut self, map: &Map, tileset: usize, id: u32) -> Option<Part<'_>> {
         let set = &map.tilesets[tileset];
         let own = set.tiles.get(&id).and_then(|tile| tile.image.as_ref());
@@ -89,7 +89,7 @@ fn read(path: &Path) -> Option<Image> {
     Some(Image { width: info.width as usize, height: info.height as usize, pixels })
 }
 
-/// Draws a part of an image into a box, the nearest pixel each.
+/// Draws a part of an image into a box, with the nearest pixels.
 fn blit(
     to: &mut Image,
     at: (f32, f32),

@@ -40,19 +40,19 @@ impl Canvas {
         self.cover(bounds, ink, |p| width / 2.0 - (distance(p, c) - radius).abs() + 0.5);
     }
 
-    /// A polygon that does not cross itself, either way round.
+    /// A polygon that does not cross itself, in either direction.
     pub(super) fn poly(&mut self, points: &[Spot], fill: Ink) {
         let sides: Vec<(Spot, Spot)> = points.iter().copied().zip(points.iter().copied().cycle().skip(1)).collect();
         self.cover(bounds(points, 0.0), fill, |p| {
             let off = sides.iter().map(|&(a, b)| to_segment(p, a, b)).fold(f32::MAX, f32::min);
-            // Inside, a ray to the right crosses the sides an odd number of times.
+            // A point is inside if a ray to the right crosses the sides an odd number of times.
             let crossed =
                 sides.iter().filter(|(a, b)| (a.1 > p.1) != (b.1 > p.1) && crossing(p.1, *a, *b) > p.0).count();
             0.5 + if crossed % 2 == 1 { off } else { -off }
         });
     }
 
-    /// Blended once for the whole line: its joints do not show.
+    /// Blends the whole line once, so that its joints do not show.
     pub(super) fn line(&mut self, points: &[Spot], width: f32, ink: Ink, fade: bool) {
         let (lo, hi) = self.clip(bounds(points, width));
         let (columns, rows) = (hi.0.saturating_sub(lo.0), hi.1.saturating_sub(lo.1));
@@ -96,7 +96,7 @@ impl Canvas {
 
     /// The pixels that a shape with these bounds can touch, half-open.
     fn clip(&self, (min, max): (Spot, Spot)) -> ((usize, usize), (usize, usize)) {
-        // Casts from floating point saturate, so negative becomes 0.
+        // Casts from floating point saturate, so negative values become 0.
         let (x0, y0) = ((min.0 - 1.0).floor() as usize, (min.1 - 1.0).floor() as usize);
         let (x1, y1) = ((max.0 + 1.0).ceil() as usize, (max.1 + 1.0).ceil() as usize);
         ((x0.min(self.width), y0.min(self.height)), (x1.min(self.width), y1.min(self.height)))
@@ -113,7 +113,7 @@ fn bounds(points: &[Spot], margin: f32) -> (Spot, Spot) {
     (lo, hi)
 }
 
-/// Where the line through `a` and `b`, which is not level, has this height.
+/// The x of the line through `a` and `b` at this height. The line is not level.
 fn crossing(y: f32, a: Spot, b: Spot) -> f32 {
     a.0 + (y - a.1) * (b.0 - a.0) / (b.1 - a.1)
 }

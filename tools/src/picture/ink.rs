@@ -1,6 +1,6 @@
 //! Colours.
 
-/// A colour and how dense it is.
+/// A colour and its opacity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ink {
     pub rgb: [u8; 3],
@@ -13,7 +13,7 @@ impl Ink {
         Self { rgb: [(rgb >> 16) as u8, (rgb >> 8) as u8, rgb as u8], alpha: 1.0 }
     }
 
-    /// The same colour, this dense.
+    /// The same colour with this opacity.
     #[must_use]
     pub const fn alpha(self, alpha: f32) -> Self {
         Self { alpha, ..self }
@@ -41,6 +41,6 @@ pub const TOUCH: Ink = Ink::hex(0x00f9_8d5f);
 pub const CROSS: Ink = Ink::hex(0x00b8_92ff);
 pub const BOUNCE: Ink = Ink::hex(0x0090_ee90);
 pub const CONTACT: Ink = Ink::hex(0x00ff_ffff);
-/// For flags that the game gives no meaning.
+/// For flags without a meaning in the game.
 pub const OTHER: [Ink; 4] =
     [Ink::hex(0x0057_75ab), Ink::hex(0x0090_5f9e), Ink::hex(0x0043_aa8b), Ink::hex(0x00a8_7b43)];

@@ -1,11 +1,11 @@
-//! The marks of a picture, in level pixels with y down; the back ends only scale.
+//! The marks of a picture, in level pixels with y down. The back ends only scale them.
 
 use super::ink::Ink;
 
 /// A point in level pixels.
 pub type Spot = (f32, f32);
 
-/// One thing that is drawn.
+/// One item of a drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Mark {
     Rect {
@@ -29,14 +29,15 @@ pub enum Mark {
         points: Vec<Spot>,
         fill: Ink,
     },
-    /// A line through the points; when it fades, from nothing at the first to full at the last.
+    /// A line through the points. With fading, it goes from nothing at the first point to full at
+    /// the last.
     Line {
         points: Vec<Spot>,
         width: f32,
         ink: Ink,
         fade: bool,
     },
-    /// Starts at `at`, the left end of its baseline; its cells are `Scene::LETTER` output pixels.
+    /// Starts at `at`, the left end of its baseline. Its cells are `Scene::LETTER` output pixels.
     Text {
         at: Spot,
         text: String,
@@ -44,18 +45,18 @@ pub enum Mark {
     },
 }
 
-/// A picture before it is a file.
+/// A picture before it becomes a file.
 #[derive(Debug, Clone)]
 pub struct Scene {
     /// Size of the level, and of the whole picture with its footer.
     pub level: Spot,
     pub size: Spot,
-    /// Output pixels for a level pixel.
+    /// Output pixels per level pixel.
     pub scale: f32,
-    /// A sixteenth of a tile, what line widths go by.
+    /// A sixteenth of a tile: the unit of line widths.
     pub unit: f32,
     pub marks: Vec<Mark>,
-    /// Lies below all marks, pixel for output pixel; only in a PNG.
+    /// An image below all marks, at output resolution. Only a PNG has it.
     pub backdrop: Option<Image>,
 }
 

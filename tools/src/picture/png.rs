@@ -1,4 +1,4 @@
-//! The picture as PNG, with the letters of embedded-graphics.
+//! Writes the picture as PNG, with the letters of embedded-graphics.
 
 use std::convert::Infallible;
 use std::fs;
@@ -21,7 +21,7 @@ use crate::fail::{Fail, Result};
 ///
 /// # Errors
 ///
-/// The file cannot be written.
+/// If the file cannot be written.
 pub fn write(scene: &Scene, path: &Path) -> Result<()> {
     fs::write(path, bytes(scene)?).map_err(|e| Fail::new(format!("cannot write {}: {e}", path.display())))
 }
@@ -30,7 +30,7 @@ pub fn write(scene: &Scene, path: &Path) -> Result<()> {
 ///
 /// # Errors
 ///
-/// It is too large for one.
+/// If it is too large for a PNG.
 pub fn bytes(scene: &Scene) -> Result<Vec<u8>> {
     let s = scene.scale;
     let at = |p: &Spot| (p.0 * s, p.1 * s);

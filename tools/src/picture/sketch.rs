@@ -1,4 +1,4 @@
-//! The drawings of the small games: the solid of a level, ways through it, and the file.
+//! The pictures of the small games: the solid of a level, ways through it, and the file.
 
 use std::env;
 use std::path::PathBuf;
@@ -11,7 +11,7 @@ use super::marks::{Scene, Spot};
 use super::{png, solid};
 use crate::fail::{Fail, Result};
 
-/// How a game ends: 2, and why, where it could not be played to its end.
+/// The exit status of a game. It is 2, with the reason, if the game could not run to its end.
 pub fn exit(game: &str, played: Result<()>) -> ExitCode {
     match played {
         Ok(()) => ExitCode::SUCCESS,
@@ -22,7 +22,7 @@ pub fn exit(game: &str, played: Result<()>) -> ExitCode {
     }
 }
 
-/// A picture of a level of `width` x `height` units, `scale` pixels to a unit.
+/// A picture of a level of `width` x `height` units, with `scale` pixels per unit.
 #[derive(Debug)]
 pub struct Sketch {
     pub scene: Scene,
@@ -45,18 +45,18 @@ impl Sketch {
         sketch
     }
 
-    /// Where a point of the level is in the picture.
+    /// The position of a point of the level in the picture.
     pub fn spot(&self, p: Vec2) -> Spot {
         (p.x.to_num::<f32>() * self.scale, p.y.to_num::<f32>() * self.scale)
     }
 
-    /// Draws a way through places of the level.
+    /// Draws a way through positions of the level.
     pub fn way(&mut self, points: &[Vec2], width: f32, ink: Ink) {
         let spots = points.iter().map(|&p| self.spot(p)).collect();
         self.scene.line(spots, width, ink, false);
     }
 
-    /// Draws a circle's line; the radius is in units of the level.
+    /// Draws a circle's line. The radius is in units of the level.
     pub fn ring(&mut self, centre: Vec2, radius: f32, width: f32, ink: Ink) {
         self.scene.ring(self.spot(centre), radius * self.scale, width, ink);
     }
@@ -66,12 +66,12 @@ impl Sketch {
         self.scene.disc(self.spot(at), 4.0, ink);
     }
 
-    /// Writes the picture, with lines of text below it, to the target folder or to the file that
-    /// the first argument names.
+    /// Writes the picture, with lines of text below it. The first argument names the file, by
+    /// default one in the target folder.
     ///
     /// # Errors
     ///
-    /// The file cannot be written.
+    /// If the file cannot be written.
     pub fn save(mut self, name: &str, lines: &[String]) -> Result<()> {
         let mut y = self.scene.level.1 + 20.0;
         for line in lines {

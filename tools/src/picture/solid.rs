@@ -1,14 +1,15 @@
-//! The solid of a level, pixel by pixel, as the library's strict overlap test has it.
+//! Draws the solid of a level pixel by pixel, from the library's strict overlap test.
 
 use tilesat::{Aabb, Vec2, World};
 
 use super::ink::Ink;
 use super::marks::{Scene, Spot};
 
-/// Points a pixel on each axis.
+/// Points per pixel on each axis.
 const FINE: i32 = 4;
 
-/// Fills the solid of the first `size` pixels of a level, drawn at `at`; `scale` pixels per unit.
+/// Fills the solid of the first `size` pixels of a level, drawn at `at`, with `scale` pixels per
+/// unit.
 pub fn fill(scene: &mut Scene, map: &impl World, at: Spot, size: (i32, i32), scale: i32, ink: Ink) {
     for y in 0..size.1 {
         let mut x = 0;
@@ -26,8 +27,8 @@ pub fn fill(scene: &mut Scene, map: &impl World, at: Spot, size: (i32, i32), sca
     }
 }
 
-/// How many points of a pixel are inside. They are odd fractions of a unit, so none is on a tile's
-/// border.
+/// The number of points of a pixel that are inside. They are odd fractions of a unit, so none is on
+/// a tile's border.
 fn share(map: &impl World, x: i32, y: i32, scale: i32) -> i32 {
     let place = |pixel: i32, part: i32| ((pixel * FINE + part) * 2 + 1) * (65536 / (2 * FINE * scale));
     let inside = |i: i32| {

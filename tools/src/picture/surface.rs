@@ -1,5 +1,5 @@
-//! The surface of a level: exactly the faces and arcs that a body can meet, as the library reports
-//! them.
+//! Draws the surface of a level: exactly the faces and arcs that the library reports, which a body
+//! can meet.
 
 use tilesat::{
     Axis, Vec2,
@@ -9,12 +9,12 @@ use tilesat::{
 use super::ink::{EDGE, Ink, TOP};
 use super::marks::{Scene, Spot};
 
-/// Pieces in which an arc is drawn, each coloured by its slope.
+/// Pieces per arc, each coloured by its slope.
 const PIECES: u8 = 12;
 
 pub fn draw(scene: &mut Scene, features: &[Feature], tile: f32) {
     let lines: Vec<Vec<(Spot, Spot)>> = features.iter().filter(|f| !f.one_way).map(|f| lines(&f.geometry)).collect();
-    // Floors go over the rest.
+    // Floors come last, on top.
     for (floor, ink, width) in [(false, EDGE.alpha(0.7), tile / 14.0), (true, TOP, tile / 8.0)] {
         for runs in lines.iter().map(|line| line.chunk_by(|&a, &b| is_floor(a) == is_floor(b))) {
             for run in runs.filter(|run| is_floor(run[0]) == floor) {
@@ -24,7 +24,7 @@ pub fn draw(scene: &mut Scene, features: &[Feature], tile: f32) {
     }
 }
 
-/// A band of some width on the solid's side of a line, the left one.
+/// A band of some width on the solid's side of a line, which is the left one.
 fn band(scene: &mut Scene, run: &[(Spot, Spot)], width: f32, ink: Ink) {
     let inward = |(a, b): (Spot, Spot), p: Spot| {
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
@@ -65,7 +65,7 @@ pub fn arc(centre: Vec2, radius: i32, quadrant: Axis, convex: bool) -> Vec<Spot>
         .map(|i| (f32::from(i) / f32::from(PIECES) * std::f32::consts::FRAC_PI_2).sin_cos())
         .map(|(sin, cos)| (x + sx * cos * r, y + sy * sin * r))
         .collect();
-    // From the x axis to the y axis the centre is on the left where the signs agree.
+    // From the x axis to the y axis, the centre is on the left if the signs agree.
     if (sx * sy > 0.0) != convex {
         points.reverse();
     }

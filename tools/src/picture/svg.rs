@@ -1,11 +1,11 @@
-//! The picture as SVG.
+//! Writes the picture as SVG.
 
 use std::fmt::Write;
 
 use super::ink::{Ink, PAPER};
 use super::marks::{Mark, Scene, Spot};
 
-/// A fading line is written as so many pieces of rising opacity.
+/// A fading line has this many pieces of rising opacity.
 const PIECES: usize = 6;
 
 /// The text of a picture's file.
@@ -50,7 +50,7 @@ fn element(out: &mut String, scene: &Scene, mark: &Mark) {
             for piece in 0..pieces {
                 let (from, to) = (points.len() * piece / pieces, points.len() * (piece + 1) / pieces);
                 let strength = (piece + 1) as f32 / pieces as f32;
-                // One point more, which joins the pieces.
+                // One more point joins the pieces.
                 let part = &points[from..(to + 1).min(points.len())];
                 let ink = paint("stroke", ink.alpha(ink.alpha * strength));
                 let _ = writeln!(

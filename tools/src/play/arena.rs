@@ -1,4 +1,4 @@
-//! The level that is played: tiles, and segments where there are some.
+//! The level to play: tiles, and segments if there are any.
 
 use tilesat::{Fx, SegmentMap};
 
@@ -8,10 +8,10 @@ use crate::bake::reopen::Reopened;
 use crate::fail::{Fail, Result};
 use tilesat::TileKind;
 
-/// A level to be played.
+/// A level to play.
 #[derive(Debug, Clone)]
 pub struct Arena {
-    /// Of a level without tiles the empty cells around its segments.
+    /// The tiles. For a level without tiles, the empty cells around its segments.
     pub level: Level,
     /// The bytes of a segment map.
     pub segments: Option<Vec<u8>>,
@@ -24,17 +24,17 @@ impl From<Level> for Arena {
 }
 
 impl Arena {
-    /// Of a level that was baked.
+    /// An arena of a baked level.
     ///
     /// # Errors
     ///
-    /// There is nothing in it, or the library does not take it.
+    /// If the level is empty, or the library refuses it.
     pub fn of(baked: &Baked) -> Result<Self> {
         let segments = baked.objects.as_ref().map(|(_, bytes, _)| bytes.clone());
         Self::new(baked.tiles.clone(), segments)
     }
 
-    /// Of a level that a file of the baker's holds.
+    /// An arena of a level in a file of the baker.
     ///
     /// # Errors
     ///
@@ -52,7 +52,7 @@ impl Arena {
         Ok(Self { level, segments }.at_origin())
     }
 
-    /// The game counts from the first cell; where a level lies matters to nothing but segments and
+    /// The game counts from the first cell. The level's position matters only to segments and to
     /// the domain.
     fn at_origin(mut self) -> Self {
         let fits = |count: u16| u32::from(count) * u32::from(self.level.tile) < 8192;
@@ -63,7 +63,7 @@ impl Arena {
     }
 }
 
-/// Empty tiles as large as a segment map and a little more: bodies have room around it.
+/// Empty tiles, slightly larger than the segment map: bodies have room around it.
 fn around(bytes: &[u8]) -> Result<Level> {
     let map = SegmentMap::from_bytes(bytes).map_err(|e| Fail::new(format!("the segments: {e}")))?;
     let grid = map.grid();

@@ -1,7 +1,7 @@
-//! An independent exact check of what the library did.
+//! An independent exact check of the library's results.
 //!
-//! It shares no code with the library: it reads the baked bytes itself, and computes with whole raw
-//! units (65536 to the pixel), wide enough for any product.
+//! It shares no code with the library. It reads the baked bytes itself, and computes with whole raw
+//! units (65536 per pixel), wide enough for any product.
 
 use super::figure::Figure;
 use super::meets::meets;
@@ -12,9 +12,9 @@ use crate::bake::level::Level;
 /// The fault of a body in one frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Fault {
-    /// Its interior meets the interior of a solid tile.
+    /// Its interior overlaps the interior of a solid tile.
     pub overlap: bool,
-    /// It is not within the map, came through a wall, or moved further than its velocity.
+    /// It left the map, crossed a wall, or moved farther than its velocity.
     pub escape: bool,
 }
 
@@ -24,13 +24,13 @@ pub struct Checker {
     tiles: Vec<u8>,
     /// The part of its cell that each id fills.
     solid: Vec<Outline>,
-    /// Which of the areas that walls separate a cell's free part belongs to; 0 for cells without
-    /// one.
+    /// The number of the area to which a cell's free part belongs. Walls separate areas. 0 for
+    /// cells without a free part.
     area: Vec<u32>,
     width: i64,
     height: i64,
     cell: i64,
-    /// Where the first cell begins.
+    /// The first corner of the first cell.
     origin: (i64, i64),
     walls: Walls,
 }
@@ -52,7 +52,7 @@ impl Checker {
         }
     }
 
-    /// With the bytes of its segments.
+    /// Adds the bytes of its segments.
     #[must_use]
     pub fn with_segments(self, bytes: &[u8]) -> Self {
         Self { walls: Walls::new(bytes), ..self }
@@ -62,13 +62,13 @@ impl Checker {
     pub fn check(&self, before: &Figure, now: &Figure, velocity: (i64, i64)) -> Fault {
         let (from, to) = (before.middle(), now.middle());
         let moved = (to.0 - from.0, to.1 - from.1);
-        // The cells on either side of a free body's middle belong to the same area. The body covers
+        // The cells on both sides of a free body's middle belong to the same area. The body covers
         // a bit of each and of the side between them, and all of that is free.
         let through = self.area_at(from) != self.area_at(to);
         Fault { overlap: self.overlaps(now), escape: !self.inside(now) || through || further(moved, velocity) }
     }
 
-    /// Whether the interiors of the body and of any solid tile meet.
+    /// Whether the interiors of the body and of any solid tile overlap.
     pub fn overlaps(&self, figure: &Figure) -> bool {
         if self.walls.overlap(figure) {
             return true;
@@ -85,7 +85,7 @@ impl Checker {
         })
     }
 
-    /// Whether no part of the body is out of the map.
+    /// Whether all of the body is inside the map.
     pub fn inside(&self, figure: &Figure) -> bool {
         let (min, max) = figure.seen_from(self.origin).extent();
         min.0 >= 0 && min.1 >= 0 && max.0 <= self.width * self.cell && max.1 <= self.height * self.cell
@@ -99,23 +99,22 @@ impl Checker {
     }
 }
 
-/// Whether a body moved further than its velocity, with 2 raw of room for rounding. Sliding and
-/// bouncing turn a motion, so its length is compared and not each component.
+/// Whether a body moved farther than its velocity, with 2 raw of room for rounding. Sliding and
+/// bouncing turn a motion, so this compares lengths and not components.
 fn further(moved: (i64, i64), velocity: (i64, i64)) -> bool {
     let square = |v: (i64, i64)| v.0 * v.0 + v.1 * v.1;
     let length = square(velocity).isqrt() + 2;
     square(moved) > length * length
 }
 
-/// Numbers the connected groups of cells; cells are neighbours when a half of the side between them
-/// is free. The free part of every shape is in one piece.
+/// Numbers the connected groups of cells. Cells are neighbours if a half of the side between them
+/// is free. The free part of every shape is connected.
 fn areas(tiles: &[u8], solid: &[Outline], width: usize) -> Vec<u32> {
-    // Of each id, the halves of its sides that are free, two bits per side; none of a full cell.
+    // For each id, the free halves of its sides, two bits per side. None for a full cell.
     let halves = |o: &Outline| (0..8).filter(|&bit| !o.covers(bit / 2, bit % 2)).fold(0u8, |all, bit| all | 1 << bit);
     let free: Vec<u8> = solid.iter().map(halves).collect();
     let side = |cell: usize, side: usize| free[usize::from(tiles[cell])] >> (2 * side) & 3;
-    // The halves of a side turn right in both cells, so from the other cell their order is
-    // reversed.
+    // The halves of a side turn right in both cells, so the other cell sees them in reverse.
     let open = |from: usize, at: usize, to: usize| {
         let there = side(to, (at + 2) % 4);
         side(from, at) & (there >> 1 | there << 1) != 0

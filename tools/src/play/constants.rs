@@ -1,5 +1,4 @@
-//! A level as a firmware of this game includes it: the tile bytes, and the constants that go with
-//! them.
+//! A level as a firmware of this game includes it: the tile bytes, and their constants.
 
 use std::path::Path;
 
@@ -19,7 +18,7 @@ pub fn files(level: &Level, stem: &Path) -> Outputs {
     outputs
 }
 
-/// The Rust source that stands beside the bytes in the file `bin`.
+/// The Rust source beside the bytes in the file `bin`.
 pub fn constants(level: &Level, bin: &str) -> String {
     let head = "//! Written by `cargo run --example platformer -- LEVEL.tmx --bake STEM`; not edited by hand.\n\
                 #![allow(unreachable_pub, reason = \"a level is a module of a program\")]\n\n";

@@ -1,5 +1,5 @@
-//! Boxes and balls in a level that is more than tiles: they fall, are pushed and bounce, as those
-//! of the game do.
+//! Boxes and balls in a level that has more than tiles. They fall, get pushes and bounce, as in the
+//! game.
 
 use tilesat::motion::{Mover, Response};
 use tilesat::num::DOMAIN;
@@ -10,12 +10,12 @@ use tilesat_games::platformer::sim::{Actor, BODIES, FrameReport, Shape};
 /// Half extents, and radii in the first column, in sixteenths of a cell.
 const SIZES: [(i32, i32); 8] = [(4, 4), (6, 5), (5, 7), (9, 6), (3, 8), (7, 7), (11, 11), (2, 3)];
 const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::DropThrough, Response::Bounce];
-/// Places that are tried for a body; then it becomes smaller.
+/// Positions to try for a body, before it becomes smaller.
 const TRIES: u32 = 400;
-/// What it becomes at last, in sixteenths of a cell: a dot.
+/// Its final size, in sixteenths of a cell: a dot.
 const SMALLEST: i32 = 1;
 
-/// The bodies, and the sum of chance.
+/// The bodies, and the state of the random generator.
 #[derive(Debug)]
 pub(super) struct Drift {
     actors: [Actor; BODIES],
@@ -41,7 +41,7 @@ impl Dice {
 }
 
 impl Drift {
-    /// Puts the bodies into free space; `None` where there is none.
+    /// Puts the bodies into free space. `None` without free space.
     pub(super) fn new<W: World>(world: &W, grid: Grid, seed: u32) -> Option<Self> {
         let mut dice = Dice(u64::from(seed) << 16 | 1);
         let mut actors = Vec::new();
@@ -110,7 +110,7 @@ fn advance<W: World>(world: &W, actor: &mut Actor, end: (i32, i32), report: &mut
     }
 }
 
-/// A velocity at which no body in the level can leave the domain. The library refuses faster ones,
+/// The greatest velocity at which no body can leave the domain. The library refuses faster ones,
 /// even before a wall.
 fn inside(velocity: Vec2, end: (i32, i32)) -> Vec2 {
     let room = (DOMAIN - 1 - end.0.abs().max(end.1.abs())).max(0) / 2;

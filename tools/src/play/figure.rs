@@ -1,4 +1,4 @@
-//! A body as the check sees it.
+//! A body as plain numbers, for the check.
 
 /// A body as plain numbers, in raw units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,7 +16,7 @@ impl Figure {
         }
     }
 
-    /// The same with this place as the origin.
+    /// The same relative to this point.
     pub(crate) fn seen_from(&self, origin: (i64, i64)) -> Self {
         let from = |p: (i64, i64)| (p.0 - origin.0, p.1 - origin.1);
         match *self {

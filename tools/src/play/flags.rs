@@ -1,10 +1,10 @@
-//! Which flags of a level the game knows.
+//! The flags of a level that the game knows.
 
 use tilesat_games::platformer::sim::Rules;
 
 use crate::bake::level::Level;
 
-/// The bits of the game's own flags; 0 where no tile has one.
+/// The bits of the game's own flags. 0 if no tile has one.
 pub fn rules(level: &Level) -> Rules {
     let bit = |name| level.mask(name);
     Rules { coin: bit("Coin"), kill: bit("Kill"), win: bit("Win"), ladder: bit("Ladder") }

@@ -1,9 +1,10 @@
-//! Whether a body and the solid of a tile overlap, in whole numbers wide enough for any product.
+//! Decides whether a body and the solid of a tile overlap, in whole numbers wide enough for any
+//! product.
 
 use super::figure::Figure;
 use super::outline::{Outline, edges, winding};
 
-/// Whether the interiors of a body and of the outline of the cell at `corner` meet.
+/// Whether the interiors of a body and of the outline of the cell at `corner` overlap.
 pub(super) fn meets(figure: &Figure, outline: &Outline, corner: (i64, i64), cell: i64) -> bool {
     let wide = |(x, y): (i64, i64)| (i128::from(x - corner.0), i128::from(y - corner.1));
     match *figure {
@@ -20,7 +21,7 @@ fn square_meets(min: Wide, max: Wide, outline: &Outline, cell: i128) -> bool {
     let shared = lo.0 < hi.0 && lo.1 < hi.1;
     match outline {
         Outline::Nothing => false,
-        // Convex bodies meet unless one of their sides separates them; the cell's sides are the
+        // Convex bodies overlap unless one of their sides separates them. The cell's sides have the
         // box's directions.
         Outline::Polygon(points) => {
             let along = |axis: fn(Wide) -> i128| {
@@ -50,7 +51,7 @@ fn disc_meets(c: Wide, r: i128, outline: &Outline, cell: i128) -> bool {
             let within = edges(points).all(|(a, b)| inward(points, a, b, c, cell) > 0);
             within || edges(points).any(|(a, b)| near(raw(a, cell), raw(b, cell)))
         }
-        // In the frame of the arc's centre, its quarter of the plane being the first.
+        // In the frame of the arc's centre, with its quarter of the plane as the first.
         Outline::Quarter(at) | Outline::Bite(at) => {
             let at = raw(*at, cell);
             let first = |p: Wide| {
@@ -78,7 +79,7 @@ fn raw(p: (i64, i64), cell: i128) -> Wide {
     (i128::from(p.0) * cell / 2, i128::from(p.1) * cell / 2)
 }
 
-/// Above 0 where `c` is on the inner side of the polygon's side from `a` to `b`.
+/// Above 0 if `c` is on the inner side of the polygon's side from `a` to `b`.
 fn inward(points: &[(i64, i64)], a: (i64, i64), b: (i64, i64), c: Wide, cell: i128) -> i128 {
     let from = raw(a, cell);
     let (dx, dy) = (i128::from(b.0 - a.0), i128::from(b.1 - a.1));

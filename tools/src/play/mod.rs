@@ -1,7 +1,6 @@
-//! Plays a baked level with a scripted player and 32 boxes and balls, and watches them.
+//! Plays a baked level with a scripted player and 32 boxes and balls, and checks them.
 //!
-//! The game itself, [`tilesat_games::platformer`], moves the bodies; everything here only
-//! looks.
+//! The game itself, [`tilesat_games::platformer`], moves the bodies. This module only observes.
 
 mod arena;
 pub mod check;

@@ -1,5 +1,5 @@
-//! What each shape fills of its cell, for the check and for pictures: written down apart from the
-//! library.
+//! The solid part of a cell for each shape, for the check and for pictures. Written independently
+//! of the library.
 
 use tilesat::TileShape;
 
@@ -12,16 +12,16 @@ pub(super) enum Outline {
     Nothing,
     /// A convex polygon.
     Polygon(Vec<Half>),
-    /// The part of the cell that a circle of one cell around a corner covers.
+    /// The part of the cell within a circle of one cell around a corner.
     Quarter(Half),
-    /// The part that it does not cover.
+    /// The rest of that cell.
     Bite(Half),
 }
 
 impl Outline {
     pub(super) fn of(shape: TileShape) -> Self {
         use TileShape as S;
-        // Each as it is at the top left, then which sides are exchanged.
+        // Each shape at the top left, then the sides to exchange.
         let (points, right, bottom): (&[Half], _, _) = match shape {
             S::Full => (&[(0, 0), (2, 0), (2, 2), (0, 2)], false, false),
             S::HalfTop => (HALF_TOP, false, false),
@@ -62,9 +62,9 @@ impl Outline {
         Self::Polygon(points.iter().map(place).collect())
     }
 
-    /// Whether a half of a cell's side (0 to 3 from the top, turning right; the halves in the same
-    /// turn) is covered. Every outline starts and ends on the half lattice, so the middle of the
-    /// half decides.
+    /// Whether a half of a cell's side is covered. Sides are 0 to 3 from the top, turning right,
+    /// and the halves turn the same way. Every outline starts and ends on the half lattice, so the
+    /// middle of the half decides.
     pub(super) fn covers(&self, side: usize, half: usize) -> bool {
         // In quarters of a cell.
         let along = [1, 3][half];
@@ -94,7 +94,7 @@ pub(super) fn edges(points: &[Half]) -> impl Iterator<Item = (Half, Half)> {
     points.iter().zip(points.iter().cycle().skip(1)).map(|(&a, &b)| (a, b))
 }
 
-/// 1 or -1: which way round the points go.
+/// The direction of rotation of the points, 1 or -1.
 pub(super) fn winding(points: &[Half]) -> i64 {
     edges(points).map(|(a, b)| a.0 * b.1 - a.1 * b.0).sum::<i64>().signum()
 }

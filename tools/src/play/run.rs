@@ -1,4 +1,4 @@
-//! Runs the simulation and watches it.
+//! Runs the simulation and checks it.
 
 use std::collections::{HashSet, VecDeque};
 use std::io::Write;
@@ -18,7 +18,7 @@ use super::trail::Point;
 use crate::bake::level::Level;
 use crate::fail::{Fail, Result};
 
-/// Frames of trail that are kept for the player and for the others.
+/// Frames of trail for the player and for the others.
 const PLAYER_TRAIL: usize = 2400;
 const TRAIL: usize = 180;
 
@@ -34,7 +34,7 @@ pub struct Run {
     pub score: Score,
     /// Where the bodies ended, the player first.
     pub actors: Vec<Actor>,
-    /// Per body, its last middle points; a jump back to the start begins a new piece.
+    /// The last middle points of each body. A jump back to the start begins a new piece.
     pub trails: Vec<VecDeque<Point>>,
     /// The cells whose coins are gone, counted row by row.
     pub taken: HashSet<usize>,
@@ -50,11 +50,11 @@ impl Run {
     }
 }
 
-/// Plays `frames` frames; says on `err` how far it is when that takes more than a second.
+/// Plays `frames` frames. Reports progress on `err` if that takes more than a second.
 ///
 /// # Errors
 ///
-/// The level has no free cell, or the library does not take it.
+/// If the level has no free cell, or the library refuses it.
 pub fn play(arena: &Arena, frames: u32, seed: u32, err: &mut dyn Write) -> Result<Run> {
     let level = &arena.level;
     let kinds = level.kinds();
@@ -62,7 +62,7 @@ pub fn play(arena: &Arena, frames: u32, seed: u32, err: &mut dyn Write) -> Resul
     let grid = level.grid().map_err(|e| too_large(&e))?;
     let checker = Checker::new(level);
     let Some(bytes) = &arena.segments else {
-        // A level of blocks is played with code for blocks alone, as on a chip.
+        // A level of blocks runs code for blocks only, as on a chip.
         if level.origin != (0, 0) {
             let map = TileMap::<AllShapes>::of(&level.tiles, grid, &kinds).map_err(|e| too_large(&e))?;
             return drift(&map.with_outside(Outside::Solid), grid, &checker, (frames, seed), err);
@@ -83,7 +83,7 @@ struct Frame {
     hash: u32,
 }
 
-/// The game, which knows tiles alone.
+/// The game, which knows only tiles.
 fn game<S: Set>(level: &Level, checker: &Checker, (frames, seed): (u32, u32), err: &mut dyn Write) -> Result<Run> {
     let kinds = level.kinds();
     let map = level
@@ -103,7 +103,7 @@ fn game<S: Set>(level: &Level, checker: &Checker, (frames, seed): (u32, u32), er
     Ok(run)
 }
 
-/// Boxes and balls alone, in any level.
+/// Boxes and balls only, in any level.
 fn drift<W: World>(
     world: &W,
     grid: Grid,
@@ -123,7 +123,7 @@ fn no_room() -> Fail {
     Fail::new("no room for the bodies: the level has no free cell")
 }
 
-/// Every body in every frame, and what became of it.
+/// Checks every body in every frame.
 fn watch(checker: &Checker, start: &Frame, frames: u32, err: &mut dyn Write, mut step: impl FnMut() -> Frame) -> Run {
     let mut figures = start.actors.map(|a| figure(&a));
     let mut run = Run {

@@ -5,13 +5,13 @@ use tilesat::{Hit, Toi, Vec2};
 
 use super::figure::Figure;
 
-/// One point of a trail, in pixels: where a body was after a frame or when it met something.
+/// One point of a trail, in pixels: the position of a body after a frame or at a hit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
     pub at: (f32, f32),
-    /// The normal of what the body met, if it met something.
+    /// The normal of the surface that the body hit, if any.
     pub hit: Option<(i32, i32)>,
-    /// Whether the body was put here and did not come from the point before.
+    /// Whether the body was put here instead of moving from the point before.
     pub fresh: bool,
 }
 
@@ -21,7 +21,7 @@ impl Point {
         Self { at: pixel(now), hit: None, fresh }
     }
 
-    /// Where the body was when it met something.
+    /// The body's position at the hit.
     pub fn contact(from: &Figure, hit: &Hit, asked: Vec2) -> Self {
         let ((x, y), part) = (pixel(from), hit.toi.raw() as f32 / Toi::ONE.raw() as f32);
         let at = (x + asked.x.to_num::<f32>() * part, y + asked.y.to_num::<f32>() * part);

@@ -1,4 +1,4 @@
-//! The segments of a level as the check sees them: read from its bytes, and compared with bodies in
+//! The segments of a level for the check. It reads their bytes, and compares them with bodies in
 //! whole numbers.
 
 use std::collections::HashMap;
@@ -7,24 +7,24 @@ use super::figure::Figure;
 
 type Point = (i64, i64);
 
-/// The solid side of a segment is its left where y grows up: `(-dy, dx)` from it.
+/// The solid side of a segment is its left if y grows up: `(-dy, dx)` from it.
 #[derive(Debug, Clone, Copy)]
 struct Edge {
     a: Point,
     b: Point,
 }
 
-/// The borders of polygons. Walls and one-way chains have nothing inside.
+/// The borders of polygons. Walls and one-way chains have no inside.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Walls {
     edges: Vec<Edge>,
-    /// Of each square of this side, the edges whose box meets it.
+    /// For each square of this side, the edges whose box meets it.
     squares: HashMap<Point, Vec<u32>>,
     side: i64,
 }
 
 impl Walls {
-    /// Reads the bytes of a segment map, as they are described in the library.
+    /// Reads the bytes of a segment map, as the library documents them.
     pub(super) fn new(bytes: &[u8]) -> Self {
         let word =
             |at: usize| bytes.get(at..at + 4).and_then(|word| word.try_into().ok()).map_or(0, i32::from_le_bytes);
@@ -67,13 +67,13 @@ impl Walls {
         let near = squares.iter().filter_map(|square| self.squares.get(square)).flatten();
         let met = near.map(|&index| self.edges[index as usize]).find(|edge| enters(figure, edge));
         match met {
-            // One side of an edge is solid, unless it is a hole's in the open.
+            // One side of an edge is solid, except for a hole outside any solid.
             Some(edge) => self.winding(beside(figure, &edge)) > 0 || self.winding(figure.middle()) > 0,
             None => self.winding(figure.middle()) > 0,
         }
     }
 
-    /// How many polygons, less holes, are around a point: by the edges that a ray to the right
+    /// The number of polygons, minus holes, around a point: from the edges that a ray to the right
     /// crosses.
     fn winding(&self, p: Point) -> i32 {
         let side = |e: &Edge| {
@@ -95,7 +95,7 @@ impl Walls {
 
 const KIND: u8 = 3;
 
-/// Whether a point of an edge is strictly inside of a body.
+/// Whether a point of an edge is strictly inside a body.
 fn enters(figure: &Figure, edge: &Edge) -> bool {
     match *figure {
         Figure::Box { min, max } => {
@@ -123,7 +123,7 @@ fn enters(figure: &Figure, edge: &Edge) -> bool {
     }
 }
 
-/// A point on the solid side of an edge, next to its point that is nearest to the middle of a body.
+/// A point on the solid side of an edge, next to its point nearest to the middle of a body.
 fn beside(figure: &Figure, edge: &Edge) -> Point {
     let (dx, dy) = (i128::from(edge.b.0 - edge.a.0), i128::from(edge.b.1 - edge.a.1));
     let middle = figure.middle();

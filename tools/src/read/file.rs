@@ -1,25 +1,25 @@
-//! Files of a bearable size, and which of them were read.
+//! Reads files of limited size, and records them.
 
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// A map of 4096 x 4096 tiles as a list of numbers of five digits fits.
+/// A map of 4096 x 4096 tiles fits, as a list of numbers of five digits.
 const MAX_BYTES: u64 = 112 << 20;
-/// In all files of a level together.
+/// The limit for all files of a level together.
 const MAX_TOTAL: u64 = 160 << 20;
 
 /// The files of a level.
 #[derive(Debug, Default)]
 pub(crate) struct Files {
-    /// No output may be one of them.
+    /// No output may overwrite one of them.
     pub(crate) read: Vec<PathBuf>,
     total: u64,
 }
 
 impl Files {
-    /// All bytes of a file, or why it cannot be read. What is no file, such as a pipe, could keep
-    /// its reader waiting.
+    /// All bytes of a file, or the reason that it cannot be read. Refuses anything but regular
+    /// files: a pipe could block its reader.
     pub(crate) fn bytes(&mut self, path: &Path) -> Result<Vec<u8>, String> {
         let cannot = |e: std::io::Error| format!("cannot read: {e}");
         if !fs::metadata(path).map_err(cannot)?.is_file() {

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-/// Whether a file holds JSON; all else is XML.
+/// Whether a file contains JSON. Everything else is XML.
 pub(in crate::read) fn is_json(bytes: &[u8]) -> bool {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start().starts_with(b"{")
 }

@@ -1,4 +1,4 @@
-//! Level files: each format has a reader, and all readers make the same [`Map`].
+//! Reads level files. Each format has a reader, and all readers make the same [`Map`].
 
 mod file;
 mod json;
@@ -16,27 +16,27 @@ use file::Files;
 #[derive(Debug, Clone)]
 pub struct Levels {
     pub maps: Vec<Map>,
-    /// The file, and those that it names: tilesets, templates, levels in separate files.
+    /// The file, and the files that it names: tilesets, templates, levels in separate files.
     pub files: Vec<PathBuf>,
 }
 
-/// Reads a map of Tiled (XML or JSON) or a project of `LDtk`; of several levels the named one, or
-/// all.
+/// Reads a map of Tiled (XML or JSON) or a project of `LDtk`. Of several levels it reads the named
+/// one, or all.
 ///
 /// # Errors
 ///
-/// One line that names the file and says why it cannot be read, or what in it is no level.
+/// One line that names the file and the reason that it cannot be read.
 pub fn load(path: &Path, level: Option<&str>) -> Result<Levels> {
     let mut files = Files::default();
     let maps = maps(path, level, &mut files).map_err(|why| Fail::new(format!("{}: {why}", path.display())))?;
     Ok(Levels { maps, files: files.read })
 }
 
-/// A file of the user's that is no level.
+/// A file of the user that is not a level.
 ///
 /// # Errors
 ///
-/// One line that names the file and says why it cannot be read.
+/// One line that names the file and the reason that it cannot be read.
 pub fn text(path: &Path) -> Result<String> {
     String::from_utf8(bytes(path)?).map_err(|_| Fail::new(format!("{}: not UTF-8 text", path.display())))
 }
@@ -45,7 +45,7 @@ pub fn text(path: &Path) -> Result<String> {
 ///
 /// # Errors
 ///
-/// As [`text`].
+/// The same as [`text`].
 pub fn bytes(path: &Path) -> Result<Vec<u8>> {
     Files::default().bytes(path).map_err(|why| Fail::new(format!("{}: {why}", path.display())))
 }

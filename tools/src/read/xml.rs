@@ -1,13 +1,13 @@
-//! Just enough XML for the files of Tiled, read tag by tag, with limits on all that could grow.
+//! Just enough XML for the files of Tiled. Reads tag by tag, with limits on everything that could
+//! grow.
 //!
-//! There are no namespaces and no entities but the five of XML and numbers. A document type is
-//! passed over.
+//! No namespaces, and only the five entities of XML and numbers. Skips a document type.
 
 use std::borrow::Cow;
 
-/// Elements within elements.
+/// The depth of nested elements.
 const MAX_DEPTH: usize = 100;
-/// On one tag. Tiled writes at most some twenty.
+/// Attributes of one tag. Tiled writes at most about twenty.
 const MAX_ATTRIBUTES: usize = 500;
 
 type Result<T> = std::result::Result<T, String>;
@@ -15,7 +15,7 @@ type Result<T> = std::result::Result<T, String>;
 /// The next part of an element.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Event<'a> {
-    /// A child begins; its own events come before those of the element around it.
+    /// A child begins. Its own events come before those of the element around it.
     Start(Tag<'a>),
     Text(Cow<'a, str>),
     /// The element ends.
@@ -34,18 +34,18 @@ impl Tag<'_> {
         self.attributes.iter().find(|(key, _)| *key == name).map(|(_, value)| &**value)
     }
 
-    /// The attribute as text, empty where it is not there.
+    /// The attribute as text. Empty if it is missing.
     pub(super) fn text(&self, name: &str) -> String {
         self.get(name).unwrap_or_default().to_owned()
     }
 }
 
-/// A place in a document.
+/// A position in a document.
 pub(super) struct Xml<'a> {
     text: &'a str,
     at: usize,
     open: Vec<&'a str>,
-    /// The element that was opened last is closed in the same tag.
+    /// The last opened element closes in the same tag.
     empty: bool,
 }
 
@@ -57,7 +57,7 @@ impl<'a> Xml<'a> {
         Ok(Self { text, at: 0, open: Vec::new(), empty: false })
     }
 
-    /// The line that is being read, in front of the message.
+    /// Adds the current line before the message.
     pub(super) fn here(&self, why: &str) -> String {
         format!("line {}: {why}", line(&self.text.as_bytes()[..self.at.min(self.text.len())]))
     }
@@ -74,7 +74,7 @@ impl<'a> Xml<'a> {
         }
     }
 
-    /// The next child of the element that is open; `None` where it ends.
+    /// The next child of the open element. `None` at its end.
     pub(super) fn child(&mut self) -> Result<Option<Tag<'a>>> {
         loop {
             match self.next()? {
@@ -85,7 +85,7 @@ impl<'a> Xml<'a> {
         }
     }
 
-    /// To the end of the element that is open.
+    /// Skips to the end of the open element.
     pub(super) fn skip(&mut self) -> Result<()> {
         let depth = self.open.len();
         while self.open.len() >= depth {
@@ -131,7 +131,7 @@ impl<'a> Xml<'a> {
         }
     }
 
-    /// The length of a document type, whose own declarations stand in brackets.
+    /// The length of a document type, whose own declarations are in brackets.
     fn declaration(&self, rest: &str) -> Result<usize> {
         let (mut depth, mut quote) = (0usize, None);
         for (i, b) in rest.bytes().enumerate() {
@@ -205,7 +205,7 @@ fn line(before: &[u8]) -> usize {
     1 + before.split(|&b| b == b'\n').count().saturating_sub(1)
 }
 
-/// Text with its entities resolved; unknown ones stay as they are.
+/// Resolves entities in text. Unknown ones stay unchanged.
 fn resolved(raw: &str) -> Cow<'_, str> {
     if !raw.contains('&') {
         return Cow::Borrowed(raw);

@@ -1,10 +1,9 @@
-//! Worlds that are larger than the coordinates of the library, in rooms whose borders no body
-//! feels.
+//! Worlds larger than the coordinates of the library, in rooms. The borders do not affect bodies.
 //!
 //! A map is cut into equal rooms, which are windows of its tiles ([`tilesat::Rooms`]). The levels
-//! of an `LDtk` project are rooms where they lie in its world, each with an apron of its
-//! neighbours' tiles ([`tilesat::Room`]). Polygons are given whole to every room that they reach:
-//! cut ones would have corners that nobody drew.
+//! of an `LDtk` project are rooms at their position in its world ([`tilesat::Room`]). Each has an
+//! apron of its neighbours' tiles. Every room gets whole copies of the polygons that reach it: cut
+//! polygons would have corners that nobody drew.
 
 mod part;
 mod segments;
@@ -20,14 +19,14 @@ use crate::rules::flags::Flags;
 use crate::rules::options::{Options, listed};
 use part::Part;
 
-/// How a world is cut, and for whom.
+/// How to cut a world, and for which body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Cut {
-    /// Columns and rows of a room, for a map; the levels of a project are rooms already.
+    /// Columns and rows of a room, for a map. The levels of a project are already rooms.
     pub room: Option<(u16, u16)>,
-    /// The longer side of the largest body; a cell where it is not said.
+    /// The longer side of the largest body. One cell by default.
     pub body: Option<Fx>,
-    /// The longest motion per frame, with a walker's step and snap; a cell by default.
+    /// The longest motion per frame, with a walker's step and snap. One cell by default.
     pub motion: Option<Fx>,
 }
 
@@ -62,7 +61,7 @@ pub struct Baked {
     /// Its first cell in the world.
     pub first: (i32, i32),
     pub size: (u16, u16),
-    /// With the apron, row by row; empty where the room is a window.
+    /// With the apron, row by row. Empty if the room is a window.
     pub tiles: Vec<u8>,
     /// The bytes of its polygons.
     pub segments: Option<Vec<u8>>,
@@ -72,7 +71,7 @@ pub struct Baked {
 ///
 /// # Errors
 ///
-/// One line that names the level or the object that does not fit, and says what would settle it.
+/// One line that names the level or object that does not fit, and how to fix it.
 pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
     if cut.room.is_some() && maps.len() > 1 {
         return Err(Fail::new("--room is for one map: the levels of a project are rooms already"));
@@ -118,12 +117,12 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
 }
 
 impl World {
-    /// Whether the library needs nothing but blocks for it.
+    /// Whether the world needs only blocks.
     pub fn is_blocks(&self) -> bool {
         self.kinds.iter().all(|kind| Blocks::SHAPES >> kind.shape as u8 & 1 != 0)
     }
 
-    /// The compiler's errors about the source, reported early.
+    /// Reports the compiler's errors about the source early.
     fn check(&self) -> Result<()> {
         let kinds = self.kinds.iter().zip(0..).fold(TileKinds::EMPTY, |kinds, (kind, id)| kinds.with(id, *kind));
         let cell = Fx::from_num(self.cell);

@@ -1,4 +1,4 @@
-//! A level of a world: where it lies, its tiles, and the rooms that it is.
+//! A level of a world: its position, its tiles, and its rooms.
 
 use super::{Baked, Whole};
 use crate::bake::level::{Ids, Level};
@@ -11,7 +11,7 @@ use crate::rules::outline::Outline;
 
 /// The library's domain in pixels (contract C1).
 const DOMAIN: i64 = 8192;
-/// Of a world, a byte each.
+/// The most tiles of a world, a byte each.
 const MAX_TILES: u64 = 1 << 26;
 const MAX_ROOMS: usize = 1 << 16;
 
@@ -22,11 +22,11 @@ pub(super) struct Part {
     pub name: String,
     /// In pixels.
     pub cell: u16,
-    /// Whether it has a place among others.
+    /// Whether it has a position among others.
     pub placed: bool,
     /// The room, in cells of the world.
     room: Rectangle,
-    /// The cells that its tiles cover, which may be others.
+    /// The cells that its tiles cover, which can differ.
     covered: Rectangle,
     tiles: Vec<u8>,
     /// In raw units of the world.
@@ -37,10 +37,10 @@ impl Part {
     pub(super) fn of(map: &Map, options: &Options, flags: &mut Flags, ids: &mut Ids) -> Result<Self> {
         let mut ground = Ground::of(map, options, flags)?;
         let level = Level::with(&ground, &flags.names, ids)?;
-        // In a linear world LDtk has all levels at (-1, -1).
+        // In a linear world, LDtk puts all levels at (-1, -1).
         let place = map.place.filter(|place| (place.x, place.y) != (-1, -1));
         let place = place.map(|place| scaled(place, options, ground.tile)).transpose()?;
-        // The ground is moved until its first cell is at the origin.
+        // Moves the ground until its first cell is at the origin.
         let shift = (i64::from(-ground.shift.0), i64::from(-ground.shift.1));
         let at =
             place.map_or((0, 0), |room| (room.0 + cells(shift.0, ground.tile), room.1 + cells(shift.1, ground.tile)));
@@ -55,7 +55,7 @@ impl Part {
         for point in ground.outlines.iter_mut().flat_map(|outline| &mut outline.points) {
             *point = (point.0 + at.0 * side, point.1 + at.1 * side);
         }
-        // A map without tiles says itself how large it is.
+        // For a map without tiles, the map gives the size.
         let drawn = if level.is_some() { (0, 0) } else { (map.size.0.into(), map.size.1.into()) };
         let extent = extent(&ground.outlines, side, drawn);
         Ok(Self {
@@ -89,7 +89,7 @@ impl Part {
     ///
     /// # Errors
     ///
-    /// There are too many.
+    /// If there are too many.
     pub(super) fn equal(&self, (width, height): (u16, u16)) -> Result<Vec<Baked>> {
         let (.., columns, rows) = self.room;
         let count = (columns as usize).div_ceil(step(width)) * (rows as usize).div_ceil(step(height));
@@ -101,7 +101,7 @@ impl Part {
             for (column, x) in (0..columns).step_by(step(width)).enumerate() {
                 rooms.push(Baked {
                     name: format!("{column} {row}"),
-                    // A world has at most 65535 cells on a side.
+                    // A world has at most 65535 cells per side.
                     first: (x as i32, y as i32),
                     size: ((columns - x).min(width.into()) as u16, (rows - y).min(height.into()) as u16),
                     tiles: Vec::new(),
@@ -112,7 +112,7 @@ impl Part {
         Ok(rooms)
     }
 
-    /// The room that it is, with an apron of the tiles of all.
+    /// Its room, with an apron of everyone's tiles.
     pub(super) fn alone(&self, all: &[Self], apron: u16) -> Result<Baked> {
         let of_level = |why: &str| Fail::new(format!("level '{}' {why}", self.name));
         if !self.placed {
@@ -127,7 +127,7 @@ impl Part {
         }
         let window = (x - apron, y - apron, width + 2 * apron, height + 2 * apron);
         let mut tiles: Vec<u8> = vec![0; (window.2 * window.3) as usize];
-        // Its own tiles last: where levels lie over each other each has its own.
+        // Its own tiles come last: if levels overlap, each keeps its own.
         for part in all.iter().filter(|part| !std::ptr::eq(*part, self)).chain([self]) {
             part.copy_into(&mut tiles, window);
         }
@@ -144,7 +144,7 @@ impl Part {
         })
     }
 
-    /// Its tiles in a window, nothing where it has none.
+    /// Its tiles in a window. Empty where it has none.
     fn within(&self, (x, y, width, height): Rectangle) -> impl Iterator<Item = u8> + '_ {
         let (x0, y0, columns, rows) = self.covered;
         let tile = move |x: i64, y: i64| {
@@ -172,7 +172,7 @@ fn step(cells: u16) -> usize {
     usize::from(cells.max(1))
 }
 
-/// Where two ranges, from and how long, are both.
+/// The common part of two ranges, each a start and a length.
 fn common(a: (i64, i64), b: (i64, i64)) -> (i64, i64) {
     (a.0.max(b.0), (a.0 + a.1).min(b.0 + b.1))
 }
@@ -181,14 +181,14 @@ fn cells(pixels: i64, tile: u16) -> i64 {
     pixels.div_euclid(tile.into())
 }
 
-/// The cells up to the last point, or so many.
+/// The cells up to the last point, or this many.
 fn extent(outlines: &[Outline], side: i64, least: (i64, i64)) -> (i64, i64) {
     let cells = |raw: i64| (raw + side - 1).div_euclid(side);
     let points = outlines.iter().flat_map(|outline| &outline.points);
     points.fold(least, |most, p| (most.0.max(cells(p.0)), most.1.max(cells(p.1))))
 }
 
-/// A place in cells.
+/// A position in cells.
 fn scaled(place: Place, options: &Options, tile: u16) -> Result<Rectangle> {
     let (n, d) = options.scale.unwrap_or((1, 1));
     let whole = |pixels: i64| {

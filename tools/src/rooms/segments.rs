@@ -1,5 +1,5 @@
-//! The polygons that a room needs: those that reach it or its apron, with the edges there as they
-//! are drawn.
+//! The polygons that a room needs: those that reach it or its apron. Their edges there are as
+//! drawn.
 
 use tilesat::Fx;
 
@@ -14,8 +14,7 @@ use crate::rules::outline::Outline;
 
 type Point = (i64, i64);
 
-/// The bytes of a room's segment map, by the coordinates of the room; `None` where nothing reaches
-/// it.
+/// The bytes of a room's segment map, in coordinates of the room. `None` if nothing reaches it.
 pub(super) fn of(parts: &[Part], room: &Baked, cell: u16, apron: u16, flags: &mut Flags) -> Result<Option<Vec<u8>>> {
     let side = i64::from(cell) << 16;
     let first = (i64::from(room.first.0) * side, i64::from(room.first.1) * side);
@@ -40,7 +39,7 @@ fn moved(outline: &Outline, by: Point) -> Outline {
 struct Beyond {
     /// Along x or y, outward.
     out: Point,
-    /// Where the side is.
+    /// The position of the side.
     at: i64,
 }
 
@@ -60,12 +59,12 @@ impl Beyond {
     }
 }
 
-/// An outline without the parts far from a window; `None` where no part is near.
+/// An outline without its parts far from a window. `None` if no part is near.
 ///
-/// Edges are cut beyond the window, at a raw point that lies on them exactly where there is one.
-/// Then of points one after another beyond a side the first and the last stay, with a straight way
-/// between them. So what reaches the window is as it was drawn, and what winds around a point of it
-/// does so as often: all that changed is beyond a side.
+/// Cuts edges beyond the window, at a raw point exactly on them if there is one. Of consecutive
+/// points beyond a side, the first and the last stay, with a straight way between them. So
+/// everything that reaches the window is as drawn, and winds around its points as often. All
+/// changes are beyond a side.
 fn near(outline: Outline, window: [Beyond; 4]) -> Option<Outline> {
     if window.iter().any(|side| outline.points.iter().all(|&p| side.holds(p))) {
         return None;
@@ -78,14 +77,14 @@ fn near(outline: Outline, window: [Beyond; 4]) -> Option<Outline> {
     let area = |outline: &Outline| doubled_area(&outline.points) != 0;
     match outline.kind {
         Kind::Wall | Kind::OneWay => Some(short).filter(|short| short.points.len() > 1),
-        // Nothing but a way there and back.
+        // Only a way there and back.
         Kind::Solid | Kind::Hole if short.points.len() < 3 => None,
-        // The library wants an area; the halves of a figure of eight may cancel.
+        // The library requires an area. The halves of a figure of eight can cancel.
         Kind::Solid | Kind::Hole => Some(if area(&short) { short } else { outline }),
     }
 }
 
-/// With a point on each edge that leaves through a side, as soon behind it as there is one.
+/// Adds a point to each edge that leaves through a side, as near behind it as possible.
 fn cut(points: &[Point], closed: bool, side: Beyond) -> Vec<Point> {
     let mut all = Vec::with_capacity(points.len());
     for (i, &a) in points.iter().enumerate() {
@@ -96,7 +95,7 @@ fn cut(points: &[Point], closed: bool, side: Beyond) -> Vec<Point> {
         let way = (outer.0 - inner.0, outer.1 - inner.1);
         let count = gcd(way.0.unsigned_abs(), way.1.unsigned_abs()) as i64;
         let step = (way.0 / count, way.1 / count);
-        // Outward, as one end is beyond the side and the other is not.
+        // Outward, because one end is beyond the side and the other is not.
         let steps = (side.at - side.along(inner)).div_euclid(side.along(step)) + 1;
         if steps < count {
             all.push((inner.0 + step.0 * steps, inner.1 + step.1 * steps));
@@ -112,7 +111,7 @@ fn gcd(a: u64, b: u64) -> u64 {
 fn without_runs(points: &[Point], closed: bool, side: Beyond) -> Vec<Point> {
     let beyond = |i: usize| points.get(i).is_none_or(|&p| side.holds(p));
     let count = points.len();
-    // Before the first point of a chain and after the last one nothing is near.
+    // Before the first point of a chain and after the last one, nothing is near.
     let (before, after) = if closed { (count - 1, 0) } else { (count, count) };
     let goes = |i: usize| {
         let last = if i == 0 { before } else { i - 1 };

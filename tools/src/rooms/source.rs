@@ -1,4 +1,4 @@
-//! A world as Rust source.
+//! Writes a world as Rust source.
 
 use std::fmt::Write;
 

@@ -1,5 +1,5 @@
-//! The tile layers of a map laid over each other: one grid of shapes and flags, and paths for what
-//! fits no cell.
+//! Merges the tile layers of a map: one grid of shapes and flags, and paths for shapes that fit no
+//! cell.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -13,12 +13,12 @@ use super::place::Unit;
 use crate::model::decimal::Decimal;
 use crate::model::map::{Layer, Tiles};
 
-/// More edges than that are no level: a segment map holds 32768 segments.
+/// The most edges. A segment map holds 32768 segments.
 const MAX_EDGES: usize = 1 << 19;
-/// In the grid.
+/// The most cells of the grid.
 const MAX_CELLS: i64 = 1 << 24;
 
-/// The solid of a layer: of each entry of the palette that it uses.
+/// The solid of a layer, for each palette entry that it uses.
 pub(super) struct Sheet<'a> {
     pub(super) layer: &'a Layer,
     pub(super) tiles: &'a Tiles,
@@ -26,11 +26,11 @@ pub(super) struct Sheet<'a> {
     pub(super) flags: HashMap<u32, Vec<String>>,
 }
 
-/// A grid in pixels of the map: where its cells begin, and how large they are.
+/// A grid in pixels of the map: the first corner of its cells, and their size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 struct Lattice {
     tile: u16,
-    /// Raw, below a cell.
+    /// In raw units, below a cell.
     phase: (i64, i64),
 }
 
@@ -38,18 +38,18 @@ struct Lattice {
 #[derive(Debug, Default)]
 pub(super) struct Cells {
     pub(super) tile: u16,
-    /// Raw, of the map: where the first cell begins.
+    /// The first corner of the first cell, in raw units of the map.
     pub(super) at: (i64, i64),
     pub(super) width: u32,
     pub(super) height: u32,
-    /// None where no tile means anything.
+    /// `None` if no tile has a meaning.
     pub(super) kinds: Vec<TileKind>,
     pub(super) paths: Vec<Placed>,
     /// Layers whose flags lie between the cells.
     pub(super) lost: Vec<String>,
 }
 
-/// A path of a tile where it lies, in pixels of the map.
+/// A path of a tile at its position, in pixels of the map.
 #[derive(Debug)]
 pub(super) struct Placed {
     pub(super) path: Path,
@@ -74,7 +74,7 @@ impl Lattice {
     }
 }
 
-/// Lays the sheets over each other, the lowest first.
+/// Merges the sheets, the lowest first.
 pub(super) fn merge(sheets: &[Sheet<'_>], flags: &mut Flags) -> Result<Cells, String> {
     let Some(lattice) = best(sheets) else { return Ok(Cells::default()) };
     let mut cells = Cells { tile: lattice.tile, ..Cells::default() };
@@ -110,7 +110,7 @@ pub(super) fn merge(sheets: &[Sheet<'_>], flags: &mut Flags) -> Result<Cells, St
     Ok(cells)
 }
 
-/// The lattice with most tiles that are solid or have flags; else that of the first layer.
+/// The lattice with the most tiles that are solid or have flags. On a tie, that of the first layer.
 fn best(sheets: &[Sheet<'_>]) -> Option<Lattice> {
     let mut count: Vec<(Lattice, usize)> = Vec::new();
     for sheet in sheets {
@@ -122,12 +122,12 @@ fn best(sheets: &[Sheet<'_>]) -> Option<Lattice> {
             None => count.push((lattice, solid)),
         }
     }
-    // `max_by_key` keeps the last of equals, and the first layer counts.
+    // `max_by_key` keeps the last of equals, and the first layer should win.
     count.into_iter().rev().max_by_key(|(_, solid)| *solid).map(|(lattice, _)| lattice)
 }
 
 impl Cells {
-    /// Lays a sheet on top; `from` is where it begins on the lattice, if it lies on it.
+    /// Puts a sheet on top. `from` is its first cell on the lattice, if it lies on it.
     fn lay(
         &mut self,
         sheet: &Sheet<'_>,
@@ -136,7 +136,7 @@ impl Cells {
         edges: &mut usize,
     ) -> Result<(), String> {
         let mut masks: HashMap<u32, u8> = HashMap::new();
-        // Tiles of a kind lie side by side.
+        // Tiles of one kind are adjacent.
         let (mut last, mut mask, mut piece) = (0, 0, None);
         for (x, y, cell) in sheet.tiles.drawn() {
             if cell != last {
@@ -185,7 +185,8 @@ impl Cells {
         if inside { self.kinds.get_mut((y * i64::from(self.width) + x) as usize) } else { None }
     }
 
-    /// Puts a shape into a cell; returns it where another one is there and neither holds the other.
+    /// Puts a shape into a cell. Returns it if the cell has another shape and neither contains the
+    /// other.
     fn put(&mut self, at: (i64, i64), shape: TileShape) -> Option<TileShape> {
         let kind = self.kind(at)?;
         let flags = kind.flags;
@@ -248,7 +249,7 @@ impl Cells {
         Ok(())
     }
 
-    /// Whether a polygon's box lies in one full cell, whose solid has it already.
+    /// Whether a polygon's box lies in one full cell, whose solid contains it.
     pub(super) fn hides(&self, path: &Path) -> bool {
         let side = i64::from(self.tile) << 16;
         let cell = |(x, y): (i64, i64)| ((x - self.at.0).div_euclid(side), (y - self.at.1).div_euclid(side));

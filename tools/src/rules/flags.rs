@@ -7,18 +7,18 @@ const MOST: usize = 8;
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Flags {
     pub names: Vec<String>,
-    /// Whether the user has named those that stay.
+    /// Whether the user has named the flags that stay.
     chosen: bool,
-    /// Those that had to go.
+    /// The flags that were dropped.
     pub dropped: Vec<String>,
 }
 
 impl Flags {
-    /// The names that a user gives come first, whether a level uses them or not.
+    /// The user's names come first, whether a level uses them or not.
     ///
     /// # Errors
     ///
-    /// There are more than eight.
+    /// If there are more than eight.
     pub fn new(chosen: &[String]) -> Result<Self, String> {
         let mut flags = Self::default();
         for name in chosen {
@@ -28,11 +28,11 @@ impl Flags {
         Ok(flags)
     }
 
-    /// The bit of a flag, which is named if it is new.
+    /// The bit of a flag. Adds new flags.
     ///
     /// # Errors
     ///
-    /// It would be the ninth, and the user has not said which ones stay.
+    /// If it would be the ninth, and the user has not said which ones stay.
     pub fn bit(&mut self, name: &str) -> Result<u8, String> {
         if let Some(bit) = self.names.iter().position(|known| known.eq_ignore_ascii_case(name)) {
             return Ok(1 << bit);

@@ -8,25 +8,25 @@ use crate::model::object::{Form, Object, Spot};
 pub(super) struct Corners {
     pub(super) points: Vec<Spot>,
     pub(super) closed: bool,
-    /// For round forms: how far within the form the polygon lies, in thousandths of a pixel at
-    /// most.
+    /// For round forms: the greatest distance between the form and the polygon within it, in
+    /// thousandths of a pixel.
     pub(super) error: u32,
 }
 
 /// The tolerance of round forms, in pixels.
 const OFF: f64 = 1.0 / 8.0;
-/// More would not be seen, and cost flash.
+/// More segments would not be visible, and cost flash.
 const MOST_CORNERS: u32 = 64;
 
-/// Where an object's corners are; `None` for a point and a text, which have no extent, and where
-/// nobody knows.
+/// The corners of an object. `None` for a point and a text, which have no extent, and for unknown
+/// forms.
 pub(super) fn corners(object: &Object) -> Option<Corners> {
     let ((w, h), zero) = (object.size, Decimal::ZERO);
     let box_of = |top: Decimal, bottom: Decimal| vec![(zero, top), (w, top), (w, bottom), (zero, bottom)];
     let (points, closed, error) = match &object.form {
         Form::Point | Form::Text | Form::Missing(_) => return None,
         Form::Rectangle => (box_of(zero, h), true, 0),
-        // Tiled puts the lower left corner of a tile on the object's point.
+        // In Tiled, the lower left corner of a tile is at the object's point.
         Form::Tile => (box_of(-h, zero), true, 0),
         Form::Ellipse => round(object.size, object.size),
         Form::Capsule => {
@@ -48,7 +48,7 @@ pub(super) fn corners(object: &Object) -> Option<Corners> {
     Some(Corners { points: points.iter().map(place).collect(), closed, error })
 }
 
-/// By how many thousandths of a pixel the polygon of a round object lies within it at most.
+/// How far the polygon of a round object lies within it at most, in thousandths of a pixel.
 pub(super) fn error(object: &Object) -> Option<u32> {
     corners(object).map(|corners| corners.error).filter(|error| *error > 0)
 }
@@ -68,7 +68,7 @@ fn round((w, h): Spot, (wide, high): Spot) -> (Vec<Spot>, bool, u32) {
         // The quarters lie around the lower right, lower left, upper left and upper right.
         let x = if matches!(quarter, 0 | 3) { far_x } else { rx };
         let y = if quarter < 2 { far_y } else { ry };
-        // Where one quarter ends, a straight side leads to the next.
+        // A straight side leads from the end of one quarter to the next.
         if k * 4 % corners == 0 && k > 0 {
             let before =
                 (if matches!(quarter, 0 | 1) { far_x } else { rx }, if matches!(quarter, 1 | 2) { far_y } else { ry });
@@ -84,7 +84,7 @@ fn round((w, h): Spot, (wide, high): Spot) -> (Vec<Spot>, bool, u32) {
     (points, true, (off(corners) * 1000.0).ceil() as u32)
 }
 
-/// Around the object's own point; exact for right angles.
+/// Rotates around the object's own point. Exact for right angles.
 fn turned((x, y): Spot, degrees: Decimal) -> Spot {
     let right_angles = [
         (0, (x, y)),

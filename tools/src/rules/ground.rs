@@ -1,17 +1,17 @@
-//! A level as it is solid, made of one as it was drawn.
+//! The solid of a level, derived from the drawing.
 //!
-//! The first of these rules that applies to a placed tile decides:
+//! The first rule that applies to a placed tile decides:
 //!
-//! 1. `option`: the user, by [`Options`].
-//! 2. `a`: its class or a true property is called `Collision`, `Solid`, `Collides`, `Collidable`,
-//!    `Wall`, `Blocked` or `OneWay`, or the properties `shape` and `npp` name its shape.
-//! 3. `b`: it has shapes of Tiled's collision editor. What is a shape of the library within 1/8
-//!    pixel becomes that one; all else becomes polygons beside the tiles.
+//! 1. `option`: the user's [`Options`].
+//! 2. `a`: its class or a true property is `Collision`, `Solid`, `Collides`, `Collidable`, `Wall`,
+//!    `Blocked` or `OneWay`. Or the properties `shape` and `npp` name its shape.
+//! 3. `b`: it has shapes of Tiled's collision editor. A shape within 1/8 pixel of one of the
+//!    library's becomes that one. All others become polygons beside the tiles.
 //! 4. `c`: its layer or a group around it has a name, a class or a true property with the word
 //!    collision, collider or solid.
-//! 5. `d`: where nothing of the map is solid so far, its layer has a name with the word wall,
-//!    ground, terrain, platform, block or obstacle. Values of `LDtk` go by the same words, and by
-//!    dirt, stone, rock, brick and earth.
+//! 5. `d`: if nothing of the map is solid so far, and its layer has a name with the word wall,
+//!    ground, terrain, platform, block or obstacle. For values of `LDtk` the words are the same,
+//!    and dirt, stone, rock, brick and earth.
 
 use tilesat::{TileKind, TileShape};
 
@@ -37,11 +37,11 @@ pub struct Ground {
     pub layers: usize,
     /// Side of a cell in pixels.
     pub tile: u16,
-    /// Raw: where the first cell begins.
+    /// The first corner of the first cell, in raw units.
     pub origin: (i32, i32),
     pub width: u16,
     pub height: u16,
-    /// Row by row; empty where no tile means anything.
+    /// Row by row. Empty if no tile has a meaning.
     pub cells: Vec<TileKind>,
     /// Polygons and chains: of tiles, then of objects.
     pub outlines: Vec<Outline>,
@@ -53,16 +53,16 @@ pub struct Ground {
     /// Further notes for the user.
     pub notes: Vec<String>,
     pub place: Option<Place>,
-    /// Pixels from where the map has a thing to where the level has it, after scaling.
+    /// The offset from a point of the map to the level, in pixels, after scaling.
     pub shift: (i32, i32),
 }
 
 impl Ground {
-    /// The solid of a map; new flags take the bits that are left.
+    /// The solid of a map. New flags take the remaining bits.
     ///
     /// # Errors
     ///
-    /// One line that says what the library does not take, and which option would settle it.
+    /// One line about the part that the library refuses, and the option that fixes it.
     pub fn of(map: &Map, options: &Options, flags: &mut Flags) -> Result<Self> {
         make(map, options, flags).map_err(Fail::new)
     }
@@ -112,7 +112,7 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     Ok(ground)
 }
 
-/// The layers whose tiles are solid; the first one where there are none.
+/// The layers whose tiles are solid. If there are none, the first one.
 fn names(sheets: &[Sheet<'_>]) -> String {
     let mut solid: Vec<&str> =
         sheets.iter().filter(|sheet| !sheet.pieces.is_empty()).map(|sheet| sheet.layer.name.as_str()).collect();
@@ -131,7 +131,7 @@ fn settled(
 ) -> Made<Ground> {
     let tile = unit.side(if cells.tile == 0 { map.tile } else { cells.tile })?;
     let side = i64::from(tile) << 16;
-    // Without tiles the map itself says how large the level is.
+    // Without tiles, the map gives the size of the level.
     let (width, height) = if cells.kinds.is_empty() { map.size } else { (cells.width, cells.height) };
     let at = (unit.raw_of_raw(cells.at.0), unit.raw_of_raw(cells.at.1));
     let ends = |from: i64, count: u32| (from >> 16, (from + side * i64::from(count) + 65535) >> 16);

@@ -1,14 +1,14 @@
-//! The meaning of the identifier of an `LDtk` value: the name of a shape, then the names of flags,
-//! joined by underscores: `Full`, `SlopeTopLeft_Ice`, `slope_top_left`, `Empty_Coin`; else by the
-//! words in it.
+//! The meaning of the identifier of an `LDtk` value. It is the name of a shape, then the names of
+//! flags, joined by underscores: `Full`, `SlopeTopLeft_Ice`, `slope_top_left`, `Empty_Coin`.
+//! Otherwise the words in it decide.
 
 use tilesat::TileShape;
 
 use super::words::{self, COLLISION, VALUE};
 use super::{Rule, traits};
 
-/// The shape and the flags in an identifier: as many words as name a shape, then flags; `None`
-/// where it is a flag itself.
+/// The shape and the flags in an identifier: the words that name a shape, then flags. `None` if the
+/// identifier is itself a flag.
 pub(super) fn meaning(identifier: &str) -> Option<(Rule, TileShape, Vec<String>)> {
     let parts: Vec<&str> = identifier.split('_').collect();
     for count in (1..=parts.len()).rev() {
@@ -18,7 +18,7 @@ pub(super) fn meaning(identifier: &str) -> Option<(Rule, TileShape, Vec<String>)
         if let Some(shape) = TileShape::ALL.into_iter().find(plain) {
             return Some((Rule::A, shape, owned(flags)));
         }
-        // `Wall` is among the words below, too: they are what values are usually called.
+        // `Wall` is among the words below as well: authors often use it for values.
         let short = if words::has(&name, VALUE) { None } else { traits::shape(&name) };
         if let Some(shape) = short {
             return Some((Rule::A, shape, owned(flags)));

@@ -1,4 +1,4 @@
-//! The kind of an object, by a name that its author gave it.
+//! The kind of an object, from its author's name for it.
 
 use std::fmt;
 
@@ -13,12 +13,12 @@ pub enum Kind {
     Hole,
     /// A chain that blocks from both sides.
     Wall,
-    /// A chain that blocks from the left of its way: drawn to the right, it is stood upon (y down).
+    /// A chain that blocks from the left of its way. Drawn to the right, it is a floor (y down).
     OneWay,
 }
 
 impl Kind {
-    /// Compared without regard to case, hyphens, underscores and a plural.
+    /// Ignores case, hyphens, underscores and a plural.
     pub fn from_name(name: &str) -> Option<Self> {
         let name = plain(name);
         Some(match name.strip_suffix('s').unwrap_or(&name) {

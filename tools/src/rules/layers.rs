@@ -1,4 +1,4 @@
-//! The rules, layer by layer: what its tiles and its objects are.
+//! Applies the rules layer by layer, to tiles and objects.
 
 use std::collections::HashMap;
 
@@ -20,14 +20,14 @@ use crate::model::map::{Content, Layer, Map, Placed, Tiles};
 
 type Made<T> = std::result::Result<T, String>;
 
-/// The layers of a map, and the rules found for them so far.
+/// The layers of a map, and the rules used so far.
 pub(super) struct Layers<'a> {
     map: &'a Map,
     options: &'a Options,
     unit: Unit,
     likeness: Likeness,
     meanings: HashMap<u32, Meaning>,
-    /// Those that the user does not leave out.
+    /// The layers that the user does not skip.
     pub(super) all: Vec<&'a Layer>,
     pub(super) ledger: Ledger,
     pub(super) ignored: Vec<String>,
@@ -35,7 +35,7 @@ pub(super) struct Layers<'a> {
 }
 
 impl<'a> Layers<'a> {
-    /// Refuses an option for a layer that is not there.
+    /// Refuses an option that names a missing layer.
     pub(super) fn new(map: &'a Map, options: &'a Options, unit: Unit) -> Made<Self> {
         if let Some(name) = &options.layer {
             let tiles = map.layers.iter().filter(|layer| layer.tiles().is_some());
@@ -98,7 +98,7 @@ impl<'a> Layers<'a> {
         Ok(sheet)
     }
 
-    /// Why all tiles of a layer are full, if they are.
+    /// The reason that all tiles of a layer are full, if they are.
     fn layer_rule(&self, layer: &Layer, tiles: &Tiles) -> Option<(Rule, String)> {
         let what = format!("layer '{}' is full", layer.name);
         if listed(&self.options.solid_layers, &layer.name) {
@@ -112,7 +112,7 @@ impl<'a> Layers<'a> {
         (says && !tiles.derived).then_some((Rule::C, what))
     }
 
-    /// Rule d for a layer.
+    /// Applies rule d to a layer.
     pub(super) fn guess(&mut self, sheet: &mut Sheet<'_>) {
         let layer = sheet.layer;
         let says = [&layer.name, &layer.class].into_iter().chain(&layer.marks).any(|name| words::has(name, GUESS));
@@ -145,8 +145,7 @@ impl<'a> Layers<'a> {
         ));
     }
 
-    /// The objects of all layers; where the layer's name is guessed by, those of layers that it is
-    /// a guess for.
+    /// The objects of all layers. For a guess by the layer's name, only the layers that it fits.
     pub(super) fn objects(&mut self, guess: bool) -> Made<(Vec<Outline>, Vec<LeftOut>)> {
         let (mut outlines, mut left_out, mut found, mut rounded) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for layer in self.all.clone() {
@@ -191,7 +190,7 @@ impl<'a> Layers<'a> {
                 self.guessed(&layer.name, &format!("--objects '{}'", layer.name));
             }
         }
-        // Where it is guessed, this is the second time, and nothing was found in the first.
+        // A guess is the second pass: the first one found nothing.
         self.notes.extend(rounded);
         for (rule, what, count) in if guess { Vec::new() } else { found } {
             self.ledger.add(rule, &what, count);
@@ -200,7 +199,7 @@ impl<'a> Layers<'a> {
     }
 }
 
-/// The library's shapes for drawn ones.
+/// Finds the library's shapes for drawn ones.
 fn became(piece: &Piece) -> String {
     match piece {
         Piece::Shape(shape) => names::name(*shape),

@@ -1,4 +1,4 @@
-//! Which shape of the library a drawn shape is.
+//! Finds the shape of the library that a drawn shape resembles.
 
 use tilesat::world::World;
 use tilesat::{
@@ -11,11 +11,11 @@ use super::names;
 type Point = (f64, f64);
 type Line = (Point, Point);
 
-/// How far apart a drawn shape and a shape of the library may lie, in pixels.
+/// The greatest distance between a drawn shape and a shape of the library, in pixels.
 const NEAR: f64 = 1.0 / 8.0;
-/// Pieces of an arc: its chords are nearer than a hundredth of that.
+/// Pieces per arc. Its chords are nearer than a hundredth of that.
 const PIECES: u32 = 64;
-/// Places on each line that are looked at.
+/// Points to test on each line.
 const PLACES: u32 = 16;
 
 /// The shapes of the library in a cell, as lines.
@@ -31,14 +31,14 @@ impl Likeness {
         Self { shapes: shapes.collect() }
     }
 
-    /// The solid shape that this polygon is.
+    /// The solid shape that this polygon resembles.
     pub(super) fn solid(&self, points: &[Point]) -> Option<TileShape> {
         let mut lines: Vec<Line> = points.windows(2).map(|pair| (pair[0], pair[1])).collect();
         lines.extend(points.last().copied().zip(points.first().copied()));
         self.find(&lines, names::is_solid)
     }
 
-    /// The one-way edge that this chain is, drawn either way.
+    /// The one-way edge that this chain resembles, in either direction.
     pub(super) fn one_way(&self, points: &[Point]) -> Option<TileShape> {
         let lines: Vec<Line> = points.windows(2).map(|pair| (pair[0], pair[1])).collect();
         self.find(&lines, names::is_one_way)
@@ -52,7 +52,7 @@ impl Likeness {
     }
 }
 
-/// Whether all places on some lines are near other lines.
+/// Whether all points on some lines are near other lines.
 fn covers(outline: &[Line], lines: &[Line]) -> bool {
     let near = |p: Point| outline.iter().any(|&line| distance(p, line) <= NEAR);
     let place = |(a, b): Line, k: u32| {
@@ -69,7 +69,7 @@ fn distance(p: Point, (a, b): Line) -> f64 {
     (e.0 - d.0 * t).hypot(e.1 - d.1 * t)
 }
 
-/// The surface of one tile alone, as the library has it.
+/// The surface of a single tile, from the library.
 pub(super) fn outline(shape: TileShape, tile: u16) -> Vec<Line> {
     let kinds = TileKinds::EMPTY.with(1, TileKind::of(shape));
     let grid = Grid::new(1, 1, Fx::from_num(tile), Vec2::ZERO);

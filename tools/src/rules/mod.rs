@@ -1,5 +1,4 @@
-//! The solid of a level: by the names that people give to tiles, layers and objects, and by
-//! what a user says.
+//! Decides what is solid, by the names of tiles, layers and objects, and by the user's options.
 
 mod cells;
 pub mod flags;

@@ -1,4 +1,4 @@
-//! How a tile says its shape: by name, or by N++'s number.
+//! The names of shapes, and N++'s numbers for them.
 
 use tilesat::TileShape;
 
@@ -14,7 +14,7 @@ pub fn name(shape: TileShape) -> String {
     name
 }
 
-/// Whether it has an inside; one-way edges have none.
+/// Whether it has an inside. One-way edges have none.
 pub(crate) fn is_solid(shape: TileShape) -> bool {
     (1..TileShape::OneWayUp as u8).contains(&(shape as u8))
 }
@@ -24,12 +24,12 @@ pub(crate) fn is_one_way(shape: TileShape) -> bool {
     shape as u8 >= TileShape::OneWayUp as u8
 }
 
-/// The shape of this name, without regard to case.
+/// The shape of this name, ignoring case.
 pub fn shape(text: &str) -> Option<TileShape> {
     TileShape::ALL.into_iter().find(|&s| name(s).eq_ignore_ascii_case(text))
 }
 
-/// The shape that N++ gives this number; its last four, 34 to 37, have no body and are not taken.
+/// The shape with this number in N++. Its last four, 34 to 37, have no body and are refused.
 pub fn npp(number: &str) -> Option<TileShape> {
     let number: usize = number.parse().ok()?;
     TileShape::ALL.get(number).copied().filter(|_| number < 34)

@@ -7,11 +7,11 @@ use super::cells::Sheet;
 use super::options::Options;
 use crate::model::map::{Content, Map, Placed};
 
-/// At most this many names are listed.
+/// The most names in a list.
 const MOST: usize = 20;
 
-/// An error that names the layers, their counts and the option to add; none where a level of `LDtk`
-/// has nothing drawn at all.
+/// An error that names the layers, their counts and the option to add. Without advice if a level of
+/// `LDtk` is empty.
 pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Result<(), String> {
     if let Some(layer) = &options.layer {
         return Err(format!("layer '{layer}' has no solid tile; --solid-layer '{layer}' makes every tile of it full"));

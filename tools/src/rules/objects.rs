@@ -1,4 +1,4 @@
-//! Which objects are solid: those that say so, or whose layer does.
+//! Finds the solid objects: those whose own names or whose layer makes them solid.
 
 use super::form;
 use super::kind::Kind;
@@ -12,7 +12,7 @@ use crate::model::map::Layer;
 use crate::model::object::{Form, Object};
 use tilesat::TileShape;
 
-/// A layer's setting for its objects: a kind, or that they are solid as they are drawn.
+/// A layer's setting for its objects: a kind, or that they are solid as drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Says {
     Kind(Kind),
@@ -27,7 +27,7 @@ pub(super) fn layer_says(layer: &Layer, options: &Options) -> Says {
     if let Some(kind) = Kind::from_name(&layer.class).filter(|kind| *kind != Kind::Solid) {
         return Says::Kind(kind);
     }
-    // A layer that is called `Walls` is full of what walls are made of.
+    // In a layer called `Walls`, each object gets the kind that suits its form.
     let by_name =
         own.iter().find_map(|name| Kind::from_name(name)).filter(|kind| matches!(kind, Kind::Hole | Kind::OneWay));
     if let Some(kind) = by_name {
@@ -38,7 +38,7 @@ pub(super) fn layer_says(layer: &Layer, options: &Options) -> Says {
     if by_option || own.iter().copied().chain(around).any(says) { Says::Solid } else { Says::Nothing }
 }
 
-/// The outline of an object, or why there is none.
+/// The outline of an object, or the reason that there is none.
 pub(super) fn outline(
     object: &Object,
     layer: &Layer,
@@ -92,8 +92,8 @@ pub(super) fn outline(
     Ok(Ok(outline))
 }
 
-/// The kind of an object: by its property `kind`, its names, its layer; without a name, by its
-/// form.
+/// The kind of an object: from its property `kind`, its names, or its layer. Without a name, from
+/// its form.
 fn kind(object: &Object, says: Says, options: &Options) -> Result<Option<Kind>, String> {
     let whose = format!("object {}", object.id);
     let by_form = if matches!(object.form, Form::Polyline(_)) { Kind::Wall } else { Kind::Solid };

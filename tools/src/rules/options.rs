@@ -1,4 +1,4 @@
-//! A user's options for a project whose names do not say enough.
+//! A user's options for a project whose names do not suffice.
 
 use tilesat::TileShape;
 
@@ -8,29 +8,28 @@ use super::words::same;
 /// `TILESET:ID`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Options {
-    /// The shape of tiles of a name. Of two for a tile the later one counts.
+    /// The shape of tiles of a name. The later of two for one tile counts.
     pub shapes: Vec<(String, TileShape)>,
-    /// Names that are flags, whatever else they would be. Where there are more than eight flags,
-    /// these are the ones that stay.
+    /// Names that are only flags. If there are more than eight flags, these stay.
     pub flags: Vec<String>,
     /// Layers in which every drawn tile is full.
     pub solid_layers: Vec<String>,
-    /// Layers that are not there.
+    /// Layers to skip.
     pub ignored_layers: Vec<String>,
     /// Layers whose objects are solid.
     pub objects: Vec<String>,
     /// Levels of a project to skip.
     pub ignored_levels: Vec<String>,
-    /// The only tile layer that is looked at for solids.
+    /// The only tile layer with solids.
     pub layer: Option<String>,
-    /// All lengths are multiplied by this fraction.
+    /// A fraction that multiplies all lengths.
     pub scale: Option<(u32, u32)>,
-    /// The level is cut into rooms: it may be of any size, and its first cell is at the origin.
+    /// The level is cut into rooms: it can have any size, and its first cell is at the origin.
     pub rooms: bool,
 }
 
 impl Options {
-    /// With what another user says, who has the last word.
+    /// Adds another user's options, which take precedence.
     #[must_use]
     pub fn then(mut self, other: Self) -> Self {
         self.shapes.extend(other.shapes);
@@ -45,7 +44,7 @@ impl Options {
         self
     }
 
-    /// The shape that is given to one of these names, and that name as the user wrote it.
+    /// The shape for one of these names, and that name as the user wrote it.
     pub(super) fn shape(&self, names: &[String]) -> Option<(&str, TileShape)> {
         let given = self.shapes.iter().rev().find(|(name, _)| names.iter().any(|own| same(own, name)));
         given.map(|(name, shape)| (name.as_str(), *shape))
@@ -56,7 +55,7 @@ impl Options {
     }
 }
 
-/// Whether a list has this name.
+/// Whether a list contains this name.
 pub(crate) fn listed(list: &[String], name: &str) -> bool {
     list.iter().any(|listed| same(listed, name))
 }

@@ -1,5 +1,5 @@
-//! What is solid or one-way by its corners, in raw units: objects, and tiles that are no shape of
-//! the library.
+//! Solids and one-way edges by their corners, in raw units: objects, and tiles that are not a shape
+//! of the library.
 
 use std::fmt;
 
@@ -14,7 +14,7 @@ pub struct Title {
 }
 
 impl Title {
-    /// Made of the tiles of a layer.
+    /// Made from the tiles of a layer.
     pub fn tiles(layer: &str) -> Self {
         Self { id: u32::MAX, name: String::new(), layer: layer.to_owned() }
     }
@@ -40,11 +40,11 @@ pub struct Outline {
     pub kind: Kind,
     /// Whether the last point joins the first.
     pub closed: bool,
-    /// Raw, rounded to nearest; possibly out of the domain.
+    /// In raw units, rounded to nearest. May be outside the domain.
     pub points: Vec<(i64, i64)>,
-    /// How far each point was moved by rounding, in thousandths of a raw unit.
+    /// The rounding error of each point, in thousandths of a raw unit.
     pub rounding: Vec<i64>,
-    /// All other names that the object's class and true properties give it.
+    /// All other names from the object's class and true properties.
     pub flags: Vec<String>,
 }
 
@@ -57,11 +57,11 @@ impl Outline {
     }
 }
 
-/// An object that is no part of the level's surface.
+/// An object that is not part of the level's surface.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LeftOut {
     pub title: Title,
-    /// Raw.
+    /// In raw units.
     pub at: (i64, i64),
     pub why: String,
     /// Whether its author may have meant it to be solid.

@@ -1,4 +1,4 @@
-//! What tiles are that are no shape of the library: outlines beside the grid.
+//! Outlines beside the grid, for tiles that are not a shape of the library.
 
 use super::cells::Cells;
 use super::flags::Flags;
@@ -10,7 +10,7 @@ use super::union;
 /// Raw corners.
 type Polygon = Vec<(i64, i64)>;
 
-/// The outlines of these cells' paths; polygons of the same flags are joined.
+/// The outlines of these cells' paths. Joins polygons of the same flags.
 pub(super) fn outlines(cells: &Cells, unit: Unit, flags: &Flags, notes: &mut Vec<String>) -> Vec<Outline> {
     let mut outlines = Vec::new();
     let mut polygons: Vec<(u8, Vec<Polygon>)> = Vec::new();

@@ -1,4 +1,4 @@
-//! The area that a placed tile fills: a shape of its cell, several cells, or paths that are no
+//! The area that a placed tile fills: a shape of its cell, several cells, or paths that are not a
 //! shape of the library.
 #![allow(clippy::cast_precision_loss, reason = "raw coordinates are below 2^53")]
 
@@ -19,7 +19,7 @@ use crate::model::object::{Form, Object, Spot};
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Piece {
     Shape(TileShape),
-    /// So many columns and rows, from this cell relative to its own.
+    /// This many columns and rows, from this cell relative to its own.
     Cells {
         at: (i32, i32),
         size: (i32, i32),
@@ -38,7 +38,7 @@ pub(super) struct Path {
     pub(super) error: u32,
 }
 
-/// Where a tile is drawn, in pixels from the corner of its cell.
+/// The drawing position of a tile, in pixels from the corner of its cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Frame {
     x: i64,
@@ -71,7 +71,7 @@ pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: 
         Solid::Shape(shape) => Piece::Paths(stretched(shape, frame)),
         Solid::Drawn => {
             let shapes = set.tiles.get(&id).map(|tile| tile.shapes.as_slice()).unwrap_or_default();
-            // A tile that is drawn as large as a cell takes its shapes with it.
+            // A tile that is drawn as large as a cell scales its shapes with it.
             let size = if w == 0 || h == 0 { (side, side) } else { own };
             let paths: Vec<Path> = shapes.iter().filter_map(|shape| path(shape, size, flip, frame)).collect();
             if frame == cell { recognised(paths, likeness) } else { Piece::Paths(paths) }
@@ -85,7 +85,7 @@ pub(super) fn as_path(shape: TileShape, tile: u16) -> Vec<Path> {
     stretched(shape, Frame { x: 0, y: 0, width: side, height: side })
 }
 
-/// A shape of the library in a box; arcs become chords.
+/// A shape of the library in a box. Arcs become chords.
 fn stretched(shape: TileShape, frame: Frame) -> Vec<Path> {
     // Exact for all corners, which are at halves of a cell.
     const SIDE: u16 = 64;
@@ -96,7 +96,7 @@ fn stretched(shape: TileShape, frame: Frame) -> Vec<Path> {
         };
         (along(x, frame.x, frame.width), along(y, frame.y, frame.height))
     };
-    // The library promises no order of faces: each begins where another one ends.
+    // The library promises no order of faces. Each begins where another one ends.
     let mut rest = lines;
     let Some(first) = rest.pop() else { return Vec::new() };
     let (mut points, mut end) = (vec![first.0], first.1);
@@ -117,8 +117,7 @@ fn near(a: (f64, f64), b: (f64, f64)) -> bool {
     (a.0 - b.0).abs() + (a.1 - b.1).abs() < 1e-6
 }
 
-/// A shape of the collision editor, drawn on a tile of this size, in the frame that the tile is
-/// placed in.
+/// A shape of the collision editor, drawn on a tile of this size, relative to the tile.
 fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option<Path> {
     let corners = form::corners(object)?;
     let says = |name: &str| Kind::from_name(name);
@@ -126,11 +125,11 @@ fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option
     let kind = own.into_iter().find_map(says).unwrap_or(Kind::Solid);
     let (mut points, mut closed, mut kind) = (corners.points, corners.closed, kind);
     if kind == Kind::OneWay && closed && object.form == Form::Rectangle {
-        // One stands on top of it.
+        // Bodies stand on top of it.
         points.truncate(2);
         closed = false;
     } else if kind.has_area() || kind == Kind::Wall {
-        // A wall's own area is solid, as far as it has an inside.
+        // A wall's own area is solid, if it has an inside.
         kind = match kind {
             Kind::Hole if closed => Kind::Hole,
             _ if closed => Kind::Solid,
@@ -153,7 +152,7 @@ fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option
     Some(Path { kind, closed, points, error: corners.error })
 }
 
-/// A tile of more corners is no shape of the library.
+/// A tile with more corners is not a shape of the library.
 const MOST_CORNERS: usize = 128;
 
 /// The union of the shapes of a tile.
@@ -203,8 +202,7 @@ fn runs_along(points: &[Spot], shape: TileShape) -> bool {
     }
 }
 
-/// Rectangles that may lie over each other as rectangles that do not; `None` where one is no
-/// rectangle.
+/// Splits rectangles that can overlap into disjoint ones. `None` if one is not a rectangle.
 fn boxes(polygons: &[Vec<(i64, i64)>]) -> Option<Vec<Vec<(i64, i64)>>> {
     let span = |points: &[(i64, i64)], of: fn(&(i64, i64)) -> i64| {
         Some((points.iter().map(of).min()?, points.iter().map(of).max()?))

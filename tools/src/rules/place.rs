@@ -1,11 +1,11 @@
-//! Where a point of the map is in the level.
+//! The position of a point of the map in the level.
 
 use crate::model::decimal::Decimal;
 
 /// The library's domain in pixels: every coordinate stays below 2^29 raw (contract C1).
 const DOMAIN: i64 = 8192;
 
-/// How long a pixel of the map is.
+/// The length of a pixel of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Unit {
     numerator: u32,
@@ -18,7 +18,7 @@ impl Unit {
         Self { numerator, denominator }
     }
 
-    /// In raw units, and how far off that is in thousandths of one.
+    /// In raw units, and the error in thousandths of one.
     pub(super) fn raw(self, value: Decimal) -> (i64, i64) {
         let scaled = value.scaled(self.numerator, self.denominator);
         (scaled.raw(), scaled.off_lattice())
@@ -44,8 +44,8 @@ impl Unit {
     }
 }
 
-/// How far a level from `lo` to `hi` pixels, in cells of `side`, is moved along an axis to lie in
-/// the domain: not at all where it lies there, else until its middle is the origin.
+/// How far to move a level from `lo` to `hi` pixels, in cells of `side`, along an axis, so that it
+/// is in the domain. Zero if it is there already. Otherwise its middle moves to the origin.
 pub(super) fn shift(lo: i64, hi: i64, side: u16) -> Result<i64, String> {
     if lo > -DOMAIN && hi < DOMAIN {
         return Ok(0);

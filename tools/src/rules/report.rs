@@ -1,17 +1,17 @@
-//! Which rule made what solid.
+//! Records which rule made which part solid.
 
 use std::fmt;
 
-/// The first rule that says something of a tile counts; see [`ground`](super::ground).
+/// The first rule that applies to a tile counts. See [`ground`](super::ground).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Rule {
-    /// The user says it.
+    /// The user's option.
     Option,
     /// The tile's class, a true property, `shape` or `npp`.
     A,
     /// Its shapes of the collision editor.
     B,
-    /// Its layer is one of collisions.
+    /// Its layer is a collision layer.
     C,
     /// A guess by the name of the layer, or the name of an `LDtk` value.
     D,
@@ -33,13 +33,13 @@ impl fmt::Display for Rule {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Applied {
     pub rule: Rule,
-    /// The name that it went by, and what became of the tiles.
+    /// The name that it used, and the result for the tiles.
     pub what: String,
     /// Tiles that were placed, or objects.
     pub tiles: u64,
 }
 
-/// The rules that were used so far.
+/// The rules used so far.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Ledger(pub(super) Vec<Applied>);
 

@@ -9,15 +9,14 @@ use super::words::plain;
 const FULL: [&str; 6] = ["collision", "solid", "collides", "collidable", "wall", "blocked"];
 const ONE_WAY: &str = "oneway";
 
-/// The trait of a class or of the name of a true property: the shape of a tile, or nothing that is
-/// known.
+/// The trait of a class or of the name of a true property: the shape of a tile, or nothing known.
 pub(super) fn shape(name: &str) -> Option<TileShape> {
     let name = plain(name);
     let is = |known: &str| name == known || name.strip_suffix('s') == Some(known);
     if FULL.into_iter().any(is) { Some(TileShape::Full) } else { is(ONE_WAY).then_some(TileShape::OneWayUp) }
 }
 
-/// The shape that one of these names gives, and that name: solid wins over one-way.
+/// The shape that one of these names gives, and that name. Solid takes precedence over one-way.
 pub(super) fn named<'a>(names: impl Iterator<Item = &'a str>) -> Option<(&'a str, TileShape)> {
     let known = names.filter_map(|name| Some((name, shape(name)?)));
     known.min_by_key(|(_, shape)| *shape != TileShape::Full)
@@ -27,7 +26,7 @@ pub(super) fn named<'a>(names: impl Iterator<Item = &'a str>) -> Option<(&'a str
 ///
 /// # Errors
 ///
-/// One of them names no shape, or the two name different ones.
+/// If one of them names no shape, or the two name different ones.
 pub(super) fn by_property(shape: Option<&str>, npp: Option<&str>) -> Result<Option<TileShape>, String> {
     let shape = shape.map(str::trim).filter(|text| !text.is_empty());
     let named = shape.map(|text| {

@@ -1,10 +1,8 @@
-//! Polygons of neighbouring tiles as few large ones: what two of them have in common of a border is
-//! gone.
+//! Joins polygons of neighbouring tiles to few large ones. Common borders of two of them disappear.
 //!
-//! The borders of all polygons are summed up, each with its solid on the right (y down). Where two
-//! run against each other they cancel, and how often a point is surrounded stays the same. What is
-//! left is loops again: those that run like a polygon are solid, those that run against it are
-//! holes.
+//! Sums up the borders of all polygons, each with its solid on the right (y down). Opposite edges
+//! cancel, and the number of polygons around each point stays the same. The rest forms loops again:
+//! loops in a polygon's direction are solid, and the others are holes.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -18,17 +16,17 @@ pub(super) struct Loop {
     pub(super) hole: bool,
 }
 
-/// A line that edges lie on: its direction, reduced and pointing right or straight down, and how
-/// far it is from the origin.
+/// A line that contains edges. Its direction is reduced and points right or straight down. Also its
+/// distance from the origin.
 type Carrier = (i64, i64, i128);
 
-/// The borders of these polygons as loops, in an order that does not depend on that of the
+/// The borders of these polygons as loops. Their order does not depend on the order of the
 /// polygons.
 pub(super) fn union(polygons: &[Vec<Point>]) -> Vec<Loop> {
     loops(&left_over(polygons))
 }
 
-/// Twice the area, above 0 where the points turn right (y down).
+/// Twice the area, above 0 if the points turn right (y down).
 pub(super) fn doubled_area(points: &[Point]) -> i128 {
     let next = points.iter().skip(1).chain(points.first());
     points.iter().zip(next).map(|(a, b)| cross(*a, *b)).sum()
@@ -38,7 +36,8 @@ fn cross(a: Point, b: Point) -> i128 {
     i128::from(a.0) * i128::from(b.1) - i128::from(a.1) * i128::from(b.0)
 }
 
-/// How many more polygons have a border one way than the other, at one point of a line, at most.
+/// The greatest excess of polygons with a border in one direction over the other, at one point of a
+/// line.
 pub(crate) fn depth(polygons: &[Vec<Point>]) -> u32 {
     let edges = runs(polygons).map(|(_, count)| count.unsigned_abs());
     edges.max().unwrap_or(0)
@@ -53,9 +52,9 @@ fn left_over(polygons: &[Vec<Point>]) -> Vec<(Point, Point)> {
     runs(polygons).flat_map(directed).collect()
 }
 
-/// Parts of lines, and how many more edges run over them forward than backward.
+/// Parts of lines, and the excess of forward edges over backward ones.
 fn runs(polygons: &[Vec<Point>]) -> impl Iterator<Item = ((Point, Point), i32)> {
-    // Of each line: where the number of edges over it changes, and by how much.
+    // For each line: the points where the number of edges over it changes, and the change.
     let mut lines: BTreeMap<Carrier, BTreeMap<Point, i32>> = BTreeMap::new();
     for points in polygons {
         let right = doubled_area(points) > 0;
@@ -66,7 +65,7 @@ fn runs(polygons: &[Vec<Point>]) -> impl Iterator<Item = ((Point, Point), i32)> 
             let sign = if (dx, dy) > (0, 0) { 1 } else { -1 };
             let dir = (sign * dx / divisor, sign * dy / divisor);
             let line = lines.entry((dir.0, dir.1, cross(dir, from))).or_default();
-            // Points on a line that points right or down are sorted as they lie on it.
+            // Along a line that points right or down, points are in sorted order.
             *line.entry(from.min(to)).or_default() += sign as i32;
             *line.entry(from.max(to)).or_default() -= sign as i32;
         }
@@ -87,7 +86,7 @@ fn gcd(a: u64, b: u64) -> u64 {
     if b == 0 { a.max(1) } else { gcd(b, a % b) }
 }
 
-/// Edges that lead into each other: as many begin at a point as end there.
+/// Edges that lead into each other: at each point, as many begin as end.
 fn loops(edges: &[(Point, Point)]) -> Vec<Loop> {
     let mut from: HashMap<Point, Vec<Point>> = HashMap::new();
     for &(a, b) in edges {
@@ -101,8 +100,7 @@ fn loops(edges: &[(Point, Point)]) -> Vec<Loop> {
         while here != start {
             points.push(here);
             let ends = from.entry(here).or_default();
-            // The sharpest turn to the solid's side keeps polygons apart that only meet in a
-            // corner.
+            // The sharpest turn to the solid's side separates polygons that only meet in a corner.
             let turn = |end: &Point| right_turn(before, here, *end);
             let next = ends.iter().enumerate().max_by(|a, b| turn(a.1).total_cmp(&turn(b.1))).map(|(i, _)| i);
             let Some(next) = next else { break };
@@ -118,7 +116,7 @@ fn loops(edges: &[(Point, Point)]) -> Vec<Loop> {
     found
 }
 
-/// By how much a way turns right at `b`, in radians.
+/// The turn of a way to the right at `b`, in radians.
 #[allow(clippy::cast_precision_loss, reason = "two ways of nearly the same turn are either order's")]
 fn right_turn(a: Point, b: Point, c: Point) -> f64 {
     let (d, e) = ((b.0 - a.0, b.1 - a.1), (c.0 - b.0, c.1 - b.1));
@@ -126,7 +124,7 @@ fn right_turn(a: Point, b: Point, c: Point) -> f64 {
     (cross(d, e) as f64).atan2(dot as f64)
 }
 
-/// Without the points that its way leads straight through.
+/// Removes the points at which its way goes straight on.
 fn straight(points: Vec<Point>) -> Vec<Point> {
     let count = points.len();
     let is_corner = |i: usize| {

@@ -1,4 +1,4 @@
-//! The kind of a placed tile, wherever it lies.
+//! The kind of a placed tile, at any position.
 
 use tilesat::TileShape;
 
@@ -23,18 +23,18 @@ pub(super) enum Solid {
     Drawn,
 }
 
-/// The known facts of an entry of the palette.
+/// The data of a palette entry.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Meaning {
     pub(super) verdict: Option<Verdict>,
     pub(super) flags: Vec<String>,
 }
 
-/// Of an entry of a map's palette.
+/// The verdict on an entry of a map's palette.
 ///
 /// # Errors
 ///
-/// One line that says what would settle it.
+/// One line with the fix.
 pub(super) fn of(map: &Map, placed: &Placed, options: &Options) -> Result<Meaning, String> {
     match placed {
         Placed::Nothing => Ok(Meaning::default()),
@@ -44,8 +44,7 @@ pub(super) fn of(map: &Map, placed: &Placed, options: &Options) -> Result<Meanin
             let tile = set.tiles.get(id).unwrap_or(&nothing);
             let meaning = tile_of(set, *id, tile, *flip, options)
                 .map_err(|why| format!("tile {id} of tileset '{}': {why}", set.name));
-            // What LDtk's tiles are tagged with is for its rules of drawing, unless the user says
-            // otherwise.
+            // LDtk's tags of tiles serve its drawing rules, unless the user says otherwise.
             let kept = |flag: &String| !map.values || options.is_flag(flag);
             meaning.map(|meaning| Meaning { flags: meaning.flags.into_iter().filter(kept).collect(), ..meaning })
         }
@@ -58,7 +57,7 @@ fn tile_of(set: &Tileset, id: u32, tile: &Tile, flip: Flip, options: &Options) -
     let text = |name| properties.text(name);
     let by_property = traits::by_property(text(SHAPE).as_deref(), text(NPP).as_deref())?;
     let class = Some(tile.class.trim()).filter(|class| !class.is_empty());
-    // Sorted: the order of flags does not depend on that of the file.
+    // Sorted, so that the order of flags does not depend on that of the file.
     let mut marks: Vec<&str> = properties.marks().map(str::trim).filter(|name| !name.is_empty()).collect();
     marks.sort_unstable();
     let own: Vec<&str> = class.into_iter().chain(marks).collect();

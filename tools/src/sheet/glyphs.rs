@@ -1,5 +1,5 @@
-//! How features look: faces and arcs as lines with arrows along their normals, vertices as the fan
-//! of normals between their edges.
+//! Draws features: faces and arcs as lines with arrows along their normals, vertices as the fan of
+//! normals between their edges.
 
 use tilesat::{
     Axis,
@@ -10,14 +10,14 @@ use crate::picture::ink::{CONTACT, EDGE, Ink, PLANK, SLIDE, TOUCH};
 use crate::picture::marks::{Scene, Spot};
 use crate::picture::surface;
 
-/// Where a map is drawn and how large its signs are.
+/// The position of a map in the picture, and the size of its signs.
 #[derive(Clone, Copy)]
 pub(super) struct Frame {
     pub at: Spot,
     pub scale: f32,
     /// Length of an arrow, in pixels.
     pub arrow: f32,
-    /// Whether centres of arcs and indices of pieces are shown too.
+    /// Whether it also shows centres of arcs and indices of pieces.
     pub details: bool,
 }
 
@@ -36,7 +36,7 @@ pub(super) const ARC: Ink = SLIDE;
 pub(super) const VERTEX: Ink = TOUCH;
 pub(super) const ONE_WAY: Ink = PLANK;
 
-/// Fans first: lines go over them.
+/// Fans first: lines cover them.
 pub(super) fn draw(scene: &mut Scene, frame: &Frame, features: &[Feature]) {
     for feature in features {
         if let Geometry::Vertex { p, e_in, e_out } = feature.geometry {
@@ -95,13 +95,13 @@ fn arc(scene: &mut Scene, frame: &Frame, feature: &Feature, centre: Spot, quadra
     }
 }
 
-/// All directions from the normal of the edge that ends in a vertex to that of the one that starts
+/// All directions from the normal of the edge that ends in a vertex to that of the edge that starts
 /// there.
 fn fan(scene: &mut Scene, frame: &Frame, p: Spot, e_in: Axis, e_out: Axis) {
     let (from, to) = (normal(e_in), normal(e_out));
     let start = from.1.atan2(from.0);
-    // The turn is to the right on a screen with y down, by up to half a turn: that much where the
-    // two edges are one line.
+    // With y down, the turn is to the right, by up to half a turn. It is half a turn if the two
+    // edges are on one line.
     let turn = (to.1.atan2(to.0) - start).rem_euclid(std::f32::consts::TAU);
     let turn = if turn < 0.001 { std::f32::consts::PI } else { turn };
     let (steps, reach) = (12u8, frame.arrow * 0.9);
@@ -115,7 +115,7 @@ fn fan(scene: &mut Scene, frame: &Frame, p: Spot, e_in: Axis, e_out: Axis) {
     scene.disc(p, frame.arrow / 6.0, VERTEX);
 }
 
-/// A line along a normal and its head; returns the tip.
+/// A line along a normal and its head. Returns the tip.
 fn arrow(scene: &mut Scene, frame: &Frame, from: Spot, normal: Spot, ink: Ink) -> Spot {
     let (length, head) = (frame.arrow, frame.arrow * 0.3);
     let along = |t: f32, side: f32| (from.0 + normal.0 * t - normal.1 * side, from.1 + normal.1 * t + normal.0 * side);
@@ -140,7 +140,7 @@ fn dashes(scene: &mut Scene, a: Spot, b: Spot, ink: Ink) {
     }
 }
 
-/// The unit normal of a direction: its right hand, the solid being on its left.
+/// The unit normal of a direction: its right hand, with the solid on its left.
 fn normal(dir: Axis) -> Spot {
     let (x, y) = (dir.y as f32, -dir.x as f32);
     let length = x.hypot(y).max(f32::MIN_POSITIVE);

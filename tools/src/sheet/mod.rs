@@ -1,8 +1,8 @@
-//! Pictures of what the library says about tiles.
+//! Pictures of the library's answers about tiles.
 //!
-//! Everything is drawn from what the library answers: the solid from `overlaps` point by point,
-//! lines and arrows from `features`, rays from `cast_ray`, the way from `move_and_slide`. What
-//! looks wrong here is wrong there.
+//! Everything comes from the library's answers. The solid comes from `overlaps` point by point,
+//! lines and arrows from `features`, rays from `cast_ray`, and the way from `move_and_slide`. A
+//! fault in the picture is a fault there.
 #![allow(clippy::cast_precision_loss, reason = "drawing")]
 
 mod glyphs;
@@ -12,11 +12,11 @@ mod shapes;
 use crate::fail::Result;
 use crate::picture::marks::Scene;
 
-/// The pictures, and the names of their files.
+/// Draws the pictures. Returns the names of their files.
 ///
 /// # Errors
 ///
-/// The library refuses a shape, a level, a ray or a motion; none is expected.
+/// If the library refuses a shape, a level, a ray or a motion. None is expected.
 pub fn pictures() -> Result<[(&'static str, Scene); 3]> {
     Ok([
         ("sheet-shapes.png", shapes::sheet()?),

@@ -17,12 +17,12 @@ use crate::picture::solid;
 
 type Map<'a> = TileMap<'a, AllShapes>;
 
-/// Rays of a fan.
+/// Rays per fan.
 const RAYS: u16 = 240;
-/// Where the mosaic's fan starts, in halves of a cell; the cells around it are empty.
+/// The start of the mosaic's fan, in halves of a cell. The cells around it are empty.
 const EYE: (u16, u16) = (23, 13);
 
-/// 24 x 14 random tiles, near half of them empty.
+/// 24 x 14 random tiles, nearly half of them empty.
 pub(super) fn mosaic() -> Result<Scene> {
     let (width, height, tile) = (24u16, 14u16, 32u16);
     let mut kinds = TileKinds::EMPTY;
@@ -95,7 +95,7 @@ fn tally(features: &[Feature]) -> String {
     format!("{faces} faces, {vertices} vertices, {arcs} arcs")
 }
 
-/// Rays to all sides, to the first thing that they meet.
+/// Rays to all sides, up to their first hit.
 fn fan(scene: &mut Scene, frame: &Frame, map: &Map<'_>, eye: Vec2) -> Result<()> {
     let at = frame.place(spot(eye));
     for i in 0..RAYS {
@@ -116,7 +116,7 @@ fn fan(scene: &mut Scene, frame: &Frame, map: &Map<'_>, eye: Vec2) -> Result<()>
     Ok(())
 }
 
-/// A ball that falls for ten seconds, drawn every fifth frame and where it met something.
+/// A ball that falls for ten seconds. Draws it every fifth frame, and its hits.
 fn path(
     scene: &mut Scene,
     frame: &Frame,
@@ -136,7 +136,7 @@ fn path(
         velocity += Vec2::from_raw(0, 12_000);
         let moved = mover.move_and_slide(map, &ball, velocity).map_err(|e| fail(&e))?;
         if let Some(hit) = moved.hits.first() {
-            // Where the ball was then, and its point against the normal.
+            // The ball's position then, and its point against the normal.
             let part = hit.toi.raw() as f32 / Toi::ONE.raw() as f32;
             let (from, way) = (spot(ball.centre()), spot(velocity));
             let (x, y) = (hit.axis.x as f32, hit.axis.y as f32);

@@ -1,4 +1,4 @@
-//! All shapes, each alone in a map of one tile.
+//! All shapes, each in a map of one tile.
 
 use tilesat::{
     Aabb, AllShapes, Fx, Grid, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2,

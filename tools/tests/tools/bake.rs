@@ -1,4 +1,4 @@
-//! The baker: its own levels, what it refuses, its arguments.
+//! The baker: its own levels, its refusals, its arguments.
 
 use std::fs;
 use std::path::PathBuf;
@@ -9,7 +9,7 @@ use tilesat::{Aabb, AllShapes, Fx, Grid, SegmentMap, TileKinds, TileMap, TileSha
 use crate::baked::{quarry, steps, world};
 use crate::support::{self, Ran, ldtk, objects, own, rows, scratch};
 
-/// Bakes a level file of the examples or of a test; returns the run and the file it was to write.
+/// Bakes a level file of the examples or of a test. Returns the run and the output file.
 fn baked(file: PathBuf, out: &str, options: &str) -> (Ran, PathBuf) {
     let out = scratch("bake", out, "");
     let ran = support::run("bake", file, &format!("-o {} {options}", out.display()));
@@ -46,7 +46,7 @@ fn everything<W: World>(world: &W) -> Vec<Feature> {
     world.features(&region).collect()
 }
 
-/// What the compiler builds of the source is what the bytes say.
+/// The compiler builds from the source what the bytes say.
 #[test]
 fn bytes_equal_the_source() {
     let (ran, out) = baked(own("levels/quarry.tmx"), "quarry.bin", "");
@@ -60,7 +60,7 @@ fn bytes_equal_the_source() {
     let map = SegmentMap::from_bytes(&bytes).unwrap();
     assert_eq!((map.count(), map.grid()), (quarry::SEGMENTS.count(), quarry::SEGMENTS.grid()));
     assert_eq!(everything(&map), everything(&quarry::SEGMENTS));
-    // Nine outlines are seven paths: a start and an exit are none. Ice is the last flag.
+    // Nine outlines are seven paths, because a start and an exit are none. Ice is the last flag.
     assert_eq!([quarry::FLAG_COIN, quarry::FLAG_LADDER, quarry::FLAG_ICE], [1, 2, 4]);
     let flags = everything(&map).iter().fold(0, |all, feature| all | feature.flags);
     assert_eq!(flags, quarry::FLAG_ICE | quarry::FLAG_LADDER);
@@ -90,7 +90,7 @@ fn values_of_a_grid_are_shapes() {
     assert_eq!((steps::TILE, steps::WORLD), (16, [0, 0, 384, 224]));
 }
 
-/// Each level of a world is a module, knows its place, and uses the table of all.
+/// Each level of a world is a module, knows its position, and uses the shared table.
 #[test]
 fn worlds() {
     let places = [world::cave_1::WORLD, world::cave_1_2::WORLD, world::hall::WORLD];
@@ -134,7 +134,7 @@ fn the_report_counts() {
     let (ran, _) = baked(scratch("bake", "block.tmx", block), "block.bin", "--cell 16 --body 4x4");
     fine(&ran);
     let lines: Vec<&str> = ran.out.lines().collect();
-    // A grid of the block alone; its four faces and corners are all in the one cell.
+    // A grid of only the block. Its four faces and corners are all in the one cell.
     assert_eq!(
         lines[..5],
         [
@@ -155,7 +155,7 @@ fn the_report_counts() {
     assert!(ran.out.contains("cells   2 empty, 4 interior, 10 boundary"), "{}", ran.out);
 }
 
-/// Refused: status 2, one line that contains the word, and no file.
+/// A refusal: status 2, one line that contains the word, and no file.
 fn refused((ran, out): (Ran, PathBuf), word: &str) {
     assert!(ran.status == 2 && ran.err.lines().count() == 1, "{ran:?}");
     assert!(ran.err.starts_with("tilesat bake: ") && ran.err.contains(word), "{word:?} is not in {ran:?}");
@@ -230,7 +230,7 @@ fn refused_grids() {
     fine(&baked(level(), "good.bin", "--level One --layer Solid").0);
 }
 
-/// A level in a file of its own.
+/// A level in a separate file.
 #[test]
 fn external_levels() {
     let good = ldtk(&["Full"], 2, 1, "1,0");

@@ -10,7 +10,7 @@ use crate::support::{folder, ldtk, objects, rows};
 /// An empty folder for levels, and the file for their source.
 fn places() -> (PathBuf, PathBuf) {
     let (levels, out) = (folder("build").join("levels"), folder("build").join("levels.rs"));
-    // What an earlier run has left.
+    // Removes files of an earlier run.
     let _ = (fs::remove_dir_all(&levels), fs::remove_file(&out));
     fs::create_dir_all(&levels).unwrap();
     (levels, out)
@@ -36,7 +36,7 @@ fn a_module_for_each_level() {
     }
 }
 
-/// All levels that are wrong are told at once, a line each, and nothing is written.
+/// Reports all wrong levels at once, a line each, and writes nothing.
 #[test]
 fn every_fault_has_its_line() {
     let (levels, out) = places();

@@ -1,10 +1,10 @@
-//! The program `tilesat` itself, and the subcommands that have no file of their own here.
+//! The program `tilesat` itself, and the subcommands without a separate file here.
 
 use std::fs;
 
 use crate::support::{Ran, folder, own, scratch, tilesat};
 
-/// Refused: status 2 and one line that contains the word.
+/// A refusal: status 2 and one line that contains the word.
 fn refused(ran: &Ran, word: &str) {
     assert!(ran.status == 2 && ran.out.is_empty() && ran.err.lines().count() == 1, "{ran:?}");
     assert!(ran.err.starts_with("tilesat") && ran.err.contains(word), "{word:?} is not in {ran:?}");
@@ -24,7 +24,7 @@ fn commands() {
     }
 }
 
-/// It has no level of its own, and draws where it is told to.
+/// It has no built-in level, and draws into the given file.
 #[test]
 fn play_takes_any_level() {
     let level = own("platformer/levels/ninja.tmx");
@@ -39,7 +39,7 @@ fn play_takes_any_level() {
 
 #[test]
 fn sheets() {
-    // Nothing is left there of another run.
+    // Nothing of another run is left there.
     let files = ["sheet-shapes.png", "sheet-mosaic.png", "sheet-level.png"].map(|name| scratch("sheets", name, ""));
     let ran = tilesat(["sheet".as_ref(), folder("sheets").as_os_str()]);
     assert!(ran.status == 0 && ran.err.is_empty() && ran.out.lines().count() == 3, "{ran:?}");

@@ -1,9 +1,9 @@
-//! Small projects of our own, one for each convention, encoding and fault, with what becomes of
-//! them in a table that people review: `corpus/expected.txt`. The same for the projects of others
-//! beside this repository, where they are there: `corpus/others.txt`.
+//! Small projects of our own, one for each convention, encoding and fault. A table that people
+//! review has the result for each: `corpus/expected.txt`. The projects of others beside this
+//! repository, if there are any, have `corpus/others.txt`.
 //!
-//! Set `TILESAT_BLESS` to write the tables again. `TILESAT_FRAMES` is how long each baked level is
-//! played.
+//! Set `TILESAT_BLESS` to write the tables again. `TILESAT_FRAMES` sets how many frames each baked
+//! level plays.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -45,7 +45,7 @@ fn counts(line: &str) -> String {
     text
 }
 
-/// What is said about a level, without the folder that it is in.
+/// The report about a level, without its folder.
 fn said(folder: &Path, file: &str, options: &str) -> String {
     let path = folder.join(file);
     let words = options.split('"').enumerate();
@@ -69,7 +69,7 @@ fn said(folder: &Path, file: &str, options: &str) -> String {
     }
 }
 
-/// Compares a table with what is said about its files, or writes it.
+/// Compares a table with the reports about its files, or writes it.
 fn compare(table: &Path, folder: &Path, cases: &[(String, String)]) {
     let mut text = String::new();
     for (file, options) in cases {
@@ -98,7 +98,7 @@ fn ours() {
     compare(&corpus().join("expected.txt"), &corpus(), &cases());
 }
 
-/// Where the levels and projects of others are, if they are there.
+/// The folders of levels and projects of others, if they exist.
 fn others() -> Option<(PathBuf, Vec<(String, String)>)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared");
     let mut pending = vec![folder.join("levels"), folder.join("projects")];
@@ -122,8 +122,7 @@ fn projects_of_others() {
     }
 }
 
-/// Every level that is baked without an option plays, and no body ever overlaps the solid or
-/// escapes.
+/// Every level that bakes without an option plays, and no body ever overlaps the solid or escapes.
 #[test]
 fn baked_levels_play() {
     let frames = std::env::var("TILESAT_FRAMES").ok().and_then(|text| text.parse().ok()).unwrap_or(300);
@@ -152,7 +151,7 @@ fn baked_levels_play() {
     assert!(played > 100);
 }
 
-/// The program plays what it has baked, as it plays what was drawn.
+/// The program plays a baked level as it plays the drawn one.
 #[test]
 fn baked_files_play() {
     for (file, level) in [
@@ -176,7 +175,7 @@ fn baked_files_play() {
             let out = support::scratch("baked", &format!("{}.{end}", file.replace('/', "-")), "");
             let ran = tilesat(["bake".as_ref(), drawn.as_os_str(), "-o".as_ref(), out.as_os_str()]);
             assert_eq!((ran.status, ran.err.as_str()), (0, ""), "{file}");
-            // Of several files any may be named.
+            // Of several files, the caller can name any.
             let whole = if level.is_empty() { out.clone() } else { out.with_extension(format!("{level}.{end}")) };
             let whole = if end == "rs" { out } else { whole };
             let mut args =

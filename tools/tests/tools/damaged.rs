@@ -1,4 +1,4 @@
-//! Damaged levels: whatever stands in a file, the level tools say what is wrong or do their work.
+//! Damaged levels. Whatever a file contains, the level tools report the fault or do their work.
 
 use std::fs;
 use std::ops::Range;
@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use crate::support::{self, ldtk, own, scratch};
 
-/// Numbers that such files hold and should not.
+/// Numbers that such files should not contain.
 const ODD: [&str; 16] = [
     "-1",
     "0",
@@ -41,7 +41,7 @@ impl Random {
     }
 }
 
-/// One to four wounds.
+/// One to four kinds of damage.
 fn damaged(level: &[u8], random: &mut Random) -> Vec<u8> {
     let mut bytes = level.to_vec();
     for _ in 0..=random.below(4) {
@@ -72,7 +72,7 @@ fn damaged(level: &[u8], random: &mut Random) -> Vec<u8> {
     bytes
 }
 
-/// Where digits stand.
+/// The positions of digits.
 fn numbers(bytes: &[u8]) -> Vec<Range<usize>> {
     let mut found: Vec<Range<usize>> = Vec::new();
     for (i, _) in bytes.iter().enumerate().filter(|(_, byte)| byte.is_ascii_digit()) {
@@ -84,7 +84,7 @@ fn numbers(bytes: &[u8]) -> Vec<Range<usize>> {
     found
 }
 
-/// Returns how many of the levels were still taken.
+/// Returns the number of levels that were still accepted.
 fn torture(name: &str, level: &[u8], seed: u64) -> usize {
     let scale = std::env::var("TILESAT_CASES").ok().and_then(|text| text.parse().ok());
     let mut random = Random(seed);
@@ -152,8 +152,8 @@ fn copied(from: &Path, to: &Path, files: &mut Vec<PathBuf>) {
     }
 }
 
-/// A thousand kinds of damage, each to one of the files of the corpus: the level that reads it,
-/// where that is not itself, is baked.
+/// A thousand kinds of damage, each to one file of the corpus. Bakes the level that reads the file,
+/// if that is another one.
 #[test]
 fn the_corpus() {
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus");

@@ -1,4 +1,4 @@
-//! Files that mean harm, by accident or not: the platformer refuses them with one line, quickly and
+//! Harmful files, on purpose or by accident. The platformer refuses them with one line, quickly and
 //! in little memory.
 
 use std::fs;
@@ -21,14 +21,14 @@ fn run(args: &[&Path]) -> Ran {
     support::tilesat([Path::new("play")].iter().chain(args))
 }
 
-/// Why a map is refused.
+/// The reason that a map is refused.
 fn refused(name: &str, text: &str) -> String {
     let why = support::level(&file(name, text)).unwrap_err().to_string();
     assert!(!why.contains(char::is_control), "{why:?}");
     why
 }
 
-/// A map of one layer; `data` is the layer's data element, `head` stands before the map.
+/// A map of one layer. `data` is the layer's data element, and `head` precedes the map.
 fn map(head: &str, width: u32, height: u32, data: &str) -> String {
     format!(
         r#"{head}<map version="1.10" orientation="orthogonal" width="{width}" height="{height}" tilewidth="1" tileheight="1" infinite="0">
@@ -52,8 +52,8 @@ fn gzip(bytes: &[u8]) -> Vec<u8> {
     encoder.finish().unwrap()
 }
 
-/// [`gids`] as zstd 1.5.7 packs them: as a stream of level 3, at once with a checksum, at once of
-/// level 19 with a checksum.
+/// [`gids`] as zstd 1.5.7 packs them: as a stream of level 3, at once with a checksum, and at once
+/// of level 19 with a checksum.
 const ZSTD: [&str; 3] = [
     "KLUv/QBY5QYAEogGghIwv/nNb37zm9/85je/+c1vfvOb3/zmCFGBOKhx+gHxSwcRQAQIgSNknfAEElx4QWIdKwyTIkXxKg6SxXQzJkWK4lUcJIvpMlaK\
      FMWrOEgW02VMiiqKV3GQLKbLmBQpKq/iIFlMlzEpUhSvxkGymC5jUqQoXsVBZTFdxqRIUbyKg2RxuoxJkaJ4FQfJYrockyJF8SoOksV0GZNFiuJVHC\
@@ -67,8 +67,8 @@ fn zstd(number: usize) -> Vec<u8> {
     STANDARD.decode(ZSTD[number]).unwrap()
 }
 
-/// A frame of zstd by hand: its window of 2^`log` bytes, and blocks, each of a type, a size and
-/// some bytes.
+/// A frame of zstd by hand: its window of 2^`log` bytes, and blocks of a type, a size and some
+/// bytes.
 fn zstd_frame(log: u8, blocks: &[(u32, usize, &[u8])]) -> Vec<u8> {
     let mut bytes = vec![0x28, 0xb5, 0x2f, 0xfd, 0, (log - 10) << 3];
     for (i, (kind, size, content)) in blocks.iter().enumerate() {
@@ -79,10 +79,10 @@ fn zstd_frame(log: u8, blocks: &[(u32, usize, &[u8])]) -> Vec<u8> {
     bytes
 }
 
-/// 128 KiB of zeros, as one byte that is repeated.
+/// 128 KiB of zeros, as one repeated byte.
 const ZEROS: (u32, usize, &[u8]) = (1, 1 << 17, &[0]);
 
-/// Bytes as they are.
+/// Uncompressed bytes.
 fn raw(bytes: &[u8]) -> Vec<u8> {
     zstd_frame(17, &[(0, bytes.len(), bytes)])
 }
@@ -127,7 +127,7 @@ fn every_encoding_gives_the_same_level() {
     }
 }
 
-/// 64 MiB of zeros in some kilobytes: no more is unpacked than the layer has tiles, and a layer
+/// 64 MiB of zeros in some kilobytes. It unpacks no more than the layer has tiles, and a layer
 /// cannot claim any number.
 #[test]
 fn layers_unpack_to_no_more_than_their_size() {
@@ -139,14 +139,14 @@ fn layers_unpack_to_no_more_than_their_size() {
         ("", zeros[..1 << 20].to_vec()),
     ];
     for (compression, bytes) in &bombs {
-        // The end is cut off, which only somebody who unpacks all of it would notice.
+        // The end is missing, which is visible only after unpacking everything.
         let data = data(compression, &bytes[..bytes.len() - 40]);
         let why = refused("bomb", &map("", 40, 30, &data));
         assert!(why.contains("holds more than its width and height say"), "{compression}: {why}");
         let why = refused("bomb", &map("", 4097, 4096, &data));
         assert!(why.contains("more than 16777216 tiles"), "{compression}: {why}");
     }
-    // Many layers, each as large as one may be.
+    // Many layers, each of the greatest size.
     let one = map("", 4096, 4096, &data("zlib", &zlib(&zeros)));
     let layer = &one[one.find("<layer").unwrap()..one.find("</map>").unwrap()];
     let why = refused("many", &one.replace("</map>", &format!("{layer}</map>")));
@@ -192,14 +192,14 @@ fn tricks_with_markup() {
             Ok(_) => assert!(word.is_empty(), "{name} was read"),
         }
     }
-    // What hides a tag from one reader must not show it to the other.
+    // A trick that hides a tag from one reader must not show it to the other.
     for hidden in [format!("<?a ' ?>{zip}<?b ' ?>"), format!("<!-- {zip} -->"), format!("<![CDATA[{zip}]]>")] {
         let loaded = support::level(&file("hidden", &small.replace(good, &(hidden + good))));
         assert!(loaded.is_err() || loaded.unwrap().tiles.len() == 4);
     }
 }
 
-/// Names out of a file cannot reach the terminal as escape codes, further lines or text that runs
+/// Names in a file cannot reach the terminal as escape codes, further lines or text that runs
 /// backward.
 #[test]
 fn names_are_printed_on_one_line() {
@@ -229,7 +229,7 @@ fn names_are_printed_on_one_line() {
     assert!(status == 2 && err.lines().count() == 1 && !err.trim_end().contains(char::is_control), "{err:?}");
 }
 
-/// The largest level there can be, a pixel a tile, every second one solid: its pictures stay small.
+/// The largest possible level, a pixel per tile, every second one solid. Its pictures stay small.
 #[test]
 fn pictures_of_the_largest_level() {
     let bytes: Vec<u8> = (0..2048u32 * 2048).flat_map(|i| u32::to_le_bytes((i ^ i >> 11) & 1)).collect();
@@ -286,7 +286,7 @@ fn mutate(text: &[u8], dice: &mut Dice) -> Vec<u8> {
         let (at, length) = (dice.below(text.len()), dice.below(40));
         let end = (at + length).min(text.len());
         match dice.below(12) {
-            // Digits become other digits: what is still well-formed gets further.
+            // Digits become other digits: a file that is still well-formed gets further.
             0..6 => text
                 .iter_mut()
                 .skip(at)
@@ -310,7 +310,7 @@ fn mutate(text: &[u8], dice: &mut Dice) -> Vec<u8> {
     text
 }
 
-/// Whatever is in a file, it is a level or it is refused with one line; what is a level plays.
+/// Every file is a level, or is refused with one line. Levels play.
 #[test]
 fn mutated_files() {
     let cases = std::env::var("TILESAT_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(400);

@@ -23,7 +23,7 @@ fn baked_bytes_equal_the_map() {
     assert_eq!(level.kinds(), meadow::KINDS);
 }
 
-/// What the firmware does, and what the desktop does with the map, are the same run.
+/// The firmware and the desktop play the same run.
 #[test]
 fn firmware_and_desktop_agree() {
     let grid = Grid::new(meadow::WIDTH, meadow::HEIGHT, Fx::from_num(meadow::TILE), Vec2::ZERO).unwrap();
@@ -57,7 +57,7 @@ fn many_seeds() {
     }
 }
 
-/// A level of these layers, by rows of so many columns; tile `n` has the class and the true
+/// A level of these layers, by rows of this many columns. Tile `n` has the class and the true
 /// properties at `n - 1`.
 fn drawn(
     name: &str,
@@ -186,8 +186,8 @@ fn the_check_sees_escapes() {
     assert_eq!(moved(square(0, 0), square(50 * PX, 0), (60 * PX, 0)), escape, "through the wall");
 }
 
-/// Polygons are solid to the check as far as their borders, holes are not, and a body within one of
-/// them overlaps it too.
+/// For the check, polygons are solid up to their borders and holes are not. A body within a polygon
+/// overlaps it too.
 #[test]
 fn the_check_sees_polygons() {
     let list = r#"<object id="1" x="32" y="32" width="64" height="64"/><object id="2" type="Hole" x="48" y="48" width="32" height="32"/>"#;

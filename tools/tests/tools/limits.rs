@@ -1,4 +1,4 @@
-//! Files that could take any time or memory: each ends in one line, at once.
+//! Files that could take any time or memory. Each ends in one line, at once.
 
 use std::fs;
 use std::io::Write;
@@ -72,7 +72,7 @@ fn bombs() {
     refused(scratch("limits", "bomb.tmx", map(2, 2)), "holds more than its width and height say");
     refused(scratch("limits", "large.tmx", map(4096, 4096)), "holds more than its width and height say");
     refused(scratch("limits", "vast.tmx", map(65535, 65535)), "more than 16777216 tiles");
-    // Chunks over each other, each of them as large as a map may be.
+    // Overlapping chunks, each as large as a map may be.
     let chunk = format!(r#"<chunk x="0" y="0" width="4096" height="4096">{packed}</chunk>"#);
     let level = map(2, 2).replace("infinite=\"0\"", "infinite=\"1\"").replace(&packed, &chunk.repeat(3));
     refused(scratch("limits", "chunks.tmx", level), "its chunks have more than 16777216 tiles");
@@ -99,7 +99,7 @@ fn no_files() {
     }
 }
 
-/// Objects and tiles as many as a map of segments can hold.
+/// As many objects and tiles as a map of segments can hold.
 #[test]
 fn many_rectangles() {
     let object =

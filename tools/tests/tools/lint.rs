@@ -1,5 +1,5 @@
-//! The linter: each mistake in a level of its own with the exact lines that are said about it,
-//! tiles, arguments, bad files.
+//! The linter: each mistake in a separate level, with the exact lines about it. Also tiles,
+//! arguments and bad files.
 
 use crate::lint_cases::CASES;
 use crate::support::{self, Ran, objects, own, rows, scratch};
@@ -9,7 +9,7 @@ fn run(name: &str, level: impl AsRef<[u8]>, options: &str) -> Ran {
     support::run("lint", path, options)
 }
 
-/// What is said about a level of these objects, without the last line.
+/// The lines about a level of these objects, without the last line.
 fn said(name: &str, level: &str, options: &str) -> Vec<String> {
     let ran = run(&format!("{name}.tmx"), level, options);
     assert!(ran.err.is_empty() && ran.status < 2, "{name} {ran:?}");
@@ -42,7 +42,7 @@ fn no_code_is_forgotten() {
     }
 }
 
-/// The order of the file changes no finding about one object, whichever way polygons are drawn.
+/// Neither the order of the file nor the direction of polygons changes a finding about one object.
 #[test]
 fn winding_and_order_do_not_matter() {
     let hole =
@@ -75,7 +75,7 @@ fn tiles() {
     // The room is one tile high over the step, and two beside it.
     let lines = said("low", &rows(&slot), "--body 16x17");
     assert!(lines.len() == 1 && lines[0].contains("at (24, 24)") && lines[0].contains("16 high"), "{lines:?}");
-    // One-way tiles: under a solid, with room for the body, without.
+    // One-way tiles: under a solid, with room for the body, and without.
     let shelf = ["####", "#==#", "#  #", "####"];
     let lines = said("covered", &rows(&shelf), "");
     assert!(lines.len() == 2 && lines[0].contains("column 1, row 1 has a solid on its edge"), "{lines:?}");
@@ -108,7 +108,7 @@ fn strict() {
     assert_eq!(run("tee.tmx", objects(tee.1), "--strict").status, 0);
 }
 
-/// Refused: status 2 and one line that contains the word.
+/// A refusal: status 2 and one line that contains the word.
 fn refused(ran: &Ran, word: &str) {
     assert!(ran.status == 2 && ran.out.is_empty() && ran.err.lines().count() == 1, "{ran:?}");
     assert!(ran.err.starts_with("tilesat lint: ") && ran.err.contains(word), "{word:?} is not in {ran:?}");

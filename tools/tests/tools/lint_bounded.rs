@@ -1,4 +1,4 @@
-//! The linter's time and what it says are bounded, and its search for what is near misses nothing.
+//! The linter's time and output are bounded, and its search for neighbours misses nothing.
 
 use std::collections::HashSet;
 
@@ -75,7 +75,7 @@ fn fifty_of_a_kind_are_shown() {
     }
 }
 
-/// What all pairs would be found of is not looked for to the end, and that is said.
+/// If all pairs are too many, the linter does not look for them to the end, and says so.
 #[test]
 fn everything_on_everything() {
     let equal = polygons((0..2000).map(|_| rectangle(8, 8, 32, 32)));
@@ -88,7 +88,8 @@ fn everything_on_everything() {
     }
 }
 
-/// As many rectangles as there may be, side by side and each within another: all is looked at.
+/// The greatest number of rectangles, side by side and each within another. The linter looks at all
+/// of them.
 #[test]
 fn many_things_are_looked_at() {
     let apart = polygons((0..16_383).map(|i| rectangle(i % 128 * 60, i / 128 * 60, 50, 50)));
@@ -101,19 +102,19 @@ fn many_things_are_looked_at() {
     }
 }
 
-/// A level far beyond the coordinates of the library, without a face within.
+/// A level far beyond the coordinates of the library, without a face inside.
 #[test]
 fn sixteen_million_solid_tiles() {
     let mut level = tiles(4000, 4000, vec![TileKind::FULL; 16_000_000]);
     assert_eq!(lint::check(&level, &RULES).unwrap().lines(), [""; 0]);
 
-    // Every second one: more faces than are compared.
+    // Every second one: more faces than it compares.
     level.cells.iter_mut().step_by(2).for_each(|cell| *cell = TileKind::EMPTY);
     let refused = lint::check(&level, &RULES).unwrap_err().to_string();
     assert_eq!(refused, "layer 'World' has more faces and corners than can be compared, which is 1048576");
 }
 
-/// Crossings, touches and what lies within what, counted over all pairs.
+/// Crossings, touches and nesting, counted over all pairs.
 #[test]
 fn near_edges_are_not_missed() {
     let mut buried = 0;
@@ -157,7 +158,7 @@ fn closed(points: &[Point]) -> Vec<Point> {
     [points, &points[..1]].concat()
 }
 
-/// As the linter has them: the solid lies on the right.
+/// In the linter's orientation: the solid lies on the right.
 fn sides(outline: usize, points: &[Point]) -> Vec<Edge> {
     let mut points = closed(points);
     if doubled_area(&points) < 0 {
@@ -173,7 +174,7 @@ fn sides(outline: usize, points: &[Point]) -> Vec<Edge> {
     points.windows(2).enumerate().map(edge).collect()
 }
 
-/// Whether others hold the middle of its first edge that lies on no other; in the order of the
+/// Whether others contain the middle of its first edge that lies on no other, in the order of the
 /// drawing.
 fn is_buried(triangles: &[Vec<Point>], edges: &[Edge], i: usize) -> bool {
     let free = (0..3).find_map(|k| {

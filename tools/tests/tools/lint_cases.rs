@@ -1,4 +1,4 @@
-//! Levels with one mistake each, and what the linter says about them.
+//! Levels with one mistake each, and the linter's lines about them.
 
 /// A name, a level of objects, options, and the lines.
 pub(crate) type Case = (&'static str, &'static str, &'static str, &'static [&'static str]);

@@ -1,4 +1,4 @@
-//! What the linter's answers rest on: how edges meet, areas, windings and exact decimals.
+//! The basis of the linter's answers: how edges meet, areas, windings and exact decimals.
 
 use num_bigint::BigInt;
 use num_rational::Ratio;
@@ -79,7 +79,7 @@ fn all_pairs_on_a_small_lattice() {
     }
 }
 
-/// Far from the origin, and beside each other by one raw unit at the scale of the whole domain.
+/// Far from the origin, and one raw unit apart at the scale of the whole domain.
 #[test]
 fn close_misses_of_long_edges() {
     let far = 1 << 29;
@@ -103,8 +103,8 @@ fn areas_and_windings() {
     assert_eq!((doubled_area(&square), doubled_area(&back)), (32, -32));
     // A bow tie of two equal wings.
     assert_eq!(doubled_area(&[(0, 0), (4, 4), (4, 0), (0, 4)]), 0);
-    // A U, in doubled coordinates: all points that are not on it, those at the heights of its
-    // corners too.
+    // A U, in doubled coordinates: all points that are not on it, including those at the heights of
+    // its corners.
     let u = [(0, 0), (2, 0), (2, 4), (4, 4), (4, 0), (6, 0), (6, 6), (0, 6)];
     for y in -1..14 {
         for x in -1..14 {

@@ -1,8 +1,8 @@
-//! The level tools: what they read, refuse, bake, lint, play and draw.
+//! The level tools: reading, refusing, baking, linting, playing and drawing.
 //!
 //! `TILESAT_BLESS` and `TILESAT_FRAMES` are for the corpus. `TILESAT_CASES` scales the number of
-//! damaged files. Set `TILESAT_LEVELS` to a folder to have every `.tmx` in it and in its folders
-//! played too.
+//! damaged files. If `TILESAT_LEVELS` names a folder, every `.tmx` in it and in its folders plays
+//! too.
 
 mod bake;
 mod baked;

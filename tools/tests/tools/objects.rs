@@ -1,4 +1,4 @@
-//! What objects of a map become: kinds by name, places by offsets and turns.
+//! The results for objects of a map: kinds by name, positions by offsets and rotations.
 
 use tilesat_tools::read::load;
 use tilesat_tools::rules::flags::Flags;
@@ -8,7 +8,7 @@ use tilesat_tools::rules::options::Options;
 
 use crate::support::{objects, scratch};
 
-/// What of a map is solid; there is a solid tile somewhere.
+/// The solid parts of a map. There is a solid tile somewhere.
 fn drawing(name: &str, text: &str) -> Ground {
     let text = text.replacen(">0</data>", ">1</data>", 1);
     let levels = load(&scratch("objects", &format!("{name}.tmx"), text), None).unwrap();
@@ -54,7 +54,7 @@ fn turned_and_moved() {
         )
         .replace("</objectgroup>", "</objectgroup></group></group>");
     assert_eq!(pixels("moved", &moved.replace("x=\"0.5\"", "x=\"-0.5\"")), [(9, -18), (16, -14), (6, -9)]);
-    // Any other turn is rounded, and the size of the object stays.
+    // Any other rotation is rounded, and the size of the object stays.
     let list = r#"<object id="1" x="100" y="50" width="20" height="8" rotation="30"/>"#;
     let outline = &drawing("askew", &objects(list)).outlines[0];
     assert!(outline.rounding[0] == 0 && outline.rounding[1] > 0);
@@ -77,7 +77,7 @@ fn names_of_objects() {
     let (polygon, chain) = (r#"<polygon points="0,0 9,0 0,9"/>"#, r#"<polyline points="0,0 9,0 0,9"/>"#);
     let plain = |kind, closed| Some((kind, closed, Vec::<String>::new()));
     let yes = |name: &str| format!("|<property name=\"{name}\" type=\"bool\" value=\"true\"/>");
-    // By form, where only the layer says that it is solid; not at all where nothing does.
+    // By form, if only the layer makes it solid. Not at all if nothing does.
     for layer in ["Solid", "collisions", "Solid Objects", "colliderLayer"] {
         assert_eq!(kind("", layer, polygon), plain(Kind::Solid, true));
         assert_eq!(kind("", layer, ""), plain(Kind::Solid, true));
@@ -86,27 +86,27 @@ fn names_of_objects() {
     }
     assert_eq!(kind("", "", polygon), None);
     assert_eq!(kind("", "Not Solid", polygon), None);
-    // By class, of the object before that of the layer.
+    // By class. The object's class takes precedence over the layer's.
     assert_eq!(kind(r#"class="collision""#, "", polygon), plain(Kind::Solid, true));
     assert_eq!(kind(r#"type="HOLE""#, "", polygon), plain(Kind::Hole, true));
     assert_eq!(kind(r#"type="one-way""#, "Wall", chain), plain(Kind::OneWay, false));
     assert_eq!(kind("", "One_Way", polygon), plain(Kind::OneWay, true));
     assert_eq!(kind(&yes("Wall"), "", polygon), plain(Kind::Wall, true));
     assert_eq!(kind(r#"|<property name="Kind" value="hole"/>"#, "Solid", polygon), plain(Kind::Hole, true));
-    // Not ours, unless something else says so; then the class is a flag.
+    // Not ours, unless something else decides. Then the class is a flag.
     assert_eq!(kind(r#"type="Spawn""#, "", polygon), None);
     assert_eq!(kind("", "Spawns", polygon), None);
     assert_eq!(kind(r#"type="Ice""#, "Solid", polygon), Some((Kind::Solid, true, vec!["Ice".into()])));
     let ice = yes("Ice") + &yes("ice")[1..] + &yes("Solid")[1..] + &yes("A &amp; B&#33;")[1..];
     assert_eq!(kind(&ice, "", chain), Some((Kind::Solid, false, vec!["Ice".into(), "A & B!".into()])));
-    // A false property says nothing, and neither does one within another.
+    // A false property means nothing, and neither does a nested one.
     assert_eq!(kind(&yes("Hole").replace("true", "false"), "Solid", polygon), plain(Kind::Solid, true));
     let inner =
         r#"|<property name="c" type="class"><properties><property name="kind" value="hole"/></properties></property>"#;
     assert_eq!(kind(inner, "Solid", polygon), plain(Kind::Solid, true));
 }
 
-/// The collision shapes that tiles have in a tileset are no objects of the level.
+/// The collision shapes of tiles in a tileset are not objects of the level.
 #[test]
 fn shapes_of_tiles_are_not_the_level() {
     let shape = r#"<tile id="3"><objectgroup><object id="1" width="9" height="9"/></objectgroup></tile></tileset>"#;

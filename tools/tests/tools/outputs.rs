@@ -1,4 +1,4 @@
-//! What the program writes: all of it or nothing, never over what it reads, under names that do not
+//! The program's output: all of it or nothing, never over an input, under names that do not
 //! collide.
 
 use std::fs;
@@ -10,7 +10,7 @@ fn bake(args: &[&Path]) -> Ran {
     tilesat([Path::new("bake")].iter().chain(args).copied().map(PathBuf::from))
 }
 
-/// Nothing but these files, and nothing that was left over.
+/// Only these files, and nothing left over.
 fn files(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> =
         fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
@@ -54,7 +54,7 @@ fn all_files_or_none() {
     assert!(ran.status == 2 && ran.err.contains("a.bin.rs: it exists and is not a file"), "{ran:?}");
     assert_eq!(files(&home), ["a.bin.rs", "a.segments.bin", "a.tmx"]);
     assert_eq!(fs::read_to_string(home.join("a.segments.bin")).unwrap(), "before");
-    // A level that is refused writes nothing, whatever is asked for.
+    // A refused level writes nothing, whatever the user asks for.
     let picture = home.join("a.png");
     let bad = scratch("none", "b.tmx", rows(&["  "]));
     let ran = bake(&[&bad, Path::new("-o"), &home.join("b.rs"), Path::new("--picture"), &picture]);
@@ -95,7 +95,7 @@ fn what_is_read_is_not_written() {
     assert!(play.status == 2, "{play:?}");
 }
 
-/// A link stays a link, and what is no file is left alone.
+/// A link stays a link. Anything but a regular file stays unchanged.
 #[cfg(unix)]
 #[test]
 fn links_and_devices() {
@@ -111,7 +111,7 @@ fn links_and_devices() {
     assert!(ran.status == 2 && ran.err.contains("not a file"), "{ran:?}");
 }
 
-/// Names of levels and flags that are the same once they are names of Rust.
+/// Names of levels and flags that become equal as Rust names.
 #[test]
 fn names_are_unique() {
     let home = clean("unique");
@@ -135,7 +135,7 @@ fn names_are_unique() {
     assert_eq!(files(&home).iter().filter(|name| name.rsplit('.').next() == Some("bin")).count(), names.len());
 }
 
-/// The line that programs read, to the letter.
+/// The exact line that programs read.
 #[test]
 fn json() {
     let level = rows(&["# =", "###"]).replace(">1,0,2", ">1,3,2").replace("</objectgroup>", SQUARE);
@@ -156,7 +156,7 @@ fn json() {
     );
 }
 
-/// Where the images of the tiles are, the picture shows them.
+/// If the images of the tiles exist, the picture shows them.
 #[test]
 fn picture_of_what_was_drawn() {
     let home = clean("picture");
@@ -176,8 +176,7 @@ fn picture_of_what_was_drawn() {
     let info = reader.next_frame(&mut pixels).unwrap();
     let scale = 8;
     let at = |x: usize, y: usize| &pixels[(y * scale * info.width as usize + x * scale) * 3..][..3];
-    // Green shows through what is solid, and is plain where it is one-way; elsewhere nothing is
-    // drawn.
+    // Green shows through the solid, and is plain over one-way tiles. Elsewhere nothing is drawn.
     assert!(at(3, 5)[1] > 90 && at(3, 5)[0] > 60, "{:?}", at(3, 5));
     assert!(at(20, 27)[1] > 180 && at(20, 27)[0] < 40, "{:?}", at(20, 27));
     assert!(at(37, 5)[1] < 90, "{:?}", at(37, 5));

@@ -1,5 +1,5 @@
-//! The platformer example as its user meets it: arguments, files good and bad, the last line, the
-//! exit status.
+//! The platformer example for its user: arguments, good and bad files, the last line, the exit
+//! status.
 
 use std::ffi::OsString;
 use std::fs;
@@ -9,7 +9,7 @@ use tilesat_tools::cli::play::{self, Program};
 
 use crate::support::{self, Ran, own};
 
-/// As the example has it.
+/// As in the example.
 fn run<A: Into<OsString>>(args: impl IntoIterator<Item = A>) -> Ran {
     let levels = ["meadow", "ninja"].map(|name| (name, own(&format!("platformer/levels/{name}.tmx"))));
     let program = Program { name: "platformer", levels: levels.to_vec(), picture: Some(scratch("platformer.png")) };
@@ -49,7 +49,7 @@ fn small() -> String {
     map(12, 10, 8, &cells.join(","))
 }
 
-/// Refused: status 2, one line that contains the word, nothing that looks like a result.
+/// A refusal: status 2, one line that contains the word, and nothing that looks like a result.
 fn refused(ran: &Ran, word: &str) {
     assert_eq!(ran.status, 2, "{ran:?}");
     assert_eq!(ran.err.lines().count(), 1, "{ran:?}");
@@ -229,7 +229,8 @@ fn odd_but_good_files() {
     }
 }
 
-/// Cells of every size, and maps that nearly fill the domain: no motion is refused at its end.
+/// Cells of every size, and maps that nearly fill the domain. The mover refuses no motion at the
+/// end of a map.
 #[test]
 fn every_size() {
     for (width, height, tile) in [(30, 20, 1), (30, 20, 7), (31, 31, 256), (1023, 3, 8), (3, 1023, 8), (8191, 2, 1)] {

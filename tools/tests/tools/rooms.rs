@@ -1,5 +1,5 @@
-//! Worlds of any size in rooms: maps that are cut, projects whose levels are rooms, and bodies that
-//! feel none of it.
+//! Worlds of any size in rooms: cut maps, projects whose levels are rooms, and bodies that do not
+//! notice the rooms.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -28,7 +28,7 @@ fn kinds(world: &World) -> TileKinds {
     (0..).zip(&world.kinds).fold(TileKinds::EMPTY, |kinds, (id, kind)| kinds.with(id, *kind))
 }
 
-/// A project of levels `A`, `B` and so on at these places in pixels, each of these rows.
+/// A project of levels `A`, `B` and so on at these positions in pixels, each of these rows.
 fn project(levels: &[(i32, i32, &[&str])]) -> String {
     let level = |(number, (x, y, rows)): (u8, &(i32, i32, &[&str]))| {
         let values: Vec<&str> =
@@ -49,7 +49,8 @@ fn project(levels: &[(i32, i32, &[&str])]) -> String {
     )
 }
 
-/// 40 000 pixels: the rooms have the tiles of the map, each cell of the world one of them.
+/// 40 000 pixels. The rooms have the tiles of the map, and each cell of the world belongs to one of
+/// them.
 #[test]
 fn a_map_of_forty_thousand_pixels() {
     let solid = |x: usize, y: usize| y == 7 || (x * 7 + y * 3).is_multiple_of(11);
@@ -71,10 +72,10 @@ fn a_map_of_forty_thousand_pixels() {
     }
 }
 
-/// The room that a ball goes over to.
+/// The room into which a ball crosses.
 type Next<'n, 'a> = dyn Fn(&Room<'a>, Vec2) -> Option<(Room<'a>, Vec2)> + 'n;
 
-/// The way of a ball in the world and in the rooms that it goes through; how often it goes over.
+/// The way of a ball in the world and through the rooms, and the number of crossings.
 fn ways<'a>(
     world: &dyn Fn(&Circle, Vec2) -> tilesat::Moved<Circle>,
     there: &dyn Fn(&Room<'a>, &Circle, Vec2) -> tilesat::Moved<Circle>,
@@ -101,7 +102,7 @@ fn ways<'a>(
     over
 }
 
-/// Levels of one project: each has its neighbours' tiles around it.
+/// Levels of one project. Each has its neighbours' tiles around it.
 #[test]
 fn levels_of_a_project_are_rooms() {
     let hall: &[&str] = &["##########", "#.........", "#.........", "#...##....", "##########"];
@@ -121,7 +122,7 @@ fn levels_of_a_project_are_rooms() {
             Room::new(map, room.first.0, room.first.1, world.apron).unwrap()
         })
         .collect();
-    // The same world in one map; nothing where no level is.
+    // The same world in one map, empty between the levels.
     let mut all = vec![0; 40 * 40];
     for (x, y, rows) in levels {
         for (row, line) in rows.iter().enumerate() {
@@ -191,7 +192,7 @@ fn polygons_of_every_room() {
     assert!(level.overlaps_circle(&Circle::new(Vec2::from_ints(150, 105), Fx::lit("5")).unwrap()));
 }
 
-/// A hill of 40 000 pixels: each room has what is near it.
+/// A hill of 40 000 pixels. Each room has the part near it.
 #[test]
 fn a_polygon_of_forty_thousand_pixels() {
     let top: Vec<String> = (0..=1000).map(|k| format!("{},{}", 40 * k, 20 + k * 37 % 40)).collect();
@@ -207,7 +208,7 @@ fn a_polygon_of_forty_thousand_pixels() {
         assert!(map.count() < 20, "{}", map.count());
         let x = i64::from(room.first.0) * 16;
         for k in (x / 40..=(x + 80) / 40).filter(|k| (1..1000).contains(k)) {
-            // Just below and above each corner that is in the room, and on the wall.
+            // Just below and above each corner in the room, and on the wall.
             let (at, top) = (((k * 40 - x) << 16) as i32, ((20 + k * 37 % 40) << 16) as i32);
             let probe = |y: i32| map.overlaps_circle(&Circle::new(Vec2::from_raw(at, y), Fx::from_bits(1)).unwrap());
             assert!(probe(top + 8) && !probe(top - 8) && probe((60 << 16) + 5), "{k}");
@@ -251,7 +252,7 @@ fn refused() {
     assert!(help.status == 0 && help.out.starts_with("usage: tilesat rooms "), "{help:?}");
 }
 
-/// What the compiler makes of the source is what was drawn.
+/// The compiler builds from the source what was drawn.
 #[test]
 fn source_equals_the_worlds() {
     for (level, options, source) in [

@@ -1,8 +1,8 @@
-//! The shapes of the platformer's levels: their names and numbers, flips, the errors, and the check
-//! that watches the library.
+//! The shapes of the platformer's levels: their names and numbers, flips, errors, and the check of
+//! the library.
 //!
-//! What a shape fills is written down here once more, from N++'s own corners; nothing is shared
-//! with the example or the library.
+//! The solid part of each shape, independently from N++'s own corners. It shares nothing with the
+//! example or the library.
 
 use std::path::PathBuf;
 
@@ -18,8 +18,8 @@ use crate::support;
 
 type Point = (i32, i32);
 
-/// The slopes of N++, each a line through its 24 x 24 cell with the solid at the corner that its
-/// number has.
+/// The slopes of N++. Each is a line through its 24 x 24 cell, with the solid at the corner of its
+/// number.
 const LINES: [(u8, Point, Point); 20] = [
     (6, (0, 24), (24, 0)),
     (7, (0, 0), (24, 24)),
@@ -43,8 +43,8 @@ const LINES: [(u8, Point, Point); 20] = [
     (33, (24, 24), (12, 0)),
 ];
 
-/// Whether tile `id` is solid at a point of its cell, given in 96ths; for the one-way tiles,
-/// whether the point is near their edge.
+/// Whether tile `id` is solid at a point of its cell, given in 96ths. For one-way tiles, whether
+/// the point is near their edge.
 fn solid(id: u8, (x, y): Point) -> bool {
     let corner = [(0, 0), (96, 0), (96, 96), (0, 96)][usize::from((id + 2) % 4)];
     let away = |c: Point| (x - c.0).pow(2) + (y - c.1).pow(2);
@@ -70,9 +70,9 @@ fn solid(id: u8, (x, y): Point) -> bool {
     }
 }
 
-/// Points of a cell that no outline passes through, flipped or not: one coordinate is odd and the
-/// other a multiple of 4 but not the middle, which no line of slope 1, 2 or 1/2 through the half
-/// lattice and no arc allows.
+/// Points of a cell that no outline passes through, flipped or not. One coordinate is odd, and the
+/// other a multiple of 4 but not the middle. No line of slope 1, 2 or 1/2 through the half lattice
+/// passes there, and no arc.
 fn points() -> impl Iterator<Item = Point> {
     (1..96).step_by(6).flat_map(|x| (4..96).step_by(8).map(move |y| (x, y)))
 }
@@ -81,13 +81,14 @@ fn flips() -> impl Iterator<Item = Flip> {
     (0..8).map(|bits| Flip { diagonal: bits & 1 != 0, horizontal: bits & 2 != 0, vertical: bits & 4 != 0 })
 }
 
-/// Where a point of a flipped tile is in the tile itself: Tiled flips along the diagonal first.
+/// The position of a point of a flipped tile in the tile itself. Tiled flips along the diagonal
+/// first.
 fn source(flip: Flip, (x, y): Point) -> Point {
     let (x, y) = (if flip.horizontal { 96 - x } else { x }, if flip.vertical { 96 - y } else { y });
     if flip.diagonal { (y, x) } else { (x, y) }
 }
 
-/// The points tell all shapes apart, and no flip of a shape is another one than the table says.
+/// The points distinguish all shapes, and every flip of a shape is the one in the table.
 #[test]
 fn flips_of_all_shapes() {
     for shape in TileShape::ALL {
@@ -204,8 +205,8 @@ fn a_map_of_all_flips() {
     }
 }
 
-/// A shape of the collision editor that is none of the library, in every flip: solid exactly where
-/// Tiled draws it.
+/// A shape of the collision editor that the library does not have, in every flip. It is solid
+/// exactly as Tiled draws it.
 #[test]
 fn drawn_shapes_in_all_flips() {
     let corners: [Point; 3] = [(8, 12), (76, 20), (16, 88)];
@@ -225,7 +226,7 @@ fn drawn_shapes_in_all_flips() {
     let mut solid = 0;
     for (x, flip) in flips().enumerate() {
         for p in points() {
-            // On a side of the polygon nothing is said.
+            // The test skips points on a side of the polygon.
             let from = source(flip, p);
             let edges = corners.iter().zip(corners.iter().cycle().skip(1));
             if edges.clone().any(|(a, b)| (b.0 - a.0) * (from.1 - a.1) == (b.1 - a.1) * (from.0 - a.0)) {
@@ -260,7 +261,7 @@ fn errors_name_tile_property_and_value() {
         let text = error(name, property);
         assert!(text.contains("tile 7 of tileset 'set'") && text.contains(value), "{text}");
     }
-    // A tile that no layer uses may say what it likes.
+    // A tile that no layer uses may have any properties.
     let path = map("unused", &(solid.to_owned() + &tile(9, "name=\"npp\" value=\"99\"")), &gids);
     assert!(support::level(&path).is_ok());
 }
@@ -284,14 +285,14 @@ fn more_than_256_kinds_are_refused() {
         let text = text.replace(&zeros, &list(&|i| 1 + i % 34)).replace("</map>", &flags);
         support::level(&support::scratch("shapes", "kinds.tmx", text))
     };
-    // Nothing at all is a kind too, of id 0, whether a cell has it or not.
+    // An empty tile is a kind too, with id 0, whether a cell has it or not.
     assert_eq!(bake(255).unwrap().ids.len(), 256);
     assert!(bake(256).unwrap_err().to_string().contains("more than 256"));
 }
 
-/// The exact check of the example and the library's tests, neither of which knows the other: every
-/// shape, boxes and balls of several sizes on the quarters and fifths of a cell (arcs pass through
-/// 3/5, 4/5) and a raw unit beside them.
+/// Compares the exact check of the example and the library's tests, neither of which knows the
+/// other. Every shape, with boxes and balls of several sizes. They are on the quarters and fifths
+/// of a cell (arcs pass through 3/5, 4/5), and a raw unit beside them.
 #[test]
 fn the_check_and_the_library_agree() {
     let (cell, quarter) = (10i64 << 16, 10i64 << 14);
@@ -354,7 +355,7 @@ fn ninja_is_baked_and_has_all_shapes() {
     assert!(["Coin", "Kill", "Ladder", "Water", "Win"].iter().all(|flag| level.mask(flag) != 0));
 }
 
-/// Desktop and firmware play the same run; the library keeps every body out of the solid.
+/// Desktop and firmware play the same run. The library keeps every body out of the solid.
 #[test]
 fn ninja_plays() {
     let grid = Grid::new(ninja::WIDTH, ninja::HEIGHT, Fx::from_num(ninja::TILE), Vec2::ZERO).unwrap();
@@ -373,7 +374,7 @@ fn ninja_plays() {
     }
 }
 
-/// The level shows every trick in one run or another.
+/// Over all runs, the level shows every trick.
 #[test]
 fn the_player_plays_ninja() {
     let level = own();
@@ -384,7 +385,7 @@ fn the_player_plays_ninja() {
     assert!(tricks.iter().all(|&count| count > 0), "{scores:?}");
 }
 
-/// A level of blocks gives the same run whichever set it is played with.
+/// A level of blocks gives the same run with either set.
 #[test]
 fn blocks_play_the_same_in_every_set() {
     let level = support::level(&support::own("platformer/levels/meadow.tmx")).unwrap();

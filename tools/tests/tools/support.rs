@@ -1,4 +1,4 @@
-//! What the tests of the level tools share: maps as text, files, and runs of a program.
+//! Shared code of the tests of the level tools: maps as text, files, and runs of a program.
 
 use std::ffi::OsString;
 use std::fs;
@@ -10,7 +10,7 @@ use tilesat_tools::bake::{self, Settings};
 use tilesat_tools::fail::{Fail, Result};
 use tilesat_tools::{cli, read};
 
-/// What a run of a program leaves behind.
+/// The result of a run of a program.
 #[derive(Debug)]
 pub(crate) struct Ran {
     pub(crate) status: u8,
@@ -39,7 +39,7 @@ pub(crate) fn tilesat<A: Into<OsString>>(args: impl IntoIterator<Item = A>) -> R
     ran(|args, out, err| cli::run(args, out, err), args)
 }
 
-/// A run of a subcommand with a file and options that have spaces between them.
+/// A run of a subcommand with a file and options, separated by spaces.
 pub(crate) fn run(command: &str, file: impl Into<OsString>, options: &str) -> Ran {
     tilesat([command.into(), file.into()].into_iter().chain(options.split_whitespace().map(OsString::from)))
 }
@@ -57,7 +57,7 @@ pub(crate) fn level(path: &Path) -> Result<Level> {
     first.ok_or_else(|| Fail::new("no tiles"))
 }
 
-/// A folder of this test alone: tests run side by side, and each in a thread of its name.
+/// A folder for this test. Tests run in parallel, each in a thread of its name.
 pub(crate) fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let thread = std::thread::current();
@@ -73,7 +73,7 @@ pub(crate) fn scratch(folder: &str, name: &str, content: impl AsRef<[u8]>) -> Pa
     path
 }
 
-/// A map of these objects in the layer `L`, whose class says that they are solid, and no tiles.
+/// A map of these objects in the layer `L`, whose class makes them solid, without tiles.
 pub(crate) fn objects(list: &str) -> String {
     map(1, 1, "0", list)
 }

@@ -1,19 +1,19 @@
-//! The committed inputs: a file for each target, a line for each input.
+//! The committed inputs: one file per target, one input per line.
 
 use std::fs;
 use std::path::Path;
 
-/// An input, and where it stands.
+/// An input, and its file and line.
 pub struct Input {
     pub bytes: Vec<u8>,
     pub place: String,
 }
 
-/// The inputs of a target in a folder of such files; none where it has no file.
+/// The inputs of a target in a folder of such files. Empty if it has no file.
 ///
 /// # Panics
 ///
-/// Where a line is not one of hexadecimal digits in pairs, or `-`, and a name.
+/// If a line is neither `-` nor pairs of hexadecimal digits, followed by a name.
 pub fn inputs(folder: &Path, target: &str) -> Vec<Input> {
     let path = folder.join(target).with_extension("hex");
     let text = fs::read_to_string(&path).unwrap_or_default();

@@ -1,8 +1,8 @@
-//! Replays the corpus on any toolchain, and goes on from it without guidance.
+//! Replays the corpus on any toolchain, and continues from it without guidance.
 //!
-//! `replay [--random N] [TARGET...]`: every committed input of the targets (all of them by
-//! default), those of `faults` too, then N changed ones of each target. Prints the number of the
-//! input that fails, and writes its bytes beside the program.
+//! `replay [--random N] [TARGET...]` runs every committed input of the targets, `faults` included.
+//! By default it runs all targets. Then it runs N changed inputs of each target. Prints the number
+//! of an input that fails, and writes its bytes beside the program.
 
 mod inputs;
 
@@ -22,7 +22,7 @@ impl Random {
         (self.0 >> 33) as usize % n.max(1)
     }
 
-    /// A committed input with a few bytes changed, or bytes from nowhere.
+    /// A committed input with a few changed bytes, or random bytes.
     fn input(&mut self, seeds: &[Vec<u8>]) -> Vec<u8> {
         let mut data = match self.below(4) {
             0 => Vec::new(),
@@ -39,7 +39,7 @@ impl Random {
     }
 }
 
-/// Runs one input; where it fails, keeps it.
+/// Runs one input. Keeps it if it fails.
 fn run(target: &str, data: &[u8], what: &str) -> bool {
     if std::panic::catch_unwind(|| check(target, data)).is_ok() {
         return true;
@@ -77,7 +77,7 @@ fn main() -> ExitCode {
                 failed += 1;
             }
         }
-        // An empty corpus would pass for ever.
+        // An empty corpus would always pass.
         let empty = bytes.is_empty();
         println!(
             "{target:13} {:4} inputs, {random} random, {failed} failed, {:5.1} s{}",

@@ -1,5 +1,5 @@
-//! Tells the linker that boxes are built beside where they are held: they get a whole board, see
-//! `memory.x`.
+//! Tells the linker that boxes need a whole board, because they are built beside their final
+//! position: see `memory.x`.
 //!
 //! The core with an FPU has `large` scenes, which the smallest board cannot hold.
 

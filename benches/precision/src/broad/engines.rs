@@ -15,7 +15,7 @@ use parry2d::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
 use std::os::raw::c_void;
 use tilesat_judge::oracle::figure::Point;
 
-/// The tree of parry2d, kept as rapier2d keeps it, without margins.
+/// The tree of parry2d, used as rapier2d does, without margins.
 struct ParryTree {
     tree: Bvh,
     work: BvhWorkspace,
@@ -43,7 +43,7 @@ impl Phase for ParryTree {
     }
 }
 
-/// A tree that is built anew in every frame, as its manual has it.
+/// A tree that is rebuilt in every frame, as its manual advises.
 struct Broccoli(Vec<(broccoli::axgeom::Rect<f32>, u32)>);
 
 impl Phase for Broccoli {
@@ -60,11 +60,11 @@ impl Phase for Broccoli {
     }
 }
 
-/// Its dynamic tree by itself: boxes in it are larger by what a body goes in a frame, and the exact
-/// ones are asked in the end.
+/// Its dynamic tree alone. Boxes in it are enlarged by a body's motion in a frame, and the exact
+/// boxes decide in the end.
 struct Box2dTree {
     tree: b2DynamicTree,
-    /// What the tree has: numbers and boxes.
+    /// Members of the tree: numbers and boxes.
     proxies: Vec<(i32, b2AABB)>,
 }
 
@@ -86,7 +86,7 @@ fn holds(a: &b2AABB, b: &b2AABB) -> bool {
         && b.upperBound.y <= a.upperBound.y
 }
 
-/// As the library's own inline function has it.
+/// As in the library's own inline function.
 fn touch(a: &b2AABB, b: &b2AABB) -> bool {
     !(b.lowerBound.x > a.upperBound.x
         || b.lowerBound.y > a.upperBound.y
@@ -94,7 +94,7 @@ fn touch(a: &b2AABB, b: &b2AABB) -> bool {
         || a.lowerBound.y > b.upperBound.y)
 }
 
-/// Whose pairs are looked for.
+/// The box whose pairs it looks for.
 struct Asking<'a> {
     body: u32,
     boxes: &'a [b2AABB],
@@ -102,9 +102,9 @@ struct Asking<'a> {
 }
 
 /// # Safety
-/// `context` is an [`Asking`] that nobody else looks at.
+/// `context` is an [`Asking`] that nobody else uses.
 unsafe extern "C" fn near(_: i32, other: u64, context: *mut c_void) -> bool {
-    // SAFETY: as told.
+    // SAFETY: as above.
     let asking = unsafe { &mut *context.cast::<Asking<'_>>() };
     let other = other as u32;
     if other > asking.body && touch(&asking.boxes[other as usize], &asking.boxes[asking.body as usize]) {
@@ -118,7 +118,7 @@ impl Box2dTree {
         // SAFETY: makes a new tree.
         let mut tree = unsafe { b2DynamicTree_Create(boxes.len() as i32) };
         let fat = boxes.iter().map(fattened).zip(0..);
-        // SAFETY: the tree is there.
+        // SAFETY: the tree exists.
         let add = |(fat, body)| (unsafe { b2DynamicTree_CreateProxy(&mut tree, fat, 1, body) }, fat);
         let proxies = fat.map(add).collect();
         Self { tree, proxies }
@@ -134,8 +134,8 @@ impl Phase for Box2dTree {
     }
 
     fn frame(&mut self, boxes: &[b2AABB], pairs: &mut Answer) {
-        // SAFETY: the tree is there, its proxies are those of the boxes, and the callback gets what
-        // it asks for.
+        // SAFETY: the tree exists, its proxies are those of the boxes, and the callback gets its
+        // own context.
         unsafe {
             for (bounds, (id, fat)) in boxes.iter().zip(&mut self.proxies) {
                 if !holds(fat, bounds) {

@@ -1,4 +1,4 @@
-//! The workload of broad phases: all boxes move, all pairs are told.
+//! The workload of broad phases: all boxes move, and the broad phase reports all pairs.
 
 mod engines;
 mod phases;
@@ -47,7 +47,7 @@ pub fn count(sizes: &Sizes) {
 mod tests {
     use super::*;
 
-    /// Ours misses nothing and tells nothing twice, and all of a frame is judged.
+    /// Ours misses nothing and reports nothing twice. The judge checks all of a frame.
     #[test]
     fn ours_tells_each_pair_once() {
         for row in PAIRS.small(|name| name == crate::peers::ours::NAME) {

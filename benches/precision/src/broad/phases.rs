@@ -1,4 +1,5 @@
-//! Broad phases, each behind the same two calls: it gets the boxes of a frame and tells all pairs.
+//! Broad phases, each behind the same two calls: it gets the boxes of a frame and reports all
+//! pairs.
 
 use super::scenes::{Bounds, Class, Frame};
 use super::truth::Answer;
@@ -14,15 +15,15 @@ use tilesat::{Aabb, Fx};
 use tilesat_textbook::broad;
 use tilesat_textbook::shape::Aabb as Book;
 
-/// One that holds the boxes of one frame after the other.
+/// A broad phase that holds the boxes of one frame after the other.
 pub trait Phase: 'static {
     type Box: 'static;
     fn boxed(bounds: &Bounds) -> Self::Box;
-    /// Moves all boxes and tells all pairs.
+    /// Moves all boxes and reports all pairs.
     fn frame(&mut self, boxes: &[Self::Box], pairs: &mut Answer);
 }
 
-/// Frames forth and back, so that no pass begins with a leap.
+/// Frames forth and back, so that no pass begins with a jump.
 struct Run<P: Phase> {
     phase: P,
     frames: Vec<Vec<P::Box>>,
@@ -73,12 +74,12 @@ pub fn add<P: Phase>(
     list.0.push(Backend { name, asked, format, make, fits: |_| true });
 }
 
-/// What a frame asks of a broad phase.
+/// The work of a broad phase per frame.
 pub trait Ask: 'static {
     fn ask<B: BroadPhase<Tag = ()>>(near: &mut B, boxes: &[Aabb], answer: &mut Answer);
 }
 
-/// All boxes move, and all pairs are told.
+/// All boxes move, and it reports all pairs.
 pub struct Pairs;
 
 impl Ask for Pairs {
@@ -88,7 +89,7 @@ impl Ask for Pairs {
     }
 }
 
-/// Any of the library's; the slots are given in order.
+/// Any broad phase of the library. Slots ascend.
 struct Own<B, A>(B, PhantomData<A>);
 
 impl<B: BroadPhase<Tag = ()> + 'static, A: Ask> Own<B, A> {
@@ -112,7 +113,7 @@ impl<B: BroadPhase<Tag = ()> + 'static, A: Ask> Phase for Own<B, A> {
     }
 }
 
-/// For as many bodies, blocks of 32 cells, and buckets: at least 64.
+/// For a number of bodies: blocks of 32 cells, and buckets, at least 64.
 fn sized<A: Ask, const N: usize, const BLOCKS: usize, const BUCKETS: usize, const LARGE: bool>(
     list: &mut List<Frame, Answer>,
     class: Class,

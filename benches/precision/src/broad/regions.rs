@@ -1,4 +1,4 @@
-//! The workload of static boxes: which of them are in a region. Nothing moves but the regions.
+//! The workload of static boxes: which of them are in a region? Only the regions move.
 
 use super::engines::parry_box;
 use super::phases::{self, Ask, Phase, add};
@@ -32,10 +32,10 @@ const CLASSES: [Class; 8] = [
     class(Kind::Uneven, 1024),
 ];
 
-/// Added to the number of a box, to tell it from that of a region.
+/// Added to the number of a box, to distinguish it from a region's.
 const HELD: u32 = 1 << 20;
 
-/// The regions of a frame are its boxes; the boxes of the first frame stay.
+/// The regions of a frame are its boxes. The boxes of the first frame stay.
 const REGIONS: Workload = Workload {
     name: NAME,
     classes: &CLASSES,
@@ -135,7 +135,7 @@ pub fn count(sizes: &Sizes) {
 mod tests {
     use super::*;
 
-    /// Ours and the trees find all, and nothing twice.
+    /// Ours and the trees find everything, and nothing twice.
     #[test]
     fn all_find_each_box_once() {
         for row in REGIONS.small(|_| true) {

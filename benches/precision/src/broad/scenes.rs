@@ -1,4 +1,4 @@
-//! Boxes that move, frame by frame, as many to the area whatever their number.
+//! Boxes that move frame by frame. The density does not depend on their number.
 
 use tilesat_judge::Random;
 use tilesat_judge::oracle::figure::Point;
@@ -11,7 +11,7 @@ pub struct Bounds {
     pub hi: Point,
 }
 
-/// Pixels of a raw place.
+/// Converts a raw position to pixels.
 pub fn px(raw: i64) -> f32 {
     (raw as f64 / 65536.0) as f32
 }
@@ -20,17 +20,17 @@ pub type Frame = Vec<Bounds>;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Anywhere in a square of 64 x 64 pixels for each; up to 2 pixels per frame.
+    /// Anywhere, with 64 x 64 pixels per box. At most 2 pixels per frame.
     Scattered,
     /// The same, and three in a hundred jump anywhere.
     Leaping,
-    /// 32 to a clump of 128 x 128 pixels, and nothing between the clumps.
+    /// 32 in each clump of 128 x 128 pixels, and nothing between the clumps.
     Clumps,
-    /// Scattered, and one of half the scene's side among them, which rests.
+    /// Scattered, with one resting box of half the scene's side.
     Huge,
-    /// Sides from 4 to 512 pixels, half as many of twice the side; one in sixteen moves.
+    /// Sides from 4 to 512 pixels, half as many of twice the side. One box in sixteen moves.
     Uneven,
-    /// 32 on top of each other, within 2 raw units of touching; the columns sway.
+    /// 32 on top of each other, within 2 raw units of touching. The columns sway.
     Columns,
 }
 
@@ -38,7 +38,7 @@ pub enum Kind {
 pub struct Class {
     pub kind: Kind,
     pub bodies: usize,
-    /// Where the scene begins, in pixels.
+    /// The first corner of the scene, in pixels.
     pub origin: i64,
 }
 
@@ -68,7 +68,7 @@ pub const CLASSES: [Class; 19] = [
     class(Kind::Uneven, 1024, 0),
 ];
 
-/// Boxes in a column.
+/// Boxes per column.
 const HIGH: usize = 32;
 
 impl Class {
@@ -96,7 +96,7 @@ impl Class {
     }
 
     /// The side of a cell in pixels, as one would choose it: few boxes are larger. For uneven sizes
-    /// the best of 32, 64, 128 and 256, but for regions among 256 boxes, where 64 is.
+    /// it is the best of 32, 64, 128 and 256. Only regions among 256 boxes would prefer 64.
     pub fn cell(self) -> u16 {
         if self.kind == Kind::Uneven { 128 } else { 32 }
     }
@@ -160,7 +160,7 @@ impl Class {
             .collect()
     }
 
-    /// Each moves a pixel or two to and fro around a place of its own.
+    /// Each box moves a pixel or two to and fro around a fixed position.
     fn drifting(self, r: &mut Random, n: usize) -> Vec<Frame> {
         let side = self.side() * UNIT;
         let mut clump = (0, 0);
@@ -184,7 +184,7 @@ impl Class {
             })
             .collect();
         let at = |frame: usize| {
-            // Eight frames there, eight frames back.
+            // Eight frames forth, eight frames back.
             let k = (frame % 16).min(16 - frame % 16) as i64;
             let place = |(b, v): &(Bounds, Point)| {
                 let moved = |p: Point| (p.0 + v.0 * k, p.1 + v.1 * k);

@@ -1,4 +1,4 @@
-//! Trees of libraries that hold boxes and nothing else.
+//! Trees of libraries that hold only boxes.
 
 use super::phases::{Phase, add};
 use super::scenes::{Bounds, Class, Frame, px};
@@ -9,7 +9,7 @@ use quadtree_rs::area::{Area, AreaBuilder};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
-/// An R*-tree, packed in each frame: that is faster than moving its boxes one by one.
+/// An R*-tree, packed in each frame. That is faster than moving its boxes one by one.
 struct Packed;
 
 pub type Leaf = GeomWithData<Rectangle<[f32; 2]>, u32>;
@@ -39,14 +39,15 @@ impl Phase for Packed {
     }
 }
 
-/// A quadtree, filled in each frame; the exact boxes are asked in the end.
+/// A quadtree, filled in each frame. The exact boxes decide in the end.
 struct Quad(Class);
 
 /// The side of a smallest square is this power of two, in pixels. Of 4, 5 and 6, 5 is best for most
-/// regions and for pairs in clumps; 6 takes 0.8 of it for scattered pairs, and 1.3 times it for clumps.
+/// regions and for pairs in clumps. 6 takes 0.8 times as long for scattered pairs, and 1.3 times
+/// for clumps.
 const SQUARE: u32 = 5;
 
-/// The exact box, and the smallest squares that it reaches into.
+/// The exact box, and the range of smallest squares that it reaches.
 pub struct Square {
     pub exact: Bounds,
     pub area: Area<i64>,
@@ -87,7 +88,7 @@ impl Phase for Quad {
 
 pub fn all(list: &mut List<Frame, Answer>, class: Class) {
     add(list, ("rstar", "tree", Format::F32), |_: &[AABB<[f32; 2]>]| Packed);
-    // It has no places beyond its square, and takes minutes for thousands of boxes.
+    // It covers nothing beyond its square, and takes minutes for thousands of boxes.
     if class.origin == 0 && class.bodies <= 1024 {
         add(list, ("quadtree_rs", "tree", Format::RAW), move |_: &[Square]| Quad(class));
     }

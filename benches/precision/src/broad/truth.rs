@@ -1,13 +1,13 @@
-//! Which pairs of boxes there are: all against all, in integers.
+//! The true pairs of boxes: all against all, in integers.
 
 use super::scenes::{Bounds, Frame};
 use crate::record::Row;
 use std::collections::HashSet;
 
-/// What a broad phase told of a frame, in any order.
+/// The report of a broad phase for a frame, in any order.
 pub type Answer = Vec<(u32, u32)>;
 
-/// Pairs that have an area in common, and those that have a point in common.
+/// Pairs that share an area, and pairs that share a point.
 #[derive(Debug)]
 pub struct Truth {
     overlapping: HashSet<(u32, u32)>,
@@ -47,8 +47,8 @@ impl Truth {
     }
 }
 
-/// Missing is a pair that overlaps and is not told; extra is one that does not even touch, or is
-/// told twice. Of pairs that only touch both is right.
+/// A pair that overlaps and is not reported is missing. A pair that does not even touch, or is
+/// reported twice, is extra. A pair that only touches may be reported or not.
 pub fn judge(row: &mut Row, truths: &[Truth], answers: &[Answer]) {
     let (mut pairs, mut missing, mut extra) = (0, 0, 0);
     for (truth, answer) in truths.iter().zip(answers) {

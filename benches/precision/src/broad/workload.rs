@@ -1,4 +1,4 @@
-//! A workload of boxes: its classes, whom it asks, and what is right.
+//! A workload of boxes: its classes, its backends, and its judge.
 
 use super::scenes::{Class, Frame};
 use super::truth::{Answer, Truth, judge};
@@ -10,7 +10,7 @@ use crate::run::{Sizes, time};
 pub struct Workload {
     pub name: &'static str,
     pub classes: &'static [Class],
-    /// The most frames that are judged and timed, and that are counted.
+    /// The most frames to judge and time, and to count.
     pub most: (usize, usize),
     pub truths: fn(&[Frame]) -> Vec<Truth>,
     pub backends: fn(Class) -> List<Frame, Answer>,
@@ -30,7 +30,7 @@ impl Workload {
         (row, job)
     }
 
-    /// What is missing, and how long a frame takes.
+    /// Errors, and the time per frame.
     pub fn measure(&self, sizes: &Sizes, rows: &mut Vec<Row>) {
         for &class in self.classes {
             let frames = class.frames((sizes.boxes / class.bodies).clamp(8, self.most.0));
@@ -47,7 +47,7 @@ impl Workload {
         }
     }
 
-    /// How many instructions a frame takes; under callgrind.
+    /// Instructions per frame, under callgrind.
     pub fn count(&self, sizes: &Sizes) {
         for &class in self.classes {
             let frames = class.frames((8 * sizes.counted / class.bodies).clamp(3, self.most.1));

@@ -1,4 +1,4 @@
-//! Who casts shapes.
+//! The backends that cast shapes.
 
 use super::classes::Case;
 use super::truth::Answer;
@@ -123,7 +123,7 @@ macro_rules! parry {
 parry!(single, parry2d, "parry2d");
 parry!(double, parry2d_f64, "parry2d-f64");
 
-/// Corners around the middle, which is the place.
+/// Corners around the middle, which is the position.
 fn proxy(figure: &Figure) -> (b2Vec2, b2ShapeProxy) {
     let (points, middle, radius) = match *figure {
         Figure::Circle { centre, radius } => (vec![(0, 0)], (centre.0 * 2, centre.1 * 2), radius),
@@ -138,7 +138,7 @@ fn proxy(figure: &Figure) -> (b2Vec2, b2ShapeProxy) {
     };
     let halved = |(x, y): (i64, i64)| b2Vec2 { x: box2d::length(x as f64 / 2.0), y: box2d::length(y as f64 / 2.0) };
     let points: Vec<b2Vec2> = points.into_iter().map(halved).collect();
-    // SAFETY: as many points as told, which are copied.
+    // SAFETY: the count is correct, and it copies the points.
     let proxy = unsafe { b2MakeProxy(points.as_ptr(), points.len() as i32, box2d::length(radius as f64)) };
     (halved(middle), proxy)
 }
@@ -148,7 +148,7 @@ fn by_box2d(list: &mut List<Case, Answer>) {
         (box2d::NAME, "cast", Format::F32),
         |c: &Case| {
             let ((p, a), (q, b)) = (proxy(&c.a), proxy(&c.b));
-            // It moves its B.
+            // It moves B.
             b2ShapeCastPairInput {
                 proxyA: b,
                 proxyB: a,
@@ -177,7 +177,7 @@ fn by_chipmunk(list: &mut List<Case, Answer>) {
         |(shape, from, to, radius)| {
             let nothing = cpv(0.0, 0.0);
             let mut info = cpSegmentQueryInfo { shape: ptr::null(), point: nothing, normal: nothing, alpha: 1.0 };
-            // SAFETY: the shape lives as long as the loop, and the answer has its place.
+            // SAFETY: the shape lives as long as the loop, and the answer's memory is valid.
             let hit = unsafe { cpShapeSegmentQuery(shape.0, *from, *to, *radius, &mut info) };
             (hit != 0, info.alpha)
         },

@@ -5,7 +5,7 @@ use tilesat_judge::Random;
 use tilesat_judge::oracle::figure::{Figure, Kind, Point};
 use tilesat_judge::oracle::generate::UNIT;
 
-/// A moves by `d`, B does not.
+/// A moves by `d`. B stays.
 #[derive(Clone, Copy, Debug)]
 pub struct Case {
     pub a: Figure,
@@ -15,7 +15,7 @@ pub struct Case {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
-    /// Anywhere in a scene; half of them hit.
+    /// Anywhere in a scene. Half of them hit.
     Uniform,
     /// Toward the middle.
     HeadOn,
@@ -75,7 +75,7 @@ fn half(r: &mut Random) -> i64 {
     r.within(2 * UNIT, 16 * UNIT)
 }
 
-/// A shape around a point, and how far it reaches.
+/// A shape around a point, and its extent.
 fn around(r: &mut Random, kind: Kind, c: Point) -> (Figure, Point) {
     if kind == Kind::Circle {
         let radius = half(r);
@@ -101,8 +101,8 @@ fn apart(r: &mut Random, kinds: (Kind, Kind), motion: impl Fn(Point, Point) -> P
     Case { a: a.moved(at), b, d: motion(at, c) }
 }
 
-/// A way past what is nearest: with a Pythagorean direction, so that the touch is exact before it
-/// is moved by 2 raw.
+/// A way past the nearest feature. The direction is Pythagorean, so the touch is exact before it
+/// moves by 2 raw.
 fn grazing(r: &mut Random, kinds: (Kind, Kind)) -> Option<Case> {
     let (m, n) = (r.within(2, 20), r.within(1, 19));
     if n >= m {
@@ -118,12 +118,12 @@ fn grazing(r: &mut Random, kinds: (Kind, Kind)) -> Option<Case> {
     let d = (p * (on + back), q * (on + back));
     let from = (r.around(64 * UNIT), r.around(64 * UNIT));
     let jitter = (r.around(2), r.around(2));
-    // The place where A's reference passes B's: `radius` across.
+    // Position where A's reference passes B's: `radius` across.
     let start = |x: Point| (x.0 - p * back + jitter.0, x.1 - q * back + jitter.1);
     let steps = r.within(4 * UNIT / h, 16 * UNIT / h);
     let radius = steps * h;
     let across = (n.0 * steps, n.1 * steps);
-    // A box behind its corner at the origin, as seen across the way, and a segment behind its end.
+    // A box behind its corner at the origin, as seen across the way. A segment behind its end.
     let back_of = |r: &mut Random| (-n.0.signum() * half(r), -n.1.signum() * half(r));
     let behind = |r: &mut Random| {
         let corner = back_of(r);
@@ -141,7 +141,7 @@ fn grazing(r: &mut Random, kinds: (Kind, Kind)) -> Option<Case> {
         (Kind::Circle, _) => (Figure::Circle { centre: start(across), radius }, behind(r)),
         _ => {
             let b = behind(r);
-            // Of A, the corner that looks toward B passes B's corner.
+            // The corner of A that faces B passes B's corner.
             let size = (half(r), half(r));
             let to = (n.0.signum() * size.0, n.1.signum() * size.1);
             let corner = start((0, 0));

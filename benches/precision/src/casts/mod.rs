@@ -17,7 +17,7 @@ pub fn name(kinds: (Kind, Kind)) -> String {
     format!("cast: {}", pairs::name(kinds))
 }
 
-/// What is wrong, and how long it takes.
+/// Errors, and the time per call.
 pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
     for kinds in KINDS {
         let list = backends::all(kinds);
@@ -38,7 +38,7 @@ pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
     }
 }
 
-/// How many instructions it takes; under callgrind.
+/// Instructions per call, under callgrind.
 pub fn count(sizes: &Sizes) {
     for kinds in KINDS {
         let list = backends::all(kinds);

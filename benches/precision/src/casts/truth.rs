@@ -1,9 +1,9 @@
-//! When a motion first makes two shapes overlap, exactly enough.
+//! The time at which a motion first makes two shapes overlap, exactly enough.
 //!
-//! Whether it does is one question about the polygon of all differences: the way of the one shape,
-//! grown by the other one, holds the origin inside. When is the first moment in one of the pieces
-//! that the grown shape is made of: two boxes and four discs, of a segment a strip and two discs.
-//! Each piece is entered at a fraction, or at a root without cancellation, so 15 digits are right.
+//! Whether they meet is one question about the polygon of all differences. The way of one shape,
+//! grown by the other, has the origin inside or not. The time is the first one in one of the pieces
+//! of the grown shape: two boxes and four discs, or for a segment a strip and two discs. Each entry
+//! is a fraction, or a root without cancellation, so 15 digits are right.
 
 use super::classes::Case;
 use crate::job::Format;
@@ -21,8 +21,8 @@ pub struct Truth {
     length: f64,
 }
 
-/// A point that moves, and what it may not enter: a box, a point or a segment from one to the other
-/// end, grown by a radius.
+/// A moving point, and the set that it must not enter: a box, a point or a segment, grown by a
+/// radius.
 struct Relative {
     p: Point,
     lo: Point,
@@ -51,7 +51,7 @@ fn relative(case: &Case) -> Relative {
 }
 
 impl Truth {
-    /// Of a question without a motion: overlapping is at once.
+    /// Without a motion: an overlap is a hit at once.
     pub fn at_once(overlaps: bool, touches: bool) -> Self {
         Self { toi: overlaps.then_some(0.0), touches, length: 0.0 }
     }
@@ -60,7 +60,7 @@ impl Truth {
         self.toi.is_none()
     }
 
-    /// Of one motion toward several shapes: the first of them.
+    /// One motion toward several shapes: the first hit of all.
     pub fn first(all: impl IntoIterator<Item = Self>) -> Self {
         let none = Self::at_once(false, false);
         all.into_iter().fold(none, |a, b| Self {
@@ -99,7 +99,7 @@ impl Truth {
     }
 }
 
-/// When a point enters an open box.
+/// Time at which a point enters an open box.
 fn enters_box(p: Point, d: Point, lo: Point, hi: Point) -> Option<f64> {
     // Fractions with the first one's denominators: from and to.
     let (mut from, mut to) = ((0i64, 1i64), (1i64, 1i64));
@@ -119,7 +119,7 @@ fn enters_box(p: Point, d: Point, lo: Point, hi: Point) -> Option<f64> {
     less(from, to).then(|| from.0 as f64 / from.1 as f64)
 }
 
-/// When a point comes as near as `r` to a segment's line, if that is beside the segment; there it
+/// Time at which a point comes within `r` of a segment's line, if that is beside the segment. It
 /// comes from outside.
 fn enters_strip(p: Point, d: Point, a: Point, b: Point, r: i64) -> Option<f64> {
     let (e, m) = ((b.0 - a.0, b.1 - a.1), (p.0 - a.0, p.1 - a.1));
@@ -137,7 +137,7 @@ fn enters_strip(p: Point, d: Point, a: Point, b: Point, r: i64) -> Option<f64> {
     ((0.0..=square as f64).contains(&along) && t < 1.0).then_some(t)
 }
 
-/// When a point that is `m` from the centre, and not inside, enters an open disc.
+/// Time at which a point, `m` from the centre and not inside, enters an open disc.
 fn enters_disc(m: Point, d: Point, r: i64) -> Option<f64> {
     let dot = |p: Point, q: Point| i128::from(p.0) * i128::from(q.0) + i128::from(p.1) * i128::from(q.1);
     let square = i128::from(r) * i128::from(r);
@@ -150,14 +150,14 @@ fn enters_disc(m: Point, d: Point, r: i64) -> Option<f64> {
     hits.then(|| c as f64 / (b as f64 + (free as f64).sqrt()))
 }
 
-/// An answer: whether it hits, and when, where that was asked.
+/// An answer: whether it hits, and the time, if the query gives one.
 #[derive(Clone, Copy, Debug)]
 pub struct Answer {
     pub hit: bool,
     pub toi: Option<f64>,
 }
 
-/// What is late by less than this many pixels is rounding of the judge.
+/// Less than this many pixels late is rounding of the judge.
 const EVEN: f64 = 1.0 / 4_294_967_296.0;
 
 pub fn judge(row: &mut Row, truths: &[Truth], answers: &[Answer], format: Format) {
@@ -198,12 +198,12 @@ mod tests {
         Q::from_integer(BigInt::from(n))
     }
 
-    /// The square of the distance from the moving point to the box, less the square of the radius.
+    /// The squared distance from the moving point to the box, minus the squared radius.
     fn beyond(case: &Case, t: &Q) -> Q {
         let Relative { p, lo, hi, r, is_segment } = relative(case);
         let at = |i: usize, t: &Q| q([p.0, p.1][i]) + q([case.d.0, case.d.1][i]) * t;
         if is_segment {
-            // The nearest of its points: where along it, from 0 to 1.
+            // Its nearest point, as a position along it from 0 to 1.
             let (e, m) = ([q(hi.0 - lo.0), q(hi.1 - lo.1)], [at(0, t) - q(lo.0), at(1, t) - q(lo.1)]);
             let along = (&m[0] * &e[0] + &m[1] * &e[1]) / (&e[0] * &e[0] + &e[1] * &e[1]);
             let along = along.clamp(q(0), q(1));
@@ -224,8 +224,8 @@ mod tests {
         &x * &x + &y * &y - q(r) * q(r)
     }
 
-    /// A little before the moment they are apart; a little after it they overlap. Where none is,
-    /// they are apart all the way.
+    /// Shortly before the time they are disjoint, and shortly after it they overlap. Without a time
+    /// they are disjoint all the way.
     #[test]
     fn moments_separate_apart_from_overlap() {
         let little = Q::new(BigInt::from(1), BigInt::from(1u64 << 44));
@@ -245,7 +245,7 @@ mod tests {
                     let (before, after) = (&t - &little, &t + &little);
                     if relative(&case).r > 0 {
                         assert!(before < q(0) || beyond(&case, &before) > q(0), "{class:?} {case:?}");
-                        // In the shortest graze it may be over before that.
+                        // The shortest graze may have ended before that.
                         let (inside, zero) = (beyond(&case, &after), q(0));
                         assert!(inside < zero || after > q(1) || class != CLASSES[1], "{class:?} {case:?}: {inside}");
                     }

@@ -1,4 +1,4 @@
-//! What the library is meant to reach on microcontrollers.
+//! The library's goals on microcontrollers.
 
 use super::{Goal, at_most, best_broad, f32_too, first, ours};
 use crate::record::Row;
@@ -82,14 +82,14 @@ pub fn goals(rows: &[Row]) -> Vec<Goal> {
         at_most(rows, "at most the instructions of textbook f32 on Cortex-M4F: moves", ("m4f", 1.0), moves(), f32_too),
         at_most(
             rows,
-            "at most the instructions of the best of textbook f32 on Cortex-M0: the best broad phase for as many boxes",
+            "at most the instructions of the best textbook f32 on Cortex-M0: broad phases",
             ("m0", 1.0),
             best_broad(rows, "m0").into_iter(),
             textbook,
         ),
         at_most(
             rows,
-            "at most the instructions of the best of textbook f32 on Cortex-M4F: the best broad phase for as many boxes",
+            "at most the instructions of the best textbook f32 on Cortex-M4F: broad phases",
             ("m4f", 1.0),
             best_broad(rows, "m4f").into_iter(),
             textbook,
@@ -102,7 +102,7 @@ mod tests {
     use super::*;
     use crate::goals::tests::cells;
 
-    /// The goals that are about some rows: their texts' last words, and what misses them.
+    /// The goals about some rows: the last words of their texts, and the rows that miss them.
     fn missed(rows: &[Row]) -> Vec<(&'static str, Vec<String>)> {
         let told = goals(rows).into_iter().filter(|g| g.rows > 0);
         let texts = |g: Goal| g.missed.into_iter().map(|m| format!("{}: {}", m.question, m.text)).collect();

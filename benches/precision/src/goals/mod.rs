@@ -1,4 +1,4 @@
-//! What the library is meant to reach, and where it does not.
+//! The library's goals, and the rows that miss them.
 
 mod micro;
 mod peers;
@@ -9,15 +9,14 @@ use crate::show::workloads;
 use crate::tables::short;
 use std::fmt::Write;
 
-/// Something that misses a goal: the question, its class, and what is there; and how many times
-/// what is allowed.
+/// A missed goal: the question, its class, the backend, and how many times the allowed cost it has.
 struct Miss {
     question: String,
     text: String,
     times: f64,
 }
 
-/// One goal: how many rows it is about, and those that miss it.
+/// One goal: the number of rows that it covers, and the rows that miss it.
 struct Goal {
     text: &'static str,
     rows: usize,
@@ -35,7 +34,7 @@ fn least<'a>(rows: &'a [Row], row: &Row, column: &str, of: impl Fn(&Row) -> bool
     same.filter_map(|r| Some((r, r.get(column)?))).min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// At most `factor` times what the best of others take.
+/// At most `factor` times the best cost of others.
 fn at_most(
     rows: &[Row],
     text: &'static str,
@@ -59,13 +58,13 @@ fn at_most(
     goal
 }
 
-/// The first question of each workload that has one: yes or no, rays, casts, moves.
+/// The first question of each workload: yes or no, rays, casts, moves.
 fn first(rows: &[Row], moves: bool) -> impl Iterator<Item = Row> {
     let of = move |r: &&Row| r.backend() == "tilesat" && r.asked() == first_asked(r.workload());
     rows.iter().filter(of).filter(move |r| is_move(r.workload()) == moves).cloned()
 }
 
-/// Of our broad phases, the one that costs least in each class.
+/// The cheapest of our broad phases in each class.
 fn best_broad(rows: &[Row], column: &str) -> Vec<Row> {
     let own = |r: &&Row| r.backend() == "tilesat" && is_broad(r.workload());
     let mut classes: Vec<&str> = rows.iter().filter(own).map(Row::class).collect();
@@ -77,7 +76,7 @@ fn best_broad(rows: &[Row], column: &str) -> Vec<Row> {
         .collect()
 }
 
-/// A count of what is wrong, which is to be none.
+/// A count of faults, which must be zero.
 fn none(rows: &[Row], text: &'static str, column: &str, of: impl Fn(&str) -> bool) -> Goal {
     let own = rows.iter().filter(|r| r.backend() == "tilesat" && r.get(column).is_some() && of(r.workload()));
     let bad = own.clone().filter(|r| r.get(column) > Some(0.0));
@@ -99,7 +98,7 @@ fn f32_too(own: &Row, other: &Row) -> bool {
 
 fn goals(rows: &[Row]) -> Vec<Goal> {
     let usual = |r: &Row| r.class() == usual_class(r.workload());
-    let mut soak = Goal { text: "0 wrong of 10^9 adversarial queries a pair", rows: 0, missed: Vec::new() };
+    let mut soak = Goal { text: "0 wrong of 10^9 adversarial queries per pair", rows: 0, missed: Vec::new() };
     for row in ours(rows, "overlaps").filter(|r| r.class() == "soak") {
         soak.rows += 1;
         let (n, wrong) = (row.get("queries").unwrap_or(0.0), row.get("wrong").unwrap_or(0.0));
@@ -113,7 +112,7 @@ fn goals(rows: &[Row]) -> Vec<Goal> {
         none(rows, "0 late times of impact", "late", |_| true),
         none(rows, "0 overlaps after a move", "wrong", is_move),
         none(rows, "0 tunnels", "tunnels", is_move),
-        none(rows, "0 frames stuck though there was a way", "stuck", is_move),
+        none(rows, "0 frames stuck although a way existed", "stuck", is_move),
         none(rows, "0 missing pairs of boxes", "wrong", is_broad),
         soak,
         at_most(
@@ -133,7 +132,7 @@ fn goals(rows: &[Row]) -> Vec<Goal> {
     ]
 }
 
-/// A line a question: in how many classes, and where most.
+/// A line per question: the number of classes, and the worst one.
 fn misses(out: &mut String, missed: &[Miss]) {
     let mut told: Vec<&str> = Vec::new();
     for miss in missed {
@@ -145,14 +144,14 @@ fn misses(out: &mut String, missed: &[Miss]) {
         let Some(worst) = same().max_by(|a, b| a.times.total_cmp(&b.times)) else { continue };
         let _ = match same().count() {
             1 => writeln!(out, "  - {}: {}", miss.question, worst.text),
-            n => writeln!(out, "  - {}: {n} classes, most in {}", miss.question, worst.text),
+            n => writeln!(out, "  - {}: {n} classes, worst in\n    {}", miss.question, worst.text),
         };
     }
 }
 
-/// The part of the page that says where we lose.
+/// The part of the page that shows our losses.
 pub fn page(rows: &[Row]) -> String {
-    let mut out = String::from("\n## Goals, and where they are missed\n\n");
+    let mut out = String::from("\n## Goals, and the classes that miss them\n\n");
     for goal in goals(rows).into_iter().chain(micro::goals(rows)) {
         if goal.rows == 0 {
             let _ = writeln!(out, "- **not measured**: {}", goal.text);

@@ -1,5 +1,5 @@
-//! Goals against everyone else: in each class the fastest whose answers there are exact, and the
-//! fastest of any.
+//! Goals against everyone else. For each class: the fastest backend with exact answers there, and
+//! the fastest of all.
 
 use super::at_most;
 use crate::question::{Question, is_right};
@@ -8,9 +8,11 @@ use crate::tables::short;
 use std::fmt::Write;
 
 const HEAD: &str = "
-At most what the fastest of all others takes, of those that are exact in the class, and of any, whatever they get wrong: textbook code in every
-format, this benchmark's own integers, and libraries. How many classes of how many miss it, and by how many times where it is worst. A time counts
-only where it did not stray, so few classes may be left; an empty cell has none.
+This table compares with the fastest of all others: textbook code in every format, this benchmark's
+own integers, and libraries. The columns *exact* count only backends that are exact in the class,
+and the columns *any* count all. A cell shows in how many classes the library misses the goal, and
+by what factor in the worst one. Only times that did not stray count, so few classes may be left. An
+empty cell has none.
 
 | missed | instructions, exact | instructions, any | ns, exact | ns, any |
 |---|--:|--:|--:|--:|
@@ -63,7 +65,7 @@ mod tests {
         assert!(page.contains(line), "{page}");
     }
 
-    /// A game takes the broad phase that suits it.
+    /// A game chooses the broad phase that suits it.
     #[test]
     fn the_best_broad_phase_is_held_to_the_best_of_others() {
         let own = |asked, host| row(["pairs of boxes", "8 boxes", "tilesat", asked], &[("host", host), ("wrong", 0.0)]);

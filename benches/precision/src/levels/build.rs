@@ -1,5 +1,5 @@
-//! Building of a map of segments: ground in slopes, one chain. Beside it parry2d's polyline, which
-//! is a tree of the same segments.
+//! Building a map of segments: sloping ground in one chain. Beside it parry2d's polyline, which is
+//! a tree of the same segments.
 
 use super::Asked;
 use crate::job::{Format, List};
@@ -12,7 +12,7 @@ use tilesat_judge::oracle::figure::Point;
 
 type Chain = Vec<Point>;
 
-/// Of at most so many segments.
+/// At most this many segments.
 pub fn all(largest: usize) -> Vec<Asked<Chain, bool>> {
     let sizes = [10, 100, 1_000, 10_000].into_iter().filter(|&n| n <= largest);
     sizes
@@ -25,8 +25,8 @@ pub fn all(largest: usize) -> Vec<Asked<Chain, bool>> {
         .collect()
 }
 
-/// Slopes from a pixel to a pixel and a half wide, forth and back over the domain in rows of 8
-/// pixels.
+/// Slopes of a pixel to a pixel and a half in width. They run forth and back over the domain in
+/// rows of 8 pixels.
 fn chain(n: usize) -> Chain {
     let (mut r, mut at, mut ahead) = (Random::new(0xb11d), (-4000i64 << 16, -4000i64 << 16), 1);
     let mut points = vec![at];
@@ -77,7 +77,7 @@ fn backends() -> List<Chain, bool> {
     list
 }
 
-/// Wrong is what was not built.
+/// Counts missing segments as wrong.
 pub fn judge(row: &mut Row, answers: &[bool], _: &str) {
     row.set("queries", answers.len() as f64).set("wrong", answers.iter().filter(|&&built| !built).count() as f64);
 }

@@ -1,5 +1,5 @@
-//! Rays from one side of an empty map to the other one: cells of a pixel, so that the largest map
-//! is still in reach of a motion.
+//! Rays from one side of an empty map to the other. Cells of a pixel, so that a motion can cross
+//! the largest map.
 
 use super::Asked;
 use crate::job::{Format, List};

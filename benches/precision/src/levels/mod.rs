@@ -10,7 +10,7 @@ use crate::job::{Job, List};
 use crate::record::Row;
 use crate::run::{Sizes, time};
 
-/// A class of a workload: its backends, and what it asks.
+/// A class of a workload: its backends, and its query.
 struct Asked<I, A> {
     workload: &'static str,
     class: String,
@@ -48,7 +48,7 @@ pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
     build::all(sizes.largest).iter().for_each(|a| a.measure(sizes, rows, build::judge));
 }
 
-/// How many instructions it takes; under callgrind.
+/// Instructions per call, under callgrind.
 pub fn count(sizes: &Sizes) {
     tiles::all(sizes.counted / 4).iter().for_each(Asked::count);
     empty::all(sizes.counted / 32).iter().for_each(Asked::count);

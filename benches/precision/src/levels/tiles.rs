@@ -1,4 +1,4 @@
-//! Circles among tiles: whether one overlaps, and what it meets within 128 pixels.
+//! Circles among tiles: does one overlap, and what does it hit within 128 pixels?
 
 use super::Asked;
 use crate::casts::classes::Case;
@@ -115,7 +115,7 @@ macro_rules! parry {
             use $parry::query::{ShapeCastHit, ShapeCastOptions, cast_shapes, intersection_test};
             use $parry::shape::{Ball, Compound, SharedShape};
 
-            /// A tree of a box a solid cell.
+            /// A tree with a box per solid cell.
             pub fn circles(list: &mut List<Case, Answer>, level: &Level, moving: bool) {
                 let side = SIDE as i64;
                 let solid = (0..side * side).map(|i| (i % side, i / side)).filter(|&(x, y)| level.solid(x, y));

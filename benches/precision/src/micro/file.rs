@@ -1,5 +1,4 @@
-//! What the inputs of microcontrollers look like: 32-bit words, and names as a number and so many
-//! bytes.
+//! The format of the inputs of microcontrollers: 32-bit words. A name is its length and its bytes.
 
 /// A workload and a class.
 pub type Names<'a> = (&'a str, &'a str);
@@ -25,8 +24,7 @@ impl File {
         self.0.extend(bytes);
     }
 
-    /// The names, some words about all records, their number and length, and what backends
-    /// answered.
+    /// The names, some words about all records, their number and length, and the backends' answers.
     pub fn class<R: AsRef<[i64]>>(
         &mut self,
         names: Names<'_>,
@@ -48,7 +46,7 @@ impl File {
         }
     }
 
-    /// Of each query its words, and whether it hits.
+    /// The words of each query, and whether it hits.
     pub fn queries<R: AsRef<[i64]>>(&mut self, names: Names<'_>, records: &[R]) {
         self.class(names, &[], records, [].into_iter());
     }

@@ -1,4 +1,4 @@
-//! Of bodies that move and of broad phases: the inputs, and what the host's backends answer.
+//! The inputs of moving bodies and of broad phases, and the answers of the host's backends.
 
 use super::file::{Answered, File};
 use super::inputs::words;
@@ -10,15 +10,15 @@ use crate::moves::truth::Answer;
 use crate::moves::{self, backends};
 use tilesat_textbook::checksum::{START, mixed, pair};
 
-/// Half of those that the host counts: the code of all movers takes half of the flash.
+/// Half as many as the host counts: the code of all movers takes half of the flash.
 const SEQUENCES: usize = 16;
 
-/// Frames of so many boxes, and one before them that is not counted.
+/// Frames per number of boxes, and one before them that does not count.
 fn frames_of(bodies: usize) -> usize {
     (2048 / bodies).clamp(8, 32) + 1
 }
 
-/// Those that run without an allocator.
+/// Backends that run without an allocator.
 fn fit<I, A>(list: &List<I, A>) -> Vec<&Backend<I, A>> {
     let named = |b: &&Backend<I, A>| ["tilesat", "naive Q16.16", "textbook f32", "textbook f64"].contains(&b.name);
     list.0.iter().filter(named).collect()
@@ -37,7 +37,7 @@ fn moved(backend: &Backend<Case, Answer>, cases: &[Case]) -> Answered {
     (backend.name, backend.asked, sum)
 }
 
-/// Of each class its level's first corner; of each sequence the body and the motions.
+/// The first corner of each class's level. The body and the motions of each sequence.
 pub fn moves() -> File {
     let mut out = File::default();
     for map in MAPS {
@@ -76,8 +76,8 @@ fn told(backend: &Backend<scenes::Frame, Vec<(u32, u32)>>, frames: &[scenes::Fra
     (backend.name, backend.asked, pairs.fold(0, u32::wrapping_add))
 }
 
-/// Of each class of at most so many boxes where they are and how many cells that is; of each frame
-/// the boxes.
+/// For each class of at most so many boxes: the size of its world, in raw units and in cells. For
+/// each frame: the boxes.
 pub fn broad(most: usize) -> File {
     let mut out = File::default();
     // The programs on chips have grids without a list for large boxes.

@@ -1,4 +1,4 @@
-//! The inputs that microcontrollers get: the first of the host's, as many as fit beside the code in
+//! The inputs of microcontrollers: the first inputs of the host, as many as fit beside the code in
 //! 256 KiB of flash.
 
 use super::file::File;
@@ -53,7 +53,7 @@ fn casts() -> File {
     out
 }
 
-/// The rays, and the cells that they go through.
+/// The rays, and the cells that they cross.
 fn rays() -> (File, Vec<u8>) {
     let (mut out, mut cells) = (File::default(), Vec::new());
     for map in rays::level::MAPS {
@@ -72,7 +72,7 @@ fn rays() -> (File, Vec<u8>) {
 /// A file for each part.
 ///
 /// # Errors
-/// Where one cannot be written.
+/// If it cannot write a file.
 pub fn write(folder: &Path) -> Result<(), String> {
     let (rays, cells) = rays();
     let files = [

@@ -1,4 +1,4 @@
-//! The microcontrollers' part: the inputs that they get, what they print, and how it is shown.
+//! The microcontrollers' part: their inputs, their output, and its tables.
 
 mod file;
 mod frames;
@@ -9,10 +9,10 @@ use crate::record::Row;
 pub use inputs::write;
 pub use table::page;
 
-/// The rows of what a microcontroller printed: keys, then the means of all, of hits and of misses.
+/// The rows of a microcontroller's output: keys, then the means of all, of hits and of misses.
 ///
 /// # Errors
-/// The line that is not one.
+/// The line that is not a row.
 pub fn counts(core: &str, printed: &str) -> Result<Vec<Row>, String> {
     let columns: &[&str] = match core {
         "m0" => &["m0", "m0_hit", "m0_miss"],
@@ -29,8 +29,8 @@ pub fn counts(core: &str, printed: &str) -> Result<Vec<Row>, String> {
             let fields: Vec<&str> = line.split('|').collect();
             let (key, values) = fields.split_at(fields.len().saturating_sub(columns.len()));
             let mut row = match *key {
-                // Bytes are those of a function: they are noted at each class that it serves by who
-                // shows them.
+                // Bytes belong to a function. The tables repeat them for each class of the
+                // function.
                 [workload, backend, asked] if sizes => Row::new(workload, "", backend, asked),
                 [workload, class, backend, asked] => Row::new(workload, class, backend, asked),
                 _ => return Err(wrong()),

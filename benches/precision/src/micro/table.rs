@@ -8,16 +8,19 @@ use std::fmt::Write;
 const HEAD: &str = "
 ## Microcontrollers
 
-Instructions on Cortex-M0 / on Cortex-M4F in the usual class: a query, or a frame of a body that moves or of all boxes and their pairs; of tilesat \
-and of the best of parry2d also the bytes of flash on the M0 at opt-level \"s\", with all that the question pulls in, without a level's cells and \
-tiles. Of each class 64 of the host's inputs, 32 rays, 16 sequences, or 8 frames of boxes or more. Hits and misses, other classes and other bytes \
-are in `results.csv`.
+Instructions on Cortex-M0 / on Cortex-M4F, in the usual class: per query, or per frame of a moving
+body or of all boxes and their pairs. For tilesat and for the best of parry2d the table also has the
+bytes of flash on the M0 at opt-level \"s\". They include everything that the query links, without a
+level's cells and tiles.
+
+Each class has 64 of the host's inputs, 32 rays, 16 sequences, or at least 8 frames of boxes.
+`results.csv` has hits and misses, other classes and other bytes.
 
 | | tilesat | bytes | naive Q16.16 | textbook f32 | textbook f64 | parry2d | bytes |
 |---|--:|--:|--:|--:|--:|--:|--:|
 ";
 
-/// The classes whose frames are told beside the usual one.
+/// The classes of frames that the table shows beside the usual one.
 const FRAMED: [&str; 4] = ["circle up to 4 px", "box up to 4 px", "64 boxes", "256 boxes"];
 
 /// Bytes of the function that serves the row's class.

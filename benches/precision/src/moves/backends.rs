@@ -1,4 +1,4 @@
-//! Who moves bodies through tiles.
+//! The backends that move bodies through tiles.
 
 use super::classes::{Case, FRAMES};
 use super::engines;
@@ -19,7 +19,7 @@ use tilesat_textbook::{Q16, walk};
 
 pub fn all(room: &Room, kind: Kind) -> List<Case, Answer> {
     let mut list = List(Vec::new());
-    // A level is static data, as it is in flash.
+    // A level is static data, as in flash.
     let level: &'static Level = Box::leak(Box::new(room.level.clone()));
     match (level.blocks(), kind) {
         (Some(map), Kind::Circle) => library::<tilesat::Circle>(&mut list, map),
@@ -37,7 +37,7 @@ pub fn all(room: &Room, kind: Kind) -> List<Case, Answer> {
     list
 }
 
-/// A length in pixels as what it is.
+/// A length in pixels, in the backend's own type.
 pub fn fine(px: f64) -> i64 {
     (px * FINE_PIXEL as f64).round() as i64
 }
@@ -69,7 +69,7 @@ impl<S: Named> Exact for Circle<S> {
 
 impl<S: Named> Exact for Aabb<S> {
     fn exact(&self) -> Body {
-        // Boxes are judged at even places: the nearest one, where a format is finer than that.
+        // Boxes are judged at even positions: the nearest one if a format is finer.
         let even = |v: S| 2 * fine(v.px() / 2.0);
         let point = |p: Vector<S>| (even(p.x), even(p.y));
         Body::Box { lo: point(self.lo), hi: point(self.hi) }
@@ -95,7 +95,7 @@ fn library<B: ours::Shape + tilesat::Body + Exact>(list: &mut List<Case, Answer>
     );
 }
 
-/// The tiles by their ids, in a cell of as many pixels.
+/// The tiles by their ids, in a cell of this many pixels.
 pub fn tiles(cell: i64) -> [RawTile; 34] {
     let half = |p: (i128, i128)| (p.0 as i64 * (cell << 15), p.1 as i64 * (cell << 15));
     std::array::from_fn(|id| match shape(id as u8).0 {
@@ -130,7 +130,8 @@ fn raw(kind: i32, corners: usize, vectors: &[(i64, i64)]) -> RawTile {
     raw
 }
 
-/// Boxes among blocks by axes, to where they go and along all that they cross; all else in steps.
+/// Boxes among blocks move by axes, to their goal and along all that they cross. Everything else
+/// moves in steps.
 fn textbook<S: Named>(list: &mut List<Case, Answer>, level: &'static Level, kind: Kind) {
     let cell = level.cell >> 16;
     let world = walk::Level {

@@ -1,5 +1,4 @@
-//! Sequences of motions: a body sets out from a free place, and is steered this way and that,
-//! whatever is in its way.
+//! Sequences of motions. A body starts at a free position and is steered in random directions.
 
 use super::room::{Body, Room};
 use tilesat_judge::Random;
@@ -12,16 +11,16 @@ pub const FRAMES: usize = 32;
 #[derive(Clone, Copy, Debug)]
 pub struct Case {
     pub start: Figure,
-    /// What is wanted in each frame.
+    /// The wanted motion of each frame.
     pub motions: [Point; FRAMES],
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Class {
     pub kind: Kind,
-    /// Pixels a frame.
+    /// Pixels per frame.
     pub speed: i64,
-    /// Where the level begins, in pixels.
+    /// The first corner of the level, in pixels.
     pub origin: i64,
 }
 
@@ -50,7 +49,7 @@ impl Class {
         (0..n).map(|_| Case { start: self.start(&mut r, room), motions: self.motions(&mut r) }).collect()
     }
 
-    /// A body of about 10 pixels, a sixteenth of a pixel or more from all that is solid.
+    /// A body of about 10 pixels, at least a sixteenth of a pixel from all solids.
     fn start(self, r: &mut Random, room: &Room) -> Figure {
         let l = &room.level;
         loop {
@@ -90,7 +89,7 @@ impl Class {
     }
 }
 
-/// A figure of raw units at its exact place.
+/// A figure of raw units at its exact position.
 pub fn exact(figure: &Figure) -> Body {
     let fine = |v: i64| v * (super::room::FINE_PIXEL >> 16);
     let point = |p: Point| (fine(p.0), fine(p.1));

@@ -1,4 +1,4 @@
-//! The character movers of engines, as their manuals have them. Their levels are convex pieces, one
+//! The character movers of engines, as their manuals use them. Their levels are convex pieces, one
 //! static collider each.
 
 use super::backends::fine;
@@ -24,7 +24,7 @@ use std::os::raw::c_void;
 use tilesat_judge::oracle::figure::Figure;
 use tilesat_judge::shapes::level::Level;
 
-/// What its queries ask; it lives as long as the program.
+/// The world of its queries. It lives as long as the program.
 struct World {
     bodies: RigidBodySet,
     colliders: ColliderSet,
@@ -44,11 +44,10 @@ fn rapier_world(level: &Level) -> &'static World {
     Box::leak(Box::new(world))
 }
 
-/// A shape, where it is, and how far it reaches from there.
+/// A shape, its position, and its extent.
 type Rapier = (Box<dyn Shape>, Vector, Vector);
 
-/// It slides along whatever it meets: nothing is too steep, and nothing is stepped up or snapped
-/// to.
+/// It slides along every surface: nothing is too steep, and it never steps up or snaps.
 pub fn rapier(list: &mut List<Case, Answer>, level: &'static Level) {
     const NO_STEP: Option<CharacterAutostep> = None;
     const NO_SNAP: Option<CharacterLength> = None;
@@ -107,16 +106,16 @@ pub fn rapier(list: &mut List<Case, Answer>, level: &'static Level) {
     );
 }
 
-/// Planes that a mover is given.
+/// The planes for a mover.
 struct Planes {
     planes: [b2CollisionPlane; 8],
     count: usize,
 }
 
 /// # Safety
-/// `context` is the planes, which nobody else looks at, and `result` is a valid plane.
+/// `context` is the planes, which nobody else uses, and `result` is a valid plane.
 unsafe extern "C" fn gather(_: b2ShapeId, result: *const b2PlaneResult, context: *mut c_void) -> bool {
-    // SAFETY: as told.
+    // SAFETY: as above.
     let (planes, result) = unsafe { (&mut *context.cast::<Planes>(), &*result) };
     if let Some(place) = planes.planes.get_mut(planes.count).filter(|_| result.hit) {
         *place = b2CollisionPlane { plane: result.plane, pushLimit: f32::MAX, push: 0.0, clipVelocity: true };
@@ -125,12 +124,12 @@ unsafe extern "C" fn gather(_: b2ShapeId, result: *const b2PlaneResult, context:
     planes.count < planes.planes.len()
 }
 
-/// Its mover is a capsule: circles are ones whose ends are one point, and of boxes it has none. The
+/// Its mover is a capsule. A circle is a capsule whose ends are one point. It has no boxes. The
 /// loop is that of its sample.
 pub fn box2d(list: &mut List<Case, Answer>, level: &'static Level) {
     const ROUNDS: usize = 5;
     const TOLERANCE: f32 = 0.01;
-    // SAFETY: as the manual of the library has it; the world lives as long as the program.
+    // SAFETY: as in the library's manual. The world lives as long as the program.
     let (world, filter) = unsafe {
         let world = b2CreateWorld(&b2DefaultWorldDef());
         let body = b2CreateBody(world, &b2DefaultBodyDef());
@@ -157,8 +156,8 @@ pub fn box2d(list: &mut List<Case, Answer>, level: &'static Level) {
             let ends = motions.map(|d| {
                 let target = b2Vec2 { x: at.x + d.x, y: at.y + d.y };
                 for _ in 0..ROUNDS {
-                    // SAFETY: planes of zeros are planes; the world is there; the callback gets the
-                    // planes.
+                    // SAFETY: planes of zeros are valid planes, the world exists, and the callback
+                    // gets the planes.
                     let step = unsafe {
                         let mut planes: Planes = std::mem::zeroed();
                         let context = (&raw mut planes).cast();

@@ -19,12 +19,12 @@ pub fn name(map: Map) -> String {
     format!("move: {}", map.name())
 }
 
-/// The small level has room near the origin only by choice: far classes have the others.
+/// Far from the origin the small level would not fit the classes. They use the other levels.
 pub fn classes(map: Map) -> impl Iterator<Item = Class> {
     CLASSES.into_iter().filter(move |class| map != Map::Ninja || class.origin == 0)
 }
 
-/// What is wrong, and how long a frame takes.
+/// Errors, and the time per frame.
 pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
     for map in MAPS {
         for class in classes(map) {
@@ -49,7 +49,7 @@ pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
     }
 }
 
-/// How many instructions a frame takes; under callgrind.
+/// Instructions per frame, under callgrind.
 pub fn count(sizes: &Sizes) {
     for map in MAPS {
         for class in classes(map) {

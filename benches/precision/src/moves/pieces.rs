@@ -1,12 +1,12 @@
-//! The tiles of a level as convex polygons, for engines that know no arcs: none holds less of the
-//! plane than its tile.
+//! The tiles of a level as convex polygons, for engines without arcs. None covers less of the plane
+//! than its tile.
 
 use tilesat_judge::shapes::level::{Level, shape};
 use tilesat_judge::shapes::region::Region;
 
 pub type Corner = (f64, f64);
 
-/// Pieces that an arc is cut into; a polygon of Box2D has at most 8 corners.
+/// Pieces per arc. A polygon of Box2D has at most 8 corners.
 const CUTS: u32 = 5;
 
 /// The polygons of a shape, in a cell of side 1.
@@ -26,7 +26,7 @@ fn polygons(id: u8) -> Vec<Vec<Corner>> {
                 // Between the corner and chords of the arc.
                 return (0..CUTS).map(|k| vec![f, at(part(k), 1.0), at(part(k + 1), 1.0)]).collect();
             }
-            // Around the arc: where its tangents meet.
+            // Around the arc: the points where its tangents meet.
             let beyond = 1.0 / (part(1) * std::f64::consts::FRAC_PI_4).cos();
             let meet = (0..CUTS).map(|k| at(part(k) + part(1) / 2.0, beyond));
             vec![[c, at(0.0, 1.0)].into_iter().chain(meet).chain([at(1.0, 1.0)]).collect()]

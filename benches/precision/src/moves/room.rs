@@ -1,8 +1,7 @@
-//! Levels, as tiles and as sets of points of the plane, and whether a body is in the solid,
-//! exactly.
+//! Levels, as tiles and as point sets of the plane. Decides exactly whether a body is in the solid.
 //!
-//! A body's place is an exact number of 512ths of a raw unit: an f32 at one pixel or beyond is one
-//! as well.
+//! A body's position is an exact number of 512ths of a raw unit. So is every f32 at or above one
+//! pixel.
 
 use tilesat::{Outside, TileShape};
 use tilesat_games::platformer::ninja;
@@ -10,7 +9,8 @@ use tilesat_judge::Random;
 use tilesat_judge::shapes::level::Level;
 use tilesat_judge::shapes::region::Region;
 
-/// Parts of a raw unit, and of a pixel; even ones, because slopes are cut at even places only.
+/// Parts of a raw unit, and of a pixel. They are even, because slopes are cut at even positions
+/// only.
 const FINE: i64 = 512;
 pub const FINE_PIXEL: i64 = FINE << 16;
 
@@ -20,8 +20,8 @@ pub enum Map {
     Blocks,
     /// The same, but any of the 33 solid shapes.
     Mosaic,
-    /// The example's level: 48 x 27 cells of 24 pixels. Its one-way edges, which no other backend
-    /// has, are left out.
+    /// The example's level: 48 x 27 cells of 24 pixels. Without its one-way edges, which no other
+    /// backend has.
     Ninja,
 }
 
@@ -45,7 +45,7 @@ impl Map {
     }
 }
 
-/// A body at its exact place, in fine units.
+/// A body at its exact position, in fine units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Body {
     Circle { c: (i64, i64), r: i64 },
@@ -61,7 +61,7 @@ impl Body {
         }
     }
 
-    /// Smaller by so much on all sides; what a box has left is even, as its sides are.
+    /// Smaller by this much on all sides. The rest of a box is even, as its sides are.
     pub fn shrunk(&self, by: i64) -> Self {
         match *self {
             Self::Circle { c, r } => Self::Circle { c, r: r - by },
@@ -95,8 +95,7 @@ pub struct Room {
 }
 
 impl Room {
-    /// A map with a full border, from a corner on that is `origin` pixels from the origin, both
-    /// ways.
+    /// A map with a full border. Its first corner is `origin` pixels from the origin on both axes.
     pub fn new(map: Map, origin: i64) -> Self {
         let mut r = Random::new(0x5eed + map as u64);
         let (width, height, cell) = match map {
@@ -123,7 +122,7 @@ impl Room {
         Self { level, solids }
     }
 
-    /// Whether what the body and the solid have in common has an area.
+    /// Whether the body and the solid share an area.
     pub fn overlaps(&self, body: &Body) -> bool {
         let l = &self.level;
         let (lo, hi) = match *body {
@@ -146,8 +145,8 @@ impl Room {
         })
     }
 
-    /// By how much the body has to become smaller on all sides so that it is free, to a fine unit
-    /// or two; at most all of it.
+    /// How much the body must shrink on all sides to be free, within a fine unit or two. At most
+    /// its whole size.
     pub fn depth(&self, body: &Body) -> i64 {
         if !self.overlaps(body) {
             return 0;
@@ -188,7 +187,7 @@ mod tests {
     #[test]
     fn depths_are_those_of_the_definition() {
         let full = one(TileShape::Full);
-        // The cell is from 32 to 48.
+        // The cell spans 32 to 48.
         assert_eq!(full.depth(&boxed((22, 36), (32, 46))), 0);
         assert!((full.depth(&boxed((23, 36), (33, 46))) - FINE_PIXEL).abs() <= 2);
         assert!((full.depth(&circle(28.0, 40.0, 5.0)) - FINE_PIXEL).abs() <= 2);

@@ -1,17 +1,17 @@
-//! What is wrong with a frame: its end is in the solid, it went through the solid, or nothing
-//! happened although it could have.
+//! Faults of a frame: its end is in the solid, it went through the solid, or it did not move
+//! although it could.
 //!
-//! Overlaps and depths are exact. The other two are told from many exact questions, and in doubt
-//! nothing is wrong:
-//! - A frame tunnels where no way leads from its start to its end that is at most half as long
-//!   again as the motion and two pixels more, on a lattice of one pixel, for a body that is three
-//!   quarters of a pixel smaller on all sides.
-//! - A body is stuck that does not move by a 64th of a pixel, though it is free and could go a
-//!   pixel within 60 degrees of its motion: in the motion's own direction or in one that a tile's
-//!   side has.
+//! Overlaps and depths are exact. The other two faults follow from many exact questions. In doubt,
+//! there is no fault.
+//! - A frame tunnels if no way leads from its start to its end that is at most half as long again
+//!   as the motion plus two pixels. The search uses a lattice of one pixel, and a body that is
+//!   three quarters of a pixel smaller on all sides.
+//! - A body is stuck if it moves by less than a 64th of a pixel, though it is free and could go a
+//!   pixel within 60 degrees of its motion. It tries the motion's own direction and the directions
+//!   of the tile's sides.
 //!
-//! A game puts a body back that fell out of the world: after a frame that tunnels or ends deeper
-//! than a pixel, the rest of the sequence is not judged.
+//! A game puts a body back that fell out of the world. So after a frame that tunnels or ends deeper
+//! than a pixel, the rest of the sequence does not count.
 
 use super::classes::{Case, FRAMES, exact};
 use super::room::{Body, FINE_PIXEL, Room};
@@ -19,16 +19,16 @@ use crate::record::Row;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, HashSet};
 
-/// Where a body is after each frame.
+/// Position of a body after each frame.
 pub type Answer = [Body; FRAMES];
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Verdict {
     pub frames: u64,
     pub overlaps: u64,
-    /// Of them, those by more than a 64th of a pixel.
+    /// Of these, ends deeper than a 64th of a pixel.
     pub deep: u64,
-    /// By more than a pixel, which ends the sequence.
+    /// Ends deeper than a pixel, which end the sequence.
     pub lost: u64,
     pub tunnels: u64,
     pub stuck: u64,
@@ -47,7 +47,7 @@ fn length(d: Place) -> f64 {
 }
 
 impl Verdict {
-    /// Goes on with the frames of a sequence.
+    /// Continues with the frames of a sequence.
     pub fn add(&mut self, room: &Room, case: &Case, ends: &Answer) {
         let mut before = exact(&case.start);
         let mut was_free = true;
@@ -81,18 +81,17 @@ impl Verdict {
     }
 }
 
-/// What is taken from a body that looks for a way on the lattice: as far as a place is from the
-/// nearest one, and a little.
+/// How much smaller the body is in the search on the lattice: the distance from any point to the
+/// nearest lattice point, and a little more.
 const NARROWER: i64 = FINE_PIXEL * 3 / 4;
 
-/// Whether a body that is a little smaller meets the solid on the straight way, at one of many
-/// places.
+/// Whether a slightly smaller body meets the solid on the straight way, at one of many positions.
 fn is_barred(room: &Room, small: &Body, d: Place) -> bool {
     let steps = (length(d) / (2 * FINE_PIXEL) as f64) as i64 + 1;
     (1..steps).any(|i| room.overlaps(&small.moved((even(d.0 * i / steps), even(d.1 * i / steps)))))
 }
 
-/// Boxes are judged at even places.
+/// Boxes are judged at even positions.
 fn even(v: i64) -> i64 {
     v & !1
 }
@@ -105,7 +104,7 @@ fn tunnels(room: &Room, before: &Body, end: &Body, wanted: Place) -> bool {
     }
     let longest = length(wanted) * 1.5 + (2 * FINE_PIXEL) as f64;
     let ahead = |at: Place| length(between((at.0 * FINE_PIXEL, at.1 * FINE_PIXEL), d));
-    // The best first: by the way made, in thousandths of a pixel, and the way ahead.
+    // The best first: by the length so far, in thousandths of a pixel, plus the length ahead.
     let mut open = BinaryHeap::from([(Reverse(0), 0, (0, 0))]);
     let mut made: HashMap<Place, i64> = HashMap::from([((0, 0), 0)]);
     let mut done = HashSet::new();
@@ -132,7 +131,7 @@ fn tunnels(room: &Room, before: &Body, end: &Body, wanted: Place) -> bool {
     true
 }
 
-/// Of a pixel, on a way that may be free.
+/// In pixels, on a way that may be free.
 const STEPS: i64 = 2048;
 
 fn is_stuck(room: &Room, before: &Body, end: &Body, wanted: Place) -> bool {
@@ -150,15 +149,15 @@ fn is_stuck(room: &Room, before: &Body, end: &Body, wanted: Place) -> bool {
             let part = if way == wanted { part } else { even(part as i64) as f64 };
             (even((way.0 as f64 * part) as i64), even((way.1 as f64 * part) as i64))
         };
-        // 60 degrees at most; in steps below what a tip that is in the way may measure, and small
-        // ones to set out from a contact.
+        // At most 60 degrees. The steps are smaller than any tip in the way, and start small to
+        // leave a contact.
         let mut steps = (1..STEPS / 16).chain((STEPS / 16..=STEPS).step_by(STEPS as usize / 32));
         let mut free = |step| !room.overlaps(&before.moved(at(step)));
         ahead >= 0.5 * length(way) * length(wanted) && steps.all(&mut free)
     })
 }
 
-/// The ways along straight sides of tiles, but for quarter turns.
+/// The directions of straight sides of tiles, up to quarter turns.
 const TILE_WAYS: [Place; 4] = [(1, 0), (1, 1), (1, 2), (2, 1)];
 
 #[cfg(test)]
@@ -178,7 +177,7 @@ mod tests {
         Room::of(Level { width: 10, height: 10, cell: 16 * PX, x: 0, y: 0, outside: Outside::Solid, tiles })
     }
 
-    /// A first frame from and to these corners of a box of 10 x 10; then it stays there and wants
+    /// The first frame moves a box of 10 x 10 between these corners. Then it stays and wants
     /// nothing.
     fn judged(room: &Room, from: Place, wanted: Place, to: Place) -> Verdict {
         let at = |p: Place| Figure::Aabb { min: (p.0 * PX, p.1 * PX), max: ((p.0 + 10) * PX, (p.1 + 10) * PX) };
@@ -207,7 +206,7 @@ mod tests {
         // The door is too far away.
         let told = judged(&room(true), (50, 55), (30, 0), (80, 55));
         assert_eq!(told.tunnels, 1);
-        // Beside the door there is a way that is short enough.
+        // There is a short enough way beside the door.
         let told = judged(&room(true), (53, 78), (30, 0), (81, 78));
         assert_eq!(told.tunnels, 0);
     }
@@ -224,13 +223,13 @@ mod tests {
     #[test]
     fn what_could_move_is_stuck() {
         assert_eq!(judged(&room(false), (20, 20), (4, 4), (20, 20)).stuck, 1);
-        // At the wall, straight into it, it could not; askew it could.
+        // Straight into the wall it could not move. At an angle it could.
         assert_eq!(judged(&room(false), (54, 20), (4, 0), (54, 20)).stuck, 0);
         assert_eq!(judged(&room(false), (54, 20), (4, 4), (54, 20)).stuck, 1);
     }
 
-    /// To go on it would have to go by a tenth of a pixel another way first, which something else
-    /// is in.
+    /// To continue it would first have to go a tenth of a pixel another way, which something else
+    /// blocks.
     #[test]
     fn what_is_wedged_is_not_stuck() {
         // Between a steep slope and a floor, between a slope's tip and a quarter disc; by 400 raw

@@ -1,4 +1,4 @@
-//! Who answers what about pairs.
+//! The backends that answer questions about pairs.
 
 use super::classes::Pair;
 use super::truth::Answer;
@@ -72,7 +72,7 @@ fn textbook<S: Named>(list: &mut List<Pair, Answer>, kinds: (Kind, Kind)) {
             overlaps::<S, Segment<S>, Aabb<S>>(list, |a, b| pair::aabb_segment(b, a));
             contact::<S, Segment<S>, Aabb<S>>(list, |a, b| pair::contact_aabb_segment(b, a));
         }
-        // What a contact of two lines is no textbook says.
+        // No textbook defines a contact of two lines.
         (Kind::Segment, Kind::Segment) => overlaps::<S, Segment<S>, Segment<S>>(list, pair::segment_segment),
         _ => {}
     }

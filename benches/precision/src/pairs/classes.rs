@@ -1,5 +1,4 @@
-//! Classes of pairs: the plain ones, in which no number format is ever wrong, and those in which
-//! they go wrong.
+//! Classes of pairs: plain ones, in which no number format is ever wrong, and hard ones.
 
 use tilesat_judge::Random;
 use tilesat_judge::oracle::figure::{Figure, Kind, Point};
@@ -10,7 +9,7 @@ pub type Pair = (Figure, Figure);
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
-    /// Anywhere in an ordinary scene, and so many in a hundred overlap.
+    /// Anywhere in an ordinary scene. A given percentage overlaps.
     Hits(u8),
     /// The bounding boxes overlap.
     Boxes,
@@ -20,7 +19,7 @@ pub enum Class {
     Exact,
     /// All of these, 8000 pixels from the origin.
     Far,
-    /// Up to the ends of the domain, extremes and long touching shapes included.
+    /// Up to the ends of the domain, with extremes and long touching shapes.
     Domain,
     /// The square of the distance is within 1 of the square of the radii.
     Square,
@@ -53,7 +52,7 @@ impl Class {
         }
     }
 
-    /// `n` pairs, or none where the class does not say anything about such shapes.
+    /// `n` pairs. Empty if the class does not apply to such shapes.
     pub fn pairs(self, kinds: (Kind, Kind), n: usize) -> Vec<Pair> {
         let stream = |class| {
             let mut pairs = Pairs::new(kinds, class, SEED);
@@ -96,8 +95,8 @@ fn around(r: &mut Random, kind: Kind, c: Point) -> (Figure, Point) {
     }
 }
 
-/// A pair whose middles are no further apart than `share` percent of what their boxes need to be
-/// apart.
+/// A pair whose middles are at most `share` percent of the distance apart at which their boxes
+/// would touch.
 fn pair(r: &mut Random, kinds: (Kind, Kind), share: i64) -> Pair {
     let c = (r.around(64 * UNIT), r.around(64 * UNIT));
     let (a, m) = around(r, kinds.0, c);
@@ -116,7 +115,7 @@ fn hit_or_miss(r: &mut Random, kinds: (Kind, Kind), share: u8) -> Pair {
     }
 }
 
-/// Middles less than the sum of the halves apart.
+/// Middles closer than the sum of the half sides.
 fn boxes(r: &mut Random, kinds: (Kind, Kind)) -> Pair {
     pair(r, kinds, 100)
 }
@@ -125,7 +124,7 @@ fn boxes(r: &mut Random, kinds: (Kind, Kind)) -> Pair {
 fn nearly_right(r: &mut Random) -> (Point, i64) {
     // Of 2^16 to 2^28: the first sixteen bits are pixels.
     let most = 1i64 << r.within(17, 28);
-    // Chosen once: of -1 most tries fail.
+    // Chosen once: most tries for -1 fail.
     let kind = r.below(3);
     loop {
         let (x, y, radius) = match kind {
@@ -174,8 +173,7 @@ fn unit_cross(a: i64, b: i64) -> Option<(i64, i64)> {
     (c > 0 && e > 0).then_some((c, e))
 }
 
-/// A circle that all but touches the point of the other shape that is nearest to it: a centre, a
-/// corner, an end.
+/// A circle that almost touches the nearest point of the other shape: a centre, a corner, an end.
 fn square(r: &mut Random, other: Kind) -> Pair {
     loop {
         let ((x, y), radius) = nearly_right(r);

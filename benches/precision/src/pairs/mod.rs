@@ -23,7 +23,7 @@ pub fn name(kinds: (Kind, Kind)) -> &'static str {
     }
 }
 
-/// What is wrong, and how long it takes.
+/// Errors, and the time per call.
 pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
     for kinds in PAIRS {
         let list = backends::all(kinds);
@@ -48,13 +48,13 @@ pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
     }
 }
 
-/// How many instructions it takes; under callgrind.
+/// Instructions per call, under callgrind.
 pub fn count(sizes: &Sizes) {
     for kinds in PAIRS {
         let list = backends::all(kinds);
         for class in CLASSES {
-            // The judged ones come first from the same stream, so these are the first of them; what
-            // fits is decided by all.
+            // The judged pairs come first in the same stream, so these are the first of them. All
+            // pairs decide whether a format fits.
             let pairs = class.pairs(kinds, sizes.counted);
             if pairs.is_empty() {
                 continue;

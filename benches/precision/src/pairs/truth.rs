@@ -1,4 +1,4 @@
-//! What is true about a pair, and what is wrong about an answer.
+//! The truth about a pair, and the faults of an answer.
 
 use super::classes::Pair;
 use crate::job::Format;
@@ -11,7 +11,7 @@ use tilesat_judge::oracle::sum::Place;
 #[derive(Clone, Copy, Debug)]
 pub struct Answer {
     pub hit: bool,
-    /// In pixels, where it was asked for.
+    /// In pixels, if the query gives it.
     pub depth: Option<f64>,
 }
 
@@ -20,7 +20,8 @@ pub struct Answer {
 pub struct Truth {
     pub overlaps: bool,
     pub touches: bool,
-    /// Of what overlaps, in raw units: a whole number and a rest, so that no digit is lost.
+    /// The depth of an overlap in raw units, as a whole number and a rest, so that no digit is
+    /// lost.
     depth: (i64, f64),
 }
 
@@ -32,9 +33,9 @@ impl Truth {
         Self { overlaps, touches: exact.touches(), depth }
     }
 
-    /// How far a depth in pixels is off, in pixels.
+    /// The error of a depth, in pixels.
     fn error(&self, depth: f64) -> f64 {
-        // Both are exact: a multiplication by a power of two, and a difference of neighbours.
+        // Both steps are exact: a multiplication by a power of two, and a difference of neighbours.
         ((depth * 65536.0 - self.depth.0 as f64) - self.depth.1).abs() / 65536.0
     }
 
@@ -65,7 +66,7 @@ fn float(n: Int256) -> f64 {
     if n.signum() < 0 { -size } else { size }
 }
 
-/// Holds answers against the truth.
+/// Compares answers with the truth.
 pub fn judge(row: &mut Row, truths: &[Truth], answers: &[Answer], format: Format) {
     let (mut wrong, mut closed, mut hits) = (0u32, 0u32, 0u32);
     let (mut max, mut sum, mut n) = ((0.0f64, 0.0f64), (0.0, 0.0), 0u32);

@@ -1,4 +1,4 @@
-//! Box2D, in C and f32: its manifold functions, as its own narrow phase calls them.
+//! Box2D, in C and f32: its manifold functions, which its own narrow phase calls.
 
 use crate::job::{Format, List};
 use crate::pairs::classes::Pair;
@@ -22,8 +22,8 @@ pub fn vector((x, y): (i64, i64)) -> b2Vec2 {
 
 const ORIGIN: b2Vec2 = b2Vec2 { x: 0.0, y: 0.0 };
 
-/// A shape with its place: of circles and boxes the middle, of segments, which are walls, the
-/// origin.
+/// A shape and its position: the middle of a circle or box, and the origin for a segment, which is
+/// a wall.
 trait Placed: 'static {
     fn of(figure: &Figure) -> (b2Vec2, Self);
 }
@@ -53,12 +53,12 @@ impl Placed for b2Segment {
     }
 }
 
-/// Where B is, seen from A; nothing turns.
+/// The position of B relative to A. Nothing rotates.
 fn relative(a: b2Vec2, b: b2Vec2) -> b2Transform {
     b2Transform { p: b2Vec2 { x: b.x - a.x, y: b.y - a.y }, q: b2Rot { c: 1.0, s: 0.0 } }
 }
 
-/// Of its points, which it also makes for shapes that are near, the deepest one.
+/// The deepest of its points. It also makes points for shapes that are only near.
 fn answer(m: &b2LocalManifold) -> Answer {
     let deepest = m.points.iter().take(m.pointCount as usize).map(|p| p.separation).reduce(f32::min);
     match deepest {
@@ -79,7 +79,7 @@ fn contact<A: Placed, B: Placed>(
     );
 }
 
-/// The function wants B first.
+/// The function takes B first.
 fn turned<A: Placed, B: Placed>(
     list: &mut List<Pair, Answer>,
     collide: impl Fn(&B, &A, b2Transform) -> b2LocalManifold + Copy + 'static,
@@ -92,7 +92,7 @@ fn turned<A: Placed, B: Placed>(
     );
 }
 
-/// Two segments: it has no such pair, but the ray along one.
+/// It has no pair of two segments, but it has the ray along one.
 fn segments(list: &mut List<Pair, Answer>) {
     let ray = |figure: &Figure| {
         let s = b2Segment::of(figure).1;

@@ -23,10 +23,10 @@ pub fn vector((x, y): (i64, i64)) -> cpVect {
 
 const HERE: cpTransform = cpTransform { a: 1.0, b: 0.0, c: 0.0, d: 1.0, tx: 0.0, ty: 0.0 };
 
-/// A shape of the library, in its place, as one is after a step.
+/// A shape of the library at its position, as after a step.
 pub struct Shape(pub *mut cpShape);
 
-/// The one body that holds all shapes in their places.
+/// The one body that holds all shapes at their positions.
 pub fn body() -> *mut cpBody {
     thread_local!(static BODY: Cell<*mut cpBody> = const { Cell::new(ptr::null_mut()) });
     BODY.with(|slot| {
@@ -59,7 +59,7 @@ impl Shape {
 
 impl Drop for Shape {
     fn drop(&mut self) {
-        // SAFETY: made by `of`, and not given away.
+        // SAFETY: made by `of`, and not shared.
         unsafe { cpShapeFree(self.0) }
     }
 }
@@ -69,7 +69,7 @@ fn answer(set: &cpContactPointSet) -> Answer {
     Answer { hit: deepest.is_some(), depth: deepest.map(|d| -d) }
 }
 
-/// In this order of kinds it does not exchange them, which would turn the sign of its distances.
+/// In this order of kinds it does not swap them. A swap would change the sign of its distances.
 pub fn pairs(list: &mut List<Pair, Answer>, kinds: (Kind, Kind)) {
     if kinds == (Kind::Segment, Kind::Segment) {
         return;

@@ -1,4 +1,4 @@
-//! Whose code is compared. Each module tells the lists of the workloads what it can answer.
+//! The compared code. Each module registers its answers in the lists of the workloads.
 
 pub mod box2d;
 pub mod chipmunk;
@@ -8,7 +8,7 @@ pub mod ours;
 pub mod parry;
 pub mod textbook;
 
-/// Its character controller, over the queries of parry2d.
+/// Its character controller, with the queries of parry2d.
 pub const RAPIER: &str = "rapier2d";
-/// A broad phase and nothing else.
+/// Only a broad phase.
 pub const BROCCOLI: &str = "broccoli";

@@ -1,5 +1,5 @@
-//! ncollide2d in fixed point: its generic queries over simba's I16F16, the only other library here
-//! that computes in integers.
+//! ncollide2d in fixed point: its generic queries with simba's I16F16. It is the only other library
+//! here that computes in integers.
 
 use crate::job::{Format, List};
 use crate::pairs::classes::Pair;
@@ -36,7 +36,7 @@ impl Placed for Ball<N> {
 }
 
 impl Placed for Cuboid<N> {
-    /// The half raw unit of an odd size is lost: the format has none.
+    /// The format has no half raw unit, so an odd size loses it.
     fn of(figure: &Figure) -> (Isometry2<N>, Self) {
         let Figure::Aabb { min, max } = *figure else { panic!("{figure:?} is no box") };
         let half = ((max.0 - min.0) / 2, (max.1 - min.1) / 2);
@@ -51,7 +51,7 @@ impl Placed for Segment<N> {
     }
 }
 
-/// Its squares overflow beyond 181 pixels, those of a segment's world coordinates too.
+/// Its squares overflow beyond 181 pixels, and so do those of a segment's world coordinates.
 fn fits((a, b): &Pair) -> bool {
     let most = 127 << 16;
     let near = |f: &Figure| f.vertices().iter().all(|p| p.0.abs() < most && p.1.abs() < most);
@@ -71,8 +71,8 @@ fn contact<A: Placed, B: Placed>(list: &mut List<Pair, Answer>) {
     list.only_if(fits);
 }
 
-/// Circles only: where it walks a simplex, the format's root, which is sought by Newton's rule
-/// until nothing changes, may never end.
+/// Circles only. For a simplex, the format's square root repeats Newton's rule until nothing
+/// changes, which may never happen.
 pub fn pairs(list: &mut List<Pair, Answer>, kinds: (Kind, Kind)) {
     match kinds {
         (Kind::Circle, Kind::Circle) => contact::<Ball<N>, Ball<N>>(list),

@@ -43,7 +43,7 @@ pub fn px(v: Fx) -> f64 {
     f64::from(v.to_bits()) / 65536.0
 }
 
-/// What a game takes from a contact at once.
+/// The parts of a contact that a game uses at once.
 type Full = Option<(Fx, UnitVec2)>;
 
 pub fn pairs<A, B>(list: &mut List<Pair, Answer>)
@@ -53,7 +53,7 @@ where
 {
     let shapes = |(a, b): &Pair| (A::of(a), B::of(b));
     list.add((NAME, "overlaps", Format::RAW), shapes, |(a, b)| a.overlaps(b), |&hit| Answer { hit, depth: None });
-    // Kept as it is; depth and normal are computed by those who want them.
+    // Kept as it is. Those who need depth and normal compute them.
     list.add(
         (NAME, "contact (lazy)", Format::RAW),
         shapes,

@@ -1,8 +1,8 @@
-//! parry2d, in both precisions: by its general queries, as its users do, and by the special
-//! functions beneath them, which get the one place relative to the other as a difference: nothing
-//! is turned.
+//! parry2d, in both precisions: its general queries, as its users call them, and the special
+//! functions below them. The latter take the relative position as a difference, because nothing
+//! rotates.
 
-/// What both precisions share: the modules below differ in the crate and its number.
+/// Shared code of both precisions. The modules below differ in the crate and its number type.
 macro_rules! parry {
     ($module:ident, $parry:ident, $real:ty, $format:ident, $general:literal, $direct:literal) => {
         pub mod $module {
@@ -26,8 +26,8 @@ macro_rules! parry {
                 Vector::new(length(x as f64), length(y as f64))
             }
 
-            /// A shape with its place: of balls and boxes the middle, of segments, which are walls,
-            /// the origin.
+            /// A shape and its position: the middle of a ball or box, and the origin for a segment,
+            /// which is a wall.
             pub trait Placed: Shape + Sized {
                 fn of(figure: &Figure) -> (Pose, Self);
             }
@@ -98,7 +98,7 @@ macro_rules! parry {
                 );
             }
 
-            /// Nothing is turned: the place of A seen from B is a plain difference.
+            /// Nothing rotates: the position of A relative to B is a plain difference.
             fn seen(p: &Pose, q: &Pose) -> Pose {
                 Pose::from_translation(p.translation - q.translation)
             }

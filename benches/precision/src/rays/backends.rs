@@ -1,4 +1,4 @@
-//! Who walks a grid, or asks a tree of its cells.
+//! The backends that walk a grid, or search a tree of its cells.
 
 use super::classes::Ray;
 use super::level::Level;
@@ -35,7 +35,7 @@ type Cast = Result<Option<RayHit>, RangeError>;
 
 fn library(list: &mut List<Ray, Answer>, level: &Rc<Level>) {
     let grid = Grid::new(256, 256, Fx::from_bits(1 << 20), Vec2::ZERO).expect("a legal grid");
-    // A level is static data, as it is in flash.
+    // A level is static data, as in flash.
     let map: TileMap<'static> = TileMap::on_grid(level.cells.clone().leak(), grid, &KINDS).expect("a legal map");
     list.add(
         (ours::NAME, "ray", Format::Parts(f64::from(1 << 30))),

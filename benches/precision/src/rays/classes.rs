@@ -1,5 +1,5 @@
-//! Classes of rays through a grid. No ray starts on or in the solid, so that closed and open
-//! answers are all there are.
+//! Classes of rays through a grid. No ray starts on or in the solid, so only the closed and the
+//! open answer exist.
 
 use super::level::{CELL, Level, SIDE};
 use tilesat_judge::Random;
@@ -70,8 +70,7 @@ impl Class {
             Self::Corners | Self::NearCorners => {
                 let corner = (r.within(1, SIDE as i64 - 1) * CELL, r.within(1, SIDE as i64 - 1) * CELL);
                 let step = (r.around(8), r.around(8));
-                // A fraction of the slope before the corner, so that the start is on no lattice of
-                // its own.
+                // A fraction of the slope before the corner, so that the start is on no lattice.
                 let (unit, back, on) = (CELL >> 8, r.within(1, 1 << 12), r.within(1, 1 << 14));
                 let at = |k: i64| (corner.0 + step.0 * unit * k, corner.1 + step.1 * unit * k);
                 let mut end = at(on);

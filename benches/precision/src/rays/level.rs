@@ -92,7 +92,7 @@ impl Level {
         }
     }
 
-    /// Noise, three times smoothed: a cell is as most of the nine around it are.
+    /// Noise, smoothed three times: each cell becomes what most of the nine around it are.
     fn clump(&mut self, r: &mut Random) {
         let inner = 1..SIDE as i64 - 1;
         for y in inner.clone() {

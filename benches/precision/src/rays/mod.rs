@@ -19,7 +19,7 @@ pub fn name(map: Map) -> String {
     format!("rays: {}", map.name())
 }
 
-/// What is wrong, and how long it takes.
+/// Errors, and the time per call.
 pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
     for map in MAPS {
         let level = Rc::new(Level::new(map));
@@ -42,7 +42,7 @@ pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
     }
 }
 
-/// How many instructions it takes; under callgrind.
+/// Instructions per call, under callgrind.
 pub fn count(sizes: &Sizes) {
     for map in MAPS {
         let level = Rc::new(Level::new(map));
@@ -72,7 +72,7 @@ mod tests {
         Q::from_integer(BigInt::from(n))
     }
 
-    /// When a ray is in the closed cell, by clipping: the first moment.
+    /// The time at which a ray enters the closed cell, by clipping.
     fn enters(ray: &Ray, x: i64, y: i64) -> Option<Q> {
         let (mut from, mut to) = (q(0), q(1));
         for (o, d, cell) in [(ray.o.0, ray.d.0, x), (ray.o.1, ray.d.1, y)] {

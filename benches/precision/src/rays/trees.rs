@@ -1,4 +1,4 @@
-//! Libraries that hold the solid cells in trees or tables of their own.
+//! Libraries that hold the solid cells in separate trees or tables.
 
 use super::classes::Ray;
 use super::level::{CELL, Level, SIDE};
@@ -9,7 +9,7 @@ use std::ptr;
 use std::rc::Rc;
 use tilesat_judge::Random;
 
-/// The places of solid cells.
+/// The positions of solid cells.
 fn solid(level: &Level) -> impl Iterator<Item = (i64, i64)> {
     let side = SIDE as i64;
     (0..side * side).map(move |i| (i % side, i / side)).filter(|&(x, y)| level.solid(x, y))
@@ -26,7 +26,7 @@ macro_rules! parry {
 
             fn add(list: &mut List<Ray, Answer>, name: &'static str, shape: impl RayCast + 'static) {
                 let shape = Rc::new(shape);
-                // The loops may live as long as the program does: so does what they ask.
+                // The loops may live as long as the program, and so does their level.
                 let shape: &'static _ = Box::leak(Box::new(shape));
                 list.add(
                     (name, "ray", FORMAT),
@@ -53,14 +53,14 @@ macro_rules! parry {
 parry!(single, parry2d, "parry2d Voxels", "parry2d Compound");
 parry!(double, parry2d_f64, "parry2d-f64 Voxels", "parry2d-f64 Compound");
 
-/// One static body with a box a cell.
+/// One static body with a box per cell.
 pub fn box2d(list: &mut List<Ray, Answer>, level: &Rc<Level>) {
     use boxdd_sys::ffi::{
         b2CreateBody, b2CreatePolygonShape, b2CreateWorld, b2DefaultBodyDef, b2DefaultQueryFilter, b2DefaultShapeDef,
         b2DefaultWorldDef, b2MakeOffsetBox, b2Rot, b2World_CastRayClosest, b2World_RebuildStaticTree,
     };
     use peers::box2d::{NAME, vector};
-    // SAFETY: as the manual of the library has it; the world lives as long as the program.
+    // SAFETY: as in the library's manual. The world lives as long as the program.
     let (world, filter) = unsafe {
         let world = b2CreateWorld(&b2DefaultWorldDef());
         let body = b2CreateBody(world, &b2DefaultBodyDef());
@@ -76,13 +76,13 @@ pub fn box2d(list: &mut List<Ray, Answer>, level: &Rc<Level>) {
     list.add(
         (NAME, "ray", Format::F32),
         |r: &Ray| (vector(r.o), vector(r.d)),
-        // SAFETY: the world is there.
+        // SAFETY: the world exists.
         move |&(o, d)| unsafe { b2World_CastRayClosest(world, o, d, filter) },
         |hit| hit.hit.then(|| f64::from(hit.fraction)),
     );
 }
 
-/// One static box a cell. They come in any order: its tree is the worse for rows.
+/// One static box per cell, in any order: rows would make its tree worse.
 pub fn chipmunk(list: &mut List<Ray, Answer>, level: &Rc<Level>) {
     use chipmunk_sys::{
         Struct_cpBB, Struct_cpShapeFilter, cpBoxShapeNew2, cpSegmentQueryInfo, cpSpaceAddShape, cpSpaceGetStaticBody,
@@ -90,7 +90,7 @@ pub fn chipmunk(list: &mut List<Ray, Answer>, level: &Rc<Level>) {
     };
     use peers::chipmunk::{NAME, vector};
     let filter = Struct_cpShapeFilter { group: 0, categories: !0, mask: !0 };
-    // SAFETY: as the manual of the library has it; the space lives as long as the program.
+    // SAFETY: as in the library's manual. The space lives as long as the program.
     let space = unsafe {
         let space = cpSpaceNew();
         let (mut cells, mut r) = (solid(level).collect::<Vec<_>>(), Random::new(1));
@@ -110,7 +110,7 @@ pub fn chipmunk(list: &mut List<Ray, Answer>, level: &Rc<Level>) {
         move |&(from, to)| {
             let nothing = cpv(0.0, 0.0);
             let mut info = cpSegmentQueryInfo { shape: ptr::null(), point: nothing, normal: nothing, alpha: 1.0 };
-            // SAFETY: the space is there, and the answer has its place.
+            // SAFETY: the space exists, and the answer's memory is valid.
             let shape = unsafe { cpSpaceSegmentQueryFirst(space, from, to, 0.0, filter, &mut info) };
             (!shape.is_null(), info.alpha)
         },

@@ -1,9 +1,8 @@
-//! What a ray meets, exactly: where it touches the solid first, and where it first enters its
-//! inside.
+//! The exact hit of a ray: where it first touches the solid, and where it first enters its inside.
 //!
-//! Between two crossings of lines a ray is in one cell, or on the line between two; at a crossing
-//! it touches up to four. Crossings are fractions below 2^30, so that products of two fit 64 bits;
-//! no cell is skipped and nothing is walked.
+//! Between two crossings of lines, a ray is in one cell or on the line between two. At a crossing
+//! it touches up to four. Crossings are fractions below 2^30, so products of two fit 64 bits. No
+//! cell is skipped, and nothing walks.
 
 use super::classes::Ray;
 use super::level::{CELL, Level};
@@ -32,7 +31,7 @@ impl Time {
 pub struct Truth {
     /// Touching counts.
     pub closed: Option<Time>,
-    /// Only the inside counts, that between two solid cells included.
+    /// Only the inside counts, which includes the line between two solid cells.
     pub open: Option<Time>,
     /// The ray's length in pixels.
     length: f64,
@@ -47,7 +46,7 @@ fn cells_at(o: i64, d: i64, t: Time) -> (i64, i64) {
     if at.rem_euclid(side) == 0 { (high - 1, high) } else { (high, high) }
 }
 
-/// When each line is crossed, the start and the end included.
+/// The times at which it crosses each line, with the start and the end.
 fn crossings(ray: &Ray) -> Vec<Time> {
     let mut times = vec![Time { num: 0, den: 1 }, Time { num: 1, den: 1 }];
     for (o, d) in [(ray.o.0, ray.d.0), (ray.o.1, ray.d.1)] {
@@ -75,7 +74,7 @@ impl Truth {
                 closed = Some(t);
             }
             let Some(next) = times.get(i + 1) else { break };
-            // Half-way to the next one: where one cell, or two that share a line, are all there is.
+            // Half-way to the next crossing, where it is in one cell, or on the line of two.
             let middle = Time { num: t.num * next.den + next.num * t.den, den: 2 * t.den * next.den };
             let (x, y) = (cells_at(ray.o.0, ray.d.0, middle), cells_at(ray.o.1, ray.d.1, middle));
             let along = [(x.0, y.0), (x.1, y.0), (x.0, y.1), (x.1, y.1)];
@@ -97,11 +96,11 @@ impl Truth {
 /// An answer: the fraction of the motion.
 pub type Answer = Option<f64>;
 
-/// How far from the true place an answer still means the same cell.
+/// An answer this far from the true position still means the same cell.
 const NEAR: f64 = 1.0 / 64.0;
 
-/// Holds answers against the truth. An answer is right that fits one of the conventions: libraries
-/// that walk cells have one side of a cell closed, and are not told which.
+/// Compares answers with the truth. An answer is right if it fits one of the conventions. In
+/// libraries that walk cells, one side of a cell is closed, and they do not say which.
 pub fn judge(row: &mut Row, truths: &[Truth], answers: &[Answer], format: Format) {
     let (mut wrong, mut closed, mut hits, mut late) = (0u32, 0u32, 0u32, 0u32);
     let (mut max, mut sum, mut n) = ((0.0f64, 0.0f64), (0.0, 0.0), 0u32);
@@ -127,8 +126,8 @@ pub fn judge(row: &mut Row, truths: &[Truth], answers: &[Answer], format: Format
         sum = (sum.0 + px.abs(), sum.1 + ulps);
         n += 1;
     }
-    // What fits neither is wrong; what the closed convention alone says is told beside it, and is
-    // never fewer.
+    // An answer is wrong if it fits neither. Answers that only the closed convention allows are
+    // listed beside it, and are never fewer.
     row.set("queries", truths.len() as f64).set("hits", hits.into()).set("late", late.into());
     row.set("wrong", wrong.into()).set("wrong_closed", closed.into());
     if n > 0 {

@@ -14,7 +14,7 @@ pub fn brute<S: Scalar>(boxes: &[Aabb<S>], mut each: impl FnMut(u32, u32)) {
     }
 }
 
-/// By insertion into an order that is kept: from frame to frame little changes.
+/// By insertion into a kept order: little changes from frame to frame.
 pub fn sweep<S: Scalar>(order: &mut [u32], boxes: &[Aabb<S>], mut each: impl FnMut(u32, u32)) {
     for i in 1..order.len() {
         let (body, mut at) = (order[i], i);

@@ -1,4 +1,4 @@
-//! Motions: the time at which a shape first meets another one, as a fraction of the motion.
+//! Motions: the time at which a shape first meets another, as a fraction of the motion.
 
 use crate::Scalar;
 use crate::shape::{Aabb, Circle, Segment, Vector};
@@ -23,7 +23,7 @@ pub fn circle_circle<S: Scalar>(a: &Circle<S>, b: &Circle<S>, d: Vector<S>) -> O
     disc(a.c - b.c, d, a.r + b.r)
 }
 
-/// When a point is inside of an interval.
+/// The times at which a point is inside an interval.
 #[inline]
 fn slab<S: Scalar>(p: S, d: S, lo: S, hi: S) -> Option<(S, S)> {
     if d > S::ZERO {
@@ -35,7 +35,7 @@ fn slab<S: Scalar>(p: S, d: S, lo: S, hi: S) -> Option<(S, S)> {
     }
 }
 
-/// When a point enters a box: the time, if it is one of the motion.
+/// The time at which a point enters a box, if it is within the motion.
 #[inline]
 fn enter<S: Scalar>(p: Vector<S>, d: Vector<S>, lo: Vector<S>, hi: Vector<S>) -> Option<S> {
     let (x, y) = (slab(p.x, d.x, lo.x, hi.x)?, slab(p.y, d.y, lo.y, hi.y)?);
@@ -48,7 +48,7 @@ pub fn aabb_aabb<S: Scalar>(a: &Aabb<S>, b: &Aabb<S>, d: Vector<S>) -> Option<S>
     enter(a.lo, d, b.lo - (a.hi - a.lo), b.hi)
 }
 
-/// The side that is faced, moved out by the radius; beside its ends the discs around them.
+/// The facing side, moved out by the radius. Beyond its ends the discs around them.
 #[inline]
 pub fn circle_segment<S: Scalar>(a: &Circle<S>, b: &Segment<S>, d: Vector<S>) -> Option<S> {
     let (e, m) = (b.b - b.a, a.c - b.a);
@@ -76,7 +76,8 @@ pub fn circle_segment<S: Scalar>(a: &Circle<S>, b: &Segment<S>, d: Vector<S>) ->
     }
 }
 
-/// The box grown by the radius; where its corner is met, the disc around the box's own corner.
+/// The box grown by the radius. If the point meets its corner: the disc around the box's own
+/// corner.
 #[inline]
 pub fn circle_aabb<S: Scalar>(a: &Circle<S>, b: &Aabb<S>, d: Vector<S>) -> Option<S> {
     let r = Vector { x: a.r, y: a.r };

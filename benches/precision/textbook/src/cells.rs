@@ -1,4 +1,4 @@
-//! Circles among solid cells: every cell that the circle's box, or the box of its whole way,
+//! Circles among solid cells: visits every cell that the box of the circle, or of its whole way,
 //! covers.
 
 use crate::dda::{CELL, Grid};

@@ -1,11 +1,11 @@
-//! Rays through a grid of solid cells: the walk of Amanatides and Woo over a number format, and the
+//! Rays through a grid of solid cells: the walk of Amanatides and Woo in a number format, and the
 //! same in exact integers.
 
 use crate::Scalar;
 use crate::shape::Vector;
 
-/// Square cells of so many pixels, a power of two, one byte each: not zero is solid. Outside of it
-/// a ray ends.
+/// Square cells of a side in pixels, a power of two, one byte each: not zero is solid. A ray ends
+/// outside the grid.
 #[derive(Clone, Copy, Debug)]
 pub struct Grid<'a, const SIDE: i32 = CELL> {
     pub cells: &'a [u8],
@@ -30,7 +30,7 @@ impl<const SIDE: i32> Grid<'_, SIDE> {
     }
 }
 
-/// Where a ray enters the first solid cell.
+/// The point where a ray enters the first solid cell.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit<S> {
     /// A fraction of the motion.
@@ -40,7 +40,7 @@ pub struct Hit<S> {
     pub across_x: bool,
 }
 
-/// One axis of the walk: the time of its next line, the time from line to line, the step.
+/// One axis of the walk: the time of its next line, the time between lines, and the step.
 #[inline]
 fn axis<S: Scalar, const SIDE: i32>(o: S, d: S, cell: i32) -> (S, S, i32) {
     let size = S::of_int(SIDE);
@@ -76,7 +76,7 @@ pub fn cast<S: Scalar, const SIDE: i32>(grid: &Grid<'_, SIDE>, o: Vector<S>, d: 
     }
 }
 
-/// Where the exact walk enters the first solid cell: at `num / den` of the motion.
+/// The point where the exact walk enters the first solid cell: at `num / den` of the motion.
 #[derive(Clone, Copy, Debug)]
 pub struct ExactHit {
     pub num: i32,
@@ -84,7 +84,7 @@ pub struct ExactHit {
     pub across_x: bool,
 }
 
-/// The way to the next line, the way that the motion has, and the step.
+/// The distance to the next line, the length of the motion, and the step.
 #[inline]
 fn exact_axis<const SIDE: i32>(o: i32, d: i32) -> (i32, i32, i32) {
     let cell = 1 << Grid::<SIDE>::SHIFT;
@@ -92,7 +92,7 @@ fn exact_axis<const SIDE: i32>(o: i32, d: i32) -> (i32, i32, i32) {
     if d < 0 { (low, -d, -1) } else { (cell - low, d, 1) }
 }
 
-/// Lines are ordered by comparing products; through a corner it steps to the opposite cell. Motions
+/// Compares products to order the lines. Through a corner it steps to the opposite cell. Motions
 /// are below 2^30.
 pub fn cast_exact<const SIDE: i32>(grid: &Grid<'_, SIDE>, o: (i32, i32), d: (i32, i32)) -> Option<ExactHit> {
     let shift = Grid::<SIDE>::SHIFT;

@@ -1,8 +1,8 @@
-//! The same booleans in integers wide enough for every product: never wrong, and nothing is tested
-//! before the deciding comparison.
+//! The same booleans in integers wide enough for every product. They are never wrong, and test
+//! nothing before the deciding comparison.
 //!
-//! Not the library's code: what its answers cost without its filters. Coordinates are below 2^29,
-//! so that sums of two products are below 2^62.
+//! This is not the library's code: it shows the cost of its answers without its filters.
+//! Coordinates are below 2^29, so sums of two products are below 2^62.
 
 /// Raw units.
 #[derive(Clone, Copy, Debug)]

@@ -1,10 +1,10 @@
-//! What collision code looks like where nobody thinks about rounding: the formulas of the
-//! textbooks, written once over a number format.
+//! Collision code that ignores rounding: the formulas of the textbooks, written once over a number
+//! format.
 //!
-//! They decide whether a pair overlaps, and tell depth and normal. Floating point, Q16.16 as hobby
-//! code has it, and Q16.16 in wider registers are instances; [`exact`] has the same questions in
-//! integers that cannot be wrong, and no filter in front. All of it runs without a standard
-//! library, so that the same code is counted on a microcontroller.
+//! They decide whether a pair overlaps, and compute depth and normal. The number formats are
+//! floating point, Q16.16 as in hobby code, and Q16.16 in wider registers. [`exact`] answers the
+//! same questions in integers that cannot be wrong, without a filter. All of it runs without a
+//! standard library, so that a microcontroller counts the same code.
 
 #![no_std]
 

@@ -1,5 +1,5 @@
-//! Pairs: whether they overlap, and how. Where a circle may be a point or a segment has no length,
-//! touching is overlapping: strictly, they would overlap nothing.
+//! Pairs: whether they overlap, and how. If a circle may be a point or a segment has no length,
+//! touching counts as overlapping. Strictly, such shapes would overlap nothing.
 
 use crate::Scalar;
 use crate::shape::{Aabb, Circle, Contact, Segment, Vector};
@@ -83,13 +83,13 @@ pub fn contact_circle_segment<S: Scalar>(a: &Circle<S>, b: &Segment<S>) -> Optio
     within(nearest(a.c, b) - a.c, a.r)
 }
 
-/// Of the ways out along an axis the shorter one.
+/// The shorter of the ways out along an axis.
 #[inline]
 fn shorter<S: Scalar>(up: S, down: S) -> (S, S) {
     if up < down { (up, S::ONE) } else { (down, -S::ONE) }
 }
 
-/// Of the ways out along x and y the shorter one.
+/// The shorter of the ways out along x and y.
 #[inline]
 fn least_exit<S: Scalar>(x: (S, S), y: (S, S)) -> Contact<S> {
     if x.0 < y.0 {

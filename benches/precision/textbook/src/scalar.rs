@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number as the formulas use it. Lengths are in pixels, 65 536 raw units each.
+/// A number as in the formulas. Lengths are in pixels, 65 536 raw units each.
 pub trait Scalar:
     Copy
     + PartialOrd
@@ -24,7 +24,7 @@ pub trait Scalar:
     /// The largest integer not above, for cells.
     fn floor(self) -> i32;
     fn of_int(n: i32) -> Self;
-    /// Above all times of a motion.
+    /// Greater than all times of a motion.
     const NEVER: Self;
 
     fn least(self, other: Self) -> Self {
@@ -75,7 +75,7 @@ macro_rules! float {
     };
 }
 
-/// The baseline of the host has no rounding instruction: a cast and a correction, as games do it.
+/// The host's baseline has no rounding instruction. Games use a cast and a correction.
 macro_rules! floor {
     ($t:ty) => {
         |v: $t| {
@@ -102,8 +102,7 @@ fn root64(v: f64) -> f64 {
     v.sqrt()
 }
 
-/// What a program without a standard library gets, with an FPU too: the instruction has no stable
-/// name there.
+/// The form without a standard library, even with an FPU: the instruction has no stable name there.
 #[cfg(target_os = "none")]
 #[inline]
 fn root32(v: f32) -> f32 {
@@ -116,8 +115,8 @@ fn root64(v: f64) -> f64 {
     libm::sqrt(v)
 }
 
-/// Q16.16 as games without a library have it: every product is cut to 32 bits at once, rounds down
-/// and wraps.
+/// Q16.16 as in games without a library: every product is cut to 32 bits at once, rounds down and
+/// wraps.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Q16(i32);
 
@@ -177,7 +176,7 @@ macro_rules! fixed {
 
         impl Div for $t {
             type Output = Self;
-            /// A quotient by zero is zero: the usual guard.
+            /// A quotient by zero is zero, the usual guard.
             #[inline]
             #[allow(clippy::suspicious_arithmetic_impl, reason = "the binary point")]
             fn div(self, o: Self) -> Self {

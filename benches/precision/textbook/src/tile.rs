@@ -1,11 +1,11 @@
-//! Boxes and circles out of tiles: one contact for each kind of tile, as hobby code has it, and
-//! none for what tiles are together.
+//! Pushes boxes and circles out of tiles. As in hobby code, one contact per kind of tile, and no
+//! knowledge of neighbouring tiles.
 
 use crate::Scalar;
 use crate::pair::{contact_aabb_aabb, contact_circle_aabb};
 use crate::shape::{Aabb, Circle, Vector};
 
-/// A convex polygon with unit normals that face out; y is down, corners run from x to y.
+/// A convex polygon with unit normals that face out. y is down, and corners run from x to y.
 #[derive(Clone, Copy, Debug)]
 pub struct Polygon<S> {
     pub corners: [Vector<S>; 5],
@@ -13,7 +13,7 @@ pub struct Polygon<S> {
     pub count: usize,
 }
 
-/// What a tile holds, from its first corner.
+/// The content of a tile, from its first corner.
 #[derive(Clone, Copy, Debug)]
 pub enum Tile<S> {
     Empty,
@@ -25,21 +25,22 @@ pub enum Tile<S> {
         centre: Vector<S>,
         toward: Vector<S>,
     },
-    /// What a quarter disc leaves of the cell.
+    /// The rest of the cell beside a quarter disc.
     Hollow {
         centre: Vector<S>,
         toward: Vector<S>,
     },
 }
 
-/// How to get out: how far, and along which unit vector.
+/// The way out: how far, and along which unit vector.
 #[derive(Clone, Copy, Debug)]
 pub struct Exit<S> {
     pub depth: S,
     pub along: Vector<S>,
 }
 
-/// What is pushed out of tiles; places are relative to the tile's first corner, its side is `cell`.
+/// A body to push out of tiles. Positions are relative to the tile's first corner, and its side is
+/// `cell`.
 pub trait Body<S>: Copy {
     fn moved(&self, by: Vector<S>) -> Self;
     fn bounds(&self) -> Aabb<S>;
@@ -69,7 +70,7 @@ fn negated<S: Scalar>(v: Vector<S>) -> Vector<S> {
     Vector { x: -v.x, y: -v.y }
 }
 
-/// `v` along the axes that lead into the cell, and back: `toward` is its own inverse.
+/// `v` along the axes that lead into the cell, and back. `toward` is its own inverse.
 fn mirrored<S: Scalar>(v: Vector<S>, toward: Vector<S>) -> Vector<S> {
     Vector { x: v.x * toward.x, y: v.y * toward.y }
 }
@@ -88,8 +89,8 @@ fn away<S: Scalar>(d: Vector<S>, r: S) -> Option<Exit<S>> {
     (distance > S::ZERO).then(|| Exit { depth: r - distance, along: Vector { x: d.x / distance, y: d.y / distance } })
 }
 
-/// The exits through the two straight sides that meet in the centre, of what reaches `(x, y)`
-/// beyond them.
+/// The exits through the two straight sides that meet in the centre, for a body that reaches `(x,
+/// y)` beyond them.
 fn through_sides<S: Scalar>(reach: Vector<S>) -> Exit<S> {
     let x = Exit { depth: reach.x, along: Vector { x: -S::ONE, y: S::ZERO } };
     shorter(x, Exit { depth: reach.y, along: Vector { x: S::ZERO, y: -S::ONE } })
@@ -146,7 +147,7 @@ impl<S: Scalar> Body<S> for Circle<S> {
         let d = mirrored(self.c - centre, toward);
         let zero = S::ZERO;
         let exit = if d.x > cell || d.y > cell {
-            // From behind: the sides that the solid has there.
+            // From behind: the sides of the solid there.
             away(d - d.clamped(Vector { x: zero, y: zero }, Vector { x: cell, y: cell }), self.r)?
         } else if d.x >= zero && d.y >= zero {
             let distance = d.dot(d).root();

@@ -4,8 +4,8 @@ use crate::Scalar;
 use crate::shape::Vector;
 use crate::tile::{Polygon, Tile};
 
-/// What it is, the number of corners, then five corners and five normals of a polygon, or the
-/// centre of an arc and where it leads; raw.
+/// The kind of tile and the number of corners. Then five corners and five normals of a polygon, or
+/// the centre of an arc and its direction. In raw units.
 pub type RawTile = [i32; 22];
 
 pub const EMPTY: i32 = 0;
@@ -17,7 +17,7 @@ pub const HOLLOW: i32 = 4;
 /// A tile in a number format.
 ///
 /// # Panics
-/// Where there is no such tile.
+/// If there is no such tile.
 pub fn tile<S: Scalar>(raw: &RawTile) -> Tile<S> {
     let vector = |i: usize| Vector::of_raw(raw[i], raw[i + 1]);
     let five = |from: usize| core::array::from_fn(|i| vector(from + 2 * i));

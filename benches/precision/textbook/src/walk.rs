@@ -1,5 +1,5 @@
-//! A body that goes through a level of tiles and slides: by one axis after the other, to where it
-//! goes or along all that it crosses, or in small steps and out again.
+//! A body that moves through a level of tiles and slides. By one axis after the other, to its goal
+//! or along all that it crosses. Or in small steps and out again.
 
 use crate::Scalar;
 use crate::shape::{Aabb, Vector};
@@ -17,12 +17,11 @@ pub struct Level<'a, S> {
     pub tiles: &'a [Tile<S>; 34],
 }
 
-/// What keeps a body that stands on a line out of the cell behind it: about a thousandth of a
-/// pixel.
+/// Keeps a body on a line out of the cell behind it: about a thousandth of a pixel.
 const LITTLE: i32 = 64;
-/// As far as a body goes before it is pushed out, in pixels.
+/// How far a body moves before it is pushed out, in pixels.
 const STEP: i32 = 4;
-/// As often as it is pushed out after a step.
+/// How often it is pushed out after a step.
 const ROUNDS: i32 = 4;
 
 impl<S: Scalar> Level<'_, S> {
@@ -59,7 +58,7 @@ impl<S: Scalar> Level<'_, S> {
     }
 }
 
-/// Of blocks: x first, then y; what is hit is left at its border.
+/// Among blocks: x first, then y. After a hit it stops at the border.
 pub fn by_axes<S: Scalar>(level: &Level<'_, S>, body: &Aabb<S>, motion: Vector<S>) -> Aabb<S> {
     let (size, little) = (body.hi - body.lo, S::of_raw(LITTLE));
     let mut lo = body.lo;
@@ -92,8 +91,8 @@ pub fn by_axes<S: Scalar>(level: &Level<'_, S>, body: &Aabb<S>, motion: Vector<S
     Aabb { lo, hi: lo + size }
 }
 
-/// Of blocks: x first, then y, and all columns and rows on the way are looked at. No slack: a body
-/// that stands on a line is beside it.
+/// Among blocks: x first, then y, with all columns and rows on the way. No slack: a body on a line
+/// is beside it.
 pub fn by_columns<S: Scalar>(level: &Level<'_, S>, body: &Aabb<S>, motion: Vector<S>) -> Aabb<S> {
     let size = body.hi - body.lo;
     let mut lo = body.lo;
@@ -143,7 +142,7 @@ fn deepest<S: Scalar, B: Body<S>>(level: &Level<'_, S>, body: &B) -> Option<Exit
     found
 }
 
-/// Small steps, each followed by ways out of the deepest contact.
+/// Small steps, each followed by a push out of the deepest contact.
 pub fn by_steps<S: Scalar, B: Body<S>>(level: &Level<'_, S>, body: &B, motion: Vector<S>) -> B {
     let steps = motion.x.magnitude().most(motion.y.magnitude()).floor() / STEP + 1;
     let n = S::of_int(steps);

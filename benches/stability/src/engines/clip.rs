@@ -1,12 +1,12 @@
-//! The library's exact sweeps with the response of Quake: the velocity is clipped at one plane
-//! after the other.
+//! The library's exact sweeps with the response of Quake: it clips the velocity at one plane after
+//! the other.
 
 use super::ours::{self, vec2};
 use crate::engine::{Engine, State};
 use crate::scene::{Point, Scene, Shape, Start};
 use tilesat::{Axis, Circle, Fx, Mover, Response, World};
 
-/// Only to show what the cone projection of the mover is for.
+/// Only shows why the mover projects on a cone.
 pub struct Clip<W> {
     world: W,
     ball: Option<Circle>,

@@ -19,7 +19,7 @@ use textbook::Textbook;
 
 type Made<'a> = Option<Box<dyn Engine + 'a>>;
 
-/// One column: its name, and its engine for a scene, if it has one.
+/// One column: its name, and its engine for a scene, if there is one.
 #[derive(Clone, Copy)]
 pub struct Column {
     pub name: &'static str,
@@ -35,7 +35,7 @@ fn tiles<'a>(scene: &Scene, levels: &'a Levels, start: &Start) -> Made<'a> {
     blocks.or_else(|| levels.shapes().map(|world| ours::ours(world, scene, start)))
 }
 
-/// Whether there are walls to be cut at 64 pixels.
+/// Whether it cuts walls at 64 pixels.
 fn cut(scene: &Scene) -> bool {
     matches!(scene.shape, Shape::Ball(_)) && scene.walls(64 * PX).len() > scene.walls(i32::MAX).len()
 }

@@ -7,11 +7,11 @@ use tilesat::{Aabb, Axis, Body, Circle, Fx, Mover, Ratio, Response, Surface, Vec
 /// A ball or a box in tiles or among segments.
 pub struct Ours<W, B> {
     world: W,
-    /// None: bodies slide.
+    /// A surface without restitution: bodies slide.
     surface: Option<Surface>,
     body: Option<B>,
     v: Vec2,
-    /// What elastic bounces go by.
+    /// The settings of elastic bounces.
     speed: Speed,
     gravity: Vec2,
 }
@@ -38,9 +38,9 @@ fn cuboid(scene: &Scene, [x, y]: Point) -> Option<Aabb> {
     Aabb::new(vec2([x - w, y - h]), vec2([x + w, y + h])).ok()
 }
 
-/// What the bench needs of a body beside what the mover does.
+/// Calls of the bench that the mover itself does not need.
 pub trait Mobile: Body {
-    /// Twice the centre, raw.
+    /// Twice the centre, in raw units.
     fn twice(&self) -> Point;
     fn beside(&self, by: i32) -> Option<Self>;
 }
@@ -68,7 +68,7 @@ impl Mobile for Aabb {
     }
 }
 
-/// As a state in pixels.
+/// Converts to a state in pixels.
 pub fn state<B: Mobile>(body: Option<&B>, v: Vec2) -> State {
     body.map_or(State::LOST, |body| State {
         centre: body.twice().map(|c| f64::from(c) / 131_072.0),
@@ -84,10 +84,10 @@ impl<W: World, B: Mobile> Ours<W, B> {
     }
 }
 
-/// What the walls of a scene do.
+/// The response of a scene's walls.
 ///
-/// Gravity g is given once per frame, so bounces at restitution e that meet the floor in the right
-/// moment of a frame go on for ever, at up to g / (1 - e): a slower one is none.
+/// Gravity g acts once per frame. So bounces at restitution e that meet the floor at the right
+/// moment of a frame go on for ever, at up to g / (1 - e). A slower bounce counts as none.
 pub fn surface(scene: &Scene) -> Surface {
     let restitution = Ratio::new(scene.bounce as u32, 256).unwrap_or(Ratio::ONE);
     let rest = (scene.gravity * 256).checked_div(256 - scene.bounce).unwrap_or(0);

@@ -59,13 +59,13 @@ impl Obstacles {
         Some(Self { body, half, list: list.collect() })
     }
 
-    /// The obstacles that a bounding box meets.
+    /// The obstacles that meet a bounding box.
     fn near(&self, lo: Vector, hi: Vector) -> impl Iterator<Item = &Obstacle> {
         let (lo, hi) = (lo - self.half, hi + self.half);
         self.list.iter().filter(move |o| o.lo.x <= hi.x && o.lo.y <= hi.y && lo.x <= o.hi.x && lo.y <= o.hi.y)
     }
 
-    /// Out of each obstacle in turn, and no longer into it.
+    /// Pushes the body out of each obstacle in turn, and removes its velocity into the obstacle.
     pub fn push_out(&self, p: &mut Vector, v: &mut Vector, bounce: f32) {
         for o in self.near(*p, *p) {
             let here = Pose::translation(p.x, p.y);

@@ -1,12 +1,12 @@
-//! The hobby form with parry2d's shape cast: nothing is passed through.
+//! The hobby form with parry2d's shape cast: the body passes through nothing.
 
 use super::parry::Obstacles;
 use crate::engine::{Engine, State};
 use crate::scene::{Scene, Start};
 use parry2d::math::Vector;
 
-/// Casts the body along its motion, goes to the first hit, responds, goes on with the rest (at most
-/// four times); what still overlaps then is pushed out by contacts.
+/// Casts the body along its motion, moves to the first hit, responds, and continues with the rest,
+/// at most four times. Then pushes it out of every remaining overlap by contacts.
 pub struct ParryCast {
     obstacles: Obstacles,
     gravity: f32,

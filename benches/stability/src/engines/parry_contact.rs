@@ -5,8 +5,8 @@ use crate::engine::{Engine, State};
 use crate::scene::{Scene, Start};
 use parry2d::math::Vector;
 
-/// Moves by the whole velocity, then is pushed out of one obstacle after the other by the contact's
-/// normal and depth.
+/// Moves by the whole velocity. Then pushes the body out of one obstacle after the other by the
+/// contact's normal and depth.
 pub struct ParryContact {
     obstacles: Obstacles,
     gravity: f32,

@@ -1,11 +1,11 @@
-//! rapier2d as its users run pixel games: length unit 32, sixty steps per second, rotation locked,
-//! no sleep, no friction.
+//! rapier2d as pixel games use it: length unit 32, sixty steps per second, rotation locked, no
+//! sleep, no friction.
 
 use crate::engine::{Engine, State};
 use crate::scene::{Point, Scene, Shape, Start};
 use rapier2d::prelude::*;
 
-/// Frames a second.
+/// Frames per second.
 const RATE: f32 = 60.0;
 
 pub struct Rapier {

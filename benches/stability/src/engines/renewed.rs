@@ -1,13 +1,13 @@
-//! The library's mover in a game that keeps the energy of a ball: what a pinball table does.
+//! The library's mover in a game that keeps the energy of a ball, as a pinball table does.
 
 use super::ours::{self, vec2};
 use crate::engine::{Engine, State};
 use crate::scene::{Scene, Start};
 use tilesat::{Circle, Mover, Response, Surface, Vec2, World};
 
-/// Gravity is given in two halves, around the motion, so that a flight is an exact parabola. The
-/// frame of a bounce is the only one that is not: the ball meets the wall at some moment of it,
-/// with the speed of its middle. There the game renews the speed from the height, as energy has it:
+/// Gravity acts in two halves, around the motion, so a flight is an exact parabola. Only the frame
+/// of a bounce is not exact: the ball meets the wall at some moment of it, with the speed of its
+/// middle. There the game computes the speed again from the height:
 /// |v|^2 = |v0|^2 + 2 g (y - y0), exact in integers.
 pub struct Renewed<W> {
     world: W,
@@ -29,7 +29,7 @@ impl<W: World> Renewed<W> {
         (made.ball.is_some() && scene.bounce == 256 && scene.gravity > 0).then_some(made)
     }
 
-    /// The velocity in its direction with the speed that the height asks for, rounded toward zero.
+    /// The velocity in the same direction with the speed for this height, rounded toward zero.
     fn renewed(&self, v: Vec2, y: i32) -> Vec2 {
         let square = self.energy + 2 * i64::from(self.gravity) * i64::from(y);
         let wanted = square.max(0).isqrt();

@@ -35,7 +35,7 @@ impl Scalar for f32 {
     }
 }
 
-/// I16F16 as games without a library have it: each product is cut to 32 bits at once, rounds down
+/// I16F16 as games without a library use it: each product is cut to 32 bits at once, rounds down
 /// and wraps.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Q16(i32);
@@ -63,7 +63,7 @@ impl Mul for Q16 {
 
 impl Div for Q16 {
     type Output = Self;
-    /// A quotient by zero is zero: the usual guard.
+    /// A quotient by zero is zero, the usual guard.
     #[allow(clippy::suspicious_arithmetic_impl, reason = "the binary point")]
     fn div(self, o: Self) -> Self {
         Self((i64::from(self.0) * 65536).checked_div(o.0.into()).unwrap_or(0) as i32)

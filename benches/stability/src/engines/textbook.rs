@@ -1,11 +1,11 @@
-//! The common hobby form: move by the whole velocity, then push the body out of one wall after the
-//! other.
+//! The common hobby form. Moves by the whole velocity, then pushes the body out of one wall after
+//! the other.
 
 use super::scalar::Scalar;
 use crate::engine::{Engine, State};
 use crate::scene::{Scene, Shape, Start};
 
-/// A ball pushed out of segments, or a box pushed out of boxes.
+/// Pushes a ball out of segments, or a box out of boxes.
 pub struct Textbook<S> {
     body: Body<S>,
     obstacles: Vec<[[S; 2]; 2]>,
@@ -22,7 +22,7 @@ enum Body<S> {
 }
 
 impl<S: Scalar> Textbook<S> {
-    /// No wall longer than `limit`.
+    /// Walls are at most `limit` long.
     pub fn new(scene: &Scene, start: &Start, limit: i32) -> Option<Self> {
         let point = |p: [i32; 2]| p.map(S::of_raw);
         Some(Self {

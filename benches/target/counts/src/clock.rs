@@ -1,18 +1,18 @@
-//! What an emulated core tells of the instructions that it has run.
+//! The emulated core's own count of instructions.
 //!
-//! Under `-icount shift=10` one instruction takes 1024 ns of virtual time. On Cortex-M timers run
-//! off that time: SysTick at 12.5 to 25 MHz, so it moves by 12.8 to 25.6 ticks an instruction. A
-//! RISC-V core counts retired instructions itself.
+//! Under `-icount shift=10` one instruction takes 1024 ns of virtual time. Timers of a Cortex-M
+//! count in that time. SysTick runs at 12.5 to 25 MHz, so it moves by 12.8 to 25.6 ticks per
+//! instruction. A RISC-V core counts retired instructions itself.
 
-/// A count that goes up or down by so much an instruction.
+/// A count that changes by a fixed amount per instruction.
 pub trait Clock {
-    /// The bits that it has.
+    /// Its number of bits.
     const MASK: u32;
-    /// Makes it run.
+    /// Starts it.
     fn start();
-    /// Its count.
+    /// Reads it.
     fn now() -> u32;
-    /// Ticks between two readings less than its bits apart.
+    /// Ticks between two readings, which must be less than its range apart.
     fn elapsed(from: u32, to: u32) -> u32;
 }
 
@@ -25,7 +25,7 @@ pub use riscv::{Retired as Long, Retired as Short};
 mod arm {
     use super::Clock;
 
-    /// Every Cortex-M has it; 24 bits are 650 000 instructions or more.
+    /// Every Cortex-M has it. Its 24 bits last for at least 650 000 instructions.
     pub struct SysTick;
 
     const CONTROL: *mut u32 = 0xE000_E010 as *mut u32;
@@ -36,7 +36,7 @@ mod arm {
         const MASK: u32 = 0x00ff_ffff;
 
         fn start() {
-            // SAFETY: the only user of SysTick; no interrupt is enabled.
+            // SAFETY: nothing else uses SysTick, and no interrupt is enabled.
             unsafe {
                 RELOAD.write_volatile(Self::MASK);
                 CURRENT.write_volatile(0);
@@ -46,8 +46,8 @@ mod arm {
 
         #[inline(always)]
         fn now() -> u32 {
-            // SAFETY: SysTick's current value register exists on every Cortex-M board used here;
-            // reading it has no effect.
+            // SAFETY: every Cortex-M board used here has SysTick's current value register. Reading
+            // it has no effect.
             unsafe { CURRENT.read_volatile() }
         }
 
@@ -57,7 +57,8 @@ mod arm {
         }
     }
 
-    /// A timer of the boards mps2-an385 and mps2-an386, with 32 bits: 160 million instructions.
+    /// A timer of the boards mps2-an385 and mps2-an386. Its 32 bits last for 160 million
+    /// instructions.
     pub struct Board;
 
     const BOARD_CONTROL: *mut u32 = 0x4000_0000 as *mut u32;
@@ -68,7 +69,7 @@ mod arm {
         const MASK: u32 = u32::MAX;
 
         fn start() {
-            // SAFETY: the only user of this timer; its interrupt stays off.
+            // SAFETY: nothing else uses this timer, and its interrupt stays off.
             unsafe {
                 BOARD_RELOAD.write_volatile(u32::MAX);
                 BOARD_VALUE.write_volatile(u32::MAX);
@@ -78,7 +79,7 @@ mod arm {
 
         #[inline(always)]
         fn now() -> u32 {
-            // SAFETY: the board has this register; reading it has no effect.
+            // SAFETY: the board has this register. Reading it has no effect.
             unsafe { BOARD_VALUE.read_volatile() }
         }
 
@@ -105,8 +106,8 @@ mod riscv {
         #[inline(always)]
         fn now() -> u32 {
             let count: u32;
-            // SAFETY: firmware runs in machine mode, where this register can be read; reading it
-            // has no effect.
+            // SAFETY: firmware runs in machine mode, which may read this register. Reading it has
+            // no effect.
             unsafe { asm!("csrr {0}, minstret", out(reg) count) };
             count
         }

@@ -1,7 +1,6 @@
-//! An exact instruction counter for the emulator: a clock, and how many of its ticks an instruction
-//! takes.
+//! An exact instruction counter for the emulator: a clock, and its ticks per instruction.
 //!
-//! A known loop gives the divisor, so no clock rate is written down here.
+//! A known loop gives the divisor, so the code contains no clock rate.
 
 use crate::clock::Clock;
 use core::arch::asm;
@@ -11,13 +10,13 @@ use tilesat_chip::{eprintln, process};
 
 /// A calibrated counter.
 pub struct Counter<C> {
-    /// Ticks that 65 536 instructions take.
+    /// Ticks of 65 536 instructions.
     ticks: u64,
     clock: PhantomData<C>,
 }
 
 impl<C: Clock> Counter<C> {
-    /// Starts the clock, calibrates it and tests it: one that is wrong ends the run.
+    /// Starts the clock, calibrates it and tests it. Ends the run if it is wrong.
     pub fn start() -> Self {
         C::start();
         // The emulator settles a timer at its first reading.
@@ -33,12 +32,12 @@ impl<C: Clock> Counter<C> {
         counter
     }
 
-    /// The instructions that took so many ticks.
+    /// Converts ticks to instructions.
     pub fn instructions(&self, ticks: u32) -> u32 {
         ((u64::from(ticks) * 65_536 + self.ticks / 2) / self.ticks) as u32
     }
 
-    /// The instructions of a call, with some of the call's own.
+    /// The instructions of a call, including some of the call itself.
     #[inline(never)]
     pub fn count<R>(&self, call: impl FnOnce() -> R) -> u32 {
         let from = C::now();
@@ -48,7 +47,7 @@ impl<C: Clock> Counter<C> {
         self.instructions(C::elapsed(from, to))
     }
 
-    /// Compares loops of known length with what the counter says: the number of wrong readings.
+    /// Compares loops of known length with the counter. Returns the number of wrong readings.
     fn wrong_loops(&self) -> u32 {
         let mut wrong = 0;
         let two = self.instructions(time_two::<C>(black_box(1)));
@@ -65,10 +64,10 @@ impl<C: Clock> Counter<C> {
     }
 }
 
-/// Counts a register down: two instructions a turn, and so many idle ones.
+/// Counts a register down: two instructions per turn, plus idle ones.
 macro_rules! turns {
     ($turns:expr $(, $idle:literal)*) => {{
-        // SAFETY: changes nothing but the register.
+        // SAFETY: changes only the register.
         #[cfg(target_arch = "arm")]
         unsafe { asm!("2:", $($idle,)* "subs {0}, #1", "bne 2b", inout(reg) $turns => _) };
         // SAFETY: as above.
@@ -91,7 +90,7 @@ fn time_five<C: Clock>(turns: u32) -> u32 {
     C::elapsed(from, C::now())
 }
 
-/// A loop of so many turns, for those who model cycles: its instructions are known.
+/// A loop of known length, for programs that model cycles.
 #[inline(never)]
 pub fn known_loop(turns: u32) {
     turns!(turns);

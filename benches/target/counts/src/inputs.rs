@@ -2,10 +2,10 @@
 
 use tilesat::{Aabb, Circle, Segment, Vec2};
 
-/// One unit in raw.
+/// One unit, in raw units.
 pub const UNIT: i32 = 1 << 16;
 
-/// A xorshift generator; the same numbers on every core.
+/// A xorshift generator. Gives the same numbers on every core.
 pub struct Random(u32);
 
 impl Random {
@@ -61,7 +61,7 @@ pub fn any_segment(r: &mut Random) -> Option<Segment> {
     Segment::new(vec(r.point()), vec(r.point())).ok()
 }
 
-/// How the bounding boxes of two shapes lie: apart in x, apart in y only, or overlapping.
+/// Relation of the bounding boxes of two shapes: apart in x, apart in y only, or overlapping.
 #[derive(PartialEq, Eq, Clone, Copy)]
 pub enum Boxes {
     ApartInX,
@@ -79,7 +79,8 @@ pub fn boxes(a: &Aabb, b: &Aabb) -> Boxes {
     }
 }
 
-/// Whole numbers with `p^2 + q^2 = h^2`, `p` and `q` of any sign: vectors whose length is exact.
+/// Whole numbers with `p^2 + q^2 = h^2`, with `p` and `q` of any sign. Such vectors have an exact
+/// length.
 pub fn triple(r: &mut Random) -> (i32, i32, i32) {
     const TRIPLES: [(i32, i32, i32); 5] = [(3, 4, 5), (5, 12, 13), (8, 15, 17), (7, 24, 25), (20, 21, 29)];
     let (p, q, h) = TRIPLES[r.whole(0, 5) as usize];
@@ -94,7 +95,7 @@ pub fn near_circles(r: &mut Random) -> Option<(Circle, Circle)> {
     (boxes(&a.aabb(), &b.aabb()) == Boxes::Overlap).then_some((a, b))
 }
 
-/// Two circles whose distance is the sum of the radii, give or take one raw unit.
+/// Two circles whose distance is the sum of the radii, within one raw unit.
 pub fn touching_circles(r: &mut Random) -> Option<(Circle, Circle)> {
     let (p, q, h) = triple(r);
     let s = r.whole(2 * UNIT / h, 32 * UNIT / h);
@@ -110,7 +111,7 @@ pub fn near_box(r: &mut Random) -> Option<(Circle, Aabb)> {
     (boxes(&a.aabb(), &b) == Boxes::Overlap).then_some((a, b))
 }
 
-/// A circle that touches a corner of a box, give or take one raw unit.
+/// A circle that touches a corner of a box, within one raw unit.
 pub fn touching_box(r: &mut Random) -> Option<(Circle, Aabb)> {
     let (p, q, h) = triple(r);
     let s = r.whole(2 * UNIT / h, 16 * UNIT / h);
@@ -130,7 +131,7 @@ pub fn near_segment(r: &mut Random) -> Option<(Circle, Segment)> {
     beside(r, (p, q), length, (along, aside), radius)
 }
 
-/// A circle that touches a slanted segment between its ends, give or take one raw unit.
+/// A circle that touches a slanted segment between its ends, within one raw unit.
 pub fn touching_segment(r: &mut Random) -> Option<(Circle, Segment)> {
     let (p, q, h) = triple(r);
     let length = r.whole(8 * UNIT / h, 32 * UNIT / h);

@@ -1,5 +1,5 @@
-//! What the counting firmwares share: the counter, the measurement of a row, its inputs, and what
-//! the core needs to start.
+//! Shared code of the counting firmwares: the counter, the measurement of a row, its inputs, and
+//! the start-up of the core.
 
 //! On a computer the crate is empty.
 #![no_std]

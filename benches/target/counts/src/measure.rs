@@ -1,9 +1,9 @@
 //! One row of the table: a query over a fixed set of inputs.
 //!
-//! A query is called through a pointer with its operands by reference, so that nothing is inlined
-//! or folded. *By reference* is that call minus an empty call of the same signature. *Kernel* is
-//! that call minus a call which does nothing but load the operand words that the query needs in
-//! that class: the count with operands in registers.
+//! Calls a query through a pointer with its operands by reference, so that the compiler inlines and
+//! folds nothing. *By reference* is that call minus an empty call of the same signature. *Kernel*
+//! is that call minus a call that only loads the operand words that the query needs in that class.
+//! So it is the count with operands in registers.
 
 use crate::CORE;
 use crate::clock::{Clock, Short};
@@ -17,18 +17,18 @@ use core::hint::black_box;
 use core::mem::MaybeUninit;
 use tilesat_chip::{eprintln, println, process};
 
-/// A query on two operands. The wrapper makes the empty call and the loads the same type as the
+/// A query on two operands. The wrapper gives the empty call and the loads the same type as the
 /// query.
 pub type Query<A, B, R> = fn(&A, &B) -> MaybeUninit<R>;
 
-/// How many inputs a row is measured on.
+/// Inputs per row.
 const INPUTS: u32 = 64;
 
-/// Kernel instructions that a row may take on a Cortex-M0 and on a Cortex-M3.
+/// Budget of kernel instructions on a Cortex-M0 and on a Cortex-M3.
 pub type Budget = Option<(u32, u32)>;
 
-/// An instruction that does nothing, by which the emulator's plugin knows where a call that it
-/// models begins and ends.
+/// An instruction without effect. It marks the start and the end of a call for the emulator's
+/// plugin, which models its cycles.
 macro_rules! mark {
     ($instruction:literal) => {
         // SAFETY: changes nothing.
@@ -39,7 +39,7 @@ macro_rules! mark {
     };
 }
 
-/// Prints what one line of the table holds.
+/// Prints one line of the table.
 pub fn tell(section: &str, name: impl fmt::Display, value: impl fmt::Display, budget: Budget) {
     let (m0, m3) = budget.unwrap_or_default();
     let limit = match CORE {
@@ -59,7 +59,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// With a row that shows that all is counted, and modelled, as it is: two instructions a turn.
+    /// Adds a row of two instructions per turn, which checks that counts and model are complete.
     pub fn start() -> Self {
         let mut table = Self { counter: Counter::start(), random: Random::new(1), wrong: 0 };
         let turns: Query<u32, u32, ()> = |many, _| {
@@ -81,13 +81,13 @@ impl Table {
         table
     }
 
-    /// Ends the run, badly where a row's inputs were not of its class.
+    /// Ends the run. It fails if a row's inputs were not of its class.
     pub fn end(&self) -> ! {
         process::exit(i32::from(self.wrong != 0))
     }
 
-    /// One row: `next` makes an input of the class, `loads` is the baseline for it, `expect` tells
-    /// whether the answer is the class's.
+    /// Measures one row. `next` makes an input of the class, `loads` is its baseline, and `expect`
+    /// checks that the answer fits the class.
     pub fn row<A, B, R>(
         &mut self,
         name: &str,
@@ -99,7 +99,7 @@ impl Table {
     ) {
         let (mut kernel, mut api) = (Span::EMPTY, Span::EMPTY);
         let (mut wrong, mut stack) = (false, 0);
-        // Rows do not depend on each other: adding one leaves the others' inputs as they were.
+        // Rows do not depend on each other: a new row does not change the others' inputs.
         self.random = Random::new(1);
         while api.len() < INPUTS {
             let Some((a, b)) = next(&mut self.random) else { continue };
@@ -107,14 +107,14 @@ impl Table {
             kernel.add(counts.0);
             api.add(counts.1);
             stack = stack.max(depth(query, &a, &b));
-            // SAFETY: a query always writes its answer; only the baselines do not.
+            // SAFETY: a query always writes its answer. Only the baselines do not.
             let answer = unsafe { query(&a, &b).assume_init() };
             wrong |= !expect(&answer);
         }
         self.print(name, wrong, budget, &[kernel, api], stack);
     }
 
-    /// Apart from the measurement, which is compiled once a row.
+    /// A separate function: the measurement is compiled once per row.
     #[inline(never)]
     fn print(&mut self, name: &str, wrong: bool, budget: Budget, [kernel, api]: &[Span; 2], stack: u32) {
         if wrong {
@@ -127,8 +127,7 @@ impl Table {
     }
 }
 
-/// Instructions of one call: without those of the loads, and without those of an empty call alone.
-/// `query` runs once.
+/// Instructions of one call: minus the call with loads, and minus an empty call. `query` runs once.
 pub fn sample<A, B, R>(
     counter: &Counter<Short>,
     query: Query<A, B, R>,
@@ -142,7 +141,7 @@ pub fn sample<A, B, R>(
     (call.saturating_sub(load), call - empty)
 }
 
-/// Ticks of one call. Out of line, so that nothing of the caller moves between the two readings.
+/// Ticks of one call. Not inlined, so that no code of the caller moves between the two readings.
 #[inline(never)]
 fn ticks<A, B, R>(query: Query<A, B, R>, a: &A, b: &B) -> u32 {
     let (query, a, b) = black_box((query, a, b));
@@ -158,13 +157,13 @@ fn ticks<A, B, R>(query: Query<A, B, R>, a: &A, b: &B) -> u32 {
 /// The empty call.
 #[inline(never)]
 pub fn nothing<A, B, R>(_: &A, _: &B) -> MaybeUninit<R> {
-    // SAFETY: no instruction at all; it only keeps the call.
+    // SAFETY: no instruction at all. It only keeps the call.
     unsafe { asm!("", options(nomem, nostack, preserves_flags)) };
     MaybeUninit::uninit()
 }
 
-/// A call that loads the first `NA` words of A and the first `NB` of B, however the compiler likes
-/// to.
+/// A call that loads the first `NA` words of A and the first `NB` of B, in any way that the
+/// compiler likes.
 #[inline(never)]
 pub fn load<A, B, R, const NA: usize, const NB: usize>(a: &A, b: &B) -> MaybeUninit<R> {
     const {
@@ -172,8 +171,8 @@ pub fn load<A, B, R, const NA: usize, const NB: usize>(a: &A, b: &B) -> MaybeUni
         assert!(NA == 0 || align_of::<A>() >= 4);
         assert!(NB == 0 || align_of::<B>() >= 4);
     }
-    // SAFETY: inside both operands and aligned, by the assertions; the operands of the rows have no
-    // padding.
+    // SAFETY: the assertions check that it stays inside both aligned operands. The rows' operands
+    // have no padding.
     unsafe {
         words::<NA>(core::ptr::from_ref(a).cast());
         words::<NB>(core::ptr::from_ref(b).cast());
@@ -185,7 +184,7 @@ pub fn load<A, B, R, const NA: usize, const NB: usize>(a: &A, b: &B) -> MaybeUni
 #[inline(always)]
 unsafe fn words<const N: usize>(p: *const u32) {
     let mut i = 0;
-    // SAFETY: the caller vouches for N words at p; the empty instructions only hold the values.
+    // SAFETY: the caller guarantees N words at p. The empty instructions only hold the values.
     unsafe {
         while i + 4 <= N {
             let (a, b, c, d) = (p.add(i).read(), p.add(i + 1).read(), p.add(i + 2).read(), p.add(i + 3).read());

@@ -6,7 +6,7 @@ use tilesat::{Aabb, AllShapes, Circle, Fx, Grid, Outside, TileKind, TileKinds, T
 pub const SIDE: usize = 32;
 pub const CELL: i32 = 24;
 
-/// Ids are N++'s.
+/// The ids of N++.
 static KINDS: TileKinds = {
     let (mut kinds, mut id) = (TileKinds::EMPTY, 0u8);
     while id < 34 {
@@ -18,7 +18,7 @@ static KINDS: TileKinds = {
 
 static TILES: [u8; SIDE * SIDE] = tiles(64);
 
-/// Random tiles: so many of 256 hold a shape.
+/// Random tiles: this many of 256 hold a shape.
 pub const fn tiles(dense: u32) -> [u8; SIDE * SIDE] {
     let (mut tiles, mut i, mut state) = ([0; SIDE * SIDE], 0, 1u32);
     while i < SIDE * SIDE {

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// Mean and range; printed with a tenth.
+/// Mean and range, printed with one decimal digit.
 pub struct Span {
     n: u32,
     sum: u64,

@@ -1,20 +1,20 @@
-//! How much stack a call takes, exactly for what ran: the memory below is painted before it, and
-//! read after it.
+//! The stack that a call takes, exactly for this run: it paints the memory below, and reads it
+//! afterwards.
 
 use crate::measure::Query;
 use core::arch::asm;
 use core::hint::black_box;
 
-/// Words that are painted below the caller: more than any query takes, and less than a scene of 64
-/// bodies leaves of 16 KB.
+/// Words to paint below the caller. More than any query takes, and less than a scene of 64 bodies
+/// leaves of 16 KB.
 const WORDS: usize = 768;
 const PAINT: u32 = 0x5a5a_a5a5;
 
-/// Bytes of stack that a query takes, its return address included, its operands and its answer not:
-/// they are the caller's.
+/// Bytes of stack that a query takes, with its return address. Its operands and its answer are the
+/// caller's.
 ///
-/// A deepest word that happens to be written with the paint's value is missed; with several inputs
-/// it is not.
+/// It misses a deepest word that is written with the paint's value. With several inputs it does
+/// not.
 #[inline(never)]
 pub fn depth<A, B, R>(query: Query<A, B, R>, a: &A, b: &B) -> u32 {
     let (query, a, b) = black_box((query, a, b));
@@ -25,11 +25,11 @@ pub fn depth<A, B, R>(query: Query<A, B, R>, a: &A, b: &B) -> u32 {
     bytes
 }
 
-/// Bytes from the lowest word that is no longer painted up to where the paint began.
+/// Bytes from the lowest changed word up to the start of the paint.
 #[inline(always)]
 fn used(bottom: *const u32) -> u32 {
     let mut i = 0;
-    // SAFETY: still below the caller's frame, which has not moved, and inside of RAM; nothing else
+    // SAFETY: still below the caller's frame, which has not moved, and inside RAM. Nothing else
     // runs.
     while i < WORDS && unsafe { bottom.add(i).read_volatile() } == PAINT {
         i += 1;
@@ -37,12 +37,12 @@ fn used(bottom: *const u32) -> u32 {
     4 * (WORDS - i) as u32
 }
 
-/// Paints what is below the stack pointer; returns the lowest word of it.
+/// Paints the memory below the stack pointer. Returns its lowest word.
 #[inline(always)]
 fn paint() -> *const u32 {
     let mut at: *const u32;
-    // SAFETY: no interrupt is enabled, so memory below the stack pointer belongs to nobody; it is
-    // inside of RAM, whose 16 KB are mostly stack.
+    // SAFETY: no interrupt is enabled, so nobody uses memory below the stack pointer. It is inside
+    // RAM, whose 16 KB are mostly stack.
     #[cfg(target_arch = "arm")]
     unsafe {
         asm!(

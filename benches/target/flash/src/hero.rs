@@ -1,4 +1,4 @@
-//! What the programs of the heroes share: a level of 8 x 5 tiles, keys, a lift.
+//! Shared code of the hero programs: a level of 8 x 5 tiles, keys and a lift.
 
 use super::port;
 use tilesat::{
@@ -20,7 +20,7 @@ static TILES: [u8; 40] = [
     1, 1, 1, 1, 1, 1, 1, 1, //
 ];
 
-/// The level, with the ramp where the set has one.
+/// The level, with a ramp if the set has one.
 #[inline(always)]
 pub fn level<S: Set>() -> Result<TileMap<'static, S>, TileMapError> {
     let grid = const {
@@ -60,7 +60,7 @@ pub fn lift() -> Option<[Solid; 1]> {
     Some([Solid::new(shape, 1).ok()?])
 }
 
-/// The lift in this frame: up while the port says so, else down.
+/// Moves the lift for this frame: up while the port says so, else down.
 #[inline(always)]
 pub fn moved([lift]: [Solid; 1]) -> [Solid; 1] {
     let by = if port() & 16 == 0 { Vec2::from_ints(0, 1) } else { Vec2::from_ints(0, -1) };

@@ -1,7 +1,7 @@
-//! The frame of a program that holds one query and everything it pulls in, and of one that holds
-//! all there is.
+//! The frame of a program that holds one query and everything that it links, and of a program that
+//! holds everything.
 //!
-//! On a computer the programs are only checked: their `main` does nothing.
+//! On a computer the programs only compile: their `main` does nothing.
 
 #![no_std]
 
@@ -10,7 +10,7 @@ pub mod hero;
 use tilesat::Aabb;
 use tilesat::broad::BroadPhase;
 
-/// Bodies come, all move, one goes: a number that tells all pairs.
+/// Bodies come, all move, and one goes. Returns a number that identifies all pairs.
 #[inline(always)]
 pub fn frame<B: BroadPhase<Tag = ()>>(mut near: B, boxes: &[Aabb], moved: &[Aabb]) -> usize {
     for bounds in boxes {
@@ -26,8 +26,8 @@ pub fn frame<B: BroadPhase<Tag = ()>>(mut near: B, boxes: &[Aabb], moved: &[Aabb
     sum
 }
 
-/// A program whose entry runs `$query` on operands that the compiler knows nothing of, and stores
-/// the whole answer.
+/// A program whose entry runs `$query` on operands that the compiler cannot know. It stores the
+/// whole answer.
 #[macro_export]
 macro_rules! program {
     (|$a:ident: $A:ty, $b:ident: $B:ty| $query:expr) => {
@@ -55,11 +55,10 @@ macro_rules! program {
     };
 }
 
-/// A whole game: its state in a static, so that the linker tells how large it is, and a frame
-/// without end.
+/// A whole game: its state in a static, so that the linker reports its size, and an endless loop of
+/// frames.
 ///
-/// `$begin` makes of the state the game in it; what a frame needs of the outside it reads by
-/// [`port`].
+/// `$begin` turns the state into the game in it. A frame reads its inputs by [`port`].
 #[macro_export]
 macro_rules! game {
     ($State:ty = $empty:expr, $level:ident = $load:expr, |$state:ident| $begin:expr, |$game:ident| $frame:expr) => {
@@ -67,7 +66,7 @@ macro_rules! game {
         #[cfg_attr(not(target_os = "none"), expect(dead_code))]
         extern "C" fn _start() -> ! {
             static mut STATE: $State = $empty;
-            // SAFETY: never run; this is called once and nothing else names it.
+            // SAFETY: never run. One call, and nothing else names it.
             let $state: &mut $State = unsafe { &mut *(&raw mut STATE) };
             if let Ok($level) = $load {
                 let $game = $begin;
@@ -90,14 +89,14 @@ macro_rules! game {
     };
 }
 
-/// A state that a game makes when it starts: until then it has no value, and no image in flash.
+/// The state that a game makes at its start. It has no value before, and no image in flash.
 pub struct Later<S>(core::mem::MaybeUninit<S>);
 
 impl<S> Later<S> {
-    /// Not yet.
+    /// Before the start.
     pub const NONE: Self = Self(core::mem::MaybeUninit::uninit());
 
-    /// The state; without one the program ends here.
+    /// The state. Without one the program ends here.
     #[inline(always)]
     #[expect(clippy::empty_loop, reason = "it has nobody to tell")]
     pub fn begin(&mut self, state: Option<S>) -> &mut S {
@@ -108,17 +107,17 @@ impl<S> Later<S> {
     }
 }
 
-/// What a pad or a sensor says.
+/// An input of a pad or a sensor.
 #[inline(always)]
 pub fn port() -> u32 {
     // SAFETY: never run; a register of some chip.
     unsafe { (0x4000_0000 as *const u32).read_volatile() }
 }
 
-/// A program that holds all these functions, each with arguments that the compiler knows nothing
-/// of: what they link, they may run.
+/// A program that holds all these functions, each with arguments that the compiler cannot know. So
+/// it links everything that they may run.
 ///
-/// Its panics all end in a function that cannot be inlined away, so that none is missed.
+/// Its panics all end in a function that the compiler cannot inline. So the check misses none.
 #[macro_export]
 macro_rules! everything {
     ($($part:path),+ $(,)?) => {
@@ -149,11 +148,10 @@ macro_rules! everything {
     };
 }
 
-/// Links these expressions, each as the body of a function that the compiler cannot know the
-/// callers of, with its whole answer.
+/// Links these expressions. Each is the body of a function whose callers the compiler cannot know,
+/// with its whole answer.
 ///
-/// The function's symbol says which expression it is, and for which types: the table of stack
-/// bounds is made by it.
+/// The function's symbol names the expression and its types. The table of stack bounds uses it.
 #[macro_export]
 macro_rules! keep {
     ($(|$($x:ident: $t:ty),*| $answer:expr;)+) => {

@@ -1,17 +1,17 @@
-//! What each instruction of ARMv6-M costs on a Cortex-M0+, by the timings in its reference manual.
+//! The cost of each instruction of ARMv6-M on a Cortex-M0+, by the timings in its reference manual.
 //!
-//! With a multiplier of one cycle, as the RP2040 and most others have it, and memory without wait
-//! states. An access to memory is two cycles; a port with accesses of one cycle is not modelled. So
-//! is no stall by another bus master, by flash or by its cache.
+//! Assumes a multiplier of one cycle, as in the RP2040 and most others, and memory without wait
+//! states. A memory access takes two cycles. The model has no port with accesses of one cycle. It
+//! has no stall by another bus master, by flash or by its cache.
 
-/// What an instruction costs.
+/// The cost of an instruction.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Cost {
     /// The first of the two marks.
     Begin,
     /// The second.
     End,
-    /// So many cycles, always.
+    /// Always this many cycles.
     Plain(u32),
     /// A branch on a condition.
     Branch { not_taken: u32, more_if_taken: u32 },
@@ -32,26 +32,26 @@ pub fn of(code: u16) -> Cost {
         _ if code & 0xff00 == 0x4700 => Plain(2),
         // ADD and MOV to the program counter.
         _ if code & 0xff87 == 0x4487 || code & 0xff87 == 0x4687 => Plain(2),
-        // Loads of literals; loads and stores with a register, with a number, from the stack.
+        // Loads of literals. Loads and stores with a register, with a number, and from the stack.
         _ if code & 0xf800 == 0x4800 || (0x5000..0xa000).contains(&code) => Plain(2),
-        // PUSH; its ninth bit is the link register.
+        // PUSH. Its ninth bit is the link register.
         _ if code & 0xfe00 == 0xb400 => Plain(1 + listed(0x1ff)),
-        // POP; with the program counter it is a branch as well.
+        // POP. With the program counter it is also a branch.
         _ if code & 0xff00 == 0xbc00 => Plain(1 + listed(0xff)),
         _ if code & 0xff00 == 0xbd00 => Plain(3 + listed(0x1ff)),
         // LDM, STM.
         _ if code & 0xf000 == 0xc000 => Plain(1 + listed(0xff)),
-        // B on a condition; UDF and SVC share its first bits.
+        // B on a condition. UDF and SVC share its first bits.
         _ if code & 0xf000 == 0xd000 && code & 0x0e00 != 0x0e00 => Cost::Branch { not_taken: 1, more_if_taken: 1 },
         // B.
         _ if code & 0xf800 == 0xe000 => Plain(2),
-        // All else, the product included.
+        // Everything else, including the product.
         _ => Plain(1),
     }
 }
 
-/// The cost of one of four bytes, of which this is the first half: BL, and reads and writes of
-/// special registers and barriers, all three.
+/// The cost of an instruction of four bytes, given its first half: BL, special registers and
+/// barriers. All take three.
 pub fn of_long(_: u16) -> Cost {
     Plain(3)
 }
@@ -60,7 +60,7 @@ pub fn of_long(_: u16) -> Cost {
 mod tests {
     use super::{Cost, of};
 
-    /// Encodings by an assembler, costs from the manual's table.
+    /// An assembler made the encodings. The costs are from the manual's table.
     #[test]
     fn costs_are_those_of_the_manual() {
         let expected = [

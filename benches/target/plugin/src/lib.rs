@@ -1,9 +1,8 @@
-//! A plugin of QEMU that models the cycles of a Cortex-M0+ from what a program for the Cortex-M0
-//! runs.
+//! A plugin of QEMU that models the cycles of a Cortex-M0+ while a program for the Cortex-M0 runs.
 //!
-//! It tells them of every stretch between `mov r9, r9` and `mov r10, r10`, two instructions that do
-//! nothing and that no compiler writes: `instructions N cycles M`, the second of the two not among
-//! them. Written for version 1 of the plugin interface.
+//! It reports every stretch between `mov r9, r9` and `mov r10, r10`. No compiler writes these two
+//! instructions, which do nothing. The line is `instructions N cycles M`, without the second of the
+//! two. It uses version 1 of the plugin interface.
 
 mod cost;
 
@@ -11,7 +10,7 @@ use cost::Cost;
 use std::cell::Cell;
 use std::ffi::{CString, c_char, c_int, c_uint, c_void};
 
-/// The version of the interface, by which the emulator knows whether it can load this.
+/// The version of the interface. The emulator checks it before it loads the plugin.
 #[unsafe(no_mangle)]
 #[allow(non_upper_case_globals, reason = "the emulator's name")]
 pub static qemu_plugin_version: c_int = 1;
@@ -32,19 +31,19 @@ unsafe extern "C" {
     fn qemu_plugin_outs(text: *const c_char);
 }
 
-/// What is known of an instruction before it runs.
+/// Facts about an instruction before it runs.
 struct Known {
     address: u32,
     cost: Cost,
 }
 
-/// The stretch that is being counted.
+/// The current stretch.
 #[derive(Clone, Copy)]
 struct Stretch {
     on: bool,
     instructions: u64,
     cycles: u64,
-    /// Where the program goes on if the branch before was not taken, and what it costs if it was.
+    /// The next address if the branch before was not taken, and its cost if it was.
     branch: Option<(u32, u32)>,
 }
 
@@ -56,7 +55,7 @@ thread_local! {
 }
 
 extern "C" fn runs(_: c_uint, data: *mut c_void) {
-    // SAFETY: what `translated` gave the emulator with this callback; it is never freed.
+    // SAFETY: `translated` gave the emulator this pointer with this callback. It is never freed.
     let known = unsafe { &*data.cast::<Known>() };
     let mut stretch = STRETCH.get();
     if !stretch.on {
@@ -92,13 +91,13 @@ extern "C" fn runs(_: c_uint, data: *mut c_void) {
 
 fn tell(text: &str) {
     if let Ok(text) = CString::new(text) {
-        // SAFETY: a string that ends in 0, copied by the emulator.
+        // SAFETY: a string that ends in 0. The emulator copies it.
         unsafe { qemu_plugin_outs(text.as_ptr()) }
     }
 }
 
 extern "C" fn translated(_: u64, block: *mut c_void) {
-    // SAFETY: the emulator's own objects, asked only while it lends them; an instruction is two or
+    // SAFETY: the emulator's own objects, used only while it lends them. An instruction has two or
     // four bytes.
     unsafe {
         for i in 0..qemu_plugin_tb_n_insns(block) {
@@ -108,20 +107,20 @@ extern "C" fn translated(_: u64, block: *mut c_void) {
             let first = u16::from_le_bytes([bytes[0], bytes[1]]);
             let cost = if bytes.len() == 4 { cost::of_long(first) } else { cost::of(first) };
             let known = Known { address: qemu_plugin_insn_vaddr(instruction) as u32, cost };
-            // Of one program there are not so many that they would have to be freed.
+            // One program has too few of them to need freeing.
             let data = Box::into_raw(Box::new(known)).cast();
             qemu_plugin_register_vcpu_insn_exec_cb(instruction, runs, 0, data);
         }
     }
 }
 
-/// The emulator's call when it loads this.
+/// The emulator calls this when it loads the plugin.
 ///
 /// # Safety
-/// For the emulator alone.
+/// Only the emulator may call it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn qemu_plugin_install(id: u64, _: *const c_void, _: c_int, _: *const *const c_char) -> c_int {
-    // SAFETY: the emulator gave this id for that.
+    // SAFETY: the emulator gave this id for this call.
     unsafe { qemu_plugin_register_vcpu_tb_trans_cb(id, translated) };
     0
 }

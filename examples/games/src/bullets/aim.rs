@@ -18,7 +18,7 @@ pub(super) fn course(turn: u32, speed: i32) -> Vec2 {
     Vec2::from_raw(x * speed, y * speed)
 }
 
-/// The 32nd of a turn that is nearest to the direction of `by`, the first of two.
+/// The 32nd of a turn nearest to the direction of `by`. On a tie, the first.
 pub(super) fn turn_toward(by: Vec2) -> u32 {
     let (mut best, mut most) = (0, i64::MIN);
     for turn in 0..32 {

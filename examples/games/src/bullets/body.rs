@@ -10,14 +10,14 @@ pub enum Kind {
     /// A box in which the player is repaired: a sensor.
     Zone,
     Player,
-    /// Armoured: shots bounce off, though they count.
+    /// Armoured: shots bounce off, but they count.
     Turret,
     Spinner,
-    /// Goes to and fro, and sleeps every now and then.
+    /// Walks to and fro, and sleeps sometimes.
     Patrol,
-    /// An enemy's; bounces off the level twice.
+    /// An enemy's bullet. Bounces off the level twice.
     Bullet,
-    /// The player's; ends at the level.
+    /// The player's bullet. Ends at the level.
     Shot,
 }
 
@@ -37,14 +37,14 @@ impl Kind {
             Self::Zone => Filter::new(ZONE, PLAYER.with(ENEMY)).with_still(true).with_sensor(true),
             Self::Player => Filter::new(PLAYER, ZONE.with(ENEMY).with(BULLET)),
             Self::Turret | Self::Spinner => Self::Patrol.filter().with_still(true),
-            // They bunch up without harm.
+            // Patrols may bunch up without harm.
             Self::Patrol => Filter::new(ENEMY, ZONE.with(PLAYER).with(BULLET).with(SHOT)),
             Self::Bullet => Filter::new(BULLET, PLAYER.with(ENEMY)),
             Self::Shot => Filter::new(SHOT, ENEMY),
         }
     }
 
-    /// Half of the body's box: the radius, but for the zone.
+    /// Half of the body's box: the radius, except for the zone.
     pub const fn half(self) -> Vec2 {
         match self {
             Self::Zone => Vec2::from_ints(24, 16),
@@ -63,9 +63,9 @@ pub(super) const FULL: u8 = 16;
 pub struct Body {
     pub velocity: Vec2,
     pub kind: Kind,
-    /// Hits that it takes; it goes when there are none left.
+    /// Hits that it can still take. Without any it disappears.
     pub life: u8,
-    /// Frames: of a bullet those left, of others those since it came.
+    /// For bullets, the frames left. For other bodies, the frames since they appeared.
     pub clock: u16,
 }
 
@@ -79,7 +79,7 @@ pub struct Flight {
 impl Body {
     pub const NONE: Self = Self { velocity: Vec2::ZERO, kind: Kind::Zone, life: 0, clock: 0 };
 
-    /// The shape in the broad phase's box; the box of a circle is exact, so the circle is too.
+    /// The shape in the broad phase's box. The box of a circle is exact, so the circle is too.
     pub fn circle(&self, bounds: &Aabb) -> Result<Circle, RangeError> {
         Circle::new(bounds.centre(), self.kind.half().x)
     }
@@ -89,7 +89,7 @@ impl Body {
         matches!(self.kind, Kind::Patrol) && self.clock % 256 >= 160
     }
 
-    /// Flies for one frame: its new box.
+    /// Flies for one frame. Returns its new box.
     pub fn fly(&mut self, level: &Level, bounds: &Aabb, flight: &mut Flight) -> Aabb {
         let response = match self.kind {
             Kind::Zone | Kind::Turret | Kind::Spinner => return *bounds,
@@ -99,7 +99,7 @@ impl Body {
             Kind::Shot => Response::Touch,
         };
         let mover = Mover::new().with_response(response);
-        // By reference: a copy of the answer would be another 150 bytes of the stack.
+        // By reference: a copy of the answer would take another 150 bytes of stack.
         let circle = self.circle(bounds).map_err(MoveError::from);
         let moved = &circle.and_then(|circle| mover.move_and_slide(level, &circle, self.velocity));
         let Ok(moved) = moved else {

@@ -1,4 +1,4 @@
-//! Who shoots when, and who comes back: the script.
+//! The script: who shoots in which frame, and who returns.
 
 use tilesat::broad::{BroadPhase, Handle, Ignore};
 use tilesat::{Filter, Vec2};
@@ -7,16 +7,16 @@ use super::aim::{course, turn_toward};
 use super::body::FULL;
 use super::{BULLETS, Body, ENEMIES, Game, Kind};
 
-/// Where the player goes, in turn.
+/// The player's goals, in turn.
 const WAY: [(i16, i16); 8] =
     [(350, 264), (200, 260), (150, 140), (270, 100), (420, 100), (480, 170), (370, 250), (320, 300)];
-/// Frames in which it must get there, or goes for the next.
+/// Frames in which it must reach its goal. Otherwise it takes the next.
 const PATIENCE: u16 = 150;
-/// Frames that a post stays empty.
+/// Frames for which a post stays empty.
 const AWAY: u32 = 96;
 
 impl<B: BroadPhase<Tag = Filter>> Game<B> {
-    /// Gives the player the velocity of this frame.
+    /// Sets the player's velocity for this frame.
     pub(super) fn steer(&mut self) {
         let Some((player, circle)) = self.player().and_then(|player| Some((player, self.circle(player)?))) else {
             return;
@@ -34,7 +34,7 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
         }
     }
 
-    /// Lets everybody shoot, fall asleep and come back, and counts the frame.
+    /// Lets all bodies shoot, fall asleep and return. Counts the frame.
     #[inline(never)]
     pub fn fire(&mut self) {
         for i in 0..self.posts.len() {
@@ -45,7 +45,7 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
             let Some(body) = self.bodies.get_mut(owner.slot()) else { continue };
             body.clock = body.clock.wrapping_add(1);
             let body = *body;
-            // Of neighbours not in the same frame.
+            // Neighbours shoot in different frames.
             let time = u32::from(body.clock) + 7 * i as u32;
             match body.kind {
                 Kind::Turret if time.is_multiple_of(48) => {
@@ -67,7 +67,7 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
         self.fold();
     }
 
-    /// Fills the posts that are empty: at the start, and later each at its time.
+    /// Fills empty posts: at the start, and later each at its time.
     pub(super) fn staff(&mut self) {
         for i in 0..self.posts.len() {
             let Some(&post) = self.posts.get(i) else { continue };
@@ -115,7 +115,7 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
         }
     }
 
-    /// A bullet from the middle of who fires it, whom it does not hit before it has left.
+    /// A bullet from the middle of its shooter. It cannot hit the shooter before it has left it.
     fn shoot(&mut self, owner: Handle, kind: Kind, velocity: Vec2) {
         let (life, clock) = if kind == Kind::Shot { (1, 0) } else { (3, 240) };
         let present = self.posts.iter().filter_map(|post| post.body).filter(|&body| self.near.contains(body)).count();
@@ -128,7 +128,7 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
             self.tally.denied += 1;
             return;
         };
-        // The player's shots do not pair with it anyway.
+        // The player's shots never pair with the player.
         if kind == Kind::Bullet && self.exceptions.ignore(bullet, owner, Ignore::UntilApart).is_err() {
             self.tally.crowded += 1;
             let _ = self.near.remove(bullet);

@@ -1,4 +1,4 @@
-//! The level, as it lies in flash: an arena and two galleries with a closed wall between them.
+//! The level in flash: an arena and two galleries with a closed wall between them.
 
 use tilesat::{Aabb, AllShapes, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2};
 
@@ -6,11 +6,11 @@ use super::body::Kind;
 
 /// Flag of tiles that swallow bullets.
 pub const SPONGE: u8 = 1;
-/// Cells, of 16 units.
+/// Cells of 16 units.
 pub const SIZE: (u8, u8) = (40, 24);
 
-/// Letters are empty tiles where somebody starts: turrets, spinners, patrols that go sideways (p)
-/// and down (q), the player (@), the middle of the zone (z).
+/// Letters are empty tiles at which a body starts: turrets, spinners, patrols that walk sideways
+/// (p) and down (q), the player (@), the middle of the zone (z).
 pub const ROWS: &str = "\
 ########################################
 #(...)#(........................)#(...)#
@@ -69,12 +69,12 @@ pub fn level() -> Result<Level, TileMapError> {
     TileMap::of_ascii(ROWS, &KINDS)
 }
 
-/// Everything.
+/// All kinds of tiles.
 pub fn bounds() -> Option<Aabb> {
     Aabb::new(Vec2::ZERO, Vec2::from_ints(16 * i16::from(SIZE.0), 16 * i16::from(SIZE.1))).ok()
 }
 
-/// Who starts in which cell, row by row, with the direction in which it goes.
+/// The bodies that start in each cell, row by row, with the direction of their motion.
 pub(super) fn posts() -> impl Iterator<Item = (Kind, (u8, u8), (i8, i8))> {
     let (mut x, mut y) = (0, 0);
     ROWS.bytes().filter_map(move |tile| {

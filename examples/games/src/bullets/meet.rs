@@ -1,4 +1,4 @@
-//! Who is hit.
+//! Finds the bodies that are hit.
 
 use tilesat::broad::{BroadPhase, Handle, Ignore, Pair, PairCursor, PairEvent, PairsError};
 use tilesat::heapless::Vec;
@@ -9,15 +9,14 @@ use tilesat::{Filter, Ratio};
 use super::body::FULL;
 use super::{Body, Game, Kind};
 
-/// Whether both bodies of a pair are still, and so no pair of the broad phase.
+/// Whether both bodies of a pair are still. The broad phase does not report such pairs.
 fn rest(near: &impl BroadPhase<Tag = Filter>, pair: Pair) -> bool {
     let still = |handle| near.tag(handle).is_ok_and(|filter| filter.still());
     still(pair.a) && still(pair.b)
 }
 
 impl<B: BroadPhase<Tag = Filter>> Game<B> {
-    /// Finds the pairs that touch, reports what became of the earlier ones, and applies the
-    /// effects.
+    /// Finds the pairs that touch, reports the ends of earlier ones, and applies the effects.
     #[inline(never)]
     pub fn meet(&mut self) {
         let mut cursor = PairCursor::new();
@@ -43,7 +42,7 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
             self.tally.hash_event(event);
             let (Some(a), Some(b)) = (self.body(event.pair().a), self.body(event.pair().b)) else { continue };
             let (a, b) = ((event.pair().a, *a), (event.pair().b, *b));
-            // Whoever was hit before in this frame is not hit again.
+            // A body that was already hit in this frame is not hit again.
             if a.1.life > 0 && b.1.life > 0 && !self.happens(event, a, b) {
                 self.happens(event, b, a);
             }
@@ -64,7 +63,7 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
         }
     }
 
-    /// Handles an event between these two. False if the caller must ask the other way round.
+    /// Handles an event between these two. Returns false if the caller must try the other order.
     fn happens(&mut self, event: PairEvent, a: (Handle, Body), b: (Handle, Body)) -> bool {
         use PairEvent::{Begin, End, Stay};
         match (event, a.1.kind, b.1.kind) {
@@ -106,7 +105,7 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
         true
     }
 
-    /// Takes a life: whether it was the last.
+    /// Takes a life. Returns whether it was the last.
     fn hurt(&mut self, handle: Handle) -> bool {
         let Some(body) = self.bodies.get_mut(handle.slot()) else { return true };
         body.life = body.life.saturating_sub(1);
@@ -119,8 +118,8 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
         }
     }
 
-    /// Turns a shot round at a turret, with which it has no more to do until it is away: whether
-    /// that could be done.
+    /// Turns a shot round at a turret, and ignores the pair until they separate. Returns whether
+    /// that worked.
     fn reflect(&mut self, shot: (Handle, Body), turret: Handle) -> bool {
         let (Some(a), Some(b)) = (self.circle(turret), self.circle(shot.0)) else { return false };
         let Some(contact) = a.contact(&b) else { return false };

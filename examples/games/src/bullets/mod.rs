@@ -1,9 +1,9 @@
 //! A game of many bullets.
 //!
-//! A frame is three steps, and a desktop can look in between. [`Game::fly`] moves every body
-//! through the level, [`Game::meet`] finds who is hit, [`Game::fire`] lets everybody shoot. A body
-//! is a slot of the broad phase, which keeps its box and its filter, and an entry of the game's
-//! table at the same index.
+//! A frame has three steps, and a desktop can look at the game between them. [`Game::fly`] moves
+//! every body through the level. [`Game::meet`] finds the bodies that are hit. [`Game::fire`] lets
+//! all of them shoot. A body is a slot of the broad phase, which keeps its box and its filter, and
+//! an entry at the same index of the game's table.
 
 mod aim;
 mod body;
@@ -28,39 +28,39 @@ pub const BODIES: usize = BULLETS + ENEMIES + 2;
 /// Frames of the run whose hash desktop and firmware compare.
 pub const FRAMES: u32 = 600;
 
-/// A place where an enemy stands, or comes back.
+/// A post at which an enemy stands or returns.
 #[derive(Debug, Clone, Copy)]
 pub struct Post {
     pub kind: Kind,
     /// Its cell.
     pub at: (u8, u8),
-    /// Where its enemy goes at first.
+    /// The first direction of its enemy.
     pub course: (i8, i8),
     pub body: Option<Handle>,
 }
 
-/// Sorted, it fits the smallest chip.
+/// With fields sorted by size, it fits the smallest chip.
 pub type Near = SortSweep<BODIES, Filter>;
 
-/// The whole state: plain data, so a snapshot is a copy; 13 KB, so on a chip it is a `static`.
-/// Every broad phase gives the same game.
+/// The whole state is plain data, so a snapshot is a copy. It takes 13 KB, so on a chip it is a
+/// `static`. Every broad phase gives the same game.
 #[derive(Debug, Clone, Copy)]
 pub struct Game<B = Near> {
     pub near: B,
     pub bodies: [Body; BODIES],
     pub events: PairEvents<64>,
-    /// Bullets that leave who fired them, and shots that leave the turret that they bounced off.
+    /// Bullets that leave their shooter, and shots that leave the turret that they bounced off.
     pub exceptions: Exceptions<48>,
-    /// The enemies', the player's and the zone's.
+    /// The filters of enemies, of the player and of the zone.
     pub posts: [Post; ENEMIES + 2],
-    /// The player's goal, and for how long already.
+    /// The player's goal, and for how long it has had it.
     goal: (u8, u16),
     pub frame: u32,
     pub tally: Tally,
 }
 
 impl<B> Game<B> {
-    /// With an empty broad phase.
+    /// A game with an empty broad phase.
     pub const fn new(near: B) -> Self {
         Self {
             near,
@@ -76,7 +76,7 @@ impl<B> Game<B> {
 }
 
 impl<B: BroadPhase<Tag = Filter>> Game<B> {
-    /// Puts everybody in a new game at the start.
+    /// Puts all bodies of a new game at their start.
     pub fn start(&mut self) {
         for (post, (kind, at, course)) in self.posts.iter_mut().zip(level::posts()) {
             (post.kind, post.at, post.course) = (kind, at, course);
@@ -84,16 +84,16 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
         self.staff();
     }
 
-    /// One frame.
-    // The three are not in line, or on a chip's stack the lists of each would lie below the motion
-    // of every body.
+    /// Plays one frame.
+    // The three are not inlined. Otherwise the lists of each would lie on a chip's stack below the
+    // motion of every body.
     pub fn step(&mut self, level: &Level) {
         self.fly(level);
         self.meet();
         self.fire();
     }
 
-    /// Moves all bodies; bullets that the level ended are gone.
+    /// Moves all bodies. Removes bullets that the level ended.
     #[inline(never)]
     pub fn fly(&mut self, level: &Level) {
         self.steer();
@@ -108,17 +108,17 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
         self.bury();
     }
 
-    /// A body's own entry, while it is there.
+    /// A body's entry, while the body exists.
     pub fn body(&self, handle: Handle) -> Option<&Body> {
         self.bodies.get(handle.slot()).filter(|_| self.near.contains(handle))
     }
 
-    /// The circle that a body is; of the zone the one in its box.
+    /// The circle of a body. For the zone, the circle in its box.
     pub fn circle(&self, handle: Handle) -> Option<Circle> {
         self.body(handle)?.circle(&self.near.bounds(handle).ok()?).ok()
     }
 
-    /// Takes a body in; `None` where there is no room.
+    /// Adds a body. Returns `None` if there is no room.
     fn enter(&mut self, body: Body, at: Vec2) -> Option<Handle> {
         let bounds = Aabb::from_centre(at, body.kind.half()).ok()?;
         let handle = self.near.insert(&bounds, body.kind.filter()).ok()?;
@@ -126,12 +126,12 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
         Some(handle)
     }
 
-    /// Takes out all bodies without a life.
+    /// Removes all bodies without a life.
     #[inline(never)]
     fn bury(&mut self) {
         let Some(all) = level::bounds() else { return };
         loop {
-            // The least first: slots are then free in an order that no broad phase decides.
+            // In ascending order: no broad phase then decides the order in which slots become free.
             let mut dead = Vec::<Handle, 32>::new();
             let bodies = &self.bodies;
             self.near.in_region(&all, |handle| {

@@ -10,22 +10,22 @@ use super::{BODIES, Game, level};
 pub struct Tally {
     pub fired: u32,
     pub bounces: u32,
-    /// Bullets that hit the player, and others that hit an enemy.
+    /// Bullets that hit the player, and shots that hit an enemy.
     pub hits: u32,
     pub cover: u32,
     pub rammed: u32,
     pub kills: u32,
     pub deaths: u32,
     pub reflected: u32,
-    /// Of the zone: begun, ended, and lives that it gave.
+    /// Of the zone: begun and ended contacts, and the lives that it gave.
     pub visits: u32,
     pub left: u32,
     pub repairs: u32,
-    /// Bullets for which there was no room.
+    /// Bullets without room.
     pub denied: u32,
-    /// More events or exceptions than fit; none are expected.
+    /// Events or exceptions that did not fit. None are expected.
     pub crowded: u32,
-    /// Motions that the library refused; none are expected.
+    /// Motions that the library refused. None are expected.
     pub refused: u32,
     /// The most bodies at once.
     pub most: u32,
@@ -72,8 +72,7 @@ impl Tally {
 }
 
 impl<B: BroadPhase<Tag = Filter>> Game<B> {
-    /// Adds where everybody is to the hash; the sum of what each body gives does not depend on the
-    /// order in which they are visited.
+    /// Adds all positions to the hash. It sums over the bodies, so their order does not matter.
     pub(super) fn fold(&mut self) {
         let Some(all) = level::bounds() else { return };
         let (near, bodies) = (&self.near, &self.bodies);
@@ -90,7 +89,7 @@ impl<B: BroadPhase<Tag = Filter>> Game<B> {
     }
 }
 
-/// The line by which a run is known.
+/// The line that identifies a run.
 impl<B> fmt::Display for Game<B> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Tally {

@@ -1,5 +1,5 @@
-//! A round ninja: what the keys do to it, its level, and a script that plays it. Beside it a rope,
-//! and the ragdoll that a mine makes of it.
+//! A round ninja: its response to the keys, its level, and a script that plays it. Also a rope, and
+//! the ragdoll that a mine makes of the ninja.
 
 pub mod level;
 mod ragdoll;

@@ -1,4 +1,4 @@
-//! What is left of the ninja when a mine goes off: six points and the sticks between them.
+//! The ninja's ragdoll after a mine goes off: six points joined by sticks.
 //!
 //! ```text
 //!      0        0 shoulders, 1 hip
@@ -17,10 +17,10 @@ use super::sticks::Sticks;
 
 /// All points start inside the ninja.
 const RADIUS: Fx = fx!(1.5);
-/// From the ninja's centre, in raw units (1/65536 pixel).
+/// Relative to the ninja's centre, in raw units (1/65536 pixel).
 const POINTS: [(i32, i32); 6] =
     [(0, -262_144), (0, 32_768), (-196_608, -98_304), (196_608, -98_304), (-131_072, 262_144), (131_072, 262_144)];
-/// What the mine adds to each point's velocity.
+/// The velocity that the mine adds to each point.
 const BLAST: [(i32, i32); 6] = [
     (20_000, -330_000),
     (0, -280_000),
@@ -38,7 +38,7 @@ enum Bend {
     Folds,
 }
 
-/// What is left of a ninja: its limbs, with its velocity and their parts of the blast.
+/// The limbs of a ninja, with its velocity and the blast.
 pub fn ragdoll(ninja: &Ninja) -> Result<Sticks<6, 5>, RangeError> {
     let at = |k: u8| POINTS.get(usize::from(k)).map_or(Vec2::ZERO, |at| Vec2::from_raw(at.0, at.1));
     let mut points = [Particle::default(); 6];

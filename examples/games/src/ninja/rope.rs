@@ -1,16 +1,16 @@
-//! A rope, nailed down on top of a block: it lies there, bends over the corner, and hangs.
+//! A rope that is nailed to the top of a block. It lies there, bends over the corner, and hangs.
 
 use tilesat::motion::response::{Link, Particle, Quiet, Stick};
 use tilesat::{Fx, RangeError, Ratio, Vec2, fx};
 
 use super::sticks::Sticks;
 
-/// How many points it has. With links as long as two radii, no corner gets between two points.
+/// The number of points. Links are as long as two radii, so no corner gets between two points.
 const POINTS: usize = 24;
 const RADIUS: Fx = fx!(2);
 const LINK: Fx = fx!(4);
 
-/// A rope whose first point is nailed down here, straight to the right.
+/// A rope that runs straight to the right. Its first point is nailed here.
 pub fn rope(nail: Vec2) -> Result<Sticks<POINTS, { POINTS - 1 }>, RangeError> {
     let mut points = [Particle::at(nail); POINTS];
     for (k, point) in (0..).zip(&mut points) {

@@ -1,4 +1,4 @@
-//! The ninja: what the keys do to its velocity; the library does the rest.
+//! The ninja: how the keys change its velocity. The library does the rest.
 
 use tilesat::{Axis, Circle, Fx, MoveError, Mover, RangeError, Vec2, World, fx};
 
@@ -17,7 +17,7 @@ pub enum State {
     Air,
 }
 
-/// Raw units (1/65536 pixel) a frame, or a frame squared.
+/// Raw units (1/65536 pixel) per frame, or per frame squared.
 pub(super) const GRAVITY: i32 = 4400;
 const RISE: i32 = 2000;
 const RUN: i32 = 4400;
@@ -26,7 +26,7 @@ const TOP: i32 = 218_000;
 const JUMP: i32 = 170_000;
 const SIDE: i32 = 150_000;
 const SLIP: i32 = 30_000;
-/// A held jump flies higher for so many frames.
+/// A held jump gains height for this many frames.
 const HOLD: u32 = 30;
 
 #[derive(Clone, Copy, Debug)]
@@ -34,11 +34,11 @@ pub struct Ninja {
     pub body: Circle,
     pub velocity: Vec2,
     pub state: State,
-    /// Out of what it stands on or leans against.
+    /// Normals of the surfaces that it stands on or leans against.
     pub normal: Axis,
     pub jumps: u32,
     pub wall_jumps: u32,
-    /// Frames since the last contact, and since the jump began while the key is held.
+    /// Frames since the last contact. Frames since the jump began, while the key is held.
     air: u32,
     held: u32,
     pressed: bool,
@@ -65,7 +65,7 @@ impl Ninja {
         let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(world, &self.body, wanted)?;
         (self.body, self.velocity) = (moved.body, moved.velocity);
         self.air += 1;
-        // The last hit is where it is now; a few frames without one are still contact, for a late
+        // A hit of this frame is a contact now. It stays a contact for a few frames, for a late
         // key.
         if let Some(hit) = moved.hits.iter().last() {
             self.normal = hit.axis;
@@ -79,7 +79,7 @@ impl Ninja {
         Ok(())
     }
 
-    /// The velocity that the keys and gravity make of the last one.
+    /// The next velocity, from the last one, the keys and gravity.
     fn steer(&mut self, keys: Keys) -> Vec2 {
         let (mut x, mut y) = self.velocity.raw();
         let grounded = self.state == State::Floor;
@@ -108,7 +108,7 @@ impl Ninja {
         Vec2::from_raw(x, y + if rising { RISE } else { GRAVITY })
     }
 
-    /// Off a floor along its normal, off a wall to the side and up.
+    /// Jumps off a floor along its normal, and off a wall to the side and up.
     fn jump(&mut self, x: &mut i32, y: &mut i32) {
         if self.state == State::Floor {
             let (dx, dy) = self.normal.unit().scaled(Fx::from_bits(JUMP)).raw();

@@ -1,4 +1,4 @@
-//! The player's keys: a list of stretches, each until it is somewhere.
+//! The player's keys: a list of stretches. Each ends at a condition.
 
 use tilesat::Vec2;
 
@@ -19,7 +19,7 @@ enum Until {
     Stands,
 }
 
-/// As it goes, from wall to wall.
+/// Follows the motion, from wall to wall.
 const ON: i32 = 2;
 
 /// The direction to run in, when to jump, and where the next stretch begins (in pixels).
@@ -58,7 +58,7 @@ impl Script {
         self.at >= SCRIPT.len()
     }
 
-    /// The keys of this frame; none after the last stretch.
+    /// The keys of this frame. None after the last stretch.
     pub fn keys(&mut self, ninja: &Ninja) -> Option<Keys> {
         let (run, jump, until) = SCRIPT.get(self.at)?;
         if arrived(ninja, until) {

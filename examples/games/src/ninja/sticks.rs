@@ -1,11 +1,11 @@
-//! Points joined by sticks, until they lie still: limbs and ropes.
+//! Points joined by sticks, which move until they lie still: limbs and ropes.
 
 use tilesat::motion::response::{Link, Particle, Quiet, RelaxError, relax};
 use tilesat::{Axis, Fx, MoveError, Mover, Ratio, Surface, Vec2, World};
 
 use super::runner::GRAVITY;
 
-/// It does not bounce, and slides badly.
+/// It does not bounce, and has much friction.
 const CLOTH: Surface = Surface::new(Ratio::ZERO, Ratio::HALF);
 /// Half a second without motion.
 const REST: u16 = 30;
@@ -23,7 +23,7 @@ pub struct Sticks<const N: usize, const L: usize> {
 }
 
 impl<const N: usize, const L: usize> Sticks<N, L> {
-    /// One frame. Returns whether it lies still, and then it stays as it is.
+    /// Moves for one frame. Returns whether it lies still; then it does not change any more.
     pub fn step(&mut self, world: &impl World) -> Result<bool, Fault> {
         if self.quiet.for_steps(REST) {
             return Ok(true);
@@ -39,7 +39,7 @@ impl<const N: usize, const L: usize> Sticks<N, L> {
     }
 }
 
-/// Why points could not be moved.
+/// The error of a point that could not move.
 #[derive(Clone, Copy, Debug)]
 pub enum Fault {
     Point(MoveError),

@@ -1,4 +1,4 @@
-//! A ball: gravity, bounces, what bumpers and the kicker add, and other balls.
+//! A ball: gravity, bounces, the pushes of bumpers and of the kicker, and other balls.
 
 use tilesat::motion::Response;
 use tilesat::motion::response::{exchange, separate};
@@ -44,7 +44,7 @@ impl Ball {
         Ok(())
     }
 
-    /// Two balls that overlap part, half the way each as far as the table lets them, and exchange
+    /// Separates two balls that overlap, each by half as far as the table allows. They exchange
     /// their speeds along the line between them.
     pub fn meet(&mut self, other: &mut Self, table: &impl World) -> Result<bool, MoveError> {
         let Some(contact) = self.body.contact(&other.body) else { return Ok(false) };
@@ -56,7 +56,7 @@ impl Ball {
         Ok(true)
     }
 
-    /// Faster by `speed` along a normal.
+    /// Adds `speed` along a normal.
     fn push(&mut self, along: Axis, speed: i32) {
         self.velocity += along.unit().scaled(Fx::from_bits(speed));
     }

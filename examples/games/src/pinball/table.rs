@@ -1,11 +1,11 @@
-//! The table: tiles for walls and round bumpers, polygons for what no grid holds.
+//! The table: tiles for walls and round bumpers, and polygons for shapes off the grid.
 
 use tilesat::{
     AllShapes, Path, PathKind, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2, fx, segment_map,
 };
 
 pub const SIZE: (i32, i32) = (22 * 16, 32 * 16);
-/// Flags of what a ball can hit.
+/// Flags of the parts that a ball can hit.
 pub const BUMPER: u8 = 1;
 pub const KICKER: u8 = 2;
 

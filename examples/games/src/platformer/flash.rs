@@ -1,5 +1,5 @@
-//! The platformer's bodies on its level as a chip has them: some frames on the level in flash, and
-//! the hash of all of them.
+//! The platformer's bodies as on a chip: some frames with the level in flash, and the hash of all
+//! of them.
 
 use core::fmt;
 
@@ -23,7 +23,7 @@ impl fmt::Display for Outcome {
     }
 }
 
-/// Why there was no run.
+/// The error if there was no run.
 #[derive(Clone, Copy, Debug)]
 pub enum Failure {
     Level(TileMapError),
@@ -33,13 +33,13 @@ pub enum Failure {
 pub const RULES: sim::Rules =
     sim::Rules { coin: meadow::COIN, kill: meadow::KILL, win: meadow::WIN, ladder: meadow::LADDER };
 
-/// The level as it lies in flash, a closed room.
+/// The level in flash, a closed room.
 pub fn level() -> Result<TileMap<'static>, TileMapError> {
     let grid = Grid::new(meadow::WIDTH, meadow::HEIGHT, Fx::from_num(meadow::TILE), Vec2::ZERO)?;
     Ok(TileMap::on_grid(meadow::TILES, grid, &meadow::KINDS)?.with_outside(Outside::Solid))
 }
 
-/// Runs so many frames; `each` receives every frame's number and report.
+/// Runs a number of frames. Calls `each` with every frame's number and report.
 pub fn run(frames: u32, mut each: impl FnMut(u32, &sim::FrameReport)) -> Result<Outcome, Failure> {
     let map = level().map_err(Failure::Level)?;
     let mut sim = sim::Sim::new(&map, RULES, sim::SEED).map_err(|sim::NoRoom| Failure::NoRoom)?;

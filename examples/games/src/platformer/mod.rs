@@ -1,4 +1,4 @@
-//! The platformer: its rules, its two levels as they lie in flash, and its run on a chip.
+//! The platformer: its rules, its two levels in flash, and its run on a chip.
 
 pub mod flash;
 pub mod meadow;

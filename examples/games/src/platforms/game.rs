@@ -1,4 +1,4 @@
-//! The game: a player that walks, and four machines that carry it, convey it, and would squash it.
+//! The game: a walking player, and four machines that carry it, convey it, and can squash it.
 
 use tilesat::{
     Aabb, AllShapes, Axis, Fx, Joined, MoveError, Mover, RangeError, Side, SlopeSpeed, Solid, Solids, TileMap, Vec2,
@@ -9,7 +9,7 @@ use tilesat::{
 use super::machine::{BELT, CRUSHER, LIFT, MACHINES, Machine, SHELF};
 
 const MOVER: Mover = Mover::platformer(Axis::NEG_Y);
-/// Raw units (1/65536 pixel) a frame, or a frame squared.
+/// Raw units (1/65536 pixel) per frame, or per frame squared.
 const SPEED: i32 = 98_304;
 const GRAVITY: i32 = 16_384;
 const JUMP: i32 = 262_144;
@@ -59,13 +59,12 @@ impl Game {
         self.body.centre()
     }
 
-    /// Whether a machine has just come back to where it began.
+    /// Whether a machine has just returned to its start.
     pub fn is_back(&self, machine: &Machine) -> bool {
         machine.phase(self.frame) == (true, machine.way.unsigned_abs().into())
     }
 
-    /// One frame: the machines take the player along, and are moved; then the player walks among
-    /// them.
+    /// Plays one frame. The machines carry the player and move. Then the player walks among them.
     pub fn step(&mut self, keys: Keys) -> Result<Ride, MoveError> {
         for (solid, machine) in self.solids.iter_mut().zip(&MACHINES) {
             *solid = solid.with_motion(machine.motion(self.frame))?;
@@ -90,7 +89,7 @@ impl Game {
         let walked = walker.walk(&world, &ridden.body, self.velocity, self.floor)?;
         (self.body, self.velocity, self.floor) = (walked.moved.body, walked.moved.velocity, walked.floor);
         if jumps {
-            // The ride has made the lift's part of this frame; it goes on with it.
+            // The ride already made the lift's part of this frame. The player keeps that velocity.
             self.velocity += ridden.carry;
         }
         self.stepped += walked.stepped;

@@ -2,7 +2,7 @@
 
 use tilesat::{AllShapes, TileKind, TileKinds, TileMap, TileMapError, TileShape};
 
-/// Where the walker's feet are at first.
+/// The start of the walker's feet.
 pub const START: (i16, i16) = (40, 208);
 pub const SIZE: (i32, i32) = (50 * 16, 16 * 16);
 

@@ -1,8 +1,8 @@
-//! Machines that move by themselves, in the order in which the game holds them.
+//! Machines that move by themselves, in the game's order.
 
 use tilesat::Vec2;
 
-/// A machine's box in pixels, how far it goes down or up (negative) and back at a pixel per frame,
+/// A machine's box in pixels, how far it moves down or up (negative) and back at a pixel per frame,
 /// and how long it rests at both ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine {
@@ -19,8 +19,7 @@ pub(super) const BELT: Machine = Machine { at: [272, 208, 368, 216], way: 0, res
 pub const MACHINES: [Machine; 4] = [LIFT, CRUSHER, SHELF, BELT];
 
 impl Machine {
-    /// Whether it is on its way back in this frame, and since when it is on its way or at the end
-    /// of it.
+    /// Whether it is on its way back in this frame, and since which frame it moves or rests.
     pub(super) fn phase(&self, frame: u32) -> (bool, u32) {
         let half = u32::from(self.way.unsigned_abs()) + self.rest;
         (frame / half % 2 == 1, frame % half)

@@ -1,4 +1,4 @@
-//! The player's keys, and until when they are held.
+//! The player's keys, and how long they are held.
 
 use super::game::{Game, Keys};
 use super::machine::{CRUSHER, LIFT, SHELF};
@@ -7,7 +7,7 @@ const NONE: Keys = Keys { run: 0, jump: false, drop: false };
 const RIGHT: Keys = Keys { run: 1, ..NONE };
 const LEFT: Keys = Keys { run: -1, ..NONE };
 
-/// Keys, and until when they are held.
+/// Keys, and how long they are held.
 pub type Stretch = (Keys, fn(&Game) -> bool);
 pub const SCRIPT: [Stretch; 16] = [
     (RIGHT, |game| game.at().x > 280),

@@ -1,7 +1,7 @@
-//! The game: two players in an arena with 62 crates and balls that they run and jump through.
+//! The game: two players in an arena. They run and jump through 62 crates and balls.
 //!
-//! All of it is in one value. A step reads that value, the keys of both players and the level in
-//! flash, so the same value and the same keys give the same bits on every machine.
+//! One value holds all of it. A step reads only that value, the keys of both players and the level
+//! in flash. So the same value and the same keys give the same bits on every machine.
 
 use super::Keys;
 use core::num::NonZeroU8;
@@ -11,7 +11,7 @@ use tilesat::{
     Aabb, Circle, Fx, RangeError, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, TileMapError, Vec2, fx,
 };
 
-/// How many bodies there are.
+/// The number of bodies.
 pub const BODIES: usize = 64;
 
 const GRAVITY: Vec2 = Vec2::new(Fx::ZERO, fx!(0.25));
@@ -35,7 +35,7 @@ const ROWS: &str = "\
 ##############################
 ";
 
-/// The level; no step changes it.
+/// The level. No step changes it.
 pub type Arena = TileMap<'static>;
 
 /// The level.
@@ -45,10 +45,10 @@ pub fn arena() -> Result<Arena, TileMapError> {
 
 type Bodies = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
-/// The state between two frames, to put aside and to compare.
+/// The state between two frames, to save and to compare.
 pub type Saved = Snapshot<SortSweep<BODIES, SceneTag>, BODIES>;
 
-// What a history is made of.
+// The type that a history stores.
 const _: () = assert!(size_of::<Saved>() <= 8192);
 
 /// The state of the game.
@@ -59,7 +59,7 @@ pub struct Game {
 }
 
 impl Game {
-    /// The start: the same on both machines.
+    /// The start state, the same on both machines.
     pub fn new() -> Result<Self, SceneError> {
         let mut scene = Bodies::new(SortSweep::new());
         let wood = Surface::new(Ratio::ZERO, Ratio::HALF);
@@ -83,7 +83,7 @@ impl Game {
         Ok(Self { scene, players })
     }
 
-    /// One frame.
+    /// Plays one frame.
     pub fn step(&mut self, arena: &Arena, keys: [Keys; 2]) -> Result<(), SceneError> {
         for (player, keys) in self.players.into_iter().flatten().zip(keys) {
             let old = self.scene.body(player)?.velocity;
@@ -107,7 +107,7 @@ impl Game {
         self.scene.restore(saved);
     }
 
-    /// How many bodies are awake.
+    /// The number of awake bodies.
     pub fn awake(&self) -> usize {
         self.scene.awake().len()
     }
@@ -117,7 +117,7 @@ fn boxed(corner: Vec2, size: Vec2) -> Result<Aabb, SceneError> {
     Aabb::new(corner, corner + size).map_err(refused)
 }
 
-/// A shape that is in no scene yet.
+/// A shape that is not in a scene yet.
 fn refused(error: RangeError) -> SceneError {
     SceneError { body: None, fault: error.into() }
 }

@@ -1,4 +1,4 @@
-//! What a player holds down in a frame: one byte, and all that two machines have to exchange.
+//! The keys that a player holds in a frame: one byte. Machines exchange nothing else.
 
 /// The keys of one player in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,16 +14,16 @@ impl Keys {
     }
 }
 
-/// What a player does: keys are held for a third of a second or longer.
+/// The script of a player, who holds keys for at least a third of a second.
 pub fn script(player: usize, frame: u32) -> Keys {
-    // Both players change their minds at different times.
+    // The players change their keys at different times.
     let time = frame + 11 * player as u32;
     let whim = mix(u64::from(time / 20) << 1 | player as u64);
-    // Some are held twice as long, as a rest is.
+    // Some keys are held twice as long, as a rest.
     Keys(if whim & 8 == 0 { 0 } else { whim as u8 & 7 })
 }
 
-/// A number that looks random and depends on another one alone.
+/// A number that looks random and depends only on another one.
 pub(super) const fn mix(seed: u64) -> u64 {
     let z = seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -1,5 +1,5 @@
-//! How many frames a machine had to play again: from what was delivered and from the players'
-//! scripts alone, without a look at the machine.
+//! Computes how many frames a machine had to replay. Uses only the deliveries and the players'
+//! scripts, and never looks at the machine.
 
 use super::{DELAY, Keys, Packet, Ring};
 
@@ -8,12 +8,12 @@ use super::{DELAY, Keys, Packet, Ring};
 pub struct Ledger {
     /// The real keys of the other player.
     truth: fn(u32) -> Keys,
-    /// Delivered up to here, without a gap.
+    /// Everything up to here was delivered, without a gap.
     delivered: u32,
     before: u32,
-    /// What each frame was played with at last.
+    /// The keys with which each frame was last played.
     played: Ring<Keys, 128>,
-    /// How many frames had to be played again.
+    /// The number of frames that had to be replayed.
     pub needed: u64,
 }
 
@@ -22,7 +22,7 @@ impl Ledger {
         Self { truth, delivered: DELAY, before: DELAY, played: Ring::new(Keys(0)), needed: 0 }
     }
 
-    /// The keys that are the best guess, by what was delivered.
+    /// The best guess of the keys, from the deliveries so far.
     fn best(&self, frame: u32) -> Keys {
         (self.truth)(frame.min(self.delivered - 1))
     }
@@ -33,7 +33,7 @@ impl Ledger {
         }
     }
 
-    /// All that was delivered counts now, for frames before `now`.
+    /// Applies all deliveries to the frames before `now`.
     pub fn correct(&mut self, now: u32) {
         let news = self.before..self.delivered.min(now);
         let wrong = news.into_iter().find(|&frame| self.played.get(frame) != Some(&(self.truth)(frame)));
@@ -44,7 +44,7 @@ impl Ledger {
         self.before = self.delivered;
     }
 
-    /// A frame is played for the first time.
+    /// Notes the first play of a frame.
     pub fn played(&mut self, frame: u32) {
         self.played.set(frame, self.best(frame));
     }

@@ -1,13 +1,14 @@
-//! A link that loses packets, doubles them, delays each by another time and so reorders them.
+//! A link that loses and doubles packets, and delays each by a different time, so that it reorders
+//! them.
 
 use super::keys::mix;
 use super::{Keys, Ring};
 use tilesat::heapless::Vec;
 
-/// How many packets may be under way; more are lost.
+/// Most packets in flight. It loses more.
 const UNDER_WAY: usize = 64;
 
-/// The keys of some frames, and up to where those of the other side are known.
+/// The keys of some frames, and the frame up to which the sender knows the other side's keys.
 #[derive(Clone, Copy, Debug)]
 pub struct Packet {
     /// The frame of the first keys.
@@ -19,12 +20,12 @@ pub struct Packet {
     pub keys: Ring<Keys, 64>,
 }
 
-/// What a link does to packets; shares are percent.
+/// The faults of a link. Shares are percentages.
 #[derive(Clone, Copy, Debug)]
 pub struct Weather {
     pub loss: u64,
     pub doubled: u64,
-    /// Frames under way, at least and at most.
+    /// The least and the greatest delay, in frames.
     pub least: u32,
     pub most: u32,
 }
@@ -38,7 +39,7 @@ pub struct Link {
     pub sent: u32,
     pub lost: u32,
     pub doubled: u32,
-    /// Delivered after one that was sent later.
+    /// Packets delivered after one that was sent later.
     pub overtaken: u32,
     newest: u32,
 }
@@ -48,7 +49,7 @@ impl Link {
         Self { weather, seed, under_way: Vec::new(), sent: 0, lost: 0, doubled: 0, overtaken: 0, newest: 0 }
     }
 
-    /// A number below another one.
+    /// A random number below another one.
     fn below(&mut self, n: u64) -> u64 {
         self.seed = mix(self.seed);
         self.seed % n.max(1)
@@ -70,7 +71,7 @@ impl Link {
         }
     }
 
-    /// A packet that is due, in any order; none where no more are.
+    /// A packet that is due, in any order. `None` if no more are due.
     pub fn receive(&mut self, now: u32) -> Option<Packet> {
         let at = self.under_way.iter().position(|(due, _)| *due <= now)?;
         let (_, packet) = self.under_way.swap_remove(at);

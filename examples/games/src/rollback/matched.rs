@@ -1,15 +1,15 @@
-//! Two machines, the links between them, and what must hold in each frame.
+//! Two machines, the links between them, and the checks of each frame.
 
 use super::{Arena, DELAY, Game, Keys, Ledger, Link, Packet, Peer, Ring, Saved, Weather, script};
 use core::fmt;
 use tilesat::scene::SceneError;
 
-/// What was found out to be wrong, and in which frame.
+/// A failed check, and its frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Broken {
-    /// A machine's confirmed state is not that of a game without any network.
+    /// A machine's confirmed state differs from that of a game without a network.
     State { side: usize, frame: u32 },
-    /// A machine has played more or fewer frames again than it had to.
+    /// A machine has replayed more or fewer frames than necessary.
     Again { side: usize, frame: u32 },
     /// The game refused a step.
     Refused(SceneError),
@@ -25,7 +25,7 @@ impl fmt::Display for Broken {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::State { side, frame } => write!(f, "machine {side} differs after frame {frame}"),
-            Self::Again { side, frame } => write!(f, "machine {side} played other frames again in frame {frame}"),
+            Self::Again { side, frame } => write!(f, "machine {side} replayed the wrong frames in frame {frame}"),
             Self::Refused(error) => error.fmt(f),
         }
     }
@@ -33,12 +33,12 @@ impl fmt::Display for Broken {
 
 impl core::error::Error for Broken {}
 
-/// Sums of a run, of both machines.
+/// Sums over a run, of both machines.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Totals {
     /// Frames that both machines have confirmed, with equal states.
     pub confirmed: u32,
-    /// Calls, in each of which both machines may play a frame.
+    /// Calls. In each, both machines may play a frame.
     pub calls: u32,
     pub sent: u32,
     pub lost: u32,
@@ -52,7 +52,7 @@ pub struct Totals {
     pub awake: u64,
 }
 
-/// One machine, what is on its way to it, and its account.
+/// One machine, the packets on their way to it, and its account.
 #[derive(Clone, Debug)]
 struct Seat {
     side: usize,
@@ -68,7 +68,7 @@ impl Seat {
         Ok(Self { side, peer: Peer::new(side)?, inbox, ledger: Ledger::new(truth), confirmed: 0 })
     }
 
-    /// Reads what has come, corrects the past, and plays a frame; what it sends.
+    /// Reads the packets, corrects the past, and plays a frame. Returns the packet that it sends.
     fn call(&mut self, arena: &Arena, now: u32) -> Result<Packet, Broken> {
         let Self { side, peer, inbox, ledger, .. } = self;
         while let Some(packet) = inbox.receive(now) {
@@ -95,22 +95,23 @@ pub struct Matched {
     arena: Arena,
     seats: [Seat; 2],
     alone: Game,
-    /// Its states after the last frames, and how many it has played. One machine has confirmed at
-    /// most `WINDOW + DELAY` frames more than the other: it knows no more keys than were pressed.
+    /// The third machine's states after the last frames, and the number of frames that it has
+    /// played. One machine has confirmed at most `WINDOW + DELAY` frames more than the other,
+    /// because it knows no later keys.
     states: Ring<Saved, 32>,
     played: u32,
     calls: u32,
     awake: u64,
 }
 
-/// What a player's keys are in a frame, after the delay.
+/// A player's keys in a frame, after the delay.
 fn keys(player: usize, frame: u32) -> Keys {
     if frame < DELAY { Keys(0) } else { script(player, frame) }
 }
 
 impl Matched {
     /// Two machines at the start, and links of one kind.
-    #[expect(clippy::large_stack_arrays, reason = "only hosts play both machines")]
+    #[expect(clippy::large_stack_arrays, reason = "only hosts run both machines")]
     pub fn new(arena: Arena, weather: Weather, seed: u64) -> Result<Self, SceneError> {
         let alone = Game::new()?;
         let seats = [
@@ -120,7 +121,7 @@ impl Matched {
         Ok(Self { arena, seats, states: Ring::new(alone.save()), alone, played: 0, calls: 0, awake: 0 })
     }
 
-    /// One sixtieth of a second on both machines.
+    /// Advances both machines by one sixtieth of a second.
     pub fn call(&mut self) -> Result<(), Broken> {
         let Self { arena, seats: [one, two], .. } = self;
         let now = self.calls;
@@ -131,7 +132,7 @@ impl Matched {
         self.compare()
     }
 
-    /// The states that were confirmed since, against those of the game at one machine.
+    /// Compares the newly confirmed states with those of the game on one machine.
     fn compare(&mut self) -> Result<(), Broken> {
         for seat in &mut self.seats {
             for frame in seat.confirmed..seat.peer.confirmed() {
@@ -150,12 +151,12 @@ impl Matched {
         Ok(())
     }
 
-    /// The state as of now, of the game at one machine.
+    /// The current state of the game on one machine.
     pub fn saved(&self) -> Saved {
         self.alone.save()
     }
 
-    /// What has happened so far.
+    /// The sums so far.
     pub fn totals(&self) -> Totals {
         let mut totals = Totals { confirmed: u32::MAX, calls: self.calls, awake: self.awake, ..Totals::default() };
         for Seat { peer, inbox, confirmed, .. } in &self.seats {

@@ -1,16 +1,16 @@
-//! Two players on two machines: each sees its own keys at once, guesses the other's, and rolls back
-//! where the guess was wrong. The machines are two values in one program, and the link between them
-//! loses, doubles and reorders packets.
+//! Two players on two machines. Each machine shows its own keys at once, guesses the other's, and
+//! rolls back if the guess was wrong. The machines are two values in one program. The link between
+//! them loses, doubles and reorders packets.
 //!
-//! | file | what it shows |
+//! | type | role |
 //! |---|---|
 //! | [`Game`] | the state of a game as one value, and a step that depends on nothing else |
-//! | [`Keys`] | inputs: what is sent, instead of positions |
+//! | [`Keys`] | inputs: machines send these instead of positions |
 //! | [`Ring`] | the last frames of something, by frame |
-//! | [`Link`] | a network that nobody can rely on |
+//! | [`Link`] | an unreliable network |
 //! | [`Peer`] | delay, prediction, rollback |
-//! | [`Ledger`] | how many frames had to be simulated again: a judge of its own |
-//! | [`Matched`] | both peers together, and all that must hold |
+//! | [`Ledger`] | an independent count of the frames that had to be replayed |
+//! | [`Matched`] | both peers together, and all checks |
 
 mod game;
 mod keys;

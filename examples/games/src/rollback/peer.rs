@@ -1,4 +1,4 @@
-//! One of two machines: it plays on without waiting, and corrects the past.
+//! One of two machines. It plays on without waiting, and corrects the past.
 //!
 //! ```text
 //!   known keys of the other        guessed: the last known ones, held
@@ -8,47 +8,47 @@
 //!                                    go back to the state before it, and play again up to now
 //! ```
 //!
-//! What was guessed right is not played again.
+//! Correct guesses are not replayed.
 
 use super::{Arena, Game, Keys, Packet, Ring, Saved};
 use tilesat::scene::SceneError;
 
-/// A key is felt so many frames after it was pressed, on both machines: the other one has that long
-/// to hear of it in time.
+/// A key takes effect this many frames after the press, on both machines. The packet must arrive in
+/// this time.
 pub const DELAY: u32 = 2;
 
-/// How many frames a machine plays ahead of what it knows of the other, and then waits.
+/// How many frames a machine plays beyond the known keys of the other. Then it waits.
 pub const WINDOW: u32 = 16;
 
 /// One machine.
 #[derive(Clone, Debug)]
 pub struct Peer {
-    /// Which player sits there.
+    /// The player who sits there.
     side: usize,
     game: Game,
     /// The next frame that it plays.
     now: u32,
-    /// The state before each of the last [`WINDOW`] frames: it never goes back farther.
+    /// The state before each of the last [`WINDOW`] frames. It never goes back farther.
     states: Ring<Saved, 16>,
     own: Ring<Keys, 128>,
-    /// The frame after the last one whose own keys are decided.
+    /// The frame after the last one with final keys of its own player.
     own_end: u32,
     theirs: Ring<Keys, 128>,
-    /// The same of the other player, as far as packets say.
+    /// The same for the other player, from the packets.
     known: u32,
     /// The other's keys that each frame was played with.
     guesses: Ring<Keys, 16>,
-    /// The first frame that was played with the wrong keys.
+    /// The first frame that was played with wrong keys.
     wrong: Option<u32>,
-    /// Up to where the other machine knows the keys of this one.
+    /// The frame up to which the other machine knows this one's keys.
     heard: u32,
-    /// Frames that were played again.
+    /// Replayed frames.
     pub again: u64,
-    /// How often it went back.
+    /// The number of rollbacks.
     pub rollbacks: u64,
     /// Calls in which it had to wait.
     pub waits: u64,
-    /// The most frames that were played again at once.
+    /// Most frames that were replayed at once.
     pub deepest: u32,
 }
 
@@ -80,21 +80,21 @@ impl Peer {
         self.now
     }
 
-    /// The frame up to which nothing can change any more.
+    /// The frame up to which nothing can change.
     pub fn confirmed(&self) -> u32 {
         self.known.min(self.now)
     }
 
-    /// The state before a frame, one of the last.
+    /// The state before one of the last frames.
     pub fn state(&self, frame: u32) -> Saved {
         let kept = self.states.get(frame).filter(|_| frame < self.now);
         kept.copied().unwrap_or_else(|| self.game.save())
     }
 
-    /// Takes a packet: keys that are new, and perhaps other ones than were guessed.
+    /// Reads a packet: new keys, which may differ from the guess.
     pub fn receive(&mut self, packet: &Packet) {
         self.heard = self.heard.max(packet.known);
-        // One that came before, or too early: what is between was lost, and comes again.
+        // It arrived before, or too early: a packet between was lost and will come again.
         if packet.first > self.known {
             return;
         }
@@ -108,7 +108,7 @@ impl Peer {
         self.known = self.known.max(packet.end);
     }
 
-    /// Goes back to the first wrong guess, and plays up to now again.
+    /// Rolls back to the first wrong guess, and replays up to now.
     pub fn correct(&mut self, arena: &Arena) -> Result<(), SceneError> {
         let Some(wrong) = self.wrong.take() else { return Ok(()) };
         if let Some(state) = self.states.get(wrong) {
@@ -123,7 +123,8 @@ impl Peer {
         Ok(())
     }
 
-    /// Plays the next frame, unless it is too far ahead. `keys` are what the player holds now.
+    /// Plays the next frame, unless it is too far ahead. `keys` are the keys that the player holds
+    /// now.
     pub fn advance(&mut self, arena: &Arena, keys: Keys) -> Result<(), SceneError> {
         if self.now >= self.known + WINDOW {
             self.waits += 1;

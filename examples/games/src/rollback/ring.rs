@@ -1,15 +1,15 @@
 //! The last `N` frames of something.
 
-/// One value per frame; the value of a frame stays until `N` later ones were set.
+/// One value per frame. A value stays until the frame `N` later is set.
 #[derive(Clone, Copy, Debug)]
 pub struct Ring<T, const N: usize> {
     values: [T; N],
 }
 
 impl<T: Copy, const N: usize> Ring<T, N> {
-    /// The same for all frames.
+    /// A ring with the same value for all frames.
     pub const fn new(value: T) -> Self {
-        const { assert!(N.is_power_of_two(), "a frame's place is found by a mask") };
+        const { assert!(N.is_power_of_two(), "a mask finds a frame's entry") };
         Self { values: [value; N] }
     }
 

@@ -1,5 +1,5 @@
-//! A runner in a world of 40 000 pixels, five times as far as coordinates reach: it is cut into
-//! rooms, and the runner feels none of their borders.
+//! A runner in a world of 40 000 pixels, five times the range of coordinates. The world is cut into
+//! rooms, and the borders do not affect the runner.
 
 mod runner;
 pub mod world;

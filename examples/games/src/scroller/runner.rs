@@ -1,11 +1,11 @@
-//! The runner: to the right, over all that it meets, from room to room.
+//! The runner. It runs to the right, over every obstacle, from room to room.
 
 use core::fmt;
 use tilesat::{Aabb, AllShapes, Axis, Fx, MoveError, Mover, Room, Rooms, Vec2, Walker, motion::Support};
 
 use super::world::{CELL, WIDTH};
 
-/// Raw units per frame, or per frame and frame.
+/// Raw units per frame, or per frame squared.
 const SPEED: i32 = 163_840;
 const GRAVITY: i32 = 16_384;
 const JUMP: i32 = 327_680;
@@ -15,27 +15,27 @@ const JUMP: i32 = 327_680;
 pub struct Outcome {
     pub frames: u32,
     pub jumps: u32,
-    /// How far, in whole pixels of the world.
+    /// The distance in whole pixels of the world.
     pub pixels: u32,
-    /// Of all its places in the world.
+    /// A hash of all its positions in the world.
     pub hash: u32,
 }
 
 #[derive(Clone, Debug)]
 pub struct Runner<'a> {
     pub room: Room<'a>,
-    /// By the coordinates of the room.
+    /// In coordinates of the room.
     pub body: Aabb,
     velocity: Vec2,
     floor: Option<Support>,
     walker: Walker,
     pub outcome: Outcome,
-    /// How often it went over to another room.
+    /// The number of crossings into another room.
     pub rooms: u32,
 }
 
 impl<'a> Runner<'a> {
-    /// In the first room; `None` in a world without one.
+    /// Starts in the first room. `None` in a world without one.
     pub fn new(world: &Rooms<'a, AllShapes>) -> Result<Option<Self>, MoveError> {
         let walker = Walker::new(Mover::platformer(Axis::NEG_Y)).with_step(Fx::lit("6"))?.with_snap(Fx::lit("6"))?;
         let body = Aabb::new(Vec2::from_ints(8, 60), Vec2::from_ints(18, 74))?;
@@ -50,7 +50,7 @@ impl<'a> Runner<'a> {
         }))
     }
 
-    /// Where it is in the world, in raw units, which are too many for a coordinate.
+    /// Its position in the world, in raw units. They exceed the range of a coordinate.
     pub fn place(&self) -> (i64, i64) {
         let (x, y) = self.body.min().raw();
         let cell = i64::from(CELL.to_bits());
@@ -63,7 +63,7 @@ impl<'a> Runner<'a> {
         self.place().0 >= (i64::from(WIDTH) - 2) * i64::from(CELL.to_bits())
     }
 
-    /// One frame: it runs, and jumps where something is in its way.
+    /// Moves for one frame: it runs, and jumps at obstacles.
     pub fn step(&mut self, world: &Rooms<'a, AllShapes>) -> Result<(), MoveError> {
         self.velocity = Vec2::from_raw(SPEED, self.velocity.raw().1 + GRAVITY);
         let walked = self.walker.walk(self.room.map(), &self.body, self.velocity, self.floor)?;
@@ -73,7 +73,7 @@ impl<'a> Runner<'a> {
             self.floor = None;
             self.outcome.jumps += 1;
         }
-        // Over the border: the same place by other coordinates.
+        // Crosses the border: the same position in other coordinates.
         if let Some((room, by)) = world.next(&self.room, self.body.min()) {
             (self.room, self.body) = (room, self.body.translated(by)?);
             self.rooms += 1;

@@ -1,4 +1,5 @@
-//! The world: a hundred screens of five drawn ones, a byte per tile in flash, in rooms of any size.
+//! The world: a hundred screens, of five drawn ones. A byte per tile in flash, in rooms of any
+//! size.
 
 use tilesat::{AllShapes, Fx, Room, Rooms, TileKind, TileKinds, TileMapError, TileShape};
 
@@ -70,8 +71,8 @@ static KINDS: TileKinds = TileKinds::EMPTY
     .with(b'c', TileKind::of(TileShape::MildHighBottomLeft))
     .with(b'd', TileKind::of(TileShape::MildLowBottomLeft));
 
-/// 20 000 bytes, row by row; the compiler puts the screens beside each other.
-#[expect(clippy::indexing_slicing, reason = "the compiler runs it, and would say so")]
+/// 20 000 bytes, row by row. The compiler joins the screens.
+#[expect(clippy::indexing_slicing, reason = "the compiler runs it, and would report the error")]
 static TILES: [u8; WIDTH as usize * ROWS] = {
     let mut tiles = [b'.'; WIDTH as usize * ROWS];
     let mut at = 0;
@@ -84,7 +85,7 @@ static TILES: [u8; WIDTH as usize * ROWS] = {
     tiles
 };
 
-/// The world in rooms of so many columns: how many makes no difference.
+/// The world in rooms of this many columns. Their size makes no difference to the runner.
 pub const fn rooms(columns: u16) -> Result<Rooms<'static>, TileMapError> {
     let apron = Room::<AllShapes>::apron_for(CELL, BODY, MOTION);
     Rooms::of(&TILES, (WIDTH, HEIGHT), CELL, &KINDS, (columns, HEIGHT), apron)

@@ -9,7 +9,7 @@ const PIXEL: i32 = 65_536;
 #[derive(Clone, Copy, Debug)]
 pub struct Hero {
     body: Aabb,
-    /// How far it goes aside to get around a corner, in pixels.
+    /// How far it slips aside to get around a corner, in pixels.
     slip: i32,
 }
 
@@ -22,7 +22,7 @@ impl Hero {
         self.body.min() + Vec2::from_ints(6, 6)
     }
 
-    /// Walks one frame; as fast along a diagonal as along the axes.
+    /// Walks one frame. It is as fast along a diagonal as along the axes.
     pub fn step(&mut self, world: &impl World, (x, y): (i32, i32)) -> Result<(), MoveError> {
         let velocity = Axis::new(x, y).unit().scaled(Fx::from_bits(SPEED));
         let moved = Mover::new().move_and_slide(world, &self.body, velocity)?;
@@ -35,8 +35,8 @@ impl Hero {
         Ok(())
     }
 
-    /// To the nearer side from which the way ahead is free, at most as fast as it walks; zero where
-    /// there is none within the slip.
+    /// The slip to the nearer side from which the way ahead is free, at most as fast as it walks.
+    /// Zero if there is none within reach.
     fn way_around(&self, world: &impl World, ahead: Axis) -> Vec2 {
         let side = ahead.perp();
         for pixels in 1..=self.slip {

@@ -1,11 +1,11 @@
-//! The rooms, and which way the hero is led through them.
+//! The rooms, and the way of the hero through them.
 
 use tilesat::{TileKind, TileKinds, TileMap, TileMapError, Vec2};
 
 pub const START: Vec2 = Vec2::from_ints(24, 26);
 pub const SIZE: (i32, i32) = (40 * 16, 16 * 16);
 
-/// Cells of 16 pixels; the doors are one cell wide, and so is a hero, almost.
+/// Cells of 16 pixels. The doors are one cell wide, and a hero almost.
 const ROOMS: &str = "\
 ########################################
 #.........#.............#..............#
@@ -26,7 +26,7 @@ const ROOMS: &str = "\
 ";
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 
-/// Directions and for how many frames they are held.
+/// Directions, and for how many frames they are held.
 pub const KEYS: [((i32, i32), u32); 13] = [
     ((1, 0), 60),
     ((1, 1), 34),

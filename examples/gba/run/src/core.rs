@@ -8,7 +8,7 @@ use libloading::Library;
 
 use crate::host;
 
-/// What `retro_load_game` takes: the cores that take a name alone are not for us.
+/// The argument of `retro_load_game`. Cores that accept only a file name do not work here.
 #[repr(C)]
 struct Game {
     path: *const std::ffi::c_char,
@@ -25,8 +25,8 @@ pub struct Core {
 impl Core {
     /// Starts the core with a cartridge.
     pub fn load(path: &Path, rom: &[u8]) -> Result<Self, Box<dyn Error>> {
-        // SAFETY: the names and types are those of libretro's interface, version 1, in the order it
-        // asks for; the game's data outlives the call, and the core copies what it keeps.
+        // SAFETY: the names and types are those of libretro's interface, version 1, in the order
+        // that it requires. The game's data outlives the call, and the core copies what it keeps.
         unsafe {
             let library = Library::new(path).map_err(|error| format!("{}: {error}", path.display()))?;
             let set: [(&[u8], *const c_void); 6] = [
@@ -44,17 +44,17 @@ impl Core {
             let name = CString::new("tilesat.gba")?;
             let game = Game { path: name.as_ptr(), data: rom.as_ptr().cast(), size: rom.len(), meta: std::ptr::null() };
             if !library.get::<unsafe extern "C" fn(*const Game) -> bool>(b"retro_load_game")?(&raw const game) {
-                return Err("the core does not take the cartridge".into());
+                return Err("the core refuses the cartridge".into());
             }
             let run = *library.get::<unsafe extern "C" fn()>(b"retro_run")?;
             Ok(Self { run, _library: library })
         }
     }
 
-    /// One frame with these keys down; the program's exit status once it has ended.
+    /// Runs one frame with these keys down. Returns the program's exit status once it has ended.
     pub fn frame(&self, keys: u16) -> Option<u8> {
         host::press(keys);
-        // SAFETY: a game is loaded and the library is still there.
+        // SAFETY: a game is loaded, and the library is still loaded.
         unsafe { (self.run)() };
         host::status()
     }

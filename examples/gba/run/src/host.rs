@@ -3,7 +3,7 @@
 use std::ffi::{CStr, c_char, c_uint, c_void};
 use std::sync::Mutex;
 
-/// A picture, three bytes a pixel.
+/// A picture, three bytes per pixel.
 #[derive(Clone, Debug)]
 pub struct Screen {
     pub width: usize,
@@ -21,7 +21,7 @@ struct Host {
 static HOST: Mutex<Host> =
     Mutex::new(Host { keys: 0, format: 0, screen: Screen { width: 0, height: 0, rgb: Vec::new() }, status: None });
 
-/// A panic must not cross into the core: the state is good whatever happened.
+/// A panic must not cross into the core. The state is valid in any case.
 fn host() -> std::sync::MutexGuard<'static, Host> {
     HOST.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
 }
@@ -44,12 +44,12 @@ const LOG_INTERFACE: c_uint = 27;
 const SAVE_DIRECTORY: c_uint = 31;
 
 pub unsafe extern "C" fn environment(command: c_uint, data: *mut c_void) -> bool {
-    // SAFETY: the command says what the core's pointer points to.
+    // SAFETY: the command determines the type behind the core's pointer.
     unsafe {
         match command & 0xffff {
             LOG_INTERFACE => *data.cast::<*const c_void>() = log as *const c_void,
             SET_PIXEL_FORMAT => host().format = *data.cast(),
-            // Nothing is saved: the core looks for files where there are none.
+            // Nothing is saved. The core looks for files in a folder without any.
             SYSTEM_DIRECTORY | SAVE_DIRECTORY => *data.cast::<*const c_char>() = c"/nonexistent".as_ptr(),
             _ => return false,
         }
@@ -57,14 +57,14 @@ pub unsafe extern "C" fn environment(command: c_uint, data: *mut c_void) -> bool
     true
 }
 
-/// The program's lines come as the format "%s: %s\n" with a category and the text, all else is the
-/// core's own and passed over.
+/// The program's lines come as the format "%s: %s\n" with a category and the text. All other lines
+/// are the core's own and are skipped.
 ///
-/// The prototype is variadic; where pointers go in registers, as on x86-64 and 64-bit Arm under
-/// Linux, the first two of them are these.
+/// The prototype is variadic. On x86-64 and 64-bit Arm under Linux, the first two variadic pointers
+/// are in these registers.
 unsafe extern "C" fn log(_level: c_uint, format: *const c_char, category: *const c_char, text: *const c_char) {
-    // SAFETY: strings of the core, alive during the call; the last two are there where the format
-    // says so.
+    // SAFETY: strings of the core, valid during the call. The last two are valid if the format says
+    // so.
     let (category, text) = unsafe {
         if CStr::from_ptr(format).to_bytes() != b"%s: %s\n" {
             return;
@@ -82,7 +82,7 @@ unsafe extern "C" fn log(_level: c_uint, format: *const c_char, category: *const
 }
 
 pub unsafe extern "C" fn video(data: *const c_void, width: c_uint, height: c_uint, pitch: usize) {
-    // A frame that is like the last one.
+    // A frame equal to the last one.
     if data.is_null() {
         return;
     }
@@ -92,7 +92,7 @@ pub unsafe extern "C" fn video(data: *const c_void, width: c_uint, height: c_uin
     let mut rgb = Vec::with_capacity(width * height * 3);
     for y in 0..height {
         for x in 0..width {
-            // SAFETY: the core's picture has `height` rows `pitch` bytes apart, of `width` pixels
+            // SAFETY: the core's picture has `height` rows, `pitch` bytes apart, of `width` pixels
             // in the format that it has set.
             rgb.extend(unsafe {
                 let row = data.cast::<u8>().add(y * pitch);

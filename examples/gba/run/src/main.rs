@@ -1,5 +1,5 @@
-//! Runs a program for the Game Boy Advance without a window, in any libretro core of one (mGBA's is
-//! meant): prints its log, presses its keys, leaves with its exit status.
+//! Runs a program for the Game Boy Advance without a window, in any libretro core of that console,
+//! such as mGBA's. Prints its log, presses its keys, and exits with its status.
 //!
 //! ```text
 //! tilesat-gba-run CORE PROGRAM.elf [--rom FILE.gba] [--png FILE] [--scale N] [--keys STRETCHES] [--frames N]
@@ -21,7 +21,7 @@ use std::process::ExitCode;
 
 const USAGE: &str =
     "tilesat-gba-run CORE PROGRAM.elf [--rom FILE.gba] [--png FILE] [--scale N] [--keys STRETCHES] [--frames N]";
-/// As `timeout` has it.
+/// The same status as `timeout`.
 const TOO_LONG: u8 = 124;
 
 struct Options {
@@ -66,7 +66,7 @@ fn run() -> Result<u8, Box<dyn Error>> {
         picture::save(path, &host::screen(), options.scale)?;
     }
     if status.is_none() {
-        eprintln!("no end after {} frames", options.frames);
+        eprintln!("still running after {} frames", options.frames);
     }
     Ok(status.unwrap_or(TOO_LONG))
 }

@@ -1,8 +1,8 @@
-//! From the linker's file to a cartridge.
+//! Converts the linker's file to a cartridge.
 
 const BASE: usize = 0x0800_0000;
 const LARGEST: usize = 32 << 20;
-/// The bytes that the header's checksum covers, and where it is.
+/// The bytes that the header's checksum covers, and the checksum's position.
 const CHECKED: std::ops::Range<usize> = 0xa0..CHECKSUM;
 const CHECKSUM: usize = 0xbd;
 const LOAD: u32 = 1;
@@ -10,7 +10,7 @@ const LOAD: u32 = 1;
 /// The loaded parts of a 32-bit little-endian ELF file, laid out as in the cartridge, with the
 /// header's checksum.
 pub fn from_elf(elf: &[u8]) -> Result<Vec<u8>, &'static str> {
-    const CUT: &str = "the program's file is cut short";
+    const CUT: &str = "the program's file is too short";
     if !elf.starts_with(b"\x7fELF\x01\x01") {
         return Err("the program is not a 32-bit ELF file");
     }
@@ -20,7 +20,7 @@ pub fn from_elf(elf: &[u8]) -> Result<Vec<u8>, &'static str> {
     let mut rom = Vec::new();
     for at in (0..count).map(|i| first + i * size) {
         let field = |n: usize| word(at + 4 * n).ok_or(CUT);
-        // Type, offset in the file, address when it runs, address in the cartridge, bytes in the
+        // Type, offset in the file, address at run time, address in the cartridge, bytes in the
         // file.
         let (kind, offset, address, length) = (field(0)?, field(1)?, field(3)?, field(4)?);
         if kind != LOAD as usize || length == 0 {
@@ -32,7 +32,7 @@ pub fn from_elf(elf: &[u8]) -> Result<Vec<u8>, &'static str> {
         rom.resize(rom.len().max(start + length), 0);
         rom[start..start + length].copy_from_slice(bytes);
     }
-    let header = rom.get(CHECKED).ok_or("the program has no header of a cartridge")?;
+    let header = rom.get(CHECKED).ok_or("the program has no cartridge header")?;
     let sum = header.iter().fold(0x19u8, |sum, byte| sum.wrapping_add(*byte));
     rom[CHECKSUM] = sum.wrapping_neg();
     Ok(rom)

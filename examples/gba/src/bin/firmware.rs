@@ -1,4 +1,4 @@
-//! The platformer's bodies on the console, 600 frames and then 10 000: the same lines as of
+//! The platformer's bodies on the console, for 600 frames and then 10 000. Prints the same lines as
 //! `cargo run --release --example firmware`.
 #![no_std]
 #![no_main]

@@ -1,5 +1,5 @@
 //! The golden hashes on the console: the first thousand vectors of each query, and ten thousand
-//! frames of the ninja; the lines of `cargo run --release -p tilesat-golden -- 1000`.
+//! frames of the ninja. Prints the lines of `cargo run --release -p tilesat-golden -- 1000`.
 #![no_std]
 #![no_main]
 

@@ -263,8 +263,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if !self.holds(x.cell, y.cell) || !self.holds(other.0, other.1) {
             return None;
         }
-        // The cells at the start are where a face cannot be yet; of those that may hold anything
-        // nothing is asked.
+        // A face cannot be in the cells at the start yet. So cells that may be solid are not read.
         let (mut left, mut tile) = (way.lines, y.cell.wrapping_mul(stride).wrapping_add(x.cell));
         if !ANY {
             (left, tile) = (left.wrapping_add(1), tile.wrapping_sub(step));
@@ -385,13 +384,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             if !hits_inside {
                 return 0;
             }
-            // The line met last is one cell before the next: no distance.
+            // The last line met is one cell before the next: no distance.
             w.x.near = cell;
             w.y.near = cell;
             return INSIDE | if w.y.size > w.x.size { Y } else { X };
         }
-        // Stop is what the ray goes into, along a line into both cells; else it slides along the
-        // border.
+        // Stop is a cell that the ray goes into. Along a line it must go into both cells; otherwise
+        // it slides along the border.
         let mut into = around;
         if w.x.size != 0 {
             motion |= X;

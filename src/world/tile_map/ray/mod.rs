@@ -36,7 +36,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///   sliding along does not hit there.
     /// - A start inside is decided by [`RayRules::inside`]. [`Inside::Hit`] reports a hit at 0
     ///   whose axis opposes the larger component of the motion (x on a tie, +x for no motion).
-    /// - A motion of zero hits nothing, save from inside with [`Inside::Hit`].
+    /// - A motion of zero hits nothing, except from inside with [`Inside::Hit`].
     /// - One-way edges are passed, unless [`RayRules::one_way`] asks for them. What is
     ///   [`Outside`](crate::world::Outside) counts.
     ///
@@ -72,7 +72,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
     #[inline]
     #[doc(alias("raycast", "linecast", "RayCast2D", "DDA"))]
     pub fn cast_ray(
@@ -97,7 +97,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Where all that stops a ray are full cells.
     fn cast_blocks(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<RayHit>, RangeError> {
         let (o, d) = (Raw::of(origin), Raw::of(motion));
-        // Where a sum wraps, it is outside too: a start below 2^29 and a motion up to 2^31 leave at
+        // A sum that wraps is outside too: a start below 2^29 and a motion up to 2^31 leave at
         // least 2^32 - 2^31 - 2^29.
         let end = o.add(d);
         if !(in_domain(o.x) && in_domain(o.y) && in_domain(end.x) && in_domain(end.y)) {
@@ -124,7 +124,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             }
         }
         let vertical = met & Y != 0;
-        // The line crossed last is one cell before the next; a start on a line has crossed that.
+        // The last line crossed is one cell before the next. A start on a line has crossed that
+        // line.
         let (near, k, den, size) = if vertical { (y.near, ky, y.size, x.size) } else { (x.near, kx, x.size, y.size) };
         let num = near.wrapping_add(k.wrapping_sub(1).wrapping_mul(cell));
         if num > den {
@@ -214,7 +215,7 @@ rays! {
         /// ```
         ///
         /// # Errors
-        /// [`RangeError`] where a point is outside of the [domain](crate::num::DOMAIN).
+        /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
         line_of_sight,
     }
 }
@@ -241,7 +242,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the start or the end is outside of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
     pub fn cast_ray_all(
         &self,
         origin: Vec2,

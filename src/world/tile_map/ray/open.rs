@@ -27,7 +27,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             let run = self.run_from::<ANY, true>(&beyond_border(&u, ahead), &beyond_border(&v, ahead), e, even);
             ahead = 0;
             (u, v, e) = (u.crossed(run.kx, cell), v.crossed(run.ky, cell), run.lead);
-            // Of a piece that could not go on, the end is that of the whole.
+            // If a piece could not go on, its end is the end of the whole.
             if run.met & (X | Y) != 0 || (u.lines, v.lines) == before {
                 let (kx, ky) = (x.lines.wrapping_sub(u.lines) as u32, y.lines.wrapping_sub(v.lines) as u32);
                 return BlockRun { kx, ky, ..run };

@@ -49,8 +49,8 @@ impl<S: Set, T: Store> RayLevel for TileMap<'_, S, T> {
             None
         };
         if let Some(run) = run {
-            // Before the line that led to something: at a corner the lines are crossed one after
-            // the other then, at the same moment.
+            // Before the line that led here: at a corner the ray crosses the lines one after the
+            // other, at the same moment.
             walk.jump(run.kx.wrapping_sub(run.met & X), run.ky.wrapping_sub((run.met & Y) >> 1), cell);
         }
     }
@@ -81,7 +81,7 @@ impl<S: Set, T: Store> RayLevel for TileMap<'_, S, T> {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// Whether a cell outside of the map is not even a band that has features.
+    /// Whether a cell outside the map is not even a band that has features.
     #[cold]
     fn is_beyond_bands(&self, x: i32, y: i32) -> bool {
         let (width, height) = (i32::from(self.grid.x.count), i32::from(self.grid.y.count));
@@ -195,8 +195,8 @@ impl<'w, S: Set, T: Store> TilePieces<'w, S, T> {
         if halves == 0 {
             return None;
         }
-        // Where a band is merged with a cell, its side goes on along the band; a side across which
-        // the band lies is covered.
+        // If a band is merged with a cell, the cell's side continues along the band. The band
+        // covers a side that it lies across.
         let ((lo, hi), (cell_lo, cell_hi)) = (self.map.extent(self.x, self.y), self.map.grid.corners(self.x, self.y));
         let (from, to) = if k & 1 == 0 { (lo.x, hi.x) } else { (lo.y, hi.y) };
         let (from, to) = if k < 2 { (from, to) } else { (to, from) };

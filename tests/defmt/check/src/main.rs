@@ -1,5 +1,5 @@
-//! Decodes what the firmware logged and compares it with the reviewed lines, and the types that
-//! came with those that the documentation lists.
+//! Decodes the firmware's log and compares it with the reviewed lines. Compares its types with
+//! those in the documentation.
 //!
 //! ```text
 //! tilesat-defmt-check PROGRAM.elf FRAMES DOCUMENTATION EXPECTED [--accept]
@@ -47,7 +47,7 @@ fn check(elf: &Path, frames: &Path, docs: &Path, expected: &Path, accept: bool) 
         good = false;
         println!("no type: {path} is logged, but the documentation has no such public type");
     }
-    // A type by its name alone: in which file it stands is no promise.
+    // A type by its name only: the file that defines it is not promised.
     let name = |path: &str| path.rsplit("::").next().unwrap_or_default().to_owned();
     let text: String = lines.iter().map(|line| format!("{} = {}\n", name(&line.path), line.value)).collect();
     if accept {
@@ -64,7 +64,7 @@ fn check(elf: &Path, frames: &Path, docs: &Path, expected: &Path, accept: bool) 
     Ok(good)
 }
 
-/// Tells where two texts differ.
+/// Reports where two texts differ.
 fn same(expected: &str, found: &str) -> bool {
     let (mut a, mut b) = (expected.lines(), found.lines());
     let mut same = true;

@@ -1,14 +1,14 @@
-//! The public types, as rustdoc lists them: what is private or hidden is not there, and what is
-//! added is, without a list to keep.
+//! The public types, as rustdoc lists them. It omits private and hidden types and includes new
+//! ones, so there is no list to maintain.
 
 use std::collections::BTreeSet;
 use std::error::Error;
 use std::path::Path;
 
-/// Where each public struct, enum and union is defined: `tilesat::num::vec2::Vec2`, as
-/// `core::any::type_name` says it too.
+/// The path of each public struct, enum and union, such as `tilesat::num::vec2::Vec2`.
+/// `core::any::type_name` gives the same path.
 ///
-/// A type that two modules show is defined once, and so is here once.
+/// A type that two modules show is defined once, and listed once.
 pub(crate) fn public(docs: &Path) -> Result<BTreeSet<String>, Box<dyn Error>> {
     let all = std::fs::read_to_string(docs.join("all.html"))?;
     let mut types = BTreeSet::new();
@@ -20,7 +20,7 @@ pub(crate) fn public(docs: &Path) -> Result<BTreeSet<String>, Box<dyn Error>> {
         let module = file.strip_suffix("/mod").unwrap_or(file).replace('/', "::");
         types.insert(format!("{module}::{}", name(page)));
     }
-    // As a guard against another form of these pages: one that is surely there.
+    // One type that surely exists, in case the form of these pages changes.
     if !types.contains("tilesat::num::vec2::Vec2") {
         return Err("the documentation's list of types is not in the form that is known".into());
     }

@@ -1,5 +1,5 @@
-//! Levels of tiles, of lines, of solids, joined and placed; what they are asked, and the cursors
-//! that answer.
+//! Levels of tiles, of lines, of solids, joined and placed, with their queries and the cursors of
+//! the answers.
 
 use crate::tell;
 use tilesat::heapless::Vec;

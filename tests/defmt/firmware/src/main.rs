@@ -1,4 +1,4 @@
-//! Logs a value of every public type: one frame each, of the type's path and the value. The host
+//! Logs a value of every public type: one frame each, with the type's path and the value. The host
 //! decodes them (`check`).
 
 #![no_std]
@@ -14,7 +14,7 @@ mod scenes;
 use defmt::Format;
 use tilesat_chip::{entry, process};
 
-/// The path comes from the compiler, so a line cannot be another type's.
+/// The path comes from the compiler, so a line cannot have another type's path.
 fn tell<T: Format>(value: &T) {
     defmt::println!("{=str} = {}", core::any::type_name::<T>(), value);
 }

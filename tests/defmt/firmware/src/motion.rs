@@ -1,4 +1,4 @@
-//! Movers, walkers, riders, and what they report.
+//! Movers, walkers, riders, and their reports.
 
 use crate::tell;
 use tilesat::{

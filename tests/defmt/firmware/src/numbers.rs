@@ -11,7 +11,7 @@ use tilesat::{
 };
 
 pub(crate) fn tell_all() {
-    // Both signs, halves, and what is below the fourth place.
+    // Both signs, halves, and digits below the fourth decimal.
     tell(&Vec2::new(Fx::lit("-0.75"), Fx::lit("8191.99999")));
     tell(&Axis::new(-3, 4));
     tell(&Axis::new(-3, 4).unit());

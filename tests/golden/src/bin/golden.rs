@@ -20,8 +20,8 @@ use std::process::ExitCode;
 use tilesat_golden::table::{PATH, Table, VERSION};
 use tilesat_golden::{LEAST, VECTORS};
 
-/// For a page or a script: runs all with at most so many vectors; the import `golden.line` is given
-/// each line as text.
+/// For a page or a script: runs everything with at most this many vectors. Passes each line as text
+/// to the import `golden.line`.
 #[cfg(target_arch = "wasm32")]
 #[allow(unsafe_code, reason = "names that the host finds, and a function that it has")]
 mod page {
@@ -36,7 +36,7 @@ mod page {
     pub extern "C" fn golden(count: u32) {
         Table::fresh(count, |found| {
             let text = found.to_string();
-            // SAFETY: the host reads so many bytes there, and keeps nothing.
+            // SAFETY: the host reads this many bytes there, and keeps no reference.
             unsafe { line(text.as_ptr(), text.len()) }
         });
     }

@@ -1,4 +1,5 @@
-//! Rays and bodies near what matters in a level of blocks, and the check of all that a ray reports.
+//! Rays and bodies near the interesting points of a level of blocks, and the check of everything
+//! that a ray reports.
 
 use crate::Random;
 use crate::blocks::bodies::Body;
@@ -33,8 +34,8 @@ pub fn check_ray(level: &Level, scene: &Scene, map: &TileMap, o: (i64, i64), d: 
                 };
                 assert!(expected.owners.iter().any(|owner| at(owner) == hit.cell), "cell: {}", case());
                 assert_eq!(hit.flags, map.kind(hit.cell).flags, "flags: {}", case());
-                // At a corner, what is met in a cell beside it may be told before the other line is
-                // counted.
+                // At a corner, a ray may report a hit in a cell beside it before it counts the
+                // other line.
                 let entered = cells_entered(level, o, d, expected.num, expected.den);
                 assert!(entered.contains(&hit.cells), "cells: {entered:?} {}", case());
                 assert!(i64::from(hit.cells) <= level.width + level.height + 4);

@@ -40,7 +40,7 @@ pub fn overlaps(level: &Level, body: Body) -> bool {
 }
 
 /// Whether a point or segment meets the inside of the solid. The lines cut it into points and open
-/// pieces, and one point stands for each piece: all cells that hold it must be full. Coordinates
+/// pieces, and one point represents each piece: all cells that contain it must be full. Coordinates
 /// are doubled, so that the middles are integers.
 fn meets_inside(cells: &[Cell], x0: i64, y0: i64, x1: i64, y1: i64) -> bool {
     let samples = |lo: i64, hi: i64, cuts: Vec<i64>| {
@@ -76,8 +76,7 @@ pub fn flags(level: &Level, body: Body) -> u8 {
     touched.fold(0, |all, c| all | flags(level.id(c.column, c.row)))
 }
 
-/// The cells of the map whose inside meets a closed region, both of two beside a line that it lies
-/// on.
+/// The cells of the map whose inside meets a closed region. On a line, both cells beside it.
 pub fn tiles_in(level: &Level, x0: i64, y0: i64, x1: i64, y1: i64) -> Vec<(i64, i64)> {
     let meets = |lo: i64, hi: i64, c0: i64, c1: i64| if lo == hi { c0 <= lo && lo <= c1 } else { lo < c1 && c0 < hi };
     let cells = level.cells();

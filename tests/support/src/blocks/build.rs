@@ -46,7 +46,7 @@ pub fn level(random: &mut Random) -> Level {
     Level { width, height, cell, x, y, outside, tiles }
 }
 
-/// A coordinate that is interesting on this axis: on a line, beside it, between two, anywhere near,
+/// An interesting coordinate on this axis: on a line, beside it, between two, anywhere near,
 /// anywhere at all.
 pub fn coordinate(random: &mut Random, origin: i64, count: i64, cell: i64) -> i64 {
     let line = |random: &mut Random| origin + cell * random.within(-1, count + 1);

@@ -1,4 +1,4 @@
-//! A level as a list of closed rectangles, the bands around the map included.
+//! A level as a list of closed rectangles, with the bands around the map.
 
 use tilesat::{Fx, Grid, Outside, TileKind, TileKinds, TileMap, Vec2};
 
@@ -60,7 +60,7 @@ impl Level {
         (0..self.width).contains(&column) && (0..self.height).contains(&row)
     }
 
-    /// The id of any cell of the plane; what is outside and solid has id 1.
+    /// The id of any cell of the plane. A solid outside has id 1.
     pub fn id(&self, column: i64, row: i64) -> u8 {
         let at = |c: i64, r: i64| self.tiles[(r * self.width + c) as usize];
         match self.outside {

@@ -1,5 +1,5 @@
-//! A level written down from the definitions, to judge the tile map by: no clamped indices, no
-//! walk, no incremental anything.
+//! A level from the definitions, to judge the tile map: no clamped indices, no walk, nothing
+//! incremental.
 
 pub mod ask;
 pub mod bodies;

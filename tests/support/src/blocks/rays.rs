@@ -1,4 +1,4 @@
-//! What a ray meets, from the rules: all faces of the solid, each tested on its own.
+//! The hits of a ray, from the rules: all faces of the solid, each tested separately.
 
 use super::level::{Cell, Level};
 use std::ops::RangeInclusive;
@@ -30,7 +30,7 @@ pub struct Expected {
     pub den: i64,
     pub vertical: bool,
     pub inside: bool,
-    /// The cells that own a face which is as good.
+    /// The cells that own an equally good face.
     pub owners: Vec<(i64, i64)>,
 }
 
@@ -62,7 +62,7 @@ impl Scene {
         self.cells.iter().filter(|c| c.holds(x, y)).all(|c| c.full)
     }
 
-    /// Whether the points just after the start are inside the solid: whether all cells that hold
+    /// Whether the points just after the start are inside the solid: whether all cells that contain
     /// them are full.
     fn enters(&self, o: (i64, i64), d: (i64, i64)) -> bool {
         let holds =
@@ -138,15 +138,15 @@ impl Expected {
 }
 
 /// The cells that a ray has entered up to a hit: the first one, and one for each line crossed after
-/// the start, the last included; where two are crossed at the hit, one of them may be missing.
+/// the start, including the last. If it crosses two at the hit, one of them may be missing.
 pub fn cells_entered(level: &Level, o: (i64, i64), d: (i64, i64), num: i64, den: i64) -> RangeInclusive<u32> {
     let crossed = |line: i64, o: i64, d: i64| {
         let distance = (line - o) * d.signum();
         distance > 0 && i128::from(distance) * i128::from(den) <= i128::from(num) * i128::from(d.abs())
     };
     let count = |lines: Vec<i64>, o: i64, d: i64| {
-        // Where the border is repeated, there is no line between it and what is beyond; where
-        // nothing is beyond, none that leads there.
+        // Between a repeated border and its continuation there is no line. With an empty outside,
+        // no line leads there.
         let last = lines.len() - 1;
         let (first, last) = match level.outside {
             Outside::Solid => (0, last),

@@ -1,4 +1,4 @@
-//! Scenes of moving boxes: what changes from frame to frame, and which pairs there are then.
+//! Scenes of moving boxes: the changes from frame to frame, and the pairs of each frame.
 
 use super::reference::{DOMAIN, Rect};
 use super::{Cells, Mark};
@@ -41,12 +41,12 @@ pub struct Frame {
     pub changes: Vec<Change>,
     /// The keys of all pairs, the smaller one first, in order.
     pub pairs: Vec<(u32, u32)>,
-    /// Whom to remove in the middle of an enumeration, and the pairs without them.
+    /// The bodies to remove in the middle of an enumeration, and the pairs without them.
     pub leave: Vec<u32>,
     pub left: Vec<(u32, u32)>,
 }
 
-/// A number of bodies that never exceeds `most`, and their frames. Keys are never used twice.
+/// A number of bodies that never exceeds `most`, and their frames. Keys are never reused.
 pub fn scene(kind: Kind, cells: Cells, most: i64, frames: usize, random: &mut Random) -> Vec<Frame> {
     let mut scene = Scene { kind, cells, bodies: Vec::new(), next: 0 };
     let many = random.within(2, most);

@@ -1,5 +1,5 @@
-//! What tests of broad phases share: a list of all structures, and a reference that knows the
-//! definitions only.
+//! Shared code of the tests of broad phases: a list of all structures, and a reference that knows
+//! only the definitions.
 
 pub mod frames;
 pub mod near;
@@ -10,7 +10,7 @@ use near::Near;
 use tilesat::broad::{BruteForce, LooseGrid, SortSweep, SpatialHash, Tag};
 use tilesat::{Aabb, Fx, Vec2};
 
-/// A key and a team: bodies of one team do not pair; those of team 0 pair with all.
+/// A key and a team. Bodies of one team do not pair, but those of team 0 pair with all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mark {
     pub key: u32,
@@ -35,7 +35,7 @@ impl Tag for Mark {
     }
 }
 
-/// Where the cells of grids are; the others do not care.
+/// The position of a grid's cells. The other structures ignore it.
 #[derive(Clone, Copy, Debug)]
 pub struct Cells {
     /// The side, raw, a power of two.
@@ -43,13 +43,13 @@ pub struct Cells {
     pub origin: (i32, i32),
 }
 
-/// What is to hold for every structure.
+/// A check for every structure.
 pub trait Check {
-    /// `limit` is the longest side of a box that is taken.
+    /// `limit` is the longest side of an accepted box.
     fn on(&mut self, name: &str, limit: Option<i32>, empty: &Near<Mark>);
 }
 
-/// Runs a check on each structure, which is full when the check has put so many bodies into it.
+/// Runs a check on each structure, which is full once the check has inserted this many bodies.
 pub fn everywhere(bodies: usize, cells: Cells, check: &mut dyn Check) {
     match bodies {
         0..=2 => with_room::<2>(bodies, cells, check),
@@ -58,11 +58,10 @@ pub fn everywhere(bodies: usize, cells: Cells, check: &mut dyn Check) {
     }
 }
 
-/// Where no check puts a body.
+/// A position where no check puts a body.
 const AWAY: (i64, i64) = (1 << 20, 1 << 20);
 
-/// Each kind of structure is compiled for few sizes: what room is too much, bodies take that are
-/// nobody's neighbours.
+/// Each kind of structure is compiled for few sizes. Bodies without neighbours fill the extra room.
 fn with_room<const N: usize>(bodies: usize, cells: Cells, check: &mut dyn Check) {
     let (side, origin) = (Fx::from_bits(cells.side), Vec2::from_raw(cells.origin.0, cells.origin.1));
     let limit = Some(cells.side);
@@ -81,7 +80,7 @@ fn with_room<const N: usize>(bodies: usize, cells: Cells, check: &mut dyn Check)
     on("hash, large", None, Near::asked(SpatialHash::<256, N, Mark, true>::new(side).unwrap()));
 }
 
-/// The same on those that take boxes of every size.
+/// The same on the structures that accept boxes of every size.
 pub struct Large<'a, C>(pub &'a mut C);
 
 impl<C: Check> Check for Large<'_, C> {

@@ -1,5 +1,4 @@
-//! Any broad phase as one type: what is asked of all of them is compiled once, and not once for
-//! each.
+//! Any broad phase as one type, so that the queries on all of them are compiled only once.
 
 use tilesat::broad::{
     BroadError, BroadHit, BroadPhase, Handle, Nearest, Pair, PairCursor, PairsError, QueryError, Tag,
@@ -16,17 +15,17 @@ impl<T> Clone for Near<T> {
     }
 }
 
-/// What is refused of a frame, and whose it is.
+/// The refusal of a frame, and its body.
 type Moved = Result<(), (Handle, BroadError)>;
 
 impl<T: Tag + 'static> Near<T> {
-    /// One of which no more than bodies and pairs is asked, and who is here.
+    /// A broad phase that is asked only for bodies and pairs.
     pub fn new<P: BroadPhase<Tag = T> + Copy + 'static>(phase: P) -> Self {
         Self(Box::new(Plain(phase)))
     }
 
-    /// One of which everything is asked. All answers of a structure together are most of what it
-    /// takes to compile it.
+    /// A broad phase with all queries. All answers of a structure together take most of the compile
+    /// time.
     pub fn asked<P: BroadPhase<Tag = T> + Copy + 'static>(phase: P) -> Self {
         Self(Box::new(Asked(phase)))
     }
@@ -157,7 +156,7 @@ impl<T: Tag + 'static> Near<T> {
     }
 }
 
-/// Writes a method list once, as an object's and as what calls the broad phase.
+/// Writes a method list once, for an object and for the calls of the broad phase.
 macro_rules! answers {
     ($trait:ident: $($name:ident($self:ident: $by:ty)($($arg:ident: $type:ty),*) $(-> $out:ty)?;)*) => {
         trait $trait<T> {
@@ -202,7 +201,7 @@ answers! {
     cast_shape(self: &Self)(start: &Aabb, motion: Vec2, wanted: &mut dyn FnMut(Handle, &T) -> bool, out: &mut VecView<BroadHit>) -> Result<(), QueryError>;
 }
 
-/// A structure, whose answers to [`Questions`] are compiled only where somebody asks them.
+/// A structure whose answers to [`Questions`] are compiled only if somebody uses them.
 trait Phase<T> {
     fn copy(&self) -> Box<dyn Phase<T>>;
     fn phase(&self) -> &dyn Bodies<T>;

@@ -51,8 +51,8 @@ impl Rect {
 
     /// When this, moving by `d`, first touches another box, in parts of 2^30, rounded down.
     ///
-    /// Whether, by separating axes: a segment from (0, 0) to `d` against the box of all differences
-    /// of points. When, by the last of the two components to come into that box.
+    /// Whether it does, by separating axes: a segment from (0, 0) to `d` against the box of all
+    /// differences of points. The time, by the last of the two components to enter that box.
     pub fn first_touch(&self, d: P, other: &Self) -> Option<u32> {
         let lo = (other.lo.0 - self.hi.0, other.lo.1 - self.hi.1);
         let hi = (other.hi.0 - self.lo.0, other.hi.1 - self.lo.1);
@@ -99,7 +99,7 @@ impl Body {
 #[derive(Clone, Debug, Default)]
 pub struct Model {
     pub bodies: Vec<Body>,
-    /// Every handle that was ever given away.
+    /// Every handle so far.
     pub issued: Vec<Handle>,
 }
 
@@ -129,7 +129,7 @@ impl Model {
         bodies.iter().map(|body| body.handle).collect()
     }
 
-    /// Who is near a point, and how near.
+    /// The bodies near a point, and their distances.
     pub fn near(&self, p: P, within: i64, mut wanted: impl FnMut(&Body) -> bool) -> Vec<(Handle, i64)> {
         let limit = i128::from(within) * i128::from(within);
         let mut near: Vec<_> = self.bodies.iter().filter(|b| b.rect.square(p) <= limit && wanted(b)).collect();
@@ -137,7 +137,7 @@ impl Model {
         near.iter().map(|b| (b.handle, root(b.rect.square(p)))).collect()
     }
 
-    /// Who is touched on a way, and when.
+    /// The bodies touched on a way, and the times.
     pub fn touched(&self, start: &Rect, d: P, mut wanted: impl FnMut(&Body) -> bool) -> Vec<(Handle, u32)> {
         let bodies = self.bodies.iter().filter(|body| wanted(body));
         let mut hits: Vec<_> =

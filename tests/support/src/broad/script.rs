@@ -1,4 +1,4 @@
-//! Operations on a broad phase, played beside the reference.
+//! Operations on a broad phase, run beside the reference.
 
 use super::near::Near;
 use super::reference::{Body, DOMAIN, Model, P, Rect};
@@ -25,18 +25,18 @@ pub enum Op {
     Restore,
     Pairs,
     Sorted(usize),
-    /// Budgets, rooms, and whom to remove or to move in between.
+    /// Budgets, rooms, and the bodies to remove or to move in between.
     From(Vec<(u32, usize, Option<usize>, Option<usize>)>),
     Of(Vec<usize>),
     Region(Shape, usize),
     Point(At, At),
-    /// From where, how far in quarters, without a team, into room for so many.
+    /// The start, the distance in quarters, whether without a team, and the room.
     Near(At, At, At, u8, usize),
     Ray(At, At, At, At, u8, usize),
     Cast(Shape, At, At, u8, usize),
 }
 
-/// A structure, and what it should be like.
+/// A structure, and its expected content.
 pub struct Play {
     name: String,
     phase: Near<Mark>,
@@ -44,7 +44,7 @@ pub struct Play {
     limit: Option<i32>,
     cells: Cells,
     saved: Option<(Near<Mark>, Model)>,
-    /// What was asked, that no question is idle.
+    /// The queries so far, so that none is without effect.
     pub pairs: u64,
     pub hits: u64,
 }
@@ -60,7 +60,7 @@ fn with_room<T>(room: usize, ask: impl FnOnce(&mut VecView<T>)) {
     }
 }
 
-/// The first ones of what was expected, and what has to be said.
+/// The first expected results, and the expected error.
 fn cut<T: Clone>(all: &[T], room: usize) -> (Vec<T>, Result<(), Truncated>) {
     let kept = all.len().min(room);
     let told = Truncated { seen: all.len() as u32, kept: kept as u32 };
@@ -100,7 +100,7 @@ impl Play {
         self.model.bodies.get(which % self.model.bodies.len().max(1)).copied()
     }
 
-    /// What is refused because of its size.
+    /// Boxes refused because of their size.
     fn refusal(&self, bounds: &Aabb) -> Option<BroadError> {
         let size = i32::try_from(Rect::of(bounds).side()).unwrap();
         self.limit.filter(|limit| size > *limit).map(|limit| BroadError::TooLarge { size, limit })
@@ -154,7 +154,7 @@ impl Play {
         assert_eq!(self.phase.is_empty(), self.model.bodies.is_empty(), "{}", self.name);
     }
 
-    /// What every body is like, and that no other handle is one.
+    /// The content of every body, and that no other handle is valid.
     pub fn look(&self) {
         for body in &self.model.bodies {
             assert_eq!(self.phase.bounds(body.handle).map(|b| Rect::of(&b)), Ok(body.rect), "{}", self.name);
@@ -198,8 +198,8 @@ impl Play {
         }
     }
 
-    /// All by one step; those that would leave the domain stay, and every seventh slot grows too
-    /// wide for a cell.
+    /// All by one step. Those that would leave the domain stay, and every seventh slot grows wider
+    /// than a cell.
     fn move_each(&mut self, x: At, y: At) {
         let side = i64::from(self.cells.side);
         let d = (x.0 * side / 4 + x.1, y.0 * side / 4 + y.1);
@@ -268,8 +268,8 @@ impl Play {
         });
     }
 
-    /// What was given at the end is what was near at the start and not removed; no pair twice, none
-    /// with a body that was gone.
+    /// The result is the set that was near at the start and was not removed. No pair comes twice,
+    /// and none with a body that was gone.
     fn resumed(&mut self, steps: &[(u32, usize, Option<usize>, Option<usize>)]) {
         let (mut cursor, mut pairs) = (PairCursor::new(), Vec::new());
         let mut near: HashSet<_> = self.model.pairs().into_iter().collect();
@@ -404,7 +404,8 @@ impl Play {
             let (expected, cut) = cut(&all, out.capacity());
             assert_eq!((hits, told), (expected, cut.map_err(QueryError::Truncated)), "{}", self.name);
         });
-        // Whoever stops at the first wanted one sees all that are not later, and nobody twice.
+        // A caller that stops at the first wanted body sees all that are not later, and nobody
+        // twice.
         let (mut limit, mut first) = (Toi::ONE, Vec::new());
         self.phase
             .along(start, motion, |handle, mark, toi| {

@@ -1,4 +1,4 @@
-//! The library under test, asked by figures, and the checks of one case.
+//! The library under test, called with figures, and the checks of one case.
 
 use super::judge::{Forbidden, ONE};
 use super::number::Number;
@@ -37,7 +37,7 @@ macro_rules! shapes {
     }};
 }
 
-/// Everything that a cast says.
+/// Everything that a cast reports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Answer {
     pub hit: Option<CastHit>,
@@ -66,7 +66,7 @@ pub enum Case {
     Hit,
 }
 
-/// Checks one cast against the judge; `tolerance` is how far, in raw units, the moved shape may be
+/// Checks one cast against the judge. `tolerance` is how far, in raw units, the moved shape may be
 /// from touching.
 pub fn check<N: Number>(a: &Figure, b: &Figure, d: Point, tolerance: i64) -> Case {
     let case = || format!("{a:?} by {d:?} on {b:?}");
@@ -113,9 +113,9 @@ pub fn verify<N: Number>(
     Case::Hit
 }
 
-/// B by the reversed motion on A: the same time, everything else reversed.
+/// B by the reversed motion on A: the same time, and everything else reversed.
 fn exchanged(answer: &Answer, other: Result<Answer, RangeError>, case: impl Fn() -> String) {
-    // Its end may be outside of the domain.
+    // Its end may be outside the domain.
     let Ok(other) = other else { return };
     let back = answer.hit.map(|hit| CastHit { axis: -hit.axis, displacement: -hit.displacement, ..hit });
     assert_eq!(other, Answer { hit: back, ..*answer }, "exchanged: {}", case());
@@ -128,19 +128,19 @@ fn check_place<N: Number>(set: &Forbidden, hit: &CastHit, d: Point, tolerance: i
     assert!(!set.holds::<N>(step), "ends inside at {step:?}: {}", case());
     assert!(set.is_near::<N>(step, set.radius + tolerance), "ends short of it at {step:?}: {}", case());
     assert!(!hit.inside, "{}", case());
-    // The axis opposes the motion, and the place is as far out along it as the set is, give or take
-    // the tolerance.
+    // The axis opposes the motion, and the point is as far out along it as the set, within the
+    // tolerance.
     let (nx, ny) = (i128::from(hit.axis.x), i128::from(hit.axis.y));
     let along = |p: Point| nx * i128::from(p.0) + ny * i128::from(p.1);
     assert!((nx != 0 && ny != 0) || nx.abs() + ny.abs() == 1, "{:?} is not a unit: {}", hit.axis, case());
-    // Of a corner it is the way from it to the place: as fine as the radius is large.
+    // At a corner it is the way from it to the point: as fine as the radius is large.
     let axis = (i64::from(hit.axis.x), i64::from(hit.axis.y));
     let radial = |v: &Point| {
         let way = (step.0 - v.0, step.1 - v.1);
         if way.0 == 0 || way.1 == 0 { (way.0.signum(), way.1.signum()) == axis } else { way == axis }
     };
     if set.radius > 0 && set.hull.iter().any(radial) {
-        // In a graze it is across the motion, give or take the place's rounding.
+        // In a graze it is across the motion, within the rounding of the point.
         let (with, square) = (along(d).max(0), i128::from(d.0).pow(2) + i128::from(d.1).pow(2));
         assert!(with * with <= 2 * square, "{:?} does not oppose: {}", hit.axis, case());
         return;
@@ -151,8 +151,8 @@ fn check_place<N: Number>(set: &Forbidden, hit: &CastHit, d: Point, tolerance: i
     assert!(out, "{:?} is no normal there: {}", hit.axis, case());
 }
 
-/// Whether a height in units of an axis, whose square is given, is that of a distance, give or take
-/// a tolerance.
+/// Whether a height in units of an axis, whose square is given, is that of a distance, within a
+/// tolerance.
 pub fn is_out(height: i128, square: i128, distance: i64, tolerance: i64) -> bool {
     let above = |r: i64| {
         let r = i128::from(r);
@@ -161,7 +161,7 @@ pub fn is_out(height: i128, square: i128, distance: i64, tolerance: i64) -> bool
     above(distance - tolerance) >= 0 && above(distance + tolerance) <= 0
 }
 
-/// What a start inside reports.
+/// The report of a start inside.
 fn against(d: Point) -> Axis {
     if d.1.abs() > d.0.abs() {
         Axis::new(0, if d.1 > 0 { -1 } else { 1 })

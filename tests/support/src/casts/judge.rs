@@ -1,4 +1,4 @@
-//! Whether a part of a motion starts an overlap.
+//! Decides whether a part of a motion starts an overlap.
 
 use super::number::{Number, V};
 use crate::oracle::figure::{Figure, Point};
@@ -6,7 +6,7 @@ use crate::oracle::figure::{Figure, Point};
 /// Parts of a motion, as the library counts them.
 pub const ONE: i64 = 1 << 30;
 
-/// The set of places of the origin at which A overlaps B: a convex polygon grown by a radius.
+/// The positions of the origin at which A overlaps B: a convex polygon grown by a radius.
 #[derive(Clone, Debug)]
 pub struct Forbidden {
     /// Turning from x toward y; one or two points where it has no area.
@@ -68,7 +68,7 @@ impl Forbidden {
         }
     }
 
-    /// Whether a place is nearer to the polygon than a distance.
+    /// Whether a point is nearer to the polygon than a distance.
     pub fn is_near<N: Number>(&self, p: Point, distance: i64) -> bool {
         self.moved(p).nearer::<N>((0, 0), 0, distance)
     }
@@ -91,8 +91,8 @@ impl Forbidden {
                 .all(|(a, b)| V::<N>::of((b.0 - a.0, b.1 - a.1)).cross(&V::of((p.0 - a.0, p.1 - a.1))) > N::zero())
     }
 
-    /// Clips the path by the open half-planes of the edges: inside of each while `rise s > wanted`,
-    /// s in parts of 2^30.
+    /// Clips the path by the open half-planes of the edges: inside each while `rise s > wanted`,
+    /// with s in parts of 2^30.
     fn passes_inside<N: Number>(&self, d: Point, time: i64) -> bool {
         if self.hull.len() < 3 {
             return false;
@@ -117,8 +117,8 @@ impl Forbidden {
         from.0 * to.1 < to.0 * from.1
     }
 
-    /// Whether the path and the polygon are nearer than a distance: two convex sets are where one
-    /// contains a point of the other, or two of their sides are.
+    /// Whether the path and the polygon are nearer than a distance. Two convex sets are near if one
+    /// contains a point of the other, or two of their sides are near.
     fn nearer<N: Number>(&self, d: Point, time: i64, distance: i64) -> bool {
         self.is_strictly_inside::<N>((0, 0))
             || self.edges().any(|(a, b)| near_side::<N>(d, time, a, b, distance, false))
@@ -126,7 +126,7 @@ impl Forbidden {
 }
 
 /// Whether the path from the origin to `d time / 2^30` is nearer to the segment from `a` to `b`
-/// than a distance, or as near where `closed`. Everything times 2^30.
+/// than a distance. With `closed`, at most that far. Everything times 2^30.
 fn near_side<N: Number>(d: Point, time: i64, a: Point, b: Point, distance: i64, closed: bool) -> bool {
     let (one, t) = (N::of(ONE), N::of(time));
     let (way, e) = (V::<N>::of(d), V::<N>::of((b.0 - a.0, b.1 - a.1)));

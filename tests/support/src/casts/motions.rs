@@ -1,5 +1,5 @@
-//! Motions through a place where two shapes touch, and that nothing but the scene decides what a
-//! cast says: mirrored, exchanged and translated scenes, and both shapes moving.
+//! Motions through a position where two shapes touch. Mirrored, exchanged and translated scenes
+//! give the same answers, and so does the motion of both shapes.
 
 use crate::Random;
 use crate::casts::ask::{Answer, cast, cast_moving};
@@ -12,13 +12,13 @@ use tilesat::{Axis, Inside};
 /// Motions are smaller than this.
 pub const MOST: i64 = 1 << 28;
 
-/// A motion of A that is `made` at the pair's place.
+/// A motion of A that is `made` at the pair's position.
 pub struct Motion {
     pub a: Figure,
     pub d: Point,
 }
 
-/// Moves A back along a motion, so that it comes through the pair's place after some part of it, or
+/// Moves A back along a motion, so that it passes the pair's position after some part of it, or
 /// ends or starts there.
 pub fn through(r: &mut Random, a: &Figure, b: &Figure, most: i64) -> Option<Motion> {
     let u = match r.below(6) {
@@ -38,7 +38,7 @@ pub fn through(r: &mut Random, a: &Figure, b: &Figure, most: i64) -> Option<Moti
     let n = r.within(1, 9);
     let i = r.within(0, n);
     let (u, d) = if u.0.abs().max(u.1.abs()) * n < MOST { (u, (u.0 * n, u.1 * n)) } else { ((u.0 / n, u.1 / n), u) };
-    // Not quite there now and then.
+    // Sometimes not quite there.
     let off = if r.one_in(2) { (0, 0) } else { (r.around(2), r.around(2)) };
     let a = a.moved((off.0 - u.0 * i, off.1 - u.1 * i));
     // Where it ends does not matter.
@@ -83,7 +83,7 @@ pub fn views(a: &Figure, b: &Figure, d: Point) {
         assert_eq!(answer(&a_there, &b_there, d), here, "translated {a:?} {b:?} {d:?}");
     }
     let transposed = answer(&a.map(exchanged), &b.map(exchanged), exchanged(d));
-    // A tie between x and y is decided for x; the time and the place are the same.
+    // x wins a tie between x and y. The time and the position are the same.
     let flat =
         |answer: Answer| Answer { hit: answer.hit.map(|hit| tilesat::CastHit { axis: Axis::X, ..hit }), ..answer };
     let time = |answer: Answer| answer.hit.map(|hit| hit.toi);
@@ -97,8 +97,7 @@ pub fn views(a: &Figure, b: &Figure, d: Point) {
     }
 }
 
-/// Whether the two scenes' normals, seen from one of them, are two that oppose the motion equally:
-/// a full tie.
+/// Whether the two scenes' normals, in one frame, oppose the motion equally: a full tie.
 pub fn is_symmetric(here: &Answer, there: &Answer, d: Point) -> bool {
     let (Some(here), Some(there)) = (here.hit, there.hit) else { return false };
     let (p, q) = (Axis::new(d.0 as i32, d.1 as i32), Axis::new(-there.axis.x, there.axis.y));
@@ -107,12 +106,12 @@ pub fn is_symmetric(here: &Answer, there: &Answer, d: Point) -> bool {
     here.axis.perp_dot(q) != 0 && a * f == e * b
 }
 
-/// Ties of a slanted normal and another one are not those of x and y alone.
+/// Ties of a slanted normal and another one are not only ties of x and y.
 pub fn corner_to_corner(answer: &Answer) -> bool {
     answer.hit.is_some_and(|hit| hit.axis.x != 0 && hit.axis.y != 0)
 }
 
-/// Both shapes move: the same as the one by the difference, and they end apart.
+/// Both shapes move: the same as one by the difference, and they end apart.
 pub fn moving(r: &mut Random, a: &Figure, b: &Figure, d: Point) {
     let by_b = (r.around(MOST / 2), r.around(MOST / 2));
     let by_a = (d.0 + by_b.0, d.1 + by_b.1);

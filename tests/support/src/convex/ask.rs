@@ -1,4 +1,4 @@
-//! The library under test, asked by shapes.
+//! The library under test, called with shapes.
 
 use super::shape::{MOST, Shape};
 use crate::casts::ask::Answer;
@@ -91,7 +91,7 @@ pub fn manifold(a: &Shape, b: &Shape) -> Option<Manifold> {
     with_pair!(a, b, |x, y| x.manifold(&y))
 }
 
-/// Whether the shape holds a point, how far it is, and which point of it is nearest.
+/// Whether the shape contains a point, its distance, and the shape's nearest point.
 pub fn about_point(a: &Shape, p: Point) -> (bool, i64, Point) {
     let p = vec2(p);
     with_shape!(a, |x| (x.contains(&p), i64::from(x.distance(&p).to_bits()), point(x.closest_point(p))))
@@ -121,7 +121,7 @@ pub fn cast_ray(shape: &Shape, origin: Point, d: Point, inside: Inside) -> Optio
     .expect("generators stay inside the domain")
 }
 
-/// With a hint; of plain shapes among themselves there is none.
+/// With a hint. Plain shapes among themselves have none.
 pub fn overlaps_from(first: &Shape, second: &Shape, last: &mut Separation) -> bool {
     match *first {
         Shape::Capsule { a, b, radius } => {

@@ -5,7 +5,7 @@ use super::shape::{Kind, MOST, Shape, hull, sum};
 use crate::oracle::figure::{LIMIT, Point};
 use crate::{Random, gcd};
 
-/// Where the two of a pair are.
+/// The class of a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
     /// Anywhere in 64 units.
@@ -81,7 +81,7 @@ fn touching(r: &mut Random, i: Kind, j: Kind) -> (Shape, Shape) {
     touch(r, a, b)
 }
 
-/// A moved so that the origin comes to the border of the sum.
+/// Moves A so that the origin comes to the border of the sum.
 fn touch(r: &mut Random, a: Shape, b: Shape) -> (Shape, Shape) {
     let sum = sum(&a, &b);
     let border = sum.points();
@@ -137,7 +137,7 @@ fn shape_of_triangle(unit: i64) -> Shape {
     Shape::polygon(&[(0, 0), (unit, 0), (0, unit)], 0)
 }
 
-/// The hull of some points, from any corner, either way round; `None` where they are on one line.
+/// The hull of some points, from any corner, in either direction. `None` if they are on one line.
 fn wound(r: &mut Random, points: &[Point]) -> Option<Vec<Point>> {
     let mut points = hull(points);
     if points.len() < 3 {

@@ -2,7 +2,7 @@
 //! shapes.
 //!
 //! The judge is that of [`oracle`](crate::oracle): the sum `A + (-B)` as an explicit hull, and the
-//! origin's place in it.
+//! origin's position in it.
 
 pub mod ask;
 pub mod generate;

@@ -6,7 +6,7 @@ use crate::oracle::sum::Sum;
 /// The most corners of a polygon here; sums of two have at most twice as many.
 pub const MOST: usize = 6;
 
-/// A shape before anything is known about it.
+/// A shape of which nothing is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     Aabb {
@@ -114,7 +114,7 @@ impl Shape {
         self.map(|p| (p.0 + by.0, p.1 + by.1), |d| d)
     }
 
-    /// Points mapped by `f`, directions by `turn`; `f` keeps distances. A box is put back in order.
+    /// Points mapped by `f`, directions by `turn`. `f` keeps distances. Puts a box back in order.
     pub fn map(&self, f: impl Fn(Point) -> Point, turn: impl Fn(Point) -> Point) -> Self {
         match *self {
             Self::Aabb { min, max } => {
@@ -139,7 +139,7 @@ impl Shape {
     }
 }
 
-/// Which way `p`, `q`, `r` turn.
+/// The direction of the turn `p`, `q`, `r`.
 fn turn(p: Point, q: Point, r: Point) -> i128 {
     let (x, y) = (i128::from(q.0 - p.0), i128::from(q.1 - p.1));
     (x * i128::from(r.1 - p.1) - y * i128::from(r.0 - p.0)).signum()

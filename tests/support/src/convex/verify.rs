@@ -1,4 +1,4 @@
-//! What the library says about a pair, held against the judge. Failures print the pair as raw
+//! Compares the library's answers about a pair with the judge. Failures print the pair as raw
 //! integers.
 
 use super::ask;
@@ -80,7 +80,7 @@ impl<'a> Pair<'a> {
         exit::verify_points(contact, (&seen(a, p), a.radius()), (&seen(b, q), b.radius()), &case);
     }
 
-    /// One or two points, along the contact's axis, on their shapes, as deep as they are there, and
+    /// One or two points, along the contact's axis, on their shapes, with their depth there, and
     /// mirrored in the other order.
     pub fn manifold(&self) {
         let (a, b) = (self.a, self.b);
@@ -104,13 +104,13 @@ impl<'a> Pair<'a> {
             );
             let u = (i64::from(c.axis().x), i64::from(c.axis().y));
             let (on_a, on_b) = (point(c.point_on_a()), point(c.point_on_b()));
-            // In A and in B, give or take 2 raw a component, and opposite to each other.
+            // In A and in B, within 2 raw per component, and opposite to each other.
             for (shape, at) in [(a, on_a), (b, on_b)] {
                 assert!(is_within(shape, at, 3), "{at:?} off: {case}");
             }
             let across = orient((0, 0), u, (on_a.0 - on_b.0, on_a.1 - on_b.1));
             assert!(across.squared() <= Int256::new(36) * dot(u, u), "points are not opposite: {case}");
-            // And as far apart along the axis as it is deep.
+            // As far apart along the axis as their depth.
             let along = dot(u, (on_a.0 - on_b.0, on_a.1 - on_b.1));
             let d = i64::from(c.depth().to_bits());
             let side = |n: i64| exit::compare_root(along, n, dot(u, u));
@@ -164,7 +164,7 @@ fn is_within(shape: &Shape, at: Point, distance: i64) -> bool {
 
 /// A cast of A by `d` on B, and of B by the reversed motion on A.
 pub fn cast<N: Number>(a: &Shape, b: &Shape, d: Point, tolerance: i64) -> Case {
-    // The places of A's origin: B less A.
+    // The positions of A's origin: B minus A.
     let all = sum(b, a);
     let set = Forbidden { hull: all.points().to_vec(), radius: all.radius };
     let case = || format!("{a:?} by {d:?} on {b:?}");
@@ -173,7 +173,7 @@ pub fn cast<N: Number>(a: &Shape, b: &Shape, d: Point, tolerance: i64) -> Case {
     casts::verify::<N>(&set, d, tolerance, forth, back, case)
 }
 
-/// What the library says about a shape and a point anywhere.
+/// The answers about a shape and a point anywhere.
 pub fn about_point(shape: &Shape, p: Point) {
     let exact = Measure::of(&sum(shape, &dot_at(p)));
     let (holds, d, x) = ask::about_point(shape, p);
@@ -185,7 +185,7 @@ pub fn about_point(shape: &Shape, p: Point) {
         assert_eq!(x, p, "{shape:?}");
         return;
     }
-    // As near as the shape is, and on it: within a raw unit a component.
+    // At the shape's distance, and on it: within a raw unit per component.
     let off = Measure::of(&sum(shape, &dot_at(x)));
     assert!(off.place != Place::Outside || off.square.root_minus(shape.radius() + 2) <= 0, "{x:?} is off {shape:?}");
     let v = (x.0 - p.0, x.1 - p.1);
@@ -198,7 +198,8 @@ fn dot_at(centre: Point) -> Shape {
     Shape::Circle { centre, radius: 0 }
 }
 
-/// Every point of B is one of A: each corner's disc is, by the distance to A's border or into it.
+/// Every point of B is one of A. So is each corner's disc, by the distance to A's border or into
+/// it.
 fn contains(a: &Shape, b: &Shape) -> bool {
     let rest = a.radius() - b.radius();
     b.vertices().iter().all(|p| {

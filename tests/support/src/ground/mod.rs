@@ -1,5 +1,5 @@
-//! Ground as a line of heights: the tiles and the polygon that are it, and the way of a body that
-//! never leaves it.
+//! Ground as a line of heights: its tiles and its polygon, and the way of a body that never leaves
+//! it.
 //!
 //! The judge shares no code with the library: a body's height over the ground is the extreme of the
 //! heights under it, in floating point with errors below a thousandth of a raw unit.
@@ -19,7 +19,7 @@ pub type P = (i64, i64);
 pub const PX: i64 = 1 << 16;
 pub const CELL: i64 = 16 * PX;
 
-/// A ground, left to right, y down; its ends are where it ends.
+/// A ground, left to right, y down. Nothing is beyond its ends.
 #[derive(Clone, Debug)]
 pub struct Ground {
     pub points: Vec<P>,
@@ -55,8 +55,7 @@ impl Ground {
         let mut points = vec![(0, top(h))];
         for (x, (_, rise, tiles)) in columns.iter().enumerate() {
             let base = h.div_euclid(2);
-            // A slope that falls has its tiles below its start, one of a half begins in the cell
-            // that it is in.
+            // A falling slope has its tiles below its start. One of a half begins in its own cell.
             let base = if *rise == -1 && h % 2 != 0 { base + 1 } else { base };
             let lowest = tiles.iter().map(|t| base + t.0).min().unwrap_or(base);
             for y in 0..lowest {
@@ -89,7 +88,7 @@ impl Ground {
         Self::of(&other, high, sky)
     }
 
-    /// Any corners, for polygons alone.
+    /// Any corners, for polygons only.
     pub fn corners(points: &[P]) -> Self {
         Self { points: points.to_vec(), rows: Vec::new() }
     }

@@ -1,4 +1,4 @@
-//! The way that a body's middle takes over a ground that it never leaves.
+//! The way of a body's middle over a ground that it never leaves.
 
 use super::{Ground, Shape};
 
@@ -51,9 +51,9 @@ fn over_disc(a: (f64, f64), b: (f64, f64), x: f64, r: f64) -> f64 {
     best
 }
 
-/// Sums `part` over straight parts of the way between two places: those whose middle and quarters
-/// are within a twentieth of a raw unit of the chord, which is then short by less than a hundredth
-/// in all.
+/// Sums `part` over straight parts of the way between two positions: those whose middle and
+/// quarters are within a twentieth of a raw unit of the chord. The chord is then short by less than
+/// a hundredth in all.
 pub fn along(ground: &Ground, shape: Shape, from: f64, to: f64, part: fn(f64, f64) -> f64) -> f64 {
     let f = |x: f64| height(ground, shape, x);
     piece((from, f(from)), (to, f(to)), &f, part)
@@ -87,7 +87,8 @@ pub fn length(dx: f64, dy: f64) -> f64 {
     dx.hypot(dy)
 }
 
-/// What a straight part takes of the level speed where a velocity is projected: s cos(a) a frame.
+/// The share of the level speed on a straight part if the velocity is projected: s cos(a) per
+/// frame.
 pub fn projected(dx: f64, dy: f64) -> f64 {
     (dx * dx + dy * dy) / dx.abs()
 }

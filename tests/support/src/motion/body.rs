@@ -12,8 +12,8 @@ pub enum Body {
         lo: P,
         hi: P,
     },
-    /// A circle, or a capsule: the end of the core with the smaller coordinates, how far along x or y
-    /// the other end is, the radius.
+    /// A circle, or a capsule: the end of the core with the smaller coordinates, how far along x or
+    /// y the other end is, and the radius.
     Disc {
         c: P,
         core: P,

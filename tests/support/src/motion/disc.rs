@@ -1,14 +1,14 @@
-//! Circles and capsules: whether a motion enters the open disc sum of a square, up to a given moment.
+//! Circles and capsules: does a motion enter the open disc sum of a square, up to a given moment?
 //!
-//! A capsule meets a square where the disc around one end of its core meets the square that is drawn
-//! out by the core toward the other side.
+//! A capsule meets a square if the disc around one end of its core meets the square stretched by
+//! the core toward the other side.
 
 use super::body::Body;
 use super::level::Level;
 use super::rect;
 use super::{P, Time, dot, len2};
 
-/// What meets the first end of a core: a square and all that is before it by the core.
+/// The obstacle of the first end of a core: a square, stretched backward by the core.
 pub fn drawn_out((a, b): (P, P), core: P) -> (P, P) {
     ((a.0 - core.0, a.1 - core.1), b)
 }
@@ -30,7 +30,7 @@ pub fn enters(c: P, r: i64, d: P, a: P, b: P, until: Time) -> bool {
     boxes || [a, b, (a.0, b.1), (b.0, a.1)].iter().any(|&p| enters_disc((c.0 - p.0, c.1 - p.1), r, d, until))
 }
 
-/// Whether `|m + d t| < r` at a moment `0 <= t <= until`; not so at 0.
+/// Whether `|m + d t| < r` at a moment `0 <= t <= until`. It does not hold at 0.
 fn enters_disc(m: P, r: i64, d: P, until: Time) -> bool {
     let toward = -dot(m, d);
     if toward <= 0 {
@@ -58,8 +58,8 @@ pub fn first_face(level: &Level, body: &Body, d: P) -> Option<Time> {
     let mut first: Option<Time> = None;
     for (x, y) in level.cells_along(body, d).filter(|&(x, y)| level.full(x, y)) {
         let (a, b) = drawn_out(level.square(x, y), core);
-        // The gap along the motion, the speed, and the place beside it: low end, speed, length of
-        // the face.
+        // The gap along the motion, the speed, and the position beside it: low end, speed, length
+        // of the face.
         let x_face = (
             if d.0 > 0 { a.0 - c.0 } else { c.0 - b.0 } - r,
             d.0.abs(),

@@ -6,27 +6,27 @@ use super::rect::{self, First};
 use super::{P, Time, add, disc, dot, len2, path, point};
 use tilesat::{Hit, Mover, Response};
 
-/// Whether a circle goes on for 64 raw units without entering the solid: its place beside a corner
-/// is rounded, so the tangent there may lead into the corner by less than a raw unit although the
-/// circle is past it.
+/// Whether a circle moves on for 64 raw units without entering the solid. Its position beside a
+/// corner is rounded. So the tangent there can lead into the corner by less than a raw unit
+/// although the circle is past it.
 fn passes(level: &Level, body: &Body, v: P) -> bool {
     let way = v.0.abs().max(v.1.abs());
     let (v, way) = if way < 64 { ((v.0 * 64, v.1 * 64), way * 64) } else { (v, way) };
     matches!(body, Body::Disc { .. }) && !disc::enters_solid(level, body, v, Time::new(64, way))
 }
 
-/// How early a circle's corner contact may be reported, in parts of 2^30: a few roundings of 31
+/// How early a call may report a circle's corner contact, in parts of 2^30: a few roundings of 31
 /// bits, and the roots of short motions, which are whole raw units (less than a raw unit of way).
 fn early(d: P) -> i64 {
     (8 + (2 << 30) / len2(d)) as i64
 }
 
-/// How far a circle may end from the exact place of its reported moment, on each axis.
+/// How far a circle may end from the exact position of its reported moment, on each axis.
 pub const ASIDE: i64 = 2;
-/// How much farther back it may end where no place there is free, on the longer axis.
+/// How much farther back it may end if no position there is free, on the longer axis.
 const BACK: i64 = 8;
 
-/// What is wrong with an outcome; all of it must hold for every response.
+/// The faults of an outcome. All conditions must hold for every response.
 pub fn judge(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let check = |ok: bool, what: &str| if ok { Ok(()) } else { Err(what.to_owned()) };
     check(!level.overlaps(&out.body), "ends in the solid")?;
@@ -79,8 +79,8 @@ pub fn offset(from: &Body, to: &Body) -> P {
     (b.0 - a.0, b.1 - a.1)
 }
 
-/// Whether each hit names something that is there, with its flags, and the summary agrees (up is
-/// -y; what is crossed is no floor).
+/// Whether each hit names an existing feature with its flags, and the summary agrees (up is -y; a
+/// crossed face is no floor).
 fn judge_hits(level: &Level, response: Response, out: &Outcome) -> Result<(), String> {
     let (mut floor, mut wall, mut ceiling, mut flags) = (false, false, false, 0);
     for hit in out.hits.iter() {
@@ -171,7 +171,7 @@ pub fn first_hit(level: &Level, body: &Body, d: P, hit: Option<Hit>) -> Result<(
             let solid = if body.has_area() {
                 rect::first_solid(level, body, d)
             } else {
-                // The side is not judged for bodies without area.
+                // The judge skips the side for bodies without area.
                 point::first_solid(level, body, d).map(|time| First { time, faces: Vec::new() })
             };
             let exact = First::earlier(solid, one_way);
@@ -188,7 +188,7 @@ pub fn first_hit(level: &Level, body: &Body, d: P, hit: Option<Hit>) -> Result<(
     }
 }
 
-/// Where the first contact stops a body: the exact place for a box, within [`ASIDE`] of it for a
+/// Where the first contact stops a body: the exact position for a box, within [`ASIDE`] of it for a
 /// circle's corner contact, and not beyond a one-way face that the exact motion has not passed.
 pub fn first_place(level: &Level, start: &Body, d: P, touched: &Outcome) -> Result<(), String> {
     let Some(hit) = touched.hits.first() else { return Ok(()) };
@@ -227,9 +227,9 @@ pub fn first_place(level: &Level, start: &Body, d: P, touched: &Outcome) -> Resu
     if passed { Err("went through a one-way face".to_owned()) } else { Ok(()) }
 }
 
-/// A circle that slides along one corner and reaches another may have no free lattice place there,
-/// and ends farther back or stays. After `s` along a tangent the first corner is `s^2 / 2r` away:
-/// beyond two raw, roundings are no obstacle any more.
+/// A circle that slides along one corner and reaches another may have no free lattice position
+/// there. It ends farther back or stays. After `s` along a tangent the first corner is `s^2 / 2r`
+/// away: beyond two raw, roundings are no obstacle any more.
 fn wedged(body: &Body, exact: P) -> bool {
     let Body::Disc { r, .. } = *body else { return false };
     len2(exact) < 4 * i128::from(r)

@@ -51,8 +51,8 @@ impl Level {
         TileMap::on_grid(&self.tiles, grid, &KINDS).unwrap().with_outside(self.outside)
     }
 
-    /// The tile of any cell; borders are repeated where they are, but one-way edges not above and
-    /// below the map.
+    /// The tile of any cell. Repeats a repeated border, but not one-way edges above and below the
+    /// map.
     pub fn tile(&self, x: i64, y: i64) -> u8 {
         let (cx, cy) = (x.clamp(0, self.width - 1), y.clamp(0, self.height - 1));
         let tile = self.tiles[(cy * self.width + cx) as usize];
@@ -95,8 +95,8 @@ impl Level {
         (y - self.origin.1).div_euclid(self.cell)
     }
 
-    /// The cells whose closed square meets the closed box, those of the map alone where nothing is
-    /// outside.
+    /// The cells whose closed square meets the closed box. With an empty outside, only those of the
+    /// map.
     pub fn cells(&self, lo: P, hi: P) -> impl Iterator<Item = P> + use<> {
         let (mut x0, mut y0) = (self.column(lo.0 - 1), self.row(lo.1 - 1));
         let (mut x1, mut y1) = (self.column(hi.0), self.row(hi.1));
@@ -123,7 +123,7 @@ impl Level {
                 meets && self.full(x, y) && body.reaches(a, b)
             });
         }
-        // Groups of columns and rows: on a line between two cells, both of them count as one.
+        // Groups of columns and rows. On a line between two cells, both of them count as one.
         let group = |lo: i64, hi: i64, index: &dyn Fn(i64) -> i64| -> Vec<(i64, i64)> {
             if lo == hi {
                 vec![(index(lo - 1), index(lo))]
@@ -138,8 +138,8 @@ impl Level {
             .any(|&(x0, x1)| rows.iter().any(|&(y0, y1)| (x0..=x1).all(|x| (y0..=y1).all(|y| self.full(x, y)))))
     }
 
-    /// A number for each cell that is not solid, the same for cells that are joined by their sides.
-    /// A body with area that moves without overlapping stays within one number.
+    /// A number for each cell that is not solid, equal for cells that are joined by their sides. A
+    /// body with area that moves without overlapping stays within one number.
     pub fn rooms(&self) -> Vec<u32> {
         let mut rooms = vec![0; self.tiles.len()];
         let mut next = 0;

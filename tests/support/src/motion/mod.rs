@@ -1,7 +1,7 @@
 //! An independent judge of motion: levels as plain cells, bodies as plain integers, and the exact
 //! answer to "when does this motion first start to overlap the solid".
 //!
-//! It shares no code with the library. A level is the union of its full cells; a motion is judged
+//! It shares no code with the library. A level is the union of its full cells. It judges a motion
 //! cell by cell, in 128-bit integers.
 
 pub mod body;

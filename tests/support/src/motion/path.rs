@@ -1,7 +1,7 @@
-//! Where a motion must end, from its reported hits: boxes exactly, circles from legs of straight
-//! motion, in floating point, within a few raw.
+//! The required end of a motion, from its reported hits. Boxes exactly; circles from legs of
+//! straight motion, in floating point, within a few raw.
 //!
-//! The other checks say what must not happen; this one says that the body gets on.
+//! The other checks say what must not happen. This one says that the body advances.
 
 #![allow(clippy::cast_precision_loss, reason = "lengths are below 2^30")]
 
@@ -26,9 +26,9 @@ fn near(a: P, b: V, within: f64) -> bool {
     (a.0 as f64 - b.0).abs() <= within && (a.1 as f64 - b.1).abs() <= within
 }
 
-/// What a motion has touched so far, and the velocity that it came to that with. A circle that lay
-/// on the first when its motion began is pressed against all that it has slid along since by the
-/// velocity of the start; one that came flying comes to the next with what the last has left.
+/// The surfaces that a motion has touched so far, and its velocity at each. The start's velocity
+/// presses a circle that lay on the first surface against all surfaces that it has slid along
+/// since. A flying circle reaches the next with the rest that the last one left.
 struct Touched {
     by: V,
     planes: Vec<Plane>,
@@ -45,7 +45,7 @@ struct Plane {
     one_way: bool,
 }
 
-/// Whether a body is over a face that goes on from cell to cell; `None` within some raw units of
+/// Whether a body is over a face that continues from cell to cell. `None` within some raw units of
 /// where that changes.
 fn is_over(level: &Level, body: &Body, plane: &Plane) -> Option<bool> {
     let along_x = plane.normal.0 == 0.0;
@@ -68,12 +68,12 @@ fn is_over(level: &Level, body: &Body, plane: &Plane) -> Option<bool> {
 }
 
 impl Touched {
-    /// By how much a plane may have been left and counts as touched, in raw units.
+    /// By how much a body may have left a plane and still touches it, in raw units.
     const NEAR: f64 = 4.0;
 
-    /// Drops what a leg has left: faces by rising or by going past their end, corners by another
-    /// way than round them, or by flying past. Whether that is certain: not where a body just
-    /// passes the end of a face.
+    /// Drops the surfaces that a leg has left: faces by rising or by passing their end, corners by
+    /// another way than round them, or by flying past. Returns whether that is certain: not if a
+    /// body just passes the end of a face.
     fn slide(&mut self, leg: V, level: &Level, there: &Body) -> bool {
         let (way, lies) = (leg.0.abs().max(leg.1.abs()), self.lies);
         let mut certain = true;
@@ -110,9 +110,9 @@ impl Touched {
     }
 }
 
-/// The velocity along a face whose end is the corner that was hit last, where that is what a body
-/// goes on by: one that is as high over the face as its radius passes the corner, though the tangent
-/// there leads off the face.
+/// The velocity along a face whose end is the corner that was hit last, if a body continues by
+/// that. It must be as high over the face as its radius passes the corner, though the tangent there
+/// leads off the face.
 fn along_an_end(level: &Level, there: &Body, touched: &Touched, v: P) -> Option<V> {
     let last = touched.planes.last().filter(|plane| plane.corner)?;
     let n = last.normal;
@@ -126,9 +126,9 @@ fn along_an_end(level: &Level, there: &Body, touched: &Touched, v: P) -> Option<
     })
 }
 
-/// Whether a circle of velocity `v` lies on what it hits after a leg: it is as near as roundings
-/// leave it, or as a step along a corner's tangent does, which rises by `s^2 / 2 rho` over a way
-/// `s`. `None` where a raw unit would decide that.
+/// Whether a circle of velocity `v` lies on the surface that it hits after a leg. It is as near as
+/// roundings leave it, or as a step along a corner's tangent, which rises by `s^2 / 2 rho` over a
+/// way `s`. `None` if a raw unit would decide that.
 fn lies(leg: V, v: V, hit: &Hit) -> Option<bool> {
     let n = (f64::from(hit.axis.x), f64::from(hit.axis.y));
     let (rho, was) = (n.0.hypot(n.1), (n.0 - leg.0).hypot(n.1 - leg.1));
@@ -148,14 +148,14 @@ fn lies(leg: V, v: V, hit: &Hit) -> Option<bool> {
     if over.abs() < 3.0 || (4.0 * s - rho).abs() < 4.0 { None } else { Some(over < 0.0) }
 }
 
-/// Away from zero: a way that leads into a wall by a part of a raw unit is bound too. What is no
-/// part at all is the noise of floats.
+/// Away from zero: a way that leads into a wall by a part of a raw unit is also blocked. Exact zero
+/// with noise of floats is not.
 fn outward(c: f64) -> f64 {
     if c.abs() < 1.0e-6 { 0.0 } else { c.abs().ceil().copysign(c) }
 }
 
-/// Whether velocity and place are what the hits imply. Corners with hits at the same place are not
-/// judged: planes that are touched together are projected on together.
+/// Whether velocity and position follow from the hits. Corners with hits at the same position are
+/// skipped: planes that are touched together are projected on together.
 pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let hits: Vec<&Hit> = out.hits.iter().collect();
     let corners = hits.iter().any(|h| h.index >= 4);
@@ -174,7 +174,7 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
             return Ok(());
         }
         if response == Response::DropThrough && hit.one_way && i as u32 + 1 == Mover::ITERATIONS {
-            // It takes an iteration to see that it can be passed, and there is none left to do so.
+            // It takes an iteration to find that it can pass, and none is left.
             break;
         }
         let made = leg(vel, toi - now);
@@ -207,8 +207,8 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     if let Some(way) = along_an_end(level, &out.body, &touched, out.v) {
         vel = way;
     }
-    // Four hits use up the iterations: what is left is reported and not made, and where the last
-    // left it is seen in the next call.
+    // Four hits use up the iterations. The rest is reported and not made, and the next call shows
+    // where the last hit left the body.
     if corners && hits.len() as u32 == Mover::ITERATIONS {
         return Ok(());
     }
@@ -220,13 +220,13 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     let radius = hits.iter().filter(|h| h.index >= 4).map(|h| f64::from(h.axis.x).hypot(f64::from(h.axis.y)));
     let turns = 3.0 * length / radius.fold(f64::INFINITY, f64::min);
     let rounding = (8.0 + length / f64::from(1 << 24) + turns) * hits.len().max(1) as f64;
-    // What the hits do not tell: something else that was touched at the end, in the way for the
-    // next 64 raw units.
+    // The hits do not show this: another surface touched at the end, in the way for the next 64 raw
+    // units.
     let disc = matches!(start, Body::Disc { r, .. } if *r > 0);
     let blocked = |d: V, far: f64, rounded: fn(f64) -> f64| {
         let way = d.0.abs().max(d.1.abs()).max(1.0);
-        // Away from zero: a way that leads into a wall by a part of a raw unit is bound too. What
-        // is no part at all is the noise of floats.
+        // Away from zero: a way that leads into a wall by a part of a raw unit is also blocked.
+        // Exact zero with noise of floats is not.
         let d = (rounded(d.0 * far / way) as i64, rounded(d.1 * far / way) as i64);
         let one_way = || response != Response::DropThrough && rect::first_one_way(level, &out.body, d).is_some();
         disc && (disc::enters_solid(level, &out.body, d, super::Time::END) || one_way())
@@ -234,8 +234,8 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     if blocked(vel, 64.0, outward) {
         return Ok(());
     }
-    // Between several surfaces of which one is round a raw unit decides which of them are touched:
-    // then the velocity that is left leads on freely.
+    // Between several surfaces, one of them round, a raw unit decides which of them are touched.
+    // Then the remaining velocity leads on freely.
     if disc && corners && hits.len() > 1 && out.v != (0, 0) {
         let on = (out.v.0 as f64, out.v.1 as f64);
         return if blocked(on, 4.0, f64::trunc) { Err(format!("is blocked at once, by {:?}", out.v)) } else { Ok(()) };

@@ -7,8 +7,8 @@ use super::{P, Time};
 
 /// The first moment after which the body is in the solid.
 ///
-/// What it overlaps can change only where one of its sides crosses a line of the grid. Between two
-/// such moments one sample decides.
+/// Its overlaps can change only where one of its sides crosses a line of the grid. Between two such
+/// moments one sample decides.
 pub fn first_solid(level: &Level, body: &Body, d: P) -> Option<Time> {
     let (lo, hi) = body.bounds();
     let mut moments = vec![Time::START, Time::END];

@@ -1,8 +1,8 @@
 //! Exact check of a rounded pair of closest points.
 //!
-//! The difference of the exact closest points is the nearest point of the sum and unique, the
-//! points themselves are not where two sides face each other in parallel: then they are a family
-//! over one parameter, and some member has to round to what is checked.
+//! The difference of the exact closest points is the nearest point of the sum, and unique. The
+//! points themselves are not unique if two sides face each other in parallel. Then they are a
+//! family over one parameter, and some member must round to the checked points.
 
 use super::figure::{Figure, Point};
 use super::int256::Int256;
@@ -73,8 +73,7 @@ fn face(figure: &Figure, u: Point) -> Vec<Point> {
     vertices
 }
 
-/// `p` of A and `q` of B are closest points of shapes that are apart, each component rounded to
-/// nearest.
+/// `p` of A and `q` of B are closest points of disjoint shapes, each component rounded to nearest.
 pub fn are_closest_points(a: &Figure, b: &Figure, p: Point, q: Point) -> bool {
     let nearest = nearest_point(&Sum::new(a, b));
     // The sum holds a - b: its nearest point w leads from B's core to A's.

@@ -30,8 +30,8 @@ fn compare_push(sum: &Sum, u: Point, component: i64, k: i64) -> i32 {
     compare_root(left, c * sum.radius, square)
 }
 
-/// Moving A by `push` leaves the sum along `u`: away from B, each component at least the exact one
-/// and at most `slack` more.
+/// Moving A by `push` leaves the sum along `u`: away from B, with each component at least the exact
+/// one and at most `slack` more.
 pub fn push_is(sum: &Sum, u: Point, push: Point, slack: i64) -> Result<(), &'static str> {
     for (component, moved) in [(u.0, push.0), (u.1, push.1)] {
         if component * moved > 0 || (component == 0 && moved != 0) {
@@ -61,8 +61,8 @@ pub fn is_unit(u: Point, n: Point) -> bool {
     })
 }
 
-/// How a component of a push may exceed the exact one: one raw more where the depth is beyond half
-/// the domain.
+/// How much a component of a push may exceed the exact one: one raw more if the depth is beyond
+/// half the domain.
 pub fn slack(depth: i64) -> i64 {
     if depth > LIMIT { 5 } else { 4 }
 }
@@ -85,14 +85,13 @@ pub fn verify(sum: &Sum, exact: &Measure, contact: &Contact, case: &str) -> Poin
     push
 }
 
-/// The deepest points lie on their shapes' borders, opposite to each other, within the two raw
-/// units a component that are promised: each shape is given by its core as seen from its point, and
-/// its radius.
+/// The deepest points lie on their shapes' borders, opposite to each other, within the promised two
+/// raw units per component. Each shape is its core relative to its point, and its radius.
 pub fn verify_points(contact: &Contact, a: (&Sum, i64), b: (&Sum, i64), case: &str) {
     let Axis { x, y } = contact.axis();
     let u = (i64::from(x), i64::from(y));
     let (p, q) = (point(contact.point_on_a()), point(contact.point_on_b()));
-    // Two raw units a component are less than three in all.
+    // Two raw units per component are less than three in all.
     let on_border = |(core, r): (&Sum, i64), u: Point| {
         let behind = -core.support(u);
         let square = Measure::of(core).square;

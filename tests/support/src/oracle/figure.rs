@@ -5,7 +5,7 @@ pub const LIMIT: i64 = 1 << 29;
 
 pub type Point = (i64, i64);
 
-/// A shape before anything is known about it; printed in failure messages as raw integers.
+/// A shape of which nothing is known. Failure messages print it as raw integers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Figure {
     Aabb { min: Point, max: Point },

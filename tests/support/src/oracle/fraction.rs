@@ -1,5 +1,5 @@
-//! Fractions of big integers that are never reduced: of numbers that meet in a few operations, the
-//! common divisors cost more to find than to carry.
+//! Fractions of big integers that are never reduced. For numbers of a few operations, finding
+//! common divisors costs more than carrying them.
 
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;

@@ -1,5 +1,4 @@
-//! Streams of shape pairs: the classes in which collision code goes wrong, and the plain one in
-//! which it does not.
+//! Streams of shape pairs: the hard classes, and the plain one.
 
 use super::figure::{Figure, Kind, LIMIT, Point};
 use crate::Random;
@@ -95,14 +94,14 @@ pub fn aabb(p: Point, q: Point) -> Figure {
 /// A shape in the square of half side `extent`, up to half of it in size.
 fn anywhere(r: &mut Random, kind: Kind, extent: i64) -> Figure {
     let centre = (r.around(extent), r.around(extent));
-    // Large ones in the whole domain would leave it; reach what is left at this place every other
-    // time.
+    // Large shapes in the whole domain would leave it. Every other time, tries the remaining room
+    // at this position.
     let room = if r.one_in(2) { extent - centre.0.abs().max(centre.1.abs()) } else { extent / 2 };
     sized(r, kind, centre, room)
 }
 
 fn sized(r: &mut Random, kind: Kind, c: Point, size: i64) -> Figure {
-    // Flat in one direction or both now and then.
+    // Sometimes flat in one direction or both.
     let (w, h) = (if r.one_in(16) { 0 } else { size }, if r.one_in(16) { 0 } else { size });
     match kind {
         Kind::Aabb => {
@@ -152,7 +151,7 @@ fn deep(r: &mut Random, pair: (Kind, Kind)) -> (Figure, Figure) {
     let start = if r.one_in(2) { start } else { (start.0 + r.around(off), start.1 + r.around(off)) };
     let other = 1 + r.magnitude(SCENE);
     let b = match sized(r, pair.1, start, other) {
-        // Beyond the starting point on both sides, so that it crosses what is there.
+        // Beyond the starting point on both sides, so that it crosses the first shape.
         Figure::Segment { a, b } => {
             let back = r.within(0, 2);
             Figure::Segment { a: (a.0 - (b.0 - a.0) * back / 2, a.1 - (b.1 - a.1) * back / 2), b }

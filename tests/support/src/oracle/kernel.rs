@@ -1,4 +1,4 @@
-//! The library under test, asked by figures.
+//! The library under test, called with figures.
 
 use super::figure::{Figure, Point};
 use tilesat::prelude::*;
@@ -87,7 +87,7 @@ pub fn closest_points(a: &Figure, b: &Figure) -> Option<(Point, Point)> {
     with_pair!(a, b, |x, y| x.closest_points(&y)).map(|(p, q)| (point(p), point(q)))
 }
 
-/// The figure moved by the library; `None` where that leaves the domain.
+/// The figure moved by the library. `None` if that leaves the domain.
 pub fn translated(a: &Figure, by: Point) -> Option<Figure> {
     with_shape!(a, |x| x.translated(vec2(by)).ok().map(|moved| moved.figure()))
 }

@@ -1,4 +1,4 @@
-//! Distances from the origin to the sum, as squared fractions, and every answer that follows from
+//! Distances from the origin to the sum, as squared fractions, and all answers that follow from
 //! them.
 
 use super::figure::{Figure, Point};
@@ -27,7 +27,7 @@ impl Fraction {
     }
 }
 
-/// What the origin sees of the sum.
+/// The sum, as seen from the origin.
 #[derive(Clone, Copy, Debug)]
 pub struct Measure {
     pub place: Place,
@@ -80,7 +80,7 @@ impl Measure {
         d >= 0 && self.square.root_minus(self.radius + d) >= 0 && self.square.root_minus(self.radius + d + 1) < 0
     }
 
-    /// `d` is the ceiling of the shortest way out. Meant for shapes that overlap.
+    /// `d` is the ceiling of the shortest way out. For overlapping shapes.
     pub fn depth_is(&self, d: i64) -> bool {
         self.depth_at_most(d) && !self.depth_at_most(d - 1)
     }

@@ -1,5 +1,5 @@
-//! The same questions once more over big rationals and by other means: parameters of crossing
-//! points, interval clipping, distances between features, projections. It judges the judge.
+//! The same questions with big rationals and other methods: parameters of crossing points, interval
+//! clipping, distances between features, projections. They check the judge.
 
 use super::figure::{Figure, Point};
 use super::fraction::Fraction as Q;

@@ -1,4 +1,4 @@
-//! What the library says about a pair, held against the judge. Failures print the pair as raw
+//! Compares the library's answers about a pair with the judge. Failures print the pair as raw
 //! integers.
 
 use super::closest::are_closest_points;

@@ -17,7 +17,7 @@ const TILES: [&[Point]; 8] = [
     &[(1, 0), (2, 0), (2, 2), (0, 2)],
 ];
 
-/// The same polygon from another corner on, and perhaps the other way round.
+/// The same polygon from another corner on, perhaps in the other direction.
 fn shuffled(random: &mut Random, mut points: Vec<Point>) -> Vec<Point> {
     let start = random.below(points.len() as i64) as usize;
     points.rotate_left(start);

@@ -1,4 +1,4 @@
-//! Paths, their bytes, and the bytes taken apart by the table in the documents.
+//! Paths, their bytes, and the bytes read by the documented table.
 
 use tilesat::{Fx, Grid, Path, PathKind, SegmentMap, SegmentMapError, Vec2};
 
@@ -30,7 +30,7 @@ pub fn with_paths<R>(shapes: &[Shape], f: impl FnOnce(&[Path<'_>]) -> R) -> R {
     f(&paths)
 }
 
-/// The bytes, by way of a buffer that is larger and not clean.
+/// The bytes, in a buffer that is larger and not cleared.
 pub fn bytes(shapes: &[Shape], cell: i64) -> Result<Vec<u8>, SegmentMapError> {
     with_paths(shapes, |paths| {
         let cell = Fx::from_bits(cell as i32);
@@ -51,7 +51,7 @@ pub fn bytes_on(shapes: &[Shape], grid: Grid) -> Result<Vec<u8>, SegmentMapError
     })
 }
 
-/// Built, read back as valid, and taken apart.
+/// Built, read back as valid, and decoded.
 pub fn level(shapes: &[Shape], cell: i64) -> Level {
     let bytes = bytes(shapes, cell).unwrap_or_else(|e| panic!("{e}: {shapes:?}"));
     SegmentMap::from_bytes(&bytes).unwrap_or_else(|e| panic!("{e}: {shapes:?}"));

@@ -1,5 +1,5 @@
-//! Levels of line segments and what must hold for them, from the definitions: all pairs, no walks,
-//! no tables.
+//! Levels of line segments and their conditions, from the definitions: all pairs, no walks, no
+//! tables.
 
 pub mod generate;
 pub mod level;

@@ -98,8 +98,8 @@ pub fn check_winding(level: &Level, edges: &[(Point, Point)]) {
     }
 }
 
-/// On each lattice step of the polygons, as many segments are left as the winding numbers differ
-/// by, and all the same way.
+/// On each lattice step of the polygons, the number of remaining segments is the difference of the
+/// winding numbers, all in the same direction.
 ///
 /// For levels on a small lattice: steps are counted.
 pub fn check_outline(level: &Level, shapes: &[Shape]) {

@@ -19,8 +19,8 @@ fn holds(s: &Seg, p: Point) -> bool {
     mx * dy == my * dx && along >= 0 && along <= i128::from(s.len) * (dx * dx + dy * dy)
 }
 
-/// The free angle at an end of a segment, the first segment that goes on from there (at the start:
-/// that comes), and whether one of those is one-way.
+/// The free angle at an end of a segment, the first segment that continues from there (at the
+/// start: that arrives), and whether one of those is one-way.
 fn free(level: &Level, s: &Seg, at_end: bool) -> (f64, u16, bool) {
     let p = if at_end { s.b() } else { s.a };
     let base = if at_end { angle((-s.dir.0, -s.dir.1)) } else { angle(s.dir) };

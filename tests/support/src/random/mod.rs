@@ -1,14 +1,14 @@
-//! The one generator of choices: seeded pseudo-random numbers, or bytes that steer every choice.
+//! The only generator of choices: seeded pseudo-random numbers, or bytes that steer every choice.
 //!
-//! A seeded failure is found again by its seed, a steered one by its bytes.
+//! Its seed reproduces a seeded failure, and its bytes a steered one.
 
 mod bytes;
 
 /// A stream of choices.
 ///
 /// Seeded generators (`SplitMix64`) are independent of each other. A steered one is a handle to the
-/// bytes of its thread: copies of it, and every generator that this thread makes afterwards, read
-/// on where the last one stopped.
+/// bytes of its thread. Copies of it, and every generator that this thread makes afterwards,
+/// continue where the last one stopped.
 #[derive(Clone, Copy, Debug)]
 pub struct Random(Source);
 
@@ -19,18 +19,18 @@ enum Source {
 }
 
 impl Random {
-    /// The generator of a seed, or the next part of the bytes where they [steer](Self::steered)
-    /// this thread.
+    /// The generator of a seed. If bytes [steer](Self::steered) this thread, the next part of the
+    /// bytes.
     pub fn new(seed: u64) -> Self {
         Self(if bytes::steer() { Source::Bytes } else { Source::Seed(seed) })
     }
 
-    /// The choices that bytes stand for, for everything that this thread chooses from now on.
+    /// The choices that bytes encode, for everything that this thread chooses from now on.
     ///
     /// Each choice takes as few bytes as its range needs, low bytes first. So a changed byte
     /// changes one choice, and a small change of it is a small change of the case. After the last
-    /// byte the choices go on pseudo-randomly, by a seed made of all bytes: generators that try
-    /// again until something fits come to an end, and the same bytes are the same case.
+    /// byte the choices continue pseudo-randomly, with a seed made of all bytes. So generators that
+    /// retry until something fits end, and the same bytes are the same case.
     pub fn steered(bytes: &[u8]) -> Self {
         bytes::start(bytes);
         Self(Source::Bytes)

@@ -1,4 +1,4 @@
-//! What a ray meets, from the rules: all pieces of the surface, each tested on its own, in numbers
+//! The hits of a ray, from the rules: all pieces of the surface, each tested separately, in numbers
 //! of any size.
 
 use super::level::{Cell, Level, is_inside};
@@ -59,8 +59,8 @@ fn halves(a: Point, b: Point, cell: i64) -> Vec<(Point, Point)> {
 impl Scene {
     pub fn new(level: &Level) -> Self {
         let cells = level.cells();
-        // Which side of its cell an edge lies on: that toward row 0, then turning right; else it is
-        // within.
+        // The side of its cell on which an edge lies: that toward row 0, then turning right.
+        // Otherwise it is within.
         let side = |c: &Cell, a: Point, b: Point| {
             if a.1 == b.1 && a.1 == c.lo.1 {
                 0
@@ -158,7 +158,7 @@ impl Scene {
     }
 }
 
-/// At one moment: less is preferred. More along x, then more against the motion, then +x, then +y.
+/// At one moment, less is preferred. More along x, then more against the motion, then +x, then +y.
 fn rank(a: Option<Point>, b: Option<Point>, d: Point) -> Ordering {
     let (Some(a), Some(b)) = (a, b) else { return Ordering::Equal };
     let square = |n: Point| i128::from(n.0).pow(2) + i128::from(n.1).pow(2);
@@ -211,8 +211,8 @@ pub fn meet(line: &Line, o: Point, d: Point) -> Option<(Moment, Option<Point>)> 
                 return None;
             }
             if root == zero && !moment.is_zero() {
-                // A tangent comes along the line on which the arc ends, and goes on toward the side
-                // of its cell.
+                // A tangent runs along the line on which the arc ends, and continues toward the
+                // side of its cell.
                 let into =
                     (d.0 == 0 && at.1 == 0 && d.1 * quadrant.1 > 0) || (d.1 == 0 && at.0 == 0 && d.0 * quadrant.0 > 0);
                 if !into {

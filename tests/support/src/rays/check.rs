@@ -16,7 +16,7 @@ pub fn point_of(v: Vec2) -> Point {
     (i64::from(x), i64::from(y))
 }
 
-/// Everything that a hit reports, against the hits that are as good.
+/// Compares everything that a hit reports with the equally good hits.
 pub fn agrees(hit: &RayHit, expected: &[Hit], o: Point, d: Point) -> Result<(), &'static str> {
     let first = &expected[0];
     let p = point_of(hit.point);
@@ -33,7 +33,7 @@ pub fn agrees(hit: &RayHit, expected: &[Hit], o: Point, d: Point) -> Result<(), 
         }
         let place = |o: i64, d: i64, n: i64| {
             let part = first.moment.floor_of(d.abs());
-            // Up where that is the normal's side and something is left over.
+            // Up if that is the normal's side and something remains.
             let more = n * d > 0 && first.moment.sign_at(-part, d.abs()) > 0;
             o + d.signum() * (part + i64::from(more))
         };
@@ -76,8 +76,8 @@ pub fn agrees(hit: &RayHit, expected: &[Hit], o: Point, d: Point) -> Result<(), 
     Ok(())
 }
 
-/// Where a ray along a line of the grid comes out of the open and goes into the solid with no piece
-/// in its way: between an arc and what it touches.
+/// A ray along a line of the grid leaves the open and enters the solid without a piece in its way:
+/// between an arc and the solid that it touches.
 pub fn gaps(level: &Level, scene: &Scene, o: Point, d: Point, expected: &[Vec<Hit>]) -> Vec<Point> {
     let along_x = d.1 == 0;
     let (from, way) = if along_x { (o.0, d.0) } else { (o.1, d.1) };

@@ -1,4 +1,4 @@
-//! Rays of every kind that has ever gone wrong.
+//! Rays of every kind that ever failed.
 
 use super::cast::{Line, Scene};
 use super::level::Level;

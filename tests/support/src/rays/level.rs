@@ -101,7 +101,7 @@ impl Level {
             Outside::Empty => 0,
             Outside::Solid => 1,
             Outside::Edge => {
-                // In a cell of side 4 each half of an edge has a middle of its own.
+                // In a cell of side 4 each half of an edge has its own middle.
                 let solid = Solid::of(id, (0, 0), (4, 4));
                 let covers = |p| solid.covers(&exact(p));
                 let across = |v: i64, inner: i64| if v < inner { 0 } else { 4 };
@@ -148,7 +148,7 @@ impl Level {
 
 /// Whether a point beside `o` is strictly inside the union of the solids: whether sixteen points
 /// around it, much nearer than anything else, are in the solid. Eight of them are almost on the
-/// axes, so that a cusp between an arc and a line has one.
+/// axes, so that one lies in a cusp between an arc and a line.
 pub fn is_inside(cells: &[Cell], o: Point, p: &Exact) -> bool {
     let reach = |c: &&Cell| c.lo.0 <= o.0 && o.0 <= c.hi.0 && c.lo.1 <= o.1 && o.1 <= c.hi.1;
     let cells: Vec<&Cell> = cells.iter().filter(reach).collect();

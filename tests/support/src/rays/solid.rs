@@ -55,7 +55,7 @@ const SIDES: [(u8, Point, Point); 24] = [
 pub enum Solid {
     /// A convex polygon, clockwise in a picture with y down; empty where nothing is solid.
     Polygon(Vec<Point>),
-    /// The part of the cell within the closed disc, or outside of the open one.
+    /// The part of the cell within the closed disc, or outside the open one.
     Round { lo: Point, hi: Point, centre: Point, convex: bool },
 }
 

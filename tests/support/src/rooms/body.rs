@@ -77,7 +77,7 @@ impl Body {
         }
     }
 
-    /// What a capsule is made of: the discs around its ends, and the box between them.
+    /// The parts of a capsule: the discs around its ends, and the box between them.
     pub fn parts(self) -> Option<[Self; 3]> {
         let Self::Pill(p, e, r) = self else { return None };
         let (lo, hi) = ((p.0 + e.0.min(0), p.1 + e.1.min(0)), (e.0.abs(), e.1.abs()));

@@ -17,14 +17,14 @@ pub struct Tally {
     pub hits: u64,
     pub askew: u64,
     pub free: u64,
-    /// Frames of circles, the rest is of boxes.
+    /// Frames of circles. The rest is of boxes.
     pub round: u64,
     /// Motions of circles and of boxes that met nothing and were not made: roundings, no obstacles.
     pub refused: [u64; 2],
     pub full_iterations: u64,
     pub at_rest: u64,
     pub ties: u64,
-    /// Hits that left the body where it was although its way was free for more than a unit.
+    /// Hits that stopped the body although its way was free for more than a unit.
     pub held: u64,
     pub features: u64,
 }
@@ -85,12 +85,12 @@ pub fn judge_views(s: &Scene, out: &Outcome, views: &[View], tally: &mut Tally) 
             view.body(s.body).step(&mover(view.direction((0, -1)), s.response), &level.all(), view.direction(s.v));
         let (seen, expected) = (bits(&seen.unwrap(), None), bits(out, Some(view)));
         if seen != expected {
-            // A full tie: other surfaces at the same moment. What is reported first may differ; the
-            // end only where x goes before y.
+            // A full tie: other surfaces at the same moment. The first report may differ. The end
+            // differs only if x goes before y.
             let parts = seen.4.iter().zip(&expected.4).find(|(a, b)| a != b);
             let tie = parts.is_some_and(|(a, b)| a.0 == b.0 && len2(a.1) == len2(b.1))
                 && (view == View::Transpose || (seen.0, seen.1, seen.2) == (expected.0, expected.1, expected.2));
-            // Of two lattice vectors equally near to a bounce one goes first, by coordinate.
+            // Of two lattice vectors equally near to a bounce, coordinates choose one.
             let near = |p: P, q: P| (p.0 - q.0).abs().max((p.1 - q.1).abs()) <= 1;
             let bounce = view == View::Transpose && s.response == Response::Bounce && near(seen.1, expected.1);
             assert!(

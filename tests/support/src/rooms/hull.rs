@@ -1,5 +1,5 @@
-//! Whether a body meets a region anywhere on a straight way, exactly: the places of a way are a
-//! convex set, so no moment has to be found.
+//! Whether a body meets a region anywhere on a straight way, exactly. The positions of a way are a
+//! convex set, so no moment must be found.
 
 use super::P;
 use super::body::Body;
@@ -25,7 +25,7 @@ fn cross(a: Point, b: Point) -> i128 {
     a.0 * b.1 - a.1 * b.0
 }
 
-/// Whether a body that moves by `d` has a point in the inside of a region at some moment. One
+/// Whether a body that moves by `d` has a point in the inside of a region at some moment. A body
 /// without area is a raw unit larger on every side.
 pub fn meets(region: &Region, body: Body, d: P) -> bool {
     if let Some(parts) = body.parts() {
@@ -126,8 +126,8 @@ fn place(c: Point, d: Point, (num, den): (i128, i128)) -> Point {
 /// Whether a way comes nearer than `r` to the quarter disc of radius `side`, or to what is outside
 /// of it in its square.
 ///
-/// From a point in the quarter the arc is as far as along the radius; from all others a straight
-/// side, ends included, is nearer.
+/// From a point in the quarter, the arc is as far as along the radius. From all others a straight
+/// side, including its ends, is nearer.
 fn near_arc(c: Point, d: Point, r: i128, side: i128, outside: bool) -> bool {
     let corner = if outside { (side, side) } else { (0, 0) };
     let straight = [(side, 0), (0, side)].map(|end| vec![corner, end]);
@@ -152,7 +152,7 @@ fn near_arc(c: Point, d: Point, r: i128, side: i128, outside: bool) -> bool {
     turn || there.into_iter().any(|(p, den)| length(p) < ((side + r) * den).pow(2))
 }
 
-/// Whether a moving box has a point in the inside of the quarter disc, or of what is outside of it
+/// Whether a moving box has a point in the inside of the quarter disc, or of the part outside it
 /// in its square.
 ///
 /// Between two moments at which a side of the box passes one of the square, its nearest and its
@@ -162,7 +162,7 @@ fn box_in_arc(lo: Point, hi: Point, d: Point, side: i128, outside: bool) -> bool
     all.sort_by(|a, b| (a.0 * b.1).cmp(&(b.0 * a.1)));
     all.windows(2).any(|pair| {
         let (s, t) = (pair[0], pair[1]);
-        // The middle of the two moments tells what holds between them.
+        // The middle of the two moments decides for the time between them.
         let middle = (s.0 * t.1 + t.0 * s.1, 2 * s.1 * t.1);
         let (p, q, full) = (place(lo, d, middle), place(hi, d, middle), side * middle.1);
         if p.0 >= full || p.1 >= full || q.0 <= 0 || q.1 <= 0 {
@@ -176,7 +176,8 @@ fn box_in_arc(lo: Point, hi: Point, d: Point, side: i128, outside: bool) -> bool
         if outside {
             return [s, t].into_iter().any(|at| length(corner(at)) > (side * at.1).pow(2));
         }
-        // What of the corner moves between the two moments, and its nearest place to the centre.
+        // The part of the corner that moves between the two moments, and its position nearest to
+        // the centre.
         let (moves_x, moves_y) = (p.0 > 0, p.1 > 0);
         let (c, e) = (
             (if moves_x { lo.0 } else { 0 }, if moves_y { lo.1 } else { 0 }),

@@ -1,4 +1,4 @@
-//! A level as regions, for exact questions at exact places.
+//! A level as regions, for exact tests at exact positions.
 
 use super::P;
 use super::body::Body;
@@ -6,8 +6,7 @@ use crate::gcd;
 use crate::shapes::level::Level;
 use crate::shapes::region::Region;
 
-/// Parts of a raw unit that positions are asked in; even ones, because slopes are cut at even
-/// places only.
+/// Parts of a raw unit for positions. Even ones, because slopes are cut at even positions only.
 pub const FINE: i64 = 512;
 
 pub struct Room {
@@ -30,7 +29,7 @@ impl Room {
         }
         let (lo, hi) = body.bounds();
         let l = &self.level;
-        // One raw unit more: the place may be a fraction.
+        // One raw unit more: the position may be a fraction.
         assert_eq!(num % 2, 0);
         let cells = |lo: i64, hi: i64, d: i64, origin: i64, count: i64| {
             let by = (d * num).div_euclid(FINE);
@@ -63,12 +62,13 @@ impl Room {
         })
     }
 
-    /// Whether all of a motion is free, its start too: at `samples` places of equal distance, and
-    /// wherever a centre or a corner of the body comes abreast of a corner or the centre of an arc.
+    /// Whether all of a motion is free, including its start. Tests `samples` positions of equal
+    /// distance. Also where a centre or a corner of the body is level with a corner or the centre
+    /// of an arc.
     ///
-    /// Between two of the latter places a body of boxes and discs only comes nearer to a piece, or
-    /// only leaves it, so a bite of a raw unit out of a corner does not slip through. These places
-    /// are rounded to the grain of a room. Along an axis or a slope of tiles they stay on the line.
+    /// Between two of the latter positions, a body of boxes and discs only approaches a piece, or
+    /// only leaves it. So it finds even a bite of a raw unit out of a corner. These positions are
+    /// rounded to the grain of a room. Along an axis or a slope of tiles they stay on the line.
     pub fn is_free(&self, body: Body, d: P, samples: i64) -> bool {
         let step = gcd(d.0.abs(), d.1.abs());
         let abreast = |from: P| {
@@ -77,7 +77,7 @@ impl Room {
             let square = x * x + y * y;
             self.solids.iter().flatten().flat_map(Region::marks).filter_map(move |mark| {
                 let along = (mark.0 - from.0) * x + (mark.1 - from.1) * y;
-                // Even places, as the grain asks.
+                // Even positions, as the grain requires.
                 let at = |c: i128| (along * c + square).div_euclid(2 * square) as i64;
                 let on_the_line = ((d.0 / step, d.1 / step), 2 * at(step.into()));
                 let place = if step < 64 { ((at(x), at(y)), 2) } else { on_the_line };

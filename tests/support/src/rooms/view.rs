@@ -1,4 +1,4 @@
-//! A level seen otherwise: mirrored, turned over its diagonal, moved.
+//! Another view of a level: mirrored, turned over its diagonal, shifted.
 
 use super::P;
 use super::body::Body;

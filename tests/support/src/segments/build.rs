@@ -109,8 +109,8 @@ impl Scene {
         (lo, (points().map(x).max().unwrap(), points().map(y).max().unwrap()))
     }
 
-    /// A point of interest or one up to 2 raw beside: a corner, a lattice point, a crossing of a
-    /// grid line, on or near an edge, anywhere.
+    /// An interesting point or one up to 2 raw off: a corner, a lattice point, a crossing of a grid
+    /// line, on or near an edge, anywhere.
     pub fn point(&self, random: &mut Random) -> P {
         let (lo, hi) = self.bounds();
         let shape = &self.shapes[random.below(self.shapes.len() as i64) as usize];

@@ -1,5 +1,4 @@
-//! Frames of motion among polygons, walls and one-way chains, judged by the polygons as they were
-//! given.
+//! Frames of motion among polygons, walls and one-way chains. The original polygons judge them.
 
 use crate::segments::{Body, P, Piece, Scene};
 use tilesat::{Aabb, Circle, Fx, MoveError, Moved, Mover, PathKind, Response, SegmentMap, Vec2};
@@ -23,7 +22,7 @@ pub fn len2(v: P) -> i128 {
     v.0 * v.0 + v.1 * v.1
 }
 
-/// Where a call leads, its velocity, whether it hit anything solid or anything, and the part of the
+/// The end of a call, its velocity, whether it hit something solid or anything, and the part of the
 /// motion before.
 pub struct Step {
     pub body: Body,
@@ -87,8 +86,8 @@ pub fn judge_way(scene: &Scene, blocking: &[Piece], map: &SegmentMap, body: Body
     }
 }
 
-/// Whether there is solid behind every edge. Where a polygon crosses itself, or a hole is in
-/// nothing, there are edges that only stop a body from one side, and that none may rest on.
+/// Whether there is solid behind every edge. A polygon that crosses itself, or a hole in nothing,
+/// has edges that stop a body only from one side, and on which none can rest.
 pub fn is_proper(scene: &Scene) -> bool {
     let cross = |o: P, a: P, b: P| (a.0 - o.0) * (b.1 - o.1) - (a.1 - o.1) * (b.0 - o.0);
     let apart = |p: P, q: P, a: P, b: P| cross(a, b, p).signum() * cross(a, b, q).signum() > 0;

@@ -1,4 +1,4 @@
-//! Bytes of segment maps that nobody has built, and every query of what is taken of them.
+//! Bytes of segment maps that nobody has built, and every query on accepted ones.
 
 use crate::Random;
 use crate::segments::{Body, Scene};
@@ -15,8 +15,8 @@ pub fn checksum(data: &mut [u8]) {
     data[28..32].copy_from_slice(&hash.to_le_bytes());
 }
 
-/// Makes the segments' kinds, joints and flags anything that is allowed, so that polygons do not
-/// close; then the winding numbers what they have to be for that.
+/// Sets the segments' kinds, joints and flags to anything valid, so that polygons do not close.
+/// Then sets the winding numbers to match.
 pub fn twisted(random: &mut Random, mut data: Vec<u8>) -> Option<Vec<u8>> {
     let count = usize::from(u16::from_le_bytes([data[6], data[7]]));
     for i in 0..count {
@@ -76,7 +76,7 @@ pub fn ask(scene: &Scene, map: &SegmentMap<'_>, random: &mut Random) {
         }
         let rules = RayRules { inside: Inside::Hit, one_way: true };
         let q = scene.vec2(scene.point(random));
-        // One hit a face at most, and the start.
+        // At most one hit per face, and the start.
         let hits = map.cast_ray_all(p, q - p, rules).unwrap().count();
         assert!(hits <= 1 + usize::from(map.count()));
         let _ = pair.cast_ray_all(p, q - p, rules).unwrap().count();

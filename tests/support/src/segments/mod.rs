@@ -1,5 +1,5 @@
-//! A level of polygons and chains judged from the input: winding numbers by brute force, and what
-//! is left of the edges after opposite ones have cancelled.
+//! A level of polygons and chains judged from the input: winding numbers by brute force, and the
+//! edges that remain after opposite ones cancel.
 //!
 //! It shares no code with the library and has no grid. Coordinates are relative to the scene's
 //! origin and small, all arithmetic is in 128 bits.
@@ -31,7 +31,7 @@ pub fn gcd(a: i128, b: i128) -> i128 {
     if b == 0 { a.abs() } else { gcd(b, a % b) }
 }
 
-/// A polygon or chain as it was given.
+/// A polygon or chain, as in the input.
 #[derive(Clone, Debug)]
 pub struct Shape {
     pub kind: PathKind,
@@ -45,8 +45,8 @@ pub struct Scene {
     pub origin: P,
     /// Raw.
     pub cell: i32,
-    /// The grid's first corner relative to the origin, and its cells, where it is not the builder's
-    /// choice.
+    /// The grid's first corner relative to the origin, and its cells, unless the builder chooses
+    /// them.
     pub grid: Option<(P, u16, u16)>,
 }
 
@@ -105,7 +105,7 @@ impl Shape {
 }
 
 impl Scene {
-    /// How many solids less holes contain a point `p / SCALE` that is on no edge.
+    /// The number of solids, minus holes, that contain a point `p / SCALE` that is on no edge.
     pub fn winding(&self, p: P) -> i128 {
         let of = |s: &Shape| match s.kind {
             PathKind::Solid => s.winding(p),
@@ -115,8 +115,8 @@ impl Scene {
         self.shapes.iter().map(of).sum()
     }
 
-    /// The boundary of the polygons that is left where opposite edges cancel, cut where others on
-    /// the same line end, each piece once.
+    /// The boundary of the polygons after opposite edges cancel, cut where others on the same line
+    /// end, each piece once.
     pub fn boundary(&self) -> Vec<Piece> {
         // By direction and distance from the origin: from, to, and the sign of the direction.
         let mut lines = BTreeMap::<(P, i128), Vec<Extent>>::new();
@@ -181,7 +181,7 @@ impl Scene {
         self.shapes.iter().filter(touched).fold(0, |all, s| all | s.flags)
     }
 
-    /// Whether it is solid all around a point: between any two neighbours of the directions of the
+    /// Whether a point has solid all around it: between any two neighbours of the directions of the
     /// edges through it.
     pub fn inside(&self, p: P) -> bool {
         let mut dirs: Vec<P> = vec![(1, 0), (0, 1), (-1, 0), (0, -1)];
@@ -266,8 +266,8 @@ impl Body {
                 }
             }
             Self::Box { lo, hi } => {
-                // The times at which the segment is inside of each pair of sides, as fractions, and
-                // [0, 1]. A side is reached before or after it is passed, so for the open box there
+                // The times at which the segment is inside each pair of sides, as fractions, and
+                // [0, 1]. It reaches a side before or after it passes it, so for the open box there
                 // must be a time between.
                 let (mut from, mut to) = ((0, 1), (1, 1));
                 for (o, d, lo, hi) in [(a.0, b.0 - a.0, lo.0, hi.0), (a.1, b.1 - a.1, lo.1, hi.1)] {

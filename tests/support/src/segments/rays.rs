@@ -1,9 +1,9 @@
-//! Rays against segment maps: every hit in order, against each piece of the boundary on its own.
+//! Rays against segment maps: every hit in order, against each piece of the boundary separately.
 
 use crate::segments::{P, Piece, SCALE, Scene, cross, dot, gcd, sub};
 use tilesat::{Inside, PathKind, RayHit, SegmentMap, world::RayRules};
 
-/// A moment and the normals of what is met then.
+/// A moment and the normals of the hits then.
 #[derive(Debug)]
 pub struct Moment {
     pub num: i128,
@@ -30,7 +30,7 @@ pub fn faces(scene: &Scene) -> Vec<(Piece, PathKind)> {
 pub fn goes_in(scene: &Scene, o: P, d: P) -> bool {
     let g = gcd(d.0, d.1);
     let d = (d.0 / g, d.1 / g);
-    // Directions to the ends of the domain are long: as far as 2^43 / 2^60 either way.
+    // Directions to the ends of the domain are long: up to 2^43 / 2^60 on either side.
     let k = (1 << 43) / d.0.abs().max(d.1.abs());
     let at = |s: i128| (o.0 * SCALE + d.0 * k - s * d.1.signum(), o.1 * SCALE + d.1 * k + s * d.0.signum());
     scene.winding(at(1)) > 0 && scene.winding(at(-1)) > 0

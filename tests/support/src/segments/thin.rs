@@ -5,8 +5,8 @@ use super::{P, SCALE, Scene, Shape, cross, sub};
 /// Whether a point between two points, one straight right of or above the other, has solid all
 /// around it.
 ///
-/// The edges' lines cut the way in pieces; the middle of each piece stands for it, seen a little to
-/// both sides.
+/// The edges' lines cut the way into pieces. The middle of each piece represents it, tested
+/// slightly to both sides.
 pub fn overlaps(scene: &Scene, lo: P, hi: P) -> bool {
     let upright = lo.0 == hi.0;
     let turned = |p: P| if upright { (p.1, p.0) } else { p };
@@ -32,7 +32,7 @@ pub fn overlaps(scene: &Scene, lo: P, hi: P) -> bool {
         if n0 * d1 == n1 * d0 {
             return false;
         }
-        // The middle, times SCALE and rounded: far less off than the piece is long.
+        // The middle, times SCALE and rounded. Its error is far less than the length of the piece.
         let middle = (n0 * d1 + n1 * d0) * (SCALE / 2) / (d0 * d1);
         let at = |off: i128| {
             let p = (from.0 * SCALE + middle, from.1 * SCALE + off);

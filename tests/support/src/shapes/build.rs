@@ -47,7 +47,7 @@ fn close_circle(random: &mut Random, level: &Level) -> Body {
             let p = corner(random, half);
             ((p.0 + a * k, p.1 + b * k), c * k)
         }
-        // Outside of a disc, k c from its centre; inside, where the radius is what is left.
+        // Outside a disc, k c from its centre. Inside, the radius is the rest.
         1 => {
             let k = level.cell / c + random.magnitude(level.cell / 8) + 1;
             let p = corner(random, 2 * half);

@@ -1,5 +1,5 @@
-//! The contact of a body with one feature, from the definitions, in 128 bits where it is decided
-//! and in floating point where it is measured.
+//! The contact of a body with one feature, from the definitions. Decisions use 128 bits,
+//! measurements floating point.
 
 #![allow(clippy::cast_precision_loss, reason = "compared with a margin: coordinates below 2^30 keep 22 bits below one")]
 
@@ -35,7 +35,7 @@ fn length(a: Point) -> f64 {
     (a.0 as f64).hypot(a.1 as f64)
 }
 
-/// What a contact should say.
+/// The expected contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Expected {
     pub depth: f64,
@@ -72,7 +72,8 @@ fn in_frame(lo: Point, hi: Point, c: Point, q: Point) -> (Point, Point) {
 }
 
 impl Expected {
-    /// The contact, if there is one. `middle` is the body's; `behind` whether that is in the solid.
+    /// The contact, if there is one. `middle` is the body's, and `behind` says whether it is in the
+    /// solid.
     pub fn of(feature: &Feature, body: Body, middle: (i64, i64), behind: bool) -> Option<Self> {
         match body {
             Body::Circle { c, r } => Self::of_circle(feature, of(c), r.into(), behind),
@@ -169,8 +170,8 @@ impl Expected {
                         None
                     };
                 }
-                // Seen from beside the quadrant only its ends are in sight, from inside of the disc
-                // nothing is.
+                // From beside the quadrant only its ends are visible. From inside the disc nothing
+                // is.
                 let ends = [(s - near.0, (1, 0), m.0 >= s), (s - near.1, (0, 1), m.1 >= s)];
                 let end = |in_sight: bool| ends.into_iter().filter(|e| !in_sight || e.2).min_by_key(|e| e.0);
                 if !quadrant && !behind {
@@ -190,8 +191,7 @@ impl Expected {
         }
     }
 
-    /// Whether a body that was pushed out does not overlap the feature any more, or cannot be
-    /// pushed off it.
+    /// Whether a pushed body no longer overlaps the feature, or cannot be pushed off it.
     pub fn is_clear(feature: &Feature, body: Body) -> bool {
         match (feature.geometry, body) {
             (Geometry::Arc { radius, convex: false, .. }, Body::Circle { r, .. }) if r >= i64::from(radius) => true,
@@ -203,7 +203,7 @@ impl Expected {
                 let (p, lo, hi) = (wide(p), of(lo), of(hi));
                 p.0 <= lo.0 || p.0 >= hi.0 || p.1 <= lo.1 || p.1 >= hi.1
             }
-            // What is left is seen by the contact itself, from behind as well.
+            // The contact itself sees the rest, also from behind.
             _ => Self::of(feature, body, (0, 0), true).is_none(),
         }
     }

@@ -18,7 +18,7 @@ fn times(p: (i64, i64), k: i128) -> Point {
 /// Coordinates below 2^30 times this: products of differences below 2^120.
 const FINE: i128 = 1 << 28;
 
-/// A level's pieces on the three scales that the judgements need.
+/// A level's pieces on the three scales that the judge needs.
 pub struct Judge {
     raw: Vec<Piece>,
     even: Vec<Piece>,
@@ -52,7 +52,7 @@ impl Judge {
         self.raw.iter().filter_map(|t| t.solid.as_ref()).any(|s| s.contains(p) || s.border_within(p, r.into(), closed))
     }
 
-    /// By what is left of the solid when it is clipped to the box.
+    /// By the part of the solid that is left when it is clipped to the box.
     fn boxed(&self, lo: (i64, i64), hi: (i64, i64), area: bool) -> bool {
         let (lo, hi) = (times(lo, 4), times(hi, 4));
         self.even.iter().filter_map(|t| t.solid.as_ref()).any(|s| s.meets_box(lo, hi, area))
@@ -63,29 +63,29 @@ impl Judge {
         self.inside(times(p, FINE))
     }
 
-    /// Whether the surface is nearer to a point than `r`, or as near where `closed`: the solid from
-    /// outside, what is not solid from inside.
+    /// Whether the surface is nearer to a point than `r`; with `closed`, at most that far. From
+    /// outside it is the solid, from inside the rest.
     pub fn surface_within(&self, p: (i64, i64), r: i64, closed: bool) -> bool {
         let (inside, p, r) = (self.is_inside(p), times(p, 1), i128::from(r));
         let other = self.raw.iter().filter_map(|t| if inside { t.rest.as_ref() } else { t.solid.as_ref() });
         other.into_iter().any(|s| (s.contains(p) && (closed || r > 0)) || s.border_within(p, r, closed))
     }
 
-    /// Whether both solid and what is not are at most `r` from a point.
+    /// Whether both the solid and the rest are at most `r` from a point.
     pub fn near_surface(&self, p: (i64, i64), r: i64) -> bool {
         let (p, r) = (times(p, 1), i128::from(r));
         let near = |region: Option<&Region>| region.is_some_and(|s| s.contains(p) || s.border_within(p, r, true));
         self.raw.iter().any(|t| near(t.solid.as_ref())) && self.raw.iter().any(|t| near(t.rest.as_ref()))
     }
 
-    /// The inside of the union is what is in no closed rest.
+    /// The inside of the union is the set of points in no closed rest.
     fn inside(&self, p: Point) -> bool {
         !self.fine.iter().filter_map(|t| t.rest.as_ref()).any(|rest| rest.contains(p))
     }
 
-    /// By points on, beside and between all places where the segment may leave or enter a rest. An
-    /// arc meets it at an irrational place, but not less than 2^-25 raw from a side of its cell
-    /// unless on it: S - sqrt(S^2 - w^2) >= w^2 / 2S. So a point 2^-28 from there tells.
+    /// By points on, beside and between all positions where the segment may leave or enter a rest.
+    /// An arc meets it at an irrational position, but not less than 2^-25 raw from a side of its
+    /// cell unless on it: S - sqrt(S^2 - w^2) >= w^2 / 2S. So a point 2^-28 from there decides.
     fn thin(&self, lo: Point, hi: Point) -> bool {
         let along_x = lo.1 == hi.1;
         let (at, first, last) = if along_x { (lo.1, lo.0, hi.0) } else { (lo.0, lo.1, hi.1) };

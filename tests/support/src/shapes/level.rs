@@ -34,7 +34,7 @@ pub struct Level {
     pub tiles: Vec<u8>,
 }
 
-/// What a part of the plane holds, and what it does not: closed both.
+/// The solid of a part of the plane, and the rest. Both are closed.
 #[derive(Clone, Debug)]
 pub struct Piece {
     pub solid: Option<Region>,
@@ -98,7 +98,7 @@ impl Level {
         self.map(&KINDS)
     }
 
-    /// The same level as a map of blocks, where it is one.
+    /// The same level as a map of blocks, if it is one.
     pub fn blocks(&self) -> Option<TileMap<'_, Blocks>> {
         self.tiles.iter().all(|&id| Blocks::SHAPES >> id & 1 == 1).then(|| self.map(&BLOCKS))
     }
@@ -107,15 +107,15 @@ impl Level {
         self.tiles[(row * self.width + column) as usize]
     }
 
-    /// Which quarters of a small disc around a point of a border tile's side, in halves of a cell,
-    /// its solid fills: in a cell of side 8 the neighbours of `p` are asked for.
+    /// The quarters of a small disc around a point of a border tile's side, in halves of a cell,
+    /// that its solid fills. Works in a cell of side 8, with the neighbours of `p`.
     fn covered(&self, column: i64, row: i64, p: Point) -> bool {
         let (solid, _) = shape(self.at(column, row));
         solid.is_some_and(|s| s.map(|(x, y)| (1000 * x, 1000 * y)).contains(p))
     }
 
-    /// The solid of a part beyond the map, where the border is repeated: halves (of `lo..hi`)
-    /// beside covered halves of the border tile's side.
+    /// The solid of a part beyond the map with a repeated border: halves (of `lo..hi`) beside
+    /// covered halves of the border tile's side.
     fn band(&self, column: i64, row: i64, lo: Point, hi: Point) -> Vec<Piece> {
         let (c, r) = (column.clamp(0, self.width - 1), row.clamp(0, self.height - 1));
         // Beside the tile's side, just inside of the tile.

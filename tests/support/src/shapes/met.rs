@@ -23,7 +23,7 @@ pub fn answers<S: Set, T: Store>(map: &TileMap<'_, S, T>, body: Body) -> (bool, 
     }
 }
 
-/// Counts of what was met, so that a test cannot pass by meeting nothing.
+/// Counts of hits, so that a test cannot pass without any.
 #[derive(Default, Debug)]
 pub struct Met {
     pub bodies: u64,

@@ -1,6 +1,6 @@
-//! Levels of all shapes as sets of points of the plane, and bodies judged against them, written
-//! from the definitions: polygons by their corners, discs by their centres, whole sets and what is
-//! left of a cell; no frames, no forms, no clamped indices.
+//! Levels of all shapes as sets of points of the plane, and bodies judged against them. Written
+//! from the definitions: polygons by their corners, discs by their centres, whole sets and the rest
+//! of a cell. No frames, no forms, no clamped indices.
 
 pub mod build;
 pub mod contact;

@@ -23,7 +23,7 @@ pub enum Region {
     /// Corners, in either turn.
     Polygon(Vec<Point>),
     /// The disc around `centre` through the corners beside it of the square between `centre` and
-    /// `far`, in that square; where `outside` is set, the square less the open disc.
+    /// `far`, in that square. With `outside`, the square minus the open disc.
     Arc { centre: Point, far: Point, outside: bool },
 }
 
@@ -50,8 +50,8 @@ impl Region {
         }
     }
 
-    /// Its corners, and the centre of its arc: what a shape that passes is nearest to where its own
-    /// centre or corner is abreast of one of them.
+    /// Its corners, and the centre of its arc. A passing shape is nearest to these where its own
+    /// centre or corner is level with one of them.
     pub fn marks(&self) -> Vec<Point> {
         match self {
             Self::Polygon(points) => points.clone(),
@@ -104,8 +104,8 @@ impl Region {
             }
     }
 
-    /// Whether a closed box has a point in it (where `area` is set: whether what is common has an
-    /// area). All coordinates are even.
+    /// Whether a closed box has a point in it. With `area`, whether the common part has an area.
+    /// All coordinates are even.
     pub fn meets_box(&self, lo: Point, hi: Point, area: bool) -> bool {
         match self {
             Self::Polygon(points) => {
@@ -160,8 +160,8 @@ impl Region {
     }
 }
 
-/// What of a convex polygon has a height of 0 or more; crossings of slopes 1, 2 and 1/2 with lines
-/// of even coordinates are integers.
+/// The part of a convex polygon with a height of 0 or more. Crossings of slopes 1, 2 and 1/2 with
+/// lines of even coordinates are integers.
 fn clip(points: &[Point], height: impl Fn(Point) -> i128) -> Vec<Point> {
     let mut out = Vec::new();
     for (&a, &b) in points.iter().zip(points.iter().cycle().skip(1)) {

@@ -1,4 +1,4 @@
-//! Exact answers about boxes and circles in plain integers, of no code of the library's.
+//! Exact answers about boxes and circles in plain integers, without the library's code.
 
 use super::{P, raw};
 use tilesat::{Aabb, Body, Capsule, Circle, Solid};
@@ -55,7 +55,7 @@ impl Block {
     }
 }
 
-/// What is asked of both kinds of bodies.
+/// The questions about both kinds of bodies.
 pub trait Judged: Body + Copy + PartialEq + std::fmt::Debug {
     const IS_BOX: bool;
     fn block(&self) -> Block;
@@ -67,7 +67,7 @@ pub trait Judged: Body + Copy + PartialEq + std::fmt::Debug {
     fn in_block(&self, block: Block) -> bool;
     fn at(&self, d: P) -> Self;
     fn mirrored(&self) -> Self;
-    /// Whether it passes through a block's inside on a straight way; for circles, whether a disc a
+    /// Whether it passes through a block's inside on a straight way. For circles, whether a disc a
     /// raw unit smaller would.
     fn goes_through(&self, d: P, block: Block) -> bool;
 
@@ -155,8 +155,8 @@ impl Judged for Circle {
     }
 }
 
-/// A capsule meets a block where the disc around the end of its core with the smaller coordinates
-/// meets the block that is drawn out by the core.
+/// A capsule meets a block if the disc around the end of its core with the smaller coordinates
+/// meets the block stretched by the core.
 struct End {
     disc: Circle,
     core: P,

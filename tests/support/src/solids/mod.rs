@@ -1,4 +1,4 @@
-//! What the tests of moving solids share: scaled counts, boxes from raw numbers.
+//! Shared code of the tests of moving solids: scaled counts, boxes from raw numbers.
 
 pub mod judge;
 pub mod ticks;

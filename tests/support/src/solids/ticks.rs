@@ -59,7 +59,7 @@ pub fn solids(random: &mut Random) -> Vec<Solid> {
         let belt = if random.one_in(4) { (random.around(200), 0) } else { (0, 0) };
         list.push(s.with_conveyor(vec2(belt)).unwrap());
     }
-    // Sometimes one lies flush beside another, and goes with it.
+    // Sometimes one lies flush beside another, and moves with it.
     if list.len() > 1 && random.one_in(2) {
         let a = Block::of(&list[0].shape());
         list[1] = solid((a.hi.0, a.lo.1), (a.hi.0 + CELL, a.hi.1), list[1].key());
@@ -89,7 +89,7 @@ pub fn steer(list: &mut [Solid], random: &mut Random) {
     }
 }
 
-/// What is counted, so that the test cannot be about nothing.
+/// Counts, so that the test cannot pass without events.
 #[derive(Debug, Default)]
 pub struct Seen {
     pub free: u32,
@@ -158,7 +158,7 @@ impl<W: World> Scene<'_, W> {
             }
             Ride::Pushed { by, normal } => {
                 seen.pushed += 1;
-                // Who pushes comes along the normal.
+                // A pushing solid comes along the normal.
                 let comes =
                     |s: &Solid| i64::from(normal.x) * raw(s.motion()).0 + i64::from(normal.y) * raw(s.motion()).1 > 0;
                 assert!(list.iter().any(|s| s.key() == by && comes(s)), "{}", case());
@@ -176,14 +176,14 @@ impl<W: World> Scene<'_, W> {
             }
         }
         let Some(cells) = &self.cells else { return };
-        // With nothing on the way the carrier's motion is made to the bit.
+        // With a free way, the carrier's motion is made to the bit.
         let way = body.block().swept(carry);
         let carrier = list.iter().find(|s| Some(s.key()) == ridden.floor);
         let alone = list.iter().all(|s| {
             carrier.is_some_and(|c| c.key() == s.key() || raw(s.motion()) == carry)
                 || !Block::of(&s.shape()).swept(raw(s.motion())).meets(way)
         });
-        // A belt may roll a circle over the corner that it lies on.
+        // A belt may roll a circle over the corner on which it lies.
         let rolls = !B::IS_BOX && carrier.is_some_and(|c| raw(c.conveyor()) != (0, 0));
         if carrier.is_some() && alone && !rolls && !cells.iter().any(|c| c.meets(way)) {
             seen.exact += 1;
@@ -202,7 +202,7 @@ impl<W: World> Scene<'_, W> {
                 assert!(matches!(ridden.ride, Ride::Carried | Ride::Pushed { .. }), "{}", case());
             }
         }
-        // One solid along one axis and no carrier: how far it pushes a box, and whether there is
+        // One solid along one axis and no carrier. How far it pushes a box, and whether there is
         // room, is known.
         if let ([s], None, None) = (list, ridden.floor, list[0].one_way()) {
             let (m, old, b) = (raw(s.motion()), Block::of(&s.shape()), body.block());
@@ -322,7 +322,7 @@ pub fn balls(random: &mut Random) -> tilesat::Circle {
     disc((coordinate(random), coordinate(random)), r)
 }
 
-/// Standing and lying.
+/// Upright and level.
 pub fn capsules(random: &mut Random) -> tilesat::Capsule {
     let (at, long) = ((coordinate(random), coordinate(random)), random.within(-CELL, CELL));
     let r = [CELL / 4, CELL / 3, 1, random.within(1, CELL / 2)][random.below(4) as usize];

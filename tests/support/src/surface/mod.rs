@@ -1,5 +1,5 @@
-//! The surface of levels of all shapes, written down from polygons, to judge the tile map's by: no
-//! sectors, no tables, no cursor.
+//! The surface of levels of all shapes, from polygons, to judge the tile map's: no sectors, no
+//! tables, no cursor.
 
 pub mod mosaic;
 pub mod outline;

@@ -9,7 +9,7 @@ use tilesat::{Aabb, Fx, Grid, Outside, TileKind, TileKinds, TileMap, TileShape, 
 /// Ids are shapes; each has other flags.
 pub static KINDS: TileKinds = kinds_in(u64::MAX);
 
-/// Those shapes alone that a set has.
+/// Only the shapes of a set.
 const fn kinds_in(shapes: u64) -> TileKinds {
     let (mut kinds, mut id) = (TileKinds::EMPTY, 0);
     while id < TileShape::ALL.len() {
@@ -69,7 +69,7 @@ impl Mosaic {
         Aabb::new(Vec2::from_raw(-end, -end), Vec2::from_raw(end, end)).unwrap()
     }
 
-    /// All features that the library gives.
+    /// All features that the library reports.
     pub fn features<S: Set>(&self) -> Vec<Piece> {
         self.map::<S>().features(&Self::everything()).map(|f| Piece::of(&f)).collect()
     }
@@ -82,7 +82,7 @@ impl Mosaic {
         self.tiles[(y * self.width + x) as usize]
     }
 
-    /// The cells of the map, and a ring around it where something is outside.
+    /// The cells of the map, and a ring around it if there is an outside.
     pub fn cells(&self) -> Vec<Point> {
         let ring = i64::from(self.outside != Outside::Empty);
         (-ring..self.height + ring).flat_map(|y| (-ring..self.width + ring).map(move |x| (x, y))).collect()
@@ -132,7 +132,7 @@ impl Mosaic {
     }
 
     /// A piece in halves of a cell in raw coordinates. The ring reaches to the end of the domain,
-    /// and nothing is beyond that; it may have no width.
+    /// and nothing is beyond that. It may have no width.
     pub fn in_raw(&self, piece: Piece) -> Option<Piece> {
         let ring = self.outside != Outside::Empty;
         let far_x = |p: Point| ring && (p.0 == -2 || p.0 == 2 * self.width + 2);

@@ -1,12 +1,12 @@
-//! The surface of a mosaic by another way: polygons whose opposite half edges cancel, and solid
-//! wedges around each point, put together where their borders are the same.
+//! The surface of a mosaic by another method: polygons whose opposite half edges cancel, and solid
+//! wedges around each point, merged where their borders agree.
 
 use super::mosaic::Mosaic;
 use super::piece::{Kind, Piece};
 use super::polygon::{Edge, Point, one_way, reduced, solid};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-/// A direction at a point and how a border that leaves in it bends: 1 toward larger angles, -1
+/// A direction at a point, and the bend of a border that leaves in it: 1 toward larger angles, -1
 /// toward smaller ones, 0 straight.
 type Ray = (Point, i8);
 
@@ -107,9 +107,9 @@ fn runs(edges: &[Placed]) -> Vec<Placed> {
     out
 }
 
-/// One-way half edges go where the solid has the same half in the other direction. They are joined
-/// where the solid goes on along their line, the tile beside their end is solid around it, or such
-/// an edge goes on.
+/// One-way half edges disappear if the solid has the same half in the other direction. They are
+/// joined if the solid continues along their line, the tile beside their end is solid around it, or
+/// such an edge continues.
 fn one_ways(
     mosaic: &Mosaic,
     cells: &[Point],

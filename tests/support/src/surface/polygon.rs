@@ -40,7 +40,8 @@ pub fn solid(id: u8) -> Vec<Edge> {
     let turn = id - first;
     let place = |(x, y): Point| match turn {
         0 => (x, y),
-        // Halves are turned; what has a corner is mirrored, so that its slope stays mild or steep.
+        // Halves are turned. Shapes with a corner are mirrored, so that their slope stays mild or
+        // steep.
         1 if first == 2 => (2 - y, x),
         1 => (2 - x, y),
         2 => (2 - x, 2 - y),
@@ -59,7 +60,7 @@ pub fn solid(id: u8) -> Vec<Edge> {
     cut(&points, arc)
 }
 
-/// The edge that a one-way tile has: Up, Right, Down, Left from 34 on.
+/// The edge of a one-way tile: Up, Right, Down, Left from 34 on.
 pub fn one_way(id: u8) -> Vec<Edge> {
     let corners = [(0, 0), (2, 0), (2, 2), (0, 2), (0, 0)];
     match id {

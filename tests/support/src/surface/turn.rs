@@ -45,7 +45,7 @@ impl Turn {
             let ends = |e: &super::polygon::Edge| BTreeSet::from([turn(e.a), turn(e.b)]);
             edges.map(|e| (ends(&e), e.arc.map(|(c, convex)| (turn(c), convex)))).collect::<BTreeSet<_>>()
         };
-        // Of a full cell and a one-way one the borders are not alike: one has four sides.
+        // The borders of a full cell and a one-way one differ: one has four sides.
         let turned = border(id, &|p| self.within((2, 2), p));
         (0..38).find(|&other| border(other, &|p| p) == turned).unwrap()
     }
@@ -66,8 +66,8 @@ impl Turn {
         Mosaic { width, height, tiles, origin: (a.0.min(b.0), a.1.min(b.1)), ..m.clone() }
     }
 
-    /// What a piece becomes; where it is mirrored, a vertex belongs to the tile of its other edge.
-    /// So without cell, index and flags.
+    /// The image of a piece. In a mirror a vertex belongs to the tile of its other edge. So without
+    /// cell, index and flags.
     pub fn piece(self, piece: &Piece) -> Piece {
         let back = |p: Point| (-p.0, -p.1);
         let kind = match piece.kind {

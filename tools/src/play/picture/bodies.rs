@@ -1,4 +1,4 @@
-//! Bodies where they ended, the way they came, and what they met.
+//! Draws bodies at their end, their ways, and their hits.
 
 use tilesat::motion::Response;
 
@@ -46,7 +46,7 @@ fn death(scene: &mut Scene, (x, y): Spot) {
     }
 }
 
-/// A dot where a body first met the level in a frame, unless it met the same side one frame
+/// Draws a dot where a body first hit the level in a frame, unless it hit the same side one frame
 /// earlier.
 pub(super) fn contacts(scene: &mut Scene, run: &Run) {
     let radius = (scene.unit * 1.3).max(1.2 / scene.scale);
@@ -65,7 +65,7 @@ pub(super) fn contacts(scene: &mut Scene, run: &Run) {
     }
 }
 
-/// The point of a body furthest against a normal, its middle along a flat side.
+/// The point of a body farthest against a normal. Along a flat side, its middle.
 fn support(actor: &Actor, middle: Spot, normal: (i32, i32)) -> Spot {
     let (x, y) = (-normal.0 as f32, -normal.1 as f32);
     match actor.shape {

@@ -40,7 +40,7 @@ pub(super) fn draw(scene: &mut Scene, level: &Level, run: &Run, name: &str, seed
         format!("{} wins", s.wins),
         format!("hash {:08x}", run.hash),
     ];
-    // The letters are ASCII; others show as '?'.
+    // The letters are ASCII. Others show as '?'.
     let plain = |c: char| if c.is_ascii_graphic() || c == ' ' { c } else { '?' };
     let room = ((scene.level.0 - 20.0 * unit) / letter) as usize;
     let mut row = String::new();

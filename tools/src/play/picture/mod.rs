@@ -1,4 +1,4 @@
-//! The picture of a run.
+//! Draws a run.
 #![allow(clippy::cast_precision_loss, reason = "drawing only; nothing here flows back into the simulation")]
 
 mod bodies;
@@ -9,10 +9,10 @@ use super::arena::Arena;
 use super::run::Run;
 use crate::picture::marks::Scene;
 
-/// Longest side that a picture aims at, in output pixels.
+/// The greatest side of a picture, in output pixels.
 const AIM: f32 = 2000.0;
 
-/// The level, the ways of its bodies and what they met, and the counts below.
+/// The level, the ways and hits of its bodies, and the counts below.
 pub fn scene(arena: &Arena, run: &Run, name: &str, seed: u32) -> Scene {
     let level = &arena.level;
     let tile = f32::from(level.tile);

@@ -1,4 +1,4 @@
-//! The level: ground, planks and what the flags mean.
+//! Draws the level: ground, planks and the meaning of flags.
 
 use tilesat::TileShape;
 
@@ -13,7 +13,7 @@ use crate::play::outline::Outline;
 use crate::play::run::Run;
 use crate::rules::names;
 
-/// Cells that are drawn one by one. Larger levels are drawn by blocks of cells: no picture has more
+/// The most cells drawn one by one. Larger levels are drawn as blocks of cells. No picture has more
 /// marks than this.
 const MOST: u32 = 1 << 16;
 
@@ -40,7 +40,7 @@ pub(super) fn draw(scene: &mut Scene, level: &Level, run: &Run) {
     surface::draw(scene, &level.features(), tile);
 }
 
-/// Each square of `k` by `k` cells as dark as the share of it that is solid.
+/// Each square of `k` by `k` cells, as dark as its solid share.
 fn blocks(scene: &mut Scene, level: &Level, k: u16) {
     let side = f32::from(level.tile) * f32::from(k);
     for y in (0..level.height).step_by(usize::from(k)) {
@@ -78,10 +78,10 @@ pub(super) fn solid(scene: &mut Scene, at: Spot, tile: f32, shape: TileShape, fi
     }
 }
 
-/// Straight pieces that a quarter circle is drawn with.
+/// Straight pieces per quarter circle.
 const ARC: u8 = 16;
 
-/// The edge that a one-way tile has, and a fainter line behind it.
+/// The edge of a one-way tile, and a fainter line behind it.
 fn plank(scene: &mut Scene, at: Spot, tile: f32, shape: TileShape) {
     for (from, to, alpha) in [(0.0, 0.2, 1.0), (0.2, 0.3, 0.35)] {
         let (lo, hi) = match shape {

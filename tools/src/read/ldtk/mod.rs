@@ -17,12 +17,12 @@ use crate::model::tileset::{Tile, Tileset};
 
 type Result<T> = std::result::Result<T, String>;
 
-/// In all layers of a level together: 4096 x 4096.
+/// The limit for all layers of a level together: 4096 x 4096.
 const MAX_CELLS: u64 = 1 << 24;
-/// In all levels of a project together.
+/// The limit for all levels of a project together.
 const MAX_PROJECT: u64 = 1 << 25;
 
-/// Whether the JSON is no map of Tiled, which says how its cells lie.
+/// Whether the JSON is not a map of Tiled, which has a direction of its cells.
 pub(super) fn is_project(bytes: &[u8]) -> bool {
     let text = std::str::from_utf8(bytes).unwrap_or_default();
     text.contains("\"defs\"") || !text.contains("\"orientation\"") && !text.contains("\"tilewidth\"")
@@ -39,7 +39,7 @@ pub(super) fn read(bytes: &[u8], level: Option<&str>, path: &Path, files: &mut F
         raw::World { identifier: String::new(), layout: project.layout, levels: project.levels.unwrap_or_default() };
     let worlds: Vec<raw::World> = std::iter::once(alone).chain(project.worlds).collect();
     let many = worlds.iter().filter(|world| !world.levels.is_empty()).count() > 1;
-    // Worlds may have levels of the same names.
+    // Worlds can have levels of the same name.
     let name = |world: &str, level: &str| {
         if many && !world.is_empty() { format!("{world}/{level}") } else { level.to_owned() }
     };
@@ -95,11 +95,11 @@ struct Reader<'a> {
     tilesets: Vec<Rc<Tileset>>,
     folder: &'a Path,
     files: &'a mut Files,
-    /// In all levels so far.
+    /// The cells in all levels so far.
     cells: u64,
 }
 
-/// The meaning of the numbers of a level's layers, as it grows.
+/// The meaning of the numbers of a level's layers, while it grows.
 #[derive(Default)]
 struct Palette {
     all: Vec<Placed>,
@@ -190,7 +190,7 @@ impl Reader<'_> {
         Ok(place)
     }
 
-    /// Tiles may lie over each other: as many layers as the highest pile has.
+    /// Tiles can lie over each other. There are as many layers as the highest pile has tiles.
     fn tiles(&self, layer: &raw::Layer, uid: i64, tile: u16, palette: &mut Palette) -> Result<Vec<Layer>> {
         let derived = !layer.auto.is_empty();
         let tiles = if derived { &layer.auto } else { &layer.tiles };
@@ -202,7 +202,7 @@ impl Reader<'_> {
         let mut piles: Vec<Tiles> = Vec::new();
         for placed in tiles {
             let (x, y) = (placed.px.0.div_euclid(side), placed.px.1.div_euclid(side));
-            // Rules of auto layers may draw tiles that hang over the border.
+            // Rules of auto layers can draw tiles that cross the border.
             if x < 0 || y < 0 || x as u32 >= width || y as u32 >= height {
                 continue;
             }
@@ -228,7 +228,7 @@ impl Reader<'_> {
     }
 }
 
-/// Tiles in one cell of a layer; more cannot be told apart in a picture.
+/// Tiles in one cell of a layer. More cannot be distinguished in a picture.
 const MOST_PILED: u64 = 8;
 
 fn grid(layer: &raw::Layer) -> Result<u16> {
@@ -244,7 +244,7 @@ fn grid(layer: &raw::Layer) -> Result<u16> {
     Ok(tile as u16)
 }
 
-/// An entity is a rectangle of its name, with its tags.
+/// An entity is a rectangle with its name and its tags.
 fn object(entity: &raw::Entity, id: u32) -> Object {
     let pixels = |value: u32| Decimal::whole(value.into());
     let corner =

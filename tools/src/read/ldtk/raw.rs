@@ -57,7 +57,7 @@ pub(super) struct Tileset {
     pub(super) enum_tags: Vec<EnumTag>,
 }
 
-/// Tiles that carry a value of an enumeration.
+/// Tiles with a value of an enumeration.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub(super) struct EnumTag {
@@ -73,7 +73,7 @@ pub(super) struct Level {
     pub(super) world_y: i32,
     pub(super) px_wid: u32,
     pub(super) px_hei: u32,
-    /// Where the layers are, if they are not here.
+    /// The file of the layers, if they are not here.
     pub(super) external_rel_path: Option<String>,
     pub(super) layer_instances: Option<Vec<Layer>>,
 }
@@ -114,7 +114,7 @@ pub(super) struct Layer {
 pub(super) struct Tile {
     /// Within the layer.
     pub(super) px: (i32, i32),
-    /// Bit 0 is a flip of left and right, bit 1 one of top and bottom.
+    /// Bit 0 flips left and right, bit 1 flips top and bottom.
     pub(super) f: u8,
     /// Its id.
     pub(super) t: u32,
@@ -134,7 +134,7 @@ pub(super) struct Entity {
     pub(super) height: u32,
 }
 
-/// A number that is not negative, or what stands there instead.
+/// A number that is not negative, or the text there instead.
 #[derive(Debug, Default)]
 pub(super) struct Count(pub(super) u64, pub(super) Option<String>);
 

@@ -1,12 +1,12 @@
-//! The numbers of a tile layer, out of any of the forms that Tiled writes them in.
+//! The numbers of a tile layer, in all forms that Tiled writes.
 
 use super::raw::Data;
 use super::unpack::{Packing, unpack};
 
-/// In all layers of a map together: 4096 x 4096.
+/// The limit for all layers of a map together: 4096 x 4096.
 pub(super) const MAX_CELLS: u64 = 1 << 24;
 
-/// How many numbers, and how they are written.
+/// The number of tiles, and their form.
 pub(super) struct Form<'a> {
     pub(super) width: u32,
     pub(super) height: u32,
@@ -21,7 +21,7 @@ pub(super) fn gids(data: Data, form: &Form<'_>) -> Result<Vec<u32>, String> {
         Data::List(gids) => gids,
         Data::Text(text) => match form.encoding {
             Some("csv") => numbers(&text, cells)?,
-            // JSON says nothing where a text is in base64 without compression in old versions.
+            // In old versions, JSON has no encoding for text in base64 without compression.
             Some("base64") | None => bytes(&text, packing(form.compression)?, cells)?,
             Some(other) => return Err(format!("encoding '{other}' is not known")),
         },

@@ -1,5 +1,5 @@
-//! Maps of Tiled, in XML and in JSON: both are read into the same [`raw`] form, and this makes a
-//! level of it.
+//! Maps of Tiled, in XML and in JSON. Both are read into the same [`raw`] form, from which this
+//! makes a level.
 
 mod data;
 mod objects;
@@ -19,9 +19,9 @@ use sets::Sets;
 
 type Result<T> = std::result::Result<T, String>;
 
-/// Sides of a cell that the library takes, in pixels.
+/// Sides of a cell that the library accepts, in pixels.
 const SIDES: std::ops::RangeInclusive<u32> = 1..=256;
-/// In a map, with those of groups.
+/// The most layers in a map, with those of groups.
 const MAX_LAYERS: usize = 1000;
 
 /// Reads the bytes of a map in this file.
@@ -83,7 +83,7 @@ struct Around {
 struct Reader<'a> {
     sets: Sets,
     layers: Vec<Layer>,
-    /// In all layers so far.
+    /// The cells in all layers so far.
     cells: u64,
     tile: u16,
     infinite: bool,
@@ -150,7 +150,7 @@ impl Reader<'_> {
                 derived: false,
             });
         }
-        // Chunks may lie over each other, and each of them is unpacked.
+        // Chunks can overlap, and each one is unpacked.
         let all = chunks
             .iter()
             .fold(0, |all: u64, chunk| all.saturating_add(u64::from(chunk.width) * u64::from(chunk.height)));

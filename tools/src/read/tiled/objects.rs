@@ -1,4 +1,4 @@
-//! Objects out of a file: their templates filled in, their forms told apart.
+//! Objects of a file, with the values of their templates and their forms.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ impl Templates {
         let path = folder.join(name);
         if !self.0.contains_key(&path) {
             let of_file = |why: String| format!("object {}: template {}: {why}", object.id, path.display());
-            // Levels are often taken out of their project without the files that only the game
+            // People often take levels out of their project without the files that only the game
             // needs.
             let Ok(bytes) = files.bytes(&path) else {
                 let why = format!("made from a template that cannot be read: {name}");
@@ -38,7 +38,7 @@ impl Templates {
     }
 }
 
-/// The properties of the object, and those of its template for the rest.
+/// The properties of the object, and its template's for the rest.
 fn filled(own: raw::Object, template: &raw::Object) -> raw::Object {
     let drawn = |object: &raw::Object| {
         object.point
@@ -70,7 +70,7 @@ fn filled(own: raw::Object, template: &raw::Object) -> raw::Object {
     }
 }
 
-/// An object that says all of itself.
+/// An object without a template.
 fn shape(object: raw::Object) -> Result<Object> {
     let points = |points: Vec<raw::Point>| points.into_iter().map(Into::into).collect();
     let form = match object {

@@ -1,5 +1,5 @@
-//! The content of a Tiled file, XML or JSON, before anything is looked up or checked. JSON is
-//! read into it by name.
+//! The content of a Tiled file, XML or JSON, before any lookup or check. JSON is read into it by
+//! name.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -42,7 +42,7 @@ pub(super) struct Tileset {
     pub(super) tileoffset: Offset,
     pub(super) tilerendersize: String,
     pub(super) tiles: Tiles,
-    /// Properties and classes stood apart from the tiles before Tiled 1.2.
+    /// Before Tiled 1.2, properties and classes were separate from the tiles.
     pub(super) tileproperties: BTreeMap<u32, Listed>,
 }
 
@@ -98,7 +98,7 @@ pub(super) struct Chunk {
     pub(super) data: Option<Data>,
 }
 
-/// All that an object of a map says wins over its template.
+/// Everything that an object of a map sets overrides its template.
 #[allow(clippy::struct_excessive_bools, reason = "they stand side by side in the file")]
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default)]
@@ -150,7 +150,7 @@ impl From<Spot> for Point {
     }
 }
 
-/// The numbers of a layer, or the text that they are packed in.
+/// The numbers of a layer, or the text that packs them.
 #[derive(Debug)]
 pub(super) enum Data {
     List(Vec<u32>),
@@ -269,7 +269,7 @@ impl<'de> Deserialize<'de> for Tiles {
     }
 }
 
-/// Whether something stands there at all.
+/// Whether there is anything at all.
 fn whether<'de, D: Deserializer<'de>>(from: D) -> Result<bool, D::Error> {
     Option::<IgnoredAny>::deserialize(from).map(|it| it.is_some())
 }

@@ -1,4 +1,4 @@
-//! The tilesets of a map, and which tile a number means.
+//! The tilesets of a map, and the meaning of a number in a layer.
 
 use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
@@ -14,22 +14,22 @@ use crate::read::json;
 
 type Result<T> = std::result::Result<T, String>;
 
-/// Of a map.
+/// The most tilesets of a map.
 const MAX_SETS: usize = 1000;
-/// Ids of tiles; and of which more is known, in all tilesets of a map.
+/// The greatest id of a tile, and the most described tiles in all tilesets of a map.
 const MAX_TILES: u32 = 1 << 20;
 
 const HORIZONTAL: u32 = 1 << 31;
 const VERTICAL: u32 = 1 << 30;
 const DIAGONAL: u32 = 1 << 29;
-/// Hexagonal maps turn tiles by this one.
+/// Hexagonal maps turn tiles with this bit.
 const FLIPS: u32 = HORIZONTAL | VERTICAL | DIAGONAL | 1 << 28;
 
-/// The tilesets, and the numbers that were met.
+/// The tilesets, and the numbers so far.
 #[derive(Debug, Default)]
 pub(super) struct Sets {
     pub(super) all: Vec<Rc<Tileset>>,
-    /// Where each begins.
+    /// The first number of each.
     first: BTreeMap<u32, usize>,
     known: HashMap<PathBuf, usize>,
     places: HashMap<u32, u32>,
@@ -56,7 +56,7 @@ impl Sets {
         }
     }
 
-    /// The tileset's number; a tileset file that was read before is not read again.
+    /// The tileset's number. A tileset file is read only once.
     pub(super) fn index(&mut self, set: raw::Tileset, folder: &Path, files: &mut Files) -> Result<usize> {
         let Some(source) = &set.source else { return self.push(set, folder, files) };
         let path = folder.join(source);
@@ -85,7 +85,7 @@ impl Sets {
         Ok(self.all.len() - 1)
     }
 
-    /// The place in the palette of what a number in a layer means.
+    /// The palette index for a number in a layer.
     pub(super) fn place(&mut self, gid: u32) -> Result<u32> {
         if let Some(&place) = self.places.get(&gid) {
             return Ok(place);
@@ -97,7 +97,7 @@ impl Sets {
         Ok(place)
     }
 
-    /// The tileset, the tile of it and its flips; `None` for no tile.
+    /// The tileset, its tile and the flips. `None` for no tile.
     fn tile(&self, gid: u32) -> Result<Option<(usize, u32, Flip)>> {
         let flip =
             Flip { diagonal: gid & DIAGONAL != 0, horizontal: gid & HORIZONTAL != 0, vertical: gid & VERTICAL != 0 };
@@ -131,7 +131,7 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
         room.checked_div(step).unwrap_or(0) as u32
     };
     let columns = if set.columns > 0 { set.columns } else { along(set.imagewidth, set.tilewidth) };
-    // Old files do not say how many there are.
+    // Old files do not have the number of tiles.
     let counted = u64::from(columns) * u64::from(along(set.imageheight, set.tileheight));
     let count = set.tilecount.or(u32::try_from(counted).ok().filter(|&count| count > 0));
     let mut tiles = HashMap::new();

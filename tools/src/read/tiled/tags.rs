@@ -57,7 +57,7 @@ fn open<'a>(bytes: &'a [u8], name: &str) -> Result<(Xml<'a>, Tag<'a>)> {
     if tag.name == name { Ok((xml, tag)) } else { Err(format!("it begins with <{}>", tag.name)) }
 }
 
-/// Nothing but white space after the element.
+/// Only white space may follow the element.
 fn ends(xml: &mut Xml<'_>) -> Result<()> {
     loop {
         match xml.next()? {
@@ -68,7 +68,7 @@ fn ends(xml: &mut Xml<'_>) -> Result<()> {
     }
 }
 
-/// A whole number, 0 where it is not there.
+/// A whole number, or 0 if it is missing.
 fn number<T: std::str::FromStr + Default>(xml: &Xml<'_>, tag: &Tag<'_>, name: &str) -> Result<T> {
     Ok(count(xml, tag, name)?.unwrap_or_default())
 }
@@ -150,7 +150,7 @@ fn properties(xml: &mut Xml<'_>) -> Result<Listed> {
     while let Some(tag) = xml.child()? {
         let name = tag.text("name");
         let mut text = tag.text("value");
-        // A text of several lines stands inside of the element.
+        // Text of several lines is the content of the element.
         loop {
             match xml.next()? {
                 Event::Start(_) => xml.skip()?,
@@ -209,7 +209,7 @@ fn layer(xml: &mut Xml<'_>, tag: &Tag<'_>) -> Result<Option<Layer>> {
 }
 
 fn data(xml: &mut Xml<'_>, tag: &Tag<'_>, layer: &mut Layer) -> Result<()> {
-    // Without an encoding each tile is an element.
+    // Without an encoding, each tile is an element.
     layer.encoding = Some(tag.get("encoding").unwrap_or("xml").to_owned());
     layer.compression = tag.get("compression").map(str::to_owned);
     let (data, chunks) = cells(xml, layer.encoding.as_deref() == Some("xml"))?;
@@ -218,7 +218,7 @@ fn data(xml: &mut Xml<'_>, tag: &Tag<'_>, layer: &mut Layer) -> Result<()> {
     Ok(())
 }
 
-/// Tiles to the end of the element, and chunks, which only the data of a layer has.
+/// Tiles up to the end of the element, and chunks, which only the data of a layer has.
 fn cells(xml: &mut Xml<'_>, elements: bool) -> Result<(Data, Vec<Chunk>)> {
     let (mut gids, mut text, mut chunks) = (Vec::new(), String::new(), Vec::new());
     loop {

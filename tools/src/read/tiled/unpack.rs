@@ -1,4 +1,4 @@
-//! Unpacks the data of a tile layer, and no more of it than a layer of its size can hold.
+//! Unpacks the data of a tile layer, up to the size of the layer.
 
 use std::io::{Error, ErrorKind, Read, Result};
 
@@ -15,10 +15,10 @@ pub(super) enum Packing {
     Zstd,
 }
 
-/// Memory that a zstd stream may ask for: what the largest layer that is read unpacks to.
+/// Memory that a zstd stream may need: the size of the largest layer.
 const ZSTD_WINDOW: u64 = 1 << 26;
 
-/// The bytes that stand in base64; `None` where there are more than `most`.
+/// The bytes in base64. `None` if there are more than `most`.
 pub(super) fn unpack(text: &[u8], packing: Packing, most: u64) -> Result<Option<Vec<u8>>> {
     let packed = STANDARD.decode(text.trim_ascii()).map_err(invalid)?;
     let limit = most.saturating_add(1);
@@ -32,15 +32,14 @@ pub(super) fn unpack(text: &[u8], packing: Packing, most: u64) -> Result<Option<
     Ok((bytes.len() as u64 <= most).then_some(bytes))
 }
 
-/// Frame after frame, as one stream may hold several; returns how many bytes there are, or the
-/// limit.
+/// Frame after frame, because a stream can hold several. Returns the number of bytes, or the limit.
 fn zstd(mut packed: &[u8], limit: u64, bytes: &mut Vec<u8>) -> Result<usize> {
     while !packed.is_empty() && (bytes.len() as u64) < limit {
         let mut frame = StreamingDecoder::new_with_max_window_size(&mut packed, ZSTD_WINDOW).map_err(invalid)?;
         let room = limit - bytes.len() as u64;
         frame.by_ref().take(room).read_to_end(bytes)?;
         let decoder = frame.into_frame_decoder();
-        // The decoder reads the checksum and leaves it to its user to compare.
+        // The decoder reads the checksum, but does not compare it.
         let (told, found) = (decoder.get_checksum_from_data(), decoder.get_calculated_checksum());
         if decoder.is_finished() && told.is_some() && told != found {
             return Err(invalid("the checksum of the zstd data is wrong"));

@@ -1,5 +1,5 @@
-//! What `tilesat bake` and `tilesat rooms` write of the levels in `examples/levels`, and of a world
-//! in the corpus.
+//! The output of `tilesat bake` and `tilesat rooms` for the levels in `examples/levels`, and for a
+//! world in the corpus.
 
 pub(crate) mod quarry;
 pub(crate) mod quarry_rooms;

@@ -1,5 +1,5 @@
-//! Rows of what goes on from frame to frame: bodies that move, and broad phases. Every backend's
-//! answers have to be the host's.
+//! Rows of work that continues from frame to frame: moving bodies and broad phases. Every backend
+//! must give the host's answers.
 
 use crate::inputs::{Class, Reader};
 use crate::table::{Key, Mean, Query, Table};
@@ -11,7 +11,7 @@ use tilesat_textbook::checksum::{START, mixed, pair};
 /// The level of a workload, whose first corner is the class's.
 ///
 /// # Panics
-/// Where the host did not tell of it.
+/// If the host's file does not mention it.
 pub fn room(levels: &'static [u8], class: &Class) -> Room {
     let mut r = Reader::new(levels);
     loop {
@@ -26,16 +26,16 @@ pub fn room(levels: &'static [u8], class: &Class) -> Room {
     }
 }
 
-/// Two words a motion, after the body's.
+/// Two words per motion, after the body's.
 fn motions(class: &Class) -> usize {
     (class.width - 4) / 2
 }
 
-/// What a frame has for its calls, on the smallest board.
+/// Memory of a frame's calls, on the smallest board.
 const STACK: usize = 1 << 10;
 
 impl<C: Clock> Table<C> {
-    /// The row of a class: bodies that go on from where they are.
+    /// The row of a class. Each body continues from its last position.
     #[inline(never)]
     pub fn moves<'a, L, B, V>(&mut self, key: Key, class: &Class, level: &'a L, query: Query<Step<'a, L, B, V>, B>)
     where
@@ -58,7 +58,7 @@ impl<C: Clock> Table<C> {
         self.finish(key, class, &mean, sum);
     }
 
-    /// The row of a class: frames of boxes, of which the first is not counted.
+    /// The row of a class: frames of boxes. The first frame does not count.
     #[inline(never)]
     pub fn broad<P: Phase<N>, const N: usize>(&mut self, key: Key, class: &Class) {
         const {

@@ -1,7 +1,7 @@
-//! The host's inputs: of each workload and class its names, some words about all of it, so many
-//! records of so many words, and what the host's backends answered.
+//! The host's inputs. Each workload and class has its names, some words about all of it, its
+//! records, and the answers of the host's backends.
 
-/// What is read of the inputs so far.
+/// The part of the inputs that is still unread.
 #[derive(Clone, Copy)]
 pub struct Reader(&'static [u8]);
 
@@ -36,16 +36,16 @@ impl Reader {
 pub struct Class {
     pub workload: &'static str,
     pub name: &'static str,
-    /// What is the same for all of them.
+    /// The words that are the same for all records.
     pub about: Reader,
-    /// Words a record.
+    /// Words per record.
     pub width: usize,
     records: &'static [u8],
     answers: Reader,
     answered: usize,
 }
 
-/// The most words of a query, whether it hits among them.
+/// The most words of a query, including the one that says whether it hits.
 const WIDEST: usize = 16;
 
 impl Class {
@@ -53,7 +53,7 @@ impl Class {
         self.records.chunks_exact(4 * self.width).map(Reader)
     }
 
-    /// Of queries: the words of each, and whether it hits, which is the last.
+    /// The words of each query. The last one says whether it hits.
     pub(crate) fn queries(&self) -> impl Iterator<Item = ([i32; WIDEST], bool)> {
         self.records().map(|mut r| {
             let mut words = [0; WIDEST];

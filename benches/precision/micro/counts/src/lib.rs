@@ -1,9 +1,9 @@
-//! What the programs share that print what queries cost on this core: a line a workload, class,
-//! backend and question, with the mean of all, of hits and of misses.
+//! Shared code of the programs that print the costs of queries on this core. They print a line per
+//! workload, class, backend and question, with the mean of all, of hits and of misses.
 //!
-//! The inputs are the host's. A query is called through a pointer with its operands by reference
-//! and stores its answer; an empty call of the same kind is taken off. A frame of bodies that move,
-//! or of a broad phase, is such a call as well.
+//! The inputs are the host's. The program calls a query through a pointer with its operands by
+//! reference, and stores its answer. It subtracts an empty call of the same kind. A frame of moving
+//! bodies or of a broad phase is such a call as well.
 
 //!
 //! On a computer the crate is empty.

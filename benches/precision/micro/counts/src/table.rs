@@ -10,7 +10,7 @@ use tilesat_counts::counter::Counter;
 
 pub type Query<P, O> = fn(&P, &mut MaybeUninit<O>);
 
-/// Ticks of one call. Out of line, so that nothing of the caller moves between the two readings.
+/// Ticks of one call. Not inlined, so that no code of the caller moves between the two readings.
 #[inline(never)]
 fn ticks<C: Clock, P, O>(call: fn(&P, &mut O), input: &P, out: &mut O) -> u32 {
     let (call, input, out) = black_box((call, input, out));
@@ -36,7 +36,7 @@ impl Mean {
         self.n += 1;
     }
 
-    /// With one decimal, after a bar; nothing where there was nothing.
+    /// With one decimal, after a bar. Empty if there is none.
     fn print(&self) {
         if self.n == 0 {
             print!("|");
@@ -47,10 +47,10 @@ impl Mean {
     }
 }
 
-/// What identifies a row beside its class: workload, backend and question.
+/// Identifies a row within its class: workload, backend and question.
 pub type Key = (&'static str, &'static str, &'static str);
 
-/// Counts over the same inputs, by a clock that is long enough for a call.
+/// Counts over the same inputs, by a clock that lasts for a call.
 pub struct Table<C> {
     counter: Counter<C>,
     inputs: &'static [u8],
@@ -66,7 +66,7 @@ impl<C: Clock> Table<C> {
         classes(self.inputs).filter(move |c| c.workload == workload)
     }
 
-    /// The instructions of a call; its own are taken off.
+    /// The instructions of a call, minus the call's own.
     pub(crate) fn count<P, O>(&self, call: fn(&P, &mut O), input: &P, out: &mut O) -> u32 {
         let empty = self.counter.instructions(ticks::<C, P, O>(nothing, input, out));
         self.counter.instructions(ticks::<C, P, O>(call, input, out)).saturating_sub(empty)
@@ -83,7 +83,7 @@ impl<C: Clock> Table<C> {
         self.wrong = true;
     }
 
-    /// One row of every class of the workload. The library's answers have to be the host's.
+    /// One row of every class of the workload. The library must give the host's answers.
     #[inline(never)]
     pub fn row<P, O>(&mut self, key: Key, make: impl Fn(&[i32]) -> P, query: Query<P, O>, hit: fn(&O) -> bool) {
         for class in self.classes(key.0) {

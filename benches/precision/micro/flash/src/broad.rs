@@ -9,5 +9,5 @@ macro_rules! phase {
     };
 }
 
-// How many boxes there are is a number in the code.
+// The number of boxes is a constant in the code.
 each_broad!(phase 64, 8, 64);

@@ -1,8 +1,8 @@
-//! Each query as a function under its row's name. Linked with one of them as the entry, what is
-//! left is what it pulls in.
+//! Each query as a function under its row's name. Linked with one of them as the entry, the program
+//! holds only that function and its callees.
 //!
-//! One library has queries, one movers, one broad phases: what many functions of a library call is
-//! not inlined in any of them. On a computer the crate is empty.
+//! One library has queries, one movers, one broad phases. A function with many callers in a library
+//! is not inlined. On a computer the crate is empty.
 
 #![cfg_attr(target_os = "none", no_std)]
 #![cfg(target_os = "none")]
@@ -10,7 +10,7 @@
 macro_rules! named {
     ($name:expr, |$p:ident: $in:ty, $out:ident: $answer:ty| $ask:expr) => {
         const _: () = {
-            // SAFETY: the names have bars in them, and are no one else's.
+            // SAFETY: the names contain bars, and nothing else uses them.
             #[unsafe(export_name = $name)]
             extern "C" fn query($p: &$in, $out: &mut $answer) {
                 $ask;

@@ -1,4 +1,4 @@
-//! Frames of bodies that move; a row's name has the kind of body.
+//! Frames of moving bodies. A row's name includes the kind of body.
 
 use core::mem::MaybeUninit;
 use tilesat_precision_queries::*;

@@ -1,4 +1,4 @@
-//! Broad phases: a frame moves all boxes and tells all pairs.
+//! Broad phases: a frame moves all boxes and reports all pairs.
 
 use crate::{Shape, book};
 use core::marker::PhantomData;
@@ -6,7 +6,7 @@ use tilesat::broad::{BroadPhase, BruteForce, LooseGrid, SortSweep, SpatialHash};
 use tilesat::{Aabb, Fx, Vec2};
 use tilesat_textbook::{Scalar, broad};
 
-/// Where the boxes are.
+/// The size of the world.
 #[derive(Clone, Copy)]
 pub struct Area {
     /// The first corner on both axes, raw.
@@ -22,7 +22,7 @@ pub trait Phase<const N: usize> {
     fn frame(&mut self, boxes: &[Self::Box; N], each: impl FnMut(usize, usize));
 }
 
-/// With the pairs that it told last.
+/// With the pairs of its last report.
 pub struct Scene<P, const N: usize> {
     phase: P,
     pairs: [(u16, u16); N],
@@ -36,7 +36,7 @@ impl<P: Phase<N>, const N: usize> Scene<P, N> {
     }
 
     /// # Panics
-    /// Where there are more pairs than boxes.
+    /// If there are more pairs than boxes.
     pub fn frame(&mut self, boxes: &[P::Box; N]) {
         self.told = 0;
         self.phase.frame(boxes, |a, b| {
@@ -52,7 +52,7 @@ impl<P: Phase<N>, const N: usize> Scene<P, N> {
 
 const CELL: Fx = Fx::lit("32");
 
-/// The library's, each from where the boxes are.
+/// The library's, each from the first boxes.
 pub trait Own: BroadPhase<Tag = ()> {
     fn empty(area: Area) -> Self;
 }
@@ -133,8 +133,8 @@ impl<S: Scalar, const N: usize> Phase<N> for Sorted<S, N> {
     }
 }
 
-/// Calls a macro for each broad phase of N boxes: the row's keys, and what holds them in so many
-/// blocks of 32 cells, or buckets.
+/// Calls a macro for each broad phase of N boxes: the row's keys, and its type for so many blocks
+/// of 32 cells, or buckets.
 #[macro_export]
 macro_rules! each_broad {
     ($each:ident $n:literal, $blocks:literal, $buckets:literal) => {

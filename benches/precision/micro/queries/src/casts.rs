@@ -3,7 +3,7 @@
 use crate::{At, Input, PVector, Place, Shape, four};
 use parry2d::query::{ShapeCastHit, ShapeCastOptions, cast_shapes};
 
-/// A moves by `d`, B does not.
+/// A moves by `d`. B stays.
 pub struct Cast<A, B, V> {
     pub a: A,
     pub b: B,
@@ -16,7 +16,7 @@ impl<A: Shape, B: Shape, V: Place> Input for Cast<A, B, V> {
     }
 }
 
-/// The general query: what its users call.
+/// The general query, which its users call.
 pub fn sweep<A: parry2d::shape::Shape, B: parry2d::shape::Shape>(
     c: &Cast<At<A>, At<B>, PVector>,
 ) -> Option<ShapeCastHit> {
@@ -24,8 +24,8 @@ pub fn sweep<A: parry2d::shape::Shape, B: parry2d::shape::Shape>(
     cast_shapes(&c.a.0, c.d, &c.a.1, &c.b.0, PVector::ZERO, &c.b.1, options).ok().flatten()
 }
 
-/// Calls a macro for each cast: the row's keys, its input and answer, how it is asked, and whether
-/// the answer is a hit.
+/// Calls a macro for each cast: the row's keys, its input and answer, the call, and whether the
+/// answer is a hit.
 #[macro_export]
 macro_rules! each_cast {
     ($each:ident) => {

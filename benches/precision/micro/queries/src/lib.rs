@@ -1,5 +1,4 @@
-//! What is asked on microcontrollers: the same queries as on the host, one list for the counts and
-//! for the sizes.
+//! The queries for microcontrollers, the same as on the host. Counts and sizes share one list.
 
 #![no_std]
 
@@ -76,7 +75,7 @@ impl<S: Scalar> Shape for book::Segment<S> {
     }
 }
 
-/// A shape of the library with its place.
+/// A shape of the library at its position.
 pub type At<T> = (Pose, T);
 
 fn px(raw: i32) -> f32 {
@@ -137,7 +136,7 @@ impl Place for PVector {
     }
 }
 
-/// What a query gets, from the words of the host.
+/// The input of a query, from the words of the host.
 pub trait Input {
     fn of(words: &[i32]) -> Self;
 }

@@ -1,4 +1,4 @@
-//! Bodies that move through tiles and slide: one frame after the other.
+//! Bodies that move through tiles and slide, one frame after the other.
 
 use crate::book::{Aabb, Circle, Vector};
 use crate::rays::KINDS as BLOCKS;
@@ -11,7 +11,7 @@ use tilesat_textbook::walk;
 
 pub const MOVER: Mover = Mover::platformer(Axis::NEG_Y);
 
-/// A level as the host tells it.
+/// A level, as the host describes it.
 pub struct Room {
     pub cells: &'static [u8],
     pub width: u16,
@@ -80,7 +80,7 @@ impl<'a, S: Scalar> Level<'a> for walk::Level<'a, S> {
     }
 }
 
-/// A frame: where the body is, and what it wants.
+/// A frame: the body's position and its motion.
 pub struct Step<'a, L, B, V> {
     pub level: &'a L,
     pub body: B,
@@ -93,7 +93,7 @@ impl<'a, L, B: Copy, V: Place> Step<'a, L, B, V> {
     }
 }
 
-/// The place that a body's numbers mean, exactly: in 512ths of a raw unit.
+/// The exact position that a body's numbers mean, in 512ths of a raw unit.
 pub trait Exact {
     fn exact(&self) -> [i64; 4];
 }
@@ -110,7 +110,7 @@ fn fine<S: Scalar>(v: S) -> i64 {
     nearest(v.px() * (FINE << 16) as f64)
 }
 
-/// What the host judges a box at.
+/// The position at which the host judges a box.
 fn even<S: Scalar>(v: S) -> i64 {
     2 * nearest(v.px() * (FINE << 15) as f64)
 }
@@ -140,10 +140,10 @@ impl<S: Scalar> Exact for Aabb<S> {
 }
 
 /// Calls a macro for each mover: the row's keys and its kind of body, its level, body and motion,
-/// and how a frame is asked.
+/// and the call of a frame.
 ///
-/// Textbook boxes go by axes among blocks, all else in steps. Their f64 would not fit beside the
-/// others into 256 KiB of flash.
+/// Textbook boxes move by axes among blocks. Everything else moves in steps. Their f64 form would
+/// not fit into 256 KiB of flash beside the others.
 #[macro_export]
 macro_rules! each_move {
     ($each:ident) => {

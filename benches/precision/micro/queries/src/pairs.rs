@@ -4,7 +4,7 @@ use crate::At;
 use parry2d::math::Pose;
 use parry2d::query::{self, Contact};
 
-/// The general query: what its users call.
+/// The general query, which its users call.
 pub fn meets<A: parry2d::shape::Shape, B: parry2d::shape::Shape>(p: &(At<A>, At<B>)) -> bool {
     query::intersection_test(&p.0.0, &p.0.1, &p.1.0, &p.1.1).is_ok_and(|i| i.intersecting)
 }
@@ -13,13 +13,13 @@ pub fn touching<A: parry2d::shape::Shape, B: parry2d::shape::Shape>(p: &(At<A>, 
     query::contact(&p.0.0, &p.0.1, &p.1.0, &p.1.1, 0.0).ok().flatten()
 }
 
-/// The place of the first seen from the second: nothing is turned.
+/// The position of the first relative to the second. Nothing is rotated.
 pub fn seen<A, B>(p: &(At<A>, At<B>)) -> Pose {
     Pose::from_translation(p.0.0.translation - p.1.0.translation)
 }
 
-/// Calls a macro for each query of a pair: the row's keys, its input and answer, how it is asked,
-/// and whether the answer is yes.
+/// Calls a macro for each query of a pair: the row's keys, its input and answer, the call, and
+/// whether the answer is yes.
 #[macro_export]
 macro_rules! each_pair {
     ($each:ident) => {
@@ -34,7 +34,7 @@ macro_rules! each_pair {
         each_pair! { contact $each "circle-segment", Circle, Segment, |p, q| pair::contact_circle_segment(p, q) }
         each_pair! { contact $each "AABB-AABB", Aabb, Aabb, |p, q| pair::contact_aabb_aabb(p, q) }
         each_pair! { contact $each "segment-AABB", Segment, Aabb, |p, q| pair::contact_aabb_segment(q, p) }
-        // Without a heap it has no contact of two boxes, of two segments or of a segment and a box.
+        // Without a heap it has no contact of two boxes, two segments, or a segment and a box.
         each_pair! { general $each "circle-circle", Ball, Ball }
         each_pair! { general $each "circle-AABB", Ball, Cuboid }
         each_pair! { general $each "circle-segment", Ball, PSegment }

@@ -37,8 +37,8 @@ impl Map for dda::Grid<'static> {
     }
 }
 
-/// Calls a macro for each ray: the row's keys, its grid, start and answer, how it is asked, and
-/// whether the answer is a hit.
+/// Calls a macro for each ray: the row's keys, its grid, start and answer, the call, and whether
+/// the answer is a hit.
 #[macro_export]
 macro_rules! each_ray {
     ($each:ident) => {

@@ -1,4 +1,4 @@
-//! All broad phases with each kind of tag, what they are asked, and events of pairs.
+//! All broad phases with each kind of tag, their queries, and events of pairs.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::broad::{
     Border, BroadHit, BroadPhase, BruteForce, Exceptions, Handle, Ignore, Keyed, LooseGrid, Nearest, Pair, PairCursor,

@@ -1,4 +1,4 @@
-//! All levels, however they are made, and all that they are asked.
+//! All levels with all constructors, and all queries on them.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::heapless::VecView;
 use tilesat::world::{
@@ -12,7 +12,7 @@ use tilesat_flash::keep;
 type Both<'a> = Joined<'a, TileMap<'a, AllShapes>, SegmentMap<'a>>;
 type Doors<'a> = Joined<'a, TileMap<'a>, Solids<'a>>;
 
-/// What all levels are asked.
+/// The queries on all levels.
 macro_rules! levels {
     ($($level:ty),+ $(,)?) => {
         $(keep! {
@@ -39,7 +39,7 @@ const UNIT: Circle = match Circle::new(Vec2::ZERO, Fx::ONE) {
     Err(_) => panic!("a circle"),
 };
 
-/// What levels with cells are asked.
+/// The queries on levels with cells.
 macro_rules! surfaces {
     ($($level:ty),+ $(,)?) => {
         $(keep! {

@@ -1,5 +1,5 @@
-//! The platformer among blocks as the firmware plays it: a player that plays by itself, 16 boxes
-//! and 16 balls, coins, spikes, ladders, a goal.
+//! The platformer among blocks, as in the firmware: an automatic player, 16 boxes and 16 balls,
+//! coins, spikes, ladders and a goal.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat_flash::Later;
 use tilesat_games::platformer::flash::{RULES, level};

@@ -1,5 +1,5 @@
-//! The bullets as the firmware plays them: 240 bullets, 32 enemies and a player, found by a broad
-//! phase, with events and exceptions of pairs.
+//! The bullets, as in the firmware: 240 bullets, 32 enemies and a player. A broad phase finds them,
+//! with events and exceptions of pairs.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat_games::bullets::{Game, Near, level};
 

@@ -1,4 +1,4 @@
-//! A body: its shape, its velocity and how it answers when it meets the level.
+//! A body: its shape, its velocity and its response to the level.
 
 use tilesat::motion::{Hit, MoveError, Moved, Mover, Response};
 use tilesat::num::DOMAIN;
@@ -14,7 +14,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The corner with the smaller coordinates of a box, the centre of a ball.
+    /// For a box, the corner with the smaller coordinates. For a ball, the centre.
     pub fn position(&self) -> Vec2 {
         match self {
             Self::Box(aabb) => aabb.min(),
@@ -26,18 +26,18 @@ impl Shape {
 #[derive(Debug, Clone, Copy)]
 pub struct Actor {
     pub shape: Shape,
-    /// Units per frame, as the last motion left it.
+    /// Units per frame, after the last motion.
     pub velocity: Vec2,
-    /// Units per frame, as the actor wanted it in the last frame.
+    /// Units per frame that the actor wanted in the last frame.
     pub asked: Vec2,
     pub response: Response,
     /// Whether it falls.
     pub heavy: bool,
-    /// The first thing it met in the last frame.
+    /// The first hit of the last frame.
     pub hit: Option<Hit>,
 }
 
-/// The facts that an actor needs about its last motion.
+/// The facts about its last motion that an actor needs.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Outcome {
     pub floor: bool,
@@ -67,8 +67,8 @@ impl Actor {
         }
     }
 
-    /// The velocity, less where the motion could leave the domain: the library refuses that even
-    /// when a wall stands before it. Only levels that nearly fill the domain ever come to this.
+    /// The velocity, cut if the motion could leave the domain. The library refuses such a motion
+    /// even with a wall before it. It happens only in levels that nearly fill the domain.
     fn within_domain(&self) -> Vec2 {
         let (right, bottom) = match self.shape {
             Shape::Box(aabb) => aabb.max().raw(),

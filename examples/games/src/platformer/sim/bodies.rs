@@ -1,4 +1,4 @@
-//! The 32 boxes and balls that fill the level with motion.
+//! The 32 boxes and balls that move in the level.
 
 use tilesat::Vec2;
 use tilesat::motion::Response;
@@ -14,7 +14,8 @@ const SIZES: [(i32, i32); 8] = [(4, 4), (6, 5), (5, 7), (9, 6), (3, 8), (7, 7), 
 
 const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::DropThrough, Response::Bounce];
 
-/// Body `i`: boxes and balls take turns; each response goes to four of either, half of them heavy.
+/// Body `i`: boxes and balls alternate. Each response goes to four of either kind, half of them
+/// heavy.
 pub(super) fn start<S: Set>(map: &TileMap<'_, S>, i: usize, rng: &mut Rng) -> Option<Actor> {
     let cell = map.cell().to_bits();
     let pick = |n: usize| i.wrapping_sub(1) / n;
@@ -27,7 +28,7 @@ pub(super) fn start<S: Set>(map: &TileMap<'_, S>, i: usize, rng: &mut Rng) -> Op
     Some(actor)
 }
 
-/// Falls, gets a new push every 128 frames, and moves.
+/// Falls, gets a push every 128 frames, and moves.
 pub(super) fn step<S: Set>(
     map: &TileMap<'_, S>,
     actor: &mut Actor,
@@ -46,8 +47,8 @@ pub(super) fn step<S: Set>(
     actor.advance(map, report);
 }
 
-/// A random velocity; once in eight times up to two cells per frame, which would cross walls if the
-/// sweep let it.
+/// A random velocity. Once in eight times it is up to two cells per frame, which would cross walls
+/// without the sweep.
 fn kick(cell: i32, heavy: bool, rng: &mut Rng) -> Vec2 {
     if rng.once_in(8) {
         Vec2::from_raw(rng.within(2 * cell), rng.within(2 * cell))

@@ -18,10 +18,10 @@ use rng::Rng;
 pub const BODIES: usize = 33;
 /// Frames of the run whose hash desktop and firmware compare.
 pub const FIRMWARE_FRAMES: u32 = 600;
-/// The seed where none is given, and of that run: one whose player shows every trick on our level.
+/// The default seed, and the seed of that run. Its player shows every trick on our level.
 pub const SEED: u32 = 11;
 
-/// Which flag bits mean what in this game; 0 where a level has no such tile.
+/// The meaning of the flag bits in this game. 0 if a level has no such tile.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Rules {
     pub coin: u8,
@@ -30,22 +30,22 @@ pub struct Rules {
     pub ladder: u8,
 }
 
-/// The level has no free cell to put a body in.
+/// The level has no free cell for a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct NoRoom;
 
 /// The results of one frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct FrameReport {
-    /// Faces and corners of the level that bodies ran into.
+    /// Faces and corners of the level that bodies hit.
     pub contacts: u32,
-    /// Motions that the library refused; none are expected.
+    /// Motions that the library refused. None are expected.
     pub refused: u32,
     /// Whether the player died and is back at its start.
     pub respawned: bool,
 }
 
-/// The whole state of a run: plain data, so a snapshot is a copy.
+/// The whole state of a run is plain data, so a snapshot is a copy.
 #[derive(Debug, Clone, Copy)]
 pub struct Sim {
     actors: [Actor; BODIES],
@@ -56,7 +56,7 @@ pub struct Sim {
 }
 
 impl Sim {
-    /// Puts all bodies into free space that the seed picks.
+    /// Puts all bodies at free positions that the seed chooses.
     pub fn new<S: Set>(map: &TileMap<'_, S>, rules: Rules, seed: u32) -> Result<Self, NoRoom> {
         let mut rng = Rng::new(seed);
         let (player, first) = Player::new(map, rules, &mut rng).ok_or(NoRoom)?;
@@ -104,7 +104,7 @@ impl Sim {
         &self.actors
     }
 
-    /// How the player fares.
+    /// The player's state.
     pub fn score(&self) -> Score {
         self.player.score()
     }

@@ -9,7 +9,7 @@ use super::rng::Rng;
 use super::start::place;
 use super::{FrameReport, Rules};
 
-/// Coins that can be taken, counted row by row; further ones stay where they are.
+/// The number of coins that can be taken, row by row. Further coins stay.
 pub const MAX_COINS: u32 = 32 * COIN_WORDS as u32;
 const COIN_WORDS: usize = 32;
 
@@ -32,14 +32,15 @@ pub(super) struct Player {
     direction: i32,
     last: Outcome,
     airborne: bool,
-    /// Flags of the tiles it was in at the end of the last frame.
+    /// Flags of the tiles around it at the end of the last frame.
     within: u8,
-    /// Middle of the ladder it is at, and whether it wants to climb it.
+    /// The middle of the ladder that it is at, and whether it wants to climb.
     ladder: i32,
     climbing: bool,
-    /// Frames for which it does not look where it goes.
+    /// Frames for which it does not turn or look ahead.
     careless: u8,
-    /// Where it was when progress was last looked at, how long ago, and how often there was none.
+    /// Its position at the last check of progress, the frames since then, and the number of failed
+    /// checks.
     anchor: i32,
     since: u8,
     stuck: u8,
@@ -104,7 +105,7 @@ impl Player {
         self.feel(map, actor, report);
     }
 
-    /// Turns round when the last 96 frames led nowhere, now and then also without a reason.
+    /// Turns round if the last 96 frames led nowhere, and sometimes without a reason.
     fn decide(&mut self, body: &Aabb, rng: &mut Rng) {
         let (left, right) = (body.min().raw().0, body.max().raw().0);
         self.since += 1;
@@ -119,7 +120,7 @@ impl Player {
         }
     }
 
-    /// The velocity it wants: runs, jumps at walls, gaps and spikes, climbs ladders.
+    /// The velocity that it wants. It runs, jumps at walls, gaps and spikes, and climbs ladders.
     fn steer<S: Set>(&mut self, map: &TileMap<'_, S>, body: &Aabb, velocity: Vec2, rng: &mut Rng) -> Vec2 {
         let cell = map.cell().to_bits();
         let (run, jump, gravity) = (cell * 7 / 64, cell * 21 / 64, cell / 64);
@@ -162,14 +163,14 @@ impl Player {
         ahead.shape == TileShape::Full || gap || deadly
     }
 
-    /// Reacts to the flags of the tiles it is in now, and of those it ran into.
+    /// Reacts to the flags of the tiles that it is in, and of those that it ran into.
     fn feel<S: Set>(&mut self, map: &TileMap<'_, S>, actor: &mut Actor, report: &mut FrameReport) {
         let Shape::Box(body) = actor.shape else { return };
         let cell = map.cell().to_bits();
         let margin = cell / 16;
         let before = self.within;
         self.within = 0;
-        // What only grazes it does not count: the inner box is smaller than the one that collides.
+        // Grazing does not count: this inner box is smaller than the one that collides.
         let (min, max) = (body.min(), body.max());
         let inset = Vec2::from_raw(margin, margin);
         if let Ok(inner) = Aabb::new(min + inset, max - inset) {
@@ -200,8 +201,8 @@ impl Player {
         }
     }
 
-    /// A bit per coin is less memory than a bit per cell, and counting is needed only while it is
-    /// in one.
+    /// A bit per coin takes less memory than a bit per cell. It counts coins only while it is in
+    /// one.
     fn take<S: Set>(&mut self, map: &TileMap<'_, S>, at: Cell) {
         let width = map.width() as i16;
         let before = (0..=at.y).flat_map(|y| (0..width).map(move |x| Cell::new(x, y)));
@@ -216,7 +217,7 @@ impl Player {
     }
 }
 
-/// Whether nothing deadly lies between a place and the ground straight below it.
+/// Whether nothing deadly lies between a position and the ground straight below it.
 fn lands_safely<S: Set>(map: &TileMap<'_, S>, place: &Shape, kill: u8) -> bool {
     let Shape::Box(body) = place else { return true };
     [body.min().x, body.max().x].iter().all(|&x| {

@@ -1,4 +1,4 @@
-//! A small random number generator; the same numbers everywhere.
+//! A small random number generator with the same numbers on every machine.
 
 /// Marsaglia's xorshift with 32 bits of state.
 #[derive(Debug, Clone, Copy)]
@@ -6,7 +6,7 @@ pub(super) struct Rng(u32);
 
 impl Rng {
     pub(super) fn new(seed: u32) -> Self {
-        // Spreads small seeds over all bits; xorshift must not start from 0.
+        // Spreads small seeds over all bits. xorshift must not start from 0.
         let state = seed.wrapping_add(6).wrapping_mul(0x9e37_79b9) ^ 0x5851_f42d;
         let mut rng = Self(if state == 0 { 1 } else { state });
         for _ in 0..8 {

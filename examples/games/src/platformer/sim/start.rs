@@ -8,11 +8,11 @@ use super::rng::Rng;
 
 const TRIES: u32 = 48;
 
-/// A box or ball (`half.1` is not used then) of these half extents in free space within the map.
-/// Away from tiles with the `avoid` flags, where possible.
+/// A box or ball of these half extents in free space within the map. A ball ignores `half.1`.
+/// Avoids tiles with the `avoid` flags if possible.
 ///
-/// Where random tries find no place the body shrinks to fit a cell, and every cell is looked at:
-/// `None` means that the map has no free cell.
+/// If random tries find no position, the body shrinks to fit a cell, and the search visits every
+/// cell. `None` means that the map has no free cell.
 pub(super) fn place<S: Set>(
     map: &TileMap<'_, S>,
     half: (i32, i32),
@@ -38,7 +38,7 @@ pub(super) fn place<S: Set>(
     scan(map, half, ball, avoid, rng).or_else(|| scan(map, half, ball, 0, rng))
 }
 
-/// The first cell from a random one on whose middle is free.
+/// The first cell with a free middle, from a random one on.
 fn scan<S: Set>(map: &TileMap<'_, S>, half: (i32, i32), ball: bool, avoid: u8, rng: &mut Rng) -> Option<Shape> {
     let cell = map.cell().to_bits();
     let (columns, rows) = (u32::from(map.width()), u32::from(map.height()));

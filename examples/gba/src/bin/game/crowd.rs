@@ -4,16 +4,16 @@ use tilesat::{Aabb, Axis, Circle, Fx, MoveError, Mover, Response, Vec2};
 
 use crate::level::{HEIGHT, Level, WIDTH};
 
-/// The most bodies that a game can ask for.
+/// The most bodies in a game.
 pub const MOST: usize = 64;
 /// Half extents of boxes and radii of balls, in units.
 pub const BOXES: [(i16, i16); 4] = [(4, 4), (6, 5), (5, 7), (3, 7)];
 pub const BALLS: [i16; 4] = [3, 5, 6, 7];
 
-/// Raw units (1/65536 unit) a frame, or a frame squared.
+/// Raw units (1/65536 unit) per frame, or per frame squared.
 const GRAVITY: i32 = 9_000;
 const TOP: i32 = 400_000;
-/// A body gets a new push every so many frames: none sleeps.
+/// A body gets a push every so many frames, so none sleeps.
 const KICK: u32 = 128;
 
 #[derive(Clone, Copy, Debug)]
@@ -43,14 +43,15 @@ pub struct Crowd {
 }
 
 impl Crowd {
-    /// Without a body yet. As a constant, the stack holds it once.
+    /// An entry without a body. As a constant, the stack holds it only once.
     pub const EMPTY: Self = Self { bodies: [NOBODY; MOST], count: 0, frame: 0, random: 1 };
 
-    /// So many bodies, boxes and balls in turn, at free places; `None` where there are too few.
+    /// A number of bodies, boxes and balls in turn, at free positions. `None` if there are too few
+    /// positions.
     pub fn fill(&mut self, level: &Level, count: usize) -> Option<()> {
         for i in 0..count.min(MOST) {
             let shape = (0..1000).find_map(|_| self.place(level, i))?;
-            // Of boxes and of balls alike every second one bounces.
+            // Every second box and every second ball bounces.
             let response = if i & 2 == 0 { Response::Slide } else { Response::Bounce };
             *self.bodies.get_mut(i)? = Body { shape, velocity: self.push(), response };
             self.count = i + 1;
@@ -76,7 +77,7 @@ impl Crowd {
         Ok(())
     }
 
-    /// FNV-1a over all places and velocities.
+    /// FNV-1a over all positions and velocities.
     pub fn hash(&self, hash: u32) -> u32 {
         let words = self.bodies().iter().flat_map(|body| {
             let ((x, y), (vx, vy)) = (body.shape.centre().raw(), body.velocity.raw());

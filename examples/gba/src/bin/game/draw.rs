@@ -1,5 +1,5 @@
-//! The level as tiles, the bodies as sprites, and the cost of a frame as a bar. Pixels are two
-//! units wide.
+//! Draws the level as tiles, the bodies as sprites, and the cost of a frame as a bar. Pixels are
+//! two units wide.
 
 use tilesat::{Aabb, Cell, TileShape, Vec2};
 use tilesat_gba::cycles::FRAME;
@@ -19,7 +19,7 @@ const LATE: (u16, u16, u16) = (30, 7, 7);
 const TEXT: (u16, u16, u16) = (29, 29, 28);
 const PALETTES: [(u16, u16, u16); 4] = [(31, 29, 12), (9, 26, 12), (12, 18, 31), (27, 12, 27)];
 
-/// Tiles of the background: the tile ids of the level are ASCII, these come after.
+/// Tiles of the background. The tile ids of the level are ASCII, and these follow them.
 const DIGITS: u32 = 128;
 const BAR: u32 = 144;
 const CLEAR: u32 = b'.' as u32;
@@ -28,7 +28,7 @@ const BALL_TILES: u32 = BOXES.len() as u32;
 const NINJA_TILE: u32 = BALL_TILES + BALLS.len() as u32;
 const NINJA_RADIUS: i32 = 6;
 
-/// A bar of this many pixels is a frame.
+/// A bar of this many pixels is one frame.
 const BAR_WIDTH: u32 = 192;
 const BAR_ROW: u32 = HEIGHT as u32;
 
@@ -80,7 +80,7 @@ fn prepare_sprites() {
     set_tile(Layer::Sprites, NINJA_TILE, &disc(NINJA_RADIUS));
 }
 
-/// A tile's picture is what the level says of its pixels, at the first cell that has it.
+/// A tile's picture shows the level's answer for each pixel, at the first cell with this tile.
 fn prepare_level(level: &Level) {
     let mut known = [false; 128];
     for (x, y) in (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y))) {
@@ -99,13 +99,13 @@ fn prepare_level(level: &Level) {
     }
 }
 
-/// Whether the middle of the pixel of two units from here is solid.
+/// Whether the middle of the pixel two units from here is solid.
 fn is_solid(level: &Level, x: i32, y: i32) -> bool {
     let centre = Vec2::from_ints(x as i16 + 1, y as i16 + 1);
     Aabb::from_centre(centre, Vec2::from_raw(1 << 15, 1 << 15)).is_ok_and(|pixel| level.overlaps(&pixel))
 }
 
-/// The pixels of a one-way edge: nothing of it is solid.
+/// The pixels of a one-way edge, which is not solid.
 fn edge(shape: TileShape) -> impl Fn(i32, i32) -> bool {
     move |x, y| match shape {
         TileShape::OneWayUp => y == 0,
@@ -133,15 +133,15 @@ pub fn bodies(ninja: &Ninja, crowd: &Crowd) {
     }
 }
 
-/// The upper left pixel of a sprite around a place.
+/// The upper left pixel of a sprite around a position.
 fn corner(centre: Vec2) -> (i32, i32) {
     let (x, y) = centre.raw();
     // Half a pixel is a unit.
     (((x + (1 << 16)) >> 17) - 4, ((y + (1 << 16)) >> 17) - 4)
 }
 
-/// Green for the collision, blue for the rest of the work, red beyond one frame; the number of
-/// bodies, and percent of a frame.
+/// Green for the collision, blue for the rest of the work, red beyond one frame. Also the number of
+/// bodies, and the percentage of a frame.
 pub fn bar(collision: u32, all: u32, count: usize) {
     let pixels = |cycles: u32| (cycles.min(2 * FRAME) * BAR_WIDTH).div_ceil(FRAME).min(BAR_WIDTH);
     let (first, second) = (pixels(collision), pixels(all));

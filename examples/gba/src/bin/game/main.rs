@@ -1,7 +1,7 @@
 //! A ninja among boxes and balls on one screen of all shapes.
 //!
-//! Left and right run, A jumps; Select held at power-on doubles the bodies to 64; Start ends the
-//! game with what it cost.
+//! Left and right run. A jumps. Hold Select at power-on for 64 bodies instead of 32. Start ends the
+//! game and prints its cost.
 #![no_std]
 #![no_main]
 
@@ -23,7 +23,7 @@ struct Cost {
     frames: u32,
     sum: u64,
     most: u32,
-    /// Frames whose work did not fit one picture.
+    /// Frames whose work took longer than one picture.
     late: u32,
 }
 
@@ -47,8 +47,8 @@ fn main() -> i32 {
 }
 
 fn play() -> Result<(), &'static str> {
-    let level = level::map().map_err(|_| "the level is not one")?;
-    let mut ninja = Ninja::new(level::START).map_err(|_| "the ninja starts outside of the domain")?;
+    let level = level::map().map_err(|_| "the level is invalid")?;
+    let mut ninja = Ninja::new(level::START).map_err(|_| "the ninja starts outside the domain")?;
     let count = if Pad::read().is_down(Key::Select) { crowd::MOST } else { crowd::MOST / 2 };
     let mut crowd = Crowd::EMPTY;
     crowd.fill(&level, count).ok_or("there is no room for the bodies")?;
@@ -71,7 +71,7 @@ fn play() -> Result<(), &'static str> {
         screen::wait();
         cycles::start();
         draw::bodies(&ninja, &crowd);
-        // Of the last frame, as this one's is not over.
+        // Shows the last frame, because this one is not over.
         draw::bar(collision, collision + drawing, count);
         drawing = cycles::stop();
         cost.add(collision, collision + drawing);

@@ -1,5 +1,5 @@
-//! Prints what frames of broad phases cost. For the boards mps2-an385 and mps2-an386, which have
-//! the longer clock.
+//! Prints the costs of frames of broad phases. Runs on mps2-an385 and mps2-an386, which have the
+//! longer clock.
 
 #![no_std]
 #![no_main]

@@ -1,4 +1,4 @@
-//! Prints what casts of shapes cost.
+//! Prints the costs of casts of shapes.
 
 #![no_std]
 #![no_main]

@@ -1,5 +1,5 @@
-//! Prints what frames of bodies that move cost. For the boards mps2-an385 and mps2-an386, which
-//! have the longer clock.
+//! Prints the costs of frames of moving bodies. Runs on mps2-an385 and mps2-an386, which have the
+//! longer clock.
 
 #![no_std]
 #![no_main]

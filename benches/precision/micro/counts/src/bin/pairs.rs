@@ -1,4 +1,4 @@
-//! Prints what queries on pairs of shapes cost.
+//! Prints the costs of queries on pairs of shapes.
 
 #![no_std]
 #![no_main]

@@ -1,4 +1,4 @@
-//! Prints what rays through grids cost.
+//! Prints the costs of rays through grids.
 
 #![no_std]
 #![no_main]

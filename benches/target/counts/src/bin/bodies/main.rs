@@ -1,4 +1,4 @@
-//! Prints what moving solids and whole scenes cost.
+//! Prints the costs of moving solids and of whole scenes.
 
 #![no_std]
 #![no_main]
@@ -15,7 +15,7 @@ static mut SCENE: scene::Bodies = scene::NONE;
 #[entry]
 fn main() -> ! {
     let scene = &raw mut SCENE;
-    // SAFETY: nothing else names it, and this is called once.
+    // SAFETY: nothing else names it, and this runs once.
     let scene = unsafe { &mut *scene };
     let mut table = Table::start();
     solids::rows(&mut table);

@@ -12,14 +12,14 @@ use tilesat_counts::span::Span;
 use tilesat_counts::stack::depth;
 
 const BODIES: usize = 64;
-/// A tenth of a unit a step and step.
+/// A tenth of a unit per step per step.
 const GRAVITY: Vec2 = Vec2::from_raw(0, 6554);
-/// How many steps a row is.
+/// Steps per row.
 const STEPS: u32 = 64;
 
 pub type Bodies = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
-/// What the firmware has a static of.
+/// The type of the firmware's static.
 pub const NONE: Bodies = Scene::with_sleep(SortSweep::new(), Sleep::NEVER);
 
 pub fn rows(table: &mut Table, scene: &mut Bodies) {
@@ -28,7 +28,7 @@ pub fn rows(table: &mut Table, scene: &mut Bodies) {
     }
 }
 
-/// Bodies of 6 to 24 units, at most 2 units a step fast, none of them in the solid.
+/// Bodies of 6 to 24 units, at most 2 units per step fast. None of them is in the solid.
 fn fill(scene: &mut Bodies, map: &Map) -> Option<()> {
     let (mut random, mut key) = (Random::new(5), 0);
     let bouncy = Surface::new(Ratio::HALF, Ratio::percent(20)?).resting_below(Fx::from_bits(UNIT / 2));
@@ -63,7 +63,7 @@ fn steps(table: &Table, scene: &mut Bodies, map: &Map) -> Option<()> {
     row(table, "64 asleep, step", Some((500, 0)), scene, map, |s| *s == Stepped::default())
 }
 
-/// Steps that follow each other.
+/// Consecutive steps.
 fn row(
     table: &Table,
     name: &str,

@@ -1,5 +1,4 @@
-//! Rows of moving solids: four platforms in a room of blocks, one of them under the body or beside
-//! it.
+//! Rows of moving solids: four platforms in a room of blocks. One is under the body or beside it.
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{Body, MoveError, Mover, Ridden, Ride};
@@ -72,7 +71,7 @@ fn ball(x: i32, y: i32) -> Option<Circle> {
     circle((x + (7 << 16), y + (7 << 16)), 7 << 16)
 }
 
-/// A body on the first of four platforms, which moves by so many units.
+/// A body on the first of four platforms, which moves by this many units.
 fn scene<B>(
     r: &mut Random,
     map: TileMap<'static>,

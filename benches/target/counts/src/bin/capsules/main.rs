@@ -1,5 +1,5 @@
-//! Prints what motion of capsules costs: apart from the circles and boxes that they are compared
-//! with, for one chip's flash is too small for all.
+//! Prints the costs of capsules in motion. Circles and boxes are in another program: one chip's
+//! flash does not hold both.
 
 #![no_std]
 #![no_main]
@@ -28,7 +28,7 @@ fn moves<W: World + Copy>(table: &mut Table, map: W, name: &str, speed: i32) {
     let loads = |_: &(Capsule, Vec2), _: &W| -> Query<_, _, _> { load::<_, _, _, 5, 0> };
     let next = move |r: &mut Random| {
         let body = upright(r)?;
-        // What starts in the solid is refused.
+        // The mover refuses a body that starts in the solid.
         Mover::platformer(Axis::NEG_Y).move_and_slide(&map, &body, vec((1, 0))).ok()?;
         Some(((body, vec((r.raw(-speed, speed), r.raw(-speed, speed)))), map))
     };

@@ -1,15 +1,15 @@
-//! A crowd in a walled world: bodies of 6 to 24 units that move by at most 2 units a frame and turn
+//! A crowd in a walled world: bodies of 6 to 24 units, at most 2 units per frame fast, that turn
 //! round at the walls.
 
 use tilesat::{Aabb, Vec2};
 use tilesat_counts::inputs::{Random, UNIT};
 
-/// Where the bodies are.
+/// Sizes of the world.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum World {
     /// 1024 x 768, whatever their number.
     Fixed,
-    /// As large as gives each 64 x 64.
+    /// Large enough to give each body 64 x 64.
     Density,
     /// All in 256 x 256.
     Cluster,
@@ -26,7 +26,7 @@ impl World {
         }
     }
 
-    /// Width and height for so many bodies, a power of two of them.
+    /// Width and height for a number of bodies, which is a power of two.
     pub fn size(self, bodies: usize) -> (i32, i32) {
         let log = bodies.ilog2();
         match self {
@@ -60,7 +60,7 @@ impl<const N: usize> Crowd<N> {
         crowd
     }
 
-    /// The next frame. Apart from what is measured: this is the game's part.
+    /// Makes the next frame. This is the game's part and is not measured.
     #[inline(never)]
     pub fn step(&mut self) {
         for (place, way) in self.boxes.iter_mut().zip(&mut self.ways) {

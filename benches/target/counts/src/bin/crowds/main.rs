@@ -1,7 +1,7 @@
-//! Rows of broad phases: a frame moves all bodies and enumerates all pairs.
+//! Rows of broad phases. A frame moves all bodies and enumerates all pairs.
 //!
-//! The boxes of the frame are at hand: what the game does to find them is not counted, handing them
-//! over is. For mps2-an385, on which code for the Cortex-M0 runs as well.
+//! The boxes of the frame are ready. The counts include the calls that pass them, but not the
+//! game's work to find them. Runs on mps2-an385, which also runs code for the Cortex-M0.
 
 #![no_std]
 #![no_main]
@@ -39,8 +39,8 @@ fn main() -> ! {
     process::exit(i32::from(wrong != 0))
 }
 
-/// Every structure in every world, with N bodies: a block is 32 cells of 32 x 32 units, each body
-/// has 4 of them where there is room for all.
+/// Every structure in every world, with N bodies. A block is 32 cells of 32 x 32 units. Each body
+/// has 4 of them, if there is room for all.
 #[inline(never)]
 fn all<const N: usize, const BLOCKS: usize, const BUCKETS: usize>(timer: &Timer, wrong: &mut u32) {
     for world in World::ALL {
@@ -51,8 +51,8 @@ fn all<const N: usize, const BLOCKS: usize, const BUCKETS: usize>(timer: &Timer,
                 World::Fixed => row::<N, _, _>(timer, "grid", world, grid::<24, N, _, 5>, grid::<24, N, _, 5>),
                 World::Cluster => row::<N, _, _>(timer, "grid", world, grid::<2, N, _, 3>, grid::<2, N, _, 3>),
                 World::Density => {
-                    // Cells are half as wide as a body's square, and the world is as wide as high,
-                    // or twice as wide.
+                    // Cells are half as wide as a body's square. The world is square, or twice as
+                    // wide as high.
                     row::<N, _, _>(timer, "grid", world, square_grid::<BLOCKS, N, _>, square_grid::<BLOCKS, N, _>)
                 }
             },
@@ -87,7 +87,7 @@ fn must<T>(made: Result<T, GridError>) -> T {
     })
 }
 
-/// Instructions a frame on a Cortex-M0 that are not to be exceeded, filters off.
+/// Budget of instructions per frame on a Cortex-M0, without filters.
 fn budget(name: &str, bodies: usize, world: World) -> Budget {
     let most = match (name, bodies) {
         _ if world != World::Fixed => return None,
@@ -102,7 +102,7 @@ fn budget(name: &str, bodies: usize, world: World) -> Budget {
     Some((most, 0))
 }
 
-/// Prints a row; returns what tells whether the pairs are those of another structure.
+/// Prints a row. Returns a number that identifies the pairs, to compare with another structure.
 #[inline(never)]
 fn row<const N: usize, A, B>(timer: &Timer, name: &str, world: World, plain: fn() -> A, masked: fn() -> B) -> [u32; 2]
 where
@@ -138,7 +138,7 @@ fn regular_row<const N: usize>(timer: &Timer) -> u32 {
     pairs
 }
 
-/// Frames that put an order right before those that count.
+/// Frames that settle the order before the counted ones.
 const WARM: u32 = 4;
 
 fn rounds(bodies: usize) -> u32 {
@@ -147,8 +147,8 @@ fn rounds(bodies: usize) -> u32 {
 
 type Frame<B, const N: usize> = fn(&mut B, &[Handle; N], &[Aabb; N]) -> u32;
 
-/// Some frames after some that put an order right: instructions of one, and a number that tells the
-/// pairs.
+/// Settles the order in some frames, then counts some. Returns the instructions of one, and a
+/// number that identifies the pairs.
 #[inline(never)]
 fn frames<const N: usize, B: BroadPhase>(
     timer: &Timer,
@@ -179,19 +179,19 @@ fn frames<const N: usize, B: BroadPhase>(
 
 #[inline(never)]
 fn nothing<B, const N: usize>(_: &mut B, _: &[Handle; N], _: &[Aabb; N]) -> u32 {
-    // SAFETY: no instruction at all; it only keeps the call.
+    // SAFETY: no instruction at all. It only keeps the call.
     unsafe { core::arch::asm!("", options(nomem, nostack, preserves_flags)) };
     0
 }
 
-/// All bodies at once.
+/// All bodies in one call.
 #[inline(never)]
 fn each<B: BroadPhase, const N: usize>(near: &mut B, _: &[Handle; N], boxes: &[Aabb; N]) -> u32 {
     let moved = near.move_each(|body, bounds| *boxes.get(body.slot()).unwrap_or(bounds));
     sum(near) + u32::from(moved.is_err())
 }
 
-/// Each by its name.
+/// Each body by its handle.
 #[inline(never)]
 fn by_handle<B: BroadPhase, const N: usize>(near: &mut B, handles: &[Handle; N], boxes: &[Aabb; N]) -> u32 {
     let mut refused = 0;
@@ -201,7 +201,7 @@ fn by_handle<B: BroadPhase, const N: usize>(near: &mut B, handles: &[Handle; N],
     sum(near) + refused
 }
 
-/// Uses both names of every pair.
+/// Uses both handles of every pair.
 #[inline(always)]
 fn sum<B: BroadPhase>(near: &mut B) -> u32 {
     let mut sum = 0;

@@ -1,8 +1,8 @@
-//! The grid that is not in the library, for comparison: every body is in each cell that its box
-//! touches, up to four of them.
+//! A regular grid, which the library does not have, for comparison. Every body is in each cell that
+//! its box touches, up to four of them.
 //!
-//! A pair is found in every cell that both are in, and told in the one that holds the lower corner
-//! of what the two boxes share.
+//! Every cell that holds both bodies finds the pair. The cell with the lower corner of the boxes'
+//! intersection reports it.
 
 use tilesat::Aabb;
 
@@ -13,7 +13,7 @@ const ROWS: usize = 24;
 const SHIFT: u32 = 21;
 const NIL: u16 = u16::MAX;
 
-/// One body in one of its cells.
+/// An entry of one body in one cell.
 #[derive(Clone, Copy)]
 struct Node {
     next: u16,
@@ -21,7 +21,7 @@ struct Node {
     cell: u16,
 }
 
-/// N bodies with four nodes each: 24 bytes a body beside its box.
+/// N bodies with four nodes each: 24 bytes per body beside its box.
 pub struct Regular<const N: usize> {
     boxes: [Aabb; N],
     nodes: [[Node; 4]; N],

@@ -1,4 +1,4 @@
-//! Rows of what else a level of all shapes is asked, and of motion that is more than a slide.
+//! Rows of the other queries on a level of all shapes, and of motion that is more than a slide.
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{MoveError, Mover, Stuck, Support, Walked, Walker, escape};

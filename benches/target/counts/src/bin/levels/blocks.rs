@@ -1,5 +1,5 @@
-//! Rows of motion in levels of blocks: a quarter of the cells are full, at random, in a closed
-//! room; and a body at rest.
+//! Rows of motion in levels of blocks, and of a body at rest. A quarter of the cells are full, at
+//! random, in a closed room.
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{Body, Memo, MoveError, Moved, Mover};
@@ -56,7 +56,7 @@ fn loads<B>(_: &(B, Vec2), _: &Map) -> Query<(B, Vec2), Map, Step<B>> {
     load::<_, _, _, 5, 0>
 }
 
-/// Anywhere, in any direction: free flights, landings, walls and corners, as they come.
+/// Anywhere, in any direction: free flights, landings, walls and corners at random.
 fn moves<B: Body>(table: &mut Table, map: Map, name: &str, speed: i32, body: fn(&mut Random, &Map) -> Option<B>) {
     let next = move |r: &mut Random| {
         let body = body(r, &map)?;
@@ -71,8 +71,8 @@ fn again<B: Body + PartialEq>((body, velocity): &(B, Vec2), (map, memo): &(Map, 
     MaybeUninit::new(memo.move_and_slide(&mover, map, 0, body, *velocity))
 }
 
-/// On a floor where it has fallen to: with a quarter unit of gravity, with a memo of that, and
-/// without gravity.
+/// On a floor after a fall: with a quarter unit of gravity, with a memo of that, and without
+/// gravity.
 fn at_rest<B: Body + PartialEq>(
     table: &mut Table,
     map: Map,

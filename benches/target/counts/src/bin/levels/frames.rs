@@ -1,5 +1,5 @@
-//! Rows of many random frames in a level of all shapes: not the mean of a few but the far end of
-//! all.
+//! Rows of many random frames in a level of all shapes. They show the far end of all frames, not
+//! the mean of a few.
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{Body, MoveError, Moved, Mover};
@@ -10,9 +10,9 @@ use tilesat_counts::inputs::{Random, UNIT, circle, vec};
 use tilesat_counts::measure::{Query, Table, nothing, sample, tell};
 use tilesat_counts::shapes::{Map, SIDE, ball, crate_, level, on, tiles};
 
-/// How many frames a row is.
+/// Frames per row.
 const FRAMES: usize = 4000;
-/// Those that are above the 99.9th percentile, and the first that is not.
+/// The frames above the 99.9th percentile, and the first one below.
 const ABOVE: usize = FRAMES / 1000 + 1;
 
 pub fn rows(table: &mut Table) {
@@ -35,7 +35,7 @@ fn velocity(r: &mut Random, speed: i32) -> Vec2 {
     vec((r.raw(-speed, speed), r.raw(-speed, speed)))
 }
 
-/// The mean, the 99.9th percentile and the most.
+/// The mean, the 99.9th percentile and the maximum.
 fn row<B: Body>(counter: &Counter<Short>, name: &str, map: &Map, next: impl Fn(&mut Random) -> Option<(B, Vec2)>) {
     let (mut random, mut largest, mut made, mut sum) = (Random::new(7), [0; ABOVE], 0, 0);
     while made < FRAMES {
@@ -43,7 +43,7 @@ fn row<B: Body>(counter: &Counter<Short>, name: &str, map: &Map, next: impl Fn(&
         made += 1;
         let mut count = instructions(counter, map, &frame);
         sum += count;
-        // The largest so far, the most first.
+        // The largest so far, in descending order.
         for kept in &mut largest {
             if count > *kept {
                 (count, *kept) = (*kept, count);
@@ -55,9 +55,9 @@ fn row<B: Body>(counter: &Counter<Short>, name: &str, map: &Map, next: impl Fn(&
     tell("frames", format_args!("{name}, most of {FRAMES}"), largest[0], None);
 }
 
-/// What a block costs whose cell a ball's bounds reach and which it does not meet: between two
-/// blocks, less the same beside one. It has a side and a corner there that the motion leaves, or
-/// passes.
+/// The cost of a block whose cell a ball's bounds reach, but which the ball does not meet. It is
+/// the cost between two blocks minus the cost beside one. The motion leaves, or passes, a side and
+/// a corner there.
 fn missed(table: &mut Table) {
     static TWO: [u8; 12] = [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0];
     static ONE: [u8; 12] = [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0];
@@ -75,8 +75,8 @@ fn missed(table: &mut Table) {
     }
 }
 
-/// The frame that took most of 110 000 in maps of 25, 40 and 60 % by up to 60 units: down a pit of
-/// two slopes, a corner and an arc.
+/// The most expensive of 110 000 frames, in maps of 25, 40 and 60 % by up to 60 units. It goes down
+/// a pit of two slopes, a corner and an arc.
 fn worst(table: &mut Table) {
     static DENSE: [u8; SIDE * SIDE] = tiles(102);
     let (Some(map), Some(ball)) = (on(&DENSE, SIDE as u16, SIDE as u16), circle((5_416_021, 20_534_139), 10 * UNIT))

@@ -12,7 +12,7 @@ const CELL: i32 = 16;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
 
-/// A room: walls around, a few blocks inside, a floor above the lower wall.
+/// A room: walls around, a few blocks inside, and a floor above the lower wall.
 static TILES: [u8; SIDE * SIDE] = room();
 
 const fn room() -> [u8; SIDE * SIDE] {
@@ -65,18 +65,18 @@ fn rays(table: &mut Table, map: TileMap<'static>) {
         let (ray, map) = any(r)?;
         map.cast_ray(ray.origin, ray.motion, Inside::Ignore).ok()?.is_none().then_some((ray, map))
     };
-    // Origin and motion are the operands; reading the map is part of the walk.
+    // Origin and motion are the operands. Reading the map is part of the walk.
     let loads = |_: &Ray, _: &TileMap<'static>| -> Query<Ray, TileMap<'static>, Cast> { load::<_, _, _, 4, 0> };
     table.row("ray, 17 cells, hit", Some((900, 590)), cast, loads, seventeen, |hit| matches!(hit, Ok(Some(_))));
     table.row("ray, no hit", None, cast, loads, free, |hit| matches!(hit, Ok(None)));
 }
 
-/// A velocity of a run: 3.37 units a frame, a quarter unit of gravity.
+/// A running velocity: 3.37 units per frame, with a quarter unit of gravity.
 fn run() -> Vec2 {
     vec((UNIT * 337 / 100, UNIT / 4))
 }
 
-/// A place on the floor, clear of blocks: the x of a body and the y of the floor.
+/// A position on the floor, clear of blocks: the x of a body and the y of the floor.
 fn on_the_floor(r: &mut Random) -> (i32, i32) {
     (r.raw(2 * CELL, (SIDE as i32 - 4) * CELL), (SIDE as i32 - 1) * CELL * UNIT)
 }

@@ -1,4 +1,4 @@
-//! Prints what queries on levels and motion in them cost.
+//! Prints the costs of queries on levels and of motion in them.
 
 #![no_std]
 #![no_main]

@@ -6,13 +6,13 @@ use tilesat::{Aabb, CastHit, Circle, Inside, RangeError, Segment, Vec2};
 use tilesat_counts::inputs::{Random, any_box, any_circle, any_segment, vec};
 use tilesat_counts::measure::{Budget, Query, Table, load};
 
-/// A shape and its motion, as the operands are loaded.
+/// A shape and its motion, in the order in which the operands are loaded.
 pub struct Moving<S> {
     shape: S,
     by: Vec2,
 }
 
-/// Something that can be cast, and where it is.
+/// A shape that can be cast, and its centre.
 trait Placed: Copy {
     fn any(r: &mut Random) -> Option<Self>;
 }
@@ -35,7 +35,7 @@ impl Placed for Segment {
     }
 }
 
-/// Shapes apart in a 64 unit square, and a motion from anywhere in it to anywhere else that hits or
+/// Disjoint shapes in a 64 unit square, and a motion between any two points of it that hits or
 /// misses.
 fn pair<A: CastShape<B> + Overlaps<B> + Placed, B: Placed>(r: &mut Random, hits: bool) -> Option<(Moving<A>, B)> {
     let (a, b) = (A::any(r)?, B::any(r)?);

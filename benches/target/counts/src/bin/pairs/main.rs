@@ -1,4 +1,4 @@
-//! Prints what queries on pairs and answers to contacts cost.
+//! Prints the costs of queries on pairs and of responses to contacts.
 
 #![no_std]
 #![no_main]

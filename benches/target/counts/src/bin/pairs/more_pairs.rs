@@ -1,4 +1,4 @@
-//! Rows of the pair queries beside overlap, contact, distance and cast.
+//! Rows of the pair queries other than overlap, contact, distance and cast.
 
 use core::mem::MaybeUninit;
 use tilesat::prelude::*;

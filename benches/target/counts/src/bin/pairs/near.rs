@@ -1,4 +1,4 @@
-//! Rows of what a broad phase of 64 bodies is asked, in a room of 512 x 512.
+//! Rows of the queries on a broad phase of 64 bodies, in a room of 512 x 512.
 
 use core::mem::MaybeUninit;
 use tilesat::broad::{BroadHit, BroadPhase, Handle, Nearest, QueryError, SortSweep, SpatialHash};

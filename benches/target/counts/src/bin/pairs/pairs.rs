@@ -9,7 +9,7 @@ use tilesat_counts::inputs::{
 };
 use tilesat_counts::measure::{Budget, Query, Table, load};
 
-/// A query as the table wants it.
+/// A query in the form that the table needs.
 macro_rules! query {
     (|$a:ident: $A:ty, $b:ident: $B:ty| $call:expr) => {
         |$a: &$A, $b: &$B| MaybeUninit::new($call)
@@ -38,8 +38,7 @@ fn boxes_with_boxes(table: &mut Table) {
     };
     let hit = |r: &mut Random| pair(r).filter(|(a, b)| boxes(a, b) == Boxes::Overlap);
     table.row("AABB-AABB overlaps, hit", Some((20, 18)), overlaps, |_, _| load::<_, _, _, 4, 4>, hit, |&yes| yes);
-    // The order of the tests is the library's; the first of them carries the budget of the first
-    // reject.
+    // The tests run in the library's order. The first one has the budget of the first reject.
     let rejects: [(&str, Budget, Boxes, bool); 4] = [
         ("AABB-AABB overlaps, first reject (A right)", Some((10, 10)), Boxes::ApartInX, false),
         ("AABB-AABB overlaps, second reject (A left)", None, Boxes::ApartInX, true),
@@ -53,7 +52,7 @@ fn boxes_with_boxes(table: &mut Table) {
 
 fn circles_with_circles(table: &mut Table) {
     let overlaps: Query<Circle, Circle, bool> = query!(|a: Circle, b: Circle| a.overlaps(b));
-    // Circles apart in x need no y.
+    // Circles that are apart in x need no y.
     let loads = |a: &Circle, b: &Circle| -> Query<Circle, Circle, bool> {
         if boxes(&a.aabb(), &b.aabb()) == Boxes::ApartInX { load::<_, _, _, 2, 2> } else { load::<_, _, _, 3, 3> }
     };
@@ -143,7 +142,7 @@ fn contacts(table: &mut Table) {
         Option::is_some,
     );
 
-    // Two words are the axis, of which both are made.
+    // Two words hold the axis, from which both are made.
     let normal = query!(|c: Contact, _b: ()| c.normal());
     table.row(
         "unit normal, circle-circle",

@@ -19,8 +19,8 @@ pub fn rows(table: &mut Table) {
     points(table);
 }
 
-/// A velocity of up to 8 units a frame that moves into a surface, and the normal of that: from
-/// centre to centre of two circles.
+/// A velocity of up to 8 units per frame into a surface, and the surface's normal: from centre to
+/// centre of two circles.
 fn askew(r: &mut Random) -> Option<(Vec2, Axis)> {
     let n = near_circles(r)?.0.centre();
     let n = Axis::new(n.raw().0 - 32 * UNIT, n.raw().1 - 32 * UNIT);

@@ -1,5 +1,5 @@
-//! Prints what queries on levels of segments and motion in them cost: apart from the tiles, for one
-//! chip's flash is too small for both.
+//! Prints the costs of queries on levels of segments and of motion in them. Tiles are in another
+//! program: one chip's flash does not hold both.
 
 #![no_std]
 #![no_main]

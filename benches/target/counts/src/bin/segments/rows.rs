@@ -1,4 +1,5 @@
-//! Rows of a level of free segments: hills and a wall, a quarter of the size of the other levels.
+//! Rows of a level of free segments: hills and a wall. It is a quarter as large as the other
+//! levels.
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{MoveError, Moved, Mover};
