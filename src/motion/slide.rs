@@ -305,9 +305,12 @@ impl<B: Body> Run<'_, B> {
         let body = &self.moved.body;
         let is_shut = |way: &Way| self.shut.holds(way.probe());
         let leads_out = |way: &Way| into(way.v, hit) >= 0;
-        let leads_nowhere = margin(&body.bounds()) != 0 || !ways.iter().any(leads_out);
+        let (thin, leads) = (margin(&body.bounds()) != 0, ways.iter().any(leads_out));
         let out = ways.first_free(world, body, passes, &|way| leads_out(way) && !is_shut(way));
-        if out.is_some() || leads_nowhere { out } else { ways.first_free(world, body, passes, &|way| !is_shut(way)) }
+        if out.is_some() || thin {
+            return out;
+        }
+        ways.first_free(world, body, passes, &|way| (leads || way.along.is_some()) && !is_shut(way))
     }
 
     /// Gives the velocity another direction, and the rest of the motion with it.

@@ -3,16 +3,20 @@
 use super::body::{Body, Outcome};
 use super::level::Level;
 use super::rect::{self, First};
-use super::{P, Time, add, disc, dot, len2, path, point};
+use super::{P, Time, add, disc, dot, len2, path, point, ways};
 use tilesat::{Hit, Mover, Response};
 
-/// Whether a circle moves on for 64 raw units without entering the solid. Its position beside a
-/// corner is rounded. So the tangent there can lead into the corner by less than a raw unit
-/// although the circle is past it.
-fn passes(level: &Level, body: &Body, v: P) -> bool {
+/// Whether a body is past what it hit last: its place beside a corner is rounded, so the tangent
+/// there may lead into the corner by less than a raw unit. Then a circle misses the corner however
+/// far it goes, or the next 64 raw units are free, up to which what is touched binds a way.
+fn is_past(level: &Level, body: &Body, v: P, hit: &Hit) -> bool {
+    let Body::Disc { core, r, .. } = *body else { return false };
+    let m = ways::from_corner(body, ways::corner(level, hit));
+    let across = i128::from(m.0) * i128::from(v.1) - i128::from(m.1) * i128::from(v.0);
+    let misses = dot(v, m) >= 0 || across * across >= i128::from(r) * i128::from(r) * len2(v);
     let way = v.0.abs().max(v.1.abs());
-    let (v, way) = if way < 64 { ((v.0 * 64, v.1 * 64), way * 64) } else { (v, way) };
-    matches!(body, Body::Disc { .. }) && !disc::enters_solid(level, body, v, Time::new(64, way))
+    let (far, way) = if way < 64 { ((v.0 * 64, v.1 * 64), way * 64) } else { (v, way) };
+    (hit.index >= 4 && core == (0, 0) && misses) || !disc::enters_solid(level, body, far, Time::new(64, way))
 }
 
 /// How early a call may report a circle's corner contact, in parts of 2^30: a few roundings of 31
@@ -50,8 +54,8 @@ pub fn judge(level: &Level, start: &Body, v: P, response: Response, out: &Outcom
     }
     let obeyed: Vec<&Hit> = out.hits.iter().filter(|h| response != Response::DropThrough || !h.one_way).collect();
     let axes: Vec<P> = obeyed.iter().map(|h| (i64::from(h.axis.x), i64::from(h.axis.y))).collect();
-    if let Some(&last) = axes.last() {
-        check(dot(out.v, last) >= 0 || passes(level, &out.body, out.v), "still moves into what it hit last")?;
+    if let (Some(&last), Some(hit)) = (axes.last(), obeyed.last()) {
+        check(dot(out.v, last) >= 0 || is_past(level, &out.body, out.v, hit), "still moves into what it hit last")?;
     } else {
         check(out.v == v, "lost velocity without a hit")?;
     }

@@ -12,6 +12,7 @@ pub mod path;
 pub mod point;
 pub mod rect;
 pub mod scene;
+pub mod ways;
 
 /// A pair of raw coordinates.
 pub type P = (i64, i64);

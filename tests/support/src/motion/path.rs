@@ -7,7 +7,7 @@
 
 use super::body::{Body, Outcome};
 use super::level::Level;
-use super::{P, Time, disc, len2, rect};
+use super::{P, Time, disc, len2, rect, ways};
 use tilesat::{Hit, Mover, Response};
 
 type V = (f64, f64);
@@ -75,7 +75,7 @@ impl Touched {
     /// another way than round them, or by flying past. Returns whether that is certain: not if a
     /// body just passes the end of a face.
     fn slide(&mut self, leg: V, level: &Level, there: &Body) -> bool {
-        let (way, lies) = (leg.0.abs().max(leg.1.abs()), self.lies);
+        let lies = self.lies;
         let mut certain = true;
         self.planes.retain_mut(|plane| {
             if plane.corner {
@@ -90,7 +90,7 @@ impl Touched {
                 // A turn of a quarter of the normal is the limit, which roundings decide.
                 let turn = 4.0 * leg.0.hypot(leg.1) / plane.radius;
                 certain &= !lies || !(0.7..1.4).contains(&turn);
-                return lies && gap <= Self::NEAR && out.abs() * 4.0 <= way * n.0.abs().max(n.1.abs());
+                return lies && gap <= Self::NEAR && turn <= 1.0;
             }
             let over = is_over(level, there, plane);
             certain &= over.is_some();
@@ -154,9 +154,23 @@ fn outward(c: f64) -> f64 {
     if c.abs() < 1.0e-6 { 0.0 } else { c.abs().ceil().copysign(c) }
 }
 
-/// Whether velocity and position follow from the hits. Corners with hits at the same position are
-/// skipped: planes that are touched together are projected on together.
+/// Whether velocity and place are what the hits imply, and a round body that stops has nowhere to
+/// go.
+///
+/// A raw unit may decide which of the hits are still touched at the last one. In any case the velocity
+/// is [the longest free part](ways::keeps_the_longest) of what some of them leave.
 pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
+    let slides = matches!(response, Response::Slide | Response::DropThrough);
+    let round = slides && matches!(start, Body::Disc { r, .. } if *r > 0);
+    if round {
+        ways::stops_rightly(level, v, response, out)?;
+        ways::keeps_the_longest(level, v, response, out)?;
+    }
+    replays(level, start, v, response, out)
+}
+
+/// Where the hits tell for certain what is left, it is that.
+fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let hits: Vec<&Hit> = out.hits.iter().collect();
     let corners = hits.iter().any(|h| h.index >= 4);
     let (mut vel, mut place, mut now) = ((v.0 as f64, v.1 as f64), (0.0, 0.0), 0.0);
@@ -168,6 +182,7 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     let wedge = if let Body::Disc { r, .. } = *start { 2.0 * (r as f64).sqrt() } else { 0.0 };
     let slides = matches!(response, Response::Slide | Response::DropThrough);
     let mut touched = Touched { by: vel, planes: Vec::new(), lies: false };
+    let mut at_last = *start;
     for (i, hit) in hits.iter().enumerate() {
         let toi = f64::from(hit.toi.raw()) / f64::from(1u32 << 30);
         if corners && first_leg.is_some() && vel.0.hypot(vel.1) * (toi - now) < wedge.max(16.0) {
@@ -180,6 +195,7 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
         let made = leg(vel, toi - now);
         place = plus(place, made);
         let there = start.moved((place.0 as i64, place.1 as i64));
+        at_last = there;
         if !touched.slide(made, level, &there) {
             return Ok(());
         }
@@ -220,25 +236,27 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     let radius = hits.iter().filter(|h| h.index >= 4).map(|h| f64::from(h.axis.x).hypot(f64::from(h.axis.y)));
     let turns = 3.0 * length / radius.fold(f64::INFINITY, f64::min);
     let rounding = (8.0 + length / f64::from(1 << 24) + turns) * hits.len().max(1) as f64;
-    // The hits do not show this: another surface touched at the end, in the way for the next 64 raw
-    // units.
+    // What the hits do not tell: something else that was touched at the end or at the last hit, in
+    // the way for the next 64 raw units.
     let disc = matches!(start, Body::Disc { r, .. } if *r > 0);
-    let blocked = |d: V, far: f64, rounded: fn(f64) -> f64| {
+    let blocked_at = |body: &Body, d: V, far: f64, rounded: fn(f64) -> f64| {
         let way = d.0.abs().max(d.1.abs()).max(1.0);
         // Away from zero: a way that leads into a wall by a part of a raw unit is also blocked.
         // Exact zero with noise of floats is not.
         let d = (rounded(d.0 * far / way) as i64, rounded(d.1 * far / way) as i64);
-        let one_way = || response != Response::DropThrough && rect::first_one_way(level, &out.body, d).is_some();
-        disc && (disc::enters_solid(level, &out.body, d, super::Time::END) || one_way())
+        let one_way = || response != Response::DropThrough && rect::first_one_way(level, body, d).is_some();
+        disc && (disc::enters_solid(level, body, d, Time::END) || one_way())
     };
-    if blocked(vel, 64.0, outward) {
+    let blocked = |d: V, far: f64, rounded: fn(f64) -> f64| blocked_at(&out.body, d, far, rounded);
+    if blocked(vel, 64.0, outward) || (corners && blocked_at(&at_last, vel, 64.0, outward)) {
         return Ok(());
     }
     // Between several surfaces, one of them round, a raw unit decides which of them are touched.
     // Then the remaining velocity leads on freely.
     if disc && corners && hits.len() > 1 && out.v != (0, 0) {
         let on = (out.v.0 as f64, out.v.1 as f64);
-        return if blocked(on, 4.0, f64::trunc) { Err(format!("is blocked at once, by {:?}", out.v)) } else { Ok(()) };
+        let at_once = blocked(on, 4.0, f64::trunc);
+        return if at_once { Err(format!("is blocked at once, by {:?}", out.v)) } else { Ok(()) };
     }
     if !near(out.v, vel, rounding) {
         return Err(format!("goes on by {:?}, not {vel:?}", out.v));
