@@ -73,7 +73,9 @@ impl fmt::Display for RangeError {
                 );
             }
             Quantity::Area => "a body with sides in any direction that moves has an area",
-            Quantity::Capsule => "a capsule that moves stands or lies, and has a radius",
+            Quantity::Capsule => {
+                "a capsule that moves stands or lies, and has a radius; a slanted one moves as an AnyShape"
+            }
             // The settings of walkers and riders.
             _ => "it must be from 0 to below 4096 units",
         };

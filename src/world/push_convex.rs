@@ -88,8 +88,7 @@ impl Pushed<'_> {
             }
             Geometry::Arc { centre, radius, quadrant, convex } => {
                 let centre = Raw::of(centre);
-                let cell =
-                    ArcCell { centre, left: quadrant.x < 0, above: quadrant.y < 0, side: radius };
+                let cell = ArcCell { centre, left: quadrant.x < 0, above: quadrant.y < 0, side: radius };
                 let contact = if convex {
                     if !cell.convex_meets::<false>(self.core) {
                         return None;

@@ -223,7 +223,8 @@ fn compounds() {
                 continue;
             }
             done += 1;
-            let cast = |w: &TileMap<'_, AllShapes>, b: &Compound<Any, 3>, d| w.cast_shape(b, d, SOLID).unwrap().is_none();
+            let cast =
+                |w: &TileMap<'_, AllShapes>, b: &Compound<Any, 3>, d| w.cast_shape(b, d, SOLID).unwrap().is_none();
             let aabb = |b: &Compound<Any, 3>| b.aabb();
             play(&map, body, &mut random, &bounds, &cast, &|b| map.overlaps(b), &aabb, &mut tally);
         }

@@ -175,10 +175,13 @@ mod tests {
         let (mut near, mut wrong, mut equal) = (0u64, 0u64, 0u64);
         for k in 0..cases(40_000) {
             let size = 1 << r.within(4, 27);
-            let radius = 1 + r.magnitude(size) as i32;
+            let radius = 1 + r.magnitude(size / 4) as i32;
             let raw = |p: (i64, i64)| Raw { x: p.0 as i32, y: p.1 as i32 };
-            let (m, d) = ((r.around(size), r.around(size)), (r.around(size), r.around(size)));
-            let apart = if k % 8 == 0 { size } else { r.within(0, 6) };
+            let d = (r.around(size), r.around(size));
+            // Through the disc, by a part of the way.
+            let (back, aside) = (r.within(1, 1 << 10), i64::from(radius));
+            let m = (r.around(aside) - ((d.0 * back) >> 10), r.around(aside) - ((d.1 * back) >> 10));
+            let apart = if k % 8 == 0 { size } else { r.within(0, 3) };
             let n = (m.0 + r.around(apart), m.1 + r.around(apart));
             let (m, n, d) = (raw(m), raw(n), raw(d));
             // Outside of both before.

@@ -7,7 +7,8 @@ use tilesat::broad::{BroadError, BroadHit, Handle, Nearest, Pair, QueryError};
 use tilesat::motion::{BodyHit, MoveError, Moved, Ridden, Walked, Work};
 use tilesat::world::{Cell, Feature, Geometry, Near, RayHit, TileAt, WorldContact};
 use tilesat::{
-    Aabb, Axis, Capsule, CastHit, Circle, Contact, Fx, Hit, OrientedBox, Quantity, RangeError, Ratio, Toi, UnitVec2, Vec2,
+    Aabb, Axis, Capsule, CastHit, Circle, Contact, Fx, Hit, OrientedBox, Quantity, RangeError, Ratio, Toi, UnitVec2,
+    Vec2,
     error::Truncated,
     motion::{Ride, Speed, Stuck, Support},
     query::MovingHit,

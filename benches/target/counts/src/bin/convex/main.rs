@@ -116,12 +116,7 @@ fn main() -> ! {
     );
     pairs(
         &mut table,
-        [
-            "quads overlap, hit",
-            "quads overlap, apart",
-            "quads overlap, apart by the last side",
-            "quads, contact",
-        ],
+        ["quads overlap, hit", "quads overlap, apart", "quads overlap, apart by the last side", "quads, contact"],
         [Some((700, 250)), Some((250, 90))],
         quad_at,
     );
