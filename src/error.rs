@@ -73,7 +73,9 @@ impl fmt::Display for RangeError {
                 );
             }
             Quantity::Area => "a moving body with sides in any direction must have an area",
-            Quantity::Capsule => "a moving capsule must be upright or level, and have a radius",
+            Quantity::Capsule => {
+                "a moving capsule must be upright or level, and have a radius; a slanted one moves as an AnyShape"
+            }
             // The settings of walkers and riders.
             _ => "it must be from 0 to below 4096 units",
         };

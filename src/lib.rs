@@ -72,7 +72,7 @@
 //! | module | what |
 //! |---|---|
 //! | [`num`] | scalars, vectors, wide products, roots |
-//! | [`shape`] | [`Aabb`], [`Circle`], [`Segment`]; [`Capsule`], [`OrientedBox`], [`ConvexPolygon`]; [`ConvexParts`](shape::ConvexParts) |
+//! | [`shape`] | [`Aabb`], [`Circle`], [`Segment`]; [`Capsule`], [`OrientedBox`], [`ConvexPolygon`]; [`AnyShape`](shape::AnyShape), [`Compound`](shape::Compound), [`ConvexParts`](shape::ConvexParts) |
 //! | [`query`] | one trait per verb, for each pair of shapes: overlaps, contacts, distances, casts |
 //! | [`world`] | [`TileMap`], [`SegmentMap`], [`Solids`], [`Joined`], [`Rooms`]: surfaces, overlaps, contacts, rays |
 //! | [`broad`] | [`BroadPhase`](broad::BroadPhase): which of many bodies are near each other; events of pairs |

@@ -96,6 +96,8 @@ programs=(
     'circle_segment_overlaps:circle-segment overlaps:0'
     'unit_normal:unit normal:0'
     'circle_contact:circle-circle contact:0'
+    'turned_overlaps:turned boxes overlap:0'
+    'any_overlaps:shapes of any kind overlap:0'
     'cast_ray:ray, Blocks:3200'
     'cast_ray_slopes:ray, Slopes:0'
     'cast_ray_shapes:ray, AllShapes:0'
@@ -108,6 +110,8 @@ programs=(
     'move_circle_surface:move_and_slide, circle, AllShapes, friction:0'
     'move_capsule:move_and_slide, capsule, Blocks:0'
     'move_capsule_shapes:move_and_slide, capsule, AllShapes:0'
+    'move_turned:move_and_slide, turned box, Blocks:0'
+    'move_turned_shapes:move_and_slide, turned box, AllShapes:0'
     'ride_aabb:ride on solids, AABB, Blocks:0'
     'ride_circle:ride on solids, circle, Blocks:0'
     'solids_aabb:a game with solids, AABB, Blocks:0'
@@ -275,12 +279,12 @@ measure_all() {
             present+=("$core")
         fi
     done
-    build_counts "${present[*]#*:}" pairs levels capsules segments bodies
+    build_counts "${present[*]#*:}" pairs levels capsules convex segments bodies
     for core in "${present[@]}"; do
         target=${core#*:} how=run_on
         [[ $core != M0:* ]] || find_plugin
         [[ $core != M0:* || -z $model ]] || how=run_modelled
-        for bin in pairs levels capsules segments bodies; do
+        for bin in pairs levels capsules convex segments bodies; do
             start "$how" "$target" "$bin"
         done
     done

@@ -24,7 +24,7 @@ pub struct BodyHit<B> {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The first hit of a box, circle or capsule that moves by `motion`, or `None` if the way is
+    /// The first hit of a body that moves by `motion`, or `None` if the way is
     /// free.
     ///
     /// Exact. A hit is where the motion would start to overlap the solid. A body that touches and
@@ -107,21 +107,21 @@ macro_rules! casts {
 }
 
 casts! {
-    /// The first hit of a box, circle or capsule that moves by `motion`, walls included.
+    /// The first hit of a body that moves by `motion`, walls included.
     [] SegmentMap<'_>
 }
 casts! {
-    /// The first hit of a box, circle or capsule that moves by `motion`, in either level, on the
+    /// The first hit of a body that moves by `motion`, in either level, on the
     /// surface that [`features`](Self::features) returns.
     [A: World, C: World] Joined<'_, A, C>
 }
 casts! {
-    /// The first hit of a box, circle or capsule that moves by `motion`, with the level at its
+    /// The first hit of a body that moves by `motion`, with the level at its
     /// current position.
     [W: World] Placed<'_, W>
 }
 casts! {
-    /// The first hit of a box, circle or capsule that moves by `motion`, with the solids at their
+    /// The first hit of a body that moves by `motion`, with the solids at their
     /// current positions.
     [] Solids<'_>
 }

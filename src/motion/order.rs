@@ -63,7 +63,9 @@ impl First {
     pub(super) fn add<B: Body, W: World>(&mut self, entry: &Entry, feature: &Feature, d: Raw) {
         let all_flat = W::BLOCKS && !B::MEETS_CORNERS;
         let slot = if all_flat || entry.step.is_none() { &mut self.flat } else { &mut self.round };
-        let before = |first: &Entry| if W::BLOCKS && !B::ANGULAR { entry.before(first, d) } else { entry.before_askew(first, d) };
+        let before = |first: &Entry| {
+            if W::BLOCKS && !B::ANGULAR { entry.before(first, d) } else { entry.before_askew(first, d) }
+        };
         match (&slot.entry, &mut slot.feature) {
             (Some(first), Some(of)) if entry.same_as(first) => merge(of, feature),
             (Some(first), _) if !before(first) => {}

@@ -282,8 +282,7 @@ fn sweep_corner(core: Core<'_>, d: Raw, p: Raw, e_in: Axis, e_out: Axis) -> Opti
     for i in 0..core.corners.len() {
         let normal = core.facing_normal(i);
         if along(normal, d) < 0 && normal.dot(e_in) > 0 && normal.dot(e_out) < 0 {
-            let met =
-                if r == 0 { sweep_sharp(core, i, p, d, (e_in, e_out)) } else { sweep_side(core, i, p, r, d) };
+            let met = if r == 0 { sweep_sharp(core, i, p, d, (e_in, e_out)) } else { sweep_side(core, i, p, r, d) };
             if met.is_some() {
                 return met;
             }

@@ -193,7 +193,7 @@ impl<S: Single + Body, const M: usize> Kernel for Compound<S, M> {
     fn touched(&self, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
         let mut any = false;
         for part in self.parts() {
-            any |= contact::touched(part, feature, |p| plane(p));
+            any |= contact::touched(part, feature, &mut *plane);
         }
         any
     }

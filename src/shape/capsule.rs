@@ -10,7 +10,7 @@ use crate::num::{Fx, Raw, Vec2};
 /// changes no result.
 ///
 /// A capsule that stands or lies is a [`Body`](crate::Body): movers, walkers and characters take
-/// it.
+/// it. A slanted one moves as an [`AnyShape`](super::AnyShape).
 ///
 /// ```text
 ///   .-------------------.

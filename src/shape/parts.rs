@@ -12,6 +12,9 @@ use core::fmt;
 /// The most corners of a polygon that is cut: the size of the working list, 1 KB of stack.
 const MOST: usize = 128;
 
+/// What leaves an index of the list, and shows that it is one.
+const INDEX: usize = MOST - 1;
+
 /// Why a polygon has not been cut into convex parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -131,15 +134,15 @@ impl<const N: usize, const M: usize> ConvexParts<N, M> {
                 i += 1;
             }
             // Every simple polygon has an ear: only `N` can be too small.
-            if most < 3 || all.count == M {
+            if most < 3 || all.count >= M {
                 return Err(PartsError::NoRoom { capacity: M });
             }
             let (mut points, mut k) = ([Vec2::ZERO; N], 0);
-            while k < most {
+            while k < most && k < N {
                 points[k] = rest.at(from + k).vec2();
                 k += 1;
             }
-            all.parts[all.count] = match ConvexPolygon::new(points.split_at(most).0) {
+            all.parts[all.count] = match ConvexPolygon::new(points.split_at(if most < N { most } else { N }).0) {
                 Ok(part) => part,
                 Err(_) => return Err(PartsError::NoRoom { capacity: M }),
             };
@@ -174,15 +177,16 @@ impl Rest {
             return Err(PartsError::TooMany { count: n });
         }
         let (mut rest, mut at, mut lowest) = (Self { points: [Raw::ZERO; MOST], count: n }, 0, 0);
+        let mut low = Raw::of(corners[0]);
         while at < n {
             if let Err(error) = check_coordinate(corners[at]) {
                 return Err(PartsError::Range { at, error });
             }
-            let (p, low) = (Raw::of(corners[at]), Raw::of(corners[lowest]));
+            let p = Raw::of(corners[at]);
             if p.y < low.y || (p.y == low.y && p.x < low.x) {
-                lowest = at;
+                (lowest, low) = (at, p);
             }
-            rest.points[at] = p;
+            rest.points[at & INDEX] = p;
             at += 1;
         }
         if let Err(e) = rest.check_simple() {
@@ -192,7 +196,7 @@ impl Rest {
         if rest.turn(lowest + n - 1, lowest, lowest + 1) < 0 {
             let mut i = 0;
             while i < n {
-                rest.points[n - 1 - i] = Raw::of(corners[i]);
+                rest.points[(n - 1 - i) & INDEX] = Raw::of(corners[i]);
                 i += 1;
             }
         }
@@ -201,7 +205,8 @@ impl Rest {
     }
 
     const fn at(&self, index: usize) -> Raw {
-        self.points[index % self.count]
+        let count = if self.count == 0 { 1 } else { self.count };
+        self.points[(index % count) & INDEX]
     }
 
     /// The sign of the turn at `j`.
@@ -242,9 +247,10 @@ impl Rest {
         let (mut kept, mut i, n) = (0, 0, self.count);
         let before = self.points;
         while i < n {
-            let (p, q, r) = (before[(i + n - 1) % n], before[i], before[(i + 1) % n]);
+            let (i0, i1, i2) = ((i + n - 1) % n, i, (i + 1) % n);
+            let (p, q, r) = (before[i0 & INDEX], before[i1 & INDEX], before[i2 & INDEX]);
             if turn(p, q, r) != 0 {
-                self.points[kept] = q;
+                self.points[kept & INDEX] = q;
                 kept += 1;
             }
             i += 1;
@@ -283,7 +289,7 @@ impl Rest {
     const fn cut(&mut self, first: usize, length: usize) {
         let (left, mut points, mut k) = (self.count + 2 - length, [Raw::ZERO; MOST], 0);
         while k < left {
-            points[k] = self.at(first + length - 1 + k);
+            points[k & INDEX] = self.at(first + length - 1 + k);
             k += 1;
         }
         (self.points, self.count) = (points, left);

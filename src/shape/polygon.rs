@@ -66,7 +66,7 @@ impl<const N: usize> ConvexPolygon<N> {
         if let Err(e) = check_all(corners) {
             return Err(e);
         }
-        let (mut i, mut lowest, mut first_turn, mut rises) = (0, 0, 0, 0);
+        let (mut i, mut lowest, mut low, mut first_turn, mut rises) = (0, 0, Raw::of(corners[0]), 0, 0);
         while i < n {
             let (p, q, r) = (Raw::of(corners[i]), Raw::of(corners[(i + 1) % n]), Raw::of(corners[(i + 2) % n]));
             let (e, f) = (q.sub(p), r.sub(q));
@@ -90,8 +90,8 @@ impl<const N: usize> ConvexPolygon<N> {
             // A path that always turns one way winds as often as its sides come from the lower half
             // of directions to the upper.
             rises += (is_lower(e) && !is_lower(f)) as usize;
-            if is_lower_point(p, Raw::of(corners[lowest])) {
-                lowest = i;
+            if is_lower_point(p, low) {
+                (lowest, low) = (i, p);
             }
             i += 1;
         }
@@ -125,34 +125,35 @@ impl<const N: usize> ConvexPolygon<N> {
         if n == 0 {
             return Err(PolygonError::TooFew { count: 0 });
         }
-        let (mut i, mut lowest) = (0, 0);
+        let (mut i, mut lowest) = (0, Raw::of(points[0]));
         while i < n {
-            if is_lower_point(Raw::of(points[i]), Raw::of(points[lowest])) {
-                lowest = i;
+            let p = Raw::of(points[i]);
+            if is_lower_point(p, lowest) {
+                lowest = p;
             }
             i += 1;
         }
         // Gift wrapping: from each corner on to the point that has all others on its left. On a
         // tie, the farthest.
-        let (mut out, mut count, mut at) = ([Vec2::ZERO; N], 0, lowest);
+        let (mut out, mut count, mut here) = ([Vec2::ZERO; N], 0, lowest);
         loop {
-            if count == N {
+            if count >= N {
                 return Err(PolygonError::TooMany { capacity: N });
             }
-            out[count] = points[at];
+            out[count] = here.vec2();
             count += 1;
-            let here = Raw::of(points[at]);
-            let (mut next, mut best, mut i) = (at, Raw::ZERO, 0);
+            let (mut next, mut best, mut i) = (here, Raw::ZERO, 0);
             while i < n {
-                let v = Raw::of(points[i]).sub(here);
+                let p = Raw::of(points[i]);
+                let v = p.sub(here);
                 let turn = best.cross(v);
                 if turn < 0 || (turn == 0 && v.len2() > best.len2()) {
-                    (next, best) = (i, v);
+                    (next, best) = (p, v);
                 }
                 i += 1;
             }
-            at = next;
-            if Raw::of(points[at]).sub(Raw::of(points[lowest])).is_zero() {
+            here = next;
+            if here.sub(lowest).is_zero() {
                 break;
             }
         }

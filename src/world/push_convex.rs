@@ -88,8 +88,7 @@ impl Pushed<'_> {
             }
             Geometry::Arc { centre, radius, quadrant, convex } => {
                 let centre = Raw::of(centre);
-                let cell =
-                    ArcCell { centre, left: quadrant.x < 0, above: quadrant.y < 0, side: radius };
+                let cell = ArcCell { centre, left: quadrant.x < 0, above: quadrant.y < 0, side: radius };
                 let contact = if convex {
                     if !cell.convex_meets::<false>(self.core) {
                         return None;
@@ -124,7 +123,7 @@ impl Pushed<'_> {
         let at = Raw { x: from.x.wrapping_add(to.x) >> 1, y: from.y.wrapping_add(to.y) >> 1 };
         let overlap = raw(n).dot(first.sub(a)).wrapping_neg();
         let contact = Contact::new(n.reversed(), overlap, at).with_radii(self.core.radius, 0);
-        Some((contact, !((before && !joined[0]) || (after && !joined[1]))))
+        Some((contact, (joined[0] || !before) && (joined[1] || !after)))
     }
 
     /// The least exit from a point with a radius, by normals in its cone. Those that the middle is

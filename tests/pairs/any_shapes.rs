@@ -94,7 +94,8 @@ type Group = Compound<Any, 3>;
 fn a_compound_is_its_parts() {
     let mut counts = [0u64; 3];
     for (k, class) in CLASSES.into_iter().cycle().take(36).enumerate() {
-        let mut streams = [0, 1, 2].map(|i| Pairs::new((KINDS[(k + i) % 6], KINDS[(k + 2 * i + 1) % 6]), class, i as u64));
+        let mut streams =
+            [0, 1, 2].map(|i| Pairs::new((KINDS[(k + i) % 6], KINDS[(k + 2 * i + 1) % 6]), class, i as u64));
         for _ in 0..cases(300) {
             let [(a, x), (b, _), (c, _)] = streams.each_mut().map(Pairs::next);
             let size = [8, 1 << 12, 1 << 22][streams[0].random.below(3) as usize];

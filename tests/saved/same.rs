@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use tilesat::broad::{BroadPhase, BruteForce};
 use tilesat::scene::SceneTag;
+use tilesat::shape::{AnyShape, Compound};
 use tilesat::{Aabb, Axis, Character, Input, Memo, Mover, Scene, TileKind, TileKinds, TileMap, Vec2, fx};
 use tilesat_judge::scenes::{BODIES, check, room};
 
@@ -36,6 +37,12 @@ fn plain_states_are_the_same() {
     capsules.iter().for_each(same);
     turned.iter().for_each(same);
     polygons.iter().for_each(same);
+    let mut any: Vec<AnyShape<5>> = vec![aabbs[1].into(), circles[3].into(), segments[0].into(), turned[1].into()];
+    any.extend(capsules.iter().map(|it| AnyShape::from(*it)).chain(polygons.iter().map(|it| AnyShape::from(*it))));
+    any.iter().for_each(same);
+    same(&Compound::<AnyShape<5>, 8>::new(&any).unwrap());
+    let none = serde_json::from_str::<Compound<AnyShape<5>, 8>>("{\"parts\":[]}");
+    assert!(none.unwrap_err().to_string().contains("a compound needs a part"));
     solids().iter().for_each(same);
     heroes().iter().for_each(same);
     same(&walker());

@@ -63,7 +63,14 @@ fn upright_boxes_are_boxes() {
             let told = |c: &WorldContact| {
                 let f = c.feature();
                 let arc = matches!(f.geometry, Geometry::Arc { .. });
-                (!arc && !c.is_degenerate()).then_some((f.cell.x, f.cell.y, f.index, c.axis().unit(), c.depth(), c.push_out()))
+                (!arc && !c.is_degenerate()).then_some((
+                    f.cell.x,
+                    f.cell.y,
+                    f.index,
+                    c.axis().unit(),
+                    c.depth(),
+                    c.push_out(),
+                ))
             };
             let (a, b) = (contacts(&map, &turned), contacts(&map, &plain));
             let degenerate = |all: &[WorldContact]| all.iter().any(WorldContact::is_degenerate);
@@ -205,7 +212,10 @@ fn turning_never_ends_inside() {
                     assert!(!map.overlaps(&free) && map.overlaps(&turned), "{body:?} {turned:?}");
                     assert_eq!((free.along(), free.across()), (turned.along(), turned.across()));
                     let sight = map.line_of_sight(body.position(), free.position()).unwrap();
-                    assert!(sight || map.touches(&Aabb::new(body.position(), body.position()).unwrap()), "{body:?} {free:?}");
+                    assert!(
+                        sight || map.touches(&Aabb::new(body.position(), body.position()).unwrap()),
+                        "{body:?} {free:?}"
+                    );
                     pushed += 1;
                 }
                 Err(_) => {

@@ -98,8 +98,7 @@ fn enters(solid: &[P], body: &Figure, d: P, num: i64, den: i64) -> bool {
     let n = swept.len();
     (0..solid.len()).any(|i| {
         let (a, b) = (big(solid[i]), big(solid[(i + 1) % solid.len()]));
-        crosses(&swept, &a, &b)
-            || (body.r > 0 && (0..n).any(|k| near((&swept[k], &swept[(k + 1) % n]), (&a, &b), &rr)))
+        crosses(&swept, &a, &b) || (body.r > 0 && (0..n).any(|k| near((&swept[k], &swept[(k + 1) % n]), (&a, &b), &rr)))
     })
 }
 
@@ -200,8 +199,7 @@ fn random(seed: u64, n: u64, size: i64, longest: i64) -> Tally {
         let solid = any_polygon(&mut r, size);
         let long = longest.min(2 * size);
         let count = r.within(2, MOST as i64);
-        let points: Vec<Wide> =
-            (0..count).map(|_| (Big::from(r.around(long)), Big::from(r.around(long)))).collect();
+        let points: Vec<Wide> = (0..count).map(|_| (Big::from(r.around(long)), Big::from(r.around(long)))).collect();
         let small = |n: &Big| i64::try_from(n.clone()).expect("as it was made");
         let corners: Vec<P> = hull(points).iter().map(|p| (small(&p.0), small(&p.1))).collect();
         if corners.len() < 2 {

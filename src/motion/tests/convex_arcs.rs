@@ -47,9 +47,8 @@ fn apart(polygon: &[Point], a: Point, b: Point) -> f64 {
     let mut least = f64::MAX;
     for i in 0..n {
         let (p, q) = (polygon[i], polygon[(i + 1) % n]);
-        let sides = |p: Point, q: Point, s: Point, t: Point| {
-            cross(sub(q, p), sub(s, p)) * cross(sub(q, p), sub(t, p)) < 0.0
-        };
+        let sides =
+            |p: Point, q: Point, s: Point, t: Point| cross(sub(q, p), sub(s, p)) * cross(sub(q, p), sub(t, p)) < 0.0;
         if sides(p, q, a, b) && sides(a, b, p, q) {
             return 0.0;
         }
@@ -66,11 +65,7 @@ fn overlaps(body: &[Point], r: f64, a: f64, convex: bool, error: f64) -> Option<
     let n = quadrant.len();
     let sure = |margin: f64| if margin.abs() < error { None } else { Some(margin > 0.0) };
     if r == 0.0 {
-        let part = if convex {
-            quadrant
-        } else {
-            clipped(&clipped(&quadrant, (-1.0, 0.0), -a), (0.0, -1.0), -a)
-        };
+        let part = if convex { quadrant } else { clipped(&clipped(&quadrant, (-1.0, 0.0), -a), (0.0, -1.0), -a) };
         let n = part.len();
         // Smaller than the error of an area: any answer.
         let thin = area(&part) < error * error * 8e3;

@@ -158,3 +158,45 @@ pub(super) fn straight(side: &PolygonSide, radius: i32, d: Raw) -> ConvexGate {
     let speed = if out.x == 0 { d.y } else { d.x };
     ConvexGate::Edge(EdgeMoment { gap, speed: u64::from(speed.unsigned_abs()), axis: out.reversed() })
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test")]
+mod tests {
+    use super::{is_earlier, meet_disc};
+    use crate::num::Raw;
+    use crate::query::cast::kernel::Moment;
+    use tilesat_judge::{Random, cases};
+
+    /// Two discs that a motion comes into within a few raw units of way, and others: the bounds of
+    /// their moments are often in the wrong order, the answer never is.
+    #[test]
+    fn of_two_discs_the_earlier_one() {
+        let mut r = Random::new(61);
+        let (mut near, mut wrong, mut equal) = (0u64, 0u64, 0u64);
+        for k in 0..cases(40_000) {
+            let size = 1 << r.within(4, 27);
+            let radius = 1 + r.magnitude(size / 4) as i32;
+            let raw = |p: (i64, i64)| Raw { x: p.0 as i32, y: p.1 as i32 };
+            let d = (r.around(size), r.around(size));
+            // Through the disc, by a part of the way.
+            let (back, aside) = (r.within(1, 1 << 10), i64::from(radius));
+            let m = (r.around(aside) - ((d.0 * back) >> 10), r.around(aside) - ((d.1 * back) >> 10));
+            let apart = if k % 8 == 0 { size } else { r.within(0, 3) };
+            let n = (m.0 + r.around(apart), m.1 + r.around(apart));
+            let (m, n, d) = (raw(m), raw(n), raw(d));
+            // Outside of both before.
+            let outside = |m: Raw| m.len2() >= (i64::from(radius) * i64::from(radius)) as u64;
+            let (Some(a), Some(b)) = (meet_disc(m, radius, d), meet_disc(n, radius, d)) else { continue };
+            if !outside(m) || !outside(n) {
+                continue;
+            }
+            let (s, t) = (a.contact(d).0, b.contact(d).0);
+            let exact = a.exact_toi(d).cmp(&b.exact_toi(d));
+            assert_eq!(is_earlier((s, a), (t, b), d), exact.is_lt(), "{m:?} {n:?} {radius} by {d:?}");
+            near += 1;
+            wrong += u64::from(s.cmp(&t) != exact);
+            equal += u64::from(exact.is_eq());
+        }
+        assert!(near > cases(40_000) / 40 && wrong > 50 && equal > 10, "{near} {wrong} {equal}");
+    }
+}

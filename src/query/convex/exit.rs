@@ -3,9 +3,10 @@
 use super::face::Facing;
 use super::place::Place;
 use super::walk::{Core, Corner, PolygonSide, SideWalk};
-use crate::num::{Axis, Raw, sqr64};
+use crate::num::{Axis, Raw, div_sqrt, sqr64};
 use crate::query::closest::Square;
 use crate::query::contact::Contact;
+use core::cmp::Ordering;
 
 /// The least exit, and the side of the sum that it is across; none where it is from corner to
 /// corner.
@@ -43,20 +44,31 @@ impl Exit {
 /// one is as near. Of several the one whose normal is first in the documented order, whatever
 /// corner the walk began at.
 fn least(a: Core<'_>, b: Core<'_>) -> Option<(PolygonSide, bool)> {
-    let mut best: Option<(Square, PolygonSide)> = None;
+    let mut best: Option<(u32, PolygonSide)> = None;
     let mut tie = false;
+    // A height's square is below 2^124: fractions are compared in 187 bits, where their roots,
+    // rounded down, are the same.
+    let square = |side: &PolygonSide| Square { num: sqr64(side.height().unsigned_abs()), den: side.len2() };
     for side in SideWalk::new(a, b) {
-        // A height's square is below 2^124: fractions are compared in 187 bits.
-        let square = Square { num: sqr64(side.height().unsigned_abs()), den: side.len2() };
+        let depth = div_sqrt(side.height().unsigned_abs(), side.len2());
         let Some((least, kept)) = &best else {
-            best = Some((square, side));
+            best = Some((depth, side));
             continue;
         };
-        let nearer = square.less(*least);
-        let as_near = !nearer && !least.less(square);
+        let order = depth.cmp(least).then_with(|| {
+            let (s, t) = (square(&side), square(kept));
+            if s.less(t) {
+                Ordering::Less
+            } else if t.less(s) {
+                Ordering::Greater
+            } else {
+                Ordering::Equal
+            }
+        });
+        let (nearer, as_near) = (order.is_lt(), order.is_eq());
         tie = as_near || (tie && !nearer);
         if nearer || (as_near && before(normal(side.edge), normal(kept.edge))) {
-            best = Some((square, side));
+            best = Some((depth, side));
         }
     }
     best.map(|(_, side)| (side, tie))

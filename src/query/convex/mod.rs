@@ -23,6 +23,7 @@ use super::cast::CastShape;
 use super::cast::kernel::{CastHit, Course, Enter, InDomain, Inside};
 use super::closest::{ClosestPoint, Distance, from_border};
 use super::contact::{Contact, Contacts};
+use super::meet::aabb_aabb;
 use super::overlap::{Contains, Overlaps, Touches};
 use crate::error::RangeError;
 use crate::num::{Fx, Raw, Vec2};
@@ -107,6 +108,12 @@ macro_rules! manifolds {
     };
 }
 
+/// Whether the bounding boxes of two shapes overlap or touch: that settles most pairs that are apart.
+#[inline]
+fn boxes_meet<const CLOSED: bool>(a: &Aabb, b: &Aabb) -> bool {
+    aabb_aabb::<CLOSED>(a.lo(), a.hi(), b.lo(), b.hi())
+}
+
 /// All verbs of one ordered pair.
 macro_rules! pair {
     ([$($n:tt)*] $a:ty, $b:ty) => {
@@ -115,7 +122,7 @@ macro_rules! pair {
         impl<$($n)*> Overlaps<$b> for $a {
             #[inline]
             fn overlaps(&self, b: &$b) -> bool {
-                with_cores!(self, b, |a, b| meets::<false>(a, b))
+                boxes_meet::<false>(&self.aabb(), &b.aabb()) && with_cores!(self, b, |a, b| meets::<false>(a, b))
             }
         }
 
@@ -129,7 +136,7 @@ macro_rules! pair {
         impl<$($n)*> Touches<$b> for $a {
             #[inline]
             fn touches(&self, b: &$b) -> bool {
-                with_cores!(self, b, |a, b| meets::<true>(a, b))
+                boxes_meet::<true>(&self.aabb(), &b.aabb()) && with_cores!(self, b, |a, b| meets::<true>(a, b))
             }
         }
 

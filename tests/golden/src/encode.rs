@@ -7,7 +7,8 @@ use tilesat::broad::{BroadError, BroadHit, Handle, Nearest, Pair, QueryError};
 use tilesat::motion::{BodyHit, MoveError, Moved, Ridden, Walked, Work};
 use tilesat::world::{Cell, Feature, Geometry, Near, RayHit, TileAt, WorldContact};
 use tilesat::{
-    Aabb, Axis, Capsule, CastHit, Circle, Contact, Fx, Hit, Quantity, RangeError, Ratio, Toi, UnitVec2, Vec2,
+    Aabb, Axis, Capsule, CastHit, Circle, Contact, Fx, Hit, OrientedBox, Quantity, RangeError, Ratio, Toi, UnitVec2,
+    Vec2,
     error::Truncated,
     motion::{Ride, Speed, Stuck, Support},
     query::MovingHit,
@@ -42,6 +43,7 @@ fields! {
     |b: Aabb| b.min(), b.max();
     |c: Circle| c.centre(), c.radius();
     |c: Capsule| c.a(), c.b(), c.radius();
+    |b: OrientedBox| b.centre(), b.along(), b.across(), b.radius();
     |e: RangeError| quantity(e.what), e.value;
     |t: Truncated| t.seen, t.kept;
     |h: CastHit| h.toi, h.axis, h.displacement, h.inside;
@@ -108,6 +110,7 @@ fn quantity(what: Quantity) -> u32 {
         Quantity::StepHeight => 13,
         Quantity::Assist => 15,
         Quantity::Capsule => 16,
+        Quantity::Area => 17,
         _ => 0,
     }
 }

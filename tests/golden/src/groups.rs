@@ -17,7 +17,7 @@ pub const JOINED: &[Part] = &[worlds::run_joined];
 pub const MOVING: &[Part] = &[worlds::run_moving];
 pub const BLOCKS: &[Part] = &[motion::run_blocks];
 pub const MOTION: &[Part] = &[motion::run_shapes];
-pub const CAPSULES: &[Part] = &[motion::run_capsules];
+pub const CAPSULES: &[Part] = &[motion::run_capsules, motion::run_turned];
 pub const NINJA: &[Part] = &[ninja::run];
 pub const GROUPS: [&[Part]; 10] = [SHAPES, BODIES, LEVELS, SEGMENTS, JOINED, MOVING, BLOCKS, MOTION, CAPSULES, NINJA];
 

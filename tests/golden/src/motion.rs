@@ -3,7 +3,7 @@
 use tilesat::motion::{Body, escape};
 use tilesat::world::{Pushable, Solid, World};
 use tilesat::{
-    Aabb, Axis, Capsule, Circle, Fx, MoveError, Mover, Ratio, Response, SlopeSpeed, Surface, Vec2, Walker,
+    Aabb, Axis, Capsule, Circle, Fx, MoveError, Mover, OrientedBox, Ratio, Response, SlopeSpeed, Surface, Vec2, Walker,
     motion::{StartInside, Support},
 };
 
@@ -154,6 +154,30 @@ pub(crate) fn run_capsules(run: &mut Run<'_>) {
         let list = if number.is_multiple_of(2) { &list[..] } else { &[] };
         if let Some(trip) = &mut trip {
             let [slides, bounces, walks, rides, stands, work] = hashes;
+            trip.ask(&level, list, number, by, r, [slides, bounces, walks, rides, stands, work]);
+        }
+    });
+}
+
+/// Sixteen vectors a trip, boxes turned in any direction, sharp and round.
+pub(crate) fn run_turned(run: &mut Run<'_>) {
+    let mut trip = None;
+    run.family("turned", VECTORS / 3 + 1, QUERIES, |number, r, hashes| {
+        let Some(level) = levels::shapes(number / 16 * 6) else { return };
+        let v = Vector::draw(number, r, level.origin(), levels::SIZE);
+        if number.is_multiple_of(16) {
+            let half = Vec2::from_raw(1 + r.signed(20).abs(), 1 + r.signed(19).abs());
+            let direction = Axis::new(r.signed(28) | 1, r.signed(28));
+            let sharp = OrientedBox::new(v.ball.centre(), half, direction);
+            let radius = if number / 16 % 2 == 0 { Fx::ZERO } else { Fx::from_bits(r.signed(18).abs()) };
+            trip = sharp.and_then(|sharp| sharp.with_radius(radius)).ok().map(Trip::new);
+        }
+        let by = Vec2::from_raw(r.signed(19), r.signed(19));
+        let list = levels::solids(r, level.origin());
+        let list = if number.is_multiple_of(2) { &list[..] } else { &[] };
+        if let Some(trip) = &mut trip {
+            let [slides, bounces, walks, rides, stands, frees, work] = hashes;
+            trip.escape(&level, number, frees);
             trip.ask(&level, list, number, by, r, [slides, bounces, walks, rides, stands, work]);
         }
     });

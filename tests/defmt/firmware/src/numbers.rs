@@ -7,7 +7,7 @@ use tilesat::{
     Ratio, Segment, Toi, Vec2,
     error::{PolygonError, Truncated},
     query::{Part, Separation},
-    shape::{ConvexParts, PartsError},
+    shape::{AnyShape, Compound, CompoundError, ConvexParts, PartsError},
 };
 
 pub(crate) fn tell_all() {
@@ -33,6 +33,10 @@ pub(crate) fn tell_all() {
     let parts = ConvexParts::<4, 2>::of(&corners).unwrap();
     tell(&parts);
     let error: PartsError = ConvexParts::<4, 2>::of(&corners[..2]).unwrap_err();
+    tell(&error);
+    tell(&AnyShape::<4>::from(circle));
+    tell(&Compound::<Circle, 1>::new(&[circle]).unwrap());
+    let error: CompoundError = Compound::<Circle, 1>::new(&[]).unwrap_err();
     tell(&error);
     tell(&circle.contact(&aabb).unwrap());
     let resting = aabb.manifold(&circle).unwrap();
