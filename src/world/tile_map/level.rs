@@ -2,6 +2,7 @@
 //! anything at all.
 
 use super::clear::is_clear;
+use super::occupancy::is_wide;
 use super::surface::BlockSurface;
 use super::{Outside, Set, Store, TileMap};
 use crate::num::Raw;
@@ -120,7 +121,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         while cells.y <= cells.range.y1 {
             let y = cells.y;
             let in_map = self.holds(cells.x, y) && self.holds(last, y);
-            if T::OCCUPIED && in_map {
+            if T::OCCUPIED && in_map && is_wide(cells.x, last) {
                 cells.x = self.next_occupied(cells.x, last, y);
             }
             let mut tile = self.place(cells.x, y);
@@ -188,18 +189,11 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The cells of a range of the map that a body in the region may meet, and another range with
     /// them.
     const fn met(&self, range: Range, mut found: Range, region: &Aabb, r: Option<i32>) -> Range {
-        let (mut y, (mut row, stride)) = (range.y0, if T::OCCUPIED { self.words_of(range.y0) } else { (0, 0) });
+        let by_words = T::OCCUPIED && is_wide(range.x0, range.x1);
+        let mut y = range.y0;
         while y <= range.y1 {
-            let mut x = range.x0;
-            if T::OCCUPIED {
-                x = self.next_occupied_in(row, x, range.x1);
-                row = row.wrapping_add(stride);
-                if x > range.x1 {
-                    y = y.wrapping_add(1);
-                    continue;
-                }
-            }
-            let mut tile = self.place(x, y);
+            let x0 = if by_words { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
+            let (mut x, mut tile) = (x0, self.place(x0, y));
             while x <= range.x1 {
                 let shape = self.kinds.get(self.id_at(tile)).shape;
                 if self.may_meet(shape, (x, y), region, r) {
