@@ -130,7 +130,8 @@ pub(super) fn last_before(from: Toi, happened: impl Fn(u32) -> bool) -> Toi {
 /// `dir . v`; for the slopes of tiles, whose components are at most 2, with two products of words:
 /// |v| is below 2^30.
 pub(crate) fn along(dir: Axis, v: Raw) -> i64 {
-    if is_small(dir) {
+    // Where a product is one instruction, it is less than to tell.
+    if !LONG && is_small(dir) {
         i64::from(dir.x.wrapping_mul(v.x)).wrapping_add(i64::from(dir.y.wrapping_mul(v.y)))
     } else {
         imul(dir.x, v.x).wrapping_add(imul(dir.y, v.y))
@@ -144,6 +145,9 @@ const fn is_small(dir: Axis) -> bool {
 /// The square of r |dir|.
 pub(crate) fn reach(r: i32, dir: Axis) -> (u64, u64) {
     let rr = usqr(r.unsigned_abs());
+    if LONG {
+        return mul64(rr, dir.length_squared());
+    }
     match dir.length_squared() {
         2 => (0, rr << 1),
         5 => (0, usqr(r.unsigned_abs() << 1).wrapping_add(rr)),
@@ -153,7 +157,7 @@ pub(crate) fn reach(r: i32, dir: Axis) -> (u64, u64) {
 
 /// Whether the square of a height is less than `reach`.
 pub(crate) fn is_below(height: u64, reach: (u64, u64)) -> bool {
-    if height >> 32 == 0 {
+    if !LONG && height >> 32 == 0 {
         return reach.0 != 0 || usqr(height as u32) < reach.1;
     }
     less128(sqr64(height), reach)

@@ -2,6 +2,7 @@
 //! anything at all.
 
 use super::clear::is_clear;
+use super::occupancy::is_wide;
 use super::surface::{BlockSurface, CellQuery};
 use super::{Outside, Set, Store, TileMap};
 use crate::num::Raw;
@@ -125,7 +126,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         while cells.y <= cells.range.y1 {
             let y = cells.y;
             let in_map = self.holds(cells.x, y) && self.holds(last, y);
-            if T::OCCUPIED && in_map {
+            if T::OCCUPIED && in_map && is_wide(cells.x, last) {
                 cells.x = self.next_occupied(cells.x, last, y);
             }
             let mut tile = self.place(cells.x, y);
@@ -197,17 +198,10 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if range.x0 > range.x1 {
             return found;
         }
-        let (mut y, (mut row, stride)) = (range.y0, if T::OCCUPIED { self.words_of(range.y0) } else { (0, 0) });
+        let by_words = T::OCCUPIED && is_wide(range.x0, range.x1);
+        let mut y = range.y0;
         while y <= range.y1 {
-            let mut x0 = range.x0;
-            if T::OCCUPIED {
-                x0 = self.next_occupied_in(row, x0, range.x1);
-                row = row.wrapping_add(stride);
-                if x0 > range.x1 {
-                    y = y.wrapping_add(1);
-                    continue;
-                }
-            }
+            let x0 = if by_words { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
             let (mut tile, last) = (self.place(x0, y), self.place(range.x1, y));
             while tile <= last {
                 let id = self.id_at(tile);

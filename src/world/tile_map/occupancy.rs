@@ -71,8 +71,9 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy) at hand: the same
     /// answers, faster where much is empty.
     ///
-    /// What is asked of many cells then passes 32 empty tiles by one test, and a ray each empty
-    /// area of 32 x 32 tiles. A body a few cells wide looks at as few tiles as without.
+    /// Regions more than 6 cells wide then pass 32 empty tiles by one test, and rays of more than 64
+    /// cells each empty area of 32 x 32 tiles. Overlaps test the columns of a row by one word. Moves
+    /// of small bodies and short rays look at tiles, as without.
     ///
     /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the
     /// compiler for a `const` map. After a tile is written, fill them again.
@@ -181,6 +182,29 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     }
 }
 
+/// Whether a row of so many columns is looked at by words. Of few columns it is faster to look at
+/// the tiles: with words, a small body's move took 8 to 11 % more instructions on x86-64.
+#[inline]
+pub(super) const fn is_wide(first: i32, last: i32) -> bool {
+    last.wrapping_sub(first) >= 6
+}
+
+/// A walk over the rows of a range.
+pub(super) struct OccupiedRows {
+    word: u32,
+    stride: u32,
+    /// The columns of the range in the first word.
+    mask: u32,
+}
+
+impl OccupiedRows {
+    /// The next row.
+    #[inline]
+    pub(super) const fn step(&mut self) {
+        self.word = self.word.wrapping_add(self.stride);
+    }
+}
+
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The first column from `x` to `last`, both in the map, whose tile is not known to be empty.
     /// Beyond `last` if there is none.
@@ -189,16 +213,29 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.next_occupied_in(self.words_a_row().wrapping_mul(y as u32), x, last)
     }
 
-    /// The first word of a row, and how many a row has: for a walk over rows.
+    /// The words of a range's first column, row by row from `y` on; all columns are in the map.
     #[inline]
-    pub(super) const fn words_of(&self, y: i32) -> (u32, u32) {
+    pub(super) const fn occupied_rows(&self, x0: i32, x1: i32, y: i32) -> OccupiedRows {
         let stride = self.words_a_row();
-        (stride.wrapping_mul(y as u32), stride)
+        let mask = u32::MAX << (x0 & 31);
+        let mask = if (x0 ^ x1) >> 5 == 0 { mask & u32::MAX >> (31 - (x1 & 31)) } else { mask };
+        OccupiedRows { word: stride.wrapping_mul(y as u32).wrapping_add(x0 as u32 >> 5), stride, mask }
+    }
+
+    /// The first column of a range that is not known to be empty; one word, if the range is in one.
+    #[inline]
+    pub(super) const fn first_occupied(&self, rows: &OccupiedRows, x0: i32, x1: i32) -> i32 {
+        let bits = self.occupied_word(rows.word) & rows.mask;
+        if bits != 0 {
+            return (x0 & !31).wrapping_add(bits.trailing_zeros() as i32);
+        }
+        let next = (x0 | 31).wrapping_add(1);
+        if next > x1 { next } else { self.next_occupied_in(rows.word.wrapping_sub(x0 as u32 >> 5), next, x1) }
     }
 
     /// The same in the row of a first word.
     #[inline]
-    pub(super) const fn next_occupied_in(&self, row: u32, x: i32, last: i32) -> i32 {
+    const fn next_occupied_in(&self, row: u32, x: i32, last: i32) -> i32 {
         let mut x = x;
         while x <= last {
             let bits = self.occupied_word(row.wrapping_add(x as u32 >> 5)) >> (x & 31);

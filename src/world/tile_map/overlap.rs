@@ -129,24 +129,25 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             return false;
         }
         let is_square = !matches!(self.outside, Outside::Edge);
-        let (mut y, (mut words, stride)) = (range.y0, if T::OCCUPIED { self.words_of(range.y0) } else { (0, 0) });
+        let (mut y, mut rows) = (range.y0, self.occupied_rows(range.x0, range.x1, range.y0));
         while y <= range.y1 {
             let (mut x, row) = (range.x0, self.place(0, y));
-            loop {
-                if T::OCCUPIED {
-                    x = self.next_occupied_in(words, x, range.x1);
-                }
-                if x > range.x1 {
-                    break;
-                }
+            if T::OCCUPIED {
+                x = self.first_occupied(&rows, x, range.x1);
+                rows.step();
+            }
+            while x <= range.x1 {
                 if self.kinds.get(self.id_at(row.wrapping_add(x as u32))).is_full()
                     && test(if is_square { self.grid.square(x, y) } else { self.extent(x, y) })
                 {
                     return true;
                 }
                 x = x.wrapping_add(1);
+                if T::OCCUPIED && x <= range.x1 {
+                    x = self.next_occupied(x, range.x1, y);
+                }
             }
-            (y, words) = (y.wrapping_add(1), words.wrapping_add(stride));
+            y = y.wrapping_add(1);
         }
         false
     }

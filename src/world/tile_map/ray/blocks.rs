@@ -5,6 +5,7 @@ use crate::num::{LONG, umul};
 use crate::world::grid::GridAxis;
 use crate::world::ray::walk::{Axes, Beyond, Lane, X, Y, along, lead};
 use crate::world::tile_map::kind::{TileKind, TileShape};
+use crate::world::tile_map::occupancy::AREA;
 use crate::world::tile_map::{Outside, Set, Store, TileMap};
 
 /// Where a walk ended: the axis of the line whose face was met, or one of the constants of this
@@ -83,7 +84,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[inline(always)]
     pub(in crate::world) fn run<const ANY: bool>(&self, x: &Lane, y: &Lane) -> BlockRun {
         let Some((e, even)) = self.divided(lead(x, y)) else { return BlockRun::NONE };
-        if T::OCCUPIED { self.run_open::<ANY>(x, y, e, even) } else { self.run_from::<ANY, false>(x, y, e, even) }
+        // What ends after some cells has no empty area to pass.
+        if T::OCCUPIED && x.lines.wrapping_add(y.lines) > 2 * AREA {
+            self.run_open::<ANY>(x, y, e, even)
+        } else {
+            self.run_from::<ANY, false>(x, y, e, even)
+        }
     }
 
     /// [`run`](Self::run) with a lead that has been divided, and is kept where `KEEP`.
