@@ -171,7 +171,7 @@ fn every_tile_and_solid_on_a_trail() {
         let keys = |trail: &Trail| solids.on(&disc, trail).unwrap().map(Solid::key).collect();
         check(told(&map, &disc, raw(d.0, d.1)), size.0, (0, 0), &keys);
     }
-    assert!(parts.iter().all(|&n| n > 100), "{parts:?}");
+    assert!(parts[1..].iter().all(|&n| n > 100), "{parts:?}");
 }
 
 #[test]
