@@ -90,7 +90,9 @@ impl Meeting {
             Top::A if own.moves_a && carries(slots, b, gravity, slick) => {
                 Self::onto(slots, b, a, (axis.reversed(), reply), gravity).swapped()
             }
-            Top::B if own.moves_b && carries(slots, a, gravity, slick) => Self::onto(slots, a, b, (axis, reply), gravity),
+            Top::B if own.moves_b && carries(slots, a, gravity, slick) => {
+                Self::onto(slots, a, b, (axis, reply), gravity)
+            }
             _ => own,
         })
     }

@@ -97,12 +97,7 @@ struct Pile<'a, B, V, const M: usize> {
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View, const M: usize> Pile<'_, B, V, M> {
     /// One body's whole step. Returns whether others must be brought out of it, too.
-    fn carry(
-        &mut self,
-        handle: Handle,
-        replies: &mut impl Replies,
-        each: &mut impl FnMut(SceneEvent<'_>),
-    ) -> bool {
+    fn carry(&mut self, handle: Handle, replies: &mut impl Replies, each: &mut impl FnMut(SceneEvent<'_>)) -> bool {
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
         let known = slot.body.shape;
         let moved = slot.way.pace == Pace::Moved;

@@ -50,8 +50,9 @@ impl Sleep {
 ///
 /// Plain data: a copy is a snapshot, and assigning it rolls back. The data that your game keeps
 /// beside it is part of a snapshot too: its [`PairEvents`](crate::broad::PairEvents) and
-/// [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 156 bytes per
-/// body, plus the broad phase.
+/// [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 164 bytes per
+/// body, plus the broad phase. A scene may also [remember](Self::remembering) how bodies lie.
+/// `M` says for how many; without it, none.
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("PhysicsWorld", "simulation"))]
 pub struct Scene<B, const N: usize, const M: usize = 0> {

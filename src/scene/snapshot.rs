@@ -16,7 +16,7 @@ use crate::filter::Filter;
 /// phase is. Two scenes with the same bodies, inserted in another order, have different ones.
 ///
 /// Size: 90 bytes for each of N slots, and the broad phase. With 64 bodies in a
-/// [`SortSweep`](crate::broad::SortSweep) that is 7840 bytes; the scene itself has 156 for each
+/// [`SortSweep`](crate::broad::SortSweep) that is 7840 bytes; the scene itself has 164 for each
 /// slot. Cost: one pass over the slots.
 ///
 /// ```

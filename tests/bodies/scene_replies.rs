@@ -13,8 +13,7 @@ fn crowd(r: &mut Random, surface: &dyn Fn(&mut Random) -> Surface) -> Vec<SceneB
     (0..r.within(2, 14) as u32)
         .map(|key| {
             let (x, y, size) = (r.within(0, 60 * PX), r.within(0, 40 * PX), r.within(PX, 9 * PX) & !1);
-            let shape: Shape =
-                if r.one_in(2) { boxed(x, y, size, size).into() } else { ball(x, y, size / 2).into() };
+            let shape: Shape = if r.one_in(2) { boxed(x, y, size, size).into() } else { ball(x, y, size / 2).into() };
             let body = SceneBody {
                 mass: NonZeroU8::new(r.within(1, 9) as u8),
                 surface: surface(r),
@@ -22,11 +21,7 @@ fn crowd(r: &mut Random, surface: &dyn Fn(&mut Random) -> Surface) -> Vec<SceneB
                 fast: r.one_in(4),
                 ..SceneBody::new(shape, key)
             };
-            if r.one_in(6) {
-                SceneBody { mass: None, ..body }
-            } else {
-                SceneBody { velocity: launch(r, size), ..body }
-            }
+            if r.one_in(6) { SceneBody { mass: None, ..body } } else { SceneBody { velocity: launch(r, size), ..body } }
         })
         .collect()
 }
@@ -58,11 +53,16 @@ fn play(
             let before = seen(&scene);
             let key = |handle: tilesat::broad::Handle| bodies[handle.slot()].key;
             scene
-                .step_with(map, gravity, |_| reply(), |event| match event {
-                    SceneEvent::Touch { pair, .. } => events.push((key(pair.a), key(pair.b), true)),
-                    SceneEvent::Meet { pair, .. } => events.push((key(pair.a), key(pair.b), false)),
-                    _ => {}
-                })
+                .step_with(
+                    map,
+                    gravity,
+                    |_| reply(),
+                    |event| match event {
+                        SceneEvent::Touch { pair, .. } => events.push((key(pair.a), key(pair.b), true)),
+                        SceneEvent::Meet { pair, .. } => events.push((key(pair.a), key(pair.b), false)),
+                        _ => {}
+                    },
+                )
                 .unwrap();
             events.sort_unstable();
             each(&before, &events);
@@ -92,24 +92,30 @@ fn crossing_changes_no_way_and_reports_all() {
         let free = strip(play(&apart, &map, gravity, || Reply::Meet, |_, events| assert!(events.is_empty())));
         let ignored = play(&bodies, &map, gravity, || Reply::Ignore, |_, events| assert!(events.is_empty()));
         assert_eq!(strip(ignored), free, "{case}: ignored");
-        let crossed = play(&bodies, &map, gravity, || Reply::Cross, |before, events| {
-            for (k, (a, awake_a)) in before.iter().enumerate() {
-                for (b, awake_b) in &before[k + 1..] {
-                    let moves = [(a, awake_a), (b, awake_b)].iter().any(|(_, awake)| **awake);
-                    let due = moves && a.shape.touches(&b.shape);
-                    assert_eq!(events.contains(&(a.key, b.key, true)), due, "{case}: {a:?} {b:?}");
-                    touched += u32::from(due);
-                    let told = events.iter().filter(|event| **event == (a.key, b.key, false)).count();
-                    match meets(a, *awake_a, b, *awake_b, gravity) {
-                        Some(due) => {
-                            assert_eq!(told, usize::from(due), "{case}: {a:?} {b:?}");
-                            met += u32::from(due);
+        let crossed = play(
+            &bodies,
+            &map,
+            gravity,
+            || Reply::Cross,
+            |before, events| {
+                for (k, (a, awake_a)) in before.iter().enumerate() {
+                    for (b, awake_b) in &before[k + 1..] {
+                        let moves = [(a, awake_a), (b, awake_b)].iter().any(|(_, awake)| **awake);
+                        let due = moves && a.shape.touches(&b.shape);
+                        assert_eq!(events.contains(&(a.key, b.key, true)), due, "{case}: {a:?} {b:?}");
+                        touched += u32::from(due);
+                        let told = events.iter().filter(|event| **event == (a.key, b.key, false)).count();
+                        match meets(a, *awake_a, b, *awake_b, gravity) {
+                            Some(due) => {
+                                assert_eq!(told, usize::from(due), "{case}: {a:?} {b:?}");
+                                met += u32::from(due);
+                            }
+                            None => near += 1,
                         }
-                        None => near += 1,
                     }
                 }
-            }
-        });
+            },
+        );
         assert_eq!(strip(crossed), free, "{case}: crossed");
     }
     println!("{touched} touched, {met} met, {near} too near to tell");
@@ -255,11 +261,16 @@ fn touching_makes_two_one() {
             .collect();
         let mut pair = scene(&bodies);
         let mut touches = false;
-        pair.step_with(&map, Vec2::ZERO, |_| Reply::Touch, |event| {
-            if let SceneEvent::Touch { contact: Some(contact), .. } = event {
-                touches = contact.axis().dot_vec(velocities[0] - velocities[1]) > 0;
-            }
-        })
+        pair.step_with(
+            &map,
+            Vec2::ZERO,
+            |_| Reply::Touch,
+            |event| {
+                if let SceneEvent::Touch { contact: Some(contact), .. } = event {
+                    touches = contact.axis().dot_vec(velocities[0] - velocities[1]) > 0;
+                }
+            },
+        )
         .unwrap();
         let after = [body_of(&pair, 0).velocity.raw(), body_of(&pair, 1).velocity.raw()];
         if !touches {

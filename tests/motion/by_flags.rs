@@ -270,8 +270,8 @@ impl Judge for Told {
                 (at, place) = (at + by, place + by);
             }
             assert_eq!(place, moved.position(), "{body:?} by {v:?}: {parts:?}");
-            // A part ends at a hit, but for the last one.
-            assert!(parts.len() <= moved.hits.len() + 1, "{body:?} by {v:?}: {parts:?} {:?}", moved.hits);
+            // Each sweep makes one at most.
+            assert!(parts.len() <= moved.work.iterations as usize, "{body:?} by {v:?}: {parts:?} {:?}", moved.work);
             self.parts[parts.len()] += 1;
         }
     }

@@ -4,6 +4,7 @@
 #![cfg(all(feature = "serde", not(target_os = "none")))]
 
 mod bytes;
+mod places;
 mod refused;
 mod same;
 mod values;

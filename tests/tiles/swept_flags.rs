@@ -156,21 +156,22 @@ fn every_tile_and_solid_on_a_trail() {
             };
             places.iter().filter(near).copied().collect()
         };
-        let mut check = |told: Option<(Trail, Vec<Cell>)>, r: i64, size: (i64, i64), solids: &dyn Fn(&Trail) -> Vec<u16>| {
-            let Some((trail, cells)) = told else { return };
-            let due = due(&trail, r, size);
-            let cells: Vec<(i64, i64)> = cells.iter().map(|cell| (cell.x.into(), cell.y.into())).collect();
-            assert_eq!(cells, due, "{p:?} {size:?} by {d:?}, {trail:?}");
-            assert_eq!(solids(&trail), due.iter().map(|c| (c.1 * 8 + c.0) as u16).collect::<Vec<_>>());
-            parts[trail.parts().count()] += 1;
-        };
+        let mut check =
+            |told: Option<(Trail, Vec<Cell>)>, r: i64, size: (i64, i64), solids: &dyn Fn(&Trail) -> Vec<u16>| {
+                let Some((trail, cells)) = told else { return };
+                let due = due(&trail, r, size);
+                let cells: Vec<(i64, i64)> = cells.iter().map(|cell| (cell.x.into(), cell.y.into())).collect();
+                assert_eq!(cells, due, "{p:?} {size:?} by {d:?}, {trail:?}");
+                assert_eq!(solids(&trail), due.iter().map(|c| (c.1 * 8 + c.0) as u16).collect::<Vec<_>>());
+                parts[trail.parts().count()] += 1;
+            };
         let solids = Solids::new(&list);
         let keys = |trail: &Trail| solids.on(&body, trail).unwrap().map(Solid::key).collect();
         check(told(&map, &body, raw(d.0, d.1)), 0, size, &keys);
         let keys = |trail: &Trail| solids.on(&disc, trail).unwrap().map(Solid::key).collect();
         check(told(&map, &disc, raw(d.0, d.1)), size.0, (0, 0), &keys);
     }
-    assert!(parts.iter().all(|&n| n > 100), "{parts:?}");
+    assert!(parts[1..].iter().all(|&n| n > 100), "{parts:?}");
 }
 
 #[test]
