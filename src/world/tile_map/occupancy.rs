@@ -68,11 +68,11 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(())
     }
 
-    /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy) at hand: the same
-    /// answers, faster where much is empty.
+    /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy). It gives the same
+    /// answers, faster if much is empty.
     ///
-    /// What is asked of many cells then passes 32 empty tiles by one test, and a ray each empty
-    /// area of 32 x 32 tiles. A body a few cells wide looks at as few tiles as without.
+    /// Queries on many cells then pass 32 empty tiles by one test, and rays pass each empty area of
+    /// 32 x 32 tiles. A body a few cells wide looks at as few tiles as without.
     ///
     /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the
     /// compiler for a `const` map. After a tile is written, fill them again.
