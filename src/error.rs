@@ -109,12 +109,12 @@ impl core::error::Error for Truncated {}
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum PolygonError {
-    /// There are fewer than three corners; of a hull: all points are on one line.
+    /// There are fewer than three corners. For a hull: all points are on one line.
     TooFew {
         /// How many there are.
         count: usize,
     },
-    /// There are more corners than the polygon has room for.
+    /// There are more corners than the polygon can hold.
     TooMany {
         /// The room.
         capacity: usize,
@@ -123,7 +123,7 @@ pub enum PolygonError {
     Range {
         /// Which one, counted from zero.
         at: usize,
-        /// What is wrong with it.
+        /// The fault of the corner.
         error: RangeError,
     },
     /// A corner is where the one before it is.

@@ -7,7 +7,7 @@ use core::fmt;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// What is written of a `T`, and read back through a check.
+/// The saved form of a `T`, which is checked on reading.
 pub(crate) trait Form<T>: Sized {
     /// Why a form is refused.
     type Fault: fmt::Display;

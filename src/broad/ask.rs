@@ -97,15 +97,14 @@ fn set<T: Copy>(items: &mut [T], place: usize, item: T) {
 }
 
 impl<T: Tag> Bodies<'_, T> {
-    /// Where a body stands in canonical order.
+    /// A body's position in canonical order.
     pub(in crate::broad) fn rank(&self, handle: Handle) -> (u32, usize) {
         let slot = handle.slot();
         (self.tags.get(slot).map_or(0, Tag::key), slot)
     }
 }
 
-/// The pairs come in batches, because their keys cannot be asked for while the structure is being
-/// walked.
+/// The pairs come in batches, because their keys are not readable during the walk.
 pub(in crate::broad) fn sorted_pairs<S: Spatial>(phase: &mut S, out: &mut VecView<Pair>) -> Result<(), Truncated> {
     out.clear();
     let (mut cursor, mut batch) = (PairCursor::new(), Vec::<Pair, 16>::new());
@@ -161,7 +160,7 @@ fn apart(p: Raw, bounds: &Aabb) -> (i32, i32) {
     (gap(p.x, lo.x, hi.x), gap(p.y, lo.y, hi.y))
 }
 
-/// Where there is no such body, beyond all.
+/// Without such a body, beyond all.
 fn square_to<T: Tag>(bodies: Bodies<'_, T>, p: Raw, slot: usize) -> u64 {
     let Some(bounds) = bodies.bounds.get(slot) else { return u64::MAX };
     let (x, y) = apart(p, bounds);
@@ -339,9 +338,9 @@ pub(in crate::broad) fn cast<S: Spatial>(
     Ok(first.sort()?)
 }
 
-/// How far a body steps aside along y while the others are asked: out of the domain. Nothing in it
-/// then touches the box, and the way back needs no rounding. Coordinates below 2^29 become ones in
-/// 2^29..2^31; x, and with it an order by x, stays.
+/// How far a body steps aside along y while the others are tested: out of the domain. Nothing in
+/// the domain then touches the box, and the way back needs no rounding. Coordinates below 2^29
+/// become ones in 2^29..2^31. x, and with it an order by x, stays.
 const ASIDE: i32 = DOMAIN << 1;
 
 /// Every pair with one of the movers, once. A mover that has been asked steps aside, so later

@@ -4,13 +4,13 @@
 use super::{BroadError, Handle, Pair};
 use crate::error::Truncated;
 
-/// Of whole words: a small core moves it in a few registers, and would call a routine for memory of
-/// any alignment otherwise.
+/// Whole words: a small core moves them in a few registers. With any other alignment it would call
+/// a memory routine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(align(4))]
 pub(in crate::broad) struct Entry<K, V>(pub(in crate::broad) Option<(K, V)>);
 
-/// Where a key is, or would go: the first entry that is not below it.
+/// The index of a key, or where it would go: the first entry that is not below it.
 #[inline]
 pub(in crate::broad) fn place<K: Ord, V>(entries: &[Entry<K, V>], key: &K) -> usize {
     entries.partition_point(|entry| matches!(entry, Entry(Some((k, _))) if k < key))

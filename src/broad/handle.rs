@@ -1,5 +1,5 @@
-//! What a broad phase keeps of a body beside its box, its name and a tag (nothing, a filter, a
-//! key); and what it refuses.
+//! The data of a body beside its box, its handle and a tag (nothing, a filter, a key), and the
+//! errors.
 
 use crate::error::{RangeError, Truncated};
 use crate::filter::{Filter, LayerMask};
@@ -165,7 +165,7 @@ impl PartialOrd for Pair {
 /// assert!(Team(1).pairs_with(&Team(2)) && !Team(1).pairs_with(&Team(1)));
 /// ```
 pub trait Tag: Copy {
-    /// What slots hold that nobody has.
+    /// The content of free slots.
     const BLANK: Self;
 
     /// Whether two bodies may pair; must be symmetric.
@@ -291,7 +291,7 @@ impl core::error::Error for BroadError {}
 pub enum PairsError {
     /// The budget of tests is spent: the next call continues from here.
     BudgetExceeded,
-    /// There is no more room for pairs: take them out, and the next call continues from here.
+    /// The list of pairs is full: take the pairs out, and the next call continues from here.
     Full,
     /// A body was inserted or moved since the enumeration began: the cursor is at the start again.
     Changed,
@@ -356,7 +356,7 @@ pub enum GridError {
     },
     /// The number of columns is not a power of two of at least 4 that divides the number of cells.
     Columns {
-        /// The columns asked for.
+        /// The requested columns.
         columns: u16,
         /// The cells that there are.
         cells: u16,

@@ -277,8 +277,8 @@ pub trait BroadPhase: Spatial {
         sorted_region(self, region, out)
     }
 
-    /// Of the `wanted` bodies the one whose box is nearest to a point and at most `within` away; of
-    /// equally near ones the one with the smaller key, then slot.
+    /// The `wanted` body whose box is nearest to a point and at most `within` away. On a tie, the
+    /// one with the smaller key, then slot.
     ///
     /// With [`Fx::MAX`] there is no limit. Distances are compared by their exact squares. `wanted`
     /// is called once per body at most, and not for those that would not be nearest.

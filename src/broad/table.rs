@@ -1,7 +1,7 @@
 //! The bodies of a broad phase by slot: boxes, tags and generations; and what each broad phase does
 //! with them in its own way.
 //!
-//! Where an enumeration of pairs stands, and what it may still spend.
+//! The state of an enumeration of pairs, and its budget.
 
 use super::{BroadError, Handle, Pair, PairsError, Tag};
 use crate::num::{DOMAIN, Raw, Toi};
@@ -171,7 +171,7 @@ impl<T: Tag> Slots<'_, T> {
         Ok(Handle::new(slot, *generation))
     }
 
-    /// Frees the slot of a body, and gives back what it carried.
+    /// Frees the slot of a body, and returns its tag.
     pub(super) fn remove(&mut self, slot: usize) -> T {
         let places = (self.bounds.get_mut(slot), self.tags.get(slot), self.generations.get_mut(slot));
         let (Some(place), Some(&tag), Some(generation)) = places else { return T::BLANK };
@@ -245,7 +245,7 @@ impl<T: Tag> Slots<'_, T> {
 pub trait Spatial: Sized {
     /// The tag that bodies carry.
     type Tag: Tag;
-    /// Where a box belongs.
+    /// The position of a box in the structure.
     type Place: Copy;
 
     /// The slots that were ever taken, for reading.
@@ -254,7 +254,7 @@ pub trait Spatial: Sized {
     /// The slots, for writing.
     fn slots(&mut self) -> Slots<'_, Self::Tag>;
 
-    /// Where a box would belong, if it can be taken at all.
+    /// The position of a box in the structure, if it is allowed.
     ///
     /// # Errors
     /// `TooLarge` and `OutOfWorld`.
@@ -343,7 +343,7 @@ pub(super) fn square(centre: Raw, reach: i32) -> Aabb {
     Aabb::from_raw_unchecked(Raw { x: low(centre.x), y: low(centre.y) }, Raw { x: high(centre.x), y: high(centre.y) })
 }
 
-/// Where an enumeration of pairs stands between two calls; plain data, at the start by default.
+/// The state of an enumeration of pairs between two calls. Plain data; at the start by default.
 ///
 /// It belongs to one broad phase, and to its snapshots only with a copy of the cursor made at the
 /// same time: where a snapshot is put back without that, begin with a new one, or pairs may be
@@ -368,7 +368,7 @@ impl PairCursor {
         Self { epoch: 0, under_way: false, row: 0, a: 0, b: 0, lane: 0 }
     }
 
-    /// Begins or goes on.
+    /// Begins or continues.
     pub(super) fn resume(&mut self, epoch: u32) -> Result<(), PairsError> {
         if !self.under_way {
             *self = Self { epoch, under_way: true, ..Self::new() };

@@ -224,7 +224,7 @@ fn root_norm(n: u64) -> u32 {
     if LONG { root64(n) } else { isqrt_norm((n >> 32) as u32, n as u32) }
 }
 
-/// What the least even shift leaves in 64 bits; where it is not zero, at least 2^62.
+/// The part that the least even shift leaves in 64 bits. If it is not zero, at least 2^62.
 const fn top_word((hi, lo): (u64, u64)) -> (u64, u32) {
     if hi == 0 {
         return (lo, 0);
@@ -419,9 +419,8 @@ pub(super) const fn by_reciprocal(n: u64, d: u32) -> u32 {
 /// The exact floor of `a * k / n`, for `n <= 2^63`; `u32::MAX` where it does not fit, or `n` is
 /// zero.
 ///
-/// As fast as [`mul_div`] where `a` and `n` are words, else some 700 instructions on a Cortex-M0.
-/// Used where a result must be exact and is asked for rarely: points on segments, replies of
-/// velocities.
+/// As fast as [`mul_div`] if `a` and `n` are words, else some 700 instructions on a Cortex-M0. For
+/// rare results that must be exact: points on segments, replies of velocities.
 #[inline(never)]
 #[must_use]
 pub const fn mul_div_wide(a: u64, k: u32, n: u64) -> u32 {

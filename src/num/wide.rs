@@ -6,14 +6,14 @@ use core::cmp::Ordering;
 /// True where the core has no 32x32 -> 64 multiply: `ARMv6-M`, `ARMv4T` and `ARMv5TE` in Thumb
 /// state.
 ///
-/// Stable Rust sets no `target_feature` that tells `ARMv6-M` from `ARMv7-M`, but every 32-bit Arm
-/// target with `UMULL` in all its instruction states has atomic compare-and-swap, and those without
-/// do not (`ARMv8-M` baseline is the one exception: it takes the compiler's call, slower, same
-/// bits). So no build script is needed. `--cfg tilesat_split` sets it anywhere, so that the host's
-/// tests can run what those cores run.
+/// Stable Rust sets no `target_feature` that distinguishes `ARMv6-M` from `ARMv7-M`. But every
+/// 32-bit Arm target with `UMULL` in all its instruction states has atomic compare-and-swap, and
+/// those without do not. (`ARMv8-M` baseline is the one exception: it uses the compiler's call,
+/// slower, with the same bits.) So no build script is needed. `--cfg tilesat_split` sets it
+/// anywhere, so that the host's tests can run the code of those cores.
 pub const SPLIT: bool = cfg!(any(tilesat_split, all(target_arch = "arm", not(target_has_atomic = "32"))));
 
-/// True where a register holds a double word: there products and comparisons cost less than the
+/// True if a register holds a double word. Then products and comparisons cost less than the
 /// branches that save them.
 pub(crate) const LONG: bool = cfg!(all(target_pointer_width = "64", not(tilesat_split)));
 

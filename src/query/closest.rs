@@ -13,9 +13,9 @@ use crate::shape::{Aabb, Circle, Segment};
 /// shapes touch or overlap; ask [`contact`](super::Contacts::contact) then. In the order (B, A) the
 /// same two points are given, exchanged.
 ///
-/// Where two parallel sides make many pairs as near: between boxes (and segments along x or y) the
-/// middle of what faces each other, half a raw unit rounded down; between sloped segments the end
-/// that comes first lexicographically and its opposite.
+/// If two parallel sides make many pairs equally near, there is a rule. Between boxes (and segments
+/// along x or y) it takes the middle of the facing parts, half a raw unit rounded down. Between
+/// sloped segments it takes the lexicographically first end and its opposite.
 ///
 /// Cost: a cold path, a few thousand instructions on a Cortex-M0 for circles and sloped segments,
 /// comparisons for boxes. It cannot fail.
@@ -346,8 +346,8 @@ const fn min(a: u32, b: u32) -> u32 {
     if a < b { a } else { b }
 }
 
-/// Where they do not touch, one end or corner realises the distance. The least of rounded values is
-/// the rounded least.
+/// If they do not touch, one end or corner has the distance. The least of rounded values is the
+/// rounded least.
 const fn segment_box(s: &Segment, lo: Raw, hi: Raw) -> u32 {
     let (a, b) = (s.ra(), s.rb());
     if meet::segment_aabb::<true>(a, b, lo, hi) {

@@ -82,7 +82,7 @@ mod overlap;
 #[cfg(test)]
 mod tests;
 
-// Where motion finds `scaled` and `toward`.
+// Motion uses `scaled` and `toward` through this path.
 pub(crate) use crate::num as round;
 
 pub use cast::{CastHit, CastShape, Inside, MovingHit};

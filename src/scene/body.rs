@@ -38,9 +38,9 @@ pub struct SceneBody {
     /// Its friction and restitution at the level. If two bodies meet, the surface that bounces more
     /// counts, on a tie the one with less friction.
     pub surface: Surface,
-    /// What it does where the level has flags, in place of bouncing as its
-    /// [`surface`](Self::surface) says: a grenade that stops in mud touches it, and a ball slides
-    /// along grass.
+    /// The response to level tiles with flags, instead of a bounce by its
+    /// [`surface`](Self::surface). A grenade that stops in mud touches it, and a ball slides along
+    /// grass.
     pub responses: Responses,
     /// Which bodies it meets. [Sensors](Filter::sensor) are reported; they push nobody and nobody
     /// pushes them. The scene sets [still](Filter::still).

@@ -5,7 +5,7 @@ use crate::error::RangeError;
 use crate::motion::MoveError;
 use core::fmt;
 
-/// What was refused, and for which body. That body, or the scene, is unchanged.
+/// The refusal, and the body that it concerns. That body, or the scene, is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SceneError {

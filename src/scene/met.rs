@@ -1,4 +1,4 @@
-//! Where and when the ways of two bodies meet, and which bodies may be on one.
+//! Where and when the ways of two bodies meet, and which bodies can be on one way.
 
 use super::Shape;
 use super::body::{Mode, Slot};

@@ -297,8 +297,8 @@ impl Slot {
         }
     }
 
-    /// Whether it comes to lie on another body, or moves on with it. Otherwise it gives way to
-    /// bodies that it overlaps, like those that the level carries.
+    /// Whether it settles on another body, or moves with it. Otherwise it yields to bodies that it
+    /// overlaps, like those that the level carries.
     pub(super) fn lies_on(&self, lower: &Self, gravity: Vec2) -> bool {
         self.body.mass.is_some() && self.support != 0 && self.height(gravity) > lower.height(gravity)
     }

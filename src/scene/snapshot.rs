@@ -1,4 +1,4 @@
-//! What of a scene goes on from one step to the next, in less room than the scene.
+//! The state that a scene carries from one step to the next, smaller than the scene.
 
 use super::body::{Mode, Slot, Tally};
 use super::drift::Drift;
@@ -48,7 +48,7 @@ pub struct Snapshot<B, const N: usize> {
     pub(crate) sleep: Sleep,
 }
 
-/// What goes on from step to step of one slot. Its generation is in the broad phase.
+/// The state that one slot carries from step to step. Its generation is in the broad phase.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Kept {
     pub(super) body: SceneBody,

@@ -11,7 +11,7 @@ use crate::stored::{Form, Version, Wrong, ensure, read, write};
 use heapless::Vec;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// What goes on from step to step of a body.
+/// The state that a body carries from step to step.
 #[derive(Serialize, Deserialize)]
 struct Lasting {
     slot: u16,
@@ -82,7 +82,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> Form<Snapshot<B,
     }
 }
 
-/// What a scene and its broad phase both know of a body.
+/// The data of a body that both a scene and its broad phase have.
 fn agrees<B: BroadPhase<Tag = Keyed<Filter>>>(lasting: &Lasting, near: &B) -> Result<(), Wrong> {
     let Lasting { slot, ref body, mode, .. } = *lasting;
     let at = usize::from(slot);

@@ -11,7 +11,7 @@ pub(super) struct BodyWay {
     /// The time at which it is at the position of its shape: the step's end, except for swept
     /// bodies.
     pub(super) since: Toi,
-    /// What ends this way, and when.
+    /// The end of this way, and its time.
     pub(super) end: (Toi, End),
     /// The slots of the bodies that it has met in this step, and their number.
     pub(super) met: ([u16; 3], u8),

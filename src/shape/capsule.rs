@@ -101,7 +101,7 @@ impl Capsule {
         Self::new(self.a().saturating_add(by), self.b().saturating_add(by), self.radius)
     }
 
-    /// Of ends and a radius that are known to be inside the domain.
+    /// From ends and a radius that are known to be inside the domain.
     pub(crate) const fn from_raw_unchecked(a: Raw, b: Raw, radius: Fx) -> Self {
         Self { core: Segment { a: a.vec2(), b: b.vec2() }, radius }
     }

@@ -1,4 +1,4 @@
-//! What every convex shape is to the kernels: corners, and a radius around them.
+//! The kernels' form of every convex shape: corners, and a radius around them.
 
 use super::any::each;
 use super::{Aabb, AnyShape, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};

@@ -33,7 +33,7 @@ pub enum PartsError {
     Range {
         /// Which one, counted from zero.
         at: usize,
-        /// What is wrong with it.
+        /// The fault of the corner.
         error: RangeError,
     },
     /// Two sides have a point in common that is not the corner between them.
@@ -159,8 +159,8 @@ impl<const N: usize, const M: usize> ConvexParts<N, M> {
     }
 }
 
-/// What of a polygon is left: simple, counter-clockwise (y up), without corners on a line with
-/// their neighbours.
+/// The rest of a polygon: simple, counter-clockwise (y up), without corners on a line with their
+/// neighbours.
 struct Rest {
     points: [Raw; MOST],
     count: usize,

@@ -187,7 +187,7 @@ struct Spot {
     place: Preference,
 }
 
-/// Where it is, in the order of preference.
+/// Its position, in the order of preference.
 #[derive(Clone, Copy)]
 enum Preference {
     /// Between the ends of a face or arc, or at an end that the normal there leads to.
@@ -271,7 +271,7 @@ impl Spot {
         Near { point: point.vec2(), distance, axis, inside, feature: *feature, features }
     }
 
-    /// Where it is, and the normal there.
+    /// Its position, and the normal there.
     #[inline(never)]
     fn point<W: World>(&self, p: Raw, inside: bool, feature: &Feature) -> (Raw, Axis) {
         // Out of the solid along the line between the points.

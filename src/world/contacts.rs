@@ -86,7 +86,7 @@ impl WorldContact {
     /// The point of the feature that is nearest to a circle's centre or a box's deepest point, each
     /// component rounded to nearest.
     ///
-    /// Where a side of a box is as deep along a face: the middle of what they share.
+    /// If a side of a box is equally deep along a face: the middle of their common part.
     #[must_use]
     pub const fn point(&self) -> Vec2 {
         match self.feature.geometry {

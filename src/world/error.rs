@@ -152,7 +152,7 @@ pub enum SegmentMapError {
         /// The path.
         path: u32,
     },
-    /// There are more than 32768 segments; this is the first one too many.
+    /// There are more than 32768 segments. This is the first one too many.
     TooManySegments {
         /// The path.
         path: u32,

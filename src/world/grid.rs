@@ -1,4 +1,4 @@
-//! Where the cells of a map are: origin, cell size, and the cell of a coordinate without division.
+//! The grid of a map: origin, cell size, and the cell of a coordinate without division.
 
 use super::cell::Cell;
 use super::error::TileMapError;
@@ -36,7 +36,7 @@ pub struct Grid {
 /// One axis of a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct GridAxis {
-    /// Where the first cell starts.
+    /// The first corner of the first cell.
     pub(super) origin: i32,
     /// The length of all cells, below 2^30.
     pub(super) size: i32,

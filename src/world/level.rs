@@ -18,7 +18,7 @@ pub(crate) mod sealed {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Feature {
-    /// Where it is.
+    /// Its position.
     pub geometry: Geometry,
     /// The cell whose solid it bounds.
     pub cell: Cell,
@@ -37,7 +37,7 @@ pub struct Feature {
 
 /// The shape of a [`Feature`]. Directions are reduced: one slope has one direction.
 ///
-/// Where a vertex ends an arc, its edge is the arc's tangent there. A cusp (the end of a quarter
+/// At a vertex that ends an arc, its edge is the arc's tangent there. A cusp (the end of a quarter
 /// pipe or of a wall) has `e_out == -e_in`.
 ///
 /// ```text
@@ -58,7 +58,7 @@ pub enum Geometry {
         a: Vec2,
         /// Reduced direction.
         dir: Axis,
-        /// Length in multiples of `dir`, raw; 0 only where a map that ends with the domain goes on
+        /// Length in multiples of `dir`, raw. 0 only if a map that ends with the domain continues
         /// beyond it.
         len: i32,
         /// Whether the solid continues beyond the start and the end (a flat or concave joint). The
@@ -170,7 +170,7 @@ pub struct Seen {
     /// A body meets and overlaps nothing with its inside while its bounds are in the region and out
     /// of this box, one-way faces included.
     pub(crate) held: Option<Aabb>,
-    /// Where there is a box, the cells that it is around, if the level is one of cells.
+    /// If there is a box, the cells inside it, if the level is one of cells.
     pub(crate) cells: Option<Cells>,
 }
 
@@ -247,7 +247,7 @@ pub trait World: sealed::Sealed {
         None
     }
 
-    /// The corners of a cell of a grid; at a repeated border it goes on beyond the map.
+    /// The corners of a cell of a grid. At a repeated border it continues beyond the map.
     #[doc(hidden)]
     fn corners(&self, block: &Block) -> (Raw, Raw) {
         let _ = block;

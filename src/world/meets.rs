@@ -1,4 +1,4 @@
-//! What capsules, oriented boxes and convex polygons ask of every kind of level.
+//! The interface that every kind of level has for capsules, oriented boxes and convex polygons.
 
 use super::convex::ConvexBody;
 use super::joined::Joined;

@@ -26,8 +26,7 @@ use crate::num::{DOMAIN, Fx, Raw, Vec2};
 /// room's map gives the same bits as in a map of the whole world. A body may move to the next room
 /// in any frame in which the apron still holds it.
 ///
-/// The rooms of a [`Rooms`] are equal, and are made when asked for. Rooms of any rectangles are a
-/// table:
+/// The rooms of a [`Rooms`] are equal, and are made on demand. Rooms of any rectangles are a table:
 ///
 /// ```
 /// use tilesat::{AllShapes, Fx, Grid, Room, TileKind, TileKinds, TileMap, TileMapError, Vec2};
@@ -343,7 +342,7 @@ impl<'a, S: Set> Rooms<'a, S> {
 
 /// One axis of a room's map, in cells of the world.
 struct RoomAxis {
-    /// Of the room.
+    /// In the room.
     first: i32,
     own: u16,
     /// In the apron before it.

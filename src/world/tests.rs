@@ -9,7 +9,7 @@ mod measure {
     type Tiles = TileMap<'static, AllShapes>;
     type Both = Joined<'static, Tiles, SegmentMap<'static>>;
 
-    /// Of a level with free lines, and of one of tiles where it can have both.
+    /// For a level with free lines, and for one of tiles if it can have both.
     fn order(a: Measure, b: Measure) -> Ordering {
         let free = |m: &Measure| matches!(m, Measure::Line { den, .. } if ![2, 5].contains(den));
         let order = a.order::<Both>(&b);
@@ -94,8 +94,7 @@ mod grid {
     use crate::num::{Fx, Vec2};
     use crate::world::grid::Grid;
 
-    /// What cores without a long product run, at both sides of every line that a domain has room
-    /// for.
+    /// The code of cores without a long product, at both sides of every line in the domain.
     #[test]
     fn quotients_by_words() {
         for cell in [258, 1000, 70_002, (1 << 17) - 2, 1_572_864, (1 << 24) - 2] {

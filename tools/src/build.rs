@@ -63,7 +63,7 @@ pub fn levels(from: impl AsRef<Path>) -> Result<(), Failed> {
     let from = from.as_ref();
     println!("cargo:rerun-if-changed={}", from.display());
     let out = env::var_os("OUT_DIR").ok_or_else(|| Fail::new("there is no OUT_DIR: this is for build scripts"))?;
-    let name = from.file_name().ok_or_else(|| Fail::new(format!("{} names no folder", from.display())))?;
+    let name = from.file_name().ok_or_else(|| Fail::new(format!("{} is not the name of a folder", from.display())))?;
     for file in folder(from, &Path::new(&out).join(name).with_extension("rs"))? {
         println!("cargo:rerun-if-changed={}", file.display());
     }

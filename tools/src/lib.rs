@@ -28,7 +28,7 @@
 //! # Ok(())
 //! # }
 //! ```
-#![allow(clippy::must_use_candidate, reason = "nothing here is called but for its answer")]
+#![allow(clippy::must_use_candidate, reason = "every function here is called for its answer")]
 
 pub mod bake;
 pub mod build;

@@ -13,7 +13,7 @@ use crate::shape::Aabb;
 /// not its upper ones), and half widths add up to at most that.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lattice {
-    /// Where cell (0, 0) begins.
+    /// The first corner of cell (0, 0).
     pub(in crate::broad) origin: Raw,
     /// The side is 2^log raw, 1 to 28.
     log: u8,
@@ -70,7 +70,7 @@ impl CellRange {
 }
 
 impl Window {
-    /// Of one cell.
+    /// In one cell.
     pub(in crate::broad) fn of(at: At) -> Self {
         let one = |v| CellRange { lo: v, hi: v };
         Self { x: one(at.x), y: one(at.y) }

@@ -33,9 +33,9 @@ stored!(Handle as Name);
 /// One slot that was ever taken.
 #[derive(Serialize, Deserialize)]
 enum Tenant<T> {
-    /// Of an odd generation.
+    /// With an odd generation.
     Body { generation: u16, bounds: Aabb, tag: T },
-    /// Of an even generation, with the left side that the last body had, and the next free slot.
+    /// With an even generation, the left side of its last body, and the next free slot.
     Nobody { generation: u16, left: i32, next: u16 },
 }
 

@@ -26,7 +26,7 @@ pub(crate) struct Span {
 }
 
 impl Span {
-    /// Of differences inside the domain and a motion between two places in it: all below 2^30.
+    /// From differences inside the domain and a motion between two points in it: all below 2^30.
     pub(crate) const fn new(alo: i32, ahi: i32, blo: i32, bhi: i32, d: i32) -> Self {
         if d < 0 {
             Self { gap: alo.wrapping_sub(bhi), leave: ahi.wrapping_sub(blo), speed: d.wrapping_neg() }
@@ -175,8 +175,8 @@ impl BoxGate {
     }
 }
 
-/// Where a circle that moves by `d` can start to overlap a box that it does not overlap already. A
-/// separate call: its stack is free again when a disc is tested.
+/// Where a circle that moves by `d` can start to overlap a box that it does not overlap yet. A
+/// separate call: its stack is free again before the test of a disc.
 #[inline(never)]
 pub(super) fn gate(circle: &Circle, b: &Aabb, d: Raw) -> Option<BoxGate> {
     gate_here(circle, b, d)

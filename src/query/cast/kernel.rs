@@ -44,7 +44,7 @@ pub enum Course<M> {
 }
 
 impl<M> Course<M> {
-    /// Where there is no overlap before the motion.
+    /// If there is no overlap before the motion.
     #[inline]
     pub(super) fn of(met: Option<M>) -> Self {
         met.map_or(Self::Free, Self::Meets)
@@ -77,7 +77,7 @@ pub trait Enter<B: ?Sized>: InDomain {
     /// How the boundary of `b`, grown by this shape, may be met.
     type Moment: Moment;
 
-    /// What the motion `d` meets, below 2^29 per component; its end needs not be in the domain.
+    /// The hit of the motion `d`, below 2^29 per component. Its end may be outside the domain.
     fn enter(&self, b: &B, d: Raw) -> Course<Self::Moment>;
 
     /// The same without what times are computed from.

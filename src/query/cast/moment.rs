@@ -26,7 +26,7 @@ pub(crate) fn entry_time(c: u64, b: u64, rra: (u64, u64), cross: i64) -> Toi {
 /// When a point leaves a disc: a lower bound of `(b + sqrt(rra - cross^2)) / a`, with b = -m.d and
 /// a = |d|^2, `inner` = r^2 - |m|^2.
 ///
-/// Where b is not positive (then the point starts inside) the same without cancellation, as above:
+/// If b is not positive (then the point starts inside), the same without cancellation, as above:
 /// `inner / (|b| + sqrt(..))`.
 #[inline(never)]
 pub(crate) fn exit_time(inner: u64, b: i64, a: u64, rra: (u64, u64), cross: i64) -> Toi {
@@ -187,7 +187,7 @@ enum Pass {
     At { cross: i64, du: i64 },
 }
 
-/// Where the multiplications are calls, a separate one: its stack is free again when squares are
+/// A separate call if multiplications are calls: its stack is free again before squares are
 /// compared.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
@@ -249,7 +249,7 @@ pub(crate) struct Crossing {
 }
 
 impl Crossing {
-    /// Of the point `m` that moves by `d` into the disc of radius `r`.
+    /// For the point `m` that moves by `d` into the disc of radius `r`.
     ///
     /// Decided without root or division: |m + d| < r, or a closest approach inside the motion that
     /// is nearer than r (numerics: cross^2 < r^2 |d|^2, 124 bits).
@@ -275,8 +275,8 @@ impl Crossing {
         m.len2() < self.rr
     }
 
-    /// Of a ray from `m`, which touching stops: from the rim and up to it too. A tangent does not
-    /// come in.
+    /// For a ray from `m`, which a touch stops, also from the rim and up to it. A tangent does not
+    /// enter.
     pub(crate) fn touching(m: Raw, r: i32, d: Raw) -> Option<Self> {
         let b = m.dot(d).wrapping_neg();
         if b <= 0 {

@@ -16,7 +16,7 @@ use core::cmp::Ordering;
 pub struct EdgeMoment {
     pub(in crate::query) gap: u64,
     pub(in crate::query) speed: u64,
-    /// Of the length that gap and speed are multiples of.
+    /// The length whose multiples are gap and speed.
     pub(in crate::query) axis: Axis,
 }
 
@@ -74,9 +74,9 @@ fn enter<const N: usize>(strips: [Strip; N]) -> Course<EdgeMoment> {
 }
 
 impl EdgeMoment {
-    /// Of two entries the later one; at one moment the one that opposes the motion more, then the
-    /// one more along x, then the one that is on a definite side of the motion, which exchanging
-    /// the shapes does not change.
+    /// The later of two entries. At one moment, the one that opposes the motion more, then the one
+    /// more along x, then the one on a definite side of the motion. Exchanging the shapes does not
+    /// change that side.
     pub(in crate::query) fn later(self, b: Self) -> Self {
         match mul64(self.gap, b.speed).cmp(&mul64(b.gap, self.speed)) {
             Ordering::Less => b,
@@ -152,7 +152,7 @@ pub(super) fn enter_segment(lo: Raw, hi: Raw, a: Raw, b: Raw, d: Raw) -> Course<
     enter([x, y, across])
 }
 
-/// What the segment `a` that moves by `d` meets of the segment `b`: strips across both.
+/// The hit of the segment `a`, which moves by `d`, on the segment `b`: strips across both.
 #[inline(never)]
 pub(super) fn enter_crossing(a: (Raw, Raw), b: (Raw, Raw), d: Raw) -> Course<EdgeMoment> {
     let (e, f) = (a.1.sub(a.0), b.1.sub(b.0));
@@ -218,8 +218,7 @@ impl CapsuleGate {
     }
 }
 
-/// Where a circle that moves by `d` can start to overlap a segment, where it does not overlap
-/// already.
+/// Where a circle that moves by `d` can start to overlap a segment that it does not overlap yet.
 ///
 /// A circle of radius zero overlaps no segment.
 #[inline]

@@ -110,9 +110,9 @@ impl Contact {
 
     /// The point of A that lies deepest in B, within 2 raw units per component.
     ///
-    /// Where a whole side of a box is as deep: the middle of the part of it that faces B. Cost: at
-    /// most a unit vector and two long divisions, some thousand instructions on a Cortex-M0; exact
-    /// and a few instructions for boxes.
+    /// If a whole side of a box is equally deep: the middle of the part that faces B. Cost: at most
+    /// a unit vector and two long divisions, some thousand instructions on a Cortex-M0. For boxes
+    /// it is exact and takes a few instructions.
     ///
     /// ```
     /// use tilesat::{Aabb, Vec2, prelude::*};

@@ -13,7 +13,7 @@ use crate::query::cast::kernel::{Course, Moment};
 use crate::query::cast::moment::{Disc, is_below, meet_disc, meets_beyond, reach};
 use crate::query::cast::segments::{EdgeMoment, Slope};
 
-/// What of the sum a motion comes in through.
+/// The part of the sum through which a motion enters.
 #[derive(Clone, Copy, Debug)]
 pub enum ConvexGate {
     /// A straight side at a rational moment.
@@ -42,7 +42,7 @@ impl Moment for ConvexGate {
     }
 }
 
-/// What A meets of B when it moves by `d`, below 2^29 a component.
+/// The hit of A on B when it moves by `d`, below 2^29 per component.
 pub(super) fn enter(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<ConvexGate> {
     let radius = a.radius.wrapping_add(b.radius);
     if radius == 0 {
@@ -97,7 +97,7 @@ fn sharp(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<EdgeMoment> {
     }
 }
 
-/// Of shapes that do not overlap.
+/// For shapes that do not overlap.
 fn rounded(a: Core<'_>, b: Core<'_>, radius: i32, d: Raw) -> Option<ConvexGate> {
     let walk = SideWalk::new(a, b);
     let mut first: Option<(Toi, Disc)> = None;
@@ -119,8 +119,8 @@ fn rounded(a: Core<'_>, b: Core<'_>, radius: i32, d: Raw) -> Option<ConvexGate> 
     first.map(|(_, disc)| ConvexGate::Disc(disc))
 }
 
-/// Of two discs, each with a lower bound of its moment that is early by less than four raw units of
-/// way: exactly, where these do not tell.
+/// The earlier of two discs, each with a lower bound of its moment that is early by less than four
+/// raw units of way. Exact if these do not decide.
 pub(super) fn is_earlier((s, a): (Toi, Disc), (t, b): (Toi, Disc), d: Raw) -> bool {
     let way = d.x.unsigned_abs().max(d.y.unsigned_abs());
     if umul(s.raw().abs_diff(t.raw()), way) >> 32 == 0 { a.exact_toi(d) < b.exact_toi(d) } else { s < t }

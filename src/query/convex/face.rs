@@ -27,11 +27,11 @@ pub(super) struct End {
     pub(super) paired: bool,
 }
 
-/// What faces each other of a side of A and one of B, which a side of the sum is of.
+/// The facing parts of a side of A and one of B that make up a side of the sum.
 pub(super) struct Facing {
     pub(super) a: (Raw, Raw),
     pub(super) b: (Raw, Raw),
-    /// Where it begins and ends.
+    /// Its start and its end.
     pub(super) ends: (End, End),
 }
 

@@ -4,12 +4,12 @@ use super::place::{Place, sharp};
 use super::walk::{Core, PolygonSide, turn};
 use crate::num::{Raw, less128, mul64, sqr64, usqr};
 
-/// Where two shapes were last seen apart: the side of one of them that the other one was behind.
+/// The side of one of two shapes that last separated them: the other one was behind it.
 ///
 /// Shapes that are near but apart mostly stay so from frame to frame, by the same side. Keep one of
-/// these for each pair of bodies, and give it to
-/// [`overlaps_from`](crate::query::OverlapsFrom::overlaps_from). It is a hint: whatever it holds,
-/// also of another pair, no answer changes.
+/// these for each pair of bodies, and pass it to
+/// [`overlaps_from`](crate::query::OverlapsFrom::overlaps_from). It is only a hint: no content,
+/// even of another pair, changes an answer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Separation {

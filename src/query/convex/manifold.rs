@@ -112,7 +112,7 @@ const fn line(index: usize) -> Part {
     Part::Side(index as u16)
 }
 
-/// Of two parallel sides: the ends of what they share, equally deep.
+/// For two parallel sides: the ends of their common part, equally deep.
 fn both(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Manifold {
     let Facing { ends: (from, to), .. } = Facing::of(side, a, b);
     let point = |end: End, on_a: usize, on_b: usize| ManifoldPoint {
@@ -126,8 +126,8 @@ fn both(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Mani
     Manifold { first, second: apart.then_some(second) }
 }
 
-/// Of a side and the corner that is deepest behind it: that corner, and the end of the flatter one
-/// of the sides beside it, cut to what faces the side.
+/// For a side and the deepest corner behind it: that corner, and the end of the flatter side beside
+/// it, cut to the part that faces the side.
 fn one(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Manifold {
     // Whether A is the one that leans on a side of B.
     let on_a = side.of_b;
@@ -173,8 +173,8 @@ struct Lean {
     end: usize,
 }
 
-/// Of the two sides beside a corner the one that is more parallel to `way`, in which the next one
-/// leads away; none where both lead the other way.
+/// The one of the two sides beside a corner that is more parallel to `way`, in which the next one
+/// leads away. `None` if both lead the other way.
 fn leaning(core: Core<'_>, at: usize, way: Raw) -> Option<Lean> {
     if core.corners.len() < 2 {
         return None;

@@ -225,7 +225,7 @@ manifolds!([] Segment, Aabb);
 manifolds!([] Segment, Circle);
 manifolds!([] Segment, Segment);
 
-/// What a shape is asked about a point.
+/// The queries about a shape and a point.
 macro_rules! points {
     ([$($n:tt)*] $a:ty) => {
         impl<$($n)*> Contains<Vec2> for $a {

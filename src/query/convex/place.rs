@@ -1,4 +1,5 @@
-//! Where the origin is, seen from the sum of two shapes: inside, before a side or before a corner.
+//! The position of the origin relative to the sum of two shapes: inside, before a side or before a
+//! corner.
 
 use super::walk::{Core, Corner, PolygonSide, SideWalk, turn};
 use crate::num::{div_sqrt, isqrt64, less128, mul64, sqr64, usqr};

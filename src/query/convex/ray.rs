@@ -13,7 +13,7 @@ use crate::query::cast::moment::{Disc, is_below, meets_beyond, reach, touch_disc
 use crate::query::cast::ray::{at_start, checked, meet_point, meet_segment, reached};
 use crate::query::cast::segments::{EdgeMoment, Slope};
 
-/// Where a ray meets a shape.
+/// The hit of a ray on a shape.
 pub(super) fn cast_ray(
     shape: Core<'_>,
     origin: Vec2,
@@ -42,8 +42,8 @@ pub(super) fn cast_ray(
 /// The ray starts strictly inside.
 struct Within;
 
-/// Of a polygon: the latest side that the ray comes in by, if it has not left another one before
-/// then.
+/// For a polygon: the latest side through which the ray enters, if it has not left another one
+/// before.
 fn sharp(eye: Core<'_>, shape: Core<'_>, d: Raw) -> Result<Option<ConvexGate>, Within> {
     let (mut entry, mut exit): (Option<EdgeMoment>, Option<(u64, u64)>) = (None, None);
     // On a side's line without coming in by it: from the border such a ray does not lead inside.
@@ -87,7 +87,7 @@ fn last(a: EdgeMoment, b: EdgeMoment) -> EdgeMoment {
     a.later(b)
 }
 
-/// Of a rounded shape that the ray starts outside of: a side moved out, or the first disc around a
+/// For a rounded shape outside which the ray starts: a side moved out, or the first disc around a
 /// corner.
 fn rounded(eye: Core<'_>, shape: Core<'_>, d: Raw) -> Option<ConvexGate> {
     let walk = SideWalk::new(eye, shape);

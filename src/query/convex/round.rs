@@ -49,9 +49,9 @@ impl ArcCell {
 
     /// Whether a shape overlaps, or touches, the quarter of the disc.
     ///
-    /// Grown by the shape's radius the quarter is that of a larger disc, and all that is as near to
+    /// Grown by the shape's radius, the quarter is that of a larger disc, and everything as near to
     /// its two straight sides. For a shape without radius that overlaps the square, its part in the
-    /// quadrant is the limit of the part inside: the quarter's closed side is asked.
+    /// quadrant is the limit of the part inside. So this tests the quarter's closed side.
     pub(crate) fn convex_meets<const CLOSED: bool>(&self, core: Core<'_>) -> bool {
         if core.radius == 0 && !CLOSED && !self.overlaps_square(core) {
             return false;
@@ -64,9 +64,9 @@ impl ArcCell {
 
     /// Whether a shape overlaps, or touches, the rest of the square.
     ///
-    /// What is farthest from the centre of a convex part of the square is one of its corners: a
-    /// corner of the shape, or on the border. On the sides through the centre nothing but their
-    /// ends is solid, and these are ends of the far sides, too.
+    /// The point of a convex part of the square farthest from the centre is one of its corners: a
+    /// corner of the shape, or on the border. On the sides through the centre only the ends are
+    /// solid, and these are also ends of the far sides.
     pub(crate) fn concave_meets<const CLOSED: bool>(&self, core: Core<'_>) -> bool {
         let s = self.side;
         let rest = s.wrapping_sub(core.radius);
@@ -119,8 +119,8 @@ const fn swapped(p: Raw) -> Raw {
     Raw { x: p.y, y: p.x }
 }
 
-/// Where the line through two points is on y = 0, if they are on different sides: as a fraction
-/// with a positive divisor.
+/// The x at which the line through two points crosses y = 0, if they are on different sides: a
+/// fraction with a positive divisor.
 fn at_zero(a: Raw, b: Raw) -> Option<(i64, i32)> {
     let den = b.y.wrapping_sub(a.y);
     if (a.y > 0) == (b.y > 0) && (a.y < 0) == (b.y < 0) {
@@ -155,8 +155,8 @@ fn has_foot<const CLOSED: bool>(a: Raw, b: Raw, reach: i32) -> bool {
     if CLOSED { !less128(limit, square) } else { less128(square, limit) }
 }
 
-/// Whether a polygon holds the origin; what has no area does so on a side, which is asked
-/// elsewhere.
+/// Whether a polygon contains the origin. A polygon without area contains it on a side, which other
+/// code tests.
 fn holds_origin(core: Core<'_>, mut ends: impl Iterator<Item = (Raw, Raw)>) -> bool {
     let (mut left, mut right) = (false, false);
     core.corners.len() > 2

@@ -1,4 +1,4 @@
-//! The border of A + (-B), side by side: what every question about two convex shapes is asked of.
+//! The border of A + (-B), side by side: the basis of every query about two convex shapes.
 //!
 //! A and B overlap where the origin is inside that sum, and its sides are those of A and the
 //! reversed ones of B in the order of their directions. They are merged one at a time: no list is
@@ -65,7 +65,7 @@ impl Core<'_> {
 /// A side of the sum, with the sum's inside on its left (y up).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PolygonSide {
-    /// Where it begins: a corner of A less one of B, below 2^30 a component.
+    /// Its start: a corner of A minus one of B, below 2^30 per component.
     pub(super) from: Raw,
     /// Below 2^30 a component, or 2^31 where both shapes have a part.
     pub(super) edge: Raw,
@@ -195,8 +195,8 @@ pub(super) struct Corner {
 /// The sign of `e x f`, for components of which one vector's are below 2^31 and the other's below
 /// 2^30.
 ///
-/// Where a product is a call: of two products with different signs the larger one is known without
-/// computing them.
+/// For cores on which a product is a call. Of two products with different signs, the larger one is
+/// known without computing them.
 #[inline]
 pub(super) const fn turn(e: Raw, f: Raw) -> i64 {
     if SPLIT {

@@ -149,8 +149,8 @@ impl FaceSegment {
         if bared { Front::Bare } else { Front::Unknown }
     }
 
-    /// Whether an arc may have a point in front of the face's inside. It lies in the inside of the
-    /// square that it is a quarter in, save its ends.
+    /// Whether an arc can have a point in front of the face's inside. It lies in the inside of its
+    /// square, except its ends.
     fn meets_arc(&self, centre: Raw, radius: i32, quadrant: Axis) -> bool {
         let (x, y) = (radius.wrapping_mul(quadrant.x), radius.wrapping_mul(quadrant.y));
         let at = |x: i32, y: i32| centre.add(Raw { x, y });
@@ -253,8 +253,8 @@ fn ends_at(p: Raw, centre: Raw, radius: i32, quadrant: Axis) -> bool {
     p == centre.add(Raw { x, y: 0 }) || p == centre.add(Raw { x: 0, y })
 }
 
-/// Whether the solid goes on beyond the end `p` of a face that runs along `dir`; `inward` is 1 for
-/// its start, -1 for its end.
+/// Whether the solid continues beyond the end `p` of a face that runs along `dir`. `inward` is 1
+/// for its start, -1 for its end.
 ///
 /// It does where three conditions hold. The points in front of the face's end are free. The cones
 /// of the other level's corners there omit the normals next to the face's own, which are those of

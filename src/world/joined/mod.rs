@@ -24,8 +24,8 @@ use hidden::{hides, shown};
 /// bit says which of the pair it is from, 0 for the first; the other bits are what the source was
 /// in that level.
 ///
-/// The levels are asked one after the other, so a body without area overlaps a pair where it
-/// overlaps one of the two; on the line between two solids that meet flush it overlaps neither.
+/// Each level is tested separately. So a body without area overlaps a pair if it overlaps one of
+/// the two. On the line between two solids that meet flush it overlaps neither.
 ///
 /// Cost: both levels' cost, and for each feature a look-up or two of a point in the other level;
 /// where that is solid, the other level's features along the face.
@@ -287,7 +287,7 @@ impl<S: RayScan> Ahead<S> {
         Self { scan, next: None }
     }
 
-    /// Has the next hit that the other level does not hide at hand.
+    /// Prepares the next hit that the other level does not hide.
     fn fill<W: World>(&mut self, o: Raw, d: Raw, other: &W) {
         while self.next.is_none() {
             let Some(found) = self.scan.next_found() else { return };

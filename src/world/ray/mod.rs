@@ -52,9 +52,9 @@ pub struct RayHit {
     pub toi: Toi,
     /// Where, rounded to the free side of the piece that was hit.
     ///
-    /// Of a straight face, each coordinate is less than one raw off: rounded toward the start, or
-    /// away from it where the normal is on that side; so along a face's axis it is exact. Of an arc
-    /// it is that of `toi`, rounded away from the solid.
+    /// On a straight face, each coordinate is less than one raw off. It is rounded toward the
+    /// start, or away from it if the normal is on that side. So along a face's axis it is exact. On
+    /// an arc it is the point of `toi`, rounded away from the solid.
     pub point: Vec2,
     /// The outward normal of the piece that was hit: reduced, of a block's face a unit axis; within
     /// an arc the vector from its centre to `point`, the other way where it is concave. See
@@ -329,8 +329,8 @@ fn touch_at(num: u32, den: u32, normal: Axis) -> Touch {
     Touch { time: Some(Time { num: u64::from(num), den: u64::from(den) }), normal }
 }
 
-/// A ray that touches a concave arc at its end along the cell's side: met where it goes on into the
-/// cell.
+/// A ray that touches a concave arc at its end along the cell's side hits it if it continues into
+/// the cell.
 fn along_the_end(m: Raw, d: Raw, r: i32, q: Axis) -> Option<Touch> {
     let reaches = |v: i32, d: i32| d > 0 && v <= 0 && v.wrapping_add(d) >= 0;
     if m.x == r && d.x == 0 && reaches(m.y, d.y) {

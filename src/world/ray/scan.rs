@@ -64,7 +64,7 @@ pub(in crate::world) trait RayLevel: RayPieces {
     fn flags(&self, x: i32, y: i32) -> u8;
 }
 
-/// A ray that has been asked for its hits up to a moment.
+/// A ray whose hits were found up to a moment.
 #[derive(Debug)]
 pub(in crate::world) struct Scan<'w, L> {
     pub(in crate::world) level: &'w L,
@@ -113,7 +113,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
         Ok(Self::of(level, o, d, rules))
     }
 
-    /// Of a ray that starts and ends in the domain.
+    /// For a ray that starts and ends in the domain.
     #[inline]
     pub(in crate::world) fn of(level: &'w L, o: Raw, d: Raw, rules: RayRules) -> Self {
         Self {

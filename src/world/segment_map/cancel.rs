@@ -1,4 +1,4 @@
-//! What is left of the edges that polygons share, and which of all edges can be near one of them.
+//! The edges that remain when polygons share some, and the edges that can be near one of them.
 
 use super::path::{Path, PathEdge, point, reversed};
 use crate::num::Raw;
@@ -45,7 +45,7 @@ impl EdgeRun {
 }
 
 impl Runs {
-    /// Of all polygons among the paths.
+    /// The edges of all polygons among the paths.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loops, and by the length of a run")]
     pub(super) const fn of(paths: &[Path<'_>]) -> Self {
         let (mut edges, mut i) = (0, 0);
@@ -163,7 +163,8 @@ const fn boxes_meet(a: Raw, b: Raw, p: Raw, q: Raw) -> bool {
         || a.y > p.y && a.y > q.y && b.y > p.y && b.y > q.y)
 }
 
-/// Where a point is on the line of an edge, in multiples of its direction; `None` off the line.
+/// The position of a point on the line of an edge, in multiples of its direction. `None` off the
+/// line.
 ///
 /// The lattice points of a line lie at multiples of its reduced direction: the quotients are exact.
 const fn along_edge(edge: &PathEdge, p: Raw) -> Option<i32> {

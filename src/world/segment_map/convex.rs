@@ -72,7 +72,7 @@ impl SegmentMap<'_> {
 struct Crossed {
     num: u64,
     den: u64,
-    /// What the winding numbers on the left and on the right change by.
+    /// The changes of the winding numbers on the left and on the right.
     change: [i32; 2],
 }
 

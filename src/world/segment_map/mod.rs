@@ -84,7 +84,7 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 ///   +------------+     0
 /// ```
 ///
-/// # Where the boundary goes on
+/// # Where the boundary continues
 ///
 /// At the end of a segment there is a vertex only where the free angle is more than half a turn.
 /// All segments through the point count, also those that only pass through it:
@@ -121,7 +121,7 @@ pub struct SegmentMap<'a> {
 }
 
 impl<'a> SegmentMap<'a> {
-    /// Where the cells are.
+    /// The grid of the cells.
     #[must_use]
     pub const fn grid(&self) -> Grid {
         self.grid
@@ -248,7 +248,7 @@ pub(in crate::world) struct Seg {
     /// The segment that leaves the convex vertex at the end. `None` without a vertex.
     pub(in crate::world) next: Option<u16>,
     pub(in crate::world) kind: Kind,
-    /// No vertex at the start: the boundary, or the one-way chain, goes on there.
+    /// No vertex at the start: the boundary, or the one-way chain, continues there.
     pub(in crate::world) start_joined: bool,
     /// The same at the end. Where it is not set and the segment is not one-way, `next` is there.
     pub(in crate::world) end_joined: bool,
@@ -267,7 +267,7 @@ pub(super) const KIND: u8 = 3;
 pub(super) const START_JOINED: u8 = 4;
 pub(super) const END_JOINED: u8 = 8;
 
-/// Where the fields after the geometry are.
+/// The offset of the fields after the geometry.
 pub(super) const NEXT_AT: usize = 20;
 pub(super) const ATTR_AT: usize = 22;
 
@@ -341,7 +341,7 @@ pub(super) const HEADER: usize = 32;
 /// Bytes of a segment.
 pub(super) const SEGMENT: usize = 24;
 
-/// Where the fields of the header are.
+/// The offsets of the header's fields.
 pub(super) mod at {
     pub(in crate::world::segment_map) const MAGIC: usize = 0;
     /// Version, a zero and the number of segments in one word.

@@ -64,7 +64,8 @@ impl SegmentMap<'_> {
         flags
     }
 
-    /// Whether something is true of a segment of a range of cells; it is asked once in each cell.
+    /// Whether something is true of a segment of a range of cells. Tests a segment once in each
+    /// cell.
     pub(super) fn any(&self, range: Range, mut test: impl FnMut(&Seg) -> bool) -> bool {
         let mut y = range.y0;
         while y <= range.y1 {
@@ -172,8 +173,8 @@ impl SegmentMap<'_> {
     }
 }
 
-/// What the winding number changes by at a segment on the way up along `x = q.x + e` to `q`: +1
-/// from its right to its left.
+/// The change of the winding number at a segment on the way up along `x = q.x + e` to `q`: +1 from
+/// its right to its left.
 fn below(seg: &Seg, q: Raw) -> i32 {
     if (seg.a.x <= q.x) == (seg.b().x <= q.x) {
         return 0;
@@ -350,7 +351,7 @@ impl WayFrame {
         }
     }
 
-    /// What a segment along the way that covers its start adds from below to above.
+    /// The change from below to above of a segment along the way that covers its start.
     fn runs_through_start(&self, seg: &FramedEdge) -> i32 {
         let level = seg.dir.y == 0 && seg.a.y == self.p.y;
         if level && (seg.a.x <= self.p.x) != (seg.b.x <= self.p.x) { seg.dir.x.signum() } else { 0 }

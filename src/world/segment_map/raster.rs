@@ -89,8 +89,8 @@ impl Rows {
         if self.row > self.last_row {
             return None;
         }
-        // Where `q` is 0, `leave` is never positive and `enter` never negative: two rows at most,
-        // from end to end.
+        // If `q` is 0, `leave` is never positive and `enter` never negative: two rows at most, from
+        // end to end.
         while self.leave <= 0 && self.last < self.end {
             self.last = self.last.wrapping_add(1);
             self.leave = self.leave.wrapping_add(self.column_step);

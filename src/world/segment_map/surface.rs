@@ -1,7 +1,7 @@
 //! The surface of a segment map, served by a cursor; a segment map as a level.
 //!
-//! Where the boundary goes on behind the end of a segment, flat or into a concave corner, or around
-//! a vertex, and which ends block by themselves.
+//! Where the boundary continues behind the end of a segment, flat or into a concave corner, or
+//! around a vertex. Also which ends block by themselves.
 
 use super::{Kind, Refs, Seg, SegmentMap};
 use crate::num::{Axis, Raw};
@@ -208,13 +208,13 @@ pub(super) struct Joints {
 struct Turn {
     dir: Axis,
     sector: Sector,
-    /// The first segment that runs on it the way that is asked for.
+    /// The first segment on it in the required direction.
     index: Option<u16>,
     /// Whether one of those is one-way.
     one_way: bool,
 }
 
-/// Where a ray is, turned away from another one.
+/// The direction of a ray, relative to another one.
 type Sector = u8;
 
 /// Less than half a turn, or half of one.
@@ -289,8 +289,8 @@ impl SegmentMap<'_> {
     }
 }
 
-/// Of a one-way face: whether the next one blocks a body on the face, too. Its own kind does around
-/// a corner as well.
+/// For a one-way face: whether the next one also blocks a body on the face. Its own kind does, even
+/// around a corner.
 const fn goes_on(ray: &Turn) -> bool {
     ray.sector <= HALF || ray.sector == MORE && ray.one_way
 }
@@ -352,9 +352,9 @@ impl SegmentMap<'_> {
     /// front. `along` leads from `p` along the face, and `left` says on which side of that the
     /// front is.
     ///
-    /// It does where the surface goes on straight, or turns toward the front and is solid as far as
-    /// beyond `p`. It does not where the face meets a wall or a spike from below, or the surface of
-    /// a solid that it is in: a body above comes as far as `p`.
+    /// It does if the surface continues straight, or turns toward the front and is solid up to
+    /// beyond `p`. It does not if the face meets a wall or a spike from below, or the surface of a
+    /// solid that contains it: a body above reaches `p`.
     ///
     /// ```text
     ///      |####        ####|####         box                 f: the face, its front is on the right

@@ -48,7 +48,7 @@ use solid::{Side, Solid};
 /// bodies from entirely in front. It takes no part in `overlaps` and `touches`. A feature's
 /// [`cell`](crate::world::Feature::cell) holds the key: see [`Solids::key_of`].
 ///
-/// The boxes are asked one by one, so a point (a body without area) on the line between two flush
+/// Each box is tested separately, so a point (a body without area) on the line between two flush
 /// solids overlaps neither.
 ///
 /// Cost: an overlap test looks at each of the n boxes. So does each piece of a surface near the
@@ -89,8 +89,8 @@ impl<'a> Solids<'a> {
     /// The key of the solid that a feature, a contact, a floor or a hit names by its cell. `None`
     /// for the cell of a tile or a segment.
     ///
-    /// You can pass it whatever a [joined](crate::Joined) level reports. The
-    /// [`source`](crate::world::Feature::source) tells apart the keys of two joined lists.
+    /// You can pass it any hit of a [joined](crate::Joined) level. The
+    /// [`source`](crate::world::Feature::source) distinguishes the keys of two joined lists.
     ///
     /// ```
     /// use tilesat::{Aabb, Cell, Fx, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
@@ -123,8 +123,8 @@ impl<'a> Solids<'a> {
     /// One-way solids count as boxes. Exact; borders count. Cost: one or a few exact tests per
     /// solid.
     ///
-    /// What a body passes is not in the list that its mover sees. Keep the solids in an order in
-    /// which a part of the list is what each kind of body sees:
+    /// The solids that a body passes are not in the list that its mover sees. Sort the solids so
+    /// that each kind of body sees a part of the list:
     ///
     /// ```
     /// use tilesat::{Aabb, Joined, Mover, Solid, Solids, TileKinds, TileMap, Vec2};
@@ -269,7 +269,7 @@ pub struct SolidFeatures<'w> {
     /// The one whose pieces are handed out, and which are left.
     of: Option<&'w Solid>,
     left: PieceSet,
-    /// The pieces that are asked for.
+    /// The requested pieces.
     asked: PieceSet,
 }
 
@@ -278,8 +278,8 @@ impl<'w> SolidFeatures<'w> {
         Self { all, next: all, region: (region.lo(), region.hi()), of: None, left: 0, asked: 0xff }
     }
 
-    /// Of those only what a motion can run into: faces that it goes against, and the corners of
-    /// one.
+    /// Of those, only the pieces that a motion can hit: faces that it goes against, and their
+    /// corners.
     pub(super) const fn against(self, d: Raw) -> Self {
         let faces = faces_against(d);
         // Corner 4 + k is between the faces k and k + 1.
@@ -349,7 +349,7 @@ const fn direction(k: u8) -> Axis {
     }
 }
 
-/// Where face k starts.
+/// The start of face k.
 const fn corner(solid: &Solid, k: u8) -> Raw {
     let (lo, hi) = (solid.lo(), solid.hi());
     Raw { x: if matches!(k & 3, 1 | 2) { hi.x } else { lo.x }, y: if k & 2 == 0 { lo.y } else { hi.y } }

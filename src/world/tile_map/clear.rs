@@ -77,8 +77,8 @@ const fn is_within(x: i32, y: i32, reach: i32) -> bool {
     x * x + y * y <= reach * reach
 }
 
-/// What leaves 15 bits of a length: squares of two such numbers, one of them a unit larger, add up
-/// below 2^32.
+/// The part of a length that fits 15 bits: squares of two such numbers, one of them a unit larger,
+/// add up below 2^32.
 const fn shift(reach: i32) -> u32 {
     17u32.saturating_sub(leading_zeros32(reach as u32))
 }

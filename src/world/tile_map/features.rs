@@ -56,7 +56,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// # Ok::<(), tilesat::TileMapError>(())
     /// ```
     ///
-    /// A floor, half a cell high, that goes on into a slope of one cell in two, which ends at a
+    /// A floor, half a cell high, that continues into a slope of one cell in two, which ends at a
     /// ledge:
     ///
     /// ```
@@ -88,8 +88,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Those of the features that a motion could run into, of the cells that a piece of it reaches
     /// and the piece before did not.
     ///
-    /// What a body enters with its inside it meets at the border of a solid in a cell that its
-    /// inside enters.
+    /// A body whose inside enters a solid meets its border in a cell that its inside enters.
     pub(in crate::world) const fn features_ahead(&self, way: &MotionPiece) -> Features<'_, S, T> {
         let range = match way.cells {
             Some(cells) => cells.range,

@@ -87,8 +87,8 @@ pub struct TileMap<'a, S: Set = Blocks, T: Store = Bytes> {
     pub(in crate::world) grid: Grid,
     pub(in crate::world) stride: u16,
     pub(in crate::world) outside: Outside,
-    /// Of an [`Occupied`] map bits of the tiles that are not empty, and of areas that hold one; or
-    /// none.
+    /// For an [`Occupied`] map, bits of the tiles that are not empty, and of areas with such a
+    /// tile. Otherwise empty.
     pub(in crate::world) occupied: &'a [u32],
     pub(in crate::world) marker: PhantomData<(S, T)>,
 }
@@ -124,7 +124,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Aabb::from_raw_unchecked(Raw::of(self.grid.origin()), Raw::of(self.grid.end()))
     }
 
-    /// Where the cells are.
+    /// The grid of the cells.
     #[must_use]
     pub const fn grid(&self) -> Grid {
         self.grid
@@ -249,7 +249,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 }
 
-/// What a border tile, at `in_x` and `in_y`, is beyond the map at `x` and `y`.
+/// The continuation of a border tile, at `in_x` and `in_y`, beyond the map at `x` and `y`.
 #[inline(never)]
 const fn continued(kind: TileKind, x: i32, y: i32, in_x: i32, in_y: i32) -> TileKind {
     if in_y == y {

@@ -68,8 +68,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(())
     }
 
-    /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy) at hand: the same
-    /// answers, faster where much is empty.
+    /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy). It gives the same
+    /// answers, faster if much is empty.
     ///
     /// Regions more than 6 cells wide then pass 32 empty tiles by one test, and rays of more than 64
     /// cells each empty area of 32 x 32 tiles. Overlaps test the columns of a row by one word. Moves

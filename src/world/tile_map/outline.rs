@@ -53,7 +53,7 @@ static GROUPS: [FormKind; 8] = [
 ];
 
 impl TileShape {
-    /// Where the shape is solid.
+    /// The solid part of the shape.
     #[expect(clippy::indexing_slicing, reason = "masked to the table's length")]
     pub(in crate::world) const fn form(self) -> Form {
         // After empty and full, groups of four: halves by their side, the others by their corner,
@@ -172,7 +172,7 @@ impl Outline {
     }
 }
 
-/// Of the nibbles of the four tiles around a corner: the directions in which solid lies on both
+/// From the nibbles of the four tiles around a corner: the directions in which solid lies on both
 /// sides and is not joined. Along side k that is 4k, back along the side before it 4k + 4.
 #[inline]
 pub(in crate::world) const fn gaps(around: u32) -> u16 {
@@ -180,11 +180,11 @@ pub(in crate::world) const fn gaps(around: u32) -> u16 {
     marks & 0x1111 | (marks & 0x2222).rotate_left(3)
 }
 
-/// What continues a border tile beyond the map: `k` is the side, `corner` that the corner where it
-/// begins is meant.
+/// The continuation of a border tile beyond the map. `k` is the side; `corner` selects the corner
+/// where it begins.
 ///
-/// A band is as solid as the tile's edge, a half edge gives half a band; a one-way tile goes on
-/// along its edge. A corner region is solid where both half edges that meet there are.
+/// A band is as solid as the tile's edge, and a half edge gives half a band. A one-way tile
+/// continues along its edge. A corner region is solid if both half edges that meet there are.
 pub(in crate::world) const fn beyond(kind: TileKind, k: u8, corner: bool) -> TileKind {
     let outline = kind.shape.outline();
     let halves = outline.halves(k);

@@ -14,7 +14,7 @@ pub struct ShapeSurface<const ROUND: bool> {
     /// The indices that are left to look at, from `index` on.
     left: u16,
     index: u8,
-    /// Of the vertices among them, the directions in which they are left: a nibble each from index
+    /// For the vertices among them, the directions in which they are left: a nibble each from index
     /// 4 on, index 9 in the last one.
     outs: u32,
     /// None before the first.
@@ -147,8 +147,8 @@ impl Tile {
         Feature { geometry, cell: self.cell, index: index.into(), flags: self.kind.flags, one_way, source: 0 }
     }
 
-    /// Where a piece starts and ends, and in which direction it does; of a vertex the piece that
-    /// ends in it.
+    /// The start and end of a piece, and its directions there. For a vertex, those of the piece
+    /// that ends in it.
     fn piece(&self, index: u8) -> Piece {
         if index >= INNER {
             return self.outline.inner_piece();
@@ -219,7 +219,7 @@ impl Tile {
         Some(out & 15)
     }
 
-    /// At which ends of a one-way face something that blocks from its side goes on beside it.
+    /// The ends of a one-way face beside which something that blocks from its side continues.
     #[inline(never)]
     fn one_way_joined<M: TileSource>(&self, map: &M, k: u8) -> [bool; 2] {
         // Solid at the corner or along the half of its side there, or with the same edge, not

@@ -16,7 +16,7 @@ pub struct CellWalk {
     /// The cell that it has come to.
     pub(super) x: i32,
     pub(super) y: i32,
-    /// What that is.
+    /// Its kind.
     pub(super) kind: TileKind,
     /// Its place in the map's data, where all of the range is in the map.
     pub(super) tile: u32,
@@ -50,7 +50,7 @@ impl CellQuery {
         Self { region: (way.whole.lo(), way.whole.hi()), d: way.d, joints: way.joints }
     }
 
-    /// Whether a face along `dir` is opposed to the motion, or all are asked for.
+    /// Whether a face along `dir` opposes the motion, or all are wanted.
     ///
     /// |d| is below 2^29, components of directions are at most 2.
     #[inline]
@@ -209,7 +209,7 @@ impl BlockSurface {
         self.left = ((met && look.opposes(direction(side))) as Pieces) << side;
     }
 
-    /// The indices that are asked for, if they are there.
+    /// The requested indices, if they exist.
     fn asked(&self, look: &CellQuery) -> Pieces {
         let (d, reached) = (look.d, self.reached(look.region));
         if d.is_zero() {
@@ -275,7 +275,7 @@ const fn direction(k: u8) -> Axis {
     DIRECTIONS[(k & 3) as usize]
 }
 
-/// Where face k starts.
+/// The start of face k.
 const fn corner(lo: Raw, hi: Raw, k: u8) -> Raw {
     Raw { x: if k == 1 || k == 2 { hi.x } else { lo.x }, y: if k >= 2 { hi.y } else { lo.y } }
 }

@@ -64,7 +64,7 @@ impl Baked {
             lines.push(format!("tiles   layer '{}': {width}x{height} of {side} px", level.layer));
             lines.push(format!("flash   {} bytes of tiles, {} of kinds", level.tiles.len(), size_of::<TileKinds>()));
             if level.tiles.len() > MOST_COUNTED {
-                lines.push(format!("cells   not looked at one by one: more than {MOST_COUNTED}"));
+                lines.push(format!("cells   not counted: more than {MOST_COUNTED}"));
             } else {
                 let report = Report::of(&map, grid, Owner::Tile, body(&grid));
                 lines.extend(report.lines(body(&grid)));
@@ -77,7 +77,7 @@ impl Baked {
             lines.push(format!("flash   {} bytes", bytes.len()));
             let grid = map.grid();
             if usize::from(width) * usize::from(height) > MOST_COUNTED {
-                lines.push(format!("cells   not looked at one by one: more than {MOST_COUNTED}"));
+                lines.push(format!("cells   not counted: more than {MOST_COUNTED}"));
             } else {
                 let report = Report::of(&map, grid, Owner::Square, body(&grid));
                 lines.extend(report.lines(body(&grid)));

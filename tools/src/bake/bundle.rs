@@ -55,10 +55,10 @@ pub fn bake(maps: &[Map], settings: &Settings) -> Result<Bundle> {
         levels.push(level(map, settings, &mut flags, &mut ids).map_err(of_level)?);
     }
     if levels.is_empty() {
-        return Err(Fail::new("every level is left out by --ignore-level"));
+        return Err(Fail::new("--ignore-level skips every level"));
     }
     if levels.iter().all(|level| level.tiles.is_none() && level.objects.is_none()) {
-        return Err(Fail::new("there is nothing solid: nothing is drawn"));
+        return Err(Fail::new("nothing is solid: nothing is drawn"));
     }
     let table = (0..=u8::MAX).zip(ids.kinds()).fold(TileKinds::EMPTY, |table, (id, kind)| table.with(id, *kind));
     for baked in &mut levels {
@@ -80,7 +80,7 @@ fn level(map: &Map, settings: &Settings, flags: &mut Flags, ids: &mut Ids) -> Re
         let outlines = distinct(&ground.outlines);
         let twice = ground.outlines.len() - outlines.len();
         if twice > 0 {
-            ground.notes.push(format!("{twice} polygons are left out: each repeats another one"));
+            ground.notes.push(format!("{twice} polygons are skipped: each repeats another one"));
         }
         if pile(&outlines) > MOST_PILED {
             return Err(Fail::new(format!("more than {MOST_PILED} polygons lie over each other")));

@@ -54,7 +54,7 @@ impl Outputs {
 
 fn not_read(path: &Path, place: &Path, inputs: &[PathBuf]) -> Result<()> {
     if inputs.iter().any(|input| is_same(input, place)) {
-        return Err(Fail::new(format!("cannot write {}: it is a file that the level is read from", path.display())));
+        return Err(Fail::new(format!("cannot write {}: it is an input of the level", path.display())));
     }
     Ok(())
 }
@@ -71,7 +71,7 @@ fn place(path: &Path) -> Result<PathBuf> {
         Err(_) => {
             let name = path
                 .file_name()
-                .ok_or_else(|| Fail::new(format!("cannot write {}: no name of a file", path.display())))?;
+                .ok_or_else(|| Fail::new(format!("cannot write {}: it has no file name", path.display())))?;
             let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
             Ok(fs::canonicalize(folder).map_err(|e| cannot(path, &e))?.join(name))
         }

@@ -50,7 +50,7 @@ pub fn reopen(path: &Path) -> Result<Vec<Reopened>> {
     let read = parts.iter().map(|(name, lines)| level(name, &shared, lines, folder).map_err(of_file));
     let levels = read.collect::<Result<Vec<_>>>()?;
     if levels.iter().all(|level| level.tiles.is_none() && level.segments.is_none()) {
-        return Err(of_file("no level that tilesat bake has written".to_owned()));
+        return Err(of_file("not a level from tilesat bake".to_owned()));
     }
     Ok(levels)
 }
@@ -83,7 +83,7 @@ fn level(name: &str, shared: &[&str], lines: &[&str], folder: &Path) -> Made<Reo
         let mut ids = vec![TileKind::EMPTY];
         for (id, kind) in both().filter_map(kind) {
             if id != ids.len() {
-                return Err("the table of kinds is not what the baker writes".to_owned());
+                return Err("the table of kinds is not from the baker".to_owned());
             }
             ids.push(kind);
         }

@@ -13,9 +13,9 @@ use super::{Baked, items, names};
 /// bytes.
 const MOST_BUILT: u16 = 300;
 
-const HEAD: &str = "//! Written by `tilesat bake LEVEL -o OUT.rs`; not edited by hand.\n\
+const HEAD: &str = "//! Written by `tilesat bake LEVEL -o OUT.rs`. Do not edit it.\n\
                     #![allow(unreachable_pub, reason = \"a level is a module of a program\")]\n\
-                    #![allow(dead_code, reason = \"a game uses what it needs\")]\n\
+                    #![allow(dead_code, reason = \"a game may use only a part\")]\n\
                     #![allow(clippy::unreadable_literal, reason = \"raw coordinates\")]\n\n";
 
 /// The source of the bytes.
@@ -115,14 +115,14 @@ fn rest(text: &mut String, level: &Baked, from: &Bytes) {
         let (x, y, width, height) = (place.x, place.y, place.width, place.height);
         let _ = writeln!(
             text,
-            "/// Where it lies in its world, in pixels of the map: x, y, width, height.\npub const WORLD: [i32; 4] = [{x}, {y}, {width}, {height}];"
+            "/// Its position in its world, in pixels of the map: x, y, width, height.\npub const WORLD: [i32; 4] = [{x}, {y}, {width}, {height}];"
         );
     }
     if level.ground.shift != (0, 0) {
         let (x, y) = level.ground.shift;
         let _ = writeln!(
             text,
-            "/// Add this to a place of the map to have it here, in pixels.\npub const SHIFT: [i32; 2] = [{x}, {y}];"
+            "/// Add this to a position of the map to get it here, in pixels.\npub const SHIFT: [i32; 2] = [{x}, {y}];"
         );
     }
     if let Some((shapes, bytes, cell)) = &level.objects {
@@ -161,7 +161,7 @@ fn included(text: &mut String, bytes: &str) {
     let _ = write!(
         text,
         "/// Polygons and chains, built beforehand.\n\
-         #[allow(long_running_const_eval, reason = \"it ends: the level is as large as it is\")]\n\
+         #[allow(long_running_const_eval, reason = \"it ends, because the level is finite\")]\n\
          #[rustfmt::skip]\n\
          pub static SEGMENTS: tilesat::SegmentMap = match tilesat::SegmentMap::from_bytes({bytes}) {{\n    \
          Ok(map) => map,\n    \
@@ -179,7 +179,7 @@ fn built(text: &mut String, shapes: &Shapes, cell: Fx) {
         }
         text.push_str("];\n");
     }
-    let attribute = "#[allow(long_running_const_eval, reason = \"it ends: the level is as large as it is\")]";
+    let attribute = "#[allow(long_running_const_eval, reason = \"it ends, because the level is finite\")]";
     let _ = writeln!(text, "\nsegment_map!(\n    {attribute}\n    pub static SEGMENTS: [");
     for (i, &(kind, flags)) in shapes.kinds.iter().enumerate() {
         let kind = match kind {

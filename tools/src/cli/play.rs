@@ -44,7 +44,7 @@ fn job(program: &Program, options: Options, out: &mut dyn Write, err: &mut dyn W
     list(out, "note", &notes);
     if let Some(stem) = &options.bake {
         if arena.segments.is_some() {
-            return Err(of_file(Fail::new("this game plays tiles alone; tilesat bake takes polygons too")));
+            return Err(of_file(Fail::new("this game plays only tiles; tilesat bake accepts polygons too")));
         }
         for file in constants::files(&arena.level, stem).write(&files)? {
             tell(out, &format!("wrote   {}", file.display()));
@@ -103,7 +103,7 @@ fn arena(path: &Path, input: Input) -> Result<Drawn> {
     }
     let (levels, options) = input.load(path)?;
     let first = levels.maps.iter().find(|map| !listed(&options.ignored_levels, &map.name));
-    let map = first.ok_or_else(|| of_file(Fail::new("every level is left out by --ignore-level")))?;
+    let map = first.ok_or_else(|| of_file(Fail::new("--ignore-level skips every level")))?;
     let bundle = bake::bake(std::slice::from_ref(map), &Settings { options, cell: None }).map_err(of_file)?;
     let [baked] = &bundle.levels[..] else { return Err(of_file(Fail::new("no level"))) };
     Ok((Arena::of(baked).map_err(of_file)?, levels.files, baked.ground.notes.clone()))

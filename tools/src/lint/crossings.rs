@@ -26,7 +26,7 @@ pub(super) fn check(scene: &mut Scene<'_>) -> HashSet<usize> {
             say(scene, [&s, &t], meeting);
         }
         if work.is_spent() {
-            scene.say_unfinished(&s, "the edges from here on were not compared with each other");
+            scene.say_unfinished(&s, "the linter did not compare the edges from here on");
             crossed.extend(scene.edges[i..].iter().filter_map(|edge| edge.outline));
             break;
         }
@@ -42,7 +42,7 @@ fn say(scene: &mut Scene<'_>, [s, t]: [&Edge; 2], meeting: Meeting) {
         Meeting::Cross(at) => crossing(scene, [s, t], who(scene), at),
         Meeting::Tee(at) if s.outline == t.outline => touches_itself(scene, who(scene), at),
         Meeting::Tee(at) => {
-            let why = "the solids are joined there, and no corner is felt";
+            let why = "the solids are joined there, and bodies meet no corner";
             scene.say((Note, "t-junction"), who(scene), at, "one ends within the other", why);
         }
         Meeting::Overlap { at, reversed, whole } => overlap(scene, [s, t], who(scene), (at, reversed, whole)),
@@ -73,17 +73,17 @@ fn shared_end(scene: &mut Scene<'_>, [s, t]: [&Edge; 2], at: Point) {
 fn crossing(scene: &mut Scene<'_>, edges: [&Edge; 2], who: Vec<Who>, at: Point) {
     let [s, t] = edges;
     if s.outline == t.outline {
-        let why = "what is inside and what is outside change places there";
+        let why = "inside and outside change places there";
         let severity = if s.side == Side::Solid { Error } else { Warning };
         return scene.say((severity, "self-crossing"), who, at, "the outline crosses itself", why);
     }
     let kinds = kinds(scene, edges);
     let (severity, why): (Severity, _) = if kinds.contains(&Kind::OneWay) {
-        (Note, "a one-way edge goes on within")
+        (Note, "a one-way edge continues within")
     } else if kinds.contains(&Kind::Hole) {
-        (Error, "what a hole cuts out where nothing is solid keeps an edge that bodies meet from one side")
+        (Error, "a hole in nothing keeps an edge that bodies meet from one side")
     } else {
-        (Warning, "there is no vertex, and the parts within the other cost time for nothing")
+        (Warning, "there is no vertex, and the parts within the other cost time without effect")
     };
     scene.say((severity, "crossing"), who, at, "they cross", why);
 }
@@ -95,7 +95,7 @@ fn overlap(scene: &mut Scene<'_>, edges: [&Edge; 2], who: Vec<Who>, (at, reverse
     // Walls have no direction.
     let reversed = reversed && s.side != Side::Wall && t.side != Side::Wall;
     if s.side != t.side {
-        let why = "both are felt, and the one-sided of them may be hidden by the other";
+        let why = "bodies meet both, and one can hide the other if that has one side";
         return scene.say((Note, "overlap"), who, at, extent, why);
     }
     if !reversed {
@@ -105,7 +105,7 @@ fn overlap(scene: &mut Scene<'_>, edges: [&Edge; 2], who: Vec<Who>, (at, reverse
     let what = format!("{extent}, the other way round");
     match sides {
         (Side::Solid, _) if s.outline == t.outline => {
-            let why = "the outline goes back on itself: a spike without area";
+            let why = "the outline doubles back: a spike without area";
             scene.say((Error, "reversed"), who, at, what, why);
         }
         (Side::Solid, _) => {

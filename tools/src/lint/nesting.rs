@@ -19,13 +19,13 @@ pub(super) fn check(scene: &mut Scene<'_>, crossing: &HashSet<usize>) {
         }
         let surroundings = surroundings(scene, edges, &mut work);
         if work.is_spent() {
-            return scene.say_unfinished(&edges[0], "from here on it was not asked what lies within what");
+            return scene.say_unfinished(&edges[0], "the linter did not check nesting from here on");
         }
         let Some((edge, around)) = surroundings else { continue };
         let (who, at) = (vec![scene.owner(i, None)], edge.middle());
         match (scene.drawing.outlines[i].kind, around) {
             (Kind::Hole, ..=0) => {
-                let what = "a hole outside of any solid";
+                let what = "a hole outside any solid";
                 scene.say((Error, "hole-outside"), who, at, what, "its edge blocks bodies from within");
             }
             (Kind::Hole, 2..) => {

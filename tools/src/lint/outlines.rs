@@ -34,7 +34,7 @@ fn form(scene: &mut Scene<'_>, i: usize, outline: &Outline) {
         scene.say((Error, "not-closed"), who.clone(), first, what, "it has no inside");
     } else if count < 2 {
         let what = format!("a {} of {count} points", outline.kind);
-        scene.say((Error, "not-closed"), who.clone(), first, what, "it takes two points to block");
+        scene.say((Error, "not-closed"), who.clone(), first, what, "a chain needs two points to block");
     }
     if let Some(&p) = outline.points.iter().find(|&&p| !in_domain(p)) {
         let what = "a point beyond the domain";
@@ -69,7 +69,7 @@ fn lengths(scene: &mut Scene<'_>, i: usize, outline: &Outline) {
             scene.say((Error, "zero-length"), who, a, "no length", "an edge without a direction has no normal");
         } else if square < small * small {
             let what = format!("{} long", pixels(square.isqrt() as i64));
-            scene.say((Warning, "sliver"), who, a, what, "every query near it pays for a face nobody sees");
+            scene.say((Warning, "sliver"), who, a, what, "every query near it pays for an invisible face");
         }
     }
 }
@@ -102,7 +102,7 @@ fn corners(scene: &mut Scene<'_>, i: usize, outline: &Outline) {
         if cross != 0 && dot > 0 && cross < dot / 8 {
             let who = vec![scene.owner(i, Some((k + 1) % count))];
             let what = "an angle of less than 7 degrees where this edge begins";
-            scene.say((Warning, "sliver"), who, corner, what, "bodies wedge in or catch on it");
+            scene.say((Warning, "sliver"), who, corner, what, "bodies get wedged in it or catch on it");
         }
     }
 }

@@ -41,7 +41,7 @@ pub(super) fn check(scene: &mut Scene<'_>) {
             }
         }
         if work.is_spent() {
-            return scene.say_unfinished(s, "from here on it was not asked what is too narrow for the body");
+            return scene.say_unfinished(s, "the linter did not check narrow gaps from here on");
         }
     }
 }

@@ -6,7 +6,7 @@ use super::index::{Index, Work};
 use super::nesting;
 use super::scene::{Body, Scene};
 
-const WHY: &str = "a one-way edge stops only what is wholly in front of it, and nothing can be there";
+const WHY: &str = "a one-way edge stops only bodies entirely in front of it, and none can be there";
 
 pub(super) fn check(scene: &mut Scene<'_>) {
     let hidden: Vec<_> = scene
@@ -26,7 +26,7 @@ pub(super) fn check(scene: &mut Scene<'_>) {
     for edge in all.iter().filter(|edge| edge.side == Side::OneWay) {
         let blocked = blocked(scene, edge, &blockers, &index, &mut work);
         if work.is_spent() {
-            return scene.say_unfinished(edge, "from here on it was not asked which one-way edges can be reached");
+            return scene.say_unfinished(edge, "the linter did not check one-way edges from here on");
         }
         if let Some(what) = blocked {
             scene.say((Warning, "unreachable"), vec![scene.who(edge)], edge.middle(), what, WHY);
@@ -47,8 +47,8 @@ fn blocked(scene: &Scene<'_>, edge: &Edge, blockers: &[Edge], index: &Index, wor
     }
     if done >= edge.length_squared() {
         return Some(match scene.rules.body {
-            None => "a solid lies on its front all along",
-            Some(_) => "all along its front a solid is closer than the body is big",
+            None => "a solid lies along its whole front",
+            Some(_) => "a solid along its whole front is nearer than the size of the body",
         });
     }
     let mut buried = |p: Point| {

@@ -68,7 +68,7 @@ impl<'a> Scene<'a> {
 
     /// Reports that a check ended at an edge, because the rest is too much.
     pub(super) fn say_unfinished(&mut self, at: &Edge, what: &'static str) {
-        let why = "so much lies over each other here that what else is wrong is not known";
+        let why = "too much lies over each other here to find other mistakes";
         self.say((Severity::Warning, "unfinished"), vec![self.who(at)], at.a, what, why);
     }
 

@@ -20,7 +20,7 @@ pub fn files(level: &Level, stem: &Path) -> Outputs {
 
 /// The Rust source beside the bytes in the file `bin`.
 pub fn constants(level: &Level, bin: &str) -> String {
-    let head = "//! Written by `cargo run --example platformer -- LEVEL.tmx --bake STEM`; not edited by hand.\n\
+    let head = "//! Written by `cargo run --example platformer -- LEVEL.tmx --bake STEM`. Do not edit it.\n\
                 #![allow(unreachable_pub, reason = \"a level is a module of a program\")]\n\n";
     let rules = flags::rules(level);
     let flags = [("COIN", rules.coin), ("KILL", rules.kill), ("WIN", rules.win), ("LADDER", rules.ladder)];

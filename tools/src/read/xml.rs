@@ -189,7 +189,7 @@ impl<'a> Xml<'a> {
             let quoted =
                 after.and_then(|after| Some((after.chars().next().filter(|c| "\"'".contains(*c))?, &after[1..])));
             let Some((quote, value)) = quoted.filter(|_| !key.is_empty()) else {
-                return Err(self.here(&format!("<{name}> has something that is no attribute")));
+                return Err(self.here(&format!("<{name}> has something that is not an attribute")));
             };
             let end = value.find(quote).ok_or_else(|| cut(self))?;
             if tag.attributes.len() == MAX_ATTRIBUTES {

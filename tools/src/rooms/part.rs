@@ -46,7 +46,7 @@ impl Part {
             place.map_or((0, 0), |room| (room.0 + cells(shift.0, ground.tile), room.1 + cells(shift.1, ground.tile)));
         if place.is_some() && (shift.0 % i64::from(ground.tile) != 0 || shift.1 % i64::from(ground.tile) != 0) {
             return Err(Fail::new(
-                "its tiles are drawn between the cells of the world: take the offset from its layers",
+                "its tiles are drawn between the cells of the world: remove the offset of its layers",
             ));
         }
         let size = level.as_ref().map_or((0, 0), |level| (i64::from(level.width), i64::from(level.height)));
@@ -94,7 +94,7 @@ impl Part {
         let (.., columns, rows) = self.room;
         let count = (columns as usize).div_ceil(step(width)) * (rows as usize).div_ceil(step(height));
         if count > MAX_ROOMS {
-            return Err(Fail::new(format!("{count} rooms of {width}x{height} cells: larger ones make fewer")));
+            return Err(Fail::new(format!("{count} rooms of {width}x{height} cells are too many: use larger ones")));
         }
         let mut rooms = Vec::new();
         for (row, y) in (0..rows).step_by(step(height)).enumerate() {

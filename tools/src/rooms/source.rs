@@ -8,9 +8,9 @@ use crate::bake::{items, names};
 
 /// The tiles, the table of rooms, and the segments of those that have some.
 pub(crate) fn source(world: &World) -> String {
-    let mut text = "//! Written by `tilesat rooms LEVEL -o OUT.rs`; not edited by hand.\n\
+    let mut text = "//! Written by `tilesat rooms LEVEL -o OUT.rs`. Do not edit it.\n\
                     #![allow(unreachable_pub, reason = \"a world is a module of a program\")]\n\
-                    #![allow(dead_code, reason = \"a game uses what it needs\")]\n\
+                    #![allow(dead_code, reason = \"a game may use only a part\")]\n\
                     #![allow(clippy::unreadable_literal, reason = \"raw coordinates\")]\n\n"
         .to_owned();
     let _ = writeln!(text, "use tilesat::{};\n", items::imports(&world.kinds));
@@ -53,7 +53,7 @@ fn table(text: &mut String, world: &World, set: &str) {
     let modules = names::modules(world.rooms.iter().map(|room| room.name.as_str()));
     let _ = writeln!(
         text,
-        "/// All rooms; `next_of` finds the one that a body goes over to.\n\
+        "/// All rooms. `next_of` finds the room into which a body crosses.\n\
          #[rustfmt::skip]\n\
          pub static ROOMS: [tilesat::Room<'static, tilesat::{set}>; {}] = [",
         world.rooms.len()
@@ -104,7 +104,7 @@ fn segments(text: &mut String, world: &World) {
     let _ = writeln!(
         text,
         "\n/// The polygons of each room, in the order of the rooms, row after row.\n\
-         #[allow(long_running_const_eval, reason = \"it ends: the level is as large as it is\")]\n\
+         #[allow(long_running_const_eval, reason = \"it ends, because the level is finite\")]\n\
          #[rustfmt::skip]\n\
          pub static SEGMENTS: [Option<tilesat::SegmentMap<'static>>; {count}] = ["
     );

@@ -91,9 +91,7 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     }
     let cells = cells::merge(&sheets, flags)?;
     for layer in &cells.lost {
-        layers
-            .notes
-            .push(format!("the flags of layer '{layer}' are left out: it lies between the cells of the others"));
+        layers.notes.push(format!("the flags of layer '{layer}' are skipped: it lies between the cells of the others"));
     }
     let of_tiles = paths::outlines(&cells, unit, flags, &mut layers.notes);
     outlines.splice(0..0, of_tiles);

@@ -141,7 +141,7 @@ impl<'a> Layers<'a> {
 
     fn guessed(&mut self, layer: &str, option: &str) {
         self.notes.push(format!(
-            "GUESS: nothing marks solid tiles, so layer '{layer}' is solid for its name; {option} confirms it, --ignore-layer '{layer}' refuses it"
+            "GUESS: nothing marks solid tiles, so layer '{layer}' is solid because of its name; {option} confirms it, --ignore-layer '{layer}' refuses it"
         ));
     }
 

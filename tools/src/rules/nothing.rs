@@ -39,23 +39,19 @@ pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Res
         return Ok(());
     }
     // Writing to a string cannot fail.
-    let mut why = "there is nothing solid: no tile, no object".to_owned();
+    let mut why = "nothing is solid: no tile, no object".to_owned();
     if !tiles.is_empty() {
-        let _ = write!(
-            why,
-            "; the tile layers are {}: add --solid-layer NAME where all that is drawn is solid",
-            list(&tiles)
-        );
+        let _ = write!(why, "; the tile layers are {}: add --solid-layer NAME if all of it is solid", list(&tiles));
     }
     if !names.is_empty() {
         let names: Vec<String> = names.into_iter().map(|name| format!("'{name}'")).collect();
         let _ = write!(why, "; names of tiles are {}: add --solid NAME", list(&names));
     }
     if !objects.is_empty() {
-        let _ = write!(why, "; the object layers are {}: add --objects NAME where they are solid", list(&objects));
+        let _ = write!(why, "; the object layers are {}: add --objects NAME if they are solid", list(&objects));
     }
     if map.values && map.palette.iter().any(|placed| matches!(placed, Placed::Value { .. })) {
-        why += "; --ignore-level NAME leaves a level out";
+        why += "; --ignore-level NAME skips a level";
     }
     Err(why)
 }

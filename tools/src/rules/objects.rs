@@ -99,7 +99,7 @@ fn kind(object: &Object, says: Says, options: &Options) -> Result<Option<Kind>, 
     let by_form = if matches!(object.form, Form::Polyline(_)) { Kind::Wall } else { Kind::Solid };
     if let Some(name) = object.properties.text("kind") {
         let kind = Kind::from_name(&name);
-        let known = "there are solid, hole, wall and one-way";
+        let known = "the kinds are solid, hole, wall and one-way";
         return kind.map(Some).ok_or_else(|| format!("{whose} has the kind '{name}'; {known}"));
     }
     let own: Vec<String> = names(object).map(str::to_owned).collect();

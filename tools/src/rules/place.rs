@@ -35,7 +35,7 @@ impl Unit {
         let (n, d) = (u32::from(tile) * self.numerator, self.denominator);
         if n % d != 0 || !(1..=256).contains(&(n / d)) {
             return Err(format!(
-                "--scale {}/{d} makes cells of {tile} pixels {} pixels; take one that leaves whole pixels from 1 to 256",
+                "--scale {}/{d} makes cells of {tile} pixels {} pixels; choose a scale that gives whole pixels from 1 to 256",
                 self.numerator,
                 f64::from(n) / f64::from(d)
             ));

@@ -117,7 +117,7 @@ fn loops(edges: &[(Point, Point)]) -> Vec<Loop> {
 }
 
 /// The turn of a way to the right at `b`, in radians.
-#[allow(clippy::cast_precision_loss, reason = "two ways of nearly the same turn are either order's")]
+#[allow(clippy::cast_precision_loss, reason = "nearly equal turns may come in either order")]
 fn right_turn(a: Point, b: Point, c: Point) -> f64 {
     let (d, e) = ((b.0 - a.0, b.1 - a.1), (c.0 - b.0, c.1 - b.1));
     let dot = i128::from(d.0) * i128::from(e.0) + i128::from(d.1) * i128::from(e.1);

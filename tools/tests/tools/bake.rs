@@ -189,7 +189,7 @@ fn refused_objects() {
     let level = scratch("bake", "flags.tmx", objects(&many));
     refused(baked(level, "refused.bin", ""), "object 7 of layer 'L': 'I' would be the ninth flag");
     let nothing = scratch("bake", "nothing.tmx", objects(""));
-    refused(baked(nothing, "refused.bin", ""), "nothing solid");
+    refused(baked(nothing, "refused.bin", ""), "nothing is solid");
 }
 
 #[test]
@@ -199,10 +199,10 @@ fn refused_grids() {
     let cases = [
         ("{".to_owned(), "not an LDtk project: EOF"),
         ("{}".to_owned(), "has no levels"),
-        (change("IntGrid", "Tiles"), "nothing solid"),
+        (change("IntGrid", "Tiles"), "nothing is solid"),
         (
             change("Full", "Snow"),
-            "nothing solid: no tile, no object; the tile layers are 'Solid' (3 tiles): add --solid-layer NAME",
+            "nothing is solid: no tile, no object; the tile layers are 'Solid' (3 tiles): add --solid-layer NAME",
         ),
         (
             change("\"Full\"", "null"),

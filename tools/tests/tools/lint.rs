@@ -149,17 +149,17 @@ fn bad_maps() {
         ("cut", good[..good.len() - 9].into(), "not a Tiled map"),
         ("cut_tag", good[..good.len() - 18].into(), "not a Tiled map"),
         ("crossed", change("</object>", "</objects>"), "line 7: </objects> closes <object>"),
-        ("letters", change("8,0 ", "8,a "), "line 7: object 7: a point's y is 'a', no number"),
-        ("single", change("8,0 ", "8 "), "object 7: a point's y is '', no number"),
+        ("letters", change("8,0 ", "8,a "), "line 7: object 7: a point's y is 'a', not a number"),
+        ("single", change("8,0 ", "8 "), "object 7: a point's y is '', not a number"),
         ("nan", change("x=\"0\"", "x=\"nan\""), "object 7: x is 'nan'"),
-        ("huge", change("x=\"0\"", "x=\"1e9\""), "object 7: x is '1e9', no number below a million"),
+        ("huge", change("x=\"0\"", "x=\"1e9\""), "object 7: x is '1e9', not a number below a million"),
         ("id", change("id=\"7\"", "id=\"-7\""), "an object with the id '-7'"),
         ("no_points", change("points", "pints"), "object 7 has no points"),
         ("nested", change("<polygon", "<object id=\"8\"/><polygon"), "an object within an object"),
         (
             "kind",
             change("<polygon", "<properties><property name=\"kind\" value=\"sold\"/></properties><polygon"),
-            "object 7 has the kind 'sold'; there are solid, hole, wall and one-way",
+            "object 7 has the kind 'sold'; the kinds are solid, hole, wall and one-way",
         ),
         (
             "kinds",
@@ -169,7 +169,7 @@ fn bad_maps() {
             ),
             "object 7 is both solid and hole",
         ),
-        ("offset", change("name=\"L\"", "name=\"L\" offsetx=\"far\""), "offsetx is 'far', no number"),
+        ("offset", change("name=\"L\"", "name=\"L\" offsetx=\"far\""), "offsetx is 'far', not a number"),
         ("isometric", change("orthogonal", "isometric"), "isometric"),
     ];
     for (name, text, word) in cases {

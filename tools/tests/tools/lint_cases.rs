@@ -17,7 +17,7 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0"><polygon points="0,0 32,0 32,0.5 0,32"/></object>"#,
         "",
         &[
-            "warning sliver at (32, 0): object 3 of layer 'L', edge 1: 0.5 long; every query near it pays for a face nobody sees",
+            "warning sliver at (32, 0): object 3 of layer 'L', edge 1: 0.5 long; every query near it pays for an invisible face",
         ],
     ),
     (
@@ -26,8 +26,8 @@ pub(crate) const CASES: &[Case] = &[
         "--small 4",
         &[
             "warning sliver at (8, 8): object 3 'lid' of layer 'L': on average only 3 thick; a body meets two of its faces at once",
-            "warning sliver at (72, 8): object 3 'lid' of layer 'L', edge 1: 3 long; every query near it pays for a face nobody sees",
-            "warning sliver at (8, 11): object 3 'lid' of layer 'L', edge 3: 3 long; every query near it pays for a face nobody sees",
+            "warning sliver at (72, 8): object 3 'lid' of layer 'L', edge 1: 3 long; every query near it pays for an invisible face",
+            "warning sliver at (8, 11): object 3 'lid' of layer 'L', edge 3: 3 long; every query near it pays for an invisible face",
         ],
     ),
     (
@@ -35,7 +35,7 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0"><polygon points="0,0 64,0 64,7"/></object>"#,
         "",
         &[
-            "warning sliver at (0, 0): object 3 of layer 'L', edge 0: an angle of less than 7 degrees where this edge begins; bodies wedge in or catch on it",
+            "warning sliver at (0, 0): object 3 of layer 'L', edge 0: an angle of less than 7 degrees where this edge begins; bodies get wedged in it or catch on it",
         ],
     ),
     ("not_so_acute", r#"<object id="3" x="0" y="0"><polygon points="0,0 64,0 64,9"/></object>"#, "", &[]),
@@ -45,8 +45,8 @@ pub(crate) const CASES: &[Case] = &[
         "",
         &[
             "error no-area at (0, 0): object 3 of layer 'L': no area; it has no inside",
-            "error reversed at (32, 0): object 3 of layer 'L', edges 0 and 1: they lie on each other for a part of their length, the other way round; the outline goes back on itself: a spike without area",
-            "error reversed at (0, 0): object 3 of layer 'L', edges 0 and 2: they lie on each other for a part of their length, the other way round; the outline goes back on itself: a spike without area",
+            "error reversed at (32, 0): object 3 of layer 'L', edges 0 and 1: they lie on each other for a part of their length, the other way round; the outline doubles back: a spike without area",
+            "error reversed at (0, 0): object 3 of layer 'L', edges 0 and 2: they lie on each other for a part of their length, the other way round; the outline doubles back: a spike without area",
         ],
     ),
     (
@@ -67,7 +67,7 @@ pub(crate) const CASES: &[Case] = &[
         "one_point",
         r#"<object id="3" x="0" y="0"><polyline points="0,0"/></object>"#,
         "",
-        &["error not-closed at (0, 0): object 3 of layer 'L': a wall of 1 points; it takes two points to block"],
+        &["error not-closed at (0, 0): object 3 of layer 'L': a wall of 1 points; a chain needs two points to block"],
     ),
     (
         "far",
@@ -90,7 +90,7 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0"><polygon points="0,0 32,32 32,0 0,48"/></object>"#,
         "",
         &[
-            "error self-crossing at (19.2, 19.2): object 3 of layer 'L', edges 0 and 2: the outline crosses itself; what is inside and what is outside change places there",
+            "error self-crossing at (19.2, 19.2): object 3 of layer 'L', edges 0 and 2: the outline crosses itself; inside and outside change places there",
         ],
     ),
     (
@@ -106,7 +106,7 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0"><polygon points="0,0 32,0 32,48 32,32 0,32"/></object>"#,
         "",
         &[
-            "error reversed at (32, 32): object 3 of layer 'L', edges 1 and 2: they lie on each other for a part of their length, the other way round; the outline goes back on itself: a spike without area",
+            "error reversed at (32, 32): object 3 of layer 'L', edges 1 and 2: they lie on each other for a part of their length, the other way round; the outline doubles back: a spike without area",
             "warning self-touch at (32, 32): object 3 of layer 'L', edges 1 and 3: the outline touches itself; two parts of one outline meet in a point that bodies cannot pass",
         ],
     ),
@@ -127,8 +127,8 @@ pub(crate) const CASES: &[Case] = &[
             "error duplicate at (32, 0): object 3 of layer 'L', edge 1 and object 4 of layer 'L', edge 1: they lie on each other for a part of their length; each query meets the same face twice",
             "error duplicate at (0, 0): object 3 of layer 'L', edge 3 and object 4 of layer 'L', edge 3: they lie on each other for a part of their length; each query meets the same face twice",
             "warning solid-buried at (16, 32): object 3 of layer 'L': a solid within a solid; it changes nothing and costs time",
-            "note t-junction at (32, 32): object 3 of layer 'L', edge 2 and object 4 of layer 'L', edge 1: one ends within the other; the solids are joined there, and no corner is felt",
-            "note t-junction at (0, 32): object 3 of layer 'L', edge 2 and object 4 of layer 'L', edge 3: one ends within the other; the solids are joined there, and no corner is felt",
+            "note t-junction at (32, 32): object 3 of layer 'L', edge 2 and object 4 of layer 'L', edge 1: one ends within the other; the solids are joined there, and bodies meet no corner",
+            "note t-junction at (0, 32): object 3 of layer 'L', edge 2 and object 4 of layer 'L', edge 3: one ends within the other; the solids are joined there, and bodies meet no corner",
         ],
     ),
     (
@@ -152,8 +152,8 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0" width="32" height="32"/><object id="4" x="16" y="16" width="32" height="33"/>"#,
         "",
         &[
-            "warning crossing at (32, 16): object 3 of layer 'L', edge 1 and object 4 of layer 'L', edge 0: they cross; there is no vertex, and the parts within the other cost time for nothing",
-            "warning crossing at (16, 32): object 3 of layer 'L', edge 2 and object 4 of layer 'L', edge 3: they cross; there is no vertex, and the parts within the other cost time for nothing",
+            "warning crossing at (32, 16): object 3 of layer 'L', edge 1 and object 4 of layer 'L', edge 0: they cross; there is no vertex, and the parts within the other cost time without effect",
+            "warning crossing at (16, 32): object 3 of layer 'L', edge 2 and object 4 of layer 'L', edge 3: they cross; there is no vertex, and the parts within the other cost time without effect",
         ],
     ),
     (
@@ -161,8 +161,8 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0" width="32" height="32"/><object id="4" type="Hole" x="8" y="16" width="8" height="32"/>"#,
         "",
         &[
-            "error crossing at (16, 32): object 3 of layer 'L', edge 2 and object 4 of layer 'L', edge 1: they cross; what a hole cuts out where nothing is solid keeps an edge that bodies meet from one side",
-            "error crossing at (8, 32): object 3 of layer 'L', edge 2 and object 4 of layer 'L', edge 3: they cross; what a hole cuts out where nothing is solid keeps an edge that bodies meet from one side",
+            "error crossing at (16, 32): object 3 of layer 'L', edge 2 and object 4 of layer 'L', edge 1: they cross; a hole in nothing keeps an edge that bodies meet from one side",
+            "error crossing at (8, 32): object 3 of layer 'L', edge 2 and object 4 of layer 'L', edge 3: they cross; a hole in nothing keeps an edge that bodies meet from one side",
         ],
     ),
     (
@@ -170,7 +170,7 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0" width="32" height="32"/><object id="4" type="OneWay" x="0" y="0"><polyline points="16,16 48,16"/></object>"#,
         "",
         &[
-            "note crossing at (32, 16): object 3 of layer 'L', edge 1 and object 4 of layer 'L', edge 0: they cross; a one-way edge goes on within",
+            "note crossing at (32, 16): object 3 of layer 'L', edge 1 and object 4 of layer 'L', edge 0: they cross; a one-way edge continues within",
         ],
     ),
     (
@@ -178,7 +178,7 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0" width="32" height="32"/><object id="4" x="0" y="0"><polyline points="32,8 48,8"/></object>"#,
         "",
         &[
-            "note t-junction at (32, 8): object 3 of layer 'L', edge 1 and object 4 of layer 'L', edge 0: one ends within the other; the solids are joined there, and no corner is felt",
+            "note t-junction at (32, 8): object 3 of layer 'L', edge 1 and object 4 of layer 'L', edge 0: one ends within the other; the solids are joined there, and bodies meet no corner",
         ],
     ),
     (
@@ -186,7 +186,7 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0" width="32" height="32"/><object id="4" type="Hole" x="64" y="0" width="8" height="8"/>"#,
         "",
         &[
-            "error hole-outside at (68, 0): object 4 of layer 'L': a hole outside of any solid; its edge blocks bodies from within",
+            "error hole-outside at (68, 0): object 4 of layer 'L': a hole outside any solid; its edge blocks bodies from within",
         ],
     ),
     (
@@ -254,8 +254,8 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0" width="32" height="32"/><object id="4" type="OneWay" x="0" y="0"><polyline points="4,32 28,32"/></object>"#,
         "",
         &[
-            "warning unreachable at (16, 32): object 4 of layer 'L', edge 0: a solid lies on its front all along; a one-way edge stops only what is wholly in front of it, and nothing can be there",
-            "note overlap at (4, 32): object 3 of layer 'L', edge 2 and object 4 of layer 'L', edge 0: they lie on each other for a part of their length; both are felt, and the one-sided of them may be hidden by the other",
+            "warning unreachable at (16, 32): object 4 of layer 'L', edge 0: a solid lies along its whole front; a one-way edge stops only bodies entirely in front of it, and none can be there",
+            "note overlap at (4, 32): object 3 of layer 'L', edge 2 and object 4 of layer 'L', edge 0: they lie on each other for a part of their length; bodies meet both, and one can hide the other if that has one side",
         ],
     ),
     (
@@ -263,7 +263,7 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0" width="32" height="32"/><object id="4" type="OneWay" x="0" y="0"><polyline points="4,40 28,40"/></object>"#,
         "--body 6x10",
         &[
-            "warning unreachable at (16, 40): object 4 of layer 'L', edge 0: all along its front a solid is closer than the body is big; a one-way edge stops only what is wholly in front of it, and nothing can be there",
+            "warning unreachable at (16, 40): object 4 of layer 'L', edge 0: a solid along its whole front is nearer than the size of the body; a one-way edge stops only bodies entirely in front of it, and none can be there",
         ],
     ),
     (
@@ -277,7 +277,7 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0"><polygon points="0,0 64,0 64,32 0,16"/></object><object id="4" type="OneWay" x="0" y="0"><polyline points="8,26 56,38"/></object>"#,
         "--circle 4",
         &[
-            "warning unreachable at (32, 32): object 4 of layer 'L', edge 0: all along its front a solid is closer than the body is big; a one-way edge stops only what is wholly in front of it, and nothing can be there",
+            "warning unreachable at (32, 32): object 4 of layer 'L', edge 0: a solid along its whole front is nearer than the size of the body; a one-way edge stops only bodies entirely in front of it, and none can be there",
         ],
     ),
     (
@@ -291,7 +291,7 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0"><polygon points="0,0 80,0 80,60"/></object><object id="4" type="OneWay" x="0" y="0"><polyline points="2,14 66,62"/></object>"#,
         "--circle 5.00001",
         &[
-            "warning unreachable at (34, 38): object 4 of layer 'L', edge 0: all along its front a solid is closer than the body is big; a one-way edge stops only what is wholly in front of it, and nothing can be there",
+            "warning unreachable at (34, 38): object 4 of layer 'L', edge 0: a solid along its whole front is nearer than the size of the body; a one-way edge stops only bodies entirely in front of it, and none can be there",
         ],
     ),
     (
@@ -313,7 +313,7 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="3" x="0" y="0" width="32" height="32"/><object id="4" type="OneWay" x="0" y="0"><polyline points="4,12 28,12"/></object>"#,
         "",
         &[
-            "warning unreachable at (16, 12): object 4 of layer 'L', edge 0: it lies within the solid; a one-way edge stops only what is wholly in front of it, and nothing can be there",
+            "warning unreachable at (16, 12): object 4 of layer 'L', edge 0: it lies within the solid; a one-way edge stops only bodies entirely in front of it, and none can be there",
         ],
     ),
     (

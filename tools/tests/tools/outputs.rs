@@ -73,7 +73,7 @@ fn what_is_read_is_not_written() {
     for (option, out) in [("-o", &set), ("-o", &level), ("--picture", &level)] {
         let before = fs::read(out).unwrap();
         let ran = bake(&[&level, Path::new(option), out]);
-        assert!(ran.status == 2 && ran.err.contains("it is a file that the level is read from"), "{ran:?}");
+        assert!(ran.status == 2 && ran.err.contains("it is an input of the level"), "{ran:?}");
         assert_eq!(fs::read(out).unwrap(), before);
     }
     // By another name it is the same file.
@@ -85,7 +85,7 @@ fn what_is_read_is_not_written() {
         fs::hard_link(&set, &hard).unwrap();
         for out in [link, hard] {
             let ran = bake(&[&level, Path::new("-o"), &out]);
-            assert!(ran.status == 2 && ran.err.contains("is read from"), "{ran:?}");
+            assert!(ran.status == 2 && ran.err.contains("is an input of"), "{ran:?}");
         }
     }
     let twice = home.join("x.rs");

@@ -1,4 +1,4 @@
-//! Written by `cargo run --example platformer -- LEVEL.tmx --bake STEM`; not edited by hand.
+//! Written by `cargo run --example platformer -- LEVEL.tmx --bake STEM`. Do not edit it.
 #![allow(unreachable_pub, reason = "a level is a module of a program")]
 
 use tilesat::{TileKind, TileKinds, TileShape};

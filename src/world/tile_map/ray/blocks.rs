@@ -8,8 +8,8 @@ use crate::world::tile_map::kind::{TileKind, TileShape};
 use crate::world::tile_map::occupancy::AREA;
 use crate::world::tile_map::{Outside, Set, Store, TileMap};
 
-/// Where a walk ended: the axis of the line whose face was met, or one of the constants of this
-/// type, or both; 0 where it goes on.
+/// The end of a walk: the axis of the line whose face was met, or one of the constants of this
+/// type, or both. 0 while it continues.
 pub(in crate::world) type Stop = u32;
 
 /// The motion ends without a face.

@@ -29,8 +29,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///   is a tangent hits nothing. The exception continues into the solid beside the end of a
     ///   concave arc.
     /// - A face is hit at the very end of the motion too; one raw unit short is a miss.
-    /// - Of faces that are hit at one moment the one whose normal is more along x wins (of blocks:
-    ///   toward x), then the one that opposes the motion more, then +x, then +y, then a straight
+    /// - Of faces hit at one moment, the one whose normal is more along x wins (among blocks:
+    ///   toward x). Then the one that opposes the motion more, then +x, then +y, then a straight
     ///   one before an arc.
     /// - A start on the border is not inside: moving in hits at 0, leaving, passing a corner or
     ///   sliding along does not hit there.
@@ -94,7 +94,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Ok(Scan::of(self, o, d, rules).advance())
     }
 
-    /// Where all that stops a ray are full cells.
+    /// If only full cells stop a ray.
     fn cast_blocks(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<RayHit>, RangeError> {
         let (o, d) = (Raw::of(origin), Raw::of(motion));
         // A sum that wraps is outside too: a start below 2^29 and a motion up to 2^31 leave at
@@ -227,9 +227,9 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// into the solid, or touches it at a corner. Where it comes out is no hit. Of several faces at
     /// one moment there is one hit, so the joint of two tiles is met once.
     ///
-    /// Cost: a cursor that holds no hits, so none can be cut off. It walks as far as it is asked:
-    /// at most width + height + 4 cells, and the cells of one step once more for each hit; no cell
-    /// has more than three. [`RayHit::cells`] counts the cells up to that hit.
+    /// Cost: a cursor that stores no hits, so none can be cut off. It walks only as far as you
+    /// read: at most width + height + 4 cells, and the cells of one step once more for each hit. No
+    /// cell has more than three hits. [`RayHit::cells`] counts the cells up to that hit.
     ///
     /// ```
     /// use tilesat::{Inside, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2};

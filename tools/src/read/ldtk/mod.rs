@@ -117,7 +117,7 @@ impl Reader<'_> {
                 json::parse(&bytes).map_err(|why| of_file(format!("not a level of LDtk: {why}")))?;
             level.layer_instances = apart.layer_instances;
         }
-        let layers = level.layer_instances.ok_or("its layers are neither here nor in a file of their own")?;
+        let layers = level.layer_instances.ok_or("its layers are neither here nor in a separate file")?;
         let mut palette = Palette { all: vec![Placed::Nothing], ..Palette::default() };
         let (mut read, mut tile) = (Vec::new(), None);
         let start = self.cells;
@@ -239,7 +239,7 @@ fn grid(layer: &raw::Layer) -> Result<u16> {
     }
     let tile = layer.tile.0;
     if !(1..=256).contains(&tile) {
-        return Err(format!("cells of {tile} pixels; the library takes 1 to 256"));
+        return Err(format!("cells of {tile} pixels; the library accepts 1 to 256"));
     }
     Ok(tile as u16)
 }

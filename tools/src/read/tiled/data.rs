@@ -23,18 +23,18 @@ pub(super) fn gids(data: Data, form: &Form<'_>) -> Result<Vec<u32>, String> {
             Some("csv") => numbers(&text, cells)?,
             // In old versions, JSON has no encoding for text in base64 without compression.
             Some("base64") | None => bytes(&text, packing(form.compression)?, cells)?,
-            Some(other) => return Err(format!("encoding '{other}' is not known")),
+            Some(other) => return Err(format!("encoding '{other}' is unknown")),
         },
     };
     match (gids.len() as u64).cmp(&cells) {
         std::cmp::Ordering::Equal => Ok(gids),
-        std::cmp::Ordering::Less => Err(format!("{} tiles, less than its width and height say", gids.len())),
+        std::cmp::Ordering::Less => Err(format!("{} tiles, fewer than its width and height", gids.len())),
         std::cmp::Ordering::Greater => Err(too_long()),
     }
 }
 
 fn too_long() -> String {
-    "it holds more than its width and height say".to_owned()
+    "it has more tiles than its width and height".to_owned()
 }
 
 fn packing(name: Option<&str>) -> Result<Packing, String> {
@@ -43,7 +43,7 @@ fn packing(name: Option<&str>) -> Result<Packing, String> {
         Some("zlib") => Ok(Packing::Zlib),
         Some("gzip") => Ok(Packing::Gzip),
         Some("zstd") => Ok(Packing::Zstd),
-        Some(other) => Err(format!("compression '{other}' is not known")),
+        Some(other) => Err(format!("compression '{other}' is unknown")),
     }
 }
 
@@ -58,7 +58,7 @@ fn numbers(text: &str, cells: u64) -> Result<Vec<u32>, String> {
             return Err(too_long());
         }
         let number = number.trim();
-        gids.push(number.parse().map_err(|_| format!("'{number}' is no tile"))?);
+        gids.push(number.parse().map_err(|_| format!("'{number}' is not a tile"))?);
     }
     Ok(gids)
 }

@@ -68,7 +68,7 @@ fn side(map: &raw::Map) -> Result<u16> {
         return Err(format!("tiles of {width}x{height} pixels are not square, and the library has square tiles only"));
     }
     if !SIDES.contains(&width) {
-        return Err(format!("tiles of {width} pixels; the library takes 1 to 256"));
+        return Err(format!("tiles of {width} pixels; the library accepts 1 to 256"));
     }
     Ok(width as u16)
 }

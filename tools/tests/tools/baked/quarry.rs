@@ -1,6 +1,6 @@
-//! Written by `tilesat bake LEVEL -o OUT.rs`; not edited by hand.
+//! Written by `tilesat bake LEVEL -o OUT.rs`. Do not edit it.
 #![allow(unreachable_pub, reason = "a level is a module of a program")]
-#![allow(dead_code, reason = "a game uses what it needs")]
+#![allow(dead_code, reason = "a game may use only a part")]
 #![allow(clippy::unreadable_literal, reason = "raw coordinates")]
 
 use tilesat::{TileKind, TileKinds};
@@ -109,7 +109,7 @@ const POINTS_6: [Vec2; 4] = [
 ];
 
 segment_map!(
-    #[allow(long_running_const_eval, reason = "it ends: the level is as large as it is")]
+    #[allow(long_running_const_eval, reason = "it ends, because the level is finite")]
     pub static SEGMENTS: [
         Path::new(PathKind::Solid, &POINTS_0),
         Path::new(PathKind::Hole, &POINTS_1),

@@ -1,6 +1,6 @@
-//! Written by `tilesat rooms LEVEL -o OUT.rs`; not edited by hand.
+//! Written by `tilesat rooms LEVEL -o OUT.rs`. Do not edit it.
 #![allow(unreachable_pub, reason = "a world is a module of a program")]
-#![allow(dead_code, reason = "a game uses what it needs")]
+#![allow(dead_code, reason = "a game may use only a part")]
 #![allow(clippy::unreadable_literal, reason = "raw coordinates")]
 
 use tilesat::{TileKind, TileKinds};
@@ -46,7 +46,7 @@ pub static ROOMS: tilesat::Rooms<'static, tilesat::Blocks> =
     };
 
 /// The polygons of each room, in the order of the rooms, row after row.
-#[allow(long_running_const_eval, reason = "it ends: the level is as large as it is")]
+#[allow(long_running_const_eval, reason = "it ends, because the level is finite")]
 #[rustfmt::skip]
 pub static SEGMENTS: [Option<tilesat::SegmentMap<'static>>; 6] = [
 Some(segments(b"\

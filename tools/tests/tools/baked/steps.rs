@@ -1,6 +1,6 @@
-//! Written by `tilesat bake LEVEL -o OUT.rs`; not edited by hand.
+//! Written by `tilesat bake LEVEL -o OUT.rs`. Do not edit it.
 #![allow(unreachable_pub, reason = "a level is a module of a program")]
-#![allow(dead_code, reason = "a game uses what it needs")]
+#![allow(dead_code, reason = "a game may use only a part")]
 #![allow(clippy::unreadable_literal, reason = "raw coordinates")]
 
 use tilesat::{TileKind, TileKinds, TileShape};
@@ -59,5 +59,5 @@ pub static MAP: tilesat::TileMap<tilesat::AllShapes> =
         },
         Err(_) => panic!("the cells do not fit"),
     };
-/// Where it lies in its world, in pixels of the map: x, y, width, height.
+/// Its position in its world, in pixels of the map: x, y, width, height.
 pub const WORLD: [i32; 4] = [0, 0, 384, 224];

@@ -1,6 +1,6 @@
-//! Written by `tilesat rooms LEVEL -o OUT.rs`; not edited by hand.
+//! Written by `tilesat rooms LEVEL -o OUT.rs`. Do not edit it.
 #![allow(unreachable_pub, reason = "a world is a module of a program")]
-#![allow(dead_code, reason = "a game uses what it needs")]
+#![allow(dead_code, reason = "a game may use only a part")]
 #![allow(clippy::unreadable_literal, reason = "raw coordinates")]
 
 use tilesat::{TileKind, TileKinds, TileShape};
@@ -33,7 +33,7 @@ pub static KINDS: TileKinds = TileKinds::EMPTY
     .with(14, TileKind::of(TileShape::MildHighBottomRight).with_flags(16))
     .with(15, TileKind::of(TileShape::SteepLowBottomLeft))
     .with(16, TileKind::of(TileShape::ConcaveBottomRight));
-/// All rooms; `next_of` finds the one that a body goes over to.
+/// All rooms. `next_of` finds the room into which a body crosses.
 #[rustfmt::skip]
 pub static ROOMS: [tilesat::Room<'static, tilesat::AllShapes>; 1] = [
     room(steps::TILES, 30, 20, 0, 0),

@@ -1,6 +1,6 @@
-//! Written by `tilesat bake LEVEL -o OUT.rs`; not edited by hand.
+//! Written by `tilesat bake LEVEL -o OUT.rs`. Do not edit it.
 #![allow(unreachable_pub, reason = "a level is a module of a program")]
-#![allow(dead_code, reason = "a game uses what it needs")]
+#![allow(dead_code, reason = "a game may use only a part")]
 #![allow(clippy::unreadable_literal, reason = "raw coordinates")]
 
 use tilesat::{TileKind, TileKinds};
@@ -41,7 +41,7 @@ pub mod cave_1 {
             },
             Err(_) => panic!("the cells do not fit"),
         };
-    /// Where it lies in its world, in pixels of the map: x, y, width, height.
+    /// Its position in its world, in pixels of the map: x, y, width, height.
     pub const WORLD: [i32; 4] = [0, 0, 128, 96];
 }
 
@@ -71,7 +71,7 @@ pub mod cave_1_2 {
             },
             Err(_) => panic!("the cells do not fit"),
         };
-    /// Where it lies in its world, in pixels of the map: x, y, width, height.
+    /// Its position in its world, in pixels of the map: x, y, width, height.
     pub const WORLD: [i32; 4] = [128, 0, 128, 96];
 }
 
@@ -101,6 +101,6 @@ pub mod hall {
             },
             Err(_) => panic!("the cells do not fit"),
         };
-    /// Where it lies in its world, in pixels of the map: x, y, width, height.
+    /// Its position in its world, in pixels of the map: x, y, width, height.
     pub const WORLD: [i32; 4] = [-128, 96, 128, 96];
 }
