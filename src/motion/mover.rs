@@ -400,20 +400,15 @@ impl<S: Law> Mover<S> {
         first: &mut First,
         found: &FirstHit,
     ) -> Result<Moved<B>, MoveError> {
-        // In place: a copy would be a quarter of the stack.
-        let mut result = Ok(Moved::freely(*body, velocity, 0));
-        if let Ok(moved) = &mut result {
-            moved.work = found.work;
-            let mut run = Run::new(moved, around);
-            (run.inside, run.guarded) = (found.inside, found.guarded);
-            let ends = self.follow::<W, B, false>(world, &mut run, Raw::of(velocity), first);
-            let slid = if ends { Ok(()) } else { self.slide::<W, B, false>(world, &mut run, first) };
-            run.end::<W>();
-            if let Err(error) = slid {
-                result = Err(error);
-            }
+        let mut moved = Moved::freely(*body, velocity, 0);
+        moved.work = found.work;
+        let mut run = Run::new(&mut moved, around);
+        (run.inside, run.guarded) = (found.inside, found.guarded);
+        if !self.follow::<W, B, false>(world, &mut run, Raw::of(velocity), first) {
+            self.slide::<W, B, false>(world, &mut run, first)?;
         }
-        result
+        run.end::<W>();
+        Ok(moved)
     }
 
     pub(super) fn start<'m, W: World, B: Body>(

@@ -122,24 +122,44 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     #[inline(never)]
     pub(in crate::world) const fn next_cell(&self, cells: &mut Cells) -> Option<Block> {
-        let last = cells.range.x1;
-        while cells.y <= cells.range.y1 {
-            let y = cells.y;
-            let in_map = self.holds(cells.x, y) && self.holds(last, y);
-            if T::OCCUPIED && in_map && is_wide(cells.x, last) {
-                cells.x = self.next_occupied(cells.x, last, y);
+        let (mut x, mut y, last) = (cells.x, cells.y, cells.range.x1);
+        while y <= cells.range.y1 {
+            if !self.holds(cells.range.x0, y) || !self.holds(last, y) {
+                return self.next_cell_beyond(cells, x, y);
             }
-            let mut tile = self.place(cells.x, y);
-            while cells.x <= last {
-                let x = cells.x;
-                let kind = if in_map { self.kinds.get(self.id_at(tile)) } else { self.kind_at(x, y) };
-                (cells.x, tile) = (x.wrapping_add(1), tile.wrapping_add(1));
+            if T::OCCUPIED && is_wide(x, last) {
+                x = self.next_occupied(x, last, y);
+            }
+            let mut tile = self.place(x, y);
+            while x <= last {
+                let id = self.id_at(tile);
+                if !self.kinds.is_empty(id) {
+                    (cells.x, cells.y) = (x.wrapping_add(1), y);
+                    return Some(Block { x, y, kind: self.kinds.get(id) });
+                }
+                (x, tile) = (x.wrapping_add(1), tile.wrapping_add(1));
+            }
+            (x, y) = (cells.range.x0, y.wrapping_add(1));
+        }
+        cells.y = y;
+        None
+    }
+
+    /// The same from a cell on, with cells beyond the map.
+    #[inline(never)]
+    const fn next_cell_beyond(&self, cells: &mut Cells, mut x: i32, mut y: i32) -> Option<Block> {
+        while y <= cells.range.y1 {
+            while x <= cells.range.x1 {
+                let kind = self.kind_at(x, y);
                 if !kind.is_empty() {
+                    (cells.x, cells.y) = (x.wrapping_add(1), y);
                     return Some(Block { x, y, kind });
                 }
+                x = x.wrapping_add(1);
             }
-            (cells.x, cells.y) = (cells.range.x0, y.wrapping_add(1));
+            (x, y) = (cells.range.x0, y.wrapping_add(1));
         }
+        cells.y = y;
         None
     }
 
