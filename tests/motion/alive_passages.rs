@@ -166,8 +166,24 @@ fn doorways() {
     }
 }
 
-/// A body that a walk or a slide under gravity leaves at its position, without velocity, is
-/// supported.
+/// A ball on a corner under a slope: it has room to the side by 52 raw units, on which it would not
+/// come down by one. With level floors alone it has the floor of what is wedged.
+#[test]
+fn room_to_the_side_alone_is_a_floor() {
+    let mut tiles = vec![0; 48];
+    (tiles[28], tiles[20], tiles[21]) = (3, 26, 23);
+    let level = level(8, 1 << 20, tiles);
+    let map: TileMap<'_, AllShapes> = level.all();
+    let ball = Circle::new(vec2((5_246_597, 2_899_097)), fx(246_659)).unwrap();
+    let mover = Mover::platformer(Axis::NEG_Y).with_slope_limit(0, 1);
+    let walker = Walker::new(mover).with_snap(fx(1 << 18)).unwrap();
+    let walked = walker.walk(&map, &ball, vec2((-99_816, 24_385)), None).unwrap();
+    assert_eq!(walked.moved.body, ball);
+    assert_eq!(walked.floor.map(|floor| floor.axis), Some(Axis::NEG_Y));
+    assert!(mover.supported(&map, &ball).unwrap().is_some());
+}
+
+/// What a walk or a slide under gravity leaves where it is, without velocity, is supported.
 #[test]
 fn rests_have_a_floor() {
     play_rests(600, 20_000);

@@ -6,7 +6,7 @@ use crate::motion::order::First;
 use crate::motion::plane::{NEAR, SurfaceRole, into, may_be_askew};
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
-use crate::motion::ways::{Way, Ways};
+use crate::motion::ways::Ways;
 use crate::motion::{Hit, Moved, Mover};
 use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, mul_div, umul};
 use crate::shape::Aabb;
@@ -181,8 +181,8 @@ impl<B: Body> Look for Run<'_, B> {
         ways.settle_all(world, &self.moved.body, passes);
         // A way that ends before it leads down by a raw unit leads nowhere: between a corner and a
         // slope over it, a ball may have room to the side alone.
-        let mut free = ways.iter().filter(|way| way.is_free()).map(Way::probe);
-        if free.any(|d| self.look(world, d).is_none_or(|ground| into(ground.drop(), up) < 0)) {
+        let mut leads = |d| self.look(world, d).is_none_or(|ground| into(ground.drop(), up) < 0);
+        if ways.iter().any(|way| way.is_free() && (way.along.is_none() || leads(way.probe()))) {
             return None;
         }
         self.look(world, down).map(|ground| Support::of(up, &ground.feature))
