@@ -54,9 +54,20 @@ impl Side {
 /// assert_eq!(lift.moved().motion(), Vec2::ZERO); // each tick gives the next motion
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
+///
+/// A solid is a value. The compiler warns if you drop a changed one:
+///
+/// ```compile_fail
+/// #![deny(unused_must_use)]
+/// # fn lift(list: &mut [tilesat::Solid; 1], motion: tilesat::Vec2) -> Result<(), tilesat::RangeError> {
+/// list[0].with_motion(motion)?; // the lift in the list does not move: use `set_motion`
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[doc(alias("AnimatableBody2D", "moving platform", "kinematic body"))]
+#[must_use = "a solid is a value: store it, or change it in place with `set_motion`"]
 pub struct Solid {
     shape: Aabb,
     motion: Vec2,
@@ -84,14 +95,12 @@ impl Solid {
     }
 
     /// Sets the user flags. Hits report them as those of a tile.
-    #[must_use]
     pub const fn with_flags(self, flags: u8) -> Self {
         Self { flags, ..self }
     }
 
     /// Makes it a one-way platform: it blocks, carries and pushes only bodies that are entirely in
     /// front of that side.
-    #[must_use]
     pub const fn with_one_way(self, side: Side) -> Self {
         Self { side: Some(side), ..self }
     }
@@ -105,7 +114,8 @@ impl Solid {
         Self { conveyor, ..self }.checked()
     }
 
-    /// Sets the motion of this tick, from its present position.
+    /// The same solid with a motion for this tick, from its present position. It is a new value: to
+    /// change a solid in a list, call [`set_motion`](Self::set_motion).
     ///
     /// # Errors
     /// [`RangeError`] where the motion, or its sum with the conveyor, has a component of [`MOTION`]
@@ -121,6 +131,30 @@ impl Solid {
     /// ```
     pub const fn with_motion(self, motion: Vec2) -> Result<Self, RangeError> {
         Self { motion, ..self }.checked()
+    }
+
+    /// Sets the motion of this frame in place: [`with_motion`](Self::with_motion) for a solid in a
+    /// list.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Solid, Vec2};
+    /// let mut lifts = [Solid::new(Aabb::new(Vec2::from_ints(0, 64), Vec2::from_ints(32, 70))?, 1)?];
+    /// lifts[0].set_motion(Vec2::from_ints(0, -2))?;
+    /// assert!(lifts[0].set_motion(Vec2::from_ints(0, 4096)).is_err());
+    /// assert_eq!(lifts[0].motion(), Vec2::from_ints(0, -2)); // refused: unchanged
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`with_motion`](Self::with_motion). The solid is then unchanged.
+    pub const fn set_motion(&mut self, motion: Vec2) -> Result<(), RangeError> {
+        match self.with_motion(motion) {
+            Ok(solid) => {
+                *self = solid;
+                Ok(())
+            }
+            Err(e) => Err(e),
+        }
     }
 
     const fn checked(self) -> Result<Self, RangeError> {
@@ -140,7 +174,6 @@ impl Solid {
     }
 
     /// The solid after this tick: at its new position, without a motion.
-    #[must_use]
     pub const fn moved(self) -> Self {
         let d = Raw::of(self.motion);
         let shape = Aabb::from_raw_unchecked(self.shape.lo().add(d), self.shape.hi().add(d));
