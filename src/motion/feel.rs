@@ -1,7 +1,8 @@
-//! The player's input, and the numbers that decide how a character moves.
+//! What a character takes and answers: the player's input, the numbers that decide how it moves,
+//! and what happened in a frame.
 
-use super::SlopeSpeed;
-use crate::num::Fx;
+use super::{Hits, SlopeSpeed};
+use crate::num::{Axis, Fx};
 
 /// The player's input for one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -86,5 +87,53 @@ impl Feel {
 impl Default for Feel {
     fn default() -> Self {
         Self::DEFAULT
+    }
+}
+
+/// The state of a character after one frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Outcome {
+    /// It moved, or stood.
+    #[default]
+    Moved,
+    /// A solid pressed it against something, and it stayed where it was: see [`Ride::Squashed`](super::Ride::Squashed).
+    Squashed {
+        /// The key of the solid.
+        by: u16,
+        /// Out of that solid, toward the body.
+        normal: Axis,
+    },
+    /// It overlaps the level and did not move: a door closed on it, or a solid that squashed it has
+    /// not passed yet.
+    Stuck,
+    /// It is entirely below its limits, or beside them. It may fly above them.
+    OutOfLevel,
+}
+
+/// What happened to a character in one frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[must_use = "the outcome says whether the character lives"]
+#[expect(clippy::struct_excessive_bools, reason = "independent answers, each asked by name")]
+pub struct Step {
+    /// The state after the frame.
+    pub outcome: Outcome,
+    /// Whether it jumped.
+    pub jumped: bool,
+    /// Whether it landed on a floor.
+    pub landed: bool,
+    /// Whether a wall blocks it.
+    pub wall: bool,
+    /// Whether its head hit a ceiling.
+    pub ceiling: bool,
+    /// The flags of all tiles, segments and solids that it hit, or-ed.
+    pub flags: u8,
+    /// The hits of the frame.
+    pub hits: Hits,
+}
+
+impl Step {
+    pub(super) const fn nothing(outcome: Outcome) -> Self {
+        Self { outcome, jumped: false, landed: false, wall: false, ceiling: false, flags: 0, hits: Hits::none() }
     }
 }
