@@ -32,7 +32,7 @@ use crate::world::{Solids, World};
 ///
 /// If you need another rule, call the pieces yourself: [`Walker::walk`], [`Mover::ride`],
 /// [`Solid::move_all`](crate::Solid::move_all), [`Joined`](crate::Joined).
-#[doc(alias = "CharacterBody2D")]
+#[doc(alias("CharacterBody2D", "player", "enemy", "knockback", "dash", "spring"))]
 #[doc(alias = "KinematicCharacterController")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Character<B = Aabb> {
@@ -80,7 +80,8 @@ pub(super) struct Plan {
 
 impl<B: Body> Character<B> {
     /// A character in the air. `limits` is usually the level's box. Once the body is outside of it
-    /// at the sides or below, [`step`](Self::step) returns [`Outcome::OutOfLevel`].
+    /// at the sides or below, [`step`](Self::step) returns [`Outcome::OutOfLevel`]. Above is
+    /// allowed, so a hero can jump over a side wall that ends there.
     #[must_use]
     pub const fn new(body: B, limits: Aabb, feel: Feel) -> Self {
         Self {

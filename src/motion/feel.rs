@@ -12,7 +12,9 @@ pub struct Input {
     pub run: Fx,
     /// Whether the jump button is down. The character detects presses and releases itself.
     pub jump: bool,
-    /// Whether to drop through one-way floors in this frame.
+    /// Whether to drop through one-way floors in this frame. One frame is enough for the floor that
+    /// it stands on; while it stays true, it passes all that follow. On a one-way floor it wins
+    /// over `jump`.
     pub drop: bool,
 }
 
@@ -42,14 +44,16 @@ pub struct Feel {
     pub jump_cut: Fx,
     /// For how many frames after the body walked off the floor, or left a wall, it can still jump.
     pub coyote: u8,
-    /// For how many more frames a press of the button counts, if it comes before the landing.
+    /// For how many more frames a press of the button counts, if it comes before the landing. Zero:
+    /// only in the frame of the press.
+    #[doc(alias = "jump_buffer")]
     pub buffer: u8,
     /// How much the speed changes per frame on a floor, toward [`Input::run`].
     pub acceleration: Fx,
     /// How much the speed changes per frame in the air.
     pub air_acceleration: Fx,
     /// How far the body follows falling ground: [`Walker::with_snap`](crate::Walker::with_snap).
-    /// One and a half times the running speed is enough for tiles.
+    /// One and a half times the running speed is always enough for tiles.
     pub snap: Fx,
     /// The highest step that it climbs: [`Walker::with_step`](crate::Walker::with_step).
     pub step: Fx,
@@ -62,7 +66,9 @@ pub struct Feel {
 }
 
 impl Feel {
-    /// The values that the type's documentation describes.
+    /// Gravity 0.25, fastest fall 6, jump 4.5 cut to 1.5, coyote and buffer 5 frames, acceleration
+    /// 0.5 and in the air 0.25, snap 5, step 4, constant speed on slopes. Wall jump and wall slide
+    /// are off.
     pub const DEFAULT: Self = Self {
         gravity: Fx::from_bits(0x4000), // 0.25
         fall: Fx::from_bits(6 << 16),
@@ -123,8 +129,10 @@ pub struct Step {
     /// Whether it landed on a floor.
     pub landed: bool,
     /// Whether a wall blocks it.
+    #[doc(alias = "is_on_wall")]
     pub wall: bool,
     /// Whether its head hit a ceiling.
+    #[doc(alias = "is_on_ceiling")]
     pub ceiling: bool,
     /// The flags of all tiles, segments and solids that it hit, or-ed.
     pub flags: u8,

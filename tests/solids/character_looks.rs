@@ -33,14 +33,14 @@ fn terrain(random: &mut Random) -> String {
                 x += 1;
             }
             n => {
-                for column in x..(x + 3).min(30) {
-                    rows[height][column] = if n == 4 { b'=' } else { b'#' };
-                }
+                let end = (x + 3).min(30);
+                rows[height][x..end].fill(if n == 4 { b'=' } else { b'#' });
                 x += 3;
             }
         }
     }
-    rows.iter().map(|row| format!("{}\n", std::str::from_utf8(row).unwrap())).collect()
+    let rows: Vec<&str> = rows.iter().map(|row| std::str::from_utf8(row).unwrap()).collect();
+    rows.join("\n") + "\n"
 }
 
 /// A patrol that turns at ledges never falls. Where it turned, one that goes on does fall, before

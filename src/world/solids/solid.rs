@@ -1,4 +1,4 @@
-//! One box that moves: its shape, and its motion in this tick.
+//! One box that moves: its shape, and its motion in this frame.
 
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw, Vec2, check_motion};
@@ -40,7 +40,7 @@ impl Side {
 ///        min +----------+
 ///            | key  ->->|-> conveyor: added to what stands on it
 ///            +----------+ max
-///                  motion: from where it is to where it will be after this tick
+///                  motion: from where it is to where it will be after this frame
 /// ```
 ///
 /// A list of them is a level, [`Solids`](crate::world::Solids), and
@@ -51,7 +51,7 @@ impl Side {
 /// use tilesat::{Aabb, Fx, Solid, Vec2};
 /// let lift = Solid::new(Aabb::new(Vec2::from_ints(0, 40), Vec2::from_ints(32, 48))?, 7)?.with_motion(Vec2::from_ints(0, -2))?;
 /// assert_eq!(lift.moved().shape().min().y, 38);
-/// assert_eq!(lift.moved().motion(), Vec2::ZERO); // each tick gives the next motion
+/// assert_eq!(lift.moved().motion(), Vec2::ZERO); // each frame gives the next motion
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 ///
@@ -66,7 +66,7 @@ impl Side {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[doc(alias("AnimatableBody2D", "moving platform", "kinematic body"))]
+#[doc(alias("AnimatableBody2D", "moving platform", "kinematic body", "lift", "door", "elevator"))]
 #[must_use = "a solid is a value: store it, or change it in place with `set_motion`"]
 pub struct Solid {
     shape: Aabb,
@@ -105,16 +105,16 @@ impl Solid {
         Self { side: Some(side), ..self }
     }
 
-    /// Adds a conveyor: a motion that it gives per tick to the bodies that stand on it.
+    /// Adds a conveyor: a motion that it gives per frame to the bodies that stand on it.
     ///
     /// # Errors
-    /// [`RangeError`] where the conveyor, or its sum with the motion of this tick, has a component
+    /// [`RangeError`] where the conveyor, or its sum with the motion of this frame, has a component
     /// of [`MOTION`] or more.
     pub const fn with_conveyor(self, conveyor: Vec2) -> Result<Self, RangeError> {
         Self { conveyor, ..self }.checked()
     }
 
-    /// The same solid with a motion for this tick, from its present position. It is a new value: to
+    /// The same solid with a motion for this frame, from its present position. It is a new value: to
     /// change a solid in a list, call [`set_motion`](Self::set_motion).
     ///
     /// # Errors
@@ -173,7 +173,7 @@ impl Solid {
         }
     }
 
-    /// The solid after this tick: at its new position, without a motion.
+    /// The solid after this frame: at its new position, without a motion.
     pub const fn moved(self) -> Self {
         let d = Raw::of(self.motion);
         let shape = Aabb::from_raw_unchecked(self.shape.lo().add(d), self.shape.hi().add(d));
@@ -192,13 +192,13 @@ impl Solid {
     /// let mut solids = [Solid::new(boxed(0, 20, 30, 4)?, 1)?, Solid::new(boxed(60, 0, 8, 30)?, 2)?];
     /// let mut player = boxed(10, 6, 8, 14)?;
     ///
-    /// for tick in 0..30 {
+    /// for frame in 0..30 {
     ///     solids[0] = solids[0].with_motion(Vec2::from_ints(1, 0))?; // 1: where all go, and what they take along
     ///     player = mover.ride(&level, &solids, &player, Fx::ONE)?.body;
     ///     Solid::move_all(&mut solids); // 2
     ///     let here = Solids::new(&solids); // 3: the player falls, and lands on the platform
     ///     player = mover.move_and_slide(&Joined::new(&level, &here), &player, Vec2::from_ints(0, 1))?.body;
-    ///     assert_eq!(player.min(), Vec2::from_ints(11 + tick, 6));
+    ///     assert_eq!(player.min(), Vec2::from_ints(11 + frame, 6));
     /// }
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -238,7 +238,7 @@ impl Solid {
         self.conveyor
     }
 
-    /// Its motion in this tick.
+    /// Its motion in this frame.
     #[must_use]
     pub const fn motion(&self) -> Vec2 {
         self.motion
