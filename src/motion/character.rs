@@ -1,63 +1,14 @@
-//! The hero of a platformer: one call per frame, built from [`Walker`], [`Mover::ride`] and
-//! [`Joined`].
+//! The hero of a platformer: one call per frame, built from [`Walker`].
 
-use super::feel::{Feel, Input};
-use super::{Body, Hits, MoveError, Mover, Ride, Support, Walked, Walker};
+use super::feel::{Feel, Input, Outcome, Step};
+use super::{Body, MoveError, Mover, Support, Walked, Walker};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, Fx, Vec2};
 use crate::shape::Aabb;
-use crate::world::{Joined, Solid, Solids, World};
-
-/// The state of a character after one frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Outcome {
-    /// It moved, or stood.
-    #[default]
-    Moved,
-    /// A solid pressed it against something, and it stayed where it was: see [`Ride::Squashed`].
-    Squashed {
-        /// The key of the solid.
-        by: u16,
-        /// Out of that solid, toward the body.
-        normal: Axis,
-    },
-    /// It overlaps the level and did not move: a door closed on it, or a solid that squashed it has
-    /// not passed yet.
-    Stuck,
-    /// It is entirely below its limits, or beside them. It may fly above them.
-    OutOfLevel,
-}
-
-/// What happened to a character in one frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[must_use = "the outcome says whether the character lives"]
-#[expect(clippy::struct_excessive_bools, reason = "independent answers, each asked by name")]
-pub struct Step {
-    /// The state after the frame.
-    pub outcome: Outcome,
-    /// Whether it jumped.
-    pub jumped: bool,
-    /// Whether it landed on a floor.
-    pub landed: bool,
-    /// Whether a wall blocks it.
-    pub wall: bool,
-    /// Whether its head hit a ceiling.
-    pub ceiling: bool,
-    /// The flags of all tiles, segments and solids that it hit, or-ed.
-    pub flags: u8,
-    /// The hits of the frame.
-    pub hits: Hits,
-}
-
-impl Step {
-    const fn nothing(outcome: Outcome) -> Self {
-        Self { outcome, jumped: false, landed: false, wall: false, ceiling: false, flags: 0, hits: Hits::none() }
-    }
-}
+use crate::world::{Solids, World};
 
 /// The hero of a platformer: it runs, jumps, walks on slopes and steps, drops through platforms and
-/// rides on [`Solid`]s.
+/// rides on [`Solid`](crate::Solid)s.
 ///
 /// One call per frame does all of it: [`step`](Self::step), or [`step_on`](Self::step_on) if solids
 /// move. Each links only the code that it uses. `B` is the body: an [`Aabb`], a
@@ -80,12 +31,17 @@ impl Step {
 /// ```
 ///
 /// If you need another rule, call the pieces yourself: [`Walker::walk`], [`Mover::ride`],
-/// [`Solid::move_all`], [`Joined`].
-#[doc(alias = "CharacterBody2D")]
+/// [`Solid::move_all`](crate::Solid::move_all), [`Joined`](crate::Joined).
+#[doc(alias("CharacterBody2D", "player", "enemy", "knockback", "dash", "spring"))]
 #[doc(alias = "KinematicCharacterController")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Character<B = Aabb> {
-    /// Units per frame. Change it to throw the character: a spring sets `velocity.y`.
+    /// Units per frame. Change it to throw the character: a spring, a stomp or a ladder sets
+    /// `velocity.y`. The next [`step`](Self::step) adds gravity first, so a launch at -4 rises by
+    /// 3.75 in its first frame. (A jump at 4 rises by 4.)
+    ///
+    /// If you make it rise faster than the last step left it, it leaves its floor as by a jump: it
+    /// takes a lift's motion along, and has no coyote time. No release of the button cuts the rise.
     pub velocity: Vec2,
     /// How it moves.
     pub feel: Feel,
@@ -95,6 +51,8 @@ pub struct Character<B = Aabb> {
     /// The motion of the solid that it jumped off. Seen from there, its flight is that on still
     /// ground.
     pub(super) base: Vec2,
+    /// The velocity along y that the last step left: the caller has launched it if it rises faster.
+    pub(super) left: Fx,
     /// Whether the button was down in the last frame.
     pub(super) held: bool,
     /// Whether it rises from its own jump.
@@ -109,18 +67,21 @@ pub struct Character<B = Aabb> {
 }
 
 /// The plan of a frame: the velocity, and the walker that will make it.
-struct Plan {
+pub(super) struct Plan {
     walker: Walker,
     /// The motion still to make in this frame.
-    velocity: Vec2,
+    pub(super) velocity: Vec2,
     /// The part of the motion that a solid has already made.
     made: Vec2,
     jumped: bool,
+    /// Whether it drops through the one-way floor that it stands on.
+    drops: bool,
 }
 
 impl<B: Body> Character<B> {
     /// A character in the air. `limits` is usually the level's box. Once the body is outside of it
-    /// at the sides or below, [`step`](Self::step) returns [`Outcome::OutOfLevel`].
+    /// at the sides or below, [`step`](Self::step) returns [`Outcome::OutOfLevel`]. Above is
+    /// allowed, so a hero can jump over a side wall that ends there.
     #[must_use]
     pub const fn new(body: B, limits: Aabb, feel: Feel) -> Self {
         Self {
@@ -130,6 +91,7 @@ impl<B: Body> Character<B> {
             limits,
             floor: None,
             base: Vec2::ZERO,
+            left: Fx::ZERO,
             held: false,
             jumps: false,
             wish: 0,
@@ -143,6 +105,43 @@ impl<B: Body> Character<B> {
     /// the solid, the next step returns [`Outcome::Stuck`].
     pub fn place(&mut self, body: B) {
         *self = Self { held: self.held, ..Self::new(body, self.limits, self.feel) };
+    }
+
+    /// Changes the body where it stands, and keeps everything else: to crouch, to grow, to nudge it.
+    /// Returns whether there is room. If the new body would overlap the level, nothing changes.
+    ///
+    /// Keep the feet where they are, or the character falls. With moving solids, pass the level
+    /// [`Joined`](crate::Joined) with them.
+    ///
+    /// Cost: one overlap test.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Character, Feel, Fx, Input, TileKind, TileKinds, TileMap, Vec2, fx};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii(".....\n..##.\n.....\n#####", &KINDS)?; // a low passage
+    /// let tall = Aabb::new(Vec2::from_ints(4, 24), Vec2::from_ints(14, 48))?;
+    /// let mut hero = Character::new(tall, level.bounds(), Feel::DEFAULT);
+    /// let sized = |hero: &Character, height: Fx| {
+    ///     let (lo, hi) = (hero.body().min(), hero.body().max());
+    ///     Aabb::new(Vec2::new(lo.x, hi.y - height), hi) // the feet stay
+    /// };
+    /// let low = sized(&hero, fx!(14))?;
+    /// assert!(hero.set_body(&level, low)); // it crouches
+    /// for _ in 0..20 {
+    ///     let _ = hero.step(&level, Input { run: fx!(1), ..Input::default() })?;
+    /// }
+    /// let up = sized(&hero, fx!(24))?;
+    /// assert!(!hero.set_body(&level, up)); // under the ceiling it has to stay low
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[doc(alias("crouch", "resize"))]
+    #[must_use = "without room, nothing changes"]
+    pub fn set_body<W: World>(&mut self, level: &W, body: B) -> bool {
+        let fits = !body.overlaps_world(level);
+        if fits {
+            self.body = body;
+        }
+        fits
     }
 
     /// The body at its current position.
@@ -200,118 +199,27 @@ impl<B: Body> Character<B> {
         Ok(step)
     }
 
-    /// Moves the character for one frame among moving solids. They carry or push it, then all go by
-    /// their [motions](Solid::with_motion), and then the character walks.
-    ///
-    /// When the call returns, all solids have moved, even if it returns an error. With several
-    /// characters, call [`ride`](Self::ride) for each, then [`Solid::move_all`], then
-    /// [`step_carried`](Self::step_carried) for each.
-    ///
-    /// A jump off a solid adds the solid's motion. Seen from a solid that keeps its motion, the
-    /// flight is that on still ground. In the frame of the jump the character moves by its own
-    /// velocity only.
-    ///
-    /// Cost: [`Mover::ride`] and [`Walker::walk`] in a [`Joined`] level.
-    ///
-    /// ```
-    /// use tilesat::{Aabb, Character, Feel, Input, Outcome, Solid, TileKinds, TileMap, Vec2};
-    /// let level = TileMap::from_ascii("....\n....", &TileKinds::EMPTY)?;
-    /// let limits = Aabb::new(level.origin(), level.grid().end())?;
-    /// let boxed = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
-    /// let mut lift = [Solid::new(boxed(0, 24, 48, 4)?, 7)?];
-    /// let mut hero = Character::new(boxed(20, 10, 10, 14)?, limits, Feel::DEFAULT);
-    /// for _ in 0..3 {
-    ///     lift[0] = lift[0].with_motion(Vec2::from_ints(1, 0))?; // for one frame
-    ///     assert!(hero.step_on(&level, &mut lift, Input::default())?.outcome == Outcome::Moved);
-    /// }
-    /// assert_eq!((hero.ridden(), hero.body().min()), (Some(7), Vec2::from_ints(23, 10)));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`step`](Self::step).
-    pub fn step_on<W: World>(&mut self, level: &W, solids: &mut [Solid], input: Input) -> Result<Step, RangeError> {
-        let mut next = *self;
-        // Both calls use one type of level, which links the mover once.
-        let nothing = Solids::new(&[]);
-        let ridden = next.ride(&Joined::new(level, &nothing), solids, input.drop);
-        Solid::move_all(solids);
-        let (outcome, carry) = ridden?;
-        let step = if outcome == Outcome::Moved {
-            next.step_carried(&Joined::new(level, &Solids::new(solids)), input, carry)?
-        } else {
-            Step::nothing(outcome)
-        };
-        *self = next;
-        Ok(step)
-    }
-
-    /// The first half of [`step_on`](Self::step_on): moves the character as far as the solids carry
-    /// or push it. The solids are still at their old positions.
-    ///
-    /// Returns the outcome and a motion: that of the solid that it stood on, or in the air how far
-    /// it was pushed.
-    ///
-    /// ```
-    /// use tilesat::{Aabb, Character, Feel, Input, Joined, Outcome, Solid, Solids, TileKinds, TileMap, Vec2};
-    /// let level = TileMap::from_ascii("....\n....", &TileKinds::EMPTY)?;
-    /// let limits = Aabb::new(level.origin(), level.grid().end())?;
-    /// let lift = Solid::new(Aabb::new(Vec2::from_ints(0, 20), Vec2::from_ints(40, 24))?, 7)?;
-    /// let mut solids = [lift.with_motion(Vec2::from_ints(1, 0))?];
-    /// let at = |x| Aabb::new(Vec2::from_ints(x, 10), Vec2::from_ints(x + 8, 20));
-    /// let mut heroes = [4, 24].map(|x| Character::new(at(x).unwrap(), limits, Feel::DEFAULT));
-    /// for _ in 0..4 {
-    ///     let mut carries = [Vec2::ZERO; 2];
-    ///     for (hero, carry) in heroes.iter_mut().zip(&mut carries) {
-    ///         let (outcome, by) = hero.ride(&level, &solids, false)?;
-    ///         assert_eq!(outcome, Outcome::Moved);
-    ///         *carry = by;
-    ///     }
-    ///     Solid::move_all(&mut solids);
-    ///     let moved = solids.map(|solid| solid.with_motion(Vec2::from_ints(1, 0)).unwrap());
-    ///     for (hero, carry) in heroes.iter_mut().zip(carries) {
-    ///         hero.step_carried(&Joined::new(&level, &Solids::new(&moved)), Input::default(), carry)?;
-    ///     }
-    ///     solids = moved;
-    /// }
-    /// assert_eq!(heroes.map(|hero| hero.body().min()), [Vec2::from_ints(8, 10), Vec2::from_ints(28, 10)]);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`step`](Self::step).
-    pub fn ride<W: World>(&mut self, level: &W, solids: &[Solid], drop: bool) -> Result<(Outcome, Vec2), RangeError> {
-        let follow = if self.floor.is_some() { self.feel.snap } else { self.falls().saturating_add(self.pull()) };
-        let ridden = self.mover().with_drop_through(drop).ride(level, solids, &self.body, follow.max(Fx::ZERO));
-        match ridden {
-            Ok(ridden) => {
-                self.body = ridden.body;
-                let outcome = match ridden.ride {
-                    Ride::Squashed { by, normal } => Outcome::Squashed { by, normal },
-                    _ => Outcome::Moved,
-                };
-                Ok((outcome, if self.floor.is_some() { ridden.carry } else { ridden.motion }))
-            }
-            Err(e) => Ok((refused(e)?, Vec2::ZERO)),
-        }
-    }
-
-    const fn mover(&self) -> Mover {
+    pub(super) const fn mover(&self) -> Mover {
         Mover::platformer(if self.feel.falls_to_larger_y() { Axis::NEG_Y } else { Axis::Y })
     }
 
     /// The magnitude of gravity.
-    const fn pull(&self) -> Fx {
+    pub(super) const fn pull(&self) -> Fx {
         if self.feel.falls_to_larger_y() { self.feel.gravity } else { self.feel.gravity.saturating_neg() }
     }
 
-    /// The speed of its fall.
-    const fn falls(&self) -> Fx {
-        if self.feel.falls_to_larger_y() { self.velocity.y } else { self.velocity.y.saturating_neg() }
+    /// A component along y as a speed of falling.
+    pub(super) const fn downward(&self, y: Fx) -> Fx {
+        if self.feel.falls_to_larger_y() { y } else { y.saturating_neg() }
     }
 
-    /// Timers, gravity, jumps and running: the velocity of this frame.
-    fn plan(&mut self, input: Input, carry: Vec2) -> Result<Plan, RangeError> {
+    /// The speed of its fall.
+    pub(super) const fn falls(&self) -> Fx {
+        self.downward(self.velocity.y)
+    }
+
+    /// Timers, gravity, launches, jumps and running: the velocity of this frame.
+    pub(super) fn plan(&mut self, input: Input, carry: Vec2) -> Result<Plan, RangeError> {
         let feel = self.feel;
         let stands = self.floor.is_some();
         self.away = if stands { 0 } else { self.away.saturating_add(1) };
@@ -320,26 +228,36 @@ impl<B: Body> Character<B> {
         self.held = input.jump;
 
         let rate = if stands { feel.acceleration } else { feel.air_acceleration };
-        let (base, base_fall) =
-            (self.base, if feel.falls_to_larger_y() { self.base.y } else { self.base.y.saturating_neg() });
+        let (base, base_fall) = (self.base, self.downward(self.base.y));
         // Off a sinking solid it falls faster by the solid's speed. Above a rising one it falls no
         // slower.
         let fastest = feel.fall.saturating_add(base_fall.max(Fx::ZERO));
         let mut run = toward(self.velocity.x.saturating_sub(base.x), input.run, rate);
         let against_wall = self.wall_age <= 1 && input.run.signum() == Fx::from(self.wall) && self.wall != 0;
         let limit = feel.wall_slide.filter(|_| against_wall).map_or(fastest, |slide| slide.min(feel.fall));
-        let mut fall = self.falls().saturating_add(self.pull()).min(limit).saturating_sub(base_fall);
-        let mut jumped = false;
+        let falls = self.falls().saturating_add(self.pull()).min(limit);
+        let mut fall = falls.saturating_sub(base_fall);
+        let (mut jumped, launched) = (false, fall < 0 && self.falls() < self.downward(self.left));
+        if launched {
+            (self.away, self.jumps) = (u8::MAX, false);
+            self.base = if stands { carry } else { self.base };
+        }
 
+        let drops = input.drop && self.floor.is_some_and(|floor| floor.one_way);
+        let can_jump = self.wish > 0 && !drops;
+        let off_floor = !launched && (stands || self.away <= feel.coyote);
         let off_wall = feel.wall_jump.filter(|_| self.wall != 0 && self.wall_age <= feel.coyote.saturating_add(1));
-        let off_floor = stands || self.away <= feel.coyote;
-        if self.wish > 0 && (off_floor || off_wall.is_some()) {
-            fall = feel.jump.saturating_neg();
+        if can_jump && (off_floor || off_wall.is_some()) {
+            // A jump takes no upward speed away, which a spring or a ramp gave. It is cut only if
+            // its own speed is the larger one.
+            let jump = feel.jump.saturating_neg();
+            self.jumps = falls >= jump;
+            fall = if self.jumps { jump } else { falls };
             self.base = if stands { carry } else { Vec2::ZERO };
             if let Some(push) = off_wall.filter(|_| !off_floor) {
                 run = if self.wall > 0 { push.saturating_neg() } else { push };
             }
-            (self.wish, self.away, self.wall, self.jumps, jumped) = (0, u8::MAX, 0, true, true);
+            (self.wish, self.away, self.wall, jumped) = (0, u8::MAX, 0, true);
         }
         self.wish = self.wish.saturating_sub(1);
         self.jumps &= fall < 0;
@@ -350,17 +268,20 @@ impl<B: Body> Character<B> {
             self.away = u8::MAX;
         }
 
-        let y = if feel.falls_to_larger_y() { fall } else { fall.saturating_neg() };
-        let walker = Walker::new(self.mover().with_drop_through(input.drop)).with_slope_speed(feel.slope_speed);
-        let walker = walker.with_snap(feel.snap)?.with_step(feel.step)?;
-        let velocity = Vec2::new(run, y) + self.base;
-        let made = match (stands, jumped) {
+        let velocity = Vec2::new(run, self.downward(fall)) + self.base;
+        let made = match (stands, jumped || launched) {
             (true, true) => carry,
             (true, false) => Vec2::ZERO,
             // A push in its own direction makes a part of its way.
             (false, _) => Vec2::new(shared(carry.x, velocity.x), shared(carry.y, velocity.y)),
         };
-        Ok(Plan { walker, velocity: velocity - made, made, jumped })
+        Ok(Plan { walker: self.walker(input.drop)?, velocity: velocity - made, made, jumped, drops })
+    }
+
+    pub(super) fn walker(&self, drop: bool) -> Result<Walker, RangeError> {
+        let Feel { snap, step, slope_speed, .. } = self.feel;
+        let walker = Walker::new(self.mover().with_drop_through(drop)).with_slope_speed(slope_speed);
+        walker.with_snap(snap)?.with_step(step)
     }
 
     /// Applies the result of a walk.
@@ -369,7 +290,7 @@ impl<B: Body> Character<B> {
             Ok(walked) => walked,
             Err(e) => {
                 let outcome = refused(e)?;
-                (self.velocity, self.floor, self.base) = (Vec2::ZERO, None, Vec2::ZERO);
+                (self.velocity, self.floor, self.base, self.left) = (Vec2::ZERO, None, Vec2::ZERO, Fx::ZERO);
                 return Ok(Step::nothing(outcome));
             }
         };
@@ -389,7 +310,11 @@ impl<B: Body> Character<B> {
             Some(floor) if Solids::key_of(floor.cell).is_some() => (Vec2::ZERO, Vec2::new(now.x - base.x, now.y)),
             Some(_) => (Vec2::ZERO, now),
         };
+        self.left = self.velocity.y;
         self.jumps &= walked.floor.is_none();
+        if plan.drops && walked.floor.is_none() {
+            self.wish = 0; // the press meant the drop
+        }
         if moved.wall {
             // Steeper than 45 degrees: the mover's limit.
             let steep = moved.hits.iter().filter(|hit| hit.axis.x.unsigned_abs() > hit.axis.y.unsigned_abs());
@@ -416,7 +341,7 @@ impl<B: Body> Character<B> {
 }
 
 /// The outcome that a refused motion means. The remaining errors are the caller's.
-fn refused(e: MoveError) -> Result<Outcome, RangeError> {
+pub(super) fn refused(e: MoveError) -> Result<Outcome, RangeError> {
     match e {
         MoveError::Stuck(_) => Ok(Outcome::Stuck),
         // The end of the domain.

@@ -1,7 +1,8 @@
-//! The player's input, and the numbers that decide how a character moves.
+//! What a character takes and answers: the player's input, the numbers that decide how it moves,
+//! and what happened in a frame.
 
-use super::SlopeSpeed;
-use crate::num::Fx;
+use super::{Hits, SlopeSpeed};
+use crate::num::{Axis, Fx};
 
 /// The player's input for one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -11,7 +12,9 @@ pub struct Input {
     pub run: Fx,
     /// Whether the jump button is down. The character detects presses and releases itself.
     pub jump: bool,
-    /// Whether to drop through one-way floors in this frame.
+    /// Whether to drop through one-way floors in this frame. One frame is enough for the floor that
+    /// it stands on; while it stays true, it passes all that follow. On a one-way floor it wins
+    /// over `jump`.
     pub drop: bool,
 }
 
@@ -41,14 +44,16 @@ pub struct Feel {
     pub jump_cut: Fx,
     /// For how many frames after the body walked off the floor, or left a wall, it can still jump.
     pub coyote: u8,
-    /// For how many more frames a press of the button counts, if it comes before the landing.
+    /// For how many more frames a press of the button counts, if it comes before the landing. Zero:
+    /// only in the frame of the press.
+    #[doc(alias = "jump_buffer")]
     pub buffer: u8,
     /// How much the speed changes per frame on a floor, toward [`Input::run`].
     pub acceleration: Fx,
     /// How much the speed changes per frame in the air.
     pub air_acceleration: Fx,
     /// How far the body follows falling ground: [`Walker::with_snap`](crate::Walker::with_snap).
-    /// One and a half times the running speed is enough for tiles.
+    /// One and a half times the running speed is always enough for tiles.
     pub snap: Fx,
     /// The highest step that it climbs: [`Walker::with_step`](crate::Walker::with_step).
     pub step: Fx,
@@ -61,7 +66,9 @@ pub struct Feel {
 }
 
 impl Feel {
-    /// The values that the type's documentation describes.
+    /// Gravity 0.25, fastest fall 6, jump 4.5 cut to 1.5, coyote and buffer 5 frames, acceleration
+    /// 0.5 and in the air 0.25, snap 5, step 4, constant speed on slopes. Wall jump and wall slide
+    /// are off.
     pub const DEFAULT: Self = Self {
         gravity: Fx::from_bits(0x4000), // 0.25
         fall: Fx::from_bits(6 << 16),
@@ -86,5 +93,55 @@ impl Feel {
 impl Default for Feel {
     fn default() -> Self {
         Self::DEFAULT
+    }
+}
+
+/// The state of a character after one frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Outcome {
+    /// It moved, or stood.
+    #[default]
+    Moved,
+    /// A solid pressed it against something, and it stayed where it was: see [`Ride::Squashed`](super::Ride::Squashed).
+    Squashed {
+        /// The key of the solid.
+        by: u16,
+        /// Out of that solid, toward the body.
+        normal: Axis,
+    },
+    /// It overlaps the level and did not move: a door closed on it, or a solid that squashed it has
+    /// not passed yet.
+    Stuck,
+    /// It is entirely below its limits, or beside them. It may fly above them.
+    OutOfLevel,
+}
+
+/// What happened to a character in one frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[must_use = "the outcome says whether the character lives"]
+#[expect(clippy::struct_excessive_bools, reason = "independent answers, each asked by name")]
+pub struct Step {
+    /// The state after the frame.
+    pub outcome: Outcome,
+    /// Whether it jumped.
+    pub jumped: bool,
+    /// Whether it landed on a floor.
+    pub landed: bool,
+    /// Whether a wall blocks it.
+    #[doc(alias = "is_on_wall")]
+    pub wall: bool,
+    /// Whether its head hit a ceiling.
+    #[doc(alias = "is_on_ceiling")]
+    pub ceiling: bool,
+    /// The flags of all tiles, segments and solids that it hit, or-ed.
+    pub flags: u8,
+    /// The hits of the frame.
+    pub hits: Hits,
+}
+
+impl Step {
+    pub(super) const fn nothing(outcome: Outcome) -> Self {
+        Self { outcome, jumped: false, landed: false, wall: false, ceiling: false, flags: 0, hits: Hits::none() }
     }
 }

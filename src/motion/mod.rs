@@ -100,6 +100,7 @@ mod character;
 mod contact;
 mod feel;
 mod inside;
+mod look_ahead;
 mod memo;
 mod moved;
 mod mover;
@@ -147,6 +148,7 @@ pub mod response {
     pub use table::{ByFlags, ByHit, Response, Responses};
     pub use verlet::{Link, Particle, Quiet, RelaxError, Stick, relax};
 }
+mod rider;
 mod run;
 mod search;
 mod slide;
@@ -182,9 +184,8 @@ mod ways;
 
 pub use body::Body;
 pub use cast::BodyHit;
-pub use character::{Character, Outcome, Step};
-
-pub use feel::{Feel, Input};
+pub use character::Character;
+pub use feel::{Feel, Input, Outcome, Step};
 pub use inside::{StartInside, escape, turn};
 pub use memo::Memo;
 pub use moved::{Hit, Hits, MoveError, Moved, Stuck, Work};

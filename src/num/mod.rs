@@ -84,11 +84,16 @@ pub type Fx = fixed::types::I16F16;
 ///
 /// ```compile_fail
 /// let n = 3;
-/// let not_a_literal = tilesat::fx!(n);
+/// let not_a_literal = tilesat::fx!(n); // for a variable: Fx::from(n), Fx::checked_from_num(n)
 /// ```
 #[macro_export]
 macro_rules! fx {
     ($value:literal) => {
         const { $crate::Fx::lit(::core::stringify!($value)) }
+    };
+    ($($other:tt)*) => {
+        ::core::compile_error!(
+            "fx! takes one literal, as in fx!(0.25); for a variable, use Fx::from (an i16) or Fx::checked_from_num"
+        )
     };
 }

@@ -54,17 +54,22 @@ fn a_flight_off_a_lift_is_that_on_still_ground() {
             let _ = still.0.step_on(&level, &mut still.1, NOTHING).unwrap();
         }
         let mut lift = still;
+        // Every third leaves by a spring instead of a jump.
+        let spring = (random.below(3) == 0).then_some(jump);
         let (released, run) = (random.below(20), Fx::from_bits(random.around(2 << 16) as i32));
         let offset = |(hero, lifts): &(Character<B>, [Solid; 1])| hero.body().position() - lifts[0].shape().min();
         for frame in 0..60 {
-            let input = Input { run, jump: frame < released + 1, drop: false };
+            let input = Input { run, jump: spring.is_none() && frame < released + 1, drop: false };
+            if let Some(spring) = spring.filter(|_| frame == 0) {
+                (still.0.velocity.y, lift.0.velocity.y) = (-spring, -spring);
+            }
             let before = lift.0.body().position();
             lift.1[0] = lift.1[0].with_motion(motion).unwrap();
             let a = still.0.step_on(&level, &mut still.1, input).unwrap();
             let b = lift.0.step_on(&level, &mut lift.1, input).unwrap();
             assert_eq!(offset(&lift), offset(&still), "{motion:?} {jump} {frame}");
             assert_eq!((a.jumped, a.landed), (b.jumped, b.landed), "{motion:?} {jump} {frame}");
-            if b.jumped {
+            if b.jumped || spring.is_some() && frame == 0 {
                 assert_eq!(lift.0.body().position() - before, lift.0.velocity, "{motion:?} {jump}");
             }
             let carried = if lift.0.on_floor() { Vec2::ZERO } else { motion };
@@ -99,6 +104,8 @@ fn several_characters_ride_in_three_steps_as_one_does_in_one() {
 
         jumps += i32::from(step.jumped && rode == Some(7));
 
+        let (mut moved, mut as_array) = (lifts, heroes);
+        let steps = Character::step_all(&mut as_array, &level, &mut moved, &[input; 2]).unwrap();
         let rides = heroes.each_mut().map(|hero| hero.ride(&level, &lifts, false).unwrap());
         Solid::move_all(&mut lifts);
         let solids = Solids::new(&lifts);
@@ -108,8 +115,16 @@ fn several_characters_ride_in_three_steps_as_one_does_in_one() {
             let together = hero.step_carried(&world, input, carry).unwrap();
             assert_eq!((together, *hero), (step, alone.0), "{frame}");
         }
+        assert_eq!((as_array, moved, steps), (heroes, lifts, [step; 2]), "{frame}");
     }
     assert!(jumps >= 3);
+    // Of a refused call, the solids alone have moved.
+    let (mut refused, mut moved) = (heroes, lifts.map(|lift| lift.with_motion(Vec2::from_ints(0, 1)).unwrap()));
+    let inputs = [NOTHING, Input { run: Fx::MAX, ..NOTHING }];
+    refused[1].feel.acceleration = Fx::MAX;
+    let before = refused;
+    assert!(Character::step_all(&mut refused, &level, &mut moved, &inputs).is_err());
+    assert_eq!((refused, moved[0].shape().min().y), (before, lifts[0].shape().min().y + fx!(1)));
 }
 
 #[test]

@@ -4,7 +4,9 @@
 
 mod carry;
 mod character;
+mod character_launches;
 mod character_lifts;
+mod character_looks;
 mod games;
 mod joints;
 mod placed;

@@ -81,7 +81,6 @@ impl<'a> Solids<'a> {
     }
 
     /// The list.
-    #[must_use]
     pub const fn list(&self) -> &'a [Solid] {
         self.list
     }

@@ -1,4 +1,4 @@
-//! One box that moves: its shape, and its motion in this tick.
+//! One box that moves: its shape, and its motion in this frame.
 
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw, Vec2, check_motion};
@@ -40,7 +40,7 @@ impl Side {
 ///        min +----------+
 ///            | key  ->->|-> conveyor: added to what stands on it
 ///            +----------+ max
-///                  motion: from where it is to where it will be after this tick
+///                  motion: from where it is to where it will be after this frame
 /// ```
 ///
 /// A list of them is a level, [`Solids`](crate::world::Solids), and
@@ -51,12 +51,23 @@ impl Side {
 /// use tilesat::{Aabb, Fx, Solid, Vec2};
 /// let lift = Solid::new(Aabb::new(Vec2::from_ints(0, 40), Vec2::from_ints(32, 48))?, 7)?.with_motion(Vec2::from_ints(0, -2))?;
 /// assert_eq!(lift.moved().shape().min().y, 38);
-/// assert_eq!(lift.moved().motion(), Vec2::ZERO); // each tick gives the next motion
+/// assert_eq!(lift.moved().motion(), Vec2::ZERO); // each frame gives the next motion
 /// # Ok::<(), tilesat::RangeError>(())
+/// ```
+///
+/// A solid is a value. The compiler warns if you drop a changed one:
+///
+/// ```compile_fail
+/// #![deny(unused_must_use)]
+/// # fn lift(list: &mut [tilesat::Solid; 1], motion: tilesat::Vec2) -> Result<(), tilesat::RangeError> {
+/// list[0].with_motion(motion)?; // the lift in the list does not move: use `set_motion`
+/// # Ok(())
+/// # }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[doc(alias("AnimatableBody2D", "moving platform", "kinematic body"))]
+#[doc(alias("AnimatableBody2D", "moving platform", "kinematic body", "lift", "door", "elevator"))]
+#[must_use = "a solid is a value: store it, or change it in place with `set_motion`"]
 pub struct Solid {
     shape: Aabb,
     motion: Vec2,
@@ -84,19 +95,17 @@ impl Solid {
     }
 
     /// Sets the user flags. Hits report them as those of a tile.
-    #[must_use]
     pub const fn with_flags(self, flags: u8) -> Self {
         Self { flags, ..self }
     }
 
     /// Makes it a one-way platform: it blocks, carries and pushes only bodies that are entirely in
     /// front of that side.
-    #[must_use]
     pub const fn with_one_way(self, side: Side) -> Self {
         Self { side: Some(side), ..self }
     }
 
-    /// Adds a conveyor: a motion that it gives per tick to the bodies that stand on it.
+    /// Adds a conveyor: a motion that it gives per frame to the bodies that stand on it.
     ///
     /// ```
     /// use tilesat::{Aabb, Solid, Vec2, world::Side};
@@ -107,13 +116,14 @@ impl Solid {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] if the conveyor, or its sum with the motion of this tick, has a component of
+    /// [`RangeError`] if the conveyor, or its sum with the motion of this frame, has a component of
     /// [`MOTION`] or more.
     pub const fn with_conveyor(self, conveyor: Vec2) -> Result<Self, RangeError> {
         Self { conveyor, ..self }.checked()
     }
 
-    /// Sets the motion of this tick, from its present position.
+    /// The same solid with a motion for this frame, from its present position. It is a new value: to
+    /// change a solid in a list, call [`set_motion`](Self::set_motion).
     ///
     /// # Errors
     /// [`RangeError`] if the motion, or its sum with the conveyor, has a component of [`MOTION`] or
@@ -129,6 +139,30 @@ impl Solid {
     /// ```
     pub const fn with_motion(self, motion: Vec2) -> Result<Self, RangeError> {
         Self { motion, ..self }.checked()
+    }
+
+    /// Sets the motion of this frame in place: [`with_motion`](Self::with_motion) for a solid in a
+    /// list.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Solid, Vec2};
+    /// let mut lifts = [Solid::new(Aabb::new(Vec2::from_ints(0, 64), Vec2::from_ints(32, 70))?, 1)?];
+    /// lifts[0].set_motion(Vec2::from_ints(0, -2))?;
+    /// assert!(lifts[0].set_motion(Vec2::from_ints(0, 4096)).is_err());
+    /// assert_eq!(lifts[0].motion(), Vec2::from_ints(0, -2)); // refused: unchanged
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`with_motion`](Self::with_motion). The solid is then unchanged.
+    pub const fn set_motion(&mut self, motion: Vec2) -> Result<(), RangeError> {
+        match self.with_motion(motion) {
+            Ok(solid) => {
+                *self = solid;
+                Ok(())
+            }
+            Err(e) => Err(e),
+        }
     }
 
     const fn checked(self) -> Result<Self, RangeError> {
@@ -147,8 +181,7 @@ impl Solid {
         }
     }
 
-    /// The solid after this tick: at its new position, without a motion.
-    #[must_use]
+    /// The solid after this frame: at its new position, without a motion.
     pub const fn moved(self) -> Self {
         let d = Raw::of(self.motion);
         let shape = Aabb::from_raw_unchecked(self.shape.lo().add(d), self.shape.hi().add(d));
@@ -167,13 +200,13 @@ impl Solid {
     /// let mut solids = [Solid::new(boxed(0, 20, 30, 4)?, 1)?, Solid::new(boxed(60, 0, 8, 30)?, 2)?];
     /// let mut player = boxed(10, 6, 8, 14)?;
     ///
-    /// for tick in 0..30 {
+    /// for frame in 0..30 {
     ///     solids[0] = solids[0].with_motion(Vec2::from_ints(1, 0))?; // 1: where all go, and what they take along
     ///     player = mover.ride(&level, &solids, &player, Fx::ONE)?.body;
     ///     Solid::move_all(&mut solids); // 2
     ///     let here = Solids::new(&solids); // 3: the player falls, and lands on the platform
     ///     player = mover.move_and_slide(&Joined::new(&level, &here), &player, Vec2::from_ints(0, 1))?.body;
-    ///     assert_eq!(player.min(), Vec2::from_ints(11 + tick, 6));
+    ///     assert_eq!(player.min(), Vec2::from_ints(11 + frame, 6));
     /// }
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -213,7 +246,7 @@ impl Solid {
         self.conveyor
     }
 
-    /// Its motion in this tick.
+    /// Its motion in this frame.
     #[must_use]
     pub const fn motion(&self) -> Vec2 {
         self.motion

@@ -1,0 +1,189 @@
+//! What a hero looks for before it moves: ledges, corners, and room for another body.
+
+use super::character::{JUMP, KINDS, NOTHING, boxed, limits};
+use tilesat::{Aabb, Body, Character, Circle, Feel, Fx, Input, Outcome, Slopes, TileKind, TileKinds, TileMap};
+use tilesat::{TileShape, Vec2, fx};
+use tilesat_judge::Random;
+
+static GROUND: TileKinds = KINDS
+    .with(b'/', TileKind::of(TileShape::SlopeBottomRight))
+    .with(b'\\', TileKind::of(TileShape::SlopeBottomLeft))
+    .with(b'_', TileKind::of(TileShape::HalfBottom));
+
+/// Ground of 30 columns whose height changes by slopes and steps, and which has pits.
+fn terrain(random: &mut Random) -> String {
+    let mut rows = vec![[b'.'; 30]; 8];
+    let (mut height, mut x) = (5_usize, 0);
+    while x < 30 {
+        match random.below(8) {
+            0 => x += 1, // a pit
+            1 if height > 3 => {
+                rows[height - 1][x] = b'/';
+                rows[height][x] = b'#';
+                (height, x) = (height - 1, x + 1);
+            }
+            2 if height < 6 => {
+                rows[height][x] = b'\\';
+                rows[height + 1][x] = b'#';
+                (height, x) = (height + 1, x + 1);
+            }
+            3 => {
+                rows[height - 1][x] = b'_';
+                rows[height][x] = b'#';
+                x += 1;
+            }
+            n => {
+                let end = (x + 3).min(30);
+                rows[height][x..end].fill(if n == 4 { b'=' } else { b'#' });
+                x += 3;
+            }
+        }
+    }
+    let rows: Vec<&str> = rows.iter().map(|row| std::str::from_utf8(row).unwrap()).collect();
+    rows.join("\n") + "\n"
+}
+
+/// A patrol that turns at ledges never falls. Where it turned, one that goes on does fall, before
+/// it is its width and a step farther.
+fn patrols<B: Body + PartialEq>(body: impl Fn(i16) -> B, width: Fx, is_round: bool, random: &mut Random) -> u32 {
+    let text = terrain(random);
+    let level = TileMap::<Slopes>::of_ascii(&text, &GROUND).unwrap();
+    let x = random.within(20, 440) as i16;
+    let mut enemy = Character::new(body(x), limits(), Feel::DEFAULT);
+    while enemy.step(&level, NOTHING).unwrap().outcome == Outcome::Moved && !enemy.on_floor() {
+        if enemy.body().position().y > 200 {
+            return 0;
+        }
+    }
+    let mut run = Fx::from_bits(random.within(1 << 14, 3 << 16) as i32);
+    let (mut turns, mut turned) = (0, false);
+    for frame in 0..300 {
+        if enemy.ledge_ahead(&level, run).unwrap() {
+            let (mut on, start) = (enemy, enemy.body().position());
+            let sank = |on: &Character<B>| on.body().position().y - start.y > enemy.feel.snap;
+            // A circle rolls over its edge, and may still follow a ledge of more than the snap down.
+            while on.on_floor() && !(is_round && sank(&on)) {
+                let step = on.step(&level, Input { run, ..NOTHING }).unwrap();
+                let way = (on.body().position().x - start.x).abs();
+                assert!(!step.wall && way <= run.abs() + width + run.abs(), "{text}{frame} {run} {way}");
+            }
+            (run, turns) = (-run, turns + 1);
+            // A place with ledges at both sides: it stays.
+            if turned {
+                return turns;
+            }
+            turned = true;
+            continue;
+        }
+        turned = false;
+        let step = enemy.step(&level, Input { run, ..NOTHING }).unwrap();
+        assert!(enemy.on_floor(), "{text}{frame} {run}");
+        if step.wall {
+            run = -run;
+        }
+    }
+    turns
+}
+
+#[test]
+fn a_patrol_turns_exactly_where_it_would_fall() {
+    let mut random = Random::new(5);
+    let mut turns = 0;
+    for _ in 0..400 {
+        turns += patrols(|x| boxed(x, 4, 10, 12), fx!(10), false, &mut random);
+        turns += patrols(|x| Circle::new(Vec2::from_ints(x, 8), fx!(6)).unwrap(), fx!(12), true, &mut random);
+    }
+    assert!(turns > 1000, "{turns}");
+}
+
+#[test]
+fn on_even_ground_it_turns_with_its_front_on_the_floor() {
+    let level = TileMap::from_ascii("          \n ======   \n", &KINDS).unwrap(); // from 16 to 112
+    for (way, run) in [(1, fx!(0.3)), (1, fx!(2)), (-1, fx!(0.7)), (-1, fx!(3))] {
+        let mut enemy = Character::new(boxed(60, 2, 10, 14), limits(), Feel::DEFAULT);
+        let run = run * way;
+        let _ = enemy.step(&level, NOTHING).unwrap();
+        while !enemy.ledge_ahead(&level, run).unwrap() {
+            let _ = enemy.step(&level, Input { run, ..NOTHING }).unwrap();
+        }
+        let (lo, hi) = (enemy.body().min().x, enemy.body().max().x);
+        let left = if way > 0 { fx!(112) - hi } else { lo - fx!(16) };
+        assert!((Fx::ZERO..=run.abs()).contains(&left), "{run}: {left}");
+        assert!(!enemy.ledge_ahead(&level, -run).unwrap());
+    }
+    let flying = Character::new(boxed(60, -40, 10, 14), limits(), Feel::DEFAULT);
+    assert_eq!(flying.ledge_ahead(&level, fx!(1)), Ok(false));
+}
+
+/// A head that is `under` raw units under a corner at its left or its right: within the reach it
+/// loses no height, and beyond it is where it would be without.
+#[test]
+fn a_corner_within_reach_costs_no_height() {
+    let rows = "       \n       \n##   ##\n       \n       \n#######\n"; // the ceiling ends at y = 48
+    let level = TileMap::from_ascii(rows, &KINDS).unwrap();
+    let (reach, unit) = (3 << 16, 1 << 16);
+    for under in [0, 1, unit, reach - 1, reach, reach + 1, 5 * unit] {
+        for right in [false, true] {
+            let x = if right { (70 << 16) + under } else { (32 << 16) - under }; // corners at 32 and 80
+            let lo = Vec2::from_raw(x, 64 << 16);
+            let body = Aabb::new(lo, lo + Vec2::from_ints(10, 16)).unwrap();
+            let top = |reach: Option<Fx>| {
+                let mut hero = Character::new(body, limits(), Feel::DEFAULT);
+                let _ = hero.step(&level, NOTHING).unwrap();
+                let (mut top, mut moves) = (hero.body().min().y, 0);
+                for _ in 0..30 {
+                    if let Some(reach) = reach {
+                        moves += i32::from(hero.assist(&level, JUMP, reach).unwrap());
+                    }
+                    let _ = hero.step(&level, JUMP).unwrap();
+                    top = top.min(hero.body().min().y);
+                }
+                (top, moves, (hero.body().min().x - body.min().x).abs().to_bits())
+            };
+            let whole = fx!(64) - fx!(42.75);
+            let blocked = if under == 0 { whole } else { fx!(48) };
+            assert_eq!(top(None), (blocked, 0, 0), "{under} {right}");
+            let helps = 0 < under && under <= reach;
+            let expected = if helps { (whole, 1, under) } else { (blocked, 0, 0) };
+            assert_eq!(top(Some(Fx::from_bits(reach))), expected, "{under} {right}");
+        }
+    }
+    let mut hero = Character::new(boxed(40, 60, 10, 16), limits(), Feel::DEFAULT);
+    assert_eq!(hero.assist(&level, JUMP, fx!(-1)).unwrap_err().what, tilesat::Quantity::Assist);
+}
+
+#[test]
+fn another_body_is_taken_if_it_has_room() {
+    let mut random = Random::new(8);
+    let level = TileMap::from_ascii("......\n.##.=.\n......\n#.####\n", &KINDS).unwrap();
+    let (mut taken, mut refused) = (0, 0);
+    for _ in 0..20_000 {
+        let mut random_box = || {
+            let corner = |r: &mut Random| Vec2::from_raw(r.within(0, 96 << 16) as i32, r.within(0, 64 << 16) as i32);
+            let lo = corner(&mut random);
+            let size = Vec2::from_raw(random.within(0, 20 << 16) as i32, random.within(0, 20 << 16) as i32);
+            // Half of them on the cells' borders.
+            let at =
+                if random.below(2) == 0 { lo } else { Vec2::from_raw(lo.raw().0 >> 20 << 20, lo.raw().1 >> 20 << 20) };
+            Aabb::new(at, at + size).unwrap()
+        };
+        let (old, new) = (random_box(), random_box());
+        let mut hero = Character::new(old, limits(), Feel::DEFAULT);
+        hero.velocity = Vec2::from_ints(1, 2);
+        let before = hero;
+        let (lo, hi) = (new.min().raw(), new.max().raw());
+        // Which cells it overlaps, cell by cell.
+        let solid = |x: i32, y: i32| b"......\n.##.=.\n......\n#.####\n"[(y * 7 + x) as usize] == b'#';
+        let meets = |x: i32, y: i32| {
+            let (a, b) = ((x << 20, y << 20), ((x + 1) << 20, (y + 1) << 20));
+            let strictly = |lo: i32, hi: i32, a: i32, b: i32| lo < b && a < hi;
+            strictly(lo.0, hi.0, a.0, b.0) && strictly(lo.1, hi.1, a.1, b.1)
+        };
+        let room = !(0..6).any(|x| (0..4).any(|y| solid(x, y) && meets(x, y)));
+        assert_eq!(hero.set_body(&level, new), room, "{new:?}");
+        assert_eq!(*hero.body(), if room { new } else { old });
+        assert!(hero.velocity == before.velocity && (room || hero == before));
+        *(if room { &mut taken } else { &mut refused }) += 1;
+    }
+    assert!(taken > 1000 && refused > 1000);
+}
