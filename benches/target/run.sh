@@ -3,7 +3,7 @@
 # stack (by the linker's output), and compares all with the reviewed tables of counts.txt.
 #
 #   run.sh                 print and compare; exit 1 where a number is over budget or moved by more than 2 %
-#   run.sh --accept        print, make these the reviewed tables, and write them into the README, src/boards.md and src/broad/guide.md
+#   run.sh --accept        print, make these the reviewed tables, and write them into the README, guide, src/boards.md and src/broad/guide.md
 #   run.sh --readme        only write the reviewed tables there
 #   run.sh --symbols BIN   what the flash program BIN links (src/bin), with sizes, on both cores
 #   run.sh --short         all tables, but of the Cortex-M0 alone: print and compare
@@ -46,7 +46,12 @@ while (($#)); do
 done
 
 # file : mark : what makes a table of counts.txt. The file's table is between two marks.
-tables=(README.md:short:short.awk src/boards.md:counts:readme.awk src/broad/guide.md:bodies:bodies.awk)
+tables=(
+    README.md:short:short.awk
+    guide/a_board_from_zero.md:stack:'short.awk -v page=board'
+    src/boards.md:counts:readme.awk
+    src/broad/guide.md:bodies:bodies.awk
+)
 root=$(cd ../.. && pwd)
 with_table() {
     awk -v begin="<!-- $2:begin" -v end="<!-- $2:end" -v table="awk -f $3 counts.txt" '
@@ -119,6 +124,7 @@ games=(
     'hero_slopes:a hero among slopes:43000:128:42500:128'
     'hero_blocks_lift:a hero among blocks with a lift:37500:168:37500:168'
     'hero_slopes_lift:a hero among slopes with a lift:57100:168:56000:168'
+    'scene_blocks:a scene of 30 balls and boxes, among blocks:79000:5800:80000:5800'
     'game_bullets:240 bullets, 32 enemies, pairs and events:70500:13800:70500:13800'
 )
 
@@ -202,12 +208,13 @@ run_on() {
     "$root/.ci/qemu.sh" "${3:-$1}" "$out/$1/release/$2"
 }
 # build_counts "TARGET..." PROGRAM...: for all at once, so that no core of this computer waits for the last program of a target.
+# In another profile than release where profile=NAME is put before it.
 build_counts() {
     local targets
     read -ra targets <<<"$1"
     shift
     echo "building the counting firmwares $* for ${targets[*]}" >&2
-    cargo build --quiet --release --package tilesat-counts --features chip "${targets[@]/#/--target=}" "${@/#/--bin=}"
+    cargo build --quiet --profile "${profile:-release}" --package tilesat-counts --features chip "${targets[@]/#/--target=}" "${@/#/--bin=}"
 }
 # Crowds do not fit the micro:bit: code for either core runs on the board of the M3.
 run_crowds() { run_on "$1" crowds thumbv7m-none-eabi; }
@@ -224,7 +231,7 @@ if [[ -n $only_core ]]; then
         [[ $core == "$only_core":* ]] && chosen=("$core") || absent+=("${core%:*}")
     done
     [[ -n ${chosen:-} ]] || { echo "run.sh: there is no core $only_core" >&2; exit 2; }
-    [[ $only_core == M0 ]] || absent+=('M0+ cycles')
+    [[ $only_core == M0 ]] || absent+=('M0 at s' 'M0+ cycles')
     counted=("${chosen[@]}")
 fi
 # The emulator's plugin that models cycles: its options in $model, where the emulator takes it.
@@ -250,6 +257,11 @@ run_modelled() {
     awk -f cycles.awk "$out/$2.merged"
 }
 
+# run_at_s TARGET BIN: the same firmware at the level that flash is weighed at. Budgets are those of the other.
+run_at_s() {
+    "$root/.ci/qemu.sh" "$1" "$out/$1/flash/$2" | sed -n 's/^M0|\(.*\)|[0-9]*$/M0 at s|\1|0/p'
+}
+
 # Lines core|section|row|value|budget of all firmwares, which run while the next ones are built.
 measure_all() {
     local core target bin how present=() runs=() run
@@ -262,13 +274,21 @@ measure_all() {
             present+=("$core")
         fi
     done
-    build_counts "${present[*]#*:}" pairs levels capsules segments bodies
+    local firmwares=(pairs levels capsules segments bodies heroes)
+    build_counts "${present[*]#*:}" "${firmwares[@]}"
     for core in "${present[@]}"; do
         target=${core#*:} how=run_on
         [[ $core != M0:* ]] || find_plugin
         [[ $core != M0:* || -z $model ]] || how=run_modelled
-        for bin in pairs levels capsules segments bodies; do
+        for bin in "${firmwares[@]}"; do
+            # Of heroes no cycles are modelled: a row is thousands of frames.
+            [[ $bin != heroes ]] || how=run_on
             start "$how" "$target" "$bin"
+        done
+        [[ $core == M0:* ]] || continue
+        profile=flash build_counts "$target" "${firmwares[@]}"
+        for bin in "${firmwares[@]}"; do
+            start run_at_s "$target" "$bin"
         done
     done
     if [[ -z $only_core ]]; then

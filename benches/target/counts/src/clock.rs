@@ -1,8 +1,8 @@
 //! What an emulated core tells of the instructions that it has run.
 //!
-//! Under `-icount shift=10` one instruction takes 1024 ns of virtual time. On Cortex-M timers run
-//! off that time: SysTick at 12.5 to 25 MHz, so it moves by 12.8 to 25.6 ticks an instruction. A
-//! RISC-V core counts retired instructions itself.
+//! Under `-icount shift=8` one instruction takes 256 ns of virtual time. On Cortex-M timers run off
+//! that time: SysTick at 12.5 to 25 MHz, so it moves by 3.2 to 6.4 ticks an instruction. A RISC-V
+//! core counts retired instructions itself.
 
 /// A count that goes up or down by so much an instruction.
 pub trait Clock {
@@ -25,7 +25,7 @@ pub use riscv::{Retired as Long, Retired as Short};
 mod arm {
     use super::Clock;
 
-    /// Every Cortex-M has it; 24 bits are 650 000 instructions or more.
+    /// Every Cortex-M has it; 24 bits are 2 600 000 instructions or more.
     pub struct SysTick;
 
     const CONTROL: *mut u32 = 0xE000_E010 as *mut u32;
@@ -57,7 +57,7 @@ mod arm {
         }
     }
 
-    /// A timer of the boards mps2-an385 and mps2-an386, with 32 bits: 160 million instructions.
+    /// A timer of the boards mps2-an385 and mps2-an386, with 32 bits: 670 million instructions.
     pub struct Board;
 
     const BOARD_CONTROL: *mut u32 = 0x4000_0000 as *mut u32;
