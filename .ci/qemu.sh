@@ -9,11 +9,12 @@ semihosting=enable=on,target=native
 for word in "$(basename "$elf")" "${@:3}"; do
     semihosting+=,arg=$word
 done
-# One instruction takes 2^10 ns of virtual time (on RISC-V 1 ns). So runs repeat exactly, and the
+# One instruction takes 2^8 ns of virtual time (on RISC-V 1 ns). So runs repeat exactly, and the
 # counting firmware reads instructions from a timer.
-arch=arm shift=10
+arch=arm shift=8
 case $target in
-thumbv6m-*) board=(microbit) ;;
+# More memory than the real one has: what a program may use is said by memory.x.
+thumbv6m-*) board=(microbit -global nrf51-soc.sram-size=65536) ;;
 thumbv7m-*) board=(mps2-an385) ;;
 thumbv7em-*) board=(mps2-an386) ;;
 # The boards with a Cortex-M33 have their flash at another address. This board takes any core.

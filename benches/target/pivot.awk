@@ -5,12 +5,12 @@
 # its budgets if there are any.
 BEGIN {
     FS = "|"
-    cores = split("M0,M3,M4F,M33,RV32,M0+ cycles", core, ",")
-    about["kernel"] = "Instructions with operands in registers, mean of 64 inputs of a class. M0+ cycles are modelled, see plugin/src/cost.rs."
+    cores = split("M0,M0 at s,M3,M4F,M33,RV32,M0+ cycles", core, ",")
+    about["kernel"] = "Instructions with operands in registers, mean of 64 inputs of a class, at opt-level 3 and (M0 at s) \"s\". M0+ cycles are modelled, see plugin/src/cost.rs."
     about["reference"] = "The same by reference: less an empty call."
     about["scenes"] = "Instructions of one step of a whole scene by reference, mean of 64 steps."
-    about["frames"] = "Instructions of single frames in a level of all shapes, by reference: the far end of many."
-    about["stack"] = "Bytes of stack below the caller, the most of 64 inputs at opt-level 3: operands and answer are the caller's."
+    about["frames"] = "Instructions of single frames by reference, in a level of all shapes or of a hero in a platformer: the far end of many."
+    about["stack"] = "Bytes of stack below the caller, the most of 64 inputs (of a hero: of 4000 frames): operands and answer are the caller's."
     about["bound"] = "Bytes of stack that no input exceeds, at opt-level \"s\", by public function: all frames of the deepest chain of calls, a place for the answer\n" \
         "included, what a caller's own function takes not. The most of all types that a line of flash/src/bin/everything_*.rs is written for: levels joined of three."
     about["pairs"] = "Instructions a frame of N bodies that all move, and all pairs. The boxes are at hand; 6 to 24 units, 32 cells, up to 2 a frame.\n" \

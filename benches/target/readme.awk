@@ -24,7 +24,13 @@ BEGIN {
     add("kernel", "shapes: circle moves, <= 4 a frame", "circle moves and slides among all shapes", "move_and_slide, circle, AllShapes")
     add("kernel", "ride, box is carried", "box is carried by a platform, one of four", "ride on solids, AABB, Blocks")
     add("scenes", "64 bodies awake, step", "a scene of 64 bodies, one step", "")
-    cores = split("M0,M0+ cycles,M3,M4F,M33,RV32", core, ",")
+    add("scenes", "64 bodies awake that lie, step", "the same, when most lie on others", "")
+    add("scenes", "30 balls packed and bouncing, step", "a scene of 30 balls, packed and bouncing", "")
+    played("a hero among blocks")
+    played("a hero among slopes")
+    played("a hero among blocks with a lift")
+    played("a hero among slopes with a lift")
+    cores = split("M0 at s,M0,M0+ cycles,M3,M4F,M33,RV32", core, ",")
 }
 
 function add(section, row, title, program) {
@@ -34,8 +40,16 @@ function add(section, row, title, program) {
     say[rows] = title
     flash[rows] = program
 }
+# A hero's frame: its mean and its most are two rows of counts.txt, its stack is a third.
+function played(row, i) {
+    add("frames", row ", mean of 4000", row ": a frame", "")
+    stack_row[rows] = row
+    add("frames", row ", most of 4000", row ": the longest of 4000", "")
+    stack_row[rows] = ""
+}
 function trim(s) { gsub(/^ +| +$/, "", s); return s }
 function shown(where) { return where in value ? sprintf("%.0f", value[where]) : "" }
+function larger(a, b) { return b + 0 > a + 0 ? b : a }
 # Prints 1234567 as 1 234 567.
 function spaced(n, s) {
     if (n == "") return ""
@@ -57,11 +71,16 @@ section != "" {
     if (section == "game flash") game[++games] = trim($1)
 }
 
+function snapshot(how, row) {
+    row = "stack" SUBSEP "a snapshot of 16 bodies, " how SUBSEP "M0"
+    return spaced(larger(shown(row), shown(row " at s")))
+}
+
 END {
-    line = "| | M0"
+    line = "| | " core[1]
     for (c = 2; c <= cores; c++) line = line " | " (core[c] ~ /cycles/ ? "*" core[c] "*" : core[c])
     print line " | stack | flash |"
-    print "|---|--:|--:|--:|--:|--:|--:|--:|--:|"
+    print "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
     for (i = 1; i <= rows; i++) {
         line = "| " say[i]
         if (!((key[i], "M0") in value)) {
@@ -74,8 +93,13 @@ END {
             line = line " | " (core[c] ~ /cycles/ && number != "" ? "*" number "*" : number)
         }
         bytes = shown("flash" SUBSEP flash[i] SUBSEP "M0")
-        print line " | " shown("stack" SUBSEP stack_row[i] SUBSEP "M0") " | " (bytes == "" ? "" : spaced(bytes)) " |"
+        print line " | " larger(shown("stack" SUBSEP stack_row[i] SUBSEP "M0"), shown("stack" SUBSEP stack_row[i] SUBSEP "M0 at s")) " | " (bytes == "" ? "" : spaced(bytes)) " |"
     }
+    print ""
+    print "| stack of a snapshot of a scene of 16, which is 1984 bytes large | bytes |"
+    print "|---|--:|"
+    print "| `snapshot`, returned | " snapshot("returned") " |"
+    print "| `snapshot_into`, written in place | " snapshot("written in place") " |"
     print ""
     print "| whole games, bytes | flash, M0 | flash, M3 | static RAM |"
     print "|---|--:|--:|--:|"

@@ -5,7 +5,7 @@
 #
 #   run.sh                 prints and compares; exit 1 if a number is over budget or moved by > 2 %
 #   run.sh --accept        prints, makes these the reviewed tables, and writes them into the README,
-#                          src/boards.md and src/broad/guide.md
+#                          the guide, src/boards.md and src/broad/guide.md
 #   run.sh --readme        only writes the reviewed tables there
 #   run.sh --symbols BIN   prints the symbols that the flash program BIN (src/bin) links, with sizes
 #   run.sh --short         prints and compares all tables of the Cortex-M0 only
@@ -51,7 +51,12 @@ done
 
 # File, mark, and the command that makes a table of counts.txt. The file's table is between two
 # marks.
-tables=(README.md:short:short.awk src/boards.md:counts:readme.awk src/broad/guide.md:bodies:bodies.awk)
+tables=(
+    README.md:short:short.awk
+    guide/a_board_from_zero.md:stack:'short.awk -v page=board'
+    src/boards.md:counts:readme.awk
+    src/broad/guide.md:bodies:bodies.awk
+)
 root=$(cd ../.. && pwd)
 with_table() {
     awk -v begin="<!-- $2:begin" -v end="<!-- $2:end" -v table="awk -f $3 counts.txt" '
@@ -130,7 +135,8 @@ games=(
     'hero_blocks:a hero among blocks:23700:132:23700:132'
     'hero_slopes:a hero among slopes:43200:132:42700:132'
     'hero_blocks_lift:a hero among blocks with a lift:37500:168:37500:168'
-    'hero_slopes_lift:a hero among slopes with a lift:57300:168:56200:168'
+    'hero_slopes_lift:a hero among slopes with a lift:57100:168:56000:168'
+    'scene_blocks:a scene of 30 balls and boxes, among blocks:79000:5800:80000:5800'
     'game_bullets:240 bullets, 32 enemies, pairs and events:70500:13800:70500:13800'
 )
 
@@ -217,13 +223,14 @@ run_on() {
     "$root/.ci/qemu.sh" "${3:-$1}" "$out/$1/release/$2"
 }
 # build_counts "TARGET..." PROGRAM...: builds for all targets at once, so that no core of this
-# computer waits for the last program of a target.
+# computer waits for the last program of a target. `profile=NAME` before it takes another profile
+# than release.
 build_counts() {
     local targets
     read -ra targets <<<"$1"
     shift
     echo "building the counting firmwares $* for ${targets[*]}" >&2
-    cargo build --quiet --release --package tilesat-counts --features chip "${targets[@]/#/--target=}" "${@/#/--bin=}"
+    cargo build --quiet --profile "${profile:-release}" --package tilesat-counts --features chip "${targets[@]/#/--target=}" "${@/#/--bin=}"
 }
 # Crowds do not fit the micro:bit. The M3's board runs the code of both cores.
 run_crowds() { run_on "$1" crowds thumbv7m-none-eabi; }
@@ -240,7 +247,7 @@ if [[ -n $only_core ]]; then
         [[ $core == "$only_core":* ]] && chosen=("$core") || absent+=("${core%:*}")
     done
     [[ -n ${chosen:-} ]] || { echo "run.sh: there is no core $only_core" >&2; exit 2; }
-    [[ $only_core == M0 ]] || absent+=('M0+ cycles')
+    [[ $only_core == M0 ]] || absent+=('M0 at s' 'M0+ cycles')
     counted=("${chosen[@]}")
 fi
 # The emulator's plugin that models cycles. Sets $model to its options, if the emulator accepts it.
@@ -266,6 +273,12 @@ run_modelled() {
     awk -f cycles.awk "$out/$2.merged"
 }
 
+# run_at_s TARGET BIN: runs the firmware at the level of optimisation of the flash tables. Budgets
+# are those of the other level.
+run_at_s() {
+    "$root/.ci/qemu.sh" "$1" "$out/$1/flash/$2" | sed -n 's/^M0|\(.*\)|[0-9]*$/M0 at s|\1|0/p'
+}
+
 # Prints the lines core|section|row|value|budget of all firmwares. They run while the next ones
 # build.
 measure_all() {
@@ -279,13 +292,21 @@ measure_all() {
             present+=("$core")
         fi
     done
-    build_counts "${present[*]#*:}" pairs levels capsules convex segments bodies
+    local firmwares=(pairs levels capsules convex segments bodies heroes)
+    build_counts "${present[*]#*:}" "${firmwares[@]}"
     for core in "${present[@]}"; do
         target=${core#*:} how=run_on
         [[ $core != M0:* ]] || find_plugin
         [[ $core != M0:* || -z $model ]] || how=run_modelled
-        for bin in pairs levels capsules convex segments bodies; do
+        for bin in "${firmwares[@]}"; do
+            # Of heroes no cycles are modelled: a row is thousands of frames.
+            [[ $bin != heroes ]] || how=run_on
             start "$how" "$target" "$bin"
+        done
+        [[ $core == M0:* ]] || continue
+        profile=flash build_counts "$target" "${firmwares[@]}"
+        for bin in "${firmwares[@]}"; do
+            start run_at_s "$target" "$bin"
         done
     done
     if [[ -z $only_core ]]; then

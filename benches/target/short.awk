@@ -1,11 +1,14 @@
 # Prints the README's short table: awk -f short.awk counts.txt. Whole programs come first.
-# readme.awk prints the long one.
+# readme.awk prints the long one. -v page=board prints only the programs, and how much stack to
+# leave, for the guide's board from zero. Stack is that at the level of optimisation that takes
+# more. For a scene it is the bound: bodies meet in too many ways to see the most of it.
 BEGIN {
     FS = "|"
-    program("a hero among blocks", "a `Character` among `Blocks`")
-    program("a hero among slopes", "a `Character` among `Slopes`")
-    program("a hero among blocks with a lift", "a `Character` among `Blocks`, with lifts")
-    program("a hero among slopes with a lift", "a `Character` among `Slopes`, with lifts")
+    hero("a hero among blocks", "a `Character` among `Blocks`")
+    hero("a hero among slopes", "a `Character` among `Slopes`")
+    hero("a hero among blocks with a lift", "a `Character` among `Blocks`, with lifts")
+    hero("a hero among slopes with a lift", "a `Character` among `Slopes`, with lifts")
+    program("a scene of 30 balls and boxes, among blocks", "a `Scene` of 30 bodies, packed and bouncing", "scenes", "30 balls packed and bouncing, step", "bound")
     program("33 bodies among blocks, coins, ladders", "33 bodies among blocks, with coins and ladders")
     program("240 bullets, 32 enemies, pairs and events", "240 bullets and 32 enemies, pairs and events")
     call("AABB-AABB overlaps, hit", "two boxes overlap", "AABB-AABB overlaps", "kernel")
@@ -15,11 +18,20 @@ BEGIN {
     call("ride, box is carried", "a box is carried by a lift", "ride on solids, AABB, Blocks", "kernel")
     call("64 bodies awake, step", "a scene of 64 bodies, one step", "", "scenes")
 }
-function program(row, title) { name[++programs] = row; say[row] = title }
+function hero(row, title) { program(row, title, "frames", row ", mean of 4000", row) }
+function program(row, title, section, counted, stack) {
+    line(title, "game flash", row, section, counted, stack)
+    RAM[lines] = row
+    if (stack != "") shown = lines
+}
 function call(row, title, flash, section) {
-    calls++
-    key[calls] = section SUBSEP row; label[calls] = title; weighs[calls] = flash
-    stack[calls] = section == "scenes" ? "scene: " row : row
+    line(title, "flash", flash, section, row, section == "scenes" ? "bound" : row)
+}
+function line(title, weighed, flash, section, counted, stack) {
+    say[++lines] = title
+    flash_of[lines] = weighed SUBSEP flash
+    count_of[lines] = section SUBSEP counted
+    stack_of[lines] = stack
 }
 function trim(s) { gsub(/^ +| +$/, "", s); return s }
 # Prints 1234567 as 1 234 567.
@@ -29,19 +41,36 @@ function spaced(n, s) {
     for (s = ""; n >= 1000; n = int(n / 1000)) s = sprintf(" %03d", n % 1000) s
     return n s
 }
+function at(where, column) { return (where SUBSEP column) in value ? value[where SUBSEP column] : "" }
+function stack(i, three, small) {
+    if (stack_of[i] == "bound") return at("bound" SUBSEP "scenes: s.step(l, g, each)", "M0")
+    three = at("stack" SUBSEP stack_of[i], "M0")
+    small = at("stack" SUBSEP stack_of[i], "M0 at s")
+    return small + 0 > three + 0 ? small : three
+}
+# The most of the counts: of a hero in a row of its own, else the range's end.
+function most(i, where, range) {
+    where = count_of[i]
+    if (sub(/, mean of 4000$/, ", most of 4000", where)) return at(where, "M0")
+    range = at(where, "M0 least..most")
+    sub(/.*\.\./, "", range)
+    return range
+}
+function kilobytes(i) { return sprintf("%.1f KB", stack(i) / 1024) }
+
 NF < 2 { section = ""; next }
 $1 ~ /^\[.*\]/ {
     section = trim($1)
     section = substr(section, 2, length(section) - 2)
+    for (i = 2; i <= NF; i++) column[i] = trim($i)
     next
 }
-# The Cortex-M0 is the first column of each table.
-section != "" { value[section, trim($1)] = trim($2) }
+section != "" { for (i = 2; i <= NF; i++) if (trim($i) != "-") value[section SUBSEP trim($1) SUBSEP column[i]] = trim($i) }
 END {
-    print "| whole programs and calls | flash, bytes | instructions | stack or static RAM, bytes |"
-    print "|---|--:|--:|--:|"
-    for (i = 1; i <= programs; i++)
-        printf "| %s | %s | | %s |\n", say[name[i]], spaced(value["game flash", name[i]]), spaced(value["RAM", name[i]])
-    for (i = 1; i <= calls; i++)
-        printf "| %s | %s | %s | %s |\n", label[i], spaced(value["flash", weighs[i]]), spaced(value[key[i]]), spaced(value["stack", stack[i]])
+    print "| whole programs and calls | flash, bytes | instructions at \"s\" | at 3 | at most, at 3 | stack, bytes | static RAM, bytes |"
+    print "|---|--:|--:|--:|--:|--:|--:|"
+    for (i = 1; i <= (page == "board" ? shown : lines); i++)
+        printf "| %s | %s | %s | %s | %s | %s | %s |\n", say[i], spaced(at(flash_of[i], "M0")), spaced(at(count_of[i], "M0 at s")), spaced(at(count_of[i], "M0")), spaced(most(i)), spaced(stack(i)), i in RAM ? spaced(at("RAM" SUBSEP RAM[i], "M0")) : ""
+    if (page == "board")
+        printf "\nA hero takes %s of stack, with lifts %s. A step of a scene takes %s at most.\nLeave 2 KB more for your own code.\n", kilobytes(2), kilobytes(4), kilobytes(5)
 }

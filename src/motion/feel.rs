@@ -121,7 +121,11 @@ pub enum Outcome {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[must_use = "the outcome says whether the character lives"]
 #[expect(clippy::struct_excessive_bools, reason = "independent answers, each asked by name")]
+// Words first, as in a `Hit`.
+#[repr(C)]
 pub struct Step {
+    /// The hits of the frame.
+    pub hits: Hits,
     /// The state after the frame.
     pub outcome: Outcome,
     /// Whether it jumped.
@@ -136,8 +140,6 @@ pub struct Step {
     pub ceiling: bool,
     /// The flags of all tiles, segments and solids that it hit, or-ed.
     pub flags: u8,
-    /// The hits of the frame.
-    pub hits: Hits,
 }
 
 impl Step {

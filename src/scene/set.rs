@@ -40,7 +40,7 @@ impl Default for Sleep {
 }
 
 impl Sleep {
-    const DEFAULT: Self = Self { still: Fx::from_bits(1 << 11), steps: 30 };
+    pub(super) const DEFAULT: Self = Self { still: Fx::from_bits(1 << 11), steps: 30 };
 }
 
 /// Up to N bodies in a broad phase, moved through a level by one call per frame.

@@ -81,27 +81,52 @@ impl Kept {
     pub(super) const FREE: Self = Self::of(&Slot::FREE);
 }
 
+impl<B, const N: usize> Snapshot<B, N> {
+    /// The state of a new scene on this empty broad phase: a value that
+    /// [`snapshot_into`](Scene::snapshot_into) fills. It may be a `static`.
+    #[must_use]
+    pub const fn new(near: B) -> Self {
+        Self { near, kept: [Kept::FREE; N], awake: [0; N], count: 0, sleep: Sleep::DEFAULT }
+    }
+}
+
 impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize> Scene<B, N, M> {
     /// The state as of now.
     ///
-    /// Cost: one pass over the slots, and a copy of the broad phase.
+    /// Cost: one pass over the slots, and a copy of the broad phase. The snapshot may be on the
+    /// stack once or twice on its way to the caller: where that is too much, use
+    /// [`snapshot_into`](Self::snapshot_into).
     #[must_use]
     #[inline]
     pub fn snapshot(&self) -> Snapshot<B, N> {
-        let mut taken = Snapshot {
-            near: self.near,
-            kept: [Kept::FREE; N],
-            awake: [0; N],
-            count: self.count as u16,
-            sleep: self.sleep,
-        };
-        for (kept, slot) in taken.kept.iter_mut().zip(&self.slots) {
+        let mut taken = Snapshot::new(self.near);
+        self.snapshot_into(&mut taken);
+        taken
+    }
+
+    /// Writes the state as of now over another one, in place: the stack needed is a few words.
+    ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::scene::{SceneTag, Snapshot};
+    /// use tilesat::Scene;
+    /// // The states before the last eight frames, as a ring. It may be a `static` as well.
+    /// let mut states = [const { Snapshot::new(SortSweep::<8, SceneTag>::new()) }; 8];
+    /// let scene = Scene::<_, 8>::new(SortSweep::new());
+    /// let frame = 21;
+    /// scene.snapshot_into(&mut states[frame % 8]);
+    /// assert_eq!(states[frame % 8], scene.snapshot());
+    /// ```
+    pub fn snapshot_into(&self, snapshot: &mut Snapshot<B, N>) {
+        snapshot.near = self.near;
+        (snapshot.count, snapshot.sleep) = (self.count as u16, self.sleep);
+        for (kept, slot) in snapshot.kept.iter_mut().zip(&self.slots) {
             *kept = Kept::of(slot);
         }
-        for (at, handle) in taken.awake.iter_mut().zip(self.awake()) {
+        snapshot.awake.fill(0);
+        for (at, handle) in snapshot.awake.iter_mut().zip(self.awake()) {
             *at = handle.slot() as u16;
         }
-        taken
     }
 
     /// Goes back to a state. Nothing of the present one is left.

@@ -19,6 +19,8 @@ use crate::world::{Cell, Feature, Geometry, World};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+// As a `Hit`.
+#[repr(C)]
 pub struct Support {
     /// The exact normal of the floor.
     pub axis: Axis,

@@ -1,8 +1,8 @@
 //! The emulated core's own count of instructions.
 //!
-//! Under `-icount shift=10` one instruction takes 1024 ns of virtual time. Timers of a Cortex-M
-//! count in that time. SysTick runs at 12.5 to 25 MHz, so it moves by 12.8 to 25.6 ticks per
-//! instruction. A RISC-V core counts retired instructions itself.
+//! Under `-icount shift=8` one instruction takes 256 ns of virtual time. Timers of a Cortex-M count
+//! in that time. SysTick runs at 12.5 to 25 MHz, so it moves by 3.2 to 6.4 ticks per instruction. A
+//! RISC-V core counts retired instructions itself.
 
 /// A count that changes by a fixed amount per instruction.
 pub trait Clock {
@@ -25,7 +25,7 @@ pub use riscv::{Retired as Long, Retired as Short};
 mod arm {
     use super::Clock;
 
-    /// Every Cortex-M has it. Its 24 bits last for at least 650 000 instructions.
+    /// Every Cortex-M has it. Its 24 bits last for at least 2 600 000 instructions.
     pub struct SysTick;
 
     const CONTROL: *mut u32 = 0xE000_E010 as *mut u32;
@@ -57,7 +57,7 @@ mod arm {
         }
     }
 
-    /// A timer of the boards mps2-an385 and mps2-an386. Its 32 bits last for 160 million
+    /// A timer of the boards mps2-an385 and mps2-an386. Its 32 bits last for 670 million
     /// instructions.
     pub struct Board;
 

@@ -20,5 +20,6 @@ fn main() -> ! {
     let mut table = Table::start();
     solids::rows(&mut table);
     scene::rows(&mut table, scene);
+    scene::snapshots();
     table.end()
 }
