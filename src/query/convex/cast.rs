@@ -197,6 +197,6 @@ mod tests {
             wrong += u64::from(s.cmp(&t) != exact);
             equal += u64::from(exact.is_eq());
         }
-        assert!(near > cases(40_000) / 40 && wrong > 50 && equal > 10, "{near} {wrong} {equal}");
+        assert!(near > cases(40_000) / 40 && wrong > 0 && equal > 10, "{near} {wrong} {equal}");
     }
 }

@@ -47,7 +47,6 @@ fn beside(r: &mut Random, far: i32) -> ((i32, i32), (i32, i32)) {
 fn pairs<A: Copy + Overlaps<A> + OverlapsFrom<A> + Contacts<A>>(
     table: &mut Table,
     names: [&str; 4],
-    budgets: [Option<(u32, u32)>; 2],
     make: fn(&mut Random, (i32, i32)) -> Option<A>,
 ) {
     let overlaps: Query<A, A, bool> = |a, b| MaybeUninit::new(a.overlaps(b));
@@ -58,8 +57,8 @@ fn pairs<A: Copy + Overlaps<A> + OverlapsFrom<A> + Contacts<A>>(
     };
     let hit = move |r: &mut Random| pair(r, 16).filter(|(a, b)| a.overlaps(b));
     let miss = move |r: &mut Random| pair(r, 60).filter(|(a, b)| !a.overlaps(b));
-    table.row(names[0], budgets[0], overlaps, loads, hit, |&yes| yes);
-    table.row(names[1], budgets[1], overlaps, loads, miss, |&yes| !yes);
+    table.row(names[0], None, overlaps, loads, hit, |&yes| yes);
+    table.row(names[1], None, overlaps, loads, miss, |&yes| !yes);
     // With the side that separates them.
     let hinted: Query<(A, Separation), A, bool> = |a, b| {
         let mut last = a.1;
@@ -71,7 +70,7 @@ fn pairs<A: Copy + Overlaps<A> + OverlapsFrom<A> + Contacts<A>>(
         a.overlaps_from(&b, &mut last);
         Some(((a, last), b))
     };
-    table.row(names[2], budgets[1], hinted, |_, _| load::<_, _, _, 4, 4>, known, |&yes| !yes);
+    table.row(names[2], None, hinted, |_, _| load::<_, _, _, 4, 4>, known, |&yes| !yes);
     let contact: Query<A, A, Option<tilesat::Contact>> = |a, b| MaybeUninit::new(a.contact(b));
     table.row(names[3], None, contact, |_, _| load::<_, _, _, 4, 4>, hit, Option::is_some);
 }
@@ -111,13 +110,11 @@ fn main() -> ! {
             "turned boxes overlap, apart by the last side",
             "turned boxes, contact",
         ],
-        [Some((700, 250)), Some((250, 90))],
         turned_at,
     );
     pairs(
         &mut table,
         ["quads overlap, hit", "quads overlap, apart", "quads overlap, apart by the last side", "quads, contact"],
-        [Some((700, 250)), Some((250, 90))],
         quad_at,
     );
     pairs(
@@ -128,7 +125,6 @@ fn main() -> ! {
             "capsules overlap, apart by the last side",
             "capsules, contact",
         ],
-        [Some((900, 200)), Some((900, 200))],
         capsule_at,
     );
     let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_bits(CELL * UNIT), Vec2::ZERO);
