@@ -86,14 +86,14 @@ fn what_a_level_is_made_of_changes_no_bit() {
         let bytes = polygons(&level).bytes();
         // Full cells are tiles of one map, tiles of another, or solids.
         let (mut first, mut second, mut rest, mut list) = (level.clone(), level.clone(), level.clone(), Vec::new());
-        for k in 0..level.tiles.len() {
+        for (k, id) in level.tiles.iter().enumerate() {
             if r.one_in(2) {
-                first.tiles[k] = 0
+                first.tiles[k] = 0;
             } else {
-                second.tiles[k] = 0
+                second.tiles[k] = 0;
             }
             let (x, y) = (k as i64 % WIDE * cell, k as i64 / WIDE * cell);
-            if level.tiles[k] == 1 && r.one_in(2) {
+            if *id == 1 && r.one_in(2) {
                 rest.tiles[k] = 0;
                 list.push(solid((x, y), (x + cell, y + cell), k as u16));
             }
