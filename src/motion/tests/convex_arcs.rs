@@ -213,7 +213,14 @@ fn on_all_scales() {
                 let by = (there.0 - own.0 - part(d.0) + r.around(1), there.1 - own.1 - part(d.1) + r.around(1));
                 check((a, convex), &body.at(by), d, &mut tally);
             }
-            balanced(&tally, cases(8_000) / 200);
+            println!("{tally:?}");
+            assert!(tally.arcs > cases(8_000) / 200 && tally.misses > cases(8_000) / 200, "{tally:?}");
+            assert!(tally.aside <= (tally.arcs + tally.others) / 25, "{tally:?}");
+            // How early a hit is shows on the smaller scales only: on the others floating point
+            // leaves too many overlaps undecided.
+            if bits < 16 {
+                balanced(&tally, cases(8_000) / 200);
+            }
         }
     }
 }
