@@ -93,6 +93,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod along;
 mod blocks;
 mod body;
 mod cast;
@@ -142,7 +143,7 @@ pub mod response {
 
     pub use acceleration::{Acceleration, Carry};
     pub use impact::{Masses, Split, bounce, exchange, respond, separate, slide, split};
-    pub(in crate::motion) use reply::{Bounce, Reply};
+    pub(in crate::motion) use reply::{Bounce, ReplyFn};
     pub(in crate::motion) use surface::law::Law;
     pub use surface::{Energy, Smooth, Speed, Surface};
     pub use table::{ByFlags, ByHit, Response, Responses};

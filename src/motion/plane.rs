@@ -2,7 +2,7 @@
 //! quarter pipe.
 
 use super::body::kernel::Kernel;
-use super::response::{Law, Reply};
+use super::response::{Law, ReplyFn};
 use crate::num::{Axis, Raw, Toi, div_sqrt, isqrt64_ceil, mul_div, umul};
 use crate::query::cast::side::along;
 use crate::world::World;
@@ -176,7 +176,7 @@ fn toward(speed: u32, unit: i32, side: i32) -> i32 {
 
 /// `v` after a bounce: never longer than `v` (or its reference speed), never into the plane.
 /// Unchanged if it does not move in.
-pub(super) fn reflect<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S, reply: Reply) -> Raw {
+pub(super) fn reflect<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S, reply: ReplyFn) -> Raw {
     if S::SMOOTH && !may_be_askew::<B, W>() {
         if into(v, n) >= 0 {
             return v;

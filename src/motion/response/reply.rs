@@ -160,12 +160,12 @@ pub(super) fn settle(q: Raw, n: Axis, bound: u64, step: i32) -> Option<Raw> {
 }
 
 /// The reply to a velocity: [`reply`]. A program without a mover that bounces links none of it.
-pub(in crate::motion) type Reply = fn(Raw, Axis, &Rule) -> Raw;
+pub(in crate::motion) type ReplyFn = fn(Raw, Axis, &Rule) -> Raw;
 
 /// Whether a mover bounces, and with which function. It holds the function's address: a function
 /// that is named directly would be linked even if nobody calls it.
 #[derive(Clone, Copy, Default)]
-pub(in crate::motion) struct Bounce(pub(in crate::motion) Option<Reply>);
+pub(in crate::motion) struct Bounce(pub(in crate::motion) Option<ReplyFn>);
 
 impl Bounce {
     pub(in crate::motion) const NONE: Self = Self(None);
