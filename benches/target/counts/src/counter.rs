@@ -11,7 +11,8 @@ use tilesat_chip::{eprintln, process};
 
 /// A calibrated counter.
 pub struct Counter<C> {
-    /// Ticks that 65 536 instructions take.
+    /// Ticks that 2^20 instructions take: then a tick more or less is a quarter of an instruction in a
+    /// million.
     ticks: u64,
     clock: PhantomData<C>,
 }
@@ -23,7 +24,7 @@ impl<C: Clock> Counter<C> {
         // The emulator settles a timer at its first reading.
         time_two::<C>(black_box(1));
         let one = time_two::<C>(black_box(1));
-        let many = time_two::<C>(black_box(1 + 32_768));
+        let many = time_two::<C>(black_box(1 + (1 << 19)));
         let counter = Self { ticks: u64::from(many - one), clock: PhantomData };
         let wrong = counter.wrong_loops();
         if wrong != 0 {
@@ -35,7 +36,7 @@ impl<C: Clock> Counter<C> {
 
     /// The instructions that took so many ticks.
     pub fn instructions(&self, ticks: u32) -> u32 {
-        ((u64::from(ticks) * 65_536 + self.ticks / 2) / self.ticks) as u32
+        (((u64::from(ticks) << 20) + self.ticks / 2) / self.ticks) as u32
     }
 
     /// The instructions of a call, with some of the call's own.
