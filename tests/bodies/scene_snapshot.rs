@@ -83,6 +83,9 @@ fn goes_on<B: BroadPhase<Tag = SceneTag> + Copy + PartialEq + core::fmt::Debug>(
         }
         // The twin was just restored, from any earlier state.
         let mut twin = Scene::<B, BODIES>::new(near);
+        // Written over again and again, whatever was in it.
+        let mut kept = Snapshot::new(near);
+        assert_eq!(kept, twin.snapshot(), "an empty one");
         for frame in 0..120 {
             // The same changes for both: everything that a call reads is in the snapshot.
             let seed = case * 1000 + frame;
@@ -94,6 +97,8 @@ fn goes_on<B: BroadPhase<Tag = SceneTag> + Copy + PartialEq + core::fmt::Debug>(
                 change(&mut twin, &mut Random::new(seed), &mut key);
             }
             key = next;
+            scene.snapshot_into(&mut kept);
+            assert_eq!(kept, scene.snapshot(), "case {case}, frame {frame}: in place");
             assert_eq!(Scene::from(&scene.snapshot()).snapshot(), scene.snapshot(), "case {case}, frame {frame}");
             let (one, other) = (step(&mut scene, &map), step(&mut twin, &map));
             assert_eq!(one, other, "case {case}, frame {frame}");

@@ -10,7 +10,8 @@ use tilesat_chip::{eprintln, process};
 
 /// A calibrated counter.
 pub struct Counter<C> {
-    /// Ticks of 65 536 instructions.
+    /// Ticks of 2^20 instructions. One tick more or less is then a quarter of an instruction in a
+    /// million.
     ticks: u64,
     clock: PhantomData<C>,
 }
@@ -22,7 +23,7 @@ impl<C: Clock> Counter<C> {
         // The emulator settles a timer at its first reading.
         time_two::<C>(black_box(1));
         let one = time_two::<C>(black_box(1));
-        let many = time_two::<C>(black_box(1 + 32_768));
+        let many = time_two::<C>(black_box(1 + (1 << 19)));
         let counter = Self { ticks: u64::from(many - one), clock: PhantomData };
         let wrong = counter.wrong_loops();
         if wrong != 0 {
@@ -34,7 +35,7 @@ impl<C: Clock> Counter<C> {
 
     /// Converts ticks to instructions.
     pub fn instructions(&self, ticks: u32) -> u32 {
-        ((u64::from(ticks) * 65_536 + self.ticks / 2) / self.ticks) as u32
+        (((u64::from(ticks) << 20) + self.ticks / 2) / self.ticks) as u32
     }
 
     /// The instructions of a call, including some of the call itself.

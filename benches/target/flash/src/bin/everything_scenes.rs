@@ -2,7 +2,7 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::broad::{BruteForce, Handle, LooseGrid, Pair, SortSweep, SpatialHash};
 use tilesat::prelude::*;
-use tilesat::scene::{SceneEvent, SceneTag, Shape, Sleep};
+use tilesat::scene::{SceneEvent, SceneTag, Shape, Sleep, Snapshot};
 use tilesat::world::{AllShapes, Joined, SegmentMap, Solids, TileMap};
 use tilesat::{Aabb, Circle, Scene, SceneBody, Vec2};
 use tilesat_flash::keep;
@@ -27,6 +27,9 @@ macro_rules! scenes {
             |s: &mut Scene<$near, $n>, h: Handle, shape: Shape| s.place(h, shape);
             |s: &mut Scene<$near, $n>, h: Handle| s.wake(h);
             |s: &mut Scene<$near, $n>, region: &Aabb| s.wake_region(region);
+            |s: &Scene<$near, $n>| s.snapshot();
+            |s: &Scene<$near, $n>, into: &mut Snapshot<$near, $n>| s.snapshot_into(into);
+            |s: &mut Scene<$near, $n>, from: &Snapshot<$near, $n>| s.restore(from);
             |s: &mut Scene<$near, $n>, l: &TileMap<'_>, g: Vec2, each: fn(SceneEvent<'_>)| s.step(l, g, each);
         })+
     };

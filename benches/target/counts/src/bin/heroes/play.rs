@@ -16,9 +16,8 @@ use tilesat_counts::stack::depth;
 const FRAMES: u32 = 4000;
 
 static BLOCKS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'=', TileKind::ONE_WAY_UP);
-static SLOPES: TileKinds = BLOCKS
-    .with(b'/', TileKind::of(TileShape::SlopeBottomRight))
-    .with(b'\\', TileKind::of(TileShape::SlopeBottomLeft));
+static SLOPES: TileKinds =
+    BLOCKS.with(b'/', TileKind::of(TileShape::SlopeBottomRight)).with(b'\\', TileKind::of(TileShape::SlopeBottomLeft));
 /// Among blocks its slopes are empty. The lift goes up and down in the pit.
 static TILES: [[u8; 24]; 10] = [
     *b"#......................#",
