@@ -2,6 +2,7 @@
 //! what a user says.
 
 mod cells;
+mod doubts;
 pub mod flags;
 mod form;
 pub mod ground;
