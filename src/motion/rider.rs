@@ -68,7 +68,7 @@ impl<B: Body> Character<B> {
     ///     let steps = Character::step_all(&mut heroes, &level, &mut lift, &inputs)?;
     ///     assert!(steps.iter().all(|step| step.outcome == Outcome::Moved));
     /// }
-    /// assert_eq!(heroes.map(|hero| hero.body().min().x), [fx!(8), fx!(29.75)]);
+    /// assert_eq!(heroes.map(|hero| hero.body().min().x), [fx!(8), fx!(29.5)]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///

@@ -5,9 +5,10 @@ use std::collections::{BTreeMap, HashSet};
 use serde::{Serialize, Serializer};
 use tilesat::{TileKinds, TileShape};
 
-use super::Baked;
+use super::{Baked, things};
 use crate::fail::{Fail, Result};
 use crate::rules::names;
+use crate::rules::outline::LeftOut;
 
 #[derive(Serialize)]
 struct Line<'a> {
@@ -32,6 +33,10 @@ struct Used<'a> {
     rule: String,
     what: &'a str,
     tiles: u64,
+}
+
+fn told(object: &LeftOut) -> String {
+    format!("{}: {}", object.title, object.why)
 }
 
 fn in_order<S: Serializer>(flags: &[(&str, u64)], to: S) -> std::result::Result<S::Ok, S::Error> {
@@ -83,8 +88,19 @@ impl Baked {
     /// Drawings that are not part of the level.
     pub fn ignored(&self) -> Vec<String> {
         let mut seen = HashSet::new();
-        let objects = self.ground.left_out.iter().map(|object| format!("{}: {}", object.title, object.why));
+        let objects = self.ground.left_out.iter().map(told);
         self.ground.ignored.iter().cloned().chain(objects).filter(|line| seen.insert(line.clone())).collect()
+    }
+
+    /// The objects that are not solid and are in `OBJECTS`.
+    pub fn listed(&self) -> Vec<String> {
+        self.ground.left_out.iter().filter(|object| things::is_listed(object)).map(told).collect()
+    }
+
+    /// Drawings that are in no output.
+    pub fn unused(&self) -> Vec<String> {
+        let listed = self.listed();
+        self.ignored().into_iter().filter(|line| !listed.contains(line)).collect()
     }
 
     /// Bytes of tiles, of the table of kinds and of segments.

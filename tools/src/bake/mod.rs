@@ -12,6 +12,7 @@ pub mod reopen;
 mod report;
 pub mod segments;
 pub(crate) mod source;
+pub(crate) mod things;
 mod view;
 
 pub use baked::Baked;

@@ -21,8 +21,17 @@ pub(crate) fn modules<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
 
 /// A constant name for each flag: `FLAG_` and the name in capitals, each unique.
 pub(crate) fn constants<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
+    capitals("FLAG_", names)
+}
+
+/// A constant for each object: `OBJECT_` and the name in capitals, each one different.
+pub(crate) fn objects<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
+    capitals("OBJECT_", names)
+}
+
+fn capitals<'a>(prefix: &str, names: impl Iterator<Item = &'a str>) -> Vec<String> {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
-    unique(names.map(|name| format!("FLAG_{}", name.chars().map(plain).collect::<String>())))
+    unique(names.map(|name| format!("{prefix}{}", name.chars().map(plain).collect::<String>())))
 }
 
 /// A repeated name gets a number.

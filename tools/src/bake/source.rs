@@ -7,7 +7,7 @@ use tilesat::{Fx, PathKind, Vec2};
 use super::bundle::Bundle;
 use super::level::Level;
 use super::segments::Shapes;
-use super::{Baked, items, names};
+use super::{Baked, items, names, things};
 
 /// The compiler takes too long to build a map with more segments than this. Such a level includes
 /// bytes.
@@ -50,6 +50,10 @@ pub(crate) fn several(bundle: &Bundle) -> String {
     text += &items::flags(&flags(bundle));
     text += "/// The meaning of the ids of all levels.\n#[rustfmt::skip]\n";
     text += &items::kinds(&bundle.kinds);
+    let objects = bundle.levels.iter().any(has_objects);
+    if objects {
+        text += things::TYPE;
+    }
     for (level, module) in bundle.levels.iter().zip(modules(bundle)) {
         let title: String = level.ground.name.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
         let _ = writeln!(text, "\n/// {title}\npub mod {module} {{");
@@ -59,6 +63,10 @@ pub(crate) fn several(bundle: &Bundle) -> String {
             inner += &items::size(tiles);
             inner += &items::tiles(tiles, &bytes(&tiles.tiles, usize::from(tiles.width)));
             map(&mut inner, tiles);
+        }
+        if objects {
+            inner += "#[allow(unused_imports, reason = \"a level may have no object\")]\nuse super::{Object, area};\n";
+            inner += &things::list(&level.ground.left_out);
         }
         rest(&mut inner, level, &Bytes::Here);
         // A byte string continues after any white space at the start of a line.
@@ -106,7 +114,15 @@ fn alone(text: &mut String, level: &Baked, flags: &[(String, u8)], from: &Bytes)
     } else {
         *text += &items::flags(flags).replace("/// The flag bits of the game's rules.\n", "");
     }
+    if has_objects(level) {
+        *text += things::TYPE;
+        *text += &things::list(&level.ground.left_out);
+    }
     rest(text, level, from);
+}
+
+fn has_objects(level: &Baked) -> bool {
+    level.ground.left_out.iter().any(things::is_listed)
 }
 
 /// The position of a level, and its segments.
@@ -137,7 +153,7 @@ fn rest(text: &mut String, level: &Baked, from: &Bytes) {
 
 /// The map of the tiles.
 fn map(text: &mut String, level: &Level) {
-    let tile = Fx::from_num(level.tile);
+    let (tile, bytes) = (Fx::from_num(level.tile), level.tiles.len());
     let set = if level.is_blocks() { "Blocks" } else { "AllShapes" };
     let (origin, place) = match level.origin {
         (0, 0) => ("tilesat::Vec2::ZERO".to_owned(), "at the origin"),
@@ -145,15 +161,22 @@ fn map(text: &mut String, level: &Level) {
     };
     let _ = write!(
         text,
-        "/// The tiles as a level whose first corner is {place}, with nothing outside.\n\
-         pub static MAP: tilesat::TileMap<tilesat::{set}> =\n    \
-         match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit(\"{tile}\"), {origin}) {{\n        \
-         Ok(grid) => match tilesat::TileMap::of(TILES, grid, &KINDS) {{\n            \
-         Ok(map) => map,\n            \
-         Err(_) => panic!(\"the tiles do not fit\"),\n        \
-         }},\n        \
-         Err(_) => panic!(\"the cells do not fit\"),\n    \
-         }};\n"
+        "/// Where the cells are: the first corner is {place}.\n\
+         #[rustfmt::skip]\n\
+         pub const GRID: tilesat::Grid = match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit(\"{tile}\"), {origin}) {{\n    \
+         Ok(grid) => grid,\n    \
+         Err(_) => panic!(\"the cells do not fit\"),\n\
+         }};\n\
+         /// The level as it was drawn, with nothing outside.\n\
+         pub static MAP: tilesat::TileMap<tilesat::{set}> = match map(TILES) {{\n    \
+         Ok(map) => map,\n    \
+         Err(_) => panic!(\"the tiles do not fit\"),\n\
+         }};\n\
+         /// The level of other tiles, such as a copy of `TILES` in RAM that the game changes.\n\
+         #[rustfmt::skip]\n\
+         pub const fn map(tiles: &[u8; {bytes}]) -> Result<tilesat::TileMap<'_, tilesat::{set}>, tilesat::TileMapError> {{\n    \
+         tilesat::TileMap::of(tiles, GRID, &KINDS)\n\
+         }}\n"
     );
 }
 

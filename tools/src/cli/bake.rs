@@ -25,7 +25,8 @@ All levels of an LDtk project are baked together, with one table of tile kinds.
 
 const OPTIONS: &str = "
   -o OUT.rs      write Rust source: constants from which the compiler builds the
-                 level; several levels are a module each
+                 level; several levels are a module each. Objects that are not solid
+                 are in OBJECTS; one with a name has a constant, as OBJECT_SPAWN
   -o OUT.bin     write bytes: for polygons those of SegmentMap::from_bytes, for tiles
                  one per tile (with both: OUT.segments.bin and OUT.tiles.bin; for
                  several levels OUT.LEVEL.bin), and OUT.bin.rs, which describes them
@@ -179,6 +180,9 @@ fn told(baked: &Baked, bundle: &Bundle, lines: &[String], out: &mut dyn Write) {
     let rules: Vec<String> =
         baked.ground.applied.iter().map(|used| format!("{}  {}: {}", used.rule, used.what, used.tiles)).collect();
     list(out, "rule", &rules);
-    list(out, "ignored", &baked.ignored());
+    list(out, "object", &baked.listed());
+    list(out, "ignored", &baked.unused());
+    let doubts: Vec<String> = baked.ground.doubts.iter().map(|(who, what)| format!("{who}: {what}")).collect();
+    list(out, "warning", &doubts);
     list(out, "note", &baked.ground.notes);
 }

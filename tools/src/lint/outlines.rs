@@ -13,6 +13,11 @@ pub(super) fn check(scene: &mut Scene<'_>) {
         let severity = if left_out.suspicious { Warning } else { Note };
         scene.say((severity, "left-out"), vec![who], left_out.at, left_out.why.clone(), "nothing collides with it");
     }
+    for (who, what) in &scene.drawing.doubts {
+        let who = Who { id: 0, title: who.as_str().into(), edge: None };
+        let at = (scene.drawing.origin.0.into(), scene.drawing.origin.1.into());
+        scene.say((Warning, "doubtful"), vec![who], at, what.clone(), "bodies fall through what is not solid");
+    }
     for i in 0..scene.drawing.outlines.len() {
         let outline = &scene.drawing.outlines[i];
         form(scene, i, outline);

@@ -23,7 +23,7 @@ use super::outline::{LeftOut, Outline};
 use super::piece::Piece;
 use super::place::{self, Unit};
 use super::report::Applied;
-use super::{nothing, paths};
+use super::{doubts, nothing, paths};
 use crate::fail::{Fail, Result};
 use crate::model::map::{Content, Map, Place};
 
@@ -52,6 +52,8 @@ pub struct Ground {
     pub ignored: Vec<String>,
     /// Further notes for the user.
     pub notes: Vec<String>,
+    /// What is hardly meant: each a sentence, and who is concerned.
+    pub doubts: Vec<(String, String)>,
     pub place: Option<Place>,
     /// The offset from a point of the map to the level, in pixels, after scaling.
     pub shift: (i32, i32),
@@ -72,6 +74,7 @@ type Made<T> = std::result::Result<T, String>;
 
 fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     let unit = Unit::new(options.scale);
+    let named = flags.names.len();
     let mut layers = Layers::new(map, options, unit)?;
     let mut sheets = Vec::new();
     for layer in layers.all.clone() {
@@ -99,11 +102,23 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
         nothing::explain(map, &sheets, options)?;
         layers.notes.push("it is empty: nothing is drawn".to_owned());
     }
+    let classes = left_out.iter().map(|object| object.class.as_str());
+    let new = flags.names.iter().skip(named).map(String::as_str).filter(|name| !options.is_flag(name));
+    let mut doubts = doubts::near_misses(new.chain(classes));
+    let blocks = |kind: &TileKind| super::names::is_solid(kind.shape);
+    if outlines.is_empty() && !cells.kinds.is_empty() && !cells.kinds.iter().any(blocks) {
+        doubts.push(("the level".to_owned(), "it has no solid tile and no solid object".to_owned()));
+    }
     let Layers { ledger, ignored, notes, .. } = layers;
     let solid = names(&sheets);
     let mut ground = settled(map, cells, outlines, (unit, options.rooms), &solid)?;
     ground.layers = sheets.len();
     ground.left_out = left_out;
+    let shift = (i64::from(ground.shift.0) << 16, i64::from(ground.shift.1) << 16);
+    for corner in ground.left_out.iter_mut().filter_map(|object| object.area.as_mut()).flatten() {
+        *corner = (corner.0 + shift.0, corner.1 + shift.1);
+    }
+    ground.doubts = doubts;
     ground.applied = ledger.0;
     ground.ignored = ignored;
     ground.notes.splice(0..0, notes);
@@ -161,6 +176,7 @@ fn settled(
         applied: Vec::new(),
         ignored: Vec::new(),
         notes,
+        doubts: Vec::new(),
         place: map.place,
         shift: (shift.0 as i32, shift.1 as i32),
     })

@@ -1,6 +1,7 @@
 //! Decides what is solid, by the names of tiles, layers and objects, and by the user's options.
 
 mod cells;
+mod doubts;
 pub mod flags;
 mod form;
 pub mod ground;

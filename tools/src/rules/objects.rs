@@ -49,8 +49,23 @@ pub(super) fn outline(
     let title = Title { id: object.id, name: object.name.clone(), layer: layer.name.clone() };
     let raw = |(x, y): (Decimal, Decimal)| (unit.raw(x + layer.offset.0).0, unit.raw(y + layer.offset.1).0);
     let at = raw(object.at);
-    let left_out = |why: String, suspicious| Ok(Err(LeftOut { title: title.clone(), at, why, suspicious }));
-    let Some(corners) = form::corners(object) else {
+    let all_corners = form::corners(object);
+    let around = match (&object.form, &all_corners) {
+        (Form::Missing(_), _) => Vec::new(),
+        (_, Some(corners)) => corners.points.clone(),
+        (_, None) => vec![object.at, (object.at.0 + object.size.0, object.at.1 + object.size.1)],
+    };
+    let around: Vec<(i64, i64)> = around.into_iter().map(raw).collect();
+    let ends = |along: fn(&(i64, i64)) -> i64| {
+        let values = || around.iter().map(along);
+        values().min().zip(values().max())
+    };
+    let area = ends(|p| p.0).zip(ends(|p| p.1)).map(|((x, right), (y, bottom))| [(x, y), (right, bottom)]);
+    let left_out = |why: String, suspicious| {
+        let class = if object.class.is_empty() { &layer.class } else { &object.class };
+        Ok(Err(LeftOut { title: title.clone(), class: class.clone(), at, area, why, suspicious }))
+    };
+    let Some(corners) = all_corners else {
         return match &object.form {
             Form::Missing(why) => left_out(why.clone(), true),
             Form::Text => left_out("a text".to_owned(), false),

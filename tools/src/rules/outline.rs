@@ -61,8 +61,13 @@ impl Outline {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LeftOut {
     pub title: Title,
+    /// Its class or type, or else that of its layer.
+    pub class: String,
     /// In raw units.
     pub at: (i64, i64),
+    /// The box around it in the level, raw: its smallest and its largest corner. `None` if its form
+    /// is unknown.
+    pub area: Option<[(i64, i64); 2]>,
     pub why: String,
     /// Whether its author may have meant it to be solid.
     pub suspicious: bool,

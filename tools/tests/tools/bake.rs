@@ -60,7 +60,16 @@ fn bytes_equal_the_source() {
     let map = SegmentMap::from_bytes(&bytes).unwrap();
     assert_eq!((map.count(), map.grid()), (quarry::SEGMENTS.count(), quarry::SEGMENTS.grid()));
     assert_eq!(everything(&map), everything(&quarry::SEGMENTS));
-    // Nine outlines are seven paths, because a start and an exit are none. Ice is the last flag.
+    // Nine outlines are seven paths, because a start and an exit are none.
+    // Then objects that are not solid, and the map of other tiles.
+    assert_eq!(quarry::OBJECTS[0].area, quarry::OBJECT_START);
+    assert_eq!(quarry::OBJECTS.iter().map(|object| object.class).collect::<Vec<_>>(), ["Places"; 2]);
+    let mut changed = *quarry::TILES;
+    changed[0] = 0;
+    let corner = |map: &TileMap<'_>| map.kind(tilesat::Cell::new(0, 0));
+    let full = tilesat::TileKind::FULL;
+    assert_eq!((corner(&quarry::MAP), corner(&quarry::map(&changed).unwrap())), (full, tilesat::TileKind::EMPTY));
+    // Ice is the last flag.
     assert_eq!([quarry::FLAG_COIN, quarry::FLAG_LADDER, quarry::FLAG_ICE], [1, 2, 4]);
     let flags = everything(&map).iter().fold(0, |all, feature| all | feature.flags);
     assert_eq!(flags, quarry::FLAG_ICE | quarry::FLAG_LADDER);

@@ -27,6 +27,7 @@ fn tiles(width: u16, height: u16, cells: Vec<TileKind>) -> Ground {
         applied: Vec::new(),
         ignored: Vec::new(),
         notes: Vec::new(),
+        doubts: Vec::new(),
         place: None,
         shift: (0, 0),
     }

@@ -1,5 +1,6 @@
 //! The results for objects of a map: kinds by name, positions by offsets and rotations.
 
+use tilesat_tools::bake::{Settings, bake};
 use tilesat_tools::read::load;
 use tilesat_tools::rules::flags::Flags;
 use tilesat_tools::rules::ground::Ground;
@@ -115,4 +116,51 @@ fn shapes_of_tiles_are_not_the_level() {
     // A comment is none, either.
     let map = objects(r#"<!-- <object id="1" width="9" height="9"/> --><object id="2" width="9" height="9"/>"#);
     assert_eq!(drawing("comment", &map).outlines.len(), 1);
+}
+
+/// What is not solid is for the game: class, name and area.
+#[test]
+fn objects_for_the_game() {
+    let list = r#"<object id="1" name="spawn" type="Spawn" x="20" y="30"><point/></object>
+        <object id="2" name="first lift" class="Lift" x="48" y="64.5" width="32" height="8"/>
+        <object id="3" class="Enemy" x="10" y="60" width="4" height="8" rotation="90"/>
+        <object id="4" name="wall" class="Solid" x="1" y="2" width="3" height="4"/>
+        <object id="5" name="spawn" class="Spawn" x="9000" y="0"><point/></object>"#;
+    let text = objects(list).replacen(">0</data>", ">1</data>", 1).replace("name=\"L\" class=\"Solid\"", "name=\"L\"");
+    let levels = load(&scratch("objects", "game.tmx", text), None).unwrap();
+    let source = bake(&levels.maps, &Settings::default()).unwrap().source();
+    let unit = 1 << 16;
+    let area = |x: i32, y: i32, right: i32, bottom: i32| format!("area({x}, {y}, {right}, {bottom})");
+    let lift = area(48 * unit, 64 * unit + unit / 2, 80 * unit, 72 * unit + unit / 2);
+    let spawn = area(20 * unit, 30 * unit, 20 * unit, 30 * unit);
+    for line in [
+        format!("    Object {{ class: \"Spawn\", name: \"spawn\", area: {spawn} }},"),
+        format!("    Object {{ class: \"Lift\", name: \"first lift\", area: {lift} }},"),
+        // A quarter turn around its corner.
+        format!(
+            "    Object {{ class: \"Enemy\", name: \"\", area: {} }},",
+            area(2 * unit, 60 * unit, 10 * unit, 64 * unit)
+        ),
+        format!("pub const OBJECT_SPAWN: tilesat::Aabb = {spawn};"),
+        format!("pub const OBJECT_FIRST_LIFT: tilesat::Aabb = {lift};"),
+    ] {
+        assert!(source.lines().any(|known| known == line), "{line}\n{source}");
+    }
+    // Neither what is solid nor what lies beyond the domain.
+    assert_eq!(source.matches("Object {").count(), 1 + 3, "{source}");
+}
+
+/// A slip of the pen makes a flag of a floor: it is said.
+#[test]
+fn names_that_are_nearly_a_rule() {
+    let doubts = |class: &str, flags: &[&str]| {
+        let list = format!(r#"<object id="1" class="{class}" x="1" y="2" width="3" height="4"/>"#);
+        let text =
+            objects(&list).replacen(">0</data>", ">1</data>", 1).replace("name=\"L\" class=\"Solid\"", "name=\"L\"");
+        let levels = load(&scratch("objects", "doubts.tmx", text), None).unwrap();
+        let options = Options { flags: flags.iter().map(|&flag| flag.to_owned()).collect(), ..Options::default() };
+        Ground::of(&levels.maps[0], &options, &mut Flags::default()).unwrap().doubts
+    };
+    assert!(doubts("Sollid", &[]).iter().any(|(who, what)| who.contains("Sollid") && what.contains("'solid'")));
+    assert!(doubts("Enemy", &[]).is_empty() && doubts("Solid", &[]).is_empty());
 }

@@ -67,7 +67,7 @@ impl Game {
     /// Plays one frame. The machines carry the player and move. Then the player walks among them.
     pub fn step(&mut self, keys: Keys) -> Result<Ride, MoveError> {
         for (solid, machine) in self.solids.iter_mut().zip(&MACHINES) {
-            *solid = solid.with_motion(machine.motion(self.frame))?;
+            solid.set_motion(machine.motion(self.frame))?;
         }
         self.frame += 1;
         let mover = MOVER.with_drop_through(keys.drop);

@@ -38,15 +38,43 @@ pub static KINDS: TileKinds = TileKinds::EMPTY
     .with(1, TileKind::FULL)
     .with(2, TileKind::EMPTY.with_flags(1))
     .with(3, TileKind::ONE_WAY_UP);
-/// The tiles as a level whose first corner is at the origin, with nothing outside.
-pub static MAP: tilesat::TileMap<tilesat::Blocks> =
-    match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
-        Ok(grid) => match tilesat::TileMap::of(TILES, grid, &KINDS) {
-            Ok(map) => map,
-            Err(_) => panic!("the tiles do not fit"),
-        },
-        Err(_) => panic!("the cells do not fit"),
-    };
+/// Where the cells are: the first corner is at the origin.
+#[rustfmt::skip]
+pub const GRID: tilesat::Grid = match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+    Ok(grid) => grid,
+    Err(_) => panic!("the cells do not fit"),
+};
+/// The level as it was drawn, with nothing outside.
+pub static MAP: tilesat::TileMap<tilesat::Blocks> = match map(TILES) {
+    Ok(map) => map,
+    Err(_) => panic!("the tiles do not fit"),
+};
+/// The level of other tiles, such as a copy of `TILES` in RAM that the game changes.
+#[rustfmt::skip]
+pub const fn map(tiles: &[u8; 510]) -> Result<tilesat::TileMap<'_, tilesat::Blocks>, tilesat::TileMapError> {
+    tilesat::TileMap::of(tiles, GRID, &KINDS)
+}
+/// An object of the level that is not solid. A point has an area without size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Object {
+    pub class: &'static str,
+    pub name: &'static str,
+    pub area: tilesat::Aabb,
+}
+const fn area(x: i32, y: i32, right: i32, bottom: i32) -> tilesat::Aabb {
+    match tilesat::Aabb::new(tilesat::Vec2::from_raw(x, y), tilesat::Vec2::from_raw(right, bottom)) {
+        Ok(area) => area,
+        Err(_) => panic!("an object is outside of the domain"),
+    }
+}
+/// The objects that are not solid, in the order of the file.
+#[rustfmt::skip]
+pub static OBJECTS: &[Object] = &[
+    Object { class: "Places", name: "start", area: area(2621440, 14155776, 2621440, 14155776) },
+    Object { class: "Places", name: "exit", area: area(27262976, 10485760, 28311552, 12582912) },
+];
+pub const OBJECT_START: tilesat::Aabb = area(2621440, 14155776, 2621440, 14155776);
+pub const OBJECT_EXIT: tilesat::Aabb = area(27262976, 10485760, 28311552, 12582912);
 
 use tilesat::{Fx, Path, PathKind, Vec2, segment_map};
 

@@ -50,14 +50,21 @@ pub static KINDS: TileKinds = TileKinds::EMPTY
     .with(14, TileKind::of(TileShape::MildHighBottomRight).with_flags(16))
     .with(15, TileKind::of(TileShape::SteepLowBottomLeft))
     .with(16, TileKind::of(TileShape::ConcaveBottomRight));
-/// The tiles as a level whose first corner is at the origin, with nothing outside.
-pub static MAP: tilesat::TileMap<tilesat::AllShapes> =
-    match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
-        Ok(grid) => match tilesat::TileMap::of(TILES, grid, &KINDS) {
-            Ok(map) => map,
-            Err(_) => panic!("the tiles do not fit"),
-        },
-        Err(_) => panic!("the cells do not fit"),
-    };
+/// Where the cells are: the first corner is at the origin.
+#[rustfmt::skip]
+pub const GRID: tilesat::Grid = match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+    Ok(grid) => grid,
+    Err(_) => panic!("the cells do not fit"),
+};
+/// The level as it was drawn, with nothing outside.
+pub static MAP: tilesat::TileMap<tilesat::AllShapes> = match map(TILES) {
+    Ok(map) => map,
+    Err(_) => panic!("the tiles do not fit"),
+};
+/// The level of other tiles, such as a copy of `TILES` in RAM that the game changes.
+#[rustfmt::skip]
+pub const fn map(tiles: &[u8; 336]) -> Result<tilesat::TileMap<'_, tilesat::AllShapes>, tilesat::TileMapError> {
+    tilesat::TileMap::of(tiles, GRID, &KINDS)
+}
 /// Its position in its world, in pixels of the map: x, y, width, height.
 pub const WORLD: [i32; 4] = [0, 0, 384, 224];

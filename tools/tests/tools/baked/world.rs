@@ -32,15 +32,22 @@ pub mod cave_1 {
         \x01\x03\x00\x00\x00\x00\x00\x01\
         \x01\x01\x01\x01\x01\x01\x01\x01\
     ";
-    /// The tiles as a level whose first corner is at the origin, with nothing outside.
-    pub static MAP: tilesat::TileMap<tilesat::Blocks> =
-        match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
-            Ok(grid) => match tilesat::TileMap::of(TILES, grid, &KINDS) {
-                Ok(map) => map,
-                Err(_) => panic!("the tiles do not fit"),
-            },
-            Err(_) => panic!("the cells do not fit"),
-        };
+    /// Where the cells are: the first corner is at the origin.
+    #[rustfmt::skip]
+    pub const GRID: tilesat::Grid = match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+        Ok(grid) => grid,
+        Err(_) => panic!("the cells do not fit"),
+    };
+    /// The level as it was drawn, with nothing outside.
+    pub static MAP: tilesat::TileMap<tilesat::Blocks> = match map(TILES) {
+        Ok(map) => map,
+        Err(_) => panic!("the tiles do not fit"),
+    };
+    /// The level of other tiles, such as a copy of `TILES` in RAM that the game changes.
+    #[rustfmt::skip]
+    pub const fn map(tiles: &[u8; 48]) -> Result<tilesat::TileMap<'_, tilesat::Blocks>, tilesat::TileMapError> {
+        tilesat::TileMap::of(tiles, GRID, &KINDS)
+    }
     /// Its position in its world, in pixels of the map: x, y, width, height.
     pub const WORLD: [i32; 4] = [0, 0, 128, 96];
 }
@@ -62,15 +69,22 @@ pub mod cave_1_2 {
         \x01\x01\x01\x01\x01\x01\x01\x01\
         \x01\x01\x01\x01\x01\x01\x01\x01\
     ";
-    /// The tiles as a level whose first corner is at the origin, with nothing outside.
-    pub static MAP: tilesat::TileMap<tilesat::Blocks> =
-        match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
-            Ok(grid) => match tilesat::TileMap::of(TILES, grid, &KINDS) {
-                Ok(map) => map,
-                Err(_) => panic!("the tiles do not fit"),
-            },
-            Err(_) => panic!("the cells do not fit"),
-        };
+    /// Where the cells are: the first corner is at the origin.
+    #[rustfmt::skip]
+    pub const GRID: tilesat::Grid = match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+        Ok(grid) => grid,
+        Err(_) => panic!("the cells do not fit"),
+    };
+    /// The level as it was drawn, with nothing outside.
+    pub static MAP: tilesat::TileMap<tilesat::Blocks> = match map(TILES) {
+        Ok(map) => map,
+        Err(_) => panic!("the tiles do not fit"),
+    };
+    /// The level of other tiles, such as a copy of `TILES` in RAM that the game changes.
+    #[rustfmt::skip]
+    pub const fn map(tiles: &[u8; 48]) -> Result<tilesat::TileMap<'_, tilesat::Blocks>, tilesat::TileMapError> {
+        tilesat::TileMap::of(tiles, GRID, &KINDS)
+    }
     /// Its position in its world, in pixels of the map: x, y, width, height.
     pub const WORLD: [i32; 4] = [128, 0, 128, 96];
 }
@@ -92,15 +106,22 @@ pub mod hall {
         \x00\x00\x00\x00\x00\x00\x00\x00\
         \x01\x01\x01\x01\x01\x01\x01\x01\
     ";
-    /// The tiles as a level whose first corner is at the origin, with nothing outside.
-    pub static MAP: tilesat::TileMap<tilesat::Blocks> =
-        match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
-            Ok(grid) => match tilesat::TileMap::of(TILES, grid, &KINDS) {
-                Ok(map) => map,
-                Err(_) => panic!("the tiles do not fit"),
-            },
-            Err(_) => panic!("the cells do not fit"),
-        };
+    /// Where the cells are: the first corner is at the origin.
+    #[rustfmt::skip]
+    pub const GRID: tilesat::Grid = match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+        Ok(grid) => grid,
+        Err(_) => panic!("the cells do not fit"),
+    };
+    /// The level as it was drawn, with nothing outside.
+    pub static MAP: tilesat::TileMap<tilesat::Blocks> = match map(TILES) {
+        Ok(map) => map,
+        Err(_) => panic!("the tiles do not fit"),
+    };
+    /// The level of other tiles, such as a copy of `TILES` in RAM that the game changes.
+    #[rustfmt::skip]
+    pub const fn map(tiles: &[u8; 48]) -> Result<tilesat::TileMap<'_, tilesat::Blocks>, tilesat::TileMapError> {
+        tilesat::TileMap::of(tiles, GRID, &KINDS)
+    }
     /// Its position in its world, in pixels of the map: x, y, width, height.
     pub const WORLD: [i32; 4] = [-128, 96, 128, 96];
 }
