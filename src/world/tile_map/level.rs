@@ -2,7 +2,6 @@
 //! anything at all.
 
 use super::clear::is_clear;
-use super::occupancy::is_wide;
 use super::surface::BlockSurface;
 use super::{Outside, Set, Store, TileMap};
 use crate::num::Raw;
@@ -121,7 +120,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         while cells.y <= cells.range.y1 {
             let y = cells.y;
             let in_map = self.holds(cells.x, y) && self.holds(last, y);
-            if T::OCCUPIED && in_map && is_wide(cells.x, last) {
+            if T::OCCUPIED && in_map {
                 cells.x = self.next_occupied(cells.x, last, y);
             }
             let mut tile = self.place(cells.x, y);
@@ -189,10 +188,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The cells of a range of the map that a body in the region may meet, and another range with
     /// them.
     const fn met(&self, range: Range, mut found: Range, region: &Aabb, r: Option<i32>) -> Range {
-        let by_words = T::OCCUPIED && is_wide(range.x0, range.x1);
         let mut y = range.y0;
         while y <= range.y1 {
-            let x0 = if by_words { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
+            let x0 = if T::OCCUPIED { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
             let (mut x, mut tile) = (x0, self.place(x0, y));
             while x <= range.x1 {
                 let shape = self.kinds.get(self.id_at(tile)).shape;
