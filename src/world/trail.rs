@@ -111,6 +111,10 @@ impl<W: World> World for Traced<'_, W> {
         self.world.features(region)
     }
 
+    fn features_near(&self, region: &Aabb, joints: bool) -> W::Features<'_> {
+        self.world.features_near(region, joints)
+    }
+
     fn features_ahead(&self, way: &MotionPiece) -> W::Features<'_> {
         self.world.features_ahead(way)
     }

@@ -2,7 +2,6 @@
 //! anything at all.
 
 use super::clear::is_clear;
-use super::occupancy::is_wide;
 use super::surface::{BlockSurface, CellQuery};
 use super::{Outside, Set, Store, TileMap};
 use crate::num::Raw;
@@ -127,7 +126,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             if !self.holds(cells.range.x0, y) || !self.holds(last, y) {
                 return self.next_cell_beyond(cells, x, y);
             }
-            if T::OCCUPIED && is_wide(x, last) {
+            if T::OCCUPIED && x <= last {
                 x = self.next_occupied(x, last, y);
             }
             let mut tile = self.place(x, y);
@@ -218,10 +217,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if range.x0 > range.x1 {
             return found;
         }
-        let by_words = T::OCCUPIED && is_wide(range.x0, range.x1);
         let mut y = range.y0;
         while y <= range.y1 {
-            let x0 = if by_words { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
+            let x0 = if T::OCCUPIED { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
             let (mut tile, last) = (self.place(x0, y), self.place(range.x1, y));
             while tile <= last {
                 let id = self.id_at(tile);

@@ -71,9 +71,9 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy). It gives the same
     /// answers, faster if much is empty.
     ///
-    /// Regions more than 6 cells wide then pass 32 empty tiles by one test, and rays of more than 64
-    /// cells each empty area of 32 x 32 tiles. Overlaps test the columns of a row by one word. Moves
-    /// of small bodies and short rays look at tiles, as without.
+    /// What is asked of many cells then passes 32 empty tiles by one test, and a ray of more than 64
+    /// cells each empty area of 32 x 32 tiles. Short rays look at tiles, as without; moves of bodies
+    /// a few cells wide take a tenth more instructions than without.
     ///
     /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the
     /// compiler for a `const` map. After a tile is written, fill them again.
@@ -180,13 +180,6 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         }
         areas
     }
-}
-
-/// Whether a row of so many columns is looked at by words. Of few columns it is faster to look at
-/// the tiles: with words, a small body's move took 8 to 11 % more instructions on x86-64.
-#[inline]
-pub(super) const fn is_wide(first: i32, last: i32) -> bool {
-    last.wrapping_sub(first) >= 6
 }
 
 /// A walk over the rows of a range.
