@@ -120,7 +120,6 @@ pub enum Outcome {
 /// What happened to a character in one frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[must_use = "the outcome says whether the character lives"]
-#[expect(clippy::struct_excessive_bools, reason = "independent answers, each asked by name")]
 // Words first, as in a `Hit`.
 #[repr(C)]
 pub struct Step {

@@ -213,28 +213,7 @@ fn pass(m: Raw, d: Raw, dir: Axis, at_end: bool) -> Pass {
 pub(crate) fn offset_to_radius(cross: i64, dir: Axis, r: i32, du: i64) -> Ordering {
     let (a, p) = (cross.unsigned_abs(), dir.length_squared());
     let (b, q) = (du.unsigned_abs(), usqr(r.unsigned_abs()));
-    if LONG && let Some(order) = cmp_roughly((a, p), (b, q)) {
-        return order;
-    }
     cmp_squares((a, p), (b, q))
-}
-
-/// Compares `a^2 p` with `b^2 q`, where floats are enough: each conversion and each product is off
-/// by at most one part in 2^53, so each side by one in 2^50; beyond one part in 2^40 the order is
-/// exact. All are below 2^62.
-#[inline]
-#[expect(clippy::cast_precision_loss, clippy::float_arithmetic, reason = "what is lost is counted above")]
-fn cmp_roughly((a, p): (u64, u64), (b, q): (u64, u64)) -> Option<Ordering> {
-    const MARGIN: f64 = 1.0 + 1.0 / (1u64 << 40) as f64;
-    let float = |n: u64| n as i64 as f64;
-    let (left, right) = (float(a) * float(a) * float(p), float(b) * float(b) * float(q));
-    if left * MARGIN < right {
-        Some(Ordering::Less)
-    } else if right * MARGIN < left {
-        Some(Ordering::Greater)
-    } else {
-        None
-    }
 }
 
 /// A motion that enters a disc around the origin: what its moment is computed from.

@@ -173,6 +173,9 @@ fn map(text: &mut String, level: &Level) {
          Err(_) => panic!(\"the tiles do not fit\"),\n\
          }};\n\
          /// The level of other tiles, such as a copy of `TILES` in RAM that the game changes.\n\
+         ///\n\
+         /// # Errors\n\
+         /// None: the array has the size of the level, and the set has all kinds.\n\
          #[rustfmt::skip]\n\
          pub const fn map(tiles: &[u8; {bytes}]) -> Result<tilesat::TileMap<'_, tilesat::{set}>, tilesat::TileMapError> {{\n    \
          tilesat::TileMap::of(tiles, GRID, &KINDS)\n\

@@ -50,6 +50,9 @@ pub static MAP: tilesat::TileMap<tilesat::Blocks> = match map(TILES) {
     Err(_) => panic!("the tiles do not fit"),
 };
 /// The level of other tiles, such as a copy of `TILES` in RAM that the game changes.
+///
+/// # Errors
+/// None: the array has the size of the level, and the set has all kinds.
 #[rustfmt::skip]
 pub const fn map(tiles: &[u8; 510]) -> Result<tilesat::TileMap<'_, tilesat::Blocks>, tilesat::TileMapError> {
     tilesat::TileMap::of(tiles, GRID, &KINDS)

@@ -62,6 +62,9 @@ pub static MAP: tilesat::TileMap<tilesat::AllShapes> = match map(TILES) {
     Err(_) => panic!("the tiles do not fit"),
 };
 /// The level of other tiles, such as a copy of `TILES` in RAM that the game changes.
+///
+/// # Errors
+/// None: the array has the size of the level, and the set has all kinds.
 #[rustfmt::skip]
 pub const fn map(tiles: &[u8; 336]) -> Result<tilesat::TileMap<'_, tilesat::AllShapes>, tilesat::TileMapError> {
     tilesat::TileMap::of(tiles, GRID, &KINDS)

@@ -44,6 +44,9 @@ pub mod cave_1 {
         Err(_) => panic!("the tiles do not fit"),
     };
     /// The level of other tiles, such as a copy of `TILES` in RAM that the game changes.
+    ///
+    /// # Errors
+    /// None: the array has the size of the level, and the set has all kinds.
     #[rustfmt::skip]
     pub const fn map(tiles: &[u8; 48]) -> Result<tilesat::TileMap<'_, tilesat::Blocks>, tilesat::TileMapError> {
         tilesat::TileMap::of(tiles, GRID, &KINDS)
@@ -81,6 +84,9 @@ pub mod cave_1_2 {
         Err(_) => panic!("the tiles do not fit"),
     };
     /// The level of other tiles, such as a copy of `TILES` in RAM that the game changes.
+    ///
+    /// # Errors
+    /// None: the array has the size of the level, and the set has all kinds.
     #[rustfmt::skip]
     pub const fn map(tiles: &[u8; 48]) -> Result<tilesat::TileMap<'_, tilesat::Blocks>, tilesat::TileMapError> {
         tilesat::TileMap::of(tiles, GRID, &KINDS)
@@ -118,6 +124,9 @@ pub mod hall {
         Err(_) => panic!("the tiles do not fit"),
     };
     /// The level of other tiles, such as a copy of `TILES` in RAM that the game changes.
+    ///
+    /// # Errors
+    /// None: the array has the size of the level, and the set has all kinds.
     #[rustfmt::skip]
     pub const fn map(tiles: &[u8; 48]) -> Result<tilesat::TileMap<'_, tilesat::Blocks>, tilesat::TileMapError> {
         tilesat::TileMap::of(tiles, GRID, &KINDS)
