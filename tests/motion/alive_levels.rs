@@ -21,7 +21,7 @@ fn level(r: &mut Random) -> Level {
     let cell = [24 * PX, 16 * PX, 8 * PX, 2 * 54_321][r.below(4) as usize];
     let (dense, full) = ([20, 40, 60][r.below(3) as usize], r.one_in(2));
     let tile = |k: i64| {
-        let ring = k < WIDE || k >= WIDE * (WIDE - 1) || k % WIDE == 0 || k % WIDE == WIDE - 1;
+        let ring = !(WIDE..WIDE * (WIDE - 1)).contains(&k) || k % WIDE == 0 || k % WIDE == WIDE - 1;
         let id = r.within(2, 25);
         let id = if id < 10 { id } else { id + 8 };
         if ring {

@@ -291,6 +291,8 @@ struct Crosses {
 
 /// The same tiles, and nothing where they would be crossed.
 static GHOSTS: TileKinds = KINDS.passing(GLUE | ICE);
+/// The last id has no shape.
+static WITH_HOLES: TileKinds = KINDS.with(151, TileKind::EMPTY);
 
 impl Judge for Crosses {
     fn of<B: Body + PartialEq + Debug>(&mut self, level: &TileMap<'_, AllShapes>, body: B, v: Vec2) {
@@ -302,9 +304,7 @@ impl Judge for Crosses {
                 without[tile.cell.y as usize * SIDE + tile.cell.x as usize] = tile.id;
             }
         }
-        // The last id has no shape.
-        static EMPTY: TileKinds = KINDS.with(151, TileKind::EMPTY);
-        let without = TileMap::<AllShapes>::of(&without, grid, &EMPTY).unwrap().with_outside(Outside::Empty);
+        let without = TileMap::<AllShapes>::of(&without, grid, &WITH_HOLES).unwrap().with_outside(Outside::Empty);
         let ghosts = level.with_kinds::<AllShapes>(&GHOSTS).unwrap();
         let moved = UP.move_and_slide(&ghosts, &body, v);
         assert_eq!(moved, UP.move_and_slide(&without, &body, v), "{body:?} by {v:?}");

@@ -134,6 +134,7 @@ fn has_a_way<W: World, B: Body>(world: &W, body: &B, v: Vec2, cast: &impl Fn(&W,
     })
 }
 
+#[expect(clippy::too_many_arguments, reason = "each differs between levels and bodies")]
 fn play<W: World, B: Body + PartialEq + Debug>(
     world: &W,
     mut body: B,
@@ -147,7 +148,7 @@ fn play<W: World, B: Body + PartialEq + Debug>(
     let mut v = Vec2::ZERO;
     for frame in 0..40 {
         let push = if frame % 8 == 0 { [2, 8, 40][random.below(3) as usize] } else { 0 };
-        v = v + raw(random.around(1 + (push << 16)), random.around(1 + (push << 16)) + (1 << 14));
+        v += raw(random.around(1 + (push << 16)), random.around(1 + (push << 16)) + (1 << 14));
         let (x, y) = v.raw();
         v = Vec2::from_raw(x.clamp(-64 << 16, 64 << 16), y.clamp(-64 << 16, 64 << 16));
         let mover = [Mover::new(), Mover::platformer(Axis::NEG_Y)][random.below(2) as usize];
@@ -234,6 +235,8 @@ fn compounds() {
     assert!(tally.dead * 50_000 <= tally.frames && tally.tiny * 5_000 <= tally.frames, "{tally:?}");
 }
 
+static FULL: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
+
 #[test]
 fn blocks() {
     let mut random = Random::new(6);
@@ -242,9 +245,10 @@ fn blocks() {
     let inner = |random: &mut Random| random.within(2 * CELL, (SIDE as i64 - 2) * CELL);
     for _ in 0..tilesat_judge::cases(60) {
         let mut tiles = tiles(&mut random);
-        tiles.iter_mut().for_each(|t| *t = u8::from(*t != 0));
+        for tile in &mut tiles {
+            *tile = u8::from(*tile != 0);
+        }
         let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_num(16), Vec2::ZERO).unwrap();
-        static FULL: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
         let map = TileMap::on_grid(&tiles, grid, &FULL).unwrap().with_outside(Outside::Empty);
         let mut done = 0;
         while done < 12 {
@@ -270,7 +274,9 @@ fn segments_and_joined_levels() {
     let bounds = Aabb::new(Vec2::from_ints(4, 4), Vec2::from_ints(220, 220)).unwrap();
     for _ in 0..tilesat_judge::cases(60) {
         let mut tiles = tiles(&mut random);
-        tiles.iter_mut().for_each(|t| *t = if random.one_in(3) { *t } else { 0 });
+        for tile in &mut tiles {
+            *tile = if random.one_in(3) { *tile } else { 0 };
+        }
         let map = level(&tiles);
         let joined = Joined::new(&map, &SEGMENTS);
         let mut done = 0;
