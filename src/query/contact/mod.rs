@@ -1,5 +1,6 @@
 //! How two shapes overlap: how deep, which way out, and where.
 
+mod answers;
 mod kernels;
 
 use crate::num::{Axis, Raw, UnitVec2};

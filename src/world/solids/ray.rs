@@ -4,8 +4,9 @@
 //! points just in front of it are in no other box, ends included: a ray meets the surface of the
 //! union. The crossing is a fraction, compared by products.
 
+use super::Solids;
+use super::features::{PieceSet, faces_against, full, in_front, quadrants, quadrants_of};
 use super::solid::Solid;
-use super::{PieceSet, Solids, faces_against, full, in_front, quadrants, quadrants_of};
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, imul};
 use crate::world::ray::scan::{Found, RayScan, RayWorld, hit_of, straight};
