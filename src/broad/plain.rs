@@ -220,8 +220,8 @@ impl PairScan for EachScan<'_> {
 /// body: N (N - 1) / 2 where all touch in x. Nothing is sorted where nothing moved, and where an
 /// enumeration [continues](crate::broad::BroadPhase::pairs_from). An insertion or a move is a
 /// store. A query of a region or a point tests every body's box, and after an enumeration, as long
-/// as nothing moves, only those that begin before the region's right side. RAM: 2 bytes per body, beside box,
-/// tag and the generation's 2 bytes.
+/// as nothing moves, only those that begin before the region's right side. RAM: 2 bytes per body,
+/// beside box, tag and the generation's 2 bytes.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, SortSweep};

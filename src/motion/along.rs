@@ -1,4 +1,4 @@
-//! A motion whose way is told.
+//! A motion that reports its way.
 
 use super::response::Law;
 use super::{Body, MoveError, Moved, Mover};

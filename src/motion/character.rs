@@ -107,8 +107,8 @@ impl<B: Body> Character<B> {
         *self = Self { held: self.held, ..Self::new(body, self.limits, self.feel) };
     }
 
-    /// Changes the body where it stands, and keeps everything else: to crouch, to grow, to nudge it.
-    /// Returns whether there is room. If the new body would overlap the level, nothing changes.
+    /// Changes the body where it stands, and keeps everything else: to crouch, to grow, to nudge
+    /// it. Returns whether there is room. If the new body would overlap the level, nothing changes.
     ///
     /// Keep the feet where they are, or the character falls. With moving solids, pass the level
     /// [`Joined`](crate::Joined) with them.

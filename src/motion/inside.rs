@@ -87,8 +87,8 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
     if body.overlaps_world(world) { Err(stuck) } else { Ok(body) }
 }
 
-/// Turns a body in a level: exchanges it for `turned`, another orientation or size of it, and pushes
-/// that out where it has no room. It never ends inside.
+/// Turns a body in a level: exchanges it for `turned`, another orientation or size of it, and
+/// pushes that out where it has no room. It never ends inside.
 ///
 /// The body must be free. Where `turned` is free too, that is the result. Elsewhere it is pushed as
 /// [`escape`] does, and only as far as its middle gets on a straight line from the body's: a wall

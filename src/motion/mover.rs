@@ -104,9 +104,9 @@ impl<S: Law> Mover<S> {
         Mover { up, response, bounce, limit, drop_through, inside, surface: ByFlags { surface, responses } }
     }
 
-    /// The same mover with a function that says how it responds to each hit: by the flags of a tile,
-    /// the [key](crate::Solids::key_of) of a solid, the normal, one-way or not. `None` is the mover's
-    /// own response. A mover without such a function links no code for it.
+    /// The same mover with a function that says how it responds to each hit: by the flags of a
+    /// tile, the [key](crate::Solids::key_of) of a solid, the normal, one-way or not. `None` is the
+    /// mover's own response. A mover without such a function links no code for it.
     ///
     /// It must return the same for the same hit. For what a body passes, see
     /// [`move_along`](Self::move_along). Call this after [`with_surface`](Self::with_surface).

@@ -262,8 +262,8 @@ fn lay_on<B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: &Feature) 
 fn is_hop(plane: &Plane, u: Raw, made: Raw) -> bool {
     let Plane { normal: n, bend: Bend::Convex } = *plane else { return false };
     let (m, along) = (Raw { x: n.x, y: n.y }, across(u, n));
-    // Mostly s is well above a quarter of rho, which needs no root: `s = |along| / |n|` down to a raw
-    // unit, and `|n| <= |n.x| + |n.y|`.
+    // Mostly s is well above a quarter of rho, which needs no root: `s = |along| / |n|` down to a
+    // raw unit, and `|n| <= |n.x| + |n.y|`.
     let rounding = u64::from(n.x.unsigned_abs().wrapping_add(n.y.unsigned_abs())) << 3;
     if along.unsigned_abs() << 2 > m.len2().wrapping_add(rounding) {
         return false;

@@ -3,8 +3,8 @@
 //! Against a face it is its deepest corner, or the side that is parallel to the face. Against a
 //! corner or an arc, which is a point with a radius, each of its own sides is a face that the point
 //! comes to, and each of its own corners a disc. Which of them is met is decided by the normals: a
-//! disc counts only between the normals of the sides beside it. So each sweep is as exact as that of
-//! a circle.
+//! disc counts only between the normals of the sides beside it. So each sweep is as exact as that
+//! of a circle.
 
 use super::body::Entry;
 use super::body::kernel::Kernel;
@@ -144,8 +144,8 @@ fn sweep(core: Core<'_>, d: Raw, feature: &Feature) -> Option<Entry> {
 /// Entry through a face. As for a box the deepest part must be over the face when it meets the
 /// face's line.
 ///
-/// A sharp corner may meet the line exactly at an end of the face. It then enters if the body, which
-/// is a wedge there, comes to be behind the face itself: whatever continues beyond the end.
+/// A sharp corner may meet the line exactly at an end of the face. It then enters if the body,
+/// which is a wedge there, comes to be behind the face itself: whatever continues beyond the end.
 #[inline(never)]
 fn sweep_straight(core: Core<'_>, d: Raw, face: &Face) -> Option<Entry> {
     let Face { a, dir, len, .. } = *face;

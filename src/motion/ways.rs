@@ -86,9 +86,9 @@ impl Way {
         self.along.map_or((u64::MAX, 1), |p| (across(of, p.normal).unsigned_abs(), p.normal.length_squared()))
     }
 
-    /// Whether it is longer than another projection, if the rounded velocities show that. They differ
-    /// from the lengths before rounding by less than 32 raw, see [`project`]. With
-    /// `|v| <= |v.x| + |v.y|`, squares then need no root: `(|v| + 64)^2`.
+    /// Whether it is longer than another projection, if the rounded velocities show that. They
+    /// differ from the lengths before rounding by less than 32 raw, see [`project`]. With `|v| <=
+    /// |v.x| + |v.y|`, squares then need no root: `(|v| + 64)^2`.
     fn is_clearly_longer(&self, other: &Self) -> Option<bool> {
         let above = |v: Raw, square: u64| {
             let sum = u64::from(v.x.unsigned_abs()).wrapping_add(v.y.unsigned_abs().into());
@@ -414,8 +414,8 @@ mod tests {
         Way { along: Some(Plane::flat(n)), v, presses: false, probe: v, room: Way::UNKNOWN }
     }
 
-    /// Rounded lengths never say the opposite of the exact ones. The second normal is often the first
-    /// one, turned by little or mirrored.
+    /// Rounded lengths never say the opposite of the exact ones. The second normal is often the
+    /// first one, turned by little or mirrored.
     #[test]
     fn rounded_lengths_agree_with_exact_ones() {
         let (mut random, mut told) = (Random::new(17), 0u32);

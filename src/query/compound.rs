@@ -214,8 +214,8 @@ against!([const N: usize,] AnyShape<N>);
 macro_rules! rays {
     ([$($n:tt)*] $shape:ty) => {
         impl<$($n)* const M: usize> Compound<$shape, M> {
-            /// The first point of a part that a ray from `origin` along `motion` meets, by the rules
-            /// of the parts; inside where it starts inside of any.
+            /// The first point of a part that a ray from `origin` along `motion` meets, by the
+            /// rules of the parts; inside where it starts inside of any.
             ///
             /// # Errors
             /// [`RangeError`] where the start or the end is outside of the

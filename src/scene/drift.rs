@@ -14,7 +14,7 @@ pub(super) struct Drift([u8; 3]);
 impl Drift {
     pub(super) const NONE: Self = Self([0; 3]);
 
-    /// The longest that is told from longer ones.
+    /// The longest displacement that is distinguished from longer ones.
     const MOST: i32 = (1 << 11) - 1;
 
     fn steps(self) -> (i32, i32) {

@@ -17,7 +17,8 @@ use crate::shape::Aabb;
 /// too, if the body has come no farther than `still` times `steps` since it rests: on the whole it
 /// was slow. (At least that is the gravity of two steps, at most a unit.) Without this, bodies in a
 /// heap that push each other to and fro would never sleep. If there is gravity, the body also runs
-/// into the level or into another body. A step in the air does not count, and does not end the rest.
+/// into the level or into another body. A step in the air does not count, and does not end the
+/// rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sleep {
@@ -94,9 +95,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
     /// A scene that remembers how bodies at rest lie, in the first M of its N slots.
     ///
-    /// A body that lies tries the same way through the level in each step, and gets nowhere: down by
-    /// gravity, or aside where others push. Such a way is answered from memory, with the same bits
-    /// and the same events.
+    /// A body that lies tries the same way through the level in each step, and gets nowhere: down
+    /// by gravity, or aside where others push. Such a way is answered from memory, with the same
+    /// bits and the same events.
     ///
     /// In return, you must name each region of the level that [changes](Self::wake_region), even if
     /// no body sleeps: a tile, a [`Solid`](crate::Solid) that moves, another level for a body. A

@@ -169,9 +169,9 @@ impl<'a, V: View> Trip<'a, V> {
         }
     }
 
-    /// Whether it has hardly moved: in this step, or on the whole since it has been quiet. In a heap,
-    /// bodies that push each other to and fro would otherwise do so for ever. A body that is slow
-    /// enough to fall asleep may come as far in all the steps that it takes.
+    /// Whether it has hardly moved: in this step, or on the whole since it has been quiet. In a
+    /// heap, bodies that push each other to and fro would otherwise do so for ever. A body that is
+    /// slow enough to fall asleep may come as far in all the steps that it takes.
     fn is_still(&self, slot: &mut Slot, by: Vec2) -> bool {
         let (x, y) = by.raw();
         let Sleep { still, steps } = self.sleep;

@@ -13,8 +13,8 @@ use crate::num::Vec2;
 /// costs more than that of two boxes or circles. Where exits are equally short, the axis is that of
 /// polygons, too.
 ///
-/// It takes as much memory as the polygon, `8 N + 12` bytes on a chip. A game that asks one of these
-/// links that kernel once for all kinds, and no kernel of plain pairs.
+/// It takes as much memory as the polygon, `8 N + 12` bytes on a chip. A game that asks one of
+/// these links that kernel once for all kinds, and no kernel of plain pairs.
 ///
 /// ```
 /// use tilesat::prelude::*;

@@ -74,8 +74,8 @@ macro_rules! single {
 single!([] Aabb, [] Circle, [] Segment, [] Capsule, [] OrientedBox);
 single!([const N: usize] ConvexPolygon<N>, [const N: usize] AnyShape<N>);
 
-/// Up to `M` shapes of one type that move as one: a concave shape by its convex parts, a body with a
-/// shield. [`AnyShape`] mixes types.
+/// Up to `M` shapes of one type that move as one: a concave shape by its convex parts, a body with
+/// a shield. [`AnyShape`] mixes types.
 ///
 /// Each part is where it is put: move it by its offset before. Every verb looks at the bounding box
 /// of all parts first, and at the parts only if that is met. The answers are those of the parts:

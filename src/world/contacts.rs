@@ -190,9 +190,9 @@ contacts_of! {
     /// along x or y, or against the corner that it faces. A box that has none of these has the
     /// nearest slope that it meets at all.
     ///
-    /// Capsules, turned boxes and polygons follow the rules of boxes, with their own sides, and with
-    /// a disc around each corner if they are rounded. The shortest way out comes first, by the depth
-    /// rounded up to raw units; then faces and arcs before corners.
+    /// Capsules, turned boxes and polygons follow the rules of boxes, with their own sides, and
+    /// with a disc around each corner if they are rounded. The shortest way out comes first, by the
+    /// depth rounded up to raw units; then faces and arcs before corners.
     ///
     /// Features seen from behind count only while the body's middle is in the solid: the far side
     /// of a thin wall is not a way out. Circles list the feature first whose distance from the
@@ -235,7 +235,8 @@ contacts_of! {
 }
 
 contacts_of! {
-    /// Writes the features of both levels that a body overlaps to `out`, which is cleared first. Each comes once, the nearest first, as in [`TileMap::contacts`].
+    /// Writes the features of both levels that a body overlaps to `out`, which is cleared first.
+    /// Each comes once, the nearest first, as in [`TileMap::contacts`].
     ///
     /// # Errors
     /// [`Truncated`] if they do not fit: `out` then holds the nearest.
@@ -243,8 +244,8 @@ contacts_of! {
 }
 
 contacts_of! {
-    /// Writes the features of the level at its current position that a body overlaps to `out`, which
-    /// is cleared first; as [`TileMap::contacts`].
+    /// Writes the features of the level at its current position that a body overlaps to `out`,
+    /// which is cleared first; as [`TileMap::contacts`].
     ///
     /// # Errors
     /// [`Truncated`] where they do not fit: `out` then holds the nearest.

@@ -1,7 +1,8 @@
 //! The contact of a convex body with one feature that it overlaps: how deep, and which way out.
 //!
-//! As of a box: of a face the deepest part of the body, of a corner and an arc the least exit across
-//! one of the body's sides, or past one of its rounded corners, in the feature's cone of normals.
+//! As of a box: of a face the deepest part of the body, of a corner and an arc the least exit
+//! across one of the body's sides, or past one of its rounded corners, in the feature's cone of
+//! normals.
 
 use super::contacts::kernel::PushKernel;
 use super::level::{Feature, Geometry, World, ends, in_quadrant, normal, raw};

@@ -72,8 +72,8 @@ fn play(
 }
 
 /// Without other bodies all ways are straight, and so are those of bodies that cross: what is
-/// reported is what touches at the start of a step, and whom each fast body meets on its way, all of
-/// them. The judge looks at places along both ways, in 128 bits.
+/// reported is what touches at the start of a step, and whom each fast body meets on its way, all
+/// of them. The judge looks at places along both ways, in 128 bits.
 #[test]
 fn crossing_changes_no_way_and_reports_all() {
     let map = level(NOWHERE);
@@ -122,7 +122,8 @@ fn crossing_changes_no_way_and_reports_all() {
     assert!(touched > 500 && met > 200 && near < met, "{touched} {met} {near}");
 }
 
-/// Whether two bodies on straight ways meet on the way of a fast one. `None` where a raw unit decides.
+/// Whether two bodies on straight ways meet on the way of a fast one. `None` where a raw unit
+/// decides.
 fn meets(a: &SceneBody, awake_a: bool, b: &SceneBody, awake_b: bool, gravity: Vec2) -> Option<bool> {
     let way = |body: &SceneBody, awake: bool| -> (i128, i128) {
         let weight = if body.floats { Vec2::ZERO } else { gravity };

@@ -1,7 +1,7 @@
 //! Scenes of bullets, crushers, piles and lifts, played by random scripts in three broad phases and
 //! orders of insertion. The judge knows the level's bytes and the lanes, and none of the library's
-//! answers: nobody passes anybody, nobody is in the solid, what is free moves, what may rest sleeps.
-//! `TILESAT_CASES=500` plays ten million frames.
+//! answers: nobody passes anybody, nobody is in the solid, what is free moves, what may rest
+//! sleeps. `TILESAT_CASES=500` plays ten million frames.
 
 use super::swept::{PX, ball, boxed, vec2};
 use core::num::NonZeroU8;

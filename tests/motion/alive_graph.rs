@@ -14,9 +14,9 @@ const PLAYER: Mover = Mover::platformer(Axis::NEG_Y);
 /// Small, so that a search raw unit by raw unit goes far.
 const CELL: i64 = 256;
 
-/// Whether free steps lead as far as `far` along the input: each of one raw unit along x, y or both,
-/// a part of the input, and free all the way. A step from a free place to another may lead through
-/// the corner of a tile that is one raw unit high.
+/// Whether free steps lead as far as `far` along the input: each of one raw unit along x, y or
+/// both, a part of the input, and free all the way. A step from a free place to another may lead
+/// through the corner of a tile that is one raw unit high.
 fn leads_on(room: &Room, body: Body, v: P, far: i64) -> bool {
     let along = |d: P| d.0 * v.0 + d.1 * v.1;
     let steps = (-1..=1).flat_map(|x| (-1..=1).map(move |y| (x, y))).filter(|&d| along(d) > 0);
@@ -46,8 +46,8 @@ fn grown(body: Body, by: i64) -> Body {
     }
 }
 
-/// Whether the way leaves room: from a place just before the end of the body it is free for one that
-/// is larger by two raw units on each side.
+/// Whether the way leaves room: from a place just before the end of the body it is free for one
+/// that is larger by two raw units on each side.
 ///
 /// A mover counts both surfaces as touched that are within its rounding distance of 4 raw. Between
 /// them it finds no way unless both are straight, and those are met where they are.

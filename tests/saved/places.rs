@@ -41,7 +41,8 @@ impl Found {
     }
 }
 
-/// Each byte, to its neighbours, its ends and with each bit turned; and each beginning of the whole.
+/// Each byte, to its neighbours, its ends and with each bit turned; and each beginning of the
+/// whole.
 fn every_byte<T: Serialize + DeserializeOwned>(value: &T, step: usize, used: &mut impl FnMut(T)) -> Found {
     let (written, mut found) = (bytes(value), Found::default());
     for at in (0..written.len()).step_by(step) {

@@ -61,7 +61,8 @@ fn patrols<B: Body + PartialEq>(body: impl Fn(i16) -> B, width: Fx, is_round: bo
         if enemy.ledge_ahead(&level, run).unwrap() {
             let (mut on, start) = (enemy, enemy.body().position());
             let sank = |on: &Character<B>| on.body().position().y - start.y > enemy.feel.snap;
-            // A circle rolls over its edge, and may still follow a ledge of more than the snap down.
+            // A circle rolls over its edge, and may still follow a ledge of more than the snap
+            // down.
             while on.on_floor() && !(is_round && sank(&on)) {
                 let step = on.step(&level, Input { run, ..NOTHING }).unwrap();
                 let way = (on.body().position().x - start.x).abs();

@@ -119,8 +119,8 @@ fn figure(random: &mut Random, c: (i64, i64), size: i64) -> Option<Any> {
     }
 }
 
-/// The solid of one full tile is the box of its cell: contacts are there exactly where they overlap,
-/// and no shallower than the pair's least exit. What has a contact gets out.
+/// The solid of one full tile is the box of its cell: contacts are there exactly where they
+/// overlap, and no shallower than the pair's least exit. What has a contact gets out.
 #[test]
 fn one_block_is_a_box() {
     let mut random = Random::new(92);

@@ -120,8 +120,8 @@ fn every_tile_and_solid_on_the_way() {
     assert!(most > 20 && none > 1000, "{most} {none}");
 }
 
-/// On a way of several parts: those that one of the parts comes near, each once, whether it stops the
-/// body or is passed.
+/// On a way of several parts: those that one of the parts comes near, each once, whether it stops
+/// the body or is passed.
 #[test]
 fn every_tile_and_solid_on_a_trail() {
     fn told<B: Body + Probe>(map: &TileMap<'_>, body: &B, d: Vec2) -> Option<(Trail, Vec<Cell>)> {

@@ -108,7 +108,8 @@ macro_rules! manifolds {
     };
 }
 
-/// Whether the bounding boxes of two shapes overlap or touch: that settles most pairs that are apart.
+/// Whether the bounding boxes of two shapes overlap or touch: that settles most pairs that are
+/// apart.
 #[inline]
 fn boxes_meet<const CLOSED: bool>(a: &Aabb, b: &Aabb) -> bool {
     aabb_aabb::<CLOSED>(a.lo(), a.hi(), b.lo(), b.hi())

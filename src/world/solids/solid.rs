@@ -122,8 +122,8 @@ impl Solid {
         Self { conveyor, ..self }.checked()
     }
 
-    /// The same solid with a motion for this frame, from its present position. It is a new value: to
-    /// change a solid in a list, call [`set_motion`](Self::set_motion).
+    /// The same solid with a motion for this frame, from its present position. It is a new value:
+    /// to change a solid in a list, call [`set_motion`](Self::set_motion).
     ///
     /// # Errors
     /// [`RangeError`] if the motion, or its sum with the conveyor, has a component of [`MOTION`] or

@@ -157,8 +157,8 @@ fn outward(c: f64) -> f64 {
 /// Whether velocity and place are what the hits imply, and a round body that stops has nowhere to
 /// go.
 ///
-/// A raw unit may decide which of the hits are still touched at the last one. In any case the velocity
-/// is [the longest free part](ways::keeps_the_longest) of what some of them leave.
+/// A raw unit may decide which of the hits are still touched at the last one. In any case the
+/// velocity is [the longest free part](ways::keeps_the_longest) of what some of them leave.
 pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let slides = matches!(response, Response::Slide | Response::DropThrough);
     let round = slides && matches!(start, Body::Disc { r, .. } if *r > 0);

@@ -1,8 +1,8 @@
 //! What a circle or a capsule among blocks may do at a hit, from its place alone: where it stops
 //! nothing leads on, and what it keeps is the longest part of its velocity that leads on.
 //!
-//! All in integers. Velocities have [`BITS`] bits below a raw unit, and each projection errs by less
-//! than one of those.
+//! All in integers. Velocities have [`BITS`] bits below a raw unit, and each projection errs by
+//! less than one of those.
 
 use super::body::{Body, Outcome};
 use super::level::Level;
@@ -58,8 +58,8 @@ pub fn from_corner(body: &Body, p: P) -> P {
     (p.0.clamp(c.0, end.0) - p.0, p.1.clamp(c.1, end.1) - p.1)
 }
 
-/// A direction that may lead on, exactly, and a way of [`WAY`] along it, rounded away from the corner
-/// that it passes.
+/// A direction that may lead on, exactly, and a way of [`WAY`] along it, rounded away from the
+/// corner that it passes.
 type Direction = (P, P);
 
 /// From the corners of full cells that a body touches to the body.
@@ -108,8 +108,8 @@ fn obeyed(response: Response, out: &Outcome) -> impl Iterator<Item = &Hit> {
     out.hits.iter().filter(move |hit| response != Response::DropThrough || !hit.one_way)
 }
 
-/// The error of a velocity by the roundings of some hits, in parts: of each 8 raw, a part in 2^24 of
-/// the velocity for unit vectors, and what a corner's tangent turns.
+/// The error of a velocity by the roundings of some hits, in parts: of each 8 raw, a part in 2^24
+/// of the velocity for unit vectors, and what a corner's tangent turns.
 ///
 /// The place at a corner is rounded by up to 2 raw on each axis, `2 sqrt 2 < 3` in all. That turns
 /// the tangent by less than `3 / rho`, and a velocity along it by less than `3 |v| / rho`.
@@ -144,8 +144,8 @@ pub fn stops_rightly(level: &Level, v: P, response: Response, out: &Outcome) -> 
     }
     let (u, error) = before_last(v, response, out);
     let has = |t: P| is_along(u, t, SLOW + error) && is_along(fine(v), t, SLOW);
-    // Both: beside the end of a face the tangent of its corner may lead into the face by a part of a
-    // raw unit, which is gone when it is rounded.
+    // Both: beside the end of a face the tangent of its corner may lead into the face by a part of
+    // a raw unit, which is gone when it is rounded.
     let mut ways = directions(level, &out.body, r).into_iter().filter(|way| has(way.0) && has(way.1));
     match ways.find(|way| !is_blocked(level, &out.body, way.1, response)) {
         Some((_, d)) => Err(format!("stops where {d:?} is free")),
@@ -156,8 +156,8 @@ pub fn stops_rightly(level: &Level, v: P, response: Response, out: &Outcome) -> 
 /// A velocity that is left is the longest free part of what some of the hits leave of the call's,
 /// within the roundings, and the body has made all of the way that it had time for.
 ///
-/// Which of the hits are still touched at the last one may be decided by a raw unit. That it is some
-/// of them may not, and what it goes on along is one plane that it touches there.
+/// Which of the hits are still touched at the last one may be decided by a raw unit. That it is
+/// some of them may not, and what it goes on along is one plane that it touches there.
 pub fn keeps_the_longest(level: &Level, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let Body::Disc { r, .. } = out.body else { return Ok(()) };
     if out.v == (0, 0) {
@@ -166,8 +166,8 @@ pub fn keeps_the_longest(level: &Level, v: P, response: Response, out: &Outcome)
     let hits: Vec<P> = obeyed(response, out).map(axis).collect();
     let at = place_of_last(response, out).map_or(out.body, |(at, _)| at);
     let touched = corners(level, &at, r);
-    // What it came with: what some of the hits have left, in their order, each by its own plane or by
-    // the gap between two of them.
+    // What it came with: what some of the hits have left, in their order, each by its own plane or
+    // by the gap between two of them.
     let mut came = vec![fine(v)];
     for n in hits.iter().copied().chain(gaps(&hits)) {
         let more: Vec<V> = came.iter().map(|u| along(*u, n)).filter(|u| !came.contains(u)).collect();
@@ -216,8 +216,8 @@ fn place_of_last(response: Response, out: &Outcome) -> Option<(Body, Hit)> {
     Some((out.body.moved((-made.0, -made.1)), last))
 }
 
-/// The way since the last hit, made backwards, leads to what was hit within the roundings. A place is
-/// rounded by 2 raw on each axis, `2 sqrt 2 < 3`.
+/// The way since the last hit, made backwards, leads to what was hit within the roundings. A place
+/// is rounded by 2 raw on each axis, `2 sqrt 2 < 3`.
 fn makes_its_way(level: &Level, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let (Some((at, last)), Body::Disc { r, .. }) = (place_of_last(response, out), out.body) else { return Ok(()) };
     // Of a face any point of its line, of a corner the corner: both lie to the side that the normal
