@@ -207,7 +207,7 @@ impl Judge for Function {
         let Ok(moved) = by_function else { return };
         let asked = asked.into_inner();
         let told = |hit: &Hit| moved.hits.iter().any(|told| told == hit);
-        // A later hit may be reported later than it was asked for, and never before the previous one.
+        // A later hit may be reported later than it was asked for, never before the previous one.
         let told = |hit: &Hit| told(hit) || moved.hits.iter().any(|told| Hit { toi: hit.toi, ..*told } == *hit);
         assert!(asked.iter().all(told), "{body:?} by {v:?}: asked {asked:?}, told {:?}", moved.hits);
         assert!(moved.hits.is_empty() || !asked.is_empty(), "{body:?} by {v:?}: {moved:?}");
