@@ -17,9 +17,11 @@ pub const JOINED: &[Part] = &[worlds::run_joined];
 pub const MOVING: &[Part] = &[worlds::run_moving];
 pub const BLOCKS: &[Part] = &[motion::run_blocks];
 pub const MOTION: &[Part] = &[motion::run_shapes];
-pub const CAPSULES: &[Part] = &[motion::run_capsules, motion::run_turned];
+pub const CAPSULES: &[Part] = &[motion::run_capsules];
+pub const TURNED: &[Part] = &[motion::run_turned];
 pub const NINJA: &[Part] = &[ninja::run];
-pub const GROUPS: [&[Part]; 10] = [SHAPES, BODIES, LEVELS, SEGMENTS, JOINED, MOVING, BLOCKS, MOTION, CAPSULES, NINJA];
+pub const GROUPS: [&[Part]; 11] =
+    [SHAPES, BODIES, LEVELS, SEGMENTS, JOINED, MOVING, BLOCKS, MOTION, CAPSULES, TURNED, NINJA];
 
 /// Separate firmwares on chips.
 #[cfg(not(target_os = "none"))]

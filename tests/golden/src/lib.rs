@@ -33,5 +33,7 @@ mod worlds;
 pub use family::{LEAST, Line, Run, VECTORS};
 #[cfg(not(target_os = "none"))]
 pub use groups::GAMES;
-pub use groups::{BLOCKS, BODIES, CAPSULES, GROUPS, JOINED, LEVELS, MOTION, MOVING, NINJA, Part, SEGMENTS, SHAPES};
+pub use groups::{
+    BLOCKS, BODIES, CAPSULES, GROUPS, JOINED, LEVELS, MOTION, MOVING, NINJA, Part, SEGMENTS, SHAPES, TURNED,
+};
 pub use hash::Hash;

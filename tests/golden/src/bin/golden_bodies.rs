@@ -1,4 +1,4 @@
-//! Golden on a chip: the broad phases. One of ten parts, each of which fits the flash of a small
+//! Golden on a chip: the broad phases. One of the parts, each of which fits the flash of a small
 //! chip.
 #![no_std]
 #![no_main]

@@ -1,4 +1,4 @@
-//! Golden on a chip: levels of tiles. One of ten parts, each of which fits the flash of a small
+//! Golden on a chip: levels of tiles. One of the parts, each of which fits the flash of a small
 //! chip.
 #![no_std]
 #![no_main]

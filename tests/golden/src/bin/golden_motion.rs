@@ -1,4 +1,4 @@
-//! Golden on a chip: motion through all shapes. One of ten parts, each of which fits the flash of
+//! Golden on a chip: motion through all shapes. One of the parts, each of which fits the flash of
 //! a small chip.
 #![no_std]
 #![no_main]

@@ -1,4 +1,4 @@
-//! Golden on a chip: the ninja. One of ten parts, each of which fits the flash of a small chip.
+//! Golden on a chip: the ninja. One of the parts, each of which fits the flash of a small chip.
 #![no_std]
 #![no_main]
 #![allow(unsafe_code, reason = "entry points of a bare-metal program are unsafe by nature")]

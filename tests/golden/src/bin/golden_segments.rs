@@ -1,4 +1,4 @@
-//! Golden on a chip: levels of segments, and motion through them. One of ten parts, each of which
+//! Golden on a chip: levels of segments, and motion through them. One of the parts, each of which
 //! fits the flash of a small chip.
 #![no_std]
 #![no_main]

@@ -1,4 +1,4 @@
-//! Golden on a chip: numbers, pairs of shapes, responses. One of ten parts, each of which fits the
+//! Golden on a chip: numbers, pairs of shapes, responses. One of the parts, each of which fits the
 //! flash of a small chip.
 #![no_std]
 #![no_main]
