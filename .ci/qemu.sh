@@ -14,7 +14,7 @@ done
 arch=arm shift=8
 case $target in
 # More memory than the real one has: what a program may use is said by memory.x.
-thumbv6m-*) board=(microbit -global nrf51-soc.sram-size=65536) ;;
+thumbv6m-*) board=(microbit -global nrf51-soc.sram-size=65536 -global nrf51-soc.flash-size=524288) ;;
 thumbv7m-*) board=(mps2-an385) ;;
 thumbv7em-*) board=(mps2-an386) ;;
 # The boards with a Cortex-M33 have their flash at another address. This board takes any core.
