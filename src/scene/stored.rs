@@ -70,7 +70,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> Form<Snapshot<B,
         let (mut list, mut listed) = ([0; N], [false; N]);
         for (place, &slot) in list.iter_mut().zip(&awake) {
             let at = usize::from(slot);
-            let is_awake = kept.get(at).is_some_and(|kept| kept.is_awake());
+            let is_awake = kept.get(at).is_some_and(Kept::is_awake);
             ensure(is_awake, at, "it is in the list of those awake, and is not")?;
             let seen = listed.get_mut(at).is_some_and(|seen| core::mem::replace(seen, true));
             ensure(!seen, at, "it is in the list of those awake twice")?;

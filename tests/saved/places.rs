@@ -123,16 +123,22 @@ fn both<T: Serialize + DeserializeOwned>(value: &T, step: usize, mut used: impl 
     assert!(one.refused + one.read > 0 && two.refused > 0, "nothing was changed");
 }
 
+fn all<T: Serialize + DeserializeOwned>(values: &[T]) {
+    for value in values {
+        both(value, 1, |_| {});
+    }
+}
+
 #[test]
 fn parts_of_games() {
     let (aabbs, circles, segments, capsules, turned, polygons) = shapes();
-    aabbs.iter().for_each(|it| both(it, 1, |_| {}));
-    circles.iter().for_each(|it| both(it, 1, |_| {}));
-    segments.iter().for_each(|it| both(it, 1, |_| {}));
-    capsules.iter().for_each(|it| both(it, 1, |_| {}));
-    turned.iter().for_each(|it| both(it, 1, |_| {}));
-    polygons.iter().for_each(|it| both(it, 1, |_| {}));
-    solids().iter().for_each(|it| both(it, 1, |_| {}));
+    all(&aabbs);
+    all(&circles);
+    all(&segments);
+    all(&capsules);
+    all(&turned);
+    all(&polygons);
+    all(&solids());
     let (events, exceptions) = lists();
     both(&events, 1, |mut it| {
         let _ = it.finish(|_| true);
