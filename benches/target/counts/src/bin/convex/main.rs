@@ -67,7 +67,7 @@ fn pairs<A: Copy + Overlaps<A> + OverlapsFrom<A> + Contacts<A>>(
     let known = move |r: &mut Random| {
         let (a, b) = miss(r)?;
         let mut last = Separation::default();
-        a.overlaps_from(&b, &mut last);
+        let _ = a.overlaps_from(&b, &mut last);
         Some(((a, last), b))
     };
     table.row(names[2], None, hinted, |_, _| load::<_, _, _, 4, 4>, known, |&yes| !yes);
