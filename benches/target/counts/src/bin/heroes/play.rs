@@ -72,15 +72,15 @@ impl Play {
 
     /// Keys are held for some frames, the direction for longer than the others.
     fn press(&mut self, frame: u32) -> Option<()> {
-        if frame % 24 == 0 {
+        if frame.is_multiple_of(24) {
             let run = [fx!(-1.5), fx!(1.5), fx!(0), fx!(0)];
             self.input.run = run[self.random.word() as usize >> 4 & 3];
         }
-        if frame % 8 == 0 {
+        if frame.is_multiple_of(8) {
             let keys = self.random.word() >> 4;
             (self.input.jump, self.input.drop) = (keys & 3 == 0, keys & 28 == 0);
         }
-        let up = if frame / 56 % 2 == 0 { -1 } else { 1 };
+        let up = if (frame / 56).is_multiple_of(2) { -1 } else { 1 };
         self.lift[0] = self.lift[0].with_motion(Vec2::from((0, up))).ok()?;
         Some(())
     }
