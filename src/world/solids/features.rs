@@ -11,7 +11,7 @@ use crate::world::level::{Feature, Geometry};
 /// end in.
 pub(super) type PieceSet = u8;
 
-/// The cursor of [`Solids::features`].
+/// The cursor of [`Solids::features`](super::Solids::features).
 #[derive(Clone, Debug)]
 #[must_use = "cursors do nothing unless advanced"]
 pub struct SolidFeatures<'w> {
