@@ -184,9 +184,9 @@ impl<B: Body> Character<B> {
         self.step_carried(level, input, Vec2::ZERO)
     }
 
-    /// The second half of [`step_on`](Self::step_on), in a level [`Joined`](crate::Joined) with the solids at
-    /// their new positions. `carry` is the motion that [`ride`](Self::ride) returned, whose example
-    /// shows both.
+    /// The second half of [`step_on`](Self::step_on), in a level [`Joined`](crate::Joined) with the
+    /// solids at their new positions. `carry` is the motion that [`ride`](Self::ride) returned, whose
+    /// example shows both.
     ///
     /// # Errors
     /// As [`step`](Self::step).
