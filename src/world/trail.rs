@@ -31,6 +31,7 @@ use core::cell::Cell;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[doc(alias = "cross")]
 pub struct Trail {
     parts: [Vec2; Trail::PARTS],

@@ -106,6 +106,7 @@ impl Responses {
 
 /// The surface of a mover that [responds by a function](crate::Mover::with_answers).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ByHit<F, S = Smooth> {
     pub(in crate::motion) surface: S,
     pub(in crate::motion) answers: F,

@@ -2,8 +2,8 @@
 
 use crate::tell;
 use tilesat::motion::response::{
-    Acceleration, ByFlags, Carry, Energy, Link, Masses, Particle, Quiet, RelaxError, Responses, Smooth, Speed, Stick,
-    Surface, split,
+    Acceleration, ByFlags, ByHit, Carry, Energy, Link, Masses, Particle, Quiet, RelaxError, Responses, Smooth, Speed,
+    Stick, Surface, split,
 };
 use tilesat::{Axis, Fx, Ratio, Vec2};
 
@@ -13,6 +13,7 @@ pub(crate) fn tell_all() {
     tell(&Smooth);
     tell(&Responses::NONE.bouncing(2));
     tell(&ByFlags::<Smooth>::default());
+    tell(&ByHit::<()>::default());
     tell(&Speed::of(v));
     tell(&Energy::of(Vec2::from_ints(0, 9), v, Vec2::from_ints(0, 1)));
     tell(&Masses::new(2, 3).unwrap());

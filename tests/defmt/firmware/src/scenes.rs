@@ -2,7 +2,7 @@
 
 use crate::tell;
 use tilesat::broad::BruteForce;
-use tilesat::scene::{SceneBody, SceneEvent, SceneFault, SceneTag, Shape, Sleep};
+use tilesat::scene::{Reply, SceneBody, SceneEvent, SceneFault, SceneTag, Shape, Sleep};
 use tilesat::{Aabb, Circle, Fx, Scene, TileKind, TileKinds, TileMap, Vec2};
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL.with_flags(8));
@@ -15,6 +15,8 @@ pub(crate) fn tell_all() {
     tell(&Shape::from(Circle::new(Vec2::from_ints(1, 2), Fx::ONE).unwrap()));
     let handle = scene.insert(&chest).unwrap();
     tell(&Sleep::default());
+    tell(&Reply::Cross);
+    tell(&tilesat::world::Trail::default());
     let mut told = 0;
     let stepped = scene.step(&level, Vec2::from_raw(0, 6554), |event| {
         if let SceneEvent::Level { .. } = event {
