@@ -109,7 +109,7 @@ fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), f
     match feature.geometry {
         Geometry::Vertex { p, .. } => {
             let p = Raw::of(p);
-            let (c, r) = if B::ANGULAR { body.met_by(p, round) } else { body.toward(round.normal.reversed()) };
+            let (c, r) = body.met_by(p, round);
             is_past(c.sub(p), r, false, d, flat)
         }
         Geometry::Arc { centre, radius, quadrant, convex } => {

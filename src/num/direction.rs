@@ -1,7 +1,8 @@
 //! Directions: two integers, always exact, or a vector of length one; vectors of a given length,
 //! rounded to the nearest lattice point; and the pairs of raw integers that kernels compute with.
 
-use super::quotient::{InverseRoot, leading_zeros32, rsqrt};
+use super::inverse_root::InverseRoot;
+use super::quotient::{leading_zeros32, rsqrt};
 use super::{Fx, LONG, SPLIT, Vec2, div_sqrt, imul, mul_div_wide, umul, usqr};
 use core::ops::Neg;
 use fixed::types::I2F30;

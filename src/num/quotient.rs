@@ -1,6 +1,6 @@
 //! Roots and quotients: one canonical integer algorithm each, without division.
 
-use super::wide::{LONG, less128, mul64, umul};
+use super::wide::{LONG, mul64, umul};
 
 /// `round(256 / sqrt((i + 32.5) / 128)) - 256` for i in 0..96, at most 255. It is padded to a power
 /// of two, and a mask bounds the index.
@@ -129,62 +129,6 @@ pub(crate) fn root64(n: u64) -> u32 {
 #[inline]
 pub(crate) fn root64(n: u64) -> u32 {
     isqrt64(n)
-}
-
-/// The reciprocal of a root, for whatever is computed from one: `1 / sqrt(n)` is `2^half y / 2^63`.
-///
-/// `y` is the [`rsqrt`] of the top word h of `n << 2 half`, which is in `[2^62, 2^64)`: that is
-/// 2^47/sqrt(h'), h <= h' < h + 1. rsqrt is less than 2 above its value at h, and that is at most 2
-/// above the one at h': `y - 4` never exceeds the exact factor, and is at most 8 below it.
-#[derive(Clone, Copy)]
-pub(crate) struct InverseRoot {
-    pub(super) y: u32,
-    pub(super) half: u32,
-}
-
-impl InverseRoot {
-    /// Of a number that is not zero.
-    #[inline(always)]
-    pub(crate) const fn of(n: u64) -> Self {
-        // Nothing is wrong with zero but its shift.
-        let half = leading_zeros64(n | 1) >> 1;
-        Self { y: rsqrt((n << (2 * half) >> 32) as u32), half }
-    }
-
-    /// [`isqrt64`] of the same number, if it is below 2^62.
-    ///
-    /// The candidate is below the root by less than 9, and for roots below 2^27 by less than 2.
-    #[inline(always)]
-    pub(crate) const fn root(self, n: u64) -> u32 {
-        let mut next = (self.below(n << (2 * self.half)) >> self.half).wrapping_add(1);
-        while next.wrapping_mul(next) <= n {
-            next = next.wrapping_add(1);
-        }
-        next.wrapping_sub(1) as u32
-    }
-
-    /// A lower bound of `a / (2^half sqrt(n))`.
-    #[inline(always)]
-    const fn below(self, a: u64) -> u64 {
-        ((a as u128 * ((self.y.saturating_sub(4) as u64) << 1) as u128) >> 64) as u64
-    }
-
-    /// [`div_sqrt`] of the same number, for quotients below 2^31.
-    #[inline(always)]
-    pub(crate) const fn times(self, s: u64, n: u64) -> u32 {
-        let mut q = if LONG {
-            self.below(s << self.half) as u32
-        } else {
-            let y = self.y.saturating_sub(4);
-            let product = umul((s >> 32) as u32, y).wrapping_add(umul(s as u32, y) >> 32);
-            (product >> (31 - self.half)) as u32
-        };
-        let square = super::wide::sqr64(s);
-        while !less128(square, mul64(super::wide::usqr(q.wrapping_add(1)), n)) {
-            q = q.wrapping_add(1);
-        }
-        q
-    }
 }
 
 /// The exact ceiling of the square root of a double word, at most `u32::MAX`.
@@ -466,20 +410,4 @@ pub(super) const fn by_wide_reciprocal((top, lo): (u64, u64), n: u64) -> u32 {
     }
     // Below 2 n <= 2^64.
     q.wrapping_add((lo.wrapping_sub(n.wrapping_mul(q as u64)) >= n) as u32)
-}
-
-/// The exact floor of `s / sqrt(n)`, for quotients below 2^31; `u32::MAX` for others, or where `n`
-/// is zero.
-///
-/// Starts from the reciprocal square root and settles by comparing `q^2 n` with `s^2` in 128 bits:
-/// one comparison more than the candidate is short, at most 9, and at most 1 for quotients below
-/// 2^27.
-#[inline(never)]
-#[must_use]
-pub const fn div_sqrt(s: u64, n: u64) -> u32 {
-    // s / sqrt(n) >= 2^31, that is s^2 >= 2^62 n.
-    if !less128(super::wide::sqr64(s), (n >> 2, n << 62)) {
-        return u32::MAX;
-    }
-    InverseRoot::of(n).times(s, n)
 }

@@ -60,7 +60,8 @@ mod quotients {
 
 mod unit {
     use crate::num::direction::{Normalised, unit_by, unit_nearest};
-    use crate::num::quotient::{InverseRoot, div_sqrt, isqrt64};
+    use crate::num::inverse_root::{InverseRoot, div_sqrt};
+    use crate::num::quotient::isqrt64;
     use crate::num::{Axis, sqr64};
 
     /// Vectors of every size and of sides that differ by up to as much; those beside squares of

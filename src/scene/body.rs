@@ -108,6 +108,12 @@ pub(super) enum Mode {
     Asleep,
 }
 
+impl Mode {
+    pub(super) const fn is_awake(self) -> bool {
+        matches!(self, Self::Awake | Self::Woken)
+    }
+}
+
 /// A body, and the state that steps keep for it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slot {
@@ -177,7 +183,7 @@ impl Slot {
     }
 
     pub(super) fn is_awake(&self) -> bool {
-        matches!(self.mode, Mode::Awake | Mode::Woken)
+        self.mode.is_awake()
     }
 
     /// Whether a look at its start is not enough.

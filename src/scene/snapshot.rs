@@ -75,7 +75,7 @@ impl Kept {
 
     #[cfg(feature = "serde")]
     pub(super) const fn is_awake(&self) -> bool {
-        matches!(self.mode, Mode::Awake | Mode::Woken)
+        self.mode.is_awake()
     }
 
     pub(super) const FREE: Self = Self::of(&Slot::FREE);

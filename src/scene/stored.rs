@@ -89,7 +89,7 @@ fn agrees<B: BroadPhase<Tag = Keyed<Filter>>>(lasting: &Lasting, near: &B) -> Re
     let handle = near.table().handle(at);
     ensure(near.contains(handle), at, "the broad phase has no body there")?;
     ensure(near.bounds(handle) == Ok(body.shape.aabb()), at, "the broad phase has another box")?;
-    let known = near.tag(handle).is_ok_and(|known| known == body.tag(!matches!(mode, Mode::Awake | Mode::Woken)));
+    let known = near.tag(handle).is_ok_and(|known| known == body.tag(!mode.is_awake()));
     ensure(known, at, "the broad phase has another filter, key or rest")?;
     let mode_fits = match mode {
         Mode::Free => false,

@@ -1,5 +1,4 @@
-//! Fast bodies pass through nothing: the order in a narrow corridor, and rooms that nobody leaves.
-//! Raw, y down.
+//! Fast bodies pass through nothing: corridors, and rooms that nobody leaves. Raw, y down.
 
 use core::num::NonZeroU8;
 use tilesat::broad::{BroadPhase, BruteForce, Handle, LooseGrid, Pair, SortSweep, SpatialHash};
@@ -154,8 +153,7 @@ fn is_fast(body: &SceneBody, gravity: Vec2) -> bool {
     body.mass.is_some() && 2 * x.abs().max(y.abs()) > size.0.min(size.1)
 }
 
-/// Ways, and how often one body passed another. If not all are flagged, only disjoint pairs with a
-/// fast body count.
+/// Ways, and passes. If not all are flagged, only disjoint pairs with a fast body count.
 fn corridor(case: u64, flagged: bool, frames: u32) -> (u64, u64) {
     let (mut r, map) = (Random::new(case), level(CORRIDOR));
     let bodies = row(&mut r, flagged);
@@ -337,8 +335,7 @@ fn told<B: BroadPhase<Tag = SceneTag>>(scene: &mut Scene<B, BODIES>, map: &TileM
     (stepped.unwrap(), met, bodies)
 }
 
-/// From (100, 24) to the right, before a standing body at 300 and a flying one: the level and
-/// bodies in the order of the times.
+/// From (100, 24) to the right, a standing body at 300, a flying one: one order of the times.
 #[test]
 fn the_level_and_bodies_come_in_one_order() {
     let map = level(CORRIDOR);
@@ -366,8 +363,7 @@ fn the_level_and_bodies_come_in_one_order() {
     assert_eq!(told, [(0.5, None)]);
     let told = events(&mut shot);
     assert_eq!(told, [(0.0, Some((0, 1, Fx::from_num(400))))]);
-    // Equal masses exchange their velocities in the middle of the step. The standing one flies from
-    // the next step on.
+    // Equal masses exchange their velocities. The standing one flies from the next step on.
     assert_eq!((body_of(&shot, 1).velocity.x, body_of(&shot, 2).velocity.x), (Fx::ZERO, Fx::from_num(-400)));
     // A row: each is met after the one before it, and the wall last.
     let mut shot = scene(&[flies(424, 392, 1), flies(532, -98, 2)]);
@@ -412,8 +408,7 @@ fn what_sleeps_is_woken_by_what_flies_at_it() {
     assert_eq!(scene.awake().len(), 2);
 }
 
-/// Large and not faster than half its size, it passes beyond a small body. With the flag it does
-/// not.
+/// Large and not faster than half its size, it passes a small body. With the flag it does not.
 #[test]
 fn a_crusher_is_flagged() {
     let map = level(NOWHERE);

@@ -124,7 +124,7 @@ pub(crate) fn segments() -> &'static SegmentMap<'static> {
     &SEGMENTS
 }
 
-/// Moving boxes, drawn anew from time to time.
+/// Moving boxes, drawn again from time to time.
 pub(crate) fn solids(r: &mut Random, at: Vec2) -> [Solid; 4] {
     [0, 1, 2, 3].map(|key| {
         let (ox, oy) = at.raw();

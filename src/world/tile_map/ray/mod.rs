@@ -2,6 +2,7 @@
 
 mod blocks;
 mod open;
+mod packed;
 mod shapes;
 
 use super::{Outside, Set, Store, TileMap};
