@@ -213,10 +213,12 @@ impl<S: Law> Mover<S> {
             ways.binding(world, &run.moved.body, probe, &run.moved.hits, &mut first);
             let Some((entry, feature)) = first.hit::<B, W>(&run.moved.body, probe) else { continue };
             // At the body's position, from which mirrored bodies look alike. The probe's end is
-            // rounded.
+            // rounded. A body that is still over a face that ends at the corner sees the corner
+            // from no side of its own.
             let mut normal = entry.normal;
             touched(&run.moved.body, feature, |plane| {
-                if plane.bend == Bend::Convex {
+                let (n, m) = (plane.normal, entry.normal);
+                if plane.bend == Bend::Convex && n.x.signum() == m.x.signum() && n.y.signum() == m.y.signum() {
                     normal = plane.normal;
                 }
             });

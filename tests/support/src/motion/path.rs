@@ -33,6 +33,8 @@ struct Touched {
     by: V,
     planes: Vec<Plane>,
     lies: bool,
+    /// Whether one-way faces count.
+    fronts: bool,
 }
 
 struct Plane {
@@ -40,19 +42,19 @@ struct Plane {
     corner: bool,
     /// The distance of the corner at the hit.
     radius: f64,
-    /// The cell that was hit, and whether it is one-way.
+    /// The cell that was hit.
     cell: P,
-    one_way: bool,
 }
 
 /// Whether a body is over a face that continues from cell to cell. `None` within some raw units of
 /// where that changes.
-fn is_over(level: &Level, body: &Body, plane: &Plane) -> Option<bool> {
+fn is_over(level: &Level, body: &Body, plane: &Plane, fronts: bool) -> Option<bool> {
     let along_x = plane.normal.0 == 0.0;
     let n = (plane.normal.0 as i64, plane.normal.1 as i64);
     let is_face = |k: i64| {
         let (x, y) = if along_x { (k, plane.cell.1) } else { (plane.cell.0, k) };
-        if plane.one_way { level.one_way(x, y) } else { level.full(x, y) && !level.full(x + n.0, y + n.1) }
+        let front = fronts && n == (0, -1) && level.one_way(x, y);
+        front || level.full(x, y) && !level.full(x + n.0, y + n.1)
     };
     let (lo, hi) = match *body {
         Body::Disc { c, core, .. } => (c, super::add(c, core)),
@@ -75,7 +77,7 @@ impl Touched {
     /// another way than round them, or by flying past. Returns whether that is certain: not if a
     /// body just passes the end of a face.
     fn slide(&mut self, leg: V, level: &Level, there: &Body) -> bool {
-        let lies = self.lies;
+        let (lies, fronts) = (self.lies, self.fronts);
         let mut certain = true;
         self.planes.retain_mut(|plane| {
             if plane.corner {
@@ -92,11 +94,20 @@ impl Touched {
                 certain &= !lies || !(0.7..1.4).contains(&turn);
                 return lies && gap <= Self::NEAR && turn <= 1.0;
             }
-            let over = is_over(level, there, plane);
+            let over = is_over(level, there, plane, fronts);
             certain &= over.is_some();
             out <= Self::NEAR && over.unwrap_or(true)
         });
         certain
+    }
+
+    /// The faces that end at the corner that was hit last, if it is as high over them as its radius
+    /// passes the corner.
+    fn ends(&self) -> Vec<V> {
+        let Some(last) = self.planes.last().filter(|plane| plane.corner) else { return Vec::new() };
+        let n = last.normal;
+        let faces = [(n.0.signum(), 0.0), (0.0, n.1.signum())].into_iter();
+        faces.filter(|face| last.radius - (face.0 * n.0 + face.1 * n.1) <= Self::NEAR).collect()
     }
 
     /// The longest velocity along one of the planes and into none, or rest.
@@ -110,15 +121,10 @@ impl Touched {
     }
 }
 
-/// The velocity along a face whose end is the corner that was hit last, if a body continues by
-/// that. It must be as high over the face as its radius passes the corner, though the tangent there
-/// leads off the face.
+/// The velocity along a [face that ends](Touched::ends) at the corner that was hit last, if a body
+/// continues by that, though the tangent there leads off the face.
 fn along_an_end(level: &Level, there: &Body, touched: &Touched, v: P) -> Option<V> {
-    let last = touched.planes.last().filter(|plane| plane.corner)?;
-    let n = last.normal;
-    let faces = [(n.0.signum(), 0.0), (0.0, n.1.signum())].into_iter();
-    let ends = faces.filter(|face| last.radius - (face.0 * n.0 + face.1 * n.1) <= Touched::NEAR);
-    ends.map(|face| respond(touched.by, face, Response::Slide)).find(|way| {
+    touched.ends().into_iter().map(|face| respond(touched.by, face, Response::Slide)).find(|way| {
         let d = (way.0 as i64, way.1 as i64);
         near(v, *way, 1.0)
             && rect::first_one_way(level, there, d).is_none()
@@ -164,7 +170,7 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     let round = slides && matches!(start, Body::Disc { r, .. } if *r > 0);
     if round {
         ways::stops_rightly(level, v, response, out)?;
-        ways::keeps_the_longest(level, v, response, out)?;
+        ways::keeps_the_longest(level, start, v, response, out)?;
     }
     replays(level, start, v, response, out)
 }
@@ -181,7 +187,7 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
     // touched together.
     let wedge = if let Body::Disc { r, .. } = *start { 2.0 * (r as f64).sqrt() } else { 0.0 };
     let slides = matches!(response, Response::Slide | Response::DropThrough);
-    let mut touched = Touched { by: vel, planes: Vec::new(), lies: false };
+    let mut touched = Touched { by: vel, planes: Vec::new(), lies: false, fronts: response != Response::DropThrough };
     let mut at_last = *start;
     for (i, hit) in hits.iter().enumerate() {
         let toi = f64::from(hit.toi.raw()) / f64::from(1u32 << 30);
@@ -213,8 +219,13 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
                 }
                 let cell = (hit.cell.x.into(), hit.cell.y.into());
                 let radius = f64::hypot(normal.0, normal.1);
-                touched.planes.push(Plane { radius, normal, corner: hit.index >= 4, cell, one_way: hit.one_way });
+                touched.planes.push(Plane { radius, normal, corner: hit.index >= 4, cell });
                 vel = touched.velocity();
+                // The last way is compared with both. Between hits the next leg would tell which of
+                // them it was, by less than the roundings.
+                if i + 1 < hits.len() && hit.index >= 4 && !touched.ends().is_empty() {
+                    return Ok(());
+                }
             } else {
                 vel = respond(vel, normal, response);
             }
@@ -232,9 +243,9 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
         place = plus(place, leg(vel, 1.0 - now));
     }
     let length = (len2(v) as f64).sqrt();
-    // The place at a corner is rounded by up to 2 raw on each axis, which turns the tangent there.
+    // The place at a corner is off by so much, which turns the tangent there.
     let radius = hits.iter().filter(|h| h.index >= 4).map(|h| f64::from(h.axis.x).hypot(f64::from(h.axis.y)));
-    let turns = 3.0 * length / radius.fold(f64::INFINITY, f64::min);
+    let turns = f64::from(ways::off_place(out)) * length / radius.fold(f64::INFINITY, f64::min);
     let rounding = (8.0 + length / f64::from(1 << 24) + turns) * hits.len().max(1) as f64;
     // What the hits do not tell: something else that was touched at the end or at the last hit, in
     // the way for the next 64 raw units.
@@ -252,10 +263,14 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
         return Ok(());
     }
     // Between several surfaces, one of them round, a raw unit decides which of them are touched.
-    // Then the remaining velocity leads on freely.
+    // Then the remaining velocity leads on freely: by 4 raw of it, which the body may have made.
     if disc && corners && hits.len() > 1 && out.v != (0, 0) {
-        let on = (out.v.0 as f64, out.v.1 as f64);
-        let at_once = blocked(on, 4.0, f64::trunc);
+        let speed = out.v.0.abs().max(out.v.1.abs());
+        let has_gone = speed as f64 * (1.0 - now) >= 4.0;
+        let until = Time::new(4.min(speed), speed);
+        let fronts = response != Response::DropThrough;
+        let front = || rect::first_one_way(level, &out.body, out.v).is_some_and(|first| first.time < until);
+        let at_once = !has_gone && (disc::enters_solid(level, &out.body, out.v, until) || (fronts && front()));
         return if at_once { Err(format!("is blocked at once, by {:?}", out.v)) } else { Ok(()) };
     }
     if !near(out.v, vel, rounding) {

@@ -34,7 +34,12 @@ fn part(v: V, d: P) -> i128 {
 
 /// `v` without its part into a plane.
 fn along(v: V, n: P) -> V {
-    let (into, square) = (part(v, n).min(0), len2(n));
+    if part(v, n) < 0 { on(v, n) } else { v }
+}
+
+/// `v` without its part along a normal.
+fn on(v: V, n: P) -> V {
+    let (into, square) = (part(v, n), len2(n));
     (v.0 - into * i128::from(n.0) / square, v.1 - into * i128::from(n.1) / square)
 }
 
@@ -111,12 +116,20 @@ fn obeyed(response: Response, out: &Outcome) -> impl Iterator<Item = &Hit> {
 /// The error of a velocity by the roundings of some hits, in parts: of each 8 raw, a part in 2^24
 /// of the velocity for unit vectors, and what a corner's tangent turns.
 ///
-/// The place at a corner is rounded by up to 2 raw on each axis, `2 sqrt 2 < 3` in all. That turns
-/// the tangent by less than `3 / rho`, and a velocity along it by less than `3 |v| / rho`.
-fn rounding<'h>(v: P, hits: impl Iterator<Item = &'h Hit>) -> i128 {
+/// The place at a corner is [off](off_place). That turns the tangent by `off / rho`, and a velocity
+/// along it by less than `off |v| / rho`.
+fn rounding<'h>(v: P, out: &Outcome, hits: impl Iterator<Item = &'h Hit>) -> i128 {
     let length = (len2(v) << (2 * BITS)).isqrt() + 1;
-    let turn = |hit: &Hit| if hit.index < 4 { 0 } else { 3 * length / len2(axis(hit)).isqrt() };
+    let off = i128::from(off_place(out));
+    let turn = |hit: &Hit| if hit.index < 4 { 0 } else { off * length / len2(axis(hit)).isqrt() };
     hits.map(|hit| (8 << BITS) + (length >> 24) + turn(hit)).sum()
+}
+
+/// How far a body may be from the place of its hit, raw. Roundings are up to 2 raw on each axis:
+/// `2 sqrt 2 < 3` in all. A body that no way is free for creeps up to 64 more, and needs one look
+/// more than its hits and the rest of its way.
+pub fn off_place(out: &Outcome) -> u8 {
+    if out.work.iterations as usize > out.hits.len() + 1 { 3 + 64 } else { 3 }
 }
 
 /// The velocity that a body came to its last hit with, and its error: what the hits before leave of
@@ -124,7 +137,7 @@ fn rounding<'h>(v: P, hits: impl Iterator<Item = &'h Hit>) -> i128 {
 fn before_last(v: P, response: Response, out: &Outcome) -> (V, i128) {
     let last = out.hits.iter().last().map(|hit| hit.toi);
     let before = || obeyed(response, out).filter(|hit| Some(hit.toi) < last);
-    (before().fold(fine(v), |u, hit| along(u, axis(hit))), rounding(v, before()))
+    (before().fold(fine(v), |u, hit| along(u, axis(hit))), rounding(v, out, before()))
 }
 
 /// Whether more than `least` of a velocity is along a direction.
@@ -158,7 +171,7 @@ pub fn stops_rightly(level: &Level, v: P, response: Response, out: &Outcome) -> 
 ///
 /// Which of the hits are still touched at the last one may be decided by a raw unit. That it is
 /// some of them may not, and what it goes on along is one plane that it touches there.
-pub fn keeps_the_longest(level: &Level, v: P, response: Response, out: &Outcome) -> Result<(), String> {
+pub fn keeps_the_longest(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let Body::Disc { r, .. } = out.body else { return Ok(()) };
     if out.v == (0, 0) {
         return Ok(());
@@ -166,17 +179,23 @@ pub fn keeps_the_longest(level: &Level, v: P, response: Response, out: &Outcome)
     let hits: Vec<P> = obeyed(response, out).map(axis).collect();
     let at = place_of_last(response, out).map_or(out.body, |(at, _)| at);
     let touched = corners(level, &at, r);
-    // What it came with: what some of the hits have left, in their order, each by its own plane or
-    // by the gap between two of them.
+    // What it came with: at each hit it went on along one of the planes that it had met, along a
+    // face that ends at one of their corners, or across the gap between two of them.
+    let ends = |n: P| [n, (n.0.signum(), 0), (0, n.1.signum())].into_iter().filter(|n| *n != (0, 0));
+    let of_first = at_first(level, start, v, out);
     let mut came = vec![fine(v)];
-    for n in hits.iter().copied().chain(gaps(&hits)) {
-        let more: Vec<V> = came.iter().map(|u| along(*u, n)).filter(|u| !came.contains(u)).collect();
+    for k in 1..=hits.len() {
+        let met: Vec<P> = of_first.iter().chain(hits.iter().take(k)).copied().collect();
+        let planes: Vec<P> = gaps(&met).into_iter().chain(met.into_iter().flat_map(ends)).collect();
+        let more: Vec<V> = came.iter().flat_map(|u| planes.iter().map(|n| on(*u, *n))).collect();
         came.extend(more);
+        came.sort_unstable();
+        came.dedup();
     }
     // What it goes on along: nothing, a face, a corner, or the gap between two corners.
-    let mut planes: Vec<P> = vec![(1, 0), (-1, 0), (0, 1), (0, -1)];
+    let mut planes: Vec<P> = vec![(1, 0), (0, 1)];
     let both: Vec<P> = hits.iter().copied().chain(touched).collect();
-    planes.extend(gaps(&both).into_iter().flat_map(|n| [n, (-n.0, -n.1)]));
+    planes.extend(gaps(&both));
     planes.extend(both);
     // A corner that was hit before, and that the way still touches: its tangent has turned since.
     for hit in obeyed(response, out).filter(|hit| hit.index >= 4) {
@@ -184,15 +203,15 @@ pub fn keeps_the_longest(level: &Level, v: P, response: Response, out: &Outcome)
         let across = i128::from(out.v.0) * i128::from(m.1) - i128::from(out.v.1) * i128::from(m.0);
         let from_line = over_root(across.abs(), len2(out.v), false);
         if (from_line - r).abs() <= TOUCH {
-            planes.push(if across > 0 { (-out.v.1, out.v.0) } else { (out.v.1, -out.v.0) });
+            planes.push((-out.v.1, out.v.0));
         }
     }
-    let error = rounding(v, out.hits.iter());
+    let error = rounding(v, out, out.hits.iter());
     let is = |p: &V| {
         let o = fine(out.v);
         (o.0 - p.0).abs() <= error && (o.1 - p.1).abs() <= error
     };
-    let explains = |u: &&V| is(u) || planes.iter().any(|n| is(&along(**u, *n)));
+    let explains = |u: &&V| is(u) || planes.iter().any(|n| is(&on(**u, *n)));
     let bases: Vec<&V> = came.iter().filter(explains).collect();
     if bases.is_empty() {
         return Err(format!("goes on by {:?}, no part of {v:?}", out.v));
@@ -202,6 +221,12 @@ pub fn keeps_the_longest(level: &Level, v: P, response: Response, out: &Outcome)
         return Err(format!("goes on by {:?} where {longer:?} is free and longer", out.v));
     }
     makes_its_way(level, v, response, out)
+}
+
+/// The corners that a body touches where it first hits something, which need not be reported.
+fn at_first(level: &Level, start: &Body, v: P, out: &Outcome) -> Vec<P> {
+    let (Some(hit), Body::Disc { r, .. }) = (out.hits.first(), *start) else { return Vec::new() };
+    corners(level, &start.moved(Time::parts(hit.toi.raw()).part_of(v)), r)
 }
 
 /// The place of the last hit, if the body has moved on from there by its velocity alone.
@@ -226,8 +251,16 @@ fn makes_its_way(level: &Level, v: P, response: Response, out: &Outcome) -> Resu
     let m = from_corner(&at, p);
     let distance = if last.index < 4 { dot(m, n) } else { len2(m).isqrt() };
     let off = (distance - i128::from(r)).abs();
-    let most = (rounding(v, out.hits.iter()) >> BITS) + 3;
-    if off <= most { Ok(()) } else { Err(format!("has not made its way: {off} off")) }
+    let most = (rounding(v, out, out.hits.iter()) >> BITS) + 3;
+    // A circle that has come a way `s` round a corner is `s^2 / 2r` off it. Up to two raw there may
+    // be no free place on the lattice, and it stays at the corner: `s = 2 sqrt r`.
+    let on_corner = |hit: &Hit| {
+        let from = len2(from_corner(&at, corner(level, hit))).isqrt() - i128::from(r);
+        hit.index >= 4 && from.abs() <= i128::from(TOUCH)
+    };
+    let stays =
+        off <= most + i128::from(4 * r).isqrt() && obeyed(response, out).any(|hit| *hit != last && on_corner(hit));
+    if off <= most || stays { Ok(()) } else { Err(format!("has not made its way: {off} off")) }
 }
 
 /// A longer way than the one taken that leads on from the place of the last hit, of which both the
@@ -239,7 +272,7 @@ fn longer_way(level: &Level, v: P, u: V, response: Response, out: &Outcome) -> O
     let (at, _) = place_of_last(response, out)?;
     let Body::Disc { r, .. } = at else { return None };
     let taken = (len2(out.v) << (2 * BITS)).isqrt();
-    let least = SLOW + rounding(v, out.hits.iter()) + taken;
+    let least = SLOW + rounding(v, out, out.hits.iter()) + taken;
     let has = |t: P| is_along(u, t, least) && is_along(fine(v), t, least);
     let around = (-3..=3).flat_map(|x| (-3..=3).map(move |y| (x, y)));
     let places: Vec<Body> = around.map(|by| at.moved(by)).filter(|body| !level.overlaps(body)).collect();
