@@ -203,7 +203,7 @@ impl Block {
         let mut i = 0;
         while i < paths.len() {
             if paths[i].kind.is_polygon() {
-                self.compare(paths, i);
+                self.compare(paths, &paths[i], i as u32);
             }
             i += 1;
         }
@@ -243,10 +243,10 @@ impl Block {
 
     /// Compares the edges of a polygon with those of the block.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loops")]
-    const fn compare(&mut self, paths: &[Path<'_>], i: usize) {
-        let (points, count) = (paths[i].points, paths[i].points.len());
+    const fn compare(&mut self, paths: &[Path<'_>], path: &Path<'_>, index: u32) {
+        let (points, count) = (path.points, path.points.len());
         let Bounds { lo, hi } = self.around;
-        let first = point(&paths[i], 0);
+        let first = point(path, 0);
         let (mut k, mut q) = (0, first);
         while k < count {
             let p = q;
@@ -274,7 +274,7 @@ impl Block {
                 self.compare_edge(
                     paths,
                     near.trailing_zeros() as usize,
-                    EdgeIndex { path: i as u32, point: (k - 1) as u32 },
+                    EdgeIndex { path: index, point: (k - 1) as u32 },
                 );
                 near &= near - 1;
             }
