@@ -7,8 +7,8 @@
 use super::path::{Path, PathEdge, point, reversed};
 use crate::num::Raw;
 
-/// Edges in a block, bits of a word: 2.9 KB of stack while a level is built. The edges of a level are
-/// read once for so many of them, at about 110 instructions each where none is far away.
+/// Edges in a block, bits of a word: 2.9 KB of stack while a level is built. The edges of a level
+/// are read once for so many of them, at about 110 instructions each where none is far away.
 const BLOCK: usize = 64;
 
 /// The picture of a block has so many columns and rows at most.

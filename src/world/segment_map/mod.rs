@@ -313,8 +313,8 @@ impl Seg {
     #[inline]
     pub(super) const fn read(table: &[u8], index: u16) -> Self {
         let at = index as usize * SEGMENT;
-        // One comparison for all fields. No slices: each is a dozen calls, which the compiler counts
-        // in constants.
+        // One comparison for all fields. No slices: each is a dozen calls, and the compiler counts
+        // those in constants.
         if at + SEGMENT > table.len() {
             return Self::NONE;
         }
