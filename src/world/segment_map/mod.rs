@@ -105,7 +105,7 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 /// that smaller cells make it faster.
 ///
 /// The compiler builds some 2000 segments before its limit on constants (the lint
-/// `long_running_const_eval`), in less than 10 seconds. More are allowed by
+/// `long_running_const_eval`), in 5 to 20 seconds. More are allowed by
 /// `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Larger levels are built on
 /// the host, and their bytes are included.
 #[derive(Clone, Copy, Debug)]
