@@ -100,6 +100,42 @@ fn anything_over_anything() {
     }
 }
 
+/// Some 500 edges in no order: the polygons of 16 mosaics over each other, in turn. The outline is
+/// counted step by step on the lattice, for each edge.
+#[test]
+fn edges_far_apart_in_the_list_cancel() {
+    let mut random = Random::new(61);
+    for _ in 0..cases(1500) / 500 {
+        let mut mosaics: Vec<Vec<Shape>> = Vec::new();
+        for _ in 0..16 {
+            let by = (2 * random.within(0, 7), 2 * random.within(0, 7));
+            mosaics.push(placed(&generate::mosaic(&mut random), 1, by));
+        }
+        let mut shapes = Vec::new();
+        while mosaics.iter().any(|m| !m.is_empty()) {
+            mosaics.iter_mut().for_each(|m| shapes.extend(m.pop()));
+        }
+        let near = placed(&shapes, 128, (random.around(5000), random.around(5000)));
+        check_outline(&level(&near, 256), &near);
+        check(&near, 514);
+    }
+}
+
+/// More segments through a cell than have a picture.
+#[test]
+fn crowds_in_one_cell() {
+    let mut random = Random::new(62);
+    for _ in 0..cases(1500) / 300 {
+        let mut shapes: Vec<Shape> = Vec::new();
+        for _ in 0..60 {
+            let by = (random.within(0, 40), random.within(0, 40));
+            shapes.extend(placed(&generate::heap(&mut random, 12), 1, by));
+        }
+        let near = placed(&shapes, 1, (random.around(5000), random.around(5000)));
+        check(&near, 256);
+    }
+}
+
 #[test]
 fn the_domain_from_corner_to_corner() {
     let end = (1 << 29) - 1;

@@ -222,3 +222,24 @@ fn the_compiler_builds_the_same_bytes() {
     shifted.extend(&found);
     assert_eq!(format!("{:?}", SegmentMap::from_bytes(&shifted[1..]).unwrap()), view);
 }
+
+const SAW: [Vec2; 2000] = {
+    let (mut points, mut i) = ([Vec2::ZERO; 2000], 0);
+    while i < 1998 {
+        points[i as usize] = Vec2::from_ints(3 * i - 3000, 7 * i % 13 + i % 5);
+        i += 1;
+    }
+    points[1998] = Vec2::from_ints(2991, 60);
+    points[1999] = Vec2::from_ints(-3000, 60);
+    points
+};
+
+/// Without leave to take long: the compiler refuses what takes longer.
+#[test]
+fn the_compiler_builds_two_thousand_segments() {
+    segment_map!(static LEVEL: [Path::new(Solid, &SAW)], Fx::const_from_int(32));
+    let mut room = vec![0; 100_000];
+    let used = SegmentMap::build_into(&[Path::new(Solid, &SAW)], Fx::from_num(32), &mut room).unwrap();
+    assert_eq!(LEVEL.count(), 2000);
+    assert_eq!(format!("{LEVEL:?}"), format!("{:?}", SegmentMap::from_bytes(&room[..used]).unwrap()));
+}

@@ -1,12 +1,13 @@
 //! From paths to bytes: segments counted, then written, with their references and joints.
 
-use super::cancel::{EdgeIndex, Runs, left_from};
-use super::parse::clamped;
+use super::cancel::{Block, EdgeIndex, Shared, left_from};
+use super::join::join;
+use super::parse::{Tables, clamped};
 use super::path::{PathEdge, edges, point, reversed};
 use super::raster::Rows;
 use super::{
-    ATTR_AT, END_JOINED, HEADER, Kind, MAGIC, MOST, NEXT_AT, NONE, Path, PathKind, SEGMENT, START_JOINED, SegmentMap,
-    Size, VERSION, at, checksum, half, path, set_byte, set_half, set_word,
+    ATTR_AT, HEADER, Kind, MAGIC, MOST, NEXT_AT, NONE, Path, PathKind, SEGMENT, Seg, SegmentMap, Size, VERSION, at,
+    checksum, half, path, set_byte, set_half, set_word,
 };
 use crate::num::{Axis, Fx, Raw};
 use crate::world::{cell::Cell, error::SegmentMapError, grid::Grid};
@@ -130,6 +131,7 @@ pub(super) const fn build(paths: &[Path<'_>], size: &Size, out: &mut [u8]) -> Re
     if let Err(e) = place(paths, size, out) {
         return Err(e);
     }
+    join(size, out);
     match finish(size, out) {
         Ok(()) => Ok(needed),
         Err(e) => Err(e),
@@ -148,9 +150,8 @@ const fn place(paths: &[Path<'_>], size: &Size, out: &mut [u8]) -> Result<(), Se
     Ok(())
 }
 
-/// The second half: what needs the references.
+/// The second half, after the joints: what needs the references.
 const fn finish(size: &Size, out: &mut [u8]) -> Result<(), SegmentMapError> {
-    join(size, out);
     if let Err(e) = wind(size, out) {
         return Err(e);
     }
@@ -161,88 +162,69 @@ const fn finish(size: &Size, out: &mut [u8]) -> Result<(), SegmentMapError> {
 /// The cells' references: counted, summed, and filled in from the last segment to the first, each
 /// cell from its end.
 const fn refer(size: &Size, out: &mut [u8]) {
-    let (offsets, refs) = (size.offsets_at(), size.refs_at());
-    let mut at = offsets;
-    while at < refs {
-        set_half(out, at, 0);
+    let Tables { segments, offsets, refs, .. } = size.tables(out);
+    let mut at = 0;
+    while at < offsets.len() {
+        set_half(offsets, at, 0);
         at += 2;
     }
     let mut index = 0;
     while index < size.segments {
-        let mut rows = rows_of(size, out, index);
+        let mut rows = rows_of(&size.grid, segments, index);
         while let Some(row) = rows.advance() {
             let (mut at, end) = (offset_at(size, row.x0, row.y), offset_at(size, row.x1, row.y));
             while at <= end {
-                set_half(out, at, half(out, at).wrapping_add(1));
+                set_half(offsets, at, half(offsets, at).wrapping_add(1));
                 at += 2;
             }
         }
         index += 1;
     }
     let mut sum = 0u16;
-    at = offsets;
-    while at < refs {
-        sum = sum.wrapping_add(half(out, at));
-        set_half(out, at, sum);
+    at = 0;
+    while at < offsets.len() {
+        sum = sum.wrapping_add(half(offsets, at));
+        set_half(offsets, at, sum);
         at += 2;
     }
     while index > 0 {
         index -= 1;
-        let mut rows = rows_of(size, out, index);
+        let mut rows = rows_of(&size.grid, segments, index);
         while let Some(row) = rows.advance() {
             let (mut at, end) = (offset_at(size, row.x0, row.y), offset_at(size, row.x1, row.y));
             while at <= end {
-                let place = half(out, at).wrapping_sub(1);
-                set_half(out, at, place);
-                set_half(out, refs.wrapping_add((place as usize) << 1), index);
+                let place = half(offsets, at).wrapping_sub(1);
+                set_half(offsets, at, place);
+                set_half(refs, (place as usize) << 1, index);
                 at += 2;
             }
         }
     }
 }
 
-const fn rows_of(size: &Size, out: &[u8], index: u16) -> Rows {
-    let seg = size.view(out).segment(index);
-    Rows::new(&size.grid, seg.a, seg.b(), seg.dir)
+const fn rows_of(grid: &Grid, segments: &[u8], index: u16) -> Rows {
+    let seg = Seg::read(segments, index);
+    Rows::new(grid, seg.a, seg.b(), seg.dir)
 }
 
 const fn offset_at(size: &Size, x: i32, y: i32) -> usize {
-    let cell = (y as usize).wrapping_mul(size.grid.x.count as usize).wrapping_add(x as usize);
-    size.offsets_at().wrapping_add(cell << 1)
-}
-
-/// Vertices and joints; needs the references.
-const fn join(size: &Size, out: &mut [u8]) {
-    let mut index = 0;
-    while index < size.segments {
-        let map = size.view(out);
-        let (kind, joints) = (map.segment(index).kind, map.joints(index));
-        let attr = kind as u8
-            | if joints.start_joined { START_JOINED } else { 0 }
-            | if joints.end_joined { END_JOINED } else { 0 };
-        let next = match joints.next {
-            Some(next) => next,
-            None => NONE,
-        };
-        let at = HEADER.wrapping_add((index as usize).wrapping_mul(SEGMENT));
-        set_half(out, at.wrapping_add(NEXT_AT), next);
-        set_byte(out, at.wrapping_add(ATTR_AT), attr);
-        index += 1;
-    }
+    (y as usize).wrapping_mul(size.grid.x.count as usize).wrapping_add(x as usize) << 1
 }
 
 /// Winding numbers; needs the references.
 const fn wind(size: &Size, out: &mut [u8]) -> Result<(), SegmentMapError> {
     let (width, height) = (size.grid.x.count as i32, size.grid.y.count as i32);
-    let (mut y, mut at) = (0, size.winding_at());
+    let Tables { segments, offsets, refs, winding: numbers } = size.tables(out);
+    let map = SegmentMap { grid: size.grid, segments, offsets, refs, winding: &[] };
+    let (mut y, mut at) = (0, 0);
     while y < height {
         let (mut x, mut winding) = (0, 0);
         while x < width {
-            winding = size.view(out).next_winding(x, y, winding);
+            winding = map.next_winding(x, y, winding);
             if winding as i8 as i32 != winding {
                 return Err(SegmentMapError::TooDeep(Cell::of(x, y)));
             }
-            set_byte(out, at, winding as u8);
+            set_byte(numbers, at, winding as u8);
             at += 1;
             x += 1;
         }
@@ -280,7 +262,7 @@ impl Sink<'_> {
     /// only the rest.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
     pub(super) const fn take(&mut self, paths: &[Path<'_>]) -> Result<(), SegmentMapError> {
-        let (mut i, runs) = (0, Runs::of(paths));
+        let (mut i, mut block) = (0, Block::EMPTY);
         while i < paths.len() {
             let path = &paths[i];
             let (against, count) = (reversed(path), edges(path));
@@ -288,9 +270,11 @@ impl Sink<'_> {
             while k < count {
                 let (a, b) = (point(path, k), point(path, k + 1));
                 let edge = if against { PathEdge::between(b, a) } else { PathEdge::between(a, b) };
-                let place = EdgeIndex { path: i, point: k };
+                let place = EdgeIndex { path: i as u32, point: k as u32 };
                 let taken = match path.kind {
-                    PathKind::Solid | PathKind::Hole => self.left(paths, &runs, place, &edge),
+                    PathKind::Solid | PathKind::Hole => {
+                        self.left(paths, block.shared(paths, place), place, &edge, path.flags)
+                    }
                     PathKind::Wall => self.both(place, &edge, path.flags),
                     PathKind::OneWay => self.put(place, &edge, Kind::OneWay, path.flags),
                 };
@@ -305,18 +289,17 @@ impl Sink<'_> {
     }
 
     /// The pieces of a polygon's edge that are not cancelled, each as long as can be.
-    #[expect(clippy::indexing_slicing, reason = "a path that is being looked at exists")]
     const fn left(
         &mut self,
         paths: &[Path<'_>],
-        runs: &Runs,
+        shared: Shared,
         place: EdgeIndex,
         edge: &PathEdge,
+        flags: u8,
     ) -> Result<(), SegmentMapError> {
-        let flags = paths[place.path].flags;
         let (mut t, mut from) = (0, -1);
         while t < edge.len {
-            let (until, left) = left_from(paths, runs, place, edge, t);
+            let (until, left) = left_from(paths, shared, place, edge, t);
             if left && from < 0 {
                 from = t;
             }
@@ -343,7 +326,7 @@ impl Sink<'_> {
     }
 
     const fn put(&mut self, place: EdgeIndex, edge: &PathEdge, kind: Kind, flags: u8) -> Result<(), SegmentMapError> {
-        let (path, point) = (place.path as u32, place.point as u32);
+        let EdgeIndex { path, point } = place;
         if self.segments == MOST {
             return Err(SegmentMapError::TooManySegments { path, point });
         }
@@ -405,14 +388,16 @@ macro_rules! segment_map {
                 Ok(size) => size,
                 Err(e) => panic!("{}", e.__text().as_str()),
             };
-            // In two constants: the compiler limits the work in each.
+            // In three constants: the compiler limits the work in each.
             $(#[$attr])*
             const __PLACED: [u8; __SIZE.bytes()] = match __SIZE.__place(__PATHS) {
                 Ok(bytes) => bytes,
                 Err(e) => panic!("{}", e.__text().as_str()),
             };
             $(#[$attr])*
-            static __BYTES: [u8; __SIZE.bytes()] = match __SIZE.__finish(__PLACED) {
+            const __JOINED: [u8; __SIZE.bytes()] = __SIZE.__join(__PLACED);
+            $(#[$attr])*
+            static __BYTES: [u8; __SIZE.bytes()] = match __SIZE.__finish(__JOINED) {
                 Ok(bytes) => bytes,
                 Err(e) => panic!("{}", e.__text().as_str()),
             };
@@ -433,6 +418,14 @@ impl Size {
     }
 
     /// For [`segment_map!`] alone, with what was placed.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn __join<const N: usize>(&self, mut out: [u8; N]) -> [u8; N] {
+        join(self, &mut out);
+        out
+    }
+
+    /// For [`segment_map!`] alone, with what was joined.
     #[doc(hidden)]
     pub const fn __finish<const N: usize>(&self, mut out: [u8; N]) -> Result<[u8; N], SegmentMapError> {
         match finish(self, &mut out) {

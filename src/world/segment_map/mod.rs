@@ -26,6 +26,7 @@
 mod build;
 mod cancel;
 mod convex;
+mod join;
 mod overlap;
 mod parse;
 mod path;
@@ -98,14 +99,15 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 /// # Bounds
 ///
 /// At most 32768 segments, and 65535 pairs of a segment and a cell whose closed square it meets:
-/// larger cells make fewer. Building takes 2 KB of stack and no memory but the bytes. It compares
-/// an edge of a polygon with 64 boxes around runs of edges, and with the edges of the runs near it;
-/// and each end of a segment with the segments of its cell, so that smaller cells make it faster.
+/// larger cells make fewer. Building takes 4 KB of stack and no memory but the bytes. It reads the
+/// edges of all polygons once for each 64 of them, in whatever order they come, and compares those
+/// that are near each other. It compares each end of a segment with the segments of its cell, so
+/// that smaller cells make it faster.
 ///
-/// The compiler builds some 600 segments before its limit on constants (the lint
-/// `long_running_const_eval`), which a level of 2000 may be allowed to exceed, at the price of 20
-/// seconds: `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Larger levels are
-/// built on the host, and their bytes are included.
+/// The compiler builds some 2000 segments before its limit on constants (the lint
+/// `long_running_const_eval`), in 5 to 20 seconds. More are allowed by
+/// `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Larger levels are built on
+/// the host, and their bytes are included.
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("ChainShape", "polyline", "EdgeShape"))]
 pub struct SegmentMap<'a> {
@@ -272,6 +274,17 @@ pub(super) const NEXT_AT: usize = 20;
 pub(super) const ATTR_AT: usize = 22;
 
 impl Seg {
+    const NONE: Self = Self {
+        a: Raw::ZERO,
+        dir: Axis::new(0, 0),
+        len: 0,
+        next: Some(0),
+        kind: Kind::Solid,
+        start_joined: false,
+        end_joined: false,
+        flags: 0,
+    };
+
     /// The end: inside the domain, so nothing wraps.
     pub(in crate::world) const fn b(&self) -> Raw {
         Raw {
@@ -299,20 +312,17 @@ impl Seg {
     /// Segment `index` of a table; zeros beyond its end.
     #[inline]
     pub(super) const fn read(table: &[u8], index: u16) -> Self {
-        let bytes = match table.split_at_checked(index as usize * SEGMENT) {
-            Some((_, rest)) => rest.first_chunk(),
-            None => None,
-        };
-        // One bounds check for all fields.
-        let bytes = match bytes {
-            Some(bytes) => bytes,
-            None => &[0; SEGMENT],
-        };
-        let (next, attr) = (field::<NEXT_AT>(bytes) as u16, field::<NEXT_AT>(bytes) >> 16);
+        let at = index as usize * SEGMENT;
+        // One comparison for all fields. No slices: each is a dozen calls, and the compiler counts
+        // those in constants.
+        if at + SEGMENT > table.len() {
+            return Self::NONE;
+        }
+        let (next, attr) = (field::<NEXT_AT>(table, at) as u16, field::<NEXT_AT>(table, at) >> 16);
         Self {
-            a: Raw { x: field::<0>(bytes) as i32, y: field::<4>(bytes) as i32 },
-            dir: Axis { x: field::<8>(bytes) as i32, y: field::<12>(bytes) as i32 },
-            len: field::<16>(bytes) as i32,
+            a: Raw { x: field::<0>(table, at) as i32, y: field::<4>(table, at) as i32 },
+            dir: Axis { x: field::<8>(table, at) as i32, y: field::<12>(table, at) as i32 },
+            len: field::<16>(table, at) as i32,
             next: if next == NONE { None } else { Some(next) },
             kind: match attr as u8 & KIND {
                 0 => Kind::Solid,
@@ -326,12 +336,15 @@ impl Seg {
     }
 }
 
-/// 32 bits of a segment.
+/// 32 bits of the segment at a place.
 #[inline]
-#[expect(clippy::indexing_slicing, reason = "by constants")]
-const fn field<const AT: usize>(bytes: &[u8; SEGMENT]) -> u32 {
+#[expect(clippy::indexing_slicing, reason = "behind the comparison with the length in `read`")]
+const fn field<const AT: usize>(bytes: &[u8], at: usize) -> u32 {
     // No call: the compiler counts calls in constants.
-    bytes[AT] as u32 | (bytes[AT + 1] as u32) << 8 | (bytes[AT + 2] as u32) << 16 | (bytes[AT + 3] as u32) << 24
+    bytes[at + AT] as u32
+        | (bytes[at + (AT + 1)] as u32) << 8
+        | (bytes[at + (AT + 2)] as u32) << 16
+        | (bytes[at + (AT + 3)] as u32) << 24
 }
 
 pub(super) const MAGIC: u32 = u32::from_le_bytes(*b"TSEG");
@@ -368,14 +381,11 @@ pub(super) const fn part(data: &[u8], from: usize, to: usize) -> &[u8] {
     }
 }
 
-/// 16 bits; 0 beyond the end. By a pattern, which no core needs a check of bounds for that could
-/// panic.
+/// 16 bits; 0 beyond the end. No slices, as in [`Seg::read`].
 #[inline]
+#[expect(clippy::indexing_slicing, reason = "behind comparisons with the length")]
 pub(super) const fn half(data: &[u8], at: usize) -> u16 {
-    match data.split_at_checked(at) {
-        Some((_, &[a, b, ..])) => u16::from_le_bytes([a, b]),
-        _ => 0,
-    }
+    if at < data.len() && at + 1 < data.len() { data[at] as u16 | (data[at + 1] as u16) << 8 } else { 0 }
 }
 
 /// 32 bits; 0 beyond the end.
@@ -388,9 +398,10 @@ pub(super) const fn word(data: &[u8], at: usize) -> u32 {
 }
 
 /// Writes 16 bits; nothing beyond the end.
+#[expect(clippy::indexing_slicing, reason = "behind comparisons with the length")]
 pub(super) const fn set_half(data: &mut [u8], at: usize, value: u16) {
-    if let Some((_, [a, b, ..])) = data.split_at_mut_checked(at) {
-        [*a, *b] = value.to_le_bytes();
+    if at < data.len() && at + 1 < data.len() {
+        (data[at], data[at + 1]) = (value as u8, (value >> 8) as u8);
     }
 }
 

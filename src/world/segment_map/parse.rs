@@ -64,6 +64,14 @@ impl Size {
         self.refs_at().wrapping_add((self.refs as usize) << 1)
     }
 
+    /// The tables of a level of this size that is being built.
+    pub(super) const fn tables<'a>(&self, data: &'a mut [u8]) -> Tables<'a> {
+        let (segments, data) = cut(cut(data, HEADER).1, self.offsets_at().wrapping_sub(HEADER));
+        let (offsets, data) = cut(data, self.refs_at().wrapping_sub(self.offsets_at()));
+        let (refs, data) = cut(data, self.winding_at().wrapping_sub(self.refs_at()));
+        Tables { segments, offsets, refs, winding: cut(data, self.cells()).0 }
+    }
+
     /// The tables of a level of this size.
     pub(super) const fn view<'a>(&self, data: &'a [u8]) -> SegmentMap<'a> {
         SegmentMap {
@@ -73,6 +81,22 @@ impl Size {
             refs: part(data, self.refs_at(), self.winding_at()),
             winding: part(data, self.winding_at(), self.bytes()),
         }
+    }
+}
+
+/// The tables of a level, each of which may be written while the others are read.
+pub(super) struct Tables<'a> {
+    pub(super) segments: &'a mut [u8],
+    pub(super) offsets: &'a mut [u8],
+    pub(super) refs: &'a mut [u8],
+    pub(super) winding: &'a mut [u8],
+}
+
+/// The first bytes, and the others; none where there are not so many.
+const fn cut(data: &mut [u8], at: usize) -> (&mut [u8], &mut [u8]) {
+    match data.split_at_mut_checked(at) {
+        Some(parts) => parts,
+        None => (&mut [], &mut []),
     }
 }
 
