@@ -213,7 +213,6 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// The cells of a range of the map that a body in the region may meet, and another range with
     /// them.
-    #[inline]
     fn met(&self, range: Range, mut found: Range, region: &Aabb, r: Option<i32>) -> Range {
         if range.x0 > range.x1 {
             return found;
