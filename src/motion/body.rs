@@ -175,7 +175,7 @@ pub(super) mod kernel {
     use crate::motion::contact::Plane;
     use crate::num::{Axis, Raw};
     use crate::shape::Aabb;
-    use crate::world::{Feature, World};
+    use crate::world::{Feature, Geometry, World};
 
     pub trait Kernel: Copy {
         /// Whether normals may be askew. If not, the code for them is not linked.
@@ -193,6 +193,10 @@ pub(super) mod kernel {
         /// The first moment of the motion at which the body would start to overlap the feature, if
         /// any.
         fn sweep(&self, d: Raw, feature: &Feature) -> Option<Entry>;
+        /// The same for features that are no arcs. If a level has none, their code is not linked.
+        fn sweep_straight(&self, d: Raw, feature: &Feature) -> Option<Entry> {
+            self.sweep(d, feature)
+        }
         /// The same for worlds of [`BLOCKS`](World::BLOCKS).
         fn sweep_block(&self, d: Raw, feature: &Feature) -> Option<Entry>;
         /// The box of the points that have the [radius](Self::rounding) around them: all of a box,
@@ -218,6 +222,19 @@ pub(super) mod kernel {
         fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool;
         /// Whether the body overlaps the level: strict and exact.
         fn overlaps_world<W: World>(&self, world: &W) -> bool;
+        /// The [sweep](Self::sweep) against a feature of a level, by the code that such levels link.
+        #[inline]
+        fn sweep_in<W: World>(&self, d: Raw, feature: &Feature) -> Option<Entry> {
+            if W::BLOCKS {
+                self.sweep_block(d, feature)
+            } else if W::ROUND {
+                self.sweep(d, feature)
+            } else if matches!(feature.geometry, Geometry::Arc { .. }) {
+                None
+            } else {
+                self.sweep_straight(d, feature)
+            }
+        }
         /// Whether a point is in the inside of the level's solid, by the tests that such bodies
         /// link.
         fn is_inside<W: World>(world: &W, p: Raw) -> bool;

@@ -205,7 +205,7 @@ impl<'m, B: Body> Run<'m, B> {
         let mut features = world.features(&hull(&self.moved.body.bounds(), Raw::ZERO, q, 1));
         while let Some(feature) = &features.next() {
             self.moved.work.features += 1;
-            if feature.one_way && !self.pass_one_way && self.moved.body.sweep(q, feature).is_some() {
+            if feature.one_way && !self.pass_one_way && self.moved.body.sweep_in::<W>(q, feature).is_some() {
                 return true;
             }
         }

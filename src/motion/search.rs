@@ -54,18 +54,18 @@ impl Around {
     ///
     /// # Errors
     /// If the motion visits too many cells.
-    #[inline]
+    #[inline(always)]
     pub(super) fn begin<W: World, B: Body>(&mut self, world: &W, body: &B, d: Raw) -> Result<u32, RangeError> {
         let bounds = body.bounds();
         check_cells(world, &bounds, d)?;
         // Most motions are one piece, and this is all that most bodies run.
-        if way(d) > piece_length(world, &bounds) {
-            self.region = piece_of(&bounds, Raw::ZERO, Raw::ZERO, 2);
-            world.look(&self.region, Some(body.rounding()), &mut self.seen);
+        let is_one = way(d) <= piece_length(world, &bounds);
+        self.region =
+            if is_one { piece_of(&bounds, Raw::ZERO, d, 1) } else { piece_of(&bounds, Raw::ZERO, Raw::ZERO, 2) };
+        world.look(&self.region, Some(body.rounding()), &mut self.seen);
+        if !is_one {
             return Ok(pieces(world, &bounds, d));
         }
-        self.region = piece_of(&bounds, Raw::ZERO, d, 1);
-        world.look(&self.region, Some(body.rounding()), &mut self.seen);
         Ok(u32::from(!self.is_empty() || !is_inside(&self.region)))
     }
 
@@ -248,14 +248,7 @@ impl<'a, B: Body> Search<'a, B> {
                 continue;
             }
             self.guarded |= !W::BLOCKS && feature.one_way;
-            let entry = &if W::BLOCKS {
-                body.sweep_block(d, feature)
-            } else if W::ROUND || !matches!(feature.geometry, Geometry::Arc { .. }) {
-                body.sweep(d, feature)
-            } else {
-                None
-            };
-            let Some(entry) = entry else { continue };
+            let Some(entry) = &body.sweep_in::<W>(d, feature) else { continue };
             if !W::BLOCKS && self.pressed.is_some_and(|v| into(v, entry.normal) >= 0) {
                 continue;
             }

@@ -33,7 +33,19 @@ impl Kernel for Aabb {
     }
 
     fn sweep(&self, d: Raw, feature: &Feature) -> Option<Entry> {
-        let (lo, hi) = (self.lo(), self.hi());
+        let Geometry::Arc { centre, radius, quadrant, convex } = feature.geometry else {
+            return self.sweep_straight(d, feature);
+        };
+        let (corner, _) = self.toward(if convex { quadrant.reversed() } else { quadrant });
+        let centre = Raw::of(centre);
+        if convex {
+            sweep_round((self.lo(), self.hi()), corner, d, (centre, radius, quadrant))
+        } else {
+            leave_by_corner(corner.sub(centre), radius, d, quadrant)
+        }
+    }
+
+    fn sweep_straight(&self, d: Raw, feature: &Feature) -> Option<Entry> {
         match feature.geometry {
             Geometry::Face { dir, .. } if dir.x == 0 || dir.y == 0 => self.sweep_block(d, feature),
             Geometry::Face { a, dir, len, joined } => {
@@ -42,16 +54,8 @@ impl Kernel for Aabb {
                 let (corner, _) = self.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
                 sweep_slope(corner, 0, d, &Face { a: Raw::of(a), dir, len, joined })
             }
-            Geometry::Vertex { p, e_in, e_out } => sweep_peak(lo, hi, d, Raw::of(p), e_in, e_out),
-            Geometry::Arc { centre, radius, quadrant, convex } => {
-                let (corner, _) = self.toward(if convex { quadrant.reversed() } else { quadrant });
-                let centre = Raw::of(centre);
-                if convex {
-                    sweep_round((lo, hi), corner, d, (centre, radius, quadrant))
-                } else {
-                    leave_by_corner(corner.sub(centre), radius, d, quadrant)
-                }
-            }
+            Geometry::Vertex { p, e_in, e_out } => sweep_peak(self.lo(), self.hi(), d, Raw::of(p), e_in, e_out),
+            Geometry::Arc { .. } => None,
         }
     }
 
@@ -114,6 +118,24 @@ impl Kernel for Circle {
 
     #[inline]
     fn sweep(&self, d: Raw, feature: &Feature) -> Option<Entry> {
+        let Geometry::Arc { centre, radius, quadrant, convex } = feature.geometry else {
+            return self.sweep_straight(d, feature);
+        };
+        let (m, r) = (self.c().sub(Raw::of(centre)), self.r());
+        if convex {
+            enter_quarter(m, radius.wrapping_add(r), d, quadrant, true)
+        } else if r < radius {
+            leave_quarter(m, radius.wrapping_sub(r), d, quadrant)
+        } else if r == radius {
+            leave_centre(m, d, quadrant)
+        } else {
+            // It meets the arc's ends first.
+            None
+        }
+    }
+
+    #[inline]
+    fn sweep_straight(&self, d: Raw, feature: &Feature) -> Option<Entry> {
         let (c, r) = (self.c(), self.r());
         match feature.geometry {
             Geometry::Face { a, dir, len, joined } if dir.x != 0 && dir.y != 0 => {
@@ -121,19 +143,6 @@ impl Kernel for Circle {
             }
             Geometry::Vertex { p, e_in, e_out } if !is_square(e_in, e_out) => {
                 sweep_cone(c.sub(Raw::of(p)), r, d, e_in, e_out)
-            }
-            Geometry::Arc { centre, radius, quadrant, convex } => {
-                let m = c.sub(Raw::of(centre));
-                if convex {
-                    enter_quarter(m, radius.wrapping_add(r), d, quadrant, true)
-                } else if r < radius {
-                    leave_quarter(m, radius.wrapping_sub(r), d, quadrant)
-                } else if r == radius {
-                    leave_centre(m, d, quadrant)
-                } else {
-                    // It meets the arc's ends first.
-                    None
-                }
             }
             _ => self.sweep_block(d, feature),
         }

@@ -52,6 +52,24 @@ impl Kernel for Capsule {
 
     #[inline]
     fn sweep(&self, d: Raw, feature: &Feature) -> Option<Entry> {
+        let Geometry::Arc { centre, radius, quadrant, convex } = feature.geometry else {
+            return self.sweep_straight(d, feature);
+        };
+        let (centre, r) = (Raw::of(centre), self.rounding());
+        if convex {
+            return self.sweep_bulge(d, (centre, radius, quadrant));
+        }
+        let m = self.toward(quadrant).0.sub(centre);
+        match r.cmp(&radius) {
+            Ordering::Less => leave_quarter(m, radius.wrapping_sub(r), d, quadrant),
+            Ordering::Equal => leave_centre(m, d, quadrant),
+            // It meets the arc's ends first.
+            Ordering::Greater => None,
+        }
+    }
+
+    #[inline]
+    fn sweep_straight(&self, d: Raw, feature: &Feature) -> Option<Entry> {
         let r = self.rounding();
         match feature.geometry {
             Geometry::Face { a, dir, len, joined } if dir.x != 0 && dir.y != 0 => {
@@ -60,19 +78,6 @@ impl Kernel for Capsule {
             }
             Geometry::Vertex { p, e_in, e_out } if !is_square(e_in, e_out) => {
                 self.sweep_corner(d, Raw::of(p), e_in, e_out)
-            }
-            Geometry::Arc { centre, radius, quadrant, convex } => {
-                let centre = Raw::of(centre);
-                if convex {
-                    return self.sweep_bulge(d, (centre, radius, quadrant));
-                }
-                let m = self.toward(quadrant).0.sub(centre);
-                match r.cmp(&radius) {
-                    Ordering::Less => leave_quarter(m, radius.wrapping_sub(r), d, quadrant),
-                    Ordering::Equal => leave_centre(m, d, quadrant),
-                    // It meets the arc's ends first.
-                    Ordering::Greater => None,
-                }
             }
             _ => self.sweep_block(d, feature),
         }

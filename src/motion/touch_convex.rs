@@ -158,6 +158,14 @@ impl<S: Single + Body, const M: usize> Kernel for Compound<S, M> {
         first
     }
 
+    fn sweep_straight(&self, d: Raw, feature: &Feature) -> Option<Entry> {
+        let mut first = None;
+        for part in self.parts() {
+            keep_first(&mut first, part.sweep_straight(d, feature).as_ref(), d);
+        }
+        first
+    }
+
     fn sweep_block(&self, d: Raw, feature: &Feature) -> Option<Entry> {
         let mut first = None;
         for part in self.parts() {

@@ -74,7 +74,7 @@ impl Way {
         if matches!(feature.geometry, Geometry::Face { dir, .. } if into(self.probe, normal(dir)) >= 0) {
             return;
         }
-        let Some(entry) = &meets::<W, B>(self.probe, body, feature) else { return };
+        let Some(entry) = &body.sweep_in::<W>(self.probe, feature) else { return };
         if let Some(room) = room_to(self.probe, entry) {
             self.room = self.room.min(room);
         }
@@ -115,17 +115,6 @@ impl Way {
         let plane = |w: &Self| w.along.map(|p| (w.presses, along(Raw { x: p.normal.x, y: p.normal.y }), p.bend.rank()));
         let key = |w: &Self| (along(w.v), plane(w));
         cmp_squares((a, m), (b, n)).then_with(|| key(self).cmp(&key(other))).is_gt()
-    }
-}
-
-/// The entry of a probe into a feature, if it meets it.
-fn meets<W: World, B: Body>(probe: Raw, body: &B, feature: &Feature) -> Option<Entry> {
-    if W::BLOCKS {
-        body.sweep_block(probe, feature)
-    } else if W::ROUND || !matches!(feature.geometry, Geometry::Arc { .. }) {
-        body.sweep(probe, feature)
-    } else {
-        None
     }
 }
 
@@ -373,7 +362,7 @@ impl Ways {
             if feature.one_way {
                 return;
             }
-            let Some(entry) = &meets::<W, B>(probe, body, feature) else { return };
+            let Some(entry) = &body.sweep_in::<W>(probe, feature) else { return };
             if !hits.tell_of(entry.normal, feature) && room_to(probe, entry).is_some() {
                 first.add::<B, W>(entry, feature, probe);
             }

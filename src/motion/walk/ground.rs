@@ -10,7 +10,7 @@ use crate::motion::ways::Ways;
 use crate::motion::{Hit, Moved, Mover};
 use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, mul_div, umul};
 use crate::shape::Aabb;
-use crate::world::{Cell, Feature, Geometry, World};
+use crate::world::{Cell, Feature, World};
 
 /// The floor under a body.
 ///
@@ -158,12 +158,10 @@ impl<B: Body> Look for Run<'_, B> {
         let mut first = First::none();
         for feature in world.features(&Aabb::from_raw_unchecked(lo.sub(far), hi.add(far))) {
             self.moved.work.features += 1;
-            let skipped = feature.one_way && self.pass_one_way;
-            if skipped || (!W::ROUND && matches!(feature.geometry, Geometry::Arc { .. })) {
+            if feature.one_way && self.pass_one_way {
                 continue;
             }
-            let entry = if W::BLOCKS { body.sweep_block(d, &feature) } else { body.sweep(d, &feature) };
-            match entry {
+            match body.sweep_in::<W>(d, &feature) {
                 Some(entry) if mover.side(entry.normal) == SurfaceRole::Floor => first.add::<B, W>(&entry, &feature, d),
                 _ => {}
             }

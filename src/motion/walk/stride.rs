@@ -386,7 +386,7 @@ impl<W: World, B: Body> Stride<'_, W, B> {
         let mut features = self.world.features(&hull(bounds, Raw::ZERO, d, 1));
         while let Some(feature) = &features.next() {
             self.run.moved.work.features += 1;
-            if feature.one_way && !self.run.pass_one_way && bounds.sweep(d, feature).is_some() {
+            if feature.one_way && !self.run.pass_one_way && bounds.sweep_in::<W>(d, feature).is_some() {
                 return true;
             }
         }

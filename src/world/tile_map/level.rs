@@ -182,7 +182,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 
     /// The cells of a region inside the map: a quotient an axis, from where it is stepped.
-    #[inline]
+    #[inline(always)]
     pub(super) const fn range_inside(&self, lo: Raw, hi: Raw) -> Option<Range> {
         let grid = &self.grid;
         let (x0, y0) = (lo.x.wrapping_sub(grid.x.origin), lo.y.wrapping_sub(grid.y.origin));
@@ -197,7 +197,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// The same of a region that is not all inside the map.
     #[inline(never)]
-    const fn met_beyond(&self, region: &Aabb, r: Option<i32>) -> Range {
+    fn met_beyond(&self, region: &Aabb, r: Option<i32>) -> Range {
         let range = self.open_range(region.lo(), region.hi());
         match self.outside {
             Outside::Empty => self.met(self.inside(range), Range::NOWHERE, region, r),
@@ -213,23 +213,22 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// The cells of a range of the map that a body in the region may meet, and another range with
     /// them.
-    const fn met(&self, range: Range, mut found: Range, region: &Aabb, r: Option<i32>) -> Range {
+    fn met(&self, range: Range, mut found: Range, region: &Aabb, r: Option<i32>) -> Range {
         if range.x0 > range.x1 {
             return found;
         }
-        let mut y = range.y0;
+        let (mut y, mut row) = (range.y0, self.place(range.x0, range.y0));
         while y <= range.y1 {
             let x0 = if T::OCCUPIED { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
-            let (mut tile, last) = (self.place(x0, y), self.place(range.x1, y));
-            while tile <= last {
+            let (mut x, mut tile) = (x0, row.wrapping_add(x0.wrapping_sub(range.x0) as u32));
+            while x <= range.x1 {
                 let id = self.id_at(tile);
                 if !self.kinds.is_empty(id) {
-                    let x = range.x1.wrapping_sub(last.wrapping_sub(tile) as i32);
                     self.meet(&mut found, id, (x, y), region, r);
                 }
-                tile = tile.wrapping_add(1);
+                (x, tile) = (x.wrapping_add(1), tile.wrapping_add(1));
             }
-            y = y.wrapping_add(1);
+            (y, row) = (y.wrapping_add(1), row.wrapping_add(u32::from(self.stride)));
         }
         found
     }

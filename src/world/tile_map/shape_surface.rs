@@ -26,7 +26,7 @@ struct Tile {
     kind: TileKind,
     outline: &'static Outline,
     cell: Cell,
-    corners: (Raw, Raw),
+    lines: Lines,
     /// The halves of sides that are faces, as the edges of an outline.
     faces: u8,
     /// The shapes across each side.
@@ -34,6 +34,46 @@ struct Tile {
 }
 
 const INNER: u8 = 8;
+
+/// The coordinates of a cell's nodes: of its sides and of the middle, by the halves of the cell
+/// before them. The fourth one only fills the table.
+#[derive(Clone, Copy, Debug)]
+struct Lines {
+    x: [i32; 4],
+    y: [i32; 4],
+}
+
+impl Lines {
+    const fn of((lo, hi): (Raw, Raw)) -> Self {
+        let (x, y) = (along(lo.x, hi.x, 1), along(lo.y, hi.y, 1));
+        Self { x: [lo.x, x, hi.x, hi.x], y: [lo.y, y, hi.y, hi.y] }
+    }
+
+    /// The position of a node, modulo eight.
+    #[inline]
+    #[expect(clippy::indexing_slicing, reason = "masked to the table's length")]
+    fn node(&self, node: u8) -> Raw {
+        let place = NODES[(node & 7) as usize];
+        Raw { x: at(&self.x, place), y: at(&self.y, place >> 2) }
+    }
+
+    const fn corners(&self) -> (Raw, Raw) {
+        let ([x0, _, x1, _], [y0, _, y1, _]) = (self.x, self.y);
+        (Raw { x: x0, y: y0 }, Raw { x: x1, y: y1 })
+    }
+}
+
+/// The [place] of each node: its column, and its row above two bits.
+#[expect(clippy::indexing_slicing, reason = "runs in the compiler")]
+static NODES: [u8; 8] = {
+    let (mut nodes, mut node) = ([0; 8], 0u8);
+    while node < 8 {
+        let (i, j) = place(node);
+        nodes[node as usize] = i | j << 2;
+        node += 1;
+    }
+    nodes
+};
 
 impl<const ROUND: bool> CellSurface for ShapeSurface<ROUND> {
     const NONE: Self = Self { left: 0, index: 0, outs: 0, tile: None };
@@ -65,7 +105,7 @@ impl<const ROUND: bool> CellSurface for ShapeSurface<ROUND> {
         let corners = map.corners(walk);
         self.left &= reached(corners, look.region);
         (self.index, self.outs) = (0, 0);
-        self.tile = Some(Tile { kind, outline, cell: Cell::of(x, y), corners, faces, beside });
+        self.tile = Some(Tile { kind, outline, cell: Cell::of(x, y), lines: Lines::of(corners), faces, beside });
     }
 
     #[inline]
@@ -79,7 +119,7 @@ impl<const ROUND: bool> CellSurface for ShapeSurface<ROUND> {
         }
         let index = self.index;
         let piece = tile.piece(index);
-        let (end, dir) = (tile.node(piece.end), direction(piece.dir));
+        let (end, dir) = (tile.lines.node(piece.end), direction(piece.dir));
         (self.left, self.index) = (self.left >> 1, index.wrapping_add(1));
         if VERTICES >> index & 1 != 0 {
             let out = direction((self.outs >> (4 * (index & 7))) as u8);
@@ -94,8 +134,10 @@ impl<const ROUND: bool> CellSurface for ShapeSurface<ROUND> {
         if !corner && !opposes {
             return None;
         }
-        let start = tile.node(piece.start);
-        if !meets(look.region, start, end) {
+        let start = tile.lines.node(piece.start);
+        // The line of a side is in the region, and so is a part of the cell: of a whole side too.
+        let whole = index < INNER && piece.end & 1 == 0 && piece.start & 1 == 0;
+        if !corner && !whole && !meets(look.region, start, end) {
             return None;
         }
         let mut joined = true;
@@ -110,7 +152,7 @@ impl<const ROUND: bool> CellSurface for ShapeSurface<ROUND> {
             }
         }
         if arc_here {
-            let arc = arc(tile.kind.shape.form(), convex, tile.corners);
+            let arc = arc(tile.kind.shape.form(), convex, tile.lines.corners());
             return if look.opposes_arc(&arc) { Some(tile.feature(index, arc)) } else { None };
         }
         if !opposes {
@@ -156,12 +198,6 @@ impl Tile {
         let k = index & 3;
         let halves = self.faces >> (2 * k) & 3;
         Piece { start: 2 * k + u8::from(halves == 2), end: (2 * k + 2 - u8::from(halves == 1)) & 7, dir: 4 * k }
-    }
-
-    fn node(&self, node: u8) -> Raw {
-        let (i, j) = place(node);
-        let (lo, hi) = self.corners;
-        Raw { x: along(lo.x, hi.x, i), y: along(lo.y, hi.y, j) }
     }
 
     /// The sectors around a node that are solid, by this tile and those around, and the directions
