@@ -87,7 +87,7 @@ impl Not for LayerMask {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[doc(alias("collision layers", "categoryBits", "maskBits"))]
+#[doc(alias("collision layers", "categoryBits", "maskBits", "collision_mask", "CollisionGroups", "sensor", "group"))]
 pub struct Filter {
     /// The layers that the body is on.
     pub layers: LayerMask,

@@ -46,7 +46,7 @@
 //! | a level of polygons, walls, one-way chains | [`SegmentMap`], built by the compiler with [`segment_map!`] |
 //! | two levels as one | [`Joined`] |
 //! | which of many bodies are close to each other | a [`BroadPhase`](broad::BroadPhase) |
-//! | level, broad phase and bodies in one call per frame | [`Scene`] |
+//! | level, broad phase and bodies in one call per frame; about 80 KB of flash | [`Scene`] |
 //! | overlaps, contacts, casts and rays of shapes | [`prelude`], [`query`] |
 //!
 //! # Conventions
@@ -88,7 +88,7 @@
 //! shapes, heroes, movers, solids, particles, broad phases, pairs and scenes. States that depend on
 //! how this crate works inside have a version. What is read is checked as a constructor checks it:
 //! a box whose sides are exchanged, a coordinate outside the domain, an unknown version and lists
-//! that contradict each other are errors that say what and where. A [`Memo`] is written as nothing
+//! that contradict each other are errors that say what and where. A [`Memo`](motion::Memo) is written as nothing
 //! and read empty, because only the level could check its answer. `libm` takes the processor's
 //! square root on x86-64: a cast of a circle takes 7 % fewer instructions.
 
@@ -127,11 +127,11 @@ pub mod world;
 pub use error::{Quantity, RangeError};
 pub use filter::{Filter, LayerMask};
 pub use motion::{
-    Body, Character, Feel, Hit, Input, Memo, MoveError, Moved, Mover, Outcome, Response, SlopeSpeed, Step, Surface,
+    Body, Character, Feel, Hit, Input, MoveError, Moved, Mover, Outcome, Response, SlopeSpeed, Step, Support, Surface,
     Walked, Walker,
 };
 pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
-pub use query::{CastHit, Contact, Inside, Manifold};
+pub use query::{CastHit, Contact, Inside};
 pub use scene::{Scene, SceneBody};
 pub use shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 /// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types

@@ -103,6 +103,33 @@ impl Aabb {
         Self::new(c.sub(h).vec2(), c.add(h).vec2())
     }
 
+    /// A box from its corner with the smaller coordinates and its size; exact.
+    ///
+    /// # Errors
+    /// [`RangeError`] if a size is negative, or a corner is outside the
+    /// [domain](crate::num::DOMAIN).
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2};
+    /// // A hero of 10 x 14 whose feet are in the middle of the spawn's lower edge (y down).
+    /// let (feet, size) = (Vec2::from_ints(24, 144), Vec2::from_ints(10, 14));
+    /// let hero = Aabb::from_size(feet - Vec2::new(size.x / 2, size.y), size)?;
+    /// assert_eq!((hero.min(), hero.max()), (Vec2::from_ints(19, 130), Vec2::from_ints(29, 144)));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    pub const fn from_size(min: Vec2, size: Vec2) -> Result<Self, RangeError> {
+        let (lo, size) = (Raw::of(min), Raw::of(size));
+        if size.x < 0 {
+            return Err(RangeError { what: Quantity::Width, value: size.x });
+        }
+        if size.y < 0 {
+            return Err(RangeError { what: Quantity::Height, value: size.y });
+        }
+        // A sum that does not fit saturates, beyond the domain.
+        let max = Vec2::from_raw(lo.x.saturating_add(size.x), lo.y.saturating_add(size.y));
+        Self::new(min, max)
+    }
+
     /// For corners that the caller has checked.
     pub(crate) const fn from_raw_unchecked(min: Raw, max: Raw) -> Self {
         Self { min: min.vec2(), max: max.vec2() }

@@ -110,8 +110,8 @@ pub enum Outcome {
         /// Out of that solid, toward the body.
         normal: Axis,
     },
-    /// It overlaps the level and did not move: a door closed on it, or a solid that squashed it has
-    /// not passed yet.
+    /// It overlaps the level and did not move. It started in a wall, a door closed on it, or a
+    /// solid that squashed it has not passed yet. `level.overlaps(hero.body())` is true.
     Stuck,
     /// It is entirely below its limits, or beside them. It may fly above them.
     OutOfLevel,

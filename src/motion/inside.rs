@@ -51,8 +51,7 @@ const PUSHES: u32 = 4;
 /// 31 it goes 9 to the left, at 39 it goes 9 to the right. From 32 to 38 the result is [`Stuck`].
 /// [Doors](crate::motion#doors) shows how to avoid this.
 ///
-/// Takes boxes, circles, capsules in any direction that moves, turned boxes, polygons, and an
-/// [`AnyShape`](crate::shape::AnyShape) of any of them.
+/// It takes every [`Body`](super::Body) but a compound.
 ///
 /// Cost: an exact overlap test. If that is true, the [contacts](crate::TileMap::contacts) of one
 /// body and another test, at most four times. Only a game that calls it links the code for
@@ -87,15 +86,15 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
     if body.overlaps_world(world) { Err(stuck) } else { Ok(body) }
 }
 
-/// Turns a body in a level: exchanges it for `turned`, another orientation or size of it, and
-/// pushes that out where it has no room. It never ends inside.
+/// Turns a body in a level: exchanges it for `turned`, which has another direction or size, and
+/// pushes that out if it has no room. It never ends inside.
 ///
-/// The body must be free. Where `turned` is free too, that is the result. Elsewhere it is pushed as
-/// [`escape`] does, and only as far as its middle gets on a straight line from the body's: a wall
-/// that is thinner than the body is never between the two. One-way faces do not count.
+/// The body must be free. If `turned` is free too, that is the result. Otherwise it is pushed as by
+/// [`escape`], and only to where a point gets from the middle of the body to its own on a straight
+/// line. So a thin wall is never between the two. One-way faces do not count.
 ///
-/// It takes the start and the end, not the way between them. Turn by small steps where something
-/// thin could fit into the angle.
+/// It looks at the start and at the end, not at the way between them. Turn by small steps if
+/// something thin could fit into the angle.
 ///
 /// Cost: that of `escape`, and of the cast of a point where something was pushed.
 ///
@@ -112,8 +111,7 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
 /// ```
 ///
 /// # Errors
-/// [`Stuck`] if the body is not free, or `turned` cannot be pushed out on its side of what is
-/// between.
+/// [`Stuck`] if the body is not free, or no push frees `turned` on its side of the walls.
 pub fn turn<W: World, B: Body + Pushable>(world: &W, body: &B, turned: &B) -> Result<B, Stuck> {
     let stuck = Stuck { at: body.position().raw() };
     if body.overlaps_world(world) {

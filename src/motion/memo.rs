@@ -15,7 +15,7 @@ use crate::world::World;
 /// One memo belongs to one body. It is plain data: a copy is a snapshot.
 ///
 /// ```
-/// use tilesat::{Aabb, Axis, Memo, Mover, TileKind, TileKinds, TileMap, Vec2};
+/// use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Vec2, motion::Memo};
 ///
 /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 /// let map = TileMap::from_ascii("  \n##\n", &KINDS)?; // the floor is at y = 16

@@ -157,8 +157,8 @@ impl Hit {
     /// [give it](crate::scene::SceneEvent::Level). For a surface that moves, subtract its own.
     /// Rounded as [`Axis::approach`].
     ///
-    /// A later hit of a call gets what the velocity of the whole call has into it. That is more
-    /// than the body still had, if an earlier hit had taken a part of that.
+    /// A later hit of the same call gets the part of the whole call's velocity into its surface. If
+    /// an earlier hit had taken a part of that, the body was slower than this.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Fx, Mover, TileKind, TileKinds, TileMap, Vec2};

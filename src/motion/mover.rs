@@ -108,7 +108,7 @@ impl<S: Law> Mover<S> {
     /// tile, the [key](crate::Solids::key_of) of a solid, the normal, one-way or not. `None` is the
     /// mover's own response. A mover without such a function links no code for it.
     ///
-    /// It must return the same for the same hit. For what a body passes, see
+    /// It must return the same for the same hit. To learn what a body passed, see
     /// [`move_along`](Self::move_along). Call this after [`with_surface`](Self::with_surface).
     ///
     /// ```

@@ -9,9 +9,9 @@ use fixed::types::I2F30;
 
 /// An exact direction: two integers of any common scale.
 ///
-/// Contacts and faces carry their normals this way, because a unit vector cannot be exact: `(1, 2)`
-/// is the direction of a slope, `(1, 2)/sqrt(5)` is not on any lattice. [`Axis::unit`] rounds it
-/// when a unit vector is wanted.
+/// Normals have this type, because a unit vector cannot be exact. `(1, 2)` is the direction of a
+/// slope, but no fixed-point vector is exactly `(1, 2) / sqrt(5)`. Call [`Axis::unit`] if you need
+/// the rounded unit vector.
 ///
 /// ```
 /// use tilesat::Axis;
@@ -46,8 +46,8 @@ impl Axis {
         Self { x, y }
     }
 
-    /// The dot product; exact where the components are below 2^31 in size and their products' sum
-    /// fits 63 bits, as all axes of this crate do.
+    /// The dot product. Exact for all axes that this crate returns: the sum of the products fits 63
+    /// bits.
     #[must_use]
     pub const fn dot(self, rhs: Self) -> i64 {
         // Across a face along an axis: one product, or none.
@@ -128,17 +128,17 @@ impl Axis {
         Self::new(self.x.wrapping_neg(), self.y.wrapping_neg())
     }
 
-    /// Whether both components are zero; no result of this crate is.
+    /// Whether both components are zero. This crate never returns such an axis.
     #[must_use]
     pub const fn is_zero(self) -> bool {
         self.x == 0 && self.y == 0
     }
 
-    /// The unit vector of this direction, within 1.5 raw units of 2^-30 per component; the zero
-    /// axis gives +x.
+    /// The unit vector of this direction. Each component is within 1.5 * 2^-30 of the exact value.
+    /// The zero axis gives +x.
     ///
-    /// Mirrored axes give mirrored bits, parallels to x or y are exact. Cost: one reciprocal root,
-    /// no division; about 250 instructions on a Cortex-M0.
+    /// Mirrored axes give mirrored bits. Axes along x or y are exact. Cost: one reciprocal root and
+    /// no division, about 250 instructions on a Cortex-M0.
     ///
     /// ```
     /// use tilesat::{Axis, Vec2, fx};
@@ -175,8 +175,8 @@ impl Neg for Axis {
 
 /// A direction of length one, rounded: signed 2.30 components.
 ///
-/// Each component is within 1.5 raw (2^-30) of the exact value, so the length is within 3 parts in
-/// 10^9 of one. Parallels to x and y are exact.
+/// Each component is within 1.5 * 2^-30 of the exact value, so the length is within 3 parts in
+/// 10^9 of one. Directions along x and y are exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[doc(alias("normalized", "unit vector"))]
 pub struct UnitVec2 {
@@ -216,10 +216,10 @@ impl UnitVec2 {
         (self.x.to_bits(), self.y.to_bits())
     }
 
-    /// A vector of this direction and a length, each component rounded toward zero; a negative
+    /// The vector with this direction and a length, each component rounded toward zero. A negative
     /// length reverses it.
     ///
-    /// Never longer than asked by a raw unit or more, and mirrored directions give mirrored bits.
+    /// It exceeds the length by less than a raw unit. Mirrored directions give mirrored bits.
     /// Cost: two products, no division.
     ///
     /// ```

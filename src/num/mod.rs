@@ -11,9 +11,9 @@
 //! | [`umul`] [`usqr`] [`imul`] [`mul64`] [`sqr64`] | wide products | exact |
 //! | [`isqrt64`] [`mul_div`] [`div_sqrt`] | roots and quotients without division | exact floor |
 //!
-//! "raw" is one unit of the integer lattice: the bits of an `Fx`, 1/65536 of a unit. Kernels see
-//! raw integers only and never the binary point, so other formats may be fed by their bits
-//! ([`Vec2::from_raw`]).
+//! "raw" is one unit of the integer lattice: the last bit of an `Fx`, 1/65536 of a unit. The crate
+//! computes with raw integers and never looks at the binary point. So you can pass numbers of
+//! another fixed-point format by their bits: [`Vec2::from_raw`].
 
 mod direction;
 mod inverse_root;

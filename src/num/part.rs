@@ -1,4 +1,4 @@
-//! Parts of a whole, which is 2^30: of a motion, and shares.
+//! Fractions from 0 to 1 in steps of 2^-30: parts of a motion, and shares.
 
 use super::{Fx, LONG, Raw, SPLIT, Vec2, mul_div, mul64, umul};
 
@@ -115,7 +115,7 @@ impl Ratio {
     /// The whole; exact.
     pub const ONE: Self = Self(1 << 30);
 
-    /// `num / den` to nearest, halves up; `None` above one, or where `den` is zero.
+    /// `num / den`, rounded to nearest, halves up. `None` if it is above one, or `den` is zero.
     ///
     /// Cost: no division instruction, some 200 instructions on a Cortex-M0; none in a constant.
     #[must_use]

@@ -1,5 +1,5 @@
-//! Vectors of the world's scalars, and the domain that they keep to: inside it no kernel can wrap,
-//! and constructors let nothing else in.
+//! Vectors, and the range of coordinates that shapes and levels accept. Inside that domain no
+//! query can wrap.
 
 use super::{Fx, imul, mul_div, umul};
 use crate::error::{Quantity, RangeError};
@@ -100,15 +100,14 @@ impl Vec2 {
         (self.x.to_bits(), self.y.to_bits())
     }
 
-    /// The dot product in square raw units, exact in 64 bits where both vectors are differences
-    /// inside the domain.
+    /// The dot product in square raw units. Exact for differences of points inside the domain.
     #[must_use]
     pub const fn dot(self, rhs: Self) -> i64 {
         imul(self.x.to_bits(), rhs.x.to_bits()).wrapping_add(imul(self.y.to_bits(), rhs.y.to_bits()))
     }
 
-    /// The perpendicular dot product `x1 y2 - y1 x2` in square raw units; positive where `rhs` is
-    /// counter-clockwise of `self` (y up).
+    /// The perpendicular dot product `x1 y2 - y1 x2` in square raw units. Positive if `rhs` is
+    /// counter-clockwise of `self` with y up, and clockwise on a screen.
     ///
     /// ```
     /// use tilesat::Vec2;
@@ -358,8 +357,8 @@ impl From<(i16, i16)> for Vec2 {
     }
 }
 
-/// Whole units, refused where they do not fit 16.16 (-32768 to 32767). The error's value is then
-/// the end of the range that was missed.
+/// Whole units. Fails if one does not fit 16.16 (-32768 to 32767). The error's value is then the
+/// end of the range that it exceeds.
 ///
 /// ```
 /// use tilesat::{Quantity, Vec2};

@@ -4,8 +4,8 @@
 //! | verb | asks | answer | rounding |
 //! |---|---|---|---|
 //! | [`Overlaps`] | do the interiors meet? | `bool` | exact, strict |
-//! | [`OverlapsFrom`] | do they, with what separated them last as a hint? | `bool` | the same |
-//! | [`Touches`] | have they a point in common? | `bool` | exact, closed |
+//! | [`OverlapsFrom`] | the same, faster with a hint from the last frame | `bool` | exact, strict |
+//! | [`Touches`] | do they share a point? | `bool` | exact, closed |
 //! | [`Contacts`] | how deep, which way out, where? | `Option<`[`Contact`]`>` | axis exact, depth up, push-out away |
 //! | [`Manifolds`] | at which one or two points do they rest? | `Option<`[`Manifold`]`>` | as a contact |
 //! | [`Contains`] | is all of B in A? | `bool` | exact, closed |
@@ -13,34 +13,34 @@
 //! | [`ClosestPoint`] | which points are nearest? | `Option<(Vec2, Vec2)>` | nearest, `None` where they touch |
 //! | [`CastShape`] | when does this motion first hit? | `Option<`[`CastHit`]`>` | yes or no exact, time down |
 //!
-//! All but `OverlapsFrom` are implemented for every ordered pair of [`Aabb`](crate::Aabb),
+//! You can ask all but `OverlapsFrom` of every ordered pair of [`Aabb`](crate::Aabb),
 //! [`Circle`](crate::Circle), [`Segment`](crate::Segment), [`Capsule`](crate::Capsule),
-//! [`OrientedBox`](crate::OrientedBox) and [`ConvexPolygon`](crate::ConvexPolygon); `OverlapsFrom`
-//! for those with one of the last three. [`AnyShape`](crate::shape::AnyShape) has all of them, too,
-//! and a [`Compound`](crate::shape::Compound) those that its parts answer. `Contains` and `Distance` take a point
-//! ([`Vec2`](crate::Vec2)) as B, too, `CastShape` a point as A against boxes and circles.
-//! `closest_point` is a method of each shape, `cast_ray` of the first three. None of them can loop
-//! without a bound or divide, and none can fail but casts, which refuse what is out of range.
-//! Results depend on differences only: a translated scene gives the same bits, a mirrored one
-//! mirrored bits.
+//! [`OrientedBox`](crate::OrientedBox) and [`ConvexPolygon`](crate::ConvexPolygon). `OverlapsFrom`
+//! needs one of the last three. [`AnyShape`](crate::shape::AnyShape) has all verbs, and a
+//! [`Compound`](crate::shape::Compound) has those of its parts. In `Contains` and `Distance`, B may
+//! also be a point ([`Vec2`](crate::Vec2)). In `CastShape`, A may be a point against boxes and
+//! circles. Each shape has a method `closest_point`, and boxes, circles and segments have
+//! `cast_ray`.
+//!
+//! Every loop has a bound, and nothing divides. Only casts can fail: they refuse numbers that are
+//! out of range. A translated scene gives the same bits, and a mirrored one gives mirrored bits.
 //!
 //! # Capsules, oriented boxes and polygons
 //!
-//! One mechanism serves all pairs with one of these: the sides of A and of B, merged by direction,
-//! are those of the sum A + (-B), and each question is about the origin and that polygon. For
-//! shapes of n and m corners each verb walks n + m sides at most, parallel ones together;
-//! `overlaps` stops at the first one that separates. A scene of boxes, circles and segments links
-//! none of it.
+//! All pairs with one of these shapes share one algorithm. It merges the sides of A and -B by
+//! direction: these are the sides of the sum A + (-B). Each verb then asks about the origin and
+//! that polygon. For shapes of n and m corners it visits at most n + m sides. `overlaps` stops at
+//! the first side that separates the shapes. A game of boxes, circles and segments links none of
+//! this code.
 //!
-//! Contacts follow the table below. Of equally short exits the axis is one along x, then along y,
-//! then another; of these the positive one (of others: with positive y), then the first
-//! counter-clockwise from +x. Closest points of rounded sides, and of `closest_point`, are within a
-//! raw unit per component: the point of the core and the radius are rounded each to nearest.
+//! Contacts follow the table below. If several exits are equally short, an axis along x wins, then
+//! one along y, then another. Of two opposite ones the positive wins (of slanted ones, the one with
+//! positive y), then the first counter-clockwise from +x. Closest points on round sides are within
+//! a raw unit per component.
 //!
 //! # Degenerate cases
 //!
-//! Cases that are decided by convention, or are easily guessed wrong; "point" means a shape of no
-//! size.
+//! These cases follow a convention, or are easy to guess wrong. "Point" means a shape without size.
 //!
 //! | case | `overlaps` | `touches` | `contact` |
 //! |---|---|---|---|
@@ -70,7 +70,7 @@
 //! y) to the other; parallels to x and y have axes of length one. Moving A against the axis of a
 //! degenerate contact ends the overlap as any other does. In the order (B, A) that axis is the same
 //! where its sign is a convention, and reversed where only the choice between two axes is one.
-//! Distances of shapes less than one raw unit apart are 0, and `touches` is then false.
+//! The distance of shapes that are less than one raw unit apart is 0, while `touches` is false.
 
 pub(crate) mod cast;
 pub(crate) mod closest;

@@ -6,15 +6,16 @@ use crate::num::Vec2;
 
 /// A shape of any kind, for lists that mix them. Polygons have at most `N` corners.
 ///
-/// It has all verbs against all shapes, and is a [`Body`](crate::Body) of a mover. Slanted capsules
-/// move in this form only. Yes and no, depths, distances and times are those of the shape inside of
-/// it. Every pair with it takes the way of
-/// [polygons](crate::query#capsules-oriented-boxes-and-polygons): one kernel for all kinds, which
-/// costs more than that of two boxes or circles. Where exits are equally short, the axis is that of
-/// polygons, too.
+/// It has all verbs against all shapes, and movers take it as a [`Body`](crate::Body). A slanted
+/// capsule moves in this form only. All answers are those of the shape inside, except the axis if
+/// several exits are equally short: that is the axis of polygons.
 ///
-/// It takes as much memory as the polygon, `8 N + 12` bytes on a chip. A game that asks one of
-/// these links that kernel once for all kinds, and no kernel of plain pairs.
+/// Every pair with it runs the code of
+/// [polygons](crate::query#capsules-oriented-boxes-and-polygons), which costs more than that of two
+/// boxes or circles.
+///
+/// It takes as much memory as the polygon, `8 N + 12` bytes on a chip. Your game links that code
+/// once for all kinds of shapes.
 ///
 /// ```
 /// use tilesat::prelude::*;

@@ -1,4 +1,4 @@
-//! Cells of a grid, ranges of them, and what a walk over a range finds.
+//! Cells of a grid, and walks over ranges of them.
 
 use super::tile_map::kind::TileKind;
 

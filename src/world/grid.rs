@@ -121,6 +121,32 @@ impl Grid {
         Cell::of(self.column(p.x), self.row(p.y))
     }
 
+    /// The position of a cell among bytes that are row after row, as
+    /// [`TileMap::of`](crate::TileMap::of) takes them. `None` beyond the map.
+    ///
+    /// ```
+    /// use tilesat::{Cell, Grid, Vec2, fx};
+    /// const GRID: Grid = match Grid::new(4, 2, fx!(16), Vec2::ZERO) {
+    ///     Ok(grid) => grid,
+    ///     Err(_) => panic!("the grid is wrong"),
+    /// };
+    /// let mut tiles = *b"..o.####";
+    /// if let Some(tile) = GRID.index_of(Cell::new(2, 0)).and_then(|index| tiles.get_mut(index)) {
+    ///     *tile = b'.'; // the coin is taken
+    /// }
+    /// assert_eq!(&tiles, b"....####");
+    /// assert_eq!(GRID.index_of(Cell::new(4, 0)), None);
+    /// ```
+    #[must_use]
+    pub const fn index_of(&self, cell: Cell) -> Option<usize> {
+        let (x, y) = (cell.x as i32, cell.y as i32);
+        if x < 0 || y < 0 || x >= self.x.count as i32 || y >= self.y.count as i32 {
+            return None;
+        }
+        // Below 2^30: both counts are below 2^15.
+        Some(y as usize * self.x.count as usize + x as usize)
+    }
+
     /// The column that holds `x` as [`cell_at`](Self::cell_at) has it; of `x - 1`, the column that
     /// `x` is entered from on the right.
     pub(super) const fn column(&self, x: i32) -> i32 {

@@ -228,6 +228,10 @@ pub trait World: sealed::Sealed {
     #[doc(hidden)]
     const CERTAIN: bool = Self::BLOCKS;
 
+    /// Whether its surface may have arcs. A level without them links no code for them.
+    #[doc(hidden)]
+    const ARCS: bool = !Self::BLOCKS;
+
     /// Whether the level is a grid of tiles and nothing else: then the surface of its full cells is
     /// known from [`fill`](Self::fill).
     #[doc(hidden)]

@@ -1,4 +1,4 @@
-//! Levels: the solid, the surface that it has, and the answers to rays and bodies.
+//! Levels: what is solid, its surface, and queries about both.
 //!
 //! A [`TileMap`] reads a level from the bytes that it is stored as, usually in flash. It answers:
 //!
@@ -11,7 +11,7 @@
 //! | what does this box or circle run into? | [`cast_shape`](TileMap::cast_shape) | where the motion would start to overlap; exact |
 //! | what does this ray see? | [`cast_ray`](TileMap::cast_ray), [`cast_ray_all`](TileMap::cast_ray_all) | solids are closed; one-way edges by an option |
 //! | does this point see that one? | [`line_of_sight`](TileMap::line_of_sight) | solids are closed |
-//! | what of the surface does this body overlap, how deep, which way out? | [`contacts`](TileMap::contacts) | nearest first, each once |
+//! | which parts of the surface does this body overlap, how deep, which way out? | [`contacts`](TileMap::contacts) | nearest first, each once |
 //! | which point of the surface is nearest? | [`closest_point`](TileMap::closest_point) | exact order; inside or outside |
 //! | which faces, arcs and vertices are near? | [`features`](TileMap::features) | the surface of the solid, and one-way edges |
 //!

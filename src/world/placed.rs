@@ -132,6 +132,9 @@ impl<W: World> World for Placed<'_, W> {
     // Beyond its own domain a level has no surface, but a map can be solid there.
     const CERTAIN: bool = false;
 
+    #[doc(hidden)]
+    const ARCS: bool = W::ARCS;
+
     type Features<'w>
         = PlacedFeatures<'w, W>
     where

@@ -160,8 +160,8 @@ impl<'a, S: Set> Room<'a, S> {
     /// The room of a table that holds a point of this one. Also the vector to add to all positions
     /// of the body that moves over.
     ///
-    /// `None` where the world has no room there. The first of several rooms that hold it; so keep
-    /// on until [`holds`](Self::holds) is false. Cost: two products and four comparisons per room
+    /// `None` if the world has no room there. If several rooms hold the point, it returns the
+    /// first. So call it only after [`holds`](Self::holds) has become false. Cost: two products and four comparisons per room
     /// of the table; no division.
     #[must_use]
     pub fn next_of<'r>(&self, rooms: &'r [Self], place: Vec2) -> Option<(&'r Self, Vec2)> {
@@ -191,8 +191,8 @@ const fn apart(from: i32, to: i32, cell: i32) -> Option<i32> {
 /// A world of tiles, cut into equal rooms: one array of tiles, row after row, of up to 65535
 /// columns and rows.
 ///
-/// A [`Room`] is a window of that array: its apron costs no flash and no memory. [Outside](Outside)
-/// of the world it is as in a map of the whole.
+/// A [`Room`] is a window of that array: its apron costs no flash and no memory. Outside of the
+/// world, a room has the same [`Outside`] as a map of the whole.
 ///
 /// ```
 /// use tilesat::{Aabb, Axis, Blocks, Fx, Mover, Room, Rooms, TileKind, TileKinds, Vec2};

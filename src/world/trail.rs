@@ -95,6 +95,9 @@ impl<W: World> World for Traced<'_, W> {
     const ROUND: bool = W::ROUND;
     const WIDE: bool = W::WIDE;
     const CERTAIN: bool = W::CERTAIN;
+
+    #[doc(hidden)]
+    const ARCS: bool = W::ARCS;
     const GRID: bool = W::GRID;
 
     type Features<'f>

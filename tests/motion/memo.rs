@@ -2,8 +2,9 @@
 //! call.
 
 use tilesat::{
-    Aabb, AllShapes, Axis, Body, Circle, Fx, Memo, MoveError, Moved, Mover, Ratio, Surface, TileKind, TileKinds,
-    TileMap, Vec2, motion::Work,
+    Aabb, AllShapes, Axis, Body, Circle, Fx, MoveError, Moved, Mover, Ratio, Surface, TileKind, TileKinds, TileMap,
+    Vec2,
+    motion::{Memo, Work},
 };
 use tilesat_judge::rooms::mosaic;
 use tilesat_judge::{Random, cases};

@@ -2,7 +2,10 @@
 
 use tilesat::prelude::*;
 use tilesat::shape::{AnyShape, Compound, CompoundError, ConvexParts};
-use tilesat::{Aabb, CastHit, Circle, Contact, ConvexPolygon, Fx, Inside, Manifold, Vec2, fx, query::Separation};
+use tilesat::{
+    Aabb, CastHit, Circle, Contact, ConvexPolygon, Fx, Inside, Vec2, fx,
+    query::{Manifold, Separation},
+};
 use tilesat_judge::cases;
 use tilesat_judge::convex::ask;
 use tilesat_judge::convex::generate::{CLASSES, Class, Pairs};

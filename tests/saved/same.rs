@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 use tilesat::broad::{BroadPhase, BruteForce};
 use tilesat::scene::SceneTag;
 use tilesat::shape::{AnyShape, Compound};
-use tilesat::{Aabb, Axis, Character, Input, Memo, Mover, Scene, TileKind, TileKinds, TileMap, Vec2, fx};
+use tilesat::{Aabb, Axis, Character, Input, Mover, Scene, TileKind, TileKinds, TileMap, Vec2, fx, motion::Memo};
 use tilesat_judge::scenes::{BODIES, check, room};
 
 pub(crate) fn bytes<T: Serialize>(value: &T) -> Vec<u8> {

@@ -133,3 +133,35 @@ fn a_press_that_dropped_jumps_off_no_wall() {
     }
     assert!(hero.body().min().y > 60);
 }
+
+/// A slower fall is no launch: a game that lets its hero glide leaves it the coyote time.
+#[test]
+fn a_slower_fall_keeps_the_grace() {
+    for frames in 1..=Feel::DEFAULT.coyote {
+        let mut hero = standing(Feel::DEFAULT);
+        let run = Input { run: fx!(2), ..NOTHING };
+        while hero.on_floor() {
+            let _ = hero.step(&ledge(), run).unwrap();
+        }
+        for _ in 1..frames {
+            hero.velocity.y = fx!(0.125);
+            let _ = hero.step(&ledge(), run).unwrap();
+        }
+        hero.velocity.y = fx!(0.125);
+        assert!(hero.step(&ledge(), Input { jump: true, ..run }).unwrap().jumped, "{frames}");
+    }
+}
+
+/// A button that is held while the hero is put elsewhere is not a press there.
+#[test]
+fn a_held_button_is_no_press_after_a_new_start() {
+    for held in [false, true] {
+        let mut hero = standing(Feel::DEFAULT);
+        if held {
+            let _ = hero.step(&ledge(), JUMP).unwrap();
+        }
+        hero.place(boxed(80, 146, 10, 14));
+        let jumped = (0..20).filter(|_| hero.step(&ledge(), JUMP).unwrap().jumped).count();
+        assert_eq!(jumped, usize::from(!held));
+    }
+}

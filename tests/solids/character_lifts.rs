@@ -1,7 +1,9 @@
 //! The hero of a platformer on lifts: carried without drift, squashed, and off them by jumps.
 
 use super::character::{JUMP, KINDS, NOTHING, boxed, ledge, limits};
-use tilesat::{Axis, Body, Character, Circle, Feel, Fx, Input, Joined, Outcome, Solid, Solids, TileMap, Vec2, fx};
+use tilesat::{
+    Aabb, Axis, Body, Character, Circle, Feel, Fx, Input, Joined, Outcome, Side, Solid, Solids, TileMap, Vec2, fx,
+};
 use tilesat_judge::Random;
 
 fn rides<B: Body + PartialEq>(body: B, feel: Feel) {
@@ -125,6 +127,55 @@ fn several_characters_ride_in_three_steps_as_one_does_in_one() {
     let before = refused;
     assert!(Character::step_all(&mut refused, &level, &mut moved, &inputs).is_err());
     assert_eq!((refused, moved[0].shape().min().y), (before, lifts[0].shape().min().y + fx!(1)));
+    // So it is for one, which the lift would have carried.
+    let (mut one, mut moved) = (before[1], lifts.map(|lift| lift.with_motion(Vec2::from_ints(0, 1)).unwrap()));
+    assert!(one.ridden() == Some(7) && one.step_on(&level, &mut moved, inputs[1]).is_err());
+    assert_eq!(one, before[1]);
+}
+
+/// Of several, each is moved as it is alone: in other places, by other inputs, also down through a
+/// lift, and squashed.
+#[test]
+fn several_characters_do_not_affect_each_other() {
+    let rows = "##########\n          \n          \n          \n          \n          \n##########";
+    let level = TileMap::from_ascii(rows, &KINDS).unwrap(); // a ceiling at y = 16, a floor at 96
+    let boxes = [boxed(40, 70, 60, 6), boxed(110, 60, 40, 12)];
+    let platform = Solid::new(boxes[0], 7).unwrap().with_one_way(Side::Up);
+    let mut lifts = [platform, Solid::new(boxes[1], 8).unwrap()];
+    let hero = |x| Character::new(boxed(x, 20, 10, 14), limits(), Feel::DEFAULT);
+    let mut heroes = [hero(46), hero(80), hero(120)];
+    let mut random = Random::new(5);
+    let (mut drops, mut rides, mut squashed) = (0, 0, 0);
+    for frame in 0..3000 {
+        let mut input = || Input {
+            run: Fx::from_bits(random.within(-(1 << 15), 1 << 15) as i32),
+            jump: random.below(4) == 0,
+            drop: random.below(16) == 0,
+        };
+        let inputs = [input(), input(), input()];
+        let y = if frame / 24 % 2 == 0 { -1 } else { 1 };
+        let far = 1 + frame / 240 % 2; // every other time, up to the ceiling
+        lifts[0].set_motion(Vec2::from_ints(0, y)).unwrap();
+        lifts[1].set_motion(Vec2::from_ints(-y, y * far)).unwrap();
+        if frame % 30 == 0 {
+            for (index, one) in heroes.iter_mut().enumerate() {
+                let above = lifts[index / 2].shape().min() + Vec2::from_ints(4 + 30 * (index as i16 % 2), -16);
+                one.place(Aabb::from_size(above, Vec2::from_ints(10, 14)).unwrap());
+            }
+        }
+        let (mut together, mut moved) = (heroes, lifts);
+        let steps = Character::step_all(&mut together, &level, &mut moved, &inputs).unwrap();
+        for (index, one) in heroes.iter_mut().enumerate() {
+            let (was, mut own) = (one.ridden(), lifts);
+            let step = one.step_on(&level, &mut own, inputs[index]).unwrap();
+            assert_eq!((step, *one, own), (steps[index], together[index], moved), "{frame} {index}");
+            drops += i32::from(inputs[index].drop && was == Some(7) && !one.on_floor());
+            rides += i32::from(one.ridden().is_some());
+            squashed += i32::from(matches!(step.outcome, Outcome::Squashed { .. }));
+        }
+        lifts = moved;
+    }
+    assert!(drops > 20 && rides > 300 && squashed > 5, "{drops} {rides} {squashed}");
 }
 
 #[test]

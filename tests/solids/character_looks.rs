@@ -114,6 +114,18 @@ fn on_even_ground_it_turns_with_its_front_on_the_floor() {
     }
     let flying = Character::new(boxed(60, -40, 10, 14), limits(), Feel::DEFAULT);
     assert_eq!(flying.ledge_ahead(&level, fx!(1)), Ok(false));
+    // In a wall that closed on it nothing is ahead, and beyond the end of the coordinates no floor.
+    let mut stands = Character::new(boxed(60, 2, 10, 14), limits(), Feel::DEFAULT);
+    let _ = stands.step(&level, NOTHING).unwrap();
+    let closed = TileMap::from_ascii("##########\n##########\n", &KINDS).unwrap();
+    assert_eq!((stands.on_floor(), stands.ledge_ahead(&closed, fx!(1))), (true, Ok(false)));
+    let far = TileMap::from_ascii(" \n=\n", &KINDS).unwrap().with_outside(tilesat::Outside::Edge);
+    let mut last = Character::new(boxed(8170, 2, 10, 14), limits(), Feel::DEFAULT);
+    let _ = last.step(&far, NOTHING).unwrap();
+    assert_eq!(
+        (last.on_floor(), last.ledge_ahead(&far, fx!(4)), last.ledge_ahead(&far, fx!(-4))),
+        (true, Ok(true), Ok(false))
+    );
 }
 
 /// A head that is `under` raw units under a corner at its left or its right: within the reach it
@@ -149,6 +161,22 @@ fn a_corner_within_reach_costs_no_height() {
             assert_eq!(top(Some(Fx::from_bits(reach))), expected, "{under} {right}");
         }
     }
+    // The first frame of a jump counts: its head is a unit under the corner.
+    let mut hero = Character::new(boxed(31, 49, 10, 31), limits(), Feel::DEFAULT);
+    hero.feel.jump = fx!(1.5);
+    let _ = hero.step(&level, NOTHING).unwrap();
+    let standing = hero;
+    assert!(hero.on_floor() && hero.assist(&level, JUMP, fx!(3)).unwrap());
+    // It changes the position and nothing else: the press still counts.
+    assert_eq!(hero.body().min(), Vec2::from_ints(32, 49));
+    assert!(hero.set_body(&level, *standing.body()) && hero == standing);
+    // Without a rise it does nothing, though a foot is a unit under the edge of a block.
+    let steps = TileMap::from_ascii("      \n      \n  ####\n      \n", &KINDS).unwrap(); // from (32, 32)
+    let mut falling = Character::new(boxed(21, 19, 10, 14), limits(), Feel::DEFAULT);
+    falling.velocity = Vec2::from_ints(3, 0);
+    let before = falling;
+    assert_eq!(falling.assist(&steps, Input { run: fx!(3), ..NOTHING }, fx!(3)), Ok(false));
+    assert!(falling == before && !steps.overlaps(falling.body()));
     let mut hero = Character::new(boxed(40, 60, 10, 16), limits(), Feel::DEFAULT);
     assert_eq!(hero.assist(&level, JUMP, fx!(-1)).unwrap_err().what, tilesat::Quantity::Assist);
 }

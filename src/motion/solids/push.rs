@@ -75,7 +75,7 @@ impl<B: Body> Pushes<'_, B> {
                 self.press = Some(press);
             }
             match entry {
-                Some(entry) if entry.step.is_none() => {
+                Some(entry) if !B::MEETS_CORNERS || entry.step.is_none() => {
                     faces = true;
                     self.room.behind(self.body, solid, normal);
                 }

@@ -53,7 +53,7 @@ pub struct Walker {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Walked<B> {
     /// The motion. On a floor its velocity is level (across "up"): the speed for the next frame. In
-    /// the air it is the velocity at which it left the ground, or what flying left of it.
+    /// the air it is the velocity at which it left the ground, less the part that hits took.
     ///
     /// Its `wall` is true if a wall still blocks after the last step: the sign to turn round. The
     /// face of a step is among its `hits` either way.

@@ -7,8 +7,8 @@ use crate::num::{Axis, Raw, cmp_squares, scaled};
 use crate::query::contact::Contact;
 use core::cmp::Ordering;
 
-/// A part of a shape's border, by its index: stable while the shape moves, and of a box while it
-/// turns.
+/// A part of a shape's border, by its index. The index stays the same while the shape moves, and
+/// while a box turns.
 ///
 /// Corners are counted from a box's `min` or [`corners`](crate::OrientedBox::corners)`()[0]`, a
 /// segment's lexicographically first end, a polygon's first vertex; a side has the index of the
@@ -34,13 +34,12 @@ pub struct ManifoldPoint {
     pub part_b: Part,
 }
 
-/// How two shapes rest on each other: the least exit, and the one or two points at which a solver
-/// holds them.
+/// How two shapes rest on each other: the shortest way out, and one or two points that share it.
 ///
 /// The axis is that of [`contact`](crate::query::Contacts::contact). The first point is the deepest
-/// one and is exact. The second is the end of what faces each other of the side that the axis is
-/// across and the side of the other shape that leans on it, where that is inside as well: a lattice
-/// point within a raw unit of the exact one, with its own exact depth, rounded up.
+/// one, and is exact. There is a second one if a side of one shape leans on a side of the other:
+/// the other end of the part where they face each other. It is within a raw unit of the exact
+/// point, and has its own depth, rounded up.
 ///
 /// ```text
 ///      +-------+
@@ -63,8 +62,8 @@ impl Manifold {
         self.first.contact.axis()
     }
 
-    /// The one or two points, the deeper one first, of equal ones the one that comes first
-    /// lexicographically.
+    /// The one or two points, the deeper one first. Of two equally deep ones, the one with the
+    /// smaller x comes first, then the one with the smaller y.
     pub fn points(&self) -> impl Iterator<Item = &ManifoldPoint> {
         core::iter::once(&self.first).chain(&self.second)
     }

@@ -185,7 +185,9 @@ fn covered<W: World>(edge: &FaceSegment, other: &W) -> bool {
         let front = match f.geometry {
             _ if f.one_way => Front::Unknown,
             Geometry::Face { a, dir, len, .. } => edge.beside(&FaceSegment::new(Raw::of(a), dir, len)),
-            Geometry::Arc { centre, radius, quadrant, .. } if edge.meets_arc(Raw::of(centre), radius, quadrant) => {
+            Geometry::Arc { centre, radius, quadrant, .. }
+                if W::ARCS && edge.meets_arc(Raw::of(centre), radius, quadrant) =>
+            {
                 Front::Bare
             }
             _ => Front::Unknown,
@@ -212,7 +214,9 @@ fn front_of_end<W: World>(p: Raw, along: Axis, n: Axis, other: &W) -> Option<boo
     for f in other.features(&point(p)) {
         let edge = match f.geometry {
             Geometry::Face { a, dir, len, .. } if !f.one_way => FaceSegment::new(Raw::of(a), dir, len),
-            Geometry::Arc { centre, radius, quadrant, .. } if ends_at(p, Raw::of(centre), radius, quadrant) => {
+            Geometry::Arc { centre, radius, quadrant, .. }
+                if W::ARCS && ends_at(p, Raw::of(centre), radius, quadrant) =>
+            {
                 return None;
             }
             _ => continue,

@@ -20,15 +20,15 @@ use hidden::{hides, shown};
 /// a floor of segments is one floor, for a mover too. Faces that are covered in part stay whole,
 /// and so do arcs.
 ///
-/// A pair is a level itself: more than two are pairs of pairs. Of a [`Feature::source`] the lowest
-/// bit says which of the pair it is from, 0 for the first; the other bits are what the source was
-/// in that level.
+/// A pair is a level itself: for more than two, join pairs. The lowest bit of a
+/// [`Feature::source`] is 0 for a feature of the first level, and 1 for the second. The other bits
+/// are the source in that level.
 ///
 /// Each level is tested separately. So a body without area overlaps a pair if it overlaps one of
 /// the two. On the line between two solids that meet flush it overlaps neither.
 ///
-/// Cost: both levels' cost, and for each feature a look-up or two of a point in the other level;
-/// where that is solid, the other level's features along the face.
+/// Cost: that of both levels, and for each feature one or two look-ups of a point in the other
+/// level. If that point is solid, also the other level's features along the face.
 ///
 /// ```
 /// use tilesat::{Aabb, Axis, Fx, Grid, Joined, Mover, TileKind, TileKinds, TileMap, Vec2};
@@ -136,6 +136,9 @@ impl<A: World, B: World> World for Joined<'_, A, B> {
     const ROUND: bool = A::ROUND || B::ROUND;
     const WIDE: bool = A::WIDE || B::WIDE;
     const CERTAIN: bool = A::CERTAIN && B::CERTAIN;
+
+    #[doc(hidden)]
+    const ARCS: bool = A::ARCS || B::ARCS;
 
     type Features<'w>
         = JoinedFeatures<'w, A, B>

@@ -42,13 +42,12 @@ pub use surface::SegmentFeatures;
 use super::grid::Grid;
 use crate::num::{Axis, Fx, Raw, Vec2};
 
-/// A level of polygons, walls and one-way chains, read from where it lies: a view of bytes that
-/// have been checked once.
+/// A level of polygons, walls and one-way chains: a view of bytes that have been checked once.
 ///
-/// Made from [`Path`]s by the compiler ([`segment_map!`](crate::segment_map)), at run time in
-/// storage of the caller's ([`build_into`](Self::build_into)), or elsewhere: a file that is
-/// included is taken by [`from_bytes`](Self::from_bytes), without a copy. All three give the same
-/// bytes. It owns nothing and needs no memory but itself.
+/// There are three ways to make one. The macro [`segment_map!`](crate::segment_map) builds it from
+/// [`Path`]s while your program compiles. [`build_into`](Self::build_into) builds it at run time in
+/// memory that you lend. [`from_bytes`](Self::from_bytes) reads a file that was built before,
+/// without a copy. All three give the same bytes. The map itself owns nothing.
 ///
 /// ```
 /// use tilesat::{Fx, Path, PathKind, SegmentMap, Vec2, fx, segment_map};
@@ -73,9 +72,9 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 ///
 /// # What is solid
 ///
-/// A point is solid where more solids than holes are around it. Polygons may overlap. Where two of
-/// them share an edge, or a part of one, that part is removed, and nothing can snag there. A hole
-/// must lie in a solid: the edges of one that does not are thin walls in the open.
+/// A point is solid if more solids than holes are around it. Polygons may overlap. If two of them
+/// share an edge, or a part of one, that part is removed, and nothing can snag there. A hole must
+/// lie in a solid: otherwise its edges are thin walls.
 ///
 /// ```text
 ///   +------------+           Solids less holes: solid where the number is above 0. Each polygon may run either way
@@ -98,16 +97,15 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 ///
 /// # Bounds
 ///
-/// At most 32768 segments, and 65535 pairs of a segment and a cell whose closed square it meets:
-/// larger cells make fewer. Building takes 4 KB of stack and no memory but the bytes. It reads the
-/// edges of all polygons once for each 64 of them, in whatever order they come, and compares those
-/// that are near each other. It compares each end of a segment with the segments of its cell, so
-/// that smaller cells make it faster.
+/// At most 32768 segments, and 65535 pairs of a segment and a cell that it meets. Larger cells make
+/// fewer pairs. Building takes 4 KB of stack and no memory but the bytes. It reads the edges of all
+/// polygons once for each 64 of them, and compares those that are near each other. It also compares
+/// each end of a segment with the segments of its cell, so smaller cells make it faster.
 ///
-/// The compiler builds some 2000 segments before its limit on constants (the lint
-/// `long_running_const_eval`), in 5 to 20 seconds. More are allowed by
-/// `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Larger levels are built on
-/// the host, and their bytes are included.
+/// The compiler builds some 2000 segments before its limit on constants, the lint
+/// `long_running_const_eval`, in 5 to 20 seconds. You may allow more:
+/// `segment_map!(#[allow(long_running_const_eval)] static LEVEL: ..)`. Build larger levels on the
+/// host, and include their bytes.
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("ChainShape", "polyline", "EdgeShape"))]
 pub struct SegmentMap<'a> {

@@ -151,6 +151,9 @@ impl sealed::Sealed for SegmentMap<'_> {}
 
 impl World for SegmentMap<'_> {
     const BLOCKS: bool = false;
+
+    #[doc(hidden)]
+    const ARCS: bool = false;
     const ROUND: bool = false;
     const WIDE: bool = true;
 

@@ -1,6 +1,6 @@
-//! Boxes that move beside a level, platforms, doors, crushers: a list of them is a level.
+//! Moving boxes: platforms, doors and crushers. A list of them is a level.
 //!
-//! Its surface is what of each box's four faces and corners no other box of the list covers.
+//! Its surface consists of the faces and corners of each box that no other box of the list covers.
 //!
 //! At a point, a box fills some of the four quadrants around it. Around a box's own corner c,
 //! counted as its faces are, it fills quadrant c + 2; those beside that one are c + 1 and c + 3,
@@ -53,9 +53,9 @@ use solid::Solid;
 /// Each box is tested separately, so a point (a body without area) on the line between two flush
 /// solids overlaps neither.
 ///
-/// Cost: an overlap test looks at each of the n boxes. So does each piece of a surface near the
-/// region, of which a box has 8; a face that is covered by k others together takes k looks. Lists
-/// are meant to be short, the platforms of a screen. It cannot fail.
+/// Cost: an overlap test looks at each of the n boxes. Reading the surface looks at all of them for
+/// each piece near the region; a box has 8 pieces. A face that k other boxes cover together takes k
+/// such looks. Keep lists short: the platforms of a screen. It cannot fail.
 ///
 /// ```
 /// use tilesat::{Aabb, Axis, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
@@ -118,8 +118,8 @@ impl<'a> Solids<'a> {
         SolidFeatures::new(self.list, region)
     }
 
-    /// The solids that a box, circle or point has a point in common with anywhere on a straight
-    /// way, in the order of the list: triggers, pick-ups, and doors that a ghost passes.
+    /// The solids that a box, circle or point touches anywhere on a straight way, in the order of
+    /// the list: triggers, pick-ups, and doors that a ghost passes.
     ///
     /// One-way solids count as boxes. Exact; borders count. Cost: one or a few exact tests per
     /// solid.
@@ -159,8 +159,8 @@ impl<'a> Solids<'a> {
         Ok(self.list.iter().filter(move |solid| shape.passes(d, (solid.lo(), solid.hi()))))
     }
 
-    /// The solids that a box, circle or point has a point in common with anywhere on the way that a
-    /// mover made, in the order of the list. As [`swept`](Self::swept), for a way of several
+    /// The solids that a box, circle or point touches anywhere on the way that a mover made, in the
+    /// order of the list. As [`swept`](Self::swept), for a way of several
     /// parts; `shape` is the body before the call of
     /// [`Mover::move_along`](crate::Mover::move_along).
     ///

@@ -45,7 +45,7 @@ impl Side {
 ///
 /// A list of them is a level, [`Solids`](crate::world::Solids), and
 /// [`Mover::ride`](crate::Mover::ride) carries and pushes bodies with them. Solids do not push each
-/// other, and nothing stops them: a platform on a platform is given the same motion by the game.
+/// other, and nothing stops them: give a platform on a platform the same motion.
 ///
 /// ```
 /// use tilesat::{Aabb, Fx, Solid, Vec2};
@@ -234,7 +234,7 @@ impl Solid {
         self.flags
     }
 
-    /// The side that blocks; all do where `None`.
+    /// The side that blocks. `None`: all of them.
     #[must_use]
     pub const fn one_way(&self) -> Option<Side> {
         self.side

@@ -98,6 +98,33 @@ impl<'a, S: Set> TileMap<'a, S, Bytes> {
     pub const fn of(tiles: &'a [u8], grid: Grid, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
         Self::build(tiles, grid, grid.x.count, kinds)
     }
+
+    /// The short form of [`of`](Self::of): cells of 16 x 16 units from the origin, as
+    /// [`new`](TileMap::new) has them.
+    ///
+    /// ```
+    /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2};
+    /// static KINDS: TileKinds =
+    ///     TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'/', TileKind::of(TileShape::SlopeBottomRight));
+    /// let tiles = [*b"../", *b"###"];
+    /// let level = TileMap::<Slopes>::of_bytes(tiles.as_flattened(), 3, 2, &KINDS)?;
+    /// assert_eq!(level.bounds().max(), Vec2::from_ints(48, 32));
+    /// # Ok::<(), TileMapError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`new`](TileMap::new).
+    pub const fn of_bytes(
+        tiles: &'a [u8],
+        width: u16,
+        height: u16,
+        kinds: &'a TileKinds,
+    ) -> Result<Self, TileMapError> {
+        match Grid::new(width, height, CELL, Vec2::ZERO) {
+            Ok(grid) => Self::of(tiles, grid, kinds),
+            Err(e) => Err(e),
+        }
+    }
 }
 
 impl<'a, S: Set, T: Store> TileMap<'a, S, T> {

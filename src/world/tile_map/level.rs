@@ -20,6 +20,9 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     const GRID: bool = true;
     const CERTAIN: bool = true;
 
+    #[doc(hidden)]
+    const ARCS: bool = S::ARCS;
+
     type Features<'w>
         = Features<'w, S, T>
     where

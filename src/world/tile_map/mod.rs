@@ -39,7 +39,7 @@ pub enum Outside {
     Empty,
     /// Solid: the map is a closed room.
     Solid,
-    /// The border, continued to the end of the domain. Where the map's outer edge is solid, so is
+    /// The border tiles repeat to the end of the domain. If the map's outer edge is solid, so is
     /// everything beyond it; half an edge gives half a band. A one-way edge continues along its own
     /// line only: one that blocks from above is not repeated above and below the map.
     Edge,
@@ -52,9 +52,9 @@ pub enum Outside {
 /// seam. To open a door, write one byte (in memory) and make the map again. It is a view, and
 /// [`of`](Self::of) with a grid from a constant costs a handful of comparisons.
 ///
-/// `S` says which shapes it can hold ([`Blocks`]), `T` how ids are stored: [`Bytes`] or [`Bits`].
-/// Cells are squares of 16 units from the origin, rows are consecutive and outside is empty, unless
-/// said otherwise:
+/// `S` is the set of shapes that it can hold, such as [`Blocks`]. `T` is how ids are stored:
+/// [`Bytes`] or [`Bits`]. By default cells are squares of 16 units from the origin, rows are
+/// consecutive, and the outside is empty. You can change each:
 ///
 /// ```
 /// use tilesat::{Cell, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2, fx};
@@ -373,7 +373,7 @@ impl Store for Bits {
 
 /// Tile ids stored as `T` says, and [occupancy](crate::world::TileMap::with_occupancy) beside them.
 ///
-/// A type of its own, so that a map without occupancy links nothing of it.
+/// A separate type: a map without occupancy links none of its code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Occupied<T: Store = Bytes>(PhantomData<T>);

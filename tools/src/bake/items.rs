@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use tilesat::{TileKind, TileShape};
+use tilesat::world::Set;
+use tilesat::{Blocks, Slopes, TileKind, TileShape};
 
 use super::level::Level;
 
@@ -10,6 +11,18 @@ use super::level::Level;
 pub(crate) fn imports(kinds: &[TileKind]) -> &'static str {
     let plain = kinds.iter().all(|k| matches!(k.shape, TileShape::Empty | TileShape::Full | TileShape::OneWayUp));
     if plain { "{TileKind, TileKinds}" } else { "{TileKind, TileKinds, TileShape}" }
+}
+
+/// The smallest set of shapes that holds a table: it links the least code.
+pub(crate) fn set(kinds: &[TileKind]) -> &'static str {
+    let within = |shapes: u64| kinds.iter().all(|kind| shapes >> kind.shape as u8 & 1 != 0);
+    if within(Blocks::SHAPES.into()) {
+        "Blocks"
+    } else if within(Slopes::SHAPES.into()) {
+        "Slopes"
+    } else {
+        "AllShapes"
+    }
 }
 
 /// Constants for the number, size and position of the cells.

@@ -25,6 +25,8 @@ struct Line<'a> {
     flags: Vec<(&'a str, u64)>,
     rules: Vec<Used<'a>>,
     ignored: Vec<String>,
+    /// Those for the game.
+    objects: Vec<things::Thing<'a>>,
     flash_bytes: usize,
 }
 
@@ -66,6 +68,7 @@ impl Baked {
             flags: self.flags.iter().map(|name| (name.as_str(), 0)).collect(),
             rules: Vec::new(),
             ignored: self.ignored(),
+            objects: things::things(&self.ground.left_out),
             flash_bytes: self.flash(),
         };
         let kinds = self.tiles.iter().flat_map(|level| &level.ids);
@@ -100,7 +103,8 @@ impl Baked {
     /// Drawings that are in no output.
     pub fn unused(&self) -> Vec<String> {
         let listed = self.listed();
-        self.ignored().into_iter().filter(|line| !listed.contains(line)).collect()
+        let unlisted = self.ignored().into_iter().filter(|line| !listed.contains(line));
+        unlisted.chain(things::lost(&self.ground.left_out)).collect()
     }
 
     /// Bytes of tiles, of the table of kinds and of segments.

@@ -65,7 +65,7 @@ pub(crate) fn several(bundle: &Bundle) -> String {
             map(&mut inner, tiles);
         }
         if objects {
-            inner += "#[allow(unused_imports, reason = \"a level may have no object\")]\nuse super::{Object, area};\n";
+            inner += things::IMPORT;
             inner += &things::list(&level.ground.left_out);
         }
         rest(&mut inner, level, &Bytes::Here);
@@ -154,7 +154,7 @@ fn rest(text: &mut String, level: &Baked, from: &Bytes) {
 /// The map of the tiles.
 fn map(text: &mut String, level: &Level) {
     let (tile, bytes) = (Fx::from_num(level.tile), level.tiles.len());
-    let set = if level.is_blocks() { "Blocks" } else { "AllShapes" };
+    let set = items::set(&level.ids);
     let (origin, place) = match level.origin {
         (0, 0) => ("tilesat::Vec2::ZERO".to_owned(), "at the origin"),
         (x, y) => (format!("tilesat::Vec2::from_raw({x}, {y})"), "at this place"),

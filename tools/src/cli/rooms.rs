@@ -23,7 +23,8 @@ equal rooms; each level of an LDtk project is a room at its position in the worl
 ";
 
 const OPTIONS: &str = "
-  -o OUT.rs      write Rust source: the static ROOMS and its parts
+  -o OUT.rs      write Rust source: the static ROOMS and its parts. OBJECTS has those of
+                 each room that are not solid, in coordinates of the room
   --room WxH     columns and rows of a room, for a map
   --body PX      the longer side of the largest body (default: a cell)
   --motion PX    the longest motion per frame, with a walker's step and snap

@@ -5,13 +5,16 @@ use super::finding::Severity::{Error, Note, Warning};
 use super::finding::{Who, pixels};
 use super::geometry::{Point, doubled_area};
 use super::scene::Scene;
+use crate::bake::things::is_listed;
 use crate::rules::outline::Outline;
 
 pub(super) fn check(scene: &mut Scene<'_>) {
     for left_out in &scene.drawing.left_out {
         let who = Who { id: left_out.title.id, title: left_out.title.to_string().into(), edge: None };
         let severity = if left_out.suspicious { Warning } else { Note };
-        scene.say((severity, "left-out"), vec![who], left_out.at, left_out.why.clone(), "nothing collides with it");
+        let then =
+            if is_listed(left_out) { "not solid: bake writes it to OBJECTS" } else { "nothing collides with it" };
+        scene.say((severity, "left-out"), vec![who], left_out.at, left_out.why.clone(), then);
     }
     for (who, what) in &scene.drawing.doubts {
         let who = Who { id: 0, title: who.as_str().into(), edge: None };

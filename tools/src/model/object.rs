@@ -31,6 +31,10 @@ pub struct Object {
     pub name: String,
     pub class: String,
     pub properties: Properties,
+    /// Values for the game, which decide nothing here: the fields of an `LDtk` entity.
+    pub fields: Properties,
+    /// The points of such a field, in pixels of the layer.
+    pub path: Vec<Spot>,
     pub at: Spot,
     pub size: Spot,
     /// Degrees, clockwise if y grows downward.

@@ -5,18 +5,19 @@
 //! apron of its neighbours' tiles. Every room gets whole copies of the polygons that reach it: cut
 //! polygons would have corners that nobody drew.
 
+mod objects;
 mod part;
 mod segments;
 mod source;
 
-use tilesat::world::Set;
-use tilesat::{AllShapes, Blocks, Fx, Grid, Room, Rooms, TileKind, TileKinds, TileMap, TileMapError, Vec2};
+use tilesat::{AllShapes, Fx, Grid, Room, Rooms, TileKind, TileKinds, TileMap, TileMapError, Vec2};
 
 use crate::bake::level::Ids;
 use crate::fail::{Fail, Result};
 use crate::model::map::Map;
 use crate::rules::flags::Flags;
 use crate::rules::options::{Options, listed};
+use crate::rules::outline::LeftOut;
 use part::Part;
 
 /// How to cut a world, and for which body.
@@ -42,6 +43,8 @@ pub struct World {
     pub rooms: Vec<Baked>,
     /// What the rooms are windows of, where they are.
     pub whole: Option<Whole>,
+    /// Drawings that are in no output.
+    pub unused: Vec<String>,
 }
 
 /// The tiles of a world of equal rooms.
@@ -65,6 +68,8 @@ pub struct Baked {
     pub tiles: Vec<u8>,
     /// The bytes of its polygons.
     pub segments: Option<Vec<u8>>,
+    /// Objects for the game, in coordinates of the room.
+    pub objects: Vec<LeftOut>,
 }
 
 /// Bakes maps as rooms of one world.
@@ -96,7 +101,7 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
     }
     let side = Fx::from_num(cell);
     let apron = Room::<AllShapes>::apron_for(side, cut.body.unwrap_or(side), cut.motion.unwrap_or(side));
-    let (rooms, whole) = match (&parts[..], cut.room) {
+    let (mut rooms, whole) = match (&parts[..], cut.room) {
         ([part], Some(room)) => {
             let whole = part.whole(room)?;
             (part.equal(room)?, Some(whole))
@@ -106,7 +111,8 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
         }
         (parts, _) => (parts.iter().map(|part| part.alone(parts, apron)).collect::<Result<_>>()?, None),
     };
-    let mut world = World { cell, apron, kinds: ids.kinds().to_vec(), flags: Vec::new(), rooms, whole };
+    let unused = objects::share(&parts, &mut rooms, cell);
+    let mut world = World { cell, apron, kinds: ids.kinds().to_vec(), flags: Vec::new(), rooms, whole, unused };
     for room in &mut world.rooms {
         let of_room = |fail: Fail| Fail::new(format!("room '{}': {fail}", room.name));
         room.segments = segments::of(&parts, room, cell, apron, &mut flags).map_err(of_room)?;
@@ -117,11 +123,6 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
 }
 
 impl World {
-    /// Whether the world needs only blocks.
-    pub fn is_blocks(&self) -> bool {
-        self.kinds.iter().all(|kind| Blocks::SHAPES >> kind.shape as u8 & 1 != 0)
-    }
-
     /// Reports the compiler's errors about the source early.
     fn check(&self) -> Result<()> {
         let kinds = self.kinds.iter().zip(0..).fold(TileKinds::EMPTY, |kinds, (kind, id)| kinds.with(id, *kind));
@@ -157,6 +158,11 @@ impl World {
         if count > 0 {
             lines.push(format!("objects in {count} rooms, {bytes} bytes"));
         }
+        let listed: usize = self.rooms.iter().map(|room| room.objects.len()).sum();
+        if listed > 0 {
+            lines.push(format!("OBJECTS {listed} for the game"));
+        }
+        lines.extend(self.unused.iter().map(|what| format!("ignored {what}")));
         lines
     }
 }

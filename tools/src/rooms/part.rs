@@ -7,7 +7,7 @@ use crate::model::map::{Map, Place};
 use crate::rules::flags::Flags;
 use crate::rules::ground::Ground;
 use crate::rules::options::Options;
-use crate::rules::outline::Outline;
+use crate::rules::outline::{LeftOut, Outline};
 
 /// The library's domain in pixels (contract C1).
 const DOMAIN: i64 = 8192;
@@ -31,6 +31,8 @@ pub(super) struct Part {
     tiles: Vec<u8>,
     /// In raw units of the world.
     pub outlines: Vec<Outline>,
+    /// Objects for the game, in raw units of the world.
+    pub objects: Vec<LeftOut>,
 }
 
 impl Part {
@@ -55,6 +57,7 @@ impl Part {
         for point in ground.outlines.iter_mut().flat_map(|outline| &mut outline.points) {
             *point = (point.0 + at.0 * side, point.1 + at.1 * side);
         }
+        ground.left_out.iter_mut().for_each(|object| object.shift((at.0 * side, at.1 * side)));
         // For a map without tiles, the map gives the size.
         let drawn = if level.is_some() { (0, 0) } else { (map.size.0.into(), map.size.1.into()) };
         let extent = extent(&ground.outlines, side, drawn);
@@ -66,6 +69,7 @@ impl Part {
             covered,
             tiles: level.map_or_else(Vec::new, |level| level.tiles),
             outlines: ground.outlines,
+            objects: ground.left_out,
         })
     }
 
@@ -106,6 +110,7 @@ impl Part {
                     size: ((columns - x).min(width.into()) as u16, (rows - y).min(height.into()) as u16),
                     tiles: Vec::new(),
                     segments: None,
+                    objects: Vec::new(),
                 });
             }
         }
@@ -141,6 +146,7 @@ impl Part {
             size: (count(width)?, count(height)?),
             tiles,
             segments: None,
+            objects: Vec::new(),
         })
     }
 

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::{Baked, Whole, World};
 use crate::bake::source::{bytes, constants};
-use crate::bake::{items, names};
+use crate::bake::{items, names, things};
 
 /// The tiles, the table of rooms, and the segments of those that have some.
 pub(crate) fn source(world: &World) -> String {
@@ -20,12 +20,13 @@ pub(crate) fn source(world: &World) -> String {
     text += &items::flags(&constants(&world.flags));
     text += "#[rustfmt::skip]\n";
     text += &items::kinds(&world.kinds);
-    let set = if world.is_blocks() { "Blocks" } else { "AllShapes" };
+    let set = items::set(&world.kinds);
     match &world.whole {
         Some(whole) => windows(&mut text, world, whole, set),
         None => table(&mut text, world, set),
     }
     segments(&mut text, world);
+    objects(&mut text, world);
     text
 }
 
@@ -124,4 +125,25 @@ fn segments(text: &mut String, world: &World) {
          }}\n\
          }}"
     );
+}
+
+/// The objects of each room, if there are any.
+fn objects(text: &mut String, world: &World) {
+    if world.rooms.iter().all(|room| room.objects.is_empty()) {
+        return;
+    }
+    *text += things::TYPE;
+    let _ = writeln!(
+        text,
+        "/// The objects of each room that are not solid, in coordinates of the room. Rooms are in\n\
+         /// order, row after row.\n\
+         #[rustfmt::skip]\n\
+         pub static OBJECTS: [&[Object]; {}] = [",
+        world.rooms.len()
+    );
+    for room in &world.rooms {
+        let entries = things::entries(&room.objects);
+        let _ = if entries.is_empty() { writeln!(text, "    &[],") } else { writeln!(text, "    &[\n{entries}    ],") };
+    }
+    text.push_str("];\n");
 }

@@ -115,9 +115,7 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     ground.layers = sheets.len();
     ground.left_out = left_out;
     let shift = (i64::from(ground.shift.0) << 16, i64::from(ground.shift.1) << 16);
-    for corner in ground.left_out.iter_mut().filter_map(|object| object.area.as_mut()).flatten() {
-        *corner = (corner.0 + shift.0, corner.1 + shift.1);
-    }
+    ground.left_out.iter_mut().for_each(|object| object.shift(shift));
     ground.doubts = doubts;
     ground.applied = ledger.0;
     ground.ignored = ignored;

@@ -10,6 +10,7 @@ use super::words::{self, COLLISION};
 use crate::model::decimal::Decimal;
 use crate::model::map::Layer;
 use crate::model::object::{Form, Object};
+use crate::model::property::Properties;
 use tilesat::TileShape;
 
 /// A layer's setting for its objects: a kind, or that they are solid as drawn.
@@ -61,9 +62,15 @@ pub(super) fn outline(
         values().min().zip(values().max())
     };
     let area = ends(|p| p.0).zip(ends(|p| p.1)).map(|((x, right), (y, bottom))| [(x, y), (right, bottom)]);
+    let points: Vec<(i64, i64)> = match &object.form {
+        Form::Polygon(_) | Form::Polyline(_) => around,
+        _ => object.path.iter().copied().map(raw).collect(),
+    };
     let left_out = |why: String, suspicious| {
-        let class = if object.class.is_empty() { &layer.class } else { &object.class };
-        Ok(Err(LeftOut { title: title.clone(), class: class.clone(), at, area, why, suspicious }))
+        let class = if object.class.is_empty() { &layer.class } else { &object.class }.clone();
+        let fields = object.properties.0.iter().chain(&object.fields.0).cloned();
+        let (properties, title, points) = (Properties(fields.collect()), title.clone(), points.clone());
+        Ok(Err(LeftOut { title, class, at, area, points, properties, why, suspicious }))
     };
     let Some(corners) = all_corners else {
         return match &object.form {

@@ -4,6 +4,7 @@
 use std::fmt;
 
 use super::kind::Kind;
+use crate::model::property::Properties;
 
 /// The name of an object.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -30,6 +31,15 @@ impl fmt::Display for Title {
             write!(f, " '{}'", self.name)?;
         }
         write!(f, " of layer '{}'", self.layer)
+    }
+}
+
+impl LeftOut {
+    /// Moves it, by raw units.
+    pub(crate) fn shift(&mut self, by: (i64, i64)) {
+        for point in self.area.iter_mut().flatten().chain(&mut self.points) {
+            *point = (point.0 + by.0, point.1 + by.1);
+        }
     }
 }
 
@@ -68,6 +78,10 @@ pub struct LeftOut {
     /// The box around it in the level, raw: its smallest and its largest corner. `None` if its form
     /// is unknown.
     pub area: Option<[(i64, i64); 2]>,
+    /// The points of a polygon, of a polyline or of a field, raw.
+    pub points: Vec<(i64, i64)>,
+    /// Its properties and fields.
+    pub properties: Properties,
     pub why: String,
     /// Whether its author may have meant it to be solid.
     pub suspicious: bool,

@@ -76,6 +76,29 @@ fn bytes_equal_the_source() {
     assert!(!everything(&tiles(quarry::TILES, &quarry::KINDS, (quarry::WIDTH, quarry::HEIGHT))).is_empty());
 }
 
+/// The smallest set that has the level's shapes: it links the least code.
+#[test]
+fn the_set_is_the_smallest() {
+    let cases = [
+        ("full", "Blocks"),
+        ("one-way-left", "Blocks"),
+        ("half-top", "Slopes"),
+        ("steep-high-bottom-left", "Slopes"),
+        ("convex-top-left", "AllShapes"),
+        ("concave-bottom-left", "AllShapes"),
+    ];
+    for (shape, set) in cases {
+        let (ran, out) = baked(scratch("bake", "set.tmx", rows(&["# ="])), "set.rs", &format!("--solid Kill={shape}"));
+        fine(&ran);
+        assert!(fs::read_to_string(out).unwrap().contains("TileMap<tilesat::Blocks>"), "no tile has it");
+        let file = scratch("bake", "set.tmx", rows(&["# ="]).replace(">1,0,2<", ">1,3,2<"));
+        let (ran, out) = baked(file, "set.rs", &format!("--solid Kill={shape}"));
+        fine(&ran);
+        let source = fs::read_to_string(out).unwrap();
+        assert!(source.contains(&format!("TileMap<tilesat::{set}>")), "{shape}: {source}");
+    }
+}
+
 #[test]
 fn values_of_a_grid_are_shapes() {
     let (ran, out) = baked(own("levels/steps.ldtk"), "steps.bin", "");

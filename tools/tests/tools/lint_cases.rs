@@ -322,8 +322,8 @@ pub(crate) const CASES: &[Case] = &[
         "",
         &[
             "warning left-out at (3, 0): object 5 of layer 'L': made from a template that cannot be read: a.tx; nothing collides with it",
-            "note left-out at (1, 2): object 3 of layer 'L': a text; nothing collides with it",
-            "note left-out at (0, 0): object 4 of layer 'L': a tile as an object; nothing collides with it",
+            "note left-out at (1, 2): object 3 of layer 'L': a text; not solid: bake writes it to OBJECTS",
+            "note left-out at (0, 0): object 4 of layer 'L': a tile as an object; not solid: bake writes it to OBJECTS",
         ],
     ),
 ];

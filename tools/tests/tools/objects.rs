@@ -134,11 +134,11 @@ fn objects_for_the_game() {
     let lift = area(48 * unit, 64 * unit + unit / 2, 80 * unit, 72 * unit + unit / 2);
     let spawn = area(20 * unit, 30 * unit, 20 * unit, 30 * unit);
     for line in [
-        format!("    Object {{ class: \"Spawn\", name: \"spawn\", area: {spawn} }},"),
-        format!("    Object {{ class: \"Lift\", name: \"first lift\", area: {lift} }},"),
+        format!("    Object {{ class: \"Spawn\", name: \"spawn\", area: {spawn}, points: &[], properties: &[] }},"),
+        format!("    Object {{ class: \"Lift\", name: \"first lift\", area: {lift}, points: &[], properties: &[] }},"),
         // A quarter turn around its corner.
         format!(
-            "    Object {{ class: \"Enemy\", name: \"\", area: {} }},",
+            "    Object {{ class: \"Enemy\", name: \"\", area: {}, points: &[], properties: &[] }},",
             area(2 * unit, 60 * unit, 10 * unit, 64 * unit)
         ),
         format!("pub const OBJECT_SPAWN: tilesat::Aabb = {spawn};"),
@@ -147,7 +147,61 @@ fn objects_for_the_game() {
         assert!(source.lines().any(|known| known == line), "{line}\n{source}");
     }
     // Neither what is solid nor what lies beyond the domain.
-    assert_eq!(source.matches("Object {").count(), 1 + 3, "{source}");
+    assert_eq!(source.matches("    Object {").count(), 3, "{source}");
+}
+
+/// The way of a lift and its speed, a list, and what no list of values can hold.
+#[test]
+fn properties_and_points() {
+    let list = r#"<object id="1" name="way" x="8" y="6"><polyline points="0,0 0,-4.5 3,-4.5"/></object>
+        <object id="2" class="Lift" x="48" y="64" width="32" height="8"><properties>
+        <property name="speed" type="float" value="0.1"/><property name="far" type="int" value="40000"/>
+        <property name="loops" type="bool" value="false"/><property name="say &quot;" value="a\b"/>
+        <property name="next" type="object" value="1"/></properties></object>"#;
+    let text = objects(list).replacen(">0</data>", ">1</data>", 1).replace("name=\"L\" class=\"Solid\"", "name=\"L\"");
+    let levels = load(&scratch("objects", "values.tmx", text), None).unwrap();
+    let bundle = bake(&levels.maps, &Settings::default()).unwrap();
+    let source = bundle.source();
+    let point = |x: i32, y: i32| format!("tilesat::Vec2::from_raw({}, {})", x << 15, y << 15);
+    let way = format!("points: &[{}, {}, {}], properties: &[]", point(16, 12), point(16, 3), point(22, 3));
+    // The nearest number of 16.16 is 6554 / 65536. 40000 is beyond them.
+    let values = r#"points: &[], properties: &[("speed", Value::Number(tilesat::Fx::lit("0.1"))), ("far", Value::Text("40000")), ("loops", Value::Bool(false)), ("say \"", Value::Text("a\\b"))]"#;
+    for part in [&way, values] {
+        assert!(source.contains(part), "{part}\n{source}");
+    }
+    let unused = bundle.levels[0].unused();
+    assert_eq!(unused, ["property 'next' of object 2 of layer 'L': not a number, a text or true or false"]);
+}
+
+/// Fields of an entity. They are no tags: a field that is called Solid makes nothing solid.
+#[test]
+fn fields_of_entities() {
+    let entity = r##"{"__identifier":"Mob","__pivot":[0,0],"__tags":["Angry"],"px":[32,16],"width":16,"height":16,
+        "fieldInstances":[{"__identifier":"Solid","__type":"Bool","__value":true},
+        {"__identifier":"kind","__type":"LocalEnum.Kind","__value":"slow"},
+        {"__identifier":"loot","__type":"Array<Int>","__value":[3,-4]},
+        {"__identifier":"none","__type":"Int","__value":null},
+        {"__identifier":"way","__type":"Array<Point>","__value":[{"cx":1,"cy":0},{"cx":-1,"cy":2}]},
+        {"__identifier":"home","__type":"Point","__value":{"cx":0,"cy":0}},
+        {"__identifier":"door","__type":"EntityRef","__value":{"entityIid":"x"}}]}"##;
+    let text = format!(
+        r#"{{"__header__":{{"app":"LDtk"}},"worldLayout":"Free","defs":{{"layers":[{{"uid":2,"intGridValues":[{{"value":1,"identifier":"Full"}}]}}]}},"levels":[{{"identifier":"A","pxWid":32,"pxHei":16,"layerInstances":[
+        {{"__type":"Entities","__identifier":"E","__cWid":2,"__cHei":1,"__gridSize":16,"entityInstances":[{entity}]}},
+        {{"__type":"IntGrid","__identifier":"G","__cWid":2,"__cHei":1,"__gridSize":16,"layerDefUid":2,"intGridCsv":[1,0]}}]}}]}}"#
+    );
+    let levels = load(&scratch("objects", "fields.ldtk", text), None).unwrap();
+    let bundle = bake(&levels.maps, &Settings::default()).unwrap();
+    let source = bundle.source();
+    let point = |x: i32, y: i32| format!("tilesat::Vec2::from_raw({}, {})", x << 16, y << 16);
+    let line = format!(
+        r#"points: &[{}, {}], properties: &[("Angry", Value::Bool(true)), ("Solid", Value::Bool(true)), ("kind", Value::Text("slow")), ("loot", Value::Number(tilesat::Fx::lit("3"))), ("loot", Value::Number(tilesat::Fx::lit("-4")))]"#,
+        point(24, 8),
+        point(-8, 40)
+    );
+    assert!(source.contains(&line), "{line}\n{source}");
+    let unused = bundle.levels[0].unused();
+    let why = "not a number, a text or true or false";
+    assert_eq!(unused, ["door", "home"].map(|name| format!("property '{name}' of object 1 'Mob' of layer 'E': {why}")));
 }
 
 /// A slip of the pen makes a flag of a floor: it is said.

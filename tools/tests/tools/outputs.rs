@@ -141,7 +141,7 @@ fn json() {
     let level = rows(&["# =", "###"]).replace(">1,0,2", ">1,3,2").replace("</objectgroup>", SQUARE);
     let level = level.replace(
         "</map>",
-        r#"<objectgroup name="Spots"><object id="2" name="start"><point/></object></objectgroup></map>"#,
+        r#"<objectgroup name="Spots"><object id="2" name="start"><properties><property name="to" type="int" value="7"/><property name="to" type="bool" value="true"/><property name="to" value="x"/></properties><point/></object></objectgroup></map>"#,
     );
     let ran = support::run("bake", scratch("json", "one.tmx", level), "--json");
     assert_eq!((ran.status, ran.err.as_str()), (0, ""));
@@ -152,7 +152,9 @@ fn json() {
          \"rules\":[{\"rule\":\"a\",\"what\":\"class Solid is full\",\"tiles\":4},\
          {\"rule\":\"a\",\"what\":\"class OneWay is one-way-up\",\"tiles\":1},\
          {\"rule\":\"c\",\"what\":\"objects of layer 'L'\",\"tiles\":1}],\
-         \"ignored\":[\"object 2 'start' of layer 'Spots': a point\"],\"flash_bytes\":667}\n"
+         \"ignored\":[\"object 2 'start' of layer 'Spots': a point\"],\
+         \"objects\":[{\"class\":\"\",\"name\":\"start\",\"layer\":\"Spots\",\"area\":[0.0,0.0,0.0,0.0],\
+         \"points\":[],\"properties\":{\"to\":[7,true,\"x\"]}}],\"flash_bytes\":667}\n"
     );
 }
 

@@ -280,6 +280,20 @@ fn source_equals_the_worlds() {
         let there = segments.is_some_and(|map| map.overlaps_circle(&disc(inside)));
         assert_eq!(there, quarry::SEGMENTS.overlaps_circle(&disc(inside + by)), "{x} {y}");
     }
+    // Each object is in the room that holds its middle, in coordinates of the room.
+    let mut found = Vec::new();
+    for (index, objects) in (0..).zip(&quarry_rooms::OBJECTS) {
+        let (column, row) = (index % rooms.columns(), index / rooms.columns());
+        let first = rooms.room(column, row).unwrap().first();
+        let (x, y) = (16 * first.0 as i16, 16 * first.1 as i16);
+        for object in *objects {
+            let whole = object.area.translated(Vec2::from_ints(x, y)).unwrap();
+            assert!(rooms.room(column, row).unwrap().holds(object.area.centre()));
+            found.push((object.name, whole));
+        }
+    }
+    found.sort_unstable_by_key(|(name, _)| std::cmp::Reverse(*name));
+    assert_eq!(found, [("start", quarry::OBJECT_START), ("exit", quarry::OBJECT_EXIT)]);
     let [steps] = &steps_rooms::ROOMS;
     assert_eq!((steps_rooms::steps::INDEX, steps_rooms::steps::TILES.len(), steps.first()), (0, 600, (0, 0)));
     assert_eq!((steps.width(), steps.height()), (24, 14));

@@ -6,7 +6,8 @@ use crate::oracle::figure::Point;
 use crate::oracle::kernel::{aabb, circle, point, segment, vec2};
 use tilesat::prelude::*;
 use tilesat::{
-    Axis, Capsule, CastHit, Contact, ConvexPolygon, Fx, Inside, Manifold, OrientedBox, RangeError, query::Separation,
+    Axis, Capsule, CastHit, Contact, ConvexPolygon, Fx, Inside, OrientedBox, RangeError,
+    query::{Manifold, Separation},
 };
 
 pub fn capsule(a: Point, b: Point, radius: i64) -> Capsule {

@@ -11,8 +11,8 @@ use super::json;
 use crate::model::decimal::Decimal;
 use crate::model::flip::Flip;
 use crate::model::map::{Content, Layer, Map, Place, Placed, Tiles};
-use crate::model::object::{Form, Object};
-use crate::model::property::Properties;
+use crate::model::object::{Form, Object, Spot};
+use crate::model::property::{Properties, Value};
 use crate::model::tileset::{Tile, Tileset};
 
 type Result<T> = std::result::Result<T, String>;
@@ -74,7 +74,7 @@ fn tileset(set: &raw::Tileset, folder: &Path) -> Tileset {
     let mut tiles: HashMap<u32, Tile> = HashMap::new();
     for tag in &set.enum_tags {
         for &id in &tag.tile_ids {
-            let value = crate::model::property::Value::Bool(true);
+            let value = Value::Bool(true);
             tiles.entry(id).or_default().properties.0.push((tag.enum_value_id.clone(), value));
         }
     }
@@ -125,7 +125,9 @@ impl Reader<'_> {
         for layer in layers.iter().rev() {
             let of_layer = |why: String| format!("layer '{}': {why}", layer.name);
             if layer.form == "Entities" {
-                let objects = layer.entities.iter().zip(1..).map(|(entity, id)| object(entity, id)).collect();
+                // Only the points of fields need the side of a cell.
+                let side = layer.tile.0.min(256) as u16;
+                let objects = layer.entities.iter().zip(1..).map(|(entity, id)| object(entity, id, side)).collect();
                 read.push(Layer::plain(&layer.name, (layer.x.into(), layer.y.into()), Content::Objects(objects)));
                 continue;
             }
@@ -244,20 +246,62 @@ fn grid(layer: &raw::Layer) -> Result<u16> {
     Ok(tile as u16)
 }
 
-/// An entity is a rectangle with its name and its tags.
-fn object(entity: &raw::Entity, id: u32) -> Object {
+/// An entity is a rectangle with its name, its tags and its fields.
+fn object(entity: &raw::Entity, id: u32, side: u16) -> Object {
     let pixels = |value: u32| Decimal::whole(value.into());
     let corner =
         |at: i32, size: u32, pivot: f64| Decimal::whole(at.into()) - Decimal::from_f64(f64::from(size) * pivot);
-    let marks = entity.tags.iter().map(|tag| (tag.clone(), crate::model::property::Value::Bool(true)));
+    let marks = entity.tags.iter().map(|tag| (tag.clone(), Value::Bool(true)));
+    let (paths, fields): (Vec<_>, Vec<_>) =
+        entity.fields.iter().partition(|field| matches!(field.form.as_str(), "Point" | "Array<Point>"));
+    let mut path: Vec<Spot> = Vec::new();
+    let mut values: Vec<(String, Value)> = fields.into_iter().flat_map(values).collect();
+    for field in paths {
+        let points: Vec<Spot> = each(&field.value).filter_map(|point| middle(point, side)).collect();
+        if path.is_empty() {
+            path = points;
+        } else if !points.is_empty() {
+            // An object has one list of points.
+            values.push((field.name.clone(), Value::Other));
+        }
+    }
     Object {
         id,
         name: entity.name.clone(),
         class: entity.name.clone(),
         properties: Properties(marks.collect()),
+        fields: Properties(values),
+        path,
         at: (corner(entity.px.0, entity.width, entity.pivot.0), corner(entity.px.1, entity.height, entity.pivot.1)),
         size: (pixels(entity.width), pixels(entity.height)),
         rotation: Decimal::ZERO,
         form: Form::Rectangle,
     }
+}
+
+/// The values of a field: a list has several, and a field without a value none.
+fn values(field: &raw::Field) -> impl Iterator<Item = (String, Value)> + '_ {
+    each(&field.value).map(|value| {
+        let value = match value {
+            serde_json::Value::Bool(is) => Value::Bool(*is),
+            serde_json::Value::Number(number) => Value::Number(number.to_string()),
+            serde_json::Value::String(text) => Value::Text(text.clone()),
+            _ => Value::Other,
+        };
+        (field.name.clone(), value)
+    })
+}
+
+fn each(value: &serde_json::Value) -> impl Iterator<Item = &serde_json::Value> {
+    let list = value.as_array().map_or(std::slice::from_ref(value), Vec::as_slice);
+    list.iter().filter(|value| !value.is_null())
+}
+
+/// The middle of the cell that a point of `LDtk` names.
+fn middle(point: &serde_json::Value, side: u16) -> Option<Spot> {
+    let along = |name: &str| {
+        let cell = i32::try_from(point.get(name)?.as_i64()?).ok()?;
+        Some(Decimal::whole(i64::from(cell) * i64::from(side)) + Decimal::whole(side.into()).scaled(1, 2))
+    };
+    Some((along("cx")?, along("cy")?))
 }

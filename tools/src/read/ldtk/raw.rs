@@ -132,6 +132,20 @@ pub(super) struct Entity {
     pub(super) px: (i32, i32),
     pub(super) width: u32,
     pub(super) height: u32,
+    #[serde(rename = "fieldInstances")]
+    pub(super) fields: Vec<Field>,
+}
+
+/// A field of an entity.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Field {
+    #[serde(rename = "__identifier")]
+    pub(super) name: String,
+    #[serde(rename = "__type")]
+    pub(super) form: String,
+    #[serde(rename = "__value")]
+    pub(super) value: serde_json::Value,
 }
 
 /// A number that is not negative, or the text there instead.

@@ -93,6 +93,8 @@ fn shape(object: raw::Object) -> Result<Object> {
         name: object.name.unwrap_or_default(),
         class: object.class.unwrap_or_default(),
         properties: Properties(object.properties.0.0),
+        fields: Properties::default(),
+        path: Vec::new(),
         at: (object.x.0, object.y.0),
         size,
         rotation: number(object.rotation),

@@ -63,6 +63,31 @@ pub struct Object {
     pub class: &'static str,
     pub name: &'static str,
     pub area: tilesat::Aabb,
+    /// Those of a polygon or a polyline, such as the way of a lift.
+    pub points: &'static [tilesat::Vec2],
+    /// As drawn. A list is several entries with one name.
+    pub properties: &'static [(&'static str, Value)],
+}
+/// The value of a property.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Value {
+    Bool(bool),
+    /// Rounded to nearest. One that 16.16 cannot hold is a text.
+    Number(tilesat::Fx),
+    Text(&'static str),
+}
+impl Object {
+    /// The value of a property.
+    pub fn property(&self, name: &str) -> Option<Value> {
+        self.properties.iter().find(|property| property.0 == name).map(|property| property.1)
+    }
+    /// The number of a property.
+    pub fn number(&self, name: &str) -> Option<tilesat::Fx> {
+        match self.property(name) {
+            Some(Value::Number(number)) => Some(number),
+            _ => None,
+        }
+    }
 }
 const fn area(x: i32, y: i32, right: i32, bottom: i32) -> tilesat::Aabb {
     match tilesat::Aabb::new(tilesat::Vec2::from_raw(x, y), tilesat::Vec2::from_raw(right, bottom)) {
@@ -73,8 +98,8 @@ const fn area(x: i32, y: i32, right: i32, bottom: i32) -> tilesat::Aabb {
 /// The objects that are not solid, in the order of the file.
 #[rustfmt::skip]
 pub static OBJECTS: &[Object] = &[
-    Object { class: "Places", name: "start", area: area(2621440, 14155776, 2621440, 14155776) },
-    Object { class: "Places", name: "exit", area: area(27262976, 10485760, 28311552, 12582912) },
+    Object { class: "Places", name: "start", area: area(2621440, 14155776, 2621440, 14155776), points: &[], properties: &[] },
+    Object { class: "Places", name: "exit", area: area(27262976, 10485760, 28311552, 12582912), points: &[], properties: &[] },
 ];
 pub const OBJECT_START: tilesat::Aabb = area(2621440, 14155776, 2621440, 14155776);
 pub const OBJECT_EXIT: tilesat::Aabb = area(27262976, 10485760, 28311552, 12582912);

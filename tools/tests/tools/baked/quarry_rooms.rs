@@ -143,3 +143,56 @@ const fn segments(bytes: &'static [u8]) -> tilesat::SegmentMap<'static> {
         Err(_) => panic!("the segments are damaged"),
     }
 }
+/// An object of the level that is not solid. A point has an area without size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Object {
+    pub class: &'static str,
+    pub name: &'static str,
+    pub area: tilesat::Aabb,
+    /// Those of a polygon or a polyline, such as the way of a lift.
+    pub points: &'static [tilesat::Vec2],
+    /// As drawn. A list is several entries with one name.
+    pub properties: &'static [(&'static str, Value)],
+}
+/// The value of a property.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Value {
+    Bool(bool),
+    /// Rounded to nearest. One that 16.16 cannot hold is a text.
+    Number(tilesat::Fx),
+    Text(&'static str),
+}
+impl Object {
+    /// The value of a property.
+    pub fn property(&self, name: &str) -> Option<Value> {
+        self.properties.iter().find(|property| property.0 == name).map(|property| property.1)
+    }
+    /// The number of a property.
+    pub fn number(&self, name: &str) -> Option<tilesat::Fx> {
+        match self.property(name) {
+            Some(Value::Number(number)) => Some(number),
+            _ => None,
+        }
+    }
+}
+const fn area(x: i32, y: i32, right: i32, bottom: i32) -> tilesat::Aabb {
+    match tilesat::Aabb::new(tilesat::Vec2::from_raw(x, y), tilesat::Vec2::from_raw(right, bottom)) {
+        Ok(area) => area,
+        Err(_) => panic!("an object is outside of the domain"),
+    }
+}
+/// The objects of each room that are not solid, in coordinates of the room. Rooms are in
+/// order, row after row.
+#[rustfmt::skip]
+pub static OBJECTS: [&[Object]; 6] = [
+    &[],
+    &[],
+    &[
+    Object { class: "Places", name: "exit", area: area(2097152, 10485760, 3145728, 12582912), points: &[], properties: &[] },
+    ],
+    &[
+    Object { class: "Places", name: "start", area: area(2621440, 1572864, 2621440, 1572864), points: &[], properties: &[] },
+    ],
+    &[],
+    &[],
+];

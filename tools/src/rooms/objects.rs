@@ -1,0 +1,40 @@
+//! The objects for the game, each in one room.
+
+use super::Baked;
+use super::part::Part;
+use crate::bake::things::{is_listed, lost};
+use crate::rules::outline::LeftOut;
+
+/// Gives each object to the room that holds its middle, in coordinates of the room. Where levels
+/// overlap, to its own. Returns those that no room holds, and other parts that no output has.
+pub(super) fn share(parts: &[Part], rooms: &mut [Baked], cell: u16) -> Vec<String> {
+    let side = i64::from(cell) << 16;
+    let mut unused = Vec::new();
+    for part in parts {
+        for object in &part.objects {
+            let middle = |[a, b]: [(i64, i64); 2]| ((a.0 + b.0).div_euclid(2), (a.1 + b.1).div_euclid(2));
+            let holds = |room: &Baked| {
+                let along = |at: i64, first: i32, size: u16| {
+                    (i64::from(first)..i64::from(first) + i64::from(size)).contains(&at.div_euclid(side))
+                };
+                object
+                    .area
+                    .map(middle)
+                    .is_some_and(|at| along(at.0, room.first.0, room.size.0) && along(at.1, room.first.1, room.size.1))
+            };
+            let own = rooms.iter().position(|room| room.name == part.name && holds(room));
+            let found = own.or_else(|| rooms.iter().position(holds)).map(|index| &mut rooms[index]);
+            let moved = found.map(|room| {
+                let mut object: LeftOut = object.clone();
+                object.shift((i64::from(-room.first.0) * side, i64::from(-room.first.1) * side));
+                (room, object)
+            });
+            match moved {
+                Some((room, object)) if is_listed(&object) => room.objects.push(object),
+                _ => unused.push(format!("{}: {}", object.title, object.why)),
+            }
+        }
+    }
+    unused.extend(rooms.iter().flat_map(|room| lost(&room.objects)));
+    unused
+}
