@@ -285,6 +285,7 @@
 mod body;
 mod drift;
 mod error;
+mod kernel;
 mod meeting;
 mod met;
 mod pairs;
@@ -304,9 +305,10 @@ mod way;
 
 pub use body::SceneBody;
 pub use error::{SceneError, SceneFault};
+pub use kernel::BodyShape;
 pub use reply::{Answer, Reply};
 pub use set::{Scene, Sleep};
-pub use shape::Shape;
+pub use shape::{Shape, WithCapsules};
 pub use snapshot::Snapshot;
 
 use crate::broad::{Handle, Pair};

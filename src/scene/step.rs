@@ -1,6 +1,7 @@
 //! One step of a scene.
 
 use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
+use super::kernel::BodyShape;
 use super::met::{may_meet, pair, senses};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::reply::{Answer, Asked, Replies, Reply};
@@ -13,10 +14,9 @@ use super::{Scene, SceneBody, SceneError, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
 use crate::num::{MOTION, Vec2, check_motion};
-use crate::query::{Contacts, Touches};
 use crate::world::World;
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
     /// Moves all awake bodies by one step. A step adds `gravity` to velocities; pass zero for games
     /// seen from above.
     ///
@@ -143,7 +143,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     /// As [`step`](Self::step).
     pub fn step_in<'l, W: World + 'l, A: Answer>(
         &mut self,
-        level_of: impl Fn(&SceneBody) -> &'l W,
+        level_of: impl Fn(&SceneBody<S>) -> &'l W,
         gravity: Vec2,
         replies: impl FnMut(Pair) -> A,
         mut each: impl FnMut(SceneEvent<'_>),
@@ -240,7 +240,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
 
     /// Each body against the level, and fast bodies against the others, too. Returns whether one
     /// has been quiet for long enough.
-    fn travel<V: View>(
+    fn travel<V: View<S>>(
         &mut self,
         view: &V,
         gravity: Vec2,
@@ -291,7 +291,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
             }
         }
         for handle in &*awake {
-            let quiet = |slot: &Slot| if slot.tally.under == FLIES { 0 } else { slot.quiet };
+            let quiet = |slot: &Slot<S>| if slot.tally.under == FLIES { 0 } else { slot.quiet };
             let Some(quiet) = slots.get(handle.slot()).map(quiet) else { continue };
             let root = root(slots, handle.slot() as u16);
             if let Some(slot) = slots.get_mut(usize::from(root)) {
@@ -320,7 +320,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     }
 }
 
-fn begin(slots: &mut [Slot], awake: &[Handle], gravity: Vec2) {
+fn begin<S: BodyShape>(slots: &mut [Slot<S>], awake: &[Handle], gravity: Vec2) {
     for handle in awake {
         let Some(slot) = slots.get_mut(handle.slot()) else { continue };
         slot.tally = Tally { drift: slot.tally.drift, ..Tally::of(handle.slot() as u16) };

@@ -9,6 +9,7 @@
 //! again in the step move along each other, and their velocities meet in the next one.
 
 use super::body::{ALOFT, NOBODY, Slot};
+use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, toward};
 use super::met::{Met, around, each_near, may_meet, pair, reach, senses};
 use super::reply::{Replies, Reply};
@@ -23,7 +24,7 @@ use crate::motion::response::exchange;
 use crate::motion::{Hit, Hits, Masses, Surface};
 use crate::num::{Toi, Vec2};
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
     /// Releases those that have nobody in reach: only the level matters to them.
     #[inline(never)]
     pub(super) fn let_go(&mut self, replies: &mut impl Replies) {
@@ -46,7 +47,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     /// Moves the fast bodies. Returns whether one has been quiet for long enough. A separate
     /// function: most steps need neither its registers nor its stack.
     #[inline(never)]
-    pub(super) fn sweep<V: View>(
+    pub(super) fn sweep<V: View<S>>(
         &mut self,
         trip: &Trip<'_, V>,
         stepped: &mut Stepped,
@@ -67,9 +68,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     }
 }
 
-struct Sweep<'a, B, V, R, E> {
+struct Sweep<'a, B, V, S, R, E> {
     near: &'a mut B,
-    slots: &'a mut [Slot],
+    slots: &'a mut [Slot<S>],
     /// The bodies that were awake before.
     movers: &'a [Handle],
     room: &'a mut [Handle],
@@ -82,10 +83,11 @@ struct Sweep<'a, B, V, R, E> {
     each: &'a mut E,
 }
 
-impl<B, V, R, E> Sweep<'_, B, V, R, E>
+impl<B, V, S, R, E> Sweep<'_, B, V, S, R, E>
 where
     B: BroadPhase<Tag = Keyed<Filter>>,
-    V: View,
+    V: View<S>,
+    S: BodyShape,
     R: Replies,
     E: FnMut(SceneEvent<'_>),
 {
@@ -165,7 +167,7 @@ where
     /// The first end of a body's way. Of bodies met at one time, the one with the smaller key, then
     /// slot.
     #[inline(never)]
-    fn look(&mut self, handle: Handle, slot: &Slot) -> Result<(Toi, End), SceneFault> {
+    fn look(&mut self, handle: Handle, slot: &Slot<S>) -> Result<(Toi, End), SceneFault> {
         let since = slot.way.since;
         let touched = self.trip.touch(&slot.body, slot.way.left(since))?;
         let mut first = touched.hit.map_or((Toi::ONE, End::Step), |hit| (later(since, hit.toi), End::Level));
@@ -305,7 +307,7 @@ where
 
     /// Reports the sensors on a way that ends at a time.
     #[inline(never)]
-    fn sense(&mut self, handle: Handle, slot: &Slot, until: Toi) {
+    fn sense(&mut self, handle: Handle, slot: &Slot<S>, until: Toi) {
         let (each, replies) = (&mut *self.each, &mut *self.replies);
         each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
             let sensor = senses(slot, at);
@@ -325,7 +327,7 @@ where
     /// Only the step ends its way.
     #[inline(never)]
     fn land(&mut self, handle: Handle) {
-        let swept = |slot: &&Slot| slot.way.pace == Pace::Swept;
+        let swept = |slot: &&Slot<S>| slot.way.pace == Pace::Swept;
         let Some(slot) = self.slots.get(handle.slot()).filter(swept).copied() else { return };
         self.sense(handle, &slot, Toi::ONE);
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
