@@ -285,6 +285,7 @@
 mod body;
 mod drift;
 mod error;
+mod idle;
 mod kernel;
 mod meeting;
 mod met;

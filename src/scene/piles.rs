@@ -129,6 +129,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         (slot.tally.low, slot.tally.high) = (Vec2::ZERO, Vec2::ZERO);
         if let Err(fault) = self.rest(handle, &mut slot, before, replies) {
             slot.body.shape = known;
+            if let Some(rest) = self.rests.get_mut(handle.slot()) {
+                *rest = None;
+            }
             hold(&mut slot, handle, fault, self.stepped, each);
         }
         (slot.way.pace, slot.way.turns) = (Pace::Slow, 1);
@@ -193,8 +196,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         }
         let push = slot.tally.push();
         if push != Vec2::ZERO {
-            if let Some(rest) = self.rests.get_mut(handle.slot()) {
-                *rest = None;
+            if let Some(Some(rest)) = self.rests.get_mut(handle.slot()) {
+                rest.stays = false;
             }
             slot.body.shape = self.trip.slide(&slot.body, push)?;
         }

@@ -9,10 +9,12 @@
 //! again in the step move along each other, and their velocities meet in the next one.
 
 use super::body::{ALOFT, NOBODY, Slot};
+use super::idle::{Idle, reach_of};
 use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, toward};
 use super::met::{Met, around, each_near, may_meet, pair, reach, senses};
 use super::reply::{Replies, Reply};
+use super::rest::Rest;
 use super::set::rouse;
 use super::trip::{Touched, Trip, hold};
 use super::view::View;
@@ -28,9 +30,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// Releases those that have nobody in reach: only the level matters to them.
     #[inline(never)]
     pub(super) fn let_go(&mut self, replies: &mut impl Replies) {
-        let Self { near, slots, .. } = self;
+        let Self { near, slots, rests, .. } = self;
         let movers = self.awake.get(..self.count).unwrap_or_default();
-        let widest = movers.iter().filter_map(|handle| slots.get(handle.slot())).map(reach).max().unwrap_or(0);
+        let widest = movers
+            .iter()
+            .filter_map(|handle| Some(reach_of(rests, slots.get(handle.slot())?, handle.slot())))
+            .max()
+            .unwrap_or(0);
         for &handle in movers {
             let Some(slot) = slots.get(handle.slot()).filter(|slot| slot.way.pace == Pace::Swept) else { continue };
             let mut alone = true;
@@ -56,8 +62,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ) -> bool {
         let from = self.count;
         let Some((movers, room)) = self.awake.split_at_mut_checked(from) else { return false };
-        let (near, slots) = (&mut self.near, self.slots.as_mut_slice());
-        let mut sweep = Sweep { near, slots, movers, room, woken: 0, trip, margin: 0, stepped, replies, each };
+        let (near, slots, rests) = (&mut self.near, self.slots.as_mut_slice(), self.rests.as_mut_slice());
+        let mut sweep = Sweep { near, slots, rests, movers, room, woken: 0, trip, margin: 0, stepped, replies, each };
         sweep.run();
         let woken = sweep.woken;
         stepped.woken += woken as u16;
@@ -71,6 +77,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
 struct Sweep<'a, B, V, S, R, E> {
     near: &'a mut B,
     slots: &'a mut [Slot<S>],
+    rests: &'a mut [Option<Rest>],
     /// The bodies that were awake before.
     movers: &'a [Handle],
     room: &'a mut [Handle],
@@ -298,6 +305,9 @@ where
                 // A body that has already moved in this step does not fall asleep at its end.
                 if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
                     slot.quiet = 0;
+                    if let Some(Some(rest)) = self.rests.get_mut(at.slot()) {
+                        rest.idle = Idle::No;
+                    }
                 }
                 (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
                 (slot.support, slot.ground) = (from.support, from.ground);

@@ -2,6 +2,7 @@
 
 use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally};
 use super::drift::Drift;
+use super::idle::Start;
 use super::kernel::{BodyShape, Visit};
 use super::meeting::toward;
 use super::rest::{Causes, Rest};
@@ -93,8 +94,10 @@ impl<V> Trip<'_, V> {
         V: View<S>,
     {
         stepped.moved += 1;
-        let known_rest = known.as_ref().and_then(|known| known.as_ref());
-        if let Some(rest) = known_rest.filter(|rest| rest.causes == self.causes(slot)) {
+        let mut known = known;
+        let known_rest = known.as_mut().and_then(|known| known.as_mut());
+        if let Some(rest) = known_rest.filter(|rest| rest.stays && rest.causes == self.causes(slot)) {
+            rest.start = Start::of(slot);
             return self.rest(slot, handle, rest, each);
         }
         let shape = slot.body.shape;
@@ -140,7 +143,7 @@ impl<V> Trip<'_, V> {
         if let Some(known) = &mut known {
             **known = None;
         }
-        let (causes, level) = (self.causes(slot), self.view.level(&slot.body));
+        let (causes, start_of, level) = (self.causes(slot), Start::of(slot), self.view.level(&slot.body));
         let (mut start, Causes { push, velocity, .. }) = (*body, causes);
         if push != Vec2::ZERO {
             start = self.mover.move_and_slide(level, body, push)?.body;
@@ -162,7 +165,7 @@ impl<V> Trip<'_, V> {
         }
         slot.way.rate = by;
         if let Some(known) = known {
-            *known = Rest::of(causes, by, moved);
+            *known = Rest::of(causes, start_of, by, moved);
         }
         slot.body.velocity = moved.velocity;
         self.arrive(slot, by, if moved.floor { 0 } else { ALOFT }, moved.hits.is_empty());
