@@ -95,16 +95,16 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, S: BodyShape> Scene<B, 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
     /// A scene that remembers how bodies at rest lie, in the first M of its N slots.
     ///
-    /// A body that lies tries the same way through the level in each step, and gets nowhere: down
-    /// by gravity, or aside where others push. Such a way is answered from memory, with the same
-    /// bits and the same events.
+    /// A body that lies tries the same way through the level in each step, and gets nowhere. Such a
+    /// way is answered from memory, with the same bits and the same events. Bodies that a step left
+    /// as they were, with all that they touch, repeat that step until something else comes near.
     ///
-    /// In return, you must name each region of the level that [changes](Self::wake_region), even if
-    /// no body sleeps: a tile, a [`Solid`](crate::Solid) that moves, another level for a body. A
-    /// body that rests does not look at the level by itself. The memory is not part of a
-    /// [`snapshot`](Self::snapshot); a restored scene looks once.
+    /// In return, name each region of the level that [changes](Self::wake_region), even if no body
+    /// sleeps: a tile, a [`Solid`](crate::Solid) that moves, another level for a body. If your
+    /// replies about two bodies change, [wake](Self::wake) both. A snapshot has no memory; a
+    /// restored scene looks once.
     ///
-    /// RAM: 84 bytes for each of M.
+    /// RAM: 92 bytes for each of M.
     ///
     /// ```
     /// use tilesat::broad::SortSweep;
