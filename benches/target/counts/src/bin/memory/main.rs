@@ -23,7 +23,8 @@ fn main() -> ! {
     table.end()
 }
 
-/// Once those that roll and slide have come to rest. Two never do: a ball between a box and a slope.
+/// Once those that roll and slide have come to rest. Two never do: a ball between a box and a
+/// slope.
 fn rows(table: &Table, scene: &mut Bodies<BODIES>) -> Option<()> {
     let map = level()?;
     fill(scene, &map)?;
