@@ -414,13 +414,13 @@ impl Format for Sleep {
     }
 }
 
-impl<B: Format, const N: usize, const M: usize> Format for Scene<B, N, M> {
+impl<B: Format, const N: usize, const M: usize, S> Format for Scene<B, N, M, S> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Scene {} awake {=usize} {}", self.near, self.count, self.sleep);
     }
 }
 
-impl<B: Format, const N: usize> Format for Snapshot<B, N> {
+impl<B: Format, const N: usize, S> Format for Snapshot<B, N, S> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Snapshot {} awake {=u16} {}", self.near, self.count, self.sleep);
     }

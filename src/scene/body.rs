@@ -3,12 +3,12 @@
 
 use super::Shape;
 use super::drift::Drift;
+use super::kernel::BodyShape;
 use super::way::BodyWay;
 use crate::broad::{Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::{Responses, Surface};
 use crate::num::{Raw, Vec2};
-use crate::shape::Aabb;
 use core::num::NonZeroU8;
 
 /// One body: its shape, and how it behaves. Plain data.
@@ -27,9 +27,9 @@ use core::num::NonZeroU8;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SceneBody {
+pub struct SceneBody<S = Shape> {
     /// Its shape and position.
-    pub shape: Shape,
+    pub shape: S,
     /// Units per step. A body without a mass does not move by it, but others feel it: a conveyor.
     pub velocity: Vec2,
     /// In any unit that all bodies share. `None` is a wall, a platform, a trigger: no step moves
@@ -61,7 +61,7 @@ impl SceneBody {
     /// A body of mass 1 at rest. It stops at surfaces, slides along them, and meets all bodies.
     #[must_use]
     pub fn new(shape: impl Into<Shape>, key: u32) -> Self {
-        Self { shape: shape.into(), mass: Some(NonZeroU8::MIN), key, ..Self::NOBODY }
+        Self::of(shape, key)
     }
 
     /// A body that no step moves.
@@ -69,9 +69,26 @@ impl SceneBody {
     pub fn fixed(shape: impl Into<Shape>, key: u32) -> Self {
         Self { mass: None, ..Self::new(shape, key) }
     }
+}
+
+impl<S: BodyShape> SceneBody<S> {
+    /// Like [`new`](SceneBody::new), for a scene of any [set of shapes](super::WithCapsules).
+    ///
+    /// ```
+    /// use tilesat::scene::WithCapsules;
+    /// use tilesat::{Capsule, SceneBody, Vec2, fx};
+    /// let pill = Capsule::new(Vec2::from_ints(0, 0), Vec2::from_ints(8, 0), fx!(4))?;
+    /// let wall = SceneBody::<WithCapsules> { mass: None, ..SceneBody::of(pill, 1) };
+    /// assert_eq!(wall.shape, WithCapsules::Capsule(pill));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    #[must_use]
+    pub fn of(shape: impl Into<S>, key: u32) -> Self {
+        Self { shape: shape.into(), mass: Some(NonZeroU8::MIN), key, ..Self::NOBODY }
+    }
 
     const NOBODY: Self = Self {
-        shape: Shape::Aabb(Aabb::from_raw_unchecked(Raw::ZERO, Raw::ZERO)),
+        shape: S::POINT,
         velocity: Vec2::ZERO,
         mass: None,
         surface: Surface::SLICK,
@@ -116,8 +133,8 @@ impl Mode {
 
 /// A body, and the state that steps keep for it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Slot {
-    pub(super) body: SceneBody,
+pub(super) struct Slot<S> {
+    pub(super) body: SceneBody<S>,
     /// The generation of the body's handle.
     pub(super) generation: u16,
     pub(super) mode: Mode,
@@ -163,7 +180,7 @@ pub(super) const FLIES: u16 = u16::MAX - 2;
 /// Carried by nothing.
 pub(super) const ALOFT: u8 = u8::MAX;
 
-impl Slot {
+impl<S: BodyShape> Slot<S> {
     pub(super) const FREE: Self = Self {
         body: SceneBody::NOBODY,
         generation: 0,
@@ -175,7 +192,7 @@ impl Slot {
         way: BodyWay::REST,
     };
 
-    pub(super) fn of(body: &SceneBody, handle: Handle) -> Self {
+    pub(super) fn of(body: &SceneBody<S>, handle: Handle) -> Self {
         let fixed = body.mass.is_none();
         let mode = if fixed { Mode::Fixed } else { Mode::Asleep };
         let support = if fixed { 0 } else { ALOFT };

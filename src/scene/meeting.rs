@@ -1,6 +1,7 @@
 //! How two bodies act on each other's velocities, and which of them carries the other.
 
 use super::body::{ALOFT, Slot};
+use super::kernel::BodyShape;
 use super::reply::Reply;
 use super::way::size;
 use crate::motion::response::exchange;
@@ -47,7 +48,7 @@ impl Top {
 impl Meeting {
     /// `None` if neither can be moved. A contact too slow to rise by more than gravity takes in two
     /// steps does not bounce.
-    pub(super) fn of(a: &Slot, b: &Slot, (axis, reply): (Axis, Reply), gravity: Vec2) -> Option<Self> {
+    pub(super) fn of<S>(a: &Slot<S>, b: &Slot<S>, (axis, reply): (Axis, Reply), gravity: Vec2) -> Option<Self> {
         let (one, other) = (&a.body, &b.body);
         let masses = match (one.mass, other.mass) {
             (None, None) => return None,
@@ -63,7 +64,13 @@ impl Meeting {
 
     /// A is below B and carried, so a hit on it is a hit on the ground. Seen from there, B has no
     /// more energy afterwards.
-    pub(super) fn onto(slots: &[Slot], a: &Slot, b: &Slot, (axis, reply): (Axis, Reply), gravity: Vec2) -> Self {
+    pub(super) fn onto<S: BodyShape>(
+        slots: &[Slot<S>],
+        a: &Slot<S>,
+        b: &Slot<S>,
+        (axis, reply): (Axis, Reply),
+        gravity: Vec2,
+    ) -> Self {
         Self {
             axis,
             masses: Masses::A_FIXED,
@@ -77,10 +84,10 @@ impl Meeting {
     }
 
     /// Two bodies of which one may [carry](carries) the other.
-    pub(super) fn of_pile(
-        slots: &[Slot],
-        a: &Slot,
-        b: &Slot,
+    pub(super) fn of_pile<S: BodyShape>(
+        slots: &[Slot<S>],
+        a: &Slot<S>,
+        b: &Slot<S>,
         (axis, reply): (Axis, Reply),
         gravity: Vec2,
     ) -> Option<Self> {
@@ -142,7 +149,7 @@ impl Meeting {
 ///
 /// False if it rises from its carrier. With friction, also false if it moves sideways on the
 /// carrier by more than gravity gives in a step: then it takes the one on top along.
-fn carries(slots: &[Slot], lower: &Slot, gravity: Vec2, slick: bool) -> bool {
+fn carries<S: BodyShape>(slots: &[Slot<S>], lower: &Slot<S>, gravity: Vec2, slick: bool) -> bool {
     let v = lower.body.velocity - lower.ground_velocity(slots);
     lower.support != ALOFT
         && gravity.dot(v) >= 0

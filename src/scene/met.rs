@@ -1,11 +1,10 @@
 //! Where and when the ways of two bodies meet, and which bodies can be on one way.
 
-use super::Shape;
 use super::body::{Mode, Slot};
+use super::kernel::BodyShape;
 use super::way::{Pace, later, size};
 use crate::broad::{BroadPhase, Handle, Pair};
 use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2};
-use crate::query::{CastShape, Contacts, Inside, MovingHit};
 use crate::shape::Aabb;
 
 /// Where and when two bodies run into each other.
@@ -24,10 +23,10 @@ impl Met {
     /// In the order of the pair, so it does not matter which body asks. The ways start at the time
     /// from which both bodies are on them.
     #[inline(never)]
-    pub(super) fn of(one: (Handle, &Slot), other: (Handle, &Slot)) -> Option<Self> {
+    pub(super) fn of<S: BodyShape>(one: (Handle, &Slot<S>), other: (Handle, &Slot<S>)) -> Option<Self> {
         let pair = pair(one, other);
         let (a, b) = if pair.a == one.0 { (one.1, other.1) } else { (other.1, one.1) };
-        let swept = |slot: &Slot| slot.way.pace == Pace::Swept;
+        let swept = |slot: &Slot<S>| slot.way.pace == Pace::Swept;
         let from = match (swept(a), swept(b)) {
             (true, true) => a.way.since.max(b.way.since),
             (true, false) => a.way.since,
@@ -62,35 +61,22 @@ impl Met {
     }
 }
 
-impl Slot {
+impl<S: BodyShape> Slot<S> {
     /// Its shape at a time, on its way.
-    fn at(&self, time: Toi) -> Shape {
+    fn at(&self, time: Toi) -> S {
         self.body.shape.shifted(self.way.left(self.way.since) - self.way.left(time))
-    }
-}
-
-impl Shape {
-    /// When two moving shapes run into each other. `None` if a motion is too large.
-    fn cast_moving(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit> {
-        let hit = match (self, other) {
-            (Self::Aabb(a), Self::Aabb(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
-            (Self::Aabb(a), Self::Circle(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
-            (Self::Circle(a), Self::Aabb(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
-            (Self::Circle(a), Self::Circle(b)) => a.cast_moving(by, b, other_by, Inside::Hit),
-        };
-        hit.ok().flatten()
     }
 }
 
 /// The other bodies that may be on a body's way: slow ones where the broad phase has them, and all
 /// that are swept.
-pub(super) fn each_near<B: BroadPhase>(
+pub(super) fn each_near<B: BroadPhase, S: BodyShape>(
     near: &B,
-    slots: &[Slot],
+    slots: &[Slot<S>],
     movers: &[Handle],
     margin: u32,
     handle: Handle,
-    mut each: impl FnMut(Handle, &Slot),
+    mut each: impl FnMut(Handle, &Slot<S>),
 ) {
     let Some(slot) = slots.get(handle.slot()) else { return };
     let mut meet = |other: Handle, swept: bool| {
@@ -107,24 +93,24 @@ pub(super) fn each_near<B: BroadPhase>(
     }
 }
 
-pub(super) fn may_meet(one: &Slot, other: &Slot) -> bool {
+pub(super) fn may_meet<S>(one: &Slot<S>, other: &Slot<S>) -> bool {
     other.mode != Mode::Free && one.body.filter.with_still(false).lets_pair(other.body.filter.with_still(false))
 }
 
 /// Whether one of two is reported to the other, and neither pushes.
-pub(super) const fn senses(one: &Slot, other: &Slot) -> bool {
+pub(super) const fn senses<S>(one: &Slot<S>, other: &Slot<S>) -> bool {
     one.body.filter.sensor() || other.body.filter.sensor()
 }
 
 /// Two bodies in canonical order.
-pub(super) fn pair(one: (Handle, &Slot), other: (Handle, &Slot)) -> Pair {
-    let rank = |(handle, slot): (Handle, &Slot)| (slot.body.key, handle.slot());
+pub(super) fn pair<S>(one: (Handle, &Slot<S>), other: (Handle, &Slot<S>)) -> Pair {
+    let rank = |(handle, slot): (Handle, &Slot<S>)| (slot.body.key, handle.slot());
     let (a, b) = if rank(one) < rank(other) { (one.0, other.0) } else { (other.0, one.0) };
     Pair { a, b }
 }
 
 /// How far from its box a body may come in this step: no bounce makes it faster.
-pub(super) fn reach(slot: &Slot) -> u32 {
+pub(super) fn reach<S: BodyShape>(slot: &Slot<S>) -> u32 {
     size(slot.body.velocity + slot.tally.kick).saturating_add(size(slot.tally.push()))
 }
 

@@ -2,6 +2,7 @@
 //! other, and which rest together.
 
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
+use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, toward};
 use super::met::senses;
 use super::reply::{Replies, Reply};
@@ -9,7 +10,7 @@ use super::way::Pace;
 use crate::broad::{BroadPhase, Handle, Pair};
 use crate::motion::response::separate;
 use crate::num::Vec2;
-use crate::query::{Contact, Contacts};
+use crate::query::Contact;
 
 /// All pairs with at least one awake body: selected by the tags of the others, or one by one if the
 /// awake bodies are few.
@@ -23,14 +24,14 @@ pub(super) fn each_pair<B: BroadPhase>(near: &mut B, movers: &[Handle], each: im
 }
 
 /// The bodies of a pair, if both are in the scene.
-pub(super) fn both(slots: &[Slot], pair: Pair) -> Option<(&Slot, &Slot)> {
+pub(super) fn both<S>(slots: &[Slot<S>], pair: Pair) -> Option<(&Slot<S>, &Slot<S>)> {
     let (a, b) = (slots.get(pair.a.slot())?, slots.get(pair.b.slot())?);
     (a.mode != Mode::Free && b.mode != Mode::Free).then_some((a, b))
 }
 
 /// Collects the effects of a contact on two bodies. Returns whether they approach.
-pub(super) fn tally(
-    slots: &mut [Slot],
+pub(super) fn tally<S: BodyShape>(
+    slots: &mut [Slot<S>],
     pair: Pair,
     contact: &Contact,
     gravity: Vec2,
@@ -60,7 +61,7 @@ fn half(v: Vec2) -> Vec2 {
 }
 
 /// How two bodies that run into each other change their velocities.
-pub(super) fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, replies: &mut impl Replies) {
+pub(super) fn kick<S: BodyShape>(slots: &mut [Slot<S>], pair: Pair, gravity: Vec2, replies: &mut impl Replies) {
     let Some((a, b)) = both(slots, pair) else { return };
     if senses(a, b) {
         return;
@@ -75,7 +76,7 @@ pub(super) fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, replies: &mut 
     let Some(meeting) = (if reply == Reply::Meet { Some(meeting) } else { met(reply).filter(|_| reply.acts()) }) else {
         return;
     };
-    let hits = |slot: &Slot, moves: bool| if moves { slot.tally.hits } else { 0 };
+    let hits = |slot: &Slot<S>, moves: bool| if moves { slot.tally.hits } else { 0 };
     let (by_a, by_b) = meeting.kicks(hits(a, meeting.moves_a).max(hits(b, meeting.moves_b)));
     for (at, by) in [(pair.a, by_a), (pair.b, by_b)] {
         if let Some(slot) = slots.get_mut(at.slot()) {
@@ -86,7 +87,7 @@ pub(super) fn kick(slots: &mut [Slot], pair: Pair, gravity: Vec2, replies: &mut 
 
 /// Handles two touching bodies, one of which may lie on the other. Returns whether the pair is left
 /// until those below have made their steps.
-pub(super) fn lay(slots: &mut [Slot], pair: Pair, contact: Option<&Contact>, gravity: Vec2) -> bool {
+pub(super) fn lay<S: BodyShape>(slots: &mut [Slot<S>], pair: Pair, contact: Option<&Contact>, gravity: Vec2) -> bool {
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(top) = upper(a, b, contact, gravity) else { return false };
     let carried = contact.is_some() && is_carried(a, b, top);
@@ -100,7 +101,7 @@ pub(super) fn lay(slots: &mut [Slot], pair: Pair, contact: Option<&Contact>, gra
 }
 
 /// Which of two touching bodies may lie on the other.
-fn upper(a: &Slot, b: &Slot, contact: Option<&Contact>, gravity: Vec2) -> Option<Top> {
+fn upper<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, contact: Option<&Contact>, gravity: Vec2) -> Option<Top> {
     if gravity == Vec2::ZERO {
         return None;
     }
@@ -114,14 +115,14 @@ fn upper(a: &Slot, b: &Slot, contact: Option<&Contact>, gravity: Vec2) -> Option
     }
 }
 
-fn is_carried(a: &Slot, b: &Slot, top: Top) -> bool {
+fn is_carried<S>(a: &Slot<S>, b: &Slot<S>, top: Top) -> bool {
     let lower = if top == Top::A { b } else { a };
     lower.support != ALOFT
 }
 
 /// Two bodies touch: they rest together. A fixed one joins nobody.
-pub(super) fn join(slots: &mut [Slot], pair: Pair) {
-    let fixed = |slot: &Slot| slot.mode == Mode::Fixed;
+pub(super) fn join<S>(slots: &mut [Slot<S>], pair: Pair) {
+    let fixed = |slot: &Slot<S>| slot.mode == Mode::Fixed;
     if both(slots, pair).is_none_or(|(a, b)| fixed(a) || fixed(b)) {
         return;
     }
@@ -132,8 +133,8 @@ pub(super) fn join(slots: &mut [Slot], pair: Pair) {
 }
 
 /// The representative of a body and all that it touches. The path to it is halved.
-pub(super) fn root(slots: &mut [Slot], mut at: u16) -> u16 {
-    let link = |slots: &[Slot], at: u16| slots.get(usize::from(at)).map_or(at, |slot| slot.tally.link);
+pub(super) fn root<S>(slots: &mut [Slot<S>], mut at: u16) -> u16 {
+    let link = |slots: &[Slot<S>], at: u16| slots.get(usize::from(at)).map_or(at, |slot| slot.tally.link);
     for _ in 0..slots.len() {
         let next = link(slots, at);
         if next == at {

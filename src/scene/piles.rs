@@ -7,6 +7,7 @@
 
 use super::body::{ALOFT, FLIES, Mode, Slot};
 use super::drift::Drift;
+use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, carried, toward};
 use super::met::{around, may_meet, pair, senses};
 use super::reply::{Replies, Reply};
@@ -14,19 +15,19 @@ use super::rest::Rest;
 use super::trip::{Trip, hold};
 use super::view::View;
 use super::way::{Pace, size};
-use super::{Scene, SceneEvent, SceneFault, Shape, Stepped};
+use super::{Scene, SceneEvent, SceneFault, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::Masses;
 use crate::motion::response::separate;
 use crate::num::{Axis, Raw, Vec2};
-use crate::query::{Contact, Contacts};
+use crate::query::Contact;
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
     /// Moves the bodies that lie on others. Returns whether one has been quiet for long enough. A
     /// separate function: a scene without piles needs neither its registers nor its stack.
     #[inline(never)]
-    pub(super) fn settle<V: View>(
+    pub(super) fn settle<V: View<S>>(
         &mut self,
         trip: &Trip<'_, V>,
         stepped: &mut Stepped,
@@ -55,7 +56,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
 
 /// Moves the lying bodies to the front, starting at `from`: the lowest first, then by keys, then by
 /// slots. Returns where they end.
-fn from_the_lowest(movers: &mut [Handle], from: usize, slots: &[Slot], gravity: Vec2) -> usize {
+fn from_the_lowest<S: BodyShape>(movers: &mut [Handle], from: usize, slots: &[Slot<S>], gravity: Vec2) -> usize {
     let slot = |handle: Option<&Handle>| handle.and_then(|handle| slots.get(handle.slot()));
     let rank = |handle: Option<&Handle>| {
         let found = slot(handle).zip(handle);
@@ -85,9 +86,9 @@ fn swap(movers: &mut [Handle], a: usize, b: usize) {
     }
 }
 
-struct Pile<'a, B, V, const M: usize> {
+struct Pile<'a, B, V, S, const M: usize> {
     near: &'a mut B,
-    slots: &'a mut [Slot],
+    slots: &'a mut [Slot<S>],
     rests: &'a mut [Option<Rest>; M],
     trip: &'a Trip<'a, V>,
     /// How far a fixed body may be from where the broad phase has it.
@@ -95,7 +96,7 @@ struct Pile<'a, B, V, const M: usize> {
     stepped: &'a mut Stepped,
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View, const M: usize> Pile<'_, B, V, M> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usize> Pile<'_, B, V, S, M> {
     /// One body's whole step. Returns whether others must be brought out of it, too.
     fn carry(&mut self, handle: Handle, replies: &mut impl Replies, each: &mut impl FnMut(SceneEvent<'_>)) -> bool {
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
@@ -118,7 +119,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View, const M: usize> Pile<'_, B, V,
     fn come_out(
         &mut self,
         handle: Handle,
-        known: Shape,
+        known: S,
         before: (Vec2, (u8, Drift)),
         replies: &mut impl Replies,
         each: &mut impl FnMut(SceneEvent<'_>),
@@ -128,6 +129,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View, const M: usize> Pile<'_, B, V,
         (slot.tally.low, slot.tally.high) = (Vec2::ZERO, Vec2::ZERO);
         if let Err(fault) = self.rest(handle, &mut slot, before, replies) {
             slot.body.shape = known;
+            if let Some(rest) = self.rests.get_mut(handle.slot()) {
+                *rest = None;
+            }
             hold(&mut slot, handle, fault, self.stepped, each);
         }
         (slot.way.pace, slot.way.turns) = (Pace::Slow, 1);
@@ -139,7 +143,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View, const M: usize> Pile<'_, B, V,
 
     /// Finds the bodies on top that have made their steps and lay on nobody, if a body was pushed
     /// into them. Returns whether there are any.
-    fn lift(&mut self, handle: Handle, lower: &Slot, replies: &mut impl Replies) -> bool {
+    fn lift(&mut self, handle: Handle, lower: &Slot<S>, replies: &mut impl Replies) -> bool {
         let Self { near, slots, trip, .. } = self;
         let mut any = false;
         near.in_region(&lower.body.shape.aabb(), |other| {
@@ -158,7 +162,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View, const M: usize> Pile<'_, B, V,
     fn rest(
         &mut self,
         handle: Handle,
-        slot: &mut Slot,
+        slot: &mut Slot<S>,
         before: (Vec2, (u8, Drift)),
         replies: &mut impl Replies,
     ) -> Result<(), SceneFault> {
@@ -192,8 +196,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View, const M: usize> Pile<'_, B, V,
         }
         let push = slot.tally.push();
         if push != Vec2::ZERO {
-            if let Some(rest) = self.rests.get_mut(handle.slot()) {
-                *rest = None;
+            if let Some(Some(rest)) = self.rests.get_mut(handle.slot()) {
+                rest.stays = false;
             }
             slot.body.shape = self.trip.slide(&slot.body, push)?;
         }
@@ -213,13 +217,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View, const M: usize> Pile<'_, B, V,
     /// The carriers of a body that it overlaps at their new positions.
     fn below(
         &self,
-        upper: (Handle, &Slot),
+        upper: (Handle, &Slot<S>),
         replies: &mut impl Replies,
-        mut each: impl FnMut(Handle, &Slot, (&Contact, Reply)),
+        mut each: impl FnMut(Handle, &Slot<S>, (&Contact, Reply)),
     ) {
         let (handle, slot) = upper;
         let gravity = self.trip.gravity;
-        let mut ask = |other: Handle, lower: &Slot| {
+        let mut ask = |other: Handle, lower: &Slot<S>| {
             let carries = other != handle && !lower.way.lies() && lower.support != ALOFT && may_meet(slot, lower);
             if !carries || senses(slot, lower) {
                 return;
@@ -234,7 +238,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View, const M: usize> Pile<'_, B, V,
         };
         // The step finds other bodies there when they are touched. Otherwise a ball that rolls
         // between the two would not come to rest.
-        let rolls = matches!(slot.body.shape, Shape::Circle(_)) || slot.way.pace == Pace::Moved;
+        let rolls = slot.body.shape.is_round() || slot.way.pace == Pace::Moved;
         let only = self.slots.get(usize::from(slot.tally.under)).filter(|_| !rolls);
         if let Some(lower) = only {
             return ask(Handle::new(slot.tally.under.into(), lower.generation), lower);
@@ -247,7 +251,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View, const M: usize> Pile<'_, B, V,
     }
 }
 
-impl Slot {
+impl<S: BodyShape> Slot<S> {
     /// For how long it has been quiet, and how far it has come since.
     const fn rest(&self) -> (u8, Drift) {
         (self.quiet, self.tally.drift)
@@ -277,18 +281,14 @@ impl Slot {
     }
 
     /// Its shape at the step's end.
-    fn comes_to(&self, gravity: Vec2) -> Shape {
+    fn comes_to(&self, gravity: Vec2) -> S {
         let (shape, by) = (self.body.shape, self.lift(gravity));
-        let placed = match shape {
-            Shape::Aabb(aabb) => aabb.translated(by).map(Shape::Aabb),
-            Shape::Circle(circle) => circle.translated(by).map(Shape::Circle),
-        };
-        placed.unwrap_or(shape)
+        shape.translated(by).unwrap_or(shape)
     }
 
     /// Another body carries it, and so does that body's carrier. Of several it takes the one with
     /// the fewest between, then the one on the ground with the smallest key.
-    pub(super) fn lie_on(&mut self, slots: &[Slot], lower: &Self, at: Handle) {
+    pub(super) fn lie_on(&mut self, slots: &[Self], lower: &Self, at: Handle) {
         let key = |ground: u16| slots.get(usize::from(ground)).map_or(0, |slot| slot.body.key);
         let ground = if lower.mode == Mode::Fixed { at.slot() as u16 } else { lower.ground };
         let support = carried(lower.support);
@@ -304,7 +304,7 @@ impl Slot {
     }
 
     /// The velocity of the body that carries all below it.
-    pub(super) fn ground_velocity(&self, slots: &[Slot]) -> Vec2 {
+    pub(super) fn ground_velocity(&self, slots: &[Self]) -> Vec2 {
         if self.mode == Mode::Fixed {
             return self.body.velocity;
         }

@@ -1,17 +1,22 @@
 //! What a scene remembers of bodies at rest, so that they need no look at the level.
 
+use super::idle::{Idle, Start};
 use crate::motion::{Hit, Hits, Moved};
 use crate::num::Vec2;
 
-/// The last way of a body through the level, which led nowhere.
+/// The last way of a body through the level.
 ///
-/// From the same position, with the same causes, its next way is the same, as long as neither the
+/// If it led nowhere, then its next way with the same causes is the same, as long as neither the
 /// body nor the level changes. A change of the body by a step goes through
 /// [`Trip::make`](super::trip::Trip), one by the game through [`Scene::alter`](super::Scene::alter),
 /// and one of the level through [`Scene::wake_region`](super::Scene::wake_region); each clears this.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Rest {
     pub(super) causes: Causes,
+    pub(super) start: Start,
+    pub(super) idle: Idle,
+    /// It led nowhere, and nothing has moved the body since.
+    pub(super) stays: bool,
     /// What is left of the velocity.
     pub(super) velocity: Vec2,
     /// A body at rest touches one surface, or two that it is wedged between. Two hits are half of
@@ -30,10 +35,11 @@ pub(super) struct Causes {
 }
 
 impl Rest {
-    /// `None` if the way led somewhere, or to more hits than are kept.
-    pub(super) fn of<B>(causes: Causes, by: Vec2, moved: &Moved<B>) -> Option<Self> {
-        let hits = moved.hits.few().filter(|_| by == Vec2::ZERO && !moved.hits.is_empty())?;
-        Some(Self { causes, velocity: moved.velocity, hits, floor: moved.floor })
+    /// `None` if the way led to more hits than are kept.
+    pub(super) fn of<B>(causes: Causes, start: Start, by: Vec2, moved: &Moved<B>) -> Option<Self> {
+        let hits = moved.hits.few()?;
+        let stays = by == Vec2::ZERO && !moved.hits.is_empty();
+        Some(Self { causes, start, idle: Idle::No, stays, velocity: moved.velocity, hits, floor: moved.floor })
     }
 
     pub(super) fn hits(&self) -> Hits {

@@ -2,12 +2,12 @@
 //! steps, and the bodies that these wake.
 
 use super::body::{Mode, Slot, Tally};
+use super::kernel::BodyShape;
 use super::rest::Rest;
 use super::{SceneBody, SceneError, Shape};
 use crate::broad::{BroadError, BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
 use crate::num::{Fx, MOTION, Vec2, check_motion};
-use crate::query::Touches;
 use crate::shape::Aabb;
 
 /// When bodies fall asleep: after this many steps of rest, for all bodies that touch, directly or
@@ -56,9 +56,9 @@ impl Sleep {
 /// `M` says for how many; without it, none.
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("PhysicsWorld", "simulation"))]
-pub struct Scene<B, const N: usize, const M: usize = 0> {
+pub struct Scene<B, const N: usize, const M: usize = 0, S = Shape> {
     pub(crate) near: B,
-    pub(super) slots: [Slot; N],
+    pub(super) slots: [Slot<S>; N],
     /// The bodies awake come first.
     pub(super) awake: [Handle; N],
     pub(crate) count: usize,
@@ -68,7 +68,7 @@ pub struct Scene<B, const N: usize, const M: usize = 0> {
     pub sleep: Sleep,
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, S: BodyShape> Scene<B, N, 0, S> {
     /// A scene without bodies, on an empty broad phase. It may be a `static`.
     #[must_use]
     pub const fn new(near: B) -> Self {
@@ -92,19 +92,19 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize> Scene<B, N> {
     }
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
     /// A scene that remembers how bodies at rest lie, in the first M of its N slots.
     ///
-    /// A body that lies tries the same way through the level in each step, and gets nowhere: down
-    /// by gravity, or aside where others push. Such a way is answered from memory, with the same
-    /// bits and the same events.
+    /// A body that lies tries the same way through the level in each step, and gets nowhere. Such a
+    /// way is answered from memory, with the same bits and the same events. Bodies that a step left
+    /// as they were, with all that they touch, repeat that step until something else comes near.
     ///
-    /// In return, you must name each region of the level that [changes](Self::wake_region), even if
-    /// no body sleeps: a tile, a [`Solid`](crate::Solid) that moves, another level for a body. A
-    /// body that rests does not look at the level by itself. The memory is not part of a
-    /// [`snapshot`](Self::snapshot); a restored scene looks once.
+    /// In return, name each region of the level that [changes](Self::wake_region), even if no body
+    /// sleeps: a tile, a [`Solid`](crate::Solid) that moves, another level for a body. If your
+    /// replies about two bodies change, [wake](Self::wake) both. A snapshot has no memory; a
+    /// restored scene looks once.
     ///
-    /// RAM: 84 bytes for each of M.
+    /// RAM: 92 bytes for each of M.
     ///
     /// ```
     /// use tilesat::broad::SortSweep;
@@ -143,7 +143,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     /// # Errors
     /// [`Full`](BroadError::Full), the errors of the broad phase, and velocities that no step can
     /// make. Nothing is changed then.
-    pub fn insert(&mut self, body: &SceneBody) -> Result<Handle, SceneError> {
+    pub fn insert(&mut self, body: &SceneBody<S>) -> Result<Handle, SceneError> {
+        body.shape.check().map_err(SceneError::call)?;
         check_motion(body.velocity, MOTION).map_err(SceneError::call)?;
         let handle = self.near.insert(&body.shape.aabb(), body.tag(body.mass.is_none())).map_err(SceneError::call)?;
         let Some(slot) = self.slots.get_mut(handle.slot()) else {
@@ -161,7 +162,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
-    pub fn remove(&mut self, handle: Handle) -> Result<SceneBody, SceneError> {
+    pub fn remove(&mut self, handle: Handle) -> Result<SceneBody<S>, SceneError> {
         let body = *self.body(handle)?;
         self.near.remove(handle).map_err(|e| SceneError::of(handle, e))?;
         self.strike(handle);
@@ -176,7 +177,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     /// depends on insertion; sort by keys if you need a canonical one.
     ///
     /// Cost: a look at each of the N slots.
-    pub fn bodies(&self) -> impl Iterator<Item = (Handle, &SceneBody)> {
+    pub fn bodies(&self) -> impl Iterator<Item = (Handle, &SceneBody<S>)> {
         let taken = self.slots.iter().enumerate().filter(|(_, slot)| slot.mode != Mode::Free);
         taken.map(|(at, slot)| (Handle::new(at, slot.generation), &slot.body))
     }
@@ -185,7 +186,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
-    pub fn body(&self, handle: Handle) -> Result<&SceneBody, SceneError> {
+    pub fn body(&self, handle: Handle) -> Result<&SceneBody<S>, SceneError> {
         self.slot(handle).map(|slot| &slot.body)
     }
 
@@ -211,7 +212,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     /// removed.
     #[must_use]
     pub fn rests(&self, pair: &Pair) -> bool {
-        let rested = |slot: &&Slot| slot.mode != Mode::Awake;
+        let rested = |slot: &&Slot<S>| slot.mode != Mode::Awake;
         let [a, b] = [pair.a, pair.b].map(|handle| self.slot(handle).ok().filter(rested));
         a.zip(b).is_some_and(|(a, b)| a.body.shape.touches(&b.body.shape))
     }
@@ -222,18 +223,18 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
         self.awake.get(..self.count).unwrap_or_default()
     }
 
-    pub(super) fn slot(&self, handle: Handle) -> Result<&Slot, SceneError> {
+    pub(super) fn slot(&self, handle: Handle) -> Result<&Slot<S>, SceneError> {
         let slot = self.slots.get(handle.slot()).filter(|slot| slot.mode != Mode::Free && self.near.contains(handle));
         slot.ok_or(SceneError::of(handle, BroadError::Stale(handle)))
     }
 
-    pub(super) fn slot_mut(&mut self, handle: Handle) -> Result<&mut Slot, SceneError> {
+    pub(super) fn slot_mut(&mut self, handle: Handle) -> Result<&mut Slot<S>, SceneError> {
         self.slot(handle)?;
         self.slots.get_mut(handle.slot()).ok_or(SceneError::of(handle, BroadError::Stale(handle)))
     }
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
     /// Adds `by` to a body's velocity, and wakes the body.
     ///
     /// ```
@@ -292,7 +293,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     /// [`Stale`](crate::broad::BroadError::Stale) and the errors of the broad phase. Nothing is
     /// changed then. The call does not look at the level: the next step
     /// [holds](super::SceneEvent::Held) a body that overlaps it.
-    pub fn place(&mut self, handle: Handle, shape: impl Into<Shape>) -> Result<(), SceneError> {
+    pub fn place(&mut self, handle: Handle, shape: impl Into<S>) -> Result<(), SceneError> {
         let shape = shape.into();
         self.alter(handle, |body| body.shape = shape)
     }
@@ -321,12 +322,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     /// [`Stale`](crate::broad::BroadError::Stale), velocities that no step can make, and the errors
     /// of the broad phase. Nothing is changed then. The call does not look at the level, like
     /// [`place`](Self::place).
-    pub fn alter(&mut self, handle: Handle, change: impl FnOnce(&mut SceneBody)) -> Result<(), SceneError> {
+    pub fn alter(&mut self, handle: Handle, change: impl FnOnce(&mut SceneBody<S>)) -> Result<(), SceneError> {
         let before = *self.body(handle)?;
         let mut body = before;
         change(&mut body);
         check_motion(body.velocity, MOTION).map_err(|e| SceneError::of(handle, e))?;
         if body.shape != before.shape {
+            body.shape.check().map_err(|e| SceneError::of(handle, e))?;
             self.near.move_to(handle, &body.shape.aabb()).map_err(|e| SceneError::of(handle, e))?;
         }
         if body.mass.is_some() != before.mass.is_some() {
@@ -339,7 +341,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
         self.near.set_tag(handle, tag).map_err(|e| SceneError::of(handle, e))?;
         // The next step wakes the bodies that it still touches, except for a fixed body. Nothing
         // else would wake the bodies that it released.
-        let what = |body: &SceneBody| (body.shape, body.mass, body.filter);
+        let what = |body: &SceneBody<S>| (body.shape, body.mass, body.filter);
         if body.mass.is_none() || what(&body) != what(&before) {
             self.stir(&before);
             self.stir(&body);
@@ -393,7 +395,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     }
 
     /// Wakes the bodies that a body touches, or could.
-    pub(super) fn stir(&mut self, body: &SceneBody) {
+    pub(super) fn stir(&mut self, body: &SceneBody<S>) {
         if !body.filter.sensor() {
             self.wake_region(&body.shape.aabb());
         }
@@ -428,7 +430,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
 }
 
 /// A change by the game is no rest.
-fn unsettle(slots: &mut [Slot], rests: &mut [Option<Rest>], handle: Handle) {
+fn unsettle<S>(slots: &mut [Slot<S>], rests: &mut [Option<Rest>], handle: Handle) {
     if let Some(rest) = rests.get_mut(handle.slot()) {
         *rest = None;
     }
@@ -439,7 +441,7 @@ fn unsettle(slots: &mut [Slot], rests: &mut [Option<Rest>], handle: Handle) {
 
 /// Adds a sleeping body to the list of those awake. Its quiet steps stay: a body that only touches
 /// it does not keep a heap from falling asleep.
-pub(super) fn rouse(slots: &mut [Slot], awake: &mut [Handle], count: &mut usize, handle: Handle) {
+pub(super) fn rouse<S>(slots: &mut [Slot<S>], awake: &mut [Handle], count: &mut usize, handle: Handle) {
     let Some(slot) = slots.get_mut(handle.slot()).filter(|slot| slot.mode == Mode::Asleep) else { return };
     let Some(place) = awake.get_mut(*count) else { return };
     (*place, slot.mode) = (handle, Mode::Woken);

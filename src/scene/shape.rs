@@ -1,8 +1,11 @@
 //! The shapes of a scene's bodies.
 
+use super::kernel::{Kernel, Visit};
+use crate::error::RangeError;
+use crate::motion::Body;
 use crate::num::{Raw, Vec2};
-use crate::query::{Contact, Contacts, Overlaps, Touches};
-use crate::shape::{Aabb, Circle};
+use crate::query::{CastShape, Contact, Contacts, Inside, MovingHit, Overlaps, Touches};
+use crate::shape::{Aabb, Capsule, Circle};
 use crate::world::World;
 
 /// A box or a circle. Pair queries call the kernel of the two shapes.
@@ -26,94 +29,221 @@ pub enum Shape {
     Circle(Circle),
 }
 
-impl From<Aabb> for Shape {
-    fn from(aabb: Aabb) -> Self {
-        Self::Aabb(aabb)
+/// A box, a circle, or a capsule that stands or lies: the shapes of a scene with heroes whose feet
+/// are round, with barrels and pills.
+///
+/// Name it as the last parameter of the scene, and make its bodies by
+/// [`SceneBody::of`](super::SceneBody::of). A scene refuses capsules that are slanted or have no
+/// radius, with [`Quantity::Capsule`](crate::Quantity::Capsule). Bodies do not turn: a capsule
+/// that stands does not fall over.
+///
+/// ```
+/// use tilesat::broad::SortSweep;
+/// use tilesat::scene::{SceneTag, WithCapsules};
+/// use tilesat::{Aabb, Capsule, Scene, SceneBody, TileKind, TileKinds, TileMap, Vec2, fx};
+/// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+/// let level = TileMap::from_ascii("....\n....\n....\n####\n", &KINDS)?; // the floor is at y = 48
+/// let mut scene = Scene::<SortSweep<8, SceneTag>, 8, 0, WithCapsules>::new(SortSweep::new());
+/// let lying = Capsule::new(Vec2::from_ints(24, 40), Vec2::from_ints(40, 40), fx!(8))?;
+/// scene.insert(&SceneBody::of(lying, 1))?;
+/// let crate_ = Aabb::new(Vec2::from_ints(28, 10), Vec2::from_ints(36, 18))?;
+/// let crate_ = scene.insert(&SceneBody::of(crate_, 2))?;
+/// for _ in 0..120 {
+///     scene.step(&level, Vec2::from_raw(0, 6_554), |_| {})?;
+/// }
+/// assert_eq!(scene.body(crate_)?.shape.aabb().max().y, 32); // it lies on the flat side
+/// let slanted = Capsule::new(Vec2::from_ints(4, 4), Vec2::from_ints(8, 8), fx!(2))?;
+/// assert!(scene.insert(&SceneBody::of(slanted, 3)).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum WithCapsules {
+    /// A box.
+    Aabb(Aabb),
+    /// A circle.
+    Circle(Circle),
+    /// A capsule that stands or lies.
+    Capsule(Capsule),
+}
+
+impl From<Shape> for WithCapsules {
+    fn from(shape: Shape) -> Self {
+        match shape {
+            Shape::Aabb(it) => Self::Aabb(it),
+            Shape::Circle(it) => Self::Circle(it),
+        }
     }
 }
 
-impl From<Circle> for Shape {
-    fn from(circle: Circle) -> Self {
-        Self::Circle(circle)
+/// The check of one shape, where it is not that of its constructor.
+trait Single {
+    fn check(&self) -> Result<(), RangeError> {
+        Ok(())
     }
 }
 
-impl Shape {
-    /// The same shape elsewhere. The caller ensures that it is inside of the domain.
-    pub(super) fn shifted(&self, by: Vec2) -> Self {
-        match self {
-            Self::Aabb(aabb) => {
-                let by = Raw::of(by);
-                Self::Aabb(Aabb::from_raw_unchecked(aabb.lo().add(by), aabb.hi().add(by)))
+impl Single for Aabb {}
+impl Single for Circle {}
+
+impl Single for Capsule {
+    fn check(&self) -> Result<(), RangeError> {
+        takes(self)
+    }
+}
+
+/// Whether a mover takes it.
+fn takes<B: Body>(body: &B) -> Result<(), RangeError> {
+    body.check_size()
+}
+
+fn shifted<B: Body>(body: &B, by: Vec2) -> B {
+    body.shifted(Raw::of(by))
+}
+
+fn overlaps_level<B: Body>(body: &B, level: &impl World) -> bool {
+    body.overlaps_world(level)
+}
+
+/// Generates the calls of a set of shapes: of each, and of all pairs.
+macro_rules! shapes {
+    ($name:ident: $($shape:ident.$position:ident)+, $(($a:ident $b:ident))+) => {
+        $(impl From<$shape> for $name {
+            fn from(shape: $shape) -> Self {
+                Self::$shape(shape)
             }
-            Self::Circle(circle) => Self::Circle(Circle::from_raw_unchecked(circle.c().add(Raw::of(by)), circle.r())),
-        }
-    }
+        })+
 
-    /// The box around it.
-    #[must_use]
-    pub const fn aabb(&self) -> Aabb {
-        match self {
-            Self::Aabb(aabb) => *aabb,
-            Self::Circle(circle) => circle.aabb(),
-        }
-    }
+        impl $name {
+            /// The box around it.
+            #[must_use]
+            pub const fn aabb(&self) -> Aabb {
+                match self {
+                    $(Self::$shape(it) => bounds!($shape it),)+
+                }
+            }
 
-    /// The minimum corner of a box, the centre of a circle.
-    #[must_use]
-    pub const fn position(&self) -> Vec2 {
-        match self {
-            Self::Aabb(aabb) => aabb.min(),
-            Self::Circle(circle) => circle.centre(),
-        }
-    }
+            /// The minimum corner of a box, the centre of a circle, the first end of a capsule's
+            /// core.
+            #[must_use]
+            pub const fn position(&self) -> Vec2 {
+                match self {
+                    $(Self::$shape(it) => it.$position(),)+
+                }
+            }
 
-    /// Whether it overlaps a level: strict and exact.
-    ///
-    /// ```
-    /// use tilesat::scene::Shape;
-    /// use tilesat::{Circle, TileKind, TileKinds, TileMap, Vec2, fx};
-    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-    /// let level = TileMap::from_ascii("..\n##", &KINDS)?; // the floor is at y = 16
-    /// let ball = |y| Circle::new(Vec2::from_ints(8, y), fx!(4)).map(Shape::Circle);
-    /// assert!(ball(13)?.overlaps_level(&level) && !ball(12)?.overlaps_level(&level)); // touching is not overlapping
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    #[must_use]
-    pub fn overlaps_level(&self, level: &impl World) -> bool {
-        match self {
-            Self::Aabb(aabb) => level.overlaps_aabb(aabb),
-            Self::Circle(circle) => level.overlaps_circle(circle),
+            /// Whether it overlaps a level: strict and exact.
+            ///
+            /// ```
+            /// use tilesat::scene::Shape;
+            /// use tilesat::{Circle, TileKind, TileKinds, TileMap, Vec2, fx};
+            /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+            /// let level = TileMap::from_ascii("..\n##", &KINDS)?; // the floor is at y = 16
+            /// let ball = |y| Circle::new(Vec2::from_ints(8, y), fx!(4)).map(Shape::Circle);
+            /// assert!(ball(13)?.overlaps_level(&level) && !ball(12)?.overlaps_level(&level)); // touching is not overlapping
+            /// # Ok::<(), Box<dyn std::error::Error>>(())
+            /// ```
+            #[must_use]
+            pub fn overlaps_level(&self, level: &impl World) -> bool {
+                match self {
+                    $(Self::$shape(it) => overlaps_level(it, level),)+
+                }
+            }
         }
-    }
-}
 
-/// Generates a verb of the pair queries, which dispatches on the two shapes.
-macro_rules! verb {
-    ($a:ident, $b:ident, $verb:ident) => {
-        match ($a, $b) {
-            (Shape::Aabb(a), Shape::Aabb(b)) => a.$verb(b),
-            (Shape::Aabb(a), Shape::Circle(b)) => a.$verb(b),
-            (Shape::Circle(a), Shape::Aabb(b)) => a.$verb(b),
-            (Shape::Circle(a), Shape::Circle(b)) => a.$verb(b),
+        impl Kernel for $name {
+            const POINT: Self = Self::Aabb(Aabb::from_raw_unchecked(Raw::ZERO, Raw::ZERO));
+
+            #[inline]
+            fn aabb(&self) -> Aabb {
+                self.aabb()
+            }
+
+            #[inline]
+            fn position(&self) -> Vec2 {
+                self.position()
+            }
+
+            fn shifted(&self, by: Vec2) -> Self {
+                match self {
+                    $(Self::$shape(it) => Self::$shape(shifted(it, by)),)+
+                }
+            }
+
+            #[inline]
+            fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
+                match self {
+                    $(Self::$shape(it) => it.translated(by).map(Self::$shape),)+
+                }
+            }
+
+            #[inline]
+            fn is_round(&self) -> bool {
+                !matches!(self, Self::Aabb(_))
+            }
+
+            #[inline]
+            fn check(&self) -> Result<(), RangeError> {
+                match self {
+                    $(Self::$shape(it) => Single::check(it),)+
+                }
+            }
+
+            fn cast_moving(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit> {
+                let hit = match (self, other) {
+                    $((Self::$a(a), Self::$b(b)) => a.cast_moving(by, b, other_by, Inside::Hit),)+
+                };
+                hit.ok().flatten()
+            }
+
+            #[inline]
+            fn visit<V: Visit<Self>>(&self, visit: V) -> V::Out {
+                match self {
+                    $(Self::$shape(it) => visit.of(it),)+
+                }
+            }
+        }
+
+        impl Contacts<$name> for $name {
+            fn contact(&self, b: &$name) -> Option<Contact> {
+                match (self, b) {
+                    $((Self::$a(a), Self::$b(b)) => a.contact(b),)+
+                }
+            }
+        }
+
+        impl Overlaps<$name> for $name {
+            fn overlaps(&self, b: &$name) -> bool {
+                match (self, b) {
+                    $((Self::$a(a), Self::$b(b)) => a.overlaps(b),)+
+                }
+            }
+        }
+
+        impl Touches<$name> for $name {
+            fn touches(&self, b: &$name) -> bool {
+                match (self, b) {
+                    $((Self::$a(a), Self::$b(b)) => a.touches(b),)+
+                }
+            }
         }
     };
 }
 
-impl Contacts<Shape> for Shape {
-    fn contact(&self, b: &Shape) -> Option<Contact> {
-        verb!(self, b, contact)
-    }
+macro_rules! bounds {
+    (Aabb $it:ident) => {
+        *$it
+    };
+    ($round:ident $it:ident) => {
+        $it.aabb()
+    };
 }
 
-impl Overlaps<Shape> for Shape {
-    fn overlaps(&self, b: &Shape) -> bool {
-        verb!(self, b, overlaps)
-    }
-}
-
-impl Touches<Shape> for Shape {
-    fn touches(&self, b: &Shape) -> bool {
-        verb!(self, b, touches)
-    }
-}
+shapes!(Shape: Aabb.min Circle.centre, (Aabb Aabb) (Aabb Circle) (Circle Aabb) (Circle Circle));
+shapes!(
+    WithCapsules: Aabb.min Circle.centre Capsule.a,
+    (Aabb Aabb) (Aabb Circle) (Aabb Capsule)
+    (Circle Aabb) (Circle Circle) (Circle Capsule)
+    (Capsule Aabb) (Capsule Circle) (Capsule Capsule)
+);

@@ -2,7 +2,8 @@
 
 use super::body::{Mode, Slot, Tally};
 use super::drift::Drift;
-use super::{Scene, SceneBody, Sleep};
+use super::kernel::BodyShape;
+use super::{Scene, SceneBody, Shape, Sleep};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
 
@@ -39,9 +40,9 @@ use crate::filter::Filter;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias("save state", "rollback"))]
-pub struct Snapshot<B, const N: usize> {
+pub struct Snapshot<B, const N: usize, S = Shape> {
     pub(crate) near: B,
-    pub(super) kept: [Kept; N],
+    pub(super) kept: [Kept<S>; N],
     /// The slots of the bodies awake come first; the others are zero.
     pub(super) awake: [u16; N],
     pub(crate) count: u16,
@@ -50,8 +51,8 @@ pub struct Snapshot<B, const N: usize> {
 
 /// The state that one slot carries from step to step. Its generation is in the broad phase.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Kept {
-    pub(super) body: SceneBody,
+pub(super) struct Kept<S> {
+    pub(super) body: SceneBody<S>,
     pub(super) mode: Mode,
     pub(super) quiet: u8,
     pub(super) support: u8,
@@ -59,14 +60,14 @@ pub(super) struct Kept {
     pub(super) drift: Drift,
 }
 
-impl Kept {
-    const fn of(slot: &Slot) -> Self {
+impl<S: BodyShape> Kept<S> {
+    const fn of(slot: &Slot<S>) -> Self {
         let Slot { body, mode, quiet, support, ground, tally, .. } = *slot;
         Self { body, mode, quiet, support, ground, drift: tally.drift }
     }
 
     /// A step sets all the rest before it reads it; what sleeps or is fixed has made its way.
-    const fn slot(&self, handle: Handle) -> Slot {
+    const fn slot(&self, handle: Handle) -> Slot<S> {
         let Self { body, mode, quiet, support, ground, drift } = *self;
         let generation = if matches!(mode, Mode::Free) { 0 } else { handle.generation() };
         let tally = Tally { drift, ..Tally::of(handle.slot() as u16) };
@@ -81,7 +82,7 @@ impl Kept {
     pub(super) const FREE: Self = Self::of(&Slot::FREE);
 }
 
-impl<B, const N: usize> Snapshot<B, N> {
+impl<B, const N: usize, S: BodyShape> Snapshot<B, N, S> {
     /// The state of a new scene on this empty broad phase: a value that
     /// [`snapshot_into`](Scene::snapshot_into) fills. It may be a `static`.
     #[must_use]
@@ -90,7 +91,7 @@ impl<B, const N: usize> Snapshot<B, N> {
     }
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize> Scene<B, N, M> {
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
     /// The state as of now.
     ///
     /// Cost: one pass over the slots, and a copy of the broad phase. The snapshot may be on the
@@ -98,7 +99,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize> 
     /// [`snapshot_into`](Self::snapshot_into).
     #[must_use]
     #[inline]
-    pub fn snapshot(&self) -> Snapshot<B, N> {
+    pub fn snapshot(&self) -> Snapshot<B, N, S> {
         let mut taken = Snapshot::new(self.near);
         self.snapshot_into(&mut taken);
         taken
@@ -117,7 +118,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize> 
     /// scene.snapshot_into(&mut states[frame % 8]);
     /// assert_eq!(states[frame % 8], scene.snapshot());
     /// ```
-    pub fn snapshot_into(&self, snapshot: &mut Snapshot<B, N>) {
+    pub fn snapshot_into(&self, snapshot: &mut Snapshot<B, N, S>) {
         snapshot.near = self.near;
         (snapshot.count, snapshot.sleep) = (self.count as u16, self.sleep);
         for (kept, slot) in snapshot.kept.iter_mut().zip(&self.slots) {
@@ -133,7 +134,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize> 
     ///
     /// Cost: as [`snapshot`](Self::snapshot).
     #[inline]
-    pub fn restore(&mut self, snapshot: &Snapshot<B, N>) {
+    pub fn restore(&mut self, snapshot: &Snapshot<B, N, S>) {
         let Snapshot { near, kept, awake, count, sleep } = snapshot;
         (self.near, self.count, self.sleep) = (*near, usize::from(*count), *sleep);
         self.rests = [None; M];
@@ -147,8 +148,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize> 
     }
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> From<&Snapshot<B, N>> for Scene<B, N> {
-    fn from(snapshot: &Snapshot<B, N>) -> Self {
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, S: BodyShape> From<&Snapshot<B, N, S>>
+    for Scene<B, N, 0, S>
+{
+    fn from(snapshot: &Snapshot<B, N, S>) -> Self {
         let mut scene = Self::with_sleep(snapshot.near, snapshot.sleep);
         scene.restore(snapshot);
         scene

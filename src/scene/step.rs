@@ -1,9 +1,12 @@
 //! One step of a scene.
 
 use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
+use super::idle::{Idle, are_idle, idle, is_idle, repeat};
+use super::kernel::BodyShape;
 use super::met::{may_meet, pair, senses};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::reply::{Answer, Asked, Replies, Reply};
+use super::rest::Rest;
 use super::set::Sleep;
 use super::set::rouse;
 use super::trip::Trip;
@@ -13,10 +16,9 @@ use super::{Scene, SceneBody, SceneError, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
 use crate::num::{MOTION, Vec2, check_motion};
-use crate::query::{Contacts, Touches};
 use crate::world::World;
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
     /// Moves all awake bodies by one step. A step adds `gravity` to velocities; pass zero for games
     /// seen from above.
     ///
@@ -143,7 +145,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     /// As [`step`](Self::step).
     pub fn step_in<'l, W: World + 'l, A: Answer>(
         &mut self,
-        level_of: impl Fn(&SceneBody) -> &'l W,
+        level_of: impl Fn(&SceneBody<S>) -> &'l W,
         gravity: Vec2,
         replies: impl FnMut(Pair) -> A,
         mut each: impl FnMut(SceneEvent<'_>),
@@ -155,7 +157,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
             return Ok(stepped);
         }
         let awake = self.count;
-        begin(&mut self.slots, self.awake.get(..awake).unwrap_or_default(), gravity);
+        if M > 0 {
+            self.disturb(gravity);
+        }
+        begin(&mut self.slots, &self.rests, self.awake.get(..awake).unwrap_or_default(), gravity);
         self.meet(gravity, &mut stepped, replies, &mut each);
         if self.count > awake {
             self.wake_along(awake, replies);
@@ -177,7 +182,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
         each: &mut impl FnMut(SceneEvent<'_>),
     ) {
         let Some((movers, room)) = self.awake.split_at_mut_checked(self.count) else { return };
-        let (slots, mut woken, mut hits) = (&mut self.slots, 0, false);
+        let (slots, rests, mut woken, mut hits) = (&mut self.slots, &self.rests, 0, false);
         each_pair(&mut self.near, movers, |pair| {
             stepped.pairs += 1;
             let Some((a, b)) = both(slots, pair).filter(|(a, b)| a.body.shape.touches(&b.body.shape)) else { return };
@@ -190,7 +195,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
             stepped.touching += 1;
             stepped.overlapping += u32::from(contact.is_some() && !senses);
             each(SceneEvent::Touch { pair, contact: contact.as_ref() });
-            if senses {
+            if senses || are_idle(rests, slots, pair) {
                 return;
             }
             for at in [pair.a, pair.b] {
@@ -205,6 +210,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
         if hits {
             each_pair(&mut self.near, movers, |pair| {
                 stepped.pairs += 1;
+                if are_idle(rests, slots, pair) {
+                    return;
+                }
                 kick(slots, pair, gravity, replies);
             });
         }
@@ -240,7 +248,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
 
     /// Each body against the level, and fast bodies against the others, too. Returns whether one
     /// has been quiet for long enough.
-    fn travel<V: View>(
+    fn travel<V: View<S>>(
         &mut self,
         view: &V,
         gravity: Vec2,
@@ -253,7 +261,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
         let (mut calm, mut fast, mut piled) = (false, false, false);
         for handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-            if slot.is_fast() {
+            if !is_idle(&self.rests, handle.slot()) && slot.is_fast() {
                 (slot.way.pace, fast) = (Pace::Swept, true);
                 if let Some(rest) = self.rests.get_mut(handle.slot()) {
                     *rest = None;
@@ -266,13 +274,19 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
         }
         for &handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-            if slot.way.pace == Pace::Slow {
+            if let Some(rest) = idle(&self.rests, handle.slot()) {
+                repeat(slot, handle, rest, stepped, each);
+                calm |= slot.quiet >= steps;
+            } else if slot.way.pace == Pace::Slow {
                 trip.make(slot, handle, self.rests.get_mut(handle.slot()), &mut self.near, stepped, each);
                 calm |= slot.quiet >= steps;
             }
         }
         if piled {
             calm |= self.settle(&trip, stepped, replies, each);
+        }
+        if M > 0 {
+            self.find_idle(gravity);
         }
         if fast {
             calm |= self.sweep(&trip, stepped, replies, each);
@@ -291,7 +305,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
             }
         }
         for handle in &*awake {
-            let quiet = |slot: &Slot| if slot.tally.under == FLIES { 0 } else { slot.quiet };
+            let quiet = |slot: &Slot<S>| if slot.tally.under == FLIES { 0 } else { slot.quiet };
             let Some(quiet) = slots.get(handle.slot()).map(quiet) else { continue };
             let root = root(slots, handle.slot() as u16);
             if let Some(slot) = slots.get_mut(usize::from(root)) {
@@ -311,6 +325,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
             } else if let Some(slot) = slots.get_mut(handle.slot()) {
                 (slot.mode, slot.body.velocity, slot.way) = (Mode::Asleep, Vec2::ZERO, BodyWay::REST);
                 slot.ground = NOBODY;
+                if let Some(Some(rest)) = self.rests.get_mut(handle.slot()) {
+                    rest.idle = Idle::No;
+                }
                 let told = self.near.set_tag(handle, slot.body.tag(true));
                 debug_assert!(told.is_ok(), "a body of the scene is in its broad phase");
             }
@@ -320,8 +337,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     }
 }
 
-fn begin(slots: &mut [Slot], awake: &[Handle], gravity: Vec2) {
-    for handle in awake {
+fn begin<S: BodyShape>(slots: &mut [Slot<S>], rests: &[Option<Rest>], awake: &[Handle], gravity: Vec2) {
+    for handle in awake.iter().filter(|handle| !is_idle(rests, handle.slot())) {
         let Some(slot) = slots.get_mut(handle.slot()) else { continue };
         slot.tally = Tally { drift: slot.tally.drift, ..Tally::of(handle.slot() as u16) };
         slot.mode = Mode::Awake;

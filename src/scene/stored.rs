@@ -2,6 +2,7 @@
 
 use super::body::{Mode, NOBODY};
 use super::drift::Drift;
+use super::kernel::BodyShape;
 use super::snapshot::{Kept, Snapshot};
 use super::{Scene, SceneBody, Sleep};
 use crate::broad::{BroadPhase, Keyed};
@@ -13,9 +14,9 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// The state that a body carries from step to step.
 #[derive(Serialize, Deserialize)]
-struct Lasting {
+struct Lasting<S> {
     slot: u16,
-    body: SceneBody,
+    body: SceneBody<S>,
     mode: Mode,
     quiet: u8,
     support: u8,
@@ -24,19 +25,21 @@ struct Lasting {
 }
 
 #[derive(Serialize, Deserialize)]
-#[serde(bound(serialize = "B: Serialize", deserialize = "B: Deserialize<'de>"))]
-struct State<B, const N: usize> {
+#[serde(bound(serialize = "B: Serialize, S: Serialize", deserialize = "B: Deserialize<'de>, S: Deserialize<'de>"))]
+struct State<B, const N: usize, S> {
     version: Version,
     near: B,
     sleep: Sleep,
-    bodies: Vec<Lasting, N>,
+    bodies: Vec<Lasting<S>, N>,
     awake: Vec<u16, N>,
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> Form<Snapshot<B, N>> for State<B, N> {
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, S: BodyShape> Form<Snapshot<B, N, S>>
+    for State<B, N, S>
+{
     type Fault = Wrong;
 
-    fn of(snapshot: &Snapshot<B, N>) -> Self {
+    fn of(snapshot: &Snapshot<B, N, S>) -> Self {
         let taken = snapshot.kept.iter().enumerate().filter(|(_, kept)| kept.mode != Mode::Free);
         let bodies = taken.map(|(slot, kept)| {
             let Kept { body, mode, quiet, support, ground, drift } = *kept;
@@ -51,7 +54,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> Form<Snapshot<B,
         }
     }
 
-    fn check(self) -> Result<Snapshot<B, N>, Wrong> {
+    fn check(self) -> Result<Snapshot<B, N, S>, Wrong> {
         let Self { near, sleep, bodies, awake, .. } = self;
         ensure(sleep.still >= Fx::ZERO, 0, "bodies fall asleep below a speed that is negative")?;
         let (mut kept, mut next) = ([Kept::FREE; N], 0);
@@ -83,7 +86,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize> Form<Snapshot<B,
 }
 
 /// The data of a body that both a scene and its broad phase have.
-fn agrees<B: BroadPhase<Tag = Keyed<Filter>>>(lasting: &Lasting, near: &B) -> Result<(), Wrong> {
+fn agrees<B: BroadPhase<Tag = Keyed<Filter>>, S: BodyShape>(lasting: &Lasting<S>, near: &B) -> Result<(), Wrong> {
     let Lasting { slot, ref body, mode, .. } = *lasting;
     let at = usize::from(slot);
     let handle = near.table().handle(at);
@@ -104,30 +107,38 @@ fn agrees<B: BroadPhase<Tag = Keyed<Filter>>>(lasting: &Lasting, near: &B) -> Re
     ensure(most < 2 * DOMAIN.unsigned_abs(), at, "its velocity is one that no step leaves")
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy + Serialize, const N: usize> Serialize for Snapshot<B, N> {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        write::<_, State<B, N>, S>(self, to)
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy + Serialize, const N: usize, S: BodyShape + Serialize> Serialize
+    for Snapshot<B, N, S>
+{
+    fn serialize<T: Serializer>(&self, to: T) -> Result<T::Ok, T::Error> {
+        write::<_, State<B, N, S>, T>(self, to)
     }
 }
 
-impl<'de, B: BroadPhase<Tag = Keyed<Filter>> + Copy + Deserialize<'de>, const N: usize> Deserialize<'de>
-    for Snapshot<B, N>
+impl<'de, B: BroadPhase<Tag = Keyed<Filter>> + Copy + Deserialize<'de>, const N: usize, S> Deserialize<'de>
+    for Snapshot<B, N, S>
+where
+    S: BodyShape + Deserialize<'de>,
 {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        read::<_, State<B, N>, D>("Scene", from)
+        read::<_, State<B, N, S>, D>("Scene", from)
     }
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy + Serialize, const N: usize, const M: usize> Serialize
-    for Scene<B, N, M>
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy + Serialize, const N: usize, const M: usize, S> Serialize
+    for Scene<B, N, M, S>
+where
+    S: BodyShape + Serialize,
 {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+    fn serialize<T: Serializer>(&self, to: T) -> Result<T::Ok, T::Error> {
         self.snapshot().serialize(to)
     }
 }
 
-impl<'de, B: BroadPhase<Tag = Keyed<Filter>> + Copy + Deserialize<'de>, const N: usize, const M: usize> Deserialize<'de>
-    for Scene<B, N, M>
+impl<'de, B: BroadPhase<Tag = Keyed<Filter>> + Copy + Deserialize<'de>, const N: usize, const M: usize, S>
+    Deserialize<'de> for Scene<B, N, M, S>
+where
+    S: BodyShape + Deserialize<'de>,
 {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         let snapshot = Snapshot::deserialize(from)?;

@@ -9,9 +9,12 @@
 //! again in the step move along each other, and their velocities meet in the next one.
 
 use super::body::{ALOFT, NOBODY, Slot};
+use super::idle::{Idle, reach_of};
+use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, toward};
 use super::met::{Met, around, each_near, may_meet, pair, reach, senses};
 use super::reply::{Replies, Reply};
+use super::rest::Rest;
 use super::set::rouse;
 use super::trip::{Touched, Trip, hold};
 use super::view::View;
@@ -23,13 +26,17 @@ use crate::motion::response::exchange;
 use crate::motion::{Hit, Hits, Masses, Surface};
 use crate::num::{Toi, Vec2};
 
-impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B, N, M> {
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
     /// Releases those that have nobody in reach: only the level matters to them.
     #[inline(never)]
     pub(super) fn let_go(&mut self, replies: &mut impl Replies) {
-        let Self { near, slots, .. } = self;
+        let Self { near, slots, rests, .. } = self;
         let movers = self.awake.get(..self.count).unwrap_or_default();
-        let widest = movers.iter().filter_map(|handle| slots.get(handle.slot())).map(reach).max().unwrap_or(0);
+        let widest = movers
+            .iter()
+            .filter_map(|handle| Some(reach_of(rests, slots.get(handle.slot())?, handle.slot())))
+            .max()
+            .unwrap_or(0);
         for &handle in movers {
             let Some(slot) = slots.get(handle.slot()).filter(|slot| slot.way.pace == Pace::Swept) else { continue };
             let mut alone = true;
@@ -46,7 +53,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     /// Moves the fast bodies. Returns whether one has been quiet for long enough. A separate
     /// function: most steps need neither its registers nor its stack.
     #[inline(never)]
-    pub(super) fn sweep<V: View>(
+    pub(super) fn sweep<V: View<S>>(
         &mut self,
         trip: &Trip<'_, V>,
         stepped: &mut Stepped,
@@ -55,8 +62,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     ) -> bool {
         let from = self.count;
         let Some((movers, room)) = self.awake.split_at_mut_checked(from) else { return false };
-        let (near, slots) = (&mut self.near, self.slots.as_mut_slice());
-        let mut sweep = Sweep { near, slots, movers, room, woken: 0, trip, margin: 0, stepped, replies, each };
+        let (near, slots, rests) = (&mut self.near, self.slots.as_mut_slice(), self.rests.as_mut_slice());
+        let mut sweep = Sweep { near, slots, rests, movers, room, woken: 0, trip, margin: 0, stepped, replies, each };
         sweep.run();
         let woken = sweep.woken;
         stepped.woken += woken as u16;
@@ -67,9 +74,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize> Scene<B
     }
 }
 
-struct Sweep<'a, B, V, R, E> {
+struct Sweep<'a, B, V, S, R, E> {
     near: &'a mut B,
-    slots: &'a mut [Slot],
+    slots: &'a mut [Slot<S>],
+    rests: &'a mut [Option<Rest>],
     /// The bodies that were awake before.
     movers: &'a [Handle],
     room: &'a mut [Handle],
@@ -82,10 +90,11 @@ struct Sweep<'a, B, V, R, E> {
     each: &'a mut E,
 }
 
-impl<B, V, R, E> Sweep<'_, B, V, R, E>
+impl<B, V, S, R, E> Sweep<'_, B, V, S, R, E>
 where
     B: BroadPhase<Tag = Keyed<Filter>>,
-    V: View,
+    V: View<S>,
+    S: BodyShape,
     R: Replies,
     E: FnMut(SceneEvent<'_>),
 {
@@ -165,7 +174,7 @@ where
     /// The first end of a body's way. Of bodies met at one time, the one with the smaller key, then
     /// slot.
     #[inline(never)]
-    fn look(&mut self, handle: Handle, slot: &Slot) -> Result<(Toi, End), SceneFault> {
+    fn look(&mut self, handle: Handle, slot: &Slot<S>) -> Result<(Toi, End), SceneFault> {
         let since = slot.way.since;
         let touched = self.trip.touch(&slot.body, slot.way.left(since))?;
         let mut first = touched.hit.map_or((Toi::ONE, End::Step), |hit| (later(since, hit.toi), End::Level));
@@ -296,6 +305,9 @@ where
                 // A body that has already moved in this step does not fall asleep at its end.
                 if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
                     slot.quiet = 0;
+                    if let Some(Some(rest)) = self.rests.get_mut(at.slot()) {
+                        rest.idle = Idle::No;
+                    }
                 }
                 (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
                 (slot.support, slot.ground) = (from.support, from.ground);
@@ -305,7 +317,7 @@ where
 
     /// Reports the sensors on a way that ends at a time.
     #[inline(never)]
-    fn sense(&mut self, handle: Handle, slot: &Slot, until: Toi) {
+    fn sense(&mut self, handle: Handle, slot: &Slot<S>, until: Toi) {
         let (each, replies) = (&mut *self.each, &mut *self.replies);
         each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
             let sensor = senses(slot, at);
@@ -325,7 +337,7 @@ where
     /// Only the step ends its way.
     #[inline(never)]
     fn land(&mut self, handle: Handle) {
-        let swept = |slot: &&Slot| slot.way.pace == Pace::Swept;
+        let swept = |slot: &&Slot<S>| slot.way.pace == Pace::Swept;
         let Some(slot) = self.slots.get(handle.slot()).filter(swept).copied() else { return };
         self.sense(handle, &slot, Toi::ONE);
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };

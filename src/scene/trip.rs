@@ -2,63 +2,125 @@
 
 use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally};
 use super::drift::Drift;
+use super::idle::Start;
+use super::kernel::{BodyShape, Visit};
 use super::meeting::toward;
 use super::rest::{Causes, Rest};
 use super::view::View;
 use super::way::{BodyWay, Pace, size};
-use super::{SceneBody, SceneError, SceneEvent, SceneFault, Shape, Sleep, Stepped};
+use super::{SceneBody, SceneError, SceneEvent, SceneFault, Sleep, Stepped};
 use crate::broad::{BroadPhase, Handle};
 use crate::motion::{Body, ByFlags, Hit, Moved, Mover, Response, Responses, Surface};
 use crate::num::{Ratio, Vec2};
+use crate::world::World;
+
+/// A mover that slides.
+type Sliding = Mover<ByFlags<Surface>>;
 
 /// The data that all ways through the level share.
 pub(super) struct Trip<'a, V> {
     view: &'a V,
-    /// A mover that slides.
-    mover: Mover<ByFlags<Surface>>,
+    mover: Sliding,
     pub(super) gravity: Vec2,
     sleep: Sleep,
 }
 
-impl<'a, V: View> Trip<'a, V> {
+impl<'a, V> Trip<'a, V> {
     pub(super) fn new(view: &'a V, gravity: Vec2, sleep: Sleep) -> Self {
         let mover = Mover::platformer(toward(gravity).reversed()).with_surface(Surface::SLICK);
         Self { view, mover: mover.with_responses(Responses::NONE), gravity, sleep }
     }
+}
 
+/// What of a trip is done with a body of one shape.
+struct Travel<'t, 'a, V, S, N, E> {
+    trip: &'t Trip<'a, V>,
+    slot: &'t mut Slot<S>,
+    handle: Handle,
+    known: Option<&'t mut Option<Rest>>,
+    near: &'t mut N,
+    each: &'t mut E,
+}
+
+impl<V, S, N, E> Visit<S> for Travel<'_, '_, V, S, N, E>
+where
+    V: View<S>,
+    S: BodyShape,
+    N: BroadPhase,
+    E: FnMut(SceneEvent<'_>),
+{
+    type Out = Result<(), SceneFault>;
+    #[inline]
+    fn of<B: Body + Into<S>>(self, body: &B) -> Self::Out {
+        self.trip.travel(self.slot, self.handle, body, self.known, self.near, self.each)
+    }
+}
+
+/// A motion up to the first hit.
+struct Touch<'t, W>(&'t Sliding, &'t W, Vec2);
+
+impl<S, W: World> Visit<S> for Touch<'_, W> {
+    type Out = Result<Touched<S>, SceneFault>;
+    #[inline]
+    fn of<B: Body + Into<S>>(self, body: &B) -> Self::Out {
+        let Self(mover, level, by) = self;
+        Ok(Touched::of(&mover.move_and_slide(level, body, by)?))
+    }
+}
+
+/// A motion as far as the level allows.
+struct Slide<'t, W>(&'t Sliding, &'t W, Vec2);
+
+impl<S, W: World> Visit<S> for Slide<'_, W> {
+    type Out = Result<S, SceneFault>;
+    #[inline]
+    fn of<B: Body + Into<S>>(self, body: &B) -> Self::Out {
+        let Self(mover, level, by) = self;
+        Ok(mover.move_and_slide(level, body, by)?.body.into())
+    }
+}
+
+impl<V> Trip<'_, V> {
     /// One body's whole step.
-    pub(super) fn make(
+    pub(super) fn make<S: BodyShape>(
         &self,
-        slot: &mut Slot,
+        slot: &mut Slot<S>,
         handle: Handle,
         known: Option<&mut Option<Rest>>,
         near: &mut impl BroadPhase,
         stepped: &mut Stepped,
         each: &mut impl FnMut(SceneEvent<'_>),
-    ) {
+    ) where
+        V: View<S>,
+    {
         stepped.moved += 1;
-        let known_rest = known.as_ref().and_then(|known| known.as_ref());
-        if let Some(rest) = known_rest.filter(|rest| rest.causes == self.causes(slot)) {
+        let mut known = known;
+        let known_rest = known.as_mut().and_then(|known| known.as_mut());
+        if let Some(rest) = known_rest.filter(|rest| rest.stays && rest.causes == self.causes(slot)) {
+            rest.start = Start::of(slot);
             return self.rest(slot, handle, rest, each);
         }
-        let made = match slot.body.shape {
-            Shape::Aabb(aabb) => self.travel(slot, handle, &aabb, known, near, each),
-            Shape::Circle(circle) => self.travel(slot, handle, &circle, known, near, each),
-        };
-        if let Err(fault) = made {
+        let shape = slot.body.shape;
+        if let Err(fault) = shape.visit(Travel { trip: self, slot, handle, known, near, each }) {
             hold(slot, handle, fault, stepped, each);
         }
     }
 
     /// What moves a body in this step.
-    fn causes(&self, slot: &Slot) -> Causes {
+    fn causes<S: BodyShape>(&self, slot: &Slot<S>) -> Causes {
         let velocity = slot.body.velocity + slot.tally.kick;
         Causes { push: slot.tally.push(), velocity, weight: slot.body.weight(self.gravity) }
     }
 
     /// The way that a body at rest would make.
     #[inline(never)]
-    fn rest(&self, slot: &mut Slot, handle: Handle, rest: &Rest, each: &mut impl FnMut(SceneEvent<'_>)) {
+    fn rest<S: BodyShape>(
+        &self,
+        slot: &mut Slot<S>,
+        handle: Handle,
+        rest: &Rest,
+        each: &mut impl FnMut(SceneEvent<'_>),
+    ) {
         (slot.way.rate, slot.body.velocity) = (Vec2::ZERO, rest.velocity);
         self.arrive(slot, Vec2::ZERO, if rest.floor { 0 } else { ALOFT }, false);
         let (hits, flags) = (rest.hits(), rest.flags());
@@ -66,19 +128,22 @@ impl<'a, V: View> Trip<'a, V> {
     }
 
     /// First moves by the push, along the level, then by the velocity.
-    fn travel<B: Body + Into<Shape>>(
+    fn travel<S: BodyShape, B: Body + Into<S>>(
         &self,
-        slot: &mut Slot,
+        slot: &mut Slot<S>,
         handle: Handle,
         body: &B,
         mut known: Option<&mut Option<Rest>>,
         near: &mut impl BroadPhase,
         each: &mut impl FnMut(SceneEvent<'_>),
-    ) -> Result<(), SceneFault> {
+    ) -> Result<(), SceneFault>
+    where
+        V: View<S>,
+    {
         if let Some(known) = &mut known {
             **known = None;
         }
-        let (causes, level) = (self.causes(slot), self.view.level(&slot.body));
+        let (causes, start_of, level) = (self.causes(slot), Start::of(slot), self.view.level(&slot.body));
         let (mut start, Causes { push, velocity, .. }) = (*body, causes);
         if push != Vec2::ZERO {
             start = self.mover.move_and_slide(level, body, push)?.body;
@@ -100,7 +165,7 @@ impl<'a, V: View> Trip<'a, V> {
         }
         slot.way.rate = by;
         if let Some(known) = known {
-            *known = Rest::of(causes, by, moved);
+            *known = Rest::of(causes, start_of, by, moved);
         }
         slot.body.velocity = moved.velocity;
         self.arrive(slot, by, if moved.floor { 0 } else { ALOFT }, moved.hits.is_empty());
@@ -111,30 +176,29 @@ impl<'a, V: View> Trip<'a, V> {
     }
 
     /// Moves up to the first hit.
-    pub(super) fn touch(&self, body: &SceneBody, by: Vec2) -> Result<Touched, SceneFault> {
+    pub(super) fn touch<S: BodyShape>(&self, body: &SceneBody<S>, by: Vec2) -> Result<Touched<S>, SceneFault>
+    where
+        V: View<S>,
+    {
         let (mover, level) = (self.mover.with_response(Response::Touch), self.view.level(body));
-        Ok(match &body.shape {
-            Shape::Aabb(aabb) => Touched::of(&mover.move_and_slide(level, aabb, by)?),
-            Shape::Circle(circle) => Touched::of(&mover.move_and_slide(level, circle, by)?),
-        })
+        body.shape.visit(Touch(&mover, level, by))
     }
 
     /// Moves as far as the level allows.
-    pub(super) fn slide(&self, body: &SceneBody, by: Vec2) -> Result<Shape, SceneFault> {
-        let level = self.view.level(body);
-        Ok(match &body.shape {
-            Shape::Aabb(aabb) => self.mover.move_and_slide(level, aabb, by)?.body.into(),
-            Shape::Circle(circle) => self.mover.move_and_slide(level, circle, by)?.body.into(),
-        })
+    pub(super) fn slide<S: BodyShape>(&self, body: &SceneBody<S>, by: Vec2) -> Result<S, SceneFault>
+    where
+        V: View<S>,
+    {
+        body.shape.visit(Slide(&self.mover, self.view.level(body), by))
     }
 
     /// The surface that the level has for a body.
-    fn surface(&self, body: &SceneBody) -> Surface {
+    fn surface<S: BodyShape>(&self, body: &SceneBody<S>) -> Surface {
         body.surface.resting_under(body.weight(self.gravity))
     }
 
     /// The velocity of a body after a hit of the level.
-    pub(super) fn after(&self, body: &SceneBody, hit: &Hit) -> Vec2 {
+    pub(super) fn after<S: BodyShape>(&self, body: &SceneBody<S>, hit: &Hit) -> Vec2 {
         let mut surface = self.surface(body);
         match body.responses.response_to(hit.flags) {
             Some(Response::Touch) => return Vec2::ZERO,
@@ -145,7 +209,7 @@ impl<'a, V: View> Trip<'a, V> {
     }
 
     /// Updates a body that has come this far.
-    pub(super) fn arrive(&self, slot: &mut Slot, by: Vec2, support: u8, free: bool) {
+    pub(super) fn arrive<S: BodyShape>(&self, slot: &mut Slot<S>, by: Vec2, support: u8, free: bool) {
         let is_still = self.is_still(slot, by);
         // A slow body that nothing holds is at the start or the top of a flight. Asleep there it
         // would hang in the air, where nothing wakes it. In a heap it also hops, for a step now and
@@ -172,7 +236,7 @@ impl<'a, V: View> Trip<'a, V> {
     /// Whether it has hardly moved: in this step, or on the whole since it has been quiet. In a
     /// heap, bodies that push each other to and fro would otherwise do so for ever. A body that is
     /// slow enough to fall asleep may come as far in all the steps that it takes.
-    fn is_still(&self, slot: &mut Slot, by: Vec2) -> bool {
+    fn is_still<S>(&self, slot: &mut Slot<S>, by: Vec2) -> bool {
         let (x, y) = by.raw();
         let Sleep { still, steps } = self.sleep;
         let still = still.to_bits().max(0).unsigned_abs();
@@ -183,22 +247,22 @@ impl<'a, V: View> Trip<'a, V> {
 }
 
 /// A body at the end of a motion, or at the level.
-pub(super) struct Touched {
-    pub(super) shape: Shape,
+pub(super) struct Touched<S> {
+    pub(super) shape: S,
     pub(super) hit: Option<Hit>,
     pub(super) floor: bool,
     pub(super) flags: u8,
 }
 
-impl Touched {
-    fn of<B: Body + Into<Shape>>(moved: &Moved<B>) -> Self {
+impl<S> Touched<S> {
+    fn of<B: Body + Into<S>>(moved: &Moved<B>) -> Self {
         Self { shape: moved.body.into(), hit: moved.hits.first(), floor: moved.floor, flags: moved.flags }
     }
 }
 
 /// A body that cannot be moved stays.
-pub(super) fn hold(
-    slot: &mut Slot,
+pub(super) fn hold<S>(
+    slot: &mut Slot<S>,
     handle: Handle,
     fault: SceneFault,
     stepped: &mut Stepped,

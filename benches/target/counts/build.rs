@@ -17,6 +17,7 @@ fn main() {
         println!("cargo:rustc-link-arg-bin=crowds=--defsym=_whole_board=1");
         // Its scene takes most of 16 KB, and a step of it more stack than the rest.
         println!("cargo:rustc-link-arg-bin=bodies=--defsym=_wide_ram=1");
+        println!("cargo:rustc-link-arg-bin=memory=--defsym=_wide_ram=1");
     }
     println!("cargo:rerun-if-changed=build.rs");
 }

@@ -3,14 +3,14 @@
 use super::family::Run;
 #[cfg(not(target_os = "none"))]
 use super::games;
-use super::{bodies, motion, ninja, numbers, pairs, responses, worlds};
+use super::{bodies, motion, ninja, numbers, pairs, responses, scenes, worlds};
 
 /// Families of some kinds.
 pub type Part = fn(&mut Run<'_>);
 
 // Groups that fit the flash of a small chip, even without optimisation.
 pub const SHAPES: &[Part] = &[numbers::run, pairs::run, responses::run];
-pub const BODIES: &[Part] = &[bodies::run];
+pub const BODIES: &[Part] = &[bodies::run, scenes::run];
 pub const LEVELS: &[Part] = &[worlds::run_tiles, worlds::run_blocks, worlds::run_slopes, worlds::run_shapes];
 pub const SEGMENTS: &[Part] = &[worlds::run_segments, motion::run_segments];
 pub const JOINED: &[Part] = &[worlds::run_joined];

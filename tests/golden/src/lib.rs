@@ -25,6 +25,7 @@ mod numbers;
 mod pairs;
 mod random;
 mod responses;
+mod scenes;
 #[cfg(not(target_os = "none"))]
 pub mod table;
 mod world;

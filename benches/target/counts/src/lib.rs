@@ -5,6 +5,7 @@
 #![no_std]
 #![cfg(target_os = "none")]
 
+pub mod bodies;
 pub mod clock;
 pub mod counter;
 pub mod inputs;

@@ -7,10 +7,11 @@ mod scene;
 mod solids;
 
 use tilesat_chip::entry;
+use tilesat_counts::bodies::Bodies;
 use tilesat_counts::measure::Table;
 
 /// Most of the memory of the smallest board.
-static mut SCENE: scene::Bodies = scene::NONE;
+static mut SCENE: Bodies<0> = scene::NONE;
 
 #[entry]
 fn main() -> ! {

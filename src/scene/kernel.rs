@@ -1,0 +1,67 @@
+//! The shapes that bodies of a scene can have: a scene links the code of its own set alone.
+
+use super::{Shape, WithCapsules};
+use crate::error::RangeError;
+use crate::motion::Body;
+use crate::num::Vec2;
+use crate::query::{Contacts, MovingHit, Overlaps, Touches};
+use crate::shape::{Aabb, Circle};
+use core::fmt::Debug;
+
+/// The shapes that bodies of a scene can have: [`Shape`], or [`WithCapsules`].
+///
+/// It is a parameter of [`Scene`](crate::Scene) and [`SceneBody`](super::SceneBody), as the set of
+/// tile shapes is one of [`TileMap`](crate::TileMap): a scene of boxes and circles links no
+/// capsules.
+///
+/// Sealed: its kernels are part of the exactness argument.
+pub trait BodyShape: Kernel {}
+
+impl BodyShape for Shape {}
+impl BodyShape for WithCapsules {}
+
+/// The part of [`BodyShape`] that only this crate calls.
+pub trait Kernel:
+    Copy + Debug + Eq + From<Aabb> + From<Circle> + Contacts<Self> + Overlaps<Self> + Touches<Self>
+{
+    /// A point, for slots without a body.
+    const POINT: Self;
+
+    /// The box around it.
+    fn aabb(&self) -> Aabb;
+
+    /// The reference position, as of [`Body`].
+    fn position(&self) -> Vec2;
+
+    /// The same shape elsewhere. The caller ensures that it is inside of the domain.
+    fn shifted(&self, by: Vec2) -> Self;
+
+    /// The same shape elsewhere.
+    ///
+    /// # Errors
+    /// [`RangeError`] if it would leave the domain.
+    fn translated(&self, by: Vec2) -> Result<Self, RangeError>;
+
+    /// Whether it rolls or tilts: it then touches others at any angle.
+    fn is_round(&self) -> bool;
+
+    /// Refuses shapes that no mover takes. Of boxes and circles there are none.
+    ///
+    /// # Errors
+    /// [`RangeError`] of a capsule that is slanted or has no radius.
+    fn check(&self) -> Result<(), RangeError>;
+
+    /// When two moving shapes run into each other. `None` if a motion is too large.
+    fn cast_moving(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit>;
+
+    /// Calls `visit` with the shape that it is.
+    fn visit<V: Visit<Self>>(&self, visit: V) -> V::Out;
+}
+
+/// A call for a body of any shape.
+pub trait Visit<S> {
+    /// The answer.
+    type Out;
+    /// The call.
+    fn of<B: Body + Into<S>>(self, body: &B) -> Self::Out;
+}
