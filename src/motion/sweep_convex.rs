@@ -197,20 +197,26 @@ fn sweep_wide((first, last): (Raw, Raw), r: i32, d: Raw, face: &Face) -> Option<
 }
 
 /// Whether a sharp corner that has met a line, and moves by `d` through it, comes to be behind the
-/// line in the direction `way` from there.
-///
-/// The corner's sides lead back over the line. Seen from where it was met, one that leads along `q`
-/// crosses the line at `d + t q`, on the side of the sign of `d x q` over that of `way x q`. Below
-/// 2^58.
+/// line in the direction `way` from there: by a side along the line, or by one that follows.
 fn covers(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool {
+    let here = core.corner(corner);
+    let is_flat = |other: usize| {
+        let q = core.corner(other).sub(here);
+        along(out, q) == 0 && along(way, q) > 0
+    };
+    is_flat(core.after(corner)) || is_flat(core.before(corner)) || follows(core, corner, d, out, way)
+}
+
+/// Whether a side beside such a corner follows it over the line, in the direction `way`.
+///
+/// The side leads back in front of the line. Seen from where the corner met it, one that leads
+/// along `q` crosses the line at `d + t q`, on the side of the sign of `d x q` over that of
+/// `way x q`. Below 2^58.
+fn follows(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool {
     let here = core.corner(corner);
     [core.after(corner), core.before(corner)].into_iter().any(|other| {
         let q = core.corner(other).sub(here);
-        match along(out, q) {
-            0 => along(way, q) > 0,
-            height if height > 0 => d.cross(q).signum() == Raw { x: way.x, y: way.y }.cross(q).signum(),
-            _ => false,
-        }
+        along(out, q) > 0 && d.cross(q).signum() == Raw { x: way.x, y: way.y }.cross(q).signum()
     })
 }
 
@@ -394,8 +400,8 @@ impl Quarter {
         first
     }
 
-    /// Of a sharp corner. Exactly through an end of the arc it leaves only if the sides beside it
-    /// come to be behind the arc.
+    /// Of a sharp corner. Exactly through an end of the arc it leaves only if a side follows it. A
+    /// side along the tangent there leaves the arc: the solid is a cusp between the two.
     fn leave_by_corner(&self, core: Core<'_>, corner: usize, d: Raw) -> Option<Entry> {
         let here = core.corner(corner);
         for end in [Axis::new(self.quadrant.x, 0), Axis::new(0, self.quadrant.y)] {
@@ -404,7 +410,7 @@ impl Quarter {
                 continue;
             }
             let (made, whole) = (way.dot(d) as u64, d.len2());
-            if made >= whole || !covers(core, corner, d, end.reversed(), self.inward(end)) {
+            if made >= whole || !follows(core, corner, d, end.reversed(), self.inward(end)) {
                 return None;
             }
             let time = ratio(made, whole);
