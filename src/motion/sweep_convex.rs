@@ -282,31 +282,34 @@ fn sweep_sharp(core: Core<'_>, side: usize, p: Raw, d: Raw, (e_in, e_out): (Axis
 
 /// Entry of a convex corner of any angle. Where a side is parallel to one of its edges, and where a
 /// sharp corner has no side that is between them, the faces are responsible.
+///
+/// Two sides can meet it at one moment, where it comes exactly to the corner between them. Geometry
+/// chooses, and not the order of the corners.
 #[inline(never)]
 fn sweep_corner(core: Core<'_>, d: Raw, p: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
-    let r = core.radius;
+    let (r, mut first) = (core.radius, None);
     for i in 0..core.corners.len() {
         let normal = core.facing_normal(i);
         if along(normal, d) < 0 && normal.dot(e_in) > 0 && normal.dot(e_out) < 0 {
             let met = if r == 0 { sweep_sharp(core, i, p, d, (e_in, e_out)) } else { sweep_side(core, i, p, r, d) };
-            if met.is_some() {
-                return met;
-            }
+            keep_first(&mut first, met.as_ref(), d);
         }
     }
-    if r == 0 {
-        return None;
+    if r == 0 || first.is_some() {
+        return first;
     }
     let e_out = e_out.reversed();
-    (0..core.corners.len()).find_map(|i| {
+    for i in 0..core.corners.len() {
         let m = core.corner(i).sub(p);
         if !comes_along(m, d, e_in) || !comes_along(m, d, e_out) {
-            return None;
+            continue;
         }
-        let (m, hit) = sweep_disc(core, i, p, r, d)?;
-        let inside = enters_along(m, d, e_in, hit.cross, r) && enters_along(m, d, e_out, hit.cross, r);
-        if inside { entry(&hit, m, d) } else { None }
-    })
+        let Some((m, hit)) = sweep_disc(core, i, p, r, d) else { continue };
+        if enters_along(m, d, e_in, hit.cross, r) && enters_along(m, d, e_out, hit.cross, r) {
+            keep_first(&mut first, entry(&hit, m, d).as_ref(), d);
+        }
+    }
+    first
 }
 
 /// An arc of a quadrant.
@@ -330,26 +333,34 @@ impl Quarter {
     #[inline(never)]
     fn sweep_bulge(&self, core: Core<'_>, d: Raw) -> Option<Entry> {
         let radius = self.radius.wrapping_add(core.radius);
+        let (mut first, mut by_side) = (None, false);
         for i in 0..core.corners.len() {
             let normal = core.facing_normal(i);
             if along(normal, d) < 0 && self.holds(normal) {
-                let met = sweep_side(core, i, self.centre, radius, d);
-                if met.is_some() {
-                    let at_end = core.radius == 0 && (normal.x == 0 || normal.y == 0);
-                    return met.filter(|_| !at_end || self.side_covers(core, i, d, normal));
+                let Some(met) = sweep_side(core, i, self.centre, radius, d) else { continue };
+                by_side = true;
+                let at_end = core.radius == 0 && (normal.x == 0 || normal.y == 0);
+                if !at_end || self.side_covers(core, i, d, normal) {
+                    keep_first(&mut first, Some(&met), d);
                 }
             }
         }
-        (0..core.corners.len()).find_map(|i| {
-            let (m, hit) = sweep_disc(core, i, self.centre, radius, d)?;
+        if by_side {
+            return first;
+        }
+        for i in 0..core.corners.len() {
+            let Some((m, hit)) = sweep_disc(core, i, self.centre, radius, d) else { continue };
             let enters = |closed| enters_quadrant(m, radius, d, self.quadrant, hit.cross, closed);
             let inside = if core.radius != 0 {
                 enters(true)
             } else {
                 enters(false) || (enters(true) && self.corner_covers(core, i, d))
             };
-            if inside { entry(&hit, m, d) } else { None }
-        })
+            if inside {
+                keep_first(&mut first, entry(&hit, m, d).as_ref(), d);
+            }
+        }
+        first
     }
 
     /// Whether a sharp side that lands flat on an end of the arc comes to be behind the arc.

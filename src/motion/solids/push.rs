@@ -75,7 +75,8 @@ impl<B: Body> Pushes<'_, B> {
                 self.press = Some(press);
             }
             match entry {
-                Some(entry) if entry.step.is_none() => {
+                // A slanted side of the body meets a corner, and a solid has no slanted face.
+                Some(entry) if entry.step.is_none() && (!B::ANGULAR || normal.x == 0 || normal.y == 0) => {
                     faces = true;
                     self.room.behind(self.body, solid, normal);
                 }
