@@ -197,20 +197,26 @@ fn sweep_wide((first, last): (Raw, Raw), r: i32, d: Raw, face: &Face) -> Option<
 }
 
 /// Whether a sharp corner that has met a line, and moves by `d` through it, comes to be behind the
-/// line in the direction `way` from there.
-///
-/// The corner's sides lead back over the line. Seen from where it was met, one that leads along `q`
-/// crosses the line at `d + t q`, on the side of the sign of `d x q` over that of `way x q`. Below
-/// 2^58.
+/// line in the direction `way` from there: by a side along the line, or by one that follows.
 fn covers(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool {
+    let here = core.corner(corner);
+    let is_flat = |other: usize| {
+        let q = core.corner(other).sub(here);
+        along(out, q) == 0 && along(way, q) > 0
+    };
+    is_flat(core.after(corner)) || is_flat(core.before(corner)) || follows(core, corner, d, out, way)
+}
+
+/// Whether a side beside such a corner follows it over the line, in the direction `way`.
+///
+/// The side leads back in front of the line. Seen from where the corner met it, one that leads
+/// along `q` crosses the line at `d + t q`, on the side of the sign of `d x q` over that of
+/// `way x q`. Below 2^58.
+fn follows(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool {
     let here = core.corner(corner);
     [core.after(corner), core.before(corner)].into_iter().any(|other| {
         let q = core.corner(other).sub(here);
-        match along(out, q) {
-            0 => along(way, q) > 0,
-            height if height > 0 => d.cross(q).signum() == Raw { x: way.x, y: way.y }.cross(q).signum(),
-            _ => false,
-        }
+        along(out, q) > 0 && d.cross(q).signum() == Raw { x: way.x, y: way.y }.cross(q).signum()
     })
 }
 
@@ -276,31 +282,34 @@ fn sweep_sharp(core: Core<'_>, side: usize, p: Raw, d: Raw, (e_in, e_out): (Axis
 
 /// Entry of a convex corner of any angle. Where a side is parallel to one of its edges, and where a
 /// sharp corner has no side that is between them, the faces are responsible.
+///
+/// Two sides can meet it at one moment, where it comes exactly to the corner between them. Geometry
+/// chooses, and not the order of the corners.
 #[inline(never)]
 fn sweep_corner(core: Core<'_>, d: Raw, p: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
-    let r = core.radius;
+    let (r, mut first) = (core.radius, None);
     for i in 0..core.corners.len() {
         let normal = core.facing_normal(i);
         if along(normal, d) < 0 && normal.dot(e_in) > 0 && normal.dot(e_out) < 0 {
             let met = if r == 0 { sweep_sharp(core, i, p, d, (e_in, e_out)) } else { sweep_side(core, i, p, r, d) };
-            if met.is_some() {
-                return met;
-            }
+            keep_first(&mut first, met.as_ref(), d);
         }
     }
-    if r == 0 {
-        return None;
+    if r == 0 || first.is_some() {
+        return first;
     }
     let e_out = e_out.reversed();
-    (0..core.corners.len()).find_map(|i| {
+    for i in 0..core.corners.len() {
         let m = core.corner(i).sub(p);
         if !comes_along(m, d, e_in) || !comes_along(m, d, e_out) {
-            return None;
+            continue;
         }
-        let (m, hit) = sweep_disc(core, i, p, r, d)?;
-        let inside = enters_along(m, d, e_in, hit.cross, r) && enters_along(m, d, e_out, hit.cross, r);
-        if inside { entry(&hit, m, d) } else { None }
-    })
+        let Some((m, hit)) = sweep_disc(core, i, p, r, d) else { continue };
+        if enters_along(m, d, e_in, hit.cross, r) && enters_along(m, d, e_out, hit.cross, r) {
+            keep_first(&mut first, entry(&hit, m, d).as_ref(), d);
+        }
+    }
+    first
 }
 
 /// An arc of a quadrant.
@@ -324,26 +333,34 @@ impl Quarter {
     #[inline(never)]
     fn sweep_bulge(&self, core: Core<'_>, d: Raw) -> Option<Entry> {
         let radius = self.radius.wrapping_add(core.radius);
+        let (mut first, mut by_side) = (None, false);
         for i in 0..core.corners.len() {
             let normal = core.facing_normal(i);
             if along(normal, d) < 0 && self.holds(normal) {
-                let met = sweep_side(core, i, self.centre, radius, d);
-                if met.is_some() {
-                    let at_end = core.radius == 0 && (normal.x == 0 || normal.y == 0);
-                    return met.filter(|_| !at_end || self.side_covers(core, i, d, normal));
+                let Some(met) = sweep_side(core, i, self.centre, radius, d) else { continue };
+                by_side = true;
+                let at_end = core.radius == 0 && (normal.x == 0 || normal.y == 0);
+                if !at_end || self.side_covers(core, i, d, normal) {
+                    keep_first(&mut first, Some(&met), d);
                 }
             }
         }
-        (0..core.corners.len()).find_map(|i| {
-            let (m, hit) = sweep_disc(core, i, self.centre, radius, d)?;
+        if by_side {
+            return first;
+        }
+        for i in 0..core.corners.len() {
+            let Some((m, hit)) = sweep_disc(core, i, self.centre, radius, d) else { continue };
             let enters = |closed| enters_quadrant(m, radius, d, self.quadrant, hit.cross, closed);
             let inside = if core.radius != 0 {
                 enters(true)
             } else {
                 enters(false) || (enters(true) && self.corner_covers(core, i, d))
             };
-            if inside { entry(&hit, m, d) } else { None }
-        })
+            if inside {
+                keep_first(&mut first, entry(&hit, m, d).as_ref(), d);
+            }
+        }
+        first
     }
 
     /// Whether a sharp side that lands flat on an end of the arc comes to be behind the arc.
@@ -394,8 +411,8 @@ impl Quarter {
         first
     }
 
-    /// Of a sharp corner. Exactly through an end of the arc it leaves only if the sides beside it
-    /// come to be behind the arc.
+    /// Of a sharp corner. Exactly through an end of the arc it leaves only if a side follows it. A
+    /// side along the tangent there leaves the arc: the solid is a cusp between the two.
     fn leave_by_corner(&self, core: Core<'_>, corner: usize, d: Raw) -> Option<Entry> {
         let here = core.corner(corner);
         for end in [Axis::new(self.quadrant.x, 0), Axis::new(0, self.quadrant.y)] {
@@ -404,7 +421,7 @@ impl Quarter {
                 continue;
             }
             let (made, whole) = (way.dot(d) as u64, d.len2());
-            if made >= whole || !covers(core, corner, d, end.reversed(), self.inward(end)) {
+            if made >= whole || !follows(core, corner, d, end.reversed(), self.inward(end)) {
                 return None;
             }
             let time = ratio(made, whole);

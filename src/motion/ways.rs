@@ -61,9 +61,11 @@ impl Way {
         // The gap to a pipe opens with the square of the way. A probe does not show that a way
         // leads into it; the pipe's normal does.
         if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
-            let mut pipe = None;
-            touched(body, feature, |plane| pipe = Some(plane).filter(Plane::is_inside_pipe).or(pipe));
-            if pipe.is_some_and(|pipe| self.along != Some(pipe) && into(self.v, pipe.normal) < 0) {
+            let (way, mut leads_in) = (*self, false);
+            touched(body, feature, |pipe| {
+                leads_in |= pipe.is_inside_pipe() && way.along != Some(pipe) && into(way.v, pipe.normal) < 0;
+            });
+            if leads_in {
                 self.room = 0;
             }
         }

@@ -12,8 +12,8 @@ use tilesat::{
 };
 use tilesat_judge::Random;
 
-const SIDE: usize = 14;
-const CELL: i64 = 16 << 16;
+pub(super) const SIDE: usize = 14;
+pub(super) const CELL: i64 = 16 << 16;
 
 static KINDS: TileKinds = {
     let (mut kinds, mut id) = (TileKinds::EMPTY, 0);
@@ -34,7 +34,7 @@ fn square(v: Vec2) -> i64 {
 }
 
 /// A room with solid borders, one cell thick; one tile in three is of any shape.
-fn tiles(random: &mut Random) -> [u8; SIDE * SIDE] {
+pub(super) fn tiles(random: &mut Random) -> [u8; SIDE * SIDE] {
     let mut tiles = [0; SIDE * SIDE];
     for (i, tile) in tiles.iter_mut().enumerate() {
         let (x, y) = (i % SIDE, i / SIDE);

@@ -14,6 +14,8 @@ mod assist;
 mod by_flags;
 mod clear;
 mod convex_bodies;
+mod convex_views;
+mod convex_walks;
 mod floor;
 mod inside;
 mod invariants;

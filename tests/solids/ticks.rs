@@ -3,6 +3,7 @@
 //! move exactly. Shuffled, mirrored and translated scenes give the same bits.
 
 use tilesat::{AllShapes, TileMap};
+use tilesat_judge::solids::convex::polygons;
 use tilesat_judge::solids::judge::Block;
 use tilesat_judge::solids::ticks::{ALL, CELL, SIDE, Scene, Seen, balls, boxes, capsules, grid, tiles};
 use tilesat_judge::solids::twins::{BLOCKS, KINDS, mirrored_level};
@@ -27,6 +28,7 @@ fn bodies_among_blocks() {
         scene.play(boxes, 40, &mut random, &mut seen);
         scene.play(balls, 40, &mut random, &mut seen);
         scene.play(capsules, 40, &mut random, &mut seen);
+        scene.play(polygons, 40, &mut random, &mut seen);
     }
     println!("{seen:?}");
     let least = [seen.free, seen.carried, seen.pushed, seen.squashed, seen.exact, seen.alone];
@@ -47,6 +49,7 @@ fn bodies_among_all_shapes() {
         scene.play(boxes, 40, &mut random, &mut seen);
         scene.play(balls, 40, &mut random, &mut seen);
         scene.play(capsules, 40, &mut random, &mut seen);
+        scene.play(polygons, 40, &mut random, &mut seen);
     }
     println!("{seen:?}");
     assert!(seen.free > 9 && seen.carried > 9 && seen.pushed > 9 && seen.squashed > 9, "{seen:?}");

@@ -7,6 +7,7 @@
 
 mod accepted;
 mod bodies;
+mod convex;
 mod files;
 mod levels;
 mod motion;
@@ -16,7 +17,7 @@ mod ride;
 type Target = fn(&[u8]);
 
 /// All targets, by name.
-pub const TARGETS: [(&str, Target); 19] = [
+pub const TARGETS: [(&str, Target); 22] = [
     ("overlap", pairs::overlap),
     ("contact", pairs::contact),
     ("distance", pairs::distance),
@@ -31,6 +32,9 @@ pub const TARGETS: [(&str, Target); 19] = [
     ("move_blocks", motion::blocks),
     ("move_shapes", motion::shapes),
     ("move_segments", motion::segments),
+    ("convex_pairs", convex::pairs),
+    ("convex_moves", convex::moves),
+    ("turns", convex::turns),
     ("ride", ride::ride),
     ("broad", bodies::broad),
     ("scene", bodies::scene),

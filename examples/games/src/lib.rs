@@ -7,6 +7,7 @@
 //! | [`pinball`] | balls on a table of tiles and polygons: bumpers, slingshots, a kicker |
 //! | [`platformer`] | a scripted player, 16 boxes and 16 balls in a baked level |
 //! | [`platforms`] | a walker on lifts, on a conveyor, on steps and under a crusher |
+//! | [`racing`] | a car that turns, crates, and a marshal behind a turnstile |
 //! | [`rollback`] | two players over a link that loses packets: delay, prediction, rollback |
 //! | [`scroller`] | a runner through rooms, in a world of 40 000 pixels |
 //! | [`top_down`] | eight directions, no up; the hero slips around corners |
@@ -26,6 +27,7 @@ pub mod ninja;
 pub mod pinball;
 pub mod platformer;
 pub mod platforms;
+pub mod racing;
 pub mod rollback;
 pub mod scroller;
 pub mod top_down;

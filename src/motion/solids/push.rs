@@ -51,6 +51,16 @@ pub(super) struct Pushes<'a, B> {
     pub(super) press: Option<Press>,
 }
 
+/// Whether a body that is hit in this way is hit by a face of a solid. Boxes meet nothing else. A
+/// slanted side of a turned body meets a corner, for a solid has no slanted face.
+fn is_face<B: Body>(entry: &Entry, normal: Axis) -> bool {
+    if B::ANGULAR {
+        entry.step.is_none() && (normal.x == 0 || normal.y == 0)
+    } else {
+        !B::MEETS_CORNERS || entry.step.is_none()
+    }
+}
+
 impl<B: Body> Pushes<'_, B> {
     /// Returns `None` if the body gets clear of all solids by `made`, the part of `d` that the
     /// level allowed. Otherwise returns the displacement to try instead of `d`.
@@ -75,7 +85,7 @@ impl<B: Body> Pushes<'_, B> {
                 self.press = Some(press);
             }
             match entry {
-                Some(entry) if !B::MEETS_CORNERS || entry.step.is_none() => {
+                Some(entry) if is_face::<B>(&entry, normal) => {
                     faces = true;
                     self.room.behind(self.body, solid, normal);
                 }

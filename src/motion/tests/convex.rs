@@ -5,7 +5,7 @@
 use super::super::body::Entry;
 use super::polygons::{Big, SOLIDS, Wide, across, any_polygon, contains, near, side, target, zero};
 use super::std::{format, println, vec, vec::Vec};
-use super::{AnyShape, ConvexPolygon, Fx, P, Random, capsule, cases, first, outline, raw, vec2};
+use super::{AnyShape, ConvexPolygon, Feature, Fx, P, Random, capsule, cases, first, outline, raw, vec2};
 
 const MOST: usize = 6;
 type Shape = AnyShape<MOST>;
@@ -37,7 +37,7 @@ fn turn(p: &Wide, q: &Wide, r: &Wide) -> Big {
 }
 
 /// The convex hull, strictly, counter-clockwise.
-fn hull(mut points: Vec<Wide>) -> Vec<Wide> {
+pub(super) fn hull(mut points: Vec<Wide>) -> Vec<Wide> {
     points.sort();
     points.dedup();
     if points.len() < 3 {
@@ -61,7 +61,7 @@ fn hull(mut points: Vec<Wide>) -> Vec<Wide> {
 
 /// Whether a segment meets the inside of a polygon: where the intervals of all sides have a common
 /// part with a length.
-fn crosses(polygon: &[Wide], a: &Wide, b: &Wide) -> bool {
+pub(super) fn crosses(polygon: &[Wide], a: &Wide, b: &Wide) -> bool {
     let n = polygon.len();
     if n < 3 {
         return false;
@@ -115,38 +115,51 @@ fn starts_inside(solid: &[P], body: &Figure) -> bool {
 }
 
 #[derive(Debug, Default)]
-struct Tally {
-    hits: u64,
-    misses: u64,
-    aside: u64,
-    stays: u64,
+pub(super) struct Tally {
+    pub(super) hits: u64,
+    /// Hits of corners and arcs.
+    pub(super) round: u64,
+    pub(super) misses: u64,
+    /// Hits whose rounded place overlaps something: another feature than the one that was hit.
+    pub(super) aside: u64,
+    pub(super) stays: u64,
 }
 
+/// Whether a body overlaps the solid within a part of a motion, `num / den`.
+type Enters<'a> = &'a dyn Fn(&Figure, P, i64, i64) -> bool;
+
 fn check(solid: &[P], body: &Figure, d: P, tally: &mut Tally) {
-    if d == (0, 0) || starts_inside(solid, body) {
-        return;
+    if d != (0, 0) && !starts_inside(solid, body) {
+        let enters: Enters<'_> = &|body, d, num, den| enters(solid, body, d, num, den);
+        judge(&outline(solid), enters, body, d, tally);
     }
-    let case = || format!("{solid:?} {body:?} by {d:?}");
+}
+
+/// One motion of a body that starts outside: hit or not, never late, and early by less than a raw
+/// unit of way.
+pub(super) fn judge(features: &[Feature], enters: Enters<'_>, body: &Figure, d: P, tally: &mut Tally) {
+    let case = || format!("{features:?} {body:?} by {d:?}");
     let shape = body.shape();
-    let Some(entry) = first(&shape, d, &outline(solid)) else {
+    let Some(entry) = first(&shape, d, features) else {
         tally.misses += 1;
-        assert!(!enters(solid, body, d, 1, 1), "missed: {}", case());
+        assert!(!enters(body, d, 1, 1), "missed: {}", case());
         return;
     };
     tally.hits += 1;
+    tally.round += u64::from(entry.step.is_some());
     let (num, den) = (i64::from(entry.num), i64::from(entry.den));
-    assert!(!enters(solid, body, d, num, den), "late {entry:?}: {}", case());
+    assert!(!enters(body, d, num, den), "late {entry:?}: {}", case());
     let length = ((d.0 * d.0 + d.1 * d.1) as f64).sqrt();
     let raw_of_way = (f64::from(1 << 30) / length) as i64;
     let until = ((num << 30) / den + 8 + raw_of_way).min(1 << 30);
-    assert!(enters(solid, body, d, until, 1 << 30), "early {entry:?}: {}", case());
+    assert!(enters(body, d, until, 1 << 30), "early {entry:?}: {}", case());
     opposed(&entry, d, &case);
     let q = entry.displacement(raw(d));
     let place = |x: i32, y: i32| {
         let within = |q: i32, d: i64| i64::from(q).clamp(d.min(0), d.max(0));
         body.at((within(q.x + x, d.0), within(q.y + y, d.1)))
     };
-    let free = |at: &Figure| !enters(solid, at, (0, 0), 0, 1);
+    let free = |at: &Figure| !enters(at, (0, 0), 0, 1);
     let (sx, sy) = (d.0.signum() as i32, d.1.signum() as i32);
     if !free(&place(0, 0)) {
         tally.aside += 1;

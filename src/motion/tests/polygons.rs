@@ -27,7 +27,7 @@ pub(super) fn zero() -> Big {
 }
 
 /// Whether a point is nearer to a segment than the root of `rr`.
-fn point_near(p: &Wide, a: &Wide, b: &Wide, rr: &Big) -> bool {
+pub(super) fn point_near(p: &Wide, a: &Wide, b: &Wide, rr: &Big) -> bool {
     let (e, m) = (sub(b, a), sub(p, a));
     let along = dot(&m, &e);
     if along <= zero() {

@@ -9,6 +9,7 @@ use tilesat_judge::oracle::generate::{CLASSES, Class, Pairs};
 use tilesat_judge::oracle::int256::Int256;
 
 const EACH: usize = 26;
+pub(crate) const COLUMNS: &str = "id,source,theirs,a,motion,b,inside,hit,toi30,toi_num,toi_den,normals";
 
 /// The time at which a path enters a convex polygon, `num / den`, and the sides (outward normals).
 /// `None` if it does not meet the inside. Coordinates are below 2^30: products of three of them are
@@ -65,23 +66,30 @@ fn floor(set: &Forbidden, d: Point) -> i64 {
     low
 }
 
-fn row(id: usize, source: &str, theirs: &str, (a, b): (&Figure, &Figure), d: Point) -> Vec<String> {
-    let set = Forbidden::new(a, b);
+/// The row of a set of positions that overlap, around the position of A.
+pub(crate) fn row(
+    id: usize,
+    source: &str,
+    theirs: &str,
+    (a, b): (&str, &str),
+    set: &Forbidden,
+    d: Point,
+) -> Vec<String> {
     let inside = set.holds::<Int256>((0, 0));
     let hit = !inside && set.met::<Int256>(d, ONE);
     let exact = if hit && set.radius == 0 { entry(&set.hull, d) } else { None };
-    let toi = hit.then(|| floor(&set, d));
+    let toi = hit.then(|| floor(set, d));
     if let (Some(((num, den), _)), Some(toi)) = (&exact, toi) {
-        assert_eq!((num << 30).div_euclid(*den), i128::from(toi), "two judges: {a:?} {b:?} {d:?}");
+        assert_eq!((num << 30).div_euclid(*den), i128::from(toi), "two judges: {a} {b} {d:?}");
     }
     let time = exact.as_ref().map(|e| e.0);
     vec![
         id.to_string(),
         source.into(),
         theirs.into(),
-        figure(a),
+        a.into(),
         pair(d),
-        figure(b),
+        b.into(),
         bit(inside),
         bit(hit),
         maybe(toi),
@@ -92,9 +100,12 @@ fn row(id: usize, source: &str, theirs: &str, (a, b): (&Figure, &Figure), d: Poi
 }
 
 pub(crate) fn make() -> Table {
-    let mut table = Table::new("id,source,theirs,a,motion,b,inside,hit,toi30,toi_num,toi_den,normals");
+    let mut table = Table::new(COLUMNS);
+    let of = |id, source: &str, theirs: &str, (a, b): (&Figure, &Figure), d| {
+        row(id, source, theirs, (&figure(a), &figure(b)), &Forbidden::new(a, b), d)
+    };
     for case in portable::casts() {
-        table.push(&row(table.rows.len(), case.source, case.theirs, (&case.a, &case.b), case.d));
+        table.push(&of(table.rows.len(), case.source, case.theirs, (&case.a, &case.b), case.d));
     }
     for (kinds, class) in PAIRS.iter().flat_map(|p| CLASSES.map(|c| (*p, c))) {
         let (mut pairs, mut r) = (Pairs::new(kinds, class, 0xca5), Random::new(0xd15 + class as u64));
@@ -109,7 +120,7 @@ pub(crate) fn make() -> Table {
             let start = a.moved((-u.0 * i, -u.1 * i));
             if start.in_domain() && start.moved((u.0 * n, u.1 * n)).in_domain() {
                 let source = format!("{class:?}").to_lowercase();
-                table.push(&row(table.rows.len(), &source, "", (&start, &b), (u.0 * n, u.1 * n)));
+                table.push(&of(table.rows.len(), &source, "", (&start, &b), (u.0 * n, u.1 * n)));
                 made += 1;
             }
         }

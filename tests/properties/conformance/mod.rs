@@ -9,6 +9,7 @@
 mod ask;
 mod ask_levels;
 mod casts;
+mod convex;
 mod levels;
 mod pairs;
 mod portable;
@@ -39,6 +40,8 @@ fn files_are_what_the_judges_make() {
         ("closest.csv", pairs::closest()),
         ("casts.csv", casts::make()),
         ("rays.csv", rays::make()),
+        ("convex_pairs.csv", convex::at_rest()),
+        ("convex_casts.csv", convex::moving()),
         ("levels.csv", levels),
         ("tile_rays.csv", tile_rays),
         ("tile_bodies.csv", bodies),

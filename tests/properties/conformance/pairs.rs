@@ -11,6 +11,7 @@ use tilesat_judge::oracle::nearest::nearest_point;
 use tilesat_judge::oracle::sum::{Place, Sum};
 
 const EACH: usize = 34;
+pub(crate) const COLUMNS: &str = "id,source,theirs,a,b,overlaps,touches,a_contains_b,b_contains_a,place,square_num,square_den,radius,depth_up,distance_down,normal";
 
 /// Decimal digits, of a fraction in lowest terms.
 pub(crate) fn fraction(num: Int256, den: Int256) -> (BigInt, BigInt) {
@@ -42,8 +43,22 @@ fn least(mut holds: impl FnMut(i64) -> bool) -> i64 {
     high
 }
 
-fn row(id: usize, source: &str, theirs: &str, (a, b): (&Figure, &Figure)) -> Vec<String> {
-    let (sum, exact) = (Sum::new(a, b), Measure::new(a, b));
+/// Two shapes as text, their sum, and whether each contains the other.
+pub(crate) struct Two {
+    pub(crate) a: String,
+    pub(crate) b: String,
+    pub(crate) sum: Sum,
+    pub(crate) contains: [bool; 2],
+}
+
+impl Two {
+    fn of(a: &Figure, b: &Figure) -> Self {
+        Self { a: figure(a), b: figure(b), sum: Sum::new(a, b), contains: [contains(a, b), contains(b, a)] }
+    }
+}
+
+pub(crate) fn row(id: usize, source: &str, theirs: &str, two: Two) -> Vec<String> {
+    let (sum, exact) = (two.sum, Measure::of(&two.sum));
     let place = match exact.place {
         Place::Inside => "inside",
         Place::On => "on",
@@ -57,12 +72,12 @@ fn row(id: usize, source: &str, theirs: &str, (a, b): (&Figure, &Figure)) -> Vec
         id.to_string(),
         source.into(),
         theirs.into(),
-        figure(a),
-        figure(b),
+        two.a,
+        two.b,
         bit(overlap),
         bit(exact.touches()),
-        bit(contains(a, b)),
-        bit(contains(b, a)),
+        bit(two.contains[0]),
+        bit(two.contains[1]),
         place.into(),
         num.to_string(),
         den.to_string(),
@@ -82,17 +97,15 @@ fn deeper(exact: &Measure, d: i64) -> bool {
 }
 
 pub(crate) fn make() -> Table {
-    let mut table = Table::new(
-        "id,source,theirs,a,b,overlaps,touches,a_contains_b,b_contains_a,place,square_num,square_den,radius,depth_up,distance_down,normal",
-    );
+    let mut table = Table::new(COLUMNS);
     for case in portable::pairs() {
-        table.push(&row(table.rows.len(), case.source, case.theirs, (&case.a, &case.b)));
+        table.push(&row(table.rows.len(), case.source, case.theirs, Two::of(&case.a, &case.b)));
     }
     for (pair, class) in PAIRS.iter().flat_map(|p| CLASSES.map(|c| (*p, c))) {
         let mut pairs = Pairs::new(pair, class, 0xc5f);
         for _ in 0..EACH {
             let (a, b) = pairs.next();
-            table.push(&row(table.rows.len(), &format!("{class:?}").to_lowercase(), "", (&a, &b)));
+            table.push(&row(table.rows.len(), &format!("{class:?}").to_lowercase(), "", Two::of(&a, &b)));
         }
     }
     table

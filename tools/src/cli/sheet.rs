@@ -21,6 +21,7 @@ Draws the library's answers about tiles into this folder:
   sheet-shapes.png    every shape with its faces, vertices and arcs
   sheet-mosaic.png    random tiles, their common surface, and rays
   sheet-level.png     the level ninja, rays, and the paths of two balls
+  sheet-contacts.png  the contact of every pair of shapes: points, normal, push
 
 Exit status: 0 drawn, 2 bad arguments or a folder that cannot be written.
 ";

@@ -116,7 +116,7 @@ fn fan(scene: &mut Scene, frame: &Frame, p: Spot, e_in: Axis, e_out: Axis) {
 }
 
 /// A line along a normal and its head. Returns the tip.
-fn arrow(scene: &mut Scene, frame: &Frame, from: Spot, normal: Spot, ink: Ink) -> Spot {
+pub(super) fn arrow(scene: &mut Scene, frame: &Frame, from: Spot, normal: Spot, ink: Ink) -> Spot {
     let (length, head) = (frame.arrow, frame.arrow * 0.3);
     let along = |t: f32, side: f32| (from.0 + normal.0 * t - normal.1 * side, from.1 + normal.1 * t + normal.0 * side);
     scene.line(vec![from, along(length - head, 0.0)], (frame.arrow / 14.0).max(1.0), ink, false);

@@ -40,9 +40,10 @@ fn play_takes_any_level() {
 #[test]
 fn sheets() {
     // Nothing of another run is left there.
-    let files = ["sheet-shapes.png", "sheet-mosaic.png", "sheet-level.png"].map(|name| scratch("sheets", name, ""));
+    let files =
+        ["shapes", "mosaic", "level", "contacts"].map(|name| scratch("sheets", &format!("sheet-{name}.png"), ""));
     let ran = tilesat(["sheet".as_ref(), folder("sheets").as_os_str()]);
-    assert!(ran.status == 0 && ran.err.is_empty() && ran.out.lines().count() == 3, "{ran:?}");
+    assert!(ran.status == 0 && ran.err.is_empty() && ran.out.lines().count() == 4, "{ran:?}");
     for file in files {
         assert!(fs::read(&file).unwrap().starts_with(b"\x89PNG\r\n"), "{}", file.display());
     }

@@ -5,6 +5,7 @@
 //! origin's position in it.
 
 pub mod ask;
+pub mod bodies;
 pub mod generate;
 pub mod shape;
 pub mod verify;

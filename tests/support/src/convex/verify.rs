@@ -200,7 +200,7 @@ fn dot_at(centre: Point) -> Shape {
 
 /// Every point of B is one of A. So is each corner's disc, by the distance to A's border or into
 /// it.
-fn contains(a: &Shape, b: &Shape) -> bool {
+pub fn contains(a: &Shape, b: &Shape) -> bool {
     let rest = a.radius() - b.radius();
     b.vertices().iter().all(|p| {
         let core = sum(&a.sharp(), &dot_at(*p));

@@ -1,5 +1,6 @@
 //! Shared code of the tests of moving solids: scaled counts, boxes from raw numbers.
 
+pub mod convex;
 pub mod judge;
 pub mod ticks;
 pub mod twins;
