@@ -113,7 +113,7 @@ fn edges_far_apart_in_the_list_cancel() {
         }
         let mut shapes = Vec::new();
         while mosaics.iter().any(|m| !m.is_empty()) {
-            mosaics.iter_mut().for_each(|m| shapes.extend(m.pop()));
+            shapes.extend(mosaics.iter_mut().filter_map(Vec::pop));
         }
         let near = placed(&shapes, 128, (random.around(5000), random.around(5000)));
         check_outline(&level(&near, 256), &near);

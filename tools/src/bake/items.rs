@@ -16,9 +16,9 @@ pub(crate) fn imports(kinds: &[TileKind]) -> &'static str {
 /// The smallest set of shapes that holds a table: it links the least code.
 pub(crate) fn set(kinds: &[TileKind]) -> &'static str {
     let within = |shapes: u64| kinds.iter().all(|kind| shapes >> kind.shape as u8 & 1 != 0);
-    if within(Blocks::SHAPES.into()) {
+    if within(Blocks::SHAPES) {
         "Blocks"
-    } else if within(Slopes::SHAPES.into()) {
+    } else if within(Slopes::SHAPES) {
         "Slopes"
     } else {
         "AllShapes"

@@ -155,7 +155,7 @@ pub(crate) fn things(objects: &[LeftOut]) -> Vec<Thing<'_>> {
 }
 
 fn thing(object: &LeftOut) -> Thing<'_> {
-    // Inside the domain, every raw unit is a float.
+    #[allow(clippy::cast_precision_loss, reason = "inside the domain, every raw unit is a float")]
     let pixels = |raw: i64| raw as f64 / 65536.0;
     let [(x, y), (right, bottom)] = object.area.unwrap_or_default();
     let mut properties: BTreeMap<&str, Vec<serde_json::Value>> = BTreeMap::new();

@@ -176,14 +176,14 @@ fn properties_and_points() {
 /// Fields of an entity. They are no tags: a field that is called Solid makes nothing solid.
 #[test]
 fn fields_of_entities() {
-    let entity = r##"{"__identifier":"Mob","__pivot":[0,0],"__tags":["Angry"],"px":[32,16],"width":16,"height":16,
+    let entity = r#"{"__identifier":"Mob","__pivot":[0,0],"__tags":["Angry"],"px":[32,16],"width":16,"height":16,
         "fieldInstances":[{"__identifier":"Solid","__type":"Bool","__value":true},
         {"__identifier":"kind","__type":"LocalEnum.Kind","__value":"slow"},
         {"__identifier":"loot","__type":"Array<Int>","__value":[3,-4]},
         {"__identifier":"none","__type":"Int","__value":null},
         {"__identifier":"way","__type":"Array<Point>","__value":[{"cx":1,"cy":0},{"cx":-1,"cy":2}]},
         {"__identifier":"home","__type":"Point","__value":{"cx":0,"cy":0}},
-        {"__identifier":"door","__type":"EntityRef","__value":{"entityIid":"x"}}]}"##;
+        {"__identifier":"door","__type":"EntityRef","__value":{"entityIid":"x"}}]}"#;
     let text = format!(
         r#"{{"__header__":{{"app":"LDtk"}},"worldLayout":"Free","defs":{{"layers":[{{"uid":2,"intGridValues":[{{"value":1,"identifier":"Full"}}]}}]}},"levels":[{{"identifier":"A","pxWid":32,"pxHei":16,"layerInstances":[
         {{"__type":"Entities","__identifier":"E","__cWid":2,"__cHei":1,"__gridSize":16,"entityInstances":[{entity}]}},
