@@ -8,42 +8,16 @@
 //! than [`disturb`](Scene::disturb) allows for. All within that make their steps in full.
 
 use super::body::{Mode, Slot};
-use super::drift::Drift;
 use super::kernel::BodyShape;
 use super::met::{around, reach};
 use super::pairs::root;
-use super::rest::Rest;
+use super::rest::{Idle, Rest};
 use super::way::size;
 use super::{Scene, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
 use crate::num::{Raw, Vec2};
 use crate::shape::Aabb;
-
-/// The state that a body has before its way, apart from its shape and velocity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Start {
-    support: u8,
-    ground: u16,
-    quiet: u8,
-    drift: Drift,
-}
-
-impl Start {
-    pub(super) fn of<S>(slot: &Slot<S>) -> Self {
-        Self { support: slot.support, ground: slot.ground, quiet: slot.quiet, drift: slot.tally.drift }
-    }
-}
-
-/// Whether a body repeats its last step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Idle {
-    No,
-    /// It counts its quiet steps.
-    Counts,
-    /// It is never quiet.
-    Never,
-}
 
 impl Rest {
     /// Whether the step left a body as it was.

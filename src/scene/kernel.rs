@@ -1,6 +1,5 @@
 //! The shapes that bodies of a scene can have: a scene links the code of its own set alone.
 
-use super::{Shape, WithCapsules};
 use crate::error::RangeError;
 use crate::motion::Body;
 use crate::num::Vec2;
@@ -8,7 +7,8 @@ use crate::query::{Contacts, MovingHit, Overlaps, Touches};
 use crate::shape::{Aabb, Circle};
 use core::fmt::Debug;
 
-/// The shapes that bodies of a scene can have: [`Shape`], or [`WithCapsules`].
+/// The shapes that bodies of a scene can have: [`Shape`](super::Shape), or
+/// [`WithCapsules`](super::WithCapsules).
 ///
 /// It is a parameter of [`Scene`](crate::Scene) and [`SceneBody`](super::SceneBody), as the set of
 /// tile shapes is one of [`TileMap`](crate::TileMap): a scene of boxes and circles links no
@@ -16,9 +16,6 @@ use core::fmt::Debug;
 ///
 /// Sealed: its kernels are part of the exactness argument.
 pub trait BodyShape: Kernel {}
-
-impl BodyShape for Shape {}
-impl BodyShape for WithCapsules {}
 
 /// The part of [`BodyShape`] that only this crate calls.
 pub trait Kernel:

@@ -1,6 +1,7 @@
 //! What a scene remembers of bodies at rest, so that they need no look at the level.
 
-use super::idle::{Idle, Start};
+use super::body::Slot;
+use super::drift::Drift;
 use crate::motion::{Hit, Hits, Moved};
 use crate::num::Vec2;
 
@@ -23,6 +24,31 @@ pub(super) struct Rest {
     /// all that a way may have.
     hits: [Option<Hit>; 2],
     pub(super) floor: bool,
+}
+
+/// The state that a body has before its way, apart from its shape and velocity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Start {
+    pub(super) support: u8,
+    pub(super) ground: u16,
+    pub(super) quiet: u8,
+    pub(super) drift: Drift,
+}
+
+impl Start {
+    pub(super) fn of<S>(slot: &Slot<S>) -> Self {
+        Self { support: slot.support, ground: slot.ground, quiet: slot.quiet, drift: slot.tally.drift }
+    }
+}
+
+/// Whether a body repeats its last step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Idle {
+    No,
+    /// It counts its quiet steps.
+    Counts,
+    /// It is never quiet.
+    Never,
 }
 
 /// What moves a body in a step.

@@ -1,6 +1,6 @@
 //! The shapes of a scene's bodies.
 
-use super::kernel::{Kernel, Visit};
+use super::kernel::{BodyShape, Kernel, Visit};
 use crate::error::RangeError;
 use crate::motion::Body;
 use crate::num::{Raw, Vec2};
@@ -67,6 +67,9 @@ pub enum WithCapsules {
     /// A capsule that stands or lies.
     Capsule(Capsule),
 }
+
+impl BodyShape for Shape {}
+impl BodyShape for WithCapsules {}
 
 impl From<Shape> for WithCapsules {
     fn from(shape: Shape) -> Self {

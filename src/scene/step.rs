@@ -1,12 +1,12 @@
 //! One step of a scene.
 
 use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
-use super::idle::{Idle, are_idle, idle, is_idle, repeat};
+use super::idle::{are_idle, idle, is_idle, repeat};
 use super::kernel::BodyShape;
 use super::met::{may_meet, pair, senses};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::reply::{Answer, Asked, Replies, Reply};
-use super::rest::Rest;
+use super::rest::{Idle, Rest};
 use super::set::Sleep;
 use super::set::rouse;
 use super::trip::Trip;

@@ -9,12 +9,12 @@
 //! again in the step move along each other, and their velocities meet in the next one.
 
 use super::body::{ALOFT, NOBODY, Slot};
-use super::idle::{Idle, reach_of};
+use super::idle::reach_of;
 use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, toward};
 use super::met::{Met, around, each_near, may_meet, pair, reach, senses};
 use super::reply::{Replies, Reply};
-use super::rest::Rest;
+use super::rest::{Idle, Rest};
 use super::set::rouse;
 use super::trip::{Touched, Trip, hold};
 use super::view::View;

@@ -2,10 +2,9 @@
 
 use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally};
 use super::drift::Drift;
-use super::idle::Start;
 use super::kernel::{BodyShape, Visit};
 use super::meeting::toward;
-use super::rest::{Causes, Rest};
+use super::rest::{Causes, Rest, Start};
 use super::view::View;
 use super::way::{BodyWay, Pace, size};
 use super::{SceneBody, SceneError, SceneEvent, SceneFault, Sleep, Stepped};

@@ -53,7 +53,7 @@ fn capsules(r: &mut Random) -> Option<WithCapsules> {
 fn scene<S: BodyShape>(run: &mut Run<'_>, of: &'static str, draw: fn(&mut Random) -> Option<S>) {
     let Ok(level) = TileMap::<Blocks>::from_ascii(ROWS, &KINDS) else { return };
     let mut scene = Scene::<SortSweep<BODIES, SceneTag>, BODIES, 0, S>::new(SortSweep::new());
-    run.family(of, VECTORS / 10, ["step", "scene_events"], |number, r, [step, events]| {
+    run.family(of, VECTORS / 2, ["step", "scene_events"], |number, r, [step, events]| {
         // A body falls in, for one that leaves; others are thrown.
         if number % 8 == 0 {
             let oldest = scene.bodies().map(|(handle, body)| (body.key, handle)).min();
