@@ -10,7 +10,8 @@ pub type Part = fn(&mut Run<'_>);
 
 // Groups that fit the flash of a small chip, even without optimisation.
 pub const SHAPES: &[Part] = &[numbers::run, pairs::run, responses::run];
-pub const BODIES: &[Part] = &[bodies::run, scenes::run];
+pub const BODIES: &[Part] = &[bodies::run];
+pub const SCENES: &[Part] = &[scenes::run];
 pub const LEVELS: &[Part] = &[worlds::run_tiles, worlds::run_blocks, worlds::run_slopes, worlds::run_shapes];
 pub const SEGMENTS: &[Part] = &[worlds::run_segments, motion::run_segments];
 pub const JOINED: &[Part] = &[worlds::run_joined];
@@ -20,8 +21,8 @@ pub const MOTION: &[Part] = &[motion::run_shapes];
 pub const CAPSULES: &[Part] = &[motion::run_capsules];
 pub const TURNED: &[Part] = &[motion::run_turned];
 pub const NINJA: &[Part] = &[ninja::run];
-pub const GROUPS: [&[Part]; 11] =
-    [SHAPES, BODIES, LEVELS, SEGMENTS, JOINED, MOVING, BLOCKS, MOTION, CAPSULES, TURNED, NINJA];
+pub const GROUPS: [&[Part]; 12] =
+    [SHAPES, BODIES, SCENES, LEVELS, SEGMENTS, JOINED, MOVING, BLOCKS, MOTION, CAPSULES, TURNED, NINJA];
 
 /// Separate firmwares on chips.
 #[cfg(not(target_os = "none"))]

@@ -35,6 +35,6 @@ pub use family::{LEAST, Line, Run, VECTORS};
 #[cfg(not(target_os = "none"))]
 pub use groups::GAMES;
 pub use groups::{
-    BLOCKS, BODIES, CAPSULES, GROUPS, JOINED, LEVELS, MOTION, MOVING, NINJA, Part, SEGMENTS, SHAPES, TURNED,
+    BLOCKS, BODIES, CAPSULES, GROUPS, JOINED, LEVELS, MOTION, MOVING, NINJA, Part, SCENES, SEGMENTS, SHAPES, TURNED,
 };
 pub use hash::Hash;

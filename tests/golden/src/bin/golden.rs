@@ -7,8 +7,9 @@
 //! cargo run --release -p tilesat-golden -- 10000         no more than so many vectors of each
 //! cargo run --release -p tilesat-golden -- --accept      writes that table, and prints the changelog's list of outputs
 //! cargo run --release -p tilesat-golden --features chip --bin golden_shapes --target thumbv6m-none-eabi [-- 10000]
-//!                                                        on a chip (emulated), in nine parts:
-//!   ... golden_bodies, golden_levels, golden_segments, golden_joined, golden_moving, golden_blocks, golden_motion, golden_ninja;
+//!                                                        on a chip (emulated), in twelve parts:
+//!   ... golden_bodies, golden_scenes, golden_levels, golden_segments, golden_joined, golden_moving, golden_blocks,
+//!       golden_motion, golden_capsules, golden_turned, golden_ninja;
 //!                                                        also firmware and bullets_firmware
 //! .ci/targets                                            all that, on all targets
 //! ```

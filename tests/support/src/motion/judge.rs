@@ -8,7 +8,8 @@ use tilesat::{Hit, Mover, Response};
 
 /// Whether a body is past what it hit last: its place beside a corner is rounded, so the tangent
 /// there may lead into the corner by less than a raw unit. Then a circle misses the corner however
-/// far it goes, or the next 64 raw units are free, up to which what is touched binds a way.
+/// far it goes, or the next 64 raw units are free, up to which what is touched binds a way. A circle
+/// in a gap that closes may have no free place as near to the corner as what is touched.
 fn is_past(level: &Level, body: &Body, v: P, hit: &Hit) -> bool {
     let Body::Disc { core, r, .. } = *body else { return false };
     let m = ways::from_corner(body, ways::corner(level, hit));
@@ -16,7 +17,10 @@ fn is_past(level: &Level, body: &Body, v: P, hit: &Hit) -> bool {
     let misses = dot(v, m) >= 0 || across * across >= i128::from(r) * i128::from(r) * len2(v);
     let way = v.0.abs().max(v.1.abs());
     let (far, way) = if way < 64 { ((v.0 * 64, v.1 * 64), way * 64) } else { (v, way) };
-    (hit.index >= 4 && core == (0, 0) && misses) || !disc::enters_solid(level, body, far, Time::new(64, way))
+    let touched = i128::from(r + ways::TOUCH);
+    let is_away = len2(m) > touched * touched;
+    (hit.index >= 4 && (is_away || core == (0, 0) && misses))
+        || !disc::enters_solid(level, body, far, Time::new(64, way))
 }
 
 /// How early a call may report a circle's corner contact, in parts of 2^30: a few roundings of 31

@@ -19,7 +19,7 @@ type V = (i128, i128);
 const WAY: i64 = 128;
 /// A corner that is farther than this from the body is not touched: the rounding distance of 4 raw,
 /// and as much for the body's own place.
-const TOUCH: i64 = 8;
+pub const TOUCH: i64 = 8;
 /// A way must be faster than 4 raw along x or y, after its tangent was shortened by 2 raw for its
 /// roundings: `2 + 5 sqrt 2 < 10`.
 const SLOW: i128 = 10 << BITS;
