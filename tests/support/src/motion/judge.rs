@@ -8,8 +8,9 @@ use tilesat::{Hit, Mover, Response};
 
 /// Whether a body is past what it hit last: its place beside a corner is rounded, so the tangent
 /// there may lead into the corner by less than a raw unit. Then a circle misses the corner however
-/// far it goes, or the next 64 raw units are free, up to which what is touched binds a way. A circle
-/// in a gap that closes may have no free place as near to the corner as what is touched.
+/// far it goes, or the next 64 raw units are free, up to which what is touched binds a way.
+///
+/// A circle in a gap that closes may have no free place as near to the corner as what is touched.
 fn is_past(level: &Level, body: &Body, v: P, hit: &Hit) -> bool {
     let Body::Disc { core, r, .. } = *body else { return false };
     let m = ways::from_corner(body, ways::corner(level, hit));
