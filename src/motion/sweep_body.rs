@@ -4,7 +4,7 @@
 use super::body::Entry;
 use super::body::kernel::Kernel;
 use super::sweep_face::{Face, sweep_face, sweep_slope};
-use super::sweep_round::{enter_quarter, is_square, leave_by_corner, leave_centre, leave_quarter, sweep_cone};
+use super::sweep_round::{enter_quarter, is_square, leave_by_corner, leave_pipe, sweep_cone};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw};
 use crate::query::meet;
@@ -124,13 +124,8 @@ impl Kernel for Circle {
         let (m, r) = (self.c().sub(Raw::of(centre)), self.r());
         if convex {
             enter_quarter(m, radius.wrapping_add(r), d, quadrant, true)
-        } else if r < radius {
-            leave_quarter(m, radius.wrapping_sub(r), d, quadrant)
-        } else if r == radius {
-            leave_centre(m, d, quadrant)
         } else {
-            // It meets the arc's ends first.
-            None
+            leave_pipe(m, radius.wrapping_sub(r), d, quadrant)
         }
     }
 

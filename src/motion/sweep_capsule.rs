@@ -4,13 +4,12 @@ use super::body::Entry;
 use super::body::kernel::Kernel;
 use super::sweep_body::{corner, keep_first, sweep_end};
 use super::sweep_face::{Face, over, sweep_face, sweep_slope};
-use super::sweep_round::{enter_quarter, is_square, leave_centre, leave_quarter, sweep_cone};
+use super::sweep_round::{enter_quarter, is_square, leave_pipe, sweep_cone};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw};
 use crate::query::meet;
 use crate::shape::{Aabb, Capsule, Circle};
 use crate::world::{Feature, Geometry, World};
-use core::cmp::Ordering;
 
 /// A capsule consists of the discs around the two ends of its core, and the box between them. A
 /// surface with a normal not across the core meets one of the discs before the box. Each sweep is
@@ -60,12 +59,7 @@ impl Kernel for Capsule {
             return self.sweep_bulge(d, (centre, radius, quadrant));
         }
         let m = self.toward(quadrant).0.sub(centre);
-        match r.cmp(&radius) {
-            Ordering::Less => leave_quarter(m, radius.wrapping_sub(r), d, quadrant),
-            Ordering::Equal => leave_centre(m, d, quadrant),
-            // It meets the arc's ends first.
-            Ordering::Greater => None,
-        }
+        leave_pipe(m, radius.wrapping_sub(r), d, quadrant)
     }
 
     #[inline]

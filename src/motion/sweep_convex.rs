@@ -11,7 +11,7 @@ use super::body::kernel::Kernel;
 use super::contact::Plane;
 use super::sweep_body::keep_first;
 use super::sweep_face::{Face, fraction, over, sweep_face, sweep_slope};
-use super::sweep_round::{comes_along, enters_along, enters_quadrant, entry, leave_centre, leave_quarter};
+use super::sweep_round::{comes_along, enters_along, enters_quadrant, entry, leave_pipe, leave_quarter};
 use super::touch_convex::touched;
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw, Toi};
@@ -396,16 +396,8 @@ impl Quarter {
         let mut first = None;
         for i in 0..core.corners.len() {
             let m = core.corner(i).sub(self.centre);
-            let left = if room < 0 {
-                // It meets the arc's ends first.
-                None
-            } else if room == 0 {
-                leave_centre(m, d, self.quadrant)
-            } else if core.radius == 0 {
-                self.leave_by_corner(core, i, d)
-            } else {
-                leave_quarter(m, room, d, self.quadrant)
-            };
+            let is_sharp = core.radius == 0 && room > 0;
+            let left = if is_sharp { self.leave_by_corner(core, i, d) } else { leave_pipe(m, room, d, self.quadrant) };
             keep_first(&mut first, left.as_ref(), d);
         }
         first

@@ -224,6 +224,17 @@ pub(super) fn leave_centre(m: Raw, d: Raw, quadrant: Axis) -> Option<Entry> {
     Some(Entry { num: t.raw(), den: Toi::ONE.raw(), normal, at_end: true, step: Some(step) })
 }
 
+/// Leaves a pipe: the disc of the radius `room` that the pipe leaves to a body's centre.
+#[inline]
+pub(super) fn leave_pipe(m: Raw, room: i32, d: Raw, quadrant: Axis) -> Option<Entry> {
+    match room.cmp(&0) {
+        Ordering::Greater => leave_quarter(m, room, d, quadrant),
+        Ordering::Equal => leave_centre(m, d, quadrant),
+        // It meets the arc's ends first.
+        Ordering::Less => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Axis, offset, offset_to_radius};

@@ -43,6 +43,12 @@ pub(super) fn is_idle(rests: &[Option<Rest>], at: usize) -> bool {
     idle(rests, at).is_some()
 }
 
+/// Has the body in a slot make its next step in full. Returns whether it was idle.
+pub(super) fn stir(rests: &mut [Option<Rest>], at: usize) -> bool {
+    let Some(Some(rest)) = rests.get_mut(at) else { return false };
+    core::mem::replace(&mut rest.idle, Idle::No) != Idle::No
+}
+
 pub(super) fn idle(rests: &[Option<Rest>], at: usize) -> Option<&Rest> {
     rests.get(at)?.as_ref().filter(|rest| rest.idle != Idle::No)
 }
@@ -96,10 +102,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
                 let Some(slot) = slots.get(handle.slot()).filter(|_| !is_idle(rests, handle.slot())) else { continue };
                 let bounds = slot.body.shape.aabb();
                 near.in_region(&around(&bounds, far), |other| {
-                    if let Some(Some(rest)) = rests.get_mut(other.slot()) {
-                        idle -= usize::from(rest.idle != Idle::No);
-                        rest.idle = Idle::No;
-                    }
+                    idle -= usize::from(stir(rests, other.slot()));
                     let other = slots.get(other.slot()).filter(|_| other != handle);
                     deep = deep.max(other.map_or(0, |other| overlap(&bounds, &other.body.shape.aabb())));
                 });

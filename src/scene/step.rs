@@ -1,12 +1,12 @@
 //! One step of a scene.
 
 use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
-use super::idle::{are_idle, idle, is_idle, repeat};
+use super::idle::{are_idle, idle, is_idle, repeat, stir};
 use super::kernel::BodyShape;
 use super::met::{may_meet, pair, senses};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::reply::{Answer, Asked, Replies, Reply};
-use super::rest::{Idle, Rest};
+use super::rest::Rest;
 use super::set::Sleep;
 use super::set::rouse;
 use super::trip::Trip;
@@ -325,9 +325,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             } else if let Some(slot) = slots.get_mut(handle.slot()) {
                 (slot.mode, slot.body.velocity, slot.way) = (Mode::Asleep, Vec2::ZERO, BodyWay::REST);
                 slot.ground = NOBODY;
-                if let Some(Some(rest)) = self.rests.get_mut(handle.slot()) {
-                    rest.idle = Idle::No;
-                }
+                stir(&mut self.rests, handle.slot());
                 let told = self.near.set_tag(handle, slot.body.tag(true));
                 debug_assert!(told.is_ok(), "a body of the scene is in its broad phase");
             }

@@ -9,12 +9,12 @@
 //! again in the step move along each other, and their velocities meet in the next one.
 
 use super::body::{ALOFT, NOBODY, Slot};
-use super::idle::reach_of;
+use super::idle::{reach_of, stir};
 use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, toward};
 use super::met::{Met, around, each_near, may_meet, pair, reach, senses};
 use super::reply::{Replies, Reply};
-use super::rest::{Idle, Rest};
+use super::rest::Rest;
 use super::set::rouse;
 use super::trip::{Touched, Trip, hold};
 use super::view::View;
@@ -305,9 +305,7 @@ where
                 // A body that has already moved in this step does not fall asleep at its end.
                 if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
                     slot.quiet = 0;
-                    if let Some(Some(rest)) = self.rests.get_mut(at.slot()) {
-                        rest.idle = Idle::No;
-                    }
+                    stir(self.rests, at.slot());
                 }
                 (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
                 (slot.support, slot.ground) = (from.support, from.ground);

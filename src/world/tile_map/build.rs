@@ -30,10 +30,7 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
     /// # Ok::<(), TileMapError>(())
     /// ```
     pub const fn new(tiles: &'a [u8], width: u16, height: u16, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
-        match Grid::new(width, height, CELL, Vec2::ZERO) {
-            Ok(grid) => Self::build(tiles, grid, width, kinds),
-            Err(e) => Err(e),
-        }
+        Self::at_origin(tiles, width, height, kinds)
     }
 
     /// A map of one byte per tile, row after row, on a grid.
@@ -67,10 +64,7 @@ impl<'a> TileMap<'a, Blocks, Bits> {
         height: u16,
         kinds: &'a TileKinds,
     ) -> Result<Self, TileMapError> {
-        match Grid::new(width, height, CELL, Vec2::ZERO) {
-            Ok(grid) => Self::build(bits, grid, width, kinds),
-            Err(e) => Err(e),
-        }
+        Self::at_origin(bits, width, height, kinds)
     }
 }
 
@@ -120,14 +114,19 @@ impl<'a, S: Set> TileMap<'a, S, Bytes> {
         height: u16,
         kinds: &'a TileKinds,
     ) -> Result<Self, TileMapError> {
-        match Grid::new(width, height, CELL, Vec2::ZERO) {
-            Ok(grid) => Self::of(tiles, grid, kinds),
-            Err(e) => Err(e),
-        }
+        Self::at_origin(tiles, width, height, kinds)
     }
 }
 
 impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
+    /// A map of cells of 16 x 16 units from the origin.
+    const fn at_origin(data: &'a [u8], width: u16, height: u16, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
+        match Grid::new(width, height, CELL, Vec2::ZERO) {
+            Ok(grid) => Self::build(data, grid, width, kinds),
+            Err(e) => Err(e),
+        }
+    }
+
     /// Every constructor ends here, whatever the set and the store.
     pub(in crate::world) const fn build(
         data: &'a [u8],

@@ -11,6 +11,17 @@ pub enum Value {
     Other,
 }
 
+impl From<&serde_json::Value> for Value {
+    fn from(value: &serde_json::Value) -> Self {
+        match value {
+            serde_json::Value::Bool(is) => Self::Bool(*is),
+            serde_json::Value::Number(number) => Self::Number(number.to_string()),
+            serde_json::Value::String(text) => Self::Text(text.clone()),
+            _ => Self::Other,
+        }
+    }
+}
+
 /// Names and values, in the order of the file.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Properties(pub Vec<(String, Value)>);

@@ -12,16 +12,7 @@ pub(super) fn share(parts: &[Part], rooms: &mut [Baked], cell: u16) -> Vec<Strin
     let mut unused = Vec::new();
     for part in parts {
         for object in &part.objects {
-            let middle = |[a, b]: [(i64, i64); 2]| ((a.0 + b.0).div_euclid(2), (a.1 + b.1).div_euclid(2));
-            let holds = |room: &Baked| {
-                let along = |at: i64, first: i32, size: u16| {
-                    (i64::from(first)..i64::from(first) + i64::from(size)).contains(&at.div_euclid(side))
-                };
-                object
-                    .area
-                    .map(middle)
-                    .is_some_and(|at| along(at.0, room.first.0, room.size.0) && along(at.1, room.first.1, room.size.1))
-            };
+            let holds = |room: &Baked| object.area.is_some_and(|area| holds_middle(room, area, side));
             let own = rooms.iter().position(|room| room.name == part.name && holds(room));
             let found = own.or_else(|| rooms.iter().position(holds)).map(|index| &mut rooms[index]);
             let moved = found.map(|room| {
@@ -37,4 +28,13 @@ pub(super) fn share(parts: &[Part], rooms: &mut [Baked], cell: u16) -> Vec<Strin
     }
     unused.extend(rooms.iter().flat_map(|room| lost(&room.objects)));
     unused
+}
+
+/// Whether the middle of an area is in a room, both in raw units of the world.
+fn holds_middle(room: &Baked, [a, b]: [(i64, i64); 2], side: i64) -> bool {
+    let along = |sum: i64, first: i32, size: u16| {
+        let cell = sum.div_euclid(2).div_euclid(side);
+        (i64::from(first)..i64::from(first) + i64::from(size)).contains(&cell)
+    };
+    along(a.0 + b.0, room.first.0, room.size.0) && along(a.1 + b.1, room.first.1, room.size.1)
 }

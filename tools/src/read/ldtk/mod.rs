@@ -281,15 +281,7 @@ fn object(entity: &raw::Entity, id: u32, side: u16) -> Object {
 
 /// The values of a field: a list has several, and a field without a value none.
 fn values(field: &raw::Field) -> impl Iterator<Item = (String, Value)> + '_ {
-    each(&field.value).map(|value| {
-        let value = match value {
-            serde_json::Value::Bool(is) => Value::Bool(*is),
-            serde_json::Value::Number(number) => Value::Number(number.to_string()),
-            serde_json::Value::String(text) => Value::Text(text.clone()),
-            _ => Value::Other,
-        };
-        (field.name.clone(), value)
-    })
+    each(&field.value).map(|value| (field.name.clone(), Value::from(value)))
 }
 
 fn each(value: &serde_json::Value) -> impl Iterator<Item = &serde_json::Value> {

@@ -202,15 +202,6 @@ struct Property {
     value: serde_json::Value,
 }
 
-fn value(value: &serde_json::Value) -> Value {
-    match value {
-        serde_json::Value::Bool(is) => Value::Bool(*is),
-        serde_json::Value::Number(number) => Value::Number(number.to_string()),
-        serde_json::Value::String(text) => Value::Text(text.clone()),
-        _ => Value::Other,
-    }
-}
-
 impl<'de> Deserialize<'de> for Listed {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         struct Either;
@@ -222,14 +213,14 @@ impl<'de> Deserialize<'de> for Listed {
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Listed, A::Error> {
                 let mut all = Vec::new();
                 while let Some(property) = list.next_element::<Property>()? {
-                    all.push((property.name, value(&property.value)));
+                    all.push((property.name, Value::from(&property.value)));
                 }
                 Ok(Listed(Properties(all)))
             }
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Listed, A::Error> {
                 let mut all = Vec::new();
                 while let Some((name, given)) = map.next_entry::<String, serde_json::Value>()? {
-                    all.push((name, value(&given)));
+                    all.push((name, Value::from(&given)));
                 }
                 Ok(Listed(Properties(all)))
             }
