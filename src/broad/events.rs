@@ -98,8 +98,8 @@ pub(super) enum Mark {
 /// The pairs of the last frame, at most M of them, and the changes since: contacts and visits to
 /// sensors that begin, stay and end.
 ///
-/// In each frame, [`feed`](Self::feed) it the pairs that count, in any order, each once or more
-/// often. Those are the pairs of the broad phase that pass your own test of the shapes.
+/// In each frame, [`feed`](Self::feed) it the pairs that count, in any order, each at least once.
+/// Those are the pairs of the broad phase that pass your own test of the shapes.
 /// [`finish`](Self::finish) ends the frame. [`iter`](Self::iter) then lists what became of each
 /// pair, in ascending order of pairs, as often as you like, until you feed the next frame.
 ///
@@ -113,9 +113,9 @@ pub(super) enum Mark {
 ///   pair that did not come. Let bodies fall asleep after `finish`: the frame in which they moved
 ///   is then judged by where they are.
 /// - **More than M pairs**: those of the last frame stay until they end, and of the new ones the
-///   smallest fit; `finish` says [`Truncated`]. What did not fit was not begun, has no end, and
-///   begins as soon as there is room. There is none too few where M is the number of pairs of two
-///   successive frames together.
+///   smallest fit; `finish` says [`Truncated`]. A pair that did not fit has not begun, and has no
+///   end. It begins as soon as there is room. An M as large as the pairs of two successive frames
+///   together always suffices.
 ///
 /// Plain data: a copy is a snapshot. For [`Pair`]s it takes 12 bytes each. Cost: a binary search
 /// for a pair known since the last frame, and for a new one also the moves of all greater ones. M
@@ -192,13 +192,13 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     ///
     /// # Errors
     /// [`Truncated`] if there were more than M pairs: the events are those of the M that were kept.
-    /// A pair that was fed twice is seen twice.
+    /// A pair that you fed twice counts twice in `seen`.
     pub fn finish(&mut self, held: impl FnMut(&P) -> bool) -> Result<(), Truncated> {
         finish(&mut self.entries, &mut self.frame, held)
     }
 
-    /// The fate of each pair in the frame that ended last, in ascending order of pairs; nothing
-    /// where the next one is being fed already.
+    /// The fate of each pair in the frame that ended last, in ascending order of pairs; empty once
+    /// you have fed the next frame.
     pub fn iter(&self) -> impl Iterator<Item = PairEvent<P>> {
         let told: &[Entry<P, Mark>] = if self.frame.over { &self.entries } else { &[] };
         told.iter().filter_map(|entry| entry.0).map(|(pair, mark)| match mark {
@@ -303,8 +303,8 @@ pub enum Ignore {
 ///
 /// [`passes`](Self::passes) decides for each pair of a frame whether it counts.
 /// [`finish`](Self::finish) at the frame's end forgets pairs whose time is over, and bodies that
-/// are gone. Called behind your own test of the shapes, "apart" means the shapes; before it, the
-/// boxes. Do not feed an ignored pair to [`PairEvents`](crate::broad::PairEvents): where it had
+/// are gone. If you call it after your own test of the shapes, "apart" means the shapes; before it,
+/// the boxes. Do not feed an ignored pair to [`PairEvents`](crate::broad::PairEvents): if it had
 /// begun, it ends.
 ///
 /// You may pass the two handles in either order. Plain data: a copy is a snapshot, 12 bytes per

@@ -139,9 +139,9 @@ pub trait BroadPhase: Spatial {
         self.len() == 0
     }
 
-    /// Every body with its box and what it carries, by slot.
+    /// Every body with its box and its tag, in the order of slots.
     ///
-    /// Cost: the slots that were ever taken.
+    /// Cost: one look at each slot that was ever taken.
     ///
     /// ```
     /// use tilesat::broad::{BroadPhase, BruteForce, Keyed};
@@ -169,15 +169,16 @@ pub trait BroadPhase: Spatial {
         });
     }
 
-    /// Some more pairs, appended to `out`: as many as it takes and as `budget` tests of two boxes
-    /// find. Call it again with the same cursor until it is `Ok`.
+    /// Appends more pairs to `out`, until it is full or `budget` tests of two boxes were made. Call
+    /// it again with the same cursor until it returns `Ok`.
     ///
-    /// Bodies may be removed between two calls: they are in no later pair, though perhaps in one
-    /// that is already in `out`.
+    /// You may remove bodies between two calls. They are in no later pair, but `out` may hold an
+    /// earlier one.
     ///
     /// # Errors
-    /// [`BudgetExceeded`](PairsError::BudgetExceeded) and [`Full`](PairsError::Full): there is
-    /// more, or may be; [`Changed`](PairsError::Changed): bodies came or moved, so it begins again.
+    /// [`BudgetExceeded`](PairsError::BudgetExceeded) and [`Full`](PairsError::Full) if there are
+    /// more pairs, or may be. [`Changed`](PairsError::Changed) if bodies came or moved: the next
+    /// call begins from the first pair.
     fn pairs_from(&mut self, cursor: &mut PairCursor, budget: u32, out: &mut VecView<Pair>) -> Result<(), PairsError> {
         cursor.resume(self.slots().epoch())?;
         self.walk(cursor, &mut Budget(budget), |pair| out.push(pair).is_ok())
@@ -188,9 +189,8 @@ pub trait BroadPhase: Spatial {
     /// unique keys the answer depends neither on the order of insertion nor on the kind of broad
     /// phase.
     ///
-    /// Cost: beside [`pairs`](Self::pairs), at most 4 log2 k comparisons for each of the pairs,
-    /// where k of them are kept; 164 pairs among 512 bodies take some 130 000 instructions on a
-    /// Cortex-M0.
+    /// Cost: that of [`pairs`](Self::pairs), and at most 4 log2 k comparisons for each pair, where
+    /// k pairs are kept. 164 pairs among 512 bodies take some 130 000 instructions on a Cortex-M0.
     ///
     /// # Errors
     /// [`Truncated`] if they do not fit: `out` then holds the first ones.
@@ -218,14 +218,13 @@ pub trait BroadPhase: Spatial {
     /// where few of many bodies move: two that rest do not have to be tested again. Bodies far from
     /// all movers cost nothing.
     ///
-    /// The movers may come in any order, also more than once. Tags count as in
-    /// [`pairs`](Self::pairs), of which these are a part: with all bodies as movers it is the same,
-    /// only dearer.
+    /// The movers may be in any order, and in the list more than once. Tags count as in
+    /// [`pairs`](Self::pairs). With all bodies as movers the pairs are the same, at a higher cost.
     ///
     /// Cost: one region query per mover, of its box; no memory. Of 512 bodies in 1024 x 768 units a
     /// mover takes about 720 instructions on a Cortex-M0 in a grid, where all pairs take 250 per
-    /// body. It pays where less than a third of the bodies move. Without cells a mover takes 13 per
-    /// body: it pays for few.
+    /// body. It pays where less than a third of the bodies move. A broad phase without cells takes
+    /// 13 per mover and body, so there it pays for a few movers.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale), before any pair.
@@ -247,8 +246,8 @@ pub trait BroadPhase: Spatial {
         pairs_of(self, movers, each)
     }
 
-    /// Every body whose box touches a region, once, in no particular order. The box of a body's own
-    /// is one of them.
+    /// Every body whose box touches a region, once, in no particular order. If the region is a
+    /// body's own box, that body is among them.
     #[inline]
     #[doc(alias("queryRect", "overlapAABB"))]
     fn in_region(&self, region: &Aabb, mut each: impl FnMut(Handle)) {
@@ -268,8 +267,8 @@ pub trait BroadPhase: Spatial {
     /// Replaces the contents of `out` by every body whose box touches a region, in canonical order:
     /// by key, then by slot.
     ///
-    /// Cost: beside [`in_region`](Self::in_region), at most 4 log2 k comparisons for each body
-    /// found, where k are kept.
+    /// Cost: that of [`in_region`](Self::in_region), and at most 4 log2 k comparisons for each body
+    /// found, where k bodies are kept.
     ///
     /// # Errors
     /// [`Truncated`] if they do not fit: `out` then holds the first ones.
@@ -283,9 +282,9 @@ pub trait BroadPhase: Spatial {
     /// With [`Fx::MAX`] there is no limit. Distances are compared by their exact squares. `wanted`
     /// is called once per body at most, and not for those that would not be nearest.
     ///
-    /// Cost: without cells every body; with them the cells of a square that shrinks to the nearest
-    /// found. At the worst all bodies, and a root. Of 512 bodies in 1024 x 768 units 1 850
-    /// instructions on a Cortex-M0 in a grid, 100 per body without cells.
+    /// Cost: without cells a look at every body. With cells those of a square that shrinks to the
+    /// nearest body found; at the worst all bodies. One root. Among 512 bodies in 1024 x 768 units
+    /// it takes 1 850 instructions on a Cortex-M0 in a grid, and 100 per body without cells.
     ///
     /// ```
     /// use tilesat::broad::{BroadPhase, BruteForce};
@@ -317,8 +316,8 @@ pub trait BroadPhase: Spatial {
     /// Replaces the contents of `out` by all `wanted` bodies whose boxes are at most `within` away
     /// from a point, the nearest first. The order is that of [`nearest`](Self::nearest).
     ///
-    /// Cost: a region query of the square around; sorting k that are kept takes at most 4 log2 k
-    /// comparisons for each one found, and a root for each that is kept.
+    /// Cost: a region query of the square around the point. Each body found takes at most 4 log2 k
+    /// comparisons, where k bodies are kept, and each body kept takes a root.
     ///
     /// # Errors
     /// [`Range`](QueryError::Range) as `nearest`: `out` is empty then;
@@ -337,13 +336,13 @@ pub trait BroadPhase: Spatial {
     /// with the [time](BroadHit::toi) of the first touch.
     ///
     /// Closed and exact, in contrast to casts of shapes: both ends of the way and the borders
-    /// count. It misses nothing that a cast or a ray would hit. `each` answers how much of the
-    /// motion still matters. Bodies that are touched later do not come any more, and a broad phase
-    /// that walks along the way does not even look at them. Answer [`Toi::ONE`] to see all, or the
-    /// time of the earliest exact hit so far to find the first one.
+    /// count. It misses nothing that a cast or a ray would hit. `each` returns how much of the
+    /// motion still matters: bodies that are touched later are left out, and a broad phase that
+    /// walks along the way does not even look at them. Return [`Toi::ONE`] to see all bodies, or
+    /// the time of the earliest exact hit so far to find the first hit.
     ///
-    /// Cost: without cells every body, with them the bodies of the cells on the way and beside it.
-    /// A box that is not touched takes no division. At the worst all bodies.
+    /// Cost: without cells a look at every body, with cells at those of the cells on the way and
+    /// beside it; at the worst all bodies. A box that is not touched takes no division.
     ///
     /// ```
     /// use tilesat::broad::{BroadPhase, BruteForce};
@@ -387,8 +386,8 @@ pub trait BroadPhase: Spatial {
     /// Closed and exact. A box that holds the start is touched at 0, also from its border. A box
     /// that is only grazed counts, and so does the very end.
     ///
-    /// Cost: as of [`along`](Self::along), and for each hit at most 4 log2 k comparisons where k
-    /// are kept.
+    /// Cost: that of [`along`](Self::along), and at most 4 log2 k comparisons for each hit, where k
+    /// hits are kept.
     ///
     /// ```text
     ///         +---+

@@ -11,7 +11,6 @@ mod casts;
 mod conformance;
 mod copies;
 mod floors;
-mod golden;
 mod layers;
 mod motion;
 mod pairs;

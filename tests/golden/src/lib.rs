@@ -1,7 +1,7 @@
 //! Golden hashes: every public query over fixed vectors, and ten thousand frames of three games,
 //! the same bits on every core, at every level of optimisation, in every build.
 //!
-//! The programs in `src/bin`, the Game Boy Advance's and `tests/properties/golden.rs` run them.
+//! The programs in `src/bin`, the Game Boy Advance's and `tests.rs` run them.
 //! `hashes.txt` has the reviewed ones. Inputs come from a seeded generator of integers, in classes
 //! (`random.rs`): ordinary, on a lattice, touching exactly, touching within 2 raw units, at the
 //! ends of the domain, and anywhere of any size. Every field of every answer enters the hash of its
@@ -28,6 +28,8 @@ mod responses;
 mod scenes;
 #[cfg(not(target_os = "none"))]
 pub mod table;
+#[cfg(test)]
+mod tests;
 mod world;
 mod worlds;
 

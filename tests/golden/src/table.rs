@@ -14,7 +14,7 @@ pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 pub const PATH: &str = "tests/golden/hashes.txt";
 
 const HEAD: &str = "\
-# The reviewed hashes of every query; written by `cargo run --release -p tilesat-golden -- --accept`, compared by `cargo test --test properties golden::`
+# The reviewed hashes of every query; written by `cargo run --release -p tilesat-golden -- --accept`, compared by `cargo test -p tilesat-golden --lib`
 # and, on every target, by `.ci/targets`. A row: the query, of what, the version that its answers are from, and after so many vectors (of games
 # frames) the hash. The last hash of a row stands in the changelog's list of outputs of that version.
 ";
