@@ -7,7 +7,7 @@ use super::search::hull;
 use crate::num::{Axis, Raw, umul};
 use crate::query::meet;
 use crate::shape::Aabb;
-use crate::world::{Feature, Geometry, ends, normal};
+use crate::world::{Feature, Geometry, World, ends, normal};
 
 /// How a touched surface turns as the body moves along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -136,11 +136,28 @@ fn in_disc(m: Raw, r: i32) -> bool {
 /// Passes the planes of a feature to `plane` if the body touches the feature. Returns whether it
 /// does.
 ///
-/// A box meets corners and arcs by its corners, and either of its sides may move along them.
-pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMut(Plane)) -> bool {
+/// A box meets corners and arcs by its corners, and either of its sides may move along them. The
+/// visitor is called through a pointer: three copies took 1.5 KB of flash.
+#[inline]
+pub(super) fn touched<W: World, B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
+    (W::ARCS || !matches!(feature.geometry, Geometry::Arc { .. })) && touched_any(body, feature, plane)
+}
+
+/// The same in any level.
+#[inline]
+pub(super) fn touched_any<B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
     if B::ANGULAR {
-        return body.touched(feature, &mut plane);
+        body.touched(feature, plane)
+    } else if matches!(feature.geometry, Geometry::Arc { .. }) {
+        touched_arc(body, feature, plane)
+    } else {
+        touched_straight(body, feature, plane)
     }
+}
+
+/// The same for a face or a vertex.
+#[inline(never)]
+fn touched_straight<B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } => {
             let (a, end) = ends(Raw::of(a), dir, len);
@@ -152,44 +169,47 @@ pub(super) fn touched<B: Body>(body: &B, feature: &Feature, mut plane: impl FnMu
             }
             near
         }
-        Geometry::Vertex { p, .. } => is_at_corner(body, Raw::of(p), &mut plane),
-        Geometry::Arc { centre, radius, quadrant, convex } => {
-            let (at, r) = body.toward(if convex { quadrant.reversed() } else { quadrant });
-            let m = at.sub(Raw::of(centre));
-            let end =
-                |x: i32, y: i32| Raw::of(centre).add(Raw { x: x.wrapping_mul(radius), y: y.wrapping_mul(radius) });
-            let (along_x, along_y) = (end(quadrant.x, 0), end(0, quadrant.y));
-            let within = m.x.wrapping_mul(quadrant.x.signum()) >= 0 && m.y.wrapping_mul(quadrant.y.signum()) >= 0;
-            if within && !m.is_zero() {
-                let near = if convex {
-                    in_disc(m, radius.wrapping_add(r).wrapping_add(REACH))
-                } else {
-                    let room = radius.wrapping_sub(r);
-                    room > 0 && !in_disc(m, room.wrapping_sub(REACH + 1)) && in_disc(m, room.wrapping_add(REACH))
-                };
-                if near {
-                    if !B::MEETS_CORNERS {
-                        sides(&mut plane);
-                    }
-                    if convex {
-                        plane(Plane { normal: Axis::new(m.x, m.y), bend: Bend::Convex });
-                    } else {
-                        let signs = (quadrant.x.signum() as i8, quadrant.y.signum() as i8);
-                        let bend = Bend::Concave { signs, room: radius.wrapping_sub(r) };
-                        plane(Plane { normal: Axis::new(m.x.wrapping_neg(), m.y.wrapping_neg()), bend });
-                    }
-                    return true;
-                }
+        Geometry::Vertex { p, .. } => is_at_corner(body, Raw::of(p), plane),
+        Geometry::Arc { .. } => false,
+    }
+}
+
+/// The same for an arc.
+#[inline(never)]
+fn touched_arc<B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
+    let Geometry::Arc { centre, radius, quadrant, convex } = feature.geometry else { return false };
+    let (at, r) = body.toward(if convex { quadrant.reversed() } else { quadrant });
+    let m = at.sub(Raw::of(centre));
+    let end = |x: i32, y: i32| Raw::of(centre).add(Raw { x: x.wrapping_mul(radius), y: y.wrapping_mul(radius) });
+    let (along_x, along_y) = (end(quadrant.x, 0), end(0, quadrant.y));
+    let within = m.x.wrapping_mul(quadrant.x.signum()) >= 0 && m.y.wrapping_mul(quadrant.y.signum()) >= 0;
+    if within && !m.is_zero() {
+        let near = if convex {
+            in_disc(m, radius.wrapping_add(r).wrapping_add(REACH))
+        } else {
+            let room = radius.wrapping_sub(r);
+            room > 0 && !in_disc(m, room.wrapping_sub(REACH + 1)) && in_disc(m, room.wrapping_add(REACH))
+        };
+        if near {
+            if !B::MEETS_CORNERS {
+                sides(plane);
             }
-            // Beyond its ends an arc is a corner. To a circle the end of a pipe is also the end of
-            // a face, or a cusp, a corner of its own.
-            let corner = |end: Raw, plane: &mut dyn FnMut(Plane)| {
-                is_near(body, end, end) && (!convex && B::MEETS_CORNERS || is_at_corner(body, end, plane))
-            };
-            let (first, second) = (corner(along_x, &mut plane), corner(along_y, &mut plane));
-            first || second
+            if convex {
+                plane(Plane { normal: Axis::new(m.x, m.y), bend: Bend::Convex });
+            } else {
+                let signs = (quadrant.x.signum() as i8, quadrant.y.signum() as i8);
+                let bend = Bend::Concave { signs, room: radius.wrapping_sub(r) };
+                plane(Plane { normal: Axis::new(m.x.wrapping_neg(), m.y.wrapping_neg()), bend });
+            }
+            return true;
         }
     }
+    // Beyond its ends an arc is a corner. To a circle the end of a pipe is also the end of a face,
+    // or a cusp, a corner of its own.
+    let mut corner =
+        |end: Raw| is_near(body, end, end) && (!convex && B::MEETS_CORNERS || is_at_corner(body, end, plane));
+    let (first, second) = (corner(along_x), corner(along_y));
+    first || second
 }
 
 fn is_at_corner<B: Body>(body: &B, p: Raw, plane: &mut dyn FnMut(Plane)) -> bool {

@@ -96,7 +96,7 @@ impl<S: Law> Mover<S> {
 
     /// The short way for a [plain](is_plain) hit.
     fn lose_component<W: World, B: Body>(&self, run: &mut Run<'_, B>, made: Raw, entry: &Entry, feature: &Feature) {
-        let (u, lay) = (run.before, run.is_first && lay_on(&run.moved.body, run.before, made, entry, feature));
+        let (u, lay) = (run.before, run.is_first && lay_on::<W, B>(&run.moved.body, run.before, made, entry, feature));
         run.turn(project::<B, W, S>(run.v, entry.normal, &self.surface));
         if lay {
             (run.before, run.along) = (u, Some(Plane::flat(entry.normal)));
@@ -141,7 +141,7 @@ impl<S: Law> Mover<S> {
             }
         };
         if let (true, Some((entry, feature))) = (first || !kept, hit) {
-            run.flew = !lay_on(&run.moved.body, run.before, made, entry, feature);
+            run.flew = !lay_on::<W, B>(&run.moved.body, run.before, made, entry, feature);
         }
         if alone {
             ways.free();
@@ -216,7 +216,7 @@ impl<S: Law> Mover<S> {
             // rounded. A body that is still over a face that ends at the corner sees the corner
             // from no side of its own.
             let mut normal = entry.normal;
-            touched(&run.moved.body, feature, |plane| {
+            touched::<W, B>(&run.moved.body, feature, &mut |plane| {
                 let (n, m) = (plane.normal, entry.normal);
                 if plane.bend == Bend::Convex && n.x.signum() == m.x.signum() && n.y.signum() == m.y.signum() {
                     normal = plane.normal;
@@ -247,7 +247,7 @@ fn is_plain<B: Body>(run: &Run<'_, B>, entry: &Entry) -> bool {
 /// A body that flies to a convex corner or arc lay on it one call ago if it left along its own
 /// tangent. Moving `s` along a tangent, it rises off a circle of radius `rho` by `s^2 / 2 rho`, for
 /// s well below rho.
-fn lay_on<B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: &Feature) -> bool {
+fn lay_on<W: World, B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: &Feature) -> bool {
     let n = hit.normal;
     let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
     if into(made, n).unsigned_abs() <= rounding {
@@ -257,7 +257,7 @@ fn lay_on<B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: &Feature) 
         return false;
     }
     let mut hop = false;
-    touched(body, feature, |plane| hop |= is_hop(&plane, u, made));
+    touched::<W, B>(body, feature, &mut |plane| hop |= is_hop(&plane, u, made));
     hop
 }
 

@@ -201,7 +201,7 @@ impl<S: Single + Body, const M: usize> Kernel for Compound<S, M> {
     fn touched(&self, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
         let mut any = false;
         for part in self.parts() {
-            any |= contact::touched(part, feature, &mut *plane);
+            any |= contact::touched_any(part, feature, &mut *plane);
         }
         any
     }

@@ -62,7 +62,7 @@ impl Way {
         // leads into it; the pipe's normal does.
         if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
             let (way, mut leads_in) = (*self, false);
-            touched(body, feature, |pipe| {
+            touched::<W, B>(body, feature, &mut |pipe| {
                 leads_in |= pipe.is_inside_pipe() && way.along != Some(pipe) && into(way.v, pipe.normal) < 0;
             });
             if leads_in {
@@ -222,7 +222,7 @@ impl Ways {
         self.add(&mut Way { along: None, v, presses: false, probe: long(v), room: Way::UNKNOWN }, v);
         let mut alone = true;
         each_near(world, body, passes, &mut |feature| {
-            let touches = touched(body, feature, |plane| {
+            let touches = touched::<W, B>(body, feature, &mut |plane| {
                 if hit == Some(plane) {
                     return;
                 }

@@ -21,23 +21,53 @@ use crate::query::meet;
 use crate::shape::Aabb;
 use crate::world::level::{Feature, Geometry, World, normal};
 
+/// What the rules ask of the other level. A pointer to it, because each level is the other one's
+/// other: a copy of the rules for each took 1.7 KB of flash.
+pub(in crate::world) trait Beside {
+    fn touches_at(&self, p: Raw) -> bool;
+    fn overlaps_at(&self, p: Raw) -> bool;
+    /// Visits the features near a region, until a visit returns `false`.
+    fn each(&self, region: &Aabb, visit: &mut dyn FnMut(&Feature) -> bool);
+}
+
+impl<W: World> Beside for W {
+    fn touches_at(&self, p: Raw) -> bool {
+        self.touches_aabb(&point(p))
+    }
+
+    fn overlaps_at(&self, p: Raw) -> bool {
+        self.overlaps_aabb(&point(p))
+    }
+
+    fn each(&self, region: &Aabb, visit: &mut dyn FnMut(&Feature) -> bool) {
+        let mut features = self.features(region);
+        while let Some(feature) = &features.next() {
+            if !visit(feature) {
+                return;
+            }
+        }
+    }
+}
+
 /// The rest of a feature beside the other level; `first` says whose corner stands for both
-/// where both have one.
-pub(in crate::world) fn shown<W: World>(mut feature: Feature, other: &W, first: bool) -> Option<Feature> {
+/// where both have one. `J` is both together: without arcs, no code for them is linked.
+#[inline(never)]
+pub(in crate::world) fn shown<J: World>(mut feature: Feature, other: &dyn Beside, first: bool) -> Option<Feature> {
     match &mut feature.geometry {
         Geometry::Vertex { p, e_in, e_out } => {
             let p = Raw::of(*p);
-            if touched(other, p) {
+            if other.touches_at(p) {
                 let cone = if first { common_cone((*e_in, *e_out), p, other) } else { None };
                 (*e_in, *e_out) = cone?;
             }
         }
         Geometry::Face { a, dir, len, joined } => {
             let edge = FaceSegment::new(Raw::of(*a), *dir, *len);
-            if covered(&edge, other) {
+            if covered::<J>(&edge, other) {
                 return None;
             }
-            *joined = [joined[0] || goes_on(edge.a, *dir, 1, other), joined[1] || goes_on(edge.b, *dir, -1, other)];
+            *joined =
+                [joined[0] || goes_on::<J>(edge.a, *dir, 1, other), joined[1] || goes_on::<J>(edge.b, *dir, -1, other)];
         }
         // Its corners are separate vertices; the arc itself stays, covered or not.
         Geometry::Arc { .. } => {}
@@ -49,23 +79,21 @@ fn point(p: Raw) -> Aabb {
     Aabb::from_raw_unchecked(p, p)
 }
 
-fn touched<W: World>(other: &W, p: Raw) -> bool {
-    other.touches_aabb(&point(p))
-}
-
 /// The part of a corner's cone that is in the cones of the other level's corners at the same point;
 /// `None` if it has no inside, or does not exist: the other level is flat or concave there.
-fn common_cone<W: World>(cone: (Axis, Axis), p: Raw, other: &W) -> Option<(Axis, Axis)> {
-    let (mut cone, mut corners) = (cone, false);
-    for f in other.features(&point(p)) {
-        let Geometry::Vertex { p: at, e_in, e_out } = f.geometry else { continue };
-        if Raw::of(at) == p {
-            corners = true;
-            // The cone is where n . e_in >= 0 and n . e_out <= 0.
-            cone = clipped(clipped(cone, e_in)?, e_out.reversed())?;
+fn common_cone(cone: (Axis, Axis), p: Raw, other: &dyn Beside) -> Option<(Axis, Axis)> {
+    let (mut cone, mut corners) = (Some(cone), false);
+    other.each(&point(p), &mut |f| {
+        if let Geometry::Vertex { p: at, e_in, e_out } = f.geometry {
+            if Raw::of(at) == p {
+                corners = true;
+                // The cone is where n . e_in >= 0 and n . e_out <= 0.
+                cone = cone.and_then(|cone| clipped(clipped(cone, e_in)?, e_out.reversed()));
+            }
         }
-    }
-    corners.then_some(cone)
+        cone.is_some()
+    });
+    cone.filter(|_| corners)
 }
 
 /// The part of a cone (of up to a half turn) with `n . h >= 0`, as the edges whose normals bound
@@ -174,31 +202,29 @@ enum Front {
 /// If nothing of the other surface meets the face's inside from the front, all its points are in
 /// the other solid or all outside: one point decides. That is a point of the face inside the solid,
 /// or a face of the other that runs against this one.
-fn covered<W: World>(edge: &FaceSegment, other: &W) -> bool {
+fn covered<J: World>(edge: &FaceSegment, other: &dyn Beside) -> bool {
     let points = [edge.a, edge.b, edge.middle];
     // For most faces the first end, far away, already decides.
-    if !points.iter().all(|&p| touched(other, p)) {
+    if !points.iter().all(|&p| other.touches_at(p)) {
         return false;
     }
-    let mut known = points.iter().any(|&p| other.overlaps_aabb(&point(p)));
-    for f in other.features(&edge.bounds()) {
+    let (mut known, mut bare) = (points.iter().any(|&p| other.overlaps_at(p)), false);
+    other.each(&edge.bounds(), &mut |f| {
         let front = match f.geometry {
             _ if f.one_way => Front::Unknown,
             Geometry::Face { a, dir, len, .. } => edge.beside(&FaceSegment::new(Raw::of(a), dir, len)),
             Geometry::Arc { centre, radius, quadrant, .. }
-                if W::ARCS && edge.meets_arc(Raw::of(centre), radius, quadrant) =>
+                if J::ARCS && edge.meets_arc(Raw::of(centre), radius, quadrant) =>
             {
                 Front::Bare
             }
             _ => Front::Unknown,
         };
-        match front {
-            Front::Bare => return false,
-            Front::Covered => known = true,
-            Front::Unknown => {}
-        }
-    }
-    known
+        bare = matches!(front, Front::Bare);
+        known |= matches!(front, Front::Covered);
+        !bare
+    });
+    known && !bare
 }
 
 /// Whether the points just in front of a face's end `p` are in the other solid; `along` leads from
@@ -206,23 +232,22 @@ fn covered<W: World>(edge: &FaceSegment, other: &W) -> bool {
 ///
 /// From the direction `along`, tilted to the front by an infinitesimal, the next part of the
 /// surface to the left has the place on its right.
-fn front_of_end<W: World>(p: Raw, along: Axis, n: Axis, other: &W) -> Option<bool> {
-    if !touched(other, p) {
+fn front_of_end<J: World>(p: Raw, along: Axis, n: Axis, other: &dyn Beside) -> Option<bool> {
+    if !other.touches_at(p) {
         return Some(false);
     }
-    let mut next: Option<(u8, Axis, bool)> = None;
-    for f in other.features(&point(p)) {
+    let (mut next, mut at_arc): (Option<(u8, Axis, bool)>, bool) = (None, false);
+    other.each(&point(p), &mut |f| {
         let edge = match f.geometry {
             Geometry::Face { a, dir, len, .. } if !f.one_way => FaceSegment::new(Raw::of(a), dir, len),
-            Geometry::Arc { centre, radius, quadrant, .. }
-                if W::ARCS && ends_at(p, Raw::of(centre), radius, quadrant) =>
-            {
-                return None;
+            Geometry::Arc { centre, radius, quadrant, .. } => {
+                at_arc = J::ARCS && ends_at(p, Raw::of(centre), radius, quadrant);
+                return !at_arc;
             }
-            _ => continue,
+            _ => return true,
         };
         if edge.in_front(p) != 0 {
-            continue;
+            return true;
         }
         // A segment that leaves `p` has its solid on the left, one that arrives there on the right
         // of the way back.
@@ -235,6 +260,10 @@ fn front_of_end<W: World>(p: Raw, along: Axis, n: Axis, other: &W) -> Option<boo
                 next = Some((turn, dir, solid));
             }
         }
+        true
+    });
+    if at_arc {
+        return None;
     }
     // With no surface at all it is inside.
     Some(next.is_none_or(|(_, _, solid)| solid))
@@ -265,16 +294,16 @@ fn ends_at(p: Raw, centre: Raw, radius: i32, quadrant: Axis) -> bool {
 /// the corner at its end. A body reaches `p` from beyond it only along a face on the same line.
 /// (Above a thin wall or a spike that ends in the face, a body comes as far as `p`, and the solid
 /// below would stop it.)
-fn goes_on<W: World>(p: Raw, dir: Axis, inward: i32, other: &W) -> bool {
+fn goes_on<J: World>(p: Raw, dir: Axis, inward: i32, other: &dyn Beside) -> bool {
     let n = normal(dir);
     let along = Axis::new(dir.x.wrapping_mul(inward), dir.y.wrapping_mul(inward));
-    if !touched(other, p) || front_of_end(p, along, n, other) != Some(false) {
+    if !other.touches_at(p) || front_of_end::<J>(p, along, n, other) != Some(false) {
         return false;
     }
     // The sign of `x`, or of `then` where it is zero.
     let sign = |x: i64, then: i64| if x == 0 { then.signum() } else { x.signum() };
     let (mut corners, mut cornered, mut straight) = (false, true, false);
-    for f in other.features(&point(p)) {
+    other.each(&point(p), &mut |f| {
         match f.geometry {
             Geometry::Vertex { p: at, e_in, e_out } if Raw::of(at) == p => {
                 corners = true;
@@ -287,19 +316,20 @@ fn goes_on<W: World>(p: Raw, dir: Axis, inward: i32, other: &W) -> bool {
             }
             _ => {}
         }
-    }
-    !(corners && cornered) && (straight || front_of_end(p, along.reversed(), n, other) == Some(true))
+        true
+    });
+    !(corners && cornered) && (straight || front_of_end::<J>(p, along.reversed(), n, other) == Some(true))
 }
 
 /// Whether a ray from `o` by `d` that meets a piece meets a part of it that the other level hides:
 /// a face that is not there beside it, or an end of a face that is covered just there.
-pub(in crate::world) fn hides<W: World>(geometry: &Geometry, o: Raw, d: Raw, other: &W) -> bool {
+pub(in crate::world) fn hides<J: World>(geometry: &Geometry, o: Raw, d: Raw, other: &dyn Beside) -> bool {
     let Geometry::Face { a, dir, len, .. } = *geometry else { return false };
     let edge = FaceSegment::new(Raw::of(a), dir, len);
-    if covered(&edge, other) {
+    if covered::<J>(&edge, other) {
         return true;
     }
     let hidden =
-        |p: Raw, along: Axis| o.sub(p).cross(d) == 0 && front_of_end(p, along, normal(dir), other) == Some(true);
+        |p: Raw, along: Axis| o.sub(p).cross(d) == 0 && front_of_end::<J>(p, along, normal(dir), other) == Some(true);
     hidden(edge.a, dir) || hidden(edge.b, dir.reversed())
 }

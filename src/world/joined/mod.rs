@@ -10,7 +10,7 @@ use crate::shape::{Aabb, Circle};
 use crate::world::convex::ConvexBody;
 use crate::world::ray::scan::{Found, RayScan, RayWorld};
 use core::cmp::Ordering;
-use hidden::{hides, shown};
+use hidden::{Beside, hides, shown};
 
 /// Two levels used as one: tiles and segments, or a level and its neighbour. It copies nothing.
 ///
@@ -116,12 +116,12 @@ impl<A: World, B: World> Iterator for JoinedFeatures<'_, A, B> {
 
     fn next(&mut self) -> Option<Feature> {
         for f in self.a.by_ref() {
-            if let Some(shown) = shown(f, self.pair.b, true) {
+            if let Some(shown) = shown::<Joined<'_, A, B>>(f, self.pair.b, true) {
                 return Some(Feature { source: shown.source << 1, ..shown });
             }
         }
         for f in self.b.by_ref() {
-            if let Some(shown) = shown(f, self.pair.a, false) {
+            if let Some(shown) = shown::<Joined<'_, A, B>>(f, self.pair.a, false) {
                 return Some(Feature { source: shown.source << 1 | 1, ..shown });
             }
         }
@@ -291,10 +291,10 @@ impl<S: RayScan> Ahead<S> {
     }
 
     /// Prepares the next hit that the other level does not hide.
-    fn fill<W: World>(&mut self, o: Raw, d: Raw, other: &W) {
+    fn fill<J: World>(&mut self, o: Raw, d: Raw, other: &dyn Beside) {
         while self.next.is_none() {
             let Some(found) = self.scan.next_found() else { return };
-            if !found.met.is_some_and(|met| hides(&met.feature.geometry, o, d, other)) {
+            if !found.met.is_some_and(|met| hides::<J>(&met.feature.geometry, o, d, other)) {
                 self.next = Some(found);
             }
         }
@@ -303,8 +303,8 @@ impl<S: RayScan> Ahead<S> {
 
 impl<A: RayWorld, B: RayWorld> RayScan for JoinedRayHits<'_, A, B> {
     fn next_found(&mut self) -> Option<Found> {
-        self.a.fill(self.o, self.d, self.pair.second());
-        self.b.fill(self.o, self.d, self.pair.first());
+        self.a.fill::<Joined<'_, A, B>>(self.o, self.d, self.pair.second());
+        self.b.fill::<Joined<'_, A, B>>(self.o, self.d, self.pair.first());
         let order = match (&self.a.next, &self.b.next) {
             (Some(a), Some(b)) => order(a, b),
             (None, _) => Ordering::Greater,
