@@ -149,9 +149,8 @@
 //! On a Cortex-M0, 64 bodies, boxes and circles, among tiles of all shapes, with a
 //! [`SortSweep`](crate::broad::SortSweep): 247 000 instructions per step while they fly and land,
 //! at most 504 000, most of them the mover's. 995 000 if all lie in nooks of slopes and none may
-//! sleep; 32 if all sleep. A scene that [remembers](Scene::remembering) makes such steps for an
-//! eighth of that: 107 000, of which two bodies that never rest take more than half. Stack: 3072
-//! bytes.
+//! sleep; 32 if all sleep. A scene that [remembers](Scene::remembering) makes such steps for a
+//! twentieth of that: 47 000. Stack: 3072 bytes.
 //!
 //! # Games in a scene
 //!
@@ -287,11 +286,13 @@
 //! [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change, solids.
 
 mod body;
+mod change;
 mod drift;
 mod error;
 mod idle;
 mod kernel;
 mod meeting;
+mod memory;
 mod met;
 mod pairs;
 mod piles;

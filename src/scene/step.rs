@@ -1,14 +1,14 @@
 //! One step of a scene.
 
 use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
+use super::change::rouse;
 use super::idle::{are_idle, idle, is_idle, repeat, stir};
 use super::kernel::BodyShape;
+use super::memory::{Place, keep};
 use super::met::{may_meet, pair, senses};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::reply::{Answer, Asked, Replies, Reply};
-use super::rest::Rest;
 use super::set::Sleep;
-use super::set::rouse;
 use super::trip::Trip;
 use super::view::{Each, View};
 use super::way::{BodyWay, Pace};
@@ -160,7 +160,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         if M > 0 {
             self.disturb(gravity);
         }
-        begin(&mut self.slots, &self.rests, self.awake.get(..awake).unwrap_or_default(), gravity);
+        begin(&mut self.slots, &self.memory, self.awake.get(..awake).unwrap_or_default(), gravity);
         self.meet(gravity, &mut stepped, replies, &mut each);
         if self.count > awake {
             self.wake_along(awake, replies);
@@ -182,7 +182,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         each: &mut impl FnMut(SceneEvent<'_>),
     ) {
         let Some((movers, room)) = self.awake.split_at_mut_checked(self.count) else { return };
-        let (slots, rests, mut woken, mut hits) = (&mut self.slots, &self.rests, 0, false);
+        let (slots, memory, mut woken, mut hits) = (&mut self.slots, &self.memory, 0, false);
         each_pair(&mut self.near, movers, |pair| {
             stepped.pairs += 1;
             let Some((a, b)) = both(slots, pair).filter(|(a, b)| a.body.shape.touches(&b.body.shape)) else { return };
@@ -195,7 +195,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             stepped.touching += 1;
             stepped.overlapping += u32::from(contact.is_some() && !senses);
             each(SceneEvent::Touch { pair, contact: contact.as_ref() });
-            if senses || are_idle(rests, slots, pair) {
+            if senses || are_idle(memory, slots, pair) {
                 return;
             }
             for at in [pair.a, pair.b] {
@@ -210,7 +210,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         if hits {
             each_pair(&mut self.near, movers, |pair| {
                 stepped.pairs += 1;
-                if are_idle(rests, slots, pair) {
+                if are_idle(memory, slots, pair) {
                     return;
                 }
                 kick(slots, pair, gravity, replies);
@@ -257,15 +257,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
         let Sleep { steps, .. } = self.sleep;
-        let trip = Trip::new(view, gravity, self.sleep);
+        let trip = Trip::new(view, gravity, self.sleep, N);
         let (mut calm, mut fast, mut piled) = (false, false, false);
         for handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-            if !is_idle(&self.rests, handle.slot()) && slot.is_fast() {
+            if !is_idle(&self.memory, handle.slot()) && slot.is_fast() {
                 (slot.way.pace, fast) = (Pace::Swept, true);
-                if let Some(rest) = self.rests.get_mut(handle.slot()) {
-                    *rest = None;
-                }
+                keep(&mut self.memory, handle.slot(), None);
             }
             piled |= slot.way.pace == Pace::Lies;
         }
@@ -274,11 +272,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
         for &handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-            if let Some(rest) = idle(&self.rests, handle.slot()) {
+            if let Some(rest) = idle(&self.memory, handle.slot()) {
                 repeat(slot, handle, rest, stepped, each);
                 calm |= slot.quiet >= steps;
             } else if slot.way.pace == Pace::Slow {
-                trip.make(slot, handle, self.rests.get_mut(handle.slot()), &mut self.near, stepped, each);
+                trip.make(slot, handle, &mut self.memory, &mut self.near, stepped, each);
                 calm |= slot.quiet >= steps;
             }
         }
@@ -325,7 +323,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             } else if let Some(slot) = slots.get_mut(handle.slot()) {
                 (slot.mode, slot.body.velocity, slot.way) = (Mode::Asleep, Vec2::ZERO, BodyWay::REST);
                 slot.ground = NOBODY;
-                stir(&mut self.rests, handle.slot());
+                stir(&mut self.memory, handle.slot());
                 let told = self.near.set_tag(handle, slot.body.tag(true));
                 debug_assert!(told.is_ok(), "a body of the scene is in its broad phase");
             }
@@ -335,8 +333,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 }
 
-fn begin<S: BodyShape>(slots: &mut [Slot<S>], rests: &[Option<Rest>], awake: &[Handle], gravity: Vec2) {
-    for handle in awake.iter().filter(|handle| !is_idle(rests, handle.slot())) {
+fn begin<S: BodyShape>(slots: &mut [Slot<S>], memory: &[Place], awake: &[Handle], gravity: Vec2) {
+    for handle in awake.iter().filter(|handle| !is_idle(memory, handle.slot())) {
         let Some(slot) = slots.get_mut(handle.slot()) else { continue };
         slot.tally = Tally { drift: slot.tally.drift, ..Tally::of(handle.slot() as u16) };
         slot.mode = Mode::Awake;
