@@ -196,7 +196,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
             if let Some(rest) = rest_mut(self.memory, handle.slot()) {
                 rest.stays = false;
             }
-            slot.body.shape = self.trip.slide(&slot.body, push)?;
+            slot.body.shape = self.trip.slide(handle, &slot.body, push)?;
         }
         let bounds = slot.body.shape.aabb();
         if self.near.bounds(handle).is_ok_and(|known| known != bounds) {

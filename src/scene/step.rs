@@ -10,13 +10,13 @@ use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::reply::{Answer, Asked, Replies, Reply};
 use super::set::Sleep;
 use super::trip::Trip;
-use super::view::{Each, View};
+use super::view::{Along, Each, View};
 use super::way::{BodyWay, Pace};
 use super::{Scene, SceneBody, SceneError, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
 use crate::num::{MOTION, Vec2, check_motion};
-use crate::world::World;
+use crate::world::{Trail, World};
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
     /// Moves all awake bodies by one step. A step adds `gravity` to velocities; pass zero for games
@@ -148,10 +148,72 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         level_of: impl Fn(&SceneBody<S>) -> &'l W,
         gravity: Vec2,
         replies: impl FnMut(Pair) -> A,
+        each: impl FnMut(SceneEvent<'_>),
+    ) -> Result<Stepped, SceneError> {
+        self.run(&Each::by(level_of), gravity, &mut Asked(replies), each)
+    }
+
+    /// Like [`step_in`](Self::step_in), and reports each way that a body makes: for all that it
+    /// passes, bump.lua's "cross".
+    ///
+    /// `passed` receives the body, its shape before the way, and the [`Trail`] of the way.
+    /// [`TileMap::tiles_on`](crate::TileMap::tiles_on) and [`Solids::on`](crate::Solids::on) list
+    /// what lies on it, exactly, whether the body slides, bounces or is fast. A step of a body is
+    /// one way or several; each begins where the last one ended. A body that stays makes none. A
+    /// tile on two ways is reported on both.
+    ///
+    /// If the broad phase refuses the end of a way, the body is [held](SceneEvent::Held) where it
+    /// was, and the way was reported. A scene that [remembers](Self::remembering) looks in these
+    /// steps like any other.
+    ///
+    /// Cost: that of `step_in`. A program that calls both links the step twice.
+    ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::scene::{SceneBody, SceneTag};
+    /// use tilesat::{Cell, Circle, Scene, TileKind, TileKinds, TileMap, Vec2, fx};
+    /// const CURTAIN: u8 = 1;
+    /// static KINDS: TileKinds =
+    ///     TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'c', TileKind::FULL.with_flags(CURTAIN));
+    /// static GHOSTS: TileKinds = KINDS.passing(CURTAIN);
+    /// let level = TileMap::from_ascii("..c.c.#\n.......", &GHOSTS)?;
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let ghost = SceneBody::new(Circle::new(Vec2::from_ints(8, 8), fx!(4))?, 1);
+    /// let ghost = scene.insert(&SceneBody { velocity: Vec2::from_ints(100, 20), ..ghost })?;
+    /// let mut cells = Vec::new();
+    /// scene.step_along(|_| &level, Vec2::ZERO, |_| true, |_| (), |body, shape, trail| {
+    ///     assert_eq!((body, shape.position()), (ghost, Vec2::from_ints(8, 8)));
+    ///     let passed = level.tiles_on(shape, trail).expect("it was inside of the domain");
+    ///     cells.extend(passed.filter(|tile| tile.kind.flag(CURTAIN)).map(|tile| tile.cell));
+    /// })?;
+    /// assert_eq!(cells, [Cell::new(2, 0), Cell::new(4, 0)]); // both, and not the wall
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    #[doc(alias = "cross")]
+    pub fn step_along<'l, W: World + 'l, A: Answer>(
+        &mut self,
+        level_of: impl Fn(&SceneBody<S>) -> &'l W,
+        gravity: Vec2,
+        replies: impl FnMut(Pair) -> A,
+        each: impl FnMut(SceneEvent<'_>),
+        passed: impl FnMut(Handle, &S, &Trail),
+    ) -> Result<Stepped, SceneError> {
+        // What repeats is not told.
+        self.memory.fill(Place::Empty);
+        self.run(&Along::by(level_of, passed), gravity, &mut Asked(replies), each)
+    }
+
+    fn run(
+        &mut self,
+        view: &impl View<S>,
+        gravity: Vec2,
+        replies: &mut impl Replies,
         mut each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
         check_motion(gravity, MOTION).map_err(SceneError::call)?;
-        let replies = &mut Asked(replies);
         let mut stepped = Stepped::default();
         if self.count == 0 {
             return Ok(stepped);
@@ -167,7 +229,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             stepped.woken = (self.count - awake) as u16;
             self.tell_woken(awake);
         }
-        if self.travel(&Each::by(level_of), gravity, &mut stepped, replies, &mut each) {
+        if self.travel(view, gravity, &mut stepped, replies, &mut each) {
             self.fall_asleep(&mut stepped);
         }
         Ok(stepped)

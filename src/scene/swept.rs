@@ -206,6 +206,7 @@ where
         slot.way.turns += 1;
         if let Ok(Touched { shape, hit: Some(hit), floor, flags }) = touched {
             let velocity = slot.body.velocity;
+            self.trip.tell(handle, &slot.body.shape, &shape);
             slot.body.shape = shape;
             slot.body.velocity = self.trip.after(&slot.body, &hit);
             if floor {
@@ -249,7 +250,7 @@ where
             };
             // Tested against the level, because the position is rounded: a body on a floor might
             // lead into it.
-            if let Ok(shape) = self.trip.slide(&slot.body, place - slot.body.shape.position()) {
+            if let Ok(shape) = self.trip.slide(at, &slot.body, place - slot.body.shape.position()) {
                 slot.body.shape = shape;
             }
             slot.way.since = met.time;
@@ -340,6 +341,7 @@ where
         self.sense(handle, &slot, Toi::ONE);
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
         if let Ok(touched) = self.trip.touch(&slot.body, slot.way.left(slot.way.since)) {
+            self.trip.tell(handle, &slot.body.shape, &touched.shape);
             slot.body.shape = touched.shape;
         }
         slot.way.since = Toi::ONE;

@@ -6,16 +6,13 @@ use super::kernel::{BodyShape, Visit};
 use super::meeting::toward;
 use super::memory::{Place, keep, known, note, rest_mut};
 use super::rest::{Causes, Made, Rest, Start};
-use super::view::View;
+use super::view::{Sliding, View};
 use super::way::{BodyWay, Pace, size};
 use super::{SceneBody, SceneError, SceneEvent, SceneFault, Sleep, Stepped};
 use crate::broad::{BroadPhase, Handle};
-use crate::motion::{Body, ByFlags, Hit, Moved, Mover, Response, Responses, Surface};
+use crate::motion::{Body, Hit, Moved, Mover, Response, Responses, Surface};
 use crate::num::{Ratio, Vec2};
 use crate::world::World;
-
-/// A mover that slides.
-type Sliding = Mover<ByFlags<Surface>>;
 
 /// The data that all ways through the level share.
 pub(super) struct Trip<'a, V> {
@@ -71,14 +68,14 @@ impl<S, W: World> Visit<S> for Touch<'_, W> {
 }
 
 /// A motion as far as the level allows.
-struct Slide<'t, W>(&'t Sliding, &'t W, Vec2);
+struct Slide<'t, 'a, V, S>(&'t Trip<'a, V>, (Handle, &'t SceneBody<S>), Vec2);
 
-impl<S, W: World> Visit<S> for Slide<'_, W> {
+impl<S, V: View<S>> Visit<S> for Slide<'_, '_, V, S> {
     type Out = Result<S, SceneFault>;
     #[inline]
-    fn of<B: Body + Into<S>>(self, body: &B) -> Self::Out {
-        let Self(mover, level, by) = self;
-        Ok(mover.move_and_slide(level, body, by)?.body.into())
+    fn of<B: Body + Into<S>>(self, from: &B) -> Self::Out {
+        let Self(trip, body, by) = self;
+        Ok(trip.view.go(&trip.mover, body, from, by)?.body.into())
     }
 }
 
@@ -161,13 +158,14 @@ impl<V> Trip<'_, V> {
     where
         V: View<S>,
     {
-        let (causes, start_of, level) = (self.causes(slot), Start::of(slot), self.view.level(&slot.body));
+        let (causes, start_of) = (self.causes(slot), Start::of(slot));
         let (mut start, Causes { push, velocity, .. }) = (*body, causes);
         if push != Vec2::ZERO {
-            start = self.mover.move_and_slide(level, body, push)?.body;
+            start = self.view.go(&self.mover, (handle, &slot.body), body, push)?.body;
         }
         let mover = self.mover.with_response(Response::Bounce).with_surface(self.surface(&slot.body));
-        let result = mover.with_responses(slot.body.responses).move_and_slide(level, &start, velocity);
+        let mover = mover.with_responses(slot.body.responses);
+        let result = self.view.go(&mover, (handle, &slot.body), &start, velocity);
         // Matched by reference: it is long.
         let moved = match &result {
             Ok(moved) => moved,
@@ -200,11 +198,19 @@ impl<V> Trip<'_, V> {
     }
 
     /// Moves as far as the level allows.
-    pub(super) fn slide<S: BodyShape>(&self, body: &SceneBody<S>, by: Vec2) -> Result<S, SceneFault>
+    pub(super) fn slide<S: BodyShape>(&self, handle: Handle, body: &SceneBody<S>, by: Vec2) -> Result<S, SceneFault>
     where
         V: View<S>,
     {
-        body.shape.visit(Slide(&self.mover, self.view.level(body), by))
+        body.shape.visit(Slide(self, (handle, body), by))
+    }
+
+    /// A body has made a straight way.
+    pub(super) fn tell<S: BodyShape>(&self, handle: Handle, from: &S, to: &S)
+    where
+        V: View<S>,
+    {
+        self.view.tell(handle, from, to.position() - from.position());
     }
 
     /// The surface that the level has for a body.

@@ -84,6 +84,8 @@ fn a_scene_that_remembers_is_the_scene_that_looks() {
         tiles.fill_with(|| if !open && r.one_in(3) { r.below(38) as u8 } else { 0 });
         let mut gravity = vec2(0, 6554);
         let mut handles: Vec<Handle> = Vec::new();
+        // Those that hardly moved in the last step.
+        let mut restless: Vec<Handle> = Vec::new();
         for key in 0..BODIES as u32 {
             let body = body(&mut r, key);
             if !body.shape.overlaps_level(&level(&tiles)) {
@@ -94,7 +96,9 @@ fn a_scene_that_remembers_is_the_scene_that_looks() {
         for frame in 0..400 {
             if frame > 150 && r.one_in(20) && !handles.is_empty() {
                 changes += 1;
-                let handle = handles[r.below(handles.len() as i64) as usize];
+                let pick = |from: &[Handle], r: &mut Random| from[r.below(from.len() as i64) as usize];
+                let handle =
+                    if restless.is_empty() || r.one_in(2) { pick(&handles, &mut r) } else { pick(&restless, &mut r) };
                 let by = vec2(r.around(1 << 17), r.around(1 << 17));
                 let shape = plain.body(handle).unwrap().shape;
                 let mut cell = (r.below(SIDE as i64), r.below(SIDE as i64));
@@ -135,9 +139,36 @@ fn a_scene_that_remembers_is_the_scene_that_looks() {
             assert_eq!(told(&mut half, &tiles, gravity), due, "{case}, {frame}: half");
             assert_eq!(told(&mut whole, &tiles, gravity), due, "{case}, {frame}");
             assert_eq!(told(&mut ways, &tiles, gravity), due, "{case}, {frame}: ways");
+            restless.clear();
+            for (was, (handle, is)) in before.iter().zip(plain.bodies()) {
+                let (x, y) = (is.shape.position() - was.position()).raw();
+                if (1..1 << 14).contains(&x.abs().max(y.abs())) {
+                    restless.push(handle);
+                }
+            }
             rested += before.iter().zip(plain.bodies()).filter(|(was, (_, is))| **was == is.shape).count();
         }
     }
     println!("{rested} rested, {changes} changes");
     assert!(rested > 100_000 && changes > 300, "{rested} {changes}");
+}
+
+/// A belt holds a floating ball at a wall. Under another gravity the wall is a floor.
+#[test]
+fn another_gravity_is_another_floor() {
+    let tiles = [0_u8; SIDE * SIDE];
+    let mut plain = Scene::<_, BODIES>::with_sleep(SortSweep::<BODIES, SceneTag>::new(), Sleep::NEVER);
+    let mut whole = Scene::<_, BODIES, { BODIES + 4 }>::remembering(SortSweep::<BODIES, SceneTag>::new(), Sleep::NEVER);
+    let wall = (SIDE as i64) << 20;
+    let ball = Circle::new(vec2(wall - (4 << 16), 40 << 16), Fx::from_num(4)).unwrap();
+    let belt = Aabb::new(vec2(wall - (20 << 16), 20 << 16), vec2(wall - (8 << 16), 60 << 16)).unwrap();
+    let belt = SceneBody { velocity: vec2(1 << 14, 0), ..SceneBody::fixed(belt, 1) };
+    for body in [belt, SceneBody { floats: true, velocity: vec2(1 << 14, 0), ..SceneBody::new(ball, 2) }] {
+        plain.insert(&body).unwrap();
+        whole.insert(&body).unwrap();
+    }
+    for frame in 0..60 {
+        let gravity = if frame / 10 % 2 == 0 { vec2(0, 6554) } else { vec2(6554, 0) };
+        assert_eq!(told(&mut whole, &tiles, gravity), told(&mut plain, &tiles, gravity), "{frame}");
+    }
 }
