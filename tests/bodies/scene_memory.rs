@@ -161,7 +161,7 @@ fn another_gravity_is_another_floor() {
     let mut whole = Scene::<_, BODIES, { BODIES + 4 }>::remembering(SortSweep::<BODIES, SceneTag>::new(), Sleep::NEVER);
     let wall = (SIDE as i64) << 20;
     let ball = Circle::new(vec2(wall - (4 << 16), 40 << 16), Fx::from_num(4)).unwrap();
-    let belt = Aabb::new(vec2(wall - (20 << 16), 20 << 16), vec2(wall - (8 << 16), 60 << 16)).unwrap();
+    let belt = Aabb::new(vec2(wall - (20 << 16), 20 << 16), vec2(wall - (7 << 16), 60 << 16)).unwrap();
     let belt = SceneBody { velocity: vec2(1 << 14, 0), ..SceneBody::fixed(belt, 1) };
     for body in [belt, SceneBody { floats: true, velocity: vec2(1 << 14, 0), ..SceneBody::new(ball, 2) }] {
         plain.insert(&body).unwrap();
@@ -171,4 +171,42 @@ fn another_gravity_is_another_floor() {
         let gravity = if frame / 10 % 2 == 0 { vec2(0, 6554) } else { vec2(6554, 0) };
         assert_eq!(told(&mut whole, &tiles, gravity), told(&mut plain, &tiles, gravity), "{frame}");
     }
+}
+
+/// Bodies that are pushed to and fro, with another friction from time to time: no way is as before.
+#[test]
+fn what_a_game_changes_is_looked_at() {
+    let mut altered = 0;
+    for case in 0..cases(60) {
+        let mut r = Random::new(52_000 + case);
+        let mut plain = Scene::<_, BODIES>::with_sleep(SortSweep::<BODIES, SceneTag>::new(), Sleep::NEVER);
+        let near = SortSweep::<BODIES, SceneTag>::new();
+        let mut ways = Scene::<_, BODIES, { BODIES + 24 }>::remembering(near, Sleep::NEVER);
+        let mut tiles = [0_u8; SIDE * SIDE];
+        tiles.fill_with(|| if r.one_in(4) { r.below(34) as u8 } else { 0 });
+        for key in 0..BODIES as u32 {
+            let body = SceneBody { velocity: Vec2::ZERO, fast: false, floats: false, ..body(&mut r, key) };
+            if !body.shape.overlaps_level(&level(&tiles)) {
+                plain.insert(&body).unwrap();
+                ways.insert(&body).unwrap();
+            }
+        }
+        for frame in 0..400 {
+            let before: Vec<_> = plain.bodies().map(|(_, body)| body.shape).collect();
+            let due = told(&mut plain, &tiles, vec2(0, 6554));
+            assert_eq!(told(&mut ways, &tiles, vec2(0, 6554)), due, "{case}, {frame}");
+            let moved = before.iter().zip(plain.bodies()).filter(|(was, (_, is))| **was != is.shape);
+            let moved: Vec<Handle> = moved.map(|(_, (handle, _))| handle).collect();
+            if frame > 200 && frame % 8 == 0 {
+                altered += moved.len();
+                for handle in moved {
+                    let surface = Surface::new(Ratio::ZERO, Ratio::percent(r.below(90) as u8).unwrap());
+                    plain.alter(handle, |body| body.surface = surface).unwrap();
+                    ways.alter(handle, |body| body.surface = surface).unwrap();
+                }
+            }
+        }
+    }
+    println!("{altered} altered");
+    assert!(altered > 300, "{altered}");
 }
