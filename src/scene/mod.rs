@@ -238,11 +238,11 @@
 //! [`step_in`](Scene::step_in) for the tiles that it passes.
 //! [`step_along`](Scene::step_along) reports them.
 //!
-//! **Tiles that only some bodies meet**: give the tiles flags, and say once which flags each kind of
-//! body passes. From the table of a level's tiles follows one table for each kind of body
-//! ([`TileKinds::passing`](crate::TileKinds::passing)), and from the level one level for each. They
-//! share the tiles, so a door that opens does so for all. This works alike for levels of every
-//! [set](crate::world::Set) of shapes, because only the tables of tiles differ.
+//! **Tiles that only some bodies meet**: give the tiles flags, and write one table of the flags
+//! that each kind of body passes. It makes a table of tiles for each kind of body
+//! ([`TileKinds::passing`](crate::TileKinds::passing)), and these make a level for each. The levels
+//! share their tiles: a door that opens does so for all. The table of flags works alike for levels
+//! of every [set](crate::world::Set) of shapes.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;

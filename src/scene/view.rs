@@ -1,4 +1,4 @@
-//! Which level a body sees, and who is told of its ways.
+//! The level that a body sees, and the call that receives its ways.
 
 use super::SceneBody;
 use super::kernel::BodyShape;
