@@ -70,13 +70,35 @@ mod chip {
         process::exit(1)
     }
 
+    /// So many bytes of the stack are left at least. The game has as many bullets as that allows.
+    #[cfg(target_arch = "arm")]
+    const MARGIN: usize = 128;
+
+    /// Ends the run if the stack came too close to the game.
+    #[cfg(target_arch = "arm")]
+    #[inline(never)]
+    fn judge_stack() {
+        let left = tilesat_chip::stack::left();
+        eprintln!("{left} bytes of the stack were not used");
+        if left < MARGIN {
+            eprintln!("a game of {} bytes leaves fewer than {MARGIN} of the stack", size_of::<Game>());
+            process::exit(1);
+        }
+    }
+
     #[entry]
     fn main() -> ! {
+        #[cfg(target_arch = "arm")]
+        tilesat_chip::stack::paint();
         let game = &raw mut GAME;
         // SAFETY: nothing else names it, and this runs once.
         let game = unsafe { &mut *game };
         match super::run(game, tell) {
-            Ok(()) => process::exit(0),
+            Ok(()) => {
+                #[cfg(target_arch = "arm")]
+                judge_stack();
+                process::exit(0)
+            }
             Err(failure) => fail(&failure),
         }
     }

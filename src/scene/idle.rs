@@ -9,6 +9,7 @@
 
 use super::body::{Mode, Slot};
 use super::kernel::BodyShape;
+use super::memory::{Place, rest, rest_mut};
 use super::met::{around, reach};
 use super::pairs::root;
 use super::rest::{Idle, Rest};
@@ -17,19 +18,20 @@ use super::{Scene, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
 use crate::num::{Raw, Vec2};
+use crate::query::Touches;
 use crate::shape::Aabb;
 
 impl Rest {
     /// Whether the step left a body as it was.
     fn repeats<S: BodyShape>(&self, slot: &Slot<S>, gravity: Vec2) -> Idle {
-        let before = self.causes.velocity - self.causes.weight - slot.tally.kick;
+        let causes = &self.made.causes;
+        let before = causes.velocity - slot.body.weight(gravity) - slot.tally.kick;
         let as_it_was = slot.mode == Mode::Awake
             && slot.way.rate == Vec2::ZERO
             && slot.body.velocity == before
-            // Its weight says under which gravity.
-            && !slot.body.floats
-            && self.causes.weight == gravity
-            && (slot.support, slot.ground, slot.tally.drift) == (self.start.support, self.start.ground, self.start.drift);
+            && causes.gravity == gravity
+            && (slot.support, slot.ground, slot.tally.drift)
+                == (self.start.support, self.start.ground, self.start.drift);
         match (as_it_was, self.start.quiet.saturating_add(1) == slot.quiet, self.start.quiet == slot.quiet) {
             (true, true, _) => Idle::Counts,
             (true, false, true) => Idle::Never,
@@ -39,32 +41,32 @@ impl Rest {
 }
 
 /// Whether the body in a slot makes no step.
-pub(super) fn is_idle(rests: &[Option<Rest>], at: usize) -> bool {
-    idle(rests, at).is_some()
+pub(super) fn is_idle(memory: &[Place], at: usize) -> bool {
+    idle(memory, at).is_some()
 }
 
 /// Has the body in a slot make its next step in full. Returns whether it was idle.
-pub(super) fn stir(rests: &mut [Option<Rest>], at: usize) -> bool {
-    let Some(Some(rest)) = rests.get_mut(at) else { return false };
+pub(super) fn stir(memory: &mut [Place], at: usize) -> bool {
+    let Some(rest) = rest_mut(memory, at) else { return false };
     core::mem::replace(&mut rest.idle, Idle::No) != Idle::No
 }
 
-pub(super) fn idle(rests: &[Option<Rest>], at: usize) -> Option<&Rest> {
-    rests.get(at)?.as_ref().filter(|rest| rest.idle != Idle::No)
+pub(super) fn idle(memory: &[Place], at: usize) -> Option<&Rest> {
+    rest(memory, at).filter(|rest| rest.idle != Idle::No)
 }
 
 /// Whether nothing changes between two bodies.
-pub(super) fn are_idle<S>(rests: &[Option<Rest>], slots: &[Slot<S>], pair: Pair) -> bool {
+pub(super) fn are_idle<S>(memory: &[Place], slots: &[Slot<S>], pair: Pair) -> bool {
     let fixed = |at: Handle| slots.get(at.slot()).is_some_and(|slot| slot.mode == Mode::Fixed);
-    let [a, b] = [pair.a, pair.b].map(|at| is_idle(rests, at.slot()));
+    let [a, b] = [pair.a, pair.b].map(|at| is_idle(memory, at.slot()));
     (a && (b || fixed(pair.b))) || (b && fixed(pair.a))
 }
 
 /// How far from its box a body may come in this step: [`reach`], as it was when an idle body made
 /// its last step.
-pub(super) fn reach_of<S: BodyShape>(rests: &[Option<Rest>], slot: &Slot<S>, at: usize) -> u32 {
-    idle(rests, at)
-        .map_or_else(|| reach(slot), |rest| size(rest.causes.velocity).saturating_add(size(rest.causes.push)))
+pub(super) fn reach_of<S: BodyShape>(memory: &[Place], slot: &Slot<S>, at: usize) -> u32 {
+    idle(memory, at)
+        .map_or_else(|| reach(slot), |rest| size(rest.made.causes.velocity).saturating_add(size(rest.made.causes.push)))
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
@@ -72,43 +74,75 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ///
     /// A hit changes a velocity by at most twice the difference of the two, and a push is at most
     /// an overlap. In a pile one body may push the next. So in a step none goes farther than the
-    /// sum, over all that make one, of four times the velocity and of the overlap.
+    /// sum of four times the velocity and of the overlap, over all that it may meet, directly or
+    /// not. These are a company: two join if they are no farther apart than both may come.
     #[inline(never)]
     pub(super) fn disturb(&mut self, gravity: Vec2) {
-        let Self { near, slots, awake, count, rests, .. } = self;
+        let Self { near, slots, awake, count, memory, .. } = self;
         let awake = awake.get(..*count).unwrap_or_default();
         // A body that sleeps may wake in this step, and move.
         let all = slots.iter().any(|slot| slot.mode == Mode::Asleep);
-        let mut idle = 0_usize;
-        for handle in awake {
-            let Some(Some(rest)) = rests.get_mut(handle.slot()) else { continue };
-            if all || rest.causes.weight != gravity {
-                rest.idle = Idle::No;
-            }
-            idle += usize::from(rest.idle != Idle::No);
-        }
         let fixed = slots.iter().filter(|slot| slot.mode == Mode::Fixed);
         let fixed = fixed.map(|slot| size(slot.body.velocity)).max().unwrap_or(0);
-        // What a step adds to a velocity, and the largest overlap known so far.
-        let (more, mut deep) = (size(gravity).saturating_add(fixed), QUARTER);
-        // Each round disturbs one more, or finds a larger overlap, or is the last.
-        while 0 < idle && idle < awake.len() {
-            let moving = awake.iter().filter(|handle| !is_idle(rests, handle.slot()));
-            let moving = moving.filter_map(|handle| slots.get(handle.slot()));
-            let way = |slot: &Slot<S>| size(slot.body.velocity).saturating_add(more).saturating_mul(4);
-            let far = moving.fold(0, |far: u32, slot| far.saturating_add(way(slot)).saturating_add(deep));
-            let known = (idle, deep);
-            for &handle in awake {
-                let Some(slot) = slots.get(handle.slot()).filter(|_| !is_idle(rests, handle.slot())) else { continue };
-                let bounds = slot.body.shape.aabb();
-                near.in_region(&around(&bounds, far), |other| {
-                    idle -= usize::from(stir(rests, other.slot()));
-                    let other = slots.get(other.slot()).filter(|_| other != handle);
-                    deep = deep.max(other.map_or(0, |other| overlap(&bounds, &other.body.shape.aabb())));
-                });
+        // What a step adds to a velocity.
+        let more = size(gravity).saturating_add(fixed);
+        let (mut idle, mut most) = (0_usize, 0);
+        for handle in awake {
+            let rest = rest_mut(memory, handle.slot());
+            if let Some(rest) = rest.filter(|rest| rest.idle != Idle::No) {
+                if !all && rest.made.causes.gravity == gravity {
+                    idle += 1;
+                    continue;
+                }
+                rest.idle = Idle::No;
             }
-            if known == (idle, deep) {
-                break;
+            if let Some(slot) = slots.get_mut(handle.slot()) {
+                most = most.max(slot.goes_alone(*handle, more));
+            }
+        }
+        // Each round disturbs one more, or joins two companies, or is the last.
+        let mut ends = idle == 0 || idle == awake.len();
+        while !ends {
+            ends = true;
+            for &handle in awake {
+                if is_idle(memory, handle.slot()) {
+                    continue;
+                }
+                let company = usize::from(root(slots, handle.slot() as u16));
+                let Some(far) = slots.get(company).map(|slot| slot.tally.hits) else { continue };
+                let Some(slot) = slots.get_mut(handle.slot()).filter(|slot| slot.tally.under != far) else { continue };
+                let (bounds, first) = (slot.body.shape.aabb(), slot.tally.under == 0);
+                (slot.tally.under, ends) = (far, false);
+                let (within, mut deep) = (around(&bounds, raw(far)), QUARTER);
+                near.in_region(&around(&bounds, raw(far.saturating_add(most))), |other| {
+                    let Some(it) = slots.get_mut(other.slot()).filter(|_| other != handle) else { return };
+                    let box_ = it.body.shape.aabb();
+                    deep = deep.max(overlap(&bounds, &box_));
+                    if !it.is_awake() {
+                        return;
+                    }
+                    if is_idle(memory, other.slot()) {
+                        if !within.touches(&box_) {
+                            return;
+                        }
+                        stir(memory, other.slot());
+                        it.goes_alone(other, more);
+                    } else {
+                        let theirs = usize::from(root(slots, other.slot() as u16));
+                        let far_both = slots.get(theirs).map_or(0, |slot| slot.tally.hits).saturating_add(far);
+                        if theirs == company || !around(&bounds, raw(far_both)).touches(&box_) {
+                            return;
+                        }
+                    }
+                    most = most.max(together(slots, handle, other));
+                });
+                if first && deep > QUARTER {
+                    let company = root(slots, handle.slot() as u16);
+                    if let Some(slot) = slots.get_mut(usize::from(company)) {
+                        slot.tally.hits = slot.tally.hits.saturating_add(sixteenths(deep));
+                        most = most.max(slot.tally.hits);
+                    }
+                }
             }
         }
     }
@@ -116,19 +150,19 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// After a step: bodies that it left as they were, with all that they touch, are idle.
     #[inline(never)]
     pub(super) fn find_idle(&mut self, gravity: Vec2) {
-        let Self { slots, awake, count, rests, .. } = self;
+        let Self { slots, awake, count, memory, .. } = self;
         let awake = awake.get(..*count).unwrap_or_default();
-        let busy = |rests: &[Option<Rest>; M], at: usize| !is_idle(rests, at);
-        for handle in awake.iter().filter(|handle| busy(rests, handle.slot())) {
+        let busy = |memory: &[Place; M], at: usize| !is_idle(memory, at);
+        for handle in awake.iter().filter(|handle| busy(memory, handle.slot())) {
             if let Some(slot) = slots.get_mut(handle.slot()) {
                 slot.tally.hits = 0;
             }
         }
-        let repeats = |slots: &[Slot<S>], rests: &[Option<Rest>; M], at: usize| {
-            slots.get(at).zip(rests.get(at)?.as_ref()).map(|(slot, rest)| rest.repeats(slot, gravity))
+        let repeats = |slots: &[Slot<S>], memory: &[Place; M], at: usize| {
+            slots.get(at).zip(rest(memory, at)).map(|(slot, rest)| rest.repeats(slot, gravity))
         };
-        for handle in awake.iter().filter(|handle| busy(rests, handle.slot())) {
-            if repeats(slots, rests, handle.slot()).is_none_or(|idle| idle == Idle::No) {
+        for handle in awake.iter().filter(|handle| busy(memory, handle.slot())) {
+            if repeats(slots, memory, handle.slot()).is_none_or(|idle| idle == Idle::No) {
                 let root = root(slots, handle.slot() as u16);
                 if let Some(slot) = slots.get_mut(usize::from(root)) {
                     slot.tally.hits = 1;
@@ -136,13 +170,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             }
         }
         for handle in awake {
-            if is_idle(rests, handle.slot()) {
+            if is_idle(memory, handle.slot()) {
                 continue;
             }
             let root = root(slots, handle.slot() as u16);
             let together = slots.get(usize::from(root)).is_some_and(|slot| slot.tally.hits == 0);
-            let found = repeats(slots, rests, handle.slot()).filter(|_| together);
-            if let Some((Some(rest), idle)) = rests.get_mut(handle.slot()).map(Option::as_mut).zip(found) {
+            let found = repeats(slots, memory, handle.slot()).filter(|_| together);
+            if let Some((rest, idle)) = rest_mut(memory, handle.slot()).zip(found) {
                 rest.idle = idle;
             }
         }
@@ -151,6 +185,39 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
 
 /// No two bodies at rest overlap by that much: a first guess.
 const QUARTER: u32 = 1 << 14;
+
+/// Raw units as 1/16 of a unit, rounded up. What is far more than the domain is as far as all.
+fn sixteenths(raw: u32) -> u16 {
+    u16::try_from((raw >> 12) + 1).unwrap_or(u16::MAX)
+}
+
+fn raw(sixteenths: u16) -> u32 {
+    if sixteenths == u16::MAX { u32::MAX } else { u32::from(sixteenths) << 12 }
+}
+
+impl<S: BodyShape> Slot<S> {
+    /// Begins a company of one. Returns how far it may come. Until the step begins, `hits` of the
+    /// representative says that, and `under` of each how far a look has reached.
+    fn goes_alone(&mut self, handle: Handle, more: u32) -> u16 {
+        let way = size(self.body.velocity).saturating_add(more).saturating_mul(4).saturating_add(QUARTER);
+        (self.tally.link, self.tally.hits, self.tally.under) = (handle.slot() as u16, sixteenths(way), 0);
+        self.tally.hits
+    }
+}
+
+/// Joins the companies of two bodies. Returns how far they may come.
+fn together<S>(slots: &mut [Slot<S>], one: Handle, other: Handle) -> u16 {
+    let (a, b) = (root(slots, one.slot() as u16), root(slots, other.slot() as u16));
+    let far = |slots: &[Slot<S>], at: u16| slots.get(usize::from(at)).map_or(0, |slot| slot.tally.hits);
+    let sum = if a == b { far(slots, a) } else { far(slots, a).saturating_add(far(slots, b)) };
+    if let Some(slot) = slots.get_mut(usize::from(b)) {
+        slot.tally.link = a;
+    }
+    if let Some(slot) = slots.get_mut(usize::from(a)) {
+        slot.tally.hits = sum;
+    }
+    sum
+}
 
 /// How deep two boxes overlap at most, and with them the shapes in them.
 fn overlap(a: &Aabb, b: &Aabb) -> u32 {
@@ -168,8 +235,8 @@ pub(super) fn repeat<S>(
 ) {
     stepped.moved += 1;
     slot.quiet = slot.quiet.saturating_add(u8::from(rest.idle == Idle::Counts));
-    let (hits, flags) = (rest.hits(), rest.flags());
+    let (hits, flags) = (rest.made.hits(), rest.made.flags());
     if !hits.is_empty() {
-        each(SceneEvent::Level { body: handle, hits: &hits, flags, velocity: rest.causes.velocity });
+        each(SceneEvent::Level { body: handle, hits: &hits, flags, velocity: rest.made.causes.velocity });
     }
 }

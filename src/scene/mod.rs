@@ -149,9 +149,8 @@
 //! On a Cortex-M0, 64 bodies, boxes and circles, among tiles of all shapes, with a
 //! [`SortSweep`](crate::broad::SortSweep): 247 000 instructions per step while they fly and land,
 //! at most 504 000, most of them the mover's. 995 000 if all lie in nooks of slopes and none may
-//! sleep; 32 if all sleep. A scene that [remembers](Scene::remembering) makes such steps for an
-//! eighth of that: 107 000, of which two bodies that never rest take more than half. Stack: 3072
-//! bytes.
+//! sleep; 32 if all sleep. A scene that [remembers](Scene::remembering) makes such steps for a
+//! twentieth of that: 47 000. Stack: 3072 bytes.
 //!
 //! # Games in a scene
 //!
@@ -237,6 +236,61 @@
 //! bounce. A [`Filter`](crate::Filter) does the same for whole groups, and costs less. What the level
 //! is to a body is the other half: [`SceneBody::responses`] for what stops it, and
 //! [`step_in`](Scene::step_in) for the tiles that it passes.
+//! [`step_along`](Scene::step_along) reports them.
+//!
+//! **Tiles that only some bodies meet**: give the tiles flags, and write one table of the flags
+//! that each kind of body passes. It makes a table of tiles for each kind of body
+//! ([`TileKinds::passing`](crate::TileKinds::passing)), and these make a level for each. The levels
+//! share their tiles: a door that opens does so for all. The table of flags works alike for levels
+//! of every [set](crate::world::Set) of shapes.
+//!
+//! ```
+//! use tilesat::broad::SortSweep;
+//! use tilesat::scene::{SceneBody, SceneTag};
+//! use tilesat::world::Set;
+//! use tilesat::{AllShapes, Blocks, Circle, Scene, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2, fx};
+//! const CURTAIN: u8 = 1;
+//! const FENCE: u8 = 2;
+//! // Knights, ghosts, arrows: the flags that each passes.
+//! const PASSED: [u8; 3] = [0, CURTAIN | FENCE, FENCE];
+//! const fn of_bodies(kinds: &TileKinds) -> [TileKinds; 3] {
+//!     [kinds.passing(PASSED[0]), kinds.passing(PASSED[1]), kinds.passing(PASSED[2])]
+//! }
+//!
+//! const BLOCKS: TileKinds = TileKinds::EMPTY
+//!     .with(b'#', TileKind::FULL)
+//!     .with(b'c', TileKind::FULL.with_flags(CURTAIN))
+//!     .with(b'f', TileKind::FULL.with_flags(FENCE));
+//! const SLOPES: TileKinds = BLOCKS.with(b'/', TileKind::of(TileShape::SlopeBottomRight));
+//! const ROUND: TileKinds = SLOPES.with(b'o', TileKind::of(TileShape::ConvexBottomRight));
+//! static BLOCKS_OF: [TileKinds; 3] = of_bodies(&BLOCKS);
+//! static SLOPES_OF: [TileKinds; 3] = of_bodies(&SLOPES);
+//! static ROUND_OF: [TileKinds; 3] = of_bodies(&ROUND);
+//!
+//! /// Where a knight, a ghost and an arrow end that start at x = 8.
+//! fn ends<S: Set>(rows: &str, kinds: &'static [TileKinds; 3]) -> Result<[i32; 3], Box<dyn std::error::Error>> {
+//!     let tiles = TileMap::from_ascii(rows, &TileKinds::EMPTY)?;
+//!     let level = |kind: usize| tiles.with_kinds::<S>(&kinds[kind]);
+//!     let levels = [level(0)?, level(1)?, level(2)?];
+//!     let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+//!     for key in 0..3 {
+//!         let ball = Circle::new(Vec2::from_ints(8, 8), fx!(4))?;
+//!         scene.insert(&SceneBody { velocity: Vec2::from_ints(100, 0), ..SceneBody::new(ball, key) })?;
+//!     }
+//!     // The key says of which kind a body is. These meet only the level.
+//!     scene.step_in(|body| &levels[body.key as usize], Vec2::ZERO, |_| false, |_| ())?;
+//!     let mut ends = [0; 3];
+//!     for (_, body) in scene.bodies() {
+//!         ends[body.key as usize] = body.shape.position().x.to_num();
+//!     }
+//!     Ok(ends)
+//! }
+//! let ends_of_all = [28, 76, 44]; // before the fence, the wall and the curtain
+//! assert_eq!(ends::<Blocks>("..fc.#.\n.......", &BLOCKS_OF)?, ends_of_all);
+//! assert_eq!(ends::<Slopes>("..fc.#.\n../../.", &SLOPES_OF)?, ends_of_all);
+//! assert_eq!(ends::<AllShapes>("..fc.#.\n..o../.", &ROUND_OF)?, ends_of_all);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 //!
 //! **Landings**: a body at rest hits the floor in every step. To hear a landing once, feed what the
 //! body hits to a list of [events](crate::broad::PairEvents); the key is any pair that you choose.
@@ -287,11 +341,13 @@
 //! [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change, solids.
 
 mod body;
+mod change;
 mod drift;
 mod error;
 mod idle;
 mod kernel;
 mod meeting;
+mod memory;
 mod met;
 mod pairs;
 mod piles;

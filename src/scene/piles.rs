@@ -9,9 +9,9 @@ use super::body::{ALOFT, FLIES, Mode, Slot};
 use super::drift::Drift;
 use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, carried, toward};
+use super::memory::{Place, keep, rest_mut};
 use super::met::{around, may_meet, pair, senses};
 use super::reply::{Replies, Reply};
-use super::rest::Rest;
 use super::trip::{Trip, hold};
 use super::view::View;
 use super::way::{Pace, size};
@@ -34,12 +34,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         replies: &mut impl Replies,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
-        let Self { near, slots, awake, count, rests, sleep } = self;
+        let Self { near, slots, awake, count, memory, sleep } = self;
         let movers = awake.get_mut(..*count).unwrap_or_default();
         let mut lying = from_the_lowest(movers, 0, slots, trip.gravity);
         let fixed = slots.iter().filter(|slot| slot.mode == Mode::Fixed);
         let margin = fixed.map(|slot| size(slot.lift(trip.gravity))).max().unwrap_or(0);
-        let mut pile = Pile { near, slots, rests, trip, margin, stepped };
+        let mut pile = Pile { near, slots, memory, trip, margin, stepped };
         let mut calm = false;
         let mut at = 0;
         while at < lying {
@@ -89,7 +89,7 @@ fn swap(movers: &mut [Handle], a: usize, b: usize) {
 struct Pile<'a, B, V, S, const M: usize> {
     near: &'a mut B,
     slots: &'a mut [Slot<S>],
-    rests: &'a mut [Option<Rest>; M],
+    memory: &'a mut [Place; M],
     trip: &'a Trip<'a, V>,
     /// How far a fixed body may be from where the broad phase has it.
     margin: u32,
@@ -105,8 +105,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         let by = if moved { slot.way.rate } else { Vec2::ZERO };
         let (start, quiet) = (known.position() - by, if moved { slot.before(by) } else { slot.rest() });
         if !moved {
-            let rest = self.rests.get_mut(handle.slot());
-            self.trip.make(slot, handle, rest, self.near, self.stepped, each);
+            self.trip.make(slot, handle, self.memory, self.near, self.stepped, each);
             if slot.way.pace != Pace::Lies {
                 return false;
             }
@@ -129,9 +128,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         (slot.tally.low, slot.tally.high) = (Vec2::ZERO, Vec2::ZERO);
         if let Err(fault) = self.rest(handle, &mut slot, before, replies) {
             slot.body.shape = known;
-            if let Some(rest) = self.rests.get_mut(handle.slot()) {
-                *rest = None;
-            }
+            keep(self.memory, handle.slot(), None);
             hold(&mut slot, handle, fault, self.stepped, each);
         }
         (slot.way.pace, slot.way.turns) = (Pace::Slow, 1);
@@ -196,10 +193,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         }
         let push = slot.tally.push();
         if push != Vec2::ZERO {
-            if let Some(Some(rest)) = self.rests.get_mut(handle.slot()) {
+            if let Some(rest) = rest_mut(self.memory, handle.slot()) {
                 rest.stays = false;
             }
-            slot.body.shape = self.trip.slide(&slot.body, push)?;
+            slot.body.shape = self.trip.slide(handle, &slot.body, push)?;
         }
         let bounds = slot.body.shape.aabb();
         if self.near.bounds(handle).is_ok_and(|known| known != bounds) {

@@ -1,4 +1,4 @@
-//! What a scene remembers of bodies at rest, so that they need no look at the level.
+//! A way through the level, and what is remembered of a body that makes it.
 
 use super::body::Slot;
 use super::drift::Drift;
@@ -11,13 +11,19 @@ use crate::num::Vec2;
 /// body nor the level changes. A change of the body by a step goes through
 /// [`Trip::make`](super::trip::Trip), one by the game through [`Scene::alter`](super::Scene::alter),
 /// and one of the level through [`Scene::wake_region`](super::Scene::wake_region); each clears this.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Rest {
-    pub(super) causes: Causes,
+    pub(super) made: Made,
     pub(super) start: Start,
     pub(super) idle: Idle,
     /// It led nowhere, and nothing has moved the body since.
     pub(super) stays: bool,
+}
+
+/// The causes of a way through the level, and its end, apart from how far it led.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Made {
+    pub(super) causes: Causes,
     /// What is left of the velocity.
     pub(super) velocity: Vec2,
     /// A body at rest touches one surface, or two that it is wedged between. Two hits are half of
@@ -56,16 +62,20 @@ pub(super) enum Idle {
 pub(super) struct Causes {
     pub(super) push: Vec2,
     pub(super) velocity: Vec2,
-    /// It says at which speeds the body does not bounce.
-    pub(super) weight: Vec2,
+    /// It says at which speeds the body does not bounce, and which surfaces are floors.
+    pub(super) gravity: Vec2,
 }
 
 impl Rest {
+    pub(super) fn of(made: &Made, start: Start, by: Vec2) -> Self {
+        Self { made: *made, start, idle: Idle::No, stays: by == Vec2::ZERO && made.hits[0].is_some() }
+    }
+}
+
+impl Made {
     /// `None` if the way led to more hits than are kept.
-    pub(super) fn of<B>(causes: Causes, start: Start, by: Vec2, moved: &Moved<B>) -> Option<Self> {
-        let hits = moved.hits.few()?;
-        let stays = by == Vec2::ZERO && !moved.hits.is_empty();
-        Some(Self { causes, start, idle: Idle::No, stays, velocity: moved.velocity, hits, floor: moved.floor })
+    pub(super) fn of<B>(causes: Causes, moved: &Moved<B>) -> Option<Self> {
+        Some(Self { causes, velocity: moved.velocity, hits: moved.hits.few()?, floor: moved.floor })
     }
 
     pub(super) fn hits(&self) -> Hits {

@@ -6,7 +6,7 @@ use crate::motion::Body;
 use crate::num::{Raw, Vec2};
 use crate::query::{CastShape, Contact, Contacts, Inside, MovingHit, Overlaps, Touches};
 use crate::shape::{Aabb, Capsule, Circle};
-use crate::world::World;
+use crate::world::{World, probe};
 
 /// A box or a circle. Pair queries call the kernel of the two shapes.
 ///
@@ -66,6 +66,36 @@ pub enum WithCapsules {
     Circle(Circle),
     /// A capsule that stands or lies.
     Capsule(Capsule),
+}
+
+impl crate::world::Probe for Shape {}
+
+impl probe::Probe for Shape {
+    fn bounds(&self) -> (Raw, Raw) {
+        let bounds = self.aabb();
+        (bounds.lo(), bounds.hi())
+    }
+
+    fn reaches(&self, cell: (Raw, Raw)) -> bool {
+        match self {
+            Self::Aabb(it) => it.reaches(cell),
+            Self::Circle(it) => it.reaches(cell),
+        }
+    }
+
+    fn passes(&self, d: Raw, cell: (Raw, Raw)) -> bool {
+        match self {
+            Self::Aabb(it) => it.passes(d, cell),
+            Self::Circle(it) => it.passes(d, cell),
+        }
+    }
+
+    fn meets(&self, a: Raw, b: Raw) -> bool {
+        match self {
+            Self::Aabb(it) => it.meets(a, b),
+            Self::Circle(it) => it.meets(a, b),
+        }
+    }
 }
 
 impl BodyShape for Shape {}

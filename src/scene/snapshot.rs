@@ -3,6 +3,7 @@
 use super::body::{Mode, Slot, Tally};
 use super::drift::Drift;
 use super::kernel::BodyShape;
+use super::memory::Place;
 use super::{Scene, SceneBody, Shape, Sleep};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
@@ -137,7 +138,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize, 
     pub fn restore(&mut self, snapshot: &Snapshot<B, N, S>) {
         let Snapshot { near, kept, awake, count, sleep } = snapshot;
         (self.near, self.count, self.sleep) = (*near, usize::from(*count), *sleep);
-        self.rests = [None; M];
+        self.memory = [Place::Empty; M];
         let bodies = near.table();
         for (at, (slot, kept)) in self.slots.iter_mut().zip(kept).enumerate() {
             *slot = kept.slot(bodies.handle(at));

@@ -1,22 +1,22 @@
 //! One step of a scene.
 
 use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
+use super::change::rouse;
 use super::idle::{are_idle, idle, is_idle, repeat, stir};
 use super::kernel::BodyShape;
+use super::memory::{Place, keep};
 use super::met::{may_meet, pair, senses};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::reply::{Answer, Asked, Replies, Reply};
-use super::rest::Rest;
 use super::set::Sleep;
-use super::set::rouse;
 use super::trip::Trip;
-use super::view::{Each, View};
+use super::view::{Along, Each, View};
 use super::way::{BodyWay, Pace};
 use super::{Scene, SceneBody, SceneError, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
 use crate::num::{MOTION, Vec2, check_motion};
-use crate::world::World;
+use crate::world::{Trail, World};
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
     /// Moves all awake bodies by one step. A step adds `gravity` to velocities; pass zero for games
@@ -148,10 +148,72 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         level_of: impl Fn(&SceneBody<S>) -> &'l W,
         gravity: Vec2,
         replies: impl FnMut(Pair) -> A,
+        each: impl FnMut(SceneEvent<'_>),
+    ) -> Result<Stepped, SceneError> {
+        self.run(&Each::by(level_of), gravity, &mut Asked(replies), each)
+    }
+
+    /// Like [`step_in`](Self::step_in), and reports each way that a body makes: for all that it
+    /// passes, bump.lua's "cross".
+    ///
+    /// `passed` receives the body, its shape before the way, and the [`Trail`] of the way.
+    /// [`TileMap::tiles_on`](crate::TileMap::tiles_on) and [`Solids::on`](crate::Solids::on) list
+    /// what lies on it, exactly, whether the body slides, bounces or is fast. A step of a body is
+    /// one way or several; each begins where the last one ended. A body that stays makes none. A
+    /// tile on two ways is reported on both.
+    ///
+    /// If the broad phase refuses the end of a way, the body is [held](SceneEvent::Held) where it
+    /// was, and the way was reported. A scene that [remembers](Self::remembering) looks in these
+    /// steps like any other.
+    ///
+    /// Cost: that of `step_in`. A program that calls both links the step twice.
+    ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::scene::{SceneBody, SceneTag};
+    /// use tilesat::{Cell, Circle, Scene, TileKind, TileKinds, TileMap, Vec2, fx};
+    /// const CURTAIN: u8 = 1;
+    /// static KINDS: TileKinds =
+    ///     TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'c', TileKind::FULL.with_flags(CURTAIN));
+    /// static GHOSTS: TileKinds = KINDS.passing(CURTAIN);
+    /// let level = TileMap::from_ascii("..c.c.#\n.......", &GHOSTS)?;
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let ghost = SceneBody::new(Circle::new(Vec2::from_ints(8, 8), fx!(4))?, 1);
+    /// let ghost = scene.insert(&SceneBody { velocity: Vec2::from_ints(100, 20), ..ghost })?;
+    /// let mut cells = Vec::new();
+    /// scene.step_along(|_| &level, Vec2::ZERO, |_| true, |_| (), |body, shape, trail| {
+    ///     assert_eq!((body, shape.position()), (ghost, Vec2::from_ints(8, 8)));
+    ///     let passed = level.tiles_on(shape, trail).expect("it was inside of the domain");
+    ///     cells.extend(passed.filter(|tile| tile.kind.flag(CURTAIN)).map(|tile| tile.cell));
+    /// })?;
+    /// assert_eq!(cells, [Cell::new(2, 0), Cell::new(4, 0)]); // both, and not the wall
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    #[doc(alias = "cross")]
+    pub fn step_along<'l, W: World + 'l, A: Answer>(
+        &mut self,
+        level_of: impl Fn(&SceneBody<S>) -> &'l W,
+        gravity: Vec2,
+        replies: impl FnMut(Pair) -> A,
+        each: impl FnMut(SceneEvent<'_>),
+        passed: impl FnMut(Handle, &S, &Trail),
+    ) -> Result<Stepped, SceneError> {
+        // What repeats is not told.
+        self.memory.fill(Place::Empty);
+        self.run(&Along::by(level_of, passed), gravity, &mut Asked(replies), each)
+    }
+
+    fn run(
+        &mut self,
+        view: &impl View<S>,
+        gravity: Vec2,
+        replies: &mut impl Replies,
         mut each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
         check_motion(gravity, MOTION).map_err(SceneError::call)?;
-        let replies = &mut Asked(replies);
         let mut stepped = Stepped::default();
         if self.count == 0 {
             return Ok(stepped);
@@ -160,14 +222,14 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         if M > 0 {
             self.disturb(gravity);
         }
-        begin(&mut self.slots, &self.rests, self.awake.get(..awake).unwrap_or_default(), gravity);
+        begin(&mut self.slots, &self.memory, self.awake.get(..awake).unwrap_or_default(), gravity);
         self.meet(gravity, &mut stepped, replies, &mut each);
         if self.count > awake {
             self.wake_along(awake, replies);
             stepped.woken = (self.count - awake) as u16;
             self.tell_woken(awake);
         }
-        if self.travel(&Each::by(level_of), gravity, &mut stepped, replies, &mut each) {
+        if self.travel(view, gravity, &mut stepped, replies, &mut each) {
             self.fall_asleep(&mut stepped);
         }
         Ok(stepped)
@@ -182,7 +244,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         each: &mut impl FnMut(SceneEvent<'_>),
     ) {
         let Some((movers, room)) = self.awake.split_at_mut_checked(self.count) else { return };
-        let (slots, rests, mut woken, mut hits) = (&mut self.slots, &self.rests, 0, false);
+        let (slots, memory, mut woken, mut hits) = (&mut self.slots, &self.memory, 0, false);
         each_pair(&mut self.near, movers, |pair| {
             stepped.pairs += 1;
             let Some((a, b)) = both(slots, pair).filter(|(a, b)| a.body.shape.touches(&b.body.shape)) else { return };
@@ -195,7 +257,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             stepped.touching += 1;
             stepped.overlapping += u32::from(contact.is_some() && !senses);
             each(SceneEvent::Touch { pair, contact: contact.as_ref() });
-            if senses || are_idle(rests, slots, pair) {
+            if senses || are_idle(memory, slots, pair) {
                 return;
             }
             for at in [pair.a, pair.b] {
@@ -210,7 +272,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         if hits {
             each_pair(&mut self.near, movers, |pair| {
                 stepped.pairs += 1;
-                if are_idle(rests, slots, pair) {
+                if are_idle(memory, slots, pair) {
                     return;
                 }
                 kick(slots, pair, gravity, replies);
@@ -257,15 +319,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> bool {
         let Sleep { steps, .. } = self.sleep;
-        let trip = Trip::new(view, gravity, self.sleep);
+        let trip = Trip::new(view, gravity, self.sleep, N);
         let (mut calm, mut fast, mut piled) = (false, false, false);
         for handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-            if !is_idle(&self.rests, handle.slot()) && slot.is_fast() {
+            if !is_idle(&self.memory, handle.slot()) && slot.is_fast() {
                 (slot.way.pace, fast) = (Pace::Swept, true);
-                if let Some(rest) = self.rests.get_mut(handle.slot()) {
-                    *rest = None;
-                }
+                keep(&mut self.memory, handle.slot(), None);
             }
             piled |= slot.way.pace == Pace::Lies;
         }
@@ -274,11 +334,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
         for &handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-            if let Some(rest) = idle(&self.rests, handle.slot()) {
+            if let Some(rest) = idle(&self.memory, handle.slot()) {
                 repeat(slot, handle, rest, stepped, each);
                 calm |= slot.quiet >= steps;
             } else if slot.way.pace == Pace::Slow {
-                trip.make(slot, handle, self.rests.get_mut(handle.slot()), &mut self.near, stepped, each);
+                trip.make(slot, handle, &mut self.memory, &mut self.near, stepped, each);
                 calm |= slot.quiet >= steps;
             }
         }
@@ -325,7 +385,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             } else if let Some(slot) = slots.get_mut(handle.slot()) {
                 (slot.mode, slot.body.velocity, slot.way) = (Mode::Asleep, Vec2::ZERO, BodyWay::REST);
                 slot.ground = NOBODY;
-                stir(&mut self.rests, handle.slot());
+                stir(&mut self.memory, handle.slot());
                 let told = self.near.set_tag(handle, slot.body.tag(true));
                 debug_assert!(told.is_ok(), "a body of the scene is in its broad phase");
             }
@@ -335,8 +395,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 }
 
-fn begin<S: BodyShape>(slots: &mut [Slot<S>], rests: &[Option<Rest>], awake: &[Handle], gravity: Vec2) {
-    for handle in awake.iter().filter(|handle| !is_idle(rests, handle.slot())) {
+fn begin<S: BodyShape>(slots: &mut [Slot<S>], memory: &[Place], awake: &[Handle], gravity: Vec2) {
+    for handle in awake.iter().filter(|handle| !is_idle(memory, handle.slot())) {
         let Some(slot) = slots.get_mut(handle.slot()) else { continue };
         slot.tally = Tally { drift: slot.tally.drift, ..Tally::of(handle.slot() as u16) };
         slot.mode = Mode::Awake;

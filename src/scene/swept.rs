@@ -9,13 +9,13 @@
 //! again in the step move along each other, and their velocities meet in the next one.
 
 use super::body::{ALOFT, NOBODY, Slot};
+use super::change::rouse;
 use super::idle::{reach_of, stir};
 use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, toward};
+use super::memory::Place;
 use super::met::{Met, around, each_near, may_meet, pair, reach, senses};
 use super::reply::{Replies, Reply};
-use super::rest::Rest;
-use super::set::rouse;
 use super::trip::{Touched, Trip, hold};
 use super::view::View;
 use super::way::{BodyWay, End, Pace, TURNS, later, size};
@@ -30,11 +30,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// Releases those that have nobody in reach: only the level matters to them.
     #[inline(never)]
     pub(super) fn let_go(&mut self, replies: &mut impl Replies) {
-        let Self { near, slots, rests, .. } = self;
+        let Self { near, slots, memory, .. } = self;
         let movers = self.awake.get(..self.count).unwrap_or_default();
         let widest = movers
             .iter()
-            .filter_map(|handle| Some(reach_of(rests, slots.get(handle.slot())?, handle.slot())))
+            .filter_map(|handle| Some(reach_of(memory, slots.get(handle.slot())?, handle.slot())))
             .max()
             .unwrap_or(0);
         for &handle in movers {
@@ -62,8 +62,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ) -> bool {
         let from = self.count;
         let Some((movers, room)) = self.awake.split_at_mut_checked(from) else { return false };
-        let (near, slots, rests) = (&mut self.near, self.slots.as_mut_slice(), self.rests.as_mut_slice());
-        let mut sweep = Sweep { near, slots, rests, movers, room, woken: 0, trip, margin: 0, stepped, replies, each };
+        let (near, slots, memory) = (&mut self.near, self.slots.as_mut_slice(), self.memory.as_mut_slice());
+        let mut sweep = Sweep { near, slots, memory, movers, room, woken: 0, trip, margin: 0, stepped, replies, each };
         sweep.run();
         let woken = sweep.woken;
         stepped.woken += woken as u16;
@@ -77,7 +77,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
 struct Sweep<'a, B, V, S, R, E> {
     near: &'a mut B,
     slots: &'a mut [Slot<S>],
-    rests: &'a mut [Option<Rest>],
+    memory: &'a mut [Place],
     /// The bodies that were awake before.
     movers: &'a [Handle],
     room: &'a mut [Handle],
@@ -206,6 +206,7 @@ where
         slot.way.turns += 1;
         if let Ok(Touched { shape, hit: Some(hit), floor, flags }) = touched {
             let velocity = slot.body.velocity;
+            self.trip.tell(handle, &slot.body.shape, &shape);
             slot.body.shape = shape;
             slot.body.velocity = self.trip.after(&slot.body, &hit);
             if floor {
@@ -249,7 +250,7 @@ where
             };
             // Tested against the level, because the position is rounded: a body on a floor might
             // lead into it.
-            if let Ok(shape) = self.trip.slide(&slot.body, place - slot.body.shape.position()) {
+            if let Ok(shape) = self.trip.slide(at, &slot.body, place - slot.body.shape.position()) {
                 slot.body.shape = shape;
             }
             slot.way.since = met.time;
@@ -305,7 +306,7 @@ where
                 // A body that has already moved in this step does not fall asleep at its end.
                 if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
                     slot.quiet = 0;
-                    stir(self.rests, at.slot());
+                    stir(self.memory, at.slot());
                 }
                 (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
                 (slot.support, slot.ground) = (from.support, from.ground);
@@ -340,6 +341,7 @@ where
         self.sense(handle, &slot, Toi::ONE);
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
         if let Ok(touched) = self.trip.touch(&slot.body, slot.way.left(slot.way.since)) {
+            self.trip.tell(handle, &slot.body.shape, &touched.shape);
             slot.body.shape = touched.shape;
         }
         slot.way.since = Toi::ONE;

@@ -4,17 +4,15 @@ use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally};
 use super::drift::Drift;
 use super::kernel::{BodyShape, Visit};
 use super::meeting::toward;
-use super::rest::{Causes, Rest, Start};
-use super::view::View;
+use super::memory::{Place, keep, known, note, rest_mut};
+use super::rest::{Causes, Made, Rest, Start};
+use super::view::{Sliding, View};
 use super::way::{BodyWay, Pace, size};
 use super::{SceneBody, SceneError, SceneEvent, SceneFault, Sleep, Stepped};
 use crate::broad::{BroadPhase, Handle};
-use crate::motion::{Body, ByFlags, Hit, Moved, Mover, Response, Responses, Surface};
+use crate::motion::{Body, Hit, Moved, Mover, Response, Responses, Surface};
 use crate::num::{Ratio, Vec2};
 use crate::world::World;
-
-/// A mover that slides.
-type Sliding = Mover<ByFlags<Surface>>;
 
 /// The data that all ways through the level share.
 pub(super) struct Trip<'a, V> {
@@ -22,12 +20,14 @@ pub(super) struct Trip<'a, V> {
     mover: Sliding,
     pub(super) gravity: Vec2,
     sleep: Sleep,
+    /// Where the ways begin in the memory.
+    ways: usize,
 }
 
 impl<'a, V> Trip<'a, V> {
-    pub(super) fn new(view: &'a V, gravity: Vec2, sleep: Sleep) -> Self {
+    pub(super) fn new(view: &'a V, gravity: Vec2, sleep: Sleep, ways: usize) -> Self {
         let mover = Mover::platformer(toward(gravity).reversed()).with_surface(Surface::SLICK);
-        Self { view, mover: mover.with_responses(Responses::NONE), gravity, sleep }
+        Self { view, mover: mover.with_responses(Responses::NONE), gravity, sleep, ways }
     }
 }
 
@@ -36,7 +36,7 @@ struct Travel<'t, 'a, V, S, N, E> {
     trip: &'t Trip<'a, V>,
     slot: &'t mut Slot<S>,
     handle: Handle,
-    known: Option<&'t mut Option<Rest>>,
+    memory: &'t mut [Place],
     near: &'t mut N,
     each: &'t mut E,
 }
@@ -51,7 +51,7 @@ where
     type Out = Result<(), SceneFault>;
     #[inline]
     fn of<B: Body + Into<S>>(self, body: &B) -> Self::Out {
-        self.trip.travel(self.slot, self.handle, body, self.known, self.near, self.each)
+        self.trip.travel(self.slot, self.handle, body, self.memory, self.near, self.each)
     }
 }
 
@@ -68,14 +68,14 @@ impl<S, W: World> Visit<S> for Touch<'_, W> {
 }
 
 /// A motion as far as the level allows.
-struct Slide<'t, W>(&'t Sliding, &'t W, Vec2);
+struct Slide<'t, 'a, V, S>(&'t Trip<'a, V>, (Handle, &'t SceneBody<S>), Vec2);
 
-impl<S, W: World> Visit<S> for Slide<'_, W> {
+impl<S, V: View<S>> Visit<S> for Slide<'_, '_, V, S> {
     type Out = Result<S, SceneFault>;
     #[inline]
-    fn of<B: Body + Into<S>>(self, body: &B) -> Self::Out {
-        let Self(mover, level, by) = self;
-        Ok(mover.move_and_slide(level, body, by)?.body.into())
+    fn of<B: Body + Into<S>>(self, from: &B) -> Self::Out {
+        let Self(trip, body, by) = self;
+        Ok(trip.view.go(&trip.mover, body, from, by)?.body.into())
     }
 }
 
@@ -85,7 +85,7 @@ impl<V> Trip<'_, V> {
         &self,
         slot: &mut Slot<S>,
         handle: Handle,
-        known: Option<&mut Option<Rest>>,
+        memory: &mut [Place],
         near: &mut impl BroadPhase,
         stepped: &mut Stepped,
         each: &mut impl FnMut(SceneEvent<'_>),
@@ -93,14 +93,28 @@ impl<V> Trip<'_, V> {
         V: View<S>,
     {
         stepped.moved += 1;
-        let mut known = known;
-        let known_rest = known.as_mut().and_then(|known| known.as_mut());
-        if let Some(rest) = known_rest.filter(|rest| rest.stays && rest.causes == self.causes(slot)) {
+        let (shape, at) = (slot.body.shape, handle.slot());
+        let made = if memory.is_empty() {
+            None
+        } else if let Some(rest) =
+            rest_mut(memory, at).filter(|rest| rest.stays && rest.made.causes == self.causes(slot))
+        {
             rest.start = Start::of(slot);
-            return self.rest(slot, handle, rest, each);
-        }
-        let shape = slot.body.shape;
-        if let Err(fault) = shape.visit(Travel { trip: self, slot, handle, known, near, each }) {
+            Some((Vec2::ZERO, rest.made))
+        } else {
+            let ways = memory.get_mut(self.ways..).unwrap_or_default();
+            let found = known(ways, at, shape.position(), &self.causes(slot));
+            if let Some((by, made)) = &found {
+                keep(memory, at, Some(Rest::of(made, Start::of(slot), *by)));
+            }
+            found
+        };
+        let done = match made {
+            Some((by, made)) => self.repeat(slot, handle, (by, &made), near, each),
+            None => shape.visit(Travel { trip: self, slot, handle, memory, near, each }),
+        };
+        if let Err(fault) = done {
+            keep(memory, at, None);
             hold(slot, handle, fault, stepped, each);
         }
     }
@@ -108,22 +122,27 @@ impl<V> Trip<'_, V> {
     /// What moves a body in this step.
     fn causes<S: BodyShape>(&self, slot: &Slot<S>) -> Causes {
         let velocity = slot.body.velocity + slot.tally.kick;
-        Causes { push: slot.tally.push(), velocity, weight: slot.body.weight(self.gravity) }
+        Causes { push: slot.tally.push(), velocity, gravity: self.gravity }
     }
 
-    /// The way that a body at rest would make.
+    /// The way that [`travel`](Self::travel) would make.
     #[inline(never)]
-    fn rest<S: BodyShape>(
+    fn repeat<S: BodyShape>(
         &self,
         slot: &mut Slot<S>,
         handle: Handle,
-        rest: &Rest,
+        (by, made): (Vec2, &Made),
+        near: &mut impl BroadPhase,
         each: &mut impl FnMut(SceneEvent<'_>),
-    ) {
-        (slot.way.rate, slot.body.velocity) = (Vec2::ZERO, rest.velocity);
-        self.arrive(slot, Vec2::ZERO, if rest.floor { 0 } else { ALOFT }, false);
-        let (hits, flags) = (rest.hits(), rest.flags());
-        each(SceneEvent::Level { body: handle, hits: &hits, flags, velocity: rest.causes.velocity });
+    ) -> Result<(), SceneFault> {
+        go(slot, handle, by, near)?;
+        slot.body.velocity = made.velocity;
+        let (hits, flags) = (made.hits(), made.flags());
+        self.arrive(slot, by, if made.floor { 0 } else { ALOFT }, hits.is_empty());
+        if !hits.is_empty() {
+            each(SceneEvent::Level { body: handle, hits: &hits, flags, velocity: made.causes.velocity });
+        }
+        Ok(())
     }
 
     /// First moves by the push, along the level, then by the velocity.
@@ -132,39 +151,34 @@ impl<V> Trip<'_, V> {
         slot: &mut Slot<S>,
         handle: Handle,
         body: &B,
-        mut known: Option<&mut Option<Rest>>,
+        memory: &mut [Place],
         near: &mut impl BroadPhase,
         each: &mut impl FnMut(SceneEvent<'_>),
     ) -> Result<(), SceneFault>
     where
         V: View<S>,
     {
-        if let Some(known) = &mut known {
-            **known = None;
-        }
-        let (causes, start_of, level) = (self.causes(slot), Start::of(slot), self.view.level(&slot.body));
+        let (causes, start_of) = (self.causes(slot), Start::of(slot));
         let (mut start, Causes { push, velocity, .. }) = (*body, causes);
         if push != Vec2::ZERO {
-            start = self.mover.move_and_slide(level, body, push)?.body;
+            start = self.view.go(&self.mover, (handle, &slot.body), body, push)?.body;
         }
         let mover = self.mover.with_response(Response::Bounce).with_surface(self.surface(&slot.body));
-        let result = mover.with_responses(slot.body.responses).move_and_slide(level, &start, velocity);
+        let mover = mover.with_responses(slot.body.responses);
+        let result = self.view.go(&mover, (handle, &slot.body), &start, velocity);
         // Matched by reference: it is long.
         let moved = match &result {
             Ok(moved) => moved,
             Err(error) => return Err((*error).into()),
         };
         let by = moved.position() - body.position();
-        if by != Vec2::ZERO {
-            let shape = moved.body.into();
-            if slot.way.pace != Pace::Lies {
-                near.move_to(handle, &shape.aabb())?;
+        go(slot, handle, by, near)?;
+        if !memory.is_empty() {
+            let (at, made) = (handle.slot(), Made::of(causes, moved));
+            keep(memory, at, made.as_ref().map(|made| Rest::of(made, start_of, by)));
+            if let Some((ways, made)) = memory.get_mut(self.ways..).zip(made.as_ref()) {
+                note(ways, at, body.position(), by, made);
             }
-            slot.body.shape = shape;
-        }
-        slot.way.rate = by;
-        if let Some(known) = known {
-            *known = Rest::of(causes, start_of, by, moved);
         }
         slot.body.velocity = moved.velocity;
         self.arrive(slot, by, if moved.floor { 0 } else { ALOFT }, moved.hits.is_empty());
@@ -184,11 +198,19 @@ impl<V> Trip<'_, V> {
     }
 
     /// Moves as far as the level allows.
-    pub(super) fn slide<S: BodyShape>(&self, body: &SceneBody<S>, by: Vec2) -> Result<S, SceneFault>
+    pub(super) fn slide<S: BodyShape>(&self, handle: Handle, body: &SceneBody<S>, by: Vec2) -> Result<S, SceneFault>
     where
         V: View<S>,
     {
-        body.shape.visit(Slide(&self.mover, self.view.level(body), by))
+        body.shape.visit(Slide(self, (handle, body), by))
+    }
+
+    /// A body has made a straight way.
+    pub(super) fn tell<S: BodyShape>(&self, handle: Handle, from: &S, to: &S)
+    where
+        V: View<S>,
+    {
+        self.view.tell(handle, from, to.position() - from.position());
     }
 
     /// The surface that the level has for a body.
@@ -243,6 +265,24 @@ impl<V> Trip<'_, V> {
         slot.tally.drift = slot.tally.drift.plus(by);
         x.unsigned_abs().max(y.unsigned_abs()) < still || (still > 0 && slot.tally.drift.is_within(far))
     }
+}
+
+/// Moves a body along its way, to where the level lets it be.
+fn go<S: BodyShape>(
+    slot: &mut Slot<S>,
+    handle: Handle,
+    by: Vec2,
+    near: &mut impl BroadPhase,
+) -> Result<(), SceneFault> {
+    if by != Vec2::ZERO {
+        let shape = slot.body.shape.shifted(by);
+        if slot.way.pace != Pace::Lies {
+            near.move_to(handle, &shape.aabb())?;
+        }
+        slot.body.shape = shape;
+    }
+    slot.way.rate = by;
+    Ok(())
 }
 
 /// A body at the end of a motion, or at the level.

@@ -1,13 +1,31 @@
-//! Which level a body sees.
+//! The level that a body sees, and the call that receives its ways.
 
 use super::SceneBody;
-use crate::world::World;
+use super::kernel::BodyShape;
+use crate::broad::Handle;
+use crate::motion::{Body, ByFlags, MoveError, Moved, Mover, Surface};
+use crate::num::Vec2;
+use crate::world::{Traced, Trail, World};
+use core::cell::Cell;
 use core::marker::PhantomData;
+
+/// A mover that slides.
+pub(super) type Sliding = Mover<ByFlags<Surface>>;
 
 /// The level of each body. One name for a call and for the level that it returns.
 pub(super) trait View<S> {
     type Level: World;
     fn level(&self, body: &SceneBody<S>) -> &Self::Level;
+    /// Moves a body. `from` is its shape.
+    fn go<B: Body + Into<S>>(
+        &self,
+        mover: &Sliding,
+        body: (Handle, &SceneBody<S>),
+        from: &B,
+        by: Vec2,
+    ) -> Result<Moved<B>, MoveError>;
+    /// A body has moved on a straight way.
+    fn tell(&self, handle: Handle, from: &S, by: Vec2);
 }
 
 /// A call that says which.
@@ -27,7 +45,77 @@ impl<'l, W, F> Each<'l, W, F> {
 
 impl<'l, W: World, S, F: Fn(&SceneBody<S>) -> &'l W> View<S> for Each<'l, W, F> {
     type Level = W;
+
     fn level(&self, body: &SceneBody<S>) -> &W {
         (self.of)(body)
+    }
+
+    fn go<B: Body + Into<S>>(
+        &self,
+        mover: &Sliding,
+        (_, body): (Handle, &SceneBody<S>),
+        from: &B,
+        by: Vec2,
+    ) -> Result<Moved<B>, MoveError> {
+        mover.move_and_slide((self.of)(body), from, by)
+    }
+
+    fn tell(&self, _: Handle, _: &S, _: Vec2) {}
+}
+
+/// The same, and a call that receives each way.
+pub(super) struct Along<'l, W, F, T> {
+    levels: Each<'l, W, F>,
+    /// Taken while it runs.
+    told: Cell<Option<T>>,
+}
+
+impl<'l, W, F, T> Along<'l, W, F, T> {
+    pub(super) fn by<S>(of: F, told: T) -> Self
+    where
+        F: Fn(&SceneBody<S>) -> &'l W,
+        T: FnMut(Handle, &S, &Trail),
+    {
+        Self { levels: Each::by(of), told: Cell::new(Some(told)) }
+    }
+
+    fn passed<S>(&self, handle: Handle, from: &S, trail: &Trail)
+    where
+        T: FnMut(Handle, &S, &Trail),
+    {
+        if trail.parts().next().is_none() {
+            return;
+        }
+        if let Some(mut told) = self.told.take() {
+            told(handle, from, trail);
+            self.told.set(Some(told));
+        }
+    }
+}
+
+impl<'l, W: World, S: BodyShape, F: Fn(&SceneBody<S>) -> &'l W, T: FnMut(Handle, &S, &Trail)> View<S>
+    for Along<'l, W, F, T>
+{
+    type Level = W;
+
+    fn level(&self, body: &SceneBody<S>) -> &W {
+        (self.levels.of)(body)
+    }
+
+    fn go<B: Body + Into<S>>(
+        &self,
+        mover: &Sliding,
+        (handle, body): (Handle, &SceneBody<S>),
+        from: &B,
+        by: Vec2,
+    ) -> Result<Moved<B>, MoveError> {
+        let traced = Traced::new((self.levels.of)(body));
+        let moved = mover.move_and_slide(&traced, from, by)?;
+        self.passed(handle, &(*from).into(), &traced.trail());
+        Ok(moved)
+    }
+
+    fn tell(&self, handle: Handle, from: &S, by: Vec2) {
+        self.passed(handle, from, &Trail::straight(by));
     }
 }

@@ -59,6 +59,13 @@ impl Trail {
         self.parts().chain((self.len == 0).then_some((Vec2::ZERO, Vec2::ZERO)))
     }
 
+    /// A way of one part.
+    pub(crate) fn straight(by: Vec2) -> Self {
+        let mut trail = Self::default();
+        trail.push(by);
+        trail
+    }
+
     fn push(&mut self, by: Vec2) {
         if by == Vec2::ZERO {
             return;

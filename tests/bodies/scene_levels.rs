@@ -2,7 +2,8 @@
 
 use super::swept::{ball, body_of, boxed, scene, vec2};
 use tilesat::motion::Responses;
-use tilesat::scene::{SceneBody, SceneEvent};
+use tilesat::scene::{SceneBody, SceneEvent, Shape};
+use tilesat::world::Trail;
 use tilesat::{Axis, Fx, Ratio, Surface, TileKind, TileKinds, TileMap, Vec2};
 use tilesat_judge::{Random, cases};
 
@@ -147,7 +148,7 @@ fn each_body_sees_its_level() {
                 let velocity = vec2(r.around(20 << 16), r.around(20 << 16));
                 SceneBody { velocity, fast: r.one_in(2), ..SceneBody::new(shape, key) }
             })
-            .filter(|body| matches!(body.shape, tilesat::scene::Shape::Circle(c) if !level.overlaps(&c)))
+            .filter(|body| matches!(body.shape, Shape::Circle(c) if !level.overlaps(&c)))
             .collect();
         let (mut a, mut b) = (scene(&bodies), scene(&bodies));
         for _ in 0..20 {
@@ -171,4 +172,104 @@ fn each_body_sees_its_level() {
         parted += bodies.iter().filter(|body| is_ghost(body)).count();
     }
     assert!(same > 1000 && parted > 100);
+}
+
+/// `step_along` is `step_in`, and its ways lead each body from where it was to where it is, one
+/// after another, through nothing solid. The tiles on them are those that a body touches at close
+/// range along the way.
+#[test]
+fn each_way_is_told() {
+    let rows = "################\n#.....c....c...#\n#.....c....c...#\n#..ccc.........#\n################";
+    let (level, ghosts) = (TileMap::from_ascii(rows, &KINDS).unwrap(), TileMap::from_ascii(rows, &GHOSTS).unwrap());
+    let mut r = Random::new(23);
+    let (mut ways, mut bent, mut several, mut crossed) = (0, 0, 0, 0);
+    for case in 0..cases(300) {
+        let rubber = Surface::new(Ratio::HALF, Ratio::ZERO);
+        let bodies: Vec<_> = (0..6)
+            .map(|key| {
+                let (x, y, size) = (r.within(20, 210) << 16, r.within(18, 44) << 16, r.within(2, 4) << 16);
+                let shape: Shape =
+                    if r.one_in(2) { ball(x, y, size).into() } else { boxed(x, y, 2 * size, size).into() };
+                let velocity = vec2(r.around(30 << 16), r.around(20 << 16));
+                let mass = (!r.one_in(8)).then_some(core::num::NonZeroU8::MIN);
+                SceneBody { velocity, mass, surface: rubber, fast: r.one_in(3), ..SceneBody::new(shape, key) }
+            })
+            .filter(|body| !body.shape.overlaps_level(&level))
+            .collect();
+        let gravity = if case % 3 == 0 { Vec2::ZERO } else { vec2(0, 1 << 14) };
+        let level_of = |body: &SceneBody| if body.key % 2 == 1 { &ghosts } else { &level };
+        let (mut plain, mut told) = (scene(&bodies), scene(&bodies));
+        for _ in 0..40 {
+            let mut at: Vec<_> = told.bodies().map(|(handle, body)| (handle, *body, 0)).collect();
+            let stepped = plain.step_in(level_of, gravity, |_| true, |_| ()).unwrap();
+            let passed = |handle, shape: &Shape, trail: &Trail| {
+                let it = at.iter_mut().find(|(other, ..)| *other == handle).unwrap();
+                assert_eq!(*shape, it.1.shape, "a way begins elsewhere");
+                (it.2, ways) = (it.2 + 1, ways + 1);
+                bent += usize::from(trail.parts().count() > 1);
+                let of = level_of(&it.1);
+                let listed: Vec<_> = of.tiles_on(shape, trail).unwrap().map(|tile| tile.cell).collect();
+                crossed += of.tiles_on(shape, trail).unwrap().filter(|tile| tile.kind.flag(CURTAIN)).count();
+                for (from, by) in trail.parts() {
+                    for part in 0..=8 {
+                        let (x, y) = by.raw();
+                        let on_it = from + Vec2::from_raw(x / 8 * part, y / 8 * part);
+                        let here: Shape = match shape {
+                            Shape::Aabb(it) => it.translated(on_it).unwrap().into(),
+                            Shape::Circle(it) => it.translated(on_it).unwrap().into(),
+                        };
+                        // Beside a surface a rounded point may be a raw unit in it.
+                        let near = of.tiles_in(&here.aabb());
+                        let inner = near.filter(|tile| {
+                            let cell = (i32::from(tile.cell.x) << 20, i32::from(tile.cell.y) << 20);
+                            let (lo, hi) = (here.aabb().min().raw(), here.aabb().max().raw());
+                            let covers = |lo: i32, hi: i32, cell: i32| lo < cell + (1 << 20) - 8 && cell + 8 < hi;
+                            matches!(here, Shape::Aabb(_)) && covers(lo.0, hi.0, cell.0) && covers(lo.1, hi.1, cell.1)
+                        });
+                        assert!(inner.map(|tile| tile.cell).all(|cell| listed.contains(&cell)), "a tile is left out");
+                    }
+                }
+                let end = trail.parts().fold(Vec2::ZERO, |_, (from, by)| from + by);
+                it.1.shape = match it.1.shape {
+                    Shape::Aabb(it) => it.translated(end).unwrap().into(),
+                    Shape::Circle(it) => it.translated(end).unwrap().into(),
+                };
+            };
+            assert_eq!(told.step_along(level_of, gravity, |_| true, |_| (), passed).unwrap(), stepped);
+            assert_eq!(told.snapshot(), plain.snapshot());
+            for (handle, body, count) in at {
+                assert_eq!(told.body(handle).unwrap().shape, body.shape, "a way is left out");
+                several += usize::from(count > 1);
+            }
+        }
+    }
+    println!("{ways} ways, {bent} bent, {several} of several, {crossed} curtains");
+    assert!(ways > 10_000 && bent > 500 && several > 500 && crossed > 500, "{ways} {bent} {several} {crossed}");
+}
+
+/// A scene that remembers tells all ways of a step that asks for them.
+#[test]
+fn memory_hides_no_way() {
+    use tilesat::scene::Sleep;
+    use tilesat::{Scene, broad::SortSweep, scene::SceneTag};
+    let map = TileMap::from_ascii("........\n........\n########", &KINDS).unwrap();
+    let mut scene = Scene::<_, 4, 8>::remembering(SortSweep::<4, SceneTag>::new(), Sleep::NEVER);
+    let conveyor = SceneBody::fixed(boxed(0, 40 << 16, 8 << 16, 8 << 16), 1);
+    let handle = scene.insert(&conveyor).unwrap();
+    let ball = scene.insert(&SceneBody::new(ball(40 << 16, 28 << 16, 4 << 16), 2)).unwrap();
+    let gravity = vec2(0, 1 << 14);
+    for _ in 0..20 {
+        scene.step(&map, gravity, |_| ()).unwrap();
+    }
+    scene.push(ball, vec2(1 << 14, 0)).unwrap();
+    scene.remove(handle).unwrap();
+    for _ in 0..20 {
+        let (before, mut told) = (scene.body(ball).unwrap().shape.position(), Vec2::ZERO);
+        let passed = |_, _: &_, trail: &Trail| {
+            told += trail.parts().fold(Vec2::ZERO, |_, (from, by)| from + by);
+        };
+        scene.step_along(|_| &map, gravity, |_| true, |_| (), passed).unwrap();
+        assert_eq!(scene.body(ball).unwrap().shape.position(), before + told);
+        assert_ne!(told, Vec2::ZERO);
+    }
 }

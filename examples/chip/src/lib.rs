@@ -9,6 +9,8 @@
 mod fault;
 #[cfg(feature = "defmt")]
 mod frames;
+#[cfg(target_arch = "arm")]
+pub mod stack;
 
 #[cfg(target_arch = "arm")]
 pub use cortex_m_rt::entry;

@@ -277,7 +277,7 @@ impl Probe for Aabb {}
 impl Probe for Circle {}
 impl Probe for Vec2 {}
 
-mod probe {
+pub(crate) mod probe {
     //! The part of [`Probe`](crate::world::Probe) that only this crate calls.
 
     use super::{Aabb, Circle, Raw, Vec2, meet};

@@ -1,12 +1,15 @@
-//! A scene, with each broad phase, in each kind of level.
+//! A scene, with each broad phase, in each kind of level, with capsules and with memory.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::broad::{BruteForce, Handle, LooseGrid, Pair, SortSweep, SpatialHash};
 use tilesat::prelude::*;
-use tilesat::scene::{SceneEvent, SceneTag, Shape, Sleep, Snapshot};
-use tilesat::world::{AllShapes, Joined, SegmentMap, Solids, TileMap};
-use tilesat::{Aabb, Circle, Scene, SceneBody, Vec2};
+use tilesat::scene::{Reply, SceneEvent, SceneTag, Shape, Sleep, Snapshot, WithCapsules};
+use tilesat::world::{AllShapes, Joined, SegmentMap, Solids, TileMap, Trail};
+use tilesat::{Aabb, Capsule, Circle, Scene, SceneBody, Vec2};
 use tilesat_flash::keep;
 
+type Near = SortSweep<16, SceneTag>;
+type Pills = Scene<Near, 16, 0, WithCapsules>;
+type Remembering = Scene<Near, 16, 24>;
 type Doors<'a> = Joined<'a, TileMap<'a, AllShapes>, Solids<'a>>;
 
 macro_rules! scenes {
@@ -71,4 +74,31 @@ fn levels() {
     steps!(TileMap<'_, AllShapes>, SegmentMap<'_>, Doors<'_>);
 }
 
-tilesat_flash::everything!(shapes, phases, levels);
+fn sets() {
+    keep! {
+        |shape: Capsule, key: u32| SceneBody::<WithCapsules>::of(shape, key);
+        |shape: Capsule| WithCapsules::from(shape);
+        |s: &WithCapsules| (s.aabb(), s.position());
+        |a: &WithCapsules, b: &WithCapsules| (a.contact(b), a.overlaps(b), a.touches(b));
+        |s: &mut Pills, body: &SceneBody<WithCapsules>| s.insert(body);
+        |s: &mut Pills, h: Handle, shape: WithCapsules| s.place(h, shape);
+        |s: &mut Pills, h: Handle| s.remove(h);
+        |s: &mut Pills, l: &TileMap<'_, AllShapes>, g: Vec2, each: fn(SceneEvent<'_>)| s.step(l, g, each);
+        |s: &Pills, into: &mut Snapshot<Near, 16, WithCapsules>| s.snapshot_into(into);
+        |s: &mut Pills, from: &Snapshot<Near, 16, WithCapsules>| s.restore(from);
+    }
+}
+
+fn memory() {
+    keep! {
+        |near: Near, sleep: Sleep| Remembering::remembering(near, sleep);
+        |s: &mut Remembering, body: &SceneBody| s.insert(body);
+        |s: &mut Remembering, h: Handle, v: Vec2| s.set_velocity(h, v);
+        |s: &mut Remembering, region: &Aabb| s.wake_region(region);
+        |s: &mut Remembering, l: &TileMap<'_, AllShapes>, g: Vec2, each: fn(SceneEvent<'_>)| s.step(l, g, each);
+        |s: &mut Remembering, l: &TileMap<'_, AllShapes>, g: Vec2, replies: fn(Pair) -> Reply, passed: fn(Handle, &Shape, &Trail)| s.step_along(|_| l, g, replies, |_| (), passed);
+        |l: &TileMap<'_>, s: &Shape, trail: &Trail| l.tiles_on(s, trail).map(Iterator::count);
+    }
+}
+
+tilesat_flash::everything!(shapes, phases, levels, sets, memory);

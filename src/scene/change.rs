@@ -1,0 +1,234 @@
+//! The changes that a game makes between steps, and the bodies that these wake.
+
+use super::body::{Mode, Slot, Tally};
+use super::kernel::BodyShape;
+use super::memory::{Place, forget, keep};
+use super::{Scene, SceneBody, SceneError};
+use crate::broad::{BroadPhase, Handle, Keyed};
+use crate::filter::Filter;
+use crate::num::{MOTION, Vec2, check_motion};
+use crate::shape::Aabb;
+
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
+    /// Adds `by` to a body's velocity, and wakes the body.
+    ///
+    /// ```
+    /// use tilesat::broad::{BroadPhase, SortSweep};
+    /// use tilesat::scene::{SceneBody, SceneTag};
+    /// use tilesat::{Aabb, Scene, Vec2};
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
+    /// let (near, far) = (scene.insert(&SceneBody::new(at(10)?, 1))?, scene.insert(&SceneBody::new(at(90)?, 2))?);
+    /// // An explosion at (0, 0), of 40 units.
+    /// let mut hit = heapless::Vec::<_, 8>::new();
+    /// let region = Aabb::new(Vec2::from_ints(-40, -40), Vec2::from_ints(40, 40))?;
+    /// scene.near().in_region(&region, |handle| hit.push(handle).expect("as many places as bodies"));
+    /// for handle in hit {
+    ///     scene.push(handle, Vec2::from_ints(5, -5))?;
+    /// }
+    /// assert_eq!(scene.body(near)?.velocity, Vec2::from_ints(5, -5));
+    /// assert_eq!(scene.body(far)?.velocity, Vec2::ZERO);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Stale`](crate::broad::BroadError::Stale), and velocities that no step can make. Nothing is
+    /// changed then.
+    pub fn push(&mut self, handle: Handle, by: Vec2) -> Result<(), SceneError> {
+        let velocity = self.body(handle)?.velocity;
+        self.set_velocity(handle, velocity.saturating_add(by))
+    }
+
+    /// Gives a body another velocity, and wakes it. For a fixed body it wakes those that touch it.
+    ///
+    /// # Errors
+    /// As [`push`](Self::push).
+    pub fn set_velocity(&mut self, handle: Handle, velocity: Vec2) -> Result<(), SceneError> {
+        self.alter(handle, |body| body.velocity = velocity)
+    }
+
+    /// Moves a body elsewhere, or gives it another shape. Wakes it, and the bodies that it touched
+    /// before and touches then. Only this call moves a fixed body.
+    ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::scene::{SceneBody, SceneTag};
+    /// use tilesat::{Aabb, Scene, Vec2};
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
+    /// let lift = scene.insert(&SceneBody::fixed(at(0)?, 1))?;
+    /// scene.place(lift, at(4)?)?;
+    /// assert_eq!(scene.body(lift)?.shape.position(), Vec2::from_ints(4, 0));
+    /// assert_eq!(scene.remove(lift)?.key, 1);
+    /// assert!(scene.place(lift, at(8)?).is_err()); // its handle is stale
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Stale`](crate::broad::BroadError::Stale) and the errors of the broad phase. Nothing is
+    /// changed then. The call does not look at the level: the next step
+    /// [holds](super::SceneEvent::Held) a body that overlaps it.
+    pub fn place(&mut self, handle: Handle, shape: impl Into<S>) -> Result<(), SceneError> {
+        let shape = shape.into();
+        self.alter(handle, |body| body.shape = shape)
+    }
+
+    /// Changes a body in any way: its shape, its filter, its key, whether it has a mass. Wakes it,
+    /// and the bodies that it touched before and touches then. Sensors wake nobody else.
+    ///
+    /// `change` gets a copy, which is stored as a whole or not at all. The handle stays the same.
+    ///
+    /// ```
+    /// # use core::num::NonZeroU8;
+    /// # use tilesat::broad::SortSweep;
+    /// # use tilesat::scene::{SceneBody, SceneTag};
+    /// # use tilesat::{Aabb, Scene, Vec2};
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let bridge = scene.insert(&SceneBody::fixed(Aabb::new(Vec2::ZERO, Vec2::from_ints(40, 8))?, 1))?;
+    /// scene.alter(bridge, |body| body.mass = NonZeroU8::new(5))?; // from now on it falls
+    /// assert!(scene.is_awake(bridge)?);
+    /// scene.alter(bridge, |body| body.filter = body.filter.with_sensor(true))?; // and hits nobody
+    /// assert!(scene.alter(bridge, |body| body.velocity = Vec2::from_ints(0, 4096)).is_err());
+    /// assert!(scene.body(bridge)?.filter.sensor());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Stale`](crate::broad::BroadError::Stale), velocities that no step can make, and the errors
+    /// of the broad phase. Nothing is changed then. The call does not look at the level, like
+    /// [`place`](Self::place).
+    pub fn alter(&mut self, handle: Handle, change: impl FnOnce(&mut SceneBody<S>)) -> Result<(), SceneError> {
+        let before = *self.body(handle)?;
+        let mut body = before;
+        change(&mut body);
+        check_motion(body.velocity, MOTION).map_err(|e| SceneError::of(handle, e))?;
+        if body.shape != before.shape {
+            body.shape.check().map_err(|e| SceneError::of(handle, e))?;
+            self.near.move_to(handle, &body.shape.aabb()).map_err(|e| SceneError::of(handle, e))?;
+        }
+        if body.mass.is_some() != before.mass.is_some() {
+            self.strike(handle);
+            *self.slot_mut(handle)? = Slot::of(&body, handle);
+        }
+        let slot = self.slot_mut(handle)?;
+        slot.body = body;
+        let tag = body.tag(!slot.is_awake());
+        self.near.set_tag(handle, tag).map_err(|e| SceneError::of(handle, e))?;
+        // The next step wakes the bodies that it still touches, except for a fixed body. Nothing
+        // else would wake the bodies that it released.
+        let what = |body: &SceneBody<S>| (body.shape, body.mass, body.filter);
+        if body.mass.is_none() || what(&body) != what(&before) {
+            self.stir(&before);
+            self.stir(&body);
+        }
+        self.wake(handle)
+    }
+
+    /// Wakes a body.
+    ///
+    /// # Errors
+    /// [`Stale`](crate::broad::BroadError::Stale).
+    pub fn wake(&mut self, handle: Handle) -> Result<(), SceneError> {
+        self.slot(handle)?;
+        self.rouse(handle, true);
+        Ok(())
+    }
+
+    /// Wakes the bodies with boxes that touch a region, borders included: the region of a tile that
+    /// changed, or of an explosion. The bodies that these touch wake one step later.
+    ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::scene::{SceneBody, SceneTag};
+    /// use tilesat::{Aabb, Scene, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let (closed, open) = ("..\n##", "..\n#."); // a trapdoor below x = 16
+    /// let closed = TileMap::from_ascii(closed, &KINDS)?;
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let barrel = scene.insert(&SceneBody::new(Aabb::new(Vec2::from_ints(18, 8), Vec2::from_ints(26, 16))?, 1))?;
+    /// let gravity = Vec2::from_raw(0, 1 << 14);
+    /// for _ in 0..100 {
+    ///     scene.step(&closed, gravity, |_| {})?;
+    /// }
+    /// assert!(!scene.is_awake(barrel)?);
+    /// let open = TileMap::from_ascii(open, &KINDS)?;
+    /// scene.wake_region(&Aabb::new(Vec2::from_ints(16, 16), Vec2::from_ints(32, 32))?);
+    /// scene.step(&open, gravity, |_| {})?;
+    /// assert!(scene.body(barrel)?.velocity.y > 0); // it falls
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// Cost: a region query.
+    pub fn wake_region(&mut self, region: &Aabb) {
+        // Ways that led there may be of bodies that are elsewhere now.
+        if let Some(ways) = self.memory.get_mut(N..) {
+            ways.fill(Place::Empty);
+        }
+        self.wake_near(region);
+    }
+
+    fn wake_near(&mut self, region: &Aabb) {
+        let (from, slots) = (self.count, &mut self.slots);
+        let (awake, count, memory) = (&mut self.awake, &mut self.count, &mut self.memory);
+        self.near.in_region(region, |handle| {
+            rouse(slots, awake, count, handle);
+            unsettle(slots, memory, handle);
+        });
+        self.tell_woken(from);
+    }
+
+    /// Wakes the bodies that a body touches, or could.
+    pub(super) fn stir(&mut self, body: &SceneBody<S>) {
+        if !body.filter.sensor() {
+            self.wake_near(&body.shape.aabb());
+        }
+    }
+
+    /// Removes a body from the list of those awake.
+    pub(super) fn strike(&mut self, handle: Handle) {
+        let awake = self.awake.get_mut(..self.count).unwrap_or_default();
+        if let (Some(last), Some(at)) = (awake.last().copied(), awake.iter().position(|&other| other == handle)) {
+            awake.iter_mut().skip(at).take(1).for_each(|place| *place = last);
+            self.count -= 1;
+        }
+    }
+
+    pub(super) fn rouse(&mut self, handle: Handle, known: bool) {
+        let from = self.count;
+        rouse(&mut self.slots, &mut self.awake, &mut self.count, handle);
+        unsettle(&mut self.slots, &mut self.memory, handle);
+        if let Some(ways) = self.memory.get_mut(N..) {
+            forget(ways, handle.slot());
+        }
+        if known {
+            self.tell_woken(from);
+        }
+    }
+
+    /// Marks the bodies woken since there were `from` awake in the broad phase.
+    pub(super) fn tell_woken(&mut self, from: usize) {
+        for handle in self.awake.iter().take(self.count).skip(from) {
+            let Some(slot) = self.slots.get(handle.slot()) else { continue };
+            let told = self.near.set_tag(*handle, slot.body.tag(false));
+            debug_assert!(told.is_ok(), "a body of the scene is in its broad phase");
+        }
+    }
+}
+
+/// A change by the game is no rest.
+fn unsettle<S>(slots: &mut [Slot<S>], memory: &mut [Place], handle: Handle) {
+    keep(memory, handle.slot(), None);
+    if let Some(slot) = slots.get_mut(handle.slot()) {
+        slot.quiet = 0;
+    }
+}
+
+/// Adds a sleeping body to the list of those awake. Its quiet steps stay: a body that only touches
+/// it does not keep a heap from falling asleep.
+pub(super) fn rouse<S>(slots: &mut [Slot<S>], awake: &mut [Handle], count: &mut usize, handle: Handle) {
+    let Some(slot) = slots.get_mut(handle.slot()).filter(|slot| slot.mode == Mode::Asleep) else { return };
+    let Some(place) = awake.get_mut(*count) else { return };
+    (*place, slot.mode) = (handle, Mode::Woken);
+    slot.tally = Tally::of(handle.slot() as u16);
+    *count += 1;
+}
