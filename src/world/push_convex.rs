@@ -4,7 +4,7 @@
 //! across one of the body's sides, or past one of its rounded corners, in the feature's cone of
 //! normals.
 
-use super::contacts::kernel::PushKernel;
+use super::contacts::kernel::PushOne;
 use super::level::{Feature, Geometry, World, ends, in_quadrant, normal, raw};
 use super::measure::into_disc;
 use crate::num::{Axis, Raw, less128, mul64, sqr64, usqr};
@@ -16,7 +16,7 @@ macro_rules! pushed {
     ([$($n:tt)*] $body:ty) => {
         impl<$($n)*> super::contacts::Pushable for $body {}
 
-        impl<$($n)*> PushKernel for $body {
+        impl<$($n)*> PushOne for $body {
             const ROUND: bool = false;
             const BY_DEPTH: bool = true;
 

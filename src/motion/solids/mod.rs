@@ -10,7 +10,9 @@
 //!   3 move       bodies move by themselves, in the level joined with the solids
 //! ```
 
+mod convex;
 mod push;
+mod room;
 mod shove;
 
 use crate::error::{Quantity, RangeError};
