@@ -54,7 +54,6 @@ mod level;
 mod measure;
 mod meets;
 mod placed;
-mod push_compound;
 mod push_convex;
 mod ray;
 mod rooms;

@@ -7,18 +7,20 @@
 
 use super::push::Press;
 use super::room::{HalfPlane, Room};
+use super::shove::Shove;
+use super::turn::Turn;
 use super::{Carrier, Ridden, Ride};
 use crate::error::{Quantity, RangeError};
 use crate::motion::body::Body;
 use crate::motion::contact::{Bend, touched};
-use crate::motion::plane::{NEAR, SurfaceRole, way};
+use crate::motion::plane::{NEAR, SurfaceRole};
 use crate::motion::response::Law;
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
 use crate::motion::{MoveError, Moved, Mover, Stuck, Work};
-use crate::num::{Axis, Fx, MOTION, Raw, Vec2, div_sqrt, less128, sqr64, toward};
+use crate::num::{Axis, Fx, MOTION, Raw, Vec2, less128, sqr64};
 use crate::query::cast::moment::{along, is_below, reach};
-use crate::query::{Core, meet};
+use crate::query::meet;
 use crate::shape::Aabb;
 use crate::world::{ConvexSolid, ConvexSolids, Feature, Geometry, SolidShape, World, ends, normal};
 use core::slice;
@@ -50,9 +52,12 @@ impl<L: Law> Mover<L> {
     /// - **Pushed** bodies go the shortest way out that the level and all solids leave: along the
     ///   normal of the face, corner or arc that hits them, and along walls and slopes from there.
     /// - **Squashed** is a body without such a way, or one that is longer than eight times the
-    ///   longest motion of a solid: between a wedge and a wall that nearly meet.
+    ///   longest motion of a solid: between a wedge and a wall that nearly meet. A body that the
+    ///   solids pass where it is stays there.
     /// - **A turn** keeps each body in front of the face or corner that was between them before,
-    ///   by any angle. So none passes. The way between both positions is not looked at.
+    ///   by any angle, so none gets to the other side. The way between both positions is not looked
+    ///   at: the tip of an arm of 100 units that turns by 10 degrees passes over bodies that are in
+    ///   its reach by less than 0.4 units.
     ///
     /// A turn that must not squash is refused by the game: ask all bodies first, and turn the solid
     /// only if none is squashed. See the example.
@@ -112,61 +117,64 @@ impl<L: Law> Mover<L> {
             carry: carry.vec2(),
             work: Work::default(),
         };
-        let mut room = Room::new(carry, solids.iter().map(Turn::longest).max().unwrap_or(0));
-        let (mut press, mut d): (Option<Press>, Raw) = (None, carry);
-        for round in 0..Self::CONVEX_ROUNDS {
-            let mut clear = true;
-            if let Some((feature, plane)) = self.hit_in(level, body, d, round == 0, &mut ridden.work)? {
-                clear = false;
-                room.add(None, &feature, plane);
-            } else {
-                for (i, solid) in solids.iter().enumerate() {
-                    let Some(push) = Tick { solid, body }.ask(d) else { continue };
-                    clear = false;
-                    if press.is_none_or(|p| push.press.goes_before(&p)) {
-                        press = Some(push.press);
-                    }
-                    match push.bound {
-                        Some((feature, plane)) => room.add(Some(i as u16), &feature, plane),
-                        // Nothing moves a body that is already inside.
-                        None => room.close(),
-                    }
-                }
-            }
-            if clear {
-                let to = body.shifted(d);
+        let room = Room::new(carry, solids.iter().map(Turn::longest).max().unwrap_or(0));
+        let mut pushes = ConvexPushes { solids, body, floor: ridden.floor, room, press: None };
+        let (mut d, mut made, mut starts) = (carry, Raw::ZERO, true);
+        let mut done = None;
+        for _ in 0..Self::CONVEX_ROUNDS {
+            let hit = if d.is_zero() { None } else { self.hit_in(level, body, d, &mut starts, &mut ridden.work)? };
+            if let Some(hit) = hit {
+                made = hit.made;
+                pushes.room.add(None, &hit.feature, hit.plane);
+            } else if pushes.is_clear(d) {
                 // Rounding may have met what no sweep did.
-                if !d.is_zero() && to.overlaps_world(level) {
+                done = (d.is_zero() || !body.shifted(d).overlaps_world(level)).then_some(d);
+                break;
+            }
+            let mut next = pushes.room.nearest();
+            if next.is_none() && pushes.room.forget_level() {
+                // Its bounds hold on straight ways only. What the solids do to a body that it stops
+                // leads to another way.
+                if pushes.is_clear(made) {
+                    done = Some(made);
                     break;
                 }
-                if let Some(press) = press.filter(|p| p.comes) {
-                    ridden.ride = Ride::Pushed { by: press.key, normal: press.normal };
-                }
-                (ridden.body, ridden.motion) = (to, d.vec2());
-                return Ok(ridden);
+                next = pushes.room.nearest().filter(|next| *next != d);
             }
-            let Some(next) = room.nearest() else { break };
+            let Some(next) = next else { break };
             d = next;
         }
-        if let Some(press) = press {
-            ridden.ride = Ride::Squashed { by: press.key, normal: press.normal };
+        if done.is_none() {
+            // No straight way: a bent one along the level. Or the solids pass a body that the level
+            // stops, or that stays.
+            let shove = Shove { d, held: pushes.room.held(), passes_one_way: self.passes_one_way() };
+            let bent = if d.is_zero() { *body } else { shove.of(body, level, &mut ridden.work)? };
+            let bent = Raw::of(bent.position()).sub(Raw::of(body.position()));
+            done = [bent, made, Raw::ZERO].into_iter().find(|&d| pushes.is_clear(d));
+        }
+        match (done, pushes.press) {
+            (None, Some(press)) => ridden.ride = Ride::Squashed { by: press.key, normal: press.normal },
+            (Some(d), press) => {
+                if let Some(press) = press.filter(|p| p.comes && !d.is_zero()) {
+                    ridden.ride = Ride::Pushed { by: press.key, normal: press.normal };
+                }
+                (ridden.body, ridden.motion) = (body.shifted(d), d.vec2());
+            }
+            (None, None) => {}
         }
         Ok(ridden)
     }
 
-    /// The first hit of a displacement in the level, and its tangent.
+    /// The first hit of a displacement in the level.
     #[inline(never)]
     fn hit_in<W: World, B: Body>(
         &self,
         level: &W,
         body: &B,
         d: Raw,
-        is_first: bool,
+        starts: &mut bool,
         work: &mut Work,
-    ) -> Result<Option<(Feature, HalfPlane)>, MoveError> {
-        if d.is_zero() {
-            return Ok(None);
-        }
+    ) -> Result<Option<LevelHit>, MoveError> {
         check_cells(level, &body.bounds(), d)?;
         check_inside(&body.bounds(), d)?;
         let mut moved = Moved::freely(*body, d.vec2(), 0);
@@ -174,14 +182,16 @@ impl<L: Law> Mover<L> {
         let mut run = Run::new(&mut moved, &mut around);
         run.pass_one_way = self.passes_one_way();
         run.moved.work = *work;
-        let stuck = is_first && run.is_stuck(level);
-        run.moved.work.iterations += 1;
-        let hit = run.first_hit(level, d);
-        *work = run.moved.work;
-        if stuck {
+        if core::mem::take(starts) && run.is_stuck(level) {
             return Err(MoveError::Stuck(Stuck { at: body.position().raw() }));
         }
-        Ok(hit.map(|(entry, feature)| (feature, HalfPlane { normal: entry.normal, at: entry.displacement(d) })))
+        run.moved.work.iterations += 1;
+        let hit = run.first_hit(level, d).map(|(entry, feature)| {
+            let plane = HalfPlane { normal: entry.normal, at: entry.displacement(d) };
+            LevelHit { feature, plane, made: run.advance(level, d, &entry) }
+        });
+        *work = run.moved.work;
+        Ok(hit)
     }
 
     /// The solid that carries a body: of several the one that rises most, then by the key.
@@ -201,12 +211,16 @@ impl<L: Law> Mover<L> {
                 continue;
             }
             for feature in (0..solid.pieces()).filter_map(|index| solid.piece(index)) {
-                let Some(n) = foot(body, &feature) else { continue };
-                let carry = Turn::of(solid).of_contact(body, &feature, n);
-                let sinks = along(n, carry).min(0).unsigned_abs();
-                if self.side(n) != SurfaceRole::Floor || less128(reach(follow, n), sqr64(sinks)) {
-                    continue;
-                }
+                let mut stands: Option<Raw> = None;
+                feet(body, &feature, &mut |n| {
+                    let (first, last, _) = lowest(body, n);
+                    let carry = Turn::of(solid).of_contact(&feature, first, last);
+                    let sinks = along(n, carry).min(0).unsigned_abs();
+                    if self.side(n) == SurfaceRole::Floor && !less128(reach(follow, n), sqr64(sinks)) {
+                        stands = Some(carry);
+                    }
+                });
+                let Some(carry) = stands else { continue };
                 let carrier = Carrier { key: solid.key(), carry, rise: up.dot(Axis::new(carry.x, carry.y)) };
                 if best.is_none_or(|b| carrier.goes_before(&b)) {
                     best = Some(carrier);
@@ -217,12 +231,13 @@ impl<L: Law> Mover<L> {
     }
 }
 
-/// The normal at which a body touches a piece of a solid with more than the end of a side.
+/// Passes the normals to `each` at which a body touches a piece of a solid with more than the end
+/// of a side.
 ///
 /// A face along x or y is touched exactly, others within the rounding of a motion that ends there.
-fn foot<B: Body>(body: &B, feature: &Feature) -> Option<Axis> {
+fn feet<B: Body>(body: &B, feature: &Feature, each: &mut dyn FnMut(Axis)) {
     match feature.geometry {
-        Geometry::Face { a, dir, len, .. } => {
+        Geometry::Face { a, dir, len, .. } if !B::ANGULAR || dir.x == 0 || dir.y == 0 => {
             let ((a, b), n) = (ends(Raw::of(a), dir, len), normal(dir));
             let (first, last, r) = lowest(body, n);
             let gap = along(n, first.sub(a));
@@ -231,41 +246,38 @@ fn foot<B: Body>(body: &B, feature: &Feature) -> Option<Axis> {
             let touches = gap >= 0 && !less128(far, sqr64(gap as u64)) && !(is_flat && is_below(gap as u64, far));
             // A sharp end on an end is no foot.
             let least = i64::from(is_flat && r == 0);
-            let over = along(dir, last.sub(a)) >= least && along(dir, first.sub(b)) <= -least;
-            (touches && over).then_some(n)
+            if touches && along(dir, last.sub(a)) >= least && along(dir, first.sub(b)) <= -least {
+                each(n);
+            }
         }
         // A side of a box on a peak, or on the top of an arc.
-        Geometry::Vertex { p, .. } if !B::MEETS_CORNERS => on_peak(body, Raw::of(p)),
+        Geometry::Vertex { p, .. } if !B::MEETS_CORNERS => on_peak(body, Raw::of(p), each),
         Geometry::Arc { centre, radius, quadrant, .. } if !B::MEETS_CORNERS => {
             let end = |x: i32, y: i32| Raw { x: x.wrapping_mul(radius), y: y.wrapping_mul(radius) };
-            let at = |way: Raw| on_peak(body, Raw::of(centre).add(way));
-            at(end(quadrant.x, 0)).or_else(|| at(end(0, quadrant.y))).or_else(|| at_corner(body, feature))
+            for way in [end(quadrant.x, 0), end(0, quadrant.y)] {
+                on_peak(body, Raw::of(centre).add(way), each);
+            }
+            at_corner(body, feature, each);
         }
-        _ => at_corner(body, feature),
+        _ => at_corner(body, feature, each),
     }
 }
 
-fn at_corner<B: Body>(body: &B, feature: &Feature) -> Option<Axis> {
-    let mut found = None;
+fn at_corner<B: Body>(body: &B, feature: &Feature, each: &mut dyn FnMut(Axis)) {
     touched(body, feature, |plane| {
         if plane.bend != Bend::End {
-            found = Some(plane.normal);
+            each(plane.normal);
         }
     });
-    found
 }
 
 /// The normal at which a side of a box lies on a point.
-fn on_peak<B: Body>(body: &B, p: Raw) -> Option<Axis> {
+fn on_peak<B: Body>(body: &B, p: Raw, each: &mut dyn FnMut(Axis)) {
     let (lo, hi) = (body.bounds().lo(), body.bounds().hi());
-    if lo.x < p.x && p.x < hi.x {
-        let (above, below) = (p.y == hi.y, p.y == lo.y);
-        (above || below).then_some(Axis::new(0, if above { -1 } else { 1 }))
-    } else if lo.y < p.y && p.y < hi.y {
-        let (left, right) = (p.x == hi.x, p.x == lo.x);
-        (left || right).then_some(Axis::new(if left { -1 } else { 1 }, 0))
-    } else {
-        None
+    if lo.x < p.x && p.x < hi.x && (p.y == hi.y || p.y == lo.y) {
+        each(Axis::new(0, if p.y == hi.y { -1 } else { 1 }));
+    } else if lo.y < p.y && p.y < hi.y && (p.x == hi.x || p.x == lo.x) {
+        each(Axis::new(if p.x == hi.x { -1 } else { 1 }, 0));
     }
 }
 
@@ -276,87 +288,59 @@ fn lowest<B: Body>(body: &B, n: Axis) -> (Raw, Raw, i32) {
         let (p, r) = body.toward(n.reversed());
         return (p, p, r);
     }
-    // A side of a box, or of a capsule: both ends.
+    // Both ends of a side that lies flat on it. Corners differ by less than 2^29 along the face, so
+    // of two at unequal heights the lower one is farther in both directions.
     let (x, y) = (n.x.signum(), n.y.signum());
-    let ((first, r), (last, _)) = (
-        body.toward(Axis::new(y.wrapping_sub(x), x.wrapping_neg().wrapping_sub(y))),
-        body.toward(Axis::new(y.wrapping_neg().wrapping_sub(x), x.wrapping_sub(y))),
-    );
+    let toward = |aside: i32| {
+        let part = |across: i32, along: i32| (aside.wrapping_mul(along)).wrapping_sub(across << 29);
+        body.toward(Axis::new(part(x, y.wrapping_neg()), part(y, x)))
+    };
+    let ((first, r), (last, _)) = (toward(-1), toward(1));
     (first, last, r)
 }
 
-/// How a solid's corners go to those of its next shape.
-struct Turn<'a, S> {
-    solid: &'a ConvexSolid<S>,
-    /// The corner of the next shape that the first one goes to.
-    shift: usize,
+/// Where a displacement meets the level.
+struct LevelHit {
+    feature: Feature,
+    plane: HalfPlane,
+    /// How far the body gets, verified.
+    made: Raw,
 }
 
-impl<'a, S: SolidShape> Turn<'a, S> {
-    /// By the least turn: the sides agree best.
-    fn of(solid: &'a ConvexSolid<S>) -> Self {
-        if solid.motion().is_some() {
-            return Self { solid, shift: 0 };
-        }
-        let (here, there) = (solid.shape(), solid.next());
-        let (p, q) = (here.outline(), there.outline());
-        let (p, q) = (Core { corners: &p, radius: 0 }, Core { corners: &q, radius: 0 });
-        let side = |core: &Core<'_>, i: usize| core.corner(core.after(i)).sub(core.corner(i));
-        let agreement = |shift: usize| {
-            let all = (0..p.corners.len()).map(|i| side(&p, i).dot(side(&q, wrapped(i.wrapping_add(shift), &q))) >> 6);
-            all.fold(0i64, i64::saturating_add)
-        };
-        let shift = (0..q.corners.len()).max_by_key(|&shift| agreement(shift));
-        Self { solid, shift: shift.unwrap_or(0) }
-    }
-
-    /// The longest displacement of a corner, along x or y.
-    fn longest(solid: &ConvexSolid<S>) -> u32 {
-        let turn = Turn::of(solid);
-        (0..solid.shape().outline().len()).map(|i| way(turn.of_corner(i))).max().unwrap_or(0)
-    }
-
-    fn of_corner(&self, corner: usize) -> Raw {
-        if let Some(motion) = self.solid.motion() {
-            return Raw::of(motion);
-        }
-        let (here, there) = (self.solid.shape(), self.solid.next());
-        let (p, q) = (here.outline(), there.outline());
-        let (p, q) = (Core { corners: &p, radius: 0 }, Core { corners: &q, radius: 0 });
-        q.corner(wrapped(corner.wrapping_add(self.shift), &q)).sub(p.corner(corner))
-    }
-
-    /// The motion of the point that a body touches: of a face between those of its ends.
-    fn of_contact<B: Body>(&self, body: &B, feature: &Feature, n: Axis) -> Raw {
-        let corner = usize::from(feature.index / 5);
-        let from = self.of_corner(corner);
-        let Geometry::Face { a, dir, len, .. } = feature.geometry else { return from };
-        if self.solid.motion().is_some() {
-            return from;
-        }
-        let (a, b) = ends(Raw::of(a), dir, len);
-        let corners = self.solid.shape().outline().len();
-        let next = corner.wrapping_add(1);
-        let change = self.of_corner(if next < corners { next } else { 0 }).sub(from);
-        let (first, last, _) = lowest(body, n);
-        let part = |p: Raw| {
-            let (far, whole) = (b.sub(a).dot(p.sub(a)), b.sub(a).len2());
-            Raw { x: part_of(change.x, far, whole), y: part_of(change.y, far, whole) }
-        };
-        let sum = part(first).add(part(last));
-        from.add(Raw { x: sum.x / 2, y: sum.y / 2 })
-    }
+/// The pushes of one tick on one body.
+struct ConvexPushes<'a, S, B> {
+    solids: &'a [ConvexSolid<S>],
+    body: &'a B,
+    floor: Option<u16>,
+    room: Room,
+    press: Option<Press>,
 }
 
-/// `v far / whole`, with `far` between 0 and `whole`, rounded toward zero.
-fn part_of(v: i32, far: i64, whole: u64) -> i32 {
-    let size = crate::num::mul_div_wide((far.max(0) as u64).min(whole), v.unsigned_abs(), whole) as i32;
-    if v < 0 { size.wrapping_neg() } else { size }
-}
-
-fn wrapped(index: usize, core: &Core<'_>) -> usize {
-    let count = core.corners.len();
-    if index < count { index } else { index.wrapping_sub(count) }
+impl<S: SolidShape, B: Body> ConvexPushes<'_, S, B> {
+    /// Whether the body gets clear of all solids by `d`. Otherwise adds the bounds that they set.
+    fn is_clear(&mut self, d: Raw) -> bool {
+        let mut clear = true;
+        for (i, solid) in self.solids.iter().enumerate() {
+            let Some(mut push) = (Tick { solid, body: self.body }).ask(d) else { continue };
+            clear = false;
+            // A turn comes, even where the point that touches goes away. What it takes along it
+            // does not push.
+            if solid.motion().is_none() {
+                push.press.comes = self.floor != Some(solid.key());
+            }
+            let new = push.press;
+            let goes_before = |p: Press| if new.comes == p.comes { new.goes_before(&p) } else { new.comes };
+            if self.press.is_none_or(goes_before) {
+                self.press = Some(new);
+            }
+            match push.bound {
+                Some((feature, plane)) => self.room.add(Some(i as u16), &feature, plane),
+                // Nothing moves a body that is already inside.
+                None => self.room.close(),
+            }
+        }
+        clear
+    }
 }
 
 /// How a solid answers a displacement of a body.
@@ -388,20 +372,17 @@ impl<S: SolidShape, B: Body> Tick<'_, S, B> {
         if overlaps(solid, body) {
             return ends_inside().then(|| self.inside());
         }
-        match solid.motion() {
-            Some(motion) => {
-                let motion = Raw::of(motion);
-                match self.first_hit(d.sub(motion)) {
-                    Some((feature, plane)) => {
-                        let at = plane.at.add(motion);
-                        let press = Press::of::<true>(solid.key(), motion, plane.normal);
-                        Some(Push { press, bound: Some((feature, HalfPlane { at, ..plane })) })
-                    }
-                    None => ends_inside().then(|| self.inside()),
-                }
-            }
-            None => self.turned(d).or_else(|| ends_inside().then(|| self.inside())),
-        }
+        let push = if let Some(motion) = solid.motion() {
+            let motion = Raw::of(motion);
+            self.first_hit(d.sub(motion)).map(|(feature, plane)| {
+                let press = Press::of::<true>(solid.key(), motion, plane.normal);
+                Push { press, bound: Some((feature, HalfPlane { at: plane.at.add(motion), ..plane })) }
+            })
+        } else {
+            let held = Turn::of(solid).held(body, d);
+            held.map(|(feature, plane, press)| Push { press, bound: Some((feature, plane)) })
+        };
+        push.or_else(|| ends_inside().then(|| self.inside()))
     }
 
     /// The first piece that the body hits on its way past the solid, and the tangent there.
@@ -429,63 +410,5 @@ impl<S: SolidShape, B: Body> Tick<'_, S, B> {
         };
         let motion = self.solid.motion().map_or(Raw::ZERO, Raw::of);
         Push { press: Press::of::<true>(self.solid.key(), motion, normal), bound: None }
-    }
-
-    /// A turn: the body stays in front of what is between it and the solid before.
-    ///
-    /// That is a face of the solid, or a corner with a normal of the body's own: along x or y, or
-    /// from the corner to a round part of the body. Of several the one that leaves most room
-    /// counts, and none if another one still is between them at the end.
-    fn turned(&self, d: Raw) -> Option<Push> {
-        let (turn, shape, next) = (Turn::of(self.solid), self.solid.shape(), self.solid.next());
-        let (p, q) = (shape.outline(), next.outline());
-        let (p, q) = (Core { corners: &p, radius: 0 }, Core { corners: &q, radius: 0 });
-        let mut best: Option<((u32, u32, u32), Push)> = None;
-        let mut clear = false;
-        let mut consider = |corner: usize, n: Axis, next_n: Axis, index: u16| {
-            let here = p.corner(corner);
-            let (foot, r) = self.body.toward(n.reversed());
-            let gap = along(n, foot.sub(here));
-            if gap < 0 || is_below(gap as u64, reach(r, n)) {
-                return;
-            }
-            let there = q.corner(wrapped(corner.wrapping_add(turn.shift), &q));
-            let (next_foot, _) = self.body.toward(next_n.reversed());
-            // In front of the next plane by the radius.
-            let to = there.sub(next_foot);
-            let gap_then = along(next_n, d.sub(to));
-            clear |= gap_then >= 0 && !is_below(gap_then as u64, reach(r, next_n));
-            let room = div_sqrt(gap as u64, n.length_squared()).saturating_sub(r.unsigned_abs());
-            let rank = (room, n.x.unsigned_abs(), n.y.unsigned_abs());
-            if best.as_ref().is_some_and(|(kept, _)| *kept >= rank) {
-                return;
-            }
-            let out = if r == 0 {
-                Raw::ZERO
-            } else {
-                let out = toward(Raw { x: next_n.x, y: next_n.y }, r);
-                out.add(Raw { x: out.x.signum(), y: out.y.signum() })
-            };
-            let Some(feature) = self.solid.piece((corner as u16).wrapping_mul(5).wrapping_add(index)) else { return };
-            let press = Press::of::<true>(self.solid.key(), there.sub(here), next_n);
-            let plane = HalfPlane { normal: next_n, at: to.add(out) };
-            best = Some((rank, Push { press, bound: Some((feature, plane)) }));
-        };
-        for i in 0..p.corners.len() {
-            let there = wrapped(i.wrapping_add(turn.shift), &q);
-            consider(i, p.facing_normal(i).reversed(), q.facing_normal(there).reversed(), 0);
-            let here = p.corner(i);
-            let is_outmost = |n: Axis| p.corners.iter().all(|c| along(n, Raw::of(*c).sub(here)) <= 0);
-            for n in [Axis::X, Axis::NEG_X, Axis::Y, Axis::NEG_Y].into_iter().filter(|n| is_outmost(*n)) {
-                consider(i, n, n, 1);
-            }
-            let (lo, hi) = self.body.core_box();
-            let m = Raw { x: here.x.clamp(lo.x, hi.x), y: here.y.clamp(lo.y, hi.y) }.sub(here);
-            let n = Axis::new(m.x, m.y);
-            if B::MEETS_CORNERS && !B::ANGULAR && !n.is_zero() && is_outmost(n) {
-                consider(i, n, n, 1);
-            }
-        }
-        if clear { None } else { best.map(|(_, push)| push) }
     }
 }

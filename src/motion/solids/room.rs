@@ -3,7 +3,7 @@
 use crate::motion::plane::way;
 use crate::num::{Axis, MOTION, Raw, mul_div_wide, mul64};
 use crate::query::cast::moment::along;
-use crate::world::{Cell, Feature, Geometry};
+use crate::world::{Feature, Geometry};
 
 /// The displacements `d` with `normal . (d - at) >= 0`.
 ///
@@ -72,8 +72,9 @@ fn scaled(v: Raw, a: u64, n: u64) -> Option<Raw> {
 /// How many bounds there may be.
 const BOUNDS: usize = 12;
 
-/// What set a bound: a piece of the level or of one of the solids.
-type Source = (Option<u16>, u8, Cell, u16);
+/// What set a bound: a kind of piece of the level or of one of the solids, and where it is. The
+/// arcs around one centre are one.
+type Source = (Option<u16>, u8, (i32, i32));
 
 /// Up to twelve bounds. What does not fit closes the room.
 pub(super) struct Room {
@@ -99,12 +100,33 @@ impl Room {
     /// one of the same piece: a tangent of a corner or an arc is better the nearer it is. Only in a
     /// pipe all tangents count.
     pub(super) fn add(&mut self, solid: Option<u16>, feature: &Feature, plane: HalfPlane) {
-        let source = (solid, feature.source, feature.cell, feature.index);
-        let is_pipe = matches!(feature.geometry, Geometry::Arc { convex: false, .. });
+        let (kind, place, is_pipe) = match feature.geometry {
+            Geometry::Face { a, .. } => (0, a, false),
+            Geometry::Vertex { p, .. } => (1, p, false),
+            Geometry::Arc { centre, convex, .. } => (2, centre, !convex),
+        };
+        // A solid has one border along x or y on each side: of a face, and of the arcs at its ends.
+        let Axis { x, y } = plane.normal;
+        let is_flat = solid.is_some() && (x == 0 || y == 0);
+        let source = if is_flat { (solid, 3, (x.signum(), y.signum())) } else { (solid, kind, place.raw()) };
         match self.bounds.iter_mut().find(|(s, _)| *s == source && !is_pipe) {
             Some((_, kept)) => *kept = plane,
             None => self.closed |= self.bounds.push((source, plane)).is_err(),
         }
+    }
+
+    /// Leaves out the bounds of the level. Returns whether there were any.
+    pub(super) fn forget_level(&mut self) -> bool {
+        let before = self.bounds.len();
+        self.bounds.retain(|((solid, ..), _)| solid.is_some());
+        self.bounds.len() < before
+    }
+
+    /// The axes along which a face of a solid determines the displacement.
+    pub(super) fn held(&self) -> (bool, bool) {
+        let mut solids = self.bounds.iter().filter(|((solid, ..), _)| solid.is_some());
+        let along_x = solids.clone().any(|(_, plane)| plane.normal.y == 0);
+        (along_x, solids.any(|(_, plane)| plane.normal.x == 0))
     }
 
     fn holds(&self, d: Raw) -> bool {
@@ -151,9 +173,8 @@ mod tests {
         let mut room = Room::new(Raw { x: wanted.0, y: wanted.1 }, 1000);
         for (i, &(nx, ny, x, y)) in planes.iter().enumerate() {
             let geometry = Geometry::Vertex { p: crate::num::Vec2::ZERO, e_in: Axis::X, e_out: Axis::Y };
-            let feature =
-                Feature { geometry, cell: Cell::default(), index: i as u16, flags: 0, one_way: false, source: 0 };
-            room.add(None, &feature, HalfPlane { normal: Axis::new(nx, ny), at: Raw { x, y } });
+            let feature = Feature { geometry, cell: Cell::default(), index: 0, flags: 0, one_way: false, source: 0 };
+            room.add(Some(i as u16), &feature, HalfPlane { normal: Axis::new(nx, ny), at: Raw { x, y } });
         }
         room
     }
@@ -176,21 +197,18 @@ mod tests {
                 let far = |(x, y): (i32, i32)| (x - wanted.0).pow(2) + (y - wanted.1).pow(2);
                 all.filter(|p| holds(p.0, p.1, slack)).map(far).min()
             };
-            match room(&planes, wanted).nearest() {
-                Some(d) => {
-                    assert!(holds(d.x, d.y, 0), "{planes:?}");
-                    let by = (d.x - wanted.0).pow(2) + (d.y - wanted.1).pow(2);
-                    // Not farther than the nearest point two raw inside, and its roundings.
-                    if let Some(far) = nearest(2) {
-                        let root = f64::from(by).sqrt() - f64::from(far).sqrt();
-                        assert!(root < 3.0, "{planes:?} {wanted:?} {d:?} {far}");
-                    }
-                    some += 1;
+            if let Some(d) = room(&planes, wanted).nearest() {
+                assert!(holds(d.x, d.y, 0), "{planes:?}");
+                let by = (d.x - wanted.0).pow(2) + (d.y - wanted.1).pow(2);
+                // Not farther than the nearest point two raw inside, and its roundings.
+                if let Some(far) = nearest(2) {
+                    let root = f64::from(by).sqrt() - f64::from(far).sqrt();
+                    assert!(root < 3.0, "{planes:?} {wanted:?} {d:?} {far}");
                 }
-                None => {
-                    assert!(nearest(3).is_none_or(|far| far > 3000), "{planes:?} {wanted:?}");
-                    none += 1;
-                }
+                some += 1;
+            } else {
+                assert!(nearest(3).is_none_or(|far| far > 3000), "{planes:?} {wanted:?}");
+                none += 1;
             }
         }
         assert!(some > 1000 && none > 100, "{some} {none}");

@@ -120,7 +120,8 @@ pub fn mirrored(solid: &Solid) -> Solid {
 }
 
 pub fn show(list: &[Solid]) -> String {
-    list.iter().map(|s| format!("{} {:?} to {:?} by {:?}\n", s.key(), s.shape(), s.next(), s.motion())).collect()
+    let one = |s: &Solid| format!("{} {:?} to {:?} by {:?}\n", s.key(), s.shape(), s.next(), s.motion());
+    list.iter().map(one).collect::<Vec<_>>().concat()
 }
 
 /// A turned box as a polygon.
