@@ -18,7 +18,7 @@ use crate::motion::response::Law;
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
 use crate::motion::{MoveError, Moved, Mover, Stuck, Work};
-use crate::num::{Axis, Fx, MOTION, Raw, Vec2, less128, sqr64};
+use crate::num::{Axis, Fx, MOTION, Raw, Vec2, leading_zeros32, less128, sqr64};
 use crate::query::cast::moment::{along, is_below, reach};
 use crate::query::meet;
 use crate::shape::Aabb;
@@ -213,7 +213,7 @@ impl<L: Law> Mover<L> {
             for feature in (0..solid.pieces()).filter_map(|index| solid.piece(index)) {
                 let mut stands: Option<Raw> = None;
                 feet(body, &feature, &mut |n| {
-                    let (first, last, _) = lowest(body, n);
+                    let (first, last) = lowest(body, n);
                     let carry = Turn::of(solid).of_contact(&feature, first, last);
                     let sinks = along(n, carry).min(0).unsigned_abs();
                     if self.side(n) == SurfaceRole::Floor && !less128(reach(follow, n), sqr64(sinks)) {
@@ -239,8 +239,8 @@ fn feet<B: Body>(body: &B, feature: &Feature, each: &mut dyn FnMut(Axis)) {
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } if !B::ANGULAR || dir.x == 0 || dir.y == 0 => {
             let ((a, b), n) = (ends(Raw::of(a), dir, len), normal(dir));
-            let (first, last, r) = lowest(body, n);
-            let gap = along(n, first.sub(a));
+            let ((foot, r), (first, last)) = (body.toward(n.reversed()), lowest(body, n));
+            let gap = along(n, foot.sub(a));
             let is_flat = n.x == 0 || n.y == 0;
             let far = reach(if is_flat { r } else { r.wrapping_add(NEAR as i32) }, n);
             let touches = gap >= 0 && !less128(far, sqr64(gap as u64)) && !(is_flat && is_below(gap as u64, far));
@@ -282,21 +282,28 @@ fn on_peak<B: Body>(body: &B, p: Raw, each: &mut dyn FnMut(Axis)) {
 }
 
 /// The points of a body that are lowest over a face with the normal `n`, in the direction of the
-/// face, and the radius around them.
-fn lowest<B: Body>(body: &B, n: Axis) -> (Raw, Raw, i32) {
-    if n.x != 0 && n.y != 0 {
-        let (p, r) = body.toward(n.reversed());
-        return (p, p, r);
-    }
-    // Both ends of a side that lies flat on it. Corners differ by less than 2^29 along the face, so
-    // of two at unequal heights the lower one is farther in both directions.
-    let (x, y) = (n.x.signum(), n.y.signum());
-    let toward = |aside: i32| {
-        let part = |across: i32, along: i32| (aside.wrapping_mul(along)).wrapping_sub(across << 29);
-        body.toward(Axis::new(part(x, y.wrapping_neg()), part(y, x)))
+/// face: both ends of a side that lies on it.
+///
+/// Along x and y exactly: corners differ by less than 2^29 along the face, so of two at unequal
+/// heights the lower one is farther in both directions. Otherwise a side counts that is within 1 :
+/// 512 of the face.
+fn lowest<B: Body>(body: &B, n: Axis) -> (Raw, Raw) {
+    let size = n.x.unsigned_abs().max(n.y.unsigned_abs());
+    let (up, slack) = if n.x == 0 || n.y == 0 { (29, 29) } else { (leading_zeros32(size) & 31, 9) };
+    // Below 2^28, or 2^29 along x and y.
+    let n = if slack == 9 {
+        Raw { x: n.x << up.saturating_sub(4), y: n.y << up.saturating_sub(4) }
+    } else {
+        Raw { x: n.x.signum() << up, y: n.y.signum() << up }
     };
-    let ((first, r), (last, _)) = (toward(-1), toward(1));
-    (first, last, r)
+    let toward = |aside: i32| {
+        let part = |across: i32, along: i32| {
+            let size = (along.unsigned_abs() >> slack) as i32;
+            aside.wrapping_mul(along.signum()).wrapping_mul(size).wrapping_sub(across)
+        };
+        body.toward(Axis::new(part(n.x, n.y.wrapping_neg()), part(n.y, n.x))).0
+    };
+    (toward(-1), toward(1))
 }
 
 /// Where a displacement meets the level.

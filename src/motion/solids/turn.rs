@@ -97,7 +97,7 @@ impl<'a, S: SolidShape> Turn<'a, S> {
             let gap_then = along(next_n, d.sub(to));
             clear |= gap_then >= 0 && !is_below(gap_then as u64, reach(r, next_n));
             let room = div_sqrt(gap as u64, n.length_squared()).saturating_sub(r.unsigned_abs());
-            let rank = (room, n.x.unsigned_abs(), n.y.unsigned_abs());
+            let rank = (room, index == 0, n.x.unsigned_abs(), n.y.unsigned_abs());
             if best.as_ref().is_some_and(|(kept, _)| *kept >= rank) {
                 return;
             }
@@ -138,8 +138,8 @@ impl<'a, S: SolidShape> Turn<'a, S> {
     }
 }
 
-/// How much room a direction leaves; of equal ones by their normals.
-type Rank = (u32, u32, u32);
+/// How much room a direction leaves; of equal ones a face goes first, then by their normals.
+type Rank = (u32, bool, u32, u32);
 
 /// `v far / whole`, with `far` between 0 and `whole`, rounded toward zero.
 fn part_of(v: i32, far: i64, whole: u64) -> i32 {

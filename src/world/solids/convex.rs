@@ -315,7 +315,7 @@ levels! {
 #[must_use = "cursors do nothing unless advanced"]
 pub struct ConvexFeatures<'w, S> {
     /// Those that are not done.
-    list: &'w [ConvexSolid<S>],
+    pub(crate) list: &'w [ConvexSolid<S>],
     region: Aabb,
     /// The next piece of the first one.
     next: u16,
