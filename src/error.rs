@@ -46,8 +46,12 @@ pub enum Quantity {
     /// How far the core of a capsule that is to be moved is off the vertical or the horizontal, or
     /// zero where the capsule has no radius.
     Capsule,
-    /// The smaller side of the bounding box of a body that is to be moved and has no area.
+    /// The smaller side of the bounding box of a body or solid that is to be moved and has no area.
     Area,
+    /// The radius of a solid that must be sharp: [`ConvexSolid`](crate::world::ConvexSolid).
+    Rounding,
+    /// The number of corners of a solid after its turn.
+    Corners,
 }
 
 /// An input outside the range that keeps arithmetic exact; nothing was changed.
@@ -75,7 +79,11 @@ impl fmt::Display for RangeError {
                     "the motion visits too many cells, {value} or more: shorten it, or enlarge the cells"
                 );
             }
-            Quantity::Area => "a moving body with sides in any direction must have an area",
+            Quantity::Area => "a moving body or solid with sides in any direction must have an area",
+            Quantity::Rounding => {
+                "a solid with slanted sides, and one that turns, must be sharp; others have a radius as an AnyShape"
+            }
+            Quantity::Corners => return write!(f, "a solid of {value} corners turns into one of as many"),
             Quantity::Capsule => {
                 "a moving capsule must be upright or level, and have a radius; a slanted one moves as an AnyShape"
             }

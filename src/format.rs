@@ -12,9 +12,9 @@ use crate::query::{CastHit, Contact, MovingHit};
 use crate::scene::{Scene, SceneEvent, Sleep, Snapshot};
 use crate::shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 use crate::world::{
-    Features, Grid, Joined, JoinedFeatures, JoinedRayHits, Near, Placed, PlacedFeatures, PlacedRayHits, RayHit,
-    RayWorld, Room, Rooms, SegmentFeatures, SegmentMap, SegmentRayHits, Set, Size, SolidFeatures, SolidRayHits, Solids,
-    Store, TileKinds, TileMap, TileShape, Tiles, World, WorldContact,
+    ConvexFeatures, ConvexSolids, Features, Grid, Joined, JoinedFeatures, JoinedRayHits, Near, Placed, PlacedFeatures,
+    PlacedRayHits, RayHit, RayWorld, Room, Rooms, SegmentFeatures, SegmentMap, SegmentRayHits, Set, Size,
+    SolidFeatures, SolidRayHits, SolidShape, Solids, Store, TileKinds, TileMap, TileShape, Tiles, World, WorldContact,
 };
 use defmt::{Format, Formatter, write};
 
@@ -304,6 +304,18 @@ impl<W: World + Format> Format for Placed<'_, W> {
 impl Format for Solids<'_> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Solids {}", self.list());
+    }
+}
+
+impl<S: SolidShape + Format> Format for ConvexSolids<'_, S> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "ConvexSolids {}", self.list());
+    }
+}
+
+impl<S: SolidShape + Format> Format for ConvexFeatures<'_, S> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "ConvexFeatures of {}", ConvexSolids::new(self.list));
     }
 }
 

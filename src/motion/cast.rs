@@ -7,7 +7,9 @@ use super::{Hit, Moved, Work};
 use crate::error::RangeError;
 use crate::num::{MOTION, Raw, Toi, Vec2, check_motion, mul_div};
 use crate::query::CastHit;
-use crate::world::{Cell, Inside, Joined, Placed, RayRules, SegmentMap, Set, Solids, Store, TileMap, World};
+use crate::world::{
+    Cell, ConvexSolids, Inside, Joined, Placed, RayRules, SegmentMap, Set, SolidShape, Solids, Store, TileMap, World,
+};
 
 /// The hit of a body that was cast through a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,6 +126,11 @@ casts! {
     /// The first hit of a body that moves by `motion`, with the solids at their
     /// current positions.
     [] Solids<'_>
+}
+casts! {
+    /// The first hit of a body that moves by `motion`, with the solids at their
+    /// current positions.
+    [C: SolidShape] ConvexSolids<'_, C>
 }
 
 pub(super) fn cast<W: World, B: Body>(

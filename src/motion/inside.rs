@@ -51,7 +51,7 @@ const PUSHES: u32 = 4;
 /// 31 it goes 9 to the left, at 39 it goes 9 to the right. From 32 to 38 the result is [`Stuck`].
 /// [Doors](crate::motion#doors) shows how to avoid this.
 ///
-/// It takes every [`Body`](super::Body) but a compound.
+/// Of a compound that several features hold, each push leads all parts out of one feature.
 ///
 /// Cost: an exact overlap test. If that is true, the [contacts](crate::TileMap::contacts) of one
 /// body and another test, at most four times. Only a game that calls it links the code for
@@ -91,7 +91,8 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
 ///
 /// The body must be free. If `turned` is free too, that is the result. Otherwise it is pushed as by
 /// [`escape`], and only to where a point gets from the middle of the body to its own on a straight
-/// line. So a thin wall is never between the two. One-way faces do not count.
+/// line. So a thin wall is never between the two. One-way faces do not count. Of a compound that
+/// holds for the middle of each part; both have as many parts, in the same order.
 ///
 /// It looks at the start and at the end, not at the way between them. Turn by small steps if
 /// something thin could fit into the angle.
@@ -121,10 +122,13 @@ pub fn turn<W: World, B: Body + Pushable>(world: &W, body: &B, turned: &B) -> Re
         return Ok(*turned);
     }
     let free = escape(world, turned)?;
-    let (from, to) = (body.middle().lo(), free.middle().lo());
-    let point = Circle::from_raw_unchecked(from, 0);
-    match cast(world, &point, to.sub(from).vec2(), Inside::Hit.into()) {
-        Ok(None) => Ok(free),
-        _ => Err(stuck),
+    let mut part = 0;
+    while let (Some(from), Some(to)) = (body.centre(part), free.centre(part)) {
+        let point = Circle::from_raw_unchecked(from, 0);
+        if !matches!(cast(world, &point, to.sub(from).vec2(), Inside::Hit.into()), Ok(None)) {
+            return Err(stuck);
+        }
+        part += 1;
     }
+    Ok(free)
 }

@@ -19,6 +19,7 @@
 //! | Gravity in a V, a bowl, between domes? | The body comes to rest and stays: the same position and velocity for ever. |
 //! | One-way faces? | They block a body that is entirely in front when the motion starts, and that moves in. They block nothing else. |
 //! | A platform moves under the body, a door against it? | [`Mover::ride`] carries it, pushes it, or reports that it is [squashed](Ride::Squashed). |
+//! | The platform is a slope, a ball, or turns? | [`Mover::ride_convex`] does the same. |
 //! | The body starts inside the solid? | [`Stuck`]: nothing moves. [`StartInside::Ignore`] lets it leave, but then use **no gravity while it is inside**, or it falls through the floor below a closed door. [`escape`] pushes out a body that reaches the surface. Better: never [close a door](#doors) on it. |
 //!
 //! # Doors

@@ -211,7 +211,7 @@ impl<S: Single + Body, const M: usize> Kernel for Compound<S, M> {
     }
 
     fn overlaps_world<W: World>(&self, world: &W) -> bool {
-        self.parts().iter().any(|part| part.overlaps_world(world))
+        world.overlaps_aabb(&self.aabb()) && self.parts().iter().any(|part| part.overlaps_world(world))
     }
 
     fn is_inside<W: World>(world: &W, p: Raw) -> bool {

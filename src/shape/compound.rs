@@ -92,7 +92,8 @@ single!([const N: usize] ConvexPolygon<N>, [const N: usize] AnyShape<N>);
 /// shape is in a compound is not asked: it may be in several parts together.
 ///
 /// A compound is a [`Body`](crate::Body): movers slide it along levels, by its parts. Levels answer
-/// `contacts` for each part.
+/// the same questions about it as about its parts, and list the
+/// [deepest contact](crate::TileMap::contacts) with each feature.
 ///
 /// ```
 /// use tilesat::prelude::*;

@@ -9,7 +9,9 @@ use core::ops::Deref;
 ///
 /// Corners are strictly convex and counter-clockwise (y up): two are a segment, one is a point. A
 /// corner and the radius together stay inside the domain.
-pub(crate) trait Convex {
+///
+/// Public in a private module, because a sealed trait rests on it.
+pub trait Convex: Sized {
     /// The corners, computed or lent.
     type Corners<'a>: Deref<Target = [Vec2]>
     where
@@ -22,11 +24,14 @@ pub(crate) trait Convex {
     fn rounding(&self) -> i32 {
         0
     }
+
+    /// The shape somewhere else, even outside of the domain.
+    fn shifted(&self, by: Raw) -> Self;
 }
 
 /// At most four corners.
-#[derive(Clone, Copy)]
-pub(crate) struct Few {
+#[derive(Clone, Copy, Debug)]
+pub struct Few {
     points: [Vec2; 4],
     count: usize,
 }
@@ -71,6 +76,10 @@ impl Convex for Aabb {
         let size = self.hi().sub(self.lo());
         Few::parallelogram(self.lo(), Raw { x: size.x, y: 0 }, Raw { x: 0, y: size.y })
     }
+
+    fn shifted(&self, by: Raw) -> Self {
+        Self::from_raw_unchecked(self.lo().add(by), self.hi().add(by))
+    }
 }
 
 impl Convex for Circle {
@@ -85,6 +94,10 @@ impl Convex for Circle {
     fn rounding(&self) -> i32 {
         self.r()
     }
+
+    fn shifted(&self, by: Raw) -> Self {
+        Self::from_raw_unchecked(self.c().add(by), self.r())
+    }
 }
 
 impl Convex for Segment {
@@ -93,6 +106,10 @@ impl Convex for Segment {
     #[inline]
     fn outline(&self) -> Few {
         Few::line(self.a(), self.b())
+    }
+
+    fn shifted(&self, by: Raw) -> Self {
+        Self { a: self.ra().add(by).vec2(), b: self.rb().add(by).vec2() }
     }
 }
 
@@ -107,6 +124,10 @@ impl Convex for Capsule {
     #[inline]
     fn rounding(&self) -> i32 {
         self.radius().to_bits()
+    }
+
+    fn shifted(&self, by: Raw) -> Self {
+        Self::from_raw_unchecked(Raw::of(self.a()).add(by), Raw::of(self.b()).add(by), self.radius())
     }
 }
 
@@ -125,11 +146,15 @@ impl Convex for OrientedBox {
     fn rounding(&self) -> i32 {
         self.radius().to_bits()
     }
+
+    fn shifted(&self, by: Raw) -> Self {
+        self.moved_to(Raw::of(self.centre()).add(by).vec2())
+    }
 }
 
 /// The corners of a shape of any kind.
-#[derive(Clone, Copy)]
-pub(crate) enum AnyCorners<'a> {
+#[derive(Clone, Copy, Debug)]
+pub enum AnyCorners<'a> {
     Few(Few),
     Lent(&'a [Vec2]),
 }
@@ -166,6 +191,17 @@ impl<const N: usize> Convex for AnyShape<N> {
     fn rounding(&self) -> i32 {
         each!(self, |it| it.rounding())
     }
+
+    fn shifted(&self, by: Raw) -> Self {
+        match self {
+            Self::Aabb(it) => Self::Aabb(it.shifted(by)),
+            Self::Circle(it) => Self::Circle(it.shifted(by)),
+            Self::Segment(it) => Self::Segment(it.shifted(by)),
+            Self::Capsule(it) => Self::Capsule(it.shifted(by)),
+            Self::OrientedBox(it) => Self::OrientedBox(it.shifted(by)),
+            Self::Polygon(it) => Self::Polygon(it.shifted(by)),
+        }
+    }
 }
 
 impl<const N: usize> Convex for ConvexPolygon<N> {
@@ -179,5 +215,9 @@ impl<const N: usize> Convex for ConvexPolygon<N> {
     #[inline]
     fn rounding(&self) -> i32 {
         self.radius().to_bits()
+    }
+
+    fn shifted(&self, by: Raw) -> Self {
+        self.moved_by(by)
     }
 }

@@ -182,6 +182,10 @@ impl OrientedBox {
         Self { centre: self.centre.saturating_add(by), ..*self }.checked()
     }
 
+    pub(super) const fn moved_to(&self, centre: Vec2) -> Self {
+        Self { centre, ..*self }
+    }
+
     /// The bounding box; exact.
     #[must_use]
     pub const fn aabb(&self) -> Aabb {

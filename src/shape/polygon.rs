@@ -194,17 +194,21 @@ impl<const N: usize> ConvexPolygon<N> {
     ///
     /// # Errors
     /// [`RangeError`] if a point of it would leave the [domain](crate::num::DOMAIN).
-    #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
     pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
-        if let Err(e) = self.aabb().translated(by) {
-            return Err(e);
+        match self.aabb().translated(by) {
+            Ok(_) => Ok(self.moved_by(Raw::of(by))),
+            Err(e) => Err(e),
         }
+    }
+
+    #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
+    pub(super) const fn moved_by(&self, by: Raw) -> Self {
         let (mut moved, mut i) = (*self, 0);
         while i < self.count && i < N {
-            moved.points[i] = moved.points[i].saturating_add(by);
+            moved.points[i] = Raw::of(moved.points[i]).add(by).vec2();
             i += 1;
         }
-        Ok(moved)
+        moved
     }
 
     /// The bounding box; exact.

@@ -6,6 +6,7 @@ use super::measure::Measure;
 use super::placed::Placed;
 use super::segment_map::SegmentMap;
 use super::solids::Solids;
+use super::solids::convex::{ConvexSolids, SolidShape};
 use super::tile_map::{Set, Store, TileMap};
 use crate::error::Truncated;
 use crate::num::{Axis, Fx, Raw, Vec2, div_sqrt, mul_div_wide, toward, umul, usqr};
@@ -15,6 +16,7 @@ use crate::shape::{Aabb, Circle};
 use crate::world::closest::OneWay;
 use core::cmp::Ordering;
 use heapless::VecView;
+use kernel::PushOne;
 
 /// How a body overlaps one feature of a level; see [`TileMap::contacts`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,6 +102,20 @@ impl WorldContact {
                 Raw::of(centre).add(toward(Raw { x, y }, radius)).vec2()
             }
         }
+    }
+
+    pub(super) const fn new(contact: Contact, feature: Feature) -> Self {
+        Self { contact, feature }
+    }
+
+    /// The order of the contacts of one shape.
+    pub(super) fn goes_before<W: World>(&self, other: &Self, by_depth: bool) -> bool {
+        self.found().before::<W>(other.found(), by_depth)
+    }
+
+    /// Adds it to a list in the order of depths; if that is full, its last one goes.
+    pub(super) fn insert_in<W: World>(&self, out: &mut VecView<Self>) {
+        insert::<W>(out, self.found(), true);
     }
 
     const fn found(&self) -> ContactRef<'_> {
@@ -194,6 +210,10 @@ contacts_of! {
     /// with a disc around each corner if they are rounded. The shortest way out comes first, by the
     /// depth rounded up to raw units; then faces and arcs before corners.
     ///
+    /// A [`Compound`](crate::shape::Compound) has the contacts of its parts, in the same order. Of a
+    /// feature that several parts overlap it lists the deepest, so after its
+    /// [`push_out`](WorldContact::push_out) no part overlaps that feature.
+    ///
     /// Features seen from behind count only while the body's middle is in the solid: the far side
     /// of a thin wall is not a way out. Circles list the feature first whose distance from the
     /// centre is least, boxes the shortest way out. Ties go as in
@@ -261,6 +281,15 @@ contacts_of! {
     [] Solids<'_>
 }
 
+contacts_of! {
+    /// Writes the features of the solids at their current positions that a body overlaps to `out`,
+    /// which is cleared first; as [`TileMap::contacts`].
+    ///
+    /// # Errors
+    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    [C: SolidShape] ConvexSolids<'_, C>
+}
+
 /// [`TileMap::contacts`] for any level.
 pub(crate) fn contacts<W: World, B: Pushable>(
     world: &W,
@@ -269,13 +298,12 @@ pub(crate) fn contacts<W: World, B: Pushable>(
     out: &mut VecView<WorldContact>,
 ) -> Result<u32, Truncated> {
     out.clear();
-    let behind = world.overlaps_aabb(&body.middle());
-    contacts_in(world, body, &body.bounds(), behind, one_way, out)
+    body.contacts_in(world, one_way, out)
 }
 
-/// The same, of a body with these bounds whose middle is in the solid or not.
+/// The same for one shape with these bounds, whose middle is in the solid or not.
 #[inline(never)]
-fn contacts_in<W: World, B: Pushable>(
+fn contacts_in<W: World, B: PushOne>(
     world: &W,
     body: &B,
     bounds: &Aabb,
@@ -307,9 +335,7 @@ fn contacts_in<W: World, B: Pushable>(
             }
             continue;
         }
-        // Levels that store features by cells may report one for each cell.
-        let same = |f: &Feature| (f.source, f.cell, f.index) == (feature.source, feature.cell, feature.index);
-        if !out.iter().any(|c| same(&c.feature)) {
+        if !is_listed(out, feature) {
             seen = seen.wrapping_add(1);
             insert::<W>(out, new, B::BY_DEPTH);
         }
@@ -320,6 +346,16 @@ fn contacts_in<W: World, B: Pushable>(
     }
     let kept = out.len() as u32;
     if kept == seen { Ok(features) } else { Err(Truncated { seen, kept }) }
+}
+
+/// Whether both are one piece of the surface.
+pub(super) fn is_same(a: &Feature, b: &Feature) -> bool {
+    (a.source, a.cell, a.index) == (b.source, b.cell, b.index)
+}
+
+/// Levels that store features by cells may report one for each cell.
+pub(super) fn is_listed(out: &VecView<WorldContact>, feature: &Feature) -> bool {
+    out.iter().any(|c| is_same(&c.feature, feature))
 }
 
 /// Keeps the list in order; where it is full the last goes.
@@ -341,19 +377,32 @@ fn insert<W: World>(out: &mut VecView<WorldContact>, new: ContactRef<'_>, by_dep
     }
 }
 
-/// A shape that [`TileMap::contacts`] takes: any but a segment. Sealed.
+/// A shape that [`TileMap::contacts`] takes: any but a segment, and compounds of them. Sealed.
 pub trait Pushable: kernel::PushKernel {}
 
 impl Pushable for Aabb {}
 impl Pushable for Circle {}
 
-pub(super) mod kernel {
+pub(in crate::world) mod kernel {
     //! The part of [`Pushable`](crate::world::Pushable) that only this crate calls.
 
-    use super::{Aabb, Circle, Contact, Feature, Raw, World};
+    use super::{Aabb, Circle, Contact, Feature, OneWay, Raw, Truncated, VecView, World, WorldContact, contacts_in};
     use crate::world::measure::{boxed, circle};
 
     pub trait PushKernel {
+        /// Writes all contacts in order to a list that is empty.
+        fn contacts_in<W: World>(
+            &self,
+            world: &W,
+            one_way: OneWay,
+            out: &mut VecView<WorldContact>,
+        ) -> Result<u32, Truncated>;
+        /// The middle of a part; `None` beyond the last one.
+        fn centre(&self, part: usize) -> Option<Raw>;
+    }
+
+    /// A shape that is no compound.
+    pub trait PushOne {
         /// Whether all contacts count where none is in its region, not the least alone: they are
         /// ties often, and then none goes before the other.
         const ROUND: bool;
@@ -375,7 +424,23 @@ pub(super) mod kernel {
         fn meet<W: World>(&self, feature: &Feature, behind: bool) -> Option<(Contact, bool)>;
     }
 
-    impl PushKernel for Aabb {
+    impl<B: PushOne> PushKernel for B {
+        fn contacts_in<W: World>(
+            &self,
+            world: &W,
+            one_way: OneWay,
+            out: &mut VecView<WorldContact>,
+        ) -> Result<u32, Truncated> {
+            let behind = world.overlaps_aabb(&self.middle());
+            contacts_in(world, self, &self.bounds(), behind, one_way, out)
+        }
+
+        fn centre(&self, part: usize) -> Option<Raw> {
+            (part == 0).then(|| self.middle().lo())
+        }
+    }
+
+    impl PushOne for Aabb {
         const ROUND: bool = false;
         fn bounds(&self) -> Aabb {
             *self
@@ -385,7 +450,7 @@ pub(super) mod kernel {
         }
     }
 
-    impl PushKernel for Circle {
+    impl PushOne for Circle {
         const ROUND: bool = true;
         fn bounds(&self) -> Aabb {
             self.aabb()

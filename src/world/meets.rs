@@ -6,6 +6,7 @@ use super::level::World;
 use super::placed::Placed;
 use super::segment_map::SegmentMap;
 use super::solids::Solids;
+use super::solids::convex::{ConvexSolids, SolidShape};
 use super::tile_map::{Set, Store, TileMap};
 use crate::num::Raw;
 use crate::query::{Core, Overlaps, Touches};
@@ -47,7 +48,7 @@ macro_rules! all_convex {
                 Self: Overlaps<P>,
             {
                 fn overlaps(&self, b: &Compound<P, M>) -> bool {
-                    b.parts().iter().any(|part| Overlaps::overlaps(self, part))
+                    World::overlaps_aabb(self, &b.aabb()) && b.parts().iter().any(|part| Overlaps::overlaps(self, part))
                 }
             }
 
@@ -56,7 +57,7 @@ macro_rules! all_convex {
                 Self: Touches<P>,
             {
                 fn touches(&self, b: &Compound<P, M>) -> bool {
-                    b.parts().iter().any(|part| Touches::touches(self, part))
+                    World::touches_aabb(self, &b.aabb()) && b.parts().iter().any(|part| Touches::touches(self, part))
                 }
             }
         )*
@@ -67,6 +68,7 @@ all_convex! {
     [S: Set, T: Store,] TileMap<'_, S, T>;
     [] SegmentMap<'_>;
     [] Solids<'_>;
+    [C: SolidShape,] ConvexSolids<'_, C>;
     [A: World, B: World,] Joined<'_, A, B>;
     [W: World,] Placed<'_, W>;
 }

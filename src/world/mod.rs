@@ -17,9 +17,28 @@
 //!
 //! A [`SegmentMap`] reads a level of free line segments, polygons and chains, from bytes too. It
 //! answers the same questions, except those about tiles. A [`Joined`] pair of levels, of either
-//! kind, is one level without a seam. Platforms and doors that move are [`Solids`], which you join
-//! to a level. A level that moves is [`Placed`]. Rays see these too, and [`Solids::key_of`] names
+//! kind, is one level without a seam. Platforms and doors that move are [`Solids`], or
+//! [`ConvexSolids`] if they are not boxes, which you join to a level. A level that moves is [`Placed`]. Rays see these too, and [`Solids::key_of`] names
 //! the one that they met.
+//!
+//! # Shapes and levels
+//!
+//! Every level answers for these shapes. "none" says that the verb does not exist, and why:
+//!
+//! | shape | `overlaps`, `touches` | `contacts`, `escape`, `turn` | `cast_shape`, movers | `ride`, `ride_convex` |
+//! |---|---|---|---|---|
+//! | `Aabb`, `Circle` | yes | yes | yes | yes |
+//! | `Capsule` | yes | yes | upright or level; a slanted one as an `AnyShape` | as casts |
+//! | `OrientedBox`, `ConvexPolygon` | yes | yes | yes | yes |
+//! | `AnyShape` | yes | yes | yes, if it has area or a radius | as casts |
+//! | `Compound` | its bounding box first, then its parts | of a feature the deepest part | the earliest part | yes |
+//! | `Segment` | none: as an `AnyShape` | none: it has no inside that could be pushed out | none: [`line_of_sight`](TileMap::line_of_sight) asks for the whole segment | none: nothing to carry |
+//! | a point (`Vec2`) | a box without size | none: as a segment | `cast_ray` | none: as a segment |
+//!
+//! [`ConvexSolids`] have no `cast_ray` and no `closest_point`: each shape has its own.
+//!
+//! `distance` and `manifold` are verbs of two shapes. Of a level the nearest point is
+//! [`closest_point`](TileMap::closest_point), and two points of contact are two contacts.
 //!
 //! A world that is larger than the coordinates allow is cut into [`Rooms`], with borders that no
 //! body feels.
@@ -65,6 +84,7 @@ pub use ray::{Inside, RayHit, RayRules};
 pub use rooms::{Room, Rooms};
 pub use segment_map::{Path, PathKind, SegmentFeatures, SegmentMap, SegmentRayHits, Size};
 pub use solids::Solids;
+pub use solids::convex::{ConvexFeatures, ConvexSolid, ConvexSolids, SolidShape};
 pub use solids::features::SolidFeatures;
 pub use solids::ray::SolidRayHits;
 pub use solids::solid::{Side, Solid};

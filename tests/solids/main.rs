@@ -7,6 +7,7 @@ mod character;
 mod character_launches;
 mod character_lifts;
 mod character_looks;
+mod convex;
 mod games;
 mod joints;
 mod placed;

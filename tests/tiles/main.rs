@@ -3,6 +3,7 @@
 #![cfg(not(target_os = "none"))]
 
 mod blocks;
+mod compound_contacts;
 mod contacts;
 mod contacts_sources;
 mod convex;

@@ -10,8 +10,11 @@
 //!   3 move       bodies move by themselves, in the level joined with the solids
 //! ```
 
+mod convex;
 mod push;
+mod room;
 mod shove;
+mod turn;
 
 use crate::error::{Quantity, RangeError};
 use crate::motion::body::Body;
@@ -231,7 +234,10 @@ impl Carrier {
     /// Of several solids, chooses the one that rises most, because it lifts the body off the
     /// others. Then the smaller key decides, then geometry. The order of the list does not matter.
     fn goes_before(&self, other: &Self) -> bool {
-        let key = |c: &Self| (c.rise, u16::MAX - c.key, c.carry.x, c.carry.y);
+        let key = |c: &Self| {
+            let Raw { x, y } = c.carry;
+            (c.rise, u16::MAX - c.key, x.unsigned_abs(), y.unsigned_abs(), x, y)
+        };
         key(self) > key(other)
     }
 }

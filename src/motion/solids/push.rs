@@ -19,21 +19,21 @@ pub(super) struct Press {
 }
 
 impl Press {
-    fn of<B: Body>(solid: &Solid, normal: Axis) -> Self {
-        let (m, n) = (Raw::of(solid.motion()), normal);
+    /// Of a solid that moves by `m`. Whether the normal may be askew is known at compile time.
+    pub(super) fn of<const ASKEW: bool>(key: u16, m: Raw, n: Axis) -> Self {
         let along = n.dot(Axis::new(m.x, m.y));
-        let speed = if !B::MEETS_CORNERS || n.x == 0 || n.y == 0 {
+        let speed = if !ASKEW || n.x == 0 || n.y == 0 {
             m.x.wrapping_mul(n.x).wrapping_add(m.y.wrapping_mul(n.y))
         } else {
             let size = div_sqrt(along.unsigned_abs(), n.length_squared()) as i32;
             if along < 0 { size.wrapping_neg() } else { size }
         };
-        Self { speed, comes: along > 0, key: solid.key(), normal }
+        Self { speed, comes: along > 0, key, normal: n }
     }
 
     /// Orders by speed, then by the smaller key, then by geometry: the same for mirrored normals as
     /// far as possible. A solid that comes by less than a raw unit is faster than one that stands.
-    fn goes_before(&self, other: &Self) -> bool {
+    pub(super) fn goes_before(&self, other: &Self) -> bool {
         let key = |p: &Self| {
             let n = p.normal;
             (p.speed, p.comes, u16::MAX - p.key, n.x.unsigned_abs(), n.y.unsigned_abs(), n.x, n.y)
@@ -80,7 +80,12 @@ impl<B: Body> Pushes<'_, B> {
             let relative = made.sub(Raw::of(solid.motion()));
             let Some((normal, entry)) = self.hit(solid, made, relative) else { continue };
             clear = false;
-            let press = Press::of::<B>(solid, normal);
+            let motion = Raw::of(solid.motion());
+            let press = if B::MEETS_CORNERS {
+                Press::of::<true>(solid.key(), motion, normal)
+            } else {
+                Press::of::<false>(solid.key(), motion, normal)
+            };
             if self.press.is_none_or(|p| press.goes_before(&p)) {
                 self.press = Some(press);
             }

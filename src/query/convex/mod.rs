@@ -17,7 +17,6 @@ mod point;
 mod ray;
 mod round;
 mod walk;
-mod within;
 
 use super::cast::CastShape;
 use super::cast::kernel::{CastHit, Course, Enter, InDomain, Inside};
@@ -151,7 +150,7 @@ macro_rules! pair {
         impl<$($n)*> Contains<$b> for $a {
             #[inline]
             fn contains(&self, b: &$b) -> bool {
-                with_cores!(self, b, |a, b| within::contains(a, b))
+                with_cores!(self, b, |a, b| point::holds_shape(a, b))
             }
         }
 

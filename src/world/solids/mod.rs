@@ -15,6 +15,7 @@
 //! So the corner of a union is convex where nothing is in c + 1 and c + 3. Face c continues beyond
 //! its start, which is corner c, where something is in c + 3 and nothing in c + 1, before it.
 
+pub(super) mod convex;
 pub(super) mod features;
 pub(super) mod ray;
 pub(super) mod solid;

@@ -2,6 +2,7 @@
 
 pub mod convex;
 pub mod judge;
+pub mod shapes;
 pub mod ticks;
 pub mod twins;
 

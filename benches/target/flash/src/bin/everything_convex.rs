@@ -5,7 +5,9 @@ use tilesat::motion::{Mover, escape, turn};
 use tilesat::prelude::*;
 use tilesat::query::Separation;
 use tilesat::shape::{AnyShape, Compound, ConvexParts};
-use tilesat::world::{AllShapes, OneWay, RayRules, SegmentMap, Solids, TileMap, WorldContact};
+use tilesat::world::{
+    AllShapes, ConvexSolid, ConvexSolids, OneWay, RayRules, SegmentMap, Solids, TileMap, WorldContact,
+};
 use tilesat::{Aabb, Axis, Capsule, Circle, ConvexPolygon, Fx, Inside, OrientedBox, Segment, Vec2};
 use tilesat_flash::keep;
 
@@ -91,6 +93,21 @@ fn pair_part() {
     }
 }
 
+fn solid_part() {
+    keep! {
+        |shape: Any, key: u16, flags: u8, by: Vec2| ConvexSolid::new(shape, key).map(|s| s.with_flags(flags).with_motion(by));
+        |solid: ConvexSolid<Quad>, next: Quad| solid.with_turn(next);
+        |list: &mut [ConvexSolid<Quad>]| ConvexSolid::move_all(list);
+        |l: &ConvexSolids<'static, Any>, b: &Quad| (l.overlaps(b), l.touches(b));
+        |l: &ConvexSolids<'static, Any>, b: &Circle, d: Vec2| Mover::new().move_and_slide(l, b, d);
+        |l: &ConvexSolids<'static, Any>, b: &Group, way: OneWay, out: &mut VecView<WorldContact>| l.contacts(b, way, out);
+        |l: &TileMap<'static, AllShapes>, b: &Group, turned: &Group| turn(l, b, turned);
+        |l: &TileMap<'static, AllShapes>, list: &[ConvexSolid<Any>], b: &Aabb, f: Fx| Mover::new().ride_convex(l, list, b, f);
+        |l: &TileMap<'static>, list: &[ConvexSolid<Any>], b: &Circle, f: Fx| Mover::new().ride_convex(l, list, b, f);
+        |l: &SegmentMap<'static>, list: &[ConvexSolid<Quad>], b: &Quad, f: Fx| Mover::new().ride_convex(l, list, b, f);
+    }
+}
+
 fn body_part() {
     bodies! {
         TileMap<'static>: OrientedBox;
@@ -100,4 +117,4 @@ fn body_part() {
     }
 }
 
-tilesat_flash::everything!(main_part, pair_part, body_part);
+tilesat_flash::everything!(main_part, pair_part, solid_part, body_part);
