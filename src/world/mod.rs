@@ -18,8 +18,8 @@
 //! A [`SegmentMap`] reads a level of free line segments, polygons and chains, from bytes too. It
 //! answers the same questions, except those about tiles. A [`Joined`] pair of levels, of either
 //! kind, is one level without a seam. Platforms and doors that move are [`Solids`], or
-//! [`ConvexSolids`] if they are not boxes, which you join to a level. A level that moves is [`Placed`]. Rays see these too, and [`Solids::key_of`] names
-//! the one that they met.
+//! [`ConvexSolids`] if they are not boxes, which you join to a level. A level that moves is
+//! [`Placed`]. Rays see these too, and [`Solids::key_of`] names the one that they met.
 //!
 //! # Shapes and levels
 //!

@@ -12,7 +12,7 @@ use super::turn::Turn;
 use super::{Carrier, Ridden, Ride};
 use crate::error::{Quantity, RangeError};
 use crate::motion::body::Body;
-use crate::motion::contact::{Bend, touched};
+use crate::motion::contact::{Bend, touched_any};
 use crate::motion::plane::{NEAR, SurfaceRole};
 use crate::motion::response::Law;
 use crate::motion::run::{Run, check_inside};
@@ -264,7 +264,7 @@ fn feet<B: Body>(body: &B, feature: &Feature, each: &mut dyn FnMut(Axis)) {
 }
 
 fn at_corner<B: Body>(body: &B, feature: &Feature, each: &mut dyn FnMut(Axis)) {
-    touched(body, feature, |plane| {
+    touched_any(body, feature, &mut |plane| {
         if plane.bend != Bend::End {
             each(plane.normal);
         }

@@ -1,6 +1,6 @@
 //! What a capsule touches with its sides and its ends, and which way that faces.
 
-use super::super::contact::{Bend, Plane, touched};
+use super::super::contact::{Bend, Plane, touched_any};
 use super::std::vec::Vec;
 use super::{P, capsule, feature, vec2};
 use crate::num::Axis;
@@ -8,7 +8,7 @@ use crate::world::Geometry;
 
 fn planes(at: P, size: P, geometry: Geometry) -> Vec<Plane> {
     let mut found = Vec::new();
-    touched(&capsule(at, size, 50), &feature(geometry), |plane| found.push(plane));
+    touched_any(&capsule(at, size, 50), &feature(geometry), &mut |plane| found.push(plane));
     found
 }
 

@@ -1,8 +1,8 @@
 //! The same bits as always: every query has its reviewed hash, and the changelog names each.
 //! `.ci/targets` checks all targets.
 //!
-//! Accept a change of results with `cargo run --profile unlinked -p tilesat-golden -- --accept`, and
-//! add the lines that it prints to the changelog.
+//! Accept a change of results with `cargo run --profile unlinked -p tilesat-golden -- --accept`,
+//! and add the lines that it prints to the changelog.
 
 use super::VECTORS;
 use super::table::{PATH, Table, VERSION, listed};

@@ -1,13 +1,11 @@
 //! Golden on a chip: motion through blocks. One of the parts, each of which fits the flash of a
 //! small chip.
-#![no_std]
-#![no_main]
-#![allow(unsafe_code, reason = "entry points of a bare-metal program are unsafe by nature")]
+#![cfg_attr(target_os = "none", no_std, no_main)]
+#![cfg_attr(
+    target_os = "none",
+    allow(unsafe_code, reason = "entry points of a bare-metal program are unsafe by nature")
+)]
 
-use tilesat_chip::entry;
-use tilesat_golden::{BLOCKS, chip};
+use tilesat_golden::{BLOCKS, program};
 
-#[entry]
-fn main() -> ! {
-    chip::run(BLOCKS)
-}
+program!(BLOCKS);

@@ -1,13 +1,11 @@
 //! Golden on a chip: levels joined and placed. One of the parts, each of which fits the flash of a
 //! small chip.
-#![no_std]
-#![no_main]
-#![allow(unsafe_code, reason = "entry points of a bare-metal program are unsafe by nature")]
+#![cfg_attr(target_os = "none", no_std, no_main)]
+#![cfg_attr(
+    target_os = "none",
+    allow(unsafe_code, reason = "entry points of a bare-metal program are unsafe by nature")
+)]
 
-use tilesat_chip::entry;
-use tilesat_golden::{JOINED, chip};
+use tilesat_golden::{JOINED, program};
 
-#[entry]
-fn main() -> ! {
-    chip::run(JOINED)
-}
+program!(JOINED);
