@@ -40,8 +40,12 @@ impl HalfPlane {
         let gain = along(other.normal, tangent);
         let tangent = if gain < 0 { tangent.reversed() } else { tangent };
         let mut at = on.add(scaled(tangent, below as u64, gain.unsigned_abs())?);
-        // Rounding along the tangent may have left the first one.
-        for _ in 0..2 {
+        // Rounding may have left one of them. Each step out of a border is a raw unit or more, and
+        // the narrower the corner, the more steps lead into it.
+        for _ in 0..16 {
+            if self.height(at) >= 0 && other.height(at) >= 0 {
+                break;
+            }
             at = other.nearest(self.nearest(at)?)?;
         }
         Some(at)
