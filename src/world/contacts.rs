@@ -12,7 +12,7 @@ use crate::error::Truncated;
 use crate::num::{Axis, Fx, Raw, Vec2, div_sqrt, mul_div_wide, toward, umul, usqr};
 use crate::query::Contact;
 use crate::query::closest::on_segment;
-use crate::shape::{Aabb, Circle};
+use crate::shape::Aabb;
 use crate::world::closest::OneWay;
 use core::cmp::Ordering;
 use heapless::VecView;
@@ -380,14 +380,10 @@ fn insert<W: World>(out: &mut VecView<WorldContact>, new: ContactRef<'_>, by_dep
 /// A shape that [`TileMap::contacts`] takes: any but a segment, and compounds of them. Sealed.
 pub trait Pushable: kernel::PushKernel {}
 
-impl Pushable for Aabb {}
-impl Pushable for Circle {}
-
 pub(in crate::world) mod kernel {
     //! The part of [`Pushable`](crate::world::Pushable) that only this crate calls.
 
-    use super::{Aabb, Circle, Contact, Feature, OneWay, Raw, Truncated, VecView, World, WorldContact, contacts_in};
-    use crate::world::measure::{boxed, circle};
+    use super::{Aabb, Contact, Feature, OneWay, Raw, Truncated, VecView, World, WorldContact, contacts_in};
 
     pub trait PushKernel {
         /// Writes all contacts in order to a list that is empty.
@@ -437,26 +433,6 @@ pub(in crate::world) mod kernel {
 
         fn centre(&self, part: usize) -> Option<Raw> {
             (part == 0).then(|| self.middle().lo())
-        }
-    }
-
-    impl PushOne for Aabb {
-        const ROUND: bool = false;
-        fn bounds(&self) -> Aabb {
-            *self
-        }
-        fn meet<W: World>(&self, feature: &Feature, behind: bool) -> Option<(Contact, bool)> {
-            boxed::<W>(self.lo(), self.hi(), Raw::of(self.centre()), feature, behind)
-        }
-    }
-
-    impl PushOne for Circle {
-        const ROUND: bool = true;
-        fn bounds(&self) -> Aabb {
-            self.aabb()
-        }
-        fn meet<W: World>(&self, feature: &Feature, behind: bool) -> Option<(Contact, bool)> {
-            circle::<W>(self.c(), self.r(), feature, behind)
         }
     }
 }

@@ -35,7 +35,8 @@
 //! | `Segment` | none: as an `AnyShape` | none: it has no inside that could be pushed out | none: [`line_of_sight`](TileMap::line_of_sight) asks for the whole segment | none: nothing to carry |
 //! | a point (`Vec2`) | a box without size | none: as a segment | `cast_ray` | none: as a segment |
 //!
-//! [`ConvexSolids`] have no `cast_ray` and no `closest_point`: each shape has its own.
+//! [`ConvexSolids`] have no `cast_ray` and no `closest_point`: each shape has its own. So a
+//! [`Joined`] pair with them has no `cast_ray` either.
 //!
 //! `distance` and `manifold` are verbs of two shapes. Of a level the nearest point is
 //! [`closest_point`](TileMap::closest_point), and two points of contact are two contacts.

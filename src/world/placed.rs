@@ -19,8 +19,8 @@ use crate::world::convex::ConvexBody;
 /// ```
 ///
 /// Give it another offset in each frame and [join](crate::Joined) it with the rest. It blocks, and
-/// stops rays; to carry and to push is what boxes do, see [`Mover::ride`](crate::Mover::ride). A
-/// body that overlaps it at the new place is stuck until the game has moved it out.
+/// stops rays. [`Solid`](crate::Solid)s and [`ConvexSolid`](crate::world::ConvexSolid)s carry and
+/// push as well. A body that overlaps it at the new place is stuck until the game has moved it out.
 ///
 /// Results are those of a level built there, bit for bit, because all kernels work on differences.
 /// A tile map that continues beyond its cells ([`Outside`](crate::Outside)) has a surface up to the

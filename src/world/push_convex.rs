@@ -1,20 +1,20 @@
-//! The contact of a convex body with one feature that it overlaps: how deep, and which way out; and
-//! the contacts of a compound.
+//! The contact of each body with one feature that it overlaps: how deep, and which way out; and the
+//! contacts of a compound. Boxes and circles have kernels of their own.
 //!
-//! As of a box: of a face the deepest part of the body, of a corner and an arc the least exit
-//! across one of the body's sides, or past one of its rounded corners, in the feature's cone of
-//! normals.
+//! Of a convex body as of a box: of a face the deepest part of the body, of a corner and an arc the
+//! least exit across one of the body's sides, or past one of its rounded corners, in the feature's
+//! cone of normals.
 
 use super::closest::OneWay;
 use super::contacts::kernel::{PushKernel, PushOne};
 use super::contacts::{Pushable, WorldContact, is_listed, is_same};
 use super::level::{Feature, Geometry, World, ends, in_quadrant, normal, raw};
-use super::measure::into_disc;
+use super::measure::{boxed, circle, into_disc};
 use crate::error::Truncated;
 use crate::num::{Axis, Raw, less128, mul64, sqr64, usqr};
 use crate::query::closest::on_segment;
 use crate::query::{ArcCell, Contact, Core, meets};
-use crate::shape::{Aabb, AnyShape, Capsule, Compound, Convex, ConvexPolygon, OrientedBox, Single};
+use crate::shape::{Aabb, AnyShape, Capsule, Circle, Compound, Convex, ConvexPolygon, OrientedBox, Single};
 use heapless::VecView;
 
 macro_rules! pushed {
@@ -70,6 +70,29 @@ fn middle(corners: &[crate::num::Vec2]) -> Aabb {
     };
     let ((x, a), (y, b)) = (floor(sum.0), floor(sum.1));
     Aabb::from_raw_unchecked(Raw { x, y }, Raw { x: x.wrapping_add(a), y: y.wrapping_add(b) })
+}
+
+impl Pushable for Aabb {}
+impl Pushable for Circle {}
+
+impl PushOne for Aabb {
+    const ROUND: bool = false;
+    fn bounds(&self) -> Aabb {
+        *self
+    }
+    fn meet<W: World>(&self, feature: &Feature, behind: bool) -> Option<(Contact, bool)> {
+        boxed::<W>(self.lo(), self.hi(), Raw::of(self.centre()), feature, behind)
+    }
+}
+
+impl PushOne for Circle {
+    const ROUND: bool = true;
+    fn bounds(&self) -> Aabb {
+        self.aabb()
+    }
+    fn meet<W: World>(&self, feature: &Feature, behind: bool) -> Option<(Contact, bool)> {
+        circle::<W>(self.c(), self.r(), feature, behind)
+    }
 }
 
 struct Pushed<'a> {

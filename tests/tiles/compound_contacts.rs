@@ -201,3 +201,18 @@ fn circles() {
 fn shapes_of_any_kind() {
     play(any, 703);
 }
+
+const THIN: [Vec2; 2] = [Vec2::from_ints(50, -20), Vec2::from_ints(50, 40)];
+
+/// No part gets behind a thin wall in a turn, not only the first one.
+#[test]
+fn turns_of_parts_stay_on_their_side() {
+    tilesat::segment_map!(static WALL: [Path::new(PathKind::Wall, &THIN)], tilesat::fx!(32));
+    let boxed = |x: i16, w: i16| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + w, 8)).unwrap();
+    let group = |x: i16, w: i16| Compound::<Aabb, 2>::new(&[boxed(0, 4), boxed(x, w)]).unwrap();
+    let from = group(40, 6);
+    // Pushed back to the left by 1, and out to the right by 1: that would be through the wall.
+    assert_eq!(turn(&WALL, &from, &group(42, 9)).unwrap().aabb().max(), Vec2::from_ints(50, 8));
+    assert_eq!(escape(&WALL, &group(49, 8)).unwrap().aabb().max(), Vec2::from_ints(58, 8));
+    assert!(turn(&WALL, &from, &group(49, 8)).is_err());
+}

@@ -39,12 +39,13 @@ impl HalfPlane {
         let tangent = Raw { x: self.normal.x, y: self.normal.y }.perp();
         let gain = along(other.normal, tangent);
         let tangent = if gain < 0 { tangent.reversed() } else { tangent };
-        let mut at = on.add(scaled(tangent, below as u64, gain.unsigned_abs())?);
-        // Rounding along the tangent may have left the first one.
-        for _ in 0..2 {
-            at = other.nearest(self.nearest(at)?)?;
-        }
-        Some(at)
+        // Rounding may leave the other one by a few raw units: then a few more along the border.
+        let unit = u64::from(other.normal.x.unsigned_abs()).wrapping_add(other.normal.y.unsigned_abs().into());
+        [0, 1, 2, 4, 8].into_iter().find_map(|units| {
+            let more = (below as u64).wrapping_add(unit.wrapping_mul(units));
+            let at = self.nearest(on.add(scaled(tangent, more, gain.unsigned_abs())?))?;
+            (other.height(at) >= 0).then_some(at)
+        })
     }
 }
 

@@ -45,7 +45,8 @@ impl Side {
 ///
 /// A list of them is a level, [`Solids`](crate::world::Solids), and
 /// [`Mover::ride`](crate::Mover::ride) carries and pushes bodies with them. Solids do not push each
-/// other, and nothing stops them: give a platform on a platform the same motion.
+/// other, and nothing stops them: give a platform on a platform the same motion. Solids of other
+/// shapes are [`ConvexSolid`](crate::world::ConvexSolid)s.
 ///
 /// ```
 /// use tilesat::{Aabb, Fx, Solid, Vec2};
