@@ -147,10 +147,10 @@
 //! # Cost
 //!
 //! On a Cortex-M0, 64 bodies, boxes and circles, among tiles of all shapes, with a
-//! [`SortSweep`](crate::broad::SortSweep): 247 000 instructions per step while they fly and land,
-//! at most 504 000, most of them the mover's. 995 000 if all lie in nooks of slopes and none may
-//! sleep; 32 if all sleep. A scene that [remembers](Scene::remembering) makes such steps for a
-//! twentieth of that: 47 000. Stack: 3072 bytes.
+//! [`SortSweep`](crate::broad::SortSweep): 223 000 instructions per step while they fly and land,
+//! at most 437 000, most of them the mover's. 849 000 if all lie in nooks of slopes and none may
+//! sleep; 32 if all sleep. A scene that [remembers](Scene::remembering) makes such steps for an
+//! eighteenth of that: 47 000. Stack: 3820 bytes.
 //!
 //! # Games in a scene
 //!

@@ -246,30 +246,3 @@ fn each_way_is_told() {
     println!("{ways} ways, {bent} bent, {several} of several, {crossed} curtains");
     assert!(ways > 10_000 && bent > 500 && several > 500 && crossed > 500, "{ways} {bent} {several} {crossed}");
 }
-
-/// A scene that remembers tells all ways of a step that asks for them.
-#[test]
-fn memory_hides_no_way() {
-    use tilesat::scene::Sleep;
-    use tilesat::{Scene, broad::SortSweep, scene::SceneTag};
-    let map = TileMap::from_ascii("........\n........\n########", &KINDS).unwrap();
-    let mut scene = Scene::<_, 4, 8>::remembering(SortSweep::<4, SceneTag>::new(), Sleep::NEVER);
-    let conveyor = SceneBody::fixed(boxed(0, 40 << 16, 8 << 16, 8 << 16), 1);
-    let handle = scene.insert(&conveyor).unwrap();
-    let ball = scene.insert(&SceneBody::new(ball(40 << 16, 28 << 16, 4 << 16), 2)).unwrap();
-    let gravity = vec2(0, 1 << 14);
-    for _ in 0..20 {
-        scene.step(&map, gravity, |_| ()).unwrap();
-    }
-    scene.push(ball, vec2(1 << 14, 0)).unwrap();
-    scene.remove(handle).unwrap();
-    for _ in 0..20 {
-        let (before, mut told) = (scene.body(ball).unwrap().shape.position(), Vec2::ZERO);
-        let passed = |_, _: &_, trail: &Trail| {
-            told += trail.parts().fold(Vec2::ZERO, |_, (from, by)| from + by);
-        };
-        scene.step_along(|_| &map, gravity, |_| true, |_| (), passed).unwrap();
-        assert_eq!(scene.body(ball).unwrap().shape.position(), before + told);
-        assert_ne!(told, Vec2::ZERO);
-    }
-}

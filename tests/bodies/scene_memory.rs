@@ -3,6 +3,7 @@
 use super::swept::vec2;
 use tilesat::broad::{Handle, SortSweep};
 use tilesat::scene::{SceneBody, SceneEvent, SceneTag, Shape, Sleep, Stepped};
+use tilesat::world::Trail;
 use tilesat::{
     Aabb, AllShapes, Circle, Fx, Grid, Outside, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, TileShape, Vec2,
 };
@@ -194,7 +195,21 @@ fn what_a_game_changes_is_looked_at() {
         for frame in 0..400 {
             let before: Vec<_> = plain.bodies().map(|(_, body)| body.shape).collect();
             let due = told(&mut plain, &tiles, vec2(0, 6554));
-            assert_eq!(told(&mut ways, &tiles, vec2(0, 6554)), due, "{case}, {frame}");
+            if frame % 4 == 3 && case % 2 == 1 {
+                // Memory hides no way from a step that asks for them.
+                let (map, mut at) = (level(&tiles), before.iter().map(Shape::position).collect::<Vec<_>>());
+                let slots: Vec<_> = ways.bodies().map(|(handle, _)| handle).collect();
+                let passed = |handle, _: &Shape, trail: &Trail| {
+                    let slot = slots.iter().position(|at| *at == handle).unwrap();
+                    at[slot] = trail.parts().fold(at[slot], |at, (_, by)| at + by);
+                };
+                ways.step_along(|_| &map, vec2(0, 6554), |_| true, |_| (), passed).unwrap();
+                let after: Vec<_> = ways.bodies().map(|(_, body)| *body).collect();
+                assert_eq!(after, due.1, "{case}, {frame}");
+                assert_eq!(after.iter().map(|body| body.shape.position()).collect::<Vec<_>>(), at, "{case}, {frame}");
+            } else {
+                assert_eq!(told(&mut ways, &tiles, vec2(0, 6554)), due, "{case}, {frame}");
+            }
             let moved = before.iter().zip(plain.bodies()).filter(|(was, (_, is))| **was != is.shape);
             let moved: Vec<Handle> = moved.map(|(_, (handle, _))| handle).collect();
             if frame > 200 && frame % 8 == 0 {
@@ -208,5 +223,5 @@ fn what_a_game_changes_is_looked_at() {
         }
     }
     println!("{altered} altered");
-    assert!(altered > 300, "{altered}");
+    assert!(altered > 200, "{altered}");
 }

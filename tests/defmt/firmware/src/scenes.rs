@@ -3,7 +3,7 @@
 use crate::tell;
 use tilesat::broad::BruteForce;
 use tilesat::scene::{Reply, SceneBody, SceneEvent, SceneFault, SceneTag, Shape, Sleep, WithCapsules};
-use tilesat::{Aabb, Circle, Fx, Scene, TileKind, TileKinds, TileMap, Vec2};
+use tilesat::{Aabb, Capsule, Circle, Fx, Scene, TileKind, TileKinds, TileMap, Vec2};
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL.with_flags(8));
 
@@ -13,7 +13,8 @@ pub(crate) fn tell_all() {
     let chest = SceneBody::new(Aabb::new(Vec2::from_ints(20, 20), Vec2::from_ints(30, 32)).unwrap(), 1);
     tell(&chest);
     tell(&Shape::from(Circle::new(Vec2::from_ints(1, 2), Fx::ONE).unwrap()));
-    tell(&WithCapsules::from(Shape::from(Circle::new(Vec2::from_ints(1, 2), Fx::ONE).unwrap())));
+    let pill = Capsule::new(Vec2::from_ints(0, 1), Vec2::from_ints(0, 4), Fx::ONE).unwrap();
+    tell(&WithCapsules::Capsule(pill));
     let handle = scene.insert(&chest).unwrap();
     tell(&Sleep::default());
     tell(&Reply::Cross);
