@@ -1,6 +1,5 @@
 //! The surface of a level, derived from its tiles when asked.
 
-use super::occupancy::is_wide;
 use super::surface::{CellQuery, CellSurface, CellWalk, TileSource};
 use super::{Set, Store, TileMap};
 use crate::num::Raw;
@@ -176,7 +175,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         loop {
             while x < last {
                 (x, tile) = (x.wrapping_add(1), tile.wrapping_add(1));
-                if T::OCCUPIED && is_wide(x, last) {
+                if T::OCCUPIED {
                     let next = self.next_occupied(x, last, y);
                     if next > last {
                         break;

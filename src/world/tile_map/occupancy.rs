@@ -71,9 +71,9 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy). It gives the same
     /// answers, faster if much is empty.
     ///
-    /// Overlaps and moves of bodies nine cells wide or wider then pass 32 empty tiles by one test,
-    /// and a ray of more than 64 cells passes each empty area of 32 x 32 tiles. Short rays and moves
-    /// of smaller bodies look at tiles, and cost as much as without.
+    /// What is asked of many cells then passes 32 empty tiles by one test, and a ray of more than
+    /// 64 cells each empty area of 32 x 32 tiles. Short rays look at tiles, as without; moves of
+    /// bodies a few cells wide take a tenth more instructions than without.
     ///
     /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the
     /// compiler for a `const` map. After a tile is written, fill them again.
@@ -180,13 +180,6 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         }
         areas
     }
-}
-
-/// Whether so many columns are passed by a word of occupancy rather than by looks at tiles. A body
-/// that moves a few units is over three columns; there words cost more than they save.
-#[inline]
-pub(super) const fn is_wide(first: i32, last: i32) -> bool {
-    last.wrapping_sub(first) >= 8
 }
 
 /// A walk over the rows of a range.

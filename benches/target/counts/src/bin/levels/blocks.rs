@@ -3,27 +3,14 @@
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{Body, Memo, MoveError, Moved, Mover};
-use tilesat::world::{Bytes, Store};
-use tilesat::{Aabb, Axis, Blocks, Circle, Fx, Grid, Outside, TileKind, TileKinds, TileMap, Vec2};
+use tilesat::{Aabb, Axis, Circle, Fx, Grid, Outside, TileKind, TileKinds, TileMap, Vec2};
 use tilesat_counts::inputs::{Random, UNIT, circle, vec};
 use tilesat_counts::measure::{Query, Table, load};
 use tilesat_counts::shapes::{BLOCKS, CELL, SIDE};
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
 
-type Map<T = Bytes> = TileMap<'static, Blocks, T>;
-
-/// One word per row, and one for all areas.
-static WORDS: [u32; SIDE + 1] = {
-    let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_bits(CELL * UNIT), Vec2::ZERO);
-    let mut words = [0; SIDE + 1];
-    if let Ok(grid) = grid
-        && let Ok(map) = Map::on_grid(&BLOCKS, grid, &KINDS)
-    {
-        assert!(map.fill_occupancy(&mut words).is_ok());
-    }
-    words
-};
+type Map = TileMap<'static>;
 type Step<B> = Result<Moved<B>, MoveError>;
 
 pub fn rows(table: &mut Table) {
@@ -40,12 +27,6 @@ pub fn rows(table: &mut Table) {
         moves(table, map, names.0, speed, ball);
         moves(table, map, names.1, speed, player);
     }
-    if let Ok(map) = map.with_occupancy(&WORDS) {
-        moves(table, map, "blocks, occupancy: circle moves, <= 4 a frame", 4, ball);
-        moves(table, map, "blocks, occupancy: box moves, <= 4 a frame", 4, player);
-    } else {
-        table.wrong += 1;
-    }
     let circle = ("blocks: circle rests on a floor", "blocks: circle rests, memo", "blocks: circle, velocity zero");
     let boxed = ("blocks: box rests on a floor", "blocks: box rests, memo", "blocks: box, velocity zero");
     at_rest(table, map, circle, ball);
@@ -58,31 +39,25 @@ fn place(r: &mut Random) -> (i32, i32) {
     (r.raw(CELL, last), r.raw(CELL, last))
 }
 
-fn ball<T: Store>(r: &mut Random, map: &Map<T>) -> Option<Circle> {
+fn ball(r: &mut Random, map: &Map) -> Option<Circle> {
     circle(place(r), 10 * UNIT).filter(|c| !map.overlaps(c))
 }
 
-fn player<T: Store>(r: &mut Random, map: &Map<T>) -> Option<Aabb> {
+fn player(r: &mut Random, map: &Map) -> Option<Aabb> {
     let (x, y) = place(r);
     Aabb::new(vec((x, y)), vec((x + 14 * UNIT, y + 20 * UNIT))).ok().filter(|b| !map.overlaps(b))
 }
 
-fn step<B: Body, T: Store>(input: &(B, Vec2), map: &Map<T>) -> MaybeUninit<Step<B>> {
+fn step<B: Body>(input: &(B, Vec2), map: &Map) -> MaybeUninit<Step<B>> {
     MaybeUninit::new(Mover::platformer(Axis::NEG_Y).move_and_slide(map, &input.0, input.1))
 }
 
-fn loads<B, T: Store>(_: &(B, Vec2), _: &Map<T>) -> Query<(B, Vec2), Map<T>, Step<B>> {
+fn loads<B>(_: &(B, Vec2), _: &Map) -> Query<(B, Vec2), Map, Step<B>> {
     load::<_, _, _, 5, 0>
 }
 
 /// Anywhere, in any direction: free flights, landings, walls and corners at random.
-fn moves<B: Body, T: Store>(
-    table: &mut Table,
-    map: Map<T>,
-    name: &str,
-    speed: i32,
-    body: fn(&mut Random, &Map<T>) -> Option<B>,
-) {
+fn moves<B: Body>(table: &mut Table, map: Map, name: &str, speed: i32, body: fn(&mut Random, &Map) -> Option<B>) {
     let next = move |r: &mut Random| {
         let body = body(r, &map)?;
         Some(((body, vec((r.raw(-speed, speed), r.raw(-speed, speed)))), map))
