@@ -6,7 +6,7 @@ use super::order::First;
 use super::plane::into;
 use super::search::{Held, Search};
 use crate::num::{Axis, Raw};
-use crate::world::{Block, Cell, Cells, Feature, Fill, Geometry, Way, World};
+use crate::world::{Block, Cell, Cells, Feature, Fill, Geometry, Walk, World};
 
 /// The position of a body along a side, from the start of its motion to the end.
 enum Over {
@@ -24,7 +24,6 @@ struct BlockSweep<'a, W, B> {
     d: Raw,
     /// The corner of the bounds that goes first. The motion comes to no face behind it.
     front: Raw,
-    bounds: (Raw, Raw),
     /// The part of the body that meets a face: its core.
     span: (Raw, Raw),
     /// The radius around it.
@@ -33,8 +32,6 @@ struct BlockSweep<'a, W, B> {
     thin: bool,
     /// A velocity: only surfaces that oppose it are hits.
     pressed: Option<Raw>,
-    /// Whether a cell that it came to is where the body starts.
-    at_start: bool,
     /// Whether the cell is beside a partly solid one, so its features must be read.
     is_odd: bool,
     /// The corners of the full cell that is met.
@@ -45,29 +42,16 @@ struct BlockSweep<'a, W, B> {
 impl<B: Body> Search<'_, B> {
     /// Takes the hits of some cells. Each full cell counts as a feature.
     #[inline(never)]
-    pub(super) fn meet_cells<W: World>(&mut self, world: &W, way: &mut Way, d: Raw, first: &mut First) {
+    pub(super) fn meet_cells<W: World>(&mut self, world: &W, walk: &mut Walk, d: Raw, first: &mut First) {
         let body = self.body;
         let bounds = body.bounds();
         let (a, b) = (bounds.lo(), bounds.hi());
         let front = Raw { x: if d.x > 0 { b.x } else { a.x }, y: if d.y > 0 { b.y } else { a.y } };
         let (span, r) = (body.core_box(), body.rounding());
         let (thin, pressed) = (a.x == b.x || a.y == b.y, self.pressed);
-        let mut sweep = BlockSweep {
-            world,
-            body,
-            d,
-            front,
-            bounds: (a, b),
-            span,
-            r,
-            thin,
-            pressed,
-            at_start: false,
-            is_odd: false,
-            corners: (a, b),
-            first,
-        };
-        let Some(mut block) = self.next_odd(&mut sweep, way) else { return };
+        let mut sweep =
+            BlockSweep { world, body, d, front, span, r, thin, pressed, is_odd: false, corners: (a, b), first };
+        let Some(mut block) = self.next_odd(&mut sweep, walk) else { return };
         if W::BLOCKS && !B::ANGULAR {
             return;
         }
@@ -76,7 +60,7 @@ impl<B: Body> Search<'_, B> {
         loop {
             world.enter(&mut features, &block);
             self.meet_all(world, &mut features, d, sweep.first);
-            match self.next_odd(&mut sweep, way) {
+            match self.next_odd(&mut sweep, walk) {
                 Some(next) => block = next,
                 None => return,
             }
@@ -85,8 +69,8 @@ impl<B: Body> Search<'_, B> {
 
     /// Takes the hits of cells up to the next one whose features must be read.
     #[inline(never)]
-    fn next_odd<W: World>(&mut self, sweep: &mut BlockSweep<'_, W, B>, way: &mut Way) -> Option<Block> {
-        while let Some(block) = sweep.next_block(way) {
+    fn next_odd<W: World>(&mut self, sweep: &mut BlockSweep<'_, W, B>, walk: &mut Walk) -> Option<Block> {
+        while let Some(block) = sweep.next_block(walk) {
             let is_full = block.kind.fill() == Fill::Full;
             sweep.is_odd = B::ANGULAR || (!W::BLOCKS && (sweep.thin || !is_full));
             if !sweep.is_odd {
@@ -97,7 +81,6 @@ impl<B: Body> Search<'_, B> {
                     sweep.meet_one_way(&block);
                 }
             }
-            self.at_start |= sweep.is_odd || sweep.at_start;
             if sweep.is_odd {
                 return Some(block);
             }
@@ -109,7 +92,11 @@ impl<B: Body> Search<'_, B> {
 impl<W: World, B: Body> BlockSweep<'_, W, B> {
     /// The next cell that may hold the first hit.
     #[inline]
-    fn next_block(&mut self, way: &mut Way) -> Option<Block> {
+    fn next_block(&mut self, walk: &mut Walk) -> Option<Block> {
+        let way = match walk {
+            Walk::Cells(cells) => return self.world.next_cell(cells),
+            Walk::Way(way) => way,
+        };
         loop {
             let block = self.world.next_on_way(way);
             if block.is_some() {
@@ -129,8 +116,6 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
     fn meet_full(&mut self, block: &Block) {
         let ((lo, hi), d, front) = (self.world.corners(block), self.d, self.front);
         self.corners = (lo, hi);
-        let (a, b) = self.bounds;
-        self.at_start |= lo.x <= b.x && hi.x >= a.x && lo.y <= b.y && hi.y >= a.y;
         let (width, height) = (hi.x.wrapping_sub(lo.x), hi.y.wrapping_sub(lo.y));
         if d.y > 0 && lo.y >= front.y {
             self.meet_face(block, 0, lo, Axis::X, width);

@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::order::First;
 use super::run::{Run, check_inside};
-use super::search::{Around, Search};
+use super::search::{Around, Search, piece_of};
 use super::{Hit, Moved, Work};
 use crate::error::RangeError;
 use crate::num::{MOTION, Raw, Toi, Vec2, check_motion, mul_div};
@@ -160,10 +160,11 @@ pub(super) fn cast<W: World, B: Body>(
     search.pass_one_way = !rules.one_way;
     search.find_first_in(world, pieces, d, &mut first);
     // A hit at once ends the walk before it has visited all.
-    let may_overlap = W::GRID && (search.at_start || first.is_within(0, 1));
+    let beside = search.starts_beside || first.is_within(0, 1);
     let guarded = search.guarded;
     (work.iterations, work.features) = (1, search.features);
-    if may_overlap {
+    let start = piece_of(&body.bounds(), Raw::ZERO, Raw::ZERO, 1);
+    if W::GRID && if pieces == 1 { !around.is_free_in_sight(&start) } else { beside } {
         inside = starts_inside(&mut work);
         if inside && matches!(rules.inside, Inside::Hit) {
             return Ok(Some(at_start(body, motion, work)));

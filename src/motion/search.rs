@@ -9,7 +9,7 @@ use super::run::margin;
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, Raw, leading_zeros32, umul};
 use crate::shape::Aabb;
-use crate::world::{Cells, Geometry, MotionPiece, Seen, Way, World};
+use crate::world::{Cells, Geometry, MotionPiece, Seen, Walk, World};
 
 /// A region that was looked at, and the part of it that may hold something.
 ///
@@ -157,13 +157,14 @@ pub(super) struct Search<'a, B> {
     pub(super) features: u32,
     /// Whether one-way faces that may be askew are near.
     pub(super) guarded: bool,
-    /// In a grid: whether a cell that holds something and was visited is where the body starts.
-    pub(super) at_start: bool,
+    /// After a walk along a grid: whether a cell of the first strip, in which the body starts, holds
+    /// something.
+    pub(super) starts_beside: bool,
 }
 
 impl<'a, B: Body> Search<'a, B> {
     pub(super) fn new(body: &'a B, around: &'a mut Around) -> Self {
-        Self { body, around, pass_one_way: false, pressed: None, features: 0, guarded: false, at_start: false }
+        Self { body, around, pass_one_way: false, pressed: None, features: 0, guarded: false, starts_beside: false }
     }
 
     /// Looks for the first hit of the motion. Visiting cells piece by piece keeps the work linear
@@ -185,7 +186,7 @@ impl<'a, B: Body> Search<'a, B> {
     pub(super) fn find_first_in<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
         if pieces == 1 {
             match self.around.known_cells() {
-                Some(cells) if W::GRID => self.meet_cells(world, &mut Way::of(cells), d, first),
+                Some(cells) if W::GRID => self.meet_cells(world, &mut Walk::Cells(cells), d, first),
                 _ => self.meet(world, self.around.held_of_all().as_ref(), None, d, first),
             }
         } else {
@@ -198,8 +199,11 @@ impl<'a, B: Body> Search<'a, B> {
     #[inline]
     fn find_on_way<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
         if W::GRID {
-            let mut way = world.way(&self.body.bounds(), self.body.rounding(), d);
-            self.meet_cells(world, &mut way, d, first);
+            let mut walk = Walk::Way(world.way(&self.body.bounds(), self.body.rounding(), d));
+            self.meet_cells(world, &mut walk, d, first);
+            if let Walk::Way(way) = walk {
+                self.starts_beside = way.starts_beside();
+            }
         } else {
             self.find_in_pieces(world, pieces, d, first);
         }
@@ -235,7 +239,7 @@ impl<'a, B: Body> Search<'a, B> {
         let Some(held) = held else { return };
         if W::GRID {
             let cells = held.cells.unwrap_or_else(|| world.cells(&held.bounds));
-            self.meet_cells(world, &mut Way::of(cells), d, first);
+            self.meet_cells(world, &mut Walk::Cells(cells), d, first);
         } else {
             self.meet_features(world, held, before.map(|before| &before.bounds), d, first);
         }

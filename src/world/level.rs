@@ -256,7 +256,7 @@ pub trait World: sealed::Sealed {
     #[doc(hidden)]
     fn way(&self, bounds: &Aabb, r: i32, d: Raw) -> Way {
         let _ = (bounds, r, d);
-        Way::of(Cells::NONE)
+        Way::NONE
     }
 
     #[doc(hidden)]

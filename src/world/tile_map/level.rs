@@ -2,7 +2,6 @@
 //! anything at all.
 
 use super::clear::is_clear;
-use super::occupancy::is_wide;
 use super::surface::{BlockSurface, CellQuery};
 use super::way::Way;
 use super::{Outside, Set, Store, TileMap};
@@ -144,7 +143,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             if !self.holds(cells.range.x0, y) || !self.holds(last, y) {
                 return self.next_cell_beyond(cells, x, y);
             }
-            if T::OCCUPIED && is_wide(x, last) {
+            if T::OCCUPIED && x <= last {
                 x = self.next_occupied(x, last, y);
             }
             let mut tile = self.place(x, y);
@@ -236,9 +235,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             return found;
         }
         let (mut y, mut row) = (range.y0, self.place(range.x0, range.y0));
-        let skips = T::OCCUPIED && is_wide(range.x0, range.x1);
         while y <= range.y1 {
-            let x0 = if skips { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
+            let x0 = if T::OCCUPIED { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
             let (mut x, mut tile) = (x0, row.wrapping_add(x0.wrapping_sub(range.x0) as u32));
             while x <= range.x1 {
                 let id = self.id_at(tile);

@@ -6,7 +6,14 @@ use crate::num::{Raw, mul_div, umul};
 use crate::shape::Aabb;
 use crate::world::cell::{Block, Cells, Range};
 
-/// A walk over the cells of a range, or over the strips of a way.
+/// The cells to visit: those of a range, or those of a way.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Walk {
+    Cells(Cells),
+    Way(Way),
+}
+
+/// A walk over the strips of a way.
 ///
 /// `along` is the axis across the strips, `aside` the other one. Distances count from the start of
 /// the motion and in its direction.
@@ -30,8 +37,14 @@ pub struct Way {
     in_map: bool,
     /// Whether there is another strip.
     goes_on: bool,
+    /// Whether the current strip is the first one, and whether that holds something.
+    is_first: bool,
+    starts_beside: bool,
     /// The current strip, the step to the next one, and the last that there is.
     strip: Edge,
+    /// How far the front goes until it comes into the next strip. Of the first strip not the gap
+    /// before it: a strip beyond the map is wider than a cell, and the body may be in it already.
+    from: i32,
     /// The length of the motion along, and how much of it goes aside, in parts of 2^30.
     length: i32,
     slope: u32,
@@ -80,15 +93,17 @@ impl Way {
     /// down, and for a displacement that is rounded aside.
     const MARGIN: i32 = 6;
 
-    /// A walk over some cells.
-    #[inline]
-    pub(crate) const fn of(cells: Cells) -> Self {
+    /// A way that is over.
+    pub(in crate::world) const NONE: Self = {
         Self {
-            cells,
+            cells: Cells::NONE,
             rows: false,
             in_map: false,
             goes_on: false,
+            is_first: false,
+            starts_beside: false,
             strip: Edge::NONE,
+            from: 0,
             length: 0,
             slope: 0,
             lag: 0,
@@ -102,6 +117,11 @@ impl Way {
             last_y: 0,
             width: 0,
         }
+    };
+
+    /// Whether the first strip, in which the body starts, holds something.
+    pub(crate) const fn starts_beside(&self) -> bool {
+        self.starts_beside
     }
 
     /// The part of the motion after which the body comes to the next strip, as a numerator and a
@@ -111,8 +131,7 @@ impl Way {
         if !self.goes_on {
             return None;
         }
-        let gap = self.strip.gap;
-        Some((if gap < 0 { 0 } else { gap as u32 }, self.length as u32))
+        Some((if self.from < 0 { 0 } else { self.from as u32 }, self.length as u32))
     }
 
     /// How far aside the body is after a distance along, rounded down.
@@ -157,13 +176,14 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 gap: strip.gap.wrapping_sub(self.grid.cell).wrapping_sub(width),
                 ..strip
             },
+            from: width.wrapping_neg(),
             length: length as i32,
             slope: mul_div(aside.d.unsigned_abs(), 1 << 30, length),
             lag,
             rear: width.wrapping_sub(lag),
             lead: Edge { gap: trail.gap.wrapping_sub(aside.hi.wrapping_sub(aside.lo)), ..trail },
             trail,
-            ..Way::of(Cells::NONE)
+            ..Way::NONE
         }
     }
 
@@ -200,7 +220,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[inline(never)]
     pub(in crate::world) const fn next_strip(&self, way: &mut Way) {
         let cell = self.grid.cell;
-        let before = way.aside(way.strip.gap.wrapping_add(way.lag));
+        way.is_first = way.from < 0;
+        let before = way.aside(way.from.wrapping_add(way.lag));
         let Edge { mut index, step, last, mut gap } = way.strip;
         let from = index.wrapping_add(step);
         loop {
@@ -211,7 +232,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 break;
             }
         }
-        (way.strip.index, way.strip.gap) = (index, gap);
+        (way.strip.index, way.strip.gap, way.from) = (index, gap, gap);
         // Where the grid ends, the last strip has no far border.
         let after = if way.goes_on { gap.wrapping_add(way.rear) } else { way.length };
         let after = way.aside(after);
@@ -234,7 +255,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[inline]
     pub(in crate::world) const fn next_on_way(&self, way: &mut Way) -> Option<Block> {
         if !way.in_map {
-            return self.next_cell(&mut way.cells);
+            let block = self.next_cell(&mut way.cells);
+            way.starts_beside |= way.is_first && block.is_some();
+            return block;
         }
         let (mut tile, mut count) = (way.tile, way.count);
         loop {
@@ -243,6 +266,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 (tile, count) = (tile.wrapping_add(1), count.wrapping_sub(1));
                 if !self.kinds.is_empty(id) {
                     (way.tile, way.count) = (tile, count);
+                    way.starts_beside |= way.is_first;
                     let x = way.last_x.wrapping_sub(count);
                     return Some(Block { x, y: way.y, kind: self.kinds.get(id) });
                 }
