@@ -28,6 +28,7 @@ pub(crate) enum Walk {
 ///
 /// Public in a private module, because a sealed trait's methods name it.
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "facts that are independent of each other")]
 pub struct Way {
     /// The cells to visit before the next strip, if they are not in `tile` and `count`.
     cells: Cells,
@@ -247,7 +248,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             (way.tile, way.count) = (self.place(x0, y0), way.width);
             (way.last_x, way.y, way.last_y) = (x1, y0, y1);
         } else {
-            way.cells = Cells::of(self.solid_range(Range { x0, x1, y0, y1 }));
+            way.cells = Cells::of(self.solid_range(Range { x0, y0, x1, y1 }));
         }
     }
 
