@@ -10,6 +10,7 @@
 #   run.sh --untimed       judges without times: on a busy machine, or for rows with unchanged code
 #   run.sh --parts "P.."   judges and counts only these of: pairs rays casts moves levels broad
 #                          regions; with or without --only
+#   run.sh --threads       prints what threads add to moves and casts in one level
 #   run.sh --soak N        asks each pair of shapes N times around touches; continues where it
 #                          stopped (target/precision/soak.txt)
 #
@@ -30,7 +31,7 @@ work=$target/precision
 # optimisation level of the Rust code; Box2D's package would use -O2.
 export CFLAGS="-I$here/compat -DNDEBUG -O3 ${CFLAGS:-}"
 
-out=$here/results.csv quick='' untimed='' steps='judge count micro flash show' soak='' parts=()
+out=$here/results.csv quick='' untimed='' steps='judge count micro flash show' soak='' threads='' parts=()
 while (($#)); do
     case $1 in
     --quick)
@@ -43,6 +44,7 @@ while (($#)); do
         steps=${2:?--only needs names of steps}
         shift
         ;;
+    --threads) threads=1 ;;
     --parts)
         read -ra parts <<<"${2:?--parts needs names}"
         shift
@@ -61,6 +63,10 @@ done
 
 cargo build --quiet --profile timed --package tilesat-precision --features peers
 bench=$target/timed/tilesat-precision
+
+if [[ -n $threads ]]; then
+    exec "$bench" threads
+fi
 
 if [[ -n $soak ]]; then
     exec "$bench" soak "$soak" --state "$work/soak.txt" --out "$out"
@@ -86,7 +92,17 @@ count_on() {
     QEMU_SECONDS=1200 "$root/.ci/qemu.sh" "$board" "$target/$1/release/$2"
 }
 
+# Building of segment maps. 10 000 segments need the board of the Cortex-M3, which runs code for the
+# M0, and they need no inputs.
+chains() {
+    cargo build --quiet --release --package tilesat-precision-counts --features chip --bin chains \
+        --target thumbv6m-none-eabi
+    "$root/.ci/qemu.sh" thumbv7m-none-eabi "$target/thumbv6m-none-eabi/release/chains" >"$work/chains.txt"
+    "$bench" add m0 "$work/chains.txt" --out "$out"
+}
+
 micro() {
+    if ((!${#parts[@]})) || [[ " ${parts[*]} " == *' levels '* ]]; then chains; fi
     export PRECISION_INPUTS=$work/inputs
     mkdir -p "$PRECISION_INPUTS"
     "$bench" inputs "$PRECISION_INPUTS"

@@ -6,7 +6,7 @@ use super::order::First;
 use super::plane::into;
 use super::search::{Held, Search};
 use crate::num::{Axis, Raw};
-use crate::world::{Block, Cell, Cells, Feature, Fill, Geometry, World};
+use crate::world::{Block, Cell, Cells, Feature, Fill, Geometry, Walk, World};
 
 /// The position of a body along a side, from the start of its motion to the end.
 enum Over {
@@ -40,17 +40,9 @@ struct BlockSweep<'a, W, B> {
 }
 
 impl<B: Body> Search<'_, B> {
-    /// Takes the hits of some cells, less those that were visited `before`. Each full cell counts
-    /// as a feature.
+    /// Takes the hits of some cells. Each full cell counts as a feature.
     #[inline(never)]
-    pub(super) fn meet_cells<W: World>(
-        &mut self,
-        world: &W,
-        cells: &mut Cells,
-        before: Option<&Cells>,
-        d: Raw,
-        first: &mut First,
-    ) {
+    pub(super) fn meet_cells<W: World>(&mut self, world: &W, walk: &mut Walk, d: Raw, first: &mut First) {
         let body = self.body;
         let bounds = body.bounds();
         let (a, b) = (bounds.lo(), bounds.hi());
@@ -59,7 +51,7 @@ impl<B: Body> Search<'_, B> {
         let (thin, pressed) = (a.x == b.x || a.y == b.y, self.pressed);
         let mut sweep =
             BlockSweep { world, body, d, front, span, r, thin, pressed, is_odd: false, corners: (a, b), first };
-        let Some(mut block) = self.next_odd(&mut sweep, cells, before) else { return };
+        let Some(mut block) = self.next_odd(&mut sweep, walk) else { return };
         if W::BLOCKS && !B::ANGULAR {
             return;
         }
@@ -68,7 +60,7 @@ impl<B: Body> Search<'_, B> {
         loop {
             world.enter(&mut features, &block);
             self.meet_all(world, &mut features, d, sweep.first);
-            match self.next_odd(&mut sweep, cells, before) {
+            match self.next_odd(&mut sweep, walk) {
                 Some(next) => block = next,
                 None => return,
             }
@@ -77,16 +69,8 @@ impl<B: Body> Search<'_, B> {
 
     /// Takes the hits of cells up to the next one whose features must be read.
     #[inline(never)]
-    fn next_odd<W: World>(
-        &mut self,
-        sweep: &mut BlockSweep<'_, W, B>,
-        cells: &mut Cells,
-        before: Option<&Cells>,
-    ) -> Option<Block> {
-        while let Some(block) = sweep.world.next_cell(cells) {
-            if before.is_some_and(|before| before.hold(block.x, block.y)) {
-                continue;
-            }
+    fn next_odd<W: World>(&mut self, sweep: &mut BlockSweep<'_, W, B>, walk: &mut Walk) -> Option<Block> {
+        while let Some(block) = sweep.next_block(walk) {
             let is_full = block.kind.fill() == Fill::Full;
             sweep.is_odd = B::ANGULAR || (!W::BLOCKS && (sweep.thin || !is_full));
             if !sweep.is_odd {
@@ -106,6 +90,27 @@ impl<B: Body> Search<'_, B> {
 }
 
 impl<W: World, B: Body> BlockSweep<'_, W, B> {
+    /// The next cell that may hold the first hit.
+    #[inline]
+    fn next_block(&mut self, walk: &mut Walk) -> Option<Block> {
+        let way = match walk {
+            Walk::Cells(cells) => return self.world.next_cell(cells),
+            Walk::Way(way) => way,
+        };
+        loop {
+            let block = self.world.next_on_way(way);
+            if block.is_some() {
+                return block;
+            }
+            let (part, of) = way.next_part()?;
+            // Later strips hold only later hits.
+            if self.first.is_within(part, of) {
+                return None;
+            }
+            self.world.next_strip(way);
+        }
+    }
+
     /// The faces that the motion comes to, one across each axis. For a rounded body also the
     /// corners that have a face which opposes it.
     fn meet_full(&mut self, block: &Block) {

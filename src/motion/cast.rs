@@ -1,8 +1,9 @@
 //! Bodies cast through a level: the first hit of a motion, without a response.
 
 use super::body::Body;
+use super::order::First;
 use super::run::{Run, check_inside};
-use super::search::Around;
+use super::search::{Around, Search, piece_of};
 use super::{Hit, Moved, Work};
 use crate::error::RangeError;
 use crate::num::{MOTION, Raw, Toi, Vec2, check_motion, mul_div};
@@ -144,33 +145,54 @@ pub(super) fn cast<W: World, B: Body>(
     let d = Raw::of(motion);
     check_inside(&body.bounds(), d)?;
     let mut around = Around::nothing();
-    if around.begin(world, body, d)? == 0 {
+    // A walk through a grid visits all that the body may overlap.
+    let pieces = around.begin(world, body, d, !W::GRID)?;
+    if pieces == 0 {
         return Ok(None);
     }
-    let mut moved = Moved::freely(*body, motion, 0);
-    let mut run = Run::new(&mut moved, &mut around);
-    run.pass_one_way = !rules.one_way;
-    run.inside = run.overlaps(world, body);
-    if run.inside && matches!(rules.inside, Inside::Hit) {
-        return Ok(Some(at_start(&run, motion)));
+    let mut work = Work { iterations: 0, features: 0, checks: 0 };
+    let starts_inside = |work: &mut Work| {
+        work.checks += 1;
+        body.overlaps_world(world)
+    };
+    let mut inside = (!W::GRID || d.is_zero()) && starts_inside(&mut work);
+    if inside && matches!(rules.inside, Inside::Hit) {
+        return Ok(Some(at_start(body, motion, work)));
     }
     if d.is_zero() {
         return Ok(None);
     }
-    run.moved.work.iterations = 1;
-    let Some((entry, feature)) = run.first_hit(world, d) else { return Ok(None) };
-    let toi = Toi::clamped(mul_div(Toi::ONE.raw(), entry.num, entry.den));
-    run.record(entry.normal, &feature, toi);
-    if run.inside {
+    let mut first = First::none();
+    let mut search = Search::new(body, &mut around);
+    search.pass_one_way = !rules.one_way;
+    search.find_first_in(world, pieces, d, &mut first);
+    // A hit at once ends the walk before it has visited all.
+    let beside = search.starts_beside || first.is_within(0, 1);
+    let guarded = search.guarded;
+    (work.iterations, work.features) = (1, search.features);
+    let start = piece_of(&body.bounds(), Raw::ZERO, Raw::ZERO, 1);
+    if W::GRID && if pieces == 1 { !around.is_free_in_sight(&start) } else { beside } {
+        inside = starts_inside(&mut work);
+        if inside && matches!(rules.inside, Inside::Hit) {
+            return Ok(Some(at_start(body, motion, work)));
+        }
+    }
+    let Some((entry, feature)) = first.hit::<B, W>(body, d) else { return Ok(None) };
+    let mut moved = Moved { work, ..Moved::freely(*body, motion, 0) };
+    let mut run = Run::new(&mut moved, &mut around);
+    (run.pass_one_way, run.guarded) = (!rules.one_way, guarded);
+    if inside {
         run.moved.body = body.shifted(entry.displacement(d));
     } else {
-        run.advance(world, d, &entry);
+        run.advance(world, d, entry);
     }
-    Ok(run.moved.hits.first().map(|hit| BodyHit { hit, body: run.moved.body, inside: false, work: run.moved.work }))
+    let toi = Toi::clamped(mul_div(Toi::ONE.raw(), entry.num, entry.den));
+    let hit = Hit::of(entry.normal, feature, toi);
+    Ok(Some(BodyHit { hit, body: moved.body, inside: false, work: moved.work }))
 }
 
-fn at_start<B: Body>(run: &Run<'_, B>, motion: Vec2) -> BodyHit<B> {
+fn at_start<B: Body>(body: &B, motion: Vec2, work: Work) -> BodyHit<B> {
     let CastHit { toi, axis, .. } = CastHit::at_start(motion);
     let hit = Hit { toi, axis, cell: Cell::default(), index: 0, flags: 0, one_way: false, source: 0 };
-    BodyHit { hit, body: run.moved.body, inside: true, work: run.moved.work }
+    BodyHit { hit, body: *body, inside: true, work }
 }

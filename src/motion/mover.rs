@@ -264,7 +264,7 @@ impl<S: Law> Mover<S> {
         if d.is_zero() {
             return Ok(Moved::freely(*body, velocity, 0));
         }
-        let pieces = around.begin(world, body, d)?;
+        let pieces = around.begin(world, body, d, true)?;
         if pieces == 0 {
             world.made(d);
             return Ok(Moved::freely(body.shifted(d), velocity, 1));

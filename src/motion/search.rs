@@ -9,7 +9,7 @@ use super::run::margin;
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, Raw, leading_zeros32, umul};
 use crate::shape::Aabb;
-use crate::world::{Cells, Geometry, MotionPiece, Seen, World};
+use crate::world::{Cells, Geometry, MotionPiece, Seen, Walk, World};
 
 /// A region that was looked at, and the part of it that may hold something.
 ///
@@ -55,11 +55,20 @@ impl Around {
     /// # Errors
     /// If the motion visits too many cells.
     #[inline(always)]
-    pub(super) fn begin<W: World, B: Body>(&mut self, world: &W, body: &B, d: Raw) -> Result<u32, RangeError> {
+    pub(super) fn begin<W: World, B: Body>(
+        &mut self,
+        world: &W,
+        body: &B,
+        d: Raw,
+        looks: bool,
+    ) -> Result<u32, RangeError> {
         let bounds = body.bounds();
         check_cells(world, &bounds, d)?;
         // Most motions are one piece, and this is all that most bodies run.
         let is_one = way(d) <= piece_length(world, &bounds);
+        if !is_one && !looks {
+            return Ok(pieces(world, &bounds, d));
+        }
         self.region =
             if is_one { piece_of(&bounds, Raw::ZERO, d, 1) } else { piece_of(&bounds, Raw::ZERO, Raw::ZERO, 2) };
         world.look(&self.region, Some(body.rounding()), &mut self.seen);
@@ -148,11 +157,14 @@ pub(super) struct Search<'a, B> {
     pub(super) features: u32,
     /// Whether one-way faces that may be askew are near.
     pub(super) guarded: bool,
+    /// After a walk along a grid: whether a cell of the first strip, in which the body starts, holds
+    /// something.
+    pub(super) starts_beside: bool,
 }
 
 impl<'a, B: Body> Search<'a, B> {
     pub(super) fn new(body: &'a B, around: &'a mut Around) -> Self {
-        Self { body, around, pass_one_way: false, pressed: None, features: 0, guarded: false }
+        Self { body, around, pass_one_way: false, pressed: None, features: 0, guarded: false, starts_beside: false }
     }
 
     /// Looks for the first hit of the motion. Visiting cells piece by piece keeps the work linear
@@ -165,7 +177,7 @@ impl<'a, B: Body> Search<'a, B> {
                 let region = self.around.look(world, &self.body.bounds(), Raw::ZERO, d, 1);
                 self.meet(world, self.around.held_of(&region).as_ref(), None, d, first);
             }
-            pieces => self.find_in_pieces(world, pieces, d, first),
+            pieces => self.find_on_way(world, pieces, d, first),
         }
         self.find_cusp(world, d, first);
     }
@@ -174,13 +186,27 @@ impl<'a, B: Body> Search<'a, B> {
     pub(super) fn find_first_in<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
         if pieces == 1 {
             match self.around.known_cells() {
-                Some(mut cells) if W::GRID => self.meet_cells(world, &mut cells, None, d, first),
+                Some(cells) if W::GRID => self.meet_cells(world, &mut Walk::Cells(cells), d, first),
                 _ => self.meet(world, self.around.held_of_all().as_ref(), None, d, first),
+            }
+        } else {
+            self.find_on_way(world, pieces, d, first);
+        }
+        self.find_cusp(world, d, first);
+    }
+
+    /// The cells of a grid are visited one by one along the way; other levels piece by piece.
+    #[inline]
+    fn find_on_way<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
+        if W::GRID {
+            let mut walk = Walk::Way(world.way(&self.body.bounds(), self.body.rounding(), d));
+            self.meet_cells(world, &mut walk, d, first);
+            if let Walk::Way(way) = walk {
+                self.starts_beside = way.starts_beside();
             }
         } else {
             self.find_in_pieces(world, pieces, d, first);
         }
-        self.find_cusp(world, d, first);
     }
 
     #[inline]
@@ -212,8 +238,8 @@ impl<'a, B: Body> Search<'a, B> {
     fn meet<W: World>(&mut self, world: &W, held: Option<&Held>, before: Option<&Held>, d: Raw, first: &mut First) {
         let Some(held) = held else { return };
         if W::GRID {
-            let cells = |held: &Held| held.cells.unwrap_or_else(|| world.cells(&held.bounds));
-            self.meet_cells(world, &mut cells(held), before.map(cells).as_ref(), d, first);
+            let cells = held.cells.unwrap_or_else(|| world.cells(&held.bounds));
+            self.meet_cells(world, &mut Walk::Cells(cells), d, first);
         } else {
             self.meet_features(world, held, before.map(|before| &before.bounds), d, first);
         }

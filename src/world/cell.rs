@@ -102,9 +102,4 @@ impl Cells {
     pub(in crate::world) const fn of(range: Range) -> Self {
         Self { x: range.x0, y: range.y0, range }
     }
-
-    /// Whether a cell is among them, visited or not.
-    pub(crate) const fn hold(&self, x: i32, y: i32) -> bool {
-        self.range.has_row(y) && self.range.x0 <= x && x <= self.range.x1
-    }
 }

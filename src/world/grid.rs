@@ -185,7 +185,7 @@ impl Grid {
 
     /// Any `v`: the difference of two words, the first not less, fits an unsigned word.
     #[inline(never)]
-    const fn index(&self, v: i32, span: &GridAxis) -> i32 {
+    pub(super) const fn index(&self, v: i32, span: &GridAxis) -> i32 {
         if v < span.origin {
             return -1;
         }

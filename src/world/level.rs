@@ -4,6 +4,7 @@
 use super::cell::{Block, Cell, Cells};
 use super::convex::ConvexBody;
 use super::tile_map::kind::Fill;
+use super::tile_map::way::Way;
 use crate::num::{Axis, Raw, Vec2, imul};
 use crate::shape::{Aabb, Circle};
 
@@ -248,6 +249,25 @@ pub trait World: sealed::Sealed {
     #[doc(hidden)]
     fn next_cell(&self, cells: &mut Cells) -> Option<Block> {
         let _ = cells;
+        None
+    }
+
+    /// The cells of a grid that a body passes on its way, strip by strip; `r` rounds its core.
+    #[doc(hidden)]
+    fn way(&self, bounds: &Aabb, r: i32, d: Raw) -> Way {
+        let _ = (bounds, r, d);
+        Way::NONE
+    }
+
+    #[doc(hidden)]
+    fn next_strip(&self, way: &mut Way) {
+        let _ = way;
+    }
+
+    /// The next cell of the current strip that holds something.
+    #[doc(hidden)]
+    fn next_on_way(&self, way: &mut Way) -> Option<Block> {
+        let _ = way;
         None
     }
 

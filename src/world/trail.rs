@@ -4,6 +4,7 @@ use super::cell::{Block, Cells};
 use super::convex::ConvexBody;
 use super::level::{Feature, MotionPiece, Seen, World, sealed};
 use super::tile_map::kind::Fill;
+use super::tile_map::way::Way;
 use crate::num::{Raw, Vec2};
 use crate::shape::{Aabb, Circle};
 use core::cell::Cell;
@@ -136,6 +137,18 @@ impl<W: World> World for Traced<'_, W> {
 
     fn next_cell(&self, cells: &mut Cells) -> Option<Block> {
         self.world.next_cell(cells)
+    }
+
+    fn way(&self, bounds: &Aabb, r: i32, d: Raw) -> Way {
+        self.world.way(bounds, r, d)
+    }
+
+    fn next_strip(&self, way: &mut Way) {
+        self.world.next_strip(way);
+    }
+
+    fn next_on_way(&self, way: &mut Way) -> Option<Block> {
+        self.world.next_on_way(way)
     }
 
     fn corners(&self, block: &Block) -> (Raw, Raw) {

@@ -45,6 +45,7 @@ mod show;
 mod soak;
 mod stray;
 mod tables;
+mod threads;
 
 use record::Row;
 use run::Sizes;
@@ -58,6 +59,7 @@ const USAGE: &str = "tilesat-precision COMMAND [--quick] [--untimed] [--out FILE
   add CORE FILE    adds what a microcontroller printed (m0, m4f) or a linker (flash_m0, flash_m4f)
   soak N [--state FILE]
                    runs until each pair of shapes had N queries; continues where it stopped
+  threads          prints what threads add, by CPU time
   show             writes the pictures and pages of the rows";
 
 struct Options {
@@ -100,6 +102,10 @@ fn main() -> ExitCode {
             Ok(n) => soak::run(n, &options.state).and_then(|rows| join(&options, rows)),
             Err(_) => return usage(),
         },
+        ("threads", []) => {
+            print!("{}", threads::table());
+            Ok(())
+        }
         ("show", []) => show::all(&options.out),
         _ => return usage(),
     };

@@ -53,7 +53,7 @@ impl Sizes {
 }
 
 /// Nanoseconds that this thread has run so far, without the time of other threads.
-fn cpu_time() -> u64 {
+pub fn cpu_time() -> u64 {
     let mut time = libc::timespec { tv_sec: 0, tv_nsec: 0 };
     // SAFETY: the clock exists, and the memory for its answer is valid.
     let failed = unsafe { libc::clock_gettime(libc::CLOCK_THREAD_CPUTIME_ID, &raw mut time) } != 0;
@@ -67,7 +67,7 @@ const STEADY: f64 = 1.25;
 
 /// The fastest of some passes, if most were about as fast. Otherwise the machine was busy, and the
 /// time means nothing.
-fn steady(mut passes: Vec<f64>) -> Option<f64> {
+pub fn steady(mut passes: Vec<f64>) -> Option<f64> {
     passes.sort_by(f64::total_cmp);
     let (fastest, middle) = (*passes.first()?, passes[passes.len() / 2]);
     (middle <= fastest * STEADY).then_some(fastest)

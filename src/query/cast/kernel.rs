@@ -50,6 +50,16 @@ impl<M> Course<M> {
         met.map_or(Self::Free, Self::Meets)
     }
 
+    /// A second question about what is met.
+    #[inline]
+    pub(super) fn then<N>(self, f: impl FnOnce(M) -> Option<N>) -> Course<N> {
+        match self {
+            Self::Free => Course::Free,
+            Self::Inside => Course::Inside,
+            Self::Meets(met) => Course::of(f(met)),
+        }
+    }
+
     #[inline]
     pub(in crate::query) fn map<N>(self, f: impl FnOnce(M) -> N) -> Course<N> {
         match self {

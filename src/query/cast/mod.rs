@@ -277,9 +277,9 @@ casts_both!(
     Circle,
     Segment,
     Capsule,
-    |a, b, d| unless(a.overlaps(b), || segments::gate(a, b, d)?.enter(a, d)),
+    |a, b, d| segments::gate(a, b, d).then(|gate| gate.enter(a, d)),
     #[inline(never)]
-    unless(a.overlaps(b), || segments::gate(a, b, d)?.hits(a, d).then_some(()))
+    segments::gate(a, b, d).then(|gate| gate.hits(a, d).then_some(()))
 );
 casts_both!(Aabb, Segment, EdgeMoment, |a, b, d| enter_segment(a.lo(), a.hi(), b.ra(), b.rb(), d));
 // A point is a box or a circle of size zero.

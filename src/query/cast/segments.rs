@@ -6,6 +6,7 @@ use super::kernel::{Course, Moment};
 use super::moment::direction;
 use super::moment::{along, gap_time, is_below, last_before, meets_beyond, reach};
 use crate::num::{Axis, Raw, Toi, add128, less128, mul_div_wide, mul64, sqr64, square_times, umul};
+use crate::query::Overlaps;
 use crate::query::meet::{corners, cross_range};
 use crate::shape::{Aabb, Circle, Segment};
 use core::cmp::Ordering;
@@ -218,22 +219,33 @@ impl CapsuleGate {
     }
 }
 
-/// Where a circle that moves by `d` can start to overlap a segment that it does not overlap yet.
+/// Where a circle that moves by `d` can start to overlap a segment, if it does not overlap it yet.
 ///
 /// A circle of radius zero overlaps no segment.
 #[inline]
-pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Option<CapsuleGate> {
+pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Course<CapsuleGate> {
     if circle.r() == 0 {
-        return None;
+        return Course::Free;
     }
     let (a, b) = (s.ra(), s.rb());
     let (lo, hi) = corners(a, b);
     if a.x == b.x || a.y == b.y {
-        return boxes::gate(circle, &Aabb::from_raw_unchecked(lo, hi), d).map(CapsuleGate::Rounded);
+        if circle.overlaps(s) {
+            return Course::Inside;
+        }
+        return Course::of(boxes::gate(circle, &Aabb::from_raw_unchecked(lo, hi), d).map(CapsuleGate::Rounded));
     }
-    if !comes_near(circle, lo, hi, d) {
-        return None;
+    match comes_near(circle, lo, hi, d) {
+        Course::Free => Course::Free,
+        // Only there an overlap is possible.
+        Course::Inside if circle.overlaps(s) => Course::Inside,
+        _ => Course::of(slanted_gate(circle, (a, b), d)),
     }
+}
+
+/// The same for a slanted segment that is near.
+#[inline]
+fn slanted_gate(circle: &Circle, (a, b): (Raw, Raw), d: Raw) -> Option<CapsuleGate> {
     // From the end that has the point on the outer side of its edge, like a face.
     let edge = if b.sub(a).cross(circle.c().sub(a)) > 0 { (b, a) } else { (a, b) };
     let slope = enter_strip(circle, edge, d)?;
@@ -251,11 +263,12 @@ pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Option<CapsuleGate> 
     }
 }
 
-/// Whether the motion comes into the capsule's bounding box, which most misses do not.
+/// Whether the motion comes into the capsule's bounding box, which most misses do not, or starts
+/// there.
 #[inline(never)]
-fn comes_near(circle: &Circle, lo: Raw, hi: Raw, d: Raw) -> bool {
+fn comes_near(circle: &Circle, lo: Raw, hi: Raw, d: Raw) -> Course<()> {
     let (c, (far_lo, far_hi)) = (circle.c(), grown(lo, hi, circle.r()));
-    !matches!(enter_box(c, c, far_lo, far_hi, d), Course::Free)
+    enter_box(c, c, far_lo, far_hi, d).map(|_| ())
 }
 
 /// How a motion enters the strip around the line of a slanted segment, whose outer side is the

@@ -3,6 +3,7 @@
 
 use super::clear::is_clear;
 use super::surface::{BlockSurface, CellQuery};
+use super::way::Way;
 use super::{Outside, Set, Store, TileMap};
 use crate::num::Raw;
 use crate::shape::{Aabb, Circle};
@@ -50,6 +51,19 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
 
     fn next_cell(&self, cells: &mut Cells) -> Option<Block> {
         TileMap::next_cell(self, cells)
+    }
+
+    fn way(&self, bounds: &Aabb, r: i32, d: Raw) -> Way {
+        TileMap::way(self, bounds, r, d)
+    }
+
+    fn next_strip(&self, way: &mut Way) {
+        TileMap::next_strip(self, way);
+    }
+
+    #[inline]
+    fn next_on_way(&self, way: &mut Way) -> Option<Block> {
+        TileMap::next_on_way(self, way)
     }
 
     #[inline]

