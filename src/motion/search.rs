@@ -157,8 +157,8 @@ pub(super) struct Search<'a, B> {
     pub(super) features: u32,
     /// Whether one-way faces that may be askew are near.
     pub(super) guarded: bool,
-    /// After a walk along a grid: whether a cell of the first strip, in which the body starts, holds
-    /// something.
+    /// After a walk along a grid: whether a cell of the first strip, in which the body starts,
+    /// holds something.
     pub(super) starts_beside: bool,
 }
 

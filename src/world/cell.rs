@@ -1,6 +1,7 @@
-//! Cells of a grid, and walks over ranges of them.
+//! Cells of a grid, and walks over ranges of them or along a way.
 
 use super::tile_map::kind::TileKind;
+use crate::num::umul;
 
 /// A cell of a [`TileMap`](super::TileMap): column and row, counted from the map's origin.
 ///
@@ -101,5 +102,142 @@ impl Cells {
 
     pub(in crate::world) const fn of(range: Range) -> Self {
         Self { x: range.x0, y: range.y0, range }
+    }
+}
+
+/// The cells to visit: those of a range, or those of a way.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Walk {
+    Cells(Cells),
+    Way(Way),
+}
+
+/// A walk over the strips of a way.
+///
+/// `along` is the axis across the strips, `aside` the other one. Distances count from the start of
+/// the motion and in its direction.
+///
+/// ```text
+///     +---+---+---+---+          strips are columns here; in each, the cells
+///     | o . # | # | # |  lead    from `trail` to `lead`
+///     +---+ . +---+---+
+///     | # | # | # . o |  trail
+///     +---+---+---+---+
+/// ```
+///
+/// Public in a private module, because a sealed trait's methods name it.
+#[derive(Clone, Copy, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "facts that are independent of each other")]
+pub struct Way {
+    /// The cells to visit before the next strip, if they are not in `tile` and `count`.
+    pub(in crate::world) cells: Cells,
+    /// Whether the strips are rows.
+    pub(in crate::world) rows: bool,
+    /// Whether all strips are in the map.
+    pub(in crate::world) in_map: bool,
+    /// Whether there is another strip.
+    pub(in crate::world) goes_on: bool,
+    /// Whether the current strip is the first one, and whether that holds something.
+    pub(in crate::world) is_first: bool,
+    pub(in crate::world) starts_beside: bool,
+    /// The current strip, the step to the next one, and the last that there is.
+    pub(in crate::world) strip: Edge,
+    /// How far the front goes until it comes into the next strip. Of the first strip not the gap
+    /// before it: a strip beyond the map is wider than a cell, and the body may be in it already.
+    pub(in crate::world) from: i32,
+    /// The length of the motion along, and how much of it goes aside, in parts of 2^30.
+    pub(in crate::world) length: i32,
+    pub(in crate::world) slope: u32,
+    /// How much later than the front the body's sides come into a strip, and leave it.
+    pub(in crate::world) lag: i32,
+    pub(in crate::world) rear: i32,
+    /// The cells aside at both ends of the body.
+    pub(in crate::world) trail: Edge,
+    pub(in crate::world) lead: Edge,
+    /// The tiles of the current strip that are left: the place of the next one, how many in its
+    /// row, the last column, the row, the last row.
+    pub(in crate::world) tile: u32,
+    pub(in crate::world) count: i32,
+    pub(in crate::world) last_x: i32,
+    pub(in crate::world) y: i32,
+    pub(in crate::world) last_y: i32,
+    pub(in crate::world) width: i32,
+}
+
+/// The cell of one end of a body, along one axis.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::world) struct Edge {
+    pub(in crate::world) index: i32,
+    pub(in crate::world) step: i32,
+    /// The last index that there is.
+    pub(in crate::world) last: i32,
+    /// How far the body goes until this end is in the next cell.
+    pub(in crate::world) gap: i32,
+}
+
+impl Edge {
+    pub(in crate::world) const NONE: Self = Self { index: 0, step: 0, last: 0, gap: 0 };
+
+    #[inline]
+    pub(in crate::world) const fn after(&self, far: i32, cell: i32) -> (i32, i32) {
+        let (mut index, mut gap) = (self.index, self.gap);
+        while gap <= far && index != self.last {
+            (index, gap) = (index.wrapping_add(self.step), gap.wrapping_add(cell));
+        }
+        (index, gap)
+    }
+}
+
+impl Way {
+    /// Cells that are nearer than this to the way count as passed. It makes up for two roundings
+    /// down, and for a displacement that is rounded aside.
+    pub(in crate::world) const MARGIN: i32 = 6;
+
+    /// A way that is over.
+    pub(in crate::world) const NONE: Self = {
+        Self {
+            cells: Cells::NONE,
+            rows: false,
+            in_map: false,
+            goes_on: false,
+            is_first: false,
+            starts_beside: false,
+            strip: Edge::NONE,
+            from: 0,
+            length: 0,
+            slope: 0,
+            lag: 0,
+            rear: 0,
+            trail: Edge::NONE,
+            lead: Edge::NONE,
+            tile: 0,
+            count: 0,
+            last_x: 0,
+            y: 0,
+            last_y: 0,
+            width: 0,
+        }
+    };
+
+    /// Whether the first strip, in which the body starts, holds something.
+    pub(crate) const fn starts_beside(&self) -> bool {
+        self.starts_beside
+    }
+
+    /// The part of the motion after which the body comes to the next strip, as a numerator and a
+    /// denominator; `None` where the way ends.
+    #[inline]
+    pub(crate) const fn next_part(&self) -> Option<(u32, u32)> {
+        if !self.goes_on {
+            return None;
+        }
+        Some((if self.from < 0 { 0 } else { self.from as u32 }, self.length as u32))
+    }
+
+    /// How far aside the body is after a distance along, rounded down.
+    #[inline]
+    pub(in crate::world) const fn aside(&self, along: i32) -> i32 {
+        let along = if along < self.length { along } else { self.length };
+        if along <= 0 { 0 } else { (umul(along as u32, self.slope) >> 30) as i32 }
     }
 }

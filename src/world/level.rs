@@ -1,10 +1,9 @@
 //! A level: the faces and vertices of its surface, which are all that motion ever sees of
 //! it; the trait that movers see it through; and the methods that every kind of level has.
 
-use super::cell::{Block, Cell, Cells};
+use super::cell::{Block, Cell, Cells, Way};
 use super::convex::ConvexBody;
 use super::tile_map::kind::Fill;
-use super::tile_map::way::Way;
 use crate::num::{Axis, Raw, Vec2, imul};
 use crate::shape::{Aabb, Circle};
 

@@ -68,6 +68,7 @@ mod tile_map;
 mod trail;
 
 pub use cell::Cell;
+pub(crate) use cell::Walk;
 pub(crate) use cell::{Block, Cells};
 pub use closest::{Near, OneWay};
 pub(crate) use contacts::contacts as contacts_of;
@@ -95,7 +96,6 @@ pub use tile_map::kind::{TileKind, TileKinds, TileShape};
 pub use tile_map::ray::RayHits;
 pub(crate) use tile_map::region::probe;
 pub use tile_map::region::{Probe, TileAt, Tiles};
-pub(crate) use tile_map::way::Walk;
 pub use tile_map::{AllShapes, Bits, Blocks, Bytes, Occupied, Outside, Set, Slopes, Store, TileMap};
 pub(crate) use trail::Traced;
 pub use trail::Trail;

@@ -1,10 +1,9 @@
 //! The way of a body through a level, and what lies on it.
 
-use super::cell::{Block, Cells};
+use super::cell::{Block, Cells, Way};
 use super::convex::ConvexBody;
 use super::level::{Feature, MotionPiece, Seen, World, sealed};
 use super::tile_map::kind::Fill;
-use super::tile_map::way::Way;
 use crate::num::{Raw, Vec2};
 use crate::shape::{Aabb, Circle};
 use core::cell::Cell;

@@ -3,10 +3,10 @@
 
 use super::clear::is_clear;
 use super::surface::{BlockSurface, CellQuery};
-use super::way::Way;
 use super::{Outside, Set, Store, TileMap};
 use crate::num::Raw;
 use crate::shape::{Aabb, Circle};
+use crate::world::cell::Way;
 use crate::world::cell::{Block, Cells, Range};
 use crate::world::convex::ConvexBody;
 use crate::world::level::{Feature, MotionPiece, Seen, World, sealed};

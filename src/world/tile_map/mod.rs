@@ -16,7 +16,7 @@ pub(in crate::world) mod shape_surface;
 pub(in crate::world) mod surface;
 #[cfg(test)]
 mod tests;
-pub(in crate::world) mod way;
+mod way;
 
 use super::cell::Cell;
 use super::grid::Grid;
