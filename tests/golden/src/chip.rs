@@ -15,7 +15,7 @@ pub use tilesat_chip::{entry, number};
 /// The last number on the command line, if there is one.
 #[cfg(not(target_os = "none"))]
 fn number() -> Option<u32> {
-    std::env::args().filter_map(|word| word.parse().ok()).last()
+    std::env::args().filter_map(|word| word.parse().ok()).next_back()
 }
 
 /// The entry point of a program that runs a part, on a chip or on this computer.

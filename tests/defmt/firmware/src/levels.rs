@@ -7,7 +7,10 @@ use tilesat::{
     Aabb, AllShapes, Blocks, Cell, Circle, Fx, Grid, Inside, Joined, Outside, Path, PathKind, Room, Rooms, SegmentMap,
     SegmentMapError, Side, Slopes, Solid, Solids, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2,
     segment_map,
-    world::{Bits, Bytes, Geometry, Occupied, OneWay, Placed, RayRules, SegmentFault, WorldContact},
+    world::{
+        Bits, Bytes, ConvexSolid, ConvexSolids, Geometry, Occupied, OneWay, Placed, RayRules, SegmentFault,
+        WorldContact,
+    },
 };
 
 static KINDS: TileKinds = TileKinds::EMPTY
@@ -47,6 +50,7 @@ pub(crate) fn tell_all() {
     tell(&tiles.features(&region));
     tell(&HILLS.features(&region));
     tell(&solids.features(&region));
+    convex(ball);
     tell(&joined.features(&region));
     tell(&placed.features(&region));
     tell(&tiles.tiles_in(&region));
@@ -74,6 +78,14 @@ fn rays(
     tell(&solids.cast_ray_all(from, by, rules).unwrap());
     tell(&joined.cast_ray_all(from, by, rules).unwrap());
     tell(&placed.cast_ray_all(from, by, rules).unwrap());
+}
+
+fn convex(bumper: Circle) {
+    let list = [ConvexSolid::new(bumper, 9).unwrap().with_motion(Vec2::from_ints(1, 0)).unwrap()];
+    let solids = ConvexSolids::new(&list);
+    tell(&list[0]);
+    tell(&solids);
+    tell(&solids.features(&bumper.aabb()));
 }
 
 fn kinds(lift: &Solid) {
