@@ -42,7 +42,7 @@ struct BlockSweep<'a, W, B> {
 impl<B: Body> Search<'_, B> {
     /// Takes the hits of some cells. Each full cell counts as a feature.
     #[inline(never)]
-    pub(super) fn meet_cells<W: World>(&mut self, world: &W, walk: &mut Walk, d: Raw, first: &mut First) {
+    pub(super) fn meet_cells<W: World>(&mut self, world: &W, walk: &mut Walk<'_>, d: Raw, first: &mut First) {
         let body = self.body;
         let bounds = body.bounds();
         let (a, b) = (bounds.lo(), bounds.hi());
@@ -69,7 +69,7 @@ impl<B: Body> Search<'_, B> {
 
     /// Takes the hits of cells up to the next one whose features must be read.
     #[inline(never)]
-    fn next_odd<W: World>(&mut self, sweep: &mut BlockSweep<'_, W, B>, walk: &mut Walk) -> Option<Block> {
+    fn next_odd<W: World>(&mut self, sweep: &mut BlockSweep<'_, W, B>, walk: &mut Walk<'_>) -> Option<Block> {
         while let Some(block) = sweep.next_block(walk) {
             let is_full = block.kind.fill() == Fill::Full;
             sweep.is_odd = B::ANGULAR || (!W::BLOCKS && (sweep.thin || !is_full));
@@ -92,7 +92,7 @@ impl<B: Body> Search<'_, B> {
 impl<W: World, B: Body> BlockSweep<'_, W, B> {
     /// The next cell that may hold the first hit.
     #[inline]
-    fn next_block(&mut self, walk: &mut Walk) -> Option<Block> {
+    fn next_block(&mut self, walk: &mut Walk<'_>) -> Option<Block> {
         let way = match walk {
             Walk::Cells(cells) => return self.world.next_cell(cells),
             Walk::Way(way) => way,

@@ -156,7 +156,7 @@ pub(super) fn touched_any<B: Body>(body: &B, feature: &Feature, plane: &mut dyn 
 }
 
 /// The same for a face or a vertex.
-#[inline(never)]
+#[inline]
 fn touched_straight<B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } => {

@@ -186,7 +186,7 @@ impl<'a, B: Body> Search<'a, B> {
     pub(super) fn find_first_in<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
         if pieces == 1 {
             match self.around.known_cells() {
-                Some(cells) if W::GRID => self.meet_cells(world, &mut Walk::Cells(cells), d, first),
+                Some(mut cells) if W::GRID => self.meet_cells(world, &mut Walk::Cells(&mut cells), d, first),
                 _ => self.meet(world, self.around.held_of_all().as_ref(), None, d, first),
             }
         } else {
@@ -196,14 +196,12 @@ impl<'a, B: Body> Search<'a, B> {
     }
 
     /// The cells of a grid are visited one by one along the way; other levels piece by piece.
-    #[inline]
+    #[inline(never)]
     fn find_on_way<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
         if W::GRID {
-            let mut walk = Walk::Way(world.way(&self.body.bounds(), self.body.rounding(), d));
-            self.meet_cells(world, &mut walk, d, first);
-            if let Walk::Way(way) = walk {
-                self.starts_beside = way.starts_beside();
-            }
+            let mut way = world.way(&self.body.bounds(), self.body.rounding(), d);
+            self.meet_cells(world, &mut Walk::Way(&mut way), d, first);
+            self.starts_beside = way.starts_beside();
         } else {
             self.find_in_pieces(world, pieces, d, first);
         }
@@ -238,8 +236,8 @@ impl<'a, B: Body> Search<'a, B> {
     fn meet<W: World>(&mut self, world: &W, held: Option<&Held>, before: Option<&Held>, d: Raw, first: &mut First) {
         let Some(held) = held else { return };
         if W::GRID {
-            let cells = held.cells.unwrap_or_else(|| world.cells(&held.bounds));
-            self.meet_cells(world, &mut Walk::Cells(cells), d, first);
+            let mut cells = held.cells.unwrap_or_else(|| world.cells(&held.bounds));
+            self.meet_cells(world, &mut Walk::Cells(&mut cells), d, first);
         } else {
             self.meet_features(world, held, before.map(|before| &before.bounds), d, first);
         }
