@@ -7,7 +7,7 @@ use super::search::hull;
 use crate::num::{Axis, Raw, umul};
 use crate::query::meet;
 use crate::shape::Aabb;
-use crate::world::{Feature, Geometry, World, ends, normal};
+use crate::world::{Feature, Geometry, World, corners_of, ends, normal};
 
 /// How a touched surface turns as the body moves along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,14 +79,7 @@ pub(super) fn surroundings(bounds: &Aabb, distance: u32) -> Aabb {
 /// Whether the bounds of a feature have a point in a region. Cursors return the features of all
 /// cells that the region touches.
 pub(super) fn reaches(feature: &Feature, region: &Aabb) -> bool {
-    let (a, b) = match feature.geometry {
-        Geometry::Face { a, dir, len, .. } => ends(Raw::of(a), dir, len),
-        Geometry::Vertex { p, .. } => (Raw::of(p), Raw::of(p)),
-        Geometry::Arc { centre, radius, quadrant, .. } => {
-            let c = Raw::of(centre);
-            (c, c.add(Raw { x: quadrant.x.wrapping_mul(radius), y: quadrant.y.wrapping_mul(radius) }))
-        }
-    };
+    let (a, b) = corners_of(&feature.geometry);
     let (lo, hi) = (region.lo(), region.hi());
     let overlap = |a: i32, b: i32, lo: i32, hi: i32| a.min(b) <= hi && a.max(b) >= lo;
     overlap(a.x, b.x, lo.x, hi.x) && overlap(a.y, b.y, lo.y, hi.y)

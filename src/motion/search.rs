@@ -175,7 +175,7 @@ impl<'a, B: Body> Search<'a, B> {
         match pieces(world, &bounds, d) {
             1 => {
                 let region = self.around.look(world, &self.body.bounds(), Raw::ZERO, d, 1);
-                self.meet(world, self.around.held_of(&region).as_ref(), None, d, first);
+                self.meet(world, self.around.held_of(&region).as_ref(), d, first);
             }
             pieces => self.find_on_way(world, pieces, d, first),
         }
@@ -187,7 +187,7 @@ impl<'a, B: Body> Search<'a, B> {
         if pieces == 1 {
             match self.around.known_cells() {
                 Some(mut cells) if W::GRID => self.meet_cells(world, &mut Walk::Cells(&mut cells), d, first),
-                _ => self.meet(world, self.around.held_of_all().as_ref(), None, d, first),
+                _ => self.meet(world, self.around.held_of_all().as_ref(), d, first),
             }
         } else {
             self.find_on_way(world, pieces, d, first);
@@ -223,7 +223,9 @@ impl<'a, B: Body> Search<'a, B> {
             let region = self.around.look(world, &bounds, from, to, pieces);
             from = to;
             let held = self.around.held_of(&region);
-            self.meet(world, held.as_ref(), before.as_ref(), d, first);
+            if let Some(held) = &held {
+                self.meet_features(world, held, before.as_ref().map(|before: &Held| &before.bounds), d, first);
+            }
             // Later pieces hold only later hits.
             if first.is_within(piece, pieces) {
                 break;
@@ -233,13 +235,13 @@ impl<'a, B: Body> Search<'a, B> {
     }
 
     #[inline]
-    fn meet<W: World>(&mut self, world: &W, held: Option<&Held>, before: Option<&Held>, d: Raw, first: &mut First) {
+    fn meet<W: World>(&mut self, world: &W, held: Option<&Held>, d: Raw, first: &mut First) {
         let Some(held) = held else { return };
         if W::GRID {
             let mut cells = held.cells.unwrap_or_else(|| world.cells(&held.bounds));
             self.meet_cells(world, &mut Walk::Cells(&mut cells), d, first);
         } else {
-            self.meet_features(world, held, before.map(|before| &before.bounds), d, first);
+            self.meet_features(world, held, None, d, first);
         }
     }
 

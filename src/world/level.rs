@@ -126,6 +126,19 @@ pub(crate) const fn ends(a: Raw, dir: Axis, len: i32) -> (Raw, Raw) {
     (a, a.add(Raw { x: dir.x.wrapping_mul(len), y: dir.y.wrapping_mul(len) }))
 }
 
+/// Two opposite corners of the box around a piece of a surface.
+#[inline]
+pub(crate) const fn corners_of(geometry: &Geometry) -> (Raw, Raw) {
+    match *geometry {
+        Geometry::Face { a, dir, len, .. } => ends(Raw::of(a), dir, len),
+        Geometry::Vertex { p, .. } => (Raw::of(p), Raw::of(p)),
+        Geometry::Arc { centre, radius, quadrant, .. } => {
+            let c = Raw::of(centre);
+            (c, c.add(Raw { x: quadrant.x.wrapping_mul(radius), y: quadrant.y.wrapping_mul(radius) }))
+        }
+    }
+}
+
 /// Whether a vector from an arc's centre leads to the closed quarter of the arc.
 pub(in crate::world) const fn in_quadrant(m: Raw, quadrant: Axis) -> bool {
     imul(m.x, quadrant.x) >= 0 && imul(m.y, quadrant.y) >= 0

@@ -78,7 +78,7 @@ pub use error::{SegmentFault, SegmentMapError, TileMapError};
 pub use grid::Grid;
 pub use joined::{Joined, JoinedFeatures, JoinedRayHits};
 pub use level::{Feature, Geometry, World};
-pub(crate) use level::{MotionPiece, Seen, ends, normal, sealed};
+pub(crate) use level::{MotionPiece, Seen, corners_of, ends, normal, sealed};
 pub use placed::{Placed, PlacedFeatures, PlacedRayHits};
 #[cfg(feature = "defmt")]
 pub(crate) use ray::scan::RayWorld;

@@ -107,9 +107,7 @@ fn neither_order_nor_broad_phase_matters() {
         let (level, bodies) = crowd(&mut r);
         let mut shuffled: Vec<_> = bodies.iter().collect();
         let straight = shuffled.clone();
-        for i in (1..shuffled.len()).rev() {
-            shuffled.swap(i, r.below(i as i64 + 1) as usize);
-        }
+        r.shuffle(&mut shuffled);
         let mut one = filled(SortSweep::<BODIES, SceneTag>::new(), &straight, 0);
         let mut other = filled(SortSweep::<BODIES, SceneTag>::new(), &shuffled, 7);
         let mut brute = filled(BruteForce::<BODIES, SceneTag>::new(), &shuffled, 3);

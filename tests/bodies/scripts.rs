@@ -236,9 +236,7 @@ fn nobody_passes_and_all_live() {
         let capsules = case % 2 == 1;
         let all = bodies(&mut r, capsules);
         let mut shuffled: Vec<_> = all.iter().collect();
-        for i in (1..shuffled.len()).rev() {
-            shuffled.swap(i, r.below(i as i64 + 1) as usize);
-        }
+        r.shuffle(&mut shuffled);
         let one = Played::new(SortSweep::<BODIES, SceneTag>::new(), all.iter().copied());
         let hash = SpatialHash::<64, BODIES, SceneTag>::new(Fx::from_num(64)).unwrap();
         let three = Played::new(hash, shuffled.iter().rev().copied().copied());

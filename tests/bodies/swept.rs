@@ -281,9 +281,7 @@ fn neither_order_nor_broad_phase_matters() {
             })
             .collect();
         let mut shuffled: Vec<_> = bodies.iter().collect();
-        for i in (1..shuffled.len()).rev() {
-            shuffled.swap(i, r.below(i as i64 + 1) as usize);
-        }
+        r.shuffle(&mut shuffled);
         let mut one = filled(SortSweep::<BODIES, SceneTag>::new(), bodies.iter());
         let mut other = filled(SortSweep::<BODIES, SceneTag>::new(), shuffled.iter().copied());
         let mut brute = filled(BruteForce::<BODIES, SceneTag>::new(), shuffled.iter().rev().copied());

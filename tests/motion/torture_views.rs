@@ -142,9 +142,7 @@ fn p5_p6_p7_p9_p19_every_view() {
         hits += u64::from(!out.4.is_empty());
         let case = || format!("{body:?} by {v:?} {response:?} in {:?}", w.drawing);
         let mut shuffled = w.drawing.clone();
-        for i in (1..shuffled.paths.len()).rev() {
-            shuffled.paths.swap(i, r2.below(i as i64 + 1) as usize);
-        }
+        r2.shuffle(&mut shuffled.paths);
         let bytes = shuffled.bytes();
         let other = body.step(&mover(&[]).with_response(response), &SegmentMap::from_bytes(&bytes).unwrap(), v);
         assert_eq!(bits(&other.unwrap()), out, "shuffled: {}", case());

@@ -137,9 +137,7 @@ fn the_list_s_order_changes_no_motion() {
     for _ in 0..cases(2_000) {
         let s = scene(&mut random);
         let mut shuffled = s.boxes.clone();
-        for i in (1..shuffled.len()).rev() {
-            shuffled.swap(i, random.below(i as i64 + 1) as usize);
-        }
+        random.shuffle(&mut shuffled);
         let (a, b) = (Solids::new(&s.boxes), Solids::new(&shuffled));
         for _ in 0..4 {
             let (p, v) = ((place(&mut random), place(&mut random)), vec2(motion(&mut random)));

@@ -12,7 +12,7 @@ use crate::query::{Core, meet, meets};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Single};
 use crate::world::cell::Cell;
 use crate::world::convex::ConvexBody;
-use crate::world::level::{Feature, Geometry, MotionPiece, Seen, World, levels, meets_as_world, sealed};
+use crate::world::level::{Feature, Geometry, MotionPiece, Seen, World, corners_of, levels, meets_as_world, sealed};
 
 /// A shape that a [`ConvexSolid`] may have: any but a segment or a compound. Sealed.
 pub trait SolidShape: Single + Convex {
@@ -333,7 +333,8 @@ impl<S: SolidShape> Iterator for ConvexFeatures<'_, S> {
                 let index = self.next;
                 self.next = index.wrapping_add(1);
                 let Some(feature) = solid.piece(index) else { continue };
-                let (lo, hi) = bounds_of(&feature.geometry);
+                let (a, b) = corners_of(&feature.geometry);
+                let (lo, hi) = meet::corners(a, b);
                 if meets_region(lo, hi) {
                     return Some(feature);
                 }
@@ -342,18 +343,6 @@ impl<S: SolidShape> Iterator for ConvexFeatures<'_, S> {
         }
         None
     }
-}
-
-fn bounds_of(geometry: &Geometry) -> (Raw, Raw) {
-    let (a, b) = match *geometry {
-        Geometry::Face { a, dir, len, .. } => crate::world::ends(Raw::of(a), dir, len),
-        Geometry::Vertex { p, .. } => (Raw::of(p), Raw::of(p)),
-        Geometry::Arc { centre, radius, quadrant, .. } => {
-            let c = Raw::of(centre);
-            (c, c.add(Raw { x: quadrant.x.wrapping_mul(radius), y: quadrant.y.wrapping_mul(radius) }))
-        }
-    };
-    meet::corners(a, b)
 }
 
 impl<S: SolidShape> sealed::Sealed for ConvexSolids<'_, S> {}

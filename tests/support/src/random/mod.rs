@@ -79,6 +79,13 @@ impl Random {
         self.below(n) == 0
     }
 
+    /// Puts a list into a uniformly chosen order.
+    pub fn shuffle<T>(&mut self, list: &mut [T]) {
+        for i in (1..list.len()).rev() {
+            list.swap(i, self.below(i as i64 + 1) as usize);
+        }
+    }
+
     pub fn sign(&mut self) -> i64 {
         if self.one_in(2) { 1 } else { -1 }
     }

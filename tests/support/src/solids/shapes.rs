@@ -1,6 +1,6 @@
 //! Moving solids of any convex shape, judged by the exact sum of two convex shapes.
 
-use super::ticks::{ALL, CELL, FOLLOW, MOVER, coordinate, speed};
+use super::ticks::{CELL, FOLLOW, MOVER, coordinate, homeward, speed};
 use super::{P, disc, raw, rect, vec2};
 use crate::Random;
 use crate::convex::shape::{MOST, hull};
@@ -183,17 +183,7 @@ pub fn steer(list: &mut [Solid], random: &mut Random) {
     for s in list.iter_mut() {
         let m = (speed(random), speed(random));
         let at = raw(s.shape().aabb().min());
-        // They stay near.
-        let home = |at: i64, m: i64| {
-            if at + m < -3 * CELL {
-                m.abs()
-            } else if at + m > ALL + 3 * CELL {
-                -m.abs()
-            } else {
-                m
-            }
-        };
-        let m = (home(at.0, m.0), home(at.1, m.1));
+        let m = (homeward(at.0, m.0), homeward(at.1, m.1));
         let slow = (m.0 / 8, m.1 / 8);
         let by = if random.one_in(2) { (0, 0) } else { slow };
         let next = if random.one_in(3) { turned(&s.shape(), random.around(9), by) } else { None };
@@ -287,9 +277,7 @@ impl<W: World> Scene<'_, W> {
             }
         }
         let mut other = list.to_vec();
-        for i in (1..other.len()).rev() {
-            other.swap(i, random.below(i as i64 + 1) as usize);
-        }
+        random.shuffle(&mut other);
         assert_eq!(ask(&other, self.level, body), ridden, "shuffled {}", case());
         let other: Vec<_> = list.iter().map(mirrored).collect();
         let twin = ask(&other, self.mirror, &body.mirrored());

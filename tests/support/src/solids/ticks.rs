@@ -67,22 +67,23 @@ pub fn solids(random: &mut Random) -> Vec<Solid> {
     list
 }
 
+/// A speed along an axis that keeps what is at this coordinate near the level.
+pub fn homeward(at: i64, m: i64) -> i64 {
+    if at + m < -3 * CELL {
+        m.abs()
+    } else if at + m > ALL + 3 * CELL {
+        -m.abs()
+    } else {
+        m
+    }
+}
+
 pub fn steer(list: &mut [Solid], random: &mut Random) {
     let pair = list.len() > 1 && list[1].shape().min().x == list[0].shape().max().x;
     for s in list.iter_mut() {
         let m = (speed(random), speed(random));
         let at = raw(s.shape().min());
-        // They stay near.
-        let home = |at: i64, m: i64| {
-            if at + m < -3 * CELL {
-                m.abs()
-            } else if at + m > ALL + 3 * CELL {
-                -m.abs()
-            } else {
-                m
-            }
-        };
-        *s = s.with_motion(vec2((home(at.0, m.0), home(at.1, m.1)))).unwrap();
+        *s = s.with_motion(vec2((homeward(at.0, m.0), homeward(at.1, m.1)))).unwrap();
     }
     if pair {
         list[1] = list[1].with_motion(list[0].motion()).unwrap();
@@ -233,9 +234,7 @@ impl<W: World> Scene<'_, W> {
         let case = || format!("{}\n{}\n{ridden:?}", show(list), body.show());
         let follow = Fx::from_bits(FOLLOW as i32);
         let mut other = list.to_vec();
-        for i in (1..other.len()).rev() {
-            other.swap(i, random.below(i as i64 + 1) as usize);
-        }
+        random.shuffle(&mut other);
         assert_eq!(
             MOVER.ride(self.level, &other, body, follow).unwrap(),
             *ridden,
