@@ -1,7 +1,6 @@
-//! Saved and restored states: the same bits, or an error. `cargo test --test saved --features
-//! serde`.
+//! Saved and restored states: the same bits, or an error.
 
-#![cfg(all(feature = "serde", not(target_os = "none")))]
+#![cfg(not(target_os = "none"))]
 
 mod bytes;
 mod places;
