@@ -231,7 +231,7 @@ pub(super) fn repeat<S>(
     handle: Handle,
     rest: &Rest,
     stepped: &mut Stepped,
-    each: &mut impl FnMut(SceneEvent<'_>),
+    each: &mut dyn FnMut(SceneEvent<'_>),
 ) {
     stepped.moved += 1;
     slot.quiet = slot.quiet.saturating_add(u8::from(rest.idle == Idle::Counts));

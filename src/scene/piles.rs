@@ -32,7 +32,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         trip: &Trip<'_, V>,
         stepped: &mut Stepped,
         replies: &mut impl Replies,
-        each: &mut impl FnMut(SceneEvent<'_>),
+        each: &mut dyn FnMut(SceneEvent<'_>),
     ) -> bool {
         let Self { near, slots, awake, count, memory, sleep } = self;
         let movers = awake.get_mut(..*count).unwrap_or_default();
@@ -98,7 +98,7 @@ struct Pile<'a, B, V, S, const M: usize> {
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usize> Pile<'_, B, V, S, M> {
     /// One body's whole step. Returns whether others must be brought out of it, too.
-    fn carry(&mut self, handle: Handle, replies: &mut impl Replies, each: &mut impl FnMut(SceneEvent<'_>)) -> bool {
+    fn carry(&mut self, handle: Handle, replies: &mut impl Replies, each: &mut dyn FnMut(SceneEvent<'_>)) -> bool {
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
         let known = slot.body.shape;
         let moved = slot.way.pace == Pace::Moved;
@@ -121,7 +121,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         known: S,
         before: (Vec2, (u8, Drift)),
         replies: &mut impl Replies,
-        each: &mut impl FnMut(SceneEvent<'_>),
+        each: &mut dyn FnMut(SceneEvent<'_>),
     ) -> bool {
         let Some(slot) = self.slots.get(handle.slot()) else { return false };
         let mut slot = *slot;

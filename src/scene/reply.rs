@@ -68,6 +68,16 @@ pub(super) trait Replies {
     fn to(&mut self, pair: Pair) -> Reply;
 }
 
+/// Nobody answers: every pair takes effect.
+pub(super) struct Unasked;
+
+impl Replies for Unasked {
+    const CROSSES: bool = false;
+    fn to(&mut self, _: Pair) -> Reply {
+        Reply::Meet
+    }
+}
+
 /// A call that answers.
 pub(super) struct Asked<F>(pub(super) F);
 

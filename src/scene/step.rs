@@ -7,10 +7,10 @@ use super::kernel::BodyShape;
 use super::memory::{Place, keep};
 use super::met::{may_meet, pair, senses};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
-use super::reply::{Answer, Asked, Replies, Reply};
+use super::reply::{Answer, Asked, Replies, Reply, Unasked};
 use super::set::Sleep;
 use super::trip::Trip;
-use super::view::{Along, Each, View};
+use super::view::{Along, Common, Each, View};
 use super::way::{BodyWay, Pace};
 use super::{Scene, SceneBody, SceneError, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
@@ -36,9 +36,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         &mut self,
         level: &W,
         gravity: Vec2,
-        each: impl FnMut(SceneEvent<'_>),
+        mut each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
-        self.step_with(level, gravity, |_| true, each)
+        // None of the types depends on the caller's closure: a game that steps in two places links
+        // one copy.
+        self.run(&Common(level), gravity, &mut Unasked, &mut each)
     }
 
     /// Like [`step`](Self::step), but `replies` says for each pair what it does: a
@@ -108,9 +110,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         level: &W,
         gravity: Vec2,
         replies: impl FnMut(Pair) -> A,
-        each: impl FnMut(SceneEvent<'_>),
+        mut each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
-        self.step_in(|_| level, gravity, replies, each)
+        self.run(&Common(level), gravity, &mut Asked(replies), &mut each)
     }
 
     /// Like [`step_with`](Self::step_with), with a level for each body: ghosts that pass curtains,
@@ -148,9 +150,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         level_of: impl Fn(&SceneBody<S>) -> &'l W,
         gravity: Vec2,
         replies: impl FnMut(Pair) -> A,
-        each: impl FnMut(SceneEvent<'_>),
+        mut each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
-        self.run(&Each::by(level_of), gravity, &mut Asked(replies), each)
+        self.run(&Each::by(level_of), gravity, &mut Asked(replies), &mut each)
     }
 
     /// Like [`step_in`](Self::step_in), and reports each way that a body makes: for all that it
@@ -198,12 +200,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         level_of: impl Fn(&SceneBody<S>) -> &'l W,
         gravity: Vec2,
         replies: impl FnMut(Pair) -> A,
-        each: impl FnMut(SceneEvent<'_>),
+        mut each: impl FnMut(SceneEvent<'_>),
         passed: impl FnMut(Handle, &S, &Trail),
     ) -> Result<Stepped, SceneError> {
         // What repeats is not told.
         self.memory.fill(Place::Empty);
-        self.run(&Along::by(level_of, passed), gravity, &mut Asked(replies), each)
+        self.run(&Along::by(level_of, passed), gravity, &mut Asked(replies), &mut each)
     }
 
     fn run(
@@ -211,7 +213,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         view: &impl View<S>,
         gravity: Vec2,
         replies: &mut impl Replies,
-        mut each: impl FnMut(SceneEvent<'_>),
+        each: &mut dyn FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
         check_motion(gravity, MOTION).map_err(SceneError::call)?;
         let mut stepped = Stepped::default();
@@ -223,13 +225,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             self.disturb(gravity);
         }
         begin(&mut self.slots, &self.memory, self.awake.get(..awake).unwrap_or_default(), gravity);
-        self.meet(gravity, &mut stepped, replies, &mut each);
+        self.meet(gravity, &mut stepped, replies, each);
         if self.count > awake {
             self.wake_along(awake, replies);
             stepped.woken = (self.count - awake) as u16;
             self.tell_woken(awake);
         }
-        if self.travel(view, gravity, &mut stepped, replies, &mut each) {
+        if self.travel(view, gravity, &mut stepped, replies, each) {
             self.fall_asleep(&mut stepped);
         }
         Ok(stepped)
@@ -241,7 +243,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         gravity: Vec2,
         stepped: &mut Stepped,
         replies: &mut impl Replies,
-        each: &mut impl FnMut(SceneEvent<'_>),
+        each: &mut dyn FnMut(SceneEvent<'_>),
     ) {
         let Some((movers, room)) = self.awake.split_at_mut_checked(self.count) else { return };
         let (slots, memory, mut woken, mut hits) = (&mut self.slots, &self.memory, 0, false);
@@ -316,7 +318,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         gravity: Vec2,
         stepped: &mut Stepped,
         replies: &mut impl Replies,
-        each: &mut impl FnMut(SceneEvent<'_>),
+        each: &mut dyn FnMut(SceneEvent<'_>),
     ) -> bool {
         let Sleep { steps, .. } = self.sleep;
         let trip = Trip::new(view, gravity, self.sleep, N);

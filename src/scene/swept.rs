@@ -58,7 +58,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         trip: &Trip<'_, V>,
         stepped: &mut Stepped,
         replies: &mut impl Replies,
-        each: &mut impl FnMut(SceneEvent<'_>),
+        each: &mut dyn FnMut(SceneEvent<'_>),
     ) -> bool {
         let from = self.count;
         let Some((movers, room)) = self.awake.split_at_mut_checked(from) else { return false };
@@ -74,7 +74,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 }
 
-struct Sweep<'a, B, V, S, R, E> {
+struct Sweep<'a, B, V, S, R> {
     near: &'a mut B,
     slots: &'a mut [Slot<S>],
     memory: &'a mut [Place],
@@ -87,16 +87,15 @@ struct Sweep<'a, B, V, S, R, E> {
     margin: u32,
     stepped: &'a mut Stepped,
     replies: &'a mut R,
-    each: &'a mut E,
+    each: &'a mut dyn FnMut(SceneEvent<'_>),
 }
 
-impl<B, V, S, R, E> Sweep<'_, B, V, S, R, E>
+impl<B, V, S, R> Sweep<'_, B, V, S, R>
 where
     B: BroadPhase<Tag = Keyed<Filter>>,
     V: View<S>,
     S: BodyShape,
     R: Replies,
-    E: FnMut(SceneEvent<'_>),
 {
     // Separate calls: the mover goes about 2 KB deeper from here, and the stack of a call is free
     // again when it returns.

@@ -32,21 +32,20 @@ impl<'a, V> Trip<'a, V> {
 }
 
 /// What of a trip is done with a body of one shape.
-struct Travel<'t, 'a, V, S, N, E> {
+struct Travel<'t, 'a, V, S, N> {
     trip: &'t Trip<'a, V>,
     slot: &'t mut Slot<S>,
     handle: Handle,
     memory: &'t mut [Place],
     near: &'t mut N,
-    each: &'t mut E,
+    each: &'t mut dyn FnMut(SceneEvent<'_>),
 }
 
-impl<V, S, N, E> Visit<S> for Travel<'_, '_, V, S, N, E>
+impl<V, S, N> Visit<S> for Travel<'_, '_, V, S, N>
 where
     V: View<S>,
     S: BodyShape,
     N: BroadPhase,
-    E: FnMut(SceneEvent<'_>),
 {
     type Out = Result<(), SceneFault>;
     #[inline]
@@ -88,7 +87,7 @@ impl<V> Trip<'_, V> {
         memory: &mut [Place],
         near: &mut impl BroadPhase,
         stepped: &mut Stepped,
-        each: &mut impl FnMut(SceneEvent<'_>),
+        each: &mut dyn FnMut(SceneEvent<'_>),
     ) where
         V: View<S>,
     {
@@ -133,7 +132,7 @@ impl<V> Trip<'_, V> {
         handle: Handle,
         (by, made): (Vec2, &Made),
         near: &mut impl BroadPhase,
-        each: &mut impl FnMut(SceneEvent<'_>),
+        each: &mut dyn FnMut(SceneEvent<'_>),
     ) -> Result<(), SceneFault> {
         go(slot, handle, by, near)?;
         slot.body.velocity = made.velocity;
@@ -153,7 +152,7 @@ impl<V> Trip<'_, V> {
         body: &B,
         memory: &mut [Place],
         near: &mut impl BroadPhase,
-        each: &mut impl FnMut(SceneEvent<'_>),
+        each: &mut dyn FnMut(SceneEvent<'_>),
     ) -> Result<(), SceneFault>
     where
         V: View<S>,
@@ -305,7 +304,7 @@ pub(super) fn hold<S>(
     handle: Handle,
     fault: SceneFault,
     stepped: &mut Stepped,
-    each: &mut impl FnMut(SceneEvent<'_>),
+    each: &mut dyn FnMut(SceneEvent<'_>),
 ) {
     slot.body.velocity = Vec2::ZERO;
     (slot.support, slot.quiet) = (ALOFT, slot.quiet.saturating_add(1));

@@ -20,12 +20,25 @@ pub(super) trait View<S> {
     fn go<B: Body + Into<S>>(
         &self,
         mover: &Sliding,
-        body: (Handle, &SceneBody<S>),
+        (_, body): (Handle, &SceneBody<S>),
         from: &B,
         by: Vec2,
-    ) -> Result<Moved<B>, MoveError>;
+    ) -> Result<Moved<B>, MoveError> {
+        mover.move_and_slide(self.level(body), from, by)
+    }
     /// A body has moved on a straight way.
-    fn tell(&self, handle: Handle, from: &S, by: Vec2);
+    fn tell(&self, _: Handle, _: &S, _: Vec2) {}
+}
+
+/// One for all bodies.
+pub(super) struct Common<'l, W>(pub(super) &'l W);
+
+impl<W: World, S> View<S> for Common<'_, W> {
+    type Level = W;
+
+    fn level(&self, _: &SceneBody<S>) -> &W {
+        self.0
+    }
 }
 
 /// A call that says which.
@@ -49,18 +62,6 @@ impl<'l, W: World, S, F: Fn(&SceneBody<S>) -> &'l W> View<S> for Each<'l, W, F> 
     fn level(&self, body: &SceneBody<S>) -> &W {
         (self.of)(body)
     }
-
-    fn go<B: Body + Into<S>>(
-        &self,
-        mover: &Sliding,
-        (_, body): (Handle, &SceneBody<S>),
-        from: &B,
-        by: Vec2,
-    ) -> Result<Moved<B>, MoveError> {
-        mover.move_and_slide((self.of)(body), from, by)
-    }
-
-    fn tell(&self, _: Handle, _: &S, _: Vec2) {}
 }
 
 /// The same, and a call that receives each way.
