@@ -230,7 +230,7 @@ impl<'a, B: Body> Search<'a, B> {
         }
     }
 
-    #[inline]
+    #[inline(never)]
     fn meet<W: World>(&mut self, world: &W, held: Option<&Held>, before: Option<&Aabb>, d: Raw, first: &mut First) {
         let Some(held) = held else { return };
         if W::GRID {

@@ -168,7 +168,11 @@ impl Near {
 
     /// Visits all of them; one-way faces only if they are solid to the body.
     fn each<W: World, B: Body>(&self, world: &W, body: &B, passes: bool, visit: &mut dyn FnMut(&Feature)) {
-        if self.all { self.features.iter().flatten().for_each(visit) } else { each_near(world, body, passes, visit) }
+        if self.all {
+            self.features.iter().filter_map(Option::as_ref).for_each(visit)
+        } else {
+            each_near(world, body, passes, visit)
+        }
     }
 }
 
@@ -195,7 +199,7 @@ impl Ways {
     const MAX: usize = 10;
 
     /// Empty slots one by one: an empty list as a constant would be copied as a whole.
-    #[inline]
+    #[inline(never)]
     pub(super) fn none() -> Self {
         Self { ways: from_fn(|_| None), near: Near { features: from_fn(|_| None), all: true } }
     }
@@ -309,7 +313,7 @@ impl Ways {
 
     /// Frees all ways: nothing else is near, so nothing binds them.
     pub(super) fn free(&mut self) {
-        self.ways.iter_mut().flatten().for_each(|way| way.room = Way::FREE);
+        self.ways.iter_mut().filter_map(Option::as_mut).for_each(|way| way.room = Way::FREE);
     }
 
     /// Finds out how far each way leads.
@@ -321,10 +325,15 @@ impl Ways {
     #[inline(never)]
     fn settle<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool, which: Range<usize>) {
         let Some(ways) = self.ways.get_mut(which) else { return };
-        let unknown = ways.iter_mut().flatten().filter(|way| way.room == Way::UNKNOWN);
-        if unknown.map(|way| way.room = Way::FREE).count() > 0 {
+        let mut any = false;
+        for way in ways.iter_mut().filter_map(Option::as_mut).filter(|way| way.room == Way::UNKNOWN) {
+            (way.room, any) = (Way::FREE, true);
+        }
+        if any {
             self.near.each(world, body, passes, &mut |feature| {
-                ways.iter_mut().flatten().for_each(|way| way.bind_by::<W, B>(body, feature));
+                for way in ways.iter_mut().filter_map(Option::as_mut) {
+                    way.bind_by::<W, B>(body, feature);
+                }
             });
         }
     }
@@ -373,7 +382,7 @@ impl Ways {
     }
 
     pub(super) fn iter(&self) -> impl Iterator<Item = &Way> {
-        self.ways.iter().flatten()
+        self.ways.iter().filter_map(Option::as_ref)
     }
 
     /// Whether the body still touches a plane that it has run along, if that is a face.

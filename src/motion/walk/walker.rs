@@ -232,7 +232,7 @@ impl Walker {
         let stands = floor.filter(|f| !(rises || (passes && f.one_way))).map(|f| f.axis);
         let axis = if stands.is_none() {
             self.mover.slide::<W, B, true>(world, &mut run, &mut First::none())?;
-            run.moved.hits.iter().last().filter(|_| run.moved.floor).map(|hit| hit.axis)
+            run.moved.hits.last().filter(|_| run.moved.floor).map(|hit| hit.axis)
         } else {
             stands
         };

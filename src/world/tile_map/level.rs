@@ -322,6 +322,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The cells of a range that can hold solid. Where the border is repeated, border blocks stand
     /// for the bands beyond them, and shaped ones have separate bands. There is nothing outside
     /// where that is empty.
+    #[inline(never)]
     pub(in crate::world) const fn solid_range(&self, r: Range) -> Range {
         match self.outside {
             Outside::Solid => r,
