@@ -255,11 +255,10 @@ impl<'m, B: Body> Run<'m, B> {
     }
 
     /// The result, once the motion is made.
-    pub(super) fn end<W: World>(&mut self) -> &mut Moved<B> {
+    pub(super) fn end<W: World>(&mut self) {
         let remaining = if W::ROUND { self.motion.add(self.made_in(self.after)) } else { self.motion };
         self.moved.remaining = remaining.vec2();
         self.moved.velocity = self.v.vec2();
-        self.moved
     }
 
     pub(super) fn record(&mut self, normal: Axis, feature: &Feature, toi: Toi) {
