@@ -167,6 +167,7 @@ impl Near {
     }
 
     /// Visits all of them; one-way faces only if they are solid to the body.
+    #[inline(never)]
     fn each<W: World, B: Body>(&self, world: &W, body: &B, passes: bool, visit: &mut dyn FnMut(&Feature)) {
         if self.all {
             self.features.iter().filter_map(Option::as_ref).for_each(visit)
@@ -393,6 +394,7 @@ impl Ways {
 
 /// A multiple of a velocity that is at least twice as long as [`FAR`]. The velocity itself if it is
 /// that long.
+#[inline(never)]
 pub(super) fn long(v: Raw) -> Raw {
     let (mut v, mut size) = (v, way(v));
     while size != 0 && size < 2 * FAR {
