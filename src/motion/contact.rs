@@ -131,7 +131,7 @@ fn in_disc(m: Raw, r: i32) -> bool {
 ///
 /// A box meets corners and arcs by its corners, and either of its sides may move along them. The
 /// visitor is called through a pointer: three copies took 1.5 KB of flash.
-#[inline(never)]
+#[inline]
 pub(super) fn touched<W: World, B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
     (W::ARCS || !matches!(feature.geometry, Geometry::Arc { .. })) && touched_any(body, feature, plane)
 }
