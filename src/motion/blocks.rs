@@ -144,17 +144,12 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
             let (left, right) = (last.x + d.x.min(0) < lo.x, first.x + d.x.max(0) > hi.x);
             if left || right {
                 let (above, below) = (last.y + d.y.min(0) < lo.y, first.y + d.y.max(0) > hi.y);
-                if above && right && (d.x < 0 || d.y > 0) {
-                    self.meet_corner(block, 4, 1, -1);
-                }
-                if below && right && (d.x < 0 || d.y < 0) {
-                    self.meet_corner(block, 5, 1, 1);
-                }
-                if below && left && (d.x > 0 || d.y < 0) {
-                    self.meet_corner(block, 6, -1, 1);
-                }
-                if above && left && (d.x > 0 || d.y > 0) {
-                    self.meet_corner(block, 7, -1, -1);
+                for (index, x, y) in [(4, 1, -1), (5, 1, 1), (6, -1, 1), (7, -1, -1)] {
+                    let beside = if x > 0 { right } else { left };
+                    let across = if y > 0 { below } else { above };
+                    if beside && across && (d.x.wrapping_mul(x) < 0 || d.y.wrapping_mul(y) < 0) {
+                        self.meet_corner(block, index, x, y);
+                    }
                 }
             }
         }
