@@ -4,9 +4,8 @@
 use super::body::{Body, Entry};
 use super::contact::Plane;
 use super::order::First;
-use super::plane::{SurfaceRole, way};
+use super::plane::{SurfaceRole, long, way};
 use super::search::{Around, Search, hull};
-use super::ways::long;
 use super::{Hit, Moved};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, Raw, Toi, mul_div};

@@ -4,10 +4,10 @@
 use super::body::{Body, Entry};
 use super::contact::{Bend, Plane, touched};
 use super::order::First;
-use super::plane::{NEAR, SurfaceRole, across, into, may_be_askew, project, reflect, tangential, way};
+use super::plane::{NEAR, SurfaceRole, across, into, long, may_be_askew, project, reflect, tangential, way};
 use super::response::{Law, Smooth};
 use super::run::{Run, check_inside, margin};
-use super::ways::{Way, Ways, long};
+use super::ways::{Way, Ways};
 use super::{Mover, Response};
 use crate::num::{Axis, Raw, Toi, isqrt64, mul_div, umul, usqr};
 use crate::world::{Feature, World};

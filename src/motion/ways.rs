@@ -10,7 +10,7 @@ use super::body::{Body, Entry};
 use super::contact::{Bend, Plane, may_reach, reaches, surroundings, touched};
 use super::moved::Hits;
 use super::order::First;
-use super::plane::{NEAR, across, into, project, way};
+use super::plane::{FAR, NEAR, across, into, long, project, way};
 use super::response::Smooth;
 use crate::num::{Axis, Raw, Toi, cmp_squares, mul_div, umul};
 use crate::world::{Feature, Geometry, World, normal};
@@ -33,12 +33,6 @@ pub(super) struct Way {
     /// [`UNKNOWN`](Self::UNKNOWN).
     room: u8,
 }
-
-/// Nothing farther than this binds a way.
-///
-/// Two planes [`NEAR`] apart at an angle `a` meet within `NEAR / sin a`: 13 raw for the slopes of
-/// tiles, 64 for planes that differ by four degrees.
-const FAR: u32 = 64;
 
 impl Way {
     const FREE: u8 = u8::MAX;
@@ -402,17 +396,6 @@ impl Ways {
     pub(super) fn keep(&self, plane: &Plane) -> bool {
         !matches!(plane.bend, Bend::Flat | Bend::End) || self.iter().any(|way| way.along == Some(*plane))
     }
-}
-
-/// A multiple of a velocity that is at least twice as long as [`FAR`]. The velocity itself if it is
-/// that long.
-#[inline(never)]
-pub(super) fn long(v: Raw) -> Raw {
-    let (mut v, mut size) = (v, way(v));
-    while size != 0 && size < 2 * FAR {
-        (v, size) = (v.add(v), size << 1);
-    }
-    v
 }
 
 #[cfg(test)]
