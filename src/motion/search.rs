@@ -71,11 +71,11 @@ impl Around {
         }
         self.region =
             if is_one { piece_of(&bounds, Raw::ZERO, d, 1) } else { piece_of(&bounds, Raw::ZERO, Raw::ZERO, 2) };
-        world.look(&self.region, Some(body.rounding()), &mut self.seen);
+        let inside = world.look(&self.region, Some(body.rounding()), &mut self.seen);
         if !is_one {
             return Ok(pieces(world, &bounds, d));
         }
-        Ok(u32::from(!self.is_empty() || !is_inside(&self.region)))
+        Ok(u32::from(!self.is_empty() || !(inside || is_inside(&self.region))))
     }
 
     /// The contents that a known region may have.

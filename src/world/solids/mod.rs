@@ -214,7 +214,7 @@ impl World for Solids<'_> {
         Solids::features(self, way.piece).against(way.d)
     }
 
-    fn look(&self, region: &Aabb, _: Option<i32>, seen: &mut Seen) {
+    fn look(&self, region: &Aabb, _: Option<i32>, seen: &mut Seen) -> bool {
         let mut held: Option<Aabb> = None;
         // A fold would divide by the size of a solid, which links a division.
         for solid in self.list {
@@ -226,6 +226,7 @@ impl World for Solids<'_> {
         let one = Raw { x: 1, y: 1 };
         let held = held.map(|all| Aabb::from_raw_unchecked(all.lo().sub(one), all.hi().add(one)));
         *seen = Seen { held, cells: None };
+        false
     }
 
     /// No motion is cut into pieces for them: each piece would look at all of them.

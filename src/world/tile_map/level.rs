@@ -92,8 +92,8 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     }
 
     #[inline]
-    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
-        TileMap::look(self, region, r, seen);
+    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
+        TileMap::look(self, region, r, seen)
     }
 
     #[inline]
@@ -187,8 +187,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The cells of a region that a body may meet, and the box around them; see
     /// [`World::look`](crate::world::World::look).
     #[inline(never)]
-    pub(in crate::world) fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
-        let found = match self.range_inside(region.lo(), region.hi()) {
+    pub(in crate::world) fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
+        let inside = self.range_inside(region.lo(), region.hi());
+        let found = match inside {
             Some(range) => self.met(range, Range::NOWHERE, region, r),
             None => self.met_beyond(region, r),
         };
@@ -196,6 +197,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if seen.held.is_some() {
             seen.cells = Some(Cells::of(found));
         }
+        // The map is in the domain.
+        inside.is_some()
     }
 
     /// The cells of a region inside the map: a quotient an axis, from where it is stepped.
