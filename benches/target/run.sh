@@ -132,7 +132,7 @@ programs=(
 games=(
     'game_blocks:33 bodies among blocks, coins, ladders:46500:2400:45500:2400'
     'game_ninja:a ninja among all shapes:44000:64:44000:64'
-    'hero_blocks:a hero among blocks:24500:132:23700:132'
+    'hero_blocks:a hero among blocks:23700:132:23700:132'
     'hero_slopes:a hero among slopes:43200:132:42700:132'
     'hero_blocks_lift:a hero among blocks with a lift:37500:168:37500:168'
     'hero_slopes_lift:a hero among slopes with a lift:57100:168:56000:168'

@@ -6,7 +6,38 @@ use super::order::First;
 use super::plane::into;
 use super::search::{Held, Search};
 use crate::num::{Axis, Raw};
-use crate::world::{Block, Cell, Cells, Feature, Fill, Geometry, Walk, World};
+use crate::world::{Block, Cell, Cells, Feature, Fill, Geometry, Way, World};
+
+/// The cells to visit: those of a range, or those of a way.
+pub(super) trait Walk {
+    /// The next cell that may hold the first hit.
+    fn next_block<W: World>(&mut self, world: &W, first: &First) -> Option<Block>;
+}
+
+impl Walk for Cells {
+    #[inline]
+    fn next_block<W: World>(&mut self, world: &W, _: &First) -> Option<Block> {
+        world.next_cell(self)
+    }
+}
+
+impl Walk for Way {
+    #[inline]
+    fn next_block<W: World>(&mut self, world: &W, first: &First) -> Option<Block> {
+        loop {
+            let block = world.next_on_way(self);
+            if block.is_some() {
+                return block;
+            }
+            let (part, of) = self.next_part()?;
+            // Later strips hold only later hits.
+            if first.is_within(part, of) {
+                return None;
+            }
+            world.next_strip(self);
+        }
+    }
+}
 
 /// The position of a body along a side, from the start of its motion to the end.
 enum Over {
@@ -42,7 +73,7 @@ struct BlockSweep<'a, W, B> {
 impl<B: Body> Search<'_, B> {
     /// Takes the hits of some cells. Each full cell counts as a feature.
     #[inline(never)]
-    pub(super) fn meet_cells<W: World>(&mut self, world: &W, walk: &mut Walk<'_>, d: Raw, first: &mut First) {
+    pub(super) fn meet_cells<W: World, K: Walk>(&mut self, world: &W, walk: &mut K, d: Raw, first: &mut First) {
         let body = self.body;
         let bounds = body.bounds();
         let (a, b) = (bounds.lo(), bounds.hi());
@@ -69,8 +100,8 @@ impl<B: Body> Search<'_, B> {
 
     /// Takes the hits of cells up to the next one whose features must be read.
     #[inline(never)]
-    fn next_odd<W: World>(&mut self, sweep: &mut BlockSweep<'_, W, B>, walk: &mut Walk<'_>) -> Option<Block> {
-        while let Some(block) = sweep.next_block(walk) {
+    fn next_odd<W: World, K: Walk>(&mut self, sweep: &mut BlockSweep<'_, W, B>, walk: &mut K) -> Option<Block> {
+        while let Some(block) = walk.next_block(sweep.world, sweep.first) {
             let is_full = block.kind.fill() == Fill::Full;
             sweep.is_odd = B::ANGULAR || (!W::BLOCKS && (sweep.thin || !is_full));
             if !sweep.is_odd {
@@ -90,27 +121,6 @@ impl<B: Body> Search<'_, B> {
 }
 
 impl<W: World, B: Body> BlockSweep<'_, W, B> {
-    /// The next cell that may hold the first hit.
-    #[inline]
-    fn next_block(&mut self, walk: &mut Walk<'_>) -> Option<Block> {
-        let way = match walk {
-            Walk::Cells(cells) => return self.world.next_cell(cells),
-            Walk::Way(way) => way,
-        };
-        loop {
-            let block = self.world.next_on_way(way);
-            if block.is_some() {
-                return block;
-            }
-            let (part, of) = way.next_part()?;
-            // Later strips hold only later hits.
-            if self.first.is_within(part, of) {
-                return None;
-            }
-            self.world.next_strip(way);
-        }
-    }
-
     /// The faces that the motion comes to, one across each axis. For a rounded body also the
     /// corners that have a face which opposes it.
     fn meet_full(&mut self, block: &Block) {
@@ -134,17 +144,12 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
             let (left, right) = (last.x + d.x.min(0) < lo.x, first.x + d.x.max(0) > hi.x);
             if left || right {
                 let (above, below) = (last.y + d.y.min(0) < lo.y, first.y + d.y.max(0) > hi.y);
-                if above && right && (d.x < 0 || d.y > 0) {
-                    self.meet_corner(block, 4, 1, -1);
-                }
-                if below && right && (d.x < 0 || d.y < 0) {
-                    self.meet_corner(block, 5, 1, 1);
-                }
-                if below && left && (d.x > 0 || d.y < 0) {
-                    self.meet_corner(block, 6, -1, 1);
-                }
-                if above && left && (d.x > 0 || d.y > 0) {
-                    self.meet_corner(block, 7, -1, -1);
+                for (index, x, y) in [(4, 1, -1), (5, 1, 1), (6, -1, 1), (7, -1, -1)] {
+                    let beside = if x > 0 { right } else { left };
+                    let across = if y > 0 { below } else { above };
+                    if beside && across && (d.x.wrapping_mul(x) < 0 || d.y.wrapping_mul(y) < 0) {
+                        self.meet_corner(block, index, x, y);
+                    }
                 }
             }
         }

@@ -165,13 +165,17 @@ pub(super) fn cast<W: World, B: Body>(
     let mut first = First::none();
     let mut search = Search::new(body, &mut around);
     search.pass_one_way = !rules.one_way;
-    search.find_first_in(world, pieces, d, &mut first);
-    // A hit at once ends the walk before it has visited all.
-    let beside = search.starts_beside || first.is_within(0, 1);
+    let beside = if W::GRID && pieces > 1 {
+        // A hit at once ends the walk before it has visited all.
+        search.find_on_way(world, d, &mut first) || first.is_within(0, 1)
+    } else {
+        search.find_first_in(world, pieces, d, &mut first);
+        let start = piece_of(&body.bounds(), Raw::ZERO, Raw::ZERO, 1);
+        W::GRID && !search.around.is_free_in_sight(&start)
+    };
     let guarded = search.guarded;
     (work.iterations, work.features) = (1, search.features);
-    let start = piece_of(&body.bounds(), Raw::ZERO, Raw::ZERO, 1);
-    if W::GRID && if pieces == 1 { !around.is_free_in_sight(&start) } else { beside } {
+    if beside {
         inside = starts_inside(&mut work);
         if inside && matches!(rules.inside, Inside::Hit) {
             return Ok(Some(at_start(body, motion, work)));

@@ -222,7 +222,15 @@ impl Hits {
     /// cut is therefore reported once.
     pub(super) fn tell_of(&self, axis: Axis, feature: &Feature) -> bool {
         let is = |hit: &Hit| (hit.cell, hit.index, hit.source) == (feature.cell, feature.index, feature.source);
-        self.iter().any(|hit| hit.axis == axis || is(hit))
+        let all = self.early.iter().chain(&self.late).filter_map(Option::as_ref);
+        all.into_iter().any(|hit| hit.axis == axis || is(hit))
+    }
+
+    /// The last hit that was kept.
+    pub(super) fn last(&self) -> Option<&Hit> {
+        let half = if self.seen <= 2 { &self.early } else { &self.late };
+        let at = usize::from(self.seen.min(Self::CAPACITY as u8).wrapping_sub(1)) & 1;
+        half.get(at)?.as_ref()
     }
 
     pub(super) fn push(&mut self, hit: Hit) {

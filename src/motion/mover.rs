@@ -261,13 +261,12 @@ impl<S: Law> Mover<S> {
         check_motion(velocity, MOTION)?;
         body.check_size()?;
         let (d, mut around) = (Raw::of(velocity), Around::nothing());
-        if d.is_zero() {
-            return Ok(Moved::freely(*body, velocity, 0));
-        }
-        let pieces = around.begin(world, body, d, true)?;
+        // One copy of the result for bodies that fly and bodies that rest.
+        let moves = !d.is_zero();
+        let pieces = if moves { around.begin(world, body, d, true)? } else { 0 };
         if pieces == 0 {
             world.made(d);
-            return Ok(Moved::freely(body.shifted(d), velocity, 1));
+            return Ok(Moved::freely(body.shifted(d), velocity, moves.into()));
         }
         self.run_into(world, body, velocity, pieces, &mut around)
     }

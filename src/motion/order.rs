@@ -11,7 +11,7 @@
 //!    flags of both count.
 
 use super::body::{Body, Entry};
-use crate::num::{Raw, add128, imul, less128, mul_div, mul64, sqr64, umul};
+use crate::num::{Raw, add128, less128, mul_div, mul64, sqr64, umul};
 use crate::world::{Feature, Geometry, World};
 
 /// The first hit so far, kept separately for faces, which have exact times, and for vertices and
@@ -131,7 +131,8 @@ fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), f
 /// below 2^122.
 #[inline(never)]
 fn is_past(m: Raw, r: i32, leaves: bool, d: Raw, at: &Entry) -> bool {
-    let coordinate = |m: i32, d: i32| imul(m, at.den as i32).wrapping_add(imul(d, at.num as i32)).unsigned_abs();
+    let time = Raw { x: at.den as i32, y: at.num as i32 };
+    let coordinate = |m: i32, d: i32| Raw { x: m, y: d }.dot(time).unsigned_abs();
     let square = add128(sqr64(coordinate(m.x, d.x)), sqr64(coordinate(m.y, d.y)));
     let rim = sqr64(umul(r.unsigned_abs(), at.den));
     if leaves {

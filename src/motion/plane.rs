@@ -68,9 +68,26 @@ impl Default for SlopeLimit {
 /// one is therefore at most 2 sqrt 2 raw off.
 pub(super) const NEAR: u32 = 4;
 
+/// Nothing farther than this binds a way.
+///
+/// Two planes [`NEAR`] apart at an angle `a` meet within `NEAR / sin a`: 13 raw for the slopes of
+/// tiles, 64 for planes that differ by four degrees.
+pub(super) const FAR: u32 = 64;
+
 /// The longer component of a displacement.
 pub(super) fn way(made: Raw) -> u32 {
     made.x.unsigned_abs().max(made.y.unsigned_abs())
+}
+
+/// A multiple of a velocity that is at least twice as long as [`FAR`]. The velocity itself if it is
+/// that long.
+#[inline(never)]
+pub(super) fn long(v: Raw) -> Raw {
+    let (mut v, mut size) = (v, way(v));
+    while size != 0 && size < 2 * FAR {
+        (v, size) = (v.add(v), size << 1);
+    }
+    v
 }
 
 /// The component of `v` along the normal, scaled: negative means into the plane. With |v| < 2^29

@@ -4,9 +4,8 @@
 use super::body::{Body, Entry};
 use super::contact::Plane;
 use super::order::First;
-use super::plane::{SurfaceRole, way};
+use super::plane::{SurfaceRole, long, way};
 use super::search::{Around, Search, hull};
-use super::ways::long;
 use super::{Hit, Moved};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, Raw, Toi, mul_div};
@@ -34,8 +33,6 @@ pub(super) struct Run<'m, B> {
     /// Whether it flew to the first of the surfaces that it touches. It then meets the next surface
     /// with the remaining velocity.
     pub(super) flew: bool,
-    /// Whether nothing has been hit yet.
-    pub(super) is_first: bool,
     /// The probe of the current way.
     pub(super) tried: Raw,
     /// The ways that led nowhere from this position.
@@ -43,6 +40,9 @@ pub(super) struct Run<'m, B> {
     /// Whether no way is free, and the motion follows a bound way up to the surface that binds it.
     pub(super) creeps: bool,
     pub(super) pass_one_way: bool,
+    /// Whether nothing has been hit yet. Between the others, for to clear five flags in a row would
+    /// be a call.
+    pub(super) is_first: bool,
     /// Whether the body has been in the solid all the time.
     pub(super) inside: bool,
     /// Whether one-way faces that may be askew are near.
@@ -81,7 +81,7 @@ impl<'m, B: Body> Run<'m, B> {
             flew: false,
             is_first: true,
             tried: long(v),
-            shut: Shut::NONE,
+            shut: Shut::none(v),
             creeps: false,
             pass_one_way: false,
             inside: false,
@@ -254,16 +254,15 @@ impl<'m, B: Body> Run<'m, B> {
     }
 
     /// The result, once the motion is made.
-    pub(super) fn end<W: World>(&mut self) -> &mut Moved<B> {
+    pub(super) fn end<W: World>(&mut self) {
         let remaining = if W::ROUND { self.motion.add(self.made_in(self.after)) } else { self.motion };
         self.moved.remaining = remaining.vec2();
         self.moved.velocity = self.v.vec2();
-        self.moved
     }
 
     pub(super) fn record(&mut self, normal: Axis, feature: &Feature, toi: Toi) {
         // A corner's time is a lower bound. It is set to no earlier than the previous hit.
-        let last = self.moved.hits.iter().last().map_or(toi, |hit| hit.toi);
+        let last = self.moved.hits.last().map_or(toi, |hit| hit.toi);
         self.moved.flags |= feature.flags;
         self.moved.hits.push(Hit::of(normal, feature, toi.max(last)));
     }
@@ -277,7 +276,14 @@ pub(super) struct Shut {
 }
 
 impl Shut {
-    pub(super) const NONE: Self = Self { probes: [Raw::ZERO; 4], len: 0 };
+    /// None. All places hold a value at hand: to clear them would be a call.
+    pub(super) fn none(unused: Raw) -> Self {
+        Self { probes: [unused; 4], len: 0 }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.len = 0;
+    }
 
     pub(super) fn push(&mut self, probe: Raw) {
         if self.holds(probe) {

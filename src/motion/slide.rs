@@ -4,10 +4,10 @@
 use super::body::{Body, Entry};
 use super::contact::{Bend, Plane, touched};
 use super::order::First;
-use super::plane::{NEAR, SurfaceRole, across, into, may_be_askew, project, reflect, tangential, way};
+use super::plane::{NEAR, SurfaceRole, across, into, long, may_be_askew, project, reflect, tangential, way};
 use super::response::{Law, Smooth};
-use super::run::{Run, Shut, check_inside, margin};
-use super::ways::{Way, Ways, long};
+use super::run::{Run, check_inside, margin};
+use super::ways::{Way, Ways};
 use super::{Mover, Response};
 use crate::num::{Axis, Raw, Toi, isqrt64, mul_div, umul, usqr};
 use crate::world::{Feature, World};
@@ -18,6 +18,7 @@ impl<S: Law> Mover<S> {
     }
 
     /// The role of a surface with this normal. Without an up all surfaces are walls.
+    #[inline(never)]
     pub(super) fn side(&self, normal: Axis) -> SurfaceRole {
         self.up.map_or(SurfaceRole::Wall, |up| self.limit.side(up, normal))
     }
@@ -116,7 +117,7 @@ impl<S: Law> Mover<S> {
         if made.is_zero() {
             run.shut.push(run.tried);
         } else {
-            run.shut = Shut::NONE;
+            run.shut.clear();
         }
         let passes = run.pass_one_way || self.passes_one_way();
         let first = hit.is_some() && core::mem::take(&mut run.is_first);
@@ -169,8 +170,10 @@ impl<S: Law> Mover<S> {
             (run.motion, run.v) = (run.turned(v), v);
             return;
         }
-        run.shut = Shut::NONE;
-        ways.iter().filter(|way| way.along.is_some()).for_each(|way| run.shut.push(way.probe()));
+        run.shut.clear();
+        for way in ways.iter().filter(|way| way.along.is_some()) {
+            run.shut.push(way.probe());
+        }
         run.turn(Raw::ZERO);
         if looks < Mover::ITERATIONS {
             self.report_binding(world, run, &ways);

@@ -1,7 +1,7 @@
 //! Sweeps a box or a circle against straight faces: along x and y, and in any direction.
 
 use super::body::Entry;
-use crate::num::{Axis, Raw, Toi, imul, leading_zeros64};
+use crate::num::{Axis, Raw, Toi, leading_zeros64};
 use crate::query::cast::moment::gap_time;
 use crate::query::cast::side::{along, is_below, meets_beyond, reach};
 
@@ -66,7 +66,7 @@ pub(super) fn over(reach: i32, along: i32, gap: i32, into: i32) -> i32 {
     if gap == 0 || reach.signum() == end.signum() {
         return reach.signum();
     }
-    imul(reach, into).wrapping_add(imul(along, gap)).signum() as i32
+    Raw { x: reach, y: along }.dot(Raw { x: into, y: gap }).signum() as i32
 }
 
 /// Entry of the disc of radius `r` around `c` through the face. Radius 0 is a point, such as the

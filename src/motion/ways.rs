@@ -10,11 +10,12 @@ use super::body::{Body, Entry};
 use super::contact::{Bend, Plane, may_reach, reaches, surroundings, touched};
 use super::moved::Hits;
 use super::order::First;
-use super::plane::{NEAR, across, into, project, way};
+use super::plane::{FAR, NEAR, across, into, long, project, way};
 use super::response::Smooth;
 use crate::num::{Axis, Raw, Toi, cmp_squares, mul_div, umul};
 use crate::world::{Feature, Geometry, World, normal};
 use core::array::from_fn;
+use core::cmp::Ordering;
 use core::ops::Range;
 
 /// A way on.
@@ -32,12 +33,6 @@ pub(super) struct Way {
     /// [`UNKNOWN`](Self::UNKNOWN).
     room: u8,
 }
-
-/// Nothing farther than this binds a way.
-///
-/// Two planes [`NEAR`] apart at an angle `a` meet within `NEAR / sin a`: 13 raw for the slopes of
-/// tiles, 64 for planes that differ by four degrees.
-const FAR: u32 = 64;
 
 impl Way {
     const FREE: u8 = u8::MAX;
@@ -112,12 +107,23 @@ impl Way {
             return longer;
         }
         let ((a, n), (b, m)) = (self.length(of), other.length(of));
-        let along = |v: Raw| (v.x.unsigned_abs(), v.y.unsigned_abs(), v.x, v.y);
+        let normal = |way: &Self| way.along.map_or(Raw::ZERO, |p| Raw { x: p.normal.x, y: p.normal.y });
+        let rank = |way: &Self| way.along.map_or(0, |p| p.bend.rank());
         // A plane that presses back goes first: it has the friction.
-        let plane = |w: &Self| w.along.map(|p| (w.presses, along(Raw { x: p.normal.x, y: p.normal.y }), p.bend.rank()));
-        let key = |w: &Self| (along(w.v), plane(w));
-        cmp_squares((a, m), (b, n)).then_with(|| key(self).cmp(&key(other))).is_gt()
+        cmp_squares((a, m), (b, n))
+            .then_with(|| by_size(self.v, other.v))
+            .then_with(|| self.presses.cmp(&other.presses))
+            .then_with(|| by_size(normal(self), normal(other)))
+            .then_with(|| rank(self).cmp(&rank(other)))
+            .is_gt()
     }
+}
+
+/// By the longer part along x, then along y, then + before -. One copy: three took 280 bytes.
+#[inline(never)]
+fn by_size(a: Raw, b: Raw) -> Ordering {
+    let key = |v: Raw| (v.x.unsigned_abs(), v.y.unsigned_abs(), v.x, v.y);
+    key(a).cmp(&key(b))
 }
 
 /// The way of a probe up to its hit, if that binds it: the way is at most the rounding distance, or
@@ -167,8 +173,13 @@ impl Near {
     }
 
     /// Visits all of them; one-way faces only if they are solid to the body.
+    #[inline(never)]
     fn each<W: World, B: Body>(&self, world: &W, body: &B, passes: bool, visit: &mut dyn FnMut(&Feature)) {
-        if self.all { self.features.iter().flatten().for_each(visit) } else { each_near(world, body, passes, visit) }
+        if self.all {
+            self.features.iter().filter_map(Option::as_ref).for_each(visit)
+        } else {
+            each_near(world, body, passes, visit)
+        }
     }
 }
 
@@ -195,7 +206,7 @@ impl Ways {
     const MAX: usize = 10;
 
     /// Empty slots one by one: an empty list as a constant would be copied as a whole.
-    #[inline]
+    #[inline(never)]
     pub(super) fn none() -> Self {
         Self { ways: from_fn(|_| None), near: Near { features: from_fn(|_| None), all: true } }
     }
@@ -309,7 +320,7 @@ impl Ways {
 
     /// Frees all ways: nothing else is near, so nothing binds them.
     pub(super) fn free(&mut self) {
-        self.ways.iter_mut().flatten().for_each(|way| way.room = Way::FREE);
+        self.ways.iter_mut().filter_map(Option::as_mut).for_each(|way| way.room = Way::FREE);
     }
 
     /// Finds out how far each way leads.
@@ -321,10 +332,15 @@ impl Ways {
     #[inline(never)]
     fn settle<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool, which: Range<usize>) {
         let Some(ways) = self.ways.get_mut(which) else { return };
-        let unknown = ways.iter_mut().flatten().filter(|way| way.room == Way::UNKNOWN);
-        if unknown.map(|way| way.room = Way::FREE).count() > 0 {
+        let mut any = false;
+        for way in ways.iter_mut().filter_map(Option::as_mut).filter(|way| way.room == Way::UNKNOWN) {
+            (way.room, any) = (Way::FREE, true);
+        }
+        if any {
             self.near.each(world, body, passes, &mut |feature| {
-                ways.iter_mut().flatten().for_each(|way| way.bind_by::<W, B>(body, feature));
+                for way in ways.iter_mut().filter_map(Option::as_mut) {
+                    way.bind_by::<W, B>(body, feature);
+                }
             });
         }
     }
@@ -373,23 +389,13 @@ impl Ways {
     }
 
     pub(super) fn iter(&self) -> impl Iterator<Item = &Way> {
-        self.ways.iter().flatten()
+        self.ways.iter().filter_map(Option::as_ref)
     }
 
     /// Whether the body still touches a plane that it has run along, if that is a face.
     pub(super) fn keep(&self, plane: &Plane) -> bool {
         !matches!(plane.bend, Bend::Flat | Bend::End) || self.iter().any(|way| way.along == Some(*plane))
     }
-}
-
-/// A multiple of a velocity that is at least twice as long as [`FAR`]. The velocity itself if it is
-/// that long.
-pub(super) fn long(v: Raw) -> Raw {
-    let (mut v, mut size) = (v, way(v));
-    while size != 0 && size < 2 * FAR {
-        (v, size) = (v.add(v), size << 1);
-    }
-    v
 }
 
 #[cfg(test)]

@@ -79,6 +79,12 @@ impl Toi {
             let up = if (sum > 0) == away { (1 << 30) - 1 } else { 0 };
             return (part.wrapping_add(up) >> 30) as i32;
         }
+        self.of_words_beside(m, d, away)
+    }
+
+    /// The same in words. Each hit of a corner or an arc asks twice, so it is apart.
+    #[inline(never)]
+    const fn of_words_beside(self, m: i32, d: i32, away: bool) -> i32 {
         let product = super::umul(d.unsigned_abs(), self.0);
         let part = (product >> 30) as i32;
         let part = if d < 0 { part.wrapping_neg() } else { part };

@@ -105,14 +105,6 @@ impl Cells {
     }
 }
 
-/// The cells to visit: those of a range, or those of a way. By reference: a way takes 130 bytes of
-/// stack, which short motions do not need.
-#[derive(Debug)]
-pub(crate) enum Walk<'a> {
-    Cells(&'a mut Cells),
-    Way(&'a mut Way),
-}
-
 /// A walk over the strips of a way.
 ///
 /// `along` is the axis across the strips, `aside` the other one. Distances count from the start of

@@ -323,11 +323,13 @@ pub trait World: sealed::Sealed {
     }
 
     /// Writes what of a region with area a body in it may meet: any body, or one that is the disc
-    /// of radius `r` in its bounds; where that is 0, that fills them.
+    /// of radius `r` in its bounds; where that is 0, that fills them. Returns whether the region is
+    /// known to be in the domain.
     #[doc(hidden)]
-    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
+    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
         let _ = r;
         *seen = Seen { held: Some(*region), cells: None };
+        false
     }
 
     /// The side of a cell, raw and not zero: longer motions are enumerated in pieces of about this

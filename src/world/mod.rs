@@ -68,8 +68,7 @@ mod tile_map;
 mod trail;
 
 pub use cell::Cell;
-pub(crate) use cell::Walk;
-pub(crate) use cell::{Block, Cells};
+pub(crate) use cell::{Block, Cells, Way};
 pub use closest::{Near, OneWay};
 pub(crate) use contacts::contacts as contacts_of;
 pub use contacts::{Pushable, WorldContact};

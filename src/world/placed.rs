@@ -150,16 +150,18 @@ impl<W: World> World for Placed<'_, W> {
         PlacedFeatures { features: self.world.features_ahead(&way), offset: self.offset }
     }
 
-    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
+    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
         let there = self.seen(region);
         if !is_inside(there.lo()) || !is_inside(there.hi()) {
             *seen = Seen { held: Some(*region), cells: None };
-            return;
+            return false;
         }
         self.world.look(&there, r, seen);
         if let Some(held) = &mut seen.held {
             *held = Aabb::from_raw_unchecked(held.lo().add(self.offset), held.hi().add(self.offset));
         }
+        // The other level's answer is about its own place.
+        false
     }
 
     fn cell_size(&self) -> u32 {

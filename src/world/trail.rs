@@ -170,8 +170,8 @@ impl<W: World> World for Traced<'_, W> {
         self.world.one_way_face(block)
     }
 
-    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
-        self.world.look(region, r, seen);
+    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
+        self.world.look(region, r, seen)
     }
 
     fn cell_size(&self) -> u32 {

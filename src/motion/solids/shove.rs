@@ -6,7 +6,7 @@ use crate::motion::plane::{NEAR, into, way};
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
 use crate::motion::{MoveError, Moved, Stuck, Work};
-use crate::num::{Axis, MOTION, Raw, mul_div_wide, usqr};
+use crate::num::{Axis, MOTION, Raw};
 use crate::world::{Solid, World};
 
 /// Bounds of a body's displacement in one tick, axis by axis.
@@ -176,10 +176,22 @@ pub(super) fn out_of(rest: Raw, n: Axis, along: i32) -> i32 {
         return 0;
     }
     let (v, a) = (into.unsigned_abs(), along.unsigned_abs());
-    let part = mul_div_wide(v, a, usqr(a));
-    // Rounded up: part * a = v if it is exact.
-    let part = part.wrapping_add(u32::from(crate::num::umul(part, a) != v)) as i32;
+    let part = quotient_up(v, a) as i32;
     if along < 0 { part.wrapping_neg() } else { part }
+}
+
+/// `v / a`, rounded up, for quotients below 2^32.
+///
+/// Bit by bit, for it is rare: a quick quotient of a double word takes 500 bytes of flash.
+fn quotient_up(v: u64, a: u32) -> u32 {
+    let (mut rest, mut part, mut quotient) = (v, u64::from(a) << 32, 0u32);
+    for _ in 0..32 {
+        (part, quotient) = (part >> 1, quotient << 1);
+        if rest >= part {
+            (rest, quotient) = (rest - part, quotient | 1);
+        }
+    }
+    quotient.wrapping_add(u32::from(rest != 0))
 }
 
 /// A way that rises half as far again for each time that the body was pressed.
@@ -194,7 +206,20 @@ fn steeper(d: Raw, rest: Raw, n: Axis, pressed: i32) -> Raw {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, Raw, yielding};
+    use super::{Axis, Raw, quotient_up, yielding};
+
+    /// Against the division of the processor, at both ends of the range and around each multiple.
+    #[test]
+    fn quotients_round_up() {
+        for a in [1u32, 2, 3, 5, 7, 0xffff, 0x1_0000, 0x7fff_ffff, 0xffff_ffff] {
+            for times in [0u64, 1, 2, 3, 0xffff, 0x7fff_ffff, 0xffff_fffe] {
+                for beside in [-1i64, 0, 1] {
+                    let Some(v) = (u64::from(a) * times).checked_add_signed(beside) else { continue };
+                    assert_eq!(u64::from(quotient_up(v, a)), v.div_ceil(u64::from(a)), "{v} / {a}");
+                }
+            }
+        }
+    }
 
     /// The rest leads out of the plane or along it, and not back.
     #[test]

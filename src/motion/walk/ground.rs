@@ -176,7 +176,8 @@ impl<B: Body> Look for Run<'_, B> {
             return None;
         }
         let down = along(up, -DROP);
-        let (mut ways, passes) = (Ways::none(), self.pass_one_way);
+        let passes = self.pass_one_way;
+        let mut ways = Ways::none();
         ways.read::<W, B>(world, &self.moved.body, (down, Toi::ONE), None, passes);
         ways.settle_all(world, &self.moved.body, passes);
         // A way that ends before it leads down by a raw unit leads nowhere: between a corner and a

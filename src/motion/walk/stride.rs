@@ -2,7 +2,7 @@
 
 use super::Support;
 use super::ground::{CONTACT, Ground, Look, along, within};
-use super::walker::{SlopeSpeed, Walked, Walker, length};
+use super::walker::{SlopeSpeed, Walker, length};
 use crate::motion::body::{Body, kernel::Kernel};
 use crate::motion::plane::{
     NEAR, Pipe, SurfaceRole, across, into, lies_along, may_be_askew, project, tangent, tangential, way,
@@ -17,10 +17,10 @@ use crate::query::cast::moment::ratio;
 use crate::shape::Aabb;
 use crate::world::{Feature, Geometry, World};
 
-pub(super) struct Stride<'a, W, B> {
+pub(super) struct Stride<'a, 'm, W, B> {
     pub(super) walker: &'a Walker,
     pub(super) world: &'a W,
-    pub(super) run: Run<'a, B>,
+    pub(super) run: &'a mut Run<'m, B>,
     pub(super) up: Axis,
     /// The normal of the floor.
     pub(super) floor: Axis,
@@ -38,6 +38,13 @@ pub(super) struct Stride<'a, W, B> {
     lands: bool,
 }
 
+/// What a frame ends on, and the heights that it went by.
+pub(super) struct Footing {
+    pub(super) floor: Option<Support>,
+    pub(super) stepped: Fx,
+    pub(super) snapped: Fx,
+}
+
 /// How a blocked body continues.
 enum On {
     /// Along this floor.
@@ -46,12 +53,12 @@ enum On {
     Creeps([Option<Raw>; 2]),
 }
 
-impl<'a, W: World, B: Body> Stride<'a, W, B> {
+impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
     /// How often a blocked body may go by roundings to a position with a way on: down to its floor,
     /// along it, down again, and one attempt to see.
     const CREEPS: u32 = 4;
 
-    pub(super) fn new(walker: &'a Walker, world: &'a W, run: Run<'a, B>, up: Axis, floor: Axis) -> Self {
+    pub(super) fn new(walker: &'a Walker, world: &'a W, run: &'a mut Run<'m, B>, up: Axis, floor: Axis) -> Self {
         let speed = across(run.v, up);
         let lands = run.moved.floor && floor.perp_dot(up) == 0;
         Self {
@@ -71,7 +78,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
     }
 
     /// Walks for the rest of the time.
-    pub(super) fn walk(mut self) -> Result<Walked<B>, MoveError> {
+    pub(super) fn walk(&mut self) -> Result<Footing, MoveError> {
         let mut legs = 0;
         let ground = loop {
             let d = self.leg();
@@ -291,7 +298,7 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
     }
 
     /// Puts the body on the ground, or lets it leave the ground.
-    fn settle(mut self, ground: Option<Ground>) -> Walked<B> {
+    fn settle(&mut self, ground: Option<Ground>) -> Footing {
         let mut support = self.climbed.or_else(|| ground.as_ref().and_then(|ground| self.footing(ground)));
         if support.is_none() && ground.is_some() {
             support = self.run.floor_near(self.world, &self.walker.mover, self.up);
@@ -308,12 +315,12 @@ impl<'a, W: World, B: Body> Stride<'a, W, B> {
                 snapped = if way(made) > NEAR { length(made) } else { Fx::ZERO };
             }
         }
-        Walked { moved: *self.run.end::<W>(), floor: support, stepped: self.stepped, snapped }
+        Footing { floor: support, stepped: self.stepped, snapped }
     }
 }
 
 /// Steps: up, forward, down.
-impl<W: World, B: Body> Stride<'_, W, B> {
+impl<W: World, B: Body> Stride<'_, '_, W, B> {
     /// Climbs the step in front, if there is one: up by its height, forward by the rest of the leg,
     /// down to level ground. Otherwise the body stays where it is.
     #[inline(never)]

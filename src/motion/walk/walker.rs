@@ -2,9 +2,10 @@
 
 use super::Support;
 use super::ground::{Look, leads};
-use super::stride::Stride;
+use super::stride::{Footing, Stride};
 use crate::error::{Quantity, RangeError};
 use crate::motion::order::First;
+use crate::motion::run::Run;
 use crate::motion::search::{Around, check_cells};
 use crate::motion::{Body, MoveError, Moved, Mover};
 use crate::num::{Fx, MOTION, Raw, Vec2};
@@ -223,26 +224,34 @@ impl Walker {
         let mut run = self.mover.start(world, &mut moved, &mut around)?;
         let reach = self.snap.max(self.step);
         check_cells(world, &body.bounds(), Raw { x: reach, y: reach })?;
-        let Some(up) = self.mover.up else {
-            self.mover.slide::<W, B, true>(world, &mut run, &mut First::none())?;
-            return Ok(Walked { moved: *run.end::<W>(), floor: None, stepped: Fx::ZERO, snapped: Fx::ZERO });
-        };
-        let passes = self.mover.passes_one_way();
-        let rises = leads(run.v, up);
+        let Footing { floor, stepped, snapped } = self.go(world, &mut run, floor)?;
+        run.end::<W>();
+        Ok(Walked { moved, floor, stepped, snapped })
+    }
+
+    /// Makes the motion of a frame.
+    fn go<W: World, B: Body>(
+        &self,
+        world: &W,
+        run: &mut Run<'_, B>,
+        floor: Option<Support>,
+    ) -> Result<Footing, MoveError> {
+        let (passes, rises) = (self.mover.passes_one_way(), self.mover.up.is_some_and(|up| leads(run.v, up)));
         let stands = floor.filter(|f| !(rises || (passes && f.one_way))).map(|f| f.axis);
-        let axis = if stands.is_none() {
-            self.mover.slide::<W, B, true>(world, &mut run, &mut First::none())?;
-            run.moved.hits.iter().last().filter(|_| run.moved.floor).map(|hit| hit.axis)
+        let axis = if stands.is_none() || self.mover.up.is_none() {
+            self.mover.slide::<W, B, true>(world, run, &mut First::none())?;
+            run.moved.hits.last().filter(|_| run.moved.floor).map(|hit| hit.axis)
         } else {
             stands
         };
+        let in_air = |floor| Footing { floor, stepped: Fx::ZERO, snapped: Fx::ZERO };
+        let Some(up) = self.mover.up else { return Ok(in_air(None)) };
         run.pass_one_way |= passes;
         if let Some(axis) = axis {
             return Stride::new(self, world, run, up, axis).walk();
         }
         let level = !(leads(run.v, up) || leads(run.v, up.reversed()));
-        let floor = if level { run.floor_near(world, &self.mover, up) } else { None };
-        Ok(Walked { moved: *run.end::<W>(), floor, stepped: Fx::ZERO, snapped: Fx::ZERO })
+        Ok(in_air(if level { run.floor_near(world, &self.mover, up) } else { None }))
     }
 }
 

@@ -153,15 +153,15 @@ impl<A: World, B: World> World for Joined<'_, A, B> {
         JoinedFeatures { pair: *self, a: self.a.features_ahead(way), b: self.b.features_ahead(way) }
     }
 
-    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
+    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
         let mut other = Seen::NOTHING;
-        self.a.look(region, r, seen);
-        self.b.look(region, r, &mut other);
+        let known = self.a.look(region, r, seen) | self.b.look(region, r, &mut other);
         seen.cells = None;
         seen.held = match (seen.held, other.held) {
             (Some(a), Some(b)) => Some(a.union(&b)),
             (a, b) => a.or(b),
         };
+        known
     }
 
     /// The shorter of the two: a piece of a motion then reaches few cells of either level.

@@ -369,7 +369,7 @@ impl<S: SolidShape> World for ConvexSolids<'_, S> {
         ConvexSolids::features(self, way.piece)
     }
 
-    fn look(&self, region: &Aabb, _: Option<i32>, seen: &mut Seen) {
+    fn look(&self, region: &Aabb, _: Option<i32>, seen: &mut Seen) -> bool {
         let all = self.list.iter().map(|solid| solid.shape.extent());
         let near = all.filter(|e| meet::aabb_aabb::<true>(e.lo(), e.hi(), region.lo(), region.hi()));
         // A raw unit larger, for bodies without area on its border.
@@ -377,6 +377,7 @@ impl<S: SolidShape> World for ConvexSolids<'_, S> {
         let held = near.reduce(|a, b| a.union(&b));
         let held = held.map(|all| Aabb::from_raw_unchecked(all.lo().sub(one), all.hi().add(one)));
         *seen = Seen { held, cells: None };
+        false
     }
 
     /// No motion is cut into pieces for them: each piece would look at all of them.

@@ -137,7 +137,11 @@ pub(super) fn full(list: &[Solid]) -> impl Iterator<Item = &Solid> {
 }
 
 pub(super) fn quadrants(list: &[Solid], p: Raw) -> PieceSet {
-    full(list).fold(0, |bits, solid| bits | quadrants_of(solid, p))
+    let mut bits = 0;
+    for solid in full(list) {
+        bits |= quadrants_of(solid, p);
+    }
+    bits
 }
 
 /// Whether the points just in front of a face are in other boxes from end to end: from one end on,
@@ -146,15 +150,16 @@ fn covered(list: &[Solid], solid: &Solid, k: u8) -> bool {
     let (lo, hi) = (solid.lo(), solid.hi());
     let (mut at, end) = if k & 1 == 0 { (lo.x, hi.x) } else { (lo.y, hi.y) };
     while at < end {
-        let reach = full(list)
-            .filter_map(|other| in_front(solid, k, other))
-            .filter(|&(from, to)| from <= at && to > at)
-            .map(|(_, to)| to)
-            .max();
-        match reach {
-            Some(to) => at = to,
-            None => return false,
+        let mut reach = at;
+        for (from, to) in full(list).filter_map(|other| in_front(solid, k, other)) {
+            if from <= at && to > reach {
+                reach = to;
+            }
         }
+        if reach == at {
+            return false;
+        }
+        at = reach;
     }
     true
 }

@@ -214,14 +214,19 @@ impl World for Solids<'_> {
         Solids::features(self, way.piece).against(way.d)
     }
 
-    fn look(&self, region: &Aabb, _: Option<i32>, seen: &mut Seen) {
-        let meets = |s: &&Solid| meet::aabb_aabb::<true>(s.lo(), s.hi(), region.lo(), region.hi());
-        let all = self.list.iter().filter(meets).map(Solid::shape);
+    fn look(&self, region: &Aabb, _: Option<i32>, seen: &mut Seen) -> bool {
+        let mut held: Option<Aabb> = None;
+        // A fold would divide by the size of a solid, which links a division.
+        for solid in self.list {
+            if meet::aabb_aabb::<true>(solid.lo(), solid.hi(), region.lo(), region.hi()) {
+                held = Some(held.map_or(solid.shape(), |all| all.union(&solid.shape())));
+            }
+        }
         // A raw unit larger, for one-way faces on its border.
         let one = Raw { x: 1, y: 1 };
-        let held = all.reduce(|a, b| a.union(&b));
         let held = held.map(|all| Aabb::from_raw_unchecked(all.lo().sub(one), all.hi().add(one)));
         *seen = Seen { held, cells: None };
+        false
     }
 
     /// No motion is cut into pieces for them: each piece would look at all of them.

@@ -80,6 +80,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 
     /// Those that a query asks for.
+    #[inline(never)]
     pub(super) const fn features_for(&self, look: &CellQuery) -> Features<'_, S, T> {
         let range = self.solid_range(self.closed_range(look.region.0, look.region.1));
         Features { map: self, look: *look, walk: self.walk_of(range, Range::NONE), surface: S::CellSurface::NONE }

@@ -92,8 +92,8 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     }
 
     #[inline]
-    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
-        TileMap::look(self, region, r, seen);
+    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
+        TileMap::look(self, region, r, seen)
     }
 
     #[inline]
@@ -187,8 +187,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The cells of a region that a body may meet, and the box around them; see
     /// [`World::look`](crate::world::World::look).
     #[inline(never)]
-    pub(in crate::world) fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) {
-        let found = match self.range_inside(region.lo(), region.hi()) {
+    pub(in crate::world) fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
+        let inside = self.range_inside(region.lo(), region.hi());
+        let found = match inside {
             Some(range) => self.met(range, Range::NOWHERE, region, r),
             None => self.met_beyond(region, r),
         };
@@ -196,6 +197,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if seen.held.is_some() {
             seen.cells = Some(Cells::of(found));
         }
+        // The map is in the domain.
+        inside.is_some()
     }
 
     /// The cells of a region inside the map: a quotient an axis, from where it is stepped.
@@ -216,38 +219,41 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[inline(never)]
     fn met_beyond(&self, region: &Aabb, r: Option<i32>) -> Range {
         let range = self.open_range(region.lo(), region.hi());
-        match self.outside {
-            Outside::Empty => self.met(self.inside(range), Range::NOWHERE, region, r),
-            // Blocks at the border represent everything beyond it. A region entirely beyond it has
-            // no cell inside.
-            Outside::Edge if !S::SHAPED => self.met(self.solid_range(range), Range::NOWHERE, region, r),
+        let (range, found) = match self.outside {
+            Outside::Empty => (self.inside(range), Range::NOWHERE),
+            // Blocks at the border represent everything beyond it.
+            Outside::Edge if !S::SHAPED => (self.solid_range(range), Range::NOWHERE),
             Outside::Solid | Outside::Edge => {
                 let inside = self.inside(range);
-                self.met(inside, beyond(range, inside), region, r)
+                (inside, beyond(range, inside))
             }
-        }
+        };
+        // A region entirely beyond the map has no cell inside.
+        if range.x0 > range.x1 || range.y0 > range.y1 { found } else { self.met(range, found, region, r) }
     }
 
     /// The cells of a range of the map that a body in the region may meet, and another range with
-    /// them.
+    /// them. The range has a cell, so both loops ask after the first one.
     fn met(&self, range: Range, mut found: Range, region: &Aabb, r: Option<i32>) -> Range {
-        if range.x0 > range.x1 {
-            return found;
-        }
         let (mut y, mut row) = (range.y0, self.place(range.x0, range.y0));
-        while y <= range.y1 {
+        loop {
             let x0 = if T::OCCUPIED { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
             let (mut x, mut tile) = (x0, row.wrapping_add(x0.wrapping_sub(range.x0) as u32));
-            while x <= range.x1 {
+            while !T::OCCUPIED || x <= range.x1 {
                 let id = self.id_at(tile);
                 if !self.kinds.is_empty(id) {
                     self.meet(&mut found, id, (x, y), region, r);
                 }
+                if x >= range.x1 {
+                    break;
+                }
                 (x, tile) = (x.wrapping_add(1), tile.wrapping_add(1));
+            }
+            if y >= range.y1 {
+                return found;
             }
             (y, row) = (y.wrapping_add(1), row.wrapping_add(u32::from(self.stride)));
         }
-        found
     }
 
     /// Apart from the walk, which mostly comes to empty tiles and needs the registers.
@@ -322,6 +328,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The cells of a range that can hold solid. Where the border is repeated, border blocks stand
     /// for the bands beyond them, and shaped ones have separate bands. There is nothing outside
     /// where that is empty.
+    #[inline(never)]
     pub(in crate::world) const fn solid_range(&self, r: Range) -> Range {
         match self.outside {
             Outside::Solid => r,
