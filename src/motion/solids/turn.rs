@@ -122,11 +122,15 @@ impl<'a, S: SolidShape> Turn<'a, S> {
                 beside(n);
             }
             if B::ANGULAR {
-                // The side that the corner would come through, on a straight way.
-                let vertex = self.solid.piece((i as u16).wrapping_mul(5).wrapping_add(1));
-                let met = vertex.and_then(|vertex| body.sweep(self.of_corner(i).reversed(), &vertex));
-                if let Some(entry) = met {
-                    beside(entry.normal);
+                // The side that the corner would come through on a straight way, if the body stays,
+                // or as it goes by `d`.
+                let by = self.of_corner(i);
+                if let Some(vertex) = self.solid.piece((i as u16).wrapping_mul(5).wrapping_add(1)) {
+                    for way in [by.reversed(), d.sub(by)] {
+                        if let Some(entry) = body.sweep(way, &vertex) {
+                            beside(entry.normal);
+                        }
+                    }
                 }
             } else if B::MEETS_CORNERS {
                 let (lo, hi) = body.core_box();
