@@ -42,7 +42,7 @@
 //! | a character with rules of your own | [`Walker`], [`Mover::ride`] |
 //! | anything that moves and hits | [`Mover::move_and_slide`] |
 //! | lifts, doors, crushers | [`Solid`], [`Solids`] |
-//! | sloped lifts, bumpers, platforms that turn | [`ConvexSolid`](world::ConvexSolid), [`Mover::ride_convex`] |
+//! | sloped lifts, bumpers, platforms that turn | [`ConvexSolid`](world::ConvexSolid), [`Character::step_on`], [`Mover::ride_convex`] |
 //! | a level of tiles: blocks, halves, slopes, quarter arcs | [`TileMap`], [`TileKinds`], [`TileShape`] |
 //! | a level of polygons, walls, one-way chains | [`SegmentMap`], built by the compiler with [`segment_map!`] |
 //! | two levels as one | [`Joined`] |

@@ -119,6 +119,7 @@ programs=(
     'move_turned_shapes:move_and_slide, turned box, AllShapes:0'
     'ride_aabb:ride on solids, AABB, Blocks:0'
     'ride_circle:ride on solids, circle, Blocks:0'
+    'ride_convex:ride on convex solids, circle, Blocks:0'
     'solids_aabb:a game with solids, AABB, Blocks:0'
     'solids_circle:a game with solids, circle, Blocks:0'
     'pairs_brute:broad phase of 64, brute:0'

@@ -1,9 +1,10 @@
-//! Balls on a pinball table with bumpers, slingshots and a kicker. Run it with `cargo run --release
+//! Balls on a pinball table with bumpers, slingshots, flippers and a kicker. Run it with `cargo run --release
 //! --example pinball [-- FILE.png]`.
 //!
-//! `tilesat_games::pinball` is the game. Its table is tiles, joined to polygons. Its balls fall and
-//! bounce on a surface that takes a little of their speed, and the bumpers push them. The picture,
-//! `target/pinball.png`, shows the ways of five balls in twenty seconds.
+//! `tilesat_games::pinball` is the game. Its table is tiles, joined to polygons and to two planks
+//! that turn. Its balls fall and bounce on a surface that takes a little of their speed, and bumpers
+//! and flippers push them. The picture, `target/pinball.png`, shows the ways of five balls in twenty
+//! seconds.
 #![allow(unreachable_pub, reason = "a program has no public interface; `pub` marks items that its other files use")]
 #![allow(
     clippy::std_instead_of_core,
@@ -15,7 +16,7 @@
 use std::process::ExitCode;
 
 use tilesat::{Joined, MoveError, Vec2, World};
-use tilesat_games::pinball::{Ball, RADIUS, table};
+use tilesat_games::pinball::{Ball, Flippers, RADIUS, table};
 use tilesat_tools::fail::{Fail, Result};
 use tilesat_tools::picture::ink::{BOUNCE, COIN, CROSS, Ink, SLIDE, TOUCH};
 use tilesat_tools::picture::sketch::{self, Sketch};
@@ -32,6 +33,7 @@ fn play() -> Result<()> {
     let tiles = table::tiles().map_err(|e| Fail::new(e.to_string()))?;
     let table = Joined::new(&tiles, &table::SLINGSHOTS);
     let mut sketch = Sketch::new(&table, table::SIZE, 2);
+    let mut flippers = Flippers::new().map_err(|e| Fail::new(e.to_string()))?;
     let mut fastest = 0;
     let mut meetings = 0;
     let start = |i: usize| {
@@ -43,6 +45,9 @@ fn play() -> Result<()> {
     let mut ways: Vec<Vec<Vec2>> = balls.iter().map(|ball| vec![ball.body.centre()]).collect();
     for frame in 0..FRAMES {
         let fail = |e: MoveError| Fail::new(format!("frame {frame}: {e}"));
+        flippers.step(&table, &mut balls).map_err(fail)?;
+        let planks = flippers.level();
+        let table = Joined::new(&table, &planks);
         for i in 0..balls.len() {
             balls[i].step(&table).map_err(fail)?;
             let (before, rest) = balls.split_at_mut(i);
@@ -58,13 +63,18 @@ fn play() -> Result<()> {
             way.push(ball.body.centre());
         }
     }
+    for solid in flippers.level().list() {
+        let [a, b, c, d] = solid.shape().corners();
+        sketch.way(&[a, b, c, d, a], 2.0, COIN);
+    }
     for ((ball, way), ink) in balls.iter().zip(&ways).zip(INKS) {
         sketch.way(way, 1.2, ink.alpha(0.6));
         sketch.ring(ball.body.centre(), RADIUS.to_num(), 3.0, ink);
     }
-    let (bumps, kicks) = balls.iter().fold((0, 0), |(bumps, kicks), ball| (bumps + ball.bumps, kicks + ball.kicks));
+    let sum = |count: fn(&Ball) -> u32| balls.iter().map(count).sum::<u32>();
+    let (bumps, kicks, flips) = (sum(|b| b.bumps), sum(|b| b.kicks), sum(|b| b.flips));
     let summary = format!(
-        "balls={} frames={FRAMES} meetings={meetings} bumps={bumps} kicks={kicks} fastest={:.2}",
+        "balls={} frames={FRAMES} meetings={meetings} bumps={bumps} kicks={kicks} flips={flips} fastest={:.2}",
         balls.len(),
         f64::from(fastest) / 65536.0
     );

@@ -8,7 +8,8 @@ use crate::shape::Aabb;
 use crate::world::{Solids, World};
 
 /// The hero of a platformer: it runs, jumps, walks on slopes and steps, drops through platforms and
-/// rides on [`Solid`](crate::Solid)s.
+/// rides on [`Solid`](crate::Solid)s, or on solids of
+/// [any convex shape](crate::world::ConvexSolid).
 ///
 /// One call per frame does all of it: [`step`](Self::step), or [`step_on`](Self::step_on) if solids
 /// move. Each links only the code that it uses. `B` is the body: an [`Aabb`], a

@@ -193,5 +193,6 @@ pub use memo::Memo;
 pub use moved::{Hit, Hits, MoveError, Moved, Stuck, Work};
 pub use mover::Mover;
 pub use response::{Acceleration, ByFlags, ByHit, Carry, Energy, Masses, Response, Responses, Smooth, Speed, Surface};
+pub use rider::MovingSolid;
 pub use solids::{Ridden, Ride};
 pub use walk::{SlopeSpeed, Support, Walked, Walker};

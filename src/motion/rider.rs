@@ -2,17 +2,93 @@
 
 use super::character::refused;
 use super::feel::{Input, Outcome, Step};
-use super::{Body, Character, Ride};
+use super::{Body, Character, MoveError, Mover, Ridden, Ride};
 use crate::error::RangeError;
 use crate::num::{Fx, Vec2};
-use crate::world::{Joined, Solid, Solids, World};
+use crate::world::{ConvexSolid, ConvexSolids, Joined, Solid, SolidShape, Solids, World, sealed};
+
+/// A kind of solid that a [`Character`] rides on: a [`Solid`] or a [`ConvexSolid`]. Sealed.
+pub trait MovingSolid: Copy + sealed::Sealed {
+    /// A list of them as a level.
+    type Level<'a>: World
+    where
+        Self: 'a;
+
+    #[doc(hidden)]
+    fn level(list: &[Self]) -> Self::Level<'_>;
+
+    #[doc(hidden)]
+    fn move_each(list: &mut [Self]);
+
+    #[doc(hidden)]
+    fn ride<W: World, B: Body>(
+        mover: &Mover,
+        level: &W,
+        list: &[Self],
+        body: &B,
+        follow: Fx,
+    ) -> Result<Ridden<B>, MoveError>;
+}
+
+impl sealed::Sealed for Solid {}
+
+impl MovingSolid for Solid {
+    type Level<'a> = Solids<'a>;
+
+    fn level(list: &[Self]) -> Solids<'_> {
+        Solids::new(list)
+    }
+
+    fn move_each(list: &mut [Self]) {
+        Self::move_all(list);
+    }
+
+    fn ride<W: World, B: Body>(
+        mover: &Mover,
+        level: &W,
+        list: &[Self],
+        body: &B,
+        follow: Fx,
+    ) -> Result<Ridden<B>, MoveError> {
+        mover.ride(level, list, body, follow)
+    }
+}
+
+impl<S: SolidShape> sealed::Sealed for ConvexSolid<S> {}
+
+impl<S: SolidShape> MovingSolid for ConvexSolid<S> {
+    type Level<'a>
+        = ConvexSolids<'a, S>
+    where
+        S: 'a;
+
+    fn level(list: &[Self]) -> ConvexSolids<'_, S> {
+        ConvexSolids::new(list)
+    }
+
+    fn move_each(list: &mut [Self]) {
+        Self::move_all(list);
+    }
+
+    fn ride<W: World, B: Body>(
+        mover: &Mover,
+        level: &W,
+        list: &[Self],
+        body: &B,
+        follow: Fx,
+    ) -> Result<Ridden<B>, MoveError> {
+        mover.ride_convex(level, list, body, follow)
+    }
+}
 
 /// What [`Character::ride`] answers.
-type Ridden = Result<(Outcome, Vec2), RangeError>;
+type Carried = Result<(Outcome, Vec2), RangeError>;
 
 impl<B: Body> Character<B> {
     /// Moves the character for one frame among moving solids. They carry or push it, then all go by
-    /// their [motions](Solid::with_motion), and then the character walks.
+    /// their [motions](Solid::with_motion) or [turns](ConvexSolid::with_turn), and then the
+    /// character walks. They are boxes or [`ConvexSolid`]s; a game with boxes links no code for the
+    /// others.
     ///
     /// When the call returns, all solids have moved, even if it returns an error. So call it once
     /// per frame. For several characters on the same solids there is [`step_all`](Self::step_all).
@@ -21,7 +97,8 @@ impl<B: Body> Character<B> {
     /// flight is that on still ground. In the frame of the jump the character moves by its own
     /// velocity only.
     ///
-    /// Cost: [`Mover::ride`](crate::Mover::ride) and [`Walker::walk`](crate::Walker::walk) in a [`Joined`] level.
+    /// Cost: [`Mover::ride`] or [`Mover::ride_convex`], and [`Walker::walk`](crate::Walker::walk) in a
+    /// [`Joined`] level.
     ///
     /// ```
     /// use tilesat::{Aabb, Character, Feel, Input, Outcome, Solid, TileKinds, TileMap, Vec2};
@@ -38,12 +115,37 @@ impl<B: Body> Character<B> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
+    /// A seesaw, which turns:
+    ///
+    /// ```
+    /// use tilesat::world::ConvexSolid;
+    /// use tilesat::{Aabb, Axis, Character, Feel, Input, OrientedBox, TileKinds, TileMap, Vec2};
+    /// let level = TileMap::from_ascii("......\n......", &TileKinds::EMPTY)?;
+    /// let plank = |rise| OrientedBox::new(Vec2::from_ints(48, 24), Vec2::from_ints(40, 2), Axis::new(80, rise));
+    /// let mut seesaw = [ConvexSolid::new(plank(0)?, 7)?];
+    /// let body = Aabb::new(Vec2::from_ints(60, 8), Vec2::from_ints(68, 22))?;
+    /// let mut hero = Character::new(body, level.bounds(), Feel::DEFAULT);
+    /// let _ = hero.step(&level, Input::default())?;
+    /// for rise in 1..=10 {
+    ///     seesaw[0] = seesaw[0].with_turn(plank(-2 * rise)?)?; // its right end goes up
+    ///     let _ = hero.step_on(&level, &mut seesaw, Input::default())?;
+    /// }
+    /// assert_eq!(hero.ridden(), Some(7));
+    /// assert!(hero.body().min().y < 6); // 2 units higher than at first, and more
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`step`](Self::step).
-    pub fn step_on<W: World>(&mut self, level: &W, solids: &mut [Solid], input: Input) -> Result<Step, RangeError> {
+    pub fn step_on<W: World, M: MovingSolid>(
+        &mut self,
+        level: &W,
+        solids: &mut [M],
+        input: Input,
+    ) -> Result<Step, RangeError> {
         let mut next = *self;
         let ridden = next.ride_on(level, solids, input.drop);
-        Solid::move_all(solids);
+        M::move_each(solids);
         let step = next.walk_on(level, solids, input, ridden)?;
         *self = next;
         Ok(step)
@@ -53,7 +155,7 @@ impl<B: Body> Character<B> {
     /// [`step_on`](Self::step_on) moves one. They do not affect each other.
     ///
     /// If their number changes while the game runs, call [`ride`](Self::ride) for each, then
-    /// [`Solid::move_all`], then [`step_carried`](Self::step_carried) for each.
+    /// [`Solid::move_all`] or [`ConvexSolid::move_all`], then [`step_carried`](Self::step_carried) for each.
     ///
     /// ```
     /// use tilesat::{Aabb, Character, Feel, Input, Outcome, Solid, TileKinds, TileMap, Vec2, fx};
@@ -76,10 +178,10 @@ impl<B: Body> Character<B> {
     /// As [`step`](Self::step), for the first character that has one. All characters are then
     /// unchanged.
     #[doc(alias("multiplayer", "co-op"))]
-    pub fn step_all<W: World, const N: usize>(
+    pub fn step_all<W: World, M: MovingSolid, const N: usize>(
         characters: &mut [Self; N],
         level: &W,
-        solids: &mut [Solid],
+        solids: &mut [M],
         inputs: &[Input; N],
     ) -> Result<[Step; N], RangeError> {
         let mut next = *characters;
@@ -87,7 +189,7 @@ impl<B: Body> Character<B> {
         for ((one, input), ridden) in next.iter_mut().zip(inputs).zip(&mut rides) {
             *ridden = one.ride_on(level, solids, input.drop);
         }
-        Solid::move_all(solids);
+        M::move_each(solids);
         let mut steps = [Step::nothing(Outcome::Moved); N];
         for (((one, input), ridden), step) in next.iter_mut().zip(inputs).zip(rides).zip(&mut steps) {
             *step = one.walk_on(level, solids, *input, ridden)?;
@@ -130,9 +232,15 @@ impl<B: Body> Character<B> {
     ///
     /// # Errors
     /// As [`step`](Self::step).
-    pub fn ride<W: World>(&mut self, level: &W, solids: &[Solid], drop: bool) -> Result<(Outcome, Vec2), RangeError> {
+    pub fn ride<W: World, M: MovingSolid>(
+        &mut self,
+        level: &W,
+        solids: &[M],
+        drop: bool,
+    ) -> Result<(Outcome, Vec2), RangeError> {
         let follow = if self.floor.is_some() { self.feel.snap } else { self.falls().saturating_add(self.pull()) };
-        let ridden = self.mover().with_drop_through(drop).ride(level, solids, &self.body, follow.max(Fx::ZERO));
+        let mover = self.mover().with_drop_through(drop);
+        let ridden = M::ride(&mover, level, solids, &self.body, follow.max(Fx::ZERO));
         match ridden {
             Ok(ridden) => {
                 self.body = ridden.body;
@@ -147,20 +255,20 @@ impl<B: Body> Character<B> {
     }
 
     /// Rides in the type of level that [`walk_on`](Self::walk_on) uses, which links the mover once.
-    fn ride_on<W: World>(&mut self, level: &W, solids: &[Solid], drop: bool) -> Ridden {
-        self.ride(&Joined::new(level, &Solids::new(&[])), solids, drop)
+    fn ride_on<W: World, M: MovingSolid>(&mut self, level: &W, solids: &[M], drop: bool) -> Carried {
+        self.ride(&Joined::new(level, &M::level(&[])), solids, drop)
     }
 
     /// Walks where the solids are now, unless they squashed it.
-    fn walk_on<W: World>(
+    fn walk_on<W: World, M: MovingSolid>(
         &mut self,
         level: &W,
-        solids: &[Solid],
+        solids: &[M],
         input: Input,
-        ridden: Ridden,
+        ridden: Carried,
     ) -> Result<Step, RangeError> {
         match ridden? {
-            (Outcome::Moved, carry) => self.step_carried(&Joined::new(level, &Solids::new(solids)), input, carry),
+            (Outcome::Moved, carry) => self.step_carried(&Joined::new(level, &M::level(solids)), input, carry),
             (outcome, _) => Ok(Step::nothing(outcome)),
         }
     }

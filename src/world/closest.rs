@@ -4,6 +4,7 @@ use super::joined::Joined;
 use super::level::{Feature, Geometry, World, ends, in_quadrant, normal, precedes, raw};
 use super::measure::Measure;
 use super::segment_map::SegmentMap;
+use super::solids::convex::{ConvexSolids, SolidShape};
 use super::tile_map::{Set, Store, TileMap};
 use crate::error::RangeError;
 use crate::num::{
@@ -97,6 +98,29 @@ closest_point_of! {
     /// # Errors
     /// As [`TileMap::closest_point`].
     [] SegmentMap<'_>
+}
+
+closest_point_of! {
+    /// The point of the solids' borders, where they are now, that is nearest to `p` and at most
+    /// `within` away; as [`TileMap::closest_point`].
+    ///
+    /// No border is one-way. From inside of solids that overlap, the border of one that lies in the
+    /// other is surface too.
+    ///
+    /// Cost: all pieces of the solids whose box is within reach, once.
+    ///
+    /// ```
+    /// use tilesat::world::{ConvexSolid, ConvexSolids, OneWay};
+    /// use tilesat::{Axis, Circle, Vec2, fx};
+    /// let bumper = [ConvexSolid::new(Circle::new(Vec2::from_ints(40, 8), fx!(5))?, 3)?];
+    /// let near = ConvexSolids::new(&bumper).closest_point(Vec2::from_ints(34, 16), fx!(20), OneWay::Ignore)?.unwrap();
+    /// assert_eq!((near.point, near.distance), (Vec2::from_ints(37, 12), fx!(5)));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`TileMap::closest_point`].
+    [S: SolidShape] ConvexSolids<'_, S>
 }
 
 closest_point_of! {

@@ -105,7 +105,7 @@ fn free_line(w: u64, c: u64, f: u64, d: u64) -> Ordering {
 
 /// The product of two numbers below 2^124, high words first, which compares as a number.
 #[inline(never)]
-fn product(a: (u64, u64), b: (u64, u64)) -> ((u64, u64), (u64, u64)) {
+pub(in crate::world) fn product(a: (u64, u64), b: (u64, u64)) -> ((u64, u64), (u64, u64)) {
     let (low, high) = (mul64(a.1, b.1), mul64(a.0, b.0));
     // Below 2^125.
     let mid = add128(mul64(a.0, b.1), mul64(a.1, b.0));

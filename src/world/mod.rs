@@ -35,9 +35,6 @@
 //! | `Segment` | none: as an `AnyShape` | none: it has no inside that could be pushed out | none: [`line_of_sight`](TileMap::line_of_sight) asks for the whole segment | none: nothing to carry |
 //! | a point (`Vec2`) | a box without size | none: as a segment | `cast_ray` | none: as a segment |
 //!
-//! [`ConvexSolids`] have no `cast_ray` and no `closest_point`: each shape has its own. So a
-//! [`Joined`] pair with them has no `cast_ray` either.
-//!
 //! `distance` and `manifold` are verbs of two shapes. Of a level the nearest point is
 //! [`closest_point`](TileMap::closest_point), and two points of contact are two contacts.
 //!
@@ -50,14 +47,13 @@ mod cell;
 mod closest;
 mod contacts;
 mod convex;
+mod convex_bodies;
 mod error;
 mod grid;
 mod joined;
 mod level;
 mod measure;
-mod meets;
 mod placed;
-mod push_convex;
 mod ray;
 mod rooms;
 mod segment_map;
@@ -86,6 +82,7 @@ pub use rooms::{Room, Rooms};
 pub use segment_map::{Path, PathKind, SegmentFeatures, SegmentMap, SegmentRayHits, Size};
 pub use solids::Solids;
 pub use solids::convex::{ConvexFeatures, ConvexSolid, ConvexSolids, SolidShape};
+pub use solids::convex_ray::ConvexRayHits;
 pub use solids::features::SolidFeatures;
 pub use solids::ray::SolidRayHits;
 pub use solids::solid::{Side, Solid};

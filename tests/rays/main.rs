@@ -4,6 +4,7 @@
 #![cfg(not(target_os = "none"))]
 
 mod blocks;
+mod convex_solids;
 mod segments;
 mod shapes;
 mod shapes_scenes;

@@ -4,7 +4,7 @@
 
 use crate::same::bytes;
 use crate::values::{
-    Grid, Hash, Near, bouncer, grid, hash, heroes, lists, rope, scene, shapes, solids, springs, walker,
+    Grid, Hash, Near, bouncer, convex_solids, grid, hash, heroes, lists, rope, scene, shapes, solids, springs, walker,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -139,6 +139,7 @@ fn parts_of_games() {
     all(&turned);
     all(&polygons);
     all(&solids());
+    all(&convex_solids());
     let (events, exceptions) = lists();
     both(&events, 1, |mut it| {
         let _ = it.finish(|_| true);

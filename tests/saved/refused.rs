@@ -1,6 +1,6 @@
 //! A wrong state is refused, with the fault and its place.
 
-use crate::values::{EDGE, Near, bouncer, grid, heroes, lists, rope, rubber, scene, solids, walker};
+use crate::values::{EDGE, Near, bouncer, convex_solids, grid, heroes, lists, rope, rubber, scene, solids, walker};
 use core::fmt::Debug;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -59,6 +59,11 @@ fn parts_of_games() {
     refused::<Solid>(&solids()[1], "/shape/max/x/bits", json!(0), &["Solid", "Width"]);
     refused::<Solid>(&solids()[1], "/motion/x/bits", json!(1 << 28), &["Solid", "MotionX"]);
     refused::<Solid>(&solids()[1], "/one_way", json!("Inside"), &["Inside"]);
+    let [_, moves, turns] = convex_solids()[..] else { panic!("three") };
+    refused(&moves, "/version", json!(2), &["version 2 is unknown"]);
+    refused(&moves, "/change/Moves/x/bits", json!(1 << 28), &["ConvexSolid", "MotionX"]);
+    refused(&moves, "/shape/Circle/radius/bits", json!(0), &["ConvexSolid", "Area"]);
+    refused(&turns, "/change/Turns/OrientedBox/radius/bits", json!(9), &["ConvexSolid", "Rounding"]);
     refused::<Walker>(&walker(), "/snap/bits", json!(-1), &["Walker", "Snap"]);
     refused::<Walker>(&walker(), "/step/bits", json!(1 << 28), &["Walker", "StepHeight"]);
     refused::<Walker>(&walker(), "/mover/version", json!(0), &["version 0 is unknown"]);

@@ -1,6 +1,8 @@
 //! A restored state equals the saved one, bit for bit, through bytes and through text.
 
-use crate::values::{Near, bouncer, grid, hash, heroes, lists, rope, rubber, scene, shapes, solids, springs, walker};
+use crate::values::{
+    Near, bouncer, convex_solids, grid, hash, heroes, lists, rope, rubber, scene, shapes, solids, springs, walker,
+};
 use core::fmt::Debug;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -44,6 +46,7 @@ fn plain_states_are_the_same() {
     let none = serde_json::from_str::<Compound<AnyShape<5>, 8>>("{\"parts\":[]}");
     assert!(none.unwrap_err().to_string().contains("a compound needs a part"));
     solids().iter().for_each(same);
+    convex_solids().iter().for_each(same);
     heroes().iter().for_each(same);
     same(&walker());
     same(&Mover::new());

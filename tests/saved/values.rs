@@ -5,6 +5,8 @@ use tilesat::broad::{BroadPhase, Exceptions, Ignore, LooseGrid, PairEvents, Sort
 use tilesat::motion::response::{Link, Masses, Particle, Quiet, Stick};
 use tilesat::motion::{Acceleration, ByFlags, Carry, Energy, Responses, Speed};
 use tilesat::scene::{SceneBody, SceneTag};
+use tilesat::shape::AnyShape;
+use tilesat::world::ConvexSolid;
 use tilesat::{
     Aabb, Axis, Capsule, Character, Circle, ConvexPolygon, Feel, Filter, Fx, Input, LayerMask, Mover, OrientedBox,
     Ratio, Response, Scene, Segment, Side, Solid, Surface, TileKind, TileKinds, TileMap, Toi, Vec2, Walker, fx,
@@ -75,6 +77,16 @@ pub(crate) fn solids() -> Vec<Solid> {
     let still = Solid::new(shape, 7).unwrap();
     let belt = still.with_one_way(Side::Up).with_flags(9).with_conveyor(Vec2::from_ints(1, 0)).unwrap();
     vec![still, belt.with_motion(Vec2::from_ints(-2, 5)).unwrap()]
+}
+
+/// At rest, moving and turning.
+pub(crate) fn convex_solids() -> Vec<ConvexSolid<AnyShape<5>>> {
+    let bumper = Circle::new(Vec2::from_ints(40, 8), fx!(6)).unwrap();
+    let plank = |rise| OrientedBox::new(Vec2::from_ints(9, 40), Vec2::from_ints(20, 2), Axis::new(90, rise)).unwrap();
+    let still = |shape: AnyShape<5>, key| ConvexSolid::new(shape, key).unwrap();
+    let turns = still(plank(0).into(), 65_535).with_turn(plank(3).into()).unwrap();
+    let moves = still(bumper.into(), 7).with_motion(Vec2::from_ints(-2, 5)).unwrap();
+    vec![still(bumper.into(), 0), moves.with_flags(9), turns]
 }
 
 pub(crate) type Rope = ([Particle; 2], Link, Masses, Acceleration, Carry, Energy, Quiet, Filter, Toi, Ratio);

@@ -4,6 +4,7 @@
 
 mod carry;
 mod character;
+mod character_convex;
 mod character_launches;
 mod character_lifts;
 mod character_looks;

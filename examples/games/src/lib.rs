@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`bullets`] | 240 bullets, 32 enemies and a player: pairs and events in fixed memory |
 //! | [`ninja`] | one circle among all tile shapes: slopes, quarter pipes, wall jumps |
-//! | [`pinball`] | balls on a table of tiles and polygons: bumpers, slingshots, a kicker |
+//! | [`pinball`] | balls on a table of tiles and polygons: bumpers, slingshots, a kicker, flippers |
 //! | [`platformer`] | a scripted player, 16 boxes and 16 balls in a baked level |
 //! | [`platforms`] | a walker on lifts, on a conveyor, on steps and under a crusher |
 //! | [`racing`] | a car that turns, crates, and a marshal behind a turnstile |

@@ -108,31 +108,37 @@ impl<'a, S: SolidShape> Turn<'a, S> {
             let press = Press::of::<true>(self.solid.key(), self.of_corner(corner), next_n);
             best = Some((rank, (feature, HalfPlane { normal: next_n, at: to.add(out) }, press)));
         };
-        for i in 0..p.corners.len() {
-            let there = wrapped(i.wrapping_add(self.shift), &q);
-            consider(i, p.facing_normal(i).reversed(), q.facing_normal(there).reversed(), q.corner(there), 0);
-            let here = p.corner(i);
-            let mut beside = |n: Axis| {
-                if !n.is_zero() && p.corners.iter().all(|c| along(n, Raw::of(*c).sub(here)) <= 0) {
-                    let (foremost, _) = q.facing(n.perp().reversed());
-                    consider(i, n, n, q.corner(foremost), 1);
-                }
-            };
-            for n in [Axis::X, Axis::NEG_X, Axis::Y, Axis::NEG_Y] {
-                beside(n);
+        // Between the body and the corners of the solid that are first in a direction, then and now.
+        let mut beside = |n: Axis| {
+            if !n.is_zero() {
+                let ahead = n.perp().reversed();
+                consider(p.facing(ahead).0, n, n, q.corner(q.facing(ahead).0), 1);
             }
+        };
+        for n in [Axis::X, Axis::NEG_X, Axis::Y, Axis::NEG_Y] {
+            beside(n);
+        }
+        for i in 0..p.corners.len() {
             if B::ANGULAR {
-                // The side that the corner would come through, on a straight way.
-                let vertex = self.solid.piece((i as u16).wrapping_mul(5).wrapping_add(1));
-                let met = vertex.and_then(|vertex| body.sweep(self.of_corner(i).reversed(), &vertex));
-                if let Some(entry) = met {
-                    beside(entry.normal);
+                // The side that the corner would come through on a straight way, if the body stays,
+                // or as it goes by `d`.
+                let by = self.of_corner(i);
+                if let Some(vertex) = self.solid.piece((i as u16).wrapping_mul(5).wrapping_add(1)) {
+                    for way in [by.reversed(), d.sub(by)] {
+                        if let Some(entry) = body.sweep(way, &vertex) {
+                            beside(entry.normal);
+                        }
+                    }
                 }
             } else if B::MEETS_CORNERS {
-                let (lo, hi) = body.core_box();
+                let (here, (lo, hi)) = (p.corner(i), body.core_box());
                 let m = Raw { x: here.x.clamp(lo.x, hi.x), y: here.y.clamp(lo.y, hi.y) }.sub(here);
                 beside(Axis::new(m.x, m.y));
             }
+        }
+        for i in 0..p.corners.len() {
+            let there = wrapped(i.wrapping_add(self.shift), &q);
+            consider(i, p.facing_normal(i).reversed(), q.facing_normal(there).reversed(), q.corner(there), 0);
         }
         if clear { None } else { best.map(|(_, bound)| bound) }
     }

@@ -76,7 +76,8 @@ pub struct RayHit {
     /// Whether the ray started inside the solid; only with [`Inside::Hit`].
     pub inside: bool,
     /// The work done: cells entered, the first and the last one included; of
-    /// [`Solids`](crate::world::Solids) the boxes looked at.
+    /// [`Solids`](crate::world::Solids) and [`ConvexSolids`](crate::world::ConvexSolids) the solids
+    /// looked at.
     pub cells: u32,
 }
 

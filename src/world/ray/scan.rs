@@ -231,21 +231,8 @@ impl<'w, L: RayLevel> Scan<'w, L> {
         self.best = Some(Met { feature: *feature, touch: *touch });
     }
 
-    #[inline(never)]
     fn hit(&self, met: &Met) -> RayHit {
-        let (toi, by, axis) = match (met.touch.time, met.feature.geometry) {
-            (Some(time), _) => straight::<L>(self.d, time, met.touch.normal),
-            (None, Geometry::Arc { centre, radius, convex, .. }) if L::ROUND => {
-                let m = self.o.sub(Raw::of(centre));
-                let (toi, by) = arc_contact(m, self.d, radius, convex);
-                let at = m.add(by);
-                let axis = Axis::new(at.x, at.y);
-                (toi, by, if convex { axis } else { axis.reversed() })
-            }
-            // Only arcs have no time.
-            (None, _) => (Toi::ZERO, Raw { x: 0, y: 0 }, met.touch.normal),
-        };
-        hit_of(&met.feature, (toi, self.o.add(by), axis), self.walk.cells)
+        hit_at::<L>(self.o, self.d, met, self.walk.cells)
     }
 
     /// The hit of a start inside.
@@ -270,6 +257,24 @@ impl<'w, L: RayLevel> Scan<'w, L> {
             cells: self.walk.cells,
         })
     }
+}
+
+/// The hit of a ray from `o` by `d` that meets a piece.
+#[inline(never)]
+pub(in crate::world) fn hit_at<L: RayPieces>(o: Raw, d: Raw, met: &Met, cells: u32) -> RayHit {
+    let (toi, by, axis) = match (met.touch.time, met.feature.geometry) {
+        (Some(time), _) => straight::<L>(d, time, met.touch.normal),
+        (None, Geometry::Arc { centre, radius, convex, .. }) if L::ROUND => {
+            let m = o.sub(Raw::of(centre));
+            let (toi, by) = arc_contact(m, d, radius, convex);
+            let at = m.add(by);
+            let axis = Axis::new(at.x, at.y);
+            (toi, by, if convex { axis } else { axis.reversed() })
+        }
+        // Only arcs have no time.
+        (None, _) => (Toi::ZERO, Raw { x: 0, y: 0 }, met.touch.normal),
+    };
+    hit_of(&met.feature, (toi, o.add(by), axis), cells)
 }
 
 /// The hit of a piece.

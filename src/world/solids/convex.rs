@@ -173,14 +173,18 @@ impl<S: SolidShape> ConvexSolid<S> {
         self.flags
     }
 
+    /// The cell of its features, which holds the key.
+    pub(super) const fn cell(&self) -> Cell {
+        Cell::new(self.key as i16, Solid::ROW)
+    }
+
     /// A piece of its border: of a corner number i, 5 i is the face that begins there, and 5 i + 1
     /// its vertex. Of a rounded one those from 5 i + 1 on are arcs.
     pub(crate) fn piece(&self, index: u16) -> Option<Feature> {
         let (corners, radius) = (self.shape.outline(), self.shape.rounding());
         let core = Core { corners: &corners, radius };
         let geometry = piece(core, usize::from(index / 5), index % 5)?;
-        let cell = Cell::new(self.key as i16, Solid::ROW);
-        Some(Feature { geometry, cell, index, flags: self.flags, one_way: false, source: 0 })
+        Some(Feature { geometry, cell: self.cell(), index, flags: self.flags, one_way: false, source: 0 })
     }
 
     /// How many pieces there may be.

@@ -16,6 +16,7 @@
 //! its start, which is corner c, where something is in c + 3 and nothing in c + 1, before it.
 
 pub(super) mod convex;
+pub(super) mod convex_ray;
 pub(super) mod features;
 pub(super) mod ray;
 pub(super) mod solid;

@@ -1,5 +1,6 @@
-//! Solids: a box with an inside, and motions that it may make.
+//! Solids: shapes with an inside, and motions that they may make.
 
+use super::convex::{ConvexSolid, SolidShape};
 use super::solid::{Side, Solid};
 use crate::error::RangeError;
 use crate::num::Vec2;
@@ -44,3 +45,38 @@ impl Form<Solid> for Machine {
 }
 
 stored!(Solid as Machine);
+
+#[derive(Serialize, Deserialize)]
+struct ConvexMachine<S> {
+    version: Version,
+    shape: S,
+    change: Change<S>,
+    key: u16,
+    flags: u8,
+}
+
+/// How it gets to its next shape.
+#[derive(Serialize, Deserialize)]
+enum Change<S> {
+    Moves(Vec2),
+    Turns(S),
+}
+
+impl<S: SolidShape> Form<ConvexSolid<S>> for ConvexMachine<S> {
+    type Fault = RangeError;
+
+    fn of(solid: &ConvexSolid<S>) -> Self {
+        let change = solid.motion().map_or_else(|| Change::Turns(solid.next()), Change::Moves);
+        Self { version: Version, shape: solid.shape(), change, key: solid.key(), flags: solid.flags() }
+    }
+
+    fn check(self) -> Result<ConvexSolid<S>, RangeError> {
+        let solid = ConvexSolid::new(self.shape, self.key)?.with_flags(self.flags);
+        match self.change {
+            Change::Moves(motion) => solid.with_motion(motion),
+            Change::Turns(next) => solid.with_turn(next),
+        }
+    }
+}
+
+stored!([S: SolidShape] ConvexSolid<S> as ConvexMachine<S>; S);

@@ -3,7 +3,7 @@
 use super::family::Run;
 #[cfg(not(target_os = "none"))]
 use super::games;
-use super::{bodies, motion, ninja, numbers, pairs, responses, scenes, worlds};
+use super::{bodies, convex, motion, ninja, numbers, pairs, responses, scenes, worlds};
 
 /// Families of some kinds.
 pub type Part = fn(&mut Run<'_>);
@@ -20,9 +20,10 @@ pub const BLOCKS: &[Part] = &[motion::run_blocks];
 pub const MOTION: &[Part] = &[motion::run_shapes];
 pub const CAPSULES: &[Part] = &[motion::run_capsules];
 pub const TURNED: &[Part] = &[motion::run_turned];
+pub const CONVEX: &[Part] = &[convex::run];
 pub const NINJA: &[Part] = &[ninja::run];
-pub const GROUPS: [&[Part]; 12] =
-    [SHAPES, BODIES, SCENES, LEVELS, SEGMENTS, JOINED, MOVING, BLOCKS, MOTION, CAPSULES, TURNED, NINJA];
+pub const GROUPS: [&[Part]; 13] =
+    [SHAPES, BODIES, SCENES, LEVELS, SEGMENTS, JOINED, MOVING, BLOCKS, MOTION, CAPSULES, TURNED, CONVEX, NINJA];
 
 /// Separate firmwares on chips.
 #[cfg(not(target_os = "none"))]

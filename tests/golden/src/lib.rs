@@ -12,6 +12,7 @@
 mod bodies;
 #[cfg(feature = "chip")]
 pub mod chip;
+mod convex;
 mod encode;
 mod family;
 #[cfg(not(target_os = "none"))]
@@ -37,6 +38,7 @@ pub use family::{LEAST, Line, Run, VECTORS};
 #[cfg(not(target_os = "none"))]
 pub use groups::GAMES;
 pub use groups::{
-    BLOCKS, BODIES, CAPSULES, GROUPS, JOINED, LEVELS, MOTION, MOVING, NINJA, Part, SCENES, SEGMENTS, SHAPES, TURNED,
+    BLOCKS, BODIES, CAPSULES, CONVEX, GROUPS, JOINED, LEVELS, MOTION, MOVING, NINJA, Part, SCENES, SEGMENTS, SHAPES,
+    TURNED,
 };
 pub use hash::Hash;

@@ -1,9 +1,12 @@
-//! A ball: gravity, bounces, the pushes of bumpers and of the kicker, and other balls.
+//! A ball: gravity, bounces, the pushes of bumpers, of flippers and of the kicker, and other balls.
 
-use tilesat::motion::Response;
 use tilesat::motion::response::{exchange, separate};
+use tilesat::motion::{Response, Ride};
 use tilesat::prelude::*;
-use tilesat::{Axis, Circle, Fx, MoveError, Mover, RangeError, Ratio, Surface, Vec2, World, fx, motion::Masses};
+use tilesat::world::ConvexSolid;
+use tilesat::{
+    Axis, Circle, Fx, MoveError, Mover, OrientedBox, RangeError, Ratio, Surface, Vec2, World, fx, motion::Masses,
+};
 
 use super::table::{BUMPER, KICKER};
 
@@ -19,11 +22,12 @@ pub struct Ball {
     pub velocity: Vec2,
     pub bumps: u32,
     pub kicks: u32,
+    pub flips: u32,
 }
 
 impl Ball {
     pub fn new(centre: Vec2, velocity: Vec2) -> Result<Self, RangeError> {
-        Ok(Self { body: Circle::new(centre, RADIUS)?, velocity, bumps: 0, kicks: 0 })
+        Ok(Self { body: Circle::new(centre, RADIUS)?, velocity, bumps: 0, kicks: 0, flips: 0 })
     }
 
     pub fn step(&mut self, table: &impl World) -> Result<(), MoveError> {
@@ -40,6 +44,17 @@ impl Ball {
                 self.push(hit.axis, KICK);
                 self.kicks += 1;
             }
+        }
+        Ok(())
+    }
+
+    /// Goes where flippers that turn push it, and keeps that motion as a part of its velocity.
+    pub fn give_way(&mut self, table: &impl World, flippers: &[ConvexSolid<OrientedBox>]) -> Result<(), MoveError> {
+        let ridden = Mover::new().ride_convex(table, flippers, &self.body, Fx::ZERO)?;
+        self.body = ridden.body;
+        if let Ride::Pushed { .. } = ridden.ride {
+            self.velocity += ridden.motion;
+            self.flips += 1;
         }
         Ok(())
     }

@@ -6,14 +6,15 @@ use tilesat::prelude::*;
 use tilesat::query::Separation;
 use tilesat::shape::{AnyShape, Compound, ConvexParts};
 use tilesat::world::{
-    AllShapes, ConvexSolid, ConvexSolids, OneWay, RayRules, SegmentMap, Solids, TileMap, WorldContact,
+    AllShapes, ConvexSolid, ConvexSolids, Joined, OneWay, RayRules, SegmentMap, Solids, TileMap, WorldContact,
 };
-use tilesat::{Aabb, Axis, Capsule, Circle, ConvexPolygon, Fx, Inside, OrientedBox, Segment, Vec2};
+use tilesat::{Aabb, Axis, Capsule, Character, Circle, ConvexPolygon, Fx, Input, Inside, OrientedBox, Segment, Vec2};
 use tilesat_flash::keep;
 
 type Quad = ConvexPolygon<4>;
 type Any = AnyShape<4>;
 type Group = Compound<Any, 3>;
+type Lifts = Joined<'static, TileMap<'static, AllShapes>, ConvexSolids<'static, Any>>;
 
 macro_rules! shapes {
     ($($shape:ty),+) => {
@@ -101,6 +102,12 @@ fn solid_part() {
         |l: &ConvexSolids<'static, Any>, b: &Quad| (l.overlaps(b), l.touches(b));
         |l: &ConvexSolids<'static, Any>, b: &Circle, d: Vec2| Mover::new().move_and_slide(l, b, d);
         |l: &ConvexSolids<'static, Any>, b: &Group, way: OneWay, out: &mut VecView<WorldContact>| l.contacts(b, way, out);
+        |l: &ConvexSolids<'static, Any>, o: Vec2, d: Vec2, rules: RayRules| l.cast_ray(o, d, rules);
+        |l: &ConvexSolids<'static, Quad>, o: Vec2, d: Vec2, rules: RayRules| l.cast_ray_all(o, d, rules).map(Iterator::count);
+        |l: &ConvexSolids<'static, Any>, a: Vec2, b: Vec2| l.line_of_sight(a, b);
+        |l: &ConvexSolids<'static, Any>, p: Vec2, f: Fx, way: OneWay| l.closest_point(p, f, way);
+        |l: &Lifts, o: Vec2, d: Vec2, rules: RayRules| l.cast_ray(o, d, rules);
+        |hero: &mut Character<Circle>, l: &TileMap<'static, AllShapes>, list: &mut [ConvexSolid<Any>], input: Input| hero.step_on(l, list, input);
         |l: &TileMap<'static, AllShapes>, b: &Group, turned: &Group| turn(l, b, turned);
         |l: &TileMap<'static, AllShapes>, list: &[ConvexSolid<Any>], b: &Aabb, f: Fx| Mover::new().ride_convex(l, list, b, f);
         |l: &TileMap<'static>, list: &[ConvexSolid<Any>], b: &Circle, f: Fx| Mover::new().ride_convex(l, list, b, f);

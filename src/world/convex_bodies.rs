@@ -1,21 +1,90 @@
-//! The contact of each body with one feature that it overlaps: how deep, and which way out; and the
-//! contacts of a compound. Boxes and circles have kernels of their own.
+//! Capsules, oriented boxes and convex polygons before every kind of level: whether they meet, and
+//! the contacts with one feature that they overlap. Compounds too.
 //!
-//! Of a convex body as of a box: of a face the deepest part of the body, of a corner and an arc the
+//! A contact says how deep, and which way out. Boxes and circles have kernels of their own. Of a
+//! convex body it is as of a box: of a face the deepest part of the body, of a corner and an arc the
 //! least exit across one of the body's sides, or past one of its rounded corners, in the feature's
 //! cone of normals.
 
 use super::closest::OneWay;
 use super::contacts::kernel::{PushKernel, PushOne};
 use super::contacts::{Pushable, WorldContact, is_listed, is_same};
+use super::convex::ConvexBody;
+use super::joined::Joined;
 use super::level::{Feature, Geometry, World, ends, in_quadrant, normal, raw};
 use super::measure::{boxed, circle, into_disc};
+use super::placed::Placed;
+use super::segment_map::SegmentMap;
+use super::solids::Solids;
+use super::solids::convex::{ConvexSolids, SolidShape};
+use super::tile_map::{Set, Store, TileMap};
 use crate::error::Truncated;
 use crate::num::{Axis, Raw, less128, mul64, sqr64, usqr};
 use crate::query::closest::on_segment;
-use crate::query::{ArcCell, Contact, Core, meets};
+use crate::query::{ArcCell, Contact, Core, Overlaps, Touches, meets};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Compound, Convex, ConvexPolygon, OrientedBox, Single};
 use heapless::VecView;
+
+/// Asks a level about a shape.
+fn ask<W: World, B: Convex>(world: &W, shape: &B, bounds: Aabb, closed: bool) -> bool {
+    let corners = shape.outline();
+    let core = Core { corners: &corners, radius: shape.rounding() };
+    world.meets_convex(&ConvexBody { core, bounds, offset: Raw::ZERO }, closed)
+}
+
+macro_rules! convex_meets {
+    ([$($parameters:tt)*] $level:ty, [$($n:tt)*] $body:ty) => {
+        impl<$($parameters)* $($n)*> Overlaps<$body> for $level {
+            fn overlaps(&self, b: &$body) -> bool {
+                ask(self, b, b.aabb(), false)
+            }
+        }
+
+        impl<$($parameters)* $($n)*> Touches<$body> for $level {
+            fn touches(&self, b: &$body) -> bool {
+                ask(self, b, b.aabb(), true)
+            }
+        }
+    };
+}
+
+macro_rules! all_convex {
+    ($([$($parameters:tt)*] $level:ty;)*) => {
+        $(
+            convex_meets! { [$($parameters)*] $level, [] Capsule }
+            convex_meets! { [$($parameters)*] $level, [] OrientedBox }
+            convex_meets! { [$($parameters)*] $level, [const N: usize] ConvexPolygon<N> }
+            convex_meets! { [$($parameters)*] $level, [const N: usize] AnyShape<N> }
+
+            impl<$($parameters)* P: Single, const M: usize> Overlaps<Compound<P, M>> for $level
+            where
+                Self: Overlaps<P>,
+            {
+                fn overlaps(&self, b: &Compound<P, M>) -> bool {
+                    World::overlaps_aabb(self, &b.aabb()) && b.parts().iter().any(|part| Overlaps::overlaps(self, part))
+                }
+            }
+
+            impl<$($parameters)* P: Single, const M: usize> Touches<Compound<P, M>> for $level
+            where
+                Self: Touches<P>,
+            {
+                fn touches(&self, b: &Compound<P, M>) -> bool {
+                    World::touches_aabb(self, &b.aabb()) && b.parts().iter().any(|part| Touches::touches(self, part))
+                }
+            }
+        )*
+    };
+}
+
+all_convex! {
+    [S: Set, T: Store,] TileMap<'_, S, T>;
+    [] SegmentMap<'_>;
+    [] Solids<'_>;
+    [C: SolidShape,] ConvexSolids<'_, C>;
+    [A: World, B: World,] Joined<'_, A, B>;
+    [W: World,] Placed<'_, W>;
+}
 
 macro_rules! pushed {
     ([$($n:tt)*] $body:ty) => {
