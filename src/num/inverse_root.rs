@@ -28,26 +28,28 @@ impl InverseRoot {
     /// The candidate is below the root by less than 9, and for roots below 2^27 by less than 2.
     #[inline(always)]
     pub(crate) const fn root(self, n: u64) -> u32 {
-        let mut next = (self.below(n << (2 * self.half)) >> self.half).wrapping_add(1);
+        // Below 2^62, so `half` is not zero.
+        let mut next = (self.half_below(n << (2 * self.half)) >> (self.half.wrapping_sub(1) & 63)).wrapping_add(1);
         while next.wrapping_mul(next) <= n {
             next = next.wrapping_add(1);
         }
         next.wrapping_sub(1) as u32
     }
 
-    /// A lower bound of `a / (2^half sqrt(n))`.
+    /// Half of a lower bound of `a / (2^half sqrt(n))`.
     #[inline(always)]
-    const fn below(self, a: u64) -> u64 {
-        ((a as u128 * ((self.y.saturating_sub(4) as u64) << 1) as u128) >> 64) as u64
+    const fn half_below(self, a: u64) -> u64 {
+        ((a as u128 * (self.y as u64).wrapping_sub(4) as u128) >> 64) as u64
     }
 
     /// [`div_sqrt`] of the same number, for quotients below 2^31.
     #[inline(always)]
     pub(crate) const fn times(self, s: u64, n: u64) -> u32 {
         let mut q = if LONG {
-            self.below(s << self.half) as u32
+            // The quotient is below 2^31, so one bit more of the product has room above.
+            self.half_below(s << self.half << 1) as u32
         } else {
-            let y = self.y.saturating_sub(4);
+            let y = self.y.wrapping_sub(4);
             let product = umul((s >> 32) as u32, y).wrapping_add(umul(s as u32, y) >> 32);
             (product >> (31 - self.half)) as u32
         };

@@ -119,9 +119,9 @@ pub(crate) fn root64(n: u64) -> u32 {
     // With k the exact floor: for k < 2^26.5 only the root rounds. Above, k^2 as an `f64` is short
     // by 2^10 at most, its root by 2^-22, half of the last place of k: that rounds back to k. So
     // the candidate is never short; it is 1 too large at most, where n rounds up to the next
-    // square.
-    let candidate = libm::sqrt(n as f64) as i64 as u64;
-    candidate.wrapping_sub(u64::from(candidate >> 32 != 0 || candidate.wrapping_mul(candidate) > n)) as u32
+    // square. At 2^32 it saturates to what is exact.
+    let candidate = libm::sqrt(n as f64) as u32;
+    candidate.wrapping_sub(u32::from(super::wide::usqr(candidate) > n))
 }
 
 /// [`isqrt64`] at run time.

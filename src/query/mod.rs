@@ -6,6 +6,7 @@
 //! | [`Overlaps`] | do the interiors meet? | `bool` | exact, strict |
 //! | [`OverlapsFrom`] | the same, faster with a hint from the last frame | `bool` | exact, strict |
 //! | [`Touches`] | do they share a point? | `bool` | exact, closed |
+//! | [`BoxColumns`] | both, of one box and many | `[bool; N]` | exact |
 //! | [`Contacts`] | how deep, which way out, where? | `Option<`[`Contact`]`>` | axis exact, depth up, push-out away |
 //! | [`Manifolds`] | at which one or two points do they rest? | `Option<`[`Manifold`]`>` | as a contact |
 //! | [`Contains`] | is all of B in A? | `bool` | exact, closed |
@@ -90,4 +91,4 @@ pub use closest::{ClosestPoint, Distance};
 pub use contact::{Contact, Contacts};
 pub(crate) use convex::{ArcCell, Core, meets};
 pub use convex::{Manifold, ManifoldPoint, Manifolds, OverlapsFrom, Part, Separation};
-pub use overlap::{Contains, Overlaps, Touches};
+pub use overlap::{BoxColumns, Contains, Overlaps, Touches};

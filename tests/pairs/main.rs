@@ -5,6 +5,7 @@
 
 mod any_shapes;
 mod closest_ties;
+mod columns;
 mod convex;
 mod convex_lattice;
 mod convex_shapes;

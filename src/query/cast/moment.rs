@@ -168,18 +168,14 @@ pub(crate) fn is_below(height: u64, reach: (u64, u64)) -> bool {
 /// the face's end (`at_end`).
 #[inline]
 pub(crate) fn meets_beyond(m: Raw, d: Raw, dir: Axis, at_end: bool, r: i32) -> bool {
-    match pass(m, d, dir, at_end) {
+    match pass_end(m, d, dir, at_end) {
         Pass::Never(beyond) => beyond,
-        Pass::At { cross, du } => {
-            let order = offset_to_radius(cross, dir, r, du);
-            // s <= T on the way to the face, else T <= s.
-            if du > 0 { order.is_ge() } else { order.is_le() }
-        }
+        Pass::At { cross, du } => passes_in_time(cross, du, dir.length_squared(), r),
     }
 }
 
 /// When a motion passes an end of a face squarely.
-enum Pass {
+pub(super) enum Pass {
     /// Whether it is beyond at T, whatever the radius.
     Never(bool),
     /// At the moment s with u = 0 the height is |dir|^2 cross / du, and it falls: T is later than s
@@ -191,9 +187,14 @@ enum Pass {
 /// compared.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
-fn pass(m: Raw, d: Raw, dir: Axis, at_end: bool) -> Pass {
+fn pass_end(m: Raw, d: Raw, dir: Axis, at_end: bool) -> Pass {
     let dir = if at_end { dir.reversed() } else { dir };
-    let (u, du) = (along(dir, m), along(dir, d));
+    pass(along(dir, m), along(dir, d), || if at_end { m.cross(d).wrapping_neg() } else { m.cross(d) })
+}
+
+/// From where it is before the end, and how far it goes.
+#[inline]
+pub(super) fn pass(u: i64, du: i64, cross: impl FnOnce() -> i64) -> Pass {
     let beyond = u.wrapping_add(du);
     if u >= 0 && beyond >= 0 {
         return Pass::Never(true);
@@ -201,9 +202,17 @@ fn pass(m: Raw, d: Raw, dir: Axis, at_end: bool) -> Pass {
     if u < 0 && beyond < 0 {
         return Pass::Never(false);
     }
-    let cross = if at_end { m.cross(d).wrapping_neg() } else { m.cross(d) };
+    let cross = cross();
     // Below the line at s: T is before that.
     if (du > 0) == (cross < 0) { Pass::Never(du <= 0) } else { Pass::At { cross, du } }
+}
+
+/// Whether it is beyond at T. The face's direction has the length whose square is `len2`.
+#[inline]
+pub(super) fn passes_in_time(cross: i64, du: i64, len2: u64, r: i32) -> bool {
+    let order = cmp_squares((cross.unsigned_abs(), len2), (du.unsigned_abs(), usqr(r.unsigned_abs())));
+    // s <= T on the way to the face, else T <= s.
+    if du > 0 { order.is_ge() } else { order.is_le() }
 }
 
 /// Compares the distance from a point at the moment when a motion passes it squarely,

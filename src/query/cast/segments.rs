@@ -4,10 +4,10 @@
 use super::boxes::{self, Rounded, enter_box, grown};
 use super::kernel::{Course, Moment};
 use super::moment::direction;
-use super::moment::{along, gap_time, is_below, last_before, meets_beyond, reach};
-use crate::num::{Axis, Raw, Toi, add128, less128, mul_div_wide, mul64, sqr64, square_times, umul};
+use super::moment::{Pass, gap_time, is_below, last_before, pass, passes_in_time};
+use crate::num::{Axis, LONG, Raw, Toi, add128, less128, mul_div_wide, mul64, sqr64, square_times, umul, usqr};
 use crate::query::Overlaps;
-use crate::query::meet::{corners, cross_range};
+use crate::query::meet::{circle_circle, corners, cross_range};
 use crate::shape::{Aabb, Circle, Segment};
 use core::cmp::Ordering;
 
@@ -224,74 +224,92 @@ impl CapsuleGate {
 /// A circle of radius zero overlaps no segment.
 #[inline]
 pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Course<CapsuleGate> {
-    if circle.r() == 0 {
-        return Course::Free;
-    }
     let (a, b) = (s.ra(), s.rb());
-    let (lo, hi) = corners(a, b);
-    if a.x == b.x || a.y == b.y {
-        if circle.overlaps(s) {
-            return Course::Inside;
-        }
-        return Course::of(boxes::gate(circle, &Aabb::from_raw_unchecked(lo, hi), d).map(CapsuleGate::Rounded));
-    }
-    match comes_near(circle, lo, hi, d) {
-        Course::Free => Course::Free,
-        // Only there an overlap is possible.
-        Course::Inside if circle.overlaps(s) => Course::Inside,
-        _ => Course::of(slanted_gate(circle, (a, b), d)),
+    if circle.r() == 0 {
+        Course::Free
+    } else if a.x == b.x || a.y == b.y {
+        straight_gate(circle, s, d)
+    // Where products are cheap, the strip turns away as much for less.
+    } else if !LONG && !comes_near(circle, a, b, d) {
+        Course::Free
+    } else {
+        slanted_gate(circle, (a, b), d)
     }
 }
 
-/// The same for a slanted segment that is near.
-#[inline]
-fn slanted_gate(circle: &Circle, (a, b): (Raw, Raw), d: Raw) -> Option<CapsuleGate> {
-    // From the end that has the point on the outer side of its edge, like a face.
-    let edge = if b.sub(a).cross(circle.c().sub(a)) > 0 { (b, a) } else { (a, b) };
-    let slope = enter_strip(circle, edge, d)?;
-    let end = |end: Raw| Some(CapsuleGate::Rounded(boxes::BoxGate::Corner(end)));
-    let (c, dir) = (circle.c(), slope.axis.perp());
-    if slope.into == 0 {
-        // It starts beyond an end, since it does not overlap the segment.
-        end(if along(dir, c.sub(edge.0)) < 0 { edge.0 } else { edge.1 })
-    } else if !meets_beyond(c.sub(edge.0), d, dir, false, circle.r()) {
-        end(edge.0)
-    } else if !meets_beyond(c.sub(edge.1), d, dir, true, circle.r()) {
-        end(edge.1)
-    } else {
-        Some(CapsuleGate::Slope(slope))
+/// A segment along x or y is a box of no width. A call on 64-bit processors: it would take the
+/// registers of the slanted ones.
+#[cfg_attr(target_pointer_width = "64", inline(never))]
+#[cfg_attr(not(target_pointer_width = "64"), inline)]
+fn straight_gate(circle: &Circle, s: &Segment, d: Raw) -> Course<CapsuleGate> {
+    if circle.overlaps(s) {
+        return Course::Inside;
     }
+    let (lo, hi) = corners(s.ra(), s.rb());
+    Course::of(boxes::gate(circle, &Aabb::from_raw_unchecked(lo, hi), d).map(CapsuleGate::Rounded))
+}
+
+/// The same for a slanted segment that is near.
+///
+/// As for a [rounded box](boxes::gate), the capsule lies in the strip around the segment's line. A
+/// motion that starts outside enters the strip beside the segment itself, or beyond an end. From
+/// there, and from a start in the strip, it meets the disc around that end or nothing.
+#[inline]
+fn slanted_gate(circle: &Circle, (a, b): (Raw, Raw), d: Raw) -> Course<CapsuleGate> {
+    let (r, e, m) = (circle.r(), b.sub(a), circle.c().sub(a));
+    let corner = |end: Raw| CapsuleGate::Rounded(boxes::BoxGate::Corner(end));
+    // The height above the line and the foot on it, in units of the edge's length.
+    let (cross, u, len2) = (e.cross(m), e.dot(m), e.len2());
+    let (gap, reach) = (cross.unsigned_abs(), mul64(usqr(r as u32), len2));
+    if is_below(gap, reach) {
+        // In the strip: over the segment itself, or where the disc around the nearer end decides.
+        let end = if u <= 0 {
+            a
+        } else if u as u64 >= len2 {
+            b
+        } else {
+            return Course::Inside;
+        };
+        return if circle_circle::<false>(circle.c(), end, r) { Course::Inside } else { Course::Meets(corner(end)) };
+    }
+    // The outer side of the edge is the circle's.
+    let left = cross > 0;
+    let turn = e.cross(d);
+    let into = if left { turn.wrapping_neg() } else { turn };
+    let rest = (gap as i64).wrapping_sub(into);
+    if into <= 0 || (rest >= 0 && !is_below(rest as u64, reach)) {
+        return Course::Free;
+    }
+    let du = e.dot(d);
+    // As seen from an end along the segment; `turned` where the outer side is on the right then.
+    let meets = |u: i64, du: i64, from: Raw, turned: bool| {
+        let cross = || {
+            let cross = from.cross(d);
+            if turned { cross.wrapping_neg() } else { cross }
+        };
+        match pass(u, du, cross) {
+            Pass::Never(beyond) => beyond,
+            Pass::At { cross, du } => passes_in_time(cross, du, len2, r),
+        }
+    };
+    Course::Meets(if !meets(u, du, m, left) {
+        corner(a)
+    } else if !meets((len2 as i64).wrapping_sub(u), du.wrapping_neg(), m.sub(e), !left) {
+        corner(b)
+    } else {
+        let axis = Axis::new(e.y, e.x.wrapping_neg());
+        let axis = if left { axis.reversed() } else { axis };
+        CapsuleGate::Slope(Slope { gap, into: into as u64, reach, axis })
+    })
 }
 
 /// Whether the motion comes into the capsule's bounding box, which most misses do not, or starts
 /// there.
 #[inline(never)]
-fn comes_near(circle: &Circle, lo: Raw, hi: Raw, d: Raw) -> Course<()> {
+fn comes_near(circle: &Circle, a: Raw, b: Raw, d: Raw) -> bool {
+    let (lo, hi) = corners(a, b);
     let (c, (far_lo, far_hi)) = (circle.c(), grown(lo, hi, circle.r()));
-    enter_box(c, c, far_lo, far_hi, d).map(|_| ())
-}
-
-/// How a motion enters the strip around the line of a slanted segment, whose outer side is the
-/// circle's, if it does; by no speed where it starts there.
-///
-/// As for a [rounded box](boxes::gate), the capsule lies in that strip, which the motion enters
-/// beside the segment itself, or beyond an end. From there, and from a start in the strip, it meets
-/// the disc around that end or nothing.
-#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
-#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
-fn enter_strip(circle: &Circle, (a, b): (Raw, Raw), d: Raw) -> Option<Slope> {
-    let e = b.sub(a);
-    let axis = Axis::new(e.y, e.x.wrapping_neg());
-    let (gap, into, reach) =
-        (along(axis, circle.c().sub(a)) as u64, along(axis, d).wrapping_neg(), reach(circle.r(), axis));
-    if is_below(gap, reach) {
-        return Some(Slope { gap, into: 0, reach, axis });
-    }
-    let left = (gap as i64).wrapping_sub(into);
-    if into <= 0 || (left >= 0 && !is_below(left as u64, reach)) {
-        return None;
-    }
-    Some(Slope { gap, into: into as u64, reach, axis })
+    !matches!(enter_box(c, c, far_lo, far_hi, d), Course::Free)
 }
 
 impl Slope {
@@ -343,6 +361,11 @@ impl Slope {
     pub(in crate::query) fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
         let t = self.bound();
         let outward = |out: i32, d: i32| {
+            if LONG {
+                // To the normal's side is up or down, whatever the sign of the motion.
+                let up = if out > 0 { i64::from(Toi::ONE.raw() - 1) } else { 0 };
+                return (i64::from(d).wrapping_mul(i64::from(t.raw())).wrapping_add(up) >> 30) as i32;
+            }
             let part = t.of_raw(d);
             let short = umul(d.unsigned_abs(), t.raw()) & u64::from(Toi::ONE.raw() - 1) != 0;
             if short && (out < 0) == (d < 0) { part.wrapping_add(d.signum()) } else { part }

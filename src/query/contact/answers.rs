@@ -51,14 +51,12 @@ impl Contact {
         if self.is_parallel() {
             return (Fx::from_bits(self.depth_along()), UnitVec2::along(self.axis));
         }
-        let (depth, normal) = if self.radial {
-            let n = self.axis.length_squared();
-            let inverse = InverseRoot::of(n);
-            (self.radii().wrapping_sub(inverse.root(n) as i32), unit_by(self.axis, inverse))
+        let (normal, depth) = if self.radial {
+            radial_exit(self.axis, self.radii())
         } else {
             sloped_exit(self.axis, self.overlap, self.radii())
         };
-        (Fx::from_bits(depth), normal)
+        (Fx::from_bits(depth), UnitVec2::unpacked(normal))
     }
 
     /// A displacement of A after which the two do not overlap: against the axis, each component
@@ -193,12 +191,21 @@ const fn sloped_depth(axis: Axis, overlap: i64, radii: i32, radial: bool) -> i32
     ceil(radii, overlap, n, div_sqrt(overlap.unsigned_abs(), n))
 }
 
-/// The same, not radial, and the unit vector.
+/// The unit vector and the depth of a radial contact. A call, with its answer in two registers: shapes
+/// that do not overlap then have no registers to save.
 #[inline(never)]
-const fn sloped_exit(axis: Axis, overlap: i64, radii: i32) -> (i32, UnitVec2) {
+const fn radial_exit(axis: Axis, radii: i32) -> (u64, i32) {
     let n = axis.length_squared();
     let inverse = InverseRoot::of(n);
-    (ceil(radii, overlap, n, inverse.times(overlap.unsigned_abs(), n)), unit_by(axis, inverse))
+    (unit_by(axis, inverse), radii.wrapping_sub(inverse.root(n) as i32))
+}
+
+/// The same for another one.
+#[inline(never)]
+const fn sloped_exit(axis: Axis, overlap: i64, radii: i32) -> (u64, i32) {
+    let n = axis.length_squared();
+    let inverse = InverseRoot::of(n);
+    (unit_by(axis, inverse), ceil(radii, overlap, n, inverse.times(overlap.unsigned_abs(), n)))
 }
 
 /// `ceil(radii + overlap / sqrt(n))`, by the floor of the size of that quotient.

@@ -1,6 +1,7 @@
 //! All verbs of all pairs of shapes.
 
 use tilesat::prelude::*;
+use tilesat::query::BoxColumns;
 use tilesat::{Aabb, Circle, Inside, Segment, Vec2};
 
 use super::VECTORS;
@@ -79,7 +80,24 @@ where
     });
 }
 
+/// One box against up to eight in columns.
+fn columns(run: &mut Run<'_>) {
+    run.family("aabb-columns", VECTORS / 5, ["overlaps", "touches"], |number, r, [overlaps, touches]| {
+        let (a, first, _) = pair::<Aabb, Aabb>(r, Class::of(number));
+        let mut boxes = [first; 8];
+        for b in &mut boxes[1..] {
+            *b = pair::<Aabb, Aabb>(r, Class::of(number)).1;
+        }
+        let count = 1 + number as usize % boxes.len();
+        if let Ok(columns) = BoxColumns::<8>::of(&boxes[..count]) {
+            columns.overlaps(&a).into_iter().for_each(|answer| overlaps.add(answer));
+            columns.touches(&a).into_iter().for_each(|answer| touches.add(answer));
+        }
+    });
+}
+
 pub(crate) fn run(run: &mut Run<'_>) {
+    columns(run);
     one::<Aabb, Aabb>(run, "aabb-aabb");
     one::<Circle, Circle>(run, "circle-circle");
     one::<Segment, Segment>(run, "segment-segment");
