@@ -222,8 +222,8 @@ impl Hits {
     /// cut is therefore reported once.
     pub(super) fn tell_of(&self, axis: Axis, feature: &Feature) -> bool {
         let is = |hit: &Hit| (hit.cell, hit.index, hit.source) == (feature.cell, feature.index, feature.source);
-        let all = self.early.iter().chain(&self.late).filter_map(Option::as_ref);
-        all.into_iter().any(|hit| hit.axis == axis || is(hit))
+        let mut all = self.early.iter().chain(&self.late).filter_map(Option::as_ref);
+        all.any(|hit| hit.axis == axis || is(hit))
     }
 
     /// The last hit that was kept.

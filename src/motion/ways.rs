@@ -176,9 +176,9 @@ impl Near {
     #[inline(never)]
     fn each<W: World, B: Body>(&self, world: &W, body: &B, passes: bool, visit: &mut dyn FnMut(&Feature)) {
         if self.all {
-            self.features.iter().filter_map(Option::as_ref).for_each(visit)
+            self.features.iter().filter_map(Option::as_ref).for_each(visit);
         } else {
-            each_near(world, body, passes, visit)
+            each_near(world, body, passes, visit);
         }
     }
 }
