@@ -1,10 +1,10 @@
-//! Balls on a pinball table with bumpers, slingshots, flippers and a kicker. Run it with `cargo run --release
-//! --example pinball [-- FILE.png]`.
+//! Balls on a pinball table with bumpers, slingshots, flippers and a kicker. Run it with `cargo run
+//! --release --example pinball [-- FILE.png]`.
 //!
 //! `tilesat_games::pinball` is the game. Its table is tiles, joined to polygons and to two planks
-//! that turn. Its balls fall and bounce on a surface that takes a little of their speed, and bumpers
-//! and flippers push them. The picture, `target/pinball.png`, shows the ways of five balls in twenty
-//! seconds.
+//! that turn. Its balls fall and bounce on a surface that takes a little of their speed. Bumpers
+//! and flippers push them. The picture, `target/pinball.png`, shows the ways of five balls in
+//! twenty seconds.
 #![allow(unreachable_pub, reason = "a program has no public interface; `pub` marks items that its other files use")]
 #![allow(
     clippy::std_instead_of_core,

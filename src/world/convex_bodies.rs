@@ -1,10 +1,10 @@
 //! Capsules, oriented boxes and convex polygons before every kind of level: whether they meet, and
 //! the contacts with one feature that they overlap. Compounds too.
 //!
-//! A contact says how deep, and which way out. Boxes and circles have kernels of their own. Of a
-//! convex body it is as of a box: of a face the deepest part of the body, of a corner and an arc the
-//! least exit across one of the body's sides, or past one of its rounded corners, in the feature's
-//! cone of normals.
+//! A contact says how deep, and which way out. Boxes and circles have separate kernels. A convex
+//! body has the same contacts as a box. A face has the deepest part of the body. A corner or an arc
+//! has the least exit across one of the body's sides, or past one of its rounded corners, in the
+//! feature's cone of normals.
 
 use super::closest::OneWay;
 use super::contacts::kernel::{PushKernel, PushOne};

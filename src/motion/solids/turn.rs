@@ -50,6 +50,24 @@ impl<'a, S: SolidShape> Turn<'a, S> {
         q.corner(wrapped(corner.wrapping_add(self.shift), &q)).sub(p.corner(corner))
     }
 
+    /// A corner, and the same with the directions that its sides will have.
+    fn vertices(&self, corner: usize) -> [Option<Feature>; 2] {
+        let of = |corner: usize| (corner as u16).wrapping_mul(5).wrapping_add(1);
+        let count = self.solid.next().outline().len();
+        let next = corner.wrapping_add(self.shift);
+        let (here, there) = (
+            self.solid.piece(of(corner)),
+            self.solid.moved().piece(of(if next < count { next } else { next.wrapping_sub(count) })),
+        );
+        let turned = here.zip(there).map(|(here, mut there)| {
+            if let (Geometry::Vertex { p, .. }, Geometry::Vertex { p: at, .. }) = (here.geometry, &mut there.geometry) {
+                *at = p;
+            }
+            there
+        });
+        [here, turned]
+    }
+
     /// The motion of the point that a body touches: of a face between those of its ends.
     pub(super) fn of_contact(&self, feature: &Feature, first: Raw, last: Raw) -> Raw {
         let corner = usize::from(feature.index / 5);
@@ -108,7 +126,7 @@ impl<'a, S: SolidShape> Turn<'a, S> {
             let press = Press::of::<true>(self.solid.key(), self.of_corner(corner), next_n);
             best = Some((rank, (feature, HalfPlane { normal: next_n, at: to.add(out) }, press)));
         };
-        // Between the body and the corners of the solid that are first in a direction, then and now.
+        // A direction, and the corner of the solid that is first in it, before and after.
         let mut beside = |n: Axis| {
             if !n.is_zero() {
                 let ahead = n.perp().reversed();
@@ -121,9 +139,9 @@ impl<'a, S: SolidShape> Turn<'a, S> {
         for i in 0..p.corners.len() {
             if B::ANGULAR {
                 // The side that the corner would come through on a straight way, if the body stays,
-                // or as it goes by `d`.
+                // or as it goes by `d`: with the corner's directions before the turn, and after it.
                 let by = self.of_corner(i);
-                if let Some(vertex) = self.solid.piece((i as u16).wrapping_mul(5).wrapping_add(1)) {
+                for vertex in self.vertices(i).into_iter().flatten() {
                     for way in [by.reversed(), d.sub(by)] {
                         if let Some(entry) = body.sweep(way, &vertex) {
                             beside(entry.normal);

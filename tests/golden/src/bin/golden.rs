@@ -7,7 +7,7 @@
 //! cargo run --release -p tilesat-golden -- 10000         no more than so many vectors of each
 //! cargo run --release -p tilesat-golden -- --accept      writes that table, and prints the changelog's list of outputs
 //! cargo run --release -p tilesat-golden --features chip --bin golden_shapes --target thumbv6m-none-eabi [-- 10000]
-//!                                                        on a chip (emulated), in twelve parts:
+//!                                                        on a chip (emulated), in thirteen parts:
 //!   ... golden_bodies, golden_scenes, golden_levels, golden_segments, golden_joined, golden_moving, golden_blocks,
 //!       golden_motion, golden_capsules, golden_turned, golden_ninja;
 //!                                                        also firmware and bullets_firmware

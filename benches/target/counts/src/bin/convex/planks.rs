@@ -32,7 +32,6 @@ fn scene(
 pub(crate) fn rows(table: &mut Table, map: TileMap<'static>) {
     let ride: Query<Circle, Scene, Result<Ridden<Circle>, MoveError>> =
         |body, scene| MaybeUninit::new(Mover::platformer(Axis::NEG_Y).ride_convex(&scene.0, &scene.1, body, Fx::ONE));
-    let loads = |_: &Circle, _: &Scene| -> Query<_, _, _> { load::<_, _, _, 3, 0> };
     let carried = |r: &Result<Ridden<Circle>, MoveError>| r.as_ref().is_ok_and(|r| r.ride == Ride::Carried);
     let pushed =
         |r: &Result<Ridden<Circle>, MoveError>| r.as_ref().is_ok_and(|r| matches!(r.ride, Ride::Pushed { .. }));
@@ -43,17 +42,17 @@ pub(crate) fn rows(table: &mut Table, map: TileMap<'static>) {
         let (_, s) = scene(r, map, turns)?;
         Some((Circle::new(vec((20 << 16, 470 << 16)), Fx::from_bits(7 << 16)).ok()?, s))
     };
-    table.row("ride_convex, circle, far from four planks", None, ride, loads, far, free);
+    table.row("ride_convex, circle, far from four planks", None, ride, |_, _| load::<_, _, _, 3, 0>, far, free);
     let next = move |r: &mut Random| scene(r, map, moves);
-    table.row("ride_convex, circle is carried by a plank", None, ride, loads, next, carried);
+    table.row("ride_convex, circle is carried by a plank", None, ride, |_, _| load::<_, _, _, 3, 0>, next, carried);
     let next = move |r: &mut Random| scene(r, map, turns);
-    table.row("ride_convex, circle on a plank that turns", None, ride, loads, next, carried);
+    table.row("ride_convex, circle on a plank that turns", None, ride, |_, _| load::<_, _, _, 3, 0>, next, carried);
     // One unit above it, and it rises by three.
     let above = move |r: &mut Random| {
         let (ball, s) = scene(r, map, |plank, _| plank.with_motion(Vec2::from_ints(0, -3)).ok())?;
         Some((ball.translated(Vec2::from_ints(0, -1)).ok()?, s))
     };
-    table.row("ride_convex, circle is pushed by a plank", None, ride, loads, above, pushed);
+    table.row("ride_convex, circle is pushed by a plank", None, ride, |_, _| load::<_, _, _, 3, 0>, above, pushed);
 
     let walk: Query<Circle, Scene, Result<Moved<Circle>, MoveError>> = |body, scene| {
         let level = (&scene.0, ConvexSolids::new(&scene.1));
@@ -61,9 +60,14 @@ pub(crate) fn rows(table: &mut Table, map: TileMap<'static>) {
         MaybeUninit::new(Mover::platformer(Axis::NEG_Y).move_and_slide(&level, body, Vec2::from_ints(2, 1)))
     };
     let next = move |r: &mut Random| scene(r, map, moves);
-    table.row("move_and_slide, circle runs on one of four planks", None, walk, loads, next, |m| {
-        m.as_ref().is_ok_and(|m| m.floor)
-    });
+    table.row(
+        "move_and_slide, circle runs on one of four planks",
+        None,
+        walk,
+        |_, _| load::<_, _, _, 3, 0>,
+        next,
+        |m| m.as_ref().is_ok_and(|m| m.floor),
+    );
 
     let ray: Query<Circle, Scene, Option<RayHit>> = |body, scene| {
         let solids = ConvexSolids::new(&scene.1);
@@ -71,5 +75,5 @@ pub(crate) fn rows(table: &mut Table, map: TileMap<'static>) {
         MaybeUninit::new(hit.ok().flatten())
     };
     let next = move |r: &mut Random| scene(r, map, moves);
-    table.row("ray at four planks, hit", None, ray, loads, next, Option::is_some);
+    table.row("ray at four planks, hit", None, ray, |_, _| load::<_, _, _, 3, 0>, next, Option::is_some);
 }
