@@ -9,7 +9,7 @@
 #   run.sh --only "STEP.." only these of: judge count micro flash show; keeps the other results
 #   run.sh --untimed       judges without times: on a busy machine, or for rows with unchanged code
 #   run.sh --parts "P.."   judges and counts only these of: pairs rays casts moves levels broad
-#                          regions; with or without --only
+#                          regions batch; with or without --only
 #   run.sh --threads       prints what threads add to moves and casts in one level
 #   run.sh --soak N        asks each pair of shapes N times around touches; continues where it
 #                          stopped (target/precision/soak.txt)
@@ -107,8 +107,8 @@ micro() {
     mkdir -p "$PRECISION_INPUTS"
     "$bench" inputs "$PRECISION_INPUTS"
     local core part asked=(pairs rays casts moves broad)
-    # Only the host counts queries on whole levels and regions.
-    ((${#parts[@]})) && mapfile -t asked < <(printf '%s\n' "${parts[@]}" | grep -vx -e levels -e regions)
+    # Only the host counts queries on whole levels, regions and many shapes.
+    ((${#parts[@]})) && mapfile -t asked < <(printf '%s\n' "${parts[@]}" | grep -vx -e levels -e regions -e batch)
     for core in "${cores[@]}"; do
         echo "instructions on ${core%:*}: ${asked[*]}" >&2
         for part in "${asked[@]}"; do
@@ -151,19 +151,14 @@ machine() {
     echo "| C | $(cc --version | head -n 1), -O3 -DNDEBUG without -march, as the Rust code: Box2D and Chipmunk2D |"
     echo "| floats on microcontrollers | textbook f32 and parry2d take roots from libm, even on the core with an FPU |"
     echo "| counts | $(valgrind --version 2>/dev/null || echo none); QEMU with one instruction per tick |"
-    echo "| parry2d, parry2d-f64 | $(version parry2d), $(version parry2d-f64) |"
+    echo "| parry2d, parry2d-f64, rapier2d | $(version parry2d), $(version parry2d-f64), $(version rapier2d): its character controller slides with parry2d's casts; its pairs are parry2d's |"
     echo "| ncollide2d over simba's I16F16 | $(version ncollide2d), $(version simba); circles only, within 127 px. Beyond that its squares overflow, and the root for its other pairs may not end |"
     echo "| Box2D | of boxdd-sys $(version boxdd-sys) (C, f32) |"
-    echo "| Chipmunk2D | 7.0.0, of chipmunk-sys $(version chipmunk-sys) (C, f64) |"
+    echo "| Chipmunk2D | 7.0.0, of chipmunk-sys $(version chipmunk-sys) (C, f64); it has no mover, and Box2D's is a capsule, so that moves only circles |"
     echo "| cute_c2 | missing: no registry package contains it. Elsewhere it took 43, 65 and 91 instructions for contacts of circles, of a circle and a box, of boxes |"
-    echo "| roots | on the desktop tilesat uses its feature \`libm\`, so casts of circles take the processor's root; not on microcontrollers |"
-    echo "| rapier2d | $(version rapier2d): its character controller, which slides with parry2d's casts; its pairs are parry2d's |"
-    echo "| broccoli | $(version broccoli): its tree, built again in each frame |"
-    echo "| rstar, quadtree_rs | $(version rstar), $(version quadtree_rs): packed or filled again in each frame of pairs |"
-    echo "| moves without Chipmunk2D | it has no mover; Box2D's is a capsule, so it moves only circles |"
-    echo "| parry2d on microcontrollers | without an allocator: no grid for rays, and only casts of circles against circles |"
-    echo "| moves and broad phases on microcontrollers | without an allocator: ours and the textbook's; the trees of parry2d and broccoli, rapier2d and Box2D need a heap |"
-    echo "| tilesat without filters | not the library's code: \`exact (no filters)\` is this benchmark's own integer code |"
+    echo "| broccoli, rstar, quadtree_rs | $(version broccoli), $(version rstar), $(version quadtree_rs): built, packed or filled again in each frame of pairs |"
+    echo "| microcontrollers | without an allocator: parry2d has no grid for rays, and only casts of circles against circles; moves and broad phases are ours and the textbook's, because the others need a heap |"
+    echo "| tilesat | with its feature \`libm\` on the desktop, so casts of circles take the processor's root; \`exact (no filters)\` is not its code, but this benchmark's own |"
 }
 
 show() {

@@ -24,6 +24,7 @@
 //! - A query's cost is that of one call in a loop, with operands in memory and the whole answer
 //!   stored. Libraries differ in what they return.
 
+mod batch;
 mod broad;
 mod callgrind;
 mod casts;
@@ -54,7 +55,7 @@ use std::process::ExitCode;
 
 const USAGE: &str = "tilesat-precision COMMAND [--quick] [--untimed] [--out FILE]
   measure [PART..] judges and times, and writes the rows; --untimed judges only
-  count [PART..]   counts instructions under callgrind, and adds them to the rows; parts are pairs, rays, casts, moves, levels and broad
+  count [PART..]   counts instructions under callgrind, and adds them to the rows; parts are pairs, rays, casts, moves, levels, broad, regions and batch
   inputs FOLDER    writes the inputs that microcontrollers get
   add CORE FILE    adds what a microcontroller printed (m0, m4f) or a linker (flash_m0, flash_m4f)
   soak N [--state FILE]
@@ -161,7 +162,7 @@ struct Part {
     count: fn(&Sizes),
 }
 
-const PARTS: [Part; 7] = [
+const PARTS: [Part; 8] = [
     Part { name: "pairs", measure: pairs::measure, count: pairs::count },
     Part { name: "rays", measure: rays::measure, count: rays::count },
     Part { name: "casts", measure: casts::measure, count: casts::count },
@@ -169,6 +170,7 @@ const PARTS: [Part; 7] = [
     Part { name: "levels", measure: levels::measure, count: levels::count },
     Part { name: "broad", measure: broad::measure, count: broad::count },
     Part { name: "regions", measure: broad::regions::measure, count: broad::regions::count },
+    Part { name: "batch", measure: batch::measure, count: batch::count },
 ];
 
 /// The named parts, or all.

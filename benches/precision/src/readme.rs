@@ -2,7 +2,7 @@
 
 use crate::question::{Question, cheapest, is_library, is_right};
 use crate::record::Row;
-use crate::tables::short;
+use crate::tables::{short, wrapped};
 use std::fmt::Write;
 
 /// The content of the table: the question, and the class whose costs it shows.
@@ -141,7 +141,7 @@ fn floats(rows: &[Row]) -> String {
         m0[1],
         m0[2]
     );
-    format!("\n{}\n", wrapped(&text))
+    format!("\n{}\n", wrapped(&text, 100))
 }
 
 /// The number of classes in which a backend's best costs less than ours.
@@ -159,21 +159,6 @@ fn cheaper_on(rows: &[Row], column: &str, backend: &str) -> String {
         }
     }
     format!("{cheaper} of {all} classes")
-}
-
-/// In lines of at most a hundred columns.
-fn wrapped(text: &str) -> String {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if line.is_empty() || line.len() + word.len() < 100 => {
-                line.push_str(if line.is_empty() { "" } else { " " });
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines.join("\n")
 }
 
 #[cfg(test)]
@@ -201,6 +186,9 @@ mod tests {
         let table = table(&rows);
         let line = "| circle-circle | 24.0; 0 / 0 | 18.0; 0 / 480 | - | - | 39.0; 0 / 0, Chipmunk2D | 17.0; 3.00 / 3.00, Box2D | 30.5, -, - |";
         assert!(table.contains(line), "{table}");
-        assert!(table.contains("circle-circle (far: up to 480)") && table.contains("Of the 1 classes"), "{table}");
+        assert!(
+            table.contains("circle-circle (far: up to 480)") && table.contains("most classes, 1 with contacts"),
+            "{table}"
+        );
     }
 }

@@ -1,16 +1,15 @@
 //! Pictures, the page of results, and a short table, all from the rows alone.
 
+use crate::batch;
 use crate::goals;
 use crate::grids;
 use crate::micro;
 use crate::plot::{Axes, svg};
-use crate::question::is_broad;
 use crate::readme;
 use crate::record::Row;
 use crate::stray;
 use crate::tables;
 use crate::{read_rows, write};
-use std::fmt::Write;
 use std::path::Path;
 
 type Value = fn(&Row) -> Option<f64>;
@@ -46,36 +45,34 @@ pub fn all(results: &Path) -> Result<(), String> {
     let machine = results.with_file_name("machine.md");
     page.push_str(&std::fs::read_to_string(&machine).map_err(|e| format!("{}: {e}", machine.display()))?);
     page.push_str(&goals::page(&rows));
-    page.push_str("\n## Cost and errors\n\nInstructions / ns; wrong in a million; and the same in the class in which that answer is wrong most\noften, if that is another one.\n");
-    page.push_str(&tables::summary(&rows));
+    page.push_str("\n## Cost and errors\n\nInstructions; wrong in a million; and the same in the class in which that answer is wrong most\noften, if that is another one. The last two columns: in how many classes the fastest of all others\ntakes fewer instructions, and where it is most. *Exact* counts only backends that are exact in the\nclass.\n");
+    page.push_str(&tables::summary(&rows, goals::peers::NAMES, |question| goals::peers::cells(&rows, question)));
     page.push_str("\n## Errors of depths and times\n\nThe largest error of all classes, in px. For times also the percentage of late hits in the\nworst class.\n");
     page.push_str(&tables::errors(&rows));
-    page.push_str("\n## Frames of bodies that move\n\nPer million frames.\n");
+    page.push_str(
+        "\n## Frames of bodies that move\n\nPer million frames. `results.csv` has the same 7000 px from the origin.\n",
+    );
     page.push_str(&tables::frames(&rows));
-    page.push_str("\n## Workloads by class\n\nInstructions, the answer, and errors in a million.\n");
-    for workload in workloads(&rows).into_iter().filter(|w| is_broad(w) || w.contains("map") || w.starts_with("tiles"))
-    {
-        page.push_str(&tables::classes(&rows, workload));
-    }
+    page.push_str("\n## Levels\n\nInstructions of the cheapest answer, and errors in a million.\n");
+    let levels = workloads(&rows).into_iter().filter(|w| w.contains("map") || w.starts_with("tiles"));
+    page.push_str(&tables::classes(&rows, levels));
     page.push_str(&grids::page(&rows));
+    page.push_str(&batch::page(&rows));
     page.push_str(&micro::page(&rows));
-    let pictures = workloads(&rows).into_iter().map(|w| plots(&rows, w, &folder)).collect::<Result<Vec<_>, _>>()?;
-    page.push_str("\n## Pictures\n\n");
-    for links in pictures.into_iter().flatten() {
-        let _ = writeln!(page, "- {links}");
+    for workload in workloads(&rows) {
+        plots(&rows, workload, &folder)?;
     }
     write(&results.with_file_name("results.md"), &page)?;
     write(&results.with_file_name("readme-table.md"), &readme::table(&rows))
 }
 
-/// The pictures of a workload, and the part of the page that links them.
-fn plots(rows: &[Row], workload: &str, folder: &Path) -> Result<Option<String>, String> {
+/// The pictures of a workload.
+fn plots(rows: &[Row], workload: &str, folder: &Path) -> Result<(), String> {
     let of: Vec<&Row> = rows.iter().filter(|r| r.workload() == workload && !r.class().is_empty()).collect();
     let framed = of.iter().any(|r| r.get("tunnels").or(r.get("extra")).is_some());
     let x: (&str, Value) = (if framed { FRAME } else { QUERY }, |r| r.get("host"));
     let wrong: (&str, Value) = ("wrong in a million", Row::wrong_per_million);
     let error: (&str, Value) = ("largest error, px", |r| r.get("max_px"));
-    let mut links = Vec::new();
     for (what, ending, y) in [("wrong answers", "", wrong), ("largest error", "-error", error)] {
         if of.iter().all(|r| r.get("host").is_none() || (y.1)(r).is_none()) {
             continue;
@@ -83,9 +80,8 @@ fn plots(rows: &[Row], workload: &str, folder: &Path) -> Result<Option<String>, 
         let name = format!("{}{ending}.svg", file_name(workload));
         let title = format!("{workload}: {what} against instructions");
         write(&folder.join(&name), &svg(&of, &Axes { title, x, y }))?;
-        links.push(format!("[{what}](plots/{name})"));
     }
-    Ok((!links.is_empty()).then(|| format!("{workload} ({})", links.join(", "))))
+    Ok(())
 }
 
 const FRAME: &str = "instructions per frame (x86-64)";
@@ -94,16 +90,16 @@ const QUERY: &str = "instructions per query (x86-64)";
 const HEAD: &str = "# Run time against error
 
 Written by `benches/precision/run.sh` from `results.csv`, which has all classes. `src/main.rs`
-explains the questions, the backends and the judges.
+explains the questions, the backends and the judges. [plots](plots) has pictures of each workload:
+wrong answers against instructions, and the largest error in those that end in `-error`.
 
 - **Wrong in a million**: yes or no, compared with exact integers. Either touching counts as
   overlapping, or it does not: the convention that suits the backend better over a class decides. A
   ray is right if it fits one of the two.
 - **Instructions**: callgrind. One call in a loop, with operands in memory and the whole answer
   stored. The loop is included (about 6).
-- **ns**: the thread's own time, the fastest of 7 passes in one run, with backends in turn. A time
-  is left out if the passes differ, or if the ns per instruction stray from those of the same answer
-  in other classes. Compare only within a row's class.
+- **Times** are left out: the machine was never quiet for a whole run. Mispredicted branches and
+  cache misses are in times only. `results.csv` has those times that did not stray.
 - **Error**: of depths, and of times of impact as pixels of way. `late`: the share of all hits whose
   time is beyond the true one.
 - **Moves**: a frame is wrong if it ends in the solid, even by a little, or tunnels. Also shown:
@@ -116,10 +112,8 @@ explains the questions, the backends and the judges.
   judge does not see smaller overlaps.
 - **Textbook boxes** among blocks look where they end, or, with `(columns)`, at all columns and rows
   that they cross. Textbook circles move in steps.
-- **Textbook contacts** have no case for a circle without a radius. Such circles occur in `within 2
-  raw of touching`, `touching exactly`, `8000 px from the origin` and `whole domain`. Those misses
-  are the formula's fault in every format, not rounding.
-- `overlaps`, `would hit`: yes or no. `contact`: depth and normal at once. `contact (lazy)`: the
-  contact as returned, with nothing rounded yet.
+- **Textbook contacts** have no case for a circle without a radius, in any format: it is not
+  rounding. Such circles occur from `within 2 raw of touching` to `whole domain`.
+- `overlaps`, `would hit`: yes or no. `contact`: depth and normal. `contact (lazy)`: neither yet.
 
 ";

@@ -16,6 +16,21 @@ pub fn short(v: f64) -> String {
     }
 }
 
+/// In lines of at most so many columns.
+pub fn wrapped(text: &str, most: usize) -> String {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.is_empty() || line.len() + word.len() < most => {
+                line.push_str(if line.is_empty() { "" } else { " " });
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines.join("\n")
+}
+
 /// Columns: the best way of a library with several, for a question.
 const COLUMNS: [(&str, &[&str]); 12] = [
     ("tilesat", &["tilesat"]),
@@ -32,19 +47,29 @@ const COLUMNS: [(&str, &[&str]); 12] = [
     ("broccoli", &["broccoli"]),
 ];
 
-fn head(out: &mut String, first: &str, columns: impl ExactSizeIterator<Item = &'static str>) {
-    let lines = "--:|".repeat(columns.len());
-    let names = columns.collect::<Vec<_>>().join(" | ");
-    let _ = writeln!(out, "\n| {first} | {names} |\n|---|{lines}");
+/// A table without the columns and the lines in which nobody has a cell.
+fn table(first: &str, columns: &[&str], lines: &[(String, Vec<Option<String>>)]) -> String {
+    let lines: Vec<_> = lines.iter().filter(|line| line.1.iter().any(Option::is_some)).collect();
+    let is_used = |column: usize| lines.iter().any(|line| line.1.get(column).is_some_and(Option::is_some));
+    let used: Vec<usize> = (0..columns.len()).filter(|&column| is_used(column)).collect();
+    let names = used.iter().filter_map(|&i| columns.get(i).copied()).collect::<Vec<_>>().join(" | ");
+    let mut out = format!("\n| {first} | {names} |\n|---|{}\n", "--:|".repeat(used.len()));
+    for (name, cells) in lines {
+        let cells = used.iter().map(|&i| cells.get(i).and_then(Option::as_deref).unwrap_or_default());
+        let _ = writeln!(out, "| {name} | {} |", cells.collect::<Vec<_>>().join(" | "));
+    }
+    out
 }
 
-/// A line of cells, one per column, unless all are empty.
-fn line(out: &mut String, name: &str, cells: &[Option<String>]) {
-    if cells.iter().any(Option::is_some) {
-        let cells: Vec<&str> = cells.iter().map(|c| c.as_deref().unwrap_or("")).collect();
-        let _ = writeln!(out, "| {name} | {} |", cells.join(" | "));
+/// The names of all columns.
+const NAMES: [&str; 12] = {
+    let (mut names, mut i) = ([""; 12], 0);
+    while i < 12 {
+        names[i] = COLUMNS[i].0;
+        i += 1;
     }
-}
+    names
+};
 
 /// The row of each column that answers a question in a class.
 fn answers<'a>(rows: &'a [Row], question: Question<'a>, class: &str) -> [Option<&'a Row>; 12] {
@@ -53,29 +78,31 @@ fn answers<'a>(rows: &'a [Row], question: Question<'a>, class: &str) -> [Option<
 
 /// Its cost and its errors. Also the class where it is wrong most often, if that is another one.
 fn cost(rows: &[Row], question: Question<'_>, row: &Row) -> Option<String> {
-    let ns = row.get("ns").map(|ns| format!(" / {}", short(ns))).unwrap_or_default();
     let wrong = row.wrong_per_million()?;
     let worst = question.worst(rows, row).filter(|worst| worst.1 > wrong);
     let worst = worst.map(|(class, n)| format!("; {} {class}", short(n))).unwrap_or_default();
-    Some(format!("{}{ns}; {}{worst}", short(row.get("host")?), short(wrong)))
+    Some(format!("{}; {}{worst}", short(row.get("host")?), short(wrong)))
 }
 
-/// The usual class of each question, and for each backend the class where it is wrong most often.
-pub fn summary(rows: &[Row]) -> String {
-    let mut out = String::new();
-    head(&mut out, "usual class", COLUMNS.iter().map(|c| c.0));
-    for question in Question::all(rows) {
+/// The usual class of each question, for each backend the class where it is wrong most often, and
+/// more columns.
+pub fn summary<const N: usize>(
+    rows: &[Row],
+    more: [&str; N],
+    cells: impl Fn(Question<'_>) -> [Option<String>; N],
+) -> String {
+    let line = |question: Question<'_>| {
         let class = usual_class(question.workload);
-        let cells = answers(rows, question, class).map(|r| cost(rows, question, r?));
-        line(&mut out, &format!("**{}**: {class}", question.name()), &cells);
-    }
-    out
+        let costs = answers(rows, question, class).map(|r| cost(rows, question, r?));
+        (format!("**{}**: {class}", question.name()), costs.into_iter().chain(cells(question)).collect::<Vec<_>>())
+    };
+    let names: Vec<&str> = NAMES.into_iter().chain(more).collect();
+    table("usual class", &names, &Question::all(rows).into_iter().map(line).collect::<Vec<_>>())
 }
 
 /// The largest error of all classes, and for times the number of late ones.
 pub fn errors(rows: &[Row]) -> String {
-    let mut out = String::new();
-    head(&mut out, "px; late in a hundred hits", COLUMNS.iter().map(|c| c.0));
+    let mut lines = Vec::new();
     for question in Question::all(rows).into_iter().filter(|q| !["overlaps", "pairs", "build"].contains(&q.asked)) {
         let cells = answers(rows, question, usual_class(question.workload)).map(|usual| {
             let usual = usual?;
@@ -86,9 +113,9 @@ pub fn errors(rows: &[Row]) -> String {
             let late = late.map(|share| format!("; {}", short(share))).unwrap_or_default();
             Some(format!("{}{late}", short(largest(|r| r.get("max_px"))?)))
         });
-        line(&mut out, &question.name(), &cells);
+        lines.push((question.name(), cells.to_vec()));
     }
-    out
+    table("px; late in a hundred hits", &NAMES, &lines)
 }
 
 /// Frames of moving bodies: how many end in the solid, how deep, and the other faults.
@@ -106,10 +133,10 @@ pub fn frames(rows: &[Row]) -> String {
     ];
     let names =
         ["tilesat", "f64", "f64 (columns)", "f32", "f32 (columns)", "naive", "naive (columns)", "rapier2d", "Box2D"];
-    let mut out = String::new();
-    head(&mut out, "any / > 1/64 px / > 1 px / tunnels / stuck", names.into_iter());
+    let mut lines = Vec::new();
     let mut seen: Vec<(&str, &str)> = Vec::new();
-    for row in rows.iter().filter(|r| r.get("tunnels").is_some()) {
+    let is_far = |r: &Row| r.class().ends_with("from the origin");
+    for row in rows.iter().filter(|r| r.get("tunnels").is_some() && !is_far(r)) {
         let key = (row.workload(), row.class());
         if seen.contains(&key) {
             continue;
@@ -121,31 +148,31 @@ pub fn frames(rows: &[Row]) -> String {
             let share = |name| row.get(name).map_or("-".to_owned(), |n| share(row, n));
             Some(["wrong", "deep", "lost", "tunnels", "stuck"].map(share).join(" / "))
         });
-        line(&mut out, &format!("{}, {}", key.0, key.1), &cells);
+        lines.push((format!("{}, {}", key.0, key.1), cells.to_vec()));
     }
-    out
+    table("any / > 1/64 px / > 1 px / tunnels / stuck", &names, &lines)
 }
 
 fn share(row: &Row, n: f64) -> String {
     row.get("queries").map_or_else(String::new, |all| short(n * 1e6 / all))
 }
 
-/// All classes of a workload with few rows: bodies among bodies, or questions that only ours
-/// answers.
-pub fn classes(rows: &[Row], workload: &str) -> String {
-    let mut out = String::new();
-    let question = Question { workload, asked: crate::question::first_asked(workload) };
-    head(&mut out, workload, COLUMNS.iter().map(|c| c.0));
-    for class in question.classes(rows) {
-        let cells = answers(rows, question, class).map(|row| {
-            let row = row?;
-            let wrong = row.wrong_per_million().filter(|n| *n > 0.0);
-            let wrong = wrong.map(|n| format!("; {} wrong", short(n))).unwrap_or_default();
-            Some(format!("{}: {}{wrong}", short(row.get("host")?), row.asked()))
-        });
-        line(&mut out, class, &cells);
+/// All classes of workloads with few rows: questions about whole levels.
+pub fn classes<'a>(rows: &[Row], workloads: impl Iterator<Item = &'a str>) -> String {
+    let mut lines = Vec::new();
+    for workload in workloads {
+        let question = Question { workload, asked: crate::question::first_asked(workload) };
+        for class in question.classes(rows) {
+            let cells = answers(rows, question, class).map(|row| {
+                let row = row?;
+                let wrong = row.wrong_per_million().filter(|n| *n > 0.0);
+                let wrong = wrong.map(|n| format!("; {} wrong", short(n))).unwrap_or_default();
+                Some(format!("{}{wrong}", short(row.get("host")?)))
+            });
+            lines.push((format!("{workload}, {class}"), cells.to_vec()));
+        }
     }
-    out
+    table("", &NAMES, &lines)
 }
 
 #[cfg(test)]
@@ -164,10 +191,7 @@ mod tests {
             row("textbook f64", "uniform 50 % hits", 18.0, 0.0),
             row("textbook f64", "far", 18.0, 480.0),
         ];
-        let summary = summary(&rows);
-        assert!(
-            summary.contains("| **circle-circle**: uniform 50 % hits | 24.0; 0 | 18.0; 0; 480 far |  |"),
-            "{summary}"
-        );
+        let summary = summary(&rows, [], |_| []);
+        assert!(summary.contains("| **circle-circle**: uniform 50 % hits | 24.0; 0 | 18.0; 0; 480 far |"), "{summary}");
     }
 }

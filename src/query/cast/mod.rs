@@ -45,7 +45,7 @@ pub use kernel::{CastHit, Inside, MovingHit};
 /// displacement reversed; mirrored scenes give mirrored bits, translated ones the same.
 ///
 /// Cost on a Cortex-M0, in instructions, of a yes and of a whole hit: boxes 160 and 335, circles
-/// 300 and 1290, a circle and a box 480 and 1100. A circle and a segment take 1600 and 2830, a box
+/// 300 and 1290, a circle and a box 480 and 1100. A circle and a segment take 1170 and 2390, a box
 /// and a segment 1210 and 2190. There is one root where a circle meets a circle, a corner or a
 /// slanted side, else none, and no division instruction.
 ///

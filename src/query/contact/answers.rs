@@ -191,8 +191,8 @@ const fn sloped_depth(axis: Axis, overlap: i64, radii: i32, radial: bool) -> i32
     ceil(radii, overlap, n, div_sqrt(overlap.unsigned_abs(), n))
 }
 
-/// The unit vector and the depth of a radial contact. A call, with its answer in two registers: shapes
-/// that do not overlap then have no registers to save.
+/// The unit vector and the depth of a radial contact. A call, with its answer in two registers:
+/// shapes that do not overlap then have no registers to save.
 #[inline(never)]
 const fn radial_exit(axis: Axis, radii: i32) -> (u64, i32) {
     let n = axis.length_squared();

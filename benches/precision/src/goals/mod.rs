@@ -1,12 +1,11 @@
 //! The library's goals, and the rows that miss them.
 
 mod micro;
-mod peers;
+pub mod peers;
 
 use crate::question::{first_asked, is_broad, is_move, usual_class};
 use crate::record::Row;
-use crate::show::workloads;
-use crate::tables::short;
+use crate::tables::{short, wrapped};
 use std::fmt::Write;
 
 /// A missed goal: the question, its class, the backend, and how many times the allowed cost it has.
@@ -132,39 +131,42 @@ fn goals(rows: &[Row]) -> Vec<Goal> {
     ]
 }
 
-/// A line per question: the number of classes, and the worst one.
+/// The questions that miss a goal, with their numbers of classes, and the worst of all.
 fn misses(out: &mut String, missed: &[Miss]) {
-    let mut told: Vec<&str> = Vec::new();
+    let Some(worst) = missed.iter().max_by(|a, b| a.times.total_cmp(&b.times)) else { return };
+    let mut questions: Vec<(&str, usize)> = Vec::new();
     for miss in missed {
-        if told.contains(&miss.question.as_str()) {
-            continue;
+        match questions.iter_mut().find(|q| q.0 == miss.question) {
+            Some(question) => question.1 += 1,
+            None => questions.push((&miss.question, 1)),
         }
-        told.push(&miss.question);
-        let same = || missed.iter().filter(|m| m.question == miss.question);
-        let Some(worst) = same().max_by(|a, b| a.times.total_cmp(&b.times)) else { continue };
-        let _ = match same().count() {
-            1 => writeln!(out, "  - {}: {}", miss.question, worst.text),
-            n => writeln!(out, "  - {}: {n} classes, worst in\n    {}", miss.question, worst.text),
-        };
     }
+    let all = questions.iter().map(|(question, n)| format!("{question} ({n})")).collect::<Vec<_>>().join("; ");
+    let text = wrapped(&format!("{all}. Worst: {}, {}", worst.question, worst.text), 98);
+    let _ = writeln!(out, "  {}", text.replace('\n', "\n  "));
 }
 
 /// The part of the page that shows our losses.
 pub fn page(rows: &[Row]) -> String {
     let mut out = String::from("\n## Goals, and the classes that miss them\n\n");
+    let (mut met, mut unmeasured) = (Vec::new(), Vec::new());
     for goal in goals(rows).into_iter().chain(micro::goals(rows)) {
         if goal.rows == 0 {
-            let _ = writeln!(out, "- **not measured**: {}", goal.text);
-            continue;
+            unmeasured.push(goal.text.to_owned());
+        } else if goal.missed.is_empty() {
+            met.push(format!("{} ({})", goal.text, goal.rows));
+        } else {
+            let met = goal.rows - goal.missed.len();
+            let _ = writeln!(out, "- **MISSED** ({met} of {}): {}", goal.rows, goal.text);
+            misses(&mut out, &goal.missed);
         }
-        let met = goal.rows - goal.missed.len();
-        let mark = if goal.missed.is_empty() { "met" } else { "MISSED" };
-        let _ = writeln!(out, "- **{mark}** ({met} of {}): {}", goal.rows, goal.text);
-        misses(&mut out, &goal.missed);
     }
-    out += &peers::page(rows);
-    let count = workloads(rows).len();
-    let _ = writeln!(out, "\n{count} workloads, {} rows.", rows.len());
+    for (mark, goals) in [("met, with the number of classes", met), ("not measured", unmeasured)] {
+        if !goals.is_empty() {
+            let text = wrapped(&format!("- **{mark}**: {}", goals.join("; ")), 98);
+            let _ = writeln!(out, "{}", text.replace('\n', "\n  "));
+        }
+    }
     out
 }
 
@@ -205,7 +207,8 @@ mod tests {
         assert!(!row(0.0, 0.0, 0.0).contains("MISSED"));
         assert!(row(1.0, 0.0, 0.0).contains("**MISSED** (0 of 1): 0 overlaps after a move"));
         assert!(
-            row(0.0, 2.0, 0.0).contains("**MISSED** (0 of 1): 0 tunnels\n  - move: level, move: circle: 2.00 of 100")
+            row(0.0, 2.0, 0.0)
+                .contains("0 tunnels\n  move: level, move (1). Worst: move: level, move, circle: 2.00 of 100")
         );
         assert!(row(0.0, 0.0, 3.0).contains("**MISSED** (0 of 1): 0 frames stuck"));
     }

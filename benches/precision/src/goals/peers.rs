@@ -5,33 +5,17 @@ use super::at_most;
 use crate::question::{Question, is_right};
 use crate::record::Row;
 use crate::tables::short;
-use std::fmt::Write;
 
-const HEAD: &str = "
-This table compares with the fastest of all others: textbook code in every format, this benchmark's
-own integers, and libraries. The columns *exact* count only backends that are exact in the class,
-and the columns *any* count all. A cell shows in how many classes the library misses the goal, and
-by what factor in the worst one. Only times that did not stray count, so few classes may be left. An
-empty cell has none.
+/// Columns of the table of costs.
+pub const NAMES: [&str; 2] = ["dearer than the fastest exact", "dearer than the fastest of all"];
 
-| missed | instructions, exact | instructions, any | ns, exact | ns, any |
-|---|--:|--:|--:|--:|
-";
-
-/// A table of all questions.
-pub fn page(rows: &[Row]) -> String {
-    let mut out = String::from(HEAD);
-    for question in Question::all(rows) {
-        let cells = [("host", true), ("host", false), ("ns", true), ("ns", false)];
-        let cells = cells.map(|(column, exact)| cell(rows, question, column, exact));
-        if cells.iter().any(|c| !c.is_empty()) {
-            let _ = writeln!(out, "| {} | {} |", question.name(), cells.join(" | "));
-        }
-    }
-    out
+/// In how many classes the fastest of the others takes less, and the class in which it is most.
+pub fn cells(rows: &[Row], question: Question<'_>) -> [Option<String>; 2] {
+    [true, false].map(|exact| Some(cell(rows, question, exact)).filter(|cell| !cell.is_empty()))
 }
 
-fn cell(rows: &[Row], question: Question<'_>, column: &str, exact: bool) -> String {
+fn cell(rows: &[Row], question: Question<'_>, exact: bool) -> String {
+    let column = "host";
     let own = question.classes(rows).into_iter().filter_map(|class| {
         let ours = rows.iter().filter(|r| question.is_of(r) && r.class() == class && r.backend() == "tilesat");
         crate::question::cheapest(ours, column)
@@ -60,9 +44,9 @@ mod tests {
             row(key("Box2D", "contact"), &[("host", 15.0), ("wrong", 3.0)]),
             row(key("textbook f64", "overlaps"), &[("host", 40.0), ("wrong", 0.0)]),
         ];
-        let page = page(&rows);
-        let line = "| circle-circle | met, 1 of 1 | **1 of 1**, 2.00 times: near: 30.0 against 15.0 of Box2D |  |  |";
-        assert!(page.contains(line), "{page}");
+        let [exact, any] = cells(&rows, Question { workload: "circle-circle", asked: "overlaps" });
+        assert_eq!(exact.as_deref(), Some("met, 1 of 1"));
+        assert_eq!(any.as_deref(), Some("**1 of 1**, 2.00 times: near: 30.0 against 15.0 of Box2D"));
     }
 
     /// A game chooses the broad phase that suits it.
@@ -70,9 +54,9 @@ mod tests {
     fn the_best_broad_phase_is_held_to_the_best_of_others() {
         let own = |asked, host| row(["pairs of boxes", "8 boxes", "tilesat", asked], &[("host", host), ("wrong", 0.0)]);
         let other = row(["pairs of boxes", "8 boxes", "textbook f32", "brute"], &[("host", 50.0), ("wrong", 0.0)]);
-        assert!(
-            page(&[own("grid", 90.0), own("sweep", 50.0), other.clone()]).contains("| met, 1 of 1 | met, 1 of 1 |")
-        );
-        assert!(page(&[own("grid", 90.0), own("sweep", 51.0), other]).contains("51.0 against 50.0 of textbook f32"));
+        let exact = |rows: &[Row]| cells(rows, Question { workload: "pairs of boxes", asked: "pairs" })[0].clone();
+        assert_eq!(exact(&[own("grid", 90.0), own("sweep", 50.0), other.clone()]).as_deref(), Some("met, 1 of 1"));
+        let missed = exact(&[own("grid", 90.0), own("sweep", 51.0), other]).unwrap_or_default();
+        assert!(missed.contains("51.0 against 50.0 of textbook f32"), "{missed}");
     }
 }
