@@ -89,7 +89,7 @@ pub fn goals(rows: &[Row]) -> Vec<Goal> {
         ),
         at_most(
             rows,
-            "at most the instructions of the best textbook f32 on Cortex-M4F: broad phases",
+            "at most the best textbook f32's instructions on Cortex-M4F: broad phases",
             ("m4f", 1.0),
             best_broad(rows, "m4f").into_iter(),
             textbook,
