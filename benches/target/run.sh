@@ -294,7 +294,7 @@ measure_all() {
             present+=("$core")
         fi
     done
-    local firmwares=(pairs levels capsules convex segments bodies memory heroes)
+    local firmwares=(pairs levels capsules convex planks segments bodies memory heroes)
     build_counts "${present[*]#*:}" "${firmwares[@]}"
     for core in "${present[@]}"; do
         target=${core#*:} how=run_on

@@ -125,7 +125,6 @@ impl<B: Body> Character<B> {
     /// let mut seesaw = [ConvexSolid::new(plank(0)?, 7)?];
     /// let body = Aabb::new(Vec2::from_ints(60, 8), Vec2::from_ints(68, 22))?;
     /// let mut hero = Character::new(body, level.bounds(), Feel::DEFAULT);
-    /// let _ = hero.step(&level, Input::default())?;
     /// for rise in 1..=10 {
     ///     seesaw[0] = seesaw[0].with_turn(plank(-2 * rise)?)?; // its right end goes up
     ///     let _ = hero.step_on(&level, &mut seesaw, Input::default())?;

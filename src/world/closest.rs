@@ -111,7 +111,7 @@ closest_point_of! {
     ///
     /// ```
     /// use tilesat::world::{ConvexSolid, ConvexSolids, OneWay};
-    /// use tilesat::{Axis, Circle, Vec2, fx};
+    /// use tilesat::{Circle, Vec2, fx};
     /// let bumper = [ConvexSolid::new(Circle::new(Vec2::from_ints(40, 8), fx!(5))?, 3)?];
     /// let near = ConvexSolids::new(&bumper).closest_point(Vec2::from_ints(34, 16), fx!(20), OneWay::Ignore)?.unwrap();
     /// assert_eq!((near.point, near.distance), (Vec2::from_ints(37, 12), fx!(5)));

@@ -63,7 +63,9 @@ impl<L: Law> Mover<L> {
     /// only if none is squashed. See the example.
     ///
     /// A polygon body that touches a turning solid with a slanted side of its own, and no face of
-    /// the solid, may be squashed where it could be pushed.
+    /// the solid, may be squashed where it could be pushed. The call tries what the solid's corners
+    /// face before and after the turn, and nothing between. In random scenes that happened to 4 of
+    /// 44 801 rides in the open.
     ///
     /// Cost: a few comparisons for each far solid. Otherwise at most [`Mover::CONVEX_ROUNDS`]
     /// displacements, each one sweep through the level and one for each near solid.

@@ -70,7 +70,7 @@ rays! {
         /// let solids = ConvexSolids::new(&bumper);
         /// let ray = |y| (Vec2::from_ints(4, y), Vec2::from_ints(90, 0));
         /// let hit = Joined::new(&level, &solids).cast_ray(ray(8).0, ray(8).1, Inside::Hit)?.unwrap();
-        /// assert_eq!((hit.point, hit.axis, hit.source), (Vec2::from_ints(34, 8), Axis::new(-6 << 16, 0), 1));
+        /// assert_eq!((hit.point, hit.axis, hit.source), (Vec2::from_ints(34, 8), Axis::NEG_X, 1));
         /// assert_eq!(Solids::key_of(hit.cell), Some(3));
         /// assert_eq!(solids.cast_ray(ray(14).0, ray(14).1, Inside::Hit)?, None); // a tangent
         /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -9,7 +9,7 @@
 //! cargo run --release -p tilesat-golden --features chip --bin golden_shapes --target thumbv6m-none-eabi [-- 10000]
 //!                                                        on a chip (emulated), in thirteen parts:
 //!   ... golden_bodies, golden_scenes, golden_levels, golden_segments, golden_joined, golden_moving, golden_blocks,
-//!       golden_motion, golden_capsules, golden_turned, golden_ninja;
+//!       golden_motion, golden_capsules, golden_turned, golden_convex, golden_ninja;
 //!                                                        also firmware and bullets_firmware
 //! .ci/targets                                            all that, on all targets
 //! ```

@@ -1,10 +1,7 @@
-//! Prints what turned boxes, polygons and slanted capsules cost: in pairs, in motion, and as solids
-//! that move.
+//! Prints what turned boxes, polygons and slanted capsules cost: in pairs, and in motion.
 
 #![no_std]
 #![no_main]
-
-mod planks;
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{Body, MoveError, Moved, Mover};
@@ -133,7 +130,6 @@ fn main() -> ! {
     let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_bits(CELL * UNIT), Vec2::ZERO);
     let blocks = grid.ok().and_then(|grid| TileMap::<'static>::on_grid(&BLOCKS, grid, &KINDS).ok());
     if let (Some(blocks), Some(shapes)) = (blocks, level()) {
-        planks::rows(&mut table, blocks);
         let blocks = blocks.with_outside(Outside::Solid);
         moves(&mut table, blocks, "blocks: turned box moves, <= 4 a frame", 4, turned_at);
         moves(&mut table, shapes, "shapes: turned box moves, <= 4 a frame", 4, turned_at);

@@ -1,12 +1,21 @@
 //! What planks that move and turn cost: what they do to a circle, a circle that runs on one, and a
 //! ray at them.
 
+#![no_std]
+#![no_main]
+
 use core::mem::MaybeUninit;
 use tilesat::motion::{MoveError, Moved, Mover, Ridden, Ride};
 use tilesat::world::{ConvexSolid, ConvexSolids, RayHit};
-use tilesat::{Axis, Circle, Fx, Inside, Joined, OrientedBox, TileMap, Vec2};
-use tilesat_counts::inputs::{Random, vec};
+use tilesat::{Axis, Circle, Fx, Grid, Inside, Joined, OrientedBox, TileKinds, TileMap, Vec2};
+use tilesat_chip::entry;
+use tilesat_counts::inputs::{Random, UNIT, vec};
 use tilesat_counts::measure::{Query, Table, load};
+use tilesat_counts::shapes::{CELL, SIDE};
+
+static KINDS: TileKinds = TileKinds::EMPTY;
+/// Nothing but the planks.
+static OPEN: [u8; (SIDE * SIDE) as usize] = [0; (SIDE * SIDE) as usize];
 
 type Plank = ConvexSolid<OrientedBox>;
 type Scene = (TileMap<'static>, [Plank; 4]);
@@ -29,7 +38,7 @@ fn scene(
     Some((ball, (map, [moving, far(60, 2)?, far(200, 3)?, far(440, 4)?])))
 }
 
-pub(crate) fn rows(table: &mut Table, map: TileMap<'static>) {
+fn rows(table: &mut Table, map: TileMap<'static>) {
     let ride: Query<Circle, Scene, Result<Ridden<Circle>, MoveError>> =
         |body, scene| MaybeUninit::new(Mover::platformer(Axis::NEG_Y).ride_convex(&scene.0, &scene.1, body, Fx::ONE));
     let carried = |r: &Result<Ridden<Circle>, MoveError>| r.as_ref().is_ok_and(|r| r.ride == Ride::Carried);
@@ -76,4 +85,15 @@ pub(crate) fn rows(table: &mut Table, map: TileMap<'static>) {
     };
     let next = move |r: &mut Random| scene(r, map, moves);
     table.row("ray at four planks, hit", None, ray, |_, _| load::<_, _, _, 3, 0>, next, Option::is_some);
+}
+
+#[entry]
+fn main() -> ! {
+    let mut table = Table::start();
+    let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_bits(CELL * UNIT), Vec2::ZERO);
+    match grid.ok().and_then(|grid| TileMap::<'static>::on_grid(&OPEN, grid, &KINDS).ok()) {
+        Some(map) => rows(&mut table, map),
+        None => table.wrong += 1,
+    }
+    table.end()
 }
