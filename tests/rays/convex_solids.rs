@@ -18,10 +18,6 @@ type Convex = ConvexSolid<Any>;
 /// quadratic equations with coefficients of 180 bits.
 const BITS: u32 = 1000;
 
-fn wide(n: i128) -> BigInt {
-    BigInt::from(n)
-}
-
 fn cross(a: P, b: P) -> i128 {
     i128::from(a.0) * i128::from(b.1) - i128::from(a.1) * i128::from(b.0)
 }
@@ -42,7 +38,7 @@ enum Meeting {
 }
 
 fn ratio((num, den): (i128, i128)) -> BigInt {
-    (wide(num) << BITS) / wide(den)
+    (BigInt::from(num) << BITS) / BigInt::from(den)
 }
 
 /// A closed polygon, or with `open` its inside. A fraction is a numerator and a denominator.
@@ -81,12 +77,12 @@ fn ball(centre: P, radius: i64, o: P, d: P) -> Meeting {
     if outside < 0 {
         return Meeting::Inside;
     }
-    let rest = wide(ahead) * wide(ahead) - wide(square) * wide(outside);
-    if ahead <= 0 || rest <= wide(0) {
+    let rest = BigInt::from(ahead) * BigInt::from(ahead) - BigInt::from(square) * BigInt::from(outside);
+    if ahead <= 0 || rest <= BigInt::from(0) {
         return Meeting::Never;
     }
-    let at = ((wide(ahead) << BITS) - (rest << (2 * BITS)).sqrt()) / wide(square);
-    if at > wide(1) << BITS { Meeting::Never } else { Meeting::At(at) }
+    let at = ((BigInt::from(ahead) << BITS) - (rest << (2 * BITS)).sqrt()) / BigInt::from(square);
+    if at > BigInt::from(1) << BITS { Meeting::Never } else { Meeting::At(at) }
 }
 
 /// What is round consists of discs around its corners, and of the boxes between them.
@@ -113,25 +109,25 @@ fn meeting(figure: &Figure, o: P, d: P) -> Meeting {
 
 fn same(a: &BigInt, b: &BigInt) -> bool {
     let apart = a - b;
-    apart < wide(5) && apart > wide(-5)
+    apart < BigInt::from(5) && apart > BigInt::from(-5)
 }
 
 /// One hit of the solid that it names, at an exact moment.
 fn check(hit: &RayHit, figure: &Figure, at: &BigInt, o: P, d: P, case: &dyn Fn() -> String) {
-    let toi: BigInt = wide(hit.toi.raw().into());
+    let toi: BigInt = BigInt::from(hit.toi.raw().into());
     let exact: BigInt = at >> (BITS - 30);
     let way = d.0.abs().max(d.1.abs());
     if figure.radius == 0 {
-        assert!((exact.clone() - &toi) <= wide(1) && toi <= exact, "{exact} {}", case());
+        assert!((exact.clone() - &toi) <= BigInt::from(1) && toi <= exact, "{exact} {}", case());
     } else {
-        let slack: BigInt = ((exact.clone() - &toi) * wide(way.into())) >> 30;
-        assert!(toi <= exact && slack <= wide(4), "early by {slack} {}", case());
+        let slack: BigInt = ((exact.clone() - &toi) * BigInt::from(way.into())) >> 30;
+        assert!(toi <= exact && slack <= BigInt::from(4), "early by {slack} {}", case());
     }
     let (p, axis) = (raw(hit.point), (i64::from(hit.axis.x), i64::from(hit.axis.y)));
-    let place = |o: i64, d: i64| -> BigInt { wide(o.into()) + ((at * wide(d.into())) >> BITS) };
+    let place = |o: i64, d: i64| -> BigInt { BigInt::from(o.into()) + ((at * BigInt::from(d.into())) >> BITS) };
     for (p, exact) in [(p.0, place(o.0, d.0)), (p.1, place(o.1, d.1))] {
-        let apart = wide(p.into()) - exact;
-        assert!(apart <= wide(5) && apart >= wide(-5), "{apart} {}", case());
+        let apart = BigInt::from(p.into()) - exact;
+        assert!(apart <= BigInt::from(5) && apart >= BigInt::from(-5), "{apart} {}", case());
     }
     let point = Figure { points: vec![p], radius: 0 };
     assert!(!figure.meets(&point), "{}", case());
@@ -288,7 +284,7 @@ fn hits_that_are_nearly_at_once() {
         let first = Convex::new(shape(&mut random, unit), 1).unwrap();
         let Meeting::At(at) = meeting(&Figure::of(&first.shape()), o, d) else { continue };
         // The point, and one of a circle or of a box that has it on its border but for roundings.
-        let place = |o: i64, d: i64| o + i64::try_from((&at * wide(d.into())) >> BITS).unwrap();
+        let place = |o: i64, d: i64| o + i64::try_from((&at * BigInt::from(d.into())) >> BITS).unwrap();
         let p = (place(o.0, d.0) + random.around(1), place(o.1, d.1) + random.around(1));
         let second: Any = if random.one_in(2) {
             let r = random.within(1, 4 * unit);

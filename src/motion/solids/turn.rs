@@ -36,6 +36,9 @@ impl<'a, S: SolidShape> Turn<'a, S> {
 
     /// The longest displacement of a corner, along x or y.
     pub(super) fn longest(solid: &ConvexSolid<S>) -> u32 {
+        if let Some(motion) = solid.motion() {
+            return way(Raw::of(motion));
+        }
         let turn = Turn::of(solid);
         (0..solid.shape().outline().len()).map(|i| way(turn.of_corner(i))).max().unwrap_or(0)
     }
