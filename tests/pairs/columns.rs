@@ -56,7 +56,7 @@ fn boxes_that_nearly_touch() {
         let mut pairs = Pairs::new((Kind::Aabb, Kind::Aabb), class, 0xc01);
         for _ in 0..400 {
             let count = r.within(0, PLACES as i64) as usize;
-            let (first, other): (Vec<Figure>, Vec<Figure>) = (0..count + 1).map(|_| pairs.next()).unzip();
+            let (first, other): (Vec<Figure>, Vec<Figure>) = (0..=count).map(|_| pairs.next()).unzip();
             judge(&first[0], &other[..count]);
         }
     }

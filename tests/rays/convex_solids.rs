@@ -6,17 +6,19 @@ use num_bigint::BigInt;
 use tilesat::world::{ConvexSolid, ConvexSolids, OneWay};
 use tilesat::{Capsule, ConvexPolygon, Fx, Inside, Joined, RayHit, Solid, Solids, TileKinds, TileMap, Vec2};
 use tilesat_judge::convex::shape::hull;
-use tilesat_judge::oracle::measure::{Measure, to_edge};
-use tilesat_judge::oracle::sum::Sum;
-use tilesat_judge::solids::shapes::{Any, Figure};
-use tilesat_judge::solids::{P, disc, raw, rect, vec2};
+use tilesat_judge::oracle::{measure, sum::Sum};
+use tilesat_judge::solids::{P, disc, raw, rect, shapes, vec2};
 use tilesat_judge::{Random, cases};
 
-type Convex = ConvexSolid<Any>;
+type Convex = ConvexSolid<shapes::Any>;
 
 /// Moments are compared to that many bits. Two that differ, differ by more: they are roots of
 /// quadratic equations with coefficients of 180 bits.
 const BITS: u32 = 1000;
+
+fn wide(n: i128) -> BigInt {
+    BigInt::from(n)
+}
 
 fn cross(a: P, b: P) -> i128 {
     i128::from(a.0) * i128::from(b.1) - i128::from(a.1) * i128::from(b.0)
@@ -38,12 +40,12 @@ enum Meeting {
 }
 
 fn ratio((num, den): (i128, i128)) -> BigInt {
-    (BigInt::from(num) << BITS) / BigInt::from(den)
+    (wide(num) << BITS) / wide(den)
 }
 
 /// A closed polygon, or with `open` its inside. A fraction is a numerator and a denominator.
 fn polygon(corners: &[P], o: P, d: P, open: bool) -> Meeting {
-    let (mut entry, mut exit): (Option<(i128, i128)>, Option<(i128, i128)>) = (None, None);
+    let (mut entry, mut exit) = (None::<(i128, i128)>, None::<(i128, i128)>);
     let (mut slides, mut inside) = (false, true);
     for i in 0..corners.len() {
         let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
@@ -77,16 +79,16 @@ fn ball(centre: P, radius: i64, o: P, d: P) -> Meeting {
     if outside < 0 {
         return Meeting::Inside;
     }
-    let rest = BigInt::from(ahead) * BigInt::from(ahead) - BigInt::from(square) * BigInt::from(outside);
-    if ahead <= 0 || rest <= BigInt::from(0) {
+    let rest = wide(ahead) * wide(ahead) - wide(square) * wide(outside);
+    if ahead <= 0 || rest <= wide(0) {
         return Meeting::Never;
     }
-    let at = ((BigInt::from(ahead) << BITS) - (rest << (2 * BITS)).sqrt()) / BigInt::from(square);
-    if at > BigInt::from(1) << BITS { Meeting::Never } else { Meeting::At(at) }
+    let at = ((wide(ahead) << BITS) - (rest << (2 * BITS)).sqrt()) / wide(square);
+    if at > wide(1) << BITS { Meeting::Never } else { Meeting::At(at) }
 }
 
 /// What is round consists of discs around its corners, and of the boxes between them.
-fn meeting(figure: &Figure, o: P, d: P) -> Meeting {
+fn meeting(figure: &shapes::Figure, o: P, d: P) -> Meeting {
     let r = figure.radius;
     if r == 0 {
         return polygon(&hull(&figure.points), o, d, false);
@@ -109,27 +111,27 @@ fn meeting(figure: &Figure, o: P, d: P) -> Meeting {
 
 fn same(a: &BigInt, b: &BigInt) -> bool {
     let apart = a - b;
-    apart < BigInt::from(5) && apart > BigInt::from(-5)
+    apart < wide(5) && apart > wide(-5)
 }
 
 /// One hit of the solid that it names, at an exact moment.
-fn check(hit: &RayHit, figure: &Figure, at: &BigInt, o: P, d: P, case: &dyn Fn() -> String) {
-    let toi: BigInt = BigInt::from(hit.toi.raw().into());
+fn check(hit: &RayHit, figure: &shapes::Figure, at: &BigInt, o: P, d: P, case: &dyn Fn() -> String) {
+    let toi: BigInt = wide(hit.toi.raw().into());
     let exact: BigInt = at >> (BITS - 30);
     let way = d.0.abs().max(d.1.abs());
     if figure.radius == 0 {
-        assert!((exact.clone() - &toi) <= BigInt::from(1) && toi <= exact, "{exact} {}", case());
+        assert!((exact.clone() - &toi) <= wide(1) && toi <= exact, "{exact} {}", case());
     } else {
-        let slack: BigInt = ((exact.clone() - &toi) * BigInt::from(way.into())) >> 30;
-        assert!(toi <= exact && slack <= BigInt::from(4), "early by {slack} {}", case());
+        let slack: BigInt = ((exact.clone() - &toi) * wide(way.into())) >> 30;
+        assert!(toi <= exact && slack <= wide(4), "early by {slack} {}", case());
     }
     let (p, axis) = (raw(hit.point), (i64::from(hit.axis.x), i64::from(hit.axis.y)));
-    let place = |o: i64, d: i64| -> BigInt { BigInt::from(o.into()) + ((at * BigInt::from(d.into())) >> BITS) };
+    let place = |o: i64, d: i64| -> BigInt { wide(o.into()) + ((at * wide(d.into())) >> BITS) };
     for (p, exact) in [(p.0, place(o.0, d.0)), (p.1, place(o.1, d.1))] {
-        let apart = BigInt::from(p.into()) - exact;
-        assert!(apart <= BigInt::from(5) && apart >= BigInt::from(-5), "{apart} {}", case());
+        let apart = wide(p.into()) - exact;
+        assert!(apart <= wide(5) && apart >= wide(-5), "{apart} {}", case());
     }
-    let point = Figure { points: vec![p], radius: 0 };
+    let point = shapes::Figure { points: vec![p], radius: 0 };
     assert!(!figure.meets(&point), "{}", case());
     if figure.radius == 0 {
         let corners = hull(&figure.points);
@@ -150,7 +152,7 @@ fn check(hit: &RayHit, figure: &Figure, at: &BigInt, o: P, d: P, case: &dyn Fn()
 fn judge(list: &[Convex], o: P, d: P, random: &mut Random) -> (usize, usize) {
     let (start, motion) = (vec2(o), vec2(d));
     let case = || format!("{o:?} by {d:?}\n{}", tilesat_judge::solids::shapes::show(list));
-    let figures: Vec<_> = list.iter().map(|s| (s.key(), Figure::of(&s.shape()))).collect();
+    let figures: Vec<_> = list.iter().map(|s| (s.key(), shapes::Figure::of(&s.shape()))).collect();
     let mut meetings: Vec<(BigInt, u16)> = Vec::new();
     let mut holders = Vec::new();
     for (key, figure) in &figures {
@@ -200,7 +202,7 @@ fn judge(list: &[Convex], o: P, d: P, random: &mut Random) -> (usize, usize) {
 }
 
 /// Shapes on a lattice of cells of one size.
-fn shape(random: &mut Random, unit: i64) -> Any {
+fn shape(random: &mut Random, unit: i64) -> shapes::Any {
     let at = |random: &mut Random| {
         let one = |random: &mut Random| random.around(6) * unit + [0, 0, random.around(unit)][random.below(3) as usize];
         (one(random), one(random))
@@ -209,7 +211,7 @@ fn shape(random: &mut Random, unit: i64) -> Any {
         let c = at(random);
         let size = |random: &mut Random, most: i64| (random.within(1, most) * unit, random.within(1, most) * unit);
         let (w, h) = size(random, 4);
-        let any: Any = match random.below(5) {
+        let any: shapes::Any = match random.below(5) {
             0 => rect(c, (c.0 + w, c.1 + h)).into(),
             1 => disc(c, random.within(1, 5) * unit).into(),
             2 => {
@@ -282,18 +284,17 @@ fn hits_that_are_nearly_at_once() {
         let (o, e) = (end(), end());
         let d = less(e, o);
         let first = Convex::new(shape(&mut random, unit), 1).unwrap();
-        let Meeting::At(at) = meeting(&Figure::of(&first.shape()), o, d) else { continue };
+        let Meeting::At(at) = meeting(&shapes::Figure::of(&first.shape()), o, d) else { continue };
         // The point, and one of a circle or of a box that has it on its border but for roundings.
-        let place = |o: i64, d: i64| o + i64::try_from((&at * BigInt::from(d.into())) >> BITS).unwrap();
+        let place = |o: i64, d: i64| o + i64::try_from((&at * wide(d.into())) >> BITS).unwrap();
         let p = (place(o.0, d.0) + random.around(1), place(o.1, d.1) + random.around(1));
-        let second: Any = if random.one_in(2) {
+        let second: shapes::Any = if random.one_in(2) {
             let r = random.within(1, 4 * unit);
             let (x, y) = (r * [3, 5, 8, 0][random.below(4) as usize] / 17, r * 15 / 17);
             // A Pythagorean triple, or any direction against the motion.
             let m = if random.one_in(2) { (x, y) } else { (y, x) };
             let c = (p.0 + m.0 * d.0.signum(), p.1 + m.1 * d.1.signum());
-            let far = ((m.0 * m.0 + m.1 * m.1) as f64).sqrt().round() as i64;
-            disc(c, far.max(1)).into()
+            disc(c, (m.0 * m.0 + m.1 * m.1).isqrt().max(1)).into()
         } else {
             let (w, h) = (random.within(1, 3 * unit), random.within(1, 3 * unit));
             rect((p.0, p.1 - h), (p.0 + w * d.0.signum() + i64::from(d.0 == 0), p.1 + h)).into()
@@ -335,10 +336,10 @@ fn boxes_are_boxes() {
 
 /// The square distance from a point within a polygon to its border, rounded down to a length: to
 /// the nearest side. From within a round one, to the same of its core, and the radius more.
-fn exit(figure: &Figure, p: P) -> Option<i64> {
+fn exit(figure: &shapes::Figure, p: P) -> Option<i64> {
     let corners = hull(&figure.points);
     let (r, n) = (figure.radius, corners.len());
-    let point = Figure { points: vec![p], radius: 0 };
+    let point = shapes::Figure { points: vec![p], radius: 0 };
     if !figure.meets(&point) {
         return None;
     }
@@ -349,7 +350,7 @@ fn exit(figure: &Figure, p: P) -> Option<i64> {
         let square = (m.0 * m.0 + m.1 * m.1) as u64;
         return Some(r - (square.isqrt() + u64::from(square.isqrt().pow(2) < square)) as i64);
     }
-    let far = |i: usize| to_edge(less(corners[i], p), less(corners[(i + 1) % n], p));
+    let far = |i: usize| measure::to_edge(less(corners[i], p), less(corners[(i + 1) % n], p));
     let floor = (0..n).map(|i| {
         let square = far(i);
         let (mut low, mut high) = (0, 1i64 << 31);
@@ -370,15 +371,15 @@ fn nearest_points() {
         let unit = UNITS[(n % 4) as usize];
         let list = scene(&mut random, unit);
         let solids = ConvexSolids::new(&list);
-        let figures: Vec<_> = list.iter().map(|s| Figure::of(&s.shape())).collect();
+        let figures: Vec<_> = list.iter().map(|s| shapes::Figure::of(&s.shape())).collect();
         for _ in 0..8 {
             let p = (random.around(9) * unit, random.around(9) * unit + random.around(1));
             let within = random.within(0, 8 * unit);
             let near = solids.closest_point(vec2(p), Fx::from_bits(within as i32), OneWay::Include).unwrap();
             let case = || format!("{p:?} within {within}: {near:?}\n{}", tilesat_judge::solids::shapes::show(&list));
-            let about = |f: &Figure| {
+            let about = |f: &shapes::Figure| {
                 let points: Vec<_> = hull(&f.points).into_iter().map(|q| less(q, p)).collect();
-                Measure::of(&Sum::of_hull(&points, f.radius))
+                measure::Measure::of(&Sum::of_hull(&points, f.radius))
             };
             let is_in = figures.iter().any(|f| about(f).overlaps());
             if let Some(near) = &near {
@@ -386,11 +387,11 @@ fn nearest_points() {
                 assert_eq!(near.inside, is_in, "{}", case());
                 // The point is as far away, but for its rounding, and on a border.
                 let m = less(raw(near.point), p);
-                let far = (dot(m, m) as f64).sqrt();
-                assert!((far - d as f64).abs() <= 2.0, "{}", case());
-                let q = Figure { points: vec![raw(near.point)], radius: 2 };
-                let core = Figure { points: vec![raw(near.point)], radius: 0 };
-                let on = |f: &Figure| f.meets(&q) && exit(f, core.points[0]).is_none_or(|depth| depth <= 2);
+                let squared = |way: i64| i128::from(way.max(0)).pow(2);
+                assert!((squared(d - 2)..=squared(d + 2)).contains(&dot(m, m)), "{}", case());
+                let q = shapes::Figure { points: vec![raw(near.point)], radius: 2 };
+                let core = shapes::Figure { points: vec![raw(near.point)], radius: 0 };
+                let on = |f: &shapes::Figure| f.meets(&q) && exit(f, core.points[0]).is_none_or(|depth| depth <= 2);
                 assert!(figures.iter().any(on), "{}", case());
                 let (x, y) = (i64::from(near.axis.x), i64::from(near.axis.y));
                 assert!((x, y) != (0, 0), "{}", case());
@@ -412,18 +413,15 @@ fn nearest_points() {
                 }
                 continue;
             }
-            match &near {
-                Some(near) => {
-                    let d = i64::from(near.distance.to_bits());
-                    assert!(figures.iter().any(|f| about(f).distance_is(d)), "{}", case());
-                    let nearer = |f: &Figure| d > 0 && !about(f).touches() && !farther(&about(f), d);
-                    assert!(!figures.iter().any(nearer), "{}", case());
-                    outside += 1;
-                }
-                None => {
-                    assert!(figures.iter().all(|f| farther(&about(f), within)), "{}", case());
-                    none += 1;
-                }
+            if let Some(near) = &near {
+                let d = i64::from(near.distance.to_bits());
+                assert!(figures.iter().any(|f| about(f).distance_is(d)), "{}", case());
+                let nearer = |f: &shapes::Figure| d > 0 && !about(f).touches() && !farther(&about(f), d);
+                assert!(!figures.iter().any(nearer), "{}", case());
+                outside += 1;
+            } else {
+                assert!(figures.iter().all(|f| farther(&about(f), within)), "{}", case());
+                none += 1;
             }
         }
     }
@@ -432,7 +430,7 @@ fn nearest_points() {
 }
 
 /// Whether the distance is at least `d`.
-fn farther(measure: &Measure, d: i64) -> bool {
+fn farther(measure: &measure::Measure, d: i64) -> bool {
     !measure.touches() && measure.square.root_minus(measure.radius + d) >= 0
 }
 
