@@ -122,6 +122,7 @@ meets_both!(Segment, Aabb, |a, b, CLOSED| meet::segment_aabb::<CLOSED>(a.ra(), a
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[doc(alias("batch", "SIMD", "structure of arrays"))]
 pub struct BoxColumns<const N: usize> {
     min_x: [i32; N],

@@ -7,6 +7,7 @@ use tilesat::broad::{
 };
 use tilesat::heapless::Vec;
 use tilesat::prelude::*;
+use tilesat::query::BoxColumns;
 use tilesat::{Aabb, Fx, Vec2, error::Truncated};
 
 fn at(x: i16) -> Aabb {
@@ -17,6 +18,7 @@ pub(crate) fn tell_all() {
     let mut near = SortSweep::<8>::new();
     let a = near.insert(&at(0), ()).unwrap();
     let b = near.insert(&at(6), ()).unwrap();
+    tell(&BoxColumns::<2>::of(&[at(0)]).unwrap());
     tell(&near);
     let mut brute = BruteForce::<2, Keyed>::new();
     let tag = Keyed { key: 77, tag: () };

@@ -86,6 +86,7 @@ fn convex(bumper: Circle) {
     tell(&list[0]);
     tell(&solids);
     tell(&solids.features(&bumper.aabb()));
+    tell(&solids.cast_ray_all(Vec2::ZERO, Vec2::from_ints(3, 40), Inside::Hit).unwrap());
 }
 
 fn kinds(lift: &Solid) {
