@@ -68,8 +68,8 @@ impl<L: Law> Mover<L> {
     /// 44 801 rides in the open.
     ///
     /// Cost: a few comparisons for each far solid, and the ways of all corners for each that turns.
-    /// Otherwise at most [`Mover::CONVEX_ROUNDS`] displacements, each one sweep through the level and
-    /// one for each near solid. A turn under a body took 60 000 instructions of a Cortex-M0.
+    /// Otherwise at most [`Mover::CONVEX_ROUNDS`] displacements, each one sweep through the level
+    /// and one for each near solid. A turn under a body took 60 000 instructions of a Cortex-M0.
     ///
     /// ```
     /// use tilesat::motion::Ride;
