@@ -15,7 +15,7 @@ use tilesat_counts::shapes::{CELL, SIDE};
 
 static KINDS: TileKinds = TileKinds::EMPTY;
 /// Nothing but the planks.
-static OPEN: [u8; (SIDE * SIDE) as usize] = [0; (SIDE * SIDE) as usize];
+static OPEN: [u8; SIDE * SIDE] = [0; SIDE * SIDE];
 
 type Plank = ConvexSolid<OrientedBox>;
 type Scene = (TileMap<'static>, [Plank; 4]);
