@@ -137,7 +137,7 @@ games=(
     'hero_slopes:a hero among slopes:43200:132:42700:132'
     'hero_blocks_lift:a hero among blocks with a lift:37500:168:37500:168'
     'hero_slopes_lift:a hero among slopes with a lift:57100:168:56000:168'
-    'hero_slopes_plank:a hero among slopes with a plank that turns:71900:204:71900:204'
+    'hero_slopes_plank:a hero among slopes with a plank that turns:71900:220:71900:220'
     'scene_blocks:a scene of 30 balls and boxes, among blocks:81000:6000:81000:6000'
     'game_bullets:240 bullets, 32 enemies, pairs and events:70500:13800:70500:13800'
 )

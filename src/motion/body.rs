@@ -173,8 +173,9 @@ pub(super) mod kernel {
     use super::Entry;
     use crate::error::RangeError;
     use crate::motion::contact::Plane;
-    use crate::num::{Axis, Raw};
-    use crate::shape::Aabb;
+    use crate::num::{Axis, Raw, Vec2};
+    use crate::query::{Core, between};
+    use crate::shape::{Aabb, Convex};
     use crate::world::{Feature, Geometry, World};
 
     pub trait Kernel: Copy {
@@ -211,6 +212,16 @@ pub(super) mod kernel {
         fn met_by(&self, p: Raw, entry: &Entry) -> (Raw, i32) {
             let _ = p;
             self.toward(entry.normal.reversed())
+        }
+        /// Passes directions from a solid to the body, one of which is between them unless they
+        /// overlap: into each side, and between the points that are nearest to each other. Asked as
+        /// above.
+        fn sides_toward(&self, solid: &[Vec2], each: &mut dyn FnMut(Axis)) {
+            let (lo, hi) = self.core_box();
+            let corners = Aabb::from_raw_unchecked(lo, hi).outline();
+            if let Some(n) = between(Core { corners: solid, radius: 0 }, Core { corners: &corners, radius: 0 }) {
+                each(n);
+            }
         }
         /// Passes the planes of a feature to `plane` if it touches the feature; asked as above.
         fn touched(&self, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {

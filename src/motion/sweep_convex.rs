@@ -14,11 +14,11 @@ use super::sweep_face::{Face, fraction, over, sweep_face, sweep_slope};
 use super::sweep_round::{comes_along, enters_along, enters_quadrant, entry, leave_pipe, leave_quarter};
 use super::touch_convex::touched;
 use crate::error::{Quantity, RangeError};
-use crate::num::{Axis, MOTION, Raw, Toi};
+use crate::num::{Axis, MOTION, Raw, Toi, Vec2};
 use crate::query::cast::crossing::Crossing;
 use crate::query::cast::moment::{gap_time, ratio};
 use crate::query::cast::side::{along, is_below, meets_beyond, reach};
-use crate::query::{Core, meets};
+use crate::query::{Core, between, meets};
 use crate::shape::{Aabb, AnyShape, Circle, Convex, ConvexPolygon, OrientedBox};
 use crate::world::{ConvexBody, Feature, Geometry, World, ends, normal};
 
@@ -76,6 +76,11 @@ macro_rules! angular {
                 (core.corner(met_by(core, p, entry)), core.radius)
             }
 
+            fn sides_toward(&self, solid: &[Vec2], each: &mut dyn FnMut(Axis)) {
+                let corners = self.outline();
+                sides_toward(Core { corners: &corners, radius: 0 }, solid, each);
+            }
+
             fn touched(&self, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
                 let corners = self.outline();
                 touched(Core { corners: &corners, radius: Convex::rounding(self) }, feature, plane)
@@ -111,6 +116,17 @@ fn check_size(core: Core<'_>, bounds: &Aabb) -> Result<(), RangeError> {
     }
     let largest = size.x.max(size.y);
     if largest >> 1 < MOTION { Ok(()) } else { Err(RangeError { what: Quantity::BodySize, value: largest }) }
+}
+
+/// The directions into the sides, and the one between the nearest points: it alone is between two
+/// corners.
+fn sides_toward(core: Core<'_>, solid: &[Vec2], each: &mut dyn FnMut(Axis)) {
+    for i in 0..core.corners.len() {
+        each(core.facing_normal(i));
+    }
+    if let Some(n) = between(Core { corners: solid, radius: 0 }, core) {
+        each(n);
+    }
 }
 
 /// Whether it is within a distance of a segment.

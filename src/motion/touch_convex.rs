@@ -198,6 +198,12 @@ impl<S: Single + Body, const M: usize> Kernel for Compound<S, M> {
         on_line.next().unwrap_or_else(|| self.toward(entry.normal.reversed()))
     }
 
+    fn sides_toward(&self, solid: &[Vec2], each: &mut dyn FnMut(Axis)) {
+        for part in self.parts() {
+            part.sides_toward(solid, each);
+        }
+    }
+
     fn touched(&self, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
         let mut any = false;
         for part in self.parts() {

@@ -89,6 +89,6 @@ pub(crate) use crate::num as round;
 pub use cast::{CastHit, CastShape, Inside, MovingHit};
 pub use closest::{ClosestPoint, Distance};
 pub use contact::{Contact, Contacts};
-pub(crate) use convex::{ArcCell, Core, meets};
+pub(crate) use convex::{ArcCell, Core, between, meets};
 pub use convex::{Manifold, ManifoldPoint, Manifolds, OverlapsFrom, Part, Separation};
 pub use overlap::{BoxColumns, Contains, Overlaps, Touches};

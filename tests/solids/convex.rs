@@ -37,8 +37,8 @@ fn bodies_in_the_open() {
     play(0, 281, 300, &mut seen);
     let least = [seen.free, seen.carried, seen.pushed, seen.squashed, seen.exact, seen.alone, seen.turned, seen.moves];
     assert!(least.iter().all(|&n| n > 9), "{seen:?}");
-    // Polygons with a side of theirs before a turning corner: 4 of 44 801 in 2 400 scenes.
-    assert!(seen.dead * 5000 < seen.alone, "{seen:?}");
+    // In the open each body can yield to a single solid.
+    assert!(seen.dead == 0, "{seen:?}");
 }
 
 #[test]

@@ -3,72 +3,38 @@
 use super::push::Press;
 use super::room::HalfPlane;
 use crate::motion::body::Body;
-use crate::motion::plane::way;
 use crate::num::{Axis, Raw, div_sqrt, toward};
 use crate::query::Core;
 use crate::query::cast::moment::{along, is_below, reach};
 use crate::world::{ConvexSolid, Feature, Geometry, SolidShape, ends};
 
-/// How a solid's corners go to those of its next shape.
-pub(super) struct Turn<'a, S> {
+/// A solid that turns: its corners now, and where they go.
+pub(super) struct Turn<'a, S: SolidShape> {
     solid: &'a ConvexSolid<S>,
+    here: S::Corners<'a>,
+    there: S::Corners<'a>,
     /// The corner of the next shape that the first one goes to.
     shift: usize,
 }
 
 impl<'a, S: SolidShape> Turn<'a, S> {
-    /// By the least turn: the sides agree best.
     pub(super) fn of(solid: &'a ConvexSolid<S>) -> Self {
-        if solid.motion().is_some() {
-            return Self { solid, shift: 0 };
-        }
-        let (here, there) = (solid.shape(), solid.next());
-        let (p, q) = (here.outline(), there.outline());
-        let (p, q) = (Core { corners: &p, radius: 0 }, Core { corners: &q, radius: 0 });
-        let side = |core: &Core<'_>, i: usize| core.corner(core.after(i)).sub(core.corner(i));
-        let agreement = |shift: usize| {
-            let all = (0..p.corners.len()).map(|i| side(&p, i).dot(side(&q, wrapped(i.wrapping_add(shift), &q))) >> 6);
-            all.fold(0i64, i64::saturating_add)
-        };
-        let shift = (0..q.corners.len()).max_by_key(|&shift| agreement(shift));
-        Self { solid, shift: shift.unwrap_or(0) }
+        let (here, there, shift) = solid.corners();
+        Self { solid, here, there, shift }
     }
 
-    /// The longest displacement of a corner, along x or y.
-    pub(super) fn longest(solid: &ConvexSolid<S>) -> u32 {
-        if let Some(motion) = solid.motion() {
-            return way(Raw::of(motion));
-        }
-        let turn = Turn::of(solid);
-        (0..solid.shape().outline().len()).map(|i| way(turn.of_corner(i))).max().unwrap_or(0)
+    fn cores(&self) -> (Core<'_>, Core<'_>) {
+        (Core { corners: &self.here, radius: 0 }, Core { corners: &self.there, radius: 0 })
+    }
+
+    /// Where a corner goes to: its number in the next shape.
+    fn goes_to(&self, corner: usize) -> usize {
+        self.cores().1.wrapped(corner.wrapping_add(self.shift))
     }
 
     fn of_corner(&self, corner: usize) -> Raw {
-        if let Some(motion) = self.solid.motion() {
-            return Raw::of(motion);
-        }
-        let (here, there) = (self.solid.shape(), self.solid.next());
-        let (p, q) = (here.outline(), there.outline());
-        let (p, q) = (Core { corners: &p, radius: 0 }, Core { corners: &q, radius: 0 });
-        q.corner(wrapped(corner.wrapping_add(self.shift), &q)).sub(p.corner(corner))
-    }
-
-    /// A corner, and the same with the directions that its sides will have.
-    fn vertices(&self, corner: usize) -> [Option<Feature>; 2] {
-        let of = |corner: usize| (corner as u16).wrapping_mul(5).wrapping_add(1);
-        let count = self.solid.next().outline().len();
-        let next = corner.wrapping_add(self.shift);
-        let (here, there) = (
-            self.solid.piece(of(corner)),
-            self.solid.moved().piece(of(if next < count { next } else { next.wrapping_sub(count) })),
-        );
-        let turned = here.zip(there).map(|(here, mut there)| {
-            if let (Geometry::Vertex { p, .. }, Geometry::Vertex { p: at, .. }) = (here.geometry, &mut there.geometry) {
-                *at = p;
-            }
-            there
-        });
-        [here, turned]
+        let (p, q) = self.cores();
+        q.corner(self.goes_to(corner)).sub(p.corner(corner))
     }
 
     /// The motion of the point that a body touches: of a face between those of its ends.
@@ -76,13 +42,8 @@ impl<'a, S: SolidShape> Turn<'a, S> {
         let corner = usize::from(feature.index / 5);
         let from = self.of_corner(corner);
         let Geometry::Face { a, dir, len, .. } = feature.geometry else { return from };
-        if self.solid.motion().is_some() {
-            return from;
-        }
         let (a, b) = ends(Raw::of(a), dir, len);
-        let corners = self.solid.shape().outline().len();
-        let next = corner.wrapping_add(1);
-        let to = self.of_corner(if next < corners { next } else { 0 });
+        let to = self.of_corner(self.cores().0.after(corner));
         let (change, whole) = (to.sub(from), b.sub(a).len2());
         let part = |v: Raw, far: i64| Raw { x: part_of(v.x, far, whole), y: part_of(v.y, far, whole) };
         // From both ends, so that mirrored faces give mirrored bits.
@@ -90,91 +51,133 @@ impl<'a, S: SolidShape> Turn<'a, S> {
             let (before, after) = (b.sub(a).dot(p.sub(a)), b.sub(a).dot(b.sub(p)));
             from.add(part(change, before)).add(to.add(part(change.reversed(), after)))
         };
-        // Each is below 2^29.
-        let sum = at(first).add(at(last));
+        // Each is below 2^29. A round body has one lowest point.
+        let one = at(first);
+        let sum = one.add(if first == last { one } else { at(last) });
         Raw { x: sum.x / 4, y: sum.y / 4 }
     }
 
     /// The bound of a turn, if the body does not keep clear of it by `d`: the body stays in front
     /// of what was between the two.
     ///
-    /// That is a face of the solid, which goes where its corners go, or the direction of a side of
-    /// the body, in which a corner of the solid is first. Of several the one that leaves most room
-    /// counts, and none if another one still is between them at the end.
+    /// That is a face of the solid, which goes where its corners go, or a direction in which a
+    /// corner of the solid is first: along x or y, into a side of the body, or between the points
+    /// that are nearest to each other. Before the turn the last one or a face leaves most room, so
+    /// there always is one. None counts if another one still is between them at the end.
     pub(super) fn held<B: Body>(&self, body: &B, d: Raw) -> Option<(Feature, HalfPlane, Press)> {
-        let (shape, next) = (self.solid.shape(), self.solid.next());
-        let (p, q) = (shape.outline(), next.outline());
-        let (p, q) = (Core { corners: &p, radius: 0 }, Core { corners: &q, radius: 0 });
-        let mut best: Option<(Rank, (Feature, HalfPlane, Press))> = None;
-        let mut clear = false;
-        let mut consider = |corner: usize, n: Axis, next_n: Axis, there: Raw, index: u16| {
-            let here = p.corner(corner);
-            let (foot, r) = body.toward(n.reversed());
-            let gap = along(n, foot.sub(here));
-            if gap < 0 || is_below(gap as u64, reach(r, n)) {
-                return;
+        let (p, q) = self.cores();
+        let mut best: Option<TurnFront> = None;
+        let mut keep = |front: TurnFront| {
+            if best.as_ref().is_none_or(|kept| front.rank() > kept.rank()) {
+                best = Some(front);
             }
-            let to = there.sub(body.toward(next_n.reversed()).0);
-            let gap_then = along(next_n, d.sub(to));
-            clear |= gap_then >= 0 && !is_below(gap_then as u64, reach(r, next_n));
-            let room = div_sqrt(gap as u64, n.length_squared()).saturating_sub(r.unsigned_abs());
-            let rank = (room, index == 0, n.x.unsigned_abs(), n.y.unsigned_abs());
-            if best.as_ref().is_some_and(|(kept, _)| *kept >= rank) {
-                return;
-            }
-            // In front of the next plane by the radius.
-            let out = if r == 0 { Raw::ZERO } else { toward(Raw { x: next_n.x, y: next_n.y }, r) };
-            let out = out.add(Raw { x: out.x.signum(), y: out.y.signum() });
-            let Some(feature) = self.solid.piece((corner as u16).wrapping_mul(5).wrapping_add(index)) else { return };
-            let press = Press::of::<true>(self.solid.key(), self.of_corner(corner), next_n);
-            best = Some((rank, (feature, HalfPlane { normal: next_n, at: to.add(out) }, press)));
         };
-        // A direction, and the corner of the solid that is first in it, before and after.
-        let mut beside = |n: Axis| {
-            if !n.is_zero() {
-                let ahead = n.perp().reversed();
-                consider(p.facing(ahead).0, n, n, q.corner(q.facing(ahead).0), 1);
+        for i in 0..p.corners.len() {
+            let there = self.goes_to(i);
+            let (n, next_n) = (p.facing_normal(i).reversed(), q.facing_normal(there).reversed());
+            let Some(gap) = TurnGap::of(body, n, p.corner(i)) else { continue };
+            let front = TurnFront {
+                face: true,
+                corner: i,
+                n,
+                next_n,
+                gap,
+                to: q.corner(there).sub(body.toward(next_n.reversed()).0),
+            };
+            if front.is_clear(d) {
+                return None;
             }
+            keep(front);
+        }
+        // A direction, and the corner of the solid that is first in it, before and after.
+        let mut is_clear = false;
+        let mut beside = |n: Axis| {
+            if is_clear || n.is_zero() {
+                return;
+            }
+            let ahead = n.perp().reversed();
+            let corner = p.facing(ahead).0;
+            let Some(gap) = TurnGap::of(body, n, p.corner(corner)) else { return };
+            let to = q.corner(q.facing(ahead).0).sub(gap.foot);
+            let front = TurnFront { face: false, corner, n, next_n: n, gap, to };
+            is_clear = front.is_clear(d);
+            keep(front);
         };
         for n in [Axis::X, Axis::NEG_X, Axis::Y, Axis::NEG_Y] {
             beside(n);
         }
-        for i in 0..p.corners.len() {
-            if B::ANGULAR {
-                // The side that the corner would come through on a straight way, if the body stays,
-                // or as it goes by `d`: with the corner's directions before the turn, and after it.
-                let by = self.of_corner(i);
-                for vertex in self.vertices(i).into_iter().flatten() {
-                    for way in [by.reversed(), d.sub(by)] {
-                        if let Some(entry) = body.sweep(way, &vertex) {
-                            beside(entry.normal);
-                        }
-                    }
-                }
-            } else if B::MEETS_CORNERS {
+        if B::ANGULAR {
+            body.sides_toward(p.corners, &mut beside);
+        } else if B::MEETS_CORNERS {
+            for i in 0..p.corners.len() {
                 let (here, (lo, hi)) = (p.corner(i), body.core_box());
                 let m = Raw { x: here.x.clamp(lo.x, hi.x), y: here.y.clamp(lo.y, hi.y) }.sub(here);
                 beside(Axis::new(m.x, m.y));
             }
         }
-        for i in 0..p.corners.len() {
-            let there = wrapped(i.wrapping_add(self.shift), &q);
-            consider(i, p.facing_normal(i).reversed(), q.facing_normal(there).reversed(), q.corner(there), 0);
-        }
-        if clear { None } else { best.map(|(_, bound)| bound) }
+        if is_clear { None } else { best.and_then(|front| self.bound(&front)) }
+    }
+
+    /// What it says of a displacement, with the body in front of the plane by its radius.
+    fn bound(&self, front: &TurnFront) -> Option<(Feature, HalfPlane, Press)> {
+        let (n, r) = (front.next_n, front.gap.radius);
+        let out = if r == 0 { Raw::ZERO } else { toward(Raw { x: n.x, y: n.y }, r) };
+        let out = out.add(Raw { x: out.x.signum(), y: out.y.signum() });
+        let index = (front.corner as u16).wrapping_mul(5).wrapping_add(u16::from(!front.face));
+        let feature = self.solid.border(&self.here).piece(index, self.solid.whole())?;
+        let press = Press::of::<true>(self.solid.key(), self.of_corner(front.corner), n);
+        Some((feature, HalfPlane { normal: n, at: front.to.add(out) }, press))
     }
 }
 
-/// How much room a direction leaves; of equal ones a face goes first, then by their normals.
-type Rank = (u32, bool, u32, u32);
+/// What is between a body and a solid before a turn: a face, or a direction and a corner.
+struct TurnFront {
+    face: bool,
+    corner: usize,
+    /// Out of the solid, before the turn and after it.
+    n: Axis,
+    next_n: Axis,
+    gap: TurnGap,
+    /// The displacement that would take the body's core to the plane after the turn.
+    to: Raw,
+}
+
+impl TurnFront {
+    /// How much room it leaves; of equal ones a face goes first, then by their normals.
+    fn rank(&self) -> (u32, bool, u32, u32) {
+        (self.gap.size, self.face, self.n.x.unsigned_abs(), self.n.y.unsigned_abs())
+    }
+
+    /// Whether it still is between them after the turn, where the body goes by `d`.
+    fn is_clear(&self, d: Raw) -> bool {
+        let gap = along(self.next_n, d.sub(self.to));
+        gap >= 0 && !is_below(gap as u64, reach(self.gap.radius, self.next_n))
+    }
+}
+
+/// The room between a body and a plane.
+struct TurnGap {
+    size: u32,
+    /// The nearest point of the body's core, and its radius.
+    foot: Raw,
+    radius: i32,
+}
+
+impl TurnGap {
+    /// None if the body is not in front of the plane through a point.
+    fn of<B: Body>(body: &B, n: Axis, at: Raw) -> Option<Self> {
+        let (foot, radius) = body.toward(n.reversed());
+        let gap = along(n, foot.sub(at));
+        if gap < 0 || is_below(gap as u64, reach(radius, n)) {
+            return None;
+        }
+        let size = div_sqrt(gap as u64, n.length_squared()).saturating_sub(radius.unsigned_abs());
+        Some(Self { size, foot, radius })
+    }
+}
 
 /// `v far / whole`, with `far` between 0 and `whole`, rounded toward zero.
 fn part_of(v: i32, far: i64, whole: u64) -> i32 {
     let size = crate::num::mul_div_wide((far.max(0) as u64).min(whole), v.unsigned_abs(), whole) as i32;
     if v < 0 { size.wrapping_neg() } else { size }
-}
-
-fn wrapped(index: usize, core: &Core<'_>) -> usize {
-    let count = core.corners.len();
-    if index < count { index } else { index.wrapping_sub(count) }
 }

@@ -30,6 +30,7 @@ use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, Orien
 use exit::Exit;
 use place::Place;
 
+pub(crate) use near::between;
 pub(crate) use place::meets;
 pub(crate) use round::ArcCell;
 pub(crate) use walk::Core;

@@ -5,7 +5,7 @@ use super::exit::normal;
 use super::face::{Facing, face};
 use super::place::Place;
 use super::walk::{Core, PolygonSide};
-use crate::num::{Raw, toward};
+use crate::num::{Axis, Raw, toward};
 use crate::query::closest::on_segment;
 
 /// A point of A and one of B, where they do not touch.
@@ -25,6 +25,17 @@ pub(super) fn closest_points(a: Core<'_>, b: Core<'_>) -> Option<(Raw, Raw)> {
     };
     let out = |radius: i32| if radius == 0 { Raw::ZERO } else { toward(n, radius) };
     Some((p.add(out(a.radius)), q.sub(out(b.radius))))
+}
+
+/// The direction from A to B between the points of their cores that are nearest to each other: the
+/// one that leaves most room. A side's is its normal, of length one along x and y.
+pub(crate) fn between(a: Core<'_>, b: Core<'_>) -> Option<Axis> {
+    match Place::of(a, b) {
+        Place::Inside => None,
+        Place::Corner(corner) => Some(Axis::new(corner.at.x, corner.at.y).reversed()),
+        Place::Side(side, _) if side.of_a => Some(a.facing_normal(side.a).reversed()),
+        Place::Side(side, _) => Some(b.facing_normal(side.b)),
+    }
 }
 
 /// A corner and its foot, or one of the pairs of two parallel sides.

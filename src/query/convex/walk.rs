@@ -26,6 +26,12 @@ impl Core<'_> {
         if next < self.corners.len() { next } else { 0 }
     }
 
+    /// An index below twice the number of corners, as one of a corner.
+    pub(crate) const fn wrapped(&self, index: usize) -> usize {
+        let count = self.corners.len();
+        if index < count { index } else { index.wrapping_sub(count) }
+    }
+
     /// The ends of what is nearest to a face in the direction `dir`, which is below it: of a side
     /// that is parallel to it the two corners, in that direction.
     ///

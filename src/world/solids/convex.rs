@@ -5,14 +5,15 @@
 //! to such a piece: the other solid stops them before. A corner that lies on a flush surface has
 //! no side in front of that surface, so a body slides past it.
 
+use super::features::SolidBorder;
 use super::solid::Solid;
 use crate::error::{Quantity, RangeError};
-use crate::num::{Axis, MOTION, Raw, Vec2, check_motion};
+use crate::num::{MOTION, Raw, Vec2, check_motion};
 use crate::query::{Core, meet, meets};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Single};
 use crate::world::cell::Cell;
 use crate::world::convex::ConvexBody;
-use crate::world::level::{Feature, Geometry, MotionPiece, Seen, World, corners_of, levels, meets_as_world, sealed};
+use crate::world::level::{Feature, MotionPiece, Seen, World, levels, meets_as_world, sealed};
 
 /// A shape that a [`ConvexSolid`] may have: any but a segment or a compound. Sealed.
 pub trait SolidShape: Single + Convex {
@@ -49,17 +50,48 @@ solid_shapes!([const N: usize] ConvexPolygon<N>: false, [const N: usize] AnyShap
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[doc(alias("AnimatableBody2D", "moving platform", "kinematic body", "seesaw", "flipper", "bumper"))]
 #[must_use = "a solid is a value: store it"]
 pub struct ConvexSolid<S> {
     shape: S,
     /// The shape after this frame.
     next: S,
-    /// The motion that leads there; none where it turns.
-    motion: Option<Vec2>,
+    drive: Drive,
+    /// The box around both. Every body asks for it, so each change of the solid computes it once.
+    whole: Aabb,
     key: u16,
     flags: u8,
+}
+
+/// How a solid gets to its next shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Drive {
+    Moves(Vec2),
+    /// The first corner goes to the corner `shift` of the next shape, and so on around. The longest
+    /// way of a corner along x or y is `longest`.
+    Turns {
+        shift: usize,
+        longest: u32,
+    },
+}
+
+impl Drive {
+    /// By the least turn: the sides agree best.
+    fn of_turn(p: Core<'_>, q: Core<'_>) -> Self {
+        let side = |core: Core<'_>, i: usize| core.corner(core.after(i)).sub(core.corner(i));
+        let agreement = |shift: usize| {
+            let all = (0..p.corners.len()).map(|i| side(p, i).dot(side(q, q.wrapped(i.wrapping_add(shift)))) >> 6);
+            all.fold(0i64, i64::saturating_add)
+        };
+        let shift = (0..q.corners.len()).max_by_key(|&shift| agreement(shift)).unwrap_or(0);
+        let ways = (0..p.corners.len()).map(|i| q.corner(q.wrapped(i.wrapping_add(shift))).sub(p.corner(i)));
+        let longest = ways.map(longer).max().unwrap_or(0);
+        Self::Turns { shift, longest }
+    }
+}
+
+fn longer(d: Raw) -> u32 {
+    d.x.unsigned_abs().max(d.y.unsigned_abs())
 }
 
 impl<S: SolidShape> ConvexSolid<S> {
@@ -72,7 +104,8 @@ impl<S: SolidShape> ConvexSolid<S> {
     /// slanted sides. An `OrientedBox` or `ConvexPolygon` with a radius is refused, too.
     pub fn new(shape: S, key: u16) -> Result<Self, RangeError> {
         let (corners, radius) = (shape.outline(), shape.rounding());
-        let size = Raw::of(shape.extent().size());
+        let whole = shape.extent();
+        let size = Raw::of(whole.size());
         if radius == 0 && corners.len() < 3 {
             return Err(RangeError { what: Quantity::Area, value: size.x.min(size.y) });
         }
@@ -88,7 +121,7 @@ impl<S: SolidShape> ConvexSolid<S> {
         if radius != 0 && (!S::ROUND || (0..corners.len()).any(is_slanted)) {
             return Err(RangeError { what: Quantity::Rounding, value: radius });
         }
-        Ok(Self { shape, next: shape, motion: Some(Vec2::ZERO), key, flags: 0 })
+        Ok(Self { shape, next: shape, drive: Drive::Moves(Vec2::ZERO), whole, key, flags: 0 })
     }
 
     /// Sets the user flags. Hits report them as those of a tile.
@@ -104,7 +137,8 @@ impl<S: SolidShape> ConvexSolid<S> {
     /// out of the [domain](crate::num::DOMAIN).
     pub fn with_motion(self, motion: Vec2) -> Result<Self, RangeError> {
         check_motion(motion, MOTION)?;
-        Ok(Self { next: self.shape.moved(motion)?, motion: Some(motion), ..self })
+        let next = self.shape.moved(motion)?;
+        Ok(Self { drive: Drive::Moves(motion), ..self.goes_to(next) })
     }
 
     /// The same solid with another shape after this frame: turned, and moved if you like.
@@ -123,16 +157,21 @@ impl<S: SolidShape> ConvexSolid<S> {
         if radius != 0 {
             return Err(RangeError { what: Quantity::Rounding, value: radius });
         }
-        let corners = self.shape.outline().len();
-        if corners != next.outline().len() {
-            return Err(RangeError { what: Quantity::Corners, value: corners as i32 });
+        let (here, there) = (self.shape.outline(), next.outline());
+        if here.len() != there.len() {
+            return Err(RangeError { what: Quantity::Corners, value: here.len() as i32 });
         }
-        Ok(Self { next, motion: None, ..self })
+        let drive = Drive::of_turn(Core { corners: &here, radius: 0 }, Core { corners: &there, radius: 0 });
+        Ok(Self { drive, ..self.goes_to(next) })
+    }
+
+    fn goes_to(self, next: S) -> Self {
+        Self { next, whole: self.shape.extent().union(&next.extent()), ..self }
     }
 
     /// The solid after this frame: at its new position, without a motion.
     pub fn moved(self) -> Self {
-        Self { shape: self.next, motion: Some(Vec2::ZERO), ..self }
+        Self { shape: self.next, drive: Drive::Moves(Vec2::ZERO), whole: self.next.extent(), ..self }
     }
 
     /// Moves all solids of a list at once. Call it after you have asked where the bodies
@@ -158,7 +197,10 @@ impl<S: SolidShape> ConvexSolid<S> {
     /// Its motion in this frame. `None` if it turns.
     #[must_use]
     pub const fn motion(&self) -> Option<Vec2> {
-        self.motion
+        match self.drive {
+            Drive::Moves(motion) => Some(motion),
+            Drive::Turns { .. } => None,
+        }
     }
 
     /// Your key for it.
@@ -173,70 +215,53 @@ impl<S: SolidShape> ConvexSolid<S> {
         self.flags
     }
 
+    /// The box around its shape now and after this frame.
+    pub(crate) const fn whole(&self) -> &Aabb {
+        &self.whole
+    }
+
+    /// The longest way of a corner in this frame, along x or y.
+    pub(crate) fn longest(&self) -> u32 {
+        match self.drive {
+            Drive::Moves(motion) => longer(Raw::of(motion)),
+            Drive::Turns { longest, .. } => longest,
+        }
+    }
+
+    /// Its corners.
+    pub(crate) fn outline(&self) -> S::Corners<'_> {
+        self.shape.outline()
+    }
+
+    /// The corners now and after a turn, and the corner of the second list that the first one goes
+    /// to.
+    pub(crate) fn corners(&self) -> (S::Corners<'_>, S::Corners<'_>, usize) {
+        let shift = match self.drive {
+            Drive::Moves(_) => 0,
+            Drive::Turns { shift, .. } => shift,
+        };
+        (self.shape.outline(), self.next.outline(), shift)
+    }
+
     /// The cell of its features, which holds the key.
     pub(super) const fn cell(&self) -> Cell {
         Cell::new(self.key as i16, Solid::ROW)
     }
 
-    /// A piece of its border: of a corner number i, 5 i is the face that begins there, and 5 i + 1
-    /// its vertex. Of a rounded one those from 5 i + 1 on are arcs.
-    pub(crate) fn piece(&self, index: u16) -> Option<Feature> {
-        let (corners, radius) = (self.shape.outline(), self.shape.rounding());
-        let core = Core { corners: &corners, radius };
-        let geometry = piece(core, usize::from(index / 5), index % 5)?;
-        Some(Feature { geometry, cell: self.cell(), index, flags: self.flags, one_way: false, source: 0 })
-    }
-
-    /// How many pieces there may be.
-    pub(crate) fn pieces(&self) -> u16 {
-        (self.shape.outline().len() as u16).wrapping_mul(5)
+    /// The border with these corners: its own, or those after this frame.
+    pub(crate) fn border<'c>(&self, corners: &'c [Vec2]) -> SolidBorder<'c> {
+        SolidBorder { core: Core { corners, radius: self.shape.rounding() }, cell: self.cell(), flags: self.flags }
     }
 }
 
-/// A piece of an outline at a corner: its face, its vertex, or one of its four arcs.
-fn piece(core: Core<'_>, corner: usize, which: u16) -> Option<Geometry> {
-    let (here, next, last) = (core.corner(corner), core.corner(core.after(corner)), core.corner(core.before(corner)));
-    let r = core.radius;
-    if which == 0 {
-        let (dir, len) = reduced(next.sub(here))?;
-        // Rounded ones are along x or y, with a direction of length one.
-        let out = Raw { x: dir.y.wrapping_mul(r), y: dir.x.wrapping_mul(r).wrapping_neg() };
-        let a = here.add(if r == 0 { Raw::ZERO } else { out });
-        return Some(Geometry::Face { a: a.vec2(), dir, len, joined: [false; 2] });
+/// Without what follows from the rest.
+#[cfg(feature = "defmt")]
+impl<S: SolidShape + defmt::Format> defmt::Format for ConvexSolid<S> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let (shape, next, motion, key, flags) = (self.shape, self.next, self.motion(), self.key, self.flags);
+        defmt::write!(f, "ConvexSolid {{ shape: {}, next: {}, motion: {}, ", shape, next, motion);
+        defmt::write!(f, "key: {}, flags: {} }}", key, flags);
     }
-    if r == 0 {
-        let (e_in, e_out) = (reduced(here.sub(last))?.0, reduced(next.sub(here))?.0);
-        return (which == 1).then_some(Geometry::Vertex { p: here.vec2(), e_in, e_out });
-    }
-    let quadrant = Axis::new(if which & 1 == 0 { -1 } else { 1 }, if which < 3 { -1 } else { 1 });
-    let is_outside = |other: Raw| Raw { x: quadrant.x, y: quadrant.y }.dot(other.sub(here)) <= 0;
-    (is_outside(next) && is_outside(last)).then_some(Geometry::Arc {
-        centre: here.vec2(),
-        radius: r,
-        quadrant,
-        convex: true,
-    })
-}
-
-/// A side as a reduced direction and its multiple; none of a point.
-fn reduced(e: Raw) -> Option<(Axis, i32)> {
-    let (x, y) = (e.x.unsigned_abs(), e.y.unsigned_abs());
-    let len = gcd(x, y) as i32;
-    Some((Axis::new(e.x.checked_div(len)?, e.y.checked_div(len)?), len))
-}
-
-/// By halving and differences: a Cortex-M0 has no division.
-fn gcd(mut a: u32, mut b: u32) -> u32 {
-    if a == 0 || b == 0 {
-        return a | b;
-    }
-    let twos = (a | b).trailing_zeros();
-    a >>= a.trailing_zeros() & 31;
-    while b != 0 {
-        b >>= b.trailing_zeros() & 31;
-        (a, b) = (a.min(b), a.abs_diff(b));
-    }
-    a << (twos & 31)
 }
 
 /// Moving convex solids as a level, at their present positions. It borrows the list and needs no
@@ -290,8 +315,8 @@ impl<'a, S: SolidShape> ConvexSolids<'a, S> {
     /// Whether a shape with these bounds meets one of the solids, which are shifted by `offset`.
     fn any<const CLOSED: bool>(&self, core: Core<'_>, bounds: &Aabb, offset: Raw) -> bool {
         self.list.iter().any(|solid| {
-            let extent = solid.shape.extent();
-            if !meet::aabb_aabb::<CLOSED>(extent.lo(), extent.hi(), bounds.lo(), bounds.hi()) {
+            let in_box = |b: &Aabb| meet::aabb_aabb::<CLOSED>(b.lo(), b.hi(), bounds.lo(), bounds.hi());
+            if !in_box(&solid.whole) || !in_box(&solid.shape.extent()) {
                 return false;
             }
             let shape = if offset.is_zero() { solid.shape } else { solid.shape.shifted(offset) };
@@ -329,18 +354,12 @@ impl<S: SolidShape> Iterator for ConvexFeatures<'_, S> {
     type Item = Feature;
 
     fn next(&mut self) -> Option<Feature> {
-        let meets_region = |lo: Raw, hi: Raw| meet::aabb_aabb::<true>(lo, hi, self.region.lo(), self.region.hi());
         while let Some((solid, rest)) = self.list.split_first() {
-            let extent = solid.shape.extent();
-            let count = if meets_region(extent.lo(), extent.hi()) { solid.pieces() } else { 0 };
-            while self.next < count {
-                let index = self.next;
-                self.next = index.wrapping_add(1);
-                let Some(feature) = solid.piece(index) else { continue };
-                let (a, b) = corners_of(&feature.geometry);
-                let (lo, hi) = meet::corners(a, b);
-                if meets_region(lo, hi) {
-                    return Some(feature);
+            if meet::aabb_aabb::<true>(solid.whole.lo(), solid.whole.hi(), self.region.lo(), self.region.hi()) {
+                let corners = solid.shape.outline();
+                let feature = solid.border(&corners).next_in(&mut self.next, &self.region);
+                if feature.is_some() {
+                    return feature;
                 }
             }
             (self.list, self.next) = (rest, 0);
@@ -374,7 +393,7 @@ impl<S: SolidShape> World for ConvexSolids<'_, S> {
     }
 
     fn look(&self, region: &Aabb, _: Option<i32>, seen: &mut Seen) -> bool {
-        let all = self.list.iter().map(|solid| solid.shape.extent());
+        let all = self.list.iter().map(|solid| solid.whole);
         let near = all.filter(|e| meet::aabb_aabb::<true>(e.lo(), e.hi(), region.lo(), region.hi()));
         // A raw unit larger, for bodies without area on its border.
         let one = Raw { x: 1, y: 1 };

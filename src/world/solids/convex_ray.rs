@@ -10,6 +10,7 @@ use crate::error::RangeError;
 use crate::num::{Raw, Vec2, less128, mul64, sqr64, sub128, usqr};
 use crate::query::cast::moment::along;
 use crate::query::{Core, meet as boxes, meets};
+use crate::shape::Aabb;
 use crate::world::level::{Geometry, precedes};
 use crate::world::measure::product;
 use crate::world::ray::scan::{Found, RayScan, RayWorld, hit_at};
@@ -154,18 +155,18 @@ impl<'w, S: SolidShape> ConvexRayHits<'w, S> {
     /// Where the ray comes into a solid, and when.
     #[inline(never)]
     fn met(&self, solid: &ConvexSolid<S>) -> Option<(Met, RayMoment)> {
-        let (o, d, shape) = (self.o, self.d, solid.shape());
-        let extent = shape.extent();
+        let (o, d) = (self.o, self.d);
         let (lo, hi) = boxes::corners(o, o.add(d));
-        if !boxes::aabb_aabb::<true>(lo, hi, extent.lo(), extent.hi()) {
+        if !boxes::aabb_aabb::<true>(lo, hi, solid.whole().lo(), solid.whole().hi()) {
             return None;
         }
-        let (corners, radius) = (shape.outline(), shape.rounding());
-        let core = Core { corners: &corners, radius };
+        let corners = solid.outline();
+        let (border, way) = (solid.border(&corners), Aabb::from_raw_unchecked(lo, hi));
+        let (core, radius) = (border.core, border.core.radius);
         // Corners are ends of other pieces, which are closed.
         let step = if radius == 0 { 5 } else { 1 };
         let mut best: Option<Met> = None;
-        for feature in (0..solid.pieces()).step_by(step).filter_map(|index| solid.piece(index)) {
+        for feature in (0..border.pieces()).step_by(step).filter_map(|index| border.piece(index, &way)) {
             let Some(touch) = meet::<ConvexSolids<'_, S>>(o, d, &feature) else { continue };
             // At the start only where the ray goes into the solid. A round part is met so only.
             let at_start = touch.time.is_some_and(|time| time.num == 0);

@@ -1,8 +1,9 @@
-//! What of the faces and corners of a list of boxes no other box of the list covers.
+//! The faces and corners of solids: of a list of boxes those that no other box of the list covers,
+//! and the border of a convex solid.
 
 use super::solid::{Side, Solid};
 use crate::num::{Axis, Raw};
-use crate::query::meet;
+use crate::query::{Core, meet};
 use crate::shape::Aabb;
 use crate::world::cell::Cell;
 use crate::world::level::{Feature, Geometry};
@@ -219,4 +220,94 @@ impl Solid {
             None => 0xff,
         }
     }
+}
+
+/// The border of a convex solid. Of a corner number i, 5 i is the face that begins there, and
+/// 5 i + 1 its vertex. Of a rounded one those from 5 i + 1 on are arcs.
+pub(crate) struct SolidBorder<'a> {
+    pub(super) core: Core<'a>,
+    pub(super) cell: Cell,
+    pub(super) flags: u8,
+}
+
+impl SolidBorder<'_> {
+    /// As many corners as an index of their pieces can name.
+    const CORNERS: usize = u16::MAX as usize / 5;
+
+    /// A piece, if it has a point in the closed region.
+    pub(crate) fn piece(&self, index: u16, region: &Aabb) -> Option<Feature> {
+        let geometry = piece_of(self.core, usize::from(index / 5), index % 5, region)?;
+        Some(Feature { geometry, cell: self.cell, index, flags: self.flags, one_way: false, source: 0 })
+    }
+
+    /// How many pieces there may be.
+    pub(crate) fn pieces(&self) -> u16 {
+        (self.core.corners.len().min(Self::CORNERS) as u16).wrapping_mul(5)
+    }
+
+    /// The first of those from `next` on, which becomes the index after it.
+    pub(crate) fn next_in(&self, next: &mut u16, region: &Aabb) -> Option<Feature> {
+        while *next < self.pieces() {
+            let index = *next;
+            let is_last = self.core.radius == 0 && index % 5 == 1;
+            *next = index.wrapping_add(if is_last { 4 } else { 1 });
+            let piece = self.piece(index, region);
+            if piece.is_some() {
+                return piece;
+            }
+        }
+        None
+    }
+}
+
+/// At a corner: its face, its vertex, or one of its four arcs.
+fn piece_of(core: Core<'_>, corner: usize, which: u16, region: &Aabb) -> Option<Geometry> {
+    let (here, next, last) = (core.corner(corner), core.corner(core.after(corner)), core.corner(core.before(corner)));
+    let (r, e) = (core.radius, next.sub(here));
+    // Before a side is reduced, which takes most of the time.
+    let is_near = |a: Raw, b: Raw| {
+        let (lo, hi) = meet::corners(a, b);
+        meet::aabb_aabb::<true>(lo, hi, region.lo(), region.hi())
+    };
+    if which == 0 {
+        // Rounded sides are along x or y.
+        let out = Raw { x: e.y.signum().wrapping_mul(r), y: e.x.signum().wrapping_mul(r).wrapping_neg() };
+        let a = here.add(if r == 0 { Raw::ZERO } else { out });
+        let (dir, len) = if is_near(a, a.add(e)) { reduced(e)? } else { return None };
+        return Some(Geometry::Face { a: a.vec2(), dir, len, joined: [false; 2] });
+    }
+    if r == 0 {
+        if which > 1 || !is_near(here, here) {
+            return None;
+        }
+        let (e_in, e_out) = (reduced(here.sub(last))?.0, reduced(e)?.0);
+        return Some(Geometry::Vertex { p: here.vec2(), e_in, e_out });
+    }
+    let quadrant = Axis::new(if which & 1 == 0 { -1 } else { 1 }, if which < 3 { -1 } else { 1 });
+    let out = Raw { x: quadrant.x, y: quadrant.y };
+    let is_outside = |other: Raw| out.dot(other.sub(here)) <= 0;
+    let end = here.add(Raw { x: out.x.wrapping_mul(r), y: out.y.wrapping_mul(r) });
+    let is_piece = is_near(here, end) && is_outside(next) && is_outside(last);
+    is_piece.then_some(Geometry::Arc { centre: here.vec2(), radius: r, quadrant, convex: true })
+}
+
+/// A side as a reduced direction and its multiple; none of a point.
+fn reduced(e: Raw) -> Option<(Axis, i32)> {
+    let (x, y) = (e.x.unsigned_abs(), e.y.unsigned_abs());
+    let len = gcd(x, y) as i32;
+    Some((Axis::new(e.x.checked_div(len)?, e.y.checked_div(len)?), len))
+}
+
+/// By halving and differences: a Cortex-M0 has no division.
+fn gcd(mut a: u32, mut b: u32) -> u32 {
+    if a == 0 || b == 0 {
+        return a | b;
+    }
+    let twos = (a | b).trailing_zeros();
+    a >>= a.trailing_zeros() & 31;
+    while b != 0 {
+        b >>= b.trailing_zeros() & 31;
+        (a, b) = (a.min(b), a.abs_diff(b));
+    }
+    a << (twos & 31)
 }
