@@ -41,7 +41,7 @@ fn play() -> Result<()> {
             (Vec2::from_ints(60 + 50 * i as i16, 30), Vec2::from_raw(70_000 * i as i32 - 150_000, 0));
         Ball::new(place, velocity).map_err(|e| Fail::new(e.to_string()))
     };
-    let mut balls = (0..INKS.len()).map(start).collect::<Result<Vec<Ball>>>()?;
+    let mut balls = [start(0)?, start(1)?, start(2)?, start(3)?, start(4)?];
     let mut ways: Vec<Vec<Vec2>> = balls.iter().map(|ball| vec![ball.body.centre()]).collect();
     for frame in 0..FRAMES {
         let fail = |e: MoveError| Fail::new(format!("frame {frame}: {e}"));

@@ -1,12 +1,9 @@
 //! A ball: gravity, bounces, the pushes of bumpers, of flippers and of the kicker, and other balls.
 
 use tilesat::motion::response::{exchange, separate};
-use tilesat::motion::{Response, Ride};
+use tilesat::motion::{Response, Ridden, Ride};
 use tilesat::prelude::*;
-use tilesat::world::ConvexSolid;
-use tilesat::{
-    Axis, Circle, Fx, MoveError, Mover, OrientedBox, RangeError, Ratio, Surface, Vec2, World, fx, motion::Masses,
-};
+use tilesat::{Axis, Circle, Fx, MoveError, Mover, RangeError, Ratio, Surface, Vec2, World, fx, motion::Masses};
 
 use super::table::{BUMPER, KICKER};
 
@@ -49,14 +46,12 @@ impl Ball {
     }
 
     /// Goes where flippers that turn push it, and keeps that motion as a part of its velocity.
-    pub fn give_way(&mut self, table: &impl World, flippers: &[ConvexSolid<OrientedBox>]) -> Result<(), MoveError> {
-        let ridden = Mover::new().ride_convex(table, flippers, &self.body, Fx::ZERO)?;
+    pub fn give_way(&mut self, ridden: &Ridden<Circle>) {
         self.body = ridden.body;
         if let Ride::Pushed { .. } = ridden.ride {
             self.velocity += ridden.motion;
             self.flips += 1;
         }
-        Ok(())
     }
 
     /// Separates two balls that overlap, each by half as far as the table allows. They exchange

@@ -37,19 +37,19 @@ impl Flippers {
     }
 
     /// Turns both, and the balls give way. If one cannot, the flippers wait.
-    pub fn step(&mut self, table: &impl World, balls: &mut [Ball]) -> Result<(), MoveError> {
+    pub fn step<const N: usize>(&mut self, table: &impl World, balls: &mut [Ball; N]) -> Result<(), MoveError> {
         let mut turned = self.list;
         for (side, solid) in turned.iter_mut().enumerate() {
             *solid = solid.with_turn(plank(side, height(self.frame + side as u32 * PERIOD / 2))?)?;
         }
-        for ball in balls.iter() {
-            let ridden = Mover::new().ride_convex(table, &turned, &ball.body, Fx::ZERO)?;
-            if matches!(ridden.ride, Ride::Squashed { .. }) {
+        let rides = balls.each_ref().map(|ball| Mover::new().ride_convex(table, &turned, &ball.body, Fx::ZERO));
+        for ridden in rides {
+            if matches!(ridden?.ride, Ride::Squashed { .. }) {
                 return Ok(());
             }
         }
-        for ball in balls {
-            ball.give_way(table, &turned)?;
+        for (ball, ridden) in balls.iter_mut().zip(rides) {
+            ball.give_way(&ridden?);
         }
         (self.list, self.frame) = (turned.map(ConvexSolid::moved), self.frame + 1);
         Ok(())
