@@ -30,55 +30,40 @@ pub trait MovingSolid: Copy + sealed::Sealed {
     ) -> Result<Ridden<B>, MoveError>;
 }
 
-impl sealed::Sealed for Solid {}
+macro_rules! moving_solids {
+    ($([$($shape:tt)*] $solid:ty: $list:lifetime $level:ty, $ride:ident);*) => {$(
+        impl<$($shape)*> sealed::Sealed for $solid {}
 
-impl MovingSolid for Solid {
-    type Level<'a> = Solids<'a>;
+        impl<$($shape)*> MovingSolid for $solid {
+            type Level<$list>
+                = $level
+            where
+                Self: $list;
 
-    fn level(list: &[Self]) -> Solids<'_> {
-        Solids::new(list)
-    }
+            fn level(list: &[Self]) -> Self::Level<'_> {
+                Self::Level::new(list)
+            }
 
-    fn move_each(list: &mut [Self]) {
-        Self::move_all(list);
-    }
+            fn move_each(list: &mut [Self]) {
+                Self::move_all(list);
+            }
 
-    fn ride<W: World, B: Body>(
-        mover: &Mover,
-        level: &W,
-        list: &[Self],
-        body: &B,
-        follow: Fx,
-    ) -> Result<Ridden<B>, MoveError> {
-        mover.ride(level, list, body, follow)
-    }
+            fn ride<W: World, B: Body>(
+                mover: &Mover,
+                level: &W,
+                list: &[Self],
+                body: &B,
+                follow: Fx,
+            ) -> Result<Ridden<B>, MoveError> {
+                mover.$ride(level, list, body, follow)
+            }
+        }
+    )*};
 }
 
-impl<S: SolidShape> sealed::Sealed for ConvexSolid<S> {}
-
-impl<S: SolidShape> MovingSolid for ConvexSolid<S> {
-    type Level<'a>
-        = ConvexSolids<'a, S>
-    where
-        S: 'a;
-
-    fn level(list: &[Self]) -> ConvexSolids<'_, S> {
-        ConvexSolids::new(list)
-    }
-
-    fn move_each(list: &mut [Self]) {
-        Self::move_all(list);
-    }
-
-    fn ride<W: World, B: Body>(
-        mover: &Mover,
-        level: &W,
-        list: &[Self],
-        body: &B,
-        follow: Fx,
-    ) -> Result<Ridden<B>, MoveError> {
-        mover.ride_convex(level, list, body, follow)
-    }
+moving_solids! {
+    [] Solid: 'a Solids<'a>, ride;
+    [S: SolidShape] ConvexSolid<S>: 'a ConvexSolids<'a, S>, ride_convex
 }
 
 /// What [`Character::ride`] answers.
