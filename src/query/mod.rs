@@ -26,6 +26,105 @@
 //! Every loop has a bound, and nothing divides. Only casts can fail: they refuse numbers that are
 //! out of range. A translated scene gives the same bits, and a mirrored one gives mirrored bits.
 //!
+//! # The contact of each shape
+//!
+//! A is the orange shape, and B the box. Red: the points of the manifold on B, and the normal from
+//! the points on A. Faint: A after its push-out.
+//!
+//! <!-- contacts:begin -->
+//! <p>
+//! <svg width="552" height="264" viewBox="0 0 276 132"
+//! font-size="7" stroke-linejoin="round" stroke-linecap="round">
+//! <g transform="translate(0,0)">
+//! <text x="3" y="9" fill="currentColor">Aabb</text>
+//! <g fill="#888" stroke="#888" opacity="0.5">
+//! <path d="M40,32 84,32 84,62 40,62Z" stroke-width="1"/></g>
+//! <g fill="#d80" stroke="#d80" opacity="0.6">
+//! <path d="M20,18 48,18 48,38 20,38Z" stroke-width="1"/></g>
+//! <g fill="#d80" stroke="#d80" opacity="0.2">
+//! <path d="M20,12 48,12 48,32 20,32Z" stroke-width="1"/></g>
+//! <g fill="none" stroke="#d22">
+//! <path d="M40,32L40,32" stroke-width="3"/>
+//! <path d="M40,38L40,48"/>
+//! <path d="M48,32L48,32" stroke-width="3"/>
+//! <path d="M48,38L48,48"/>
+//! </g>
+//! </g>
+//! <g transform="translate(92,0)">
+//! <text x="3" y="9" fill="currentColor">Circle</text>
+//! <g fill="#888" stroke="#888" opacity="0.5">
+//! <path d="M40,32 84,32 84,62 40,62Z" stroke-width="1"/></g>
+//! <g fill="#d80" stroke="#d80" opacity="0.6">
+//! <path d="M32,30Z" stroke-width="33"/></g>
+//! <g fill="#d80" stroke="#d80" opacity="0.2">
+//! <path d="M24.5,28.1Z" stroke-width="33"/></g>
+//! <g fill="none" stroke="#d22">
+//! <path d="M40,32L40,32" stroke-width="3"/>
+//! <path d="M47.5,33.9L57.2,36.3"/>
+//! </g>
+//! </g>
+//! <g transform="translate(184,0)">
+//! <text x="3" y="9" fill="currentColor">Segment</text>
+//! <g fill="#888" stroke="#888" opacity="0.5">
+//! <path d="M40,32 84,32 84,62 40,62Z" stroke-width="1"/></g>
+//! <g fill="#d80" stroke="#d80" opacity="0.6">
+//! <path d="M22,46 58,24Z" stroke-width="1"/></g>
+//! <g fill="#d80" stroke="#d80" opacity="0.2">
+//! <path d="M20.7,43.8 56.7,21.8Z" stroke-width="1"/></g>
+//! <g fill="none" stroke="#d22">
+//! <path d="M40,32L40,32" stroke-width="3"/>
+//! <path d="M41.3,34.2L46.5,42.7"/>
+//! </g>
+//! </g>
+//! <g transform="translate(0,66)">
+//! <text x="3" y="9" fill="currentColor">Capsule</text>
+//! <g fill="#888" stroke="#888" opacity="0.5">
+//! <path d="M40,32 84,32 84,62 40,62Z" stroke-width="1"/></g>
+//! <g fill="#d80" stroke="#d80" opacity="0.6">
+//! <path d="M18,36 44,25Z" stroke-width="19"/></g>
+//! <g fill="#d80" stroke="#d80" opacity="0.2">
+//! <path d="M16.4,32.2 42.4,21.2Z" stroke-width="19"/></g>
+//! <g fill="none" stroke="#d22">
+//! <path d="M40,32L40,32" stroke-width="3"/>
+//! <path d="M41.6,35.8L45.5,45"/>
+//! <path d="M47,32L47,32" stroke-width="3"/>
+//! <path d="M47.5,33.3L51.4,42.5"/>
+//! </g>
+//! </g>
+//! <g transform="translate(92,66)">
+//! <text x="3" y="9" fill="currentColor">OrientedBox</text>
+//! <g fill="#888" stroke="#888" opacity="0.5">
+//! <path d="M40,32 84,32 84,62 40,62Z" stroke-width="1"/></g>
+//! <g fill="#d80" stroke="#d80" opacity="0.6">
+//! <path d="M19.8,13.8 53.9,25.2 48.2,42.2 14.1,30.8Z" stroke-width="1"/></g>
+//! <g fill="#d80" stroke="#d80" opacity="0.2">
+//! <path d="M19.8,3.5 53.9,14.9 48.2,32 14.1,20.6Z" stroke-width="1"/></g>
+//! <g fill="none" stroke="#d22">
+//! <path d="M48.2,32L48.2,32" stroke-width="3"/>
+//! <path d="M48.2,42.2L48.2,52.2"/>
+//! <path d="M40,32L40,32" stroke-width="3"/>
+//! <path d="M40,39.5L40,49.5"/>
+//! </g>
+//! </g>
+//! <g transform="translate(184,66)">
+//! <text x="3" y="9" fill="currentColor">ConvexPolygon</text>
+//! <g fill="#888" stroke="#888" opacity="0.5">
+//! <path d="M40,32 84,32 84,62 40,62Z" stroke-width="1"/></g>
+//! <g fill="#d80" stroke="#d80" opacity="0.6">
+//! <path d="M34,16 50,30 40,42 20,40 14,26Z" stroke-width="7"/></g>
+//! <g fill="#d80" stroke="#d80" opacity="0.2">
+//! <path d="M26.8,10 42.8,24 32.8,36 12.8,34 6.8,20Z" stroke-width="7"/></g>
+//! <g fill="none" stroke="#d22">
+//! <path d="M40,32L40,32" stroke-width="3"/>
+//! <path d="M47.2,38L54.9,44.4"/>
+//! <path d="M40,42L40,42" stroke-width="3"/>
+//! <path d="M42.3,43.9L50,50.3"/>
+//! </g>
+//! </g>
+//! </svg>
+//! </p>
+//! <!-- contacts:end -->
+//!
 //! # Capsules, oriented boxes and polygons
 //!
 //! All pairs with one of these shapes share one algorithm. It merges the sides of A and -B by

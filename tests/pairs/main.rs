@@ -19,6 +19,7 @@ mod number_types;
 mod numbers;
 mod oracle_self;
 mod parts;
+mod pictures;
 mod push_out;
 mod random;
 mod symmetry;

@@ -62,8 +62,8 @@ impl<L: Law> Mover<L> {
     /// A turn that must not squash is refused by the game: ask all bodies first, and turn the solid
     /// only if none is squashed. See the example.
     ///
-    /// Cost: a few comparisons for each far solid (about 100 instructions on a Cortex-M0). Otherwise
-    /// at most [`Mover::CONVEX_ROUNDS`] displacements, each one sweep through the level and one for
+    /// Cost: a few comparisons for each far solid (100 instructions on a Cortex-M0). Otherwise at
+    /// most [`Mover::CONVEX_ROUNDS`] displacements, each one sweep through the level and one for
     /// each near solid. A circle on a plank that turns takes 24 000 instructions.
     ///
     /// ```
