@@ -102,7 +102,10 @@ fn the_documentation_s_picture_is_the_library_s_answer() {
     let text = fs::read_to_string(&path).unwrap();
     let (before, rest) = text.split_once(MARKS.0).expect("the begin of the picture");
     let (shown, after) = rest.split_once(MARKS.1).expect("the end of the picture");
-    let drawn: String = picture().unwrap().lines().map(|line| format!("//! {line}\n")).collect();
+    let mut drawn = String::new();
+    for line in picture().unwrap().lines() {
+        writeln!(drawn, "//! {line}").unwrap();
+    }
     for line in drawn.lines() {
         assert!(line.len() <= COLUMNS, "{} columns: {line}", line.len());
     }

@@ -8,6 +8,7 @@ use serde_json::{Value, json, to_value};
 use tilesat::broad::Exceptions;
 use tilesat::motion::response::{Masses, Stick};
 use tilesat::motion::{Acceleration, Carry};
+use tilesat::shape::AnyShape;
 use tilesat::{
     Aabb, Capsule, Character, Circle, ConvexPolygon, Mover, OrientedBox, Ratio, Scene, Segment, Solid, Surface, Toi,
     Walker,
@@ -64,6 +65,9 @@ fn parts_of_games() {
     refused(&moves, "/change/Moves/x/bits", json!(1 << 28), &["ConvexSolid", "MotionX"]);
     refused(&moves, "/shape/Circle/radius/bits", json!(0), &["ConvexSolid", "Area"]);
     refused(&turns, "/change/Turns/OrientedBox/radius/bits", json!(9), &["ConvexSolid", "Rounding"]);
+    refused(&moves, "/change", json!({"Turns": to_value(moves.shape()).unwrap()}), &["ConvexSolid", "Rounding"]);
+    let triangle = AnyShape::from(crate::values::shapes().5[0]);
+    refused(&turns, "/change/Turns", to_value(triangle).unwrap(), &["ConvexSolid", "4 corners"]);
     refused::<Walker>(&walker(), "/snap/bits", json!(-1), &["Walker", "Snap"]);
     refused::<Walker>(&walker(), "/step/bits", json!(1 << 28), &["Walker", "StepHeight"]);
     refused::<Walker>(&walker(), "/mover/version", json!(0), &["version 0 is unknown"]);

@@ -110,11 +110,14 @@ fn boxes_are_boxes() {
 }
 
 /// A thin arm turns by up to forty degrees per tick among small bodies. None gets to its other
-/// side, and none that it can push out is squashed.
+/// side, and none that it can push out is squashed. Of the bodies that are clear of the hull of
+/// both positions, less than 1 % are pushed: no line that is tried is between that hull and the
+/// body.
 #[test]
 fn no_arm_passes_a_body() {
     fn turn<B: Rider>(make: impl Fn(&mut Random) -> B, seed: u64) {
         let (mut random, mut beside, mut pushed, mut squashed) = (Random::new(seed), 0, 0, 0);
+        let (mut clear, mut moved) = (0, 0);
         let tiles = vec![0; (SIDE * SIDE) as usize];
         let level = TileMap::<AllShapes>::of(&tiles, grid((0, 0)), &KINDS).unwrap();
         for _ in 0..cases(20_000) {
@@ -136,8 +139,9 @@ fn no_arm_passes_a_body() {
             }
             let ridden = MOVER.ride_convex(&level, &[solid], &body, Fx::ONE).unwrap();
             let centre = |b: &B| {
-                let b = b.any().aabb();
-                (i64::from(b.centre().x.to_bits()), i64::from(b.centre().y.to_bits()))
+                let all = b.figure().points;
+                let sum = |of: fn(&(i64, i64)) -> i64| all.iter().map(of).sum::<i64>() / all.len() as i64;
+                (sum(|p| p.0), sum(|p| p.1))
             };
             // The side of the arm, and whether the body is beside it with all of its size, and not
             // where the arm's tip is in the middle of the turn only.
@@ -154,14 +158,21 @@ fn no_arm_passes_a_body() {
                 beside += 1;
             }
             pushed += u32::from(matches!(ridden.ride, Ride::Pushed { .. }));
+            let mut both = Figure::of(&arm(from));
+            both.points.extend(Figure::of(&arm(to)).points);
+            if ridden.floor.is_none() && !both.meets(&body.figure()) {
+                clear += 1;
+                moved += u32::from(ridden.ride != Ride::Free);
+            }
             if matches!(ridden.ride, Ride::Squashed { .. }) {
                 squashed += 1;
             } else {
                 assert!(!Figure::of(&arm(to)).meets(&ridden.body.figure()), "{solid:?} {body:?} {ridden:?}");
             }
         }
-        println!("{beside} beside, {pushed} pushed, {squashed} squashed");
-        assert!(beside > 1000 && pushed > 1000 && squashed == 0);
+        println!("{beside} beside, {pushed} pushed, {squashed} squashed; {clear} clear, of these {moved} pushed");
+        assert!(beside > 1000 && pushed > 400 && squashed == 0);
+        assert!(moved * 100 < clear);
     }
     let at = |random: &mut Random| (random.around(3 * CELL), random.around(3 * CELL));
     turn(
@@ -181,4 +192,5 @@ fn no_arm_passes_a_body() {
         },
         287,
     );
+    turn(polygons, 288);
 }
