@@ -258,9 +258,17 @@ impl<S: SolidShape> ConvexSolid<S> {
 #[cfg(feature = "defmt")]
 impl<S: SolidShape + defmt::Format> defmt::Format for ConvexSolid<S> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        let (shape, next, motion, key, flags) = (self.shape, self.next, self.motion(), self.key, self.flags);
-        defmt::write!(f, "ConvexSolid {{ shape: {}, next: {}, motion: {}, ", shape, next, motion);
-        defmt::write!(f, "key: {}, flags: {} }}", key, flags);
+        let (shape, next, motion) = (self.shape, self.next, self.motion());
+        let (key, flags) = (self.key, self.flags);
+        defmt::write!(
+            f,
+            "ConvexSolid {{ shape: {}, next: {}, motion: {}, key: {}, flags: {} }}",
+            shape,
+            next,
+            motion,
+            key,
+            flags
+        );
     }
 }
 
