@@ -7,9 +7,11 @@ use tilesat::world::Trail;
 use tilesat::{
     Aabb, AllShapes, Circle, Fx, Grid, Outside, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, TileShape, Vec2,
 };
+use tilesat_judge::scenes::BODIES;
 use tilesat_judge::{Random, cases};
 
-const BODIES: usize = 24;
+/// Room for ways too. One number for all tests: each one is another scene to compile.
+const WAYS: usize = BODIES + 12;
 const SIDE: usize = 12;
 static KINDS: TileKinds = {
     let (mut kinds, mut id) = (TileKinds::EMPTY, 0);
@@ -70,7 +72,7 @@ fn a_scene_that_remembers_is_the_scene_that_looks() {
         // Half of the slots, all of them, and the ways of bodies that are pushed to and fro.
         let mut half = Scene::<_, BODIES, { BODIES / 2 }>::remembering(SortSweep::<BODIES, SceneTag>::new(), sleep);
         let mut whole = Scene::<_, BODIES, BODIES>::remembering(SortSweep::<BODIES, SceneTag>::new(), sleep);
-        let mut ways = Scene::<_, BODIES, { BODIES + 12 }>::remembering(SortSweep::<BODIES, SceneTag>::new(), sleep);
+        let mut ways = Scene::<_, BODIES, WAYS>::remembering(SortSweep::<BODIES, SceneTag>::new(), sleep);
         macro_rules! all {
             ($call:ident $arguments:tt) => {
                 all!($call $arguments: plain half whole ways)
@@ -159,7 +161,7 @@ fn a_scene_that_remembers_is_the_scene_that_looks() {
 fn another_gravity_is_another_floor() {
     let tiles = [0_u8; SIDE * SIDE];
     let mut plain = Scene::<_, BODIES>::with_sleep(SortSweep::<BODIES, SceneTag>::new(), Sleep::NEVER);
-    let mut whole = Scene::<_, BODIES, { BODIES + 4 }>::remembering(SortSweep::<BODIES, SceneTag>::new(), Sleep::NEVER);
+    let mut whole = Scene::<_, BODIES, WAYS>::remembering(SortSweep::<BODIES, SceneTag>::new(), Sleep::NEVER);
     let wall = (SIDE as i64) << 20;
     let ball = Circle::new(vec2(wall - (4 << 16), 40 << 16), Fx::from_num(4)).unwrap();
     let belt = Aabb::new(vec2(wall - (20 << 16), 20 << 16), vec2(wall - (7 << 16), 60 << 16)).unwrap();
@@ -182,7 +184,7 @@ fn what_a_game_changes_is_looked_at() {
         let mut r = Random::new(52_000 + case);
         let mut plain = Scene::<_, BODIES>::with_sleep(SortSweep::<BODIES, SceneTag>::new(), Sleep::NEVER);
         let near = SortSweep::<BODIES, SceneTag>::new();
-        let mut ways = Scene::<_, BODIES, { BODIES + 24 }>::remembering(near, Sleep::NEVER);
+        let mut ways = Scene::<_, BODIES, WAYS>::remembering(near, Sleep::NEVER);
         let mut tiles = [0_u8; SIDE * SIDE];
         tiles.fill_with(|| if r.one_in(4) { r.below(34) as u8 } else { 0 });
         for key in 0..BODIES as u32 {

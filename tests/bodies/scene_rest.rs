@@ -3,6 +3,7 @@
 use tilesat::broad::{PairEvent, PairEvents, SortSweep};
 use tilesat::scene::{SceneBody, SceneEvent, SceneTag};
 use tilesat::{Aabb, Circle, Fx, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, Vec2};
+use tilesat_judge::scenes::BODIES;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 fn bx(x: i16, y: i16, w: i16, h: i16) -> Aabb {
@@ -11,7 +12,7 @@ fn bx(x: i16, y: i16, w: i16, h: i16) -> Aabb {
 fn raw(x: i32, y: i32, w: i32, h: i32) -> Aabb {
     Aabb::new(Vec2::from_raw(x, y), Vec2::from_raw(x + w, y + h)).unwrap()
 }
-type S = Scene<SortSweep<16, SceneTag>, 16>;
+type S = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
 /// A trap and a crate in it both rest. A ball wakes the crate. No pair ends that the next step
 /// begins again.

@@ -4,9 +4,11 @@ use core::num::NonZeroU8;
 use tilesat::broad::{BroadPhase, BruteForce, Handle, LooseGrid, Pair, SortSweep, SpatialHash};
 use tilesat::scene::{SceneBody, SceneEvent, SceneTag, Shape, Sleep, Stepped};
 use tilesat::{Aabb, Circle, Fx, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, Toi, Vec2};
+use tilesat_judge::scenes::BODIES;
 use tilesat_judge::{Random, cases};
 
-const BODIES: usize = 16;
+/// Bodies of a random scene. A scene of the judge's size has room, and is compiled anyway.
+const CROWD: usize = 16;
 pub(super) const PX: i64 = 1 << 16;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
@@ -262,7 +264,7 @@ fn neither_order_nor_broad_phase_matters() {
     let (mut met, mut woken) = (0, 0);
     for case in 0..cases(60) {
         let mut r = Random::new(20_000 + case);
-        let bodies: Vec<_> = (0..BODIES as u32)
+        let bodies: Vec<_> = (0..CROWD as u32)
             .map(|key| {
                 let (x, y, size) = (r.within(20, 200) * PX, r.within(17, 23) * PX, r.within(1, 7) * PX);
                 let shape: Shape = if r.one_in(2) {
@@ -291,7 +293,7 @@ fn neither_order_nor_broad_phase_matters() {
             filled(SpatialHash::<64, BODIES, SceneTag>::new(Fx::from_num(16)).unwrap(), shuffled.iter().copied());
         for frame in 0..60 {
             if frame % 15 == 14 {
-                let (key, velocity) = (r.below(BODIES as i64) as u32, launch(&mut r, 8 * PX));
+                let (key, velocity) = (r.below(CROWD as i64) as u32, launch(&mut r, 8 * PX));
                 one.set_velocity(handle(&one, key), velocity).unwrap();
                 other.set_velocity(handle(&other, key), velocity).unwrap();
                 brute.set_velocity(handle(&brute, key), velocity).unwrap();
