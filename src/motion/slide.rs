@@ -267,13 +267,22 @@ fn lay_on<W: World, B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: 
 fn is_hop(plane: &Plane, u: Raw, made: Raw) -> bool {
     let Plane { normal: n, bend: Bend::Convex } = *plane else { return false };
     let (m, along) = (Raw { x: n.x, y: n.y }, across(u, n));
-    // Mostly s is well above a quarter of rho, which needs no root: `s = |along| / |n|` down to a
-    // raw unit, and `|n| <= |n.x| + |n.y|`.
-    let rounding = u64::from(n.x.unsigned_abs().wrapping_add(n.y.unsigned_abs())) << 3;
-    if along.unsigned_abs() << 2 > m.len2().wrapping_add(rounding) {
+    // Mostly the answer needs no root. `s = |along| / |n|` down to a raw unit, and `|n|` is at most
+    // `sum`. So here s is well above a quarter of rho:
+    let (size, sum) = (m.len2(), u64::from(n.x.unsigned_abs().wrapping_add(n.y.unsigned_abs())));
+    if along.unsigned_abs() << 2 > size.wrapping_add(sum << 3) {
         return false;
     }
-    let (rho, was) = (isqrt64(m.len2()), isqrt64(m.sub(made).len2()));
+    // And here the body was too far off. With the squares M of rho and W of the distance before, the
+    // gap between their roots is `(W - M) / (sqrt W + sqrt M)`. For W up to 4 M that is at least
+    // `(W - M) / 3 sqrt M`. Roundings and NEAR take less than 5 from it and 1 from rho. So
+    // `2 rho gap` is at least `2 (W - M) / 3 - 12 sqrt M`, and `s^2` is at most `|u|^2`. For a larger
+    // W the gap is about rho or more, and `s^2` at most a sixteenth of `rho^2`.
+    let before = m.sub(made).len2();
+    if (size >= 64 && before >> 2 > size) || before > size.wrapping_add(u.len2() << 1).wrapping_add(sum << 5) {
+        return false;
+    }
+    let (rho, was) = (isqrt64(size), isqrt64(before));
     let s = tangential(along, n);
     s <= rho >> 2 && umul(rho, was.saturating_sub(rho).saturating_sub(NEAR)) * 2 <= usqr(s)
 }
