@@ -4,7 +4,7 @@
 use super::body::{Body, Entry};
 use super::order::First;
 use super::plane::into;
-use super::search::{Held, Search};
+use super::search::{Search, hull};
 use crate::num::{Axis, Raw, umul};
 use crate::world::{Block, Cell, Cells, Feature, Fill, Geometry, Way, World};
 
@@ -90,7 +90,8 @@ impl<B: Body> Search<'_, B> {
             return;
         }
         // One cursor for all cells of other shapes.
-        let mut features = self.ahead(world, &Held { bounds, cells: Some(Cells::NONE) }, None, d);
+        let whole = hull(&bounds, Raw::ZERO, d, 1);
+        let mut features = world.features_of_cells(&whole, d, body.meets_joints());
         loop {
             if !sweep.is_late(&block) {
                 world.enter(&mut features, &block);
