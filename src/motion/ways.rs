@@ -388,8 +388,9 @@ impl Ways {
         });
     }
 
+    /// They fill the first slots.
     pub(super) fn iter(&self) -> impl Iterator<Item = &Way> {
-        self.ways.iter().filter_map(Option::as_ref)
+        self.ways.iter().map_while(Option::as_ref)
     }
 
     /// Whether the body still touches a plane that it has run along, if that is a face.
