@@ -103,17 +103,23 @@ impl Way {
         if self.along.is_none() || other.along.is_none() {
             return self.along.is_none();
         }
-        if let Some(longer) = self.is_clearly_longer(other) {
-            return longer;
-        }
-        let ((a, n), (b, m)) = (self.length(of), other.length(of));
         let normal = |way: &Self| way.along.map_or(Raw::ZERO, |p| Raw { x: p.normal.x, y: p.normal.y });
         let rank = |way: &Self| way.along.map_or(0, |p| p.bend.rank());
+        let (n, m) = (normal(self), normal(other));
+        // Sides of a box and ends of faces often have the normal of a face. Their lengths are equal.
+        let lengths = if n == m || n == m.reversed() {
+            Ordering::Equal
+        } else if let Some(longer) = self.is_clearly_longer(other) {
+            return longer;
+        } else {
+            let ((a, n), (b, m)) = (self.length(of), other.length(of));
+            cmp_squares((a, m), (b, n))
+        };
         // A plane that presses back goes first: it has the friction.
-        cmp_squares((a, m), (b, n))
+        lengths
             .then_with(|| by_size(self.v, other.v))
             .then_with(|| self.presses.cmp(&other.presses))
-            .then_with(|| by_size(normal(self), normal(other)))
+            .then_with(|| by_size(n, m))
             .then_with(|| rank(self).cmp(&rank(other)))
             .is_gt()
     }
