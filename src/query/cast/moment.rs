@@ -4,8 +4,8 @@
 
 use super::kernel::{Course, Moment};
 use crate::num::{
-    Axis, LONG, Raw, SPLIT, Toi, add128, cmp_squares, dot, fraction, imul, leading_zeros64, less128, mul64, root128_down,
-    root128_up, sqr_signed, sqr64, sub128, umul, usqr,
+    Axis, LONG, Raw, SPLIT, Toi, add128, cmp_squares, dot, fraction, imul, leading_zeros64, less128, mul64,
+    root128_down, root128_up, sqr_signed, sqr64, sub128, umul, usqr,
 };
 use crate::query::meet::circle_circle;
 use core::cmp::Ordering;

@@ -164,8 +164,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     pub(super) fn any_solid(&self, range: Range, test: impl Fn(&TileSolid) -> bool) -> bool {
         let mut cells = Cells::of(range);
         while let Some(block) = self.next_cell(&mut cells) {
-            let corners = World::corners(self, &block);
-            if test(&TileSolid::new(block.kind.shape.form(), corners, self.grid.cell >> 1)) {
+            if test(&TileSolid::new(block.kind.shape.form(), World::corners(self, &block), self.grid.cell >> 1)) {
                 return true;
             }
         }
