@@ -193,7 +193,7 @@ impl<S: Law> Mover<S> {
         let Some((entry, feature)) = hit.filter(|(_, met)| !(met.one_way && self.passes_one_way())) else {
             return Raw::ZERO;
         };
-        let made = run.place(world, d, entry, run.before);
+        let made = run.place(world, d, entry.displacement(d), run.before);
         if !made.is_zero() {
             if !run.moved.hits.tell_of(entry.normal, feature) {
                 self.meet(run, 0, entry.normal, feature);
