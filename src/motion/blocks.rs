@@ -4,8 +4,8 @@
 use super::body::{Body, Entry};
 use super::order::First;
 use super::plane::into;
-use super::search::{Held, Search};
-use crate::num::{Axis, Raw};
+use super::search::{Search, hull};
+use crate::num::{Axis, Raw, umul};
 use crate::world::{Block, Cell, Cells, Feature, Fill, Geometry, Way, World};
 
 /// The cells to visit: those of a range, or those of a way.
@@ -38,6 +38,9 @@ impl Walk for Way {
         }
     }
 }
+
+/// The bound of a time may be early by less than a raw unit of way.
+const EARLY: i32 = 4;
 
 /// The position of a body along a side, from the start of its motion to the end.
 enum Over {
@@ -87,10 +90,13 @@ impl<B: Body> Search<'_, B> {
             return;
         }
         // One cursor for all cells of other shapes.
-        let mut features = self.ahead(world, &Held { bounds, cells: Some(Cells::NONE) }, None, d);
+        let whole = hull(&bounds, Raw::ZERO, d, 1);
+        let mut features = world.features_of_cells(&whole, d, body.meets_joints());
         loop {
-            world.enter(&mut features, &block);
-            self.meet_all(world, &mut features, d, sweep.first);
+            if !sweep.is_late(&block) {
+                world.enter(&mut features, &block);
+                self.meet_all(world, &mut features, d, sweep.first);
+            }
             match self.next_odd(&mut sweep, walk) {
                 Some(next) => block = next,
                 None => return,
@@ -200,6 +206,22 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
         let (gap, into) = (gap.unsigned_abs(), into.unsigned_abs());
         let normal = crate::world::normal(dir);
         (gap < into).then_some(Entry { num: gap, den: into, normal, at_end: false, step: None })
+    }
+
+    /// Whether the motion comes to a cell only after its first hit so far: by more than the raw
+    /// units that bounds of times may be early. One-way tiles always count.
+    fn is_late(&self, block: &Block) -> bool {
+        let Some((num, den)) = self.first.time() else { return false };
+        if block.kind.fill() != Fill::Part {
+            return false;
+        }
+        let (lo, hi) = self.world.corners(block);
+        let after = |gap: i32, d: i32| {
+            let gap = if d < 0 { gap.wrapping_neg() } else { gap };
+            d != 0 && gap > EARLY && umul(gap.wrapping_sub(EARLY) as u32, den) > umul(d.unsigned_abs(), num)
+        };
+        let (x, y) = (if self.d.x < 0 { hi.x } else { lo.x }, if self.d.y < 0 { hi.y } else { lo.y });
+        after(x.wrapping_sub(self.front.x), self.d.x) || after(y.wrapping_sub(self.front.y), self.d.y)
     }
 
     /// The corner of the sides toward `x` and `y`.

@@ -145,22 +145,35 @@ impl Entry {
     /// half-plane, so does the rounded point. At a slope each component is rounded to the side that
     /// the normal points to, and the sum only gains height.
     pub(super) fn displacement(&self, d: Raw) -> Raw {
+        self.displacement_at(d, None)
+    }
+
+    /// The same. `time` is `num / den` in parts of 2^30, rounded down, if that is known.
+    pub(super) fn displacement_at(&self, d: Raw, time: Option<u32>) -> Raw {
         self.step.unwrap_or_else(|| {
             let slope = self.normal.x != 0 && self.normal.y != 0;
             let out = if slope { self.normal } else { Axis::new(0, 0) };
-            Raw { x: self.part(d.x, out.x), y: self.part(d.y, out.y) }
+            Raw { x: self.part(d.x, out.x, time), y: self.part(d.y, out.y, time) }
         })
     }
 
     /// The component `d` up to the hit: rounded up if that leads to the side of `out`, otherwise
     /// toward the start.
-    fn part(&self, d: i32, out: i32) -> i32 {
+    fn part(&self, d: i32, out: i32, time: Option<u32>) -> i32 {
         let size = d.unsigned_abs();
         if size == self.den {
             // Across a face along x or y the component equals `den`, so its part is `num`.
             return if d < 0 { (self.num as i32).wrapping_neg() } else { self.num as i32 };
         }
-        let part = mul_div(size, self.num, self.den);
+        let part = match time {
+            // Short by less than size / 2^30, which is below one. Three products cost less than a
+            // quotient.
+            Some(time) if self.num != 0 => {
+                let low = (umul(size, time) >> 30) as u32;
+                low.wrapping_add(u32::from(umul(low.wrapping_add(1), self.den) <= umul(size, self.num)))
+            }
+            _ => mul_div(size, self.num, self.den),
+        };
         let up = out != 0 && (out < 0) == (d < 0) && umul(part, self.den) != umul(size, self.num);
         let part = part.wrapping_add(u32::from(up)) as i32;
         if d < 0 { part.wrapping_neg() } else { part }

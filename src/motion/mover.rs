@@ -424,7 +424,8 @@ impl<S: Law> Mover<S> {
             let time = run.rest.raw() - run.after.raw();
             let used = mul_div(time, entry.num, entry.den);
             if let Some(side) = self.meet(run, used, entry.normal, feature) {
-                made = run.place(world, d, entry, run.before);
+                let known = (time == Toi::ONE.raw()).then_some(used);
+                made = run.place(world, d, entry.displacement_at(d, known), run.before);
                 chooses = self.respond::<W, B, WALKS>(run, used, (d, made), (side, entry, feature));
             }
         } else {

@@ -73,6 +73,12 @@ impl First {
         }
     }
 
+    /// When a hit is, if there is one: a fraction. It may not be the first one.
+    pub(super) fn time(&self) -> Option<(u32, u32)> {
+        let found = self.flat.entry.as_ref().or(self.round.entry.as_ref());
+        found.map(|entry| (entry.num, entry.den))
+    }
+
     /// Whether there is a hit in the first `piece` of `pieces` pieces of the motion.
     pub(super) fn is_within(&self, piece: u32, pieces: u32) -> bool {
         let within = |slot: &Candidate| slot.entry.as_ref().is_some_and(|e| umul(e.num, pieces) <= umul(e.den, piece));

@@ -32,7 +32,15 @@ impl SlopeLimit {
     ///
     /// Blocks need neither product: one of the two is zero.
     pub(super) fn side(self, up: Axis, normal: Axis) -> SurfaceRole {
-        let (along, across) = (normal.dot(up), normal.perp_dot(up));
+        // Mostly up is along an axis. Its length is then a factor of both products, and plays no
+        // part.
+        let (along, across) = if up.x == 0 {
+            (i64::from(if up.y < 0 { normal.y.wrapping_neg() } else { normal.y }), normal.x.into())
+        } else if up.y == 0 {
+            (i64::from(if up.x < 0 { normal.x.wrapping_neg() } else { normal.x }), normal.y.into())
+        } else {
+            (normal.dot(up), normal.perp_dot(up))
+        };
         let (a, c) = (along.unsigned_abs(), across.unsigned_abs());
         // 45 degrees, the default, need no product.
         let is_steep = |a, c| {

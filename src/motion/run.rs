@@ -128,20 +128,19 @@ impl<'m, B: Body> Run<'m, B> {
 
     /// Moves up to the hit. Returns the displacement made.
     pub(super) fn advance<W: World>(&mut self, world: &W, d: Raw, entry: &Entry) -> Raw {
-        self.place(world, d, entry, d)
+        self.place(world, d, entry.displacement(d), d)
     }
 
-    /// Moves up to the hit, not against `u`. Returns the displacement made.
+    /// Moves by the displacement `q` up to a hit, not against `u`. Returns the displacement made.
     ///
     /// If a box meets blocks, the first displacement is certain. At the exact position of the hit
     /// the box is on the outer side of one face's line of each rectangle of solid. Those lines are
     /// integers, and rounding toward the integer start passes none.
     #[inline(never)]
-    pub(super) fn place<W: World>(&mut self, world: &W, d: Raw, entry: &Entry, u: Raw) -> Raw {
+    pub(super) fn place<W: World>(&mut self, world: &W, d: Raw, q: Raw, u: Raw) -> Raw {
         // Corners: rounding away from one corner may graze another. Tries lattice neighbours toward
         // the start, then aside, then two back.
         const STEPS: [(i32, i32); 7] = [(0, 0), (-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
-        let q = entry.displacement(d);
         if q.is_zero() {
             return q;
         }

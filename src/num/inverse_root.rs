@@ -45,6 +45,12 @@ impl InverseRoot {
     /// [`div_sqrt`] of the same number, for quotients below 2^31.
     #[inline(always)]
     pub(crate) const fn times(self, s: u64, n: u64) -> u32 {
+        self.times_root_of(s, n, sqr64(s))
+    }
+
+    /// The same with the square of `s`.
+    #[inline(always)]
+    const fn times_root_of(self, s: u64, n: u64, square: (u64, u64)) -> u32 {
         let mut q = if LONG {
             // The quotient is below 2^31, so one bit more of the product has room above.
             self.half_below(s << self.half << 1) as u32
@@ -53,7 +59,6 @@ impl InverseRoot {
             let product = umul((s >> 32) as u32, y).wrapping_add(umul(s as u32, y) >> 32);
             (product >> (31 - self.half)) as u32
         };
-        let square = sqr64(s);
         while !less128(square, mul64(usqr(q.wrapping_add(1)), n)) {
             q = q.wrapping_add(1);
         }
@@ -71,8 +76,9 @@ impl InverseRoot {
 #[must_use]
 pub const fn div_sqrt(s: u64, n: u64) -> u32 {
     // s / sqrt(n) >= 2^31, that is s^2 >= 2^62 n.
-    if !less128(sqr64(s), (n >> 2, n << 62)) {
+    let square = sqr64(s);
+    if !less128(square, (n >> 2, n << 62)) {
         return u32::MAX;
     }
-    InverseRoot::of(n).times(s, n)
+    InverseRoot::of(n).times_root_of(s, n, square)
 }

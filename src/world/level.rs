@@ -290,6 +290,13 @@ pub trait World: sealed::Sealed {
         (Raw { x: 0, y: 0 }, Raw { x: 0, y: 0 })
     }
 
+    /// A cursor at no cell of a grid, over what opposes a motion in the region.
+    #[doc(hidden)]
+    fn features_of_cells(&self, region: &Aabb, d: Raw, joints: bool) -> Self::Features<'_> {
+        let _ = (d, joints);
+        self.features(region)
+    }
+
     /// Gives a cursor that is over the features of a cell of a grid.
     #[doc(hidden)]
     fn enter(&self, features: &mut Self::Features<'_>, block: &Block) {

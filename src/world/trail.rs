@@ -154,6 +154,10 @@ impl<W: World> World for Traced<'_, W> {
         self.world.corners(block)
     }
 
+    fn features_of_cells(&self, region: &Aabb, d: Raw, joints: bool) -> W::Features<'_> {
+        self.world.features_of_cells(region, d, joints)
+    }
+
     fn enter(&self, features: &mut W::Features<'_>, block: &Block) {
         self.world.enter(features, block);
     }

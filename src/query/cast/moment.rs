@@ -4,8 +4,8 @@
 
 use super::kernel::{Course, Moment};
 use crate::num::{
-    Axis, LONG, Raw, SPLIT, Toi, add128, cmp_squares, fraction, imul, leading_zeros64, less128, mul64, root128_down,
-    root128_up, sqr_signed, sqr64, sub128, umul, usqr,
+    Axis, LONG, Raw, SPLIT, Toi, add128, cmp_squares, dot, fraction, imul, leading_zeros64, less128, mul64,
+    root128_down, root128_up, sqr_signed, sqr64, sub128, umul, usqr,
 };
 use crate::query::meet::circle_circle;
 use core::cmp::Ordering;
@@ -134,7 +134,7 @@ pub(crate) fn along(dir: Axis, v: Raw) -> i64 {
     if !LONG && is_small(dir) {
         i64::from(dir.x.wrapping_mul(v.x)).wrapping_add(i64::from(dir.y.wrapping_mul(v.y)))
     } else {
-        imul(dir.x, v.x).wrapping_add(imul(dir.y, v.y))
+        dot(dir.x, v.x, dir.y, v.y)
     }
 }
 

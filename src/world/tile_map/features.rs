@@ -82,8 +82,15 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Those that a query asks for.
     #[inline(never)]
     pub(super) const fn features_for(&self, look: &CellQuery) -> Features<'_, S, T> {
-        let range = self.solid_range(self.closed_range(look.region.0, look.region.1));
+        let ((lo, hi), one) = (look.region, Raw { x: 1, y: 1 });
+        let range = self.solid_range_of(lo.sub(one), hi.add(one));
         Features { map: self, look: *look, walk: self.walk_of(range, Range::NONE), surface: S::CellSurface::NONE }
+    }
+
+    /// Those that a query asks for, of no cell yet.
+    #[inline]
+    pub(super) const fn features_of(&self, look: &CellQuery) -> Features<'_, S, T> {
+        Features { map: self, look: *look, walk: CellWalk::NONE, surface: S::CellSurface::NONE }
     }
 
     /// Those of the features that a motion could run into, of the cells that a piece of it reaches

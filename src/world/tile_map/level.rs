@@ -73,6 +73,11 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
         if is_square { self.grid.square(x, y) } else { self.extent(x, y) }
     }
 
+    #[inline]
+    fn features_of_cells(&self, region: &Aabb, d: Raw, joints: bool) -> Features<'_, S, T> {
+        self.features_of(&CellQuery { d, joints, ..CellQuery::all(region) })
+    }
+
     fn enter(&self, features: &mut Features<'_, S, T>, block: &Block) {
         features.enter(block);
     }

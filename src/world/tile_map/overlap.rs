@@ -9,8 +9,8 @@ use crate::num::{Raw, usqr};
 use crate::query::meet::{gap, in_disc};
 use crate::query::{Overlaps, Touches, meet};
 use crate::shape::{Aabb, Circle};
-use crate::world::cell::Range;
-use crate::world::level::levels;
+use crate::world::cell::{Cells, Range};
+use crate::world::level::{World, levels};
 use crate::world::tile_map::kind::TileShape;
 
 levels! {
@@ -162,9 +162,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Whether the solid of any cell of a range passes a test.
     #[inline]
     pub(super) fn any_solid(&self, range: Range, test: impl Fn(&TileSolid) -> bool) -> bool {
-        let mut walk = self.walk_of(range, Range::NONE);
-        while self.walk(&mut walk) {
-            if test(&TileSolid::new(walk.kind.shape.form(), self.corners(&walk), self.grid.cell >> 1)) {
+        let mut cells = Cells::of(range);
+        while let Some(block) = self.next_cell(&mut cells) {
+            if test(&TileSolid::new(block.kind.shape.form(), World::corners(self, &block), self.grid.cell >> 1)) {
                 return true;
             }
         }

@@ -28,6 +28,20 @@ pub struct CellWalk {
     pub(super) seen: Range,
 }
 
+impl CellWalk {
+    /// That of no cell.
+    pub(super) const NONE: Self = Self {
+        x: 0,
+        y: 0,
+        kind: TileKind::EMPTY,
+        tile: 0,
+        in_map: false,
+        last: 0,
+        range: Range::NONE,
+        seen: Range::NONE,
+    };
+}
+
 /// The wanted part of a cell's surface.
 ///
 /// Public in a private module, because a sealed trait names it.
