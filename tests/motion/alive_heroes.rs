@@ -1,0 +1,105 @@
+//! Walkers that jump about with a constant input in small levels. If one stays for good, it has a
+//! floor, and no way of free positions leads ahead or down (L6, L7). Raw units, y down.
+
+use super::alive_graph::{leads, leaves_room};
+use super::walk_worlds::{Frame, step};
+use tilesat::{Axis, Fx, Mover, SlopeSpeed, Walker};
+use tilesat_judge::rooms::body::Body;
+use tilesat_judge::rooms::room::Room;
+use tilesat_judge::rooms::{P, mosaic};
+use tilesat_judge::{Random, cases};
+
+const PLAYER: Mover = Mover::platformer(Axis::NEG_Y);
+/// Large, so that a frame's gravity is far more than roundings.
+const CELL: i64 = 256 * K;
+const K: i64 = 16;
+/// Frames in which it jumps where it stands, and frames in which it does not.
+const FRAMES: [i64; 2] = [60, 160];
+
+/// How a hero is driven: to this speed across "up" by this acceleration.
+#[derive(Clone, Copy, Debug)]
+struct Drive {
+    speed: i64,
+    acceleration: i64,
+    gravity: i64,
+    jump: i64,
+}
+
+/// The last frame of a hero that stays at its place.
+fn stays(walker: &Walker, map: &tilesat::TileMap<'_, tilesat::AllShapes>, body: Body, drive: &Drive) -> Option<Frame> {
+    let (mut at, mut v, mut floor, mut still): (Body, P, _, _) = (body, (0, 0), None, 0);
+    for frame in 0..FRAMES[1] {
+        let jumps = frame < FRAMES[0] && floor.is_some();
+        let push = (
+            v.0 + (drive.speed - v.0).clamp(-drive.acceleration, drive.acceleration),
+            if jumps { -drive.jump } else { v.1 + drive.gravity },
+        );
+        let next = step(walker, map, at, push, if jumps { None } else { floor }).ok()?;
+        still = if next.body == at && frame > FRAMES[0] { still + 1 } else { 0 };
+        if still == 8 {
+            return Some(next);
+        }
+        (at, v, floor) = (next.body, next.v, next.floor);
+    }
+    None
+}
+
+fn play(levels: u64) {
+    let mut r = Random::new(17);
+    let (mut runs, mut stayed, mut stuck) = (0, 0, Vec::new());
+    for _ in 0..levels {
+        let dense = [15, 30, 50][r.below(3) as usize];
+        let mut level = mosaic(&mut r, (5, 5), CELL, dense, 0);
+        // Straight edges that exact bodies fit between, more often than arcs.
+        for tile in &mut level.tiles {
+            *tile = if r.one_in(6) { 1 } else { *tile };
+        }
+        let (map, room) = (level.all(), Room::new(&level));
+        for _ in 0..8 {
+            let size = |r: &mut Random| [64, 128, 160, 192, 224, 256, 384][r.below(7) as usize] * K;
+            let (w, h) = (size(&mut r), size(&mut r));
+            let at = (r.within(0, (5 * CELL - w) / 512) * 512, r.within(0, (5 * CELL - h) / 512) * 512);
+            let body = if r.one_in(3) {
+                Body::Disc((at.0 + w / 2, at.1 + w / 2), w / 2)
+            } else {
+                Body::Rect(at, (w, h))
+            };
+            let speed = [200, 96, 40][r.below(3) as usize] * K * if r.one_in(2) { 1 } else { -1 };
+            let gravity = [40, 16, 8][r.below(3) as usize] * K;
+            let acceleration = [gravity / 2, gravity, 2 * gravity, 1 << 20][r.below(4) as usize];
+            let drive = Drive { speed, acceleration, gravity, jump: [0, 90, 160, 240][r.below(4) as usize] * K };
+            let snap = Fx::from_bits([0, 64 * K as i32][r.below(2) as usize]);
+            let walker = Walker::new(PLAYER).with_snap(snap).unwrap();
+            let walker = walker.with_slope_speed([SlopeSpeed::Constant, SlopeSpeed::Projected][r.below(2) as usize]);
+            if room.overlaps(body, (0, 0), 0) {
+                continue;
+            }
+            runs += 1;
+            let Some(end) = stays(&walker, &map, body, &drive) else { continue };
+            stayed += 1;
+            // Ahead and down, without a climb.
+            let ahead = drive.speed.signum();
+            let ways = [(ahead, 0), (ahead, 1), (0, 1)];
+            let goes_on = |body| leads(&room, body, &ways, (ahead, 1), 256);
+            let straight = !level.tiles.iter().any(|&tile| (10..=17).contains(&tile));
+            let dead = goes_on(end.body) && (straight || leaves_room(&room, end.body, (ahead, 1), goes_on));
+            if end.floor.is_none() || dead {
+                stuck.push((level.tiles.clone(), body, end.body, end.floor.is_some(), drive, snap));
+            }
+        }
+    }
+    for s in &stuck { eprintln!("STUCK floor {} {s:?}", s.3); }
+    assert!(stayed > runs / 4, "{stayed} of {runs}");
+    assert!(stuck.is_empty(), "{} of {stayed} heroes that stay, such as {:?}", stuck.len(), &stuck[..stuck.len().min(3)]);
+}
+
+#[test]
+fn what_stays_stands_and_has_no_way_on() {
+    play(cases(1_500));
+}
+
+#[test]
+#[ignore = "half a minute"]
+fn what_stays_stands_and_has_no_way_on_all() {
+    play(100_000);
+}
