@@ -18,16 +18,21 @@ const CELL: i64 = 256;
 /// both, a part of the input, and free all the way. A step from a free place to another may lead
 /// through the corner of a tile that is one raw unit high.
 fn leads_on(room: &Room, body: Body, v: P, far: i64) -> bool {
+    let all = (-1..=1).flat_map(|x| (-1..=1).map(move |y| (x, y)));
+    let steps: Vec<P> = all.filter(|&d| d.0 * v.0 + d.1 * v.1 > 0).collect();
+    leads(room, body, &steps, v, far)
+}
+
+/// Whether these steps, free all the way, lead as far as `far` along `v`.
+pub(super) fn leads(room: &Room, body: Body, steps: &[P], v: P, far: i64) -> bool {
     let along = |d: P| d.0 * v.0 + d.1 * v.1;
-    let steps = (-1..=1).flat_map(|x| (-1..=1).map(move |y| (x, y))).filter(|&d| along(d) > 0);
-    let steps: Vec<P> = steps.collect();
     let length = ((v.0 * v.0 + v.1 * v.1) as f64).sqrt();
     let (mut seen, mut open) = (HashSet::from([(0, 0)]), vec![(0, 0)]);
     while let Some(p) = open.pop() {
         if along(p) as f64 >= far as f64 * length {
             return true;
         }
-        for d in &steps {
+        for d in steps {
             let q = (p.0 + d.0, p.1 + d.1);
             if !seen.contains(&q) && room.is_free(body.moved(p), *d, 8) && seen.insert(q) {
                 open.push(q);
@@ -51,10 +56,10 @@ fn grown(body: Body, by: i64) -> Body {
 ///
 /// A mover counts both surfaces as touched that are within its rounding distance of 4 raw. Between
 /// them it finds no way unless both are straight, and those are met where they are.
-fn leaves_room(room: &Room, end: Body, v: P) -> bool {
+pub(super) fn leaves_room(room: &Room, end: Body, v: P, leads_on: impl Fn(Body) -> bool) -> bool {
     let larger = grown(end, 2);
     let places = (-3..=3).flat_map(|x| (-3..=3).map(move |y| (x, y))).filter(|p| p.0 * v.0 + p.1 * v.1 <= 0);
-    places.map(|p| larger.moved(p)).any(|body| !room.overlaps(body, (0, 0), 0) && leads_on(room, body, v, 16))
+    places.map(|p| larger.moved(p)).any(|body| !room.overlaps(body, (0, 0), 0) && leads_on(body))
 }
 
 /// Whether the input is so square to all that it meets that it is no way along it.
@@ -109,7 +114,8 @@ fn play(levels: u64) {
             stayed += 1;
             let straight = |out: &Outcome| out.hits.iter().all(|h| h.index < 4);
             let out = end.step(&PLAYER, &map, v).unwrap();
-            if leads_on(&room, end, v, 16) && !is_square(&out, v) && (straight(&out) || leaves_room(&room, end, v)) {
+            let goes_on = |body| leads_on(&room, body, v, 16);
+            if goes_on(end) && !is_square(&out, v) && (straight(&out) || leaves_room(&room, end, v, goes_on)) {
                 stuck.push((level.tiles.clone(), body, end, v));
             }
         }

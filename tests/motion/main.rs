@@ -5,6 +5,7 @@
 mod alive_corridors;
 mod alive_cuts;
 mod alive_graph;
+mod alive_heroes;
 mod alive_levels;
 mod alive_passages;
 mod alive_ramps;

@@ -224,18 +224,29 @@ impl Walker {
         let mut run = self.mover.start(world, &mut moved, &mut around)?;
         let reach = self.snap.max(self.step);
         check_cells(world, &body.bounds(), Raw { x: reach, y: reach })?;
-        let Footing { floor, stepped, snapped } = self.go(world, &mut run, floor)?;
+        let footing = match self.go(world, &mut run, floor)? {
+            Some(footing) => footing,
+            None => {
+                moved = Moved::freely(*body, velocity, 0);
+                run = self.mover.start(world, &mut moved, &mut around)?;
+                self.mover.slide::<W, B, false>(world, &mut run, &mut First::none())?;
+                self.fly(world, &mut run)
+            }
+        };
+        let Footing { floor, stepped, snapped } = footing;
         run.end::<W>();
         Ok(Walked { moved, floor, stepped, snapped })
     }
 
-    /// Makes the motion of a frame.
+    /// Makes the motion of a frame. `None` if the body comes to a floor that neither carries it nor
+    /// lets it walk: the foot of a ramp beside it, under a ceiling. That is no landing. Gravity
+    /// still has a way.
     fn go<W: World, B: Body>(
         &self,
         world: &W,
         run: &mut Run<'_, B>,
         floor: Option<Support>,
-    ) -> Result<Footing, MoveError> {
+    ) -> Result<Option<Footing>, MoveError> {
         let (passes, rises) = (self.mover.passes_one_way(), self.mover.up.is_some_and(|up| leads(run.v, up)));
         let stands = floor.filter(|f| !(rises || (passes && f.one_way))).map(|f| f.axis);
         let axis = if stands.is_none() || self.mover.up.is_none() {
@@ -244,14 +255,22 @@ impl Walker {
         } else {
             stands
         };
-        let in_air = |floor| Footing { floor, stepped: Fx::ZERO, snapped: Fx::ZERO };
-        let Some(up) = self.mover.up else { return Ok(in_air(None)) };
-        run.pass_one_way |= passes;
-        if let Some(axis) = axis {
-            return Stride::new(self, world, run, up, axis).walk();
+        if let (Some(axis), Some(up)) = (axis, self.mover.up) {
+            run.pass_one_way |= passes;
+            let footing = Stride::new(self, world, run, up, axis).walk()?;
+            let hangs = stands.is_none() && footing.floor.is_none() && run.v.is_zero();
+            return Ok((!hangs).then_some(footing));
         }
-        let level = !(leads(run.v, up) || leads(run.v, up.reversed()));
-        Ok(in_air(if level { run.floor_near(world, &self.mover, up) } else { None }))
+        Ok(Some(self.fly(world, run)))
+    }
+
+    /// The end of a frame in the air. A body whose velocity does not lead up or down may stand.
+    #[inline(never)]
+    fn fly<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>) -> Footing {
+        run.pass_one_way |= self.mover.passes_one_way();
+        let level = self.mover.up.filter(|&up| !(leads(run.v, up) || leads(run.v, up.reversed())));
+        let floor = level.and_then(|up| run.floor_near(world, &self.mover, up));
+        Footing { floor, stepped: Fx::ZERO, snapped: Fx::ZERO }
     }
 }
 
